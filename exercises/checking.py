@@ -1,0 +1,118 @@
+"""Does a problem hold together? Two ways to the key, its units, and its mistakes."""
+
+import random
+
+from mpmath import mp, mpf
+
+from newton_euler.scalars import Dimension, DimensionError, size
+from newton_euler.units import unit
+
+from .proofs import DIGITS
+from .variants import SEPARATION, SYMBOLIC, CatalogueError, distance, draw, evaluate, flat, symbol_values
+
+AGREEMENT = 1e-9  # relative, solve in floats against prove; in 50 digits they must agree to the square of it
+_SEED = b"check"
+
+
+def check(p, seeds=1):
+    """Everything that is wrong with problem ``p``, as sentences; an empty list if it holds.
+
+    Checks the book's numbers (seed 0) and ``seeds - 1`` drawn variants: solve against prove in floats and in 50 digits, every mistake
+    away from the key, and once the units of every answer by running ``solve`` on dimensions.
+    """
+    faults = _fit(p) or _dimensions(p)
+    for n in range(seeds):
+        faults = faults or [f"{fault} (seed {n})" for fault in _agreement(p, n)]
+    return faults
+
+
+def values(p, seed):
+    """The book's numbers for seed 0, otherwise a drawn variant; with a value for every symbol."""
+    given = p.book_values if seed == 0 else draw(p, _SEED + str(seed).encode())
+    return {**given, **symbol_values(p, random.Random(f"{p.id}:{seed}"))}
+
+
+def _fit(p):
+    """Names in the text against names in the code."""
+    try:
+        g = p.base(values(p, 0))
+        named, solved, proved = p.code.mistakes(g), p.code.solve(g), p.code.prove(_precise(p, values(p, 0)))
+    except CatalogueError as error:
+        return [str(error)]
+    faults = [f"the mistake {m} is in problems.yaml but not computed; compute it, or move it to struck: with a reason" for m in p.mistakes if m not in named]
+    faults += [f"the mistake {m} is computed but not in problems.yaml" for m in named if m not in p.mistakes]
+    asked = [a.key for a in p.answers]
+    faults += [f"{what} returns {list(got)} but the problem asks for {asked}" for what, got in (("solve", solved), ("prove", proved)) if list(got) != asked]
+    for name, answers in named.items():
+        if not answers or not set(answers) <= set(asked):
+            faults.append(f"the mistake {name} must give some of {asked}, and gives {list(answers)}")
+        for key, answer in answers.items():
+            if hasattr(answer, "frame") and answer.frame.name != solved[key].frame.name:
+                faults.append(f"{key} is in {solved[key].frame.name}, but the mistake {name} has it in {answer.frame.name}: use in_frame")
+    return faults
+
+
+def _dimensions(p):
+    """Run solve on dimensions: a sum of unlike quantities raises, and each answer must have the dimension of its unit."""
+    pure = p.base({n: 1.0 for n in p.units})
+    g = pure.but(**{n: unit(u).dimension for n, u in p.units.items()})
+    try:
+        answers = p.code.solve(g)
+    except DimensionError as error:
+        return [f"solve adds unlike quantities: {error}"]
+    faults = []
+    for key, answer in answers.items():
+        a = p.answer(key)
+        if a.kind in ("count", "choice"):
+            continue
+        for x in flat(answer):
+            if isinstance(x, Dimension) and x != unit(a.unit).dimension or not isinstance(x, Dimension) and x and any(unit(a.unit).dimension.powers):
+                faults.append(f"{key} is asked for in {a.unit}, {unit(a.unit).dimension}, but solve gives {x}")
+    return faults
+
+
+def _precise(p, given):
+    with mp.workdps(DIGITS):
+        return p.base({n: mpf(repr(v)) for n, v in given.items()})
+
+
+def _agreement(p, seed):
+    try:
+        given = values(p, seed)
+        right, wrong = evaluate(p, given)
+    except CatalogueError as error:
+        return [str(error)]
+    with mp.workdps(DIGITS):
+        g = _precise(p, given)
+        proved, precise = p.in_units(p.code.prove(g)), p.in_units(p.code.solve(g))
+    faults = []
+    for key in right:
+        a = p.answer(key)
+        if a.kind in ("count", "choice"):
+            if proved[key] != right[key][0]:
+                faults.append(f"{key}: solve says {right[key][0]}, prove says {proved[key]}")
+            continue
+        for numbers, tolerance, how in ((right[key], AGREEMENT, "floats"), (flat(precise[key]), AGREEMENT**2, "50 digits")):
+            gap = _gap(numbers, flat(proved[key]))
+            if not gap <= tolerance:
+                faults.append(f"{key}: solve in {how} and prove differ by {gap:.1e} of its size: {_shown(numbers)} against {_shown(flat(proved[key]))}")
+    for name, answers in wrong.items():
+        for key, answer in answers.items():
+            if p.answer(key).kind not in ("count", "choice") and distance(answer, right[key]) < SEPARATION:
+                faults.append(f"the mistake {name} gives nearly the right {key}: {_shown(answer)}")
+    return faults
+
+
+def _gap(a, b):
+    with mp.workdps(DIGITS):
+        if len(a) != len(b):
+            return float("inf")
+        whole = mp.sqrt(sum(mpf(y) ** 2 for y in b))
+        return float(mp.sqrt(sum((mpf(x) - y) ** 2 for x, y in zip(a, b, strict=True))) / (whole or 1))
+
+
+def _shown(numbers):
+    return "(" + ", ".join(f"{size(x) * (1 if x >= 0 else -1):.6g}" for x in numbers) + ")"
+
+
+__all__ = ["AGREEMENT", "SYMBOLIC", "check", "values"]

@@ -1,0 +1,93 @@
+"""Tools for ``prove``: explicit motions in time, differentiated numerically at 50 digits.
+
+Nothing here comes from the engine. A proof writes the position of a point as a function of time, with rotation matrices multiplied
+out, and differentiates that; it knows of no Coriolis term and no law of composition, so it can only agree with ``solve`` if both are right.
+Vectors are lists of three mpmath numbers, matrices lists of rows.
+"""
+
+from mpmath import mp, mpf
+
+DIGITS = 50
+STEP = "1e-9"  # five-point rules at 50 digits: truncation 1e-36 times the fifth derivative, rounding 1e-32
+
+
+def rot(axis, angle):
+    """The matrix that turns vectors by ``angle`` about ``axis`` ("x", "y", "z" or three components), right-handed: Rodrigues' formula."""
+    e = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.get(axis, axis) if isinstance(axis, str) else axis
+    length = mp.sqrt(sum(mpf(x) ** 2 for x in e))
+    e = [mpf(x) / length for x in e]
+    c, s = mp.cos(angle), mp.sin(angle)
+    skew = [[0, -e[2], e[1]], [e[2], 0, -e[0]], [-e[1], e[0], 0]]
+    return [[c * (n == m) + s * skew[n][m] + (1 - c) * e[n] * e[m] for m in range(3)] for n in range(3)]
+
+
+def times(*factors):
+    """The product of matrices, or of matrices with a final vector."""
+    *rest, out = factors
+    for a in reversed(rest):
+        if isinstance(out[0], (list, tuple)):
+            out = [[sum(a[n][k] * out[k][m] for k in range(3)) for m in range(3)] for n in range(3)]
+        else:
+            out = [sum(a[n][k] * out[k] for k in range(3)) for n in range(3)]
+    return out
+
+
+def transposed(a):
+    """The transpose; for a rotation, its inverse: ``times(transposed(R), v)`` are the components of v in the turned axes."""
+    return [list(row) for row in zip(*a, strict=True)]
+
+
+def plus(*vectors):
+    """The sum of vectors."""
+    return [sum(x) for x in zip(*vectors, strict=True)]
+
+
+def minus(a, b):
+    """The difference of two vectors."""
+    return [x - y for x, y in zip(a, b, strict=True)]
+
+
+def scaled(s, a):
+    """The vector s a."""
+    return [s * x for x in a]
+
+
+def size(a):
+    """The magnitude of a vector."""
+    return mp.sqrt(sum(x * x for x in a))
+
+
+def _combine(values, weights, scale):
+    first = values[0]
+    if isinstance(first, (list, tuple)):
+        return [_combine([v[n] for v in values], weights, scale) for n in range(len(first))]
+    return sum(w * v for w, v in zip(weights, values, strict=True)) / scale
+
+
+def rate(f, t=0):
+    """df/dt of a number, vector or matrix that depends on time, by a five-point central difference."""
+    with mp.workdps(DIGITS):
+        h, t = mpf(STEP), mpf(t)
+        return _combine([f(t - 2 * h), f(t - h), f(t + h), f(t + 2 * h)], (1, -8, 8, -1), 12 * h)
+
+
+def second_rate(f, t=0):
+    """d2f/dt2, by a five-point central difference."""
+    with mp.workdps(DIGITS):
+        h, t = mpf(STEP), mpf(t)
+        values = [f(t + n * h) for n in (-2, -1, 0, 1, 2)]
+        return _combine(values, (-1, 16, -30, 16, -1), 12 * h * h)
+
+
+def angular_velocity(R, t=0):
+    """omega of a body whose orientation matrix is R(t) (body components to ground components): the vector of the skew matrix R' R^T."""
+    with mp.workdps(DIGITS):
+        W = times(rate(R, t), transposed(R(mpf(t))))
+        return [(W[2][1] - W[1][2]) / 2, (W[0][2] - W[2][0]) / 2, (W[1][0] - W[0][1]) / 2]
+
+
+def angular_acceleration(R, t=0):
+    """alpha of the same body: the skew part of R'' R^T (its symmetric part, -|omega|^2 and so on, drops out)."""
+    with mp.workdps(DIGITS):
+        W = times(second_rate(R, t), transposed(R(mpf(t))))
+        return [(W[2][1] - W[1][2]) / 2, (W[0][2] - W[2][0]) / 2, (W[1][0] - W[0][1]) / 2]

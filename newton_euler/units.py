@@ -1,0 +1,99 @@
+"""Units by name, with exact factors to the coherent base kg, m, s, rad.
+
+``Unit("rev/min")`` or ``Unit("slug*ft^2")``: names joined by ``*`` and ``/``, powers by ``^``. ``lb`` is the pound of force, ``slug`` the mass that
+it accelerates at 1 ft/s^2; angles are pure numbers.
+"""
+
+import re
+from fractions import Fraction
+from functools import lru_cache
+
+from .scalars import Dimension, pi
+
+_INCH, _POUND_MASS, _STANDARD_G = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction(980665, 10**5)
+_POUND = _POUND_MASS * _STANDARD_G
+_LENGTH, _TIME, _MASS = Dimension(0, 1, 0), Dimension(0, 0, 1), Dimension(1, 0, 0)
+_PURE = Dimension()
+_FORCE = _MASS * _LENGTH / _TIME**2
+
+# name: (exact factor, power of pi in it, dimension)
+UNITS = {
+    "1": (1, 0, _PURE), "%": (Fraction(1, 100), 0, _PURE), "rad": (1, 0, _PURE),
+    "deg": (Fraction(1, 180), 1, _PURE), "rev": (2, 1, _PURE),
+    "m": (1, 0, _LENGTH), "mm": (Fraction(1, 1000), 0, _LENGTH), "cm": (Fraction(1, 100), 0, _LENGTH), "km": (1000, 0, _LENGTH),
+    "in": (_INCH, 0, _LENGTH), "ft": (12 * _INCH, 0, _LENGTH), "mi": (63360 * _INCH, 0, _LENGTH),
+    "s": (1, 0, _TIME), "min": (60, 0, _TIME), "h": (3600, 0, _TIME), "rpm": (Fraction(2, 60), 1, _PURE / _TIME),
+    "kg": (1, 0, _MASS), "g": (Fraction(1, 1000), 0, _MASS), "slug": (_POUND / (12 * _INCH), 0, _MASS),
+    "N": (1, 0, _FORCE), "kN": (1000, 0, _FORCE), "lb": (_POUND, 0, _FORCE), "oz": (_POUND / 16, 0, _FORCE),
+    "J": (1, 0, _FORCE * _LENGTH), "W": (1, 0, _FORCE * _LENGTH / _TIME), "Pa": (1, 0, _FORCE / _LENGTH**2),
+}  # fmt: skip
+
+
+class UnitError(ValueError):
+    """A unit that is not known, or not written as names joined by ``*`` and ``/``."""
+
+
+class Unit:
+    """A unit, with its exact factor (a fraction times a power of pi) and its dimension.
+
+    >>> Unit("rev/min").to_base(60.0) == 2*pi()
+    True
+    >>> Unit("mm").from_base(0.25)
+    250.0
+    """
+
+    def __init__(self, text):
+        self.text = text
+        self.factor, self.pi_power, self.dimension = Fraction(1), 0, Dimension()
+        for sign, name, power in _parts(text):
+            if name not in UNITS:
+                raise UnitError(f"unknown unit {name!r} in {text!r}; known are {', '.join(UNITS)}")
+            factor, pi_power, dimension = UNITS[name]
+            n = sign * power
+            self.factor *= Fraction(factor) ** n
+            self.pi_power += pi_power * n
+            self.dimension = self.dimension * dimension**n
+
+    def __repr__(self):
+        return f"Unit({self.text!r})"
+
+    def to_base(self, x):
+        """The quantity of ``x`` such units, in kg, m, s and rad; ``x`` a scalar of any kind or a Vector."""
+        return self._scaled(x, self.factor, self.pi_power)
+
+    def from_base(self, x):
+        """How many such units the quantity ``x``, in kg, m, s and rad, is; ``x`` a scalar of any kind or a Vector."""
+        return self._scaled(x, 1 / self.factor, -self.pi_power)
+
+    @staticmethod
+    def _scaled(x, factor, pi_power):
+        if factor.numerator != 1:
+            x = x * factor.numerator
+        if factor.denominator != 1:
+            x = x / factor.denominator
+        if pi_power:
+            p = pi(x.c[0] if hasattr(x, "frame") else x)
+            x = x * p**pi_power if pi_power > 0 else x / p**-pi_power
+        return x
+
+
+@lru_cache(maxsize=None)
+def unit(text):
+    """The :class:`Unit` written so; the same object each time."""
+    return Unit(text)
+
+
+def _parts(text):
+    sign, parts = 1, []
+    for token in re.split(r"([*/])", text.replace(" ", "")):
+        if token == "*":
+            continue
+        if token == "/":
+            sign = -1
+            continue
+        match = re.fullmatch(r"([A-Za-z%]+|1)(?:\^(-?\d+))?", token)
+        if not match:
+            raise UnitError(f"cannot read the unit {text!r} at {token!r}; write it as in 'kg*m^2/s' or 'rev/min'")
+        parts.append((sign, match[1], int(match[2] or 1)))
+        sign = 1
+    return parts

@@ -1,0 +1,356 @@
+"""Vectors: three components in a frame (Appendix A of the book).
+
+A :class:`Vector` belongs to a frame but to no origin. Vectors of two frames combine as they are: the result is expressed in the
+frame of the left one. A vector that theory writes as a sum keeps its terms by name (``a.terms``, ``a.explain()``), and knows
+how it changes in time where that follows from how it was made (``a.rate(observer)``).
+"""
+
+from .scalars import ZERO, Moving, ScalarError, atan2, is_numeric, is_zero, plain, scalar, size, sqrt
+
+
+class FrameError(ValueError):
+    """Frames or vectors that do not belong together, or a question that leaves out the frame it is asked in."""
+
+
+# -- triples: the arithmetic behind vectors, on bare components of one frame
+
+
+def cross3(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot3(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def add3(a, b):
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def sub3(a, b):
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def scale3(s, a):
+    return (s * a[0], s * a[1], s * a[2])
+
+
+ZERO3 = (ZERO, ZERO, ZERO)
+
+
+class Vector:
+    """A vector with components (x, y, z) along the axes of ``frame``. Make one with ``frame.vector(x, y, z)``.
+
+    ``a + b, a - b, 2*a, a/2, -a`` and the methods :meth:`dot` (A.11), :meth:`cross` (A.13) work over scalars of every kind.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> a = ground.vector(1.0, 2.0, 2.0)
+    >>> a.norm(), a.dot(ground.i), a.cross(ground.k)
+    (3.0, 1.0, Vector(2.0, -1.0, 0 in ground))
+    """
+
+    __slots__ = ("frame", "c", "_own_rate", "_ledger")
+    __array_ufunc__ = None
+
+    def __init__(self, c, frame, own_rate=None, ledger=None):
+        self.frame, self.c, self._own_rate, self._ledger = frame, c, own_rate, ledger
+
+    # -- components
+
+    x = property(lambda self: plain(self.c[0]), doc="component along the first axis of its frame (A.7)")
+    y = property(lambda self: plain(self.c[1]), doc="component along the second axis of its frame (A.7)")
+    z = property(lambda self: plain(self.c[2]), doc="component along the third axis of its frame (A.7)")
+
+    def __iter__(self):
+        return iter(self.components())
+
+    def components(self, frame=None):
+        """The three components along the axes of ``frame`` (default: the frame it is expressed in), as a tuple."""
+        c = self.c if frame is None else self.expressed_in(frame).c
+        return tuple(plain(x) for x in c)
+
+    def expressed_in(self, frame):
+        """The same vector with its components along the axes of ``frame``; its terms and its rate go with it."""
+        if frame is self.frame:
+            return self
+        c = self.frame.transform(self.c, frame)
+        own = self._own_rate and (lambda: self.rate(frame))
+        return Vector(c, frame, own, self._ledger and self._ledger.mapped(lambda v: v.expressed_in(frame)))
+
+    def to_array(self):
+        """The components as a NumPy array of shape (3,), or (3, N) where they are arrays of N instants."""
+        import numpy as np
+
+        return np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in self)))
+
+    def __repr__(self):
+        return f"Vector({', '.join(map(repr, self))} in {self.frame.name})"
+
+    def __str__(self):
+        return f"[{', '.join(_short(x) for x in self)}] in {self.frame.name}"
+
+    def _repr_latex_(self):
+        return f"${self.latex()}$"
+
+    def latex(self, digits=5):
+        """The vector as a LaTeX formula, in the unit vectors of its frame."""
+        hats = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")
+        parts = [f"{_latex_number(x, digits)}\\,{hat}" for x, hat in zip(self, hats, strict=True) if not is_zero(x)]
+        text = parts[0] if parts else r"\mathbf{0}"
+        for part in parts[1:]:
+            text += part if part.startswith("-") else "+" + part
+        return f"\\left({text}\\right)_{{\\text{{{self.frame.name}}}}}" if parts else text
+
+    # -- algebra
+
+    def _other(self, other, doing):
+        if not isinstance(other, Vector):
+            raise FrameError(f"cannot {doing} the vector {self} and {other!r}: both must be vectors")
+        return other.c if other.frame is self.frame else other.expressed_in(self.frame).c
+
+    def __add__(self, other):
+        f = self.frame
+        return Vector(add3(self.c, self._other(other, "add")), f, lambda: self.rate(f) + other.rate(f))
+
+    def __sub__(self, other):
+        f = self.frame
+        return Vector(sub3(self.c, self._other(other, "subtract")), f, lambda: self.rate(f) - other.rate(f))
+
+    def __neg__(self):
+        return -1 * self
+
+    def __mul__(self, s):
+        if isinstance(s, Vector):
+            raise FrameError("two vectors have two products: write a.dot(b) or a.cross(b)")
+        s, f = scalar(s), self.frame
+        if isinstance(s, Moving):
+            ds = Moving(s.rate, s.acceleration, None)
+            return Vector(scale3(s.value, self.c), f, lambda: self * ds + self.rate(f) * s)
+        own = self._own_rate and (lambda: self.rate(f) * s)
+        return Vector(scale3(s, self.c), f, own, self._ledger and self._ledger.mapped(lambda v: v * s))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, s):
+        if isinstance(s, Vector):
+            raise FrameError("a vector cannot be divided by a vector")
+        return self * (1 / s)
+
+    def dot(self, other):
+        """The scalar product (A.2), (A.11)."""
+        return plain(dot3(self.c, self._other(other, "take the dot product of")))
+
+    def cross(self, other):
+        """The vector product (A.4), (A.13), in the frame of the left vector; right-handed."""
+        f = self.frame
+        c = cross3(self.c, self._other(other, "take the cross product of"))
+        return Vector(c, f, lambda: self.rate(f).cross(other) + self.cross(other.rate(f)))
+
+    def norm(self):
+        """The magnitude (A.12)."""
+        return plain(sqrt(dot3(self.c, self.c)))
+
+    def direction(self):
+        """The unit vector along it (A.1). A zero vector has none and raises :class:`FrameError`."""
+        length = scalar(self.norm())
+        if is_zero(length):
+            raise FrameError("a zero vector has no direction; test its norm() before asking for it")
+        return self / length
+
+    def angle_to(self, other):
+        """The angle between two vectors in rad, in [0, pi]; accurate at both ends, where an arc cosine is not."""
+        return atan2(scalar(self.cross(other).norm()), scalar(self.dot(other)))
+
+    # -- change in time
+
+    def rate(self, observer=None):
+        """Its time derivative seen from the frame ``observer``: the basic kinematic equation (4.15), (4.27).
+
+        terms: ``relative``, the rate seen in its own frame, and ``rotation``, omega x Q. Raises :class:`FrameError` without an
+        observer (a vector has no rate as such), or where the vector is known at the instant only.
+
+        >>> from newton_euler import Frame
+        >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
+        >>> arm.i.rate(ground)
+        Vector(0, 2.0, 0 in arm)
+        """
+        if observer is None:
+            raise FrameError("a vector changes differently in different frames: say which, as in Q.rate(ground)")
+        if self._own_rate is None:
+            raise FrameError(
+                f"the rate of {self} is not known: it was computed for one instant. Build it from moving quantities, "
+                "as in frame.vector(moving(x, rate=...), y, z), or ask a Point for its velocity and acceleration"
+            )
+        seen = self._own_rate()
+        if observer is self.frame:
+            return seen
+        omega = self.frame.angular_velocity(observer).expressed_in(self.frame)
+        turned = omega.cross(self)
+        f = self.frame
+        ledger = Ledger("rate", f"{f.name}/{observer.name}", lambda: {"relative": seen, "rotation": turned})
+        return Vector(add3(seen.c, turned.c), f, lambda: seen.rate(f) + turned.rate(f), ledger)
+
+    # -- the term ledger
+
+    @property
+    def terms(self):
+        """The vectors whose sum it is, by name; empty for a vector that is not known as a sum."""
+        return self._ledger.terms if self._ledger else {}
+
+    def explain(self, unit=""):
+        """How it is made up: the equation with its number in the book, and the value of each term.
+
+        Returns an :class:`Explanation`; it prints as text and shows as a formula in Jupyter. ``unit`` is written behind the values.
+        """
+        if not self._ledger:
+            raise FrameError(f"{self} was not computed as a named sum; velocities, accelerations and rates of points and frames are")
+        return Explanation(self, self._ledger, unit)
+
+    def reweighted(self, **factors):
+        """The sum of its terms, each times the factor named for it (others once): what a wrong model would give.
+
+        >>> from newton_euler import Frame, moving
+        >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
+        >>> a = arm.point("P", moving(1.0, rate=3.0), 0, 0).acceleration(ground)
+        >>> a, a.reweighted(coriolis=0)
+        (Vector(-4.0, 12.0, 0 in arm), Vector(-4.0, 0, 0 in arm))
+        """
+        terms = self.terms
+        unknown = [n for n in factors if n not in terms]
+        if unknown:
+            raise FrameError(f"no term {unknown[0]!r}; the terms are {', '.join(terms) or 'none'}")
+        total = ZERO3
+        for name, term in terms.items():
+            total = add3(total, scale3(scalar(factors.get(name, 1)), term.expressed_in(self.frame).c))
+        return Vector(total, self.frame)
+
+    def without(self, *names):
+        """The sum without the terms named: ``a.without("coriolis")``."""
+        return self.reweighted(**dict.fromkeys(names, 0))
+
+
+def dot(a, b):
+    """The scalar product of two vectors (A.11)."""
+    return a.dot(b)
+
+
+def cross(a, b):
+    """The vector product of two vectors (A.13)."""
+    return a.cross(b)
+
+
+class Ledger:
+    """The named terms of a sum. ``kind`` selects the equation in :data:`EQUATIONS`; ``subject`` says what of what."""
+
+    __slots__ = ("kind", "subject", "_make", "_terms")
+
+    def __init__(self, kind, subject, make):
+        self.kind, self.subject, self._make, self._terms = kind, subject, make, None
+
+    @property
+    def terms(self):
+        if self._terms is None:
+            self._terms = self._make()
+        return self._terms
+
+    def mapped(self, change):
+        return Ledger(self.kind, self.subject, lambda: {name: change(v) for name, v in self.terms.items()})
+
+
+# kind of sum -> number in the book, symbol of the sum, and each term as text and as LaTeX ("" where the name says it)
+EQUATIONS = {
+    "rate": ("4.15", r"\frac{D\mathbf{Q}}{Dt}", {
+        "relative": ("dQ/dt", r"\frac{d\mathbf{Q}}{dt}"),
+        "rotation": ("omega x Q", r"\boldsymbol{\omega}\times\mathbf{Q}"),
+    }),
+    "velocity": ("4.17", r"\mathbf{v}", {
+        "origin": ("v_B", r"\mathbf{v}_B"),
+        "relative": ("v_r", r"\mathbf{v}_r"),
+        "rotation": ("omega x r", r"\boldsymbol{\omega}\times\mathbf{r}"),
+    }),
+    "acceleration": ("4.18", r"\mathbf{a}", {
+        "origin": ("a_B", r"\mathbf{a}_B"),
+        "relative": ("a_r", r"\mathbf{a}_r"),
+        "coriolis": ("2 omega x v_r", r"2\boldsymbol{\omega}\times\mathbf{v}_r"),
+        "euler": ("omega' x r", r"\dot{\boldsymbol{\omega}}\times\mathbf{r}"),
+        "centripetal": ("omega x (omega x r)", r"\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r})"),
+    }),
+    "angular velocity": ("4.22", r"\boldsymbol{\omega}", {}),
+    "angular acceleration": ("4.25", r"\boldsymbol{\alpha}", {}),
+}  # fmt: skip
+
+
+class Explanation:
+    """A vector written out as the sum it is. ``str()`` gives text, ``latex`` the formulas; Jupyter shows the latter."""
+
+    def __init__(self, vector, ledger, unit=""):
+        self.vector, self.ledger, self.unit = vector, ledger, unit
+        self.number, self.symbol, self.written = EQUATIONS[ledger.kind]
+
+    def __str__(self):
+        unit = f" {self.unit}" if self.unit else ""
+        terms = {n: t.expressed_in(self.vector.frame) for n, t in self.vector.terms.items()}
+        names = [f"{n}  {self.written.get(n, ('',))[0]}".rstrip() for n in terms]
+        width = max(map(len, [*names, "sum"]))
+        lines = [f"{self.ledger.kind} {self.ledger.subject}, equation ({self.number}), components in {self.vector.frame.name}"]
+        for name, term in zip(names, terms.values(), strict=True):
+            lines.append(f"  {name:<{width}}  [{', '.join(_short(x) for x in term)}]{unit}")
+        lines.append(f"  {'sum':<{width}}  [{', '.join(_short(x) for x in self.vector)}]{unit}")
+        return "\n".join(lines)
+
+    __repr__ = __str__
+
+    @property
+    def latex(self):
+        subject = r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
+        unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
+        terms = {n: t.expressed_in(self.vector.frame) for n, t in self.vector.terms.items()}
+        formulas = [self.written[n][1] if n in self.written else _product(n, self.symbol) for n in terms]
+        rows = [rf"{self.symbol}{subject} &= {' + '.join(formulas)} \tag{{{self.number}}}"]
+        for (name, term), formula in zip(terms.items(), formulas, strict=True):
+            rows.append(rf"{formula} &= {term.latex()}{unit} && \text{{{name}}}")
+        rows.append(rf"{self.symbol}{subject} &= {self.vector.latex()}{unit} && \text{{sum}}")
+        return r"\begin{align*}" + r" \\ ".join(rows) + r"\end{align*}"
+
+    def _repr_latex_(self):
+        return self.latex
+
+    def _repr_mimebundle_(self, **_):
+        return {"text/plain": str(self), "text/latex": self.latex}
+
+
+def _product(name, symbol):
+    """LaTeX for a term named after frames: "arm" is the symbol's, "arm x rod" the cross product of two rates."""
+    if " x " in name:
+        return r"\times".join(rf"\boldsymbol{{\omega}}_{{\text{{{part}}}}}" for part in name.split(" x "))
+    return rf"{symbol}_{{\text{{{name}}}}}"
+
+
+def _short(x):
+    if not is_numeric(x) or hasattr(x, "shape") and x.shape:
+        return str(x)
+    return f"{float(x):.6g}"
+
+
+def _latex_number(x, digits):
+    if is_numeric(x) and not (hasattr(x, "shape") and x.shape):
+        text = f"{float(x):.{digits}g}"
+        mantissa, e, power = text.partition("e")
+        return rf"{mantissa}\times10^{{{int(power)}}}" if e else mantissa
+    try:
+        import sympy
+
+        body = sympy.latex(sympy.sympify(x))
+    except Exception:  # heyoka, traced and array components have no LaTeX of their own
+        body = r"\text{" + str(x)[:40].replace("_", r"\_") + "}"
+    return body if body.replace("\\", "").isalnum() else rf"\left({body}\right)"
+
+
+def same(a, b, tolerance=1e-12):
+    """True if two numeric vectors differ by at most ``tolerance`` times the larger of their magnitudes."""
+    difference = (a - b).norm()
+    return size(scalar(difference)) <= tolerance * max(size(scalar(a.norm())), size(scalar(b.norm())))
+
+
+__all__ = ["Explanation", "FrameError", "ScalarError", "Vector", "cross", "dot", "same"]
