@@ -210,8 +210,7 @@ def problems(chapter):
     if not path.exists():
         raise CatalogueError(f"there is no chapter {chapter!r}; there are {', '.join(chapters())}")
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # the C parser reads a chapter 10 times faster
-    found = [_read(entry, path) for part in sorted(path.parent.glob("problems*.yaml")) for entry in yaml.load(part.read_text(encoding="utf-8"), loader)]
-    found.sort(key=lambda p: int(p.id.split("/")[1]))
+    found = [_read(entry, path) for entry in yaml.load(path.read_text(encoding="utf-8"), loader)]
     numbers = [p.id for p in found]
     if len(set(numbers)) != len(numbers):
         raise CatalogueError(f"{path.parent.name}/problems.yaml has the same problem twice: {sorted(n for n in numbers if numbers.count(n) > 1)[0]}")

@@ -5,10 +5,16 @@ angular velocity and acceleration (4.20), (4.25), velocity (4.17), (4.28) and ac
 Rates are passed up the chain in the frame at hand and never differentiated out, which is what keeps it fast and its formulas short.
 """
 
-from .scalars import ZERO, Moving, ScalarError, cos, is_finite, is_numeric, is_zero, moving, plain, scalar, sin, size, sqrt
+<<<<<<< mine
+from .scalars import ZERO, Moving, ScalarError, cos, is_finite, is_numeric, is_zero, least, moving, plain, scalar, sin, size, sqrt, whole
+from .vectors import NO_THIRD_RATE, ZERO3, FrameError, Ledger, Vector, add3, cross3, dot3, scale3, sub3
+=======
+from .scalars import ZERO, Linear, Moving, ScalarError, cos, is_finite, is_numeric, is_zero, moving, plain, scalar, sin, size, sqrt
 from .vectors import ZERO3, FrameError, Ledger, Vector, add3, cross3, dot3, scale3, sub3
+>>>>>>> live
 
 _AXES = {"x": 0, "y": 1, "z": 2}
+_STILL = Moving(ZERO)
 
 
 class Frame:
@@ -18,18 +24,20 @@ class Frame:
     >>> shaft = ground.rotate("shaft", "z", rate=0.6)
     >>> rod = shaft.rotate("rod", "x", angle=1.0, rate=0.5, origin=shaft.point("C", 0, 2.0, 0))
     >>> rod.angular_acceleration(ground).components(shaft)
-    (0.0, 0.3, 0.0)
+    (0, 0.3, 0.0)
     """
 
     def __init__(self, name, parent=None, axis=None, angle=None, origin=None):
         self.name, self.parent, self.axis = name, parent, axis
-        self.angle = angle if angle is not None else Moving(ZERO)
+        self.angle = angle if angle is not None else _STILL
         self._origin = origin
         self._chain = (self, *parent._chain) if parent else (self,)
+        self.tree = parent.tree if parent else []  # all frames that grew from one ground, this one included
+        self.tree.append(self)
+        self._seat = parent._seat if parent and origin is None else self  # the highest frame with the same origin
         self._memo = {}
-        if axis is not None:
+        if self.angle.value is not ZERO:
             self._c, self._s = cos(self.angle.value), sin(self.angle.value)
-            self._unit = tuple(1 if n == axis else ZERO for n in range(3)) if isinstance(axis, int) else axis
 
     def __repr__(self):
         return f"Frame({' < '.join(f.name for f in self._chain)})"
@@ -45,9 +53,10 @@ class Frame:
         origin : the Point of this frame (or of one above it) where the new frame's origin is; default: this frame's own origin
         """
         angle = moving(angle, rate, acceleration)
+        _fitting((angle,), f"the angle of {name} and its rates")
         if isinstance(axis, str) and axis.lstrip("-") in _AXES and axis.count("-") <= 1:
             return Frame(name, self, _AXES[axis[-1]], -angle if axis[0] == "-" else angle, self._place(origin))
-        return Frame(name, self, self._unit_axis(axis), angle, self._place(origin))
+        return Frame(name, self, self._unit_axis(axis, angle), angle, self._place(origin))
 
     def translate(self, name, origin):
         """A new frame with axes that stay parallel to this one's and its origin at the Point ``origin``."""
@@ -55,12 +64,11 @@ class Frame:
 
     def point(self, name, x, y, z):
         """The point with coordinates (x, y, z) from this frame's origin; fixed in the frame unless they are :func:`moving`."""
-        return Point(name, self, tuple(moving(v) for v in _checked((x, y, z), f"the coordinates of {name}")))
+        return Point(name, self, _fitting((moving(x), moving(y), moving(z)), f"the coordinates of {name}"))
 
     def vector(self, x, y, z):
         """The vector with these components along this frame's axes; fixed in the frame unless they are :func:`moving`."""
-        c = tuple(moving(v) for v in _checked((x, y, z), "the components"))
-        return _moving_vector(c, self)
+        return _moving_vector(_fitting((moving(x), moving(y), moving(z)), "the components"), self)
 
     i = property(lambda self: self.vector(1, 0, 0), doc="unit vector of the first axis")
     j = property(lambda self: self.vector(0, 1, 0), doc="unit vector of the second axis")
@@ -71,9 +79,9 @@ class Frame:
         """The origin as a Point: of the parent, in which it may move, or of this frame itself if it has no parent."""
         if self._origin is not None:
             return self._origin
-        return Point(f"origin of {self.name}", self.parent or self, (Moving(ZERO),) * 3)
+        return Point(f"origin of {self.name}", self.parent or self, (_STILL,) * 3)
 
-    def _unit_axis(self, axis):
+    def _unit_axis(self, axis, angle):
         if isinstance(axis, Vector):
             if axis.frame is not self:
                 axis = axis.expressed_in(self)
@@ -87,6 +95,8 @@ class Frame:
                 "an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant components, as in (0, 0.6, 0.8); "
                 "turn about a moving axis by one more frame in between"
             )
+        exact = next((v for v in (angle.value, angle.rate, angle.acceleration) if v is not ZERO), ZERO)
+        axis = tuple(whole(v, exact) for v in axis)  # else the root of a whole number has 16 digits, however many the angle has
         length = sqrt(dot3(axis, axis))
         if is_zero(length) or not is_finite(length):
             raise FrameError(f"the axis {tuple(map(plain, axis))} has no direction: its length is {plain(length)}; give a vector that is not zero")
@@ -107,6 +117,8 @@ class Frame:
 
     def common(self, other):
         """The nearest frame from which both this one and ``other`` descend; :class:`FrameError` if there is none."""
+        if not isinstance(other, Frame):
+            raise FrameError(f"expected a frame, as in {self.name}.rotate('arm', 'z'), got {other!r}")
         for f in self._chain:
             if f in other._chain:
                 return f
@@ -117,6 +129,8 @@ class Frame:
     def transform(self, c, frame):
         """Components ``c`` along this frame's axes, turned into components along the axes of ``frame``."""
         top = self.common(frame)
+        if c is ZERO3:
+            return c
         for f in self._chain[: self._chain.index(top)]:
             c = f._turn(c, 1)
         for f in reversed(frame._chain[: frame._chain.index(top)]):
@@ -125,7 +139,7 @@ class Frame:
 
     def _turn(self, c, sense):
         """Between this frame and its parent: sense 1 from here up to the parent, -1 down."""
-        if self.axis is None or self.angle.value is ZERO:
+        if c is ZERO3 or self.angle.value is ZERO:
             return c
         cosine, sine = self._c, self._s if sense > 0 else -self._s
         if isinstance(self.axis, int):
@@ -152,6 +166,7 @@ class Frame:
 
         terms: one for each frame in between, named after it: its turning in its parent.
         """
+        self.common(observer)
         ledger = Ledger("angular velocity", f"of {self.name} in {observer.name}", lambda: self._omega_terms(observer))
         return Vector(self._omega(observer), self, lambda: self.angular_acceleration(observer), ledger)
 
@@ -160,6 +175,7 @@ class Frame:
 
         terms: one for each frame in between, and ``"arm x rod"`` for each cross product omega_arm x omega_rod of two of them.
         """
+        self.common(observer)
         ledger = Ledger("angular acceleration", f"of {self.name} in {observer.name}", lambda: self._alpha_terms(observer))
         return Vector(self._alpha(observer), self, None, ledger)
 
@@ -175,14 +191,21 @@ class Frame:
             found = self._memo[what, observer] = compute(observer)
         return found
 
-    def _spin(self):
-        return scale3(self.angle.rate, self._unit) if self.axis is not None else ZERO3
+    def _along_axis(self, s):
+        """The triple s e, e the unit vector of the axis about which the frame turns in its parent."""
+        if self.axis is None or s is ZERO:
+            return ZERO3
+        return tuple(s if n == self.axis else ZERO for n in range(3)) if isinstance(self.axis, int) else scale3(s, self.axis)
+
+    def _carried(self, observer):
+        """omega of the parent, in components of this frame: what this frame would have if it were fixed in its parent."""
+        return self._turn(self.parent._omega(observer), -1)
 
     def _new_omega(self, observer):
         if observer is self:
             return ZERO3
         if observer in self._chain:
-            return add3(self._turn(self.parent._omega(observer), -1), self._spin())
+            return add3(self._remembered("carried", observer, self._carried), self._along_axis(self.angle.rate))
         top = self.common(observer)
         return sub3(self._omega(top), observer.transform(observer._omega(top), self))
 
@@ -190,9 +213,9 @@ class Frame:
         if observer is self:
             return ZERO3
         if observer in self._chain:
-            before, spin = self._turn(self.parent._omega(observer), -1), self._spin()
-            own = scale3(self.angle.acceleration, self._unit) if self.axis is not None else ZERO3
-            return add3(add3(self._turn(self.parent._alpha(observer), -1), own), cross3(before, spin))
+            crossed = cross3(self._remembered("carried", observer, self._carried), self._along_axis(self.angle.rate))
+            own = add3(self._along_axis(self.angle.acceleration), crossed)
+            return add3(self._turn(self.parent._alpha(observer), -1), own)
         top = self.common(observer)
         carried = observer.transform(observer._omega(top), self)
         without = sub3(self._alpha(top), observer.transform(observer._alpha(top), self))
@@ -206,11 +229,11 @@ class Frame:
         return [(f, s) for f, s in down + up if f.axis is not None]
 
     def _omega_terms(self, observer):
-        return {f.name: s * Vector(f._spin(), f).expressed_in(self) for f, s in self._steps(observer)}
+        return {f.name: s * Vector(f._along_axis(f.angle.rate), f).expressed_in(self) for f, s in self._steps(observer)}
 
     def _alpha_terms(self, observer):
         spins = self._omega_terms(observer)
-        terms = {f.name: s * Vector(scale3(f.angle.acceleration, f._unit), f).expressed_in(self) for f, s in self._steps(observer)}
+        terms = {f.name: s * Vector(f._along_axis(f.angle.acceleration), f).expressed_in(self) for f, s in self._steps(observer)}
         names = list(spins)
         for n, first in enumerate(names):
             for second in names[n + 1 :]:
@@ -221,22 +244,26 @@ class Frame:
 class Point:
     """A point given by its coordinates in a frame; fixed there, or moving if they are. Make one with ``frame.point(...)``."""
 
-    __slots__ = ("name", "frame", "x")
+    __slots__ = ("name", "frame", "x", "_c")
 
     def __init__(self, name, frame, x):
         self.name, self.frame, self.x = name, frame, x
+        self._c = _triple(v.value for v in x)
 
     def __repr__(self):
         return f"Point({self.name} at ({', '.join(repr(plain(v)) for v in self.x)}) in {self.frame.name})"
 
     def position(self, frame):
         """The vector from the origin of ``frame`` to the point (4.16), expressed in ``frame``."""
+        return Vector(self._from(frame), frame, lambda: self.velocity(frame).expressed_in(frame))
+
+    def _from(self, frame):
+        """Position from the origin of ``frame``, in its components."""
+        if frame is self.frame:
+            return self._c
         top = self.frame.common(frame)
-        here, there = self._above(top), ZERO3
-        if frame is not top:
-            there = Point("", frame, (Moving(ZERO),) * 3)._above(top)
-        c = top.transform(sub3(here, there), frame)
-        return Vector(c, frame, lambda: self.velocity(frame).expressed_in(frame))
+        here = self._above(top)
+        return here if frame is top else top.transform(sub3(here, _origin(frame)._above(top)), frame)
 
     def __sub__(self, other):
         """The vector from ``other`` to this point, expressed in this point's frame."""
@@ -249,9 +276,9 @@ class Point:
 
     def _above(self, top):
         """Position from the origin of ``top``, a frame above the point's, in components of ``top``."""
-        c, f = tuple(v.value for v in self.x), self.frame
+        c, f = self._c, self.frame
         while f is not top:
-            c, f = add3(tuple(v.value for v in f.origin.x), f._turn(c, 1)), f.parent
+            c, f = add3(f._origin._c if f._origin else ZERO3, f._turn(c, 1)), f.parent
         return c
 
     def velocity(self, observer=None, via=None):
@@ -262,11 +289,10 @@ class Point:
         """
         via = self._checked(observer, via, "velocity")
         if observer is self.frame and via is observer:
-            c = tuple(Moving(v.rate, v.acceleration, None) for v in self.x)
-            return _moving_vector(c, observer)
+            return _moving_vector(self.x, observer, 1)
         if via is observer:
             return self.velocity(observer).expressed_in(observer)
-        r = self.position(via).c
+        r = self._from(via)
         relative = self.velocity(via).expressed_in(via)
         origin = _origin_velocity(via, observer).expressed_in(via)
         rotation = cross3(via._omega(observer), r)
@@ -276,8 +302,10 @@ class Point:
             turned = cross3(via._omega(observer), total)
             return Vector(sub3(self.acceleration(observer, via).c, turned), via)
 
-        names = {"origin": origin, "relative": relative, "rotation": Vector(rotation, via)}
-        return Vector(total, via, own_rate, Ledger("velocity", self._subject(observer, via), lambda: names))
+        def terms():
+            return {"origin": origin, "relative": relative, "rotation": Vector(rotation, via)}
+
+        return Vector(total, via, own_rate, Ledger("velocity", self._subject(observer, via), terms))
 
     def acceleration(self, observer=None, via=None):
         """a of the point seen from ``observer`` (4.18), (4.29), in components of the frame ``via``.
@@ -293,23 +321,20 @@ class Point:
         """
         via = self._checked(observer, via, "acceleration")
         if observer is self.frame and via is observer:
-            return Vector(tuple(v.acceleration for v in self.x), observer)
+            return _moving_vector(self.x, observer, 2)
         if via is observer:
             return self.acceleration(observer).expressed_in(observer)
-        r = self.position(via).c
-        v_r = self.velocity(via).expressed_in(via).c
-        omega = via._omega(observer)
-        parts = {
-            "origin": _origin_acceleration(via, observer).expressed_in(via),
-            "relative": self.acceleration(via).expressed_in(via),
-            "coriolis": Vector(scale3(2, cross3(omega, v_r)), via),
-            "euler": Vector(cross3(via._alpha(observer), r), via),
-            "centripetal": Vector(cross3(omega, cross3(omega, r)), via),
-        }
-        total = ZERO3
-        for part in parts.values():
-            total = add3(total, part.c)
-        return Vector(total, via, None, Ledger("acceleration", self._subject(observer, via), lambda: parts))
+        omega, r = via._omega(observer), self._from(via)
+        origin, relative = _origin_acceleration(via, observer).expressed_in(via), self.acceleration(via).expressed_in(via)
+        coriolis = cross3(omega, scale3(2, self.velocity(via).expressed_in(via).c))
+        euler, centripetal = cross3(via._alpha(observer), r), cross3(omega, cross3(omega, r))
+        total = add3(add3(add3(add3(origin.c, relative.c), coriolis), euler), centripetal)
+
+        def terms():
+            computed = {"coriolis": coriolis, "euler": euler, "centripetal": centripetal}
+            return {"origin": origin, "relative": relative, **{name: Vector(c, via) for name, c in computed.items()}}
+
+        return Vector(total, via, None, Ledger("acceleration", self._subject(observer, via), terms))
 
     def _subject(self, observer, via):
         return f"of {self.name} in {observer.name}, by way of {via.name}"
@@ -323,45 +348,62 @@ class Point:
         return via
 
 
+def _origin(frame):
+    """The origin of a frame as a point of that frame."""
+    return Point(f"origin of {frame.name}", frame, (_STILL,) * 3)
+
+
 def _origin_velocity(via, observer):
     """Velocity of the origin of ``via`` seen from ``observer``."""
-    if via not in observer._chain:
-        return via.origin.velocity(observer)
-    own = Point(observer.origin.name, observer, (Moving(ZERO),) * 3)
-    rho, carried = own.position(via).c, observer.transform(observer._omega(via), via)
-    return Vector(sub3(cross3(carried, rho), observer.origin.velocity(via).expressed_in(via).c), via)
+    seat, observers = via._seat, observer._seat
+    if seat is observers:
+        return Vector(ZERO3, via)
+    if seat not in observer._chain:
+        return seat.origin.velocity(observer)
+    rho, carried = _origin(observer)._from(seat), observer.transform(observer._omega(seat), seat)
+    return Vector(sub3(cross3(carried, rho), observers.origin.velocity(seat).expressed_in(seat).c), seat)
 
 
 def _origin_acceleration(via, observer):
     """Acceleration of the origin of ``via`` seen from ``observer``; where observer descends from via, (4.18) solved for a_r."""
-    if via not in observer._chain:
-        return via.origin.acceleration(observer)
-    own = Point(observer.origin.name, observer, (Moving(ZERO),) * 3)
-    rho = own.position(via).c
-    carried, turning = (observer.transform(w, via) for w in (observer._omega(via), observer._alpha(via)))
-    v = _origin_velocity(via, observer).c
-    c = sub3(scale3(-1, observer.origin.acceleration(via).expressed_in(via).c), scale3(2, cross3(carried, v)))
-    return Vector(add3(c, add3(cross3(turning, rho), cross3(carried, cross3(carried, rho)))), via)
+    seat, observers = via._seat, observer._seat
+    if seat is observers:
+        return Vector(ZERO3, via)
+    if seat not in observer._chain:
+        return seat.origin.acceleration(observer)
+    rho = _origin(observer)._from(seat)
+    carried, turning = (observer.transform(w, seat) for w in (observer._omega(seat), observer._alpha(seat)))
+    v = _origin_velocity(seat, observer).c
+    c = sub3(scale3(-1, observers.origin.acceleration(seat).expressed_in(seat).c), scale3(2, cross3(carried, v)))
+    return Vector(add3(c, add3(cross3(turning, rho), cross3(carried, cross3(carried, rho)))), seat)
 
 
-def _moving_vector(c, frame):
-    """The vector with moving components; it knows its rate in its own frame as far as they know theirs."""
+def _moving_vector(x, frame, order=0):
+    """The vector whose components are the coordinates ``x``, or their rates of an order; it knows its own rate as far as they do."""
 
     def own_rate():
-        if any(v.rate is None for v in c):
-            raise FrameError("the third time derivative of a moving quantity is not known; give coordinates with two rates only")
-        return _moving_vector(tuple(Moving(v.rate, v.acceleration, None) for v in c), frame)
+        if all(v.rests() for v in x):
+            return Vector(ZERO3, frame, own_rate)
+        if order == 2:
+            raise FrameError(NO_THIRD_RATE)
+        return _moving_vector(x, frame, order + 1)
 
-    return Vector(tuple(v.value for v in c), frame, own_rate)
+    name = ("value", "rate", "acceleration")[order]
+    return Vector(_triple(getattr(v, name) for v in x), frame, own_rate)
 
 
-def _checked(values, what):
-    """Three scalars; arrays among them must fit one shape."""
-    values = tuple(v if isinstance(v, Moving) else scalar(v) for v in values)
-    shapes = {v.shape for v in (plain(v) for v in values) if getattr(v, "shape", ())}
+def _triple(values):
+    x, y, z = values
+    return ZERO3 if x is ZERO and y is ZERO and z is ZERO else (x, y, z)
+
+
+def _fitting(numbers, what):
+    """The moving numbers, if the arrays among them and their rates fit one shape."""
+    parts = [part for v in numbers for part in (v.value, v.rate, v.acceleration) if type(part) is not float]
+    shapes = {part.shape for part in parts if getattr(part, "shape", ())}
     if len(shapes) > 1:
         raise FrameError(f"{what} have the shapes {sorted(shapes)}; all arrays must have one shape (N,), one entry for each instant")
-    return values
+    return numbers
 
 
 def solve_rates(conditions, count):
@@ -370,7 +412,7 @@ def solve_rates(conditions, count):
     conditions : a function of ``count`` rates that returns what must be zero (scalars, Vectors, or a tuple of them), linear in the
         rates, as every velocity is
     Returns a tuple of ``count`` scalars, of the kind of the conditions. There may be more conditions than rates if they agree. Raises
-    :class:`FrameError` if the conditions leave a rate open or contradict each other.
+    :class:`FrameError` if the conditions leave a rate open, contradict each other or are not linear (as far as numbers can tell).
 
     >>> ground = Frame("ground")
     >>> def slip(spin):  # a wheel of radius 0.5 whose centre moves at 2 along x
@@ -379,6 +421,8 @@ def solve_rates(conditions, count):
     >>> solve_rates(slip, 1)
     (4.0,)
     """
+<<<<<<< mine
+
     def residual(*rates):
         out = conditions(*rates)
         out = out if isinstance(out, (tuple, list)) else (out,)
@@ -387,7 +431,8 @@ def solve_rates(conditions, count):
     at_rest = residual(*[0] * count)
     columns = [[u - c for u, c in zip(residual(*[int(n == m) for n in range(count)]), at_rest, strict=True)] for m in range(count)]
     rows = [([column[n] for column in columns], -c) for n, c in enumerate(at_rest)]
-    used = [row for row in rows if any(x is not ZERO for x in row[0])]
+    largest = _largest(x for row, _ in rows for x in row)
+    used = [row for row in rows if any(not is_numeric(x) or size(x) > 1e-13 * largest for x in row[0])]  # others are rounding
     if len(used) < count:
         raise FrameError(f"{len(used)} conditions contain the rates, but {count} rates are unknown: {count - len(used)} more are needed")
     if len(used) > count:  # agreeing surplus conditions: the normal equations, which any kind of scalar can solve
@@ -395,7 +440,21 @@ def solve_rates(conditions, count):
             ([_sum(m[a] * m[b] for m, _ in used) for b in range(count)], _sum(m[a] * c for m, c in used)) for a in range(count)
         ]
     rates = _solve([m for m, _ in used], [c for _, c in used])
+    _check_solution(rows, rates, residual)
+=======
+    unknown = [Linear(ZERO, (1 if n == m else ZERO for m in range(count))) for n in range(count)]
+    out = conditions(*unknown)
+    out = out if isinstance(out, (tuple, list)) else (out,)
+    out = [scalar(x) for part in out for x in (part.c if isinstance(part, Vector) else (part,))]
+    rows = [(x.coefficients, -x.value) if isinstance(x, Linear) else ((ZERO,) * count, -x) for x in out]
+    used = [row for row in rows if any(x is not ZERO for x in row[0])]
+    if len(used) < count:
+        raise FrameError(f"{len(used)} conditions contain the rates, but {count} rates are unknown: {count - len(used)} more are needed")
+    if len(used) > count:  # agreeing surplus conditions: the normal equations, which any kind of scalar can solve
+        used = [([_sum(m[a] * m[b] for m, _ in used) for b in range(count)], _sum(m[a] * c for m, c in used)) for a in range(count)]
+    rates = _solve([list(m) for m, _ in used], [c for _, c in used])
     _check_solution(rows, rates)
+>>>>>>> live
     return tuple(plain(r) for r in rates)
 
 
@@ -406,13 +465,17 @@ def _sum(values):
     return total
 
 
+def _largest(values):
+    return max((size(x) for x in values if is_numeric(x)), default=0.0)
+
+
 def _solve(matrix, right):
     """Linear equations over scalars of any kind: Cramer's rule, which needs neither a pivot nor a comparison."""
     whole = _determinant(matrix)
     scale = 1
     for row in matrix:
-        scale *= max((size(x) for x in row if is_numeric(x)), default=1)
-    if whole is ZERO or is_numeric(whole) and size(whole) <= 1e-13 * scale:
+        scale *= _largest(row) or 1
+    if whole is ZERO or is_numeric(whole) and least(whole) <= 1e-13 * scale:
         raise FrameError("the conditions do not determine the rates: some of them say the same, or a rate does not occur in them")
     swapped = ([[right[n] if m == k else row[m] for m in range(len(row))] for n, row in enumerate(matrix)] for k in range(len(right)))
     return [_determinant(m) / whole for m in swapped]
@@ -426,11 +489,14 @@ def _determinant(m):
     )
 
 
-def _check_solution(rows, rates):
-    for coefficients, right in rows:
-        left = _sum(c * r for c, r in zip(coefficients, rates, strict=True))
-        difference, terms = left - right, [*(c * r for c, r in zip(coefficients, rates, strict=True)), right]
-        if is_numeric(difference) and size(difference) > 1e-9 * max(size(t) for t in terms):
-            raise FrameError(
-                f"the conditions contradict each other: with the rates that fit best, one of them is {size(difference):.3g} instead of 0"
-            )
+def _check_solution(rows, rates, residual):
+    terms = [[c * r for c, r in zip(coefficients, rates, strict=True)] for coefficients, _ in rows]
+    parts = [x for row in terms for x in row] + [right for _, right in rows]
+    if not all(map(is_numeric, parts)):
+        return
+    differences = [_sum(row) - right for row, (_, right) in zip(terms, rows, strict=True)]
+    allowed = 1e-9 * _largest(parts)
+    if (worst := _largest(differences)) > allowed:
+        raise FrameError(f"the conditions contradict each other: with the rates that fit best, one of them is {worst:.3g} instead of 0")
+    if _largest(a - b for a, b in zip(residual(*map(plain, rates)), differences, strict=True)) > allowed:
+        raise FrameError("the conditions are not linear in the rates: make them of velocities, not of accelerations or products of rates")

@@ -33,10 +33,21 @@ class _Own:
 
     __slots__ = ()
     __array_ufunc__ = None
+    _op_priority = 1000.0  # SymPy's word for the same
     rank = 0  # of several kinds in one call, the highest decides
 
     def __pos__(self):
         return self
+
+    def __rpow__(self, base):
+        return exp(self * log(base))
+
+
+class Scaled:
+    """Base of what is no scalar but can be multiplied by one (vectors): the numbers defined here leave the product to it."""
+
+    __slots__ = ()
+    __array_ufunc__ = None
 
 
 class _Zero(_Own):
@@ -56,7 +67,7 @@ class _Zero(_Own):
         return other
 
     def __mul__(self, other):
-        return self
+        return NotImplemented if isinstance(other, Scaled) else self
 
     __rmul__ = __mul__
 
@@ -69,6 +80,9 @@ class _Zero(_Own):
         raise ZeroDivisionError(f"{other!r} is divided by a quantity that is zero by the structure of the formula")
 
     def __pow__(self, power):
+        power = plain(power)
+        if not is_numeric(power):
+            return self
         if power == 0:
             return 1
         if power < 0:
@@ -101,9 +115,6 @@ class _Zero(_Own):
     def __repr__(self):
         return "0"
 
-    def _sympy_(self):
-        return importlib.import_module("sympy").Integer(0)
-
     def __reduce__(self):
         return "ZERO"
 
@@ -130,18 +141,34 @@ def scalar(x):
         return x
     if type(x) is int or (type(x) is bool):
         return x or ZERO
-    if isinstance(x, (float, int, Fraction, complex)) or _root(type(x)) in _LIBRARIES:
+    if isinstance(x, (float, int, Fraction, complex)) or _root(type(x)) in _LIBRARIES and _dtype(x) in "biufcO":
         return x
     raise ScalarError(
         f"expected a number (float, array, mpf, SymPy, SymEngine or heyoka expression), got {x!r} of type {type(x).__name__}"
     )
 
 
+def whole(x, like):
+    """A whole number in the kind of ``like``, so that its root and its quotients are as exact as ``like`` is; others unchanged.
+
+    >>> whole(2, 1.5)
+    2
+    """
+    return like * 0 + x if type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine") else x
+
+
 def plain(x):
-    """``x`` as a user meets it: the structural zero as the integer 0, a moving number as its value."""
-    if x is ZERO:
-        return 0
-    return plain(x.value) if isinstance(x, Moving) else x
+    """``x`` as a user meets it: the structural zero as the integer 0."""
+    return 0 if x is ZERO else x
+
+
+def _value(x):
+    """The number behind ``x``, without its rates, to compare or to measure it."""
+    return _value(x.value) if isinstance(x, Moving) else plain(x)
+
+
+def _dtype(x):
+    return x.dtype.kind if hasattr(x, "dtype") else "O"
 
 
 _roots = {}
@@ -199,7 +226,7 @@ def atan2(y, x):
     if type(y) is float and type(x) is float:
         return math.atan2(y, x)
     if isinstance(y, _Zero) and not isinstance(x, _Own):
-        return function("atan2", 0 * x, x)
+        return function("atan2", 0 * x + 0, x)  # +0.0, also where x is negative
     if isinstance(x, _Zero) and not isinstance(y, _Own):
         return function("atan2", y, 0 * y)
     return function("atan2", y, x)
@@ -228,8 +255,8 @@ def radians(degrees):
 
 def is_numeric(x):
     """True where ``x`` has a value that can be compared: float, array, mpf, but not an expression or a dimension."""
-    if isinstance(x, Moving):
-        return is_numeric(x.value)
+    if isinstance(x, (Moving, Linear)):
+        return isinstance(x, Moving) and is_numeric(x.value)
     if isinstance(x, _Own):
         return x is ZERO
     root = _root(type(x))
@@ -240,7 +267,7 @@ def is_zero(x):
     """True where ``x`` is certainly zero: structurally, or a number equal to 0 (an array only if all of it is)."""
     if not is_numeric(x):
         return False
-    equal = plain(x) == 0
+    equal = _value(x) == 0
     return bool(equal.all()) if hasattr(equal, "all") else bool(equal)
 
 
@@ -248,9 +275,17 @@ def is_finite(x):
     """True unless ``x`` is a number (or has an element) that is nan or infinite; expressions count as finite."""
     if not is_numeric(x):
         return True
+<<<<<<< mine
     x = plain(x)
+    root = _root(type(x))
+    if root == "numpy":
+        return bool(importlib.import_module("numpy").isfinite(x).all())
+    return bool(x.is_finite) if root in ("sympy", "symengine") else abs(x) < float("inf")
+=======
+    x = _value(x)
     finite = importlib.import_module("numpy").isfinite(x) if _root(type(x)) == "numpy" else abs(x) < float("inf")
     return bool(finite.all()) if hasattr(finite, "all") else bool(finite)
+>>>>>>> live
 
 
 def size(x):
@@ -259,9 +294,36 @@ def size(x):
     >>> size(-3.0), size(ZERO)
     (3.0, 0.0)
     """
-    x = plain(x)
+    x = _value(x)
     largest = abs(x)
-    return float(largest.max()) if hasattr(largest, "max") else float(largest)
+    return float(largest.max(initial=0)) if hasattr(largest, "max") else float(largest)
+
+
+def where(condition, a, b):
+    """``a`` where the condition holds, else ``b``; instant by instant if it is an array of conditions. For numbers only: a formula must not branch.
+
+    >>> where(2.0 > 1.0, "larger", "smaller")
+    'larger'
+    """
+    if getattr(condition, "shape", ()):
+        return importlib.import_module("numpy").where(condition, plain(a), plain(b))
+    return a if condition else b
+
+
+def epsilon(like=0.0):
+    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or for an mpf what its working precision gives.
+
+    >>> epsilon(1.0) == 2.0**-52
+    True
+    """
+    library = _library((like,))
+    return +library.eps if library.__name__ == "mpmath" else 2.0**-52
+
+
+def least(x):
+    """The smallest absolute value in ``x``, as a float: the instant of an array at which a divisor is nearest to zero."""
+    smallest = abs(plain(x))
+    return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)
 
 
 class Moving(_Own):
@@ -298,6 +360,8 @@ class Moving(_Own):
     def __mul__(self, other):
         if other is ZERO:
             return ZERO
+        if isinstance(other, Scaled):
+            return NotImplemented
         o = _as_moving(other)
         return Moving(
             self.value * o.value,
@@ -317,10 +381,18 @@ class Moving(_Own):
         return _as_moving(other) / self
 
     def __pow__(self, power):
-        if isinstance(power, _Own):
-            raise ScalarError("a moving number can be raised to a constant power only")
+        if isinstance(power, (Moving, Dimension)):
+            raise ScalarError("a moving number can be raised to a constant power only; for others write exp(power*log(x))")
+        if power is ZERO or type(power) in (int, float) and power in (0, 1):
+            return self if power else 1
         u = self.value
-        return self._chain(u**power, power * u ** (power - 1), power * (power - 1) * u ** (power - 2) if power != 1 else ZERO)
+        if self.rests():
+            return Moving(u**power)
+        return self._chain(u**power, power * u ** (power - 1), power * (power - 1) * u ** (power - 2))
+
+    def rests(self):
+        """Known to be constant: then a function may have no derivative here, as a square root at 0."""
+        return self.rate is ZERO and self.acceleration is ZERO
 
     def _chain(self, f, df, ddf):
         """The number f(self), given f and its first two derivatives at the value."""
@@ -329,8 +401,14 @@ class Moving(_Own):
     def function(self, name, *args):
         if name == "atan2":
             y, x = (_as_moving(a) for a in args)
-            angle = atan(y / x) if not is_zero(x.value) else -atan(x / y)
-            return Moving(atan2(y.value, x.value), angle.rate, angle.acceleration)
+            square = x.value * x.value + y.value * y.value
+            rate = (x.value * y.rate - y.value * x.rate) / square
+            growth = 2 * (x.value * x.rate + y.value * y.rate)
+            return Moving(
+                atan2(y.value, x.value), rate, (x.value * y.acceleration - y.value * x.acceleration - rate * growth) / square
+            )
+        if self.rests():
+            return Moving(function(name, self.value))
         return self._chain(*_DERIVATIVES[name](self.value))
 
     def pi(self):
@@ -346,8 +424,8 @@ _DERIVATIVES = {
     "sin": lambda u: (sin(u), cos(u), -sin(u)),
     "cos": lambda u: (cos(u), -sin(u), -cos(u)),
     "tan": lambda u: (tan(u), 1 + tan(u) ** 2, 2 * tan(u) * (1 + tan(u) ** 2)),
-    "asin": lambda u: _reciprocal(asin(u), sqrt(1 - u * u), u / (1 - u * u)),
-    "acos": lambda u: _reciprocal(acos(u), -sqrt(1 - u * u), u / (1 - u * u)),
+    "asin": lambda u: _reciprocal(asin(u), sqrt((1 - u) * (1 + u)), u / ((1 - u) * (1 + u))),
+    "acos": lambda u: _reciprocal(acos(u), -sqrt((1 - u) * (1 + u)), u / ((1 - u) * (1 + u))),
     "atan": lambda u: _reciprocal(atan(u), 1 + u * u, -2 * u / (1 + u * u)),
     "sinh": lambda u: (sinh(u), cosh(u), sinh(u)),
     "cosh": lambda u: (cosh(u), sinh(u), cosh(u)),
@@ -365,12 +443,14 @@ def _as_moving(x):
 def moving(value, rate=None, acceleration=None):
     """A scalar with its rates at the instant, for angles and coordinates that change.
 
-    ``rate`` and ``acceleration`` are d/dt and d2/dt2 of ``value``, in its unit per second and per second squared. Where they are left
-    out, they are derived if ``value`` is a SymPy or SymEngine expression in the symbol ``t``, and zero otherwise.
+    ``rate`` and ``acceleration`` are d/dt and d2/dt2 of ``value``, in its unit per second and per second squared. One that is left
+    out is derived if what precedes it is a SymPy or SymEngine expression in the symbol ``t``, and zero otherwise.
 
     >>> moving(2.0, rate=3.0)**2
     moving(4.0, rate=12.0, acceleration=18.0)
     """
+    if type(value) is float and rate is None and acceleration is None:
+        return Moving(value)
     if isinstance(value, Moving):
         if rate is not None or acceleration is not None:
             raise ScalarError(f"{value!r} already has its rates; leave out rate= and acceleration=, or pass its value alone")
@@ -378,14 +458,19 @@ def moving(value, rate=None, acceleration=None):
     if callable(value) and _root(type(value)) not in _LIBRARIES:
         raise ScalarError("a function of time needs an instant: pass at(f, t) instead of f")
     value = scalar(value)
-    if rate is None and acceleration is None and _root(type(value)) in ("sympy", "symengine"):
-        t = importlib.import_module(_root(type(value))).Symbol("t")
-        return Moving(value, _structural(value.diff(t)), _structural(value.diff(t).diff(t)))
-    return Moving(value, scalar(0 if rate is None else rate), scalar(0 if acceleration is None else acceleration))
+    rate = _derived(value) if rate is None else scalar(rate)
+    return Moving(value, rate, _derived(rate) if acceleration is None else scalar(acceleration))
 
 
-def _structural(x):
-    return ZERO if x == 0 else x
+def _derived(x):
+    """dx/dt of a symbolic expression in ``t``, whatever the assumptions that ``t`` was made with; zero for any other number."""
+    if x is ZERO or type(x) is float or _root(type(x)) not in ("sympy", "symengine"):
+        return ZERO
+    times = [s for s in x.free_symbols if str(s) == "t"]
+    if len(times) > 1:
+        raise ScalarError(f"{x} holds {len(times)} different symbols named t; make one t = Symbol('t') and use it throughout")
+    derivative = x.diff(times[0]) if times else ZERO
+    return ZERO if derivative == 0 else derivative
 
 
 def at(f, t):
@@ -397,6 +482,75 @@ def at(f, t):
     moving(8.0, rate=12.0, acceleration=12.0)
     """
     return _as_moving(f(Moving(t, 1)))
+
+
+class Linear(_Own):
+    """``value + c[0]*u[0] + c[1]*u[1] + …``: a scalar that is linear in unknowns, for :func:`newton_euler.frames.solve_rates`.
+
+    Running conditions on it reads off their coefficients, each in its own unit. A product of unknowns, or a function of one, raises
+    :class:`ScalarError`.
+
+    >>> 3.0 * Linear(2.0, (1, ZERO)) - Linear(ZERO, (ZERO, 1))
+    Linear(6.0, (3.0, -1))
+    """
+
+    __slots__ = ("coefficients", "value")
+    rank = 5
+
+    def __init__(self, value, coefficients):
+        self.value, self.coefficients = value, tuple(coefficients)
+
+    def __repr__(self):
+        return f"Linear({plain(self.value)!r}, {tuple(map(plain, self.coefficients))!r})"
+
+    def _each(self, change):
+        return Linear(change(self.value), map(change, self.coefficients))
+
+    def __add__(self, other):
+        if isinstance(other, Moving):
+            return NotImplemented
+        if isinstance(other, Linear):
+            return Linear(self.value + other.value, (a + b for a, b in zip(self.coefficients, other.coefficients, strict=True)))
+        return Linear(self.value + scalar(other), self.coefficients)
+
+    __radd__ = __add__
+
+    def __neg__(self):
+        return self._each(lambda x: -x)
+
+    def __sub__(self, other):
+        return self + -other
+
+    def __rsub__(self, other):
+        return -self + other
+
+    def __mul__(self, other):
+        if other is ZERO:
+            return ZERO
+        if isinstance(other, Moving) or hasattr(other, "frame"):
+            return NotImplemented
+        if isinstance(other, Linear):
+            raise ScalarError("two unknown rates are multiplied; the conditions must be linear in them, as velocities are")
+        return self._each(lambda x: x * other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        if isinstance(other, Linear):
+            raise ScalarError("an unknown rate stands in a denominator; the conditions must be linear in the rates, as velocities are")
+        return NotImplemented if isinstance(other, Moving) else self._each(lambda x: x / other)
+
+    def __rtruediv__(self, other):
+        raise ScalarError("an unknown rate stands in a denominator; the conditions must be linear in the rates, as velocities are")
+
+    def function(self, name, *args):
+        raise ScalarError(f"{name} is taken of an unknown rate; the conditions must be linear in the rates, as velocities are")
+
+    def __pow__(self, power):
+        raise ScalarError("an unknown rate is raised to a power; the conditions must be linear in the rates, as velocities are")
+
+    def pi(self):
+        return pi(self.value)
 
 
 class Dimension(_Own):
@@ -429,7 +583,7 @@ class Dimension(_Own):
     def __add__(self, other):
         if other is ZERO:
             return self
-        if isinstance(other, Moving):
+        if isinstance(other, (Moving, Linear)):
             return NotImplemented
         if _as_dimension(other) != self:
             raise DimensionError(f"cannot add {_as_dimension(other)} to {self}: look at the units of the two terms")
@@ -445,14 +599,18 @@ class Dimension(_Own):
     def __mul__(self, other):
         if other is ZERO:
             return ZERO
-        if isinstance(other, Moving):
+<<<<<<< mine
+        if isinstance(other, (Moving, Scaled)):
+=======
+        if isinstance(other, (Moving, Linear)) or hasattr(other, "frame"):
+>>>>>>> live
             return NotImplemented
         return Dimension(*(a + b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True)))
 
     __rmul__ = __mul__
 
     def __truediv__(self, other):
-        if isinstance(other, Moving):
+        if isinstance(other, (Moving, _Zero)):
             return NotImplemented
         return Dimension(*(a - b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True)))
 
@@ -460,7 +618,12 @@ class Dimension(_Own):
         return _as_dimension(other) / self
 
     def __pow__(self, power):
-        return Dimension(*(a * Fraction(power) for a in self.powers))
+        if isinstance(power, (Moving, Dimension)):
+            if any(self.powers):
+                raise DimensionError(f"{self} is raised to a power that varies: its dimension would vary too")
+            return NotImplemented if isinstance(power, Moving) else exp(power)
+        power = Fraction(power if isinstance(power, Fraction) else float(power)).limit_denominator(1000)  # 1/3 is not a float
+        return Dimension(*(a * power for a in self.powers))
 
     def function(self, name, *args):
         if name == "sqrt":
@@ -473,4 +636,7 @@ class Dimension(_Own):
 
 
 def _as_dimension(x):
-    return x if isinstance(x, Dimension) else Dimension()
+    if isinstance(x, Dimension):
+        return x
+    scalar(x)  # or it is no number at all
+    return Dimension()

@@ -11,7 +11,11 @@ import inspect
 import math
 import sys
 
-from .scalars import FUNCTIONS, ZERO, Moving, _library, _Own
+<<<<<<< mine
+from .scalars import FUNCTIONS, ZERO, Moving, Scaled, ScalarError, _library, _Own, _root, pi, plain, scalar
+=======
+from .scalars import FUNCTIONS, ZERO, Linear, Moving, _library, _Own
+>>>>>>> live
 
 BLOCK = 2048  # instants at a time: the temporaries of a block stay in the processor's cache (measured: 3 times faster)
 HEYOKA_PAYS = {True: 60_000, False: 1_500_000}  # instants until its compilation (and, if not yet loaded, import) is earned back
@@ -48,13 +52,17 @@ class Step(_Own):
     __rmul__ = __mul__
 
     def __truediv__(self, other):
+        if other is ZERO:
+            return NotImplemented  # ZERO says what is wrong
         return self if _is(other, 1) else self.trace.step("/", self, other)
 
     def __rtruediv__(self, other):
         return self.trace.step("/", other, self)
 
     def __pow__(self, power):
-        if power == 2:
+        if power is ZERO:
+            return 1
+        if _is(power, 2):
             return self * self
         return self if _is(power, 1) else self.trace.step("**", self, power)
 
@@ -67,10 +75,17 @@ class Step(_Own):
     def pi(self):
         return self.trace.step("pi")
 
-    def __bool__(self):
-        raise TypeError("a formula must not branch on a value: traced scalars are neither true nor false")
+    def _no_value(self, *_):
+        raise TypeError(
+            "a formula is traced without values: it must not branch on them (if, max, ==, <), "
+            "and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
+        )
 
-    __eq__ = object.__eq__
+    __bool__ = __float__ = __lt__ = __le__ = __gt__ = __ge__ = _no_value
+
+    def __eq__(self, other):
+        return self is other or self._no_value()
+
     __hash__ = object.__hash__
 
 
@@ -83,27 +98,54 @@ class _Trace:
         self.steps, self.known = [], {}
 
     def step(self, op, *args):
-        if any(isinstance(a, Moving) for a in args):
-            return NotImplemented  # the moving number takes over and calls back with its parts
+<<<<<<< mine
+        if any(isinstance(a, (Moving, Scaled)) for a in args):
+            return NotImplemented  # the moving number or vector takes over and calls back with its parts
+        key = tuple(self._key(a) for a in args)
+=======
+        if any(isinstance(a, (Moving, Linear)) or hasattr(a, "frame") for a in args):
+            return NotImplemented  # the other kind takes over and calls back with its parts
         key = tuple(("#", a.number) if isinstance(a, Step) else a for a in args)
+>>>>>>> live
         if op in "+*":
             key = tuple(sorted(key, key=repr))
         found = self.known.get((op, key))
         if found is None:
-            found = self.known[op, key] = Step(self, op, args, len(self.steps))
-            self.steps.append(found)
+            found = self.known[op, key] = self.new(op, *args)
         return found
+
+    def new(self, op, *args):
+        self.steps.append(Step(self, op, args, len(self.steps)))
+        return self.steps[-1]
+
+    def _key(self, a):
+        """What tells an argument from others: 0.0, -0.0 and 0 are three."""
+        if isinstance(a, Step):
+            if a.trace is not self:
+                raise ScalarError("a value of one formula is used inside another that is being compiled; pass it as an argument")
+            return "#", a.number
+        if getattr(scalar(a), "shape", ()):
+            raise ScalarError("an array of instants cannot be a constant of a compiled formula; make it one of its arguments")
+        return type(a), repr(a) if isinstance(a, float) else a
 
 
 def _leaves(result):
     """The scalars in a result, and a function that puts others in their places. Vectors become triples."""
+    if hasattr(result, "tolist"):
+        result = result.tolist()
+    if isinstance(result, Moving):
+        parts = result.value, result.rate, result.acceleration
+        return _joined([_leaves(part) for part in parts], lambda values: Moving(*map(scalar, values)))
     if isinstance(result, dict):
         parts = [_leaves(v) for v in result.values()]
         keys = list(result)
         return _joined(parts, lambda values: dict(zip(keys, values, strict=True)))
-    if isinstance(result, (tuple, list)) or hasattr(result, "frame"):
+    if isinstance(result, (tuple, list, Scaled)):
         return _joined([_leaves(v) for v in result], tuple)
-    return [result], lambda values: values[0]
+    try:
+        return [scalar(result)], lambda values: values[0]
+    except ScalarError as error:
+        raise ScalarError(f"a compiled formula returns scalars, Vectors, or tuples and dicts of them, got {result!r}") from error
 
 
 def _joined(parts, build):
@@ -120,7 +162,10 @@ def _joined(parts, build):
 
 
 def _text(trace, names, outputs):
-    """The needed steps as lines of Python, each step used only once written inside its user."""
+    """The needed steps as lines of Python, each step used only once written inside its user.
+
+    Returns the lines, the results, the constants that have no plain spelling by name, and the number of operations.
+    """
     used = {}
     needed, stack = set(), [o for o in outputs if isinstance(o, Step)]
     for o in stack:
@@ -134,21 +179,40 @@ def _text(trace, names, outputs):
             if isinstance(a, Step):
                 used[a.number] = used.get(a.number, 0) + 1
                 stack.append(a)
-    text, lines = {}, []
+    text, lines, constants, operations = {}, [], {}, 0
+    mark = _unused("s", names)
+
+    def spelled(a):
+        if isinstance(a, Step):
+            return text[a.number]
+        a = a.item() if _root(type(a)) == "numpy" else plain(a)
+        if type(a) in (int, float, bool) and abs(a) < math.inf:
+            return f"({a!r})"
+        name = f"{_unused('c', names)}{len(constants)}"  # mpf, Fraction, inf, nan, symbols
+        constants[name] = a
+        return name
+
     for s in trace.steps:
         if s.number not in needed:
             continue
         if s.op == "argument":
-            text[s.number] = s.args[0]
+            text[s.number] = names[s.args[0]]
             continue
-        written = _write(s.op, [text[a.number] if isinstance(a, Step) else f"({a!r})" for a in s.args])
+        operations += s.op not in ("neg", "pi")
+        written = _write(s.op, [spelled(a) for a in s.args])
         if used[s.number] == 1 and len(written) < 120:
             text[s.number] = f"({written})"
         else:
-            text[s.number] = f"s{len(lines)}"
-            lines.append(f"s{len(lines)} = {written}")
-    results = [text[o.number] if isinstance(o, Step) else "0" if o is ZERO else repr(o) for o in outputs]
-    return lines, results
+            text[s.number] = f"{mark}{len(lines)}"
+            lines.append(f"{text[s.number]} = {written}")
+    return lines, [spelled(o) for o in outputs], constants, operations
+
+
+def _unused(letter, names):
+    """The letter, behind as many underscores as keep letter and digits apart from the names of the arguments."""
+    while any(n.startswith(letter) and n[len(letter) :].isdigit() for n in names.values()):
+        letter = "_" + letter
+    return letter
 
 
 def _write(op, args):
@@ -163,18 +227,22 @@ class Compiled:
     """What :func:`compiled` returns; call it like the formula. ``source`` is its text, ``operations`` how many it takes."""
 
     def __init__(self, f, constants, backend):
-        parameters = [n for n in inspect.signature(f).parameters if n not in constants]
+        signature = inspect.signature(f).parameters
+        if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
+            raise TypeError(f"a formula to compile names all its arguments; {f!r} takes any number of them")
+        parameters = [n for n in signature if n not in constants]
+        names = {n: f"{n}_" if n in (*FUNCTIONS, "atan2", "pi") else n for n in parameters}
         trace = _Trace()
-        arguments = {n: trace.step("argument", n) for n in parameters}
-        leaves, self._rebuild = _leaves(f(**arguments, **constants))
+        values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
+        by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
+        leaves, self._rebuild = _leaves(f(*by_place, **values))
         self.parameters, self.backend, self.name = parameters, backend, getattr(f, "__name__", "formula")
-        self._lines, self._results = _text(trace, parameters, leaves)
-        body = "".join(f"    {line}\n" for line in self._lines)
-        self.source = f"def formula({', '.join(parameters)}):\n{body}    return {', '.join(self._results)},\n"
-        self.operations = sum(self.source.count(f" {op} ") for op in ("+", "-", "*", "/", "**")) + sum(
-            self.source.count(f"{name}(") for name in (*FUNCTIONS, "atan2")
-        )
-        self._run, self._seen, self._heyoka = {"math": self._on(math)}, 0, None
+        self._defaults = {n: signature[n].default for n in parameters if signature[n].default is not inspect.Parameter.empty}
+        lines, self._results, self._constants, self.operations = _text(trace, names, leaves)
+        body = "".join(f"    {line}\n" for line in lines)
+        self.source = f"def formula({', '.join(names.values())}):\n{body}    return {', '.join(self._results)},\n"
+        self._run, self._seen, self._heyoka = {}, 0, None
+        self._run["math"] = self._on(math)
 
     def __repr__(self):
         return f"<compiled {self.name}({', '.join(self.parameters)}), {self.operations} operations>"
@@ -188,21 +256,24 @@ class Compiled:
         return self._rebuild(self._run["math"](*args))
 
     def _in_order(self, args, named):
-        given = dict(zip(self.parameters, args), **named)
-        missing = [n for n in self.parameters if n not in given]
-        unknown = [n for n in given if n not in self.parameters]
-        if missing or unknown or len(args) > len(self.parameters):
-            raise TypeError(
-                f"{self.name} takes {', '.join(self.parameters)}"
-                + (f"; missing: {', '.join(missing)}" if missing else "")
-                + (f"; unknown: {', '.join(unknown)}" if unknown else "")
-                + (f"; got {len(args)} values" if len(args) > len(self.parameters) else "")
-            )
+        first = dict(zip(self.parameters, args))
+        given = {**self._defaults, **first, **named}
+        troubles = {
+            "missing": [n for n in self.parameters if n not in given],
+            "unknown": [n for n in named if n not in self.parameters],
+            "given twice": [n for n in named if n in first],
+            "left over": [repr(a) for a in args[len(self.parameters) :]],
+        }
+        if any(troubles.values()):
+            told = "; ".join(f"{trouble}: {', '.join(names)}" for trouble, names in troubles.items() if names)
+            raise TypeError(f"{self.name} takes {', '.join(self.parameters) or 'no arguments'}; {told}")
         return [given[n] for n in self.parameters]
 
     def _other(self, args):
+        for a in args:
+            scalar(a)  # or it is no number, and the error says so
         if any(isinstance(a, _Own) for a in args):
-            return self._rebuild(self._run.setdefault("own", self._on(sys.modules[_Own.__module__]))(*args))
+            return self._own(args)
         library = _library(args)
         if library.__name__ == "numpy":
             return self._arrays(library, args)
@@ -210,28 +281,49 @@ class Compiled:
             self._run[library.__name__] = self._on(library)
         return self._rebuild(self._run[library.__name__](*args))
 
+    def _own(self, args):
+        """On the kinds of this engine; pi comes from the most exact number among them."""
+        run = self._run.get("own") or self._run.setdefault("own", self._on(sys.modules[_Own.__module__]))
+        traced = [a for a in args if isinstance(a, Step)]
+        inside = [a for a in map(plain, args) if not isinstance(a, _Own) and _root(type(a)) != "builtins"]
+        run.__globals__["pi"] = pi((traced or inside or [0.0])[0])
+        return self._rebuild(run(*args))
+
     def _on(self, library):
         """The text as a function over one library."""
         space = {name: getattr(library, name) for name in (*FUNCTIONS, "atan2", "pi") if hasattr(library, name)}
-        if callable(space.get("pi")) and library.__name__.startswith("newton_euler"):
-            space["pi"] = math.pi
+        rounded = library.__name__ in ("math", "numpy", "heyoka")
+        space.update({name: _float(c) if rounded else c for name, c in self._constants.items()})
         exec(compile(self.source, f"<compiled {self.name}>", "exec"), space)
         return space["formula"]
 
     def _arrays(self, np, args):
-        rows = np.broadcast_arrays(*(np.asarray(a, dtype=float) for a in args))
-        shape, count = rows[0].shape, rows[0].size
-        rows = [r.ravel() for r in rows]
+        args = [np.asarray(a) for a in args]
+        if any(a.dtype.kind not in "biuf" for a in args):
+            raise ScalarError(f"{self.name} takes arrays of real numbers, got {', '.join(str(a.dtype) for a in args)}")
+        try:
+            shape = np.broadcast_shapes(*(a.shape for a in args))
+        except ValueError as error:
+            shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(self.parameters, args, strict=True))
+            raise ScalarError(f"the arrays have shapes that do not fit together: {shapes}") from error
+        args = [a.astype(float, copy=False) for a in args]
+        if not shape:
+            return self._rebuild(self._numpy(np)(*(a[()] for a in args)))
+        count = math.prod(shape)
         self._seen += count
-        out = self._by_heyoka(np, rows) if self._heyoka_pays() else self._in_blocks(np, rows, count)
+        rows = [np.broadcast_to(a, shape).reshape(-1) if a.shape else a[()] for a in args]
+        out = self._by_heyoka(np, rows, count) if count and self._heyoka_pays() else self._in_blocks(np, rows, count)
         return self._rebuild([r.reshape(shape) for r in out])
 
+    def _numpy(self, np):
+        return self._run.get("numpy") or self._run.setdefault("numpy", self._on(np))
+
     def _in_blocks(self, np, rows, count):
-        run = self._run.get("numpy") or self._run.setdefault("numpy", self._on(np))
+        run = self._numpy(np)
         out = np.empty((len(self._results), count))
         for start in range(0, count, BLOCK):
             block = slice(start, start + BLOCK)
-            for row, value in zip(out, run(*(r[block] for r in rows)), strict=True):
+            for row, value in zip(out, run(*(r[block] if r.shape else r for r in rows)), strict=True):
                 row[block] = value
         return out
 
@@ -251,12 +343,19 @@ class Compiled:
 
     def _compile_heyoka(self):
         hy = importlib.import_module("heyoka")
-        variables = hy.make_vars(*self.parameters) if len(self.parameters) > 1 else [hy.make_vars(*self.parameters)]
+        variables = [hy.expression(n) for n in self.parameters]
         outputs = [hy.expression(float(o)) if isinstance(o, (int, float)) else o for o in self._on(hy)(*variables)]
         return hy.cfunc(outputs, vars=variables)
 
-    def _by_heyoka(self, np, rows):
-        return self._heyoka(np.ascontiguousarray(np.stack(rows)))
+    def _by_heyoka(self, np, rows, count):
+        return self._heyoka(np.stack([np.broadcast_to(r, count) for r in rows]))
+
+
+def _float(constant):
+    try:
+        return float(constant)
+    except TypeError:  # a symbol
+        return constant
 
 
 def compiled(f, backend="auto", **constants):
@@ -266,8 +365,9 @@ def compiled(f, backend="auto", **constants):
     backend : "auto" (NumPy in blocks, and heyoka as soon as its compile time is earned back), "numpy" or "heyoka"; for arrays only
     constants : parameters of ``f`` to fix now; they are not parameters of the result
 
-    The result takes the same arguments, all floats, arrays that broadcast, or expressions, and returns what ``f`` returns, a Vector as
-    a triple of components. **Batches:** an array argument of shape (N,) is N instants; each component of the result has shape (N,).
+    The result takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name, and returns what ``f``
+    returns, a Vector as a triple of components. **Batches:** an array argument of shape (N,) is N instants; each component of the
+    result has shape (N,).
 
     >>> from newton_euler import compiled, sin
     >>> height = compiled(lambda v, elevation, g: (v*sin(elevation))**2/(2*g))

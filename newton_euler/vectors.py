@@ -5,7 +5,10 @@ frame of the left one. A vector that theory writes as a sum keeps its terms by n
 how it changes in time where that follows from how it was made (``a.rate(observer)``).
 """
 
-from .scalars import ZERO, Moving, ScalarError, atan2, is_numeric, is_zero, plain, scalar, size, sqrt
+from .scalars import ZERO, Moving, Scaled, ScalarError, atan2, is_numeric, is_zero, moving, plain, scalar, size, sqrt
+
+
+NO_THIRD_RATE = "the third time derivative of a moving quantity is not known; give coordinates with two rates only"
 
 
 class FrameError(ValueError):
@@ -14,9 +17,14 @@ class FrameError(ValueError):
 
 # -- triples: the arithmetic behind vectors, on bare components of one frame
 
+ZERO3 = (ZERO, ZERO, ZERO)  # the zero vector known from the structure of a formula; sums and products look for this one
+
 
 def cross3(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    if a is ZERO3 or b is ZERO3:
+        return ZERO3
+    (ax, ay, az), (bx, by, bz) = a, b
+    return (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
 
 
 def dot3(a, b):
@@ -24,21 +32,20 @@ def dot3(a, b):
 
 
 def add3(a, b):
-    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+    if a is ZERO3:
+        return b
+    return a if b is ZERO3 else (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
 def sub3(a, b):
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+    return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
 def scale3(s, a):
-    return (s * a[0], s * a[1], s * a[2])
+    return ZERO3 if a is ZERO3 else (s * a[0], s * a[1], s * a[2])
 
 
-ZERO3 = (ZERO, ZERO, ZERO)
-
-
-class Vector:
+class Vector(Scaled):
     """A vector with components (x, y, z) along the axes of ``frame``. Make one with ``frame.vector(x, y, z)``.
 
     ``a + b, a - b, 2*a, a/2, -a`` and the methods :meth:`dot` (A.11), :meth:`cross` (A.13) work over scalars of every kind.
@@ -51,7 +58,6 @@ class Vector:
     """
 
     __slots__ = ("frame", "c", "_own_rate", "_ledger")
-    __array_ufunc__ = None
 
     def __init__(self, c, frame, own_rate=None, ledger=None):
         self.frame, self.c, self._own_rate, self._ledger = frame, c, own_rate, ledger
@@ -113,6 +119,11 @@ class Vector:
         f = self.frame
         return Vector(add3(self.c, self._other(other, "add")), f, lambda: self.rate(f) + other.rate(f))
 
+    def __radd__(self, other):
+        if type(other) is int and other == 0:  # where sum() begins
+            return self
+        return self._other(other, "add")
+
     def __sub__(self, other):
         f = self.frame
         return Vector(sub3(self.c, self._other(other, "subtract")), f, lambda: self.rate(f) - other.rate(f))
@@ -123,19 +134,38 @@ class Vector:
     def __mul__(self, s):
         if isinstance(s, Vector):
             raise FrameError("two vectors have two products: write a.dot(b) or a.cross(b)")
-        s, f = scalar(s), self.frame
+        s = scalar(s)
         if isinstance(s, Moving):
-            ds = Moving(s.rate, s.acceleration, None)
-            return Vector(scale3(s.value, self.c), f, lambda: self * ds + self.rate(f) * s)
-        own = self._own_rate and (lambda: self.rate(f) * s)
-        return Vector(scale3(s, self.c), f, own, self._ledger and self._ledger.mapped(lambda v: v * s))
+            return Vector(scale3(s.value, self.c), self.frame, self._own_rate and (lambda: self._product_rate(s)))
+        return self._each(lambda x: s * x, lambda v: v * s, lambda: self._product_rate(moving(s)))
+
+    def _product_rate(self, s):
+        """The rate of s times this vector in its own frame, by the product rule; ``s`` is moving."""
+        changed = self.rate(self.frame) * s
+        if s.rests():
+            return changed
+        if s.rate is None:
+            raise FrameError(NO_THIRD_RATE)
+        return self * Moving(s.rate, s.acceleration, None) + changed
+
+    def _each(self, change, whole, rate):
+        """The vector with every component changed by a factor, and its terms with it."""
+        c = ZERO3 if self.c is ZERO3 else tuple(change(x) for x in self.c)
+        return Vector(c, self.frame, self._own_rate and rate, self._ledger and self._ledger.mapped(whole))
 
     __rmul__ = __mul__
 
     def __truediv__(self, s):
         if isinstance(s, Vector):
             raise FrameError("a vector cannot be divided by a vector")
-        return self * (1 / s)
+        s = scalar(s)
+        if isinstance(s, Moving):
+            return self * (1 / s)
+        # not times 1/s: that rounds before an mpf or a fraction comes in
+        return self._each(lambda x: x / s, lambda v: v / s, lambda: self._product_rate(1 / moving(s)))
+
+    def __rtruediv__(self, other):
+        raise FrameError(f"nothing can be divided by a vector: {other!r} / {self}")
 
     def dot(self, other):
         """The scalar product (A.2), (A.11)."""
@@ -177,6 +207,7 @@ class Vector:
         """
         if observer is None:
             raise FrameError("a vector changes differently in different frames: say which, as in Q.rate(ground)")
+        self.frame.common(observer)
         if self._own_rate is None:
             raise FrameError(
                 f"the rate of {self} is not known: it was computed for one instant. Build it from moving quantities, "

@@ -1,0 +1,73 @@
+"""4/11: a cone that rolls in the gap between two cones turning in opposite senses."""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import angular_velocity, rot, times
+from newton_euler import Frame, cos, sin
+from newton_euler.drawing import Sketch
+
+
+def cones(g, rate_of_B):
+    """Ground; cones A and B on the x axis; and the unit vectors from the apex along the lines where C touches them."""
+    ground = Frame("ground")
+    A, B = ground.rotate("A", "x", rate=g.omega), ground.rotate("B", "x", rate=rate_of_B)
+    return ground, A, B, ground.vector(cos(g.beta_A), sin(g.beta_A), 0), ground.vector(-cos(g.beta_B), sin(g.beta_B), 0)
+
+
+def rolling(g, rate_of_B):
+    """omega of C, which turns relative to A about their line of contact, and relative to B about theirs: A + s*on_A = B + u*on_B."""
+    ground, A, B, on_A, on_B = cones(g, rate_of_B)
+    omega_A, omega_B = A.angular_velocity(ground), B.angular_velocity(ground)
+    s = (omega_B - omega_A).cross(on_B).z / on_A.cross(on_B).z
+    return in_frame(ground, {"omega_C": omega_A + on_A * s})
+
+
+def solve(g):
+    return rolling(g, -g.omega)
+
+
+def prove(g):
+    """C's axis goes round x while C turns on it; equal arcs are laid off on C and on A, and on C and on B."""
+    half_gap = (mp.pi - g.beta_A - g.beta_B) / 2
+    tilt = g.beta_A + half_gap  # of the axis of C from x
+    a, b, c = mp.sin(g.beta_A), mp.sin(g.beta_B), mp.sin(half_gap)  # pitch radii at the distance 1 from the apex
+    round_x = g.omega * (a - b) / (a + b)  # so that (omega - round_x) a = (omega + round_x) b, the arcs laid off in unit time on A and B
+    spin = -(g.omega - round_x) * a / c  # like two gears in outer mesh, C turns against A, each about its axis away from the apex
+
+    def C(t):
+        return times(rot("x", round_x * t), rot("z", tilt), rot("x", spin * t))
+
+    return {"omega_C": angular_velocity(C)}
+
+
+def mistakes(g):
+    ground, A, B, on_A, on_B = cones(g, -g.omega)
+    omega_A = A.angular_velocity(ground)
+    axis = on_A + on_B
+    along = axis * (omega_A.cross(on_A).z / axis.cross(on_A).z)
+    wrong = {
+        "along_the_axis": {"omega_C": along},
+        "same_sense": rolling(g, g.omega),
+        "sum_of_A_and_B": {"omega_C": omega_A + B.angular_velocity(ground)},
+        "B_at_rest": rolling(g, 0),
+    }
+    return in_frame(ground, wrong)
+
+
+def draw(g, ax):
+    ground, _, _, on_A, on_B = cones(g, -g.omega)
+    O, half_gap, x = ground.point("O", 0, 0, 0), on_A.angle_to(on_B) / 2, ground.i
+    s = Sketch(ax, ground, azimuth=20, elevation=15, up="y")
+    for name, axis, half_angle in (("A", x, g.beta_A), ("B", -x, g.beta_B), ("C", (on_A + on_B).direction(), half_gap)):
+        s.cone(O, axis, cos(half_angle), sin(half_angle))
+        s.label(axis * (0.8 * cos(half_angle)), name, offset=(-14, 0) if name == "C" else (0, -14))
+    s.line(x * -1.35, x * 1.35, style="centre")
+    s.line(O, on_A, style="solid")
+    s.line(O, on_B, style="solid")
+    s.axes(O, ground)
+    s.turn(x * 1.2, x, label=r"$\omega$")
+    s.turn(x * -1.2, -x, label=r"$\omega$")
+    s.arc(O, x, on_A, label=r"$\beta_A$")
+    s.arc(O, -x, on_B, label=r"$\beta_B$")
+    s.label(O, "O", offset=(6, -10))

@@ -1,0 +1,60 @@
+"""4/14: two disks on the ends of one axle that roll in a circle."""
+
+from exercises.answering import in_frame
+from exercises.proofs import angular_velocity, rot, times
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+
+def axle_and_disk(g):
+    """The axle turns about z at the height r; disk A turns on it about -x, as fast as its lowest point needs to be at rest."""
+    ground = Frame("ground")
+    axle = ground.rotate("axle", "z", rate=g.omega, origin=ground.point("M", 0, 0, g.r))
+    A = axle.point("A", g.R, 0, 0)
+    disk = axle.rotate("disk", "-x", rate=A.velocity(ground).y / g.r, origin=A)
+    return ground, axle, disk
+
+
+def solve(g):
+    ground, axle, disk = axle_and_disk(g)
+    return in_frame(axle, {"omega_A": disk.angular_velocity(ground)})
+
+
+def prove(g):
+    """The arc that the disk has rolled along its path of radius R is as long as the arc laid off on its rim."""
+
+    def disk(t):
+        rolled = g.R * g.omega * t
+        return times(rot("z", g.omega * t), rot("x", -rolled / g.r))  # going toward +y, its top leads
+
+    return {"omega_A": angular_velocity(disk)}
+
+
+def mistakes(g):
+    ground, axle, disk = axle_and_disk(g)
+    omega = disk.angular_velocity(ground)
+    wrong = {
+        "only_spin": omega.without("axle"),
+        "wrong_sense": omega.reweighted(disk=-1),
+        "whole_axle_as_radius": omega.reweighted(disk=2),
+        "omega_as_spin": omega.reweighted(disk=g.r / g.R),
+    }
+    return in_frame(axle, {name: {"omega_A": vector} for name, vector in wrong.items()})
+
+
+def draw(g, ax):
+    ground, axle, _ = axle_and_disk(g)
+    O, M, top = ground.point("O", 0, 0, 0), ground.point("", 0, 0, g.r), ground.point("", 0, 0, g.r + 0.7 * g.R)
+    A, other, contact = axle.point("A", g.R, 0, 0), axle.point("", -g.R, 0, 0), axle.point("", g.R, 0, -g.r)
+    s = Sketch(ax, ground, azimuth=-60, elevation=20)
+    s.ground(O, normal=ground.k)
+    s.ring(O, ground.k, g.R)
+    s.rod(other, A)
+    s.disk(A, axle.i, g.r)
+    s.disk(other, axle.i, g.r)
+    s.line(O, top, style="centre")
+    s.axes(M, axle)
+    s.turn(top, ground.k, label=r"$\omega$")
+    s.dimension(M, A, label="R")
+    s.dimension(A, contact, label="r", offset=axle.i * (0.5 * g.r))
+    s.label(A, "A", offset=(-5, -9))

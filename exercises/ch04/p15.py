@@ -1,0 +1,59 @@
+"""4/15: a rod that rises in its hinge on a turning vertical shaft."""
+
+from exercises.answering import in_frame
+from exercises.proofs import rate, rot, second_rate, times
+from newton_euler import Frame, cos
+from newton_euler.drawing import Sketch
+
+
+def shaft_and_rod(g):
+    """Ground with y up; the shaft turns about y; the rod, along its own x, turns about the shaft's z in the hinge at the origin B."""
+    ground = Frame("ground")
+    shaft = ground.rotate("shaft", "y", rate=g.omega_1)
+    rod = shaft.rotate("rod", "z", angle=g.beta_1, rate=g.omega_2, acceleration=g.omega_2_dot)
+    return ground, shaft, rod, rod.point("C", g.L, 0, 0)
+
+
+def solve(g):
+    ground, shaft, _, C = shaft_and_rod(g)
+    return in_frame(ground, {"v_C": C.velocity(ground, via=shaft), "a_C": C.acceleration(ground, via=shaft)})
+
+
+def prove(g):
+    def C(t):
+        beta = g.beta_1 + g.omega_2 * t + g.omega_2_dot * t**2 / 2
+        return times(rot("y", g.omega_1 * t), rot("z", beta), [g.L, 0, 0])
+
+    return {"v_C": rate(C), "a_C": second_rate(C)}
+
+
+def mistakes(g):
+    ground, shaft, rod, C = shaft_and_rod(g)
+    v, a = C.velocity(ground, via=shaft), C.acceleration(ground, via=shaft)
+    gyroscopic = rod.angular_acceleration(ground).terms["shaft x rod"]
+    wrong = {
+        "no_cross_in_alpha": {"a_C": a - gyroscopic.cross(C.position(rod))},
+        "no_coriolis": {"a_C": a.without("coriolis")},
+        "no_omega_2_dot": {"a_C": solve(g.but(omega_2_dot=0))["a_C"]},
+        "L_from_the_shaft": {"v_C": v.reweighted(rotation=1 / cos(g.beta_1)), "a_C": a.reweighted(centripetal=1 / cos(g.beta_1))},
+        "two_centripetal_only": {"a_C": shaft.i * (-(g.omega_1**2) * g.L) - rod.i * (g.omega_2**2 * g.L)},
+    }
+    return in_frame(ground, wrong)
+
+
+def draw(g, ax):
+    ground, shaft, _, C = shaft_and_rod(g)
+    A, B, level = ground.point("A", 0, -0.8 * g.L, 0), ground.point("B", 0, 0, 0), ground.point("", 0.8 * g.L, 0, 0)
+    s = Sketch(ax, ground, azimuth=25, elevation=15, up="y")
+    s.ground(A, normal=ground.j)
+    s.shaft(A, B)
+    s.rod(B, C)
+    s.hinge(B, axis=shaft.k)
+    s.line(B, level)
+    s.axes(B, ground)
+    s.turn((A - B) * 0.6, ground.j, label=r"$\omega_1$")
+    s.turn(B, shaft.k, label=r"$\omega_2$")
+    s.arc(B, level, C, label=r"$\beta_1$")
+    s.dimension(B, C, label="L")
+    for P in (A, B, C):
+        s.label(P, P.name)

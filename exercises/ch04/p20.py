@@ -1,0 +1,66 @@
+"""4/20: a rod sliding out of a cylinder that turns about two axes."""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import rate, second_rate
+from newton_euler import Frame, moving
+from newton_euler.drawing import Sketch
+
+
+def arm_bracket_tip(g):
+    """Ground with y up; DEG turns about x; the bracket about y, from E to D, with its origin at D; A on its z axis, the cylinder."""
+    ground = Frame("ground")
+    arm = ground.rotate("DEG", "x", rate=g.omega_1)
+    bracket = arm.rotate("bracket", "y", rate=g.omega_2, origin=arm.point("D", 0, g.h, 0))
+    return ground, arm, bracket, bracket.point("A", 0, 0, moving(g.s, rate=g.u))
+
+
+def solve(g):
+    ground, _, _, A = arm_bracket_tip(g)
+    return in_frame(ground, {"v_A": A.velocity(ground), "a_A": A.acceleration(ground)})
+
+
+def prove(g):
+    """The cylinder points along z at first and turns toward x about ED; ED turns from y toward z about x."""
+
+    def A(t):
+        out, phi, theta = g.s + g.u * t, g.omega_2 * t, g.omega_1 * t
+        along_x, across = out * mp.sin(phi), out * mp.cos(phi)
+        return [along_x, g.h * mp.cos(theta) - across * mp.sin(theta), g.h * mp.sin(theta) + across * mp.cos(theta)]
+
+    return {"v_A": rate(A), "a_A": second_rate(A)}
+
+
+def mistakes(g):
+    ground, arm, _, A = arm_bracket_tip(g)
+    v, a = A.velocity(ground), A.acceleration(ground)
+    of_the_arm = 2 * arm.angular_velocity(ground).cross(v.terms["relative"])
+    return in_frame(ground, {
+        "no_coriolis": {"a_A": a.without("coriolis")},
+        "coriolis_of_omega_2_only": {"a_A": a - of_the_arm},
+        "coriolis_without_2": {"a_A": a.reweighted(coriolis=0.5)},
+        "D_at_rest": {"v_A": v.without("origin"), "a_A": a.without("origin")},
+        "no_sliding": {"v_A": v.without("relative")},
+    })  # fmt: skip
+
+
+def draw(g, ax):
+    ground, arm, bracket, A = arm_bracket_tip(g)
+    E, G, D = arm.point("E", 0, 0, 0), arm.point("G", 0.9 * g.h, 0, 0), bracket.point("D", 0, 0, 0)
+    B, C = bracket.point("B", 0, 0, 0.6 * g.s), bracket.point("C", 0, 0, -0.6 * g.s)
+    s = Sketch(ax, ground, azimuth=35, elevation=20, up="y")
+    s.shaft(E, G)
+    s.shaft(E, D)
+    s.cylinder(C, B, 0.09 * g.h)
+    s.rod(B, A)
+    s.axes(E, ground)
+    s.turn(G, ground.i, label=r"$\omega_1$")
+    s.turn(arm.point("", 0, 0.5 * g.h, 0), ground.j, label=r"$\omega_2$")
+    s.vector(A, ground.k, "u", kind="velocity")
+    s.dimension(E, D, label="h")
+    s.dimension(D, A, label="s")
+    s.dot(D)
+    for P in (A, C, D, E, G):
+        s.label(P, P.name)
+    s.label(bracket.point("", 0, -0.09 * g.h, 0.6 * g.s), "B")

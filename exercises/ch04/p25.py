@@ -1,0 +1,58 @@
+"""4/25: the drum of a spacecraft simulator, in three turning frames."""
+
+from exercises.answering import in_frame
+from exercises.proofs import angular_acceleration, angular_velocity, rot, times
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+
+def drums(g):
+    """Ground with z up; A turns about z, B in A about x, C in B about y."""
+    ground = Frame("ground")
+    A = ground.rotate("A", "z", rate=g.Omega)
+    B = A.rotate("B", "x", rate=g.omega)
+    return ground, A, B, B.rotate("C", "y", rate=g.P)
+
+
+def solve(g):
+    ground, _, _, C = drums(g)
+    return in_frame(ground, {"omega_C": C.angular_velocity(ground), "alpha_C": C.angular_acceleration(ground)})
+
+
+def prove(g):
+    def C(t):
+        return times(rot("z", g.Omega * t), rot("x", g.omega * t), rot("y", g.P * t))
+
+    return {"omega_C": angular_velocity(C), "alpha_C": angular_acceleration(C)}
+
+
+def mistakes(g):
+    alpha = solve(g)["alpha_C"]
+    return {
+        "zero": {"alpha_C": 0 * alpha},
+        "no_Omega_x_omega": {"alpha_C": alpha.without("A x B")},
+        "no_omega_x_P": {"alpha_C": alpha.without("B x C")},
+        "reversed": {"alpha_C": -alpha},
+    }
+
+
+def draw(g, ax):
+    """B as a ring that carries the axle of C and hangs itself between the uprights of A."""
+    ground, A, B, C = drums(g)
+    s = Sketch(ax, ground, azimuth=32, elevation=22)
+    s.ground((0, 0, -1.9), normal=ground.k)
+    s.shaft((0, 0, -1.9), (0, 0, -1.1))
+    s.disk((0, 0, -1.1), A.k, 1.1)
+    for side in (-1, 1):
+        s.rod(A.point("", 1.1 * side, 0, -1.1), A.point("", 1.1 * side, 0, 0))
+        s.rod(A.point("", 1.1 * side, 0, 0), B.point("", 0.9 * side, 0, 0))
+        s.rod(B.point("", 0, 0.9 * side, 0), C.point("", 0, 0.5 * side, 0))
+    s.ring((0, 0, 0), B.k, 0.9)
+    s.cylinder(C.point("", 0, -0.5, 0), C.point("", 0, 0.5, 0), 0.3)
+    s.axes((0, 0, 0), ground, length=1.5)
+    s.turn((0, 0, 1), A.k, label=r"$\Omega$")
+    s.turn(A.point("", 1.1, 0, 0), B.i, label=r"$\omega$")
+    s.turn(B.point("", 0, 1.15, 0), C.j, label="P")
+    s.label(A.point("", 1.1, 0, -0.5), "A", offset=(-12, 0))
+    s.label(B.point("", -0.636, 0.636, 0), "B")
+    s.label(C.point("", 0, -0.5, 0.3), "C")

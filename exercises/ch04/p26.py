@@ -1,0 +1,71 @@
+"""4/26: the drum of a flight simulator, which tilts in a frame that turns about the vertical."""
+
+from mpmath import mp
+
+from exercises.proofs import angular_acceleration, rot, times
+from newton_euler import Frame, pi
+from newton_euler.drawing import Sketch
+
+
+def simulator(g):
+    """Ground with z up; the fork turns about z, in it the mounting about x by theta, in that the drum about y, which is e."""
+    ground = Frame("ground")
+    fork = ground.rotate("fork", "z", rate=g.Omega)
+    mounting = fork.rotate("mounting", "x", angle=g.theta, rate=g.theta_dot)
+    return ground, fork, mounting, mounting.rotate("drum", "y", rate=g.P)
+
+
+def turns(g):
+    """Omega, theta_dot and P as vectors along the axes of the fork; each knows how it changes."""
+    ground, fork, mounting, drum = simulator(g)
+    found = fork.angular_velocity(ground), mounting.angular_velocity(fork), drum.angular_velocity(mounting)
+    return ground, *(turn.expressed_in(fork) for turn in found)
+
+
+def alpha_of(ground, *turns):
+    return sum(turns[1:], turns[0]).rate(ground)
+
+
+def solve(g):
+    return {"alpha_drum": alpha_of(*turns(g))}  # by (4.12) in components of the fork, where the formula is short
+
+
+def prove(g):
+    def drum(t):  # the mounting's columns: x, e above y by theta, x cross e
+        c, s = mp.cos(g.theta + g.theta_dot * t), mp.sin(g.theta + g.theta_dot * t)
+        return times(rot("z", g.Omega * t), rot([0, c, s], g.P * t), [[1, 0, 0], [0, c, -s], [0, s, c]])
+
+    return {"alpha_drum": angular_acceleration(drum)}
+
+
+def mistakes(g):
+    ground, Omega, theta_dot, P = turns(g)
+    alpha = alpha_of(ground, Omega, theta_dot, P)
+    return {
+        "no_fork_x_mounting": {"alpha_drum": alpha - Omega.cross(theta_dot)},
+        "e_fixed_in_the_frame": {"alpha_drum": alpha.without("relative")},
+        "alpha_zero": {"alpha_drum": alpha.without(*alpha.terms)},
+        "theta_from_the_vertical": solve(g.but(theta=pi(g.theta) / 2 - g.theta)),
+    }
+
+
+def draw(g, ax):
+    ground, fork, mounting, _ = simulator(g)
+    s = Sketch(ax, ground, azimuth=25, elevation=18)
+    arms = [(fork.point("", x, 0, 0), fork.point("", x, 0, -1)) for x in (-0.6, 0.6)]
+    O, foot, top = fork.point("", 0, 0, 0), fork.point("", 0, 0, -1.6), fork.point("", 0, 0, -1)
+    e = mounting.point("", 0, 1.2, 0)
+    s.cylinder(mounting.point("", 0, -0.35, 0), mounting.point("", 0, 0.35, 0), 0.3)
+    for pin, low in arms:
+        s.rod(0.5 * pin.position(ground), pin)
+        s.rod(pin, low)
+    s.rod(arms[0][1], arms[1][1])
+    s.shaft(foot, top)
+    s.ground(foot, ground.k)
+    s.axes(O, fork, length=1.2)
+    s.line(O, e, style="dashed")
+    s.arc(O, fork.point("", 0, 1, 0), e, label=r"$\theta$")
+    s.turn(fork.point("", 0, 0, -1.35), fork.k, label=r"$\Omega$")
+    s.turn(arms[1][0], fork.i, label=r"$\dot\theta$")
+    s.turn(mounting.point("", 0, 0.95, 0), mounting.j, label="P")
+    s.label(e, "e")

@@ -1,0 +1,67 @@
+"""4/27: a disk at the end of a cranked bracket that turns about a fixed axis."""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import plus, rate, rot, second_rate, times
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+
+def bracket_and_disk(g):
+    """Ground with x along the fixed axis; the bracket turns about x, and in it the disk about the bracket's z through B."""
+    ground = Frame("ground")
+    bracket = ground.rotate("bracket", "x", rate=g.Omega)
+    B = bracket.point("B", 0, g.a, g.h)
+    disk = bracket.rotate("disk", "z", rate=g.omega, origin=B)
+    return ground, bracket, disk, disk.point("A", 0, -g.r, 0)
+
+
+def answers(ground, bracket, _, A):
+    return in_frame(ground, {"v_A": A.velocity(ground, via=bracket), "a_A": A.acceleration(ground, via=bracket)})
+
+
+def solve(g):
+    return answers(*bracket_and_disk(g))
+
+
+def prove(g):
+    def A(t):
+        on_disk = [g.r * mp.sin(g.omega * t), -g.r * mp.cos(g.omega * t), 0]
+        return times(rot("x", g.Omega * t), plus([0, g.a, g.h], on_disk))
+
+    return {"v_A": rate(A), "a_A": second_rate(A)}
+
+
+def mistakes(g):
+    frames = ground, _, disk, _ = bracket_and_disk(g)
+    B, solved = disk.origin, answers(*frames)
+    v, a = solved["v_A"], solved["a_A"]
+    wrong = {
+        "rev_per_min": solve(g.but(omega=g.stated("omega"), Omega=g.stated("Omega"))),
+        "B_at_rest": {"v_A": v - B.velocity(ground), "a_A": a - B.acceleration(ground)},
+        "A_carried_like_B": {"v_A": v.without("rotation") + B.velocity(ground)},
+        "square_of_the_sum": {"a_A": a + ground.j * (2 * g.omega * g.Omega * g.r)},
+        "A_beyond_B": solve(g.but(r=-g.r)),
+    }
+    return in_frame(ground, wrong)
+
+
+def draw(g, ax):
+    ground, bracket, disk, A = bracket_and_disk(g)
+    B, O, corner = disk.origin, bracket.point("O", 0, 0, 0), bracket.point("", 0, g.a, 0)
+    back, front = ground.point("", -0.3 * g.a, 0, 0), ground.point("", 1.1 * g.a, 0, 0)
+    s = Sketch(ax, ground, azimuth=35, elevation=25)
+    s.shaft(back, front)
+    s.ground(front, normal=-ground.i)
+    s.rod(O, corner)
+    s.rod(corner, B)
+    s.disk(B, bracket.k, g.r, spoke=A)
+    s.axes(O, ground, length=0.6 * g.a)
+    s.turn(ground.point("", 0.85 * g.a, 0, 0), ground.i, label=r"$\Omega$")
+    s.turn(disk.point("", 0, 0, 0.3 * g.r), bracket.k, label=r"$\omega$")
+    s.dimension(O, corner, label="a")
+    s.dimension(corner, B, label="h")
+    s.dimension(B, A, label="r")
+    for P in (A, B, O):
+        s.label(P, P.name)

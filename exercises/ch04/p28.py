@@ -1,0 +1,75 @@
+"""4/28: the solar panels of a spinning spacecraft."""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate, times
+from newton_euler import Frame, pi
+from newton_euler.drawing import Sketch
+
+
+def spacecraft_and_panel(g):
+    """Space; the spacecraft spins about z; the panels turn in it about -y, which is how theta grows."""
+    space = Frame("space")
+    craft = space.rotate("spacecraft", "z", rate=g.omega)
+    panel = craft.rotate("panel", "-y", angle=g.theta_1, rate=g.theta_dot)
+    return space, craft, panel, panel.point("A", 0, g.L, g.d)
+
+
+def answers(space, craft, panel, A):
+    return in_frame(craft, {
+        "omega_panel": panel.angular_velocity(space),
+        "alpha_panel": panel.angular_acceleration(space),
+        "v_A": A.velocity(space, via=craft),
+        "a_A": A.acceleration(space, via=craft),
+    })  # fmt: skip
+
+
+def solve(g):
+    return answers(*spacecraft_and_panel(g))
+
+
+def prove(g):
+    def tilt(t):
+        return g.theta_1 + g.theta_dot * t
+
+    def panel(t):  # columns: normal to the panel, along y, and from the y axis to A, from +z toward -x
+        c, s = mp.cos(tilt(t)), mp.sin(tilt(t))
+        return times(rot("z", g.omega * t), [[c, 0, -s], [0, 1, 0], [s, 0, c]])
+
+    def A(t):
+        return times(rot("z", g.omega * t), [-g.d * mp.sin(tilt(t)), g.L, g.d * mp.cos(tilt(t))])
+
+    return {"omega_panel": angular_velocity(panel), "alpha_panel": angular_acceleration(panel), "v_A": rate(A), "a_A": second_rate(A)}
+
+
+def mistakes(g):
+    frames = _, craft, _, A = spacecraft_and_panel(g)
+    solved, exchanged = answers(*frames), solve(g.but(theta_1=pi(g.theta_1) / 2 - g.theta_1))
+    alpha, a = solved["alpha_panel"], solved["a_A"]
+    return {
+        "alpha_zero": {"alpha_panel": alpha.without("spacecraft x panel")},
+        "panels_the_other_way": solve(g.but(theta_dot=-g.theta_dot)),
+        "no_coriolis": {"a_A": a.without("coriolis")},
+        "alpha_x_r_twice": {"a_A": a + alpha.cross(A.position(craft))},
+        "theta_from_y": {"v_A": exchanged["v_A"], "a_A": exchanged["a_A"]},
+    }
+
+
+def draw(g, ax):
+    space, craft, panel, A = spacecraft_and_panel(g)
+    s = Sketch(ax, space, azimuth=35, elevation=20)
+    body = 0.35 * g.L
+    s.box(craft.point("", 0, 0, 0), craft, (body, body, 1.4 * body))
+    for near, far in ((body / 2, g.L), (-body / 2, -g.L)):
+        s.plate([panel.point("", 0, y, z) for y, z in ((near, g.d), (far, g.d), (far, -g.d), (near, -g.d))])
+    O, end, up = craft.point("", 0, 0, 0), craft.point("", 0, g.L, 0), craft.point("", 0, g.L, 0.45 * g.L)
+    s.axes(O, craft, length=0.7 * g.L)
+    s.turn(craft.point("", 0, 0, body), craft.k, label=r"$\omega$")
+    s.turn(craft.point("", 0, -1.15 * g.L, 0), -craft.j, label=r"$\dot\theta$")
+    s.line(end, up, style="dashed")
+    s.arc(end, up, A, label=r"$\theta$")
+    s.dimension(end, A, label="d")
+    s.dimension(craft.point("", 0, 0, -1.3 * g.d), craft.point("", 0, g.L, -1.3 * g.d), label="L")
+    s.dot(A)
+    s.label(A, "A")

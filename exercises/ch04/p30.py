@@ -1,0 +1,28 @@
+"""4/30: the angular acceleration of a disk rolling in a circle, and the acceleration of a rim point."""
+
+from exercises.answering import in_frame
+from exercises.ch04.scene_rolling_disk import orientation, rim_point, rolling_disk, rolling_ratio, sketch
+from exercises.proofs import angular_acceleration, second_rate
+
+
+def solve(g, ratio=None):
+    ground, axle, disk, A = rolling_disk(g, ratio)
+    return in_frame(axle, {"alpha_disk": disk.angular_acceleration(ground), "a_A": A.acceleration(ground, via=axle)})
+
+
+def prove(g):
+    return {"alpha_disk": angular_acceleration(orientation(g)), "a_A": second_rate(rim_point(g))}
+
+
+def mistakes(g):
+    right = solve(g)
+    return {
+        "zero": {"alpha_disk": 0 * right["alpha_disk"]},
+        "C_not_accelerated": {"a_A": right["a_A"].without("origin")},
+        "no_turning_about_vertical": {"a_A": right["a_A"].without("centripetal")},
+        "spin_reversed": {"alpha_disk": solve(g, -rolling_ratio(g))["alpha_disk"]},
+    }
+
+
+def draw(g, ax):
+    sketch(g, ax)

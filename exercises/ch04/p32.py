@@ -1,0 +1,28 @@
+"""4/32: a bevel gear that rolls round a fixed one."""
+
+from exercises.answering import in_frame
+from exercises.ch04 import scene_bevel_gear as scene
+
+
+def solve(g):
+    return scene.answers(g.n, 0, g.tan_gamma)
+
+
+def prove(g):
+    return scene.proved(g.n, 0, g.tan_gamma)
+
+
+def mistakes(g):
+    ground, arm, B = scene.gears(g.n, 0, g.tan_gamma)
+    wrong = {
+        "only_spin": {"omega_B": B.angular_velocity(ground).without("arm")},
+        "alpha_zero": {"alpha_B": arm.vector(0, 0, 0)},
+        "inverse_ratio": solve(g.but(tan_gamma=1 / g.tan_gamma)),
+        "wrong_sense": solve(g.but(tan_gamma=-g.tan_gamma)),
+        "rev_per_min_as_rad_per_s": solve(g.but(n=g.stated("n"))),
+    }
+    return in_frame(arm, wrong)
+
+
+def draw(g, ax):
+    scene.figure(ax, g.tan_gamma, C_turns=False)

@@ -1,0 +1,28 @@
+"""4/33: a bevel gear that rolls round a turning one."""
+
+from exercises.answering import in_frame
+from exercises.ch04 import scene_bevel_gear as scene
+
+
+def solve(g):
+    return scene.answers(g.n, g.n_C, g.tan_gamma)
+
+
+def prove(g):
+    return scene.proved(g.n, g.n_C, g.tan_gamma)
+
+
+def mistakes(g):
+    _, arm, _ = scene.gears(g.n, g.n_C, g.tan_gamma)
+    wrong = {
+        "C_at_rest": solve(g.but(n_C=0)),
+        "n_C_added": solve(g.but(n_C=-g.n_C)),
+        "arm_at_relative_rate": solve(g.but(n=g.n - g.n_C, n_C=0)),
+        "alpha_zero": {"alpha_B": arm.vector(0, 0, 0)},
+        "rev_per_min_as_rad_per_s": solve(g.but(n=g.stated("n"), n_C=g.stated("n_C"))),
+    }
+    return in_frame(arm, wrong)
+
+
+def draw(g, ax):
+    scene.figure(ax, g.tan_gamma, C_turns=True)

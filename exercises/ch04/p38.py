@@ -1,0 +1,29 @@
+"""4/38: the top of a disk in a turning bracket, growing rates."""
+
+from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, draw_disk_in_bracket, prove_rim, rim_motion
+
+
+def given(g):
+    return {"P": g.P, "omega": g.omega, "P_dot": g.P_dot, "omega_dot": g.omega_dot}
+
+
+def solve(g):
+    return rim_motion(disk_in_bracket(**given(g)), "A", g.r)
+
+
+def prove(g):
+    return prove_rim("A", g.r, **given(g))
+
+
+def mistakes(g):
+    a = solve(g)["a_A"]
+    return {
+        "no_P_dot": {"a_A": solve(g.but(P_dot=0))["a_A"]},
+        "no_coriolis": {"a_A": a.without("coriolis")},
+        "omega_dot_on_the_axis": {"a_A": a + a.frame.j * (g.omega_dot * g.r)},
+        "half_coriolis": {"a_A": a.reweighted(coriolis=0.5)},
+    }
+
+
+def draw(g, ax):
+    draw_disk_in_bracket(ax, g.r, rim="A", **given(g))

@@ -1,0 +1,75 @@
+"""4/6: an arm that turns about a vertical rod on a roller going downhill."""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import rate
+from newton_euler import Frame, cos, moving, pi, sin
+from newton_euler.drawing import Sketch
+
+
+def roller_and_rod(g):
+    """Ground with x downhill and Z up; axes that move with O and keep their directions; the rod turning about Z in them."""
+    ground = Frame("ground")
+    O = ground.point("O", moving(0, rate=g.u * cos(g.incline)), 0, moving(0, rate=-g.u * sin(g.incline)))
+    rod = ground.translate("carried", O).rotate("rod", "z", rate=g.omega)
+    return ground, rod, rod.point("P", g.b, 0, height(g))
+
+
+def height(g):
+    """Length OA, which the answer does not depend on."""
+    return 0.8 * g.b
+
+
+def solve(g):
+    ground, _, P = roller_and_rod(g)
+    return in_frame(ground, {"v_P": P.velocity(ground)})
+
+
+def prove(g):
+    def P(t):
+        gone = g.u * t
+        return [
+            gone * mp.cos(g.incline) + g.b * mp.cos(g.omega * t),
+            g.b * mp.sin(g.omega * t),
+            1 - gone * mp.sin(g.incline),
+        ]
+
+    return {"v_P": rate(P)}
+
+
+def mistakes(g):
+    return {
+        "roller_at_rest": {"v_P": solve(g)["v_P"].without("origin")},
+        "sine_and_cosine_exchanged": solve(g.but(incline=pi(g.incline) / 2 - g.incline)),
+        "roller_on_level_ground": solve(g.but(incline=0)),
+        "clockwise": solve(g.but(omega=-g.omega)),
+    }
+
+
+def draw(g, ax):
+    ground, rod, P = roller_and_rod(g)
+    O, A, radius = (0, 0, 0), rod.point("A", 0, 0, height(g)), 0.3 * g.b
+    along, down = cos(g.incline), sin(g.incline)
+
+    def on_plane(distance):
+        return (distance * along - radius * down, 0, -distance * down - radius * along)
+
+    top = on_plane(-0.9 * g.b)
+    s = Sketch(ax, ground, azimuth=-80, elevation=10)
+    s.line(top, on_plane(1.3 * g.b), style="solid")
+    s.ground(on_plane(0), normal=(down, 0, along), size=1.6 * g.b)
+    s.disk((0, 0.02 * g.b, 0), ground.j, radius)
+    s.rod(O, A)
+    s.rod(A, P)
+    s.dot(O)
+    s.vector(O, rod.origin.velocity(ground), "u")
+    level = (top[0] + 0.8 * g.b, 0, top[2])
+    s.line(top, level)
+    s.arc(top, level, on_plane(0), label="incline")
+    s.turn((0, 0, 0.5 * height(g)), ground.k, label=r"$\omega$")
+    s.dimension(A, P, label="b")
+    s.axes((1.1 * g.b, 0, 0), ground, length=0.3 * g.b)
+    s.label(O, "O")
+    s.label(A, "A")
+    s.label(P, "P")

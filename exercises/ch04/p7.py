@@ -1,0 +1,78 @@
+"""4/7: the tip of a rotor blade that flaps harmonically."""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import rate, rot, second_rate, times, transposed
+from newton_euler import Frame, at, cos, moving, sin
+from newton_euler.drawing import Sketch
+
+
+def flapping(g):
+    """The angle theta of the blade with its rates."""
+    return at(lambda t: g.theta_0 + g.theta_A * sin(g.n * t), g.t)
+
+
+def shaft_and_tip(g, theta):
+    """Ground with Z up; the shaft's frame at the hinge O, x in the plane of the blade; the tip in it."""
+    ground = Frame("ground")
+    shaft = ground.rotate("shaft", "z", rate=g.omega)
+    return ground, shaft, shaft.point("tip", g.L * cos(theta), 0, g.L * sin(theta))
+
+
+def motion(g, theta):
+    ground, shaft, tip = shaft_and_tip(g, theta)
+    return in_frame(shaft, {"v_tip": tip.velocity(ground), "a_tip": tip.acceleration(ground)})
+
+
+def solve(g):
+    return motion(g, flapping(g))
+
+
+def prove(g):
+    def tip(t):
+        theta = g.theta_0 + g.theta_A * mp.sin(g.n * t)
+        return times(rot("z", g.omega * t), [g.L * mp.cos(theta), 0, g.L * mp.sin(theta)])
+
+    turned_back = transposed(rot("z", g.omega * g.t))
+    return {"v_tip": times(turned_back, rate(tip, g.t)), "a_tip": times(turned_back, second_rate(tip, g.t))}
+
+
+def mistakes(g):
+    theta = flapping(g)
+    v, a = solve(g).values()
+    too_wide = 1 / cos(theta.value)
+    return {
+        "no_coriolis": {"a_tip": a.without("coriolis")},
+        "no_turning": {"v_tip": v.without("rotation"), "a_tip": a.without("coriolis", "centripetal")},
+        "constant_flapping_rate": motion(g, moving(theta.value, rate=g.n * g.theta_A)),
+        "radius_L": {"v_tip": v.reweighted(rotation=too_wide), "a_tip": a.reweighted(centripetal=too_wide)},
+        "no_second_rate": {"a_tip": motion(g, moving(theta.value, rate=theta.rate))["a_tip"]},
+    }
+
+
+def draw(g, ax):
+    ground, shaft, tip = shaft_and_tip(g, g.theta_0 + g.theta_A / 2)
+    O, foot = ground.point("O", 0, 0, 0), (0, 0, -0.5 * g.L)
+
+    def at_angle(theta, distance=1.0):
+        return (distance * g.L * cos(theta), 0, distance * g.L * sin(theta))
+
+    def swept(start, angle, distance, label):
+        s.path([at_angle(start + angle * n / 20, distance) for n in range(21)])
+        s.label(at_angle(start + angle / 2, distance), label, offset=ground.i)
+
+    s = Sketch(ax, ground, azimuth=-102, elevation=10)
+    s.shaft(foot, O)
+    s.rod(O, tip)
+    s.hinge(O, shaft.j)
+    s.line(O, at_angle(g.theta_0))
+    s.line(O, at_angle(g.theta_0 + g.theta_A), style="dotted")
+    s.line(O, at_angle(0), style="dotted")
+    s.axes(O, shaft, length=0.3 * g.L)
+    s.turn((0, 0, -0.3 * g.L), ground.k, label=r"$\omega$")
+    swept(0, g.theta_0 + g.theta_A / 2, 0.5, r"$\theta$")
+    swept(0, g.theta_0, 0.75, r"$\theta_0$")
+    swept(g.theta_0, g.theta_A, 0.95, r"$\theta_A$")
+    s.dimension(O, tip, label="L", offset=0.25 * g.L)
+    s.label(O, "O")

@@ -1,0 +1,85 @@
+"""4/9: a rod with one end on an axis and the other on an ellipse."""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import rate
+from newton_euler import Frame, cos, moving, pi, sin, solve_rates, sqrt
+from newton_euler.drawing import Sketch
+
+
+def lower_end(g):
+    """x and y of the lower end: on the ellipse, and at the distance that the rod leaves, rho^2 = L^2 - z^2, from the centre."""
+    rho_squared = g.L**2 - g.z_1**2
+    across = g.b**2 - g.a**2
+    return g.a * sqrt((g.b**2 - rho_squared) / across), g.b * sqrt((rho_squared - g.a**2) / across)
+
+
+def ends(g, x_dot, y_dot, z_dot):
+    ground = Frame("ground")
+    x, y = lower_end(g)
+    A = ground.point("A", 0, 0, moving(g.z_1, rate=z_dot))
+    return ground, A, ground.point("B", moving(x, rate=x_dot), moving(y, rate=y_dot), 0)
+
+
+def rod(g):
+    """Ground, the ends A on the z axis and B on the ellipse, and the middle M."""
+
+    def violated(x_dot, y_dot):  # for unit speed of A: the rod keeps its length, and B goes along the tangent
+        ground, A, B = ends(g, x_dot, y_dot, 1)
+        v_A, v_B = A.velocity(ground), B.velocity(ground)
+        x, y, _ = B.position(ground)
+        return (B - A).dot(v_B - v_A), ground.vector(x / g.a**2, y / g.b**2, 0).dot(v_B)
+
+    x_dot, y_dot = solve_rates(violated, 2)
+    ground, A, B = ends(g, x_dot * g.z_dot, y_dot * g.z_dot, g.z_dot)
+    return ground, A, B, ground.point("M", *((a + b) / 2 for a, b in zip(A.x, B.x, strict=True)))
+
+
+def solve(g):
+    ground, _, _, M = rod(g)
+    return in_frame(ground, {"v_mid": M.velocity(ground)})
+
+
+def prove(g):
+    def middle(t):
+        z = g.z_1 + g.z_dot * t
+
+        def too_long(phi):  # phi: eccentric angle of the lower end
+            return (g.a * mp.cos(phi)) ** 2 + (g.b * mp.sin(phi)) ** 2 + z**2 - g.L**2
+
+        phi = mp.findroot(too_long, (mp.mpf(0), mp.pi / 2), solver="anderson", maxsteps=200)
+        return [g.a * mp.cos(phi) / 2, g.b * mp.sin(phi) / 2, z / 2]
+
+    return {"v_mid": rate(middle)}
+
+
+def mistakes(g):
+    ground, A, B, _ = rod(g)
+    v_A, v_B = A.velocity(ground), B.velocity(ground)
+    inward = ground.origin - B
+    straight = inward * (g.z_1 * g.z_dot / inward.dot(inward))
+    wrong = {
+        "no_half": {"v_mid": v_A + v_B},
+        "upper_end_at_rest": {"v_mid": v_B / 2},
+        "lower_end_outward": {"v_mid": (v_A - v_B) / 2},
+        "lower_end_straight": {"v_mid": (v_A + straight) / 2},
+    }
+    return in_frame(ground, wrong)
+
+
+def draw(g, ax):
+    ground, A, B, M = rod(g)
+    O = (0, 0, 0)
+    quarter = [(g.a * cos(n * pi() / 80), g.b * sin(n * pi() / 80), 0) for n in range(41)]
+    s = Sketch(ax, ground, azimuth=18, elevation=25)
+    s.axes(O, ground, length=1.2 * g.b)
+    s.path(quarter)
+    s.rod(A, B)
+    s.dot(M)
+    s.vector(A, A.velocity(ground), r"$\dot z$")
+    s.dimension(O, A, label="$z_1$")
+    s.dimension(A, B, label="L", offset=0.12 * g.L)
+    s.label(quarter[0], "$a$", offset=(-2, 10))
+    s.label(quarter[-1], "$b$", offset=(2, 10))
+    s.label(M, "M", offset=(-14, -4))

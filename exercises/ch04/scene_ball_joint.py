@@ -1,0 +1,78 @@
+"""4/12 and 4/13: a bar on a rod that moves about a ball joint at its foot."""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import minus, rate, rot, size, times
+from newton_euler import Frame, solve_rates
+from newton_euler.drawing import Sketch
+
+
+def assembly(g, omega_y, omega_z):
+    """Ground with y up, the body with its three rates about the axes at the instant, and its points A and D."""
+    ground = Frame("ground")
+    body = ground.rotate("about x", "x", rate=g.omega_x).rotate("about y", "y", rate=omega_y).rotate("about z", "z", rate=omega_z)
+    return ground, body, body.point("A", g.x_A, g.h, g.z_A), body.point("D", -g.x_A / 2, g.h, -g.z_A / 2)
+
+
+def moving_so_that(g, conditions):
+    """The assembly with the rates about y and z at which ``conditions(v_A)`` vanish."""
+
+    def at_multiples(y, z):  # of omega_x: as pure numbers they can be found on dimensions too
+        ground, _, A, _ = assembly(g, y * g.omega_x, z * g.omega_x)
+        return conditions(A.velocity(ground))
+
+    y, z = solve_rates(at_multiples, 2)
+    return assembly(g, y * g.omega_x, z * g.omega_x)
+
+
+def answers(ground, body, A, D):
+    return in_frame(ground, {"omega": body.angular_velocity(ground), "v_D": D.velocity(ground)})
+
+
+def solve(g):
+    return answers(*moving_so_that(g, lambda v_A: (v_A.x - g.v_Ax, v_A.y - g.v_Ay)))
+
+
+def prove(g):
+    """The body turns steadily about one axis; the two rates are found from velocities that are numerical derivatives."""
+    A, D = [g.x_A, g.h, g.z_A], [-g.x_A / 2, g.h, -g.z_A / 2]
+
+    def velocity(r, y, z):
+        omega = [g.omega_x, y, z]
+        return rate(lambda t: times(rot(omega, size(omega) * t), r))
+
+    start = velocity(A, 0, 0)
+    by_y, by_z = minus(velocity(A, 1, 0), start), minus(velocity(A, 0, 1), start)  # velocities are linear in the rates
+    y, z = mp.lu_solve(mp.matrix([[by_y[0], by_z[0]], [by_y[1], by_z[1]]]), mp.matrix([g.v_Ax - start[0], g.v_Ay - start[1]]))
+    return {"omega": [g.omega_x, y, z], "v_D": velocity(D, y, z)}
+
+
+def mistakes(g):
+    """Those that both problems list."""
+    reverse = solve(g.but(v_Ax=-g.v_Ax, v_Ay=-g.v_Ay))  # r x omega = v_A
+    return {
+        "r_cross_omega": {"omega": reverse["omega"], "v_D": -reverse["v_D"]},
+        "v_Az_zero": answers(*moving_so_that(g, lambda v_A: (v_A.y - g.v_Ay, v_A.z))),
+        "positions_from_B": solve(g.but(h=0)),
+    }
+
+
+def draw(g, ax):
+    ground, body, A, D = moving_so_that(g, lambda v_A: (v_A.x - g.v_Ax, v_A.y - g.v_Ay))
+    O, B = body.point("O", 0, 0, 0), body.point("B", 0, g.h, 0)
+    corner = ground.point("", g.x_A, g.h, 0)
+    s = Sketch(ax, ground, azimuth=35, elevation=25, up="y")
+    s.ground(O, normal=ground.j)
+    s.ball_joint(O)
+    s.rod(O, B)
+    s.rod(D, A)
+    s.axes(O, ground, length=1.4 * g.h)
+    s.line(B, corner, style="dashed")
+    s.line(corner, A, style="dashed")
+    s.dimension(O, B, label="h")
+    s.dimension(B, corner, label="$x_A$")
+    s.dimension(corner, A, label="$z_A$")
+    s.vector(A, A.velocity(ground), r"$\mathbf{v}_A$")
+    for P in (O, A, B, D):
+        s.label(P, P.name)

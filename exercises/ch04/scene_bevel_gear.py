@@ -1,0 +1,61 @@
+"""4/32 and 4/33: a bevel gear B on a turning arm, in mesh with a gear C below it, which is fixed or turns."""
+
+from exercises.answering import in_frame
+from exercises.proofs import angular_acceleration, angular_velocity, rot, times
+from newton_euler import Frame, atan, cos, sin, solve_rates
+from newton_euler.drawing import Sketch
+
+
+def gears(n, n_C, tan_gamma):
+    """Ground, the arm turning about z with OA along its y, and gear B, turning on OA so that it has C's velocity along their line of contact."""
+    ground = Frame("ground")
+    arm, C = ground.rotate("arm", "z", rate=n), ground.rotate("C", "z", rate=n_C)
+    contact = (0, tan_gamma, -1)  # from the apex O; at the instant the axes of all are parallel
+
+    def gear_B(ratio):
+        return arm.rotate("B", "y", rate=ratio * n)
+
+    (ratio,) = solve_rates(lambda ratio: gear_B(ratio).vector(*contact).rate(ground) - C.vector(*contact).rate(ground), 1)
+    return ground, arm, gear_B(ratio)
+
+
+def answers(n, n_C, tan_gamma):
+    ground, arm, B = gears(n, n_C, tan_gamma)
+    return in_frame(arm, {"omega_B": B.angular_velocity(ground), "alpha_B": B.angular_acceleration(ground)})
+
+
+def proved(n, n_C, tan_gamma):
+    """Equal arcs pass through the contact on the pitch circles of B and C, whose radii are as 1 to tan(gamma)."""
+
+    def gear_B(t):
+        overtaken = (n - n_C) * t  # the angle by which the arm has gone round on C
+        return times(rot("z", n * t), rot("y", -overtaken * tan_gamma))  # rolling toward -x: the top of B goes ahead
+
+    return {"omega_B": angular_velocity(gear_B), "alpha_B": angular_acceleration(gear_B)}
+
+
+def figure(ax, tan_gamma, C_turns):
+    """The gears with a line of contact of length 1, seen nearly square to the plane of DE and OA; C is on a sleeve round DE."""
+    gamma = atan(tan_gamma)
+    ground = Frame("ground")
+    O, A, D, E = (ground.point(*place) for place in (("O", 0, 0, 0), ("A", 0, sin(gamma) + 0.4, 0), ("D", 0, 0, -2), ("E", 0, 0, 0.8)))
+    B, C, contact = ground.j * sin(gamma), ground.k * -cos(gamma), ground.vector(0, sin(gamma), -cos(gamma))
+    foot = C - ground.k * 0.65
+    s = Sketch(ax, ground, azimuth=20, elevation=15)
+    s.shaft(D, E)
+    s.shaft(O, A)
+    s.cylinder(foot, C, 0.12)
+    s.gear(C, ground.k, sin(gamma), cone_apex=O)
+    s.gear(B, ground.j, cos(gamma), cone_apex=O)
+    s.line(O, contact, style="solid")
+    s.axes(O, ground, length=0.35)
+    s.turn(E, ground.k, label="n")
+    if C_turns:
+        s.turn(C - ground.k * 0.5, ground.k, label="$n_C$")
+    else:
+        s.ground(foot, normal=ground.k)
+    s.arc(O, D, contact, label=r"$\gamma$")
+    for P in (O, A, D, E):
+        s.label(P, P.name)
+    s.label(B, "B")
+    s.label(C - ground.j * (0.7 * sin(gamma)), "C", offset=(0, 0))

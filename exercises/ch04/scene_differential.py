@@ -1,0 +1,82 @@
+"""4/5 and 4/10: a bevel pinion, carried round by a cage, between two equal bevel gears that face each other on one axis.
+
+The axis of the gears and the axis of the pinion are two of x, y, z that follow each other. The first gear is on the positive side.
+"""
+
+from mpmath import matrix, mp
+
+from exercises.proofs import rot, times
+from newton_euler import Frame, solve_rates
+
+AXES = "xyz"
+
+
+def next_axis(axis):
+    return AXES[(AXES.index(axis) + 1) % 3]
+
+
+def coordinates(axis, along, across):
+    """Of a place at ``along`` on the axis of the gears and ``across`` on the axis of the pinion."""
+    x = [0, 0, 0]
+    x[AXES.index(axis)], x[AXES.index(next_axis(axis))] = along, across
+    return x
+
+
+def train(axis, cage_rate, spin):
+    """Ground, cage and pinion; the pinion turns in the cage about the next axis."""
+    ground = Frame("ground")
+    cage = ground.rotate("cage", axis, rate=cage_rate)
+    return ground, cage, cage.rotate("pinion", next_axis(axis), rate=spin)
+
+
+def slip(g, axis, cage_rate, spin, gear_rate, side):
+    """Velocity of the pinion's tooth against that of the gear on that side (1 or -1), where they touch."""
+    ground, _, pinion = train(axis, cage_rate, spin)
+    gear = ground.rotate("gear", axis, rate=gear_rate)
+    here = coordinates(axis, side * g.r, g.R)
+    return pinion.point("tooth", *here).velocity(ground) - gear.point("tooth", *here).velocity(ground)
+
+
+def meshing_rates(g, axis, first, second):
+    """Rates of the cage, and of the pinion in the cage, from those of the two gears: the sum of what each gear alone would give."""
+
+    def per_unit(one, other):
+        return solve_rates(lambda cage, spin: (slip(g, axis, cage, spin, one, 1), slip(g, axis, cage, spin, other, -1)), 2)
+
+    return tuple(first * a + second * b for a, b in zip(per_unit(1, 0), per_unit(0, 1), strict=True))
+
+
+def spin_against(g, axis, cage_rate, gear_rate, side):
+    """Rate of the pinion in the cage if only the contact with the gear on that side is kept."""
+    per_unit = solve_rates(lambda spin: slip(g, axis, 0, spin, 1, side), 1)[0]
+    return (gear_rate - cage_rate) * per_unit
+
+
+def rolled(g, axis, first, second):
+    """Orientations of cage and pinion in time, by the arcs that pass the two contacts: in the cage, equal on both wheels."""
+
+    def angles(t):
+        arcs = matrix([[-g.R, g.r], [-g.R, -g.r]])  # R (phi - cage) = -r spin on the first side, +r spin on the second
+        return mp.lu_solve(arcs, matrix([-g.R * first * t, -g.R * second * t]))
+
+    def cage(t):
+        return rot(axis, angles(t)[0])
+
+    def pinion(t):
+        return times(cage(t), rot(next_axis(axis), angles(t)[1]))
+
+    return cage, pinion
+
+
+def section(s, g, axis, pinion_sides):
+    """Draw gears and pinions in the plane of their axes: parts of their pitch cones, which touch along lines through the apex."""
+
+    def wheel(corners):
+        s.plate([coordinates(axis, t * along, t * across) for t, half in ((1, corners), (0.7, corners[::-1])) for along, across in half])
+
+    for side in (1, -1):
+        wheel([(side * g.r, g.R), (side * g.r, -g.R)])
+        for end in (g.R, -g.R):
+            s.line((0, 0, 0), coordinates(axis, side * g.r, end))
+    for side in pinion_sides:
+        wheel([(g.r, side * g.R), (-g.r, side * g.R)])

@@ -1,0 +1,111 @@
+"""4/34 to 4/41: a disk on a horizontal axle in a bracket that turns about the vertical.
+
+Axes of the bracket: z up along its shaft, y along the axle. The disk turns in the bracket at P about +y, the bracket at omega about +z;
+the disk's centre is on the axle at the distance b from the shaft. On the rim, A is at the top and B at the side on +x.
+"""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate, times
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+PLACES = {"A": (0, 0, 1), "B": (1, 0, 0)}
+
+
+def disk_in_bracket(P, omega, P_dot=0, omega_dot=0, b=0):
+    """The frames (ground, bracket, disk); the origin of the disk is its centre."""
+    ground = Frame("ground")
+    bracket = ground.rotate("bracket", "z", rate=omega, acceleration=omega_dot)
+    disk = bracket.rotate("disk", "y", rate=P, acceleration=P_dot, origin=bracket.point("C", 0, b, 0))
+    return ground, bracket, disk
+
+
+def rim_point(disk, name, r):
+    """The point A or B of the rim, fixed in the disk."""
+    return disk.point(name, *(r if e else 0 for e in PLACES[name]))
+
+
+def turning(frames):
+    """Angular velocity and angular acceleration of the disk in the ground, along the bracket's axes."""
+    ground, bracket, disk = frames
+    return in_frame(bracket, {"omega_disk": disk.angular_velocity(ground), "alpha_disk": disk.angular_acceleration(ground)})
+
+
+def rim_motion(frames, name, r):
+    """Velocity and acceleration of A or B in the ground, along the bracket's axes and with the terms that the bracket gives."""
+    ground, bracket, disk = frames
+    S = rim_point(disk, name, r)
+    return {f"v_{name}": S.velocity(ground, via=bracket), f"a_{name}": S.acceleration(ground, via=bracket)}
+
+
+def _turned(axis, speed, growth):
+    return lambda t: rot(axis, speed * t + growth * t**2 / 2)
+
+
+def prove_turning(P, omega, P_dot=0, omega_dot=0, b=0):
+    """The same angular motion, from the orientation of the disk as a function of time."""
+    bracket, in_bracket = _turned("z", omega, omega_dot), _turned("y", P, P_dot)
+
+    def disk(t):
+        return times(bracket(t), in_bracket(t))
+
+    return {"omega_disk": angular_velocity(disk), "alpha_disk": angular_acceleration(disk)}
+
+
+def prove_rim(name, r, P, omega, P_dot=0, omega_dot=0, b=0):
+    """The same motion of A or B, from its place in the ground as a function of time: its angle on the rim grows from +z toward +x."""
+    bracket, start = _turned("z", omega, omega_dot), {"A": 0, "B": mp.pi / 2}[name]
+
+    def place(t):
+        angle = start + P * t + P_dot * t**2 / 2
+        return times(bracket(t), [r * mp.sin(angle), b, r * mp.cos(angle)])
+
+    return {f"v_{name}": rate(place), f"a_{name}": second_rate(place)}
+
+
+def draw_disk_in_bracket(ax, r=None, rim="AB", omega_name=r"\omega", **given):
+    """The figure; ``rim`` names the points of the rim to show. Rates that grow are shown with their rate of growth."""
+    ground, bracket, disk = disk_in_bracket(**given)
+    s = Sketch(ax, ground, azimuth=50, elevation=18)
+    growing = "P_dot" in given
+    letters = [rf"${name},\ \dot{{{name}}}$" if growing else f"${name}$" for name in (omega_name, "P")]
+    scale = r or 1.0
+    s.disk(disk.origin, bracket.j, scale)
+    (_draw_axle if given.get("b") else _draw_fork)(s, bracket, disk, scale, *letters)
+    points = [rim_point(disk, name, scale) for name in rim]
+    for point in points:
+        s.dot(point)
+        s.label(point, point.name)
+    if r:
+        s.dimension(disk.origin, points[0], label="r")
+
+
+def _draw_fork(s, bracket, disk, r, omega, P):
+    """The disk between the arms of a fork, its centre above the shaft."""
+    C, middle, foot = disk.origin, bracket.point("", 0, 0, -1.4 * r), bracket.point("", 0, 0, -2.2 * r)
+    for y in (-0.7 * r, 0.7 * r):
+        end, corner = bracket.point("", 0, y, 0), bracket.point("", 0, y, -1.4 * r)
+        s.rod(C, end)
+        s.rod(end, corner)
+        s.rod(corner, middle)
+    s.shaft(foot, middle)
+    s.ground(foot, bracket.k)
+    s.axes(C, bracket, length=1.5 * r)
+    s.turn(bracket.point("", 0, 0, -1.9 * r), bracket.k, label=omega)
+    s.turn(bracket.point("", 0, r, 0), bracket.j, label=P)
+
+
+def _draw_axle(s, bracket, disk, r, omega, P):
+    """The disk at the end of an axle that sticks out of the shaft by the length b."""
+    O, foot = bracket.point("O", 0, 0, 0), bracket.point("", 0, 0, -1.6 * r)
+    s.shaft(foot, O)
+    s.rod(O, disk.origin)
+    s.ground(foot, bracket.k)
+    s.axes(O, bracket)
+    s.turn(bracket.point("", 0, 0, -r), bracket.k, label=omega)
+    s.turn(disk.point("", 0, 0.3 * r, 0), bracket.j, label=P)
+    s.dot(disk.origin)
+    s.dimension(O, disk.origin, label="b")
+    s.label(O, "O")

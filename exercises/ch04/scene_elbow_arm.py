@@ -1,0 +1,68 @@
+"""The elbow arm of 4/16 and 4/17: the rod CD, hinged at C to an arm BC that turns about the vertical."""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import angular_acceleration, rate, rot, second_rate, times, transposed
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+
+def arm_and_rod(g):
+    """Ground with Z up; the arm turns about Z; the rod about the arm's -x axis, which is how beta grows."""
+    ground = Frame("ground")
+    arm = ground.rotate("arm", "z", rate=g.omega)
+    C = arm.point("C", 0, g.b, 0)
+    rod = arm.rotate("rod", "-x", angle=g.beta_1, rate=g.b_dot, origin=C)
+    return ground, arm, rod, rod.point("D", 0, -g.L, 0)  # at beta = 0 the rod lies on CB
+
+
+def solve(g):
+    ground, arm, rod, D = arm_and_rod(g)
+    return in_frame(ground, {
+        "alpha_CD": rod.angular_acceleration(ground),
+        "v_D": D.velocity(ground, via=arm),
+        "a_D": D.acceleration(ground, via=arm),
+    })  # fmt: skip
+
+
+def prove(g):
+    """The direction of CD in the turning vertical plane, from CB (back to the shaft) upward by beta."""
+
+    def rod(t):
+        c, s = mp.cos(g.beta_1 + g.b_dot * t), mp.sin(g.beta_1 + g.b_dot * t)
+        return times(rot("z", g.omega * t), transposed([[1, 0, 0], [0, -c, s], [0, -s, -c]]))  # columns: x, along CD, x cross that
+
+    def D(t):
+        beta = g.beta_1 + g.b_dot * t
+        return times(rot("z", g.omega * t), [0, g.b - g.L * mp.cos(beta), g.L * mp.sin(beta)])
+
+    return {"alpha_CD": angular_acceleration(rod), "v_D": rate(D), "a_D": second_rate(D)}
+
+
+def common_mistakes(g):
+    """Those that can be made in both problems."""
+    ground, arm, rod, D = arm_and_rod(g)
+    return in_frame(ground, {
+        "no_cross_product": {"alpha_CD": rod.angular_acceleration(ground).without("arm x rod")},
+        "no_coriolis": {"a_D": D.acceleration(ground, via=arm).without("coriolis")},
+        "beta_the_other_way": solve(g.but(b_dot=-g.b_dot)),
+    })  # fmt: skip
+
+
+def draw(g, ax):
+    ground, arm, _, D = arm_and_rod(g)
+    B, C = arm.point("B", 0, 0, 0), arm.point("C", 0, g.b, 0)
+    A = arm.point("A", 0, 0, -g.b)
+    s = Sketch(ax, ground, azimuth=25, elevation=20)
+    s.shaft(A, B)
+    s.rod(B, C)
+    s.rod(C, D)
+    s.ground(A, normal=ground.k)
+    s.axes(B, ground, length=1.4 * g.b, labels="XYZ")
+    s.turn(A, ground.k, label=r"$\omega$")
+    s.arc(C, B, D, label=r"$\beta$")
+    s.dimension(B, C, label="b", offset=-0.1 * (g.b + g.L))
+    s.dimension(C, D, label="L")
+    for P in (A, B, C, D):
+        s.label(P, P.name)

@@ -1,0 +1,62 @@
+"""The universal joint of 4/21 and 4/29: a shaft that spins in a block, which tilts in a fork, which turns about the vertical."""
+
+from mpmath import mp
+
+from exercises.answering import in_frame
+from exercises.proofs import rot, times, transposed
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+
+def fork_and_shaft(g):
+    """Ground with z up; the fork turns about z; the block about the fork's -x axis, as gamma grows; the shaft about the block's z axis, e."""
+    ground = Frame("ground")
+    fork = ground.rotate("fork", "z", rate=g.Omega)
+    block = fork.rotate("block", "-x", angle=g.gamma_1, rate=-g.gamma_rate)
+    return ground, fork, block.rotate("shaft", "z", rate=g.omega)
+
+
+def angular_velocity(g):
+    ground, fork, shaft = fork_and_shaft(g)
+    return in_frame(fork, shaft.angular_velocity(ground))
+
+
+def angular_acceleration(g):
+    ground, fork, shaft = fork_and_shaft(g)
+    return in_frame(fork, shaft.angular_acceleration(ground))
+
+
+def orientation(g):
+    """Proof: the shaft's orientation in time, built on e and two directions across it, of which one is the pin at first."""
+
+    def shaft(t):
+        gamma, phi = g.gamma_1 - g.gamma_rate * t, g.omega * t
+        e, pin, across = [0, mp.sin(gamma), mp.cos(gamma)], [1, 0, 0], [0, mp.cos(gamma), -mp.sin(gamma)]  # across = e x pin
+        first = [mp.cos(phi) * a + mp.sin(phi) * b for a, b in zip(pin, across, strict=True)]
+        second = [mp.cos(phi) * b - mp.sin(phi) * a for a, b in zip(pin, across, strict=True)]
+        return times(rot("z", g.Omega * t), transposed([first, second, e]))
+
+    return shaft
+
+
+def draw(g, ax):
+    ground, fork, shaft = fork_and_shaft(g)
+    centre, up = fork.point("centre", 0, 0, 0), fork.point("up", 0, 0, 1)
+    foot, middle = fork.point("foot", 0, 0, -1.3), fork.point("middle", 0, 0, -0.7)
+    start, A = shaft.point("start", 0, 0, 0.13), shaft.point("A", 0, 0, 1.3)
+    s = Sketch(ax, ground, azimuth=28, elevation=18)
+    s.ground(foot, normal=ground.k)
+    s.shaft(foot, middle)
+    for x in (-0.6, 0.6):
+        top, corner = fork.point("top", x, 0, 0), fork.point("corner", x, 0, -0.7)
+        s.rod(middle, corner)
+        s.rod(corner, top)
+        s.rod(fork.point("side", x / 0.6 * 0.13, 0, 0), top)
+    s.box(centre, shaft, (0.26, 0.26, 0.26))
+    s.shaft(start, A)
+    s.axes(centre, fork, length=0.95)
+    s.turn(foot, ground.k, label=r"$\Omega$")
+    s.turn(shaft.point("", 0, 0, 1), shaft.k, label=r"$\omega$")
+    s.vector(A, shaft.k, "e", kind="plain")
+    s.arc(centre, up, A, label=r"$\gamma$")
+    s.label(A, "A")

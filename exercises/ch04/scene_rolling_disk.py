@@ -1,0 +1,76 @@
+"""The disk of 4/22, 4/23 and 4/30: it rolls upright round a circle, its axle pointing to the vertical y axis."""
+
+from mpmath import mp
+
+from exercises.proofs import plus, rot, scaled, times
+from newton_euler import Frame, pi, solve_rates
+from newton_euler.drawing import Sketch
+
+
+def axle_and_disk(g, ratio):
+    """The axle's axes turn about y and go with the disk's centre; in them the disk turns about z, outward, at ``ratio`` times their rate."""
+    turning = 2 * pi(g.T) / g.T
+    ground = Frame("ground")
+    arm = ground.rotate("arm", "y", rate=turning)
+    axle = arm.translate("axle", arm.point("C", 0, 0, g.R))
+    return ground, axle, axle.rotate("disk", "z", rate=ratio * turning)
+
+
+def rolling_ratio(g):
+    """The ratio that keeps the point of contact at rest."""
+
+    def slip(ratio):
+        ground, _, disk = axle_and_disk(g, ratio)
+        return disk.point("contact", 0, -g.r, 0).velocity(ground)
+
+    return solve_rates(slip, 1)[0]
+
+
+def rolling_disk(g, ratio=None):
+    """Ground, axle, disk and the point A of its rim; rolling, or with another ratio of spin to turning rate."""
+    ground, axle, disk = axle_and_disk(g, rolling_ratio(g) if ratio is None else ratio)
+    return ground, axle, disk, disk.point("A", g.r, 0, 0)
+
+
+def orientation(g):
+    """Proof, the disk's orientation in time: the centre goes the arc R theta and the rim unrolls as much, A going down at first."""
+
+    def disk(t):
+        theta = 2 * mp.pi * t / g.T
+        unrolled = g.R * theta / g.r
+        return times(rot("y", theta), rot([0, 0, -1], unrolled))
+
+    return disk
+
+
+def rim_point(g):
+    """Proof, the place of A in time, from the directions of travel and of the vertical."""
+
+    def A(t):
+        theta = 2 * mp.pi * t / g.T
+        unrolled = g.R * theta / g.r
+        outward, forward = [mp.sin(theta), 0, mp.cos(theta)], [mp.cos(theta), 0, -mp.sin(theta)]
+        return plus(scaled(g.R, outward), scaled(g.r * mp.cos(unrolled), forward), [0, -g.r * mp.sin(unrolled), 0])
+
+    return A
+
+
+def sketch(g, ax, with_A=True):
+    """The figure of all three; the point A is in it where it is asked for."""
+    ground, axle, _, A = rolling_disk(g)
+    C, origin, foot = axle.point("C", 0, 0, 0), ground.point("origin", 0, 0, 0), ground.point("foot", 0, -g.r, 0)
+    top, contact = ground.point("top", 0, 1.2 * g.r, 0), axle.point("contact", 0, -g.r, 0)
+    s = Sketch(ax, ground, azimuth=38, elevation=18, up="y")
+    s.ground(foot, normal=ground.j)
+    s.ring(foot, ground.j, g.R)
+    s.shaft(foot, top)
+    s.rod(origin, C)
+    s.disk(C, axle.k, g.r, spoke=A if with_A else None)
+    s.dot(C)
+    s.axes(origin, axle, length=0.6 * g.R)
+    s.turn(top, ground.j, label="once in $T$")
+    s.dimension(foot, contact, label="R")
+    s.dimension(contact, C, label="r", offset=0)
+    if with_A:
+        s.dot(A)
+        s.label(A, "A")

@@ -1,0 +1,1 @@
+"""From exercise to assignment, from submission to grade. Run as ``python -m grader``; stays with the instructor."""

@@ -1,0 +1,149 @@
+"""From a receipt to points: pure functions over data.
+
+``score(problem, values, receipt)`` compares numbers with the key that the engine computes for the same values, formulas at seeded points of their
+domain. Nothing that a student wrote is run, evaluated as code or simplified here.
+"""
+
+import json
+import random
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from exercises.variants import evaluate, symbol_values
+from newton_euler.answers import SHAPES, TreeError
+from newton_euler.answers import evaluate as tree_value
+from newton_euler.scalars import DimensionError, ScalarError
+
+from .diagnose import diagnose
+
+RTOL = 0.005  # of the size of the key: three significant figures, rounded however
+FORMULA_RTOL = 1e-4  # formulas are exact; this leaves room for 3.1416
+POINTS = 8  # at which formulas are compared
+OPEN = "no answer"
+
+
+@dataclass(frozen=True)
+class Part:
+    """One answer, judged: ``verdict`` is right, wrong, unreadable or blank; ``message`` is for the student and never holds the key."""
+
+    key: str
+    points: float
+    out_of: float
+    verdict: str
+    message: str
+    diagnosis: str | None = None
+
+
+@dataclass(frozen=True)
+class Score:
+    """All parts of one problem, with a note on the cell as a whole (an error in it, a copy, a missing one)."""
+
+    problem: str
+    parts: tuple
+    note: str = ""
+
+    @property
+    def points(self):
+        """The sum of the parts."""
+        return sum(p.points for p in self.parts)
+
+    @property
+    def out_of(self):
+        """The most that the problem gives: a point for each answer."""
+        return sum(p.out_of for p in self.parts)
+
+    def json(self):
+        """The score as JSON text."""
+        return json.dumps({"points": self.points, "out_of": self.out_of, **asdict(self)})
+
+
+def score(problem, values, receipt, note=""):
+    """The :class:`Score` of a receipt (a record {"answers", "faults", "error"}, or None) for ``problem`` with a student's ``values``."""
+    receipt = receipt if isinstance(receipt, dict) else {}
+    answers = receipt.get("answers") if isinstance(receipt.get("answers"), dict) else {}
+    faults = receipt.get("faults") if isinstance(receipt.get("faults"), dict) else {}
+    error = receipt.get("error")
+    notes = [n for n in (note, f"the cell stopped with {_clipped(error)}" if error else "") if n]
+    sample = _sample(problem, values)
+    right, wrong = _key(problem, sample)
+    parts = []
+    for a in problem.answers:
+        tree = answers.get(a.key)
+        if a.key in faults:
+            parts.append(Part(a.key, 0, 1, "unreadable", _clipped(faults[a.key])))
+        elif tree is None:
+            parts.append(Part(a.key, 0, 1, "blank", OPEN))
+        else:
+            parts.append(_judged(problem, a, tree, sample, right[a.key], wrong))
+    return Score(problem.id, tuple(parts), "; ".join(notes))
+
+
+def _sample(problem, values):
+    """Values of all givens and symbols; for formulas, arrays of the same seeded points for everyone."""
+    if not problem.symbols:
+        return dict(values)
+    rng = random.Random(f"points of {problem.id}")
+    points = [symbol_values(problem, rng) for _ in range(POINTS)]
+    return {**values, **{n: np.array([p[n] for p in points]) for n in problem.symbols}}
+
+
+def _key(problem, sample):
+    with np.errstate(all="ignore"):
+        return evaluate(problem, sample)
+
+
+def _judged(problem, a, tree, sample, key, wrong):
+    if a.kind in ("choice", "count"):
+        ok = type(tree) is type(key[0]) and tree == key[0]
+        return Part(a.key, float(ok), 1, "right" if ok else "wrong", "right" if ok else "not right")
+    try:
+        given = read(a, tree, sample)
+    except (TreeError, ScalarError, DimensionError, ArithmeticError, ValueError, TypeError, RecursionError) as error:
+        return Part(a.key, 0, 1, "unreadable", f"cannot be read: {_clipped(error)}")
+    key = _rows(key, given.shape[1])
+    tolerance = FORMULA_RTOL if a.kind.endswith("expression") else RTOL
+    if close(given, key, tolerance, a.atol):
+        return Part(a.key, 1, 1, "right", "right")
+    diagnosis = diagnose(problem, a, given, key, sample, {m: _rows(w[a.key], given.shape[1]) for m, w in wrong.items() if a.key in w}, tolerance)
+    return Part(a.key, 0, 1, "wrong", diagnosis or "not right", diagnosis)
+
+
+def read(a, tree, sample):
+    """A student's tree as an array of shape (components, points); raises :class:`TreeError` for anything else."""
+    count = SHAPES[a.kind]
+    trees = tree if count > 1 else [tree]
+    if not isinstance(trees, list) or len(trees) != count:
+        raise TreeError(f"expected {count} numbers")
+    if a.kind.endswith("expression"):
+        symbols = {n: v for n, v in sample.items() if n in _names(a, sample)}
+        with np.errstate(all="ignore"):
+            rows = [tree_value(t, symbols) for t in trees]
+    else:
+        if not all(isinstance(t, (int, float)) and not isinstance(t, bool) for t in trees):
+            raise TreeError("expected numbers")
+        rows = [float(t) for t in trees]
+    return _rows(rows, max(np.size(v) for v in sample.values()) if sample else 1)
+
+
+def _names(a, sample):
+    return [n for n, v in sample.items() if np.ndim(v)]
+
+
+def _rows(numbers, points):
+    with np.errstate(all="ignore"):
+        return np.stack([np.broadcast_to(np.asarray(x, dtype=float), (points,)) for x in numbers])
+
+
+def close(given, key, rtol, atol):
+    """True if the answer is within ``rtol`` of the size of the key (``atol`` where the key is zero) at every point where the key exists."""
+    with np.errstate(all="ignore"):
+        size = np.sqrt((key**2).sum(axis=0))
+        gap = np.sqrt(((given - key) ** 2).sum(axis=0))
+        fine = gap <= np.maximum(rtol * size, atol if (size <= atol).any() else 0)
+    exists = np.isfinite(size)
+    return bool(exists.any() and fine[exists].all())
+
+
+def _clipped(text):
+    return " ".join(str(text).split())[:400]

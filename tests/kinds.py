@@ -1,0 +1,76 @@
+"""One test over many kinds of number.
+
+    from tests.kinds import KINDS, close, numbers
+
+    @pytest.mark.parametrize("kind", KINDS)
+    def test_a_law(kind):
+        x, y = numbers(kind, 0.3, "1/3")
+        assert close(sin(x)**2 + cos(x)**2, 1)
+
+A test that looks at values converts its results with :func:`number`; one that must not branch on them stays as it is.
+"""
+
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import sympy
+
+from newton_euler.scalars import plain
+
+mpmath.mp.dps = 30  # every mpf of the tests has 30 digits
+
+
+def _array(x):
+    """Three instants: the value itself, and two near it, so that a formula which mixes up instants is seen."""
+    return float(x) * np.array([1.0, 1.0625, 0.875])
+
+
+def _mpf(x):
+    return mpmath.mpf(x.numerator) / x.denominator
+
+
+def _rational(x):
+    return sympy.Rational(x.numerator, x.denominator)
+
+
+KINDS = {"float": float, "array": _array, "mpmath": _mpf, "sympy": _rational}  # each makes its number from a Fraction
+
+
+def numbers(kind, *values):
+    """The values (int, float, Fraction, or text as "1/3") as numbers of this kind; a single one not in a tuple.
+
+    A float is taken for the decimal number it is written as: 0.1 becomes 1/10 in mpmath and SymPy.
+    """
+    out = tuple(KINDS[kind](Fraction(str(v))) for v in values)
+    return out[0] if len(out) == 1 else out
+
+
+def number(x):
+    """A scalar of any kind as something to compare: a 30 digit mpf, or an array of floats for an array."""
+    x = plain(x)
+    if isinstance(x, np.ndarray):
+        return x
+    if isinstance(x, sympy.Basic):
+        x = x.evalf(30)
+        return mpmath.mpf(x._mpf_) if x.is_Float else mpmath.mpf(str(x))
+    return mpmath.mpf(x)
+
+
+def close(a, b, tolerance=1e-12):
+    """True if a and b (scalars of any kind, vectors, or nested tuples of them) differ by at most ``tolerance``, absolute, everywhere.
+
+    Vectors of two frames are compared in the frame of ``a``; a vector may be compared with a triple of components.
+    """
+    if hasattr(a, "frame") and hasattr(b, "frame"):
+        b = b.expressed_in(a.frame)
+    if hasattr(a, "frame") or isinstance(a, (tuple, list)):
+        a, b = tuple(a), tuple(b)
+        return len(a) == len(b) and all(close(x, y, tolerance) for x, y in zip(a, b, strict=True))
+    difference = abs(number(a) - number(b))
+    return bool(np.all(difference <= tolerance))
+
+
+def first(x):
+    """The value of a scalar, the first one of an array: to look at one instant of any kind."""
+    return x[0] if isinstance(x, np.ndarray) and x.shape else x
