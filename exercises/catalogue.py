@@ -80,7 +80,7 @@ class Givens:
         return unit(self._units[name]).from_base(self._values[name])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Problem:
     """One problem of the book: its text, its data, and through ``code`` what it computes."""
 
@@ -239,7 +239,7 @@ def select(names):
             chosen.append(problem(name))
         else:
             chosen += problems(name)
-    return list(dict.fromkeys(chosen_id for chosen_id in chosen)) if chosen else []
+    return list(dict.fromkeys(chosen))
 
 
 _ANGLES = {"rad": (0.25, 1.1), "deg": (15, 65)}

@@ -57,6 +57,21 @@ def size(a):
     return mp.sqrt(sum(x * x for x in a))
 
 
+def cross(a, b):
+    """The vector product."""
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def spun(axis, across, angle):
+    """The orientation of a body that has turned on its ``axis`` by ``angle``, right-handed, starting from the direction ``across``.
+
+    Both are unit vectors, square to each other. The columns are the axis and two directions that turn about it with the body: for
+    :func:`angular_velocity` it does not matter which.
+    """
+    turned = plus(scaled(mp.cos(angle), across), scaled(mp.sin(angle), cross(axis, across)))
+    return transposed([axis, turned, cross(axis, turned)])
+
+
 def _combine(values, weights, scale):
     first = values[0]
     if isinstance(first, (list, tuple)):

@@ -4,6 +4,7 @@
     COURSE/.course_secret       32 random bytes; every student's numbers follow from it. Never hand it out, never lose it
     COURSE/gradebook.db         nbgrader's gradebook; its students are the roster
     COURSE/source/ release/ submitted/ autograded/ feedback/     nbgrader's folders
+    COURSE/scores/              verdict and diagnosis of every part, as JSON
     COURSE/personal/            each student's own copy of an assignment, as fetched
     COURSE/student/             what goes to the students' side of the exchange: a configuration without secrets
 """
@@ -13,6 +14,7 @@ import json
 import os
 import secrets
 import shutil
+import sys
 from functools import cached_property
 from pathlib import Path
 
@@ -114,6 +116,9 @@ class Course:
         """nbgrader's gradebook, to be used in a with statement."""
         from nbgrader.api import Gradebook
 
+        own = os.path.dirname(sys.executable)  # nbgrader runs `alembic` by name; it stands beside the Python in use
+        if own not in os.environ.get("PATH", "").split(os.pathsep):
+            os.environ["PATH"] = own + os.pathsep + os.environ.get("PATH", "")
         return Gradebook(self.db_url, self.name)
 
     def roster(self):
@@ -148,9 +153,12 @@ def read_roster(path):
 
 
 def read_json(path):
-    """A notebook as a plain dict."""
+    """A notebook that we or nbgrader wrote, as a plain dict with each cell's source as one text."""
     with open(path, encoding="utf-8") as f:
-        return json.load(f)
+        notebook = json.load(f)
+    for cell in notebook["cells"]:
+        cell["source"] = "".join(cell["source"])  # nbgrader writes lists of lines
+    return notebook
 
 
 def write_json(path, content):

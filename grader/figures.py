@@ -10,9 +10,9 @@ def png(problem: Problem, values, size=(5.2, 4.0), dpi=100):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=size, dpi=dpi, layout="constrained")
+    figure = Figure(figsize=size, dpi=dpi)
     FigureCanvasAgg(figure)
-    problem.code.draw(problem.base(drawn_at(problem, values)), figure.add_subplot())
+    problem.code.draw(problem.base(drawn_at(problem, values)), figure.add_axes((0.02, 0.02, 0.96, 0.96)))
     out = io.BytesIO()
     figure.savefig(out, format="png")
     return out.getvalue()

@@ -5,7 +5,7 @@ import copy
 
 from nbformat import from_dict
 from nbgrader import utils
-from nbgrader.preprocessors import NbGraderPreprocessor, SaveAutoGrades
+from nbgrader.preprocessors import GetGrades, NbGraderPreprocessor, SaveAutoGrades
 from traitlets import Unicode
 
 from . import notebook as nb
@@ -77,3 +77,18 @@ class SaveScores(SaveAutoGrades):
         result = self._score_of(cell, resources)
         found.auto_comment = pipeline.comment(result) if result else None
         self.gradebook.db.commit()
+
+
+class GradesAndFigures(GetGrades):
+    """For the feedback page: scores, what a human grader wrote, and each figure inside its text."""
+
+    def _get_comment(self, cell, resources):
+        super()._get_comment(cell, resources)
+        found = self.gradebook.find_comment(cell.metadata["nbgrader"]["grade_id"], self.notebook_id, self.assignment_id, self.student_id)
+        cell.metadata.nbgrader["manual_comment"] = found.manual_comment
+
+    def preprocess_cell(self, cell, resources, index):
+        for name, kinds in cell.pop("attachments", {}).items():
+            for kind, data in kinds.items():
+                cell.source = cell.source.replace(f"attachment:{name}", f"data:{kind};base64,{data}")
+        return super().preprocess_cell(cell, resources, index)

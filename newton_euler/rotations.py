@@ -13,7 +13,7 @@ values: it takes floats, mpf, arrays (each entry of shape (N,), one for each ins
 words; of moving numbers it reads the values.
 """
 
-from .scalars import ZERO, ScalarError, _value, atan2, cos, epsilon, is_finite, is_numeric, plain, scalar, sin, size, sqrt, where
+from .scalars import ZERO, ScalarError, _value, atan2, cos, epsilon, is_finite, is_numeric, least, plain, scalar, sin, size, sqrt, where
 from .vectors import cross3, dot3, scale3
 
 
@@ -125,9 +125,7 @@ def axis_angle(R, tolerance=1e-9):
     ([0.57735, 0.57735, 0.57735], 2.094395)
     """
     q0, *v = quaternion_from_matrix(R, tolerance)
-    length = _length(v)
-    still = length == 0
-    axis = tuple(where(still, int(n == 2), x / where(still, 1, length)) for n, x in enumerate(v))
+    length, axis = _length_and_direction(v)
     return axis, 2 * atan2(length, abs(q0))
 
 
@@ -151,16 +149,18 @@ def _three(v, what):
 
 def _vanishes(x, small=0):
     """True if a number, at any instant, is not larger than ``small`` in size; an expression is taken not to vanish."""
-    return is_numeric(x) and size(where(abs(_value(x)) <= small, 1, 0)) > 0
+    return is_numeric(x) and least(_value(x)) <= small
 
 
-def _length(v):
-    """The magnitude of (x, y, z), of tiny components too: their squares would vanish."""
+def _length_and_direction(v):
+    """Of three numbers, tiny ones too, whose squares would vanish; the direction (0, 0, 1) where they are all zero."""
     largest = abs(v[0])
     for x in v[1:]:
         largest = where(abs(x) > largest, abs(x), largest)
-    divisor = where(largest == 0, 1, largest)
-    return largest * sqrt(sum((x / divisor) ** 2 for x in v))
+    none = largest == 0
+    v = [where(none, int(n == 2), x / where(none, 1, largest)) for n, x in enumerate(v)]
+    length = sqrt(dot3(v, v))
+    return largest * length, tuple(x / length for x in v)
 
 
 # -- what is no rotation

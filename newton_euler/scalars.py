@@ -80,7 +80,7 @@ class _Zero(_Own):
         raise ZeroDivisionError(f"{other!r} is divided by a quantity that is zero by the structure of the formula")
 
     def __pow__(self, power):
-        power = plain(power)
+        power = _value(power)
         if not is_numeric(power):
             return self
         if power == 0:
@@ -275,17 +275,11 @@ def is_finite(x):
     """True unless ``x`` is a number (or has an element) that is nan or infinite; expressions count as finite."""
     if not is_numeric(x):
         return True
-<<<<<<< mine
-    x = plain(x)
+    x = _value(x)
     root = _root(type(x))
     if root == "numpy":
         return bool(importlib.import_module("numpy").isfinite(x).all())
     return bool(x.is_finite) if root in ("sympy", "symengine") else abs(x) < float("inf")
-=======
-    x = _value(x)
-    finite = importlib.import_module("numpy").isfinite(x) if _root(type(x)) == "numpy" else abs(x) < float("inf")
-    return bool(finite.all()) if hasattr(finite, "all") else bool(finite)
->>>>>>> live
 
 
 def size(x):
@@ -322,7 +316,7 @@ def epsilon(like=0.0):
 
 def least(x):
     """The smallest absolute value in ``x``, as a float: the instant of an array at which a divisor is nearest to zero."""
-    smallest = abs(plain(x))
+    smallest = abs(_value(x))
     return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)
 
 
@@ -527,7 +521,7 @@ class Linear(_Own):
     def __mul__(self, other):
         if other is ZERO:
             return ZERO
-        if isinstance(other, Moving) or hasattr(other, "frame"):
+        if isinstance(other, (Moving, Scaled)):
             return NotImplemented
         if isinstance(other, Linear):
             raise ScalarError("two unknown rates are multiplied; the conditions must be linear in them, as velocities are")
@@ -599,18 +593,14 @@ class Dimension(_Own):
     def __mul__(self, other):
         if other is ZERO:
             return ZERO
-<<<<<<< mine
-        if isinstance(other, (Moving, Scaled)):
-=======
-        if isinstance(other, (Moving, Linear)) or hasattr(other, "frame"):
->>>>>>> live
+        if isinstance(other, (Moving, Linear, Scaled)):
             return NotImplemented
         return Dimension(*(a + b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True)))
 
     __rmul__ = __mul__
 
     def __truediv__(self, other):
-        if isinstance(other, (Moving, _Zero)):
+        if isinstance(other, (Moving, Linear, _Zero)):
             return NotImplemented
         return Dimension(*(a - b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True)))
 

@@ -11,11 +11,7 @@ import inspect
 import math
 import sys
 
-<<<<<<< mine
-from .scalars import FUNCTIONS, ZERO, Moving, Scaled, ScalarError, _library, _Own, _root, pi, plain, scalar
-=======
-from .scalars import FUNCTIONS, ZERO, Linear, Moving, _library, _Own
->>>>>>> live
+from .scalars import FUNCTIONS, ZERO, Linear, Moving, Scaled, ScalarError, _library, _Own, _root, _value, pi, plain, scalar
 
 BLOCK = 2048  # instants at a time: the temporaries of a block stay in the processor's cache (measured: 3 times faster)
 HEYOKA_PAYS = {True: 60_000, False: 1_500_000}  # instants until its compilation (and, if not yet loaded, import) is earned back
@@ -98,15 +94,9 @@ class _Trace:
         self.steps, self.known = [], {}
 
     def step(self, op, *args):
-<<<<<<< mine
-        if any(isinstance(a, (Moving, Scaled)) for a in args):
+        if any(isinstance(a, (Moving, Linear, Scaled)) for a in args):
             return NotImplemented  # the moving number or vector takes over and calls back with its parts
         key = tuple(self._key(a) for a in args)
-=======
-        if any(isinstance(a, (Moving, Linear)) or hasattr(a, "frame") for a in args):
-            return NotImplemented  # the other kind takes over and calls back with its parts
-        key = tuple(("#", a.number) if isinstance(a, Step) else a for a in args)
->>>>>>> live
         if op in "+*":
             key = tuple(sorted(key, key=repr))
         found = self.known.get((op, key))
@@ -285,7 +275,7 @@ class Compiled:
         """On the kinds of this engine; pi comes from the most exact number among them."""
         run = self._run.get("own") or self._run.setdefault("own", self._on(sys.modules[_Own.__module__]))
         traced = [a for a in args if isinstance(a, Step)]
-        inside = [a for a in map(plain, args) if not isinstance(a, _Own) and _root(type(a)) != "builtins"]
+        inside = [a for a in map(_value, args) if not isinstance(a, _Own) and _root(type(a)) != "builtins"]
         run.__globals__["pi"] = pi((traced or inside or [0.0])[0])
         return self._rebuild(run(*args))
 

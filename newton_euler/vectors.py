@@ -159,10 +159,19 @@ class Vector(Scaled):
         if isinstance(s, Vector):
             raise FrameError("a vector cannot be divided by a vector")
         s = scalar(s)
+        rate = self._own_rate and (lambda: self._quotient_rate(moving(s)))
         if isinstance(s, Moving):
-            return self * (1 / s)
-        # not times 1/s: that rounds before an mpf or a fraction comes in
-        return self._each(lambda x: x / s, lambda v: v / s, lambda: self._product_rate(1 / moving(s)))
+            return Vector(ZERO3 if self.c is ZERO3 else tuple(x / s.value for x in self.c), self.frame, rate)
+        return self._each(lambda x: x / s, lambda v: v / s, rate)  # not times 1/s: that rounds before an mpf or a fraction comes in
+
+    def _quotient_rate(self, s):
+        """The rate of this vector divided by s, in its own frame; ``s`` is moving."""
+        changed = self.rate(self.frame)
+        if s.rests():
+            return changed / s.value
+        if s.rate is None:
+            raise FrameError(NO_THIRD_RATE)
+        return (changed - self / s * Moving(s.rate, s.acceleration, None)) / s
 
     def __rtruediv__(self, other):
         raise FrameError(f"nothing can be divided by a vector: {other!r} / {self}")
@@ -213,7 +222,7 @@ class Vector(Scaled):
                 f"the rate of {self} is not known: it was computed for one instant. Build it from moving quantities, "
                 "as in frame.vector(moving(x, rate=...), y, z), or ask a Point for its velocity and acceleration"
             )
-        seen = self._own_rate()
+        seen = self._own_rate().expressed_in(self.frame)
         if observer is self.frame:
             return seen
         omega = self.frame.angular_velocity(observer).expressed_in(self.frame)

@@ -4,7 +4,7 @@ from mpmath import mp
 
 from exercises.answering import in_frame
 from exercises.proofs import angular_velocity, rot, times
-from newton_euler import Frame, cos, sin
+from newton_euler import Frame, cos, sin, solve_rates
 from newton_euler.drawing import Sketch
 
 
@@ -16,11 +16,21 @@ def cones(g, rate_of_B):
 
 
 def rolling(g, rate_of_B):
-    """omega of C, which turns relative to A about their line of contact, and relative to B about theirs: A + s*on_A = B + u*on_B."""
+    """omega of C. It lies in the plane of the axes, since the points of contact move square to that plane; C slides neither on A nor on B."""
     ground, A, B, on_A, on_B = cones(g, rate_of_B)
-    omega_A, omega_B = A.angular_velocity(ground), B.angular_velocity(ground)
-    s = (omega_B - omega_A).cross(on_B).z / on_A.cross(on_B).z
-    return in_frame(ground, {"omega_C": omega_A + on_A * s})
+
+    def cone_C(omega_x, omega_y):
+        return ground.rotate("about x", "x", rate=omega_x).rotate("about y", "y", rate=omega_y)
+
+    def slip(C, cone, contact):
+        point, other = C.point("", *contact), cone.point("", *contact)
+        return (point.velocity(ground) - other.velocity(ground)).z
+
+    def slips(*rates):
+        C = cone_C(*rates)
+        return slip(C, A, on_A), slip(C, B, on_B)
+
+    return in_frame(ground, {"omega_C": cone_C(*solve_rates(slips, 2)).angular_velocity(ground)})
 
 
 def solve(g):

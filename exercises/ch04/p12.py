@@ -7,5 +7,5 @@ solve, prove, draw = scene.solve, scene.prove, scene.draw
 
 
 def mistakes(g):
-    ground, _, A, _ = scene.moving_so_that(g, lambda v_A: (v_A.x - g.v_Ax, v_A.y - g.v_Ay))
+    ground, _, A, _ = scene.joint_motion(g)
     return {**scene.mistakes(g), "B_at_rest": in_frame(ground, {"v_D": -A.velocity(ground) / 2})}

@@ -2,17 +2,20 @@
 
 from exercises.answering import in_frame
 from exercises.proofs import angular_velocity, rot, times
-from newton_euler import Frame
+from newton_euler import Frame, solve_rates
 from newton_euler.drawing import Sketch
 
 
 def axle_and_disk(g):
-    """The axle turns about z at the height r; disk A turns on it about -x, as fast as its lowest point needs to be at rest."""
+    """The axle turns about z at the height r; disk A turns on it about x, as fast as its lowest point needs to be at rest."""
     ground = Frame("ground")
     axle = ground.rotate("axle", "z", rate=g.omega, origin=ground.point("M", 0, 0, g.r))
-    A = axle.point("A", g.R, 0, 0)
-    disk = axle.rotate("disk", "-x", rate=A.velocity(ground).y / g.r, origin=A)
-    return ground, axle, disk
+
+    def disk(spin):
+        return axle.rotate("disk", "x", rate=spin, origin=axle.point("A", g.R, 0, 0))
+
+    (spin,) = solve_rates(lambda spin: disk(spin).point("contact", 0, 0, -g.r).velocity(ground).y, 1)
+    return ground, axle, disk(spin)
 
 
 def solve(g):

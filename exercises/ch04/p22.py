@@ -2,12 +2,16 @@
 
 from exercises import proofs
 from exercises.answering import in_frame
-from exercises.ch04.scene_rolling_disk import orientation, rolling_disk, rolling_ratio, sketch
+from exercises.ch04.scene_rolling_disk import axle_and_disk, orientation, rolling_spin, sketch, turning
 
 
-def solve(g, ratio=None):
-    ground, axle, disk, _ = rolling_disk(g, ratio)
+def answers(g, spin):
+    ground, axle, disk, _ = axle_and_disk(g, spin)
     return in_frame(axle, {"omega_disk": disk.angular_velocity(ground)})
+
+
+def solve(g):
+    return answers(g, rolling_spin(g))
 
 
 def prove(g):
@@ -17,9 +21,9 @@ def prove(g):
 def mistakes(g):
     return {
         "spin_only": {"omega_disk": solve(g)["omega_disk"].without("arm")},
-        "spin_reversed": solve(g, -rolling_ratio(g)),
-        "one_turn_each_circuit": solve(g, -1),
-        "ratio_inverted": solve(g, -g.r / g.R),
+        "spin_reversed": answers(g, -rolling_spin(g)),
+        "one_turn_each_circuit": answers(g, -turning(g)),
+        "ratio_inverted": answers(g, -turning(g) * g.r / g.R),
     }
 
 

@@ -1,13 +1,17 @@
 """4/23: the velocity of a rim point of a disk rolling in a circle."""
 
 from exercises.answering import in_frame
-from exercises.ch04.scene_rolling_disk import rim_point, rolling_disk, rolling_ratio, sketch
+from exercises.ch04.scene_rolling_disk import axle_and_disk, rim_point, rolling_spin, sketch, turning
 from exercises.proofs import rate
 
 
-def solve(g, ratio=None):
-    ground, axle, _, A = rolling_disk(g, ratio)
+def answers(g, spin):
+    ground, axle, _, A = axle_and_disk(g, spin)
     return in_frame(axle, {"v_A": A.velocity(ground, via=axle)})
+
+
+def solve(g):
+    return answers(g, rolling_spin(g))
 
 
 def prove(g):
@@ -19,8 +23,8 @@ def mistakes(g):
     return {
         "no_turning_about_vertical": {"v_A": v.without("rotation")},
         "C_at_rest": {"v_A": v.without("origin")},
-        "spin_reversed": solve(g, -rolling_ratio(g)),
-        "one_turn_each_circuit": solve(g, -1),
+        "spin_reversed": answers(g, -rolling_spin(g)),
+        "one_turn_each_circuit": answers(g, -turning(g)),
     }
 
 

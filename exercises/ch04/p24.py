@@ -3,7 +3,7 @@
 from mpmath import mp
 
 from exercises.answering import in_frame
-from exercises.proofs import angular_acceleration, transposed
+from exercises.proofs import angular_acceleration, spun
 from newton_euler import Frame, cos, sin
 from newton_euler.drawing import Sketch
 
@@ -21,14 +21,11 @@ def solve(g):
 
 
 def prove(g):
-    """Two blades at right angles in the plane of the right side and the nose, and the mast; the nose sinks, and the mast leans forward."""
+    """As the nose sinks, the mast leans forward; the blade that starts to the right goes round it, toward the nose."""
 
     def rotor(t):
-        right, sunk, turned = [1, 0, 0], g.omega * t, g.Omega * t
-        nose, mast = [0, mp.cos(sunk), -mp.sin(sunk)], [0, mp.sin(sunk), mp.cos(sunk)]
-        blade = [mp.cos(turned) * a + mp.sin(turned) * b for a, b in zip(right, nose, strict=True)]
-        following = [mp.cos(turned) * b - mp.sin(turned) * a for a, b in zip(right, nose, strict=True)]
-        return transposed([blade, following, mast])
+        sunk, right = g.omega * t, [1, 0, 0]
+        return spun([0, mp.sin(sunk), mp.cos(sunk)], right, g.Omega * t)
 
     return {"alpha_rotor": angular_acceleration(rotor)}
 

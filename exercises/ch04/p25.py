@@ -1,7 +1,7 @@
 """4/25: the drum of a spacecraft simulator, in three turning frames."""
 
 from exercises.answering import in_frame
-from exercises.proofs import angular_acceleration, angular_velocity, rot, times
+from exercises.ch04.scene_disk_in_two_brackets import prove_turning
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -20,10 +20,8 @@ def solve(g):
 
 
 def prove(g):
-    def C(t):
-        return times(rot("z", g.Omega * t), rot("x", g.omega * t), rot("y", g.P * t))
-
-    return {"omega_C": angular_velocity(C), "alpha_C": angular_acceleration(C)}
+    omega, alpha = prove_turning(g.Omega, g.omega, g.P)
+    return {"omega_C": omega, "alpha_C": alpha}
 
 
 def mistakes(g):

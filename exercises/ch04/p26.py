@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises.proofs import angular_acceleration, rot, times
+from exercises.proofs import angular_acceleration, rot, spun, times
 from newton_euler import Frame, pi
 from newton_euler.drawing import Sketch
 
@@ -31,9 +31,10 @@ def solve(g):
 
 
 def prove(g):
-    def drum(t):  # the mounting's columns: x, e above y by theta, x cross e
-        c, s = mp.cos(g.theta + g.theta_dot * t), mp.sin(g.theta + g.theta_dot * t)
-        return times(rot("z", g.Omega * t), rot([0, c, s], g.P * t), [[1, 0, 0], [0, c, -s], [0, s, c]])
+    def drum(t):
+        theta, tilting_axis = g.theta + g.theta_dot * t, [1, 0, 0]
+        e = [0, mp.cos(theta), mp.sin(theta)]
+        return times(rot("z", g.Omega * t), spun(e, tilting_axis, g.P * t))
 
     return {"alpha_drum": angular_acceleration(drum)}
 

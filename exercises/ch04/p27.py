@@ -59,9 +59,11 @@ def draw(g, ax):
     s.disk(B, bracket.k, g.r, spoke=A)
     s.axes(O, ground, length=0.6 * g.a)
     s.turn(ground.point("", 0.85 * g.a, 0, 0), ground.i, label=r"$\Omega$")
-    s.turn(disk.point("", 0, 0, 0.3 * g.r), bracket.k, label=r"$\omega$")
+    s.turn(disk.point("", 0, 0, 0.5 * g.r), bracket.k, label=r"$\omega$")
     s.dimension(O, corner, label="a")
     s.dimension(corner, B, label="h")
-    s.dimension(B, A, label="r")
+    s.dimension(B, A, label="r", offset=-0.4 * g.r)
+    s.dot(A)
+    s.dot(B)
     for P in (A, B, O):
         s.label(P, P.name)

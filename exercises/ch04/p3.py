@@ -64,7 +64,7 @@ def draw(g, ax):
     s.arc(A, level, P, label=r"$\beta$")
     s.turn((0, 0, -0.25 * g.l_OA), ground.k, label=r"$\omega$")
     s.axes(O, base, labels="xyz")
-    s.dimension(O, A, label=r"$l_{OA}$", offset=-0.12 * g.l_OA)
+    s.dimension(O, A, label=r"$l_{OA}$", offset=0.24 * g.l_OA)
     s.dimension(A, P, label=r"$l_{AP}$", offset=-0.12 * g.l_OA)
     for point in (O, A, P):
         s.label(point, point.name)

@@ -1,13 +1,17 @@
 """4/30: the angular acceleration of a disk rolling in a circle, and the acceleration of a rim point."""
 
 from exercises.answering import in_frame
-from exercises.ch04.scene_rolling_disk import orientation, rim_point, rolling_disk, rolling_ratio, sketch
+from exercises.ch04.scene_rolling_disk import axle_and_disk, orientation, rim_point, rolling_spin, sketch
 from exercises.proofs import angular_acceleration, second_rate
 
 
-def solve(g, ratio=None):
-    ground, axle, disk, A = rolling_disk(g, ratio)
+def answers(g, spin):
+    ground, axle, disk, A = axle_and_disk(g, spin)
     return in_frame(axle, {"alpha_disk": disk.angular_acceleration(ground), "a_A": A.acceleration(ground, via=axle)})
+
+
+def solve(g):
+    return answers(g, rolling_spin(g))
 
 
 def prove(g):
@@ -20,7 +24,7 @@ def mistakes(g):
         "zero": {"alpha_disk": 0 * right["alpha_disk"]},
         "C_not_accelerated": {"a_A": right["a_A"].without("origin")},
         "no_turning_about_vertical": {"a_A": right["a_A"].without("centripetal")},
-        "spin_reversed": {"alpha_disk": solve(g, -rolling_ratio(g))["alpha_disk"]},
+        "spin_reversed": {"alpha_disk": answers(g, -rolling_spin(g))["alpha_disk"]},
     }
 
 

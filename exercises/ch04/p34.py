@@ -1,29 +1,18 @@
 """4/34: the angular motion of a disk in a turning bracket, constant rates."""
 
-from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, draw_disk_in_bracket, prove_turning, turning
+from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, figure, prove_turning, turning
 
-
-def given(g):
-    return {"P": g.P, "omega": g.omega}
+draw, prove = figure, prove_turning
 
 
 def solve(g):
-    return turning(disk_in_bracket(**given(g)))
-
-
-def prove(g):
-    return prove_turning(**given(g))
+    return turning(disk_in_bracket(g))
 
 
 def mistakes(g):
-    _, bracket, _ = disk_in_bracket(**given(g))
-    right = solve(g)
+    omega, alpha = solve(g).values()
     return {
-        "alpha_zero": {"alpha_disk": bracket.vector(0, 0, 0)},
-        "P_cross_omega": {"alpha_disk": -right["alpha_disk"]},
-        "only_P": {"omega_disk": right["omega_disk"].without("bracket")},
+        "alpha_zero": {"alpha_disk": 0 * alpha},
+        "P_cross_omega": {"alpha_disk": -alpha},
+        "only_P": {"omega_disk": omega.without("bracket")},
     }
-
-
-def draw(g, ax):
-    draw_disk_in_bracket(ax, **given(g))

@@ -1,30 +1,26 @@
 """4/35: the top of a disk in a turning bracket, constant rates."""
 
-from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, draw_disk_in_bracket, prove_rim, rim_motion, turning
-
-
-def given(g):
-    return {"P": g.P, "omega": g.omega}
+from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, figure, prove_rim, rim_motion, rim_point
 
 
 def solve(g):
-    return rim_motion(disk_in_bracket(**given(g)), "A", g.r)
+    return rim_motion(disk_in_bracket(g), "A", g.r)
 
 
 def prove(g):
-    return prove_rim("A", g.r, **given(g))
+    return prove_rim(g, "A")
 
 
 def mistakes(g):
-    frames = _, bracket, _ = disk_in_bracket(**given(g))
-    alpha, a = turning(frames)["alpha_disk"], rim_motion(frames, "A", g.r)["a_A"]
+    frames = ground, _, disk = disk_in_bracket(g)
+    a, r = rim_motion(frames, "A", g.r)["a_A"], rim_point(disk, "A", g.r) - disk.origin
     return {
         "no_coriolis": {"a_A": a.without("coriolis")},
         "half_coriolis": {"a_A": a.reweighted(coriolis=0.5)},
-        "alpha_x_r_twice": {"a_A": a + alpha.cross(bracket.vector(0, 0, g.r))},
+        "alpha_x_r_twice": {"a_A": a + disk.angular_acceleration(ground).cross(r)},
         "P_the_other_way": solve(g.but(P=-g.P)),
     }
 
 
 def draw(g, ax):
-    draw_disk_in_bracket(ax, g.r, rim="A", **given(g))
+    figure(g, ax, "A")

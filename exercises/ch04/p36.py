@@ -1,30 +1,24 @@
 """4/36: the side of a disk in a turning bracket, constant rates."""
 
-from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, draw_disk_in_bracket, prove_rim, rim_motion
-
-
-def given(g):
-    return {"P": g.P, "omega": g.omega}
+from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, figure, prove_rim, rim_motion, wrong_accelerations_of_B
 
 
 def solve(g):
-    return rim_motion(disk_in_bracket(**given(g)), "B", g.r)
+    return rim_motion(disk_in_bracket(g), "B", g.r)
 
 
 def prove(g):
-    return prove_rim("B", g.r, **given(g))
+    return prove_rim(g, "B")
 
 
 def mistakes(g):
     a = solve(g)["a_B"]
-    mixed = 2 * g.P * g.omega * g.r
     return {
+        **wrong_accelerations_of_B(g, a),
         "no_centripetal": {"a_B": a.without("centripetal")},
-        "square_of_the_sum": {"a_B": a - a.frame.i * mixed},
-        "coriolis_of_the_top": {"a_B": a + a.frame.j * mixed},
         "P_the_other_way": {"v_B": solve(g.but(P=-g.P))["v_B"]},
     }
 
 
 def draw(g, ax):
-    draw_disk_in_bracket(ax, g.r, rim="B", **given(g))
+    figure(g, ax, "B")

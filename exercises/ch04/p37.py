@@ -1,18 +1,12 @@
 """4/37: the angular motion of a disk in a turning bracket, growing rates."""
 
-from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, draw_disk_in_bracket, prove_turning, turning
+from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, figure, prove_turning, turning
 
-
-def given(g):
-    return {"P": g.P, "omega": g.omega, "P_dot": g.P_dot, "omega_dot": g.omega_dot}
+draw, prove = figure, prove_turning
 
 
 def solve(g):
-    return turning(disk_in_bracket(**given(g)))
-
-
-def prove(g):
-    return prove_turning(**given(g))
+    return turning(disk_in_bracket(g))
 
 
 def mistakes(g):
@@ -23,7 +17,3 @@ def mistakes(g):
         "no_omega_dot": {"alpha_disk": alpha.without("bracket")},
         "no_P_dot": {"alpha_disk": alpha.without("disk")},
     }
-
-
-def draw(g, ax):
-    draw_disk_in_bracket(ax, **given(g))

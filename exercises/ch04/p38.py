@@ -1,18 +1,14 @@
 """4/38: the top of a disk in a turning bracket, growing rates."""
 
-from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, draw_disk_in_bracket, prove_rim, rim_motion
-
-
-def given(g):
-    return {"P": g.P, "omega": g.omega, "P_dot": g.P_dot, "omega_dot": g.omega_dot}
+from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, figure, prove_rim, rim_motion
 
 
 def solve(g):
-    return rim_motion(disk_in_bracket(**given(g)), "A", g.r)
+    return rim_motion(disk_in_bracket(g), "A", g.r)
 
 
 def prove(g):
-    return prove_rim("A", g.r, **given(g))
+    return prove_rim(g, "A")
 
 
 def mistakes(g):
@@ -26,4 +22,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    draw_disk_in_bracket(ax, g.r, rim="A", **given(g))
+    figure(g, ax, "A")

@@ -1,10 +1,6 @@
 """4/40: the top of a disk on an axle that sticks out of its turning bracket."""
 
-from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, draw_disk_in_bracket, prove_rim, prove_turning, rim_motion, rim_point, turning
-
-
-def given(g):
-    return {"P": g.P, "omega": g.omega_b, "b": g.b}
+from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, figure, prove_rim, prove_turning, rim_motion, rim_point, turning
 
 
 def answers(frames, r):
@@ -12,25 +8,25 @@ def answers(frames, r):
 
 
 def solve(g):
-    return answers(disk_in_bracket(**given(g)), g.r)
+    return answers(disk_in_bracket(g), g.r)
 
 
 def prove(g):
-    return {**prove_turning(**given(g)), **prove_rim("A", g.r, **given(g))}
+    return {**prove_turning(g), **prove_rim(g, "A")}
 
 
 def mistakes(g):
-    frames = ground, _, disk = disk_in_bracket(**given(g))
-    solved = answers(frames, g.r)
-    alpha, a = solved["alpha_disk"], solved["a_A"]
+    frames = ground, _, disk = disk_in_bracket(g)
+    _, alpha, _, a = answers(frames, g.r).values()
+    r = rim_point(disk, "A", g.r) - disk.origin
     return {
         "no_coriolis": {"a_A": a.without("coriolis")},
-        "alpha_zero": {"alpha_disk": alpha.without("bracket x disk")},
+        "alpha_zero": {"alpha_disk": 0 * alpha},
         "centre_not_accelerated": {"a_A": a - disk.origin.acceleration(ground)},
-        "alpha_x_r_twice": {"a_A": a + alpha.cross(rim_point(disk, "A", g.r) - disk.origin)},
-        "product_reversed": {"alpha_disk": alpha.reweighted(**{"bracket x disk": -1})},
+        "alpha_x_r_twice": {"a_A": a + alpha.cross(r)},
+        "product_reversed": {"alpha_disk": -alpha},
     }
 
 
 def draw(g, ax):
-    draw_disk_in_bracket(ax, g.r, rim="AB", omega_name=r"\omega_b", **given(g))
+    figure(g, ax, omega_name=r"\omega_b")

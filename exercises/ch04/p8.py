@@ -1,7 +1,7 @@
 """4/8: two points that stay a fixed distance apart, and the frame that follows them."""
 
 from exercises.answering import in_frame
-from exercises.proofs import angular_velocity, minus, plus, rot, scaled, second_rate, size, times, transposed
+from exercises.proofs import angular_velocity, cross, minus, plus, rot, scaled, second_rate, size, times, transposed
 from newton_euler import Frame, moving
 from newton_euler.drawing import Sketch
 
@@ -44,8 +44,7 @@ def prove(g):
         j = [0, 1, g.omega_x * t]
         j = minus(j, scaled(sum(a * b for a, b in zip(i, j, strict=True)), i))
         j = scaled(1 / size(j), j)
-        k = [i[1] * j[2] - i[2] * j[1], i[2] * j[0] - i[0] * j[2], i[0] * j[1] - i[1] * j[0]]
-        return transposed([i, j, k])
+        return transposed([i, j, cross(i, j)])
 
     omega = angular_velocity(directions)
 
@@ -78,7 +77,7 @@ def draw(g, ax):
     s.axes(A, frame, length=0.35 * g.L, labels="ijk")
     s.vector(A, A.velocity(ground), "$v_A$")
     s.vector(B, B.velocity(ground), "$v_B$")
-    s.dimension(A, B, label="L")
+    s.dimension(A, B, label="L", offset=-0.12 * g.L)
     s.dot(A)
     s.dot(B)
     s.label(A, "A")

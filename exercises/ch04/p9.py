@@ -15,24 +15,24 @@ def lower_end(g):
     return g.a * sqrt((g.b**2 - rho_squared) / across), g.b * sqrt((rho_squared - g.a**2) / across)
 
 
-def ends(g, x_dot, y_dot, z_dot):
+def ends(g, x_dot, y_dot):
+    """Ground, the end A on the z axis, and the end B with these rates of its x and y."""
     ground = Frame("ground")
     x, y = lower_end(g)
-    A = ground.point("A", 0, 0, moving(g.z_1, rate=z_dot))
+    A = ground.point("A", 0, 0, moving(g.z_1, rate=g.z_dot))
     return ground, A, ground.point("B", moving(x, rate=x_dot), moving(y, rate=y_dot), 0)
 
 
 def rod(g):
     """Ground, the ends A on the z axis and B on the ellipse, and the middle M."""
 
-    def violated(x_dot, y_dot):  # for unit speed of A: the rod keeps its length, and B goes along the tangent
-        ground, A, B = ends(g, x_dot, y_dot, 1)
+    def violated(x_dot, y_dot):  # the rod keeps its length, and B goes along the tangent of the ellipse
+        ground, A, B = ends(g, x_dot, y_dot)
         v_A, v_B = A.velocity(ground), B.velocity(ground)
         x, y, _ = B.position(ground)
         return (B - A).dot(v_B - v_A), ground.vector(x / g.a**2, y / g.b**2, 0).dot(v_B)
 
-    x_dot, y_dot = solve_rates(violated, 2)
-    ground, A, B = ends(g, x_dot * g.z_dot, y_dot * g.z_dot, g.z_dot)
+    ground, A, B = ends(g, *solve_rates(violated, 2))
     return ground, A, B, ground.point("M", *((a + b) / 2 for a, b in zip(A.x, B.x, strict=True)))
 
 

@@ -16,14 +16,18 @@ def assembly(g, omega_y, omega_z):
 
 
 def moving_so_that(g, conditions):
-    """The assembly with the rates about y and z at which ``conditions(v_A)`` vanish."""
+    """The assembly with the rates about y and z at which the ``conditions`` on v_A vanish."""
 
-    def at_multiples(y, z):  # of omega_x: as pure numbers they can be found on dimensions too
-        ground, _, A, _ = assembly(g, y * g.omega_x, z * g.omega_x)
+    def violated(omega_y, omega_z):
+        ground, _, A, _ = assembly(g, omega_y, omega_z)
         return conditions(A.velocity(ground))
 
-    y, z = solve_rates(at_multiples, 2)
-    return assembly(g, y * g.omega_x, z * g.omega_x)
+    return assembly(g, *solve_rates(violated, 2))
+
+
+def joint_motion(g):
+    """The assembly as it moves: the velocity of A has the x and y components that are given."""
+    return moving_so_that(g, lambda v_A: (v_A.x - g.v_Ax, v_A.y - g.v_Ay))
 
 
 def answers(ground, body, A, D):
@@ -31,7 +35,7 @@ def answers(ground, body, A, D):
 
 
 def solve(g):
-    return answers(*moving_so_that(g, lambda v_A: (v_A.x - g.v_Ax, v_A.y - g.v_Ay)))
+    return answers(*joint_motion(g))
 
 
 def prove(g):
@@ -59,7 +63,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground, body, A, D = moving_so_that(g, lambda v_A: (v_A.x - g.v_Ax, v_A.y - g.v_Ay))
+    ground, body, A, D = joint_motion(g)
     O, B = body.point("O", 0, 0, 0), body.point("B", 0, g.h, 0)
     corner = ground.point("", g.x_A, g.h, 0)
     s = Sketch(ax, ground, azimuth=35, elevation=25, up="y")

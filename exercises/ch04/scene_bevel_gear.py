@@ -7,16 +7,17 @@ from newton_euler.drawing import Sketch
 
 
 def gears(n, n_C, tan_gamma):
-    """Ground, the arm turning about z with OA along its y, and gear B, turning on OA so that it has C's velocity along their line of contact."""
+    """Ground, the arm turning about z with OA along its y, and gear B, turning on OA so that it does not slide on C."""
     ground = Frame("ground")
     arm, C = ground.rotate("arm", "z", rate=n), ground.rotate("C", "z", rate=n_C)
-    contact = (0, tan_gamma, -1)  # from the apex O; at the instant the axes of all are parallel
+    contact = (0, tan_gamma, -1)  # on the common line of the pitch cones, from O; the length does not matter
 
-    def gear_B(ratio):
-        return arm.rotate("B", "y", rate=ratio * n)
+    def slip(spin):
+        tooth, gap = arm.rotate("B", "y", rate=spin).point("tooth", *contact), C.point("gap", *contact)
+        return (tooth.velocity(ground) - gap.velocity(ground)).x  # square to the plane of DE and OA
 
-    (ratio,) = solve_rates(lambda ratio: gear_B(ratio).vector(*contact).rate(ground) - C.vector(*contact).rate(ground), 1)
-    return ground, arm, gear_B(ratio)
+    (spin,) = solve_rates(slip, 1)
+    return ground, arm, arm.rotate("B", "y", rate=spin)
 
 
 def answers(n, n_C, tan_gamma):

@@ -30,26 +30,23 @@ def train(axis, cage_rate, spin):
 
 
 def slip(g, axis, cage_rate, spin, gear_rate, side):
-    """Velocity of the pinion's tooth against that of the gear on that side (1 or -1), where they touch."""
+    """Velocity of the pinion's tooth against that of the gear on that side (1 or -1) where they touch: its component square to both axes."""
     ground, _, pinion = train(axis, cage_rate, spin)
     gear = ground.rotate("gear", axis, rate=gear_rate)
     here = coordinates(axis, side * g.r, g.R)
-    return pinion.point("tooth", *here).velocity(ground) - gear.point("tooth", *here).velocity(ground)
+    difference = pinion.point("tooth", *here).velocity(ground) - gear.point("tooth", *here).velocity(ground)
+    return getattr(difference, next_axis(next_axis(axis)))
 
 
 def meshing_rates(g, axis, first, second):
-    """Rates of the cage, and of the pinion in the cage, from those of the two gears: the sum of what each gear alone would give."""
-
-    def per_unit(one, other):
-        return solve_rates(lambda cage, spin: (slip(g, axis, cage, spin, one, 1), slip(g, axis, cage, spin, other, -1)), 2)
-
-    return tuple(first * a + second * b for a, b in zip(per_unit(1, 0), per_unit(0, 1), strict=True))
+    """Rates of the cage, and of the pinion in the cage, that let the pinion run on both gears, which turn at ``first`` and ``second``."""
+    return solve_rates(lambda cage, spin: (slip(g, axis, cage, spin, first, 1), slip(g, axis, cage, spin, second, -1)), 2)
 
 
 def spin_against(g, axis, cage_rate, gear_rate, side):
     """Rate of the pinion in the cage if only the contact with the gear on that side is kept."""
-    per_unit = solve_rates(lambda spin: slip(g, axis, 0, spin, 1, side), 1)[0]
-    return (gear_rate - cage_rate) * per_unit
+    (spin,) = solve_rates(lambda spin: slip(g, axis, cage_rate, spin, gear_rate, side), 1)
+    return spin
 
 
 def rolled(g, axis, first, second):

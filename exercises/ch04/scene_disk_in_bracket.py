@@ -7,19 +7,25 @@ the disk's centre is on the axle at the distance b from the shaft. On the rim, A
 from mpmath import mp
 
 from exercises.answering import in_frame
-from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate, times
+from exercises.proofs import angular_acceleration, angular_velocity, plus, rate, scaled, second_rate, spun
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
 PLACES = {"A": (0, 0, 1), "B": (1, 0, 0)}
 
 
-def disk_in_bracket(P, omega, P_dot=0, omega_dot=0, b=0):
+def data(g):
+    """(rate, growth) of the bracket and of the disk, and the offset b; zero for what a problem does not have."""
+    omega = g.omega_b if hasattr(g, "omega_b") else g.omega
+    return (omega, getattr(g, "omega_dot", 0)), (g.P, getattr(g, "P_dot", 0)), getattr(g, "b", 0)
+
+
+def disk_in_bracket(g):
     """The frames (ground, bracket, disk); the origin of the disk is its centre."""
+    (omega, omega_dot), (P, P_dot), b = data(g)
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "z", rate=omega, acceleration=omega_dot)
-    disk = bracket.rotate("disk", "y", rate=P, acceleration=P_dot, origin=bracket.point("C", 0, b, 0))
-    return ground, bracket, disk
+    return ground, bracket, bracket.rotate("disk", "y", rate=P, acceleration=P_dot, origin=bracket.point("C", 0, b, 0))
 
 
 def rim_point(disk, name, r):
@@ -40,45 +46,58 @@ def rim_motion(frames, name, r):
     return {f"v_{name}": S.velocity(ground, via=bracket), f"a_{name}": S.acceleration(ground, via=bracket)}
 
 
-def _turned(axis, speed, growth):
-    return lambda t: rot(axis, speed * t + growth * t**2 / 2)
+def wrong_accelerations_of_B(g, a):
+    """Two mistakes that can be made in the acceleration ``a`` of B in each of its problems."""
+    (omega, _), (P, _), _ = data(g)
+    mixed = 2 * P * omega * g.r
+    return {
+        "square_of_the_sum": {"a_B": a - a.frame.i * mixed},
+        "coriolis_of_the_top": {"a_B": a + a.frame.j * mixed},
+    }
 
 
-def prove_turning(P, omega, P_dot=0, omega_dot=0, b=0):
+def in_time(g, t):
+    """Proof: the angles that bracket and disk have turned through, and the direction of the axle."""
+    (omega, omega_dot), (P, P_dot), _ = data(g)
+    theta, phi = omega * t + omega_dot * t**2 / 2, P * t + P_dot * t**2 / 2
+    return theta, phi, [-mp.sin(theta), mp.cos(theta), 0]
+
+
+def prove_turning(g):
     """The same angular motion, from the orientation of the disk as a function of time."""
-    bracket, in_bracket = _turned("z", omega, omega_dot), _turned("y", P, P_dot)
 
     def disk(t):
-        return times(bracket(t), in_bracket(t))
+        _, phi, axle = in_time(g, t)
+        return spun(axle, [0, 0, 1], phi)
 
     return {"omega_disk": angular_velocity(disk), "alpha_disk": angular_acceleration(disk)}
 
 
-def prove_rim(name, r, P, omega, P_dot=0, omega_dot=0, b=0):
+def prove_rim(g, name):
     """The same motion of A or B, from its place in the ground as a function of time: its angle on the rim grows from +z toward +x."""
-    bracket, start = _turned("z", omega, omega_dot), {"A": 0, "B": mp.pi / 2}[name]
+    start = {"A": 0, "B": mp.pi / 2}[name]
 
     def place(t):
-        angle = start + P * t + P_dot * t**2 / 2
-        return times(bracket(t), [r * mp.sin(angle), b, r * mp.cos(angle)])
+        theta, phi, axle = in_time(g, t)
+        ahead, up = g.r * mp.sin(start + phi), g.r * mp.cos(start + phi)
+        return plus(scaled(data(g)[-1], axle), [ahead * mp.cos(theta), ahead * mp.sin(theta), up])
 
     return {f"v_{name}": rate(place), f"a_{name}": second_rate(place)}
 
 
-def draw_disk_in_bracket(ax, r=None, rim="AB", omega_name=r"\omega", **given):
+def figure(g, ax, rim="AB", omega_name=r"\omega"):
     """The figure; ``rim`` names the points of the rim to show. Rates that grow are shown with their rate of growth."""
-    ground, bracket, disk = disk_in_bracket(**given)
+    ground, bracket, disk = disk_in_bracket(g)
     s = Sketch(ax, ground, azimuth=50, elevation=18)
-    growing = "P_dot" in given
-    letters = [rf"${name},\ \dot{{{name}}}$" if growing else f"${name}$" for name in (omega_name, "P")]
-    scale = r or 1.0
-    s.disk(disk.origin, bracket.j, scale)
-    (_draw_axle if given.get("b") else _draw_fork)(s, bracket, disk, scale, *letters)
-    points = [rim_point(disk, name, scale) for name in rim]
+    letters = [rf"${name},\ \dot{{{name}}}$" if hasattr(g, "P_dot") else f"${name}$" for name in (omega_name, "P")]
+    r = getattr(g, "r", 1.0)
+    s.disk(disk.origin, bracket.j, r)
+    (_draw_axle if hasattr(g, "b") else _draw_fork)(s, bracket, disk, r, *letters)
+    points = [rim_point(disk, name, r) for name in rim]
     for point in points:
         s.dot(point)
         s.label(point, point.name)
-    if r:
+    if hasattr(g, "r"):
         s.dimension(disk.origin, points[0], label="r")
 
 

@@ -4,8 +4,10 @@ At the instant all axes are parallel: z up along the shaft of B, x along the axi
 The three axes meet at the disk's centre. On the rim, C is at the top and D at the side on +x.
 """
 
+from mpmath import mp
+
 from exercises.answering import in_frame
-from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate, times
+from exercises.proofs import angular_acceleration, angular_velocity, cross, plus, rate, scaled, second_rate, spun
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -42,21 +44,32 @@ def answers(frames, S):
     })  # fmt: skip
 
 
-def prove_rim(g, name):
-    """The same answers, from the orientation of the disk as a function of time."""
+def pin_and_axis(gone_round, risen):
+    """Proof, directions in the ground: of the horizontal pin of A in B, which has gone round, and of the disk's axis, which has risen from +y."""
+    pin, level = [mp.cos(gone_round), mp.sin(gone_round), 0], [-mp.sin(gone_round), mp.cos(gone_round), 0]
+    return pin, plus(scaled(mp.cos(risen), level), [0, 0, mp.sin(risen)])
+
+
+def prove_turning(omega_1, omega_2, omega_3):
+    """Proof: angular velocity and acceleration of the disk, from its orientation as a function of time."""
 
     def disk(t):
-        return times(rot("z", g.omega_1 * t), rot("x", g.omega_2 * t), rot("y", g.omega_3 * t))
+        pin, axis = pin_and_axis(omega_1 * t, omega_2 * t)
+        return spun(axis, pin, omega_3 * t)
+
+    return angular_velocity(disk), angular_acceleration(disk)
+
+
+def prove_rim(g, name):
+    """The same answers; the top of the rim goes toward +x, the side on +x goes down."""
 
     def place(t):
-        return times(disk(t), [g.r * e for e in PLACES[name]])
+        pin, axis = pin_and_axis(g.omega_1 * t, g.omega_2 * t)
+        c, s, up = g.r * mp.cos(g.omega_3 * t), g.r * mp.sin(g.omega_3 * t), cross(pin, axis)
+        return {"C": plus(scaled(c, up), scaled(s, pin)), "D": plus(scaled(c, pin), scaled(-s, up))}[name]
 
-    return {
-        "omega_disk": angular_velocity(disk),
-        "alpha_disk": angular_acceleration(disk),
-        f"v_{name}": rate(place),
-        f"a_{name}": second_rate(place),
-    }
+    omega, alpha = prove_turning(g.omega_1, g.omega_2, g.omega_3)
+    return {"omega_disk": omega, "alpha_disk": alpha, f"v_{name}": rate(place), f"a_{name}": second_rate(place)}
 
 
 def wrong_alphas(alpha):

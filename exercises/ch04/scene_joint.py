@@ -3,7 +3,7 @@
 from mpmath import mp
 
 from exercises.answering import in_frame
-from exercises.proofs import rot, times, transposed
+from exercises.proofs import rot, spun, times
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -27,14 +27,11 @@ def angular_acceleration(g):
 
 
 def orientation(g):
-    """Proof: the shaft's orientation in time, built on e and two directions across it, of which one is the pin at first."""
+    """Proof: the shaft's orientation in time, turned about e from the pin on; then all goes round with the fork."""
 
     def shaft(t):
-        gamma, phi = g.gamma_1 - g.gamma_rate * t, g.omega * t
-        e, pin, across = [0, mp.sin(gamma), mp.cos(gamma)], [1, 0, 0], [0, mp.cos(gamma), -mp.sin(gamma)]  # across = e x pin
-        first = [mp.cos(phi) * a + mp.sin(phi) * b for a, b in zip(pin, across, strict=True)]
-        second = [mp.cos(phi) * b - mp.sin(phi) * a for a, b in zip(pin, across, strict=True)]
-        return times(rot("z", g.Omega * t), transposed([first, second, e]))
+        gamma, pin = g.gamma_1 - g.gamma_rate * t, [1, 0, 0]
+        return times(rot("z", g.Omega * t), spun([0, mp.sin(gamma), mp.cos(gamma)], pin, g.omega * t))
 
     return shaft
 

@@ -7,29 +7,29 @@ from newton_euler import Frame, pi, solve_rates
 from newton_euler.drawing import Sketch
 
 
-def axle_and_disk(g, ratio):
-    """The axle's axes turn about y and go with the disk's centre; in them the disk turns about z, outward, at ``ratio`` times their rate."""
-    turning = 2 * pi(g.T) / g.T
+def turning(g):
+    """Rate of the axle about y."""
+    return 2 * pi(g.T) / g.T
+
+
+def axle_and_disk(g, spin):
+    """Axes that turn about y with the axle, at the disk's centre; in them the disk turns about z, outward; the point A of its rim."""
     ground = Frame("ground")
-    arm = ground.rotate("arm", "y", rate=turning)
+    arm = ground.rotate("arm", "y", rate=turning(g))
     axle = arm.translate("axle", arm.point("C", 0, 0, g.R))
-    return ground, axle, axle.rotate("disk", "z", rate=ratio * turning)
-
-
-def rolling_ratio(g):
-    """The ratio that keeps the point of contact at rest."""
-
-    def slip(ratio):
-        ground, _, disk = axle_and_disk(g, ratio)
-        return disk.point("contact", 0, -g.r, 0).velocity(ground)
-
-    return solve_rates(slip, 1)[0]
-
-
-def rolling_disk(g, ratio=None):
-    """Ground, axle, disk and the point A of its rim; rolling, or with another ratio of spin to turning rate."""
-    ground, axle, disk = axle_and_disk(g, rolling_ratio(g) if ratio is None else ratio)
+    disk = axle.rotate("disk", "z", rate=spin)
     return ground, axle, disk, disk.point("A", g.r, 0, 0)
+
+
+def rolling_spin(g):
+    """The rate of the disk on its axle that keeps its point of contact at rest."""
+
+    def slip(spin):
+        ground, _, disk, _ = axle_and_disk(g, spin)
+        return disk.point("contact", 0, -g.r, 0).velocity(ground).x  # along the way that the centre moves
+
+    (spin,) = solve_rates(slip, 1)
+    return spin
 
 
 def orientation(g):
@@ -57,7 +57,7 @@ def rim_point(g):
 
 def sketch(g, ax, with_A=True):
     """The figure of all three; the point A is in it where it is asked for."""
-    ground, axle, _, A = rolling_disk(g)
+    ground, axle, _, A = axle_and_disk(g, rolling_spin(g))
     C, origin, foot = axle.point("C", 0, 0, 0), ground.point("origin", 0, 0, 0), ground.point("foot", 0, -g.r, 0)
     top, contact = ground.point("top", 0, 1.2 * g.r, 0), axle.point("contact", 0, -g.r, 0)
     s = Sketch(ax, ground, azimuth=38, elevation=18, up="y")

@@ -1,12 +1,421 @@
-"""Drawing: the projection is to scale and right-handed, labels keep clear, the far is covered by the near, and mistakes are told."""
+"""Drawing: to scale and right-handed, the near over the far, labels that keep clear of each other, mistakes told in words."""
 
 import io
 import math
 import subprocess
 import sys
+from itertools import pairwise
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
 
-from newton_euler import Frame, FrameError, rad
-from newton_euler.drawing import ARROW, KINDS, LOOKS, Sketch, _cut, _far_to_near, _Ink, _plane_view, _space_view
+from newton_euler import Frame, FrameError
+from newton_euler.drawing import BODY, DARK, KINDS, MARK, Sketch, _far_to_near, _Ink, _plane_view, _space_view
+
+ground = Frame("ground")
+O = ground.point("O", 0, 0, 0)
+
+
+def axes():
+    return Figure(figsize=(5, 4), dpi=100).add_subplot()
+
+
+def sketch(**view):
+    return Sketch(axes(), ground, **view)
+
+
+def png(s):
+    out = io.BytesIO()
+    s.ax.figure.savefig(out, format="png")
+    return out.getvalue()
+
+
+def vertices(s, colour=DARK):
+    """The coordinates on the page of each line and outline of one colour, in the order of drawing."""
+    return [p.get_path().vertices for p in s.ax.patches if to_hex(p.get_edgecolor()) == colour.lower()]
+
+
+def texts(s):
+    return {t.get_text(): t for t in s.ax.texts}
+
+
+# -- the projection
+
+
+@pytest.mark.parametrize(
+    ("view", "place", "page"),
+    [
+        ({"plane": "xz"}, (3, 5, 2), (3, 2)),
+        ({"plane": "yx"}, (3, 5, 2), (5, 3)),
+        ({"azimuth": 0, "elevation": 0}, (3, 5, 2), (5, 2)),  # from x: y to the right
+        ({"azimuth": -90, "elevation": 0}, (3, 5, 2), (3, 2)),  # from -y: x to the right
+        ({"azimuth": -90, "elevation": 90}, (3, 5, 2), (3, 5)),  # a map
+        ({"azimuth": 0, "elevation": 0, "up": "y"}, (3, 5, 2), (3, 5)),  # from z
+        ({"azimuth": 30, "elevation": 0}, (1, 0, 0), (-0.5, 0)),
+        ({"azimuth": 0, "elevation": 30}, (1, 0, 1), (0, math.sqrt(3) / 2 - 0.5)),
+    ],
+)
+def test_a_place_is_seen_where_it_should_be(view, place, page):
+    s = sketch(**view)
+    s.line((0, 0, 0), place)
+    s.finish()
+    assert vertices(s)[0] == pytest.approx(np.array([(0, 0), page]), abs=1e-12)
+
+
+@pytest.mark.parametrize("view", [_space_view(a, h, up) for a in (-200, 35, 90) for h in (-60, 0, 20) for up in "xyz"] + [_plane_view("zy")])
+def test_right_up_and_eye_are_a_right_handed_triple_of_unit_vectors(view):
+    R = np.array([view.right, view.up, view.eye])
+    assert pytest.approx(np.eye(3), abs=1e-15) == R @ R.T
+    assert np.linalg.det(R) == pytest.approx(1)
+
+
+def test_the_axis_up_is_seen_upwards_and_the_eye_looks_from_above():
+    for up, n in zip("xyz", range(3), strict=True):
+        view = _space_view(35, 20, up)
+        assert view.right[n] == 0
+        assert view.eye[n] == pytest.approx(math.sin(math.radians(20)))
+
+
+def test_points_vectors_and_triples_name_the_same_place():
+    arm = ground.rotate("arm", "z", angle=math.pi / 2)
+    s = sketch(plane="xy")
+    for place in (arm.point("P", 2, 0, 0), arm.vector(2, 0, 0), (0, 2, 0), [0.0, np.float64(2), 0]):
+        s.line(O, place)
+    s.finish()
+    for line in vertices(s):
+        assert line[1] == pytest.approx((0, 2), abs=1e-12)
+
+
+def test_one_metre_is_as_long_on_the_page_across_as_up():
+    s = sketch()
+    s.rod((0, 0, 0), (0, 7, 1))
+    png(s)
+    (ax, ay), (bx, by) = s.ax.transData.transform([(0, 0), (1, 1)])
+    assert bx - ax == pytest.approx(by - ay, rel=1e-9)
+    assert not s.ax.axison
+
+
+def test_everything_lies_within_the_axes():
+    s = sketch()
+    s.box((0, 0, 0), ground, (1, 5, 2))
+    s.axes((0, 2.5, 1), ground)
+    s.vector((0, -2.5, -1), (0, -1, 0), "v")
+    png(s)
+    for patch in s.ax.patches:
+        seen = s.ax.transAxes.inverted().transform(s.ax.transData.transform(patch.get_path().vertices))
+        assert (seen > -0.01).all()
+        assert (seen < 1.01).all()
+
+
+# -- what is drawn
+
+
+def test_a_disk_is_as_wide_as_its_diameter_and_foreshortened_by_the_elevation():
+    s = sketch(azimuth=10, elevation=30)
+    s.disk((1, 2, 3), ground.k, 0.5)
+    s.finish()
+    assert np.ptp(vertices(s)[0], axis=0) == pytest.approx((1, 0.5), rel=3e-3)
+
+
+def test_an_arc_spans_the_angle_from_the_first_direction_to_the_second():
+    s = sketch(plane="xy")
+    A, B = (2, 0, 0), (3 * math.cos(2), 3 * math.sin(2), 0)
+    s.line(O, A)
+    s.line(O, B)
+    s.arc(O, A, B, label=r"$\beta$")
+    s.finish()
+    x, y = vertices(s)[-1].T
+    angles = np.unwrap(np.arctan2(y, x))
+    assert angles == pytest.approx(np.linspace(0, 2, len(angles)))
+    assert np.ptp(np.hypot(x, y)) < 1e-12
+    assert r"$\beta$" in texts(s)
+
+
+@pytest.mark.parametrize(("B", "angle"), [((1, 0, 0), 0), ((-1, 0, 0), math.pi), ((0, 0, 1), math.pi / 2)])
+def test_arcs_of_0_and_180_degrees_and_arcs_seen_edge_on_are_drawn(B, angle):
+    s = sketch(plane="xy")
+    s.arc(O, (1, 0, 0), B, "a")
+    s.finish()
+    x, y = vertices(s)[0].T
+    assert abs(np.unwrap(np.arctan2(y, x))[-1]) == pytest.approx(angle if angle != math.pi / 2 else 0, abs=1e-9)
+
+
+@pytest.mark.parametrize(("axis", "sign"), [((0, 0, 1), 1), ((0, 0, -1), -1), ((0, -1, 2), 1)])
+def test_a_turn_about_an_axis_towards_the_eye_runs_counter_clockwise(axis, sign):
+    s = sketch(plane="xy")
+    s.line((-2, -2, 0), (2, 2, 0))
+    s.turn(O, axis, r"$\omega$")
+    s.finish()
+    first = next(v for v in vertices(s, KINDS["rate"]))
+    a, b = first[0], first[1]
+    assert np.sign(a[0] * b[1] - a[1] * b[0]) == sign
+
+
+def test_arrows_of_one_kind_have_lengths_in_proportion():
+    s = sketch(plane="xy")
+    s.rod(O, (10, 10, 0))
+    s.vector(O, (4, 0, 0), "u")
+    s.vector(O, (0, 2, 0), "w")
+    s.vector(O, (0, 90, 0), "a", kind="acceleration")
+    s.finish()
+    u, w = (np.hypot(*(v[1] - v[0])) for v in vertices(s, KINDS["velocity"]) if len(v) == 2)
+    (a,) = (np.hypot(*(v[1] - v[0])) for v in vertices(s, KINDS["acceleration"]) if len(v) == 2)
+    assert u == pytest.approx(2 * w)
+    assert a == pytest.approx(u)
+
+
+def test_an_arrow_at_the_eye_is_a_circle_with_a_dot_and_one_from_it_a_circle_with_a_cross():
+    for z, extra in ((1, 1), (-1, 2)):
+        s = sketch(plane="xy")
+        s.vector(O, (0, 0, z), "v")
+        s.finish()
+        assert len(vertices(s, KINDS["velocity"])) == extra
+        assert len(s.ax.patches) == 1 + extra
+
+
+def test_a_vector_of_zero_has_a_label_but_no_arrow():
+    s = sketch()
+    s.rod(O, (1, 0, 0))
+    s.vector(O, (0, 0, 0), "$v_A$")
+    s.finish()
+    assert "$v_A$" in texts(s)
+    assert not vertices(s, KINDS["velocity"])
+
+
+def test_a_dimension_line_is_parallel_to_what_it_measures_and_keeps_its_offset():
+    s = sketch(plane="xy")
+    s.dimension((1, 1, 0), (4, 5, 0), "b", offset=0.5)
+    s.finish()
+    lines = [v for v in vertices(s, "#000000") if len(v) == 2]
+    assert lines[-1] == pytest.approx(np.array([(0.6, 1.3), (3.6, 5.3)]))
+    assert texts(s).keys() == {"$b$"}
+
+
+def test_symbols_keep_their_size_when_the_scene_is_a_thousand_times_larger():
+    def head(size):
+        s = sketch(plane="xy")
+        s.rod(O, (size, 0.7 * size, 0))
+        s.axes(O, ground, labels="")
+        png(s)
+        return np.ptp(s.ax.transData.transform(s.ax.patches[-1].get_path().vertices), axis=0)
+
+    assert head(1e3) == pytest.approx(head(1.0), rel=1e-6)
+
+
+# -- what covers what
+
+
+def ordered(view, *items):
+    """The labels of the items (label, points, normal or None), the first drawn first."""
+    ink = _Ink(view, 0.01, [])
+    names = {}
+    for name, points, normal in items:
+        ink._put(points, "thin", BODY, normal is not None, None, normal)
+        names[id(ink.strokes[-1])] = name
+    return [names.get(id(s), "piece") for s in _far_to_near(ink)]
+
+
+SQUARE = [(5, 5, 0), (-5, 5, 0), (-5, -5, 0), (5, -5, 0)]
+
+
+def test_the_nearer_is_drawn_after_the_farther():
+    assert ordered(_plane_view("xy"), ("near", [(0, 0, 2), (1, 0, 2)], None), ("far", [(0, 0, 1), (1, 0, 1)], None)) == ["far", "near"]
+
+
+def test_what_lies_above_a_floor_covers_it_even_where_its_middle_is_farther_from_the_eye():
+    view = _space_view(0, 20, "z")
+    post = ("post", [(-4, 0, 0.1), (-4, 0, 0.5)], None)
+    cellar = ("cellar", [(4, 0, -0.1), (4, 0, -0.5)], None)
+    assert ordered(view, post, ("floor", SQUARE, (0, 0, 1)), cellar) == ["cellar", "floor", "post"]
+    assert ordered(view, cellar, ("floor", SQUARE, (0, 0, -1)), post) == ["cellar", "floor", "post"]
+
+
+def test_a_line_through_a_plate_is_cut_and_one_beside_it_is_not():
+    view = _space_view(35, 20, "z")
+    assert ordered(view, ("shaft", [(0, 0, -1), (0, 0, 3)], None), ("plate", SQUARE, (0, 0, 1))) == ["piece", "plate", "piece"]
+    assert "shaft" in ordered(view, ("shaft", [(9, 0, -1), (9, 0, 3)], None), ("plate", SQUARE, (0, 0, 1)))
+
+
+def test_marks_lie_over_bodies():
+    s = sketch()
+    s.dot((-5, 0, 0))
+    s.sphere((5, 0, 0), 1)
+    s.finish()
+    assert {p.get_zorder() for p in s.ax.patches} == {2 + BODY, 2 + MARK}
+
+
+# -- labels
+
+
+def crowded():
+    s = sketch()
+    P = [ground.point(name, 0.2 * n, 0.1 * n * n, 0.1 * (n % 3)) for n, name in enumerate("ABCDEF")]
+    for a, b in pairwise(P):
+        s.rod(a, b)
+        s.dimension(a, b, "$l$")
+    for p in P:
+        s.label(p, p.name)
+    return s
+
+
+def test_labels_do_not_overlap_each_other():
+    s = crowded()
+    png(s)
+    boxes = [t.get_window_extent() for t in s.ax.texts]
+    assert len(boxes) == 11
+    assert not [1 for n, a in enumerate(boxes) for b in boxes[:n] if a.overlaps(b)]
+
+
+def test_labels_are_legible_and_stay_on_the_page():
+    s = crowded()
+    png(s)
+    page = s.ax.figure.bbox
+    for t in s.ax.texts:
+        box = t.get_window_extent()
+        assert t.get_fontsize() >= 9
+        assert page.x0 < box.x0 < box.x1 < page.x1
+        assert page.y0 < box.y0 < box.y1 < page.y1
+
+
+def test_an_offset_of_a_label_is_kept():
+    s = sketch()
+    s.rod(O, (1, 1, 1))
+    s.label(O, "O", offset=(12, -9))
+    s.finish()
+    assert texts(s)["O"].get_position() == pytest.approx((12, -9))
+    assert texts(s)["O"].get_fontweight() == "bold"
+
+
+def test_single_letters_are_italic_except_names_of_points():
+    s = sketch()
+    s.dimension(O, (1, 0, 0), "b")
+    s.dimension(O, (0, 1, 0), "2b")
+    s.axes(O, ground, labels=["x", "$y_1$", "z"])
+    s.label(O, "O")
+    s.finish()
+    assert texts(s).keys() == {"$b$", "2b", "$x$", "$y_1$", "$z$", "O"}
+
+
+# -- finishing
+
+
+def everything(s):
+    A, B, C = (0, 0, 0), (0, 1, 0), (1, 1, 0.5)
+    s.axes(A, ground, length=0.4)
+    for draw in (s.rod, s.shaft, s.line, s.cable, s.spring):
+        draw(A, C)
+    s.disk(B, ground.j, 0.3, spoke=(0, 1, 0.3))
+    s.ring(B, ground.k, 0.3)
+    s.cone(A, (1, 0, 0), 0.5, 0.2)
+    s.gear(C, (0, 1, 1), 0.4, cone_apex=A)
+    s.cylinder(A, B, 0.1)
+    s.sphere(C, 0.1)
+    s.plate([A, B, C])
+    s.box(C, ground, (0.1, 0.2, 0.3))
+    s.ground(A, normal=ground.k)
+    s.ground(A, normal=(1, 0, 0), size=0.5)
+    s.hinge(B)
+    s.hinge(B, axis=ground.i)
+    s.ball_joint(C)
+    s.dot(A)
+    s.turn(B, ground.k, r"$\omega$", radius=0.2)
+    s.arc(A, B, C, r"$\theta$")
+    s.dimension(A, B, "b")
+    s.path([(0, 0, 0.1 * n) for n in range(7)])
+    s.vector(C, (0, 0, -1), "$mg$", kind="force")
+    s.label(A, "A")
+
+
+@pytest.mark.parametrize("view", [{}, {"plane": "xy"}, {"plane": "zx"}, {"azimuth": 0, "elevation": 0}, {"elevation": 90}, {"up": "y"}])
+def test_every_primitive_is_drawn_from_every_side(view):
+    s = sketch(**view)
+    everything(s)
+    assert png(s)
+    assert all(np.isfinite(p.get_path().vertices).all() for p in s.ax.patches)
+    assert {r"$\omega$", r"$\theta$", "$b$", "A", "$mg$", "$x$", "$y$", "$z$"} <= texts(s).keys()
+
+
+def test_saving_finishes_and_finishing_twice_changes_nothing():
+    s, t = sketch(), sketch()
+    everything(s)
+    everything(t)
+    t.finish()
+    t.finish()
+    assert len(s.ax.patches) == 0
+    first = png(s)
+    assert len(s.ax.patches) == len(t.ax.patches) > 60
+    assert png(s) == first
+
+
+def test_what_is_drawn_after_the_figure_was_shown_is_added():
+    s = sketch()
+    s.rod(O, (1, 0, 0))
+    png(s)
+    s.label(O, "O")
+    png(s)
+    assert len(s.ax.texts) == 1
+    assert len(s.ax.patches) == 2
+
+
+def test_a_figure_saves_as_svg_and_with_a_tight_box():
+    s = sketch()
+    everything(s)
+    out = io.StringIO()
+    s.ax.figure.savefig(out, format="svg", bbox_inches="tight")
+    assert "</svg>" in out.getvalue()
+
+
+@pytest.mark.parametrize("place", [O, (3, 4, 5)])
+def test_a_scene_of_one_place_and_an_empty_scene_are_drawn(place):
+    s = sketch()
+    s.dot(place)
+    assert png(s)
+    assert png(sketch())
+
+
+def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
+    program = (
+        "import sys, newton_euler.drawing as d; from newton_euler import Frame\n"
+        "assert not {'matplotlib', 'numpy'} & set(sys.modules), sorted(sys.modules)\n"
+        "from matplotlib.figure import Figure; import io\n"
+        "s = d.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1, 2, 3)); s.label((0, 0, 0), 'O')\n"
+        "s.ax.figure.savefig(io.BytesIO())\n"
+        "assert 'matplotlib.pyplot' not in sys.modules\n"
+    )
+    subprocess.run([sys.executable, "-c", program], check=True)
+
+
+# -- mistakes
+
+
+@pytest.mark.parametrize(
+    ("draw", "words"),
+    [
+        (lambda s: s.rod(O, 3), "a place is a Point, a Vector or three numbers, got"),
+        (lambda s: s.rod(O, (1, 2)), "three numbers, got"),
+        (lambda s: s.rod(O, (1, 2, "a")), "needs numbers, but the place is"),
+        (lambda s: s.rod(O, (1, 2, math.nan)), "not finite"),
+        (lambda s: s.rod(O, Frame("moon").point("M", 0, 0, 0)), "share no frame"),
+        (lambda s: s.ground(O, normal=(0, 0, 0)), "points nowhere"),
+        (lambda s: s.turn(O, ground.point("A", 1, 0, 0), "w"), "write B - A"),
+        (lambda s: s.vector(O, ground.i, "v", kind="speed"), "of the kind velocity, acceleration, rate, force, plain; got 'speed'"),
+        (lambda s: s.line(O, O, style="wavy"), "solid, dashed, dotted, centre; got 'wavy'"),
+        (lambda s: s.disk(O, ground.k, -1), "positive number of metres; got -1"),
+        (lambda s: s.sphere(O, "big"), "positive number of metres; got 'big'"),
+        (lambda s: s.plate([O, O]), "three corners or more, got 2"),
+        (lambda s: s.arc(O, O, (1, 0, 0), "a"), "two other places"),
+        (lambda s: s.axes(O, ground, labels="xy"), "three labels"),
+        (lambda s: s.axes(O, ground.k), "axes of a Frame, got"),
+        (lambda s: s.box(O, ground.k, (1, 1, 1)), "from a Frame, got"),
+        (lambda s: Sketch(s.ax, s.ax), "from its ground, a Frame"),
+        (lambda s: Sketch(ground, ground), "on a matplotlib Axes"),
+        (lambda s: Sketch(s.ax, ground, plane="xx"), "two axes, as in plane='xz'"),
+        (lambda s: Sketch(s.ax, ground, up="-z"), "up is 'x', 'y' or 'z'"),
+    ],
+)
+def test_a_mistake_is_told_at_once_and_in_words(draw, words):
+    with pytest.raises(FrameError) as caught:
+        draw(sketch())
+    assert words in str(caught.value)

@@ -1,0 +1,218 @@
+"""The command line: ``python -m grader --help``."""
+
+import importlib
+import json
+import sys
+from pathlib import Path
+
+import click
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+console = Console(highlight=False)
+COURSE = click.option("--course", "course_path", required=True, type=click.Path(path_type=Path), help="The course folder.")
+
+
+class _Commands(click.Group):
+    """Errors that are somebody's to mend end in one sentence and exit code 2, not in a traceback."""
+
+    def list_commands(self, context):
+        return list(self.commands)
+
+    def invoke(self, context):
+        from exercises.catalogue import CatalogueError
+        from newton_euler.units import UnitError
+
+        from .course import CourseError
+        from .harvest import HarvestError
+
+        try:
+            return super().invoke(context)
+        except (CatalogueError, CourseError, HarvestError, UnitError) as error:
+            raise click.UsageError(str(error)) from error
+
+
+def _bar(*columns):
+    return Progress(TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), *columns, TimeElapsedColumn(), console=console, transient=not console.is_terminal)
+
+
+@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+def main():
+    """From exercise to assignment, from submission to grade.
+
+    \b
+    Try it:          python -m grader demo
+    See an answer:   python -m grader solve 4/16
+    Make a course:   python -m grader build ch04 --course mechanics --students roster.csv
+                     cd mechanics; nbgrader generate_assignment ch04; nbgrader release_assignment ch04
+    Grade it:        nbgrader collect ch04; python -m grader grade ch04 --course .
+    """
+
+
+@main.command()
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 | all …")
+@click.option("--seed", type=int, help="Draw a variant of the numbers instead of the book's.")
+@click.option("--given", "changed", multiple=True, metavar="NAME=VALUE", help="Replace a given, in the unit of the text: --given omega=0.9. May be repeated.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
+@click.option("--explain", is_flag=True, help="Also print the terms of every answer that is a sum.")
+def solve(names, seed, changed, as_json, explain):
+    """Answer problems: for the numbers of the book, a variant, or your own.
+
+    Formulas are printed in the symbols of the text; --given fixes a symbol to a number.
+    """
+    from exercises.catalogue import select
+
+    from .solving import answers_json, explained, in_words, solved
+
+    problems = select(names)
+    changes = dict(_pair(c) for c in changed)
+    for name in changes:
+        if not any(name in p.units for p in problems):
+            raise click.UsageError(f"none of these problems has a given {name!r}; {problems[0].id} has {', '.join(problems[0].units) or 'none'}")
+    out = {}
+    for p in problems:
+        results = solved(p, seed, {n: v for n, v in changes.items() if n in p.units})
+        out[p.id] = answers_json(p, results)
+        if not as_json:
+            console.print(in_words(p, results))
+            if explain:
+                console.print(explained(p, results))
+    if as_json:
+        click.echo(json.dumps(out, indent=1))
+
+
+def _pair(text):
+    name, _, value = text.partition("=")
+    try:
+        return name, float(value)
+    except ValueError:
+        raise click.UsageError(f"--given {text}: expected NAME=VALUE with a number, as in --given omega=0.9") from None
+
+
+@main.command()
+@click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
+@click.option("--seeds", default=3, show_default=True, type=click.IntRange(1), help="How many sets of numbers: the book's and drawn ones.")
+def prove(names, seeds):
+    """Check every key by its second way, its units, and every mistake; exit code 1 if anything fails."""
+    from exercises.catalogue import select
+    from exercises.checking import AGREEMENT, check
+
+    problems, failed = select(names or ("all",)), 0
+    with _bar() as bar:
+        task = bar.add_task("proving", total=len(problems))
+        for p in problems:
+            faults = check(p, seeds)
+            failed += bool(faults)
+            for fault in faults:
+                bar.console.print(f"[red]{p.id}[/]: {fault}")
+            bar.advance(task)
+    mistakes = sum(len(p.mistakes) for p in problems)
+    click.echo(f"{len(problems) - failed} passed, {failed} failed")
+    if failed:
+        sys.exit(1)
+    click.echo(f"Every key agrees with its proof to {AGREEMENT:g} (floats) and {AGREEMENT**2:g} (50 digits) for {seeds} sets of numbers;")
+    click.echo(f"all units hold; {mistakes} mistakes give answers of their own.")
+
+
+@main.command()
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 …")
+@click.option("--seed", type=int, help="Draw a variant of the numbers instead of the book's.")
+@click.option("--to", "folder", default=Path("."), type=click.Path(path_type=Path, file_okay=False), help="Folder to write to; default: here.")
+def figure(names, seed, folder):
+    """Write the figure of each problem as a PNG, to look at."""
+    from exercises.catalogue import select
+
+    from .figures import png
+    from .solving import given_values
+
+    folder.mkdir(parents=True, exist_ok=True)
+    for p in select(names):
+        path = folder / f"{p.id.replace('/', '_')}.png"
+        path.write_bytes(png(p, given_values(p, seed, {})))
+        click.echo(path)
+
+
+@main.command()
+@click.argument("chapter")
+@COURSE
+@click.option("--students", type=click.Path(exists=True, dir_okay=False), help="Roster as CSV with the columns id, first_name, last_name, email.")
+@click.option("--problem", "only", multiple=True, metavar="4/16", help="Only these problems of the chapter; may be repeated.")
+@click.option("--update", is_flag=True, help="Add the assignment to a course that exists; replaces a source notebook of the same name.")
+def build(chapter, course_path, students, only, update):
+    """Make an nbgrader assignment from a chapter, in a new course folder or (--update) an existing one."""
+    from .building import build_assignment
+
+    with _bar() as bar:
+        course, path = build_assignment(course_path, chapter, students, only, update, bar)
+    click.echo(f"Wrote {path}")
+    click.echo(f"Next:  cd {course.path} && nbgrader generate_assignment {chapter} && nbgrader release_assignment {chapter}")
+    if not course.roster():
+        click.echo("The roster is empty: add students first (nbgrader db student import roster.csv), since everyone gets numbers of their own.")
+
+
+@main.command()
+@click.argument("assignment")
+@COURSE
+@click.option("--student", "students", multiple=True, help="Only for this student; may be repeated. Default: everyone on the roster.")
+@click.option("--exchange", is_flag=True, help="Also put the copies into nbgrader's exchange, for students who joined after the release.")
+def personal(assignment, course_path, students, exchange):
+    """Write everyone's own copy of a released assignment, with their own numbers and figures.
+
+    Without an exchange, hand out COURSE/personal/ASSIGNMENT/STUDENT/ASSIGNMENT.ipynb yourself: to that student only.
+    """
+    from .building import exchange_outbound
+    from .course import Course
+    from .release import into_exchange, make_personal
+
+    course = Course(course_path)
+    with _bar() as bar:
+        task = bar.add_task("figures", total=1.0)
+        paths = make_personal(course, assignment, students or None, lambda share: bar.advance(task, share))
+    if exchange:
+        into_exchange(course, assignment, exchange_outbound(course, assignment), paths)
+    for student, path in paths.items():
+        click.echo(f"{student}: {path}")
+
+
+@main.command()
+@click.argument("assignment")
+@COURSE
+@click.option("--student", "students", multiple=True, help="Only this student; may be repeated.")
+@click.option("--force", is_flag=True, help="Also grade again what has not changed.")
+@click.option("--workers", type=click.IntRange(1), help="Processes that run student code; default: one per processor.")
+@click.option("--unsandboxed", is_flag=True, help="Run student code without the cage of namespaces; only for code you trust.")
+@click.option("--verbose", "-v", is_flag=True, help="Also print every diagnosis.")
+def grade(assignment, course_path, students, force, workers, unsandboxed, verbose):
+    """Grade the submissions in COURSE/submitted: rebuild, run in a cage, score, write gradebook and annotated notebooks."""
+    from .course import Course
+    from .grading import grade as run
+    from .table import diagnoses, gradebook_table
+
+    course = Course(course_path)
+    with _bar() as bar:
+        task = bar.add_task("grading", total=len(students) or len(course.submissions(assignment)))
+        results = run(course, assignment, students, force, workers, not unsandboxed, lambda r: bar.advance(task))
+    if not results:
+        click.echo(f"Nothing to grade: {course.path / 'submitted'} holds no {assignment}. Collect first: nbgrader collect {assignment}")
+        return
+    console.print(gradebook_table(results))
+    if verbose:
+        console.print(diagnoses(results))
+    for r in results:
+        if r.problem:
+            console.print(f"[red]Not graded:[/] {r.student} {r.problem}.", soft_wrap=True)
+    click.echo(f"Feedback pages: cd {course.path} && nbgrader generate_feedback {assignment}")
+    if any(r.problem for r in results):
+        sys.exit(1)
+
+
+@main.command()
+@click.option("--course", "course_path", default=Path("demo-course"), type=click.Path(path_type=Path), show_default=True, help="A folder that does not exist yet.")
+@click.option("--problem", "only", multiple=True, metavar="4/16", help="Only these problems, to be quicker; may be repeated.")
+def demo(course_path, only):
+    """The whole way on an example: a course, six students, release, submit, grade, feedback."""
+    importlib.import_module("grader.demo").run(course_path, only, console, _bar)
+
+
+if __name__ == "__main__":
+    main(prog_name="python -m grader")
