@@ -39,22 +39,25 @@ def _fit(p):
         named, solved, proved = p.code.mistakes(g), p.code.solve(g), p.code.prove(_precise(p, values(p, 0)))
     except CatalogueError as error:
         return [str(error)]
-    faults = [f"the mistake {m} is in problems.yaml but not computed; compute it, or move it to struck: with a reason" for m in p.mistakes if m not in named]
+    missing = [m for m in p.mistakes if m not in named]
+    faults = [f"the mistake {m} is in problems.yaml but not computed; compute it, or move it to struck: with a reason" for m in missing]
     faults += [f"the mistake {m} is computed but not in problems.yaml" for m in named if m not in p.mistakes]
     asked = [a.key for a in p.answers]
-    faults += [f"{what} returns {list(got)} but the problem asks for {asked}" for what, got in (("solve", solved), ("prove", proved)) if list(got) != asked]
+    for what, got in (("solve", solved), ("prove", proved)):
+        if list(got) != asked:
+            return [*faults, f"{what} returns {list(got)} but the problem asks for {asked}"]
     for name, answers in named.items():
         if not answers or not set(answers) <= set(asked):
             faults.append(f"the mistake {name} must give some of {asked}, and gives {list(answers)}")
         for key, answer in answers.items():
-            if hasattr(answer, "frame") and answer.frame.name != solved[key].frame.name:
+            if key in solved and hasattr(answer, "frame") and answer.frame.name != solved[key].frame.name:
                 faults.append(f"{key} is in {solved[key].frame.name}, but the mistake {name} has it in {answer.frame.name}: use in_frame")
     return faults
 
 
 def _dimensions(p):
     """Run solve on dimensions: a sum of unlike quantities raises, and each answer must have the dimension of its unit."""
-    pure = p.base({n: 1.0 for n in p.units})
+    pure = p.base(dict.fromkeys(p.units, 1.0))
     g = pure.but(**{n: unit(u).dimension for n, u in p.units.items()})
     try:
         answers = p.code.solve(g)
@@ -65,9 +68,25 @@ def _dimensions(p):
         a = p.answer(key)
         if a.kind in ("count", "choice"):
             continue
+        asked = unit(a.unit).dimension
         for x in flat(answer):
-            if isinstance(x, Dimension) and x != unit(a.unit).dimension or not isinstance(x, Dimension) and x and any(unit(a.unit).dimension.powers):
-                faults.append(f"{key} is asked for in {a.unit}, {unit(a.unit).dimension}, but solve gives {x}")
+            if x != asked if isinstance(x, Dimension) else x and any(asked.powers):
+                faults.append(f"{key} is asked for in {a.unit}, {asked}, but solve gives {x}")
+    return faults or _exchanged(p, g)
+
+
+def _exchanged(p, g):
+    """Mistakes whose answer has the dimension of another answer: stored under the wrong key. Other dimensions may be what is wrong about them."""
+    try:
+        named = p.code.mistakes(g)
+    except DimensionError:  # a wrong model may add unlike quantities
+        return []
+    asked = {a.key: unit(a.unit).dimension for a in p.answers if a.kind not in ("count", "choice")}
+    faults = []
+    for name, answers in named.items():
+        for key, answer in answers.items():
+            found = {x for x in flat(answer) if isinstance(x, Dimension)} - {asked.get(key)}
+            faults += [f"the mistake {name} gives {key} the dimension of {k}" for k, d in asked.items() if key in asked and d in found]
     return faults
 
 
@@ -93,9 +112,10 @@ def _agreement(p, seed):
                 faults.append(f"{key}: solve says {right[key][0]}, prove says {proved[key]}")
             continue
         for numbers, tolerance, how in ((right[key], AGREEMENT, "floats"), (flat(precise[key]), AGREEMENT**2, "50 digits")):
-            gap = _gap(numbers, flat(proved[key]))
+            by_proof = flat(proved[key])
+            gap = _gap(numbers, by_proof)
             if not gap <= tolerance:
-                faults.append(f"{key}: solve in {how} and prove differ by {gap:.1e} of its size: {_shown(numbers)} against {_shown(flat(proved[key]))}")
+                faults.append(f"{key}: solve in {how} and prove differ by {gap:.1e} of its size: {_shown(numbers)} against {_shown(by_proof)}")
     for name, answers in wrong.items():
         for key, answer in answers.items():
             if p.answer(key).kind not in ("count", "choice") and distance(answer, right[key]) < SEPARATION:

@@ -1,4 +1,4 @@
-"""Each student's own numbers: drawn within the ranges of a problem, rounded as a textbook would print them, and rejected if they make a bad problem."""
+"""Each student's own numbers: drawn within the ranges of a problem, rounded as in a textbook, and rejected if they make a bad problem."""
 
 import hashlib
 import hmac

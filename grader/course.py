@@ -104,7 +104,7 @@ class Course:
             own = read_json(path)
             if [c["id"] for c in own["cells"]] == [c["id"] for c in released["cells"]]:
                 return own
-        return nb.personal(released, self.values(assignment, student, nb.problems_of(released)), {})
+        return nb.personal(released, student, self.values(assignment, student, nb.problems_of(released)), {})
 
     def values(self, assignment, student, problems):
         """Each problem's numbers for one student: {problem id: {name: number}}, from the secret alone."""

@@ -74,15 +74,15 @@ def _conversions(problem, answer, sample):
 
 def _shapes(problem, answer, key, sample):
     """The right vector with its components in another frame, or turned the wrong way; opposite; or off by a factor of units."""
-    yield "is the opposite of the right answer: look at the sense", -key
+    yield "has every sign turned: look at the sense", -key
     for name, factor in FACTORS.items():
-        yield f"is {factor:.4g} times too large: {name}", factor * key
-        yield f"is {factor:.4g} times too small: {name}", key / factor
+        yield f"is {factor:.4g} times too large ({name})", factor * key
+        yield f"is {factor:.4g} times too small ({name})", key / factor
     right = _right(problem, answer, sample)
     if not isinstance(right, Vector):
         return
     for frame in right.frame.tree:
         if frame is not right.frame:
-            yield f"is the right vector with its components along the axes of the {frame.name}, not those asked for", _numbers(right.components(frame), sample)
+            yield f"has the right vector, but its components along the axes of the {frame.name}, not those asked for", _numbers(right.components(frame), sample)
             turned = Vector(right.c, frame).components(right.frame)
             yield f"turns the components the wrong way between the {frame.name} and the axes asked for (a transposed matrix)", _numbers(turned, sample)

@@ -14,7 +14,7 @@ FOLDER = ".personal"
 
 
 def personal_name(course_id, assignment, student):
-    """The folder of a student's own copy, below ``outbound/<assignment>/.personal``."""
+    """The folder of a student's own copy, below ``outbound/.personal/<assignment>``."""
     return hashlib.sha256(f"{course_id}\0{assignment}\0{student}".encode()).hexdigest()[:32]
 
 
@@ -25,7 +25,8 @@ class PersonalFetch(ExchangeFetchAssignment):
         student = self.coursedir.student_id
         if student in ("", "*"):
             student = os.environ.get("JUPYTERHUB_USER") or os.environ.get("USER") or ""
-        own = os.path.join(self.src_path, FOLDER, personal_name(self.coursedir.course_id, self.coursedir.assignment_id, student))
+        name = personal_name(self.coursedir.course_id, self.coursedir.assignment_id, student)
+        own = os.path.join(self.outbound_path, FOLDER, self.coursedir.assignment_id, name)
         if not os.path.isdir(own):
             self.fail(
                 f"{self.coursedir.assignment_id} has no copy for {student!r}. Ask the instructor to put you on the roster and to run: "
@@ -34,15 +35,6 @@ class PersonalFetch(ExchangeFetchAssignment):
         fresh = not os.path.isdir(self.dest_path)
         self.log.info("Source: %s", self.src_path)
         self.do_copy(self.src_path, self.dest_path)
-        shutil.rmtree(os.path.join(self.dest_path, FOLDER), ignore_errors=True)
         if fresh:  # never over work that is there already
             shutil.copytree(own, self.dest_path, dirs_exist_ok=True)
         self.log.info("Fetched as: %s %s", self.coursedir.course_id, self.coursedir.assignment_id)
-
-    def do_copy(self, src, dest):
-        """As nbgrader's, but the folder of everyone's copies is left out."""
-        ignore = shutil.ignore_patterns(FOLDER, *self.coursedir.ignore)
-        if os.path.isdir(dest):
-            self.copy_if_missing(src, dest, ignore=ignore)
-        else:
-            shutil.copytree(src, dest, ignore=ignore)

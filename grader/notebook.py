@@ -27,8 +27,11 @@ from sympy import symbols
 from newton_euler import Frame, at, atan2, cos, cross, dot, moving, radians, sin, solve_rates, sqrt, tan
 from newton_euler.answers import expect, receipt
 """
+MASTER_COPY = "> **This copy has the numbers of the book.** Yours has numbers of its own: fetch the assignment with nbgrader, set up for this course, or ask for your copy."
 INTRODUCTION = """\
 # {title}
+
+{whose}
 
 Each problem has a cell for your work. It begins with names set to `None`; give each its value, in the unit that is written behind it, and run the cell
 below it: the **receipt** says whether your answer can be read (kind, shape, unit of a formula). It does not know the right answer; that is compared after you hand in,
@@ -132,7 +135,7 @@ def slug(problem_id):
 def build(problems, title, seconds, values=None, figures=None):
     """The source notebook of an assignment with the numbers of the book (or ``values``: {id: {name: number}})."""
     cells = [
-        _markdown("introduction", INTRODUCTION.format(title=title, seconds=seconds), {"role": "introduction"}),
+        _markdown("introduction", INTRODUCTION.format(title=title, seconds=seconds, whose=MASTER_COPY), {"role": "introduction"}),
         _code("setup", SETUP.strip(), {"role": "setup"}, {"grade": False, "solution": False, "locked": True, "grade_id": "setup"}),
     ]
     for p in problems:
@@ -180,13 +183,15 @@ def _code(cell_id, text, ours, nbgrader=None):
     return {"cell_type": "code", "id": cell_id, "metadata": metadata, "source": text, "outputs": [], "execution_count": None}
 
 
-def personal(released, values, figures):
+def personal(released, student, values, figures):
     """The released notebook with a student's own numbers and figures; ``values`` and ``figures`` by problem."""
     cells = []
     for cell in released["cells"]:
         role, number_of = _ours(cell).get("role"), _ours(cell).get("problem")
         if role == "statement":
             cell = {**_statement_cell(find_problem(number_of), values[number_of], figures.get(number_of)), "metadata": cell["metadata"]}
+        elif role == "introduction":
+            cell = {**cell, "source": cell["source"].replace(MASTER_COPY, f"The copy of **{student}**.")}
         elif role == "givens":
             cell = {**cell, "source": givens(find_problem(number_of), values[number_of])}
         cells.append(cell)

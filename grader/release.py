@@ -36,7 +36,7 @@ def make_personal(course, assignment, students=None, progress=None, workers=None
     for s in students:
         figures = {p.id: wanted[p.id, _key(values[s][p.id])] for p in problems}
         paths[s] = course.personal_path(assignment, s)
-        write_json(paths[s], nb.personal(released, values[s], figures))
+        write_json(paths[s], nb.personal(released, s, values[s], figures))
     return paths
 
 
@@ -50,9 +50,12 @@ def _draw(name):
 
 
 def into_exchange(course, assignment, outbound, paths):
-    """Put personal copies below ``outbound`` (the exchange's folder of the released assignment), readable by name only."""
-    folder = Path(outbound) / FOLDER
-    folder.mkdir(exist_ok=True)
+    """Put personal copies beside ``outbound`` (the exchange's folder of the released assignment), readable by name only.
+
+    Beside and not in it, so that a fetch without the course's configuration gets the master copy and nobody's numbers.
+    """
+    folder = Path(outbound).parent / FOLDER / assignment
+    folder.mkdir(parents=True, exist_ok=True)
     for student, path in paths.items():
         target = folder / personal_name(course.name, assignment, student)
         shutil.rmtree(target, ignore_errors=True)
@@ -61,7 +64,8 @@ def into_exchange(course, assignment, outbound, paths):
         os.chmod(target / path.name, 0o644)
         os.chmod(target, 0o755)
         _give_to(student, target)
-    os.chmod(folder, 0o711)  # can be entered by who knows a name, not listed
+    for place in (folder, folder.parent):
+        os.chmod(place, 0o711)  # can be entered by who knows a name, not listed
 
 
 def _give_to(student, target):

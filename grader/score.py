@@ -106,7 +106,7 @@ def _judged(problem, a, tree, sample, key, wrong):
     if close(given, key, tolerance, a.atol):
         return Part(a.key, 1, 1, "right", "right")
     diagnosis = diagnose(problem, a, given, key, sample, {m: _rows(w[a.key], given.shape[1]) for m, w in wrong.items() if a.key in w}, tolerance)
-    return Part(a.key, 0, 1, "wrong", diagnosis or "not right", diagnosis)
+    return Part(a.key, 0, 1, "wrong", f"not right; it fits a solution that {diagnosis}" if diagnosis else "not right", diagnosis)
 
 
 def read(a, tree, sample):

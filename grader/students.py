@@ -1,11 +1,9 @@
 """Sample students, for the demo and the tests: what they write into the answer cells, and what else they do to the notebook."""
 
 import copy
-import random
 
 from exercises.catalogue import SYMBOLIC
 
-from . import notebook as nb
 from .solving import _nested
 
 
@@ -26,13 +24,13 @@ def _source(nested):
     return "[" + ", ".join(map(_source, nested)) + "]" if isinstance(nested, list) else nested
 
 
-def wrong_model(p, values):
-    """The answers of a student who leaves a term out wherever there is one to leave out, and (mistake, the keys it spoils)."""
-    order = sorted(p.mistakes, key=lambda m: not p.mistakes[m].startswith("leaves out"))
-    chosen = order[0]
-    g = p.base({**p.sympy_symbols(), **values})
-    spoiled = p.in_units(p.code.mistakes(g)[chosen])
-    return {**right(p, values), **{key: literal(p.answer(key), v) for key, v in spoiled.items()}}, chosen, list(spoiled)
+def leaves_out(p, values):
+    """The answers of a student who leaves a term out wherever the problem knows of one: (answers, the keys that this spoils)."""
+    name = next((m for m, text in p.mistakes.items() if "leaves out" in text or "leaving out" in text), None)
+    if name is None:
+        return right(p, values), []
+    spoiled = p.in_units(p.code.mistakes(p.base({**p.sympy_symbols(), **values}))[name])
+    return {**right(p, values), **{key: literal(p.answer(key), v) for key, v in spoiled.items()}}, list(spoiled)
 
 
 def cell(p, answers):
@@ -89,12 +87,3 @@ def hostile(notebook, problems):
             copies.append(copy.deepcopy(c) | {"id": c["id"] + "-copy"})
     forged["cells"] += copies[:1]
     return forged
-
-
-def class_of(size, seed=1):
-    """Names for a larger sample class, for measurements."""
-    rng = random.Random(seed)
-    return [f"student{n:03d}-{rng.randrange(10**4):04d}" for n in range(size)]
-
-
-__all__ = ["cell", "class_of", "filled", "hostile", "literal", "nb", "right", "wrong_model"]

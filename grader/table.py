@@ -32,12 +32,13 @@ def _most_told(result):
     return notes.most_common(1)[0][0] if notes else result.note
 
 
-def diagnoses(results):
-    """Every diagnosis, by student and problem."""
-    table = Table(title="Diagnoses", title_justify="left")
+def diagnoses(results, most=None):
+    """The diagnoses by student and problem: all, or the first ``most``."""
+    told = [(r.student, *entry) for r in results for entry in r.diagnoses()]
+    left_out = f" (the first {most} of {len(told)})" if most and len(told) > most else ""
+    table = Table(title=f"Diagnoses{left_out}", title_justify="left")
     for name in ("student", "problem", "answer", "what the answer says"):
         table.add_column(name, overflow="fold")
-    for r in results:
-        for problem_id, key, text in r.diagnoses():
-            table.add_row(r.student, problem_id, key, text)
+    for row in told[:most]:
+        table.add_row(*row)
     return table

@@ -2,15 +2,15 @@
 
 from exercises.answering import in_frame
 from exercises.ch04.scene_elbow_arm import arm_and_rod, common_mistakes, draw, prove, solve
-from newton_euler import at, cos, sin
+from newton_euler import cos, moving, sin
 
 __all__ = ["draw", "mistakes", "prove", "solve"]
 
 
 def mistakes(g):
     ground, arm, _, D = arm_and_rod(g)
-    along, up = at(lambda t: g.L * sin(g.beta_1 + g.b_dot * t), 0), at(lambda t: g.L * cos(g.beta_1 + g.b_dot * t), 0)
-    from_vertical = arm.point("D", 0, g.b + along, up)
+    beta = moving(g.beta_1, rate=g.b_dot)
+    from_vertical = arm.point("D", 0, g.b + g.L * sin(beta), g.L * cos(beta))
     return common_mistakes(g) | in_frame(ground, {
         "C_at_rest": {"v_D": D.velocity(ground).without("origin"), "a_D": D.acceleration(ground).without("origin")},
         "beta_from_the_vertical": {"v_D": from_vertical.velocity(ground), "a_D": from_vertical.acceleration(ground)},

@@ -1,0 +1,509 @@
+"""Numbers of every kind: the structural zero, functions, moving numbers against mpmath's derivatives, dimensions."""
+
+import importlib
+import math
+import subprocess
+import sys
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from newton_euler import Frame, scalars
+from newton_euler.scalars import (
+    FUNCTIONS,
+    ZERO,
+    Dimension,
+    DimensionError,
+    Moving,
+    ScalarError,
+    at,
+    atan2,
+    function,
+    is_finite,
+    is_numeric,
+    is_zero,
+    least,
+    moving,
+    pi,
+    plain,
+    radians,
+    scalar,
+    size,
+    whole,
+)
+from tests.kinds import KINDS, close, numbers
+
+
+def symbol(library):
+    return pytest.importorskip(library).Symbol("x")
+
+
+def heyoka_variable():
+    return pytest.importorskip("heyoka").expression("x")
+
+
+EVERY_KIND = {
+    "int": lambda: 3,
+    "float": lambda: 1.5,
+    "complex": lambda: 1j,
+    "fraction": lambda: Fraction(1, 3),
+    "numpy scalar": lambda: np.float64(1.5),
+    "array": lambda: np.array([1.5, 2.5]),
+    "empty array": lambda: np.array([]),
+    "mpf": lambda: mpmath.mpf("0.1"),
+    "sympy": lambda: symbol("sympy"),
+    "symengine": lambda: symbol("symengine"),
+    "dimension": lambda: Dimension(1, 1, -2),
+    "moving": lambda: moving(1.5, 2.0, 3.0),
+}
+
+
+@pytest.fixture(params=EVERY_KIND)
+def x(request):
+    return EVERY_KIND[request.param]()
+
+
+# -- the structural zero
+
+
+def equal(a, b):
+    if isinstance(a, Moving):
+        return (a.value, a.rate, a.acceleration) == (b.value, b.rate, b.acceleration)
+    return type(a) is type(b) and bool(np.all(a == b))
+
+
+def test_zero_vanishes_from_sums(x):
+    for total in (x + ZERO, ZERO + x, x - ZERO):
+        assert equal(total, x)
+    assert equal(ZERO - x, -x)
+
+
+def test_zero_swallows_products_and_quotients(x):
+    for product in (x * ZERO, ZERO * x, ZERO / x):
+        assert product is ZERO
+
+
+def test_dividing_by_zero_is_refused_in_words(x):
+    with pytest.raises(ZeroDivisionError, match="is divided by a quantity that is zero by the structure of the formula"):
+        x / ZERO
+
+
+def test_zero_on_heyoka_expressions_folds_away():
+    v = heyoka_variable()
+    assert str(v + ZERO) == str(ZERO + v) == "x"
+    assert ZERO * v is ZERO
+    assert str(v * ZERO).startswith("0.0")
+
+
+def test_zero_and_zero():
+    assert ZERO + ZERO is ZERO
+    assert -ZERO is ZERO
+    assert +ZERO is ZERO
+    assert abs(ZERO) is ZERO
+    assert ZERO - ZERO is ZERO
+    assert ZERO * ZERO is ZERO
+    assert ZERO**2 is ZERO
+    assert ZERO**0 == 1
+    assert 2.0**ZERO == 1
+    assert not ZERO
+    assert ZERO == 0
+    assert hash(ZERO) == hash(0)
+    assert float(ZERO) == 0.0
+    with pytest.raises(ZeroDivisionError, match="0/0"):
+        ZERO / ZERO
+    with pytest.raises(ZeroDivisionError, match="to the power -1"):
+        ZERO**-1
+
+
+def test_there_is_one_zero_even_after_copying_and_pickling():
+    import copy
+    import pickle
+
+    assert copy.deepcopy(ZERO) is ZERO
+    assert pickle.loads(pickle.dumps(ZERO)) is ZERO
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_functions_of_zero_are_exact(name):
+    if name == "log":
+        with pytest.raises(ValueError, match=r".*"):
+            function(name, ZERO)
+        return
+    value = function(name, ZERO)
+    assert plain(value) == getattr(mpmath, name)(0) or name == "acos"
+    assert (value is ZERO) == (name in ("sin", "tan", "asin", "atan", "sinh", "tanh", "sqrt"))
+
+
+def test_a_literal_zero_is_structural_and_a_computed_one_is_not():
+    assert scalar(0) is ZERO
+    assert scalar(False) is ZERO
+    assert scalar(0.0) is not ZERO
+    assert scalar(True) is True
+    assert plain(ZERO) == 0
+    assert type(plain(ZERO)) is int
+
+
+@pytest.mark.parametrize("bad", ["1", None, [1], (1, 2), {}, b"1", object(), np.array(["a"]), np.str_("a"), np.datetime64("2020-01-01")])
+def test_what_is_not_a_number_is_refused_and_named(bad):
+    with pytest.raises(ScalarError, match="expected a number") as error:
+        scalar(bad)
+    assert type(bad).__name__ in str(error.value)
+
+
+def test_numbers_times_vectors_are_vectors_whatever_the_kind(x):
+    v = Frame("ground").vector(1.0, 2.0, 0)
+    for product in (x * v, v * x):
+        assert hasattr(product, "frame")
+        assert product.z == 0
+    assert (ZERO * v).components() == (0, 0, 0)
+
+
+# -- functions
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_functions_on_every_kind_agree_with_mpmath(kind, name):
+    u = numbers(kind, "0.4")
+    values = u if kind == "array" else [u]
+    results = function(name, u) if kind == "array" else [function(name, u)]
+    for value, result in zip(values, results, strict=True):
+        expected = getattr(mpmath, name)(mpmath.mpf(4) / 10 if kind in ("mpmath", "sympy") else mpmath.mpf(float(value)))
+        assert close(result, expected, 1e-27 if kind in ("mpmath", "sympy") else 1e-15)
+
+
+@pytest.mark.parametrize("library", ["sympy", "symengine"])
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_functions_stay_symbolic_on_symbols(library, name):
+    result = function(name, symbol(library))
+    assert name in str(result) or name == "sqrt"
+    assert type(result).__module__.startswith(library)
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_functions_of_heyoka_expressions(name):
+    hy = pytest.importorskip("heyoka")
+    v = hy.expression("x")
+    f = hy.cfunc([function(name, v)], vars=[v])
+    assert f([0.4])[0] == pytest.approx(float(getattr(mpmath, name)(0.4)), rel=1e-15)
+
+
+@pytest.mark.parametrize("number", [1, Fraction(1, 4), True, np.float32(0.5)])
+def test_functions_take_ints_and_fractions(number):
+    assert function("sqrt", number) == pytest.approx(math.sqrt(number))
+
+
+def test_functions_of_complex_numbers():
+    assert function("sin", 1j) == pytest.approx(1j * math.sinh(1))
+
+
+@pytest.mark.parametrize(("y", "x", "expected"), [(0, -1, 1), (0, 1, 0), (1, 0, 0.5), (-1, 0, -0.5), (1, -1, 0.75), (-1, -1, -0.75)])
+@pytest.mark.parametrize("kind", KINDS)
+def test_atan2_with_structural_zeros_lies_in_minus_pi_to_pi(kind, y, x, expected):
+    """A structural zero above a negative x is +0.0: the angle is pi, not -pi."""
+    y, x = (numbers(kind, v) if v else ZERO for v in (y, x))
+    angle = atan2(y, x)
+    assert close(angle if kind != "array" else angle[0], expected * pi(mpmath.mpf(1)), 1e-15)
+
+
+def test_atan2_of_nothing_is_refused():
+    with pytest.raises(ZeroDivisionError, match="direction of a zero vector"):
+        atan2(ZERO, ZERO)
+
+
+def test_pi_and_radians_have_30_digits_in_mpmath():
+    assert mpmath.mp.dps == 30
+    with mpmath.workdps(40):
+        exact = +mpmath.pi
+    assert abs(pi(mpmath.mpf(1)) - exact) < 1e-29
+    assert abs(radians(mpmath.mpf(30)) - mpmath.pi / 6) < 1e-30
+    assert pi(sympy.Symbol("x")) is sympy.pi
+    assert radians(sympy.Integer(30)) == sympy.pi / 6
+    assert pi() == pi(1) == pi(np.zeros(3)) == pi(Dimension()) == math.pi
+    assert radians(180) == math.pi
+    assert abs(pi(moving(mpmath.mpf(1))) - exact) < 1e-29
+
+
+def test_whole_numbers_take_the_kind_of_another():
+    assert type(whole(3, mpmath.mpf(1))) is mpmath.mpf
+    assert whole(3, sympy.Symbol("x")) == sympy.Integer(3)
+    assert type(whole(3, 1.0)) is int
+    assert whole(0.5, mpmath.mpf(1)) == 0.5
+
+
+# -- questions about values
+
+
+def test_questions_about_values():
+    assert is_numeric(1.0)
+    assert is_numeric(np.zeros(2))
+    assert is_numeric(sympy.Rational(1, 3))
+    assert is_numeric(moving(1.0))
+    assert not is_numeric(sympy.Symbol("x"))
+    assert not is_numeric(Dimension())
+    assert not is_numeric(moving(sympy.Symbol("x")))
+    assert is_zero(np.zeros(3))
+    assert not is_zero(np.array([0.0, 1.0]))
+    assert is_zero(mpmath.mpf(0))
+    assert not is_zero(sympy.Symbol("x"))
+    assert size(np.array([-3.0, 2.0])) == 3.0
+    assert size(np.array([])) == 0.0
+    assert least(np.array([-3.0, 2.0])) == 2.0
+    assert size(moving(-2.0, 5.0)) == 2.0
+
+
+@pytest.mark.parametrize(
+    "x", [float("nan"), float("inf"), np.array([1.0, np.nan]), np.array([np.inf]), mpmath.mpf("nan"), mpmath.inf, sympy.nan, sympy.oo]
+)
+def test_what_is_not_finite_is_seen_in_every_kind(x):
+    assert not is_finite(x)
+
+
+@pytest.mark.parametrize("x", [1.0, 3, np.zeros(2), mpmath.mpf(1), sympy.Symbol("x"), sympy.Rational(1, 3), ZERO, Dimension(), moving(1.0)])
+def test_what_is_finite_or_an_expression_counts_as_finite(x):
+    assert is_finite(x)
+
+
+# -- moving numbers
+
+COMPOSITES = {
+    "polynomial": lambda t: 3 * t**3 - t / 2 + 1,
+    "negative power": lambda t: t**-2 + 1 / t,
+    "fractional power": lambda t: (t * t + 1) ** 1.5 - t**0.5,
+    "power of a power": lambda t: (t**2) ** 3 / (1 + t) ** 4,
+    "constant to a moving power": lambda t: 2**t + 0.5 ** (t * t),
+    "quotient of functions": lambda t: scalars.sin(t * t) / (1 + scalars.cos(3 * t) ** 2),
+    "nested": lambda t: scalars.exp(-scalars.sqrt(1 + scalars.sinh(t) ** 2)) * scalars.tan(t / 3),
+    "inverses": lambda t: scalars.asin(t / 2) * scalars.acos(t / 3) + scalars.atan(t**2) - scalars.log(1 + t),
+    "atan2 first quadrant": lambda t: scalars.atan2(scalars.sin(t), t),
+    "atan2 second quadrant": lambda t: scalars.atan2(t * t, -1 - t),
+    "atan2 third quadrant": lambda t: scalars.atan2(-t * t, -1 - t),
+    "atan2 with a constant": lambda t: scalars.atan2(2.0, t) + scalars.atan2(t, 2),
+    "atan2 with a structural zero": lambda t: scalars.atan2(ZERO, t) + scalars.atan2(t, ZERO),
+    "first power": lambda t: t**1 + t**0 + t**1.0,
+}
+
+
+def derivatives(f, t):
+    with mpmath.workdps(60):
+        return tuple(+mpmath.diff(f, mpmath.mpf(t), n) for n in range(3))
+
+
+def plainly(f):
+    """The function without structural zeros in the result."""
+    return lambda t: plain(f(t))
+
+
+@pytest.mark.parametrize("name", COMPOSITES)
+@pytest.mark.parametrize("t", ["0.3", "1.1"])
+def test_moving_numbers_against_mpmath_in_composites(name, t):
+    f = COMPOSITES[name]
+    m = at(f, mpmath.mpf(t))
+    for got, expected in zip((m.value, m.rate, m.acceleration), derivatives(plainly(f), t), strict=True):
+        assert abs(plain(got) - expected) < 1e-14 if "constant" in name or "fractional" in name else abs(plain(got) - expected) < 1e-25
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+@pytest.mark.parametrize("t", ["0.05", "0.3", "0.8"])
+def test_moving_numbers_against_mpmath_for_each_function(name, t):
+    def f(t):
+        return function(name, t * t / 3 + t / 2)
+
+    m = at(f, mpmath.mpf(t))
+    for got, expected in zip((m.value, m.rate, m.acceleration), derivatives(f, t), strict=True):
+        assert abs(got - expected) < 1e-24 * max(1, abs(expected))
+    floats = at(f, float(t))
+    for got, expected in zip((floats.value, floats.rate, floats.acceleration), derivatives(f, float(t)), strict=True):
+        assert abs(got - expected) < 1e-13 * max(1, abs(expected))
+
+
+@given(st.floats(-0.999999999, 0.999999999))
+def test_the_rate_of_asin_is_right_up_to_the_edge(u):
+    """1 - u*u loses half the digits there; (1 - u)(1 + u) does not."""
+    rate = function("asin", moving(u, 1.0)).rate
+    with mpmath.workdps(40):
+        expected = 1 / mpmath.sqrt(1 - mpmath.mpf(u) ** 2)
+    assert abs(rate - expected) < 1e-14 * expected
+
+
+def test_moving_atan2_on_arrays_that_cross_the_axes():
+    t = np.linspace(-4, 4, 81)
+    m = at(lambda t: scalars.atan2(scalars.sin(t), scalars.cos(t)), t)
+    assert np.allclose(m.rate, 1)
+    assert np.allclose(m.acceleration, 0, atol=1e-14)
+    assert np.all(np.isfinite(m.rate))
+
+
+def test_a_constant_has_no_rates_even_where_a_function_has_no_derivative():
+    for m in (function("sqrt", moving(0.0)), moving(0.0) ** 0.5, function("asin", moving(1.0)), function("acos", moving(-1.0))):
+        assert m.rate is ZERO
+        assert m.acceleration is ZERO
+    assert function("atan2", moving(0.0, 2.0), moving(1.0)).rate == 2.0
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_moving_numbers_wrap_every_kind(kind):
+    u, du, ddu = numbers(kind, "0.4", 3, -2)
+    m = scalars.sin(moving(u, du, ddu)) * 2
+    assert close(m.value, 2 * scalars.sin(u))
+    assert close(m.rate, 2 * scalars.cos(u) * du)
+    assert close(m.acceleration, 2 * (scalars.cos(u) * ddu - scalars.sin(u) * du**2))
+
+
+def test_moving_expressions_derive_their_rates_in_t():
+    for library in ("sympy", "symengine"):
+        lib = pytest.importorskip(library)
+        t = lib.Symbol("t")
+        m = moving(lib.sin(t) * 3)
+        assert m.rate == 3 * lib.cos(t)
+        assert m.acceleration == -3 * lib.sin(t)
+        assert moving(lib.Symbol("a")).rate is ZERO
+        assert moving(t, rate=lib.Integer(4)).rate == 4
+    q = sympy.Function("q")(sympy.Symbol("t"))
+    assert moving(q).acceleration == q.diff("t", 2)
+
+
+def test_moving_numbers_refuse_what_has_no_meaning():
+    with pytest.raises(ScalarError, match="constant power only"):
+        moving(2.0, 1.0) ** moving(1.0, 1.0)
+    with pytest.raises(ScalarError, match="already has its rates"):
+        moving(moving(1.0), rate=2.0)
+    with pytest.raises(ScalarError, match=r"pass at\(f, t\) instead of f"):
+        moving(lambda t: t)
+    with pytest.raises(ScalarError, match="expected a number"):
+        moving("1")
+    with pytest.raises(ScalarError, match="expected a number"):
+        moving(1.0) + "1"
+    with pytest.raises(ScalarError, match="expected a number"):
+        at(lambda t: (t, t), 1.0)
+
+
+def test_at_takes_functions_built_of_other_functions_and_constants():
+    def crank(t):
+        theta = 2 * t + scalars.sin(t)
+        return scalars.cos(theta) + scalars.sqrt(9 - scalars.sin(theta) ** 2)
+
+    m = at(crank, mpmath.mpf("0.7"))
+    for got, expected in zip((m.value, m.rate, m.acceleration), derivatives(crank, "0.7"), strict=True):
+        assert abs(got - expected) < 1e-25
+    constant = at(lambda t: 5.0, 1.0)
+    assert (constant.value, plain(constant.rate), plain(constant.acceleration)) == (5.0, 0, 0)
+    assert at(at_of_at, 2.0).rate == 12.0
+
+
+def at_of_at(t):
+    """A rate taken inside a function of time that is itself taken at an instant."""
+    return t * t * 3
+
+
+def test_at_on_an_array_of_instants():
+    t = np.array([0.0, 1.0, 2.0])
+    assert np.array_equal(at(lambda t: t**3, t).acceleration, 6 * t)
+
+
+# -- dimensions
+
+LENGTH, TIME, MASS = Dimension(0, 1, 0), Dimension(0, 0, 1), Dimension(1, 0, 0)
+
+
+def test_dimension_algebra():
+    speed = LENGTH / TIME
+    assert speed == Dimension(0, 1, -1)
+    assert 2 * speed * TIME / 3 == LENGTH
+    assert speed**2 == Dimension(0, 2, -2)
+    assert (LENGTH**2) ** 0.5 == scalars.sqrt(LENGTH**2) == LENGTH
+    assert (LENGTH**3) ** (1 / 3) == LENGTH
+    assert (LENGTH**2) ** mpmath.mpf("0.5") == LENGTH
+    assert Dimension(time=-1) == 1 / TIME
+    assert -speed == +speed == abs(speed) == speed - speed == speed + speed == speed
+    assert Dimension() == LENGTH / LENGTH
+    assert Dimension() + 1.5 == 1.5 + Dimension() == Dimension()
+    assert LENGTH + ZERO == LENGTH
+    assert LENGTH * ZERO is ZERO
+    assert repr(MASS * LENGTH / TIME**2) == "Dimension(M^1 L^1 T^-2)"
+    assert len({LENGTH, Dimension(0, 1, 0), TIME}) == 2
+    assert LENGTH != 1
+    assert 2 ** Dimension() == Dimension()
+    assert Dimension() ** Dimension() == Dimension()
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda: LENGTH + TIME,
+        lambda: LENGTH - 1.0,
+        lambda: 1 + TIME,
+        lambda: MASS + LENGTH * MASS,
+        lambda: LENGTH + np.zeros(3),
+        lambda: scalars.atan2(LENGTH, TIME),
+    ],
+)
+def test_unlike_dimensions_do_not_add(wrong):
+    with pytest.raises(DimensionError, match=r"cannot add .*: look at the units of the two terms"):
+        wrong()
+
+
+@pytest.mark.parametrize("name", [n for n in FUNCTIONS if n != "sqrt"])
+def test_functions_take_pure_numbers_only(name):
+    with pytest.raises(DimensionError, match=rf"{name} of a quantity with Dimension\(L\^1\): its argument must be a pure number"):
+        function(name, LENGTH)
+    assert function(name, Dimension()) == Dimension()
+
+
+def test_atan2_of_two_lengths_is_an_angle():
+    assert atan2(LENGTH, LENGTH) == Dimension()
+    assert atan2(ZERO, LENGTH) == atan2(LENGTH, ZERO) == Dimension()
+
+
+def test_a_dimension_cannot_be_raised_to_what_varies():
+    with pytest.raises(DimensionError, match="its dimension would vary too"):
+        LENGTH ** Dimension()
+    with pytest.raises(DimensionError, match=r".*"):
+        2**LENGTH
+    with pytest.raises(ScalarError, match="expected a number"):
+        LENGTH + "m"
+
+
+def test_moving_dimensions_have_the_dimensions_of_their_rates():
+    x = moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2)
+    y = scalars.sqrt(x * x + x * x)
+    assert (y.value, y.rate, y.acceleration) == (LENGTH, LENGTH / TIME, LENGTH / TIME**2)
+    with pytest.raises(DimensionError, match="cannot add"):
+        x + moving(LENGTH, LENGTH)
+
+
+# -- weight
+
+
+def test_importing_the_engine_loads_none_of_the_heavy_libraries():
+    """What a student waits for is import time."""
+    heavy = "sympy scipy matplotlib heyoka mpmath numpy symengine numba IPython"
+    program = f"import sys, newton_euler; print([m for m in {heavy.split()} if m in sys.modules])"
+    out = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert out.stdout.strip() == "[]"
+
+
+def test_floats_arrays_and_tracing_need_numpy_alone():
+    program = (
+        "import sys, numpy as np; from newton_euler import *; f = compiled(lambda w: Frame('g').rotate('a', 'z', rate=w).i.norm());"
+        "f(1.0); f(np.zeros(5)); print([m for m in 'sympy scipy matplotlib heyoka mpmath symengine'.split() if m in sys.modules])"
+    )
+    out = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert out.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("module", ["scalars", "vectors", "frames", "tracing", "units"])
+def test_public_names_have_docstrings(module):
+    m = importlib.import_module(f"newton_euler.{module}")
+    mine = {n: o for n, o in vars(m).items() if not n.startswith("_") and getattr(o, "__module__", None) == m.__name__ and callable(o)}
+    bare = [n for n, o in mine.items() if not (o.__doc__ or "").strip()]
+    bare += [
+        f"{n}.{a}" for n, o in mine.items() if isinstance(o, type)
+        for a, v in vars(o).items() if not a.startswith("_") and (callable(v) or isinstance(v, property)) and not (v.__doc__ or "").strip()
+    ]  # fmt: skip
+    assert bare == []
