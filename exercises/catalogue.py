@@ -108,7 +108,7 @@ class Problem:
         try:
             module = importlib.import_module(name)
         except ModuleNotFoundError as error:
-            if error.name != name:
+            if error.name not in (name, name.rpartition(".")[0]):
                 raise
             raise CatalogueError(f"problem {self.id} has a text but no code: write {name.replace('.', '/')}.py") from None
         missing = [f for f in ("solve", "prove", "mistakes", "draw") if not callable(getattr(module, f, None))]
@@ -210,7 +210,11 @@ def problems(chapter):
     if not path.exists():
         raise CatalogueError(f"there is no chapter {chapter!r}; there are {', '.join(chapters())}")
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # the C parser reads a chapter 10 times faster
-    found = [_read(entry, path) for entry in yaml.load(path.read_text(encoding="utf-8"), loader)]
+    try:
+        entries = yaml.load(path.read_text(encoding="utf-8"), loader)
+    except yaml.YAMLError as error:
+        raise CatalogueError(f"{chapter}/problems.yaml is not YAML: {error}") from error
+    found = [_read(entry, path) for entry in entries]
     numbers = [p.id for p in found]
     if len(set(numbers)) != len(numbers):
         raise CatalogueError(f"{path.parent.name}/problems.yaml has the same problem twice: {sorted(n for n in numbers if numbers.count(n) > 1)[0]}")

@@ -450,7 +450,7 @@ def _solve(matrix, right):
     scale = 1
     for row in matrix:
         scale *= _largest(row) or 1
-    if determinant is ZERO or is_numeric(determinant) and least(determinant) <= 1e-13 * scale:
+    if determinant is ZERO or (is_numeric(determinant) and least(determinant) <= 1e-13 * scale):
         raise FrameError("the conditions do not determine the rates: some of them say the same, or a rate does not occur in them")
     swapped = ([[right[n] if m == k else row[m] for m in range(len(row))] for n, row in enumerate(matrix)] for k in range(len(right)))
     return [_determinant(m) / determinant for m in swapped]

@@ -119,6 +119,7 @@ class _Zero(_Own):
         return "ZERO"
 
     def function(self, name, *others):
+        """The function of this name, for :func:`function`."""
         if name in ("cos", "cosh", "exp"):
             return 1
         if name in ("log", "acos"):
@@ -141,7 +142,7 @@ def scalar(x):
         return x
     if type(x) is int or (type(x) is bool):
         return x or ZERO
-    if isinstance(x, (float, int, Fraction, complex)) or _root(type(x)) in _LIBRARIES and _dtype(x) in "biufcO":
+    if isinstance(x, (float, int, Fraction, complex)) or (_root(type(x)) in _LIBRARIES and _dtype(x) in "biufcO"):
         return x
     raise ScalarError(
         f"expected a number (float, array, mpf, SymPy, SymEngine or heyoka expression), got {x!r} of type {type(x).__name__}"
@@ -177,7 +178,8 @@ _roots = {}
 def _root(kind):
     root = _roots.get(kind)
     if root is None:
-        root = _roots[kind] = kind.__module__.partition(".")[0]
+        module = next(k.__module__ for k in kind.__mro__ if k.__module__)  # SymPy's q(t) has a class without a module
+        root = _roots[kind] = module.partition(".")[0]
     return root
 
 
@@ -377,7 +379,7 @@ class Moving(_Own):
     def __pow__(self, power):
         if isinstance(power, (Moving, Dimension)):
             raise ScalarError("a moving number can be raised to a constant power only; for others write exp(power*log(x))")
-        if power is ZERO or type(power) in (int, float) and power in (0, 1):
+        if power is ZERO or (type(power) in (int, float) and power in (0, 1)):
             return self if power else 1
         u = self.value
         if self.rests():
@@ -388,11 +390,15 @@ class Moving(_Own):
         """Known to be constant: then a function may have no derivative here, as a square root at 0."""
         return self.rate is ZERO and self.acceleration is ZERO
 
+    def __rpow__(self, base):
+        return exp(self * log(self.value * 0 + base))  # the logarithm in the kind of the value, with all its digits
+
     def _chain(self, f, df, ddf):
         """The number f(self), given f and its first two derivatives at the value."""
         return Moving(f, df * self.rate, ddf * (self.rate * self.rate) + df * self.acceleration)
 
     def function(self, name, *args):
+        """The function of this name, for :func:`function`."""
         if name == "atan2":
             y, x = (_as_moving(a) for a in args)
             square = x.value * x.value + y.value * y.value
@@ -406,6 +412,7 @@ class Moving(_Own):
         return self._chain(*_DERIVATIVES[name](self.value))
 
     def pi(self):
+        """The number pi in the kind of the value."""
         return pi(self.value)
 
 
@@ -452,8 +459,8 @@ def moving(value, rate=None, acceleration=None):
     if callable(value) and _root(type(value)) not in _LIBRARIES:
         raise ScalarError("a function of time needs an instant: pass at(f, t) instead of f")
     value = scalar(value)
-    rate = _derived(value) if rate is None else scalar(rate)
-    return Moving(value, rate, _derived(rate) if acceleration is None else scalar(acceleration))
+    rate = _derived(value) if rate is None else whole(scalar(rate), value)
+    return Moving(value, rate, _derived(rate) if acceleration is None else whole(scalar(acceleration), value))
 
 
 def _derived(x):
@@ -475,7 +482,7 @@ def at(f, t):
     >>> at(lambda t: t**3, 2.0)
     moving(8.0, rate=12.0, acceleration=12.0)
     """
-    return _as_moving(f(Moving(t, 1)))
+    return _as_moving(f(Moving(t, whole(1, t))))  # a rate of the kind of t, or constants of 16 digits are multiplied before they meet it
 
 
 class Linear(_Own):
@@ -538,12 +545,14 @@ class Linear(_Own):
         raise ScalarError("an unknown rate stands in a denominator; the conditions must be linear in the rates, as velocities are")
 
     def function(self, name, *args):
+        """The function of this name, for :func:`function`."""
         raise ScalarError(f"{name} is taken of an unknown rate; the conditions must be linear in the rates, as velocities are")
 
     def __pow__(self, power):
         raise ScalarError("an unknown rate is raised to a power; the conditions must be linear in the rates, as velocities are")
 
     def pi(self):
+        """The number pi in the kind of the value."""
         return pi(self.value)
 
 
@@ -616,6 +625,7 @@ class Dimension(_Own):
         return Dimension(*(a * power for a in self.powers))
 
     def function(self, name, *args):
+        """The function of this name, for :func:`function`."""
         if name == "sqrt":
             return self ** Fraction(1, 2)
         if name == "atan2":

@@ -11,7 +11,7 @@ import inspect
 import math
 import sys
 
-from .scalars import FUNCTIONS, ZERO, Linear, Moving, Scaled, ScalarError, _library, _Own, _root, _value, pi, plain, scalar
+from .scalars import FUNCTIONS, ZERO, Linear, Moving, ScalarError, Scaled, _library, _Own, _root, _value, pi, plain, scalar
 
 BLOCK = 2048  # instants at a time: the temporaries of a block stay in the processor's cache (measured: 3 times faster)
 HEYOKA_PAYS = {True: 60_000, False: 1_500_000}  # instants until its compilation (and, if not yet loaded, import) is earned back
@@ -62,13 +62,18 @@ class Step(_Own):
             return self * self
         return self if _is(power, 1) else self.trace.step("**", self, power)
 
+    def __rpow__(self, base):
+        return self.trace.step("pow", base, self)
+
     def __neg__(self):
         return self.args[0] if self.op == "neg" else self.trace.step("neg", self)
 
     def function(self, name, *args):
+        """A step that is this function of earlier ones."""
         return self.trace.step(name, *(args or (self,)))
 
     def pi(self):
+        """A step that is pi in the kind of number that comes to run."""
         return self.trace.step("pi")
 
     def _no_value(self, *_):
@@ -86,7 +91,7 @@ class Step(_Own):
 
 
 def _is(x, number):
-    return x is ZERO and number == 0 or type(x) in (int, float) and x == number
+    return (x is ZERO and number == 0) or (type(x) in (int, float) and x == number)
 
 
 class _Trace:
@@ -221,7 +226,7 @@ class Compiled:
         if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
             raise TypeError(f"a formula to compile names all its arguments; {f!r} takes any number of them")
         parameters = [n for n in signature if n not in constants]
-        names = {n: f"{n}_" if n in (*FUNCTIONS, "atan2", "pi") else n for n in parameters}
+        names = {n: f"{n}_" if n in (*FUNCTIONS, "atan2", "pi", "pow") else n for n in parameters}
         trace = _Trace()
         values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
         by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
@@ -246,7 +251,7 @@ class Compiled:
         return self._rebuild(self._run["math"](*args))
 
     def _in_order(self, args, named):
-        first = dict(zip(self.parameters, args))
+        first = dict(zip(self.parameters, args, strict=False))  # too few or too many: told below
         given = {**self._defaults, **first, **named}
         troubles = {
             "missing": [n for n in self.parameters if n not in given],
@@ -283,6 +288,8 @@ class Compiled:
         """The text as a function over one library."""
         space = {name: getattr(library, name) for name in (*FUNCTIONS, "atan2", "pi") if hasattr(library, name)}
         rounded = library.__name__ in ("math", "numpy", "heyoka")
+        if library.__name__ == "heyoka":
+            space["pow"] = lambda base, x: library.expression(float(base)) ** x
         space.update({name: _float(c) if rounded else c for name, c in self._constants.items()})
         exec(compile(self.source, f"<compiled {self.name}>", "exec"), space)
         return space["formula"]

@@ -6,9 +6,9 @@ it accelerates at 1 ft/s^2; angles are pure numbers.
 
 import re
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
 
-from .scalars import Dimension, pi
+from .scalars import ZERO, Dimension, pi
 
 _INCH, _POUND_MASS, _STANDARD_G = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction(980665, 10**5)
 _POUND = _POUND_MASS * _STANDARD_G
@@ -67,23 +67,30 @@ class Unit:
 
     @staticmethod
     def _scaled(x, factor, pi_power):
+        power_of_pi = pi(_telling(x)) ** abs(pi_power) if pi_power else 1
+        if pi_power < 0:
+            x = x / power_of_pi  # first, so that 2 pi rad/s are 60 rev/min to the last digit
         if factor.numerator != 1:
-            x = x * factor.numerator
+            x = x / 1 * factor.numerator  # whole numbers of an array would overflow
         if factor.denominator != 1:
             x = x / factor.denominator
-        if pi_power:
-            p = pi(x.c[0] if hasattr(x, "frame") else x)
-            x = x * p**pi_power if pi_power > 0 else x / p**-pi_power
-        return x
+        return x * power_of_pi if pi_power > 0 else x
 
 
-@lru_cache(maxsize=None)
+def _telling(x):
+    """What tells the kind of ``x``: of a vector, a component that is not zero by structure."""
+    return next((c for c in x.c if c is not ZERO), 0.0) if hasattr(x, "frame") else x
+
+
+@cache
 def unit(text):
     """The :class:`Unit` written so; the same object each time."""
     return Unit(text)
 
 
 def _parts(text):
+    if not isinstance(text, str):
+        raise UnitError(f"cannot read the unit {text!r}; write it as text, as in 'kg*m^2/s' or 'rev/min'")
     sign, parts = 1, []
     for token in re.split(r"([*/])", text.replace(" ", "")):
         if token == "*":

@@ -5,8 +5,7 @@ frame of the left one. A vector that theory writes as a sum keeps its terms by n
 how it changes in time where that follows from how it was made (``a.rate(observer)``).
 """
 
-from .scalars import ZERO, Moving, Scaled, ScalarError, atan2, is_numeric, is_zero, moving, plain, scalar, size, sqrt
-
+from .scalars import ZERO, Moving, ScalarError, Scaled, atan2, is_numeric, is_zero, moving, plain, scalar, size, sqrt
 
 NO_THIRD_RATE = "the third time derivative of a moving quantity is not known; give coordinates with two rates only"
 
@@ -21,6 +20,7 @@ ZERO3 = (ZERO, ZERO, ZERO)  # the zero vector known from the structure of a form
 
 
 def cross3(a, b):
+    """a x b."""
     if a is ZERO3 or b is ZERO3:
         return ZERO3
     (ax, ay, az), (bx, by, bz) = a, b
@@ -28,20 +28,24 @@ def cross3(a, b):
 
 
 def dot3(a, b):
+    """a . b."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def add3(a, b):
+    """a + b."""
     if a is ZERO3:
         return b
     return a if b is ZERO3 else (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
 def sub3(a, b):
+    """a - b."""
     return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
 def scale3(s, a):
+    """s a."""
     return ZERO3 if a is ZERO3 else (s * a[0], s * a[1], s * a[2])
 
 
@@ -290,11 +294,13 @@ class Ledger:
 
     @property
     def terms(self):
+        """The vectors by name, computed when first asked for."""
         if self._terms is None:
             self._terms = self._make()
         return self._terms
 
     def mapped(self, change):
+        """The ledger with every term changed in the same way."""
         return Ledger(self.kind, self.subject, lambda: {name: change(v) for name, v in self.terms.items()})
 
 
@@ -343,6 +349,7 @@ class Explanation:
 
     @property
     def latex(self):
+        """The formula and the value of each term, as an align* environment."""
         subject = r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
         terms = {n: t.expressed_in(self.vector.frame) for n, t in self.vector.terms.items()}
@@ -368,7 +375,7 @@ def _product(name, symbol):
 
 
 def _short(x):
-    if not is_numeric(x) or hasattr(x, "shape") and x.shape:
+    if not is_numeric(x) or (hasattr(x, "shape") and x.shape):
         return str(x)
     return f"{float(x):.6g}"
 

@@ -31,10 +31,12 @@ def joint_motion(g):
 
 
 def answers(ground, body, A, D):
+    """What both problems ask for."""
     return in_frame(ground, {"omega": body.angular_velocity(ground), "v_D": D.velocity(ground)})
 
 
 def solve(g):
+    """The answers of both problems."""
     return answers(*joint_motion(g))
 
 
@@ -63,6 +65,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
+    """The figure of both problems."""
     ground, body, A, D = joint_motion(g)
     O, B = body.point("O", 0, 0, 0), body.point("B", 0, g.h, 0)
     corner = ground.point("", g.x_A, g.h, 0)

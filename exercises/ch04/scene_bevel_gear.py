@@ -21,6 +21,7 @@ def gears(n, n_C, tan_gamma):
 
 
 def answers(n, n_C, tan_gamma):
+    """The answers of both problems, along the axes of the arm."""
     ground, arm, B = gears(n, n_C, tan_gamma)
     return in_frame(arm, {"omega_B": B.angular_velocity(ground), "alpha_B": B.angular_acceleration(ground)})
 

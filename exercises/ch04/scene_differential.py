@@ -12,6 +12,7 @@ AXES = "xyz"
 
 
 def next_axis(axis):
+    """The axis after this one, in the order x, y, z, x."""
     return AXES[(AXES.index(axis) + 1) % 3]
 
 

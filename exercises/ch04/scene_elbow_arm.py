@@ -18,6 +18,7 @@ def arm_and_rod(g):
 
 
 def solve(g):
+    """The answers of both problems."""
     ground, arm, rod, D = arm_and_rod(g)
     return in_frame(ground, {
         "alpha_CD": rod.angular_acceleration(ground),
@@ -51,6 +52,7 @@ def common_mistakes(g):
 
 
 def draw(g, ax):
+    """The figure of both problems."""
     ground, arm, _, D = arm_and_rod(g)
     B, C = arm.point("B", 0, 0, 0), arm.point("C", 0, g.b, 0)
     A = arm.point("A", 0, 0, -g.b)

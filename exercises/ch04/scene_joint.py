@@ -17,11 +17,13 @@ def fork_and_shaft(g):
 
 
 def angular_velocity(g):
+    """Of the shaft in the ground, along the axes of the fork."""
     ground, fork, shaft = fork_and_shaft(g)
     return in_frame(fork, shaft.angular_velocity(ground))
 
 
 def angular_acceleration(g):
+    """Of the shaft in the ground, along the axes of the fork."""
     ground, fork, shaft = fork_and_shaft(g)
     return in_frame(fork, shaft.angular_acceleration(ground))
 
@@ -37,6 +39,7 @@ def orientation(g):
 
 
 def draw(g, ax):
+    """The figure of both problems."""
     ground, fork, shaft = fork_and_shaft(g)
     centre, up = fork.point("centre", 0, 0, 0), fork.point("up", 0, 0, 1)
     foot, middle = fork.point("foot", 0, 0, -1.3), fork.point("middle", 0, 0, -0.7)

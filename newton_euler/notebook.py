@@ -1,0 +1,54 @@
+"""What the chapters need beside mechanics: pictures that can be moved, and refusals shown as text."""
+
+import textwrap
+from io import BytesIO
+
+
+def movable(draw, **sliders):
+    """Show the figure that ``draw`` returns, and a slider for each of its arguments where ipywidgets is installed.
+
+    sliders : name=(start, lowest, highest) or (start, lowest, highest, step)
+    The picture is an ordinary output, which stays when the page is printed or has no kernel; a slider draws it anew in its place.
+    """
+    from IPython.display import display
+
+    shown = display(_picture(draw(**{name: s[0] for name, s in sliders.items()})), display_id=True)
+    try:
+        import ipywidgets
+    except ImportError:
+        return
+    boxes = {}
+    for name, (start, lowest, highest, *step) in sliders.items():
+        step = step[0] if step else (highest - lowest) / 50
+        boxes[name] = ipywidgets.FloatSlider(value=start, min=lowest, max=highest, step=step, description=name, continuous_update=False)
+
+    def redraw(_):
+        shown.update(_picture(draw(**{name: box.value for name, box in boxes.items()})))
+
+    for box in boxes.values():
+        box.observe(redraw, "value")
+    display(ipywidgets.VBox(list(boxes.values())))
+
+
+def _picture(figure):
+    """The figure as a PNG; it is closed, so that the notebook does not show it a second time."""
+    import matplotlib.pyplot as plt
+    from IPython.display import Image
+
+    png = BytesIO()
+    figure.savefig(png, format="png", dpi=100)
+    plt.close(figure)
+    return Image(data=png.getvalue(), format="png")
+
+
+def refusal(f, width=100):
+    """The words in which ``f()`` refuses, as text of lines not longer than ``width``; AssertionError if it does not refuse.
+
+    >>> print(refusal(lambda: 1/0))
+    ZeroDivisionError: division by zero
+    """
+    try:
+        result = f()
+    except Exception as error:
+        return textwrap.fill(f"{type(error).__name__}: {error}", width, subsequent_indent="    ")
+    raise AssertionError(f"nothing was refused; the result is {result!r}")

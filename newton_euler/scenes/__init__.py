@@ -1,0 +1,1 @@
+"""The worked situations of the book as ready models and computations, one scene a file."""
