@@ -2,15 +2,17 @@
 
 import importlib
 import json
+import math
 import sys
 from pathlib import Path
 
 import click
 from rich.console import Console
+from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 console = Console(highlight=False)
-COURSE = click.option("--course", "course_path", required=True, type=click.Path(path_type=Path), help="The course folder.")
+COURSE = click.option("--course", "course_path", required=True, type=click.Path(path_type=Path, file_okay=False), help="The course folder.")
 
 
 class _Commands(click.Group):
@@ -30,6 +32,8 @@ class _Commands(click.Group):
             return super().invoke(context)
         except (CatalogueError, CourseError, HarvestError, UnitError) as error:
             raise click.UsageError(str(error)) from error
+        except OSError as error:  # no permission, no room, a file where a folder should be
+            raise click.UsageError(f"{error.filename or 'the system'}: {error.strerror or error}") from error
 
 
 def _bar(*columns):
@@ -84,9 +88,12 @@ def solve(names, seed, changed, as_json, explain):
 def _pair(text):
     name, _, value = text.partition("=")
     try:
-        return name, float(value)
+        number = float(value)
     except ValueError:
-        raise click.UsageError(f"--given {text}: expected NAME=VALUE with a number, as in --given omega=0.9") from None
+        number = math.nan
+    if not math.isfinite(number):
+        raise click.UsageError(f"--given {text}: expected NAME=VALUE with a number, as in --given omega=0.9")
+    return name.strip(), number
 
 
 @main.command()
@@ -104,7 +111,7 @@ def prove(names, seeds):
             faults = check(p, seeds)
             failed += bool(faults)
             for fault in faults:
-                bar.console.print(f"[red]{p.id}[/]: {fault}")
+                bar.console.print(f"[red]{p.id}[/]: {escape(fault)}")
             bar.advance(task)
     mistakes = sum(len(p.mistakes) for p in problems)
     click.echo(f"{len(problems) - failed} passed, {failed} failed")
@@ -200,7 +207,7 @@ def grade(assignment, course_path, students, force, workers, unsandboxed, verbos
         console.print(diagnoses(results))
     for r in results:
         if r.problem:
-            console.print(f"[red]Not graded:[/] {r.student} {r.problem}.", soft_wrap=True)
+            console.print(f"[red]Not graded:[/] {escape(r.student)} {escape(r.problem)}.", soft_wrap=True)
     click.echo(f"Feedback pages: cd {course.path} && nbgrader generate_feedback {assignment}")
     if any(r.problem for r in results):
         sys.exit(1)

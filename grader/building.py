@@ -30,13 +30,17 @@ def build_assignment(course_path, chapter, students=None, only=(), update=False,
     """Write the source notebook of a chapter, into a new course or with ``update`` an existing one; returns (course, path)."""
     picked = chosen(chapter, only)
     roster = read_roster(students) if students else []
-    course = Course(course_path) if update else Course.create(course_path)
+    if update:
+        course = Course(course_path)
+    else:
+        Course.refuse_existing(course_path)  # before the work, and the folder after it: nothing is left half-made
     task = bar.add_task("drawing figures", total=len(picked)) if bar else None
     figures = {}
     for p in picked:
         figures[p.id] = png(p, p.book_values)
         if bar:
             bar.advance(task)
+    course = course if update else Course.create(course_path)
     write_json(course.source(chapter), nb.build(picked, TITLES.get(chapter, chapter), CELL_SECONDS, figures=figures))
     if roster:
         course.enrol(roster)

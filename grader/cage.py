@@ -5,7 +5,8 @@ child, locks it in, and lets it run the cells; the child sends one line of JSON 
 a limit and until a deadline. Only one line per job is ever written to stdout, by the parent that ran no student code.
 
 The cage: Linux namespaces (user, mount, pid, network, ipc, uts), a read-only root with nothing but the interpreter and its libraries, resource limits, an
-unprivileged user, no new privileges. Where the kernel refuses, a plain child with limits, and the result says "unsandboxed".
+unprivileged user, no capabilities, no new privileges. Where the kernel refuses, a plain child with limits, and the result says "unsandboxed". This
+process adopts whatever the child leaves running, and ends it before the next job.
 """
 
 import contextlib
@@ -21,9 +22,12 @@ import select
 import signal
 import struct
 import sys
+import sysconfig
 import time
 
-OUTPUT_LIMIT = 256 * 1024  # bytes of receipts from one submission
+OUTPUT_LIMIT = 2**20  # bytes of receipts from one submission
+LINE_LIMIT = 2**16  # and of one problem
+DEPTH = 400  # of lists in lists in a receipt; JSON that is nested deeper would end whoever writes it again
 MEMORY = 3 * 2**30
 CLONE = {"mount": 0x20000, "uts": 0x4000000, "ipc": 0x8000000, "user": 0x10000000, "pid": 0x20000000, "net": 0x40000000}
 MS_RDONLY, MS_NOSUID, MS_NODEV, MS_REMOUNT, MS_BIND, MS_REC, MS_PRIVATE = 1, 2, 4, 32, 4096, 16384, 1 << 18
@@ -57,7 +61,10 @@ def _mount(libc, source, target, kind, flags, data=None):
 def readable_places():
     """The folders that student code may read: interpreter, installed libraries, the engine; never the course or the exercises."""
     engine = os.path.dirname(os.path.abspath(importlib.import_module("newton_euler").__file__))
-    wanted = [sys.base_prefix, sys.prefix, engine, "/usr/lib", "/usr/lib64", "/usr/local/lib", "/lib", "/lib64", "/etc/ld.so.cache", "/usr/share/zoneinfo"]
+    wanted = [engine, "/usr/lib", "/usr/lib64", "/usr/local/lib", "/lib", "/lib64", "/etc/ld.so.cache", "/usr/share/zoneinfo"]
+    # not the prefixes whole: /usr and /usr/local also hold /usr/local/share/nbgrader/exchange
+    wanted += [os.path.join(prefix, lib) for prefix in (sys.base_prefix, sys.prefix, sys.base_exec_prefix, sys.exec_prefix) for lib in ("lib", "lib64")]
+    wanted += [sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")]
     wanted += [p for p in sys.path if os.path.isdir(p) and os.path.basename(p) in ("site-packages", "dist-packages")]
     found = []
     for place in sorted({os.path.realpath(p) for p in wanted if os.path.exists(p)}, key=len):
@@ -148,13 +155,23 @@ def _limit(seconds, used):
         resource.setrlimit(what, (value, value))
 
 
-def _drop_privileges(libc):
+def _drop_privileges(libc, uid):
+    linux = sys.platform == "linux"
+    for capability in range(64 if linux else 0):
+        libc.prctl(24, capability, 0, 0, 0)  # PR_CAPBSET_DROP
     if os.geteuid() == 0:
         os.setgroups([])
-        os.setresgid(NOBODY, NOBODY, NOBODY)
-        os.setresuid(NOBODY, NOBODY, NOBODY)
-    libc.prctl(38, 1, 0, 0, 0)  # PR_SET_NO_NEW_PRIVS
-    libc.prctl(1, signal.SIGKILL, 0, 0, 0)  # PR_SET_PDEATHSIG: die with the process that watches
+        try:
+            os.setresgid(uid, uid, uid)
+            os.setresuid(uid, uid, uid)
+        except OSError:  # where few users are mapped, as in some containers
+            os.setresgid(NOBODY, NOBODY, NOBODY)
+            os.setresuid(NOBODY, NOBODY, NOBODY)
+    if linux:
+        # who made a user namespace has all capabilities in it, and could make the mounts writable again
+        _call(libc.capset, (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)())
+        libc.prctl(38, 1, 0, 0, 0)  # PR_SET_NO_NEW_PRIVS
+        libc.prctl(1, signal.SIGKILL, 0, 0, 0)  # PR_SET_PDEATHSIG: die with the process that watches
 
 
 def _close_all_but(*kept):
@@ -194,7 +211,7 @@ def _caged(job, out, mode_out):
                 os._exit(3)
     # limits that the namespaces would count come last
     _limit(job["seconds"], used)
-    _drop_privileges(libc)
+    _drop_privileges(libc, job.get("uid", NOBODY))
     os.write(mode_out, b"namespaces" if caged else b"unsandboxed: " + str(job.get("refused", "asked for")).encode()[:200])
     os.close(mode_out)
     try:
@@ -228,7 +245,7 @@ def run_cells(job, send):
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
         line = json.dumps({"id": problem["id"], "answers": read, "faults": faults, "error": error})
-        if len(line) > OUTPUT_LIMIT // 8:
+        if len(line) > LINE_LIMIT:
             line = json.dumps({"id": problem["id"], "answers": {}, "faults": {}, "error": "the answers are too long to be read"})
         send(line.encode() + b"\n")
 
@@ -267,8 +284,8 @@ def _line_of(error):
 
 
 def _watch(pid, out, mode, seconds):
-    """Read what the child sends, up to the limits; kill it at the deadline."""
-    deadline, data, how, ended = time.monotonic() + seconds, b"", b"", "done"
+    """Read what the child sends, up to the limits; kill it at the deadline, and all that it started."""
+    deadline, data, how, ended = time.monotonic() + seconds, bytearray(), b"", "done"
     open_ends = [out, mode]
     while open_ends:
         left = deadline - time.monotonic()
@@ -287,10 +304,34 @@ def _watch(pid, out, mode, seconds):
         if len(data) > OUTPUT_LIMIT:
             ended = f"stopped after {OUTPUT_LIMIT} bytes of output"
             break
-    with contextlib.suppress(ProcessLookupError):
-        os.kill(pid, signal.SIGKILL)
-    os.waitpid(pid, 0)
-    return data, how.decode(errors="replace"), ended
+    _end(pid)
+    return bytes(data), how.decode(errors="replace"), ended
+
+
+def _adopt_orphans():
+    """From now on, processes whose parent dies become children of this one, however they tried to get away."""
+    if sys.platform == "linux":
+        _libc().prctl(36, 1, 0, 0, 0)  # PR_SET_CHILD_SUBREAPER
+
+
+def _end(pid):
+    """Kill and collect the child and everything that it left behind."""
+    while True:
+        for child in _children() or [pid]:
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.kill(child, signal.SIGKILL)
+        try:
+            os.waitpid(-1, 0)
+        except ChildProcessError:
+            return
+
+
+def _children():
+    try:
+        with open(f"/proc/self/task/{os.getpid()}/children") as f:
+            return [int(x) for x in f.read().split()]
+    except OSError:
+        return []
 
 
 def _receipts(data):
@@ -301,13 +342,23 @@ def _receipts(data):
             entry = json.loads(line)
         except (ValueError, RecursionError):
             continue
-        if isinstance(entry, dict) and isinstance(entry.get("id"), str):
+        if isinstance(entry, dict) and isinstance(entry.get("id"), str) and _is_shallow(entry):
             found.append({k: entry.get(k) for k in ("id", "answers", "faults", "error")})
     return found
 
 
+def _is_shallow(value):
+    level = [value]
+    for _ in range(DEPTH):
+        level = [x for v in level if isinstance(v, (list, dict)) for x in (v.values() if isinstance(v, dict) else v)]
+        if not level:
+            return True
+    return False
+
+
 def run_job(job):
     """Fork, run the job in the cage, and return its receipts: {"receipts": [...], "sandbox": how, "ended": how}."""
+    job = {"uid": 2**20 + os.getpid(), **job}  # a user of its own for each worker: what one submission uses up is not missing for another
     out, out_end = os.pipe()
     mode, mode_end = os.pipe()
     start = time.perf_counter()
@@ -333,6 +384,7 @@ def main():
         importlib.import_module(name)
     sympy = sys.modules["sympy"]
     str(sympy.sin(sympy.Symbol("x")) ** 2 / 3)  # fills caches that every submission would fill again
+    _adopt_orphans()
     gc.collect()
     gc.freeze()
     stdin, stdout = sys.stdin.buffer, sys.stdout.buffer

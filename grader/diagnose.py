@@ -6,7 +6,8 @@ from exercises.variants import SEPARATION, flat
 from newton_euler.vectors import EQUATIONS, Vector
 
 FACTORS = {
-    "rad/s against rev/min": 60 / (2 * np.pi), "rad against degrees": 180 / np.pi, "m against mm": 1000.0, "ft against in": 12.0, "a factor of 2": 2.0,
+    "rad/s against rev/min": 60 / (2 * np.pi), "rad against degrees": 180 / np.pi, "m against mm": 1000.0,
+    "ft against in": 12.0, "a factor of 2": 2.0,
     "weight against mass (g = 9.81)": 9.81, "weight against mass (g = 32.2)": 32.2,
 }  # fmt: skip
 
@@ -14,7 +15,12 @@ FACTORS = {
 def diagnose(problem, answer, given, key, sample, mistakes, rtol):
     """A sentence for the student, or None. Arrays have the shape (components, points); ``mistakes`` maps names to wrong answers."""
     listed = [(problem.mistakes[name], numbers) for name, numbers in mistakes.items()]
-    for candidates in (lambda: listed, lambda: _ledger(problem, answer, sample), lambda: _conversions(problem, answer, sample), lambda: _shapes(problem, answer, key, sample)):
+    for candidates in (
+        lambda: listed,
+        lambda: _ledger(problem, answer, sample),
+        lambda: _conversions(problem, answer, sample),
+        lambda: _shapes(problem, answer, key, sample),
+    ):
         with np.errstate(all="ignore"):
             told = _unique(candidates(), given, key, rtol)
         if told is not None:
@@ -69,7 +75,8 @@ def _conversions(problem, answer, sample):
     g = problem.base(sample)
     for name, quantity in problem.givens.items():
         if any(unit in quantity.unit for unit in ("deg", "rev", "rpm")):
-            yield f"uses {name} in {quantity.unit} as if it were in radians (and seconds)", _numbers(_right(problem, answer, sample, **{name: g.stated(name)}), sample)
+            wrong = _right(problem, answer, sample, **{name: g.stated(name)})
+            yield f"uses {name} in {quantity.unit} as if it were in radians (and seconds)", _numbers(wrong, sample)
 
 
 def _shapes(problem, answer, key, sample):
@@ -81,8 +88,13 @@ def _shapes(problem, answer, key, sample):
     right = _right(problem, answer, sample)
     if not isinstance(right, Vector):
         return
+    seen = [_numbers(right, sample)]
     for frame in right.frame.tree:
-        if frame is not right.frame:
-            yield f"has the right vector, but its components along the axes of the {frame.name}, not those asked for", _numbers(right.components(frame), sample)
-            turned = Vector(right.c, frame).components(right.frame)
-            yield f"turns the components the wrong way between the {frame.name} and the axes asked for (a transposed matrix)", _numbers(turned, sample)
+        numbers = _numbers(right.components(frame), sample)
+        if any(np.abs(numbers - other).max() <= 1e-9 * np.abs(numbers).max() for other in seen):
+            continue  # its axes lie along those of a frame that was tried
+        seen.append(numbers)
+        yield f"has the right vector, but its components along the axes of the {frame.name}, not those asked for", numbers
+        turned = Vector(right.c, frame).components(right.frame)
+        wrong_way = f"turns the components the wrong way between the {frame.name} and the axes asked for (a transposed matrix)"
+        yield wrong_way, _numbers(turned, sample)

@@ -32,9 +32,9 @@ class PersonalFetch(ExchangeFetchAssignment):
                 f"{self.coursedir.assignment_id} has no copy for {student!r}. Ask the instructor to put you on the roster and to run: "
                 f"python -m grader personal {self.coursedir.assignment_id} --course COURSE --exchange"
             )
-        fresh = not os.path.isdir(self.dest_path)
+        missing = [f for f in os.listdir(own) if not os.path.exists(os.path.join(self.dest_path, f))]  # never over work that is there already
         self.log.info("Source: %s", self.src_path)
         self.do_copy(self.src_path, self.dest_path)
-        if fresh:  # never over work that is there already
-            shutil.copytree(own, self.dest_path, dirs_exist_ok=True)
+        for name in missing:
+            shutil.copy(os.path.join(own, name), self.dest_path)
         self.log.info("Fetched as: %s %s", self.coursedir.course_id, self.coursedir.assignment_id)

@@ -32,15 +32,18 @@ class Harvester:
         self._idle, self._all = Queue(), []
 
     def __enter__(self):
-        environment = {k: os.environ[k] for k in _KEPT if k in os.environ} | _CALM
         for _ in range(self.count):
-            process = subprocess.Popen(
-                [sys.executable, "-I", str(Path(__file__).with_name("cage.py"))],
-                stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, cwd="/",
-            )  # fmt: skip
-            self._all.append(process)
-            self._idle.put(process)
+            self._idle.put(self._started())
         return self
+
+    def _started(self):
+        environment = {k: os.environ[k] for k in _KEPT if k in os.environ} | _CALM
+        process = subprocess.Popen(
+            [sys.executable, "-I", str(Path(__file__).with_name("cage.py"))],
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, cwd="/",
+        )  # fmt: skip
+        self._all.append(process)
+        return process
 
     def __exit__(self, *_):
         for process in self._all:
@@ -65,6 +68,10 @@ class Harvester:
         process = self._idle.get()
         try:
             reply = _exchange(process, job)
+        except BaseException:
+            process.kill()  # gone, or in the middle of a reply: the next job gets a fresh one
+            process = self._started()
+            raise
         finally:
             self._idle.put(process)
         receipts, asked = {}, {p["id"] for p in problems}

@@ -198,6 +198,15 @@ def personal(released, student, values, figures):
     return {**released, "cells": cells}
 
 
+def shows_other_numbers(notebook, values):
+    """The first problem whose numbers in a personal notebook are not ``values``, or None."""
+    for cell in notebook["cells"]:
+        ours = _ours(cell)
+        if ours.get("role") == "givens" and cell["source"] != givens(find_problem(ours["problem"]), values[ours["problem"]]):
+            return ours["problem"]
+    return None
+
+
 def _ours(cell):
     ours = cell.get("metadata", {}).get("newton_euler")
     return ours if isinstance(ours, dict) else {}
@@ -222,7 +231,9 @@ class Answer:
 def answers(submitted, problems):
     """{problem id: Answer} from a submitted notebook, which is not trusted: only the text of answer cells is read."""
     found = {}
-    for cell in submitted.get("cells", []) if isinstance(submitted, dict) else []:
+    for cell in submitted.get("cells", []):
+        if not isinstance(cell, dict):
+            continue
         grade_id, text = _grade_id(cell), _text(cell)
         if grade_id.startswith("answer-"):
             found.setdefault(grade_id, []).append(text)
@@ -258,7 +269,8 @@ def _grade_id(cell):
 
 def _text(cell):
     source = cell.get("source", "")
-    return "".join(map(str, source)) if isinstance(source, list) else str(source)
+    text = "".join(map(str, source)) if isinstance(source, list) else str(source)
+    return text.encode("utf-8", "replace").decode()  # JSON can hold halves of characters, which no file can
 
 
 def rebuilt(master, given_answers):

@@ -4,6 +4,7 @@ import html
 from dataclasses import dataclass
 
 from . import notebook as nb
+from .course import CourseError
 from .score import OPEN, score
 
 MARK = {"right": "✓", "wrong": "✗", "unreadable": "?", "blank": "–"}
@@ -23,7 +24,13 @@ def sheet(course, assignment, student):
     """The :class:`Sheet` of a student, derived from the course alone."""
     master = course.master(assignment, student)
     problems = nb.problems_of(master)
-    return Sheet(student, master, problems, course.values(assignment, student, problems))
+    values = course.values(assignment, student, problems)
+    if differing := nb.shows_other_numbers(master, values):
+        raise CourseError(
+            f"the copy that {student} fetched ({course.personal_path(assignment, student)}) has other numbers for {differing} than are derived now: "
+            "the exercises or the course's secret have changed since. Grade with the version and the secret that it was made with"
+        )
+    return Sheet(student, master, problems, values)
 
 
 def harvested(harvester, own, answers):
@@ -42,12 +49,15 @@ def harvested(harvester, own, answers):
     if not cells:
         return {}, ""
     result = harvester.run(nb.SETUP, cells)
-    notes = []
+    receipts, notes = result["receipts"], []
     if result["sandbox"] != "namespaces":
         notes.append(f"unsandboxed: this machine refused the cage ({result['sandbox']})")
     if result["ended"] != "done":
         notes.append(f"the notebook was {result['ended']}; answers that came later were not read")
-    return result["receipts"], "; ".join(notes)
+    elif unread := [c["id"] for c in cells if c["id"] not in receipts]:
+        notes.append(f"the notebook ended by itself in the cell of {unread[0]}; answers that came later were not read")
+        receipts = {**receipts, unread[0]: {"error": "the end of its process: the cell ended Python, crashed it, or closed its files"}}
+    return receipts, "; ".join(notes)
 
 
 def scored(own, answers, receipts):

@@ -10,7 +10,7 @@ from nbgrader.exchange.default import ExchangeReleaseAssignment
 from exercises.catalogue import problem
 
 from . import notebook as nb
-from .course import Course, CourseError, write_json
+from .course import Course, CourseError, check_id, write_json
 from .fetch import FOLDER, personal_name
 from .figures import png
 
@@ -21,6 +21,8 @@ def make_personal(course, assignment, students=None, progress=None, workers=None
     Figures depend on the numbers, so they are drawn for each student, on ``workers`` processes (default: one per processor).
     """
     students = list(students) if students is not None else course.roster()
+    if strangers := sorted(set(students) - set(course.roster())):
+        raise CourseError(f"{', '.join(strangers)}: not on the roster; add the student first: nbgrader db student add {strangers[0]}")
     if not students:
         raise CourseError("nobody is on the roster; add students with: nbgrader db student add ID, or build --students roster.csv")
     released = course.released(assignment)
@@ -33,7 +35,7 @@ def make_personal(course, assignment, students=None, progress=None, workers=None
             if progress:
                 progress(1 / len(wanted))
     paths = {}
-    for s in students:
+    for s in map(check_id, students):
         figures = {p.id: wanted[p.id, _key(values[s][p.id])] for p in problems}
         paths[s] = course.personal_path(assignment, s)
         write_json(paths[s], nb.personal(released, s, values[s], figures))

@@ -2,6 +2,7 @@
 
 from collections import Counter
 
+from rich.markup import escape
 from rich.table import Table
 
 
@@ -12,12 +13,16 @@ def gradebook_table(results):
         table.add_column(name, justify=justify, overflow="fold")
     for r in results:
         if r.problem:
-            table.add_row(r.student, "–", "–", "", "", "", "", "[red]not graded, see below[/]")
+            table.add_row(escape(r.student), "–", "–", "", "", "", "", "[red]not graded, see below[/]")
             continue
         verdicts = Counter(p.verdict for s in r.scores.values() for p in s.parts)
         share = f"{100 * r.points / r.out_of:.0f}" if r.out_of else "–"
         table.add_row(
-            r.student, f"{r.points:g}/{r.out_of:g}", share, *(str(verdicts[v]) for v in ("right", "wrong", "unreadable", "blank")), _most_told(r)
+            escape(r.student),
+            f"{r.points:g}/{r.out_of:g}",
+            share,
+            *(str(verdicts[v]) for v in ("right", "wrong", "unreadable", "blank")),
+            escape(_most_told(r)),  # may quote what the student's code said
         )
     return table
 
@@ -40,5 +45,5 @@ def diagnoses(results, most=None):
     for name in ("student", "problem", "answer", "what the answer says"):
         table.add_column(name, overflow="fold")
     for row in told[:most]:
-        table.add_row(*row)
+        table.add_row(*map(escape, row))
     return table

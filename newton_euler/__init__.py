@@ -7,7 +7,28 @@
 [-0.72, 0, 0] in shaft
 """
 
+from .components import (
+    T_phi,
+    T_theta,
+    T_theta_phi,
+    cylindrical,
+    cylindrical_coordinates,
+    cylindrical_frame,
+    polar,
+    polar_coordinates,
+    spherical,
+    spherical_coordinates,
+    spherical_frame,
+)
+from .constraints import ConstraintError, degrees_of_freedom
+from .coordinates import curvilinear, curvilinear_rates, gradient
+from .forces import attraction, gravitation, gravitational_field, gravity_at_height, gravity_at_surface, mass_from_weight, weight
 from .frames import Frame, Point, solve_rates
+from .inertia import Inertia, MassError
+from .integration import integrated
+from .mass import Body, centre_of_mass, composite, particle
+from .paths import Frenet, along, at_speed, flexure, frenet, frenet_along, speed_rate
+from .rectilinear import from_place, from_speed, from_time, integral
 from .scalars import (
     ZERO,
     Dimension,
@@ -32,8 +53,9 @@ from .scalars import (
     tanh,
 )
 from .tracing import compiled
+from .triads import SingularError, Triad
 from .vectors import Explanation, FrameError, Vector, cross, dot, same
 
 __version__ = "0.1.0"
 
-__all__ = [name for name in dir() if not name.startswith("_") and name not in ("frames", "scalars", "tracing", "vectors")]
+__all__ = [name for name in dir() if not name.startswith("_") and not hasattr(globals()[name], "__spec__")]  # modules have a spec

@@ -4,9 +4,8 @@ The *front* of a set of methods are those that no other beats: every other one h
 an error is an exact solution or one of more digits, never the method under test.
 """
 
-import statistics
+import math
 from dataclasses import dataclass
-from functools import partial
 from timeit import Timer
 
 from .scalars import sqrt
@@ -20,7 +19,7 @@ SAME = 2.0  # errors that differ by less than this factor are equal: round-off i
 
 @dataclass(frozen=True)
 class Measured:
-    """One point of a chart: ``method`` (points of one method are joined), ``cost`` in seconds, relative ``error``, and what was set, as "h = 1e-3"."""
+    """A point of a chart: ``method`` (points of one method are joined), ``cost`` in seconds, relative ``error``, what was set, as "h = 1e-3"."""
 
     method: str
     cost: float
@@ -28,19 +27,30 @@ class Measured:
     setting: str = ""
 
 
-def timed(f, *args, runs=7, shortest=2e-3):
-    """The time in seconds that one call ``f(*args)`` takes: the median of ``runs`` runs, each of so many calls that it lasts ``shortest`` seconds.
+def timed(*calls, runs=9, shortest=2e-3):
+    """The time in seconds that one call ``f()`` takes; of several functions, a tuple of their times.
 
-    One call is made before and does not count, since it may import or compile.
+    The fastest of ``runs`` runs, each of so many calls that it lasts ``shortest`` seconds: what else the machine does can only add to
+    it (on a busy machine medians of two measurements differed by up to a factor of four, these by a tenth). The functions take turns. One
+    call is made before and does not count: it may import or compile.
 
-    >>> 0 < timed(abs, -1.0) < 1e-3
+    >>> fast, slow = timed(lambda: sum(range(10)), lambda: sum(range(1000)))
+    >>> 0 < fast < slow
     True
     """
-    f(*args)
-    timer, calls = Timer(partial(f, *args)), 1
-    while (took := timer.timeit(calls)) < shortest:
-        calls = max(2 * calls, int(1.2 * calls * shortest / max(took, 1e-9))) if took < shortest / 2 else 2 * calls
-    return statistics.median(timer.timeit(calls) / calls for _ in range(runs))
+    timers = [(Timer(f), _enough_calls(f, shortest)) for f in calls]
+    rounds = [[timer.timeit(n) / n for timer, n in timers] for _ in range(runs)]
+    times = tuple(map(min, zip(*rounds, strict=True)))
+    return times[0] if len(calls) == 1 else times
+
+
+def _enough_calls(f, shortest):
+    """How many calls of ``f`` last about ``shortest`` seconds, after one that does not count."""
+    f()
+    timer, n = Timer(f), 1
+    while (took := timer.timeit(n)) < shortest:
+        n = max(2 * n, math.ceil(n * shortest / max(took, 1e-9))) if n > 1 else 2
+    return n
 
 
 def relative_error(a, exact):
@@ -81,13 +91,16 @@ def chart(points, ax, floor=1e-17):
     for n, method in enumerate(dict.fromkeys(p.method for p in points)):
         own = [p for p in points if p.method == method]
         colour, marker = COLOURS[n % len(COLOURS)], MARKERS[n % len(MARKERS)]
-        ax.plot([p.cost for p in own], [height[p] for p in own], marker=marker, ms=7, lw=0.8, color=colour, label=method)
+        inside = colour if n < len(COLOURS) else "white"
+        ax.plot([p.cost for p in own], [height[p] for p in own], marker=marker, ms=7, lw=0.8, color=colour, mfc=inside, label=method)
     ax.step([p.cost for p in best], [height[p] for p in best], where="post", color="#999999", lw=1.4, ls="--", zorder=1)
     ax.plot([p.cost for p in best], [height[p] for p in best], "o", ms=14, mfc="none", mec="#333333", mew=1.2, ls="none", label="front")
+    ax.set(xscale="log", yscale="log", xlabel="cost of one evaluation", ylabel="relative error")
     for p in points:
         if p.error < floor:
-            ax.annotate("", (p.cost, floor / 30), (p.cost, floor), arrowprops={"arrowstyle": "->", "color": "#333333"})
-    ax.set(xscale="log", yscale="log", xlabel="cost of one evaluation", ylabel="relative error")
+            ax.annotate(f"{p.error:.0e}" if p.error else "0", (p.cost, floor), (0, -34), textcoords="offset points", ha="center", fontsize=8,
+                        arrowprops={"arrowstyle": "<-", "color": "#333333"})  # fmt: skip
+            ax.set_ylim(bottom=floor / 1000)
     ax.xaxis.set_major_formatter(EngFormatter(unit="s"))
     ax.grid(True, color="#dddddd", lw=0.6)
     ax.set_axisbelow(True)

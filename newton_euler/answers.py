@@ -6,6 +6,7 @@ dimension) and writes them down as one JSON record: numbers, or trees of a few o
 
 import json
 import os
+import re
 from dataclasses import dataclass
 
 from .scalars import FUNCTIONS, Dimension, DimensionError, function, pi
@@ -147,7 +148,7 @@ def _tree(value, form, symbols):
             raise AnswerError(f"expected {form.words}; got {value!r}")
         return int(value)
     formula = form.kind.endswith("expression")
-    parts = _flat(_without_unit(value, form), form)
+    parts = _flat(value, form)
     if len(parts) != SHAPES[form.kind]:
         raise AnswerError(f"expected {form.words}; got {_counted(len(parts))}: {_clipped(value)}")
     read = [_formula(x, form, symbols, [NODES]) if formula else _number(x, form) for x in parts]
@@ -159,12 +160,19 @@ def _without_unit(value, form):
     if not hasattr(value, "magnitude") or not hasattr(value, "to"):
         return value
     try:
-        return value.to(form.unit.replace("^", "**")).magnitude
+        return value.to(_pints_name(form.unit)).magnitude
     except Exception as error:
         raise AnswerError(f"expected {form.words}; the quantity {value} cannot be converted: {error}") from None
 
 
+def _pints_name(unit_text):
+    """A unit of the problems as pint writes it; pint's lb and oz are masses."""
+    names = {"rev": "revolution", "lb": "lbf", "oz": "force_ounce", "1": "dimensionless", "%": "percent"}
+    return re.sub(r"[A-Za-z%]+|(?<!\^)\b1\b", lambda m: names.get(m[0], m[0]), unit_text).replace("^", "**")
+
+
 def _flat(value, form):
+    value = _without_unit(value, form)
     if isinstance(value, str):
         raise AnswerError(f"expected {form.words}; got the text {_clipped(value)}; write it without quotation marks")
     if isinstance(value, Vector):
@@ -174,7 +182,7 @@ def _flat(value, form):
     if getattr(value, "shape", None) == ():
         return [value]
     if hasattr(value, "__iter__") or hasattr(value, "shape"):
-        return [x for part in value for x in (_flat(part, form) if hasattr(part, "__iter__") else [part])]
+        return [x for part in value for x in _flat(part, form)]
     return [value]
 
 
@@ -212,7 +220,7 @@ def _formula(x, form, symbols, budget):
         raise AnswerError(f"expected {form.words}; this one has more than {NODES} operations. Simplify it, or put in fewer intermediate results")
     if not hasattr(x, "args") or isinstance(x, (int, float)):
         return _number(x, form)
-    if type(x).__module__.startswith("symengine"):
+    if str(type(x).__module__).startswith("symengine"):  # SymPy's f(t) has a type without a module
         x = x._sympy_()
     if x.is_Symbol:
         if x.name not in symbols:
@@ -251,6 +259,8 @@ def evaluate(tree, values, depth=0):
     if not isinstance(tree, list) or not tree or not isinstance(tree[0], str):
         raise TreeError("a formula is a number, a symbol or a list that begins with an operator")
     name, *args = tree[0], *(evaluate(a, values, depth + 1) for a in tree[1:])
+    if not args:
+        raise TreeError(f"the operator {name[:40]!r} has no arguments")
     if name in ("+", "*"):
         out = args[0]
         for a in args[1:]:
@@ -262,7 +272,7 @@ def evaluate(tree, values, depth=0):
         return args[0] / args[1]
     if name == "Abs" and len(args) == 1:
         return abs(args[0])
-    if name in FUNCTIONS and len(args) == 1 or name == "atan2" and len(args) == 2:
+    if (name in FUNCTIONS and len(args) == 1) or (name == "atan2" and len(args) == 2):
         return function(name, *args)
     raise TreeError(f"unknown operator {name[:40]!r} with {len(args)} arguments")
 

@@ -5,7 +5,8 @@ angular velocity and acceleration (4.20), (4.25), velocity (4.17), (4.28) and ac
 Rates are passed up the chain in the frame at hand and never differentiated out, which is what keeps it fast and its formulas short.
 """
 
-from .scalars import ZERO, Linear, Moving, ScalarError, cos, is_finite, is_numeric, is_zero, least, moving, plain, scalar, sin, size, sqrt, whole
+from .linear import solve_rates as solve_rates  # for the package's list of names; goes when that list is lazy
+from .scalars import ZERO, Moving, ScalarError, cos, is_finite, is_zero, moving, plain, scalar, sin, sqrt, whole
 from .vectors import NO_THIRD_RATE, ZERO3, FrameError, Ledger, Vector, add3, cross3, dot3, scale3, sub3
 
 _AXES = {"x": 0, "y": 1, "z": 2}
@@ -117,9 +118,7 @@ class Frame:
         for f in self._chain:
             if f in other._chain:
                 return f
-        raise FrameError(
-            f"{self.name} and {other.name} share no frame: {self!r}, {other!r}. Build both from one ground, as in ground.rotate(...)"
-        )
+        raise FrameError(f"{self.name} and {other.name} share no frame: {self!r}, {other!r}. Build both from one ground, as in ground.rotate(...)")
 
     def transform(self, c, frame):
         """Components ``c`` along this frame's axes, turned into components along the axes of ``frame``."""
@@ -239,7 +238,7 @@ class Frame:
 class Point:
     """A point given by its coordinates in a frame; fixed there, or moving if they are. Make one with ``frame.point(...)``."""
 
-    __slots__ = ("name", "frame", "x", "_c")
+    __slots__ = ("_c", "frame", "name", "x")
 
     def __init__(self, name, frame, x):
         self.name, self.frame, self.x = name, frame, x
@@ -399,77 +398,3 @@ def _fitting(numbers, what):
     if len(shapes) > 1:
         raise FrameError(f"{what} have the shapes {sorted(shapes)}; all arrays must have one shape (N,), one entry for each instant")
     return numbers
-
-
-def solve_rates(conditions, count):
-    """The unknown rates that make ``conditions`` vanish: rolling without slip, meshing gears, joints (4.4, 4.9).
-
-    conditions : a function of ``count`` rates that returns what must be zero (scalars, Vectors, or a tuple of them), linear in the
-        rates, as every velocity is
-    Returns a tuple of ``count`` scalars, of the kind of the conditions. There may be more conditions than rates if they agree. Raises
-    :class:`FrameError` if the conditions leave a rate open or contradict each other, and :class:`ScalarError`
-    if they are not linear in the rates.
-
-    >>> ground = Frame("ground")
-    >>> def slip(spin):  # a wheel of radius 0.5 whose centre moves at 2 along x
-    ...     wheel = ground.rotate("wheel", "y", rate=spin, origin=ground.point("C", moving(0.0, rate=2.0), 0, 0.5))
-    ...     return wheel.point("contact", 0, 0, -0.5).velocity(ground)
-    >>> solve_rates(slip, 1)
-    (4.0,)
-    """
-    unknown = [Linear(ZERO, (1 if n == m else ZERO for m in range(count))) for n in range(count)]
-    out = conditions(*unknown)
-    out = out if isinstance(out, (tuple, list)) else (out,)
-    out = [scalar(x) for part in out for x in (part.c if isinstance(part, Vector) else (part,))]
-    rows = [(x.coefficients, -x.value) if isinstance(x, Linear) else ((ZERO,) * count, -x) for x in out]
-    largest = _largest(x for row, _ in rows for x in row)
-    used = [row for row in rows if any(not is_numeric(x) or size(x) > 1e-13 * largest for x in row[0])]  # others are rounding
-    if len(used) < count:
-        raise FrameError(f"{len(used)} conditions contain the rates, but {count} rates are unknown: {count - len(used)} more are needed")
-    if len(used) > count:  # agreeing surplus conditions: the normal equations, which any kind of scalar can solve
-        used = [([_sum(m[a] * m[b] for m, _ in used) for b in range(count)], _sum(m[a] * c for m, c in used)) for a in range(count)]
-    rates = _solve([list(m) for m, _ in used], [c for _, c in used])
-    _check_solution(rows, rates)
-    return tuple(plain(r) for r in rates)
-
-
-def _sum(values):
-    total = ZERO
-    for v in values:
-        total = total + v
-    return total
-
-
-def _largest(values):
-    return max((size(x) for x in values if is_numeric(x)), default=0.0)
-
-
-def _solve(matrix, right):
-    """Linear equations over scalars of any kind: Cramer's rule, which needs neither a pivot nor a comparison."""
-    determinant = _determinant(matrix)
-    scale = 1
-    for row in matrix:
-        scale *= _largest(row) or 1
-    if determinant is ZERO or (is_numeric(determinant) and least(determinant) <= 1e-13 * scale):
-        raise FrameError("the conditions do not determine the rates: some of them say the same, or a rate does not occur in them")
-    swapped = ([[right[n] if m == k else row[m] for m in range(len(row))] for n, row in enumerate(matrix)] for k in range(len(right)))
-    return [_determinant(m) / determinant for m in swapped]
-
-
-def _determinant(m):
-    if len(m) == 1:
-        return m[0][0]
-    return _sum(
-        (-1) ** k * (m[0][k] * _determinant([row[:k] + row[k + 1 :] for row in m[1:]])) for k in range(len(m)) if m[0][k] is not ZERO
-    )
-
-
-def _check_solution(rows, rates):
-    terms = [[c * r for c, r in zip(coefficients, rates, strict=True)] for coefficients, _ in rows]
-    parts = [x for row in terms for x in row] + [right for _, right in rows]
-    if not all(map(is_numeric, parts)):
-        return
-    differences = [_sum(row) - right for row, (_, right) in zip(terms, rows, strict=True)]
-    allowed = 1e-9 * _largest(parts)
-    if (worst := _largest(differences)) > allowed:
-        raise FrameError(f"the conditions contradict each other: with the rates that fit best, one of them is {worst:.3g} instead of 0")

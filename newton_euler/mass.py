@@ -1,374 +1,41 @@
-"""Mass, centre of mass, inertia matrix (chapters 5 and 7, Appendix B): what a body is, as far as its motion is concerned.
+"""Mass, centre of mass, rigid bodies (chapters 5 and 7): what a body is, as far as its motion is concerned.
 
-**The sign convention** of the book, stated here once: the *products of inertia* are the plain integrals (7.9), (7.10)
-
-    I_xy = integral of x y dm,   I_yz = integral of y z dm,   I_zx = integral of z x dm
-
-and carry their minus sign in the *inertia matrix* (7.13) only:
-
-          [  I_xx  -I_xy  -I_zx ]
-    [I] = [ -I_xy   I_yy  -I_yz ]   so that   {H} = [I] {omega}   (7.12)
-          [ -I_zx  -I_yz   I_zz ]
-
-An :class:`Inertia` is that matrix about one point, along the axes of one frame; ``I.times(omega)`` is the angular momentum. A
-:class:`Body` has a name, a mass, a centre of mass and an inertia matrix, or is composed of others; ``body.about(P)`` is its
-:class:`Inertia` about any point. The solids of Appendix B are in :mod:`newton_euler.solids`, bodies given by a formula in
-:mod:`newton_euler.integration`, principal axes in :mod:`newton_euler.principal`.
-
+A :class:`Body` has a name, a mass, a centre of mass and an inertia matrix, or is composed of others; ``body.about(P)`` is its
+:class:`newton_euler.inertia.Inertia` about any point, where the sign convention of the products is told. The solids of Appendix B are in
+:mod:`newton_euler.solids`, bodies given by a formula in :mod:`newton_euler.integration`, principal axes in :mod:`newton_euler.principal`.
 Units: any consistent ones; in SI kg, m, kg m^2.
+
+    L = m v_G, F = dL/dt        body.momentum(ground), .rate(ground)             (5.2), (5.8), (7.5)
+    H_G = I omega               body.angular_momentum(ground)                    (7.12)
+    H_B = d x m dd/dt + H_G     body.angular_momentum(ground, about=B)           (7.23)
 """
 
-from .frames import Frame, Point
-from .scalars import ZERO, Scaled, is_finite, is_numeric, is_zero, least, plain, scalar, size, sqrt
-from .vectors import EQUATIONS, ZERO3, Ledger, Vector, _latex_number, add3, cross3, dot3, scale3
-
-AXES = "xyz"
-PRODUCTS = ("xy", "yz", "zx")
-
-
-class MassError(ValueError):
-    """Masses, dimensions or moments of inertia that no body has, or a question that needs a mass or centre not given."""
-
-
-class Inertia(Scaled):
-    """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13).
-
-    point : the Point B that it is about; moments of inertia depend on it
-    moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals, without the minus sign of the matrix
-    mass, centre : mass of the body and its centre of mass, a Point; needed to go to another point, otherwise they may be left out
-    frame : whose axes; default: those of the frame in which ``point`` is given
-    tolerance : numbers that no body can have raise :class:`MassError`, see :meth:`check`; None: unchecked
-
-    ``A + B`` is the inertia of two bodies together, about the point and in the frame of A; ``-A`` that of a hole.
-
-    >>> body = Frame("body")
-    >>> I = Inertia(body.origin, (2.0, 3.0, 4.0), (0.5, 0, 0))
-    >>> I.matrix
-    ((2.0, -0.5, 0), (-0.5, 3.0, 0), (0, 0, 4.0))
-    >>> I.times(body.vector(1.0, 0, 0))  # the angular momentum H = I omega (7.12)
-    Vector(2.0, -0.5, 0 in body)
-    """
-
-    __slots__ = ("point", "frame", "moments", "products", "mass", "centre", "_terms")
-
-    def __init__(self, point, moments, products=(0, 0, 0), mass=None, centre=None, frame=None, tolerance=1e-9):
-        if not isinstance(point, Point):
-            raise MassError(f"an inertia matrix is about a Point, as in Inertia(body.origin, (2, 3, 4)); got {point!r}")
-        self.point, self.frame = point, frame or point.frame
-        self.moments, self.products = _three(moments, "moments (I_xx, I_yy, I_zz)"), _three(products, "products (I_xy, I_yz, I_zx)")
-        self.mass, self.centre, self._terms = None if mass is None else scalar(mass), centre, {}
-        if tolerance is not None:
-            self.check(tolerance)
-
-    def _like(self, moments, products, **changed):
-        """Another one with the same point, frame, mass and centre, except for what is changed."""
-        same = {name: getattr(self, name) for name in ("point", "frame", "mass", "centre")}
-        return Inertia(moments=moments, products=products, tolerance=None, **{**same, **changed})
-
-    # -- entries
-
-    def _rows(self):
-        (xx, yy, zz), (xy, yz, zx) = self.moments, self.products
-        return (xx, -xy, -zx), (-xy, yy, -yz), (-zx, -yz, zz)
-
-    @property
-    def matrix(self):
-        """The inertia matrix (7.13): three rows of three, minus the products off the diagonal."""
-        return tuple(tuple(plain(x) for x in row) for row in self._rows())
-
-    def __iter__(self):
-        return iter(self.matrix)
-
-    def to_array(self):
-        """The matrix as a NumPy array of shape (3, 3), or (3, 3, N) where its entries are arrays of N."""
-        import numpy as np
-
-        entries = np.broadcast_arrays(*(np.asarray(x, dtype=float) for row in self.matrix for x in row))
-        return np.stack(entries).reshape(3, 3, *entries[0].shape)
-
-    def __repr__(self):
-        return f"Inertia({self.matrix} about {self.point.name} in {self.frame.name})"
-
-    def _repr_latex_(self):
-        rows = r" \\ ".join(" & ".join(_latex_number(x, 5) for x in row) for row in self.matrix)
-        return rf"$\begin{{bmatrix}}{rows}\end{{bmatrix}}$"
-
-    # -- what it is for
-
-    def times(self, omega):
-        """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix.
-
-        omega : the angular velocity of the body, a Vector in any related frame. H knows its rate where omega does: the entries are constant in
-        the frame of the matrix, so that ``H.rate(ground)`` is I alpha + omega_frame x H. The frame need not be fixed in the body if the entries
-        stay constant in it, as for a symmetric body in a frame that precesses without spinning.
-        About the centre of mass, or about a point fixed in body and ground, H is the angular momentum of the whole motion; about
-        another point it is :meth:`Body.angular_momentum` that adds the motion of G.
-        """
-        if not isinstance(omega, Vector):
-            raise MassError(f"the inertia matrix multiplies an angular velocity, a Vector as from frame.angular_velocity(ground); got {omega!r}")
-        w = omega.expressed_in(self.frame).c
-        c = ZERO3 if w is ZERO3 else tuple(dot3(row, w) for row in self._rows())
-        return Vector(c, self.frame, omega._own_rate and (lambda: self.times(omega.rate(self.frame))))
-
-    def moment(self, axis):
-        """The moment of inertia about the axis through ``point``: n . I n.
-
-        axis : "x", "y", "z", or a Vector of any length along it. For an axis through another point ask ``I.about(P).moment(axis)``.
-
-        >>> Inertia(Frame("body").origin, (2.0, 3.0, 4.0)).moment("z")
-        4.0
-        """
-        if isinstance(axis, str):
-            return plain(self.moments[_axis(axis)[0]])
-        square = scalar(axis.dot(axis))
-        if is_zero(square):
-            raise MassError("the axis is a zero vector and has no direction")
-        return plain(scalar(axis.dot(self.times(axis))) / square)
-
-    def radius_of_gyration(self, axis):
-        """k = sqrt(moment/mass) about the axis through ``point`` (7.27): where a ring of the same mass has the same moment.
-
-        >>> G = Frame("rod").origin
-        >>> Inertia(G, (0, 3.0, 3.0), mass=12.0, centre=G).radius_of_gyration("y")
-        0.5
-        """
-        self._needs("mass", "the radius of gyration")
-        return plain(sqrt(self.moment(axis) / self.mass))
-
-    # -- other points, other axes
-
-    def about(self, point):
-        """The inertia matrix about another point, along the same axes: the parallel axis theorem (7.25), (7.26) between any two points.
-
-        Neither needs to be the centre of mass: with d1, d2 the vectors from them to G, I_xx changes by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and
-        I_xy by m (d2x d2y - d1x d1y); formed from d2 - d1, so that nothing cancels.
-        terms : ``own``, the matrix before, and ``transfer``, what is added
-
-        >>> body = Frame("body")
-        >>> G = body.point("G", 1.0, 0, 0)
-        >>> Inertia(G, (0, 3.0, 3.0), mass=12.0, centre=G).about(body.origin).moments
-        (0, 15.0, 15.0)
-        """
-        if point is self.point:
-            return self
-        self._needs("mass", f"going from {self.point.name} to {point.name}")
-        self._needs("centre", f"going from {self.point.name} to {point.name}")
-        step = (self.point - point).expressed_in(self.frame).c
-        before = ZERO3 if self.centre is self.point else (self.centre - self.point).expressed_in(self.frame).c
-        moments, products = _transfer(self.mass, step, before)
-        added = self._like(moments, products, point=point, mass=ZERO)
-        out = self._like(add3(self.moments, moments), add3(self.products, products), point=point)
-        out._terms = {"own": self, "transfer": added}
-        return out
-
-    def expressed_in(self, frame):
-        """The same inertia along the axes of ``frame`` (at this instant, if that frame turns relative to its own): R I R^T.
-
-        What is equal in two moments and has no products turns into itself exactly: a body of revolution about its axis, a sphere.
-        """
-        if frame is self.frame:
-            return self
-        common = _common(self.moments)
-        rows = [list(row) for row in self._rows()]
-        for n in range(3):
-            rows[n][n] = _difference(rows[n][n], common)
-        half = [self.frame.transform(tuple(row), frame) for row in rows]
-        turned = [self.frame.transform(column, frame) for column in zip(*half, strict=True)]
-        moments = tuple(common + turned[n][n] for n in range(3))
-        return self._like(moments, (-turned[1][0], -turned[2][1], -turned[2][0]), frame=frame)
-
-    def principal(self, noise=None):
-        """Principal moments and axes (7.18)-(7.20): a :class:`newton_euler.principal.Principal`, with a report of what is determined."""
-        from .principal import principal
-
-        return principal(self, noise)
-
-    def symmetry(self, tolerance=1e-9):
-        """The symmetries that the matrix shows: a :class:`newton_euler.principal.Symmetry`."""
-        from .principal import symmetry
-
-        return symmetry(self, tolerance)
-
-    # -- sums
-
-    def __add__(self, other):
-        if not isinstance(other, Inertia):
-            raise MassError(f"an inertia matrix can only be added to one, got {other!r}")
-        other = other.about(self.point).expressed_in(self.frame)
-        mass, centre = _together([self, other], self.frame) if None not in (self.mass, other.mass) else (None, None)
-        return self._like(add3(self.moments, other.moments), add3(self.products, other.products), mass=mass, centre=centre)
-
-    def __radd__(self, other):
-        return self if type(other) is int and other == 0 else self + other  # where sum() begins
-
-    def __neg__(self):
-        return -1 * self
-
-    def __sub__(self, other):
-        return self + -other
-
-    def __mul__(self, s):
-        s = scalar(s)
-        return self._like(scale3(s, self.moments), scale3(s, self.products), mass=None if self.mass is None else s * self.mass)
-
-    __rmul__ = __mul__
-
-    @property
-    def terms(self):
-        """The matrices whose sum it is, by name: ``own`` and ``transfer``, or the parts of a composite body; empty if it is no sum."""
-        return self._terms
-
-    def reweighted(self, **factors):
-        """The sum of its terms, each times the factor named for it (others once): what a wrong model would give. Mass and centre stay."""
-        unknown = [n for n in factors if n not in self.terms]
-        if unknown:
-            raise MassError(f"no term {unknown[0]!r}; the terms are {', '.join(self.terms) or 'none'}")
-        moments = products = ZERO3
-        for name, term in self.terms.items():
-            factor = scalar(factors.get(name, 1))
-            moments, products = add3(moments, scale3(factor, term.moments)), add3(products, scale3(factor, term.products))
-        return self._like(moments, products)
-
-    def without(self, *names):
-        """The sum without the terms named: ``I.about(O).without("transfer")``."""
-        return self.reweighted(**dict.fromkeys(names, 0))
-
-    # -- can it be?
-
-    def check(self, tolerance=1e-9):
-        """Returns the inertia if some body can have it; raises :class:`MassError` in words otherwise. Expressions pass unseen.
-
-        Masses are positive, and so the integrals of x^2, y^2, z^2, whence the triangle inequality of the moments in any axes; the products are
-        bounded by Schwarz's inequality; and the same must hold about G. Tested to ``tolerance`` times the largest moment: rounded data of a thin
-        plate may need more.
-        """
-        if self.mass is not None and is_numeric(self.mass) and not is_positive(self.mass):
-            raise MassError(f"the mass is {plain(self.mass)}; it must be positive (a removed part is subtracted: composite(..., removed=[hole]))")
-        if all(is_numeric(x) for x in self.moments + self.products):
-            _check_integrals(self, tolerance)
-            if self.mass is not None and self.centre is not None and self.centre is not self.point:
-                _check_centroidal(self, tolerance)
-        return self
-
-    def _needs(self, what, purpose):
-        if getattr(self, what) is None:
-            missing = "the mass of the body" if what == "mass" else "the place of its centre of mass"
-            raise MassError(f"{purpose} needs {missing}; make it Inertia({self.point.name}, moments, products, mass=..., centre=G)")
-
-
-def _three(values, what):
-    try:
-        given = tuple(scalar(x) for x in values)
-    except TypeError:
-        given = ()
-    if len(given) != 3:
-        raise MassError(f"{what} are three numbers, got {values!r}")
-    return given
-
-
-def _axis(name):
-    """Index and sign of an axis written as "x" or "-x"."""
-    bare = name[1:] if name.startswith("-") else name
-    if len(bare) != 1 or bare not in AXES:
-        raise MassError(f"an axis is 'x', 'y', 'z' or one of them with a minus sign, got {name!r}")
-    return AXES.index(bare), -1 if name.startswith("-") else 1
-
-
-def _transfer(mass, step, before=ZERO3):
-    """Moments and products that are added when the point goes back by ``step``; ``before`` leads from the old point to G."""
-    s, p = step, add3(step, scale3(2, before))
-    xx, yy, zz = (mass * (a * b) for a, b in zip(s, p, strict=True))
-    moments = (yy + zz, zz + xx, xx + yy)
-    return moments, tuple(mass * (s[n] * p[m] + s[m] * p[n]) / 2 for n, m in ((0, 1), (1, 2), (2, 0)))
-
-
-def _difference(a, b):
-    if a is b:
-        return ZERO
-    d = a - b
-    return ZERO if is_zero(d) else d
-
-
-def _common(moments):
-    """The moment that occurs twice, or a structural zero."""
-    for n, m in ((0, 1), (1, 2), (2, 0)):
-        if _difference(moments[n], moments[m]) is ZERO:
-            return moments[n]
-    return ZERO
-
-
-def is_positive(x):
-    """True if the number ``x`` (every one of an array) is larger than zero; an expression is not looked at."""
-    return not is_numeric(x) or least(x) > 0 and size(x - abs(x)) == 0
-
-
-def _check_integrals(I, tolerance):
-    """The integrals of x^2, y^2, z^2 and their bounds on the products; I = tr(J) - J, and J belongs to some masses if it is not negative."""
-    largest = max(size(x) for x in I.moments + I.products)
-    small = tolerance * largest
-    xx, yy, zz = I.moments
-    if not all(is_finite(x) for x in I.moments + I.products):
-        raise MassError(f"the inertia matrix {I.matrix} has an entry that is not finite")
-    squares = ((yy + zz - xx) / 2, (zz + xx - yy) / 2, (xx + yy - zz) / 2)
-    for n, square in enumerate(squares):
-        if _below(square, -small):
-            a, b, c = (AXES[n], *(axis for axis in AXES if axis != AXES[n]))
-            raise MassError(
-                f"no body has these moments: I_{a}{a} = {plain(I.moments[n])} is larger than I_{b}{b} + I_{c}{c} = "
-                f"{plain(I.moments[AXES.index(b)] + I.moments[AXES.index(c)])} (triangle inequality); look for a misprint, or for moments about two points"
-            )
-    for name, product in zip(PRODUCTS, I.products, strict=True):
-        a, b = (squares[AXES.index(c)] for c in name)
-        if _below(a * b - product * product, -4 * small * largest):
-            raise MassError(
-                f"no body has the product I_{name} = {plain(product)} with these moments: its square is at most {plain(a * b)}, the product of "
-                f"the integrals of {name[0]}^2 and {name[1]}^2; is the sign convention or the unit another?"
-            )
-    (a, b, c), (ab, bc, ca) = squares, I.products
-    determinant = a * b * c + 2 * (ab * bc * ca) - a * bc * bc - b * ca * ca - c * ab * ab
-    if _below(determinant, -8 * small * largest * largest):
-        raise MassError(
-            f"no body has the inertia matrix {I.matrix}: its principal moments break the triangle inequality (the largest exceeds the sum of "
-            "the others); are the signs of the products those of plain integrals, the minus signs standing in the matrix only?"
-        )
-
-
-def _below(x, bound):
-    return not is_positive(x - bound) and size(x - bound) > 0
-
-
-def _check_centroidal(I, tolerance):
-    try:
-        _check_integrals(I.about(I.centre), tolerance * 4)
-    except MassError as problem:
-        raise MassError(
-            f"about {I.point.name} the moments are smaller than mass and distance of {I.centre.name} alone make them: about {I.centre.name}, {problem}"
-        ) from None
-
-
-# -- bodies
+from .inertia import Inertia, MassError, axes_at, place, positive, together
+from .scalars import plain, scalar
+from .vectors import EQUATIONS, ZERO3, Ledger, Vector, add3
 
 
 class Body:
     """A rigid body: name, mass, centre of mass, inertia matrix; or a composite of others, see :func:`composite`.
 
-    centre : the centre of mass G, a Point; the frame in which it is given is the body's, unless ``frame`` says otherwise
+    centre : the centre of mass G, a Point of the body, or a Frame whose origin is G
     inertia : three principal moments about G along the axes of the frame, or an :class:`Inertia` about any point
-    frame : the frame fixed in the body
+    frame : the frame fixed in the body; default: that of ``inertia``, or the one in which G is given. (``rotor.origin`` is a point of the *parent* of
+        rotor, in which it may move; for a body that turns with rotor give ``rotor`` itself, or ``rotor.point(...)``.)
 
+    >>> from newton_euler import Frame
     >>> body = Frame("wheel")
-    >>> wheel = Body("wheel", 2.0, body.origin, (0.1, 0.05, 0.05))
+    >>> wheel = Body("wheel", 2.0, body, (0.1, 0.05, 0.05))
     >>> wheel.about(body.point("rim", 0, 0.5, 0)).moments
     (0.6, 0.05, 0.55)
     """
 
     def __init__(self, name, mass, centre, inertia=(0, 0, 0), frame=None, parts=()):
-        self.name, self.mass, self.centre, self.parts = name, scalar(mass), centre, tuple(parts)
-        if not isinstance(centre, Point):
-            raise MassError(f"the centre of mass of {name} is a Point, as in body.point('G', 0, 0, 0.2); got {centre!r}")
-        self.frame = frame or centre.frame
+        self.name, self.mass, self.parts = name, scalar(mass), tuple(parts)
+        self.centre = centre = place(centre, f"the centre of mass of {name}")
         if not isinstance(inertia, Inertia):
-            inertia = Inertia(centre, inertia, (0, 0, 0), self.mass, centre, self.frame, None)
+            inertia = Inertia(centre, inertia, (0, 0, 0), self.mass, centre, frame or axes_at(centre), None)
+        self.frame = frame or inertia.frame
         self._inertia = inertia._like(inertia.moments, inertia.products, mass=self.mass, centre=centre)
 
     def __repr__(self):
@@ -384,7 +51,7 @@ class Body:
 
         terms : the parts by name, of a composite; else ``own`` and ``transfer``
         """
-        frame = frame or self.frame
+        frame, point = frame or self.frame, place(point, "the inertia matrix")
         if not self.parts:
             I = self._inertia
             return I.expressed_in(frame).about(point) if I.frame is not frame else I.about(point)
@@ -438,13 +105,9 @@ EQUATIONS["angular momentum"] = ("7.23", r"\mathbf{H}_B", {
 
 def particle(mass, point, name="particle"):
     """A particle of this mass at a Point: a :class:`Body` without moments of its own."""
-    _positive(mass, f"the mass of {name}")
-    return Body(name, mass, point)
-
-
-def _positive(x, what):
-    if not is_positive(x) or not is_finite(x):
-        raise MassError(f"{what} must be positive, got {plain(x)}; to cut something out give it to composite(..., removed=[...])")
+    positive(mass, f"the mass of {name}")
+    point = place(point, name)
+    return Body(name, mass, point, frame=point.frame)
 
 
 def centre_of_mass(parts, frame=None, name="G"):
@@ -454,34 +117,23 @@ def centre_of_mass(parts, frame=None, name="G"):
     frame : default: the frame of the first part
     Raises :class:`MassError` unless the total mass is positive.
 
+    >>> from newton_euler import Frame
     >>> ground = Frame("ground")
-    >>> centre_of_mass([(1.0, ground.origin), (3.0, ground.point("P", 2.0, 0, 0))])
-    Point(G at (1.5, 0, 0)) in ground
+    >>> centre_of_mass([(1.0, ground.origin), (3.0, ground.point("P", 2.0, 0, 0))]).position(ground)
+    Vector(1.5, 0, 0 in ground)
     """
     parts = [p if isinstance(p, Body) else _pair(p) for p in parts]
     if not parts:
         raise MassError("the centre of mass of nothing: give at least one body or pair (mass, Point)")
-    return _together(parts, frame or parts[0].frame, name)[1]
+    return together(parts, frame or parts[0].frame, name)[1]
 
 
 def _pair(p):
     try:
         mass, point = p
-        return Body(point.name, mass, point)
+        return Body(point.name, mass, point, frame=point.frame)
     except (TypeError, ValueError, AttributeError):
         raise MassError(f"a part is a Body or a pair (mass, Point), got {p!r}") from None
-
-
-def _together(parts, frame, name="G"):
-    """Total mass and centre of parts that have a mass and a centre."""
-    mass, first = ZERO, ZERO3
-    for part in parts:
-        mass = mass + part.mass
-        if part.mass is not ZERO:
-            first = add3(first, scale3(part.mass, part.centre.position(frame).c))
-    if is_numeric(mass) and not is_positive(mass):
-        raise MassError(f"the total mass is {plain(mass)}; it must be positive: the removed parts weigh more than what they are cut from")
-    return mass, frame.point(name, *(x / mass for x in first))
 
 
 def composite(name, parts, removed=(), frame=None):
@@ -491,10 +143,11 @@ def composite(name, parts, removed=(), frame=None):
     frame : the frame of the whole; default: that of the first part
     Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole outside of the body).
 
+    >>> from newton_euler import Frame
     >>> from newton_euler.solids import disk
     >>> sheet = Frame("sheet")
     >>> hole = disk(0.1, sheet.point("C", 0.2, 0, 0), "z", density=10.0, name="hole")
-    >>> part = composite("washer", [disk(0.5, sheet.origin, "z", density=10.0)], removed=[hole])
+    >>> part = composite("washer", [disk(0.5, sheet, "z", density=10.0)], removed=[hole])
     >>> round(part.centre.position(sheet).x, 6)
     -0.008333
     """
@@ -506,6 +159,9 @@ def composite(name, parts, removed=(), frame=None):
     if twice:
         raise MassError(f"{name} has two parts named {sorted(twice)[0]!r}; give them different names, as in disk(..., name='hole 2')")
     frame = frame or parts[0].frame
-    mass, centre = _together(parts, frame, f"G of {name}")
+    mass, centre = together(parts, frame, f"G of {name}")
     body = Body(name, mass, centre, frame=frame, parts=parts)
-    return body.check() if removed else body
+    try:
+        return body.check() if removed else body
+    except MassError as problem:
+        raise MassError(f"{name}: do the removed parts lie inside of it, and only once? {problem}") from None

@@ -14,6 +14,7 @@ None of the heavy libraries is imported here: a number brings its own library al
 
 import importlib
 import math
+import zlib
 from fractions import Fraction
 
 FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt")
@@ -144,9 +145,7 @@ def scalar(x):
         return x or ZERO
     if isinstance(x, (float, int, Fraction, complex)) or (_root(type(x)) in _LIBRARIES and _dtype(x) in "biufcO"):
         return x
-    raise ScalarError(
-        f"expected a number (float, array, mpf, SymPy, SymEngine or heyoka expression), got {x!r} of type {type(x).__name__}"
-    )
+    raise ScalarError(f"expected a number (float, array, mpf, SymPy, SymEngine or heyoka expression), got {x!r} of type {type(x).__name__}")
 
 
 def whole(x, like):
@@ -316,6 +315,35 @@ def epsilon(like=0.0):
     return +library.eps if library.__name__ == "mpmath" else 2.0**-52
 
 
+def coarseness(values):
+    """The largest relative round-off among numbers of several kinds; whole numbers and fractions have none.
+
+    >>> coarseness([1, 2.0]) == 2.0**-52
+    True
+    """
+    return max((epsilon(x) for x in values if x is not ZERO and _root(type(x)) != "fractions" and type(x) is not int), default=epsilon())
+
+
+def sampled(x):
+    """A number for ``x``, to see whether it vanishes without simplifying it: a float, array or mpf itself; of a SymPy or SymEngine expression its
+    value where every symbol (and function, and derivative) has a number of its own between 0.2 and 0.9; None where no value can be had.
+
+    >>> sampled(2.0), sampled(ZERO)
+    (2.0, 0)
+    """
+    if _root(type(x)) not in ("sympy", "symengine"):
+        return x if is_numeric(x) else None
+    sympy = importlib.import_module("sympy")
+    x = sympy.sympify(x)
+    parts = x.free_symbols | x.atoms(sympy.core.function.AppliedUndef, sympy.Derivative)
+    chosen = {p: sympy.Float(0.2 + 0.7 * zlib.crc32(str(p).encode()) / 2**32, 40) for p in parts}
+    try:
+        value = complex(x.xreplace(chosen).evalf(40))
+    except TypeError:
+        return None
+    return 0.0 if abs(value) < 1e-25 else value.real or abs(value)
+
+
 def least(x):
     """The smallest absolute value in ``x``, as a float: the instant of an array at which a divisor is nearest to zero."""
     smallest = abs(_value(x))
@@ -329,7 +357,7 @@ class Moving(_Own):
     Make one with :func:`moving` or :func:`at`.
     """
 
-    __slots__ = ("value", "rate", "acceleration")
+    __slots__ = ("acceleration", "rate", "value")
     rank = 9  # it wraps the other kinds
 
     def __init__(self, value, rate=ZERO, acceleration=ZERO):
@@ -404,9 +432,7 @@ class Moving(_Own):
             square = x.value * x.value + y.value * y.value
             rate = (x.value * y.rate - y.value * x.rate) / square
             growth = 2 * (x.value * x.rate + y.value * y.rate)
-            return Moving(
-                atan2(y.value, x.value), rate, (x.value * y.acceleration - y.value * x.acceleration - rate * growth) / square
-            )
+            return Moving(atan2(y.value, x.value), rate, (x.value * y.acceleration - y.value * x.acceleration - rate * growth) / square)
         if self.rests():
             return Moving(function(name, self.value))
         return self._chain(*_DERIVATIVES[name](self.value))
@@ -486,7 +512,7 @@ def at(f, t):
 
 
 class Linear(_Own):
-    """``value + c[0]*u[0] + c[1]*u[1] + …``: a scalar that is linear in unknowns, for :func:`newton_euler.frames.solve_rates`.
+    """``value + c[0]*u[0] + c[1]*u[1] + …``: a scalar that is linear in unknowns, for the equations of :mod:`newton_euler.linear`.
 
     Running conditions on it reads off their coefficients, each in its own unit. A product of unknowns, or a function of one, raises
     :class:`ScalarError`.
@@ -531,25 +557,25 @@ class Linear(_Own):
         if isinstance(other, (Moving, Scaled)):
             return NotImplemented
         if isinstance(other, Linear):
-            raise ScalarError("two unknown rates are multiplied; the conditions must be linear in them, as velocities are")
+            raise ScalarError("two unknowns are multiplied; the conditions must be linear in them, as velocities are in rates")
         return self._each(lambda x: x * other)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other):
         if isinstance(other, Linear):
-            raise ScalarError("an unknown rate stands in a denominator; the conditions must be linear in the rates, as velocities are")
+            raise ScalarError("an unknown stands in a denominator; the conditions must be linear in the unknowns, as velocities are in rates")
         return NotImplemented if isinstance(other, Moving) else self._each(lambda x: x / other)
 
     def __rtruediv__(self, other):
-        raise ScalarError("an unknown rate stands in a denominator; the conditions must be linear in the rates, as velocities are")
+        raise ScalarError("an unknown stands in a denominator; the conditions must be linear in the unknowns, as velocities are in rates")
 
     def function(self, name, *args):
         """The function of this name, for :func:`function`."""
-        raise ScalarError(f"{name} is taken of an unknown rate; the conditions must be linear in the rates, as velocities are")
+        raise ScalarError(f"{name} is taken of an unknown; the conditions must be linear in the unknowns, as velocities are in rates")
 
     def __pow__(self, power):
-        raise ScalarError("an unknown rate is raised to a power; the conditions must be linear in the rates, as velocities are")
+        raise ScalarError("an unknown is raised to a power; the conditions must be linear in the unknowns, as velocities are in rates")
 
     def pi(self):
         """The number pi in the kind of the value."""

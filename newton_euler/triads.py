@@ -90,13 +90,15 @@ def drowned(value, noise):
 
 
 def shaken(f, q):
-    """How far the triple f(*q) moves, as a length, while each of the numbers ``q`` moves by a few units in its last place.
+    """How far each of the triples f(*q) moves, as lengths, while each of the numbers ``q`` moves by some units in its last place.
 
     It measures rounding inside f, and how sharply q determines f: a direction taken from a vector no longer than this is arbitrary.
     """
-    middle, total = f(*q), 0.0
+    middle = f(*q)
+    totals = [0.0] * len(middle)
     for n, x in enumerate(q):
-        for units in (-3, -1, 1, 2):
-            other = f(*q[:n], x * (1 + units * epsilon(x)), *q[n + 1 :])
-            total = total + norm3(tuple(a - b for a, b in zip(other, middle, strict=True)))
-    return total
+        for units in (-29, -3, 7, 41):
+            others = f(*q[:n], x * (1 + units * epsilon(x)), *q[n + 1 :])
+            moved = (norm3(tuple(a - b for a, b in zip(c, d, strict=True))) for c, d in zip(others, middle, strict=True))
+            totals = [total + length for total, length in zip(totals, moved, strict=True)]
+    return totals

@@ -6,7 +6,7 @@ it accelerates at 1 ft/s^2; angles are pure numbers.
 
 import re
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import cache
 
 from .scalars import ZERO, Dimension, pi
 

@@ -61,7 +61,7 @@ class Vector(Scaled):
     (3.0, 1.0, Vector(2.0, -1.0, 0 in ground))
     """
 
-    __slots__ = ("frame", "c", "_own_rate", "_ledger")
+    __slots__ = ("_ledger", "_own_rate", "c", "frame")
 
     def __init__(self, c, frame, own_rate=None, ledger=None):
         self.frame, self.c, self._own_rate, self._ledger = frame, c, own_rate, ledger
@@ -287,7 +287,7 @@ def cross(a, b):
 class Ledger:
     """The named terms of a sum. ``kind`` selects the equation in :data:`EQUATIONS`; ``subject`` says what of what."""
 
-    __slots__ = ("kind", "subject", "_make", "_terms")
+    __slots__ = ("_make", "_terms", "kind", "subject")
 
     def __init__(self, kind, subject, make):
         self.kind, self.subject, self._make, self._terms = kind, subject, make, None

@@ -47,7 +47,7 @@ def mistakes(g):
         "no_turning": {"v_tip": v.without("rotation"), "a_tip": a.without("coriolis", "centripetal")},
         "constant_flapping_rate": motion(g, moving(theta.value, rate=g.n * g.theta_A)),
         "radius_L": {"v_tip": v.reweighted(rotation=too_wide), "a_tip": a.reweighted(centripetal=too_wide)},
-        "no_second_rate": {"a_tip": motion(g, moving(theta.value, rate=theta.rate))["a_tip"]},
+        "no_second_rate": {"a_tip": motion(g, moving(theta.value, rate=theta.rate, acceleration=0))["a_tip"]},
     }
 
 

@@ -44,6 +44,9 @@ from tests.kinds import KINDS, close, numbers
 FORMULAS = {
     "arithmetic": lambda x, y: (x + y) * (x - y) / (3 + x * y) - 2 * x + y / 5 - 1,
     "negations": lambda x, y: -x + -(y - x) - (-(x * y)),
+    "quotients of negations": lambda x, y: (-x) / y + 2 * (x / (-y)) + 4 * ((-x) / (-y)) + 8 / (-x) + (-y) / 16 + 3 * ((-x) * (-y) * (-2)),
+    "sums of negations": lambda x, y: ((-x) + y) * 2 + (x + (-y)) * 3 + ((-x) - y) * 5 + (x - (-y)) * 7 + (1 - (-x)) * 11 + (1 + (-y)) * 13,
+    "odd and even": lambda x, y: sin(-x) + 2 * cos(-x) + tan(-y) + cosh(-y) + sinh(-x) - tanh(-y) + asin(-x / 2) + atan(-x) + acos(-x / 2) + exp(-x),
     "powers": lambda x, y: x**2 + x**3 - y**-1 + (1 + x) ** -2 + (x * x + y) ** 0.5 + y**1.5 + x**1 + x**0,
     "rational powers": lambda x, y: (x + y) ** (1 / 3) + 2.0**x - 3 ** (y / 2),
     "circular": lambda x, y: sin(x) * cos(y) + tan(x * y) - asin(x / 3) + acos(y / 3) + atan(x - y) + atan2(y, x) + atan2(-y, -x),

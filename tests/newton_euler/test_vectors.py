@@ -69,6 +69,12 @@ def test_dividing_keeps_the_digits_of_the_dividend():
     assert (ground.vector(sympy.Symbol("x"), 0, 0) / 3).x == sympy.Symbol("x") / 3
 
 
+def test_rates_of_quotients_and_multiples_stay_exact():
+    v = ground.vector(moving(sympy.Integer(1), rate=1), 0, 0)
+    assert (v / 3).rate(ground).x == sympy.Rational(1, 3)
+    assert (2 * v / 3).rate(ground).x == sympy.Rational(2, 3)
+
+
 def test_vectors_of_two_frames_combine_in_the_frame_of_the_left_one():
     a, b = ground.vector(1.0, 2.0, 3.0), turned.vector(-1.0, 0.5, 2.0)
     assert (a + b).frame is ground

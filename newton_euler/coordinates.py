@@ -1,0 +1,157 @@
+"""Components in any orthogonal coordinates, from their position function alone (3.4); gradients (A.22).
+
+The five steps of the book: choose coordinates; write x, y, z in them (that is all that is asked for here); find the unit vectors;
+differentiate; substitute. The unit vector of a coordinate points where the point goes if that coordinate alone grows: e_i = (dr/dq_i)/h_i,
+with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the coordinate.
+"""
+
+from .components import CoordinatePoint, with_rates
+from .scalars import ZERO, Moving, at, is_numeric, moving, plain, scalar, sqrt
+from .triads import SingularError, Triad, drowned, norm3, numeric3, shaken, turning_of
+from .vectors import EQUATIONS, Vector, cross3, dot3, scale3
+
+EQUATIONS.update({
+    "curvilinear velocity": ("3.14", r"\mathbf{v}", {}),
+    "curvilinear acceleration": ("3.15", r"\mathbf{a}", {}),
+})
+
+
+def curvilinear(ground, name, position, q1, q2, q3, names=("u", "v", "w")):
+    """The point with the coordinates q1, q2, q3 of the system whose position function is ``position``.
+
+    position : function of three scalars that returns (x, y, z) along the axes of ``ground``, written with the functions of this package
+    q1, q2, q3 : the coordinates, numbers or moving; in the order that makes e_1, e_2, e_3 right-handed
+    names : of the coordinates, for the ledger
+    Returns a :class:`~newton_euler.components.CoordinatePoint`: velocity and acceleration in ``ground`` come along e_1, e_2, e_3 (``P.local``),
+    with one term for each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form of ``position`` are left out.
+
+    Raises :class:`SingularError` where a scale factor is zero (within rounding: a pole, an axis), so that a unit vector does not exist, and for
+    coordinates that are not orthogonal or not right-handed there.
+
+    >>> from newton_euler import Frame, moving
+    >>> ground = Frame("ground")
+    >>> P = curvilinear(ground, "P", lambda u, v, w: ((u**2 - v**2)/2, u*v, w), moving(3.0, rate=2.0), 4.0, 0.0)  # parabolic coordinates
+    >>> P.velocity(ground).x, P.scale_factors, print(P.acceleration(ground))
+    [2.4, -3.2, 0] in e_1, e_2, e_3 of P
+    (10.0, (5.0, 5.0, 1.0), None)
+    """
+    q = tuple(moving(x) for x in (q1, q2, q3))
+    values = tuple(x.value for x in q)
+    columns = tangents(position, values)
+    factors = tuple(norm3(c) for c in columns)
+    _check(position, values, columns, factors)
+    axes = [tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)]
+    local = Triad(f"e_1, e_2, e_3 of {name}", ground, axes, lambda: turning_of(_moving_axes(position, q)))
+    terms = {"velocity": lambda P: _velocity_terms(P, columns, names), "acceleration": lambda P: _acceleration_terms(P, position, columns, names)}
+    return CoordinatePoint(name, ground, position(*q), ground, local, q, tuple(map(plain, factors)), "curvilinear", terms)
+
+
+def tangents(position, q):
+    """dr/dq_1, dr/dq_2, dr/dq_3, each a triple, of the position function at the coordinates ``q``; moving if they are."""
+    return tuple(tuple(_rate(x) for x in position(*_seeded(q, n))) for n in range(3))
+
+
+def _seeded(q, n, rate=1):
+    return tuple(Moving(x, rate if m == n else ZERO) for m, x in enumerate(q))
+
+
+def _rate(x):
+    return x.rate if isinstance(x, Moving) else ZERO
+
+
+def _check(position, q, columns, factors):
+    if not (all(map(is_numeric, q)) and all(map(numeric3, columns))):
+        return
+    noises = shaken(lambda *p: tangents(position, p), q)
+    for n, (h, noise) in enumerate(zip(factors, noises, strict=True), 1):
+        if drowned(h, noise):
+            raise SingularError(
+                f"coordinate {n} is singular here: the point does not move when it grows (scale factor zero within rounding), "
+                "so its unit vector does not exist; use other coordinates near this place"
+            )
+    _check_axes([tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)])
+
+
+def _check_axes(axes):
+    for n, m in ((0, 1), (1, 2), (2, 0)):
+        cosine = scalar(dot3(axes[n], axes[m]))
+        if drowned(1e-8, abs(cosine)):
+            raise SingularError(
+                f"the coordinates are not orthogonal here: e_{n + 1} . e_{m + 1} = {plain(cosine)}, expected 0; this method needs orthogonal ones"
+            )
+    if drowned(dot3(axes[0], cross3(axes[1], axes[2])), ZERO):
+        raise SingularError("the coordinates are left-handed here: e_1 x e_2 = -e_3; exchange two of them")
+
+
+def _moving_axes(position, q):
+    columns = [[x if isinstance(x, Moving) else Moving(x) for x in c] for c in tangents(position, q)]
+    lengths = [sqrt(dot3(c, c)) for c in columns]
+    return [[x if isinstance(x, Moving) else Moving(x) for x in (y / h for y in c)] for c, h in zip(columns, lengths, strict=True)]
+
+
+def _velocity_terms(P, columns, names):
+    parts = {f"{name}'": scale3(x.rate, c) for name, x, c in zip(names, P.coordinates, columns, strict=True)}
+    return _vectors(parts, P.ground)
+
+
+def _acceleration_terms(P, position, columns, names):
+    """sum q_i'' r_i + sum q_i'^2 r_ii + sum 2 q_i' q_j' r_ij, with subscripts for partial derivatives of the position."""
+    q = P.coordinates
+    parts = {f"{name}''": scale3(x.acceleration, c) for name, x, c in zip(names, q, columns, strict=True)}
+    for n in range(3):
+        for m in range(n, 3):
+            second = _second(position, tuple(x.value for x in q), n, m)
+            name = f"{names[n]}'^2" if n == m else f"{names[n]}' {names[m]}'"
+            parts[name] = scale3((1 if n == m else 2) * (q[n].rate * q[m].rate), second)
+    return _vectors(parts, P.ground)
+
+
+def _second(position, q, n, m):
+    inner = _seeded(q, m)
+    return tuple(_rate(_rate(x)) for x in position(*_seeded(inner, n)))
+
+
+def _vectors(parts, ground):
+    return {name: Vector(c, ground) for name, c in parts.items() if any(x is not ZERO for x in c)}
+
+
+def curvilinear_rates(position, q, v, a=None):
+    """The coordinates ``q`` with the rates that give the velocity ``v`` and the acceleration ``a``: q_i' = v_i/h_i, then q_i'' from the rest of a.
+
+    position, q : the position function and the three values of the coordinates, as for :func:`curvilinear`
+    v, a : Vectors, seen from the frame in which they are expressed and along whose axes ``position`` counts
+    Returns three moving numbers; without ``a`` their second rates are None. Raises as :func:`curvilinear`.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> rates = curvilinear_rates(lambda u, v, w: (2*u, v, w), (1.0, 0.0, 0.0), ground.vector(6.0, 0, 0), ground.vector(0, 1.0, 0))
+    >>> rates[0], rates[1].acceleration
+    (moving(1.0, rate=3.0, acceleration=0), 1.0)
+    """
+    def make(frame, name, *coordinates):
+        return curvilinear(frame, name, position, *coordinates)
+
+    return with_rates(make, tuple(map(scalar, q)), v.frame, v, a)
+
+
+# -- the gradient
+
+
+def gradient(f, P):
+    """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, exact and without a step size.
+
+    f : function of the coordinates by which P is given, written with the functions of this package: x, y, z along the axes of its frame, or
+        polar, cylindrical, spherical or other orthogonal coordinates for a :class:`~newton_euler.components.CoordinatePoint`
+    Returns a Vector along the axes of P's frame, or P's local axes e_i: there it is the sum of (df/dq_i)/h_i e_i. Its unit is that of f per length.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> gradient(lambda x, y, z: x**2*y, ground.point("P", 3.0, 2.0, 5.0))
+    Vector(12.0, 9.0, 0 in ground)
+    """
+    q = tuple(x.value for x in getattr(P, "coordinates", P.x))
+    factors = getattr(P, "scale_factors", (1, 1, 1))
+    slopes = [at(lambda s, n=n: f(*q[:n], s, *q[n + 1 :]), q[n]).rate for n in range(len(q))]
+    c = [slope / h for slope, h in zip(slopes, factors, strict=True)]
+    return Vector(tuple(scalar(x) for x in (*c, ZERO)[:3]), getattr(P, "local", P.frame))
+

@@ -1,0 +1,390 @@
+"""Motion as seen from the rotating Earth (6.8)-(6.11): ground frames, apparent weight, projectiles, weather.
+
+*Ground axes* at a place: i to the east, j to the north, k up, away from the Earth's centre; the Earth is a uniform sphere. Latitude is in rad,
+north positive; an azimuth runs from east toward north, an elevation upward from the horizontal. ``rate`` is the Earth's, in rad/s;
+lengths and ``g`` are in any one unit of length, only the constants below are in metres. ``g`` is the acceleration by attraction alone, down;
+functions that take a vector ``gravity`` may be given the :func:`effective_gravity`, which contains the centrifugal part.
+
+>>> from newton_euler import Frame, radians
+>>> ground = ground_frame(earth_frame(Frame("stars")), radians(45.0))
+>>> print(earth_rate(ground))
+[0, 5.1563e-05, 5.1563e-05] in ground
+"""
+
+from .inertia import is_positive
+from .scalars import ZERO, cos, is_numeric, least, plain, scalar, sin, size, sqrt
+from .vectors import EQUATIONS, ZERO3, Ledger, Vector, add3, cross3, dot3, scale3
+
+EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
+EARTH_RADIUS = 6.371e6  # m: of the sphere of equal volume (IUGG)
+EARTH_GM = 3.986004418e14  # m^3/s^2: gravitational constant times mass (WGS 84)
+EARTH_ORBIT_RATE = 1.990987e-7  # rad/s: one turn in a sidereal year of 365.25636 d
+EARTH_ORBIT_RADIUS = 1.495979e11  # m: astronomical unit (IAU 2012)
+
+EQUATIONS.update({
+    "apparent acceleration": ("6.16", r"\mathbf{a}_r", {
+        "gravity": ("g", r"\mathbf{g}"),
+        "coriolis": ("-2 omega x v_r", r"\left(-2\boldsymbol{\omega}_e\times\mathbf{v}_r\right)"),
+    }),
+    "support force": ("6.13", r"\mathbf{N}", {
+        "weight": ("m g k", r"mg\,\hat{k}"),
+        "rotation": ("m a_B", r"m\mathbf{a}_B"),
+    }),
+    "effective gravity": ("6.11", r"\mathbf{g}'", {
+        "attraction": ("-g k", r"\left(-g\,\hat{k}\right)"),
+        "centrifugal": ("-a_B", r"\left(-\mathbf{a}_B\right)"),
+    }),
+    "projectile": ("6.24", r"\mathbf{r}", {
+        "launch": ("v_r0 t", r"\mathbf{v}_{r0}t"),
+        "fall": ("1/2 g t^2", r"\tfrac{1}{2}\mathbf{g}t^2"),
+        "launch turned": ("-omega x v_r0 t^2", r"\left(-\boldsymbol{\omega}_e\times\mathbf{v}_{r0}t^2\right)"),
+        "fall turned": ("-1/3 omega x g t^3", r"\left(-\tfrac{1}{3}\boldsymbol{\omega}_e\times\mathbf{g}t^3\right)"),
+    }),
+})  # fmt: skip
+
+
+class EarthError(ValueError):
+    """A latitude that is none, or a motion that does not exist on the rotating Earth."""
+
+
+# -- frames
+
+
+def earth_frame(stars, rate=EARTH_RATE, turned=0, name="earth"):
+    """The frame of the Earth in ``stars``, a frame that does not turn; both have their origin in its centre.
+
+    Axes at longitude 0 on the equator: i to the east, j to the north (the axis of rotation), k up. ``turned`` : the angle turned so far, rad.
+    """
+    return stars.rotate(name, "y", turned, rate)
+
+
+def ground_frame(earth, latitude, longitude=0, radius=EARTH_RADIUS, name="ground"):
+    """The ground axes at a place, as a frame with its origin there: i east, j north, k up.
+
+    ``earth`` is from :func:`earth_frame`; ``latitude`` in rad, north positive, ``longitude`` in rad, east positive. Raises :class:`EarthError` for
+    a latitude beyond the poles (degrees?).
+
+    >>> from newton_euler import Frame
+    >>> ground = ground_frame(earth_frame(Frame("stars"), 7e-5), 0.0, radius=6.4e6)
+    >>> print(ground.origin.velocity(ground.tree[0]).expressed_in(ground))  # 448 m/s to the east
+    [448, 0, 0] in ground
+    """
+    meridian = earth.rotate(f"meridian of {name}", "y", longitude)
+    up = _up(_checked_latitude(latitude))
+    return meridian.rotate(name, "-x", latitude, origin=meridian.point(f"origin of {name}", *(radius * x for x in up)))
+
+
+def _up(latitude):
+    """The direction up in the axes that ground axes have on the equator; along ground axes it is the direction of the rotation, turned about."""
+    return ZERO, sin(latitude), cos(latitude)
+
+
+def _checked_latitude(latitude):
+    if is_numeric(latitude) and size(latitude) > 1.5708:
+        raise EarthError(f"a latitude is in radians, between -pi/2 and pi/2; got {plain(latitude)!r}: write radians(45) for 45 degrees north")
+    return scalar(latitude)
+
+
+def earth_rate(ground):
+    """The angular velocity of the Earth (6.18), rad/s: (0, rate cos(latitude), rate sin(latitude)) along ground axes.
+
+    The first frame of the tree of ``ground`` is taken for inertial.
+    """
+    return ground.angular_velocity(ground.tree[0])
+
+
+def earth_rate3(latitude, rate=EARTH_RATE):
+    """The Earth's angular velocity (6.18) as a triple along ground axes.
+
+    >>> earth_rate3(0.0)
+    (0, 7.292115e-05, 0.0)
+    """
+    _checked_latitude(latitude)
+    return ZERO, rate * cos(latitude), rate * sin(latitude)
+
+
+def attraction3(r, g, radius):
+    """The acceleration by the attraction of the Earth, as a triple along ground axes, at the triple ``r`` from the ground's origin (5.22).
+
+    g : at the distance ``radius`` from the centre
+
+    >>> attraction3((0, 0, 1.0), 9.0, 2.0)
+    (0, 0, -4.0)
+    """
+    x, y, z = _from_centre(r, radius)
+    square = dot3((x, y, z), (x, y, z))
+    factor = g * radius**2 / (square * sqrt(square))
+    return tuple(plain(-factor * q) for q in (x, y, z))
+
+
+def centrifugal3(r, omega, radius):
+    """The centrifugal acceleration -omega x (omega x rho), as a triple along ground axes, at the triple ``r`` from the ground's origin."""
+    return cross3(cross3(omega, _from_centre(r, radius)), omega)
+
+
+def _from_centre(r, radius):
+    x, y, z = (scalar(q) for q in r)
+    return x, y, z + radius
+
+
+# -- apparent weight (6.8)
+
+
+def ground_acceleration(ground):
+    """The acceleration a_B of the origin of ``ground`` (6.12), toward the axis of rotation."""
+    return ground.origin.acceleration(ground.tree[0]).expressed_in(ground)
+
+
+def effective_gravity(g, ground):
+    """The acceleration of a body let go at rest, g' = -g k - a_B (6.11), along ground axes: what a plumb line and a balance show.
+
+    Its terms are the ``attraction`` and the ``centrifugal`` part. The book's apparent g, g - R omega^2 cos(latitude)^2, is its component down;
+    ``g'.angle_to(-ground.k)`` is the deflection of the plumb line, toward the equator.
+
+    >>> from newton_euler import Frame
+    >>> print(effective_gravity(9.82, ground_frame(earth_frame(Frame("stars")), 1.5)))
+    [0, -0.00239041, -9.81983] in ground
+    """
+    parts = {"attraction": scalar(g) * -ground.k, "centrifugal": -ground_acceleration(ground)}
+    return _sum("effective gravity", f"in {ground.name}", parts, ground)
+
+
+def support_force(m, g, ground):
+    """The force N that the ground must exert on a body of mass ``m`` at rest on it (6.13), along ground axes; without rotation m g k (6.14).
+
+    Terms: ``weight``, and ``rotation``, which keeps the body on its circle.
+    """
+    parts = {"weight": scalar(m) * scalar(g) * ground.k, "rotation": scalar(m) * ground_acceleration(ground)}
+    return _sum("support force", f"in {ground.name}", parts, ground)
+
+
+def rotation_error(g, radius=EARTH_RADIUS, rate=EARTH_RATE):
+    """How much of the weight is left out at most if a body carried round a circle is taken to be in an inertial frame: R omega^2/g (6.8).
+
+    >>> round(rotation_error(9.81), 5)
+    0.00345
+    """
+    return radius * rate**2 / g
+
+
+def weightless_speed(g, radius=EARTH_RADIUS):
+    """The speed along the equator, seen from the stars, at which the ground carries nothing: sqrt(g R), that of a low orbit (6.8)."""
+    return sqrt(g * radius)
+
+
+def _sum(kind, subject, parts, frame):
+    total = ZERO3
+    for part in parts.values():
+        total = add3(total, part.expressed_in(frame).c)
+    return Vector(total, frame, None, Ledger(kind, subject, lambda: parts))
+
+
+# -- projectiles (6.9, 6.10)
+
+
+def coriolis_acceleration(omega, v):
+    """-2 omega x v: how a body that moves freely with ``v`` seems to be accelerated in a frame that turns with ``omega``."""
+    return -2 * omega.cross(v)
+
+
+def apparent_acceleration(v, gravity, omega):
+    """The acceleration that is seen from the ground (6.16), of a projectile with the velocity ``v`` seen from there: gravity - 2 omega x v.
+
+    All three are Vectors; terms: ``gravity``, ``coriolis``. Terms in omega^2 are left out, unless ``gravity`` is the effective one.
+    """
+    return _sum("apparent acceleration", f"in {v.frame.name}", {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)}, v.frame)
+
+
+def launch_direction(azimuth, elevation):
+    """The direction of a shot along ground axes, three components (6.17); azimuth from east toward north."""
+    return cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation)
+
+
+def launch_velocity(ground, speed, azimuth, elevation):
+    """The velocity of a shot as a Vector along ground axes (6.17), seen from the ground."""
+    return ground.vector(*(speed * e for e in launch_direction(azimuth, elevation)))
+
+
+def projectile_position(t, launch, gravity, omega):
+    """Where a projectile is at time ``t`` after it left the origin (6.24), to first order in the rotation.
+
+    launch, gravity, omega : Vectors, the velocity of the shot, the acceleration of free fall, the Earth's angular velocity
+    Returns a Vector along the axes of ``launch``, with the terms ``launch``, ``fall``, ``launch turned`` and ``fall turned``. The error is of
+    the second order in the rotation, about (2 omega t)^2/6 of the way; see :func:`projectile_to_order`.
+
+    >>> from newton_euler import Frame, radians
+    >>> ground = ground_frame(earth_frame(Frame("stars")), radians(45.0))
+    >>> r = projectile_position(10.0, launch_velocity(ground, 100.0, 0.0, 0.5), 9.81*-ground.k, earth_rate(ground))
+    >>> print(r.terms["fall turned"])
+    [0.168611, 0, 0] in ground
+    """
+    frame = launch.frame
+    v, g, w = (x.expressed_in(frame).c for x in (launch, gravity, omega))
+    terms = _position_terms(t, v, g, w)
+    return _sum("projectile", f"in {frame.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)
+
+
+def _position_terms(t, v, g, w):
+    """The terms of (6.24) as triples."""
+    launch, launch_turned = _series(t, v, w, 1)
+    fall, fall_turned = _series(t, g, w, 2)
+    return {"launch": launch, "fall": fall, "launch turned": launch_turned, "fall turned": fall_turned}
+
+
+def _series(t, c, w, power, order=1):
+    """c t^n/n! with n = ``power``, and then, ``order`` times, crossed with -2 w and integrated once more."""
+    term = c if power == 0 else scale3(t, c) if power == 1 else scale3(t * t / 2, c)
+    out = [term]
+    for n in range(1, order + 1):
+        term = cross3(w, scale3(-2 * t / (power + n), term))
+        out.append(term)
+    return out
+
+
+def _sum3(*series):
+    total = ZERO3
+    for terms in series:
+        for term in terms:
+            total = add3(total, term)
+    return total
+
+
+def position3(t, v, g, w, order=1):
+    """The solution of (6.20) to any order in w, of triples: the way from the start. Order 1 is (6.24)."""
+    return _sum3(_series(t, v, w, 1, order), _series(t, g, w, 2, order))
+
+
+def velocity3(t, v, g, w, order=1):
+    """The rate of :func:`position3`."""
+    return _sum3(_series(t, v, w, 0, order), _series(t, g, w, 1, order))
+
+
+def projectile_to_order(t, launch, gravity, omega, order):
+    """Like :func:`projectile_position`, to any order in the rotation, for uniform ``gravity``: the solution of (6.20) as a series.
+
+    The rest after ``order`` is less than (2 omega t)^(order + 1)/(order + 2)! of the way; 24 orders are exact to round-off within five hours.
+    """
+    frame = launch.frame
+    return Vector(position3(t, launch.c, gravity.expressed_in(frame).c, omega.expressed_in(frame).c, order), frame)
+
+
+def projectile_velocity(t, launch, gravity, omega, order=1):
+    """The velocity seen from the ground at time ``t``: the rate of :func:`projectile_position`, which is (6.22), or to a higher order."""
+    frame = launch.frame
+    return Vector(velocity3(t, launch.c, gravity.expressed_in(frame).c, omega.expressed_in(frame).c, order), frame)
+
+
+def projectile(t, speed, azimuth, elevation, latitude, g, rate=EARTH_RATE):
+    """The coordinates (east, north, up) of a shot at time ``t``, with the book's angles (6.25), first order in the rotation.
+
+    >>> [round(x, 3) for x in projectile(10.0, 0.0, 0.0, 0.0, 0.0, 9.81)]  # let go from rest at the equator
+    [0.238, 0.0, -490.5]
+    """
+    v = tuple(speed * e for e in launch_direction(azimuth, elevation))
+    return tuple(plain(x) for x in position3(t, v, (ZERO, ZERO, -scalar(g)), earth_rate3(latitude, rate)))
+
+
+def flight_time(speed, azimuth, elevation, latitude, g, rate=EARTH_RATE):
+    """The time until a shot is back at the level from which it came (6.26), first order in the rotation."""
+    e = launch_direction(azimuth, elevation)
+    down = g - 2 * speed * e[0] * earth_rate3(latitude, rate)[1]
+    if not is_positive(down):
+        raise EarthError("at this speed the Coriolis acceleration outweighs gravity; the first order in the rotation says nothing about such a shot")
+    return 2 * speed * e[2] / down
+
+
+def shot_range(speed, azimuth, elevation, latitude, g, rate=EARTH_RATE):
+    """The distance along the ground to the point of impact (6.27)."""
+    t = flight_time(speed, azimuth, elevation, latitude, g, rate)
+    x, y, _ = projectile(t, speed, azimuth, elevation, latitude, g, rate)
+    return sqrt(x * x + y * y)
+
+
+def range_east(speed, elevation, g, rate=EARTH_RATE):
+    """The range of a shot to the east on the equator (6.30), :func:`shot_range` to first order; v0^2 sin(2 elevation)/g without rotation."""
+    turned = 4 * rate * speed**3 * sin(elevation) * (1 - 4 * cos(elevation) ** 2) / (3 * g**2)
+    return speed**2 * sin(2 * elevation) / g - turned
+
+
+def range_error(speed, elevation, g, rate=EARTH_RATE):
+    """The error of leaving the rotation out of the range to the east, (R_0 - R)/R_0 (6.31), a ratio: the book has 100 times this, in per cent.
+
+    Negative below 60 degrees, where the rotation lengthens the shot.
+    """
+    return 2 * rate * speed * (1 - 4 * cos(elevation) ** 2) / (3 * g * cos(elevation))
+
+
+def drop_deflection(height, latitude, g, rate=EARTH_RATE):
+    """How far to the east of the plumb line a body lands that is let go from rest at ``height``: (6.24) at the time sqrt(2 height/g).
+
+    >>> round(drop_deflection(100.0, 0.0, 9.81), 4)
+    0.022
+    """
+    return plain(position3(sqrt(2 * height / g), ZERO3, (ZERO, ZERO, -scalar(g)), earth_rate3(latitude, rate))[0])
+
+
+# -- weather (6.11)
+
+
+def coriolis_parameter(latitude, rate=EARTH_RATE):
+    """2 omega sin(latitude), rad/s: how fast the direction of a free horizontal motion turns, clockwise where it is positive, in the north."""
+    return 2 * earth_rate3(latitude, rate)[2]
+
+
+def wind_acceleration(speed, azimuth, latitude, rate=EARTH_RATE):
+    """The acceleration (east, north) of air that moves freely on the level with ``speed`` toward ``azimuth`` (6.33), (6.34): to the right in the
+    north, to the left in the south.
+
+    >>> [round(x, 6) for x in wind_acceleration(20.0, 0.0, 0.5, 7e-5)]
+    [0.0, -0.001342]
+    """
+    f = coriolis_parameter(latitude, rate)
+    return f * speed * sin(azimuth), -f * speed * cos(azimuth)
+
+
+def buoyancy(m, speed, azimuth, latitude, g, rate=EARTH_RATE):
+    """The vertical force that keeps air of mass ``m`` on its level (6.32): its weight, less what the rotation takes off an eastward wind."""
+    return m * (g - 2 * earth_rate3(latitude, rate)[1] * speed * cos(azimuth))
+
+
+def inertial_circle(speed, latitude, rate=EARTH_RATE):
+    """The radius of the circle in which free air runs on the level, clockwise in the north: speed/|2 omega sin(latitude)|, by (6.34) and (6.5)."""
+    return speed / _turning(latitude, rate)
+
+
+def geostrophic_wind(push, latitude, rate=EARTH_RATE):
+    """The speed of a steady wind along straight isobars, whose Coriolis acceleration balances ``push``, the pressure gradient over the density.
+
+    In the north it has the low pressure to its left. Raises :class:`EarthError` on the equator, where nothing balances the push.
+
+    >>> round(geostrophic_wind(1e-3, 0.8), 2)  # 1.2 hPa in 100 km, air of 1.2 kg/m^3
+    9.56
+    """
+    return push / _turning(latitude, rate)
+
+
+def gradient_wind(push, radius, latitude, rate=EARTH_RATE):
+    """The speed of a steady wind on a circle of ``radius`` about a centre of low pressure, push > 0 toward it, or of high pressure, push < 0.
+
+    v^2/radius + 2 omega |sin(latitude)| v = push; positive: a cyclone, counterclockwise seen from above in the north, clockwise in the south.
+    Raises :class:`EarthError` where a high pushes more than any wind can balance. On a large circle it is the geostrophic wind.
+
+    >>> round(gradient_wind(1e-3, 500e3, 0.8), 2), round(gradient_wind(-1e-3, 500e3, 0.8), 2)
+    (8.26, -12.59)
+    """
+    f = _turning(latitude, rate)
+    square = f * f + 4 * push / radius
+    if is_numeric(square) and size(abs(square) - square) > 0:
+        raise EarthError(
+            f"no steady wind: at radius {plain(radius)!r} the Coriolis acceleration balances an outward push of at most "
+            f"{plain(f * f * radius / 4)!r}, not {plain(-push)!r}; a high has a flat middle"
+        )
+    return 2 * push / (f + sqrt(square))
+
+
+def _turning(latitude, rate):
+    """|2 omega sin(latitude)|"""
+    f = coriolis_parameter(latitude, rate)
+    if is_numeric(f) and least(f) == 0:
+        raise EarthError("on the equator (or on an Earth at rest) nothing turns a horizontal wind aside: its Coriolis acceleration is vertical")
+    return sqrt(f * f)

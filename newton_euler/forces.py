@@ -1,0 +1,100 @@
+"""Forces (chapter 5): gravitation and weight.
+
+Chapter 5 takes K for the constant of gravitation; its value and g are arguments everywhere, so that other units and other planets
+need nothing new. Springs and dampers, friction, moments and force systems belong to later chapters.
+"""
+
+from .inertia import MassError, place, positive
+from .scalars import plain, scalar
+from .vectors import FrameError, Vector
+
+K = 6.673e-11  # m^3/(kg s^2), as in the book; CODATA 2018 has 6.67430e-11
+G_STANDARD = 9.81  # m/s^2, the book's flat earth
+G_STANDARD_FT = 32.2  # ft/s^2
+
+
+def attraction(m1, m2, distance, K=K):
+    """The magnitude F = K m1 m2/r^2 of the attraction of two particles, or radially symmetric bodies outside of each other (5.21). Newton in SI.
+
+    >>> round(attraction(5.97e24, 1.0, 6.371e6), 2)
+    9.81
+    """
+    positive(scalar(distance), "the distance of the two bodies")
+    return plain(K * m1 * m2 / (distance * distance))
+
+
+def gravitation(on, by, K=K, frame=None):
+    """The force on one body by the attraction of the other, a Vector toward the other (5.20), (5.22); the reverse has the opposite force.
+
+    on, by : bodies (see :func:`newton_euler.mass.particle`), taken as particles in their centres of mass: exact for radially symmetric ones
+    frame : in whose components; default: that of the first body
+
+    >>> from newton_euler import Frame, particle
+    >>> space = Frame("space")
+    >>> ball, star = particle(2.0, space.origin), particle(3.0, space.point("P", 0, 2.0, 0))
+    >>> gravitation(ball, star, K=1.0)
+    Vector(0, 1.5, 0 in space)
+    """
+    r = (by.centre - on.centre).expressed_in(frame or on.frame)
+    distance = scalar(r.norm())
+    positive(distance, f"the distance of {on.name} and {by.name}")
+    return r * (K * on.mass * by.mass / (distance * distance * distance))
+
+
+def gravity_at_surface(mass, radius, K=K):
+    """g = K M/R^2 at the surface of a radially symmetric planet (5.24), its rotation left out.
+
+    >>> round(gravity_at_surface(5.972e24, 6.371e6), 3)
+    9.818
+    """
+    return attraction(mass, 1, radius, K)
+
+
+def gravity_at_height(height, radius, g=G_STANDARD):
+    """The acceleration of gravity at a height above the surface, g (R/(R + h))^2, from that at the surface: (5.22) against (5.23).
+
+    >>> gravity_at_height(6.4e6, 6.4e6, g=8.0)
+    2.0
+    """
+    positive(scalar(radius), "the radius of the planet")
+    ratio = radius / (radius + height)
+    return plain(g * (ratio * ratio))
+
+
+def weight(body, up, g=G_STANDARD):
+    """The weight W = -m g k over a flat earth, a Vector (5.25)-(5.27).
+
+    body : a body, or its mass; up : the upward vertical, a Vector of any length, as ``ground.k``
+    g : m/s^2; in English units give the mass in slug and ``g=32.2``
+
+    >>> from newton_euler import Frame
+    >>> weight(2.0, Frame("ground").k)
+    Vector(0, 0, -19.62 in ground)
+    """
+    if not isinstance(up, Vector):
+        raise FrameError(f"weight needs the upward direction as a Vector, as ground.k; got {up!r}")
+    return up.direction() * -(_mass_of(body) * g)
+
+
+def mass_from_weight(weight, g=G_STANDARD):
+    """m = W/g (5.26): slug from a weight in lb with ``g=32.2``."""
+    return plain(scalar(weight) / g)
+
+
+def gravitational_field(position, mass, centre, K=K):
+    """The acceleration of gravity at a Point, toward the ``centre`` of a radially symmetric body of this mass: g = -K M/r^2 e_r (5.22), (5.23).
+
+    centre : a Point or Frame; Returns a Vector in the frame of ``position``.
+    """
+    position = place(position, "where the field is asked for")
+    r = position - place(centre, "the centre of attraction")
+    distance = scalar(r.norm())
+    positive(distance, f"the distance of {position.name} from the centre of attraction")
+    return r * -(K * mass / (distance * distance * distance))
+
+
+def _mass_of(body):
+    try:
+        return scalar(getattr(body, "mass", body))
+    except TypeError as problem:
+        raise MassError(f"weight needs a body or a mass, got {body!r}") from problem

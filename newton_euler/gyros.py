@@ -1,0 +1,427 @@
+"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a fixed point of its axis, or about its centre of mass.
+
+Moments of inertia about that point: ``I0`` about a transverse axis, ``I`` about the axis of symmetry k (10.17). Euler angles 3-1-3: the angle
+``theta`` is that from the axis of precession K (upward, where there is gravity) to k; ``precession`` psi' is the rate of the plane of K and k
+about K; ``spin`` phi' is the rate of the body about k relative to that plane; ``omega_z`` = phi' + psi' cos(theta) is its whole rate about k (10.26).
+Moments are about the line of nodes i = K x k/sin(theta). Gravity enters as ``mgr``, weight times distance of G from the fixed point, positive
+if G lies on the side of k; its moment is mgr sin(theta) (10.30). Any other moment M about the line of nodes is given as ``moment``.
+Angles are in rad, rates in rad/s, other units any consistent ones.
+
+The quadratic equation of steady precession (10.33) is solved by a form that does not cancel, so that results stay exact to round-off
+as (I0 - I) cos(theta) vanishes, where the fast precession goes to infinity and the slow one to its limit (10.37).
+
+>>> found = steady_precession(I0=0.02, I=0.01, theta=1.0, spin=100.0, mgr=0.5)
+>>> round(found.slow, 6), round(found.fast, 4)
+(0.501358, 184.5802)
+"""
+
+import math
+from dataclasses import dataclass
+
+from .mass import Inertia
+from .scalars import ZERO, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, sin, size, sqrt, tan, where
+from .vectors import EQUATIONS, FrameError, Ledger, Vector, add3
+
+
+class GyroError(ValueError):
+    """A motion that this gyroscope cannot have, or data that determine none."""
+
+
+# -- the axis of zero velocity
+
+
+@dataclass(frozen=True)
+class InstantaneousAxis:
+    """The points of a body that are at rest, or move along the axis only: the line through ``point`` along the unit vector ``direction`` (10.1).
+
+    slide : the velocity of its points along ``direction``, m/s; zero if a point of the body is at rest
+    """
+
+    point: object
+    direction: Vector
+    slide: object
+
+
+def instantaneous_axis(body, observer):
+    """The instantaneous axis of a rigid body, the frame ``body``, seen from ``observer``: an :class:`InstantaneousAxis` (10.1).
+
+    The point given is that of the axis nearest to the origin of ``body``; if that is at rest, it is the origin itself. In a motion with no point
+    at rest the axis is that of the screw. Raises :class:`GyroError` if the body does not turn.
+
+    >>> from newton_euler import Frame, moving
+    >>> ground = Frame("ground")
+    >>> wheel = ground.rotate("wheel", "-z", rate=4.0, origin=ground.point("C", moving(0.0, rate=2.0), 0.5, 0))  # rolls to the right
+    >>> instantaneous_axis(wheel, ground).point.position(ground).components()
+    (0.0, 0.0, 0)
+    """
+    w = body.angular_velocity(observer)
+    rate = scalar(w.norm())
+    if is_zero(rate):
+        raise GyroError(f"{body.name} does not turn in {observer.name} at this instant: it has no instantaneous axis, all its points move alike")
+    B = body.point("B", 0, 0, 0)
+    v = B.velocity(observer).expressed_in(body)
+    arm = w.cross(v) / (rate * rate)
+    direction = Vector(tuple(x / rate for x in w.c), body)
+    return InstantaneousAxis(body.point("on the axis", *arm.c), direction, direction.dot(v))
+
+
+# -- moment from motion
+
+EQUATIONS["gyroscopic moment"] = ("10.23", r"\mathbf{M}", {
+    "acceleration": ("dH/dt in {i, j, k}", r"\frac{d\mathbf{H}}{dt}"),
+    "precession": ("Omega x [I] Omega", r"\boldsymbol{\Omega}\times[I]\boldsymbol{\Omega}"),
+    "gyroscopic": ("Omega x I phi' k", r"\boldsymbol{\Omega}\times I\dot\phi\hat{k}"),
+})  # fmt: skip
+
+
+def gyro_momentum(body, ground, I0, I):
+    """H about the fixed point or G, in the frame {i, j, k} that precesses and nutates without spinning (10.21); it knows its rate.
+
+    body : the frame of the body, made by :func:`newton_euler.rotations.euler_frame`, so that {i, j, k} is ``body.parent``
+
+    >>> from newton_euler import Frame, moving
+    >>> from newton_euler.rotations import euler_frame
+    >>> ground = Frame("ground")
+    >>> top = euler_frame(ground, "top", 0.0, 0.0, moving(0.0, rate=100.0))
+    >>> gyro_momentum(top, ground, 0.02, 0.01).z
+    1.0
+    """
+    return _inertia(body, I0, I).times(body.angular_velocity(ground).expressed_in(body.parent))
+
+
+def gyro_moment(body, ground, I0, I):
+    """The moment that a motion needs, about the fixed point or G (10.20)-(10.25), (10.27): a Vector in {i, j, k}, the frame ``body.parent``.
+
+    body : made by :func:`newton_euler.rotations.euler_frame` of angles that are :func:`newton_euler.moving`, with both rates
+    terms : ``acceleration``, the rate of H seen in {i, j, k}; ``precession`` Omega x [I] Omega; ``gyroscopic`` Omega x I phi' k
+
+    >>> from newton_euler import Frame, moving, pi
+    >>> from newton_euler.rotations import euler_frame
+    >>> ground = Frame("ground")
+    >>> level = euler_frame(ground, "rotor", moving(0.0, rate=2.0), pi()/2, moving(0.0, rate=100.0))
+    >>> round(gyro_moment(level, ground, 0.02, 0.01).x, 12)  # I psi' phi' (10.37)
+    2.0
+    """
+    f, inertia = body.parent, _inertia(body, I0, I)
+    Omega, spin = f.angular_velocity(ground), body.angular_velocity(f).expressed_in(f)
+    terms = {
+        "acceleration": gyro_momentum(body, ground, I0, I).rate(f),
+        "precession": Omega.cross(inertia.times(Omega)),
+        "gyroscopic": Omega.cross(inertia.times(spin)),
+    }
+    total = add3(add3(terms["acceleration"].c, terms["precession"].c), terms["gyroscopic"].c)
+    return Vector(total, f, None, Ledger("gyroscopic moment", f"on {body.name}", lambda: terms))
+
+
+def _inertia(body, I0, I):
+    if body.parent is None or body.axis != 2:
+        raise FrameError(
+            f"{body.name} is not spun about the z axis of a frame above it; make it with euler_frame(ground, {body.name!r}, psi, theta, phi)"
+        )
+    _check_moments(I0, I)
+    return Inertia(body.parent.origin, (I0, I0, I), frame=body.parent, tolerance=None)
+
+
+def _check_moments(I0, I):
+    """I0 > 0 and 0 <= I <= 2 I0, as for any body; expressions pass unseen."""
+    I0, I = scalar(I0), scalar(I)
+    if is_numeric(I0) and _any(plain(I0) <= 0):
+        raise GyroError(f"the transverse moment of inertia I0 must be positive, got {plain(I0)!r}")
+    if is_numeric(I0) and is_numeric(I) and (_any(plain(I) < 0) or _any(plain(I - 2 * I0) > 1e-9 * plain(I0))):
+        raise GyroError(f"no body of revolution has I = {plain(I)!r} with I0 = {plain(I0)!r}: I lies between 0 and 2 I0; are they exchanged?")
+
+
+def _any(condition):
+    return size(where(condition, 1, 0)) > 0
+
+
+def normal_moment(precession, spin, I):
+    """The moment on a body whose axis of spin is turned at right angles to itself: I psi' x phi' (10.38), N m if in SI.
+
+    precession, spin : Vectors, rad/s, along psi' and phi', at right angles (:class:`GyroError` otherwise); I about the spin axis
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> normal_moment(ground.vector(0, 2.0, 0), ground.vector(0, 0, 100.0), 0.01)
+    Vector(2.0, 0, 0 in ground)
+    """
+    along, product = scalar(precession.dot(spin)), scalar(precession.norm()) * spin.norm()
+    if is_numeric(along) and is_numeric(product) and _any(abs(plain(along)) > 1e-9 * plain(product)):
+        raise GyroError(f"precession {precession} and spin {spin} are not at right angles; use gyro_moment or steady_moment(I0, I, theta, ...)")
+    return precession.cross(spin) * I
+
+
+# -- steady precession
+
+
+def steady_moment(I0, I, theta, precession, spin):
+    """The moment about the line of nodes that holds a steady precession (10.29), (10.32), (10.37).
+
+    >>> steady_moment(0.02, 0.01, 0.5, 0.0, 100.0)
+    0.0
+    """
+    return plain(precession * sin(theta) * (I * spin - (I0 - I) * precession * cos(theta)))
+
+
+def steady_spin(I0, I, theta, precession, mgr=None, moment=None):
+    """The spin phi' of a steady precession of given rate, (10.31), (10.32) solved for it. Give ``mgr`` or ``moment``; mgr=0 is torque-free (10.35).
+
+    Raises :class:`GyroError` if I or the precession is zero: then no spin helps.
+
+    >>> steady_spin(0.02, 0.01, 0.0, 2.0, mgr=2.0)
+    102.0
+    """
+    c = _over_sine(theta, mgr, moment)
+    for name, x in (("precession", precession), ("I", I)):
+        if is_numeric(x) and least(x) == 0:
+            raise GyroError(f"the {name} is zero, and then the moment does not depend on the spin")
+    return plain((c / precession + (I0 - I) * precession * cos(theta)) / I)
+
+
+@dataclass(frozen=True)
+class SteadyPrecession:
+    """What :func:`steady_precession` finds.
+
+    slow, fast : the two rates of precession psi', rad/s; ``fast`` is infinite where there is no second one
+    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta); zero where both are one
+    stiffness : for each of the two, the square of the angular frequency of small nutations about it, (rad/s)^2, see :func:`nutation_stiffness`
+    """
+
+    slow: object
+    fast: object
+    discriminant: object
+    stiffness: tuple
+
+
+def steady_precession(I0, I, theta, spin=None, omega_z=None, mgr=None, moment=None):
+    """Both rates of steady precession at the angle theta (10.31)-(10.33): a :class:`SteadyPrecession`.
+
+    Give either ``spin`` phi', relative to the precessing plane, or ``omega_z``, the whole rate about the axis; and either ``mgr`` or ``moment``.
+    With a = (I0 - I) cos(theta), h = I phi' (or a = I0 cos(theta), h = I omega_z) and c = mgr or moment/sin(theta) the rates solve
+    a psi'^2 - h psi' + c = 0. They are taken from q = (h + sgn(h) sqrt(h^2 - 4 a c))/2 as c/q and q/a, sums of equal signs: right to
+    round-off for every a, while the printed root (10.33) loses its digits as a -> 0 and is 0/0 there.
+    An expression for h is taken as different from zero. Raises :class:`GyroError` where no rate is real (arrays: at any instant), with the least
+    spin needed.
+
+    >>> import math
+    >>> level = steady_precession(0.02, 0.01, math.pi/2, spin=100.0, mgr=0.5)
+    >>> level.slow == 0.5/(0.01*100.0)
+    True
+    """
+    a, h, c = _quadratic(I0, I, theta, spin, omega_z, _over_sine(theta, mgr, moment))
+    D = _discriminant(a, h, c, I, "spin" if omega_z is None else "omega_z")
+    q = (h + _sense(h) * sqrt(D)) / 2
+    _check_any_root(q, c)
+    slow, fast = _quotient(c, q, 0), _quotient(q, a, math.inf)
+    stiffness = tuple(_stiffness(I0, I, theta, psi, spin, omega_z) for psi in (slow, fast))
+    return SteadyPrecession(plain(slow), plain(fast), plain(D), stiffness)
+
+
+def _stiffness(I0, I, theta, psi, spin, omega_z):
+    """That of nutation about the rate psi', infinite where this is."""
+    none = is_numeric(psi) and plain(psi) == math.inf
+    psi = where(none, 0, plain(psi))
+    whole = spin + psi * cos(theta) if omega_z is None else omega_z
+    return where(none, math.inf, nutation_stiffness(I0, I, theta, psi, whole))
+
+
+def _over_sine(theta, mgr, moment):
+    """c: the moment divided by sin(theta), which is finite for gravity at theta = 0."""
+    if (mgr is None) == (moment is None):
+        raise GyroError("give one of mgr, weight times distance of G from the fixed point, and moment, the moment about the line of nodes")
+    if moment is None:
+        return scalar(mgr)
+    s = sin(theta)
+    if is_numeric(s) and least(s) <= 4 * epsilon(s):
+        raise GyroError(f"at theta = {plain(theta)!r} rad there is no line of nodes to have a moment about; give gravity as mgr")
+    return scalar(moment) / s
+
+
+def _quadratic(I0, I, theta, spin, omega_z, c):
+    _check_moments(I0, I)
+    if (spin is None) == (omega_z is None):
+        raise GyroError("give either spin, the rate phi' about the axis relative to the precessing plane, or omega_z = phi' + psi' cos(theta)")
+    I0, I = scalar(I0), scalar(I)
+    return ((I0 - I) * cos(theta), I * spin, c) if omega_z is None else (I0 * cos(theta), I * omega_z, c)
+
+
+def _discriminant(a, h, c, I, what):
+    """h^2 - 4 a c, zero within its rounding; refuses negative ones in words."""
+    D = h * h - 4 * (a * c)
+    if not is_numeric(D):
+        return D
+    small = 8 * epsilon(D) * abs(h * h) + 8 * epsilon(D) * abs(4 * (a * c))
+    D = where(plain(D) < 0, where(plain(D + small) >= 0, 0 * D, D), D)
+    if _any(plain(D) < 0):
+        least_rate = "no spin helps without an axial moment I" if is_zero(I) else f"{what} must be at least {_told(_least_rate(a, c, I))} rad/s in size"
+        raise GyroError(f"no steady precession is possible at this angle: the discriminant is {_told(D)}, negative; {least_rate}")
+    return D
+
+
+def _told(x):
+    return f"{float(x):.6g}" if not getattr(plain(x), "shape", ()) else str(x)
+
+
+def _sense(h):
+    """The sign of h: +1 for zero. An expression is taken as different from zero."""
+    return where(plain(h) < 0, -1, 1) if is_numeric(h) else h / sqrt(h * h)
+
+
+def _check_any_root(q, c):
+    if is_numeric(q) and is_numeric(c) and _any(where(plain(q) == 0, where(plain(c) != 0, 1, 0), 0) == 1):
+        raise GyroError("no steady precession is possible: without spin a body at this angle can hold no moment; tilt it or spin it")
+
+
+def _quotient(n, d, otherwise):
+    """n/d, and ``otherwise`` where d is zero."""
+    if not is_numeric(d):
+        return n / d
+    none = plain(d) == 0
+    return where(none, otherwise, n / where(none, 1, plain(d)))
+
+
+def least_spin(I0, I, theta, mgr=None, moment=None, of="spin"):
+    """The least spin phi' (of="spin") or whole rate (of="omega_z") for steady precession at theta, in size: where the discriminant of (10.33) is 0.
+
+    2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I; zero where every spin will do. An expression is taken to be real.
+
+    >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5), 4), round(least_spin(0.02, 0.01, 0.0, mgr=0.5, of="omega_z"), 4)
+    (14.1421, 20.0)
+    >>> least_spin(0.02, 0.01, 2.0, mgr=0.5)  # G below the point
+    0.0
+    """
+    if of not in ("spin", "omega_z"):
+        raise GyroError(f"of= is 'spin' (phi') or 'omega_z' (phi' + psi' cos theta), got {of!r}")
+    given = {of: 1}
+    a, _, c = _quadratic(I0, I, theta, given.get("spin"), given.get("omega_z"), _over_sine(theta, mgr, moment))
+    return plain(_least_rate(a, c, I))
+
+
+def _least_rate(a, c, I):
+    product = a * c
+    if is_numeric(product):
+        product = where(plain(product) <= 0, abs(0 * product), product)
+    return 2 * sqrt(product) / I
+
+
+def nutation_stiffness(I0, I, theta, precession, omega_z):
+    """The square of the angular frequency (rad/s)^2 of small nutations about a steady precession under gravity; stable where it is positive.
+
+    psi'^2 sin^2(theta) + (I omega_z/I0 - 2 psi' cos(theta))^2: the curvature of the effective potential, divided by I0, while I omega_z and the
+    momentum about the vertical stay what they are. It is a sum of squares: every steady precession of a tilted top is stable. Where the moment is
+    not that of gravity, mgr sin(theta), or the precession is enforced, it does not hold.
+
+    >>> nutation_stiffness(0.02, 0.01, 0.0, 0.0, 100.0)
+    2500.0
+    """
+    across, rest = precession * sin(theta), I * omega_z / I0 - 2 * (precession * cos(theta))
+    return plain(across * across + rest * rest)
+
+
+@dataclass(frozen=True)
+class FastSpin:
+    """The leading terms (10.34) for a fast spin, and by which part of the true value each is too large (negative: too small)."""
+
+    slow: object
+    fast: object
+    slow_error: object
+    fast_error: object
+
+
+def fast_spin(I0, I, theta, spin, mgr=None, moment=None):
+    """The precession rates approximately, for a fast spin: mgr/(I phi') and I phi'/((I0 - I) cos(theta)) (10.34). A :class:`FastSpin`.
+
+    With eps = mgr (I0 - I) cos(theta)/(I phi')^2 and s = sqrt(1 - 4 eps) the relative errors are -2 eps/(1 + s) and 4 eps/(1 + s)^2, to leading
+    order -eps and eps, here without approximation; :class:`GyroError` where no precession is real, or the spin is zero.
+
+    >>> found = fast_spin(0.02, 0.01, 1.0, 100.0, mgr=0.5)
+    >>> round(found.slow, 6), round(found.slow_error, 6)
+    (0.5, -0.002709)
+    """
+    a, h, c = _quadratic(I0, I, theta, spin, None, _over_sine(theta, mgr, moment))
+    if is_numeric(h) and least(h) == 0:
+        raise GyroError("these are approximations for a fast spin, but the spin (or I) is zero; use steady_precession")
+    eps = c / h * (a / h)
+    once = 1 + sqrt(_discriminant(a, h, c, I, "spin")) / sqrt(h * h)
+    return FastSpin(plain(c / h), plain(_quotient(h, a, math.inf)), plain(-2 * eps / once), plain(4 * eps / (once * once)))
+
+
+# -- without a moment
+
+
+@dataclass(frozen=True)
+class FreePrecession:
+    """The motion of a symmetric body on which no moment acts, seen from its constant angular momentum H = H K.
+
+    rate : psi', rad/s; sense : "direct" or "retrograde" (None for expressions): spin and precession about K in the same sense or not
+    body_cone, space_cone : half-angles (rad) of the cones that the instantaneous axis describes about k in the body, and about K in space
+    """
+
+    rate: object
+    sense: object
+    body_cone: object
+    space_cone: object
+
+
+def free_precession(I0, I, theta, spin):
+    """Steady precession without moment (10.35), (10.36): psi' = I phi'/((I0 - I) cos(theta)). A :class:`FreePrecession`.
+
+    Direct if I < I0, retrograde if I > I0. Raises :class:`GyroError` if I = I0 or theta = pi/2: then the body has no spin, and turns about K as a
+    whole. For the approach to this use ``omega_z``: psi' = I omega_z/(I0 cos(theta)), which has a limit.
+
+    >>> football = free_precession(3.0, 1.0, 0.5, 10.0)
+    >>> round(football.rate, 4), football.sense
+    (5.6975, 'direct')
+    """
+    _check_moments(I0, I)
+    difference, c = scalar(I0) - I, cos(theta)
+    if is_numeric(difference) and is_zero(difference):
+        raise GyroError("with I = I0 there is no precession: every axis is a principal one, and the body turns about a fixed axis")
+    if is_numeric(c) and least(c) <= 4 * epsilon(c) and not is_zero(spin):
+        raise GyroError(f"theta = {plain(theta)!r} rad is pi/2: H has no component along the axis of symmetry, and the spin must be zero")
+    sense = None if not is_numeric(difference) else where(plain(difference) > 0, "direct", "retrograde")
+    tilt = atan(I * tan(theta) / I0)
+    return FreePrecession(plain(I * spin / (difference * c)), sense, plain(tilt), plain(_size(theta - tilt)))
+
+
+def _size(x):
+    return abs(x) if is_numeric(x) else sqrt(x * x)
+
+
+# -- the sleeping top
+
+
+@dataclass(frozen=True)
+class SleepingTop:
+    """Whether a top stands upright, see :func:`sleeping_top`.
+
+    critical : the least whole rate omega_z, rad/s; margin : (omega_z/critical)^2, infinite if it stands without spin
+    stable : True or False, None for expressions
+    growth : rate at which a small tilt grows, 1/s; zero if stable. Over the time T it grows by exp(growth T): near the threshold a finite
+        simulation cannot tell, the criterion can
+    """
+
+    critical: object
+    margin: object
+    stable: object
+    growth: object
+
+
+def sleeping_top(I0, I, mgr, omega_z):
+    """Does a top spinning upright (theta = 0) stay upright? If (I omega_z)^2 >= 4 I0 mgr: a :class:`SleepingTop`.
+
+    At the threshold itself it does: there the effective potential is of fourth order, with a minimum. A small tilt x + i y obeys
+    I0 z'' - i I omega_z z' - mgr z = 0. For a body that hangs (theta = pi) mgr is negative, and every rate will do.
+
+    >>> top = sleeping_top(0.02, 0.01, 0.5, 30.0)
+    >>> top.critical, top.margin, top.stable
+    (20.0, 2.25, True)
+    """
+    critical = least_spin(I0, I, ZERO, mgr=mgr, of="omega_z")
+    h, c = I * omega_z, I0 * mgr
+    D = h * h - 4 * c
+    if not is_numeric(D):
+        return SleepingTop(critical, plain(h * h / (4 * c)), None, plain(sqrt(-D) / (2 * I0)))
+    margin = where(plain(c) <= 0, math.inf, h * h / where(plain(c) <= 0, 1, 4 * plain(c)))
+    falling = where(plain(D) < 0, -D, 0 * D)
+    return SleepingTop(critical, plain(margin), where(plain(D) >= 0, True, False), plain(sqrt(falling) / (2 * I0)))

@@ -1,0 +1,394 @@
+"""The inertia matrix (chapter 7): moments and products of inertia about a point, other points and axes, what is possible.
+
+**The sign convention** of the book, stated here once: the *products of inertia* are the plain integrals (7.9), (7.10)
+
+    I_xy = integral of x y dm,   I_yz = integral of y z dm,   I_zx = integral of z x dm
+
+and carry their minus sign in the *inertia matrix* (7.13) only:
+
+          [  I_xx  -I_xy  -I_zx ]
+    [I] = [ -I_xy   I_yy  -I_yz ]   so that   {H} = [I] {omega}   (7.12)
+          [ -I_zx  -I_yz   I_zz ]
+
+An :class:`Inertia` is that matrix about one point, along the axes of one frame; ``I.times(omega)`` is the angular momentum.
+"""
+
+from .frames import Frame, Point
+from .scalars import ZERO, Moving, Scaled, is_finite, is_numeric, is_zero, least, plain, scalar, size, sqrt
+from .vectors import ZERO3, Vector, _latex_number, add3, dot3, scale3
+
+AXES = "xyz"
+PRODUCTS = ("xy", "yz", "zx")
+
+
+class MassError(ValueError):
+    """Masses, dimensions or moments of inertia that no body has, or a question that needs a mass or centre not given."""
+
+
+class Inertia(Scaled):
+    """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13).
+
+    point : the Point B that it is about, or a Frame: about its origin, along its axes
+    moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals, without the minus sign of the matrix
+    mass, centre : mass of the body and its centre of mass, a Point; needed to go to another point, otherwise they may be left out
+    frame : whose axes; default: those of the frame in which ``point`` is given
+    tolerance : numbers that no body can have raise :class:`MassError`, see :meth:`check`; None: unchecked
+
+    ``A + B`` is the inertia of two bodies together, about the point and in the frame of A; ``-A`` that of a hole.
+
+    >>> from newton_euler import Frame
+    >>> body = Frame("body")
+    >>> I = Inertia(body, (2.0, 3.0, 4.0), (0.5, 0, 0))
+    >>> I.matrix
+    ((2.0, -0.5, 0), (-0.5, 3.0, 0), (0, 0, 4.0))
+    >>> I.times(body.vector(1.0, 0, 0))  # the angular momentum H = I omega (7.12)
+    Vector(2.0, -0.5, 0 in body)
+    """
+
+    __slots__ = ("_terms", "centre", "frame", "mass", "moments", "point", "products")
+
+    def __init__(self, point, moments, products=(0, 0, 0), mass=None, centre=None, frame=None, tolerance=1e-9):
+        self.point = place(point, "an inertia matrix")
+        self.frame = frame or axes_at(self.point)
+        self.moments, self.products = _three(moments, "moments (I_xx, I_yy, I_zz)"), _three(products, "products (I_xy, I_yz, I_zx)")
+        self.mass, self.centre, self._terms = None if mass is None else scalar(mass), centre, {}
+        if tolerance is not None:
+            self.check(tolerance)
+
+    def _like(self, moments, products, **changed):
+        """Another one with the same point, frame, mass and centre, except for what is changed."""
+        same = {name: getattr(self, name) for name in ("point", "frame", "mass", "centre")}
+        return Inertia(moments=moments, products=products, tolerance=None, **{**same, **changed})
+
+    # -- entries
+
+    def _rows(self):
+        (xx, yy, zz), (xy, yz, zx) = self.moments, self.products
+        return (xx, -xy, -zx), (-xy, yy, -yz), (-zx, -yz, zz)
+
+    @property
+    def matrix(self):
+        """The inertia matrix (7.13): three rows of three, minus the products off the diagonal."""
+        return tuple(tuple(plain(x) for x in row) for row in self._rows())
+
+    def __iter__(self):
+        return iter(self.matrix)
+
+    def to_array(self):
+        """The matrix as a NumPy array of shape (3, 3), or (3, 3, N) where its entries are arrays of N."""
+        import numpy as np
+
+        entries = np.broadcast_arrays(*(np.asarray(x, dtype=float) for row in self.matrix for x in row))
+        return np.stack(entries).reshape(3, 3, *entries[0].shape)
+
+    def __repr__(self):
+        return f"Inertia({self.matrix} about {self.point.name} in {self.frame.name})"
+
+    def _repr_latex_(self):
+        rows = r" \\ ".join(" & ".join(_latex_number(x, 5) for x in row) for row in self.matrix)
+        return rf"$\begin{{bmatrix}}{rows}\end{{bmatrix}}$"
+
+    # -- what it is for
+
+    def times(self, omega):
+        """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix.
+
+        omega : the angular velocity of the body, a Vector in any related frame. H knows its rate where omega does: the entries are constant in
+        the frame of the matrix, so that ``H.rate(ground)`` is I alpha + omega_frame x H. The frame need not be fixed in the body if the entries
+        stay constant in it, as for a symmetric body in a frame that precesses without spinning.
+        About the centre of mass, or about a point fixed in body and ground, H is the angular momentum of the whole motion; about
+        another point it is :meth:`Body.angular_momentum` that adds the motion of G.
+        """
+        if not isinstance(omega, Vector):
+            raise MassError(f"the inertia matrix multiplies an angular velocity, a Vector as from frame.angular_velocity(ground); got {omega!r}")
+        w = omega.expressed_in(self.frame).c
+        c = ZERO3 if w is ZERO3 else tuple(dot3(row, w) for row in self._rows())
+        return Vector(c, self.frame, omega._own_rate and (lambda: self.times(omega.rate(self.frame))))
+
+    def moment(self, axis):
+        """The moment of inertia about the axis through ``point``: n . I n.
+
+        axis : "x", "y", "z", or a Vector of any length along it. For an axis through another point ask ``I.about(P).moment(axis)``.
+
+        >>> from newton_euler import Frame
+        >>> Inertia(Frame("body"), (2.0, 3.0, 4.0)).moment("z")
+        4.0
+        """
+        if isinstance(axis, str):
+            return plain(self.moments[axis_index(axis)[0]])
+        square = scalar(axis.dot(axis))
+        if is_zero(square):
+            raise MassError("the axis is a zero vector and has no direction")
+        return plain(scalar(axis.dot(self.times(axis))) / square)
+
+    def radius_of_gyration(self, axis):
+        """k = sqrt(moment/mass) about the axis through ``point`` (7.27): where a ring of the same mass has the same moment.
+
+        >>> from newton_euler import Frame
+        >>> G = Frame("rod").origin
+        >>> Inertia(G, (0, 3.0, 3.0), mass=12.0, centre=G).radius_of_gyration("y")
+        0.5
+        """
+        self._needs("mass", "the radius of gyration")
+        return plain(sqrt(self.moment(axis) / self.mass))
+
+    # -- other points, other axes
+
+    def about(self, point):
+        """The inertia matrix about another point, along the same axes: the parallel axis theorem (7.25), (7.26) between any two points.
+
+        Neither needs to be the centre of mass: with d1, d2 the vectors from them to G, I_xx changes by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and
+        I_xy by m (d2x d2y - d1x d1y); formed from d2 - d1, so that nothing cancels.
+        terms : ``own``, the matrix before, and ``transfer``, what is added
+
+        >>> from newton_euler import Frame
+        >>> body = Frame("body")
+        >>> G = body.point("G", 1.0, 0, 0)
+        >>> Inertia(G, (0, 3.0, 3.0), mass=12.0, centre=G).about(body.origin).moments
+        (0, 15.0, 15.0)
+        """
+        point = place(point, "an inertia matrix")
+        if point is self.point:
+            return self
+        self._needs("mass", f"going from {self.point.name} to {point.name}")
+        self._needs("centre", f"going from {self.point.name} to {point.name}")
+        step = (self.point - point).expressed_in(self.frame).c
+        before = ZERO3 if self.centre is self.point else (self.centre - self.point).expressed_in(self.frame).c
+        moments, products = _transfer(self.mass, step, before)
+        added = self._like(moments, products, point=point, mass=ZERO)
+        out = self._like(add3(self.moments, moments), add3(self.products, products), point=point)
+        out._terms = {"own": self, "transfer": added}
+        return out
+
+    def expressed_in(self, frame):
+        """The same inertia along the axes of ``frame`` (at this instant, if that frame turns relative to its own): R I R^T.
+
+        What is equal in two moments and has no products turns into itself exactly: a body of revolution about its axis, a sphere.
+        """
+        if frame is self.frame:
+            return self
+        common = _common(self.moments)
+        rows = [list(row) for row in self._rows()]
+        for n in range(3):
+            rows[n][n] = _difference(rows[n][n], common)
+        half = [self.frame.transform(tuple(row), frame) for row in rows]
+        turned = [self.frame.transform(column, frame) for column in zip(*half, strict=True)]
+        moments = tuple(common + turned[n][n] for n in range(3))
+        return self._like(moments, (-turned[1][0], -turned[2][1], -turned[2][0]), frame=frame)
+
+    def principal(self, noise=None):
+        """Principal moments and axes (7.18)-(7.20): a :class:`newton_euler.principal.Principal`, with a report of what is determined."""
+        from .principal import principal
+
+        return principal(self, noise)
+
+    def symmetry(self, tolerance=1e-9):
+        """The symmetries that the matrix shows: a :class:`newton_euler.principal.Symmetry`."""
+        from .principal import symmetry
+
+        return symmetry(self, tolerance)
+
+    # -- sums
+
+    def __add__(self, other):
+        if not isinstance(other, Inertia):
+            raise MassError(f"an inertia matrix can only be added to one, got {other!r}")
+        other = other.about(self.point).expressed_in(self.frame)
+        mass, centre = together([self, other], self.frame) if None not in (self.mass, other.mass) else (None, None)
+        return self._like(add3(self.moments, other.moments), add3(self.products, other.products), mass=mass, centre=centre)
+
+    def __radd__(self, other):
+        return self if type(other) is int and other == 0 else self + other  # where sum() begins
+
+    def __neg__(self):
+        return -1 * self
+
+    def __sub__(self, other):
+        return self + -other
+
+    def __mul__(self, s):
+        s = scalar(s)
+        return self._like(scale3(s, self.moments), scale3(s, self.products), mass=None if self.mass is None else s * self.mass)
+
+    __rmul__ = __mul__
+
+    @property
+    def terms(self):
+        """The matrices whose sum it is, by name: ``own`` and ``transfer``, or the parts of a composite body; empty if it is no sum."""
+        return self._terms
+
+    def reweighted(self, **factors):
+        """The sum of its terms, each times the factor named for it (others once): what a wrong model would give. Mass and centre stay."""
+        unknown = [n for n in factors if n not in self.terms]
+        if unknown:
+            raise MassError(f"no term {unknown[0]!r}; the terms are {', '.join(self.terms) or 'none'}")
+        moments = products = ZERO3
+        for name, term in self.terms.items():
+            factor = scalar(factors.get(name, 1))
+            moments, products = add3(moments, scale3(factor, term.moments)), add3(products, scale3(factor, term.products))
+        return self._like(moments, products)
+
+    def without(self, *names):
+        """The sum without the terms named: ``I.about(O).without("transfer")``."""
+        return self.reweighted(**dict.fromkeys(names, 0))
+
+    # -- can it be?
+
+    def check(self, tolerance=1e-9):
+        """Returns the inertia if some body can have it; raises :class:`MassError` in words otherwise. Expressions pass unseen.
+
+        Masses are positive, and so the integrals of x^2, y^2, z^2, whence the triangle inequality of the moments in any axes; the products are
+        bounded by Schwarz's inequality; and the same must hold about G. Tested to ``tolerance`` times the largest moment: rounded data of a thin
+        plate may need more.
+        """
+        if self.mass is not None and is_numeric(self.mass) and not is_positive(self.mass):
+            raise MassError(f"the mass is {plain(self.mass)}; it must be positive (a removed part is subtracted: composite(..., removed=[hole]))")
+        if all(is_numeric(x) for x in self.moments + self.products):
+            _check_integrals(self, tolerance)
+            if self.mass is not None and self.centre is not None and self.centre is not self.point:
+                _check_centroidal(self, tolerance)
+        return self
+
+    def _needs(self, what, purpose):
+        if getattr(self, what) is None:
+            missing = "the mass of the body" if what == "mass" else "the place of its centre of mass"
+            raise MassError(f"{purpose} needs {missing}; make it Inertia({self.point.name}, moments, products, mass=..., centre=G)")
+
+
+def place(where, what):
+    """A place as a Point; a Frame stands for its own origin, as a point fixed in it."""
+    if isinstance(where, Frame):
+        return where.point(f"origin of {where.name}", 0, 0, 0)
+    if not isinstance(where, Point):
+        raise MassError(f"the place of {what} is a Point or a Frame, as in body.point('C', 0, 0, 0.2); got {where!r}")
+    return where
+
+
+def axes_at(point):
+    """The frame that a point is fixed in; :class:`MassError` if it is also the origin of another, whose axes may be the ones meant."""
+    others = [f.name for f in point.frame.tree if f._origin is point and f is not point.frame]
+    if point.name.startswith("origin of ") and point.name != f"origin of {point.frame.name}":
+        others.append(point.name[len("origin of ") :])
+    if others:
+        raise MassError(
+            f"{point.name} is a point of {point.frame.name}, and the origin of {others[0]}: along whose axes? For {others[0]}, which the body turns "
+            f"with, give the frame in place of the point; for {point.frame.name} say frame=..., or make another point there"
+        )
+    return point.frame
+
+
+def _three(values, what):
+    try:
+        given = tuple(scalar(x) for x in values)
+    except TypeError:
+        given = ()
+    if len(given) != 3:
+        raise MassError(f"{what} are three numbers, got {values!r}")
+    return given
+
+
+def axis_index(name):
+    """Index and sign of an axis written as "x" or "-x"."""
+    bare = name[1:] if name.startswith("-") else name
+    if len(bare) != 1 or bare not in AXES:
+        raise MassError(f"an axis is 'x', 'y', 'z' or one of them with a minus sign, got {name!r}")
+    return AXES.index(bare), -1 if name.startswith("-") else 1
+
+
+def _transfer(mass, step, before=ZERO3):
+    """Moments and products that are added when the point goes back by ``step``; ``before`` leads from the old point to G."""
+    s, p = step, add3(step, scale3(2, before))
+    xx, yy, zz = (mass * (a * b) for a, b in zip(s, p, strict=True))
+    moments = (yy + zz, zz + xx, xx + yy)
+    return moments, tuple(mass * (s[n] * p[m] + s[m] * p[n]) / 2 for n, m in ((0, 1), (1, 2), (2, 0)))
+
+
+def _difference(a, b):
+    if a is b:
+        return ZERO
+    d = a - b
+    return ZERO if is_zero(d) else d
+
+
+def _common(moments):
+    """The moment that occurs twice, or a structural zero."""
+    for n, m in ((0, 1), (1, 2), (2, 0)):
+        if _difference(moments[n], moments[m]) is ZERO:
+            return moments[n]
+    return ZERO
+
+
+def is_positive(x):
+    """True if the number ``x`` (every one of an array) is larger than zero; an expression is not looked at."""
+    return not is_numeric(x) or (least(x) > 0 and size(x - abs(x)) == 0)
+
+
+def _check_integrals(I, tolerance):
+    """The integrals of x^2, y^2, z^2 and their bounds on the products; I = tr(J) - J, and J belongs to some masses if it is not negative."""
+    largest = max(size(x) for x in I.moments + I.products)
+    small = tolerance * largest
+    xx, yy, zz = I.moments
+    if not all(is_finite(x) for x in I.moments + I.products):
+        raise MassError(f"the inertia matrix {I.matrix} has an entry that is not finite")
+    squares = ((yy + zz - xx) / 2, (zz + xx - yy) / 2, (xx + yy - zz) / 2)
+    for n, square in enumerate(squares):
+        if _below(square, -small):
+            a, b, c = (AXES[n], *(axis for axis in AXES if axis != AXES[n]))
+            raise MassError(
+                f"no body has these moments: I_{a}{a} = {plain(I.moments[n])} is larger than I_{b}{b} + I_{c}{c} = "
+                f"{plain(I.moments[AXES.index(b)] + I.moments[AXES.index(c)])} (triangle inequality); "
+                "look for a misprint, or for moments about two points"
+            )
+    for name, product in zip(PRODUCTS, I.products, strict=True):
+        a, b = (squares[AXES.index(c)] for c in name)
+        if _below(a * b - product * product, -4 * small * largest):
+            raise MassError(
+                f"no body has the product I_{name} = {plain(product)} with these moments: its square is at most {plain(a * b)}, the product of "
+                f"the integrals of {name[0]}^2 and {name[1]}^2; is the sign convention or the unit another?"
+            )
+    (a, b, c), (ab, bc, ca) = squares, I.products
+    determinant = a * b * c + 2 * (ab * bc * ca) - a * bc * bc - b * ca * ca - c * ab * ab
+    if _below(determinant, -8 * small * largest * largest):
+        raise MassError(
+            f"no body has the inertia matrix {I.matrix}: its principal moments break the triangle inequality (the largest exceeds the sum of "
+            "the others); are the signs of the products those of plain integrals, the minus signs standing in the matrix only?"
+        )
+
+
+def _below(x, bound):
+    return not is_positive(x - bound) and size(x - bound) > 0
+
+
+def _check_centroidal(I, tolerance):
+    try:
+        _check_integrals(I.about(I.centre), tolerance * 4)
+    except MassError as problem:
+        raise MassError(
+            f"about {I.point.name} the moments are smaller than mass and distance of {I.centre.name} alone make them: "
+            f"about {I.centre.name}, {problem}"
+        ) from None
+
+
+def positive(x, what):
+    if not is_positive(x) or not is_finite(x):
+        raise MassError(f"{what} must be positive, got {plain(x)}; to cut something out give it to composite(..., removed=[...])")
+
+
+def together(parts, frame, name="G"):
+    """Total mass and centre of parts that have a mass and a centre; the centre moves in ``frame`` as they do."""
+    mass, first = ZERO, ZERO3
+    for part in parts:
+        mass = mass + part.mass
+        if part.mass is not ZERO:
+            first = add3(first, scale3(part.mass, _coordinates(part.centre, frame)))
+    if is_numeric(mass) and not is_positive(mass):
+        raise MassError(f"the total mass is {plain(mass)}; it must be positive: the removed parts weigh more than what they are cut from")
+    return mass, frame.point(name, *(x / mass for x in first))
+
+
+def _coordinates(point, frame):
+    """The coordinates of a point in a frame, with their rates there."""
+    if point.frame is frame:
+        return point.x
+    motion = point.position(frame), point.velocity(frame).expressed_in(frame), point.acceleration(frame).expressed_in(frame)
+    return tuple(Moving(*x) for x in zip(*(v.c for v in motion), strict=True))

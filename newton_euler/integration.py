@@ -1,0 +1,234 @@
+"""Bodies given by a formula: mass, centre of mass and inertia as integrals over curves, surfaces and volumes (5.12), (5.13), (7.10).
+
+A shape is a function ``position`` of one, two or three parameters, with the limits of each. How much length, area or volume belongs to a step of the
+parameters follows from its derivatives, so any coordinates will do: Cartesian, polar, spherical, or made for the body.
+
+Numbers are integrated by SciPy's adaptive cubature, with an error estimate and a refusal where it does not reach the accuracy asked for; with
+``exact=True`` SymPy finds the formulas.
+"""
+
+from itertools import product
+
+from .inertia import Inertia, MassError, is_positive
+from .mass import Body
+from .scalars import ZERO, Moving, is_numeric, plain, scalar, size, sqrt
+from .vectors import cross3, dot3
+
+PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))  # of the second moments
+SUBDIVISIONS = {1: 4000, 2: 400, 3: 40}  # by number of parameters; each one is 2, 4 or 8 boxes of 21^n points
+
+
+class IntegratedBody(Body):
+    """A :class:`newton_euler.mass.Body` found by integration.
+
+    content : its length, area or volume
+    error : estimated error of mass, first and second moments, relative to the mass and size of the body; 0 if exact
+    """
+
+    content = error = None
+
+
+def integrated(position, *limits, frame, mass=None, density=None, exact=False, rtol=1e-10, name="body"):
+    """The body that the points ``position(u)``, ``position(u, v)`` or ``position(u, v, w)`` make up: a wire, a shell or plate, or a solid.
+
+    position : function of the parameters that returns (x, y, z) in ``frame``, with functions of this package (sin, sqrt …)
+    limits : for each parameter a pair (from, to); either may be a function of the parameters before it
+    mass, density : the mass, or the density per length, area or volume, a number or a function of x, y, z; if both are given the density is relative
+    exact : by SymPy; limits and density may hold symbols, which are taken as positive. Lengths and areas are taken with a constant sign of the
+        root: a parametrisation that folds back raises an error
+    rtol : accuracy asked for; roots at the limits, as in y = -sqrt(r^2 - x^2) … sqrt(r^2 - x^2), do no harm
+    Returns an :class:`IntegratedBody`. Raises :class:`MassError` if the integrals do not converge to ``rtol``.
+
+    >>> from newton_euler import Frame, cos, sin
+    >>> import math
+    >>> half_disk = integrated(lambda r, a: (r*cos(a), r*sin(a), 0), (0.0, 3.0), (0.0, math.pi), frame=Frame("sheet"), density=1.0)
+    >>> round(half_disk.centre.position(half_disk.frame).y * math.pi, 9)  # 4 r/(3 pi)
+    4.0
+    """
+    if len(limits) not in (1, 2, 3):
+        raise MassError(f"a curve has one parameter, a surface two, a volume three; {name} has limits for {len(limits)}")
+    if mass is None and density is None:
+        raise MassError(f"{name} needs mass=... or density=... (per length, area or volume)")
+    weigh = density if callable(density) else lambda x, y, z: 1 if density is None else density
+    if exact:
+        moments, error = _exact(position, limits, weigh, name), 0.0
+    else:
+        moments, error = _numeric(position, limits, weigh, rtol, name)
+    return _body(moments, error, mass, density, frame, name)
+
+
+def _body(moments, error, mass, density, frame, name):
+    """The body from (reference, content, mass, three first, six second moments about the reference)."""
+    reference, content, total, first, second = moments
+    if is_numeric(total) and not is_positive(total):
+        raise MassError(f"the mass of {name} comes out as {plain(total)}; it must be positive: look at the limits and the density")
+    factor = 1 if mass is None else scalar(mass) / total
+    m = total * factor
+    d = [x / total for x in first]
+    centre = frame.point(f"G of {name}", *(_tidy(r + x) for r, x in zip(reference, d, strict=True)))
+    if is_numeric(total):  # about G at once, the transfer being taken off where it is small
+        second = [s - total * d[a] * d[b] for s, (a, b) in zip(second, PAIRS, strict=True)]
+    xx, yy, zz, xy, yz, zx = (factor * s for s in second)
+    about = centre if is_numeric(total) else frame
+    body = IntegratedBody(name, m, centre, Inertia(about, (yy + zz, zz + xx, xx + yy), (xy, yz, zx), m, centre, frame, None))
+    body.content, body.error = content, error
+    return body
+
+
+def _tidy(x):
+    """A fraction of polynomials without common factors; numbers as they are."""
+    if is_numeric(x):
+        return x
+    import sympy
+
+    return sympy.cancel(x)
+
+
+def _tangents(position, parameters):
+    """The place, and its derivatives by each parameter, on numbers that carry them along."""
+    place, tangents = None, []
+    for n in range(len(parameters)):
+        moved = [Moving(u, 1) if n == m else u for m, u in enumerate(parameters)]
+        c = [x if isinstance(x, Moving) else Moving(scalar(x)) for x in position(*moved)]
+        place = [x.value for x in c]
+        tangents.append(tuple(x.rate for x in c))
+    return place, tangents
+
+
+def _spanned(tangents):
+    """The triple product of three tangents, or the vector whose length is the content: the tangent, or the cross product of two."""
+    if len(tangents) == 3:
+        return dot3(tangents[0], cross3(tangents[1], tangents[2]))
+    return tangents[0] if len(tangents) == 1 else cross3(*tangents)
+
+
+# -- numbers
+
+
+def _numeric(position, limits, weigh, rtol, name):
+    import numpy as np
+
+    if any(not is_numeric(x) for pair in limits for x in pair if not callable(x)):
+        raise MassError(f"the limits of {name} hold symbols: pass exact=True to integrate by formulas, or put numbers in")
+    n = len(limits)
+    middle, _ = _parameters(limits, [np.array([0.5])] * n)
+    reference = [float(np.reshape(plain(x), -1)[0]) for x in _tangents(position, middle)[0]]
+
+    def moments(points):
+        with np.errstate(all="ignore"):  # what is not finite is told below
+            rows = _moments(position, limits, weigh, reference, points.T, np)
+        return np.stack([np.broadcast_to(np.asarray(row, dtype=float), points.shape[:1]) for row in rows], axis=-1)
+
+    coarse = np.array(list(product(np.linspace(0.05, 0.95, 10), repeat=n)))
+    scale = _scales(moments(coarse), name, np)
+    values, error = _cubature(lambda points: moments(points) / scale, n, rtol, name)
+    values = (values * scale).tolist()
+    return (reference, values[0], values[1], values[2:5], values[5:]), error
+
+
+def _parameters(limits, unit):
+    """The parameters for unit coordinates in (0, 1), and how much of them one step is; 3 t^2 - 2 t^3 smooths roots at the limits."""
+    parameters, step = [], 1
+    for (a, b), t in zip(limits, unit, strict=True):
+        a, b = (limit(*parameters) if callable(limit) else limit for limit in (a, b))
+        step = step * abs(b - a) * (6 * t * (1 - t))
+        parameters.append(a + (b - a) * (t * t * (3 - 2 * t)))
+    return parameters, step
+
+
+def _moments(position, limits, weigh, reference, unit, np):
+    parameters, step = _parameters(limits, list(unit))
+    place, tangents = _tangents(position, parameters)
+    spanned = _spanned(tangents)
+    dV = step * (abs(spanned) if len(limits) == 3 else sqrt(dot3(spanned, spanned) + np.zeros(len(unit[0]))))
+    dm = dV * scalar(weigh(*map(plain, place)))
+    x, y, z = (plain(p - r) for p, r in zip(place, reference, strict=True))
+    return dV, dm, dm * x, dm * y, dm * z, dm * x * x, dm * y * y, dm * z * z, dm * x * y, dm * y * z, dm * z * x
+
+
+def _scales(sample, name, np):
+    """Content, mass, mass times length, and mass times length squared, roughly: what errors are compared with."""
+    if not np.isfinite(sample).all():
+        raise MassError(f"the formula of {name} has no finite value at some of its points; look at the limits, and at divisions and roots")
+    content, mass, second = (np.abs(sample[:, columns]).mean() for columns in ([0], [1], [5, 6, 7]))
+    if not content > 0 or not mass > 0:
+        raise MassError(f"{name} has no extent: its parameters do not move its points, or the limits coincide, or its density is zero")
+    length = (second / mass) ** 0.5
+    return np.array([content, mass] + [mass * length] * 3 + [mass * length**2] * 6)
+
+
+def _cubature(f, n, rtol, name):
+    import numpy as np
+    from scipy.integrate import cubature
+
+    found = cubature(f, [0.0] * n, [1.0] * n, rule="gk21", rtol=rtol, atol=rtol, max_subdivisions=SUBDIVISIONS[n])
+    error = float(np.max(found.error))
+    if not np.isfinite(found.estimate).all():
+        raise MassError(f"the integrals over {name} are not finite: the formula or the density grows without bound within the limits")
+    if found.status != "converged":
+        raise MassError(
+            f"the integrals over {name} did not converge: after {found.subdivisions} subdivisions their relative error is about {error:.1g}, and "
+            f"{rtol:.1g} was asked for. Split the body where the formula has a corner or a jump, choose coordinates that follow its edges, or "
+            "ask for less with rtol="
+        )
+    return found.estimate, error
+
+
+# -- formulas
+
+
+def _exact(position, limits, weigh, name):
+    import sympy
+
+    symbols = sympy.symbols(f"u0:{len(limits)}", real=True, cls=sympy.Dummy)
+    bounds = [tuple(sympy.sympify(x(*symbols[:n]) if callable(x) else x) for x in pair) for n, pair in enumerate(limits)]
+    place = [sympy.sympify(plain(scalar(x))) for x in position(*symbols)]
+    dV = _exact_content([tuple(x.diff(u) for x in place) for u in symbols])
+    dV = dV * _sense(dV, symbols, bounds, name)
+
+    def total(f):
+        f = sympy.expand(f * dV)
+        for u, (a, b) in reversed(list(zip(symbols, bounds, strict=True))):
+            f = sympy.integrate(f, (u, a, b))
+        if f.has(sympy.Integral):
+            raise MassError(f"SymPy finds no formula for an integral over {name}; choose other coordinates, or put numbers in without exact=True")
+        return f
+
+    x, y, z = place
+    rho = sympy.sympify(weigh(x, y, z))
+    second = [total(rho * place[a] * place[b]) for a, b in PAIRS]
+    return (ZERO, ZERO, ZERO), total(1), total(rho), [total(rho * c) for c in place], second
+
+
+def _exact_content(tangents):
+    """The content of a unit step of the parameters, up to its sign."""
+    import sympy
+
+    spanned = _spanned(tangents)
+    if len(tangents) == 3:
+        return sympy.trigsimp(sympy.expand(spanned))
+    left = [c for c in spanned if c != 0]
+    if len(left) <= 1:
+        return sympy.trigsimp(left[0]) if left else sympy.Integer(0)
+    root = sympy.sqrt(sympy.factor(sympy.trigsimp(sympy.expand(dot3(spanned, spanned)))))
+    return root.replace(sympy.Abs, lambda x: x)
+
+
+def _sense(dV, symbols, bounds, name):
+    """+1 or -1, so that the content is positive; looked up at sample points, with sample values for the symbols of the body."""
+    import sympy
+
+    others = sorted(set().union(dV.free_symbols, *(x.free_symbols for pair in bounds for x in pair)) - set(symbols), key=str)
+    given = {s: sympy.Rational(7 + 3 * n, 10 + n) for n, s in enumerate(others)}
+    signs = set()
+    for fractions in product((0.11, 0.37, 0.62, 0.93), repeat=len(symbols)):
+        at = dict(given)
+        for u, (a, b), t in zip(symbols, bounds, fractions, strict=True):
+            low, high = a.subs(at), b.subs(at)
+            at[u] = low + (high - low) * sympy.Float(t)
+        value = float(dV.subs(at))
+        if size(value) > 0:
+            signs.add(value > 0)
+    if len(signs) != 1:
+        raise MassError(f"the points of {name} fold back on themselves, or do not move: divide the body where they do, or integrate numerically")
+    return 1 if signs.pop() else -1

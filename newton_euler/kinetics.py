@@ -1,0 +1,198 @@
+"""Newton's second law for the mass centre of a body (6.1)-(6.10), in every component system, both ways.
+
+*Motion given, which forces?* Describe the motion as a point in the system of your choice, ``polar(ground, "P", r, theta)``, ``spherical(…)``,
+``frenet(v, a)``, ``ground.point(…)``, ask it for its acceleration in an inertial frame, and pass this to :func:`resultant_force` or :func:`reaction`.
+
+*Forces given, which motion?* :func:`acceleration_by` in an inertial frame, :func:`coordinate_accelerations` in curvilinear coordinates,
+:func:`path_rates` along the path, :func:`relative_acceleration` in a frame that moves. What they return is the right-hand side of a
+:class:`~newton_euler.models.Model`.
+
+Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises :class:`~newton_euler.inertia.MassError`.
+"""
+
+from . import components, paths  # noqa: F401  their equations of acceleration become equations of force below
+from .inertia import MassError, is_positive
+from .scalars import is_finite, is_numeric, least, plain, scalar
+from .triads import SingularError
+from .vectors import EQUATIONS, ZERO3, FrameError, Ledger, Vector, add3
+
+
+def _times_m(written):
+    return {name: (f"m ({text})", rf"m\left({latex}\right)") for name, (text, latex) in written.items()}
+
+
+_FORCES = {"acceleration": "6.10", "intrinsic acceleration": "6.5", "polar acceleration": "6.6", "cylindrical acceleration": "6.8",
+           "spherical acceleration": "6.9"}  # fmt: skip
+EQUATIONS.update({
+    kind.replace("acceleration", "force"): (number, r"\mathbf{F}^e", _times_m(EQUATIONS[kind][2])) for kind, number in _FORCES.items()
+})
+EQUATIONS.update({
+    "acceleration by forces": ("6.1", r"\frac{1}{m}\mathbf{F}", {}),
+    "reaction": ("6.1", r"\mathbf{R}", {"inertia": ("m a", r"m\bar{\mathbf{a}}")}),
+    "relative acceleration": ("6.10", r"\mathbf{a}_2", {
+        "origin": ("-a_O", r"\left(-\mathbf{a}_{O_2}\right)"),
+        "coriolis": ("-2 omega x v_2", r"\left(-2\boldsymbol{\omega}\times\mathbf{v}_2\right)"),
+        "euler": ("-omega' x r_2", r"\left(-\dot{\boldsymbol{\omega}}\times\mathbf{r}_2\right)"),
+        "centrifugal": ("-omega x (omega x r_2)", r"\left(-\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r}_2)\right)"),
+    }),
+})  # fmt: skip
+
+
+def _mass(m):
+    if not is_positive(m) or not is_finite(m):
+        raise MassError(f"the mass must be positive and finite, got m = {plain(m)!r}")
+    return scalar(m)
+
+
+# -- the motion is given
+
+
+def resultant_force(m, a):
+    """The resultant external force that gives a body of mass ``m`` the acceleration ``a`` of its mass centre: F = m a (6.1).
+
+    a : a Vector, the acceleration in an inertial frame. Its terms, each times m, are the terms of the force: those of (6.5), (6.6), (6.8), (6.9)
+        or, for an acceleration by way of a moving frame, (6.10).
+
+    >>> from newton_euler import Frame, moving
+    >>> from newton_euler.components import polar
+    >>> ground = Frame("ground")
+    >>> P = polar(ground, "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
+    >>> F = resultant_force(4.0, P.acceleration(ground))
+    >>> print(F, F.terms["coriolis"])
+    [-72, 12, 0] in polar axes of P [0, 12, 0] in polar axes of P
+    """
+    F = _mass(m) * _vector(a, "the acceleration")
+    kind = F._ledger.kind.replace("acceleration", "force") if F._ledger else None
+    return Vector(F.c, F.frame, F._own_rate, Ledger(kind, F._ledger.subject, lambda: F.terms)) if kind in EQUATIONS else F
+
+
+def reaction(m, a, **known):
+    """The one unknown force, where the motion and all other forces are known by name: R = m a - (the known forces) (6.1).
+
+    a, known : Vectors. Terms: ``inertia``, which is m a, and each known force with its sign turned. The result is along the axes of ``a``.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> print(reaction(2.0, ground.vector(0, 0, 1.0), weight=-2.0*9.81*ground.k))
+    [0, 0, 21.62] in ground
+    """
+    parts = {"inertia": _mass(m) * _vector(a, "the acceleration"), **{name: -_vector(F, f"the {name}") for name, F in known.items()}}
+    return _total("reaction", f"to {', '.join(known) or 'no other force'}", parts, a.frame)
+
+
+def path_force(m, speed, speed_rate, flexure):
+    """(F_t, F_n) of plane or space motion along the path (6.5): m v' and m v^2/rho, F_n toward the centre of curvature.
+
+    flexure : 1/rho, zero on a straight path; where the turning rate theta' is known, it is theta'/v
+
+    >>> path_force(2.0, 4.8, 0.0, 1/0.5)
+    (0.0, 92.16)
+    """
+    m = _mass(m)
+    return plain(m * speed_rate), plain(m * speed * speed * flexure)
+
+
+# -- the forces are given
+
+
+def acceleration_by(m, **forces):
+    """The acceleration of the mass centre by the forces named, a = F/m (6.1), with F/m of each force as terms.
+
+    forces : Vectors; the result is along the axes of the first
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> a = acceleration_by(2.0, weight=-19.62*ground.k, wind=3.0*ground.i)
+    >>> print(a, a.terms["wind"])
+    [1.5, 0, -9.81] in ground [1.5, 0, 0] in ground
+    """
+    if not forces:
+        raise FrameError("no force is given; name each of them, as in acceleration_by(m, weight=W, thrust=T)")
+    parts = _per_mass(m, forces)
+    return _total("acceleration by forces", "of the mass centre", parts, next(iter(parts.values())).frame)
+
+
+def path_rates(m, F_t, F_n, speed):
+    """(v', theta') of motion along a plane path (6.5): F_t/m and F_n/(m v), theta the direction of the velocity, turning toward F_n.
+
+    Raises :class:`SingularError` at rest, where the velocity has no direction.
+
+    >>> path_rates(2.0, 3.0, 8.0, 4.0)
+    (1.5, 1.0)
+    """
+    m = _mass(m)
+    if is_numeric(speed) and least(speed) == 0:
+        raise SingularError("at rest the velocity has no direction, which therefore has no rate; use rectangular components to start from rest")
+    return plain(F_t / m), plain(F_n / (m * speed))
+
+
+def coordinate_accelerations(m, P, **forces):
+    """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved for r'', theta'', …
+
+    P : a point by :func:`~newton_euler.components.polar`, ``cylindrical``, ``spherical`` or ``curvilinear``, with the values and the first rates
+        of its coordinates; second rates that it has are replaced
+    forces : Vectors, or components along the local axes of P (as F_r, F_theta, F_z)
+    Returns a tuple, one for each coordinate. Raises :class:`SingularError` where a coordinate moves nothing (r = 0, the pole), so that a finite
+    force may need it to change at an infinite rate.
+
+    >>> from newton_euler import Frame, moving
+    >>> from newton_euler.components import polar
+    >>> P = polar(Frame("ground"), "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
+    >>> coordinate_accelerations(4.0, P, cord=(-72.0, 12.0, 0.0))
+    (0.0, 0.0)
+    """
+    forces = {name: P.local.vector(*_three(F, name)) if isinstance(F, (tuple, list)) else F for name, F in forces.items()}
+    total = _total("acceleration by forces", f"of {P.name}", _per_mass(m, forces), P.local)
+    left = (total - P.acceleration(P.ground)).expressed_in(P.local).c
+    if any(is_numeric(h) and least(h) == 0 for h in P.scale_factors):
+        raise SingularError(
+            f"{P.name} is where one of its coordinates moves nothing: its scale factors are {P.scale_factors}; "
+            "turn the axes, or use rectangular components"
+        )
+    return tuple(plain(q.acceleration + d / h) for q, d, h in zip(P.coordinates, left, P.scale_factors, strict=False))
+
+
+def relative_acceleration(m, P, observer, **forces):
+    """How ``P`` is accelerated as seen in its own moving frame (6.10): the forces over m, and what the motion of the frame seems to add.
+
+    P : a point with its coordinates and their rates in the moving frame; second rates that it has are ignored
+    observer : an inertial frame; forces : Vectors, by name
+    Terms: F/m of each force, and ``origin``, ``coriolis``, ``euler``, ``centrifugal`` with their signs as seen, (-2 omega x v_2 …).
+
+    >>> from newton_euler import Frame, moving
+    >>> ground = Frame("ground"); disk = ground.rotate("disk", "z", rate=2.0)
+    >>> a = relative_acceleration(1.0, disk.point("P", moving(3.0, rate=1.0), 0, 0), ground, spring=-5.0*disk.i)
+    >>> print(a, a.terms["coriolis"])
+    [7, -4, 0] in disk [0, -4, 0] in disk
+    """
+    seen, frame = P.acceleration(observer, via=P.frame), P.frame
+    names = {"origin": "origin", "coriolis": "coriolis", "euler": "euler", "centrifugal": "centripetal"}
+    taken = sorted(set(names) & set(forces))
+    if taken:
+        raise FrameError(f"{taken[0]!r} is a term of the moving frame; give the force another name")
+    parts = _per_mass(m, forces) | {name: -seen.terms[term] for name, term in names.items() if seen.terms}
+    return _total("relative acceleration", f"of {P.name} in {frame.name}", parts, frame)
+
+
+def _per_mass(m, forces):
+    m = _mass(m)
+    return {name: _vector(F, f"the force {name}") / m for name, F in forces.items()}
+
+
+def _vector(a, what):
+    if not isinstance(a, Vector):
+        raise FrameError(f"{what} must be a Vector, as in ground.vector(1.0, 0, 0) or P.acceleration(ground); got {a!r}")
+    return a
+
+
+def _three(F, name):
+    if len(F) > 3:
+        raise FrameError(f"the force {name} has {len(F)} components: {F!r}; give those along the local axes, two in the plane")
+    return (*F, 0, 0, 0)[:3]
+
+
+def _total(kind, subject, parts, frame):
+    total = ZERO3
+    for part in parts.values():
+        total = add3(total, part.expressed_in(frame).c)
+    return Vector(total, frame, None, Ledger(kind, subject, lambda: {name: v.expressed_in(frame) for name, v in parts.items()}))

@@ -1,0 +1,246 @@
+"""Models: the equations of motion of one scene in state-variable form, as a frozen record (chapters 6, 8).
+
+A :class:`Model` says which states there are and how fast they change; it integrates nothing. Its functions all take ``(s, p, t)``: the states by
+name, the parameters by name, and the time, over scalars of every kind, so that a formula reads as it is printed: ``s.v*cos(s.gamma)``.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from inspect import Parameter, Signature
+from keyword import iskeyword
+from types import MappingProxyType
+
+from .scalars import ScalarError, is_numeric, plain, scalar, size
+from .tracing import compiled
+
+
+class ModelError(ValueError):
+    """A model whose parts do not fit together, or a question that it cannot answer."""
+
+
+class Named:
+    """Values by name, as ``s.v``; a name that does not exist raises an AttributeError that lists those that do."""
+
+    def __init__(self, what, values):
+        self.__dict__.update(values)
+        self.__dict__["_what"] = what
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        known = ", ".join(n for n in self.__dict__ if n != "_what") or "none"
+        raise AttributeError(f"there is no {self._what} {name!r}; there are {known}")
+
+    def __setattr__(self, name, value):
+        raise AttributeError(f"the {self._what}s are only read, but {name!r} was set")
+
+
+@dataclass(frozen=True)
+class Neglected:
+    """Something that a model leaves out, and how much that can matter.
+
+    what : in words, as "the rotation of the earth"
+    bound : a function ``(s, p, t)`` of the start, the parameters and the time passed: the error that leaving it out makes until then is not larger
+    of : the quantity that the bound is of, with its unit, as "position, m"
+    """
+
+    what: str
+    bound: Callable
+    of: str
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """The equations of motion of a scene: ``s' = rhs(s, p, t)``.
+
+    name : of the scene and of the rung of its ladder
+    parameters : by name, a scalar each, or a *law*: a function ``(s, p, t)`` of states, scalar parameters and time, as a thrust that is programmed
+    states : their names, in the order of all tuples of states
+    rhs : a function ``(s, p, t)`` that returns the rates of the states in this order; a formula, without branches on values
+    invariants : by name, functions ``(s, p, t)`` that keep their value during the motion
+    exact : a function ``(s, p, t)`` that returns the states at the time t after the state ``s`` at t = 0; None where there is none
+    neglects : what the model leaves out, a tuple of :class:`Neglected`
+
+    The right-hand side is tried once, without values, when the model is made: :class:`ModelError` says at once what is wrong with it.
+
+    >>> fall = Model("free fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g), exact=lambda s, p, t: (s.h + s.v*t - p.g*t*t/2, s.v - p.g*t))
+    >>> fall.derivative((100.0, 0.0)), fall.solution(2.0, (100.0, 0.0))
+    ((0.0, -9.81), (80.38, -19.62))
+    >>> fall.changed(g=1.62).compiled_rhs()(0.0, 100.0, -3.0)
+    (-3.0, -1.62)
+    """
+
+    name: str
+    parameters: Mapping
+    states: tuple
+    rhs: Callable
+    invariants: Mapping = field(default_factory=dict)
+    exact: Callable | None = None
+    neglects: tuple = ()
+
+    def __post_init__(self):
+        for name, of in (("parameters", dict), ("invariants", dict), ("states", tuple), ("neglects", tuple)):
+            value = of(getattr(self, name))
+            object.__setattr__(self, name, MappingProxyType(value) if of is dict else value)
+        self._check_names()
+        self._check_rhs()
+
+    def __repr__(self):
+        return f"Model({self.name!r}: {', '.join(self.states)}; {', '.join(self.parameters)})"
+
+    # -- what it answers
+
+    def derivative(self, state, t=0):
+        """The rates of the states, a tuple in their order; ``state`` is a sequence in that order or a mapping by name, of scalars of any kind."""
+        try:
+            return self._rates(self._state(state), self.parameters, t)
+        except ZeroDivisionError as error:
+            raise ModelError(f"{self.name} has no rates at {self._state(state)}: {error}; the coordinates are singular there") from error
+
+    def compiled_rhs(self, *free):
+        """The right-hand side as fast straight-line text, see :func:`newton_euler.compiled`: a function ``(t, *states, *free)`` of scalars.
+
+        free : names of parameters that stay arguments; the others are fixed now. For SciPy write
+        ``lambda t, y: rhs(t, *y.tolist())``: Python's floats run three times faster than NumPy's.
+        """
+        unknown = [n for n in free if n not in self.parameters]
+        if unknown:
+            raise ModelError(f"{self.name} has no parameter {unknown[0]!r}; it has {', '.join(self.parameters) or 'none'}")
+
+        def rates(**values):
+            parameters = {**self.parameters, **{n: values[n] for n in free}}
+            return self._rates({n: values[n] for n in self.states}, parameters, values["t"])
+
+        rates.__name__ = self.name
+        rates.__signature__ = Signature([Parameter(n, Parameter.POSITIONAL_OR_KEYWORD) for n in ("t", *self.states, *free)])
+        return compiled(rates)
+
+    def solution(self, t, start):
+        """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple. Raises :class:`ModelError` where no exact solution is known."""
+        if self.exact is None:
+            raise ModelError(f"no exact solution of {self.name!r} is known; integrate it with newton_euler.motion")
+        return tuple(plain(x) for x in self._call(self.exact, self._state(start), self.parameters, t))
+
+    def invariant(self, name, state, t=0):
+        """The value of one invariant at a state."""
+        if name not in self.invariants:
+            raise ModelError(f"{self.name} has no invariant {name!r}; it has {', '.join(self.invariants) or 'none'}")
+        return plain(self._call(self.invariants[name], self._state(state), self.parameters, t))
+
+    def neglected(self, t, start):
+        """For each thing left out, the bound on the error that this makes until ``t`` after ``start``: a dict of numbers by :class:`Neglected`."""
+        return {n: plain(self._call(n.bound, self._state(start), self.parameters, t)) for n in self.neglects}
+
+    def changed(self, **parameters):
+        """The same model with some parameters changed."""
+        unknown = [n for n in parameters if n not in self.parameters]
+        if unknown:
+            raise ModelError(f"{self.name} has no parameter {unknown[0]!r}; it has {', '.join(self.parameters) or 'none'}")
+        return replace(self, parameters={**self.parameters, **parameters})
+
+    # -- how
+
+    def _state(self, state):
+        if isinstance(state, Mapping):
+            missing = [n for n in self.states if n not in state]
+            if missing:
+                raise ModelError(f"the state of {self.name!r} lacks {', '.join(missing)}; give all of {', '.join(self.states)}")
+            return {n: state[n] for n in self.states}
+        state = tuple(state)
+        if len(state) != len(self.states):
+            raise ModelError(f"{self.name} has the {len(self.states)} states {', '.join(self.states)}; got {len(state)} values: {state!r}")
+        return dict(zip(self.states, state, strict=True))
+
+    def _call(self, f, state, parameters, t):
+        """``f(s, p, t)``, with the value of each law at this state in p."""
+        s, fixed = Named("state", {n: scalar(x) for n, x in state.items()}), {n: x for n, x in parameters.items() if not is_law(x)}
+        p = Named("parameter", {n: scalar(x) for n, x in fixed.items()})
+        laws = {n: scalar(law(s, p, t)) for n, law in parameters.items() if n not in fixed}
+        return f(s, Named("parameter", {**vars(p), **laws}) if laws else p, t)
+
+    def _rates(self, state, parameters, t):
+        return tuple(plain(x) for x in self._call(self.rhs, state, parameters, t))
+
+    def _check_names(self):
+        names = [*self.states, *self.parameters]
+        for name in names:
+            if not isinstance(name, str) or not name.isidentifier() or iskeyword(name) or name == "t":
+                raise ModelError(f"{name!r} cannot name a state or parameter of {self.name!r}: take a Python name, no keyword, and not t, the time")
+        twice = [n for n in names if names.count(n) > 1]
+        if twice:
+            raise ModelError(f"{twice[0]!r} names two things in {self.name!r}; each state and parameter needs a name of its own")
+        for name, value in self.parameters.items():
+            if not is_law(value):
+                _check_number(name, value, self.name)
+
+    def _check_rhs(self):
+        """One call without values: it meets every name, and no branch can hide from it."""
+        numbers = [n for n, x in self.parameters.items() if not is_law(x)]
+        try:
+            count = len(self.compiled_rhs(*numbers)._results)
+        except (AttributeError, TypeError, ZeroDivisionError) as error:
+            raise ModelError(f"the right-hand side of {self.name!r} fails when it is tried: {error}") from error
+        if count != len(self.states):
+            raise ModelError(f"the right-hand side of {self.name!r} returns {count} rates for the {len(self.states)} states {', '.join(self.states)}")
+
+
+def is_law(x):
+    """True for a function that gives a parameter; expressions can be called too, but are numbers."""
+    try:
+        scalar(x)
+    except ScalarError:
+        return callable(x)
+    return False
+
+
+def second_order(name, parameters, coordinates, accelerations, **more):
+    """The :class:`Model` whose states are the coordinates and their rates: equations of motion in state-variable form.
+
+    coordinates : their names; the rate of ``x`` is the state ``dx``
+    accelerations : a function ``(s, p, t)`` that returns the second rates of the coordinates; ``more`` goes to :class:`Model`
+
+    >>> spring = second_order("spring", {"m": 2.0, "k": 8.0}, ("x",), lambda s, p, t: (-p.k*s.x/p.m,))
+    >>> spring.states, spring.derivative((0.5, 1.0))
+    (('x', 'dx'), (1.0, -2.0))
+    """
+    rates = tuple(f"d{q}" for q in coordinates)
+
+    def rhs(s, p, t):
+        return *(getattr(s, rate) for rate in rates), *accelerations(s, p, t)
+
+    return Model(name, parameters, (*coordinates, *rates), rhs, **more)
+
+
+def _check_number(name, value, model):
+    try:
+        scalar(value)
+    except ScalarError as error:
+        raise ModelError(f"the parameter {name} of {model!r} is a number or a function (s, p, t), not {value!r}") from error
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What :func:`smallest` found: the ``model``, and as ``evidence`` the bound of the error of every rung up to it, by its name."""
+
+    model: Model
+    evidence: Mapping
+
+
+def smallest(ladder, tolerance, t, start):
+    """The coarsest model whose neglected terms together stay below ``tolerance`` until ``t``, with the evidence: a :class:`Choice`.
+
+    ladder : models of one scene with the same states, the coarsest first, whose bounds are all of one quantity
+    tolerance : in the unit of that quantity. Raises :class:`ModelError` if no rung is fine enough, and where bounds are no numbers.
+    """
+    evidence, quantities = {}, {n.of for model in ladder for n in model.neglects}
+    if len(quantities) > 1:
+        raise ModelError(f"the bounds of these models are of different quantities and cannot be compared: {'; '.join(sorted(quantities))}")
+    for model in ladder:
+        bounds = list(model.neglected(t, start).values())
+        if not all(map(is_numeric, bounds)):
+            raise ModelError(f"the bounds of {model.name!r} have no values: give numbers for the parameters, the start and t")
+        evidence[model.name] = sum(map(size, bounds))
+        if evidence[model.name] <= tolerance:
+            return Choice(model, MappingProxyType(evidence))
+    told = ", ".join(f"{name}: {bound:.3g}" for name, bound in evidence.items())
+    raise ModelError(f"no model of this ladder is as accurate as {tolerance:.3g}; the errors may reach {told}")

@@ -1,0 +1,249 @@
+"""Intrinsic components: velocity and acceleration along the path and across it (2.3, 3.2).
+
+The unit vectors belong to the path: e_t along the velocity, e_n towards the centre of curvature (the concave side), e_b = e_t x e_n. In the
+plane they are the book's tangential and normal directions, and e_b is k where the path turns counterclockwise, -k where it turns clockwise.
+
+*Flexure* f is the reciprocal of the radius of curvature rho, both positive. *Torsion* tau has the book's sign (3.9), de_b/ds = tau e_n: it is
+**minus** the torsion of most other books, and negative for a right-handed helix.
+
+A *path* is a function of one parameter that returns the three coordinates, written with the functions of this package. Its derivatives are
+exact; no step size enters.
+"""
+
+from dataclasses import dataclass, field
+
+from .scalars import ZERO, Moving, epsilon, is_numeric, moving, plain, scalar
+from .triads import SingularError, Triad, drowned, norm3, numeric3, shaken
+from .vectors import EQUATIONS, FrameError, Ledger, Vector, add3, cross3, dot3, scale3
+
+EQUATIONS.update({
+    "intrinsic velocity": ("3.12", r"\mathbf{v}", {"tangential": ("nu e_t", r"\nu\,\hat{e}_t")}),
+    "intrinsic acceleration": ("3.13", r"\mathbf{a}", {
+        "tangential": ("nu' e_t", r"\dot{\nu}\,\hat{e}_t"),
+        "normal": ("nu^2 f e_n", r"\nu^2 f\,\hat{e}_n"),
+    }),
+})  # fmt: skip
+
+
+# -- paths as functions
+
+
+def along(path, q):
+    """The three coordinates of the point that is at ``q`` on the path, moving: for ``ground.point("P", *along(path, q))`` (3.1)-(3.3).
+
+    path : function of the parameter, returning (x, y, z)
+    q : a moving parameter; a plain number counts as time, a parameter that grows at the rate 1
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> ground.point("P", *along(lambda t: (t**2, 3.0*t, 1.0), 2.0)).velocity(ground)
+    Vector(4.0, 3.0, 0 in ground)
+    """
+    return tuple(moving(x) for x in _three(path(_running(q))))
+
+
+def derivatives(path, q):
+    """The position on the path and its first, second and third derivative by the parameter, each a triple; ``q`` is a plain number."""
+    jets = [_jet(x) for x in _three(path(Moving(Moving(scalar(q), 1), 1)))]
+    orders = [(x.value.value, x.value.rate, x.value.acceleration, x.rate.acceleration) for x in jets]
+    return tuple(zip(*orders, strict=True))
+
+
+def at_speed(path, q, speed, speed_rate=0):
+    """The moving parameter of a point that passes ``q`` with this speed, in the sense of growing q: ``q`` with its rates.
+
+    speed_rate : rate of change of the speed; 0 for constant speed
+    With r_q = dr/dq: q' = nu / abs(r_q), and q'' from nu' = q'' abs(r_q) + q'^2 (r_q . r_qq) / abs(r_q). Raises :class:`SingularError` where
+    the path stands still in q (r_q = 0).
+
+    >>> at_speed(lambda q: (q, q**2, 0), 0.0, speed=2.0)
+    moving(0.0, rate=2.0, acceleration=-0.0)
+    """
+    _, first, second, _ = derivatives(path, q)
+    stretch = norm3(first)
+    if is_numeric(stretch) and drowned(stretch, _noise(path, q)[0]):
+        raise SingularError(f"the path stands still at q = {q!r}: dr/dq is zero there, and no rate of q gives it a speed; use another parameter")
+    rate = scalar(speed) / stretch
+    return Moving(scalar(q), rate, (scalar(speed_rate) - rate * rate * (dot3(first, second) / stretch)) / stretch)
+
+
+def _noise(path, q):
+    """The rounding in the first and in the second derivative, as lengths."""
+    return shaken(lambda p: derivatives(path, p)[1:3], (q,))
+
+
+def _running(q):
+    q = moving(q)
+    return Moving(q.value, 1) if q.rests() else q
+
+
+def _three(c):
+    try:
+        x, y, z = c
+    except (TypeError, ValueError):
+        raise FrameError(f"a path returns three coordinates (x, y, z), with 0 for z in the plane; got {c!r}") from None
+    return x, y, z
+
+
+def _jet(x):
+    x = x if isinstance(x, Moving) else Moving(scalar(x))
+    return Moving(*(part if isinstance(part, Moving) else Moving(scalar(part)) for part in (x.value, x.rate, x.acceleration)))
+
+
+# -- the Frenet triad
+
+
+@dataclass(frozen=True)
+class Frenet:
+    """A motion in its intrinsic components: what :func:`frenet` and :func:`frenet_along` return.
+
+    frame : the frame of the axes e_t, e_n, e_b, in which ``velocity`` and ``acceleration`` are expressed
+    speed, speed_rate : nu and its rate of change, the tangential component of acceleration
+    flexure : f = 1/rho, in 1/length
+    """
+
+    frame: Triad
+    speed: object
+    speed_rate: object
+    flexure: object
+    _torsion: object = field(default=None, repr=False)
+
+    e_t = property(lambda self: self.frame.i, doc="unit tangent, along the velocity (2.4), (3.4)")
+    e_n = property(lambda self: self.frame.j, doc="principal normal, towards the centre of curvature (3.5)")
+    e_b = property(lambda self: self.frame.k, doc="binormal e_t x e_n (3.7)")
+    radius = property(lambda self: 1 / self.flexure, doc="radius of curvature rho (2.12)")
+    to_center = property(lambda self: self.e_n * self.radius, doc="the vector from the point to the centre of curvature, rho e_n")
+
+    @property
+    def torsion(self):
+        """tau in 1/length, with the book's sign (3.9), (3.10)."""
+        if self._torsion is None:
+            raise SingularError("the torsion needs the rate of the acceleration: pass jerk= to frenet, or the path itself to frenet_along")
+        return plain(self._torsion)
+
+    @property
+    def velocity(self):
+        """v = nu e_t (2.4), (3.12); its rate in the ground is the acceleration."""
+        v = self.frame.vector(self.speed, 0, 0)
+        return Vector(v.c, self.frame, lambda: self.frame.vector(self.speed_rate, 0, 0), self._ledger("velocity", tangential=v))
+
+    @property
+    def acceleration(self):
+        """a = nu' e_t + nu^2 f e_n (2.14), (3.13); terms ``tangential`` and ``normal``."""
+        t, n = self.frame.vector(self.speed_rate, 0, 0), self.frame.vector(0, self.speed * self.speed * self.flexure, 0)
+        return Vector(add3(t.c, n.c), self.frame, None, self._ledger("acceleration", tangential=t, normal=n))
+
+    def _ledger(self, what, **terms):
+        return Ledger(f"intrinsic {what}", f"in {self.frame.parent.name}", lambda: terms)
+
+
+def speed_rate(v, a):
+    """nu' = v . a / nu, the tangential component of acceleration; it exists on a straight path too.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> speed_rate(ground.vector(3.0, 4.0, 0), ground.vector(1.0, 1.0, 0))
+    1.4
+    """
+    _check_speed(v.c, v.norm(), _extent(v))
+    return v.dot(a) / v.norm()
+
+
+def flexure(v, a):
+    """f = abs(v x a) / nu^3 (3.6), the reciprocal of the radius of curvature; zero (or rounding noise) on a straight path.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> flexure(ground.vector(2.0, 0, 0), ground.vector(0.5, 3.0, 0))
+    0.75
+    """
+    _check_speed(v.c, v.norm(), _extent(v))
+    return v.cross(a).norm() / v.norm() ** 3
+
+
+def frenet(v, a, jerk=None, name="path"):
+    """The intrinsic triad and components of a motion with velocity ``v`` and acceleration ``a`` (2.14), (3.13).
+
+    jerk : da/dt; it is needed for the torsion alone
+    v, a, jerk : Vectors, all seen from one observer; the triad hangs under the frame of ``v``
+    Returns a :class:`Frenet`.
+
+    Raises :class:`SingularError` at rest, and where v x a is zero (a straight path, an inflection) so that e_n does not exist. "Zero" means: not
+    larger than the rounding of what it was made of. The ledgers of ``v`` and ``a`` count here: if large terms cancel, rounding is what is left.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> P = frenet(ground.vector(0, 5.0, 0), ground.vector(-2.0, 1.5, 0))
+    >>> P.speed, P.speed_rate, P.radius, P.acceleration
+    (5.0, 1.5, 12.5, Vector(1.5, 2.0, 0 in e_t, e_n, e_b of path))
+    >>> P.e_n.components(ground)
+    (-1.0, 0, 0)
+    """
+    ground = v.frame
+    third = None if jerk is None else jerk.expressed_in(ground).c
+    return _frenet(ground, v.c, a.expressed_in(ground).c, third, name, _extent(v), _extent(a))
+
+
+def frenet_along(path, q, ground, name="path"):
+    """The intrinsic triad, flexure, torsion and components of a point moving along a path (3.4)-(3.13), by exact derivatives.
+
+    path : function of the parameter, returning the coordinates (x, y, z) along the axes of ``ground``
+    q : a moving parameter (see :func:`at_speed`); a plain number counts as time, a parameter that grows at the rate 1
+    Returns a :class:`Frenet`. Raises :class:`SingularError` as :func:`frenet` does: where a direction changes by its own size while q moves by
+    its round-off.
+
+    >>> from newton_euler import Frame, cos, sin
+    >>> helix = frenet_along(lambda s: (3.0*cos(s), 3.0*sin(s), 4.0*s), 0.0, Frame("ground"))
+    >>> helix.speed, helix.flexure, helix.torsion  # right-handed, so negative here
+    (5.0, 0.12, -0.16)
+    """
+    q = _running(q)
+    _, first, second, third = derivatives(path, q.value)
+    v = scale3(q.rate, first)
+    a = add3(scale3(q.rate * q.rate, second), scale3(q.acceleration, first))
+    noises = ZERO, ZERO
+    if numeric3(v) and numeric3(a) and is_numeric(q.value):
+        noises = [noise * abs(q.rate) ** n for n, noise in enumerate(_noise(path, q.value), 1)]
+    return _frenet(ground, v, a, scale3(q.rate**3, third), name, *noises)  # the other parts of the jerk lie in the plane of v and a
+
+
+def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
+    speed, turn = norm3(v), cross3(v, a)
+    _check_speed(v, speed, v_noise)
+    area = norm3(turn)
+    if numeric3(turn):
+        rounding = 8 * epsilon(speed) * (speed * norm3(a)) + speed * a_noise + norm3(a) * v_noise
+        if drowned(area, rounding):
+            raise SingularError(
+                "the path is straight here, on a line or at an inflection: v x a is zero (within rounding), so e_n, e_b and the torsion do not exist "
+                "and the radius of curvature is infinite; the tangential component is speed_rate(v, a), the flexure 0"
+            )
+    e_t, e_b = tuple(x / speed for x in v), tuple(x / area for x in turn)
+    f = area / speed**3
+    tau = None if jerk is None else -dot3(turn, jerk) / (area * area)
+    turning = None if tau is None else (lambda: ((-tau * speed, ZERO, f * speed), None))
+    triad = Triad(f"e_t, e_n, e_b of {name}", ground, (e_t, cross3(e_b, e_t), e_b), turning)
+    return Frenet(triad, speed, plain(dot3(v, a) / speed), plain(f), tau)
+
+
+def _check_speed(v, speed, noise):
+    if numeric3(v) and drowned(scalar(speed), noise):
+        raise SingularError(
+            "the point is at rest (within rounding): a velocity of zero has no direction, so there is no e_t; "
+            "if the path is known, take the triad from the path with a parameter that moves, frenet_along(path, q, ground)"
+        )
+
+
+def _extent(v):
+    """The rounding to expect in a vector, as a length: of its own components and of the terms it was summed from."""
+    if not numeric3(v.c):
+        return ZERO
+    return 4 * epsilon(norm3(v.c)) * _gathered(v)
+
+
+def _gathered(v):
+    total = norm3(v.c)
+    for term in v.terms.values():
+        total = total + _gathered(term)
+    return total
+

@@ -1,0 +1,320 @@
+"""Principal moments and axes of inertia (7.4-7.6), how well they are determined, and the symmetries a matrix shows.
+
+Order and sign are always the same, so that two runs and two machines agree: moments ascending; the component of largest size of the first
+and of the second axis is positive (of several equally large ones the first); the third axis makes them right-handed. Where moments are equal within
+round-off, any axes in their plane will do, and the ones nearest to the axes of the frame are taken.
+
+Expressions have no size to be ordered by, unless they are numbers times one common factor. If the matrix is diagonal they stay where they are; if one
+product is left, its two axes (u, v) turn by half of atan2(-2 I_uv, I_uu - I_vv), the larger moment along the turned u; a full matrix gives
+real formulas with an arc cosine, ascending.
+"""
+
+from dataclasses import dataclass
+
+from .inertia import AXES, PRODUCTS, MassError
+from .scalars import ZERO, _library, acos, atan2, cos, epsilon, is_numeric, is_zero, pi, plain, sin, size, sqrt
+from .vectors import Vector, _short, cross3, dot3, scale3
+
+PAIRS = ((0, 1), (1, 2), (2, 0))  # the axes u, v of the products xy, yz, zx
+ROUND_OFF = 256  # moments nearer than so many round-offs of the largest are equal
+
+
+@dataclass(frozen=True)
+class Principal:
+    """Principal moments, their axes (unit Vectors, right-handed), and how far they are determined.
+
+    noise : relative error of the entries of the matrix that the report is for; default: round-off
+    gaps : for each axis, the distance of its moment from the nearest other one
+    turns : for each axis, the angle in rad that noise times the largest moment typically turns it by, atan2(noise, gap); a few times it may happen
+    All three are empty for expressions; for arrays each entry has shape (N,). ``print(p)`` reports in words.
+    """
+
+    inertia: object
+    moments: tuple
+    axes: tuple
+    noise: float = 0.0
+    gaps: tuple = ()
+    turns: tuple = ()
+
+    @property
+    def rotation(self):
+        """The matrix whose columns are the principal axes: it takes principal components to components in the frame of the inertia."""
+        return tuple(zip(*(axis.components() for axis in self.axes), strict=True))
+
+    @property
+    def determined(self):
+        """For each axis: True if its gap is at least 4 times the noise, so that the data fix it within about 0.25 rad."""
+        return tuple(size(turn) < 0.245 for turn in self.turns)
+
+    def frame(self, name="principal"):
+        """A new frame along the principal axes, fixed in the frame of the inertia. For numbers, not expressions."""
+        from .rotations import axis_angle
+
+        axis, angle = axis_angle(self.rotation)
+        return self.inertia.frame.rotate(name, axis, angle)
+
+    def __str__(self):
+        lines = [f"principal moments about {self.inertia.point.name}: {', '.join(map(_short, self.moments))}"]
+        lines += [f"  axis {n + 1}: {axis}" for n, axis in enumerate(self.axes)]
+        return "\n".join(lines + self._doubts())
+
+    def _doubts(self):
+        open_axes = [n + 1 for n, fixed in enumerate(self.determined) if not fixed]
+        if not self.turns:
+            return []
+        if not open_axes:
+            return [f"  all axes are determined, to {max(size(t) for t in self.turns):.2g} rad, for data with a relative error of {self.noise:.2g}"]
+        if len(open_axes) == 3 and size(self.gaps[0]) < size(self.gaps[2]) == 0:
+            open_axes = [1, 2, 3]
+        names = " and ".join(map(str, open_axes))
+        rest = "any axis is a principal axis" if len(open_axes) == 3 else "only their plane is: any two axes in it will do"
+        return [
+            f"  axes {names} are not determined by data with a relative error of {self.noise:.2g}: their moments are equal within it; {rest}"
+        ]
+
+
+def principal(inertia, noise=None):
+    """Principal moments and axes of an :class:`Inertia` (7.18)-(7.20).
+
+    noise : relative error of its entries, as 5e-4 for three digits; sets the report, not the axes
+    Returns a :class:`Principal`. Floats and arrays go through numpy.linalg.eigh, mpf through mpmath; exact numbers keep exact roots where the
+    characteristic polynomial has them; expressions get explicit formulas. Errors of the moments: a few round-offs of the largest moment; of the
+    axes: those divided by the relative gap.
+
+    >>> from newton_euler import Frame
+    >>> from newton_euler import Inertia
+    >>> p = Inertia(Frame("body").origin, (8.0, 11.0, 11.0), (3.0, 0.0, -3.0)).principal()
+    >>> [round(float(x), 12) for x in p.moments]
+    [5.0, 11.0, 14.0]
+    >>> print(p.axes[1])
+    [0, 0.707107, 0.707107] in body
+    """
+    entries = [plain(x) for x in (*inertia.moments, *inertia.products)]
+    if not all(is_numeric(x) for x in entries):
+        return _of_expressions(inertia)
+    library = _library(entries).__name__
+    if library in ("sympy", "symengine"):
+        return _with_report(inertia, noise, *_exact(inertia))
+    if library == "mpmath":
+        return _with_report(inertia, noise, *_by_mpmath(inertia.matrix))
+    return _by_numpy(inertia, noise)
+
+
+def _with_report(inertia, noise, moments, axes):
+    moments = tuple(moments)
+    noise = noise if noise is not None else ROUND_OFF * float(epsilon(moments[0]))
+    largest = max(abs(m) for m in moments)
+    gaps = tuple(min(abs(m - other) for k, other in enumerate(moments) if k != n) for n, m in enumerate(moments))
+    turns = tuple(atan2(float(noise * largest), float(gap)) if largest else 0.0 for gap in gaps)
+    return Principal(inertia, moments, tuple(Vector(a, inertia.frame) for a in axes), noise, gaps, turns)
+
+
+# -- numbers
+
+
+def _by_numpy(inertia, noise):
+    import numpy as np
+
+    I = inertia.to_array()
+    if I.ndim == 2:
+        values, columns = np.linalg.eigh(I)
+        return _with_report(inertia, noise, values.tolist(), _canonical(values.tolist(), columns.T.tolist()))
+    values, columns = np.linalg.eigh(np.moveaxis(I, (0, 1), (-2, -1)))
+    instants = [_with_report(inertia, noise, v, _canonical(v, c)) for v, c in zip(values.tolist(), columns.swapaxes(-1, -2).tolist(), strict=True)]
+
+    def stacked(what):
+        return tuple(np.array([getattr(p, what)[n] for p in instants]) for n in range(3))
+
+    axes = tuple(Vector(tuple(np.array([p.axes[n].c[k] for p in instants]) for k in range(3)), inertia.frame) for n in range(3))
+    return Principal(inertia, stacked("moments"), axes, instants[0].noise, stacked("gaps"), stacked("turns"))
+
+
+def _by_mpmath(matrix):
+    import mpmath
+
+    values, columns = mpmath.mp.eigsy(mpmath.matrix([[mpmath.mpf(x) for x in row] for row in matrix]))
+    values = [values[n] for n in range(3)]
+    return values, _canonical(values, [[columns[k, n] for k in range(3)] for n in range(3)])
+
+
+def _canonical(values, axes):
+    """The axes of ascending values, with the signs and the choices among equal moments told at the top."""
+    small = ROUND_OFF * epsilon(values[0]) * max(abs(v) for v in values)
+    low, high = values[1] - values[0] <= small, values[2] - values[1] <= small
+    if low and high:
+        return (1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1)
+    if low or high:
+        n = _signed(axes[2] if low else axes[0])
+        e = _nearest_in_plane(n)
+        return (e, cross3(n, e), n) if low else (n, e, cross3(n, e))
+    first, second = _signed(axes[0]), _signed(axes[1])
+    return first, second, cross3(first, second)
+
+
+def _signed(axis):
+    values = [float(x) for x in axis]
+    bound = max(map(abs, values)) * (1 - 1e-6)
+    leading = next(x for x in values if abs(x) >= bound)
+    return tuple(axis) if leading > 0 else tuple(-x for x in axis)
+
+
+def _nearest_in_plane(n):
+    """The unit vector normal to ``n`` that is nearest to an axis of the frame."""
+    m = min(range(3), key=lambda k: (round(float(abs(n[k])), 6), k))
+    e = [int(k == m) - n[m] * n[k] for k in range(3)]
+    length = sqrt(dot3(e, e))
+    return tuple(x / length for x in e)
+
+
+# -- exact numbers
+
+
+def _exact(inertia):
+    """Moments ascending and axes of a matrix of SymPy numbers: by factors of the characteristic polynomial, else with an arc cosine."""
+    import sympy
+
+    M, x = sympy.Matrix(inertia.matrix), sympy.Dummy("I")
+    coupled = [n for n, product in enumerate(inertia.products) if not is_zero(product)]
+    if len(coupled) <= 1:
+        found = _block(inertia.moments, inertia.products[coupled[0]], *PAIRS[coupled[0]])[0] if coupled else inertia.moments
+    else:
+        found = []
+        for factor, times in sympy.factor_list(M.charpoly(x).as_expr(x), x)[1]:
+            if sympy.degree(factor, x) <= 2:
+                found += sympy.solve(factor, x) * times
+    if len(found) < 3:
+        found = _trigonometric(inertia.matrix)
+    values = sorted((sympy.sympify(plain(v)) for v in found), key=float)
+    return values, _canonical_exact(M, values)
+
+
+def _canonical_exact(M, values):
+    import sympy
+
+    def null(value):
+        rows = [tuple(row) for row in (M - value * sympy.eye(3)).tolist()]
+        axis = max((cross3(rows[a], rows[b]) for a, b in PAIRS), key=lambda v: float(dot3(v, v)))
+        axis = [sympy.radsimp(sympy.expand(x)) for x in axis]
+        length = sympy.sqrt(sympy.radsimp(sympy.expand(dot3(axis, axis))))
+        return tuple(x / length for x in axis)
+
+    equal = [abs(float((values[n + 1] - values[n]).evalf(30))) <= 1e-25 * abs(float(values[2])) for n in (0, 1)]
+    if all(equal):
+        return (1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1)
+    if any(equal):
+        n = _signed(null(values[2] if equal[0] else values[0]))
+        e = _nearest_in_plane(n)
+        return (e, cross3(n, e), n) if equal[0] else (n, e, cross3(n, e))
+    first, second = _signed(null(values[0])), _signed(null(values[1]))
+    return first, second, cross3(first, second)
+
+
+# -- expressions
+
+
+def _of_expressions(inertia):
+    coupled = [n for n, product in enumerate(inertia.products) if not is_zero(product)]
+    if not coupled:
+        return _free(inertia, inertia.moments, ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1)))
+    unit = next(m for m in inertia.moments if not is_zero(m))
+    ratios = [x / unit for x in (*inertia.moments, *inertia.products)]
+    if all(is_numeric(x) for x in ratios):  # numbers times one expression, as m L^2, which is positive as a moment
+        p = principal(inertia._like(ratios[:3], ratios[3:]))
+        return _free(inertia, scale3(unit, p.moments), [axis.c for axis in p.axes])
+    if len(coupled) == 1:
+        return _free(inertia, *_block(inertia.moments, inertia.products[coupled[0]], *PAIRS[coupled[0]]))
+    moments = _trigonometric(inertia._rows())
+    return _free(inertia, moments, _by_cross_products(inertia._rows(), moments))
+
+
+def _free(inertia, moments, axes):
+    return Principal(inertia, tuple(map(plain, moments)), tuple(Vector(a, inertia.frame) for a in axes))
+
+
+def _block(moments, product, u, v):
+    """One product I_uv is left: the larger moment along u turned by half of atan2(-2 I_uv, I_uu - I_vv)."""
+    mean, half = (moments[u] + moments[v]) / 2, (moments[u] - moments[v]) / 2
+    radius, angle = sqrt(half * half + product * product), atan2(-product, half) / 2
+    out, axes = list(moments), [tuple(1 if n == m else ZERO for n in range(3)) for m in range(3)]
+    out[u], out[v] = mean + radius, mean - radius
+    c, s = cos(angle), sin(angle)
+    axes[u] = tuple({u: c, v: s}.get(n, ZERO) for n in range(3))
+    axes[v] = tuple({u: -s, v: c}.get(n, ZERO) for n in range(3))
+    return out, axes
+
+
+def _trigonometric(rows):
+    """The three real roots of the characteristic equation (7.20), ascending: I = q + 2 p cos(phi), without complex cube roots."""
+    q = (rows[0][0] + rows[1][1] + rows[2][2]) / 3
+    d = [[x - q if n == m else x for m, x in enumerate(row)] for n, row in enumerate(rows)]
+    p = sqrt((dot3(d[0], d[0]) + dot3(d[1], d[1]) + dot3(d[2], d[2])) / 6)
+    phi = acos(dot3(d[0], cross3(d[1], d[2])) / (2 * p**3)) / 3
+    third = 2 * pi(q) / 3
+    return tuple(q + 2 * p * cos(phi + k * third) for k in (1, 2, 0))  # phi in [0, pi/3]: k = 1 the least, 0 the largest
+
+
+def _by_cross_products(rows, moments):
+    """Axes normal to two rows of [I] - I[1] (7.18), for moments that all differ and a matrix without a special place."""
+    axes = []
+    for moment in moments[:2]:
+        first, second = ([x - moment if n == m else x for m, x in enumerate(row)] for n, row in enumerate(rows[:2]))
+        axis = cross3(first, second)
+        axes.append(scale3(1 / sqrt(dot3(axis, axis)), axis))
+    return (*axes, cross3(*axes))
+
+
+# -- symmetry
+
+
+@dataclass(frozen=True)
+class Symmetry:
+    """What an inertia matrix shows of the symmetry of its body: necessary for it, not sufficient (a cube's matrix is that of a sphere).
+
+    axes : the axes of the frame, as "z", that are principal at the point; a plane or axis of symmetry of the body makes its axis such
+    planes : the planes of the frame, as "xy", that may be planes of symmetry through the point: both products with their normal vanish
+    kind : "sphere" (three equal moments), "top" (two: the body moves as one with rotational symmetry (7.21)), or "none"
+    axis : of a top, the unit Vector of the distinct axis; else None
+    """
+
+    axes: tuple
+    planes: tuple
+    kind: str
+    axis: object = None
+
+    def __str__(self):
+        kinds = {"sphere": "a sphere: every axis is principal", "top": f"a body of revolution about {self.axis}", "none": "one without symmetry"}
+        axes, planes = (", ".join(names) or "none" for names in (self.axes, self.planes))
+        return f"moves like {kinds[self.kind]}; axes of the frame that are principal: {axes}; possible planes of symmetry: {planes}"
+
+
+def symmetry(inertia, tolerance=1e-9):
+    """The :class:`Symmetry` that a matrix shows; products and differences below ``tolerance`` times the largest moment count as zero.
+
+    Of expressions, only what is zero or equal by their form is seen.
+
+    >>> from newton_euler import Frame
+    >>> from newton_euler import Inertia
+    >>> s = Inertia(Frame("body").origin, (2.0, 2.0, 3.0)).symmetry()
+    >>> s.kind, s.axes, s.planes
+    ('top', ('x', 'y', 'z'), ('yz', 'zx', 'xy'))
+    """
+    numeric = [x for x in (*inertia.moments, *inertia.products) if is_numeric(x)]
+    small = tolerance * max((size(x) for x in numeric), default=0.0)
+
+    def vanishes(x):
+        return is_zero(x) or (is_numeric(x) and size(x) <= small)
+
+    zero = {name: vanishes(x) for name, x in zip(PRODUCTS, inertia.products, strict=True)}
+    free = [n for n in range(3) if all(zero[name] for name in PRODUCTS if AXES[n] in name)]
+    kind, axis = _equal_moments(inertia, vanishes)
+    return Symmetry(tuple(AXES[n] for n in free), tuple(AXES[(n + 1) % 3] + AXES[(n + 2) % 3] for n in free), kind, axis)
+
+
+def _equal_moments(inertia, vanishes):
+    p = principal(inertia)
+    if any(getattr(m, "shape", ()) for m in p.moments):
+        raise MassError("the symmetry of a whole array of matrices is not one symmetry; ask for each instant")
+    same = [p.moments[n] is p.moments[m] or vanishes(p.moments[n] - p.moments[m]) for n, m in PAIRS]
+    if sum(same) >= 2:
+        return "sphere", None
+    return ("top", p.axes[(same.index(True) + 2) % 3]) if any(same) else ("none", None)

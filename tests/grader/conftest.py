@@ -1,0 +1,71 @@
+"""One small course, built once: five problems, six students who did what the demo's students do, and what they handed in."""
+
+import contextlib
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.grader.courses import copy_of, grader
+
+PROBLEMS = ("4/1", "4/2", "4/10", "4/16", "4/31")
+NBGRADER = (  # what nbgrader 0.9 on SQLAlchemy 2.1 and nbconvert say, without harm
+    "ignore::sqlalchemy.exc.SAWarning",
+    "ignore::DeprecationWarning:nbgrader",
+    "ignore::DeprecationWarning:nbconvert",
+    "ignore::DeprecationWarning:traitlets",
+    "ignore::DeprecationWarning:jupyter_server",
+    "ignore:unclosed database:ResourceWarning",
+)
+
+
+def pytest_collection_modifyitems(items):
+    for item in items:
+        if Path(item.fspath).parent == Path(__file__).parent:
+            for text in NBGRADER:
+                item.add_marker(pytest.mark.filterwarnings(text))
+
+
+@pytest.fixture(scope="session")
+def demo_course(tmp_path_factory):
+    """The demo on five problems: released, fetched, submitted, collected, graded; {"course", "said", "code"}."""
+    folder = tmp_path_factory.mktemp("demo") / "mechanics"
+    only = [x for p in PROBLEMS for x in ("--problem", p)]
+    code, said = grader("demo", "--course", folder, *only)
+    from grader.course import Course
+
+    with contextlib.suppress(Exception):
+        return {"course": Course(folder), "code": code, "said": said}
+    pytest.fail(said)
+
+
+@pytest.fixture(scope="session")
+def course(demo_course):
+    """The demo's course; tests read it and leave it as it is."""
+    return demo_course["course"]
+
+
+@pytest.fixture
+def fresh(course, tmp_path):
+    """A copy of the course with all submissions and the gradebook, to do something to."""
+    return copy_of(course, tmp_path / course.path.name)
+
+
+@pytest.fixture
+def ungraded(fresh):
+    """A copy of the course in which nobody has handed in yet."""
+    shutil.rmtree(fresh.path / "submitted")
+    with fresh.gradebook() as book:
+        for student in fresh.roster():
+            with contextlib.suppress(Exception):
+                book.remove_submission("ch04", student)
+    return fresh
+
+
+@pytest.fixture(scope="session")
+def harvester():
+    """One worker with the cage."""
+    from grader.harvest import Harvester
+
+    with Harvester(1) as h:
+        yield h
