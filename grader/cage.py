@@ -316,14 +316,29 @@ def _adopt_orphans():
 
 def _end(pid):
     """Kill and collect the child and everything that it left behind."""
+    rounds = 0
     while True:
-        for child in _children() or [pid]:
+        if rounds == 5:
+            _freeze()
+        for child in (_children() if rounds < 5 else _descendants()) or [pid]:
             with contextlib.suppress(ProcessLookupError, PermissionError):
                 os.kill(child, signal.SIGKILL)
         try:
             os.waitpid(-1, 0)
         except ChildProcessError:
             return
+        rounds += 1
+
+
+def _freeze():
+    """Stop all descendants, until none runs that could start another: of a fork bomb without a cage, killing only makes room for more."""
+    quiet = 0
+    while quiet < 3:
+        running = [p for p, state in _descendants().items() if state not in "TtZX"]
+        for p in running:
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.kill(p, signal.SIGSTOP)
+        quiet = 0 if running else quiet + 1
 
 
 def _children():
@@ -332,6 +347,21 @@ def _children():
             return [int(x) for x in f.read().split()]
     except OSError:
         return []
+
+
+def _descendants():
+    """{pid: state} of all processes below this one."""
+    found = {}
+    for name in os.listdir("/proc") if os.path.isdir("/proc") else ():
+        if name.isdigit():
+            with contextlib.suppress(OSError), open(f"/proc/{name}/stat") as f:
+                state, parent = f.read().rpartition(")")[2].split()[:2]
+                found[int(name)] = (int(parent), state)
+    below, level = {}, {os.getpid()}
+    while level:
+        level = {p for p, (parent, _) in found.items() if parent in level} - set(below)
+        below.update((p, found[p][1]) for p in level)
+    return below
 
 
 def _receipts(data):

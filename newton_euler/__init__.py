@@ -23,10 +23,54 @@ from .components import (
 from .constraints import ConstraintError, degrees_of_freedom
 from .coordinates import curvilinear, curvilinear_rates, gradient
 from .forces import attraction, gravitation, gravitational_field, gravity_at_height, gravity_at_surface, mass_from_weight, weight
+from .earth import (
+    EARTH_GM,
+    EARTH_ORBIT_RADIUS,
+    EARTH_ORBIT_RATE,
+    EARTH_RADIUS,
+    EARTH_RATE,
+    EarthError,
+    apparent_acceleration,
+    buoyancy,
+    coriolis_acceleration,
+    coriolis_parameter,
+    drop_deflection,
+    earth_frame,
+    earth_rate,
+    effective_gravity,
+    flight_time,
+    geostrophic_wind,
+    gradient_wind,
+    ground_acceleration,
+    ground_frame,
+    inertial_circle,
+    launch_velocity,
+    projectile,
+    projectile_position,
+    projectile_to_order,
+    projectile_velocity,
+    range_east,
+    range_error,
+    rotation_error,
+    shot_range,
+    support_force,
+    weightless_speed,
+    wind_acceleration,
+)
 from .frames import Frame, Point, solve_rates
 from .inertia import Inertia, MassError
 from .integration import integrated
+from .kinetics import (
+    acceleration_by,
+    coordinate_accelerations,
+    path_force,
+    path_rates,
+    reaction,
+    relative_acceleration,
+    resultant_force,
+)
 from .mass import Body, centre_of_mass, composite, particle
+from .models import Model, ModelError, Neglected, second_order, smallest
 from .paths import Frenet, along, at_speed, flexure, frenet, frenet_along, speed_rate
 from .rectilinear import from_place, from_speed, from_time, integral
 from .scalars import (

@@ -15,10 +15,19 @@ def main(arguments=None):
     return copy_chapters(parser.parse_args(arguments).folder)
 
 
+def notebooks():
+    """The course's notebooks: those in the installed package, or in the checkout that it is run from."""
+    try:
+        place = files("newton_euler.chapters")
+    except ModuleNotFoundError:
+        place = Path(__file__).resolve().parent.parent / "chapters"
+    return sorted((n for n in place.iterdir() if n.name.endswith(".ipynb")), key=lambda n: n.name)
+
+
 def copy_chapters(folder):
     """Copy each notebook that is not in ``folder`` yet, and say so."""
     folder.mkdir(parents=True, exist_ok=True)
-    for notebook in sorted(n for n in files("newton_euler.chapters").iterdir() if n.name.endswith(".ipynb")):
+    for notebook in notebooks():
         target = folder / notebook.name
         if target.exists():
             print(f"{target} is there already, left alone")

@@ -154,7 +154,8 @@ def spherical(ground, name, R, theta, phi):
 
     R, theta, phi : distance from the origin, azimuth in rad from x towards y, **elevation** in rad above the x, y plane; numbers or moving
     Velocity (3.26) and acceleration (3.27) in ``ground`` come along e_R, e_theta, e_phi; terms ``radial, theta, phi``, and ``radial`` with the
-    ``centripetal``, ``euler`` and ``coriolis`` terms of either angle: ``centripetal_theta``, … ``coriolis_theta_phi``.
+    ``centripetal``, ``euler`` and ``coriolis`` terms of either angle: ``centripetal_theta``, … ``coriolis_theta_phi``. Near a pole cos phi is only as
+    good as phi: 1e-8 rad from it, the terms of theta have half of their digits.
 
     >>> ground = Frame("ground")
     >>> P = spherical(ground, "P", 2.0, moving(0.0, rate=3.0), moving(0.0, rate=4.0))
@@ -264,9 +265,16 @@ def spherical_coordinates(r, v=None, a=None):
     [5.0, 3.0, 3.5]
     """
     x, y, z = r.c
-    level = sqrt(x * x + y * y)
+    level, R = sqrt(x * x + y * y), norm3(r.c)
     _refuse(level, r, "at a pole (on the z axis), where theta and its rates do not exist")
-    return with_rates(spherical, (sqrt(x * x + y * y + z * z), atan2(y, x), atan2(z, level)), r.frame, v, a)
+
+    def here(frame, name, *q):
+        """Sine and cosine of phi from the position itself: near a pole phi is too coarse a number to hold its cosine."""
+        P = spherical(frame, name, *q)
+        P.local._c, P.local._s, P.scale_factors = level / R, -z / R, (1, level, R)
+        return P
+
+    return with_rates(here, (R, atan2(y, x), atan2(z, level)), r.frame, v, a)
 
 
 def _refuse(level, r, where):

@@ -88,7 +88,8 @@ class _System:
             self.places[name] = slice(self.size, self.size + count)
             self.size += count
         for name, f in constraints.items():
-            names = list(inspect.signature(f).parameters)
+            parameters = inspect.signature(f).parameters
+            names = [n for n, p in parameters.items() if n in self.places or p.default is p.empty]  # lambda P, L=2: ... has one body
             unknown = [n for n in names if n not in self.places]
             if unknown or not names:
                 raise ConstraintError(f"the constraint {name!r} takes {names or 'nothing'}; its parameters are bodies: {', '.join(self.places)}")

@@ -5,7 +5,7 @@ need nothing new. Springs and dampers, friction, moments and force systems belon
 """
 
 from .inertia import MassError, place, positive
-from .scalars import plain, scalar
+from .scalars import plain, scalar, sqrt, whole
 from .vectors import FrameError, Vector
 
 K = 6.673e-11  # m^3/(kg s^2), as in the book; CODATA 2018 has 6.67430e-11
@@ -73,7 +73,10 @@ def weight(body, up, g=G_STANDARD):
     """
     if not isinstance(up, Vector):
         raise FrameError(f"weight needs the upward direction as a Vector, as ground.k; got {up!r}")
-    return up.direction() * -(_mass_of(body) * g)
+    force = _mass_of(body) * g
+    square = scalar(up.dot(up))
+    positive(square, "the length of the upward direction")
+    return up * -force / sqrt(whole(square, force))  # the root of a whole number is as exact as the force is
 
 
 def mass_from_weight(weight, g=G_STANDARD):

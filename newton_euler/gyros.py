@@ -253,8 +253,8 @@ def _discriminant(a, h, c, I, what):
     small = 8 * epsilon(D) * abs(h * h) + 8 * epsilon(D) * abs(4 * (a * c))
     D = where(plain(D) < 0, where(plain(D + small) >= 0, 0 * D, D), D)
     if _any(plain(D) < 0):
-        least_rate = "no spin helps without an axial moment I" if is_zero(I) else f"{what} must be at least {_told(_least_rate(a, c, I))} rad/s in size"
-        raise GyroError(f"no steady precession is possible at this angle: the discriminant is {_told(D)}, negative; {least_rate}")
+        needed = "without I no spin helps" if is_zero(I) else f"{what} must be at least {_told(_least_rate(a, c, I))} rad/s in size"
+        raise GyroError(f"no steady precession is possible at this angle: the discriminant is {_told(D)}, negative; {needed}")
     return D
 
 

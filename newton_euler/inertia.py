@@ -194,7 +194,8 @@ class Inertia(Scaled):
         if not isinstance(other, Inertia):
             raise MassError(f"an inertia matrix can only be added to one, got {other!r}")
         other = other.about(self.point).expressed_in(self.frame)
-        mass, centre = together([self, other], self.frame) if None not in (self.mass, other.mass) else (None, None)
+        known = all(x is not None for x in (self.mass, other.mass, self.centre, other.centre))
+        mass, centre = together([self, other], self.frame) if known else (None, None)
         return self._like(add3(self.moments, other.moments), add3(self.products, other.products), mass=mass, centre=centre)
 
     def __radd__(self, other):
@@ -323,9 +324,9 @@ def is_positive(x):
     return not is_numeric(x) or (least(x) > 0 and size(x - abs(x)) == 0)
 
 
-def _check_integrals(I, tolerance):
+def _check_integrals(I, tolerance, largest=0.0):
     """The integrals of x^2, y^2, z^2 and their bounds on the products; I = tr(J) - J, and J belongs to some masses if it is not negative."""
-    largest = max(size(x) for x in I.moments + I.products)
+    largest = max(largest, *(size(x) for x in I.moments + I.products))
     small = tolerance * largest
     xx, yy, zz = I.moments
     if not all(is_finite(x) for x in I.moments + I.products):
@@ -361,7 +362,7 @@ def _below(x, bound):
 
 def _check_centroidal(I, tolerance):
     try:
-        _check_integrals(I.about(I.centre), tolerance * 4)
+        _check_integrals(I.about(I.centre), 4 * tolerance, max(map(size, I.moments)))  # what was subtracted counts too
     except MassError as problem:
         raise MassError(
             f"about {I.point.name} the moments are smaller than mass and distance of {I.centre.name} alone make them: "

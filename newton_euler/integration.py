@@ -111,11 +111,12 @@ def _numeric(position, limits, weigh, rtol, name):
     if any(not is_numeric(x) for pair in limits for x in pair if not callable(x)):
         raise MassError(f"the limits of {name} hold symbols: pass exact=True to integrate by formulas, or put numbers in")
     n = len(limits)
-    middle, _ = _parameters(limits, [np.array([0.5])] * n)
-    reference = [float(np.reshape(plain(x), -1)[0]) for x in _tangents(position, middle)[0]]
+    with np.errstate(all="ignore"):  # what is not finite is told below
+        middle, _ = _parameters(limits, [np.array([0.5])] * n)
+        reference = [float(np.reshape(plain(x), -1)[0]) for x in _tangents(position, middle)[0]]
 
     def moments(points):
-        with np.errstate(all="ignore"):  # what is not finite is told below
+        with np.errstate(all="ignore"):
             rows = _moments(position, limits, weigh, reference, points.T, np)
         return np.stack([np.broadcast_to(np.asarray(row, dtype=float), points.shape[:1]) for row in rows], axis=-1)
 

@@ -11,7 +11,7 @@ from functools import cache
 from inspect import signature
 from types import MappingProxyType
 
-from .scalars import ZERO, Linear, coarseness, is_numeric, least, plain, sampled, scalar, size
+from .scalars import ZERO, Linear, coarseness, is_numeric, is_zero, least, plain, sampled, scalar, size
 from .vectors import FrameError, Vector
 
 LARGEST_CORE = 6  # unknowns that are solved together by Cramer's rule; of more, one after the other is eliminated
@@ -178,8 +178,8 @@ def solve_linear(conditions, names=None):
     names : of the unknowns, in the order of the arguments, as "a N alpha" or a tuple; default: the names of the arguments
 
     Numbers are eliminated equation by equation, with a choice of pivots: what follows from the equations before it is named in ``redundant``, what
-    contradicts them raises :class:`LinearError` with the names of those concerned, and what is left open is in ``undetermined``. Arrays are solved for
-    all instants. Expressions give formulas, without simplification: unknowns that stand alone first, the rest by Cramer's rule. Whether
+    contradicts them raises :class:`LinearError` with the names of those concerned, and what is left open is in ``undetermined``. Arrays are solved
+    for all instants. Expressions give formulas, without simplification: unknowns that stand alone first, the rest by Cramer's rule. Whether
     SymPy's vanish is seen at a point, with numbers in the place of the symbols; traced and heyoka expressions and dimensions are taken to vanish
     only where they do by their form, and of those surplus equations are not compared.
 
@@ -188,7 +188,7 @@ def solve_linear(conditions, names=None):
     >>> from newton_euler import cos, sin
     >>> s = solve_linear(laws)
     >>> round(s.a, 6), round(s.N, 6)
-    (1.961915, 18.743702)
+    (1.961868, 18.743702)
     >>> print(solve_linear(lambda A, B: {"force": A + B - 3.0}))
     A = not determined
     B = not determined
@@ -197,11 +197,11 @@ def solve_linear(conditions, names=None):
     names = _names(conditions, names)
     equations = [e for e in _equations(conditions(*_unknowns(len(names))), len(names)) if not e.says_nothing()]
     samples, faithful = _samples(equations)
+    numbers = all(a is b for e, s in zip(equations, samples, strict=True) for a, b in zip(e.parts(), s.parts(), strict=True))
     try:
-        found = _Elimination(samples, faithful)
+        found = _Elimination(samples, len(names), faithful, numbers)
     except _Varies:
         return _instant_by_instant(equations, names)
-    numbers = all(a is b for e, s in zip(equations, samples, strict=True) for a, b in zip(e.parts(), s.parts(), strict=True))
     values = found.values() if numbers else _of_expressions(equations, found)
     return Solution(
         tuple(names),
@@ -237,7 +237,7 @@ class _Equation:
         return (*self.coefficients, self.right)
 
     def says_nothing(self):
-        return all(x is ZERO for x in self.parts())
+        return all(is_zero(x) for x in self.parts())
 
 
 def _equations(conditions, count):
@@ -311,12 +311,11 @@ class _Row:
 class _Elimination:
     """Equations of numbers, taken one after the other: what is new gives a pivot, what is not must agree.
 
-    Sizes are compared unknown by unknown (in ``scale``) and within a condition, so that units do not matter; a few round-offs of them count as nothing.
+    Sizes are compared unknown by unknown (in ``scale``) and within a condition, so that units do not matter; a few round-offs count as nothing.
     """
 
-    def __init__(self, equations, faithful=True):
-        self.equations, self.faithful = equations, faithful
-        self.count = len(equations[0].coefficients) if equations else 0
+    def __init__(self, equations, count, faithful=True, numbers=True):
+        self.equations, self.count, self.numbers = equations, count, numbers
         self.round_off = float(coarseness([x for e in equations for x in e.parts()]))
         self.scale = self._scales()
         self.rows, self.dependent = [], []
@@ -384,9 +383,10 @@ class _Elimination:
 
     def _contradiction(self, names, difference):
         *others, name = names
+        off = f"is off by {difference:.3g}" if self.numbers else "does not hold"
         if not others:
-            raise LinearError(f"the equation {name!r} cannot hold: no unknown occurs in it, and it is off by {difference:.3g}", names)
-        raise LinearError(f"the equations contradict each other: {name!r} is off by {difference:.3g} if {_quoted(others)} hold", names)
+            raise LinearError(f"the equation {name!r} {off}: no unknown occurs in it", names)
+        raise LinearError(f"the equations contradict each other: {name!r} {off} if {_quoted(others)} hold{'s' * (len(others) == 1)}", names)
 
     def _involved(self, row):
         """The equations of which a row is the sum, in their order."""
@@ -444,7 +444,7 @@ def _instant_by_instant(equations, names):
     solved = []
     for n in np.ndindex(shape):
         now = [_Equation(e.name, tuple(instant(x, n) for x in e.coefficients), instant(e.right, n), e.group) for e in equations]
-        solved.append(_Elimination(now))
+        solved.append(_Elimination(now, len(names)))
     kinds = {tuple(s.open()) for s in solved}
     if len(kinds) > 1:
         left = sorted({names[k] for kind in kinds for k in kind})
@@ -467,7 +467,7 @@ def _of_expressions(equations, found):
     for n, e in enumerate(equations):
         if n not in surplus:
             rows.append(({k: c for k, c in enumerate(e.coefficients) if k in pivots and c is not ZERO and size(_sample_or_one(c))}, e.right))
-    values = _regular(rows)
+    values = solve_regular(rows)
     return {k: x for k, x in values.items() if k not in found.open()}
 
 
@@ -477,11 +477,13 @@ def _sample_or_one(x):
     return 1.0 if known is None else known
 
 
-def _regular(rows):
+def solve_regular(rows):
     """The unknowns by number, from as many independent equations, each a pair (coefficients by unknown, right side)."""
     if not rows:
         return {}
     n = min(range(len(rows)), key=lambda n: len(rows[n][0]))
+    if not rows[n][0]:
+        raise LinearError("the equations do not determine the unknowns: one of them contains none")
     if len(rows[n][0]) == 1:
         return _known_first(rows, n)
     occurrences = {}
@@ -502,12 +504,12 @@ def _known_first(rows, n):
     ((k, p),) = rows[n][0].items()
     value = rows[n][1] / p
     rest = [(_without(c, k), b - c[k] * value if k in c else b) for m, (c, b) in enumerate(rows) if m != n]
-    return {k: value, **_regular(rest)}
+    return {k: value, **solve_regular(rest)}
 
 
 def _left_for_last(rows, k, n):
     """The unknown k occurs in the equation n alone: it follows when the others are known."""
-    values = _regular([row for m, row in enumerate(rows) if m != n])
+    values = solve_regular([row for m, row in enumerate(rows) if m != n])
     coefficients, right = rows[n]
     value = right - _sum(c * values[j] for j, c in coefficients.items() if j != k)
     return {**values, k: value / coefficients[k]}

@@ -182,20 +182,24 @@ def _exact(inertia):
         for factor, times in sympy.factor_list(M.charpoly(x).as_expr(x), x)[1]:
             if sympy.degree(factor, x) <= 2:
                 found += sympy.solve(factor, x) * times
-    if len(found) < 3:
+    tidy = len(found) == 3
+    if not tidy:
         found = _trigonometric(inertia.matrix)
     values = sorted((sympy.sympify(plain(v)) for v in found), key=float)
-    return values, _canonical_exact(M, values)
+    return values, _canonical_exact(M, values, tidy)
 
 
-def _canonical_exact(M, values):
+def _canonical_exact(M, values, tidy):
+    """Axes from cross products of rows of [I] - I[1]; where the roots are square roots, with rational denominators."""
     import sympy
+
+    short = (lambda x: sympy.radsimp(sympy.expand(x))) if tidy else (lambda x: x)
 
     def null(value):
         rows = [tuple(row) for row in (M - value * sympy.eye(3)).tolist()]
         axis = max((cross3(rows[a], rows[b]) for a, b in PAIRS), key=lambda v: float(dot3(v, v)))
-        axis = [sympy.radsimp(sympy.expand(x)) for x in axis]
-        length = sympy.sqrt(sympy.radsimp(sympy.expand(dot3(axis, axis))))
+        axis = [short(x) for x in axis]
+        length = sympy.sqrt(short(dot3(axis, axis)))
         return tuple(x / length for x in axis)
 
     equal = [abs(float((values[n + 1] - values[n]).evalf(30))) <= 1e-25 * abs(float(values[2])) for n in (0, 1)]

@@ -149,7 +149,7 @@ def _small(x, limit=0.0):
 def _on_axis(body, A, e, length, about):
     """The point O: the foot of G on the axis, or the one given, if it lies there."""
     if about is None:
-        foot = add3((A - body.frame.origin).expressed_in(body.frame).c, scale3((body.centre - A).dot(e), e.c))
+        foot = add3(A.position(body.frame).c, scale3((body.centre - A).dot(e), e.c))
         return body.frame.point("O", *foot)
     off = e.cross(about - A).norm()
     if is_numeric(off) and is_numeric(length) and size(off) > 1e-9 * size(length):
@@ -231,7 +231,7 @@ class Balance:
 
     @property
     def state(self):
-        """"both", "static", "dynamic" or "neither"."""
+        """One of "both", "static", "dynamic", "neither"."""
         return {(True, True): "both", (True, False): "static", (False, True): "dynamic", (False, False): "neither"}[self.static, self.dynamic]
 
     def __str__(self):
@@ -248,7 +248,8 @@ def balance(body, A, B, about=None, tolerance=1e-9):
 
     about : the point O; default: the foot of G, so that the two are independent of each other. About another point a body that is not balanced
         statically changes its products of inertia: give the O of the exercise.
-    tolerance : relative, of the radius of gyration about O (the root mean square distance of the mass from it) and of m k^2
+    tolerance : relative, of the radius of gyration k about O (the root mean square distance of the mass from it; at least a thousandth of AB), and of
+        m k^2
     Of an array every instant must be balanced. Raises :class:`RotorError` for expressions, which have no size: look at :func:`imbalance` there.
 
     >>> from newton_euler import Frame
@@ -260,14 +261,16 @@ def balance(body, A, B, about=None, tolerance=1e-9):
     """
     found = imbalance(body, A, B, about)
     I, e, product = body.about(found.about), scalar(found.static.norm()), scalar(found.dynamic.norm())
-    total = sum(I.moments) / 2  # m k^2
+    total = _at_least(sum(I.moments) / 2, body.mass * (shaft_axis(A, B)[1] / 1000) ** 2)  # m k^2
     if not all(map(is_numeric, (e, product, total, body.mass))):
         raise RotorError(f"whether {body.name} is balanced depends on the values of its expressions; put in numbers, or look at imbalance(...)")
-    if is_zero(total):
-        return Balance(True, True, 0.0, 0.0, 0.0, 0.0, tolerance)
     eccentricity = e / body.mass
     offset, tilt = size(eccentricity / sqrt(total / body.mass)), size(product / total)
     return Balance(offset <= tolerance, tilt <= tolerance, size(eccentricity), size(product), offset, tilt, tolerance)
+
+
+def _at_least(x, floor):
+    return where(plain(x) < plain(floor), floor, x) if is_numeric(x) and is_numeric(floor) else x
 
 
 # -- balancing
@@ -330,7 +333,7 @@ def _weight(number, U, A, e, z, given, at_radius):
     none = is_zero(length)
     step = U * 0 if none else U * (given / _nonzero(length)) if at_radius else U / given
     mass = length / given if at_radius else given
-    place = add3((A - e.frame.origin).expressed_in(e.frame).c, add3(scale3(scalar(z), e.c), step.c))
+    place = add3(A.position(e.frame).c, add3(scale3(scalar(z), e.c), step.c))
     return Body(f"weight {number}", mass, e.frame.point(f"weight {number}", *place))
 
 

@@ -90,7 +90,7 @@ def drowned(value, noise):
 
 
 def shaken(f, q):
-    """How far each of the triples f(*q) moves, as lengths, while each of the numbers ``q`` moves by some units in its last place.
+    """How far each of the triples f(*q) moves, as lengths, while each of the numbers ``q`` moves by up to 41 units in its last place.
 
     It measures rounding inside f, and how sharply q determines f: a direction taken from a vector no longer than this is arbitrary.
     """

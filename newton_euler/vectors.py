@@ -331,12 +331,15 @@ class Explanation:
     """A vector written out as the sum it is. ``str()`` gives text, ``latex`` the formulas; Jupyter shows the latter."""
 
     def __init__(self, vector, ledger, unit=""):
-        self.vector, self.ledger, self.unit = vector, ledger, unit
+        self.ledger, self.unit = ledger, unit
         self.number, self.symbol, self.written = EQUATIONS[ledger.kind]
+        terms = {n: t.expressed_in(vector.frame) for n, t in vector.terms.items()}
+        noise = 1e-14 * max((size(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)), default=0.0)
+        self.vector, self.terms = _without_noise(vector, noise), {n: _without_noise(t, noise) for n, t in terms.items()}
 
     def __str__(self):
         unit = f" {self.unit}" if self.unit else ""
-        terms = {n: t.expressed_in(self.vector.frame) for n, t in self.vector.terms.items()}
+        terms = self.terms
         names = [f"{n}  {self.written.get(n, ('',))[0]}".rstrip() for n in terms]
         width = max(map(len, [*names, "sum"]))
         lines = [f"{self.ledger.kind} {self.ledger.subject}, equation ({self.number}), components in {self.vector.frame.name}"]
@@ -352,7 +355,7 @@ class Explanation:
         """The formula and the value of each term, as an align* environment."""
         subject = r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
-        terms = {n: t.expressed_in(self.vector.frame) for n, t in self.vector.terms.items()}
+        terms = self.terms
         formulas = [self.written[n][1] if n in self.written else _product(n, self.symbol) for n in terms]
         rows = [rf"{self.symbol}{subject} &= {' + '.join(formulas)} \tag{{{self.number}}}"]
         for (name, term), formula in zip(terms.items(), formulas, strict=True):
@@ -365,6 +368,11 @@ class Explanation:
 
     def _repr_mimebundle_(self, **_):
         return {"text/plain": str(self), "text/latex": self.latex}
+
+
+def _without_noise(v, noise):
+    """For the reader: components that are rounding beside the other terms, shown as 0."""
+    return Vector(tuple(ZERO if is_numeric(x) and size(x) <= noise else x for x in v.c), v.frame)
 
 
 def _product(name, symbol):

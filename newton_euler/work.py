@@ -1,14 +1,26 @@
 """Work and power of forces and couples (11.1)-(11.11).
 
-Work belongs to a displacement, between two positions or instants, power to an instant. All forms of the work integral are integrals of one
-function over one variable: :func:`integral` finds them in floats with an error estimate, in the digits of an mpf, or exactly by SymPy.
+Work belongs to a displacement, between two positions or instants; power belongs to an instant. All forms of the work integral are integrals of one
+function over one variable, by :func:`work_integral`:
+
+    U = integral of F.v dt       work_in_time(force, velocity, start, end)                    (11.2)
+    U = integral of F_t ds       work_integral(F_t, s0, s1), F_t the tangential component     (11.3)
+    U = integral of F ds_F       work_integral(F, s0, s1), over the displacement along F      (11.4)
+    U = integral of F.dr         work_along(force, path, start, end)                          (11.1), (11.5)
+    U = integral of M dtheta     work_integral(M, theta0, theta1)                             (11.11)
+
+A force at right angles to the velocity of its point of application does no work. Units: any consistent ones; in SI J and W. Velocities are those
+in an inertial frame.
 """
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
-from .paths import derivatives
-from .scalars import ZERO, epsilon, is_numeric, plain, scalar
-from .vectors import FrameError, Vector
+from . import rectilinear
+from .paths import along
+from .scalars import ZERO, ScalarError, epsilon, is_finite, is_numeric, plain, scalar, size, sqrt
+from .triads import SingularError
+from .vectors import FrameError, Vector, _short
 
 SUBDIVISIONS = 400
 
@@ -17,22 +29,28 @@ class WorkError(ValueError):
     """An integral that does not converge, or a force or path that has no value where it is needed."""
 
 
-@dataclass(frozen=True)
-class Work:
-    """Work done between two positions or instants: ``value``, its estimated ``error`` (both in J), and its ``terms`` by name.
+@dataclass(frozen=True, eq=False)
+class Amount:
+    """An amount of work, energy or power with its terms by name: ``U.value``, ``T.terms["rotation"]``, ``T.explain()``.
 
-    It can be used as the number it is: ``float(U)``, ``U + 1``, ``2*U``.
+    what, number : what it is, and its equation in the book
+    error : estimated error of ``value`` where it comes from an integral, in the same unit
+    It stands for its value in sums and products with numbers and with its like: ``float(U)``, ``T + V``, ``2*U``.
     """
 
     value: object
-    error: float = 0.0
     terms: dict = field(default_factory=dict)
+    what: str = "work"
+    number: str = "11.1"
+    error: float = 0.0
+
+    __array_ufunc__ = None
 
     def __float__(self):
         return float(self.value)
 
     def __add__(self, other):
-        return self.value + (other.value if isinstance(other, Work) else other)
+        return plain(scalar(self.value) + value_of(other))
 
     __radd__ = __add__
 
@@ -40,135 +58,181 @@ class Work:
         return -self.value
 
     def __sub__(self, other):
-        return self.value - (other.value if isinstance(other, Work) else other)
+        return plain(scalar(self.value) - value_of(other))
 
     def __rsub__(self, other):
-        return other - self.value
+        return plain(value_of(other) - scalar(self.value))
 
     def __mul__(self, other):
-        return self.value * other
+        return plain(scalar(self.value) * value_of(other))
 
     __rmul__ = __mul__
 
+    def __truediv__(self, other):
+        return plain(scalar(self.value) / value_of(other))
 
-def integral(f, start, end, rtol=1e-10, exact=False):
-    """The integral of ``f`` from ``start`` to ``end``, as a :class:`Work` with its estimated error.
+    def explain(self, unit="J"):
+        """The sum in words: its equation in the book, each term, and their sum."""
+        rows = [*self.terms.items(), ("sum", self.value)]
+        width = max(len(name) for name, _ in rows)
+        return "\n".join([f"{self.what}, equation ({self.number})", *(f"  {name:<{width}}  {_short(x)} {unit}" for name, x in rows)])
 
-    f : function of one number. With floats by SciPy's adaptive quadrature to ``rtol``, relative to the integral of abs(f); with mpf limits
-        in their working precision; with ``exact=True`` by SymPy, where f is written with functions of this package
-    This is (11.3) for the tangential component over arc length, (11.4) for the force over the displacement along it, (11.2) for the power over time,
-    (11.11) for a moment over the angle. Raises :class:`WorkError` where it does not converge or has no closed form.
+    def reweighted(self, **factors):
+        """The sum of its terms, each times the factor named for it (others once): what a wrong model would give.
 
-    >>> integral(lambda x: -200.0*x, 0.0, 0.1).value  # a spring, stretched from rest
+        >>> Amount(7.0, {"translation": 5.0, "rotation": 2.0}).reweighted(rotation=0)
+        5.0
+        """
+        unknown = [n for n in factors if n not in self.terms]
+        if unknown:
+            raise WorkError(f"no term {unknown[0]!r}; the terms are {', '.join(self.terms) or 'none'}")
+        return summed({n: scalar(factors.get(n, 1)) * x for n, x in self.terms.items()}).value
+
+    def without(self, *names):
+        """The sum without the terms named: ``T.without("rotation")``."""
+        return self.reweighted(**dict.fromkeys(names, 0))
+
+
+def value_of(x):
+    """The scalar that ``x``, an :class:`Amount` or a number, stands for."""
+    return scalar(x.value if isinstance(x, Amount) else x)
+
+
+def summed(terms, what="work", number="11.1", error=0.0):
+    """The :class:`Amount` that is the sum of these terms, numbers by name."""
+    total = ZERO
+    for x in terms.values():
+        total = total + value_of(x)
+    return Amount(plain(total), {n: plain(value_of(x)) for n, x in terms.items()}, what, number, error)
+
+
+# -- the integral
+
+
+def work_integral(f, start, end, rtol=1e-10, exact=False, breaks=()):
+    """The integral of ``f`` from ``start`` to ``end``, an :class:`Amount` with its estimated error: (11.2), (11.3), (11.4) or (11.11), by what f is.
+
+    f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the integral of abs(f). Arrays and mpf: to nearly
+        their accuracy, for a smooth f. ``exact=True``: by SymPy, where f is written with functions of this package
+    breaks : where f has corners or jumps, or acts for a short while only, in order; the integral is divided there
+    Raises :class:`WorkError` where it does not converge, where f is not finite, or where SymPy finds no formula.
+
+    >>> work_integral(lambda x: -200.0*x, 0.0, 0.1).value  # a spring, stretched from rest
     -1.0
     """
+    pieces = [_piece(f, a, b, rtol, exact) for a, b in pairwise((start, *breaks, end))]
+    return Amount(sum(value for value, _ in pieces), error=sum(error for _, error in pieces))
+
+
+def _piece(f, start, end, rtol, exact):
+    """(value, estimated error) of one smooth piece."""
     if exact:
-        return Work(_exact(f, start, end))
-    if not (is_numeric(start) and is_numeric(end)):
-        raise WorkError(f"the limits {start!r} and {end!r} hold symbols: pass exact=True to integrate by formulas, or put numbers in")
-    if min(epsilon(start), epsilon(end)) < 2.0**-52:  # an mpf of more digits than a float
-        return _precise(f, start, end)
-    return _numeric(f, float(start), float(end), rtol)
+        return _by_formula(f, start, end), 0.0
+    if not (is_numeric(scalar(start)) and is_numeric(scalar(end))):
+        raise WorkError(f"the limits {start!r} and {end!r} are no numbers: pass exact=True to integrate by formulas, or put numbers in")
+    samples = [_finite(f, start + (end - start) * (n + 0.5) / 16) for n in range(16)]
+    scale = size(scalar(end - start)) * sum(map(size, samples)) / 16
+    one = samples[0] + (end - start)  # an array, or an mpf of more digits than a float?
+    if getattr(one, "shape", ()) or epsilon(one) < 2.0**-53:
+        return _smooth(f, start, end, scale)
+    return _adaptive(f, float(start), float(end), rtol, scale)
 
 
-def _numeric(f, start, end, rtol):
-    import math
+def _finite(f, x):
+    try:
+        value = scalar(f(x))
+    except (ArithmeticError, ValueError) as problem:
+        raise WorkError(f"the integrand has no value at {_short(x)}: {problem}") from problem
+    if not is_numeric(value):
+        raise WorkError(f"the integrand is {plain(value)!r} at {_short(x)}: pass exact=True to integrate formulas, or put numbers in")
+    if not is_finite(value):
+        raise WorkError(f"the integrand is {plain(value)} at {_short(x)}; look at divisions and roots there")
+    return value
+
+
+def _adaptive(f, start, end, rtol, scale):
     import warnings
 
     from scipy.integrate import IntegrationWarning, quad
 
-    def g(x):
-        value = float(plain(scalar(f(x))))
-        if not math.isfinite(value):
-            raise WorkError(f"the integrand is {value} at {x:.6g}, between the limits {start:.6g} and {end:.6g}; look at divisions and roots there")
-        return value
-
-    scale = abs(end - start) * sum(abs(g(start + (end - start) * (n + 0.5) / 16)) for n in range(16)) / 16
     with warnings.catch_warnings():
         warnings.simplefilter("error", IntegrationWarning)
         try:
-            value, error = quad(g, start, end, epsabs=rtol * scale, epsrel=rtol, limit=SUBDIVISIONS)
+            return quad(lambda x: float(_finite(f, x)), start, end, epsabs=rtol * scale, epsrel=rtol, limit=SUBDIVISIONS)
         except IntegrationWarning as problem:
             raise WorkError(
-                f"the integral from {start:.6g} to {end:.6g} did not converge to {rtol:.1g}: {str(problem).split('.')[0].strip()}. Divide it "
-                "where the force has a corner or a jump, or ask for less with rtol="
+                f"the integral from {start:.6g} to {end:.6g} did not converge to {rtol:.1g}: {str(problem).split('.')[0].strip()}. Divide it with "
+                "breaks=(...) where the force has a corner or a jump, or ask for less with rtol="
             ) from None
-    return Work(value, error)
 
 
-def _precise(f, start, end):
-    import mpmath
+def _smooth(f, start, end, scale):
+    """What the tanh-sinh rule of :mod:`newton_euler.rectilinear` guarantees is half of the digits; mostly it has them nearly all."""
+    width = end - start
+    try:
+        value = rectilinear.integral(lambda s: _finite(f, start + width * s), 0 * width, 0 * width + 1) * width
+    except SingularError:
+        raise WorkError(f"the integral from {start!r} to {end!r} does not settle; divide it with breaks=(...) where the force has a corner") from None
+    return plain(value), 1e-3 * scale * float(sqrt(epsilon(value)))
 
-    value, error = mpmath.quad(lambda x: plain(scalar(f(x))), [start, end], error=True)
-    return Work(value, float(error))
 
-
-def _exact(f, start, end):
+def _by_formula(f, start, end):
     import sympy
 
     q = sympy.Dummy("q", real=True)
-    value = sympy.integrate(sympy.sympify(plain(scalar(f(q)))), (q, start, end))
+    try:
+        start, end = (sympy.sympify(plain(scalar(x))) for x in (start, end))
+        value = sympy.integrate(sympy.sympify(plain(scalar(f(q)))), (q, start, end))
+    except (sympy.SympifyError, ScalarError) as problem:
+        raise WorkError(f"SymPy cannot read the integrand or the limits {start!r} and {end!r}: {problem}") from None
     if value.has(sympy.Integral):
         raise WorkError("SymPy finds no formula for this integral; put numbers in, without exact=True")
     return value
 
 
-def work_along(force, path, start, end, rtol=1e-10, exact=False):
+# -- work
+
+
+def work_along(force, path, start, end, rtol=1e-10, exact=False, breaks=()):
     """The work of a force whose point of application moves along a curve (11.1), with its rectangular ``terms`` x, y, z (11.5).
 
     force : function of x, y, z (of the place, along the axes in which the path is given) that returns (F_x, F_y, F_z)
     path : function of one parameter that returns (x, y, z), written with functions of this package; ``start``, ``end`` its limits
+    The others are those of :func:`work_integral`.
 
     >>> from newton_euler import cos, sin
-    >>> import math
-    >>> U = work_along(lambda x, y, z: (-y, x, 0), lambda a: (cos(a), sin(a), 0), 0.0, math.pi)
-    >>> round(U.value, 12) == round(math.pi, 12)
-    True
+    >>> U = work_along(lambda x, y, z: (-y, x, 0), lambda a: (cos(a), sin(a), 0), 0.0, 1.5)
+    >>> round(U.value, 12)
+    1.5
     """
+
     def component(n):
         def f(q):
-            place, tangent, *_ = derivatives(path, q)
-            return scalar(force(*map(plain, place))[n]) * tangent[n]
+            place = along(path, q)
+            return scalar(force(*(plain(x.value) for x in place))[n]) * place[n].rate
 
         return f
 
-    parts = {name: integral(component(n), start, end, rtol, exact) for n, name in enumerate("xyz")}
-    return Work(sum(p.value for p in parts.values()), sum(p.error for p in parts.values()), {n: p.value for n, p in parts.items()})
+    parts = {name: work_integral(component(n), start, end, rtol, exact, breaks) for n, name in enumerate("xyz")}
+    return summed(parts, number="11.5", error=sum(p.error for p in parts.values()))
 
 
-def work_in_time(force, velocity, start, end, rtol=1e-10, exact=False):
-    """The work of a force from the instant ``start`` to ``end`` (11.2); force and velocity are functions of time that return Vectors or triples.
+def work_in_time(force, velocity, start, end, rtol=1e-10, exact=False, breaks=()):
+    """The work of a force from the instant ``start`` to ``end`` (11.2), or of a couple (11.11).
 
-    The velocity is that of the point of application, seen from an inertial frame.
+    force, velocity : functions of time that return Vectors or triples: the force and the velocity of its point of application, or the moment of a
+        couple and the angular velocity. The others are those of :func:`work_integral`.
 
     >>> round(work_in_time(lambda t: (0, 0, -19.62), lambda t: (5.0, 0, 10.0 - 9.81*t), 0.0, 1.0).value, 9)
     -99.9639
     """
-    return integral(lambda t: power(force(t), velocity(t)), start, end, rtol, exact)
-
-
-def power(force, velocity):
-    """P = F . v (11.9): of a force, with the velocity of its point of application; or of a couple, with the angular velocity, P = M . omega (11.10).
-
-    Both Vectors (of related frames), or both triples along the same axes.
-
-    >>> power((0, 0, -2.0), (1.0, 0, 3.0))
-    -6.0
-    """
-    if isinstance(force, Vector) or isinstance(velocity, Vector):
-        if not (isinstance(force, Vector) and isinstance(velocity, Vector)):
-            raise FrameError("power needs two Vectors, or two triples along the same axes; got one of each")
-        return force.dot(velocity)
-    total = ZERO
-    for a, b in zip(force, velocity, strict=True):
-        total = total + scalar(a) * b
-    return plain(total)
+    return work_integral(lambda t: power(force(t), velocity(t)), start, end, rtol, exact, breaks)
 
 
 def constant_force_work(force, start, end):
-    """The work of a constant force between two Points or positions, by whatever path: F . (r_1 - r_0) (11.6), (11.7).
+    """The work of a constant force between two Points, by whatever path: F.(r_1 - r_0) (11.6); that of a weight is m g (z_0 - z_1) (11.7).
 
-    force : a Vector; start, end : Points of related frames
+    force : a Vector; start, end : Points of related frames, that do not move relative to each other
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -176,3 +240,56 @@ def constant_force_work(force, start, end):
     19.62
     """
     return force.dot(end - start)
+
+
+# -- power
+
+
+def power(force, velocity, observer=None):
+    """P = F.v of a force (11.8), (11.9), v the velocity of its point of application; P = M.omega of a couple (11.10). Positive: it drives the body.
+
+    velocity : a Vector, like the force; or triples both, along the same axes. With an ``observer``, an inertial frame: the Point at which the
+        force acts, or the Frame on which the couple acts
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> wheel = ground.rotate("wheel", "z", rate=3.0)
+    >>> power((0, 0, -2.0), (1.0, 0, 3.0)), power(5.0*ground.k, wheel, ground), power(2.0*wheel.j, wheel.point("P", 0.5, 0, 0), ground)
+    (-6.0, 15.0, 3.0)
+    """
+    if observer is not None:
+        velocity = _motion(velocity, observer)
+    if isinstance(force, Vector) and isinstance(velocity, Vector):
+        return force.dot(velocity)
+    if isinstance(force, (tuple, list)) and isinstance(velocity, (tuple, list)):
+        total = ZERO
+        for a, b in zip(force, velocity, strict=True):
+            total = total + scalar(a) * scalar(b)
+        return plain(total)
+    raise FrameError(
+        "power needs two Vectors, two triples along the same axes, or a Vector, a Point or Frame, and the observer, as in power(F, P, ground); "
+        f"got {force!r} and {velocity!r}"
+    )
+
+
+def _motion(of, observer):
+    """Velocity of a Point, angular velocity of a Frame."""
+    seen = getattr(of, "angular_velocity", getattr(of, "velocity", None))
+    if seen is None:
+        raise FrameError(f"with an observer, power needs the Point at which the force acts or the Frame on which the couple acts; got {of!r}")
+    return seen(observer)
+
+
+def pair_power(force, first, second, observer):
+    """The power of a pair of opposite forces, ``force`` at the Point ``first`` and its opposite at ``second`` (11.10), (11.13): F.(v_1 - v_2).
+
+    A couple if both are points of one body; a spring, damper or joint between two bodies; zero for forces along the line between two points
+    of one rigid body, whose internal forces do no work.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground"); body = ground.rotate("body", "z", rate=2.0)
+    >>> C, D = body.point("C", 0.0, 0.0, 0.0), body.point("D", 1.0, 0.0, 0.0)
+    >>> pair_power(3.0*body.j, D, C, ground), pair_power(3.0*body.i, D, C, ground)
+    (6.0, 0.0)
+    """
+    return power(force, first.velocity(observer) - second.velocity(observer))

@@ -1,19 +1,21 @@
 """The symmetric top with a fixed point under gravity (10.5, 10.6) as models of three kinds, and the free symmetric body (10.8).
 
-All take I0, I, ``mgr`` and angles as in :mod:`newton_euler.gyros`; ``omega_z``, the whole rate about the axis, is constant and so a parameter. Which one:
-:func:`reduced` for the nutation alone, :func:`rolled_out` where the axis comes near the vertical, :func:`euler` where the angles psi and phi are wanted.
+All take I0, I, ``mgr`` and angles as in :mod:`newton_euler.gyros`; ``omega_z``, the whole rate about the axis, is constant and so a parameter.
+Which one: :func:`reduced` for nutation alone, :func:`rolled_out` where the axis comes near the vertical, :func:`euler` where psi and phi are wanted.
 """
 
+from dataclasses import replace
+
 from ..models import Model
-from ..rotations import matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
-from ..scalars import cos, sin, sqrt, tan
+from ..rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
+from ..scalars import cos, plain, scalar, sin, sqrt, tan
 from ..vectors import dot3
 
 
 def surplus(I0, I, theta, precession, omega_z):
-    """p_psi - p_phi, the constant by which the angular momentum about the vertical exceeds that about the axis, I omega_z.
+    """p_psi - p_phi: the constant by which the angular momentum about the vertical exceeds that about the axis, I omega_z.
 
-    It is I0 psi' sin^2(theta) - I omega_z (1 - cos(theta)), and zero for a top that can pass through the upright position.
+    It is I0 psi' sin^2(theta) - I omega_z (1 - cos(theta)), and zero for a top that passes through the upright position.
 
     >>> surplus(0.02, 0.01, 0.0, 3.0, 100.0)
     0.0
@@ -22,13 +24,148 @@ def surplus(I0, I, theta, precession, omega_z):
 
 
 def precession_rate(I0, I, theta, omega_z, surplus):
-    """psi' at the angle theta, from the constants: (p_psi - p_phi cos(theta))/(I0 sin^2(theta)).
+    """psi' at the angle theta from the constants, (p_psi - p_phi cos(theta))/(I0 sin^2(theta)), by half angles.
 
-    It has a limit as theta goes to 0 if ``surplus`` is 0, and keeps it if that is given as the integer 0.
+    If ``surplus`` is the integer 0 it has its limit at theta = 0.
 
     >>> precession_rate(0.02, 0.01, 0.0, 100.0, 0)
     25.0
     """
-    both = 2 * I * omega_z + surplus
-    there = both / (4 * I0 * cos(theta / 2) ** 2)
-    return there + surplus / (4 * I0 * sin(theta / 2) ** 2) if surplus is not 0 else there
+    surplus = scalar(surplus)
+    whole = 2 * I * omega_z + surplus
+    return plain(whole / (4 * I0 * cos(theta / 2) ** 2) + surplus / (4 * I0 * sin(theta / 2) ** 2))
+
+
+# -- theta alone
+
+
+def reduced(I0, I, mgr, omega_z, surplus):
+    """The nutation alone (10.24) with the cyclic angles eliminated: states theta, theta_rate; invariant the energy, less that of spin.
+
+    surplus : from the start, by the function :func:`surplus`; 0 for a sleeping top, and then theta = 0 is no singular place
+    I0 theta'' = mgr sin(theta) - d/dtheta (p_psi - p_phi cos(theta))^2/(2 I0 sin^2(theta)), with the quotient by half angles as
+    (p tan(theta/2) + q/tan(theta/2))^2/(8 I0), p = p_psi + p_phi, q = p_psi - p_phi = surplus. A pendulum has I = 0.
+
+    >>> top = reduced(0.02, 0.01, 0.5, 100.0, 0)
+    >>> top.derivative((0.0, 0.1))
+    (0.1, 0.0)
+    """
+    parameters = {"I0": I0, "I": I, "mgr": mgr, "omega_z": omega_z, "surplus": surplus}
+    return Model("top, nutation alone", parameters, ("theta", "theta_rate"), _reduced_rates, {"energy": _reduced_energy})
+
+
+def _sides(s, p):
+    t = tan(s.theta / 2)
+    return t, 2 * (p.I * p.omega_z) + p.surplus, p.surplus / t
+
+
+def _reduced_rates(s, p, t):
+    t, whole, rest = _sides(s, p)
+    slope = (whole * t + rest) * (whole * (1 + t * t) - (p.surplus + rest / t)) / (8 * p.I0)
+    return s.theta_rate, (p.mgr * sin(s.theta) - slope) / p.I0
+
+
+def _reduced_energy(s, p, t):
+    t, whole, rest = _sides(s, p)
+    return p.I0 * s.theta_rate**2 / 2 + (whole * t + rest) ** 2 / (8 * p.I0) + p.mgr * cos(s.theta)
+
+
+# -- Euler's angles
+
+
+def euler(I0, I, mgr, omega_z):
+    """The top in Euler's angles (10.25): states psi, theta, phi, psi_rate, theta_rate; invariants energy and p_psi. Singular at theta = 0 and pi.
+
+    >>> import math
+    >>> top = euler(0.02, 0.01, 0.5, 100.0)
+    >>> round(top.derivative((0, math.pi/2, 0, 0.5, 0.0))[4], 12)  # it precesses steadily
+    0.0
+    """
+    parameters = {"I0": I0, "I": I, "mgr": mgr, "omega_z": omega_z}
+    states = ("psi", "theta", "phi", "psi_rate", "theta_rate")
+    return Model("top in Euler's angles", parameters, states, _euler_rates, {"energy": _euler_energy, "p_psi": _euler_vertical})
+
+
+def _euler_rates(s, p, t):
+    sine, cosine, h = sin(s.theta), cos(s.theta), p.I * p.omega_z
+    psi_acceleration = s.theta_rate * (h / p.I0 - 2 * (s.psi_rate * cosine)) / sine
+    theta_acceleration = sine * (s.psi_rate**2 * cosine + (p.mgr - h * s.psi_rate) / p.I0)
+    return s.psi_rate, s.theta_rate, p.omega_z - s.psi_rate * cosine, psi_acceleration, theta_acceleration
+
+
+def _euler_energy(s, p, t):
+    transverse = p.I0 * (s.theta_rate**2 + (s.psi_rate * sin(s.theta)) ** 2)
+    return (transverse + p.I * p.omega_z**2) / 2 + p.mgr * cos(s.theta)
+
+
+def _euler_vertical(s, p, t):
+    return p.I0 * (s.psi_rate * sin(s.theta) ** 2) + p.I * p.omega_z * cos(s.theta)
+
+
+# -- the frame that goes with the axis without spinning
+
+
+def rolled_out(I0, I, mgr, omega_z):
+    """The top in a frame that goes with its axis and does not turn about it, (10.20) with Omega_z = 0: no singular place, no fast angle.
+
+    states : q0 … q3, the quaternion of the frame, and w_x, w_y, the transverse angular velocity in it (rad/s)
+    invariants : energy, p_psi and the norm of the quaternion. The attitude of the body follows by :func:`body_quaternion`.
+
+    >>> rolled_out(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]  # upright: the axis of the tilting moves on
+    (0.0, 5.0)
+    """
+    parameters = {"I0": I0, "I": I, "mgr": mgr, "omega_z": omega_z}
+    invariants = {"energy": _rolled_energy, "p_psi": _rolled_vertical, "norm": lambda s, p, t: s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2}
+    return Model("top in the frame that does not spin", parameters, ROLLED, _rolled_rates, invariants)
+
+
+ROLLED = ("q0", "q1", "q2", "q3", "w_x", "w_y")
+
+
+def _vertical(s):
+    """The components of the vertical K in the frame."""
+    return matrix_from_quaternion((s.q0, s.q1, s.q2, s.q3))[2]
+
+
+def _rolled_rates(s, p, t):
+    x, y, _ = _vertical(s)
+    h = p.I * p.omega_z
+    turning = quaternion_rate((s.q0, s.q1, s.q2, s.q3), (s.w_x, s.w_y, 0))
+    return *turning, (p.mgr * y - h * s.w_y) / p.I0, (h * s.w_x - p.mgr * x) / p.I0
+
+
+def _rolled_energy(s, p, t):
+    return (p.I0 * (s.w_x**2 + s.w_y**2) + p.I * p.omega_z**2) / 2 + p.mgr * _vertical(s)[2]
+
+
+def _rolled_vertical(s, p, t):
+    return dot3(_vertical(s), (p.I0 * s.w_x, p.I0 * s.w_y, p.I * p.omega_z))
+
+
+def body_quaternion(state, spun):
+    """The quaternion of the body, from a state of :func:`rolled_out` or :func:`free` and the angle omega_z t (rad) that it has spun.
+
+    >>> body_quaternion((1.0, 0, 0, 0, 0, 0), 0.0)
+    (1.0, 0.0, 0.0, 0.0)
+    """
+    return quaternion_product(tuple(state)[:4], (cos(spun / 2), 0 * spun, 0 * spun, sin(spun / 2)))
+
+
+def free(I0, I, omega_z):
+    """The symmetric body without moment (10.35), (10.36): the states of :func:`rolled_out`, with the exact solution; omega_z is not zero.
+
+    The frame turns about the constant H at the rate H/I0, and back about its axis at I omega_z/I0.
+
+    >>> body = free(0.02, 0.01, 100.0)
+    >>> [round(x, 6) for x in body.solution(0.2, (1.0, 0, 0, 0, 1.0, 0.0))[4:]]  # I omega_z/I0 = 50 rad/s
+    [-0.839072, -0.544021]
+    """
+    return replace(rolled_out(I0, I, 0, omega_z), name="free symmetric body", exact=_free_exact)
+
+
+def _free_exact(s, p, t):
+    q, rate = (s.q0, s.q1, s.q2, s.q3), p.I * p.omega_z / p.I0
+    about = apply(matrix_from_quaternion(q), (s.w_x, s.w_y, rate))  # H/I0 in the ground
+    turned = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), q)
+    back, c, sn = quaternion((0, 0, 1), -rate * t), cos(rate * t), sin(rate * t)
+    return *quaternion_product(turned, back), s.w_x * c - s.w_y * sn, s.w_y * c + s.w_x * sn

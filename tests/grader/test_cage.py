@@ -113,7 +113,7 @@ def test_nothing_in_the_cage_holds_a_key_or_the_exchange(harvester):
     import os
     x = 0
     for folder, _, files in os.walk("/"):
-        x += sum(f in ("problems.yaml", ".course_secret", "gradebook.db", "catalogue.py") for f in files) + folder.endswith("nbgrader/exchange")
+        x += sum(f in ("problems.yaml", ".course_secret", "gradebook.db", "p16.py") for f in files) + folder.endswith("share/nbgrader/exchange")
     """
     assert caged(harvester, cell, seconds=40, cell_seconds=30)["receipts"]["0/1"]["answers"] == {"x": 0.0}
 
@@ -144,7 +144,7 @@ ENDINGS = {
     "no death with its parent": "import ctypes, time; ctypes.CDLL(None).prctl(1, 0, 0, 0, 0); time.sleep(1000)",
     "stops itself": "import os, signal; os.kill(os.getpid(), signal.SIGSTOP); x = 1",
     "endless loop": "while True: pass",
-    "endless loop that catches everything": "while True:\n    try:\n        while True: pass\n    except BaseException: pass",
+    "endless loop that catches everything": "n = 0\nwhile True:\n    try:\n        while True:\n            n += 1\n    except BaseException: pass",
     "endless in C": "x = 10**10**8",
     "no alarm": "import signal\nsignal.signal(signal.SIGALRM, signal.SIG_IGN)\nwhile True: pass",
     "sleeps": "import time; time.sleep(1000)",
@@ -260,6 +260,7 @@ def test_without_privileges_the_cage_is_as_tight():
     assert not (REPOSITORY / "newton_euler/probe").exists()
 
 
+@pytest.mark.slow
 def test_without_privileges_the_worker_survives_too():
     names = ["kills everybody", "fork bomb", "no death with its parent", "daemon", "stops itself", "endless in C", "floods the receipts", "memory in pieces"]
     before = ours()
@@ -290,6 +291,7 @@ def test_where_the_kernel_refuses_the_reply_names_its_reason():
     assert reply["receipts"]["0/1"]["answers"] == {"x": 42.0}
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.geteuid() != 0, reason="without a cage and without root, student code has the instructor's own rights")
 def test_without_a_cage_the_worker_survives_and_nothing_is_left_running():
     names = ["daemon", "fork bomb", "no death with its parent", "kills everybody", "stops itself", "floods the receipts", "endless loop that catches everything"]

@@ -507,3 +507,10 @@ def test_public_names_have_docstrings(module):
         for a, v in vars(o).items() if not a.startswith("_") and (callable(v) or isinstance(v, property)) and not (v.__doc__ or "").strip()
     ]  # fmt: skip
     assert bare == []
+
+
+def test_at_of_an_mpf_keeps_its_digits_where_constants_are_floats():
+    t, c = mpmath.mpf("0.9"), mpmath.mpf(0.8)
+    found = at(lambda t: 0.3 * scalars.sin(0.8 * t), t)
+    exact = -mpmath.mpf(0.3) * c * c * mpmath.sin(c * t)
+    assert abs(found.acceleration - exact) < 1e-28  # with a rate of plain 1, 0.8*0.8 would be multiplied in floats

@@ -1,0 +1,118 @@
+"""Angular momentum and the moment equation (7.1, 8.1-8.3, 8.7): which forces and moments go with a motion, and back.
+
+For every point B, however it moves, with the *relative* angular momentum H_B of (7.6) and d from B to the mass centre G,
+
+    M_B = DH_B/Dt + d x m a_B                                                    (8.9), (8.21)
+
+D/Dt is the rate seen from an inertial frame, the ``observer`` here; by way of any frame that turns with Omega it is dH/dt + Omega x H, which
+is (8.12) for the frame of the body. The last term vanishes for B = G (8.10), for B at rest or at constant velocity (8.11), and for d along a_B.
+
+*Motion given, which forces?* :func:`newton_euler.kinetics.resultant_force` and :func:`resultant_moment`. *Forces given, or some of them?*
+:func:`equations_of_motion` writes (8.21) for :func:`newton_euler.linear.solve_linear`. Euler's and the planar equations are in
+:mod:`newton_euler.euler_equations`. Units: any consistent ones; in SI kg, m, s, N.
+"""
+
+from .force_systems import ForceSystem
+from .inertia import place
+from .kinetics import resultant_force
+from .vectors import EQUATIONS, Ledger, Vector
+
+_MOMENT = {
+    "relative": ("dH/dt", r"\frac{d\mathbf{H}}{dt}"),
+    "rotation": ("omega x H", r"\boldsymbol{\omega}\times\mathbf{H}"),
+    "reference": ("d x m a_B", r"\bar{\mathbf{d}}\times m\mathbf{a}_B"),
+}
+EQUATIONS["moment"] = ("8.9", r"\mathbf{M}_B", _MOMENT)
+EQUATIONS["moment about the mass centre"] = ("8.10", r"\bar{\mathbf{M}}", _MOMENT)
+
+
+def angular_momentum(body, observer, about=None):
+    """H of a body, the relative angular momentum of (7.6), a Vector that knows its rate; kg m^2/s.
+
+    about : G (default), a Point fixed in the body, in the ground, or moving in any way, or a Frame for its origin
+    About a point of the body it is I omega with the matrix about that point (7.12); about another point H_G + d x m Dd/Dt (7.23).
+    See also :meth:`newton_euler.mass.Body.angular_momentum`, which has the latter as terms for every point.
+
+    >>> from newton_euler import Frame
+    >>> from newton_euler.solids import rod
+    >>> ground = Frame("ground")
+    >>> turning = ground.rotate("turning", "z", rate=2.0)
+    >>> bar = rod(2.0, turning.point("G", 1.0, 0, 0), "x", mass=3.0)
+    >>> angular_momentum(bar, ground, about=turning).z  # m L^2/3 omega
+    8.0
+    """
+    about = None if about is None else place(about, "the point that the moment is about")
+    if about is not None and about is not body.centre and _rides(about, body):
+        return body.about(about).times(body.frame.angular_velocity(observer))
+    return body.angular_momentum(observer, about)
+
+
+def _rides(point, body):
+    """True if the point is given as fixed in the frame of the body."""
+    return point.frame is body.frame and all(x.rests() for x in point.x)
+
+
+def resultant_moment(body, observer, about=None, via=None):
+    """The moment of all external forces about a point that goes with the motion of the body: (8.9), (8.10), (8.11), (8.12); N m.
+
+    observer : an inertial frame
+    about : G (default), or any Point B, however it moves, or a Frame for its origin
+    via : the frame in which H is differentiated, and whose components the result has; default: that of the body. It may turn differently
+        from the body, as the frame that precesses without spinning
+    terms : ``relative``, the rate of H seen in ``via``; ``rotation``, omega x H with the omega of ``via``; unless about G, ``reference``, d x m a_B
+
+    >>> from newton_euler import Frame
+    >>> from newton_euler.solids import rod
+    >>> ground = Frame("ground")
+    >>> turning = ground.rotate("turning", "z", rate=2.0, acceleration=5.0)
+    >>> bar = rod(2.0, turning.point("G", 1.0, 0, 0), "x", mass=3.0)
+    >>> resultant_moment(bar, ground, about=turning).z
+    20.0
+    >>> print(resultant_moment(bar, ground).explain("N m"))
+    moment about the mass centre of rod, seen from ground, by way of turning, equation (8.10), components in turning
+      relative  dH/dt      [0, 0, 5] N m
+      rotation  omega x H  [0, 0, 0] N m
+      sum                  [0, 0, 5] N m
+    """
+    about, via = body.centre if about is None else place(about, "the point that the moment is about"), via or body.frame
+    rate = angular_momentum(body, observer, about).expressed_in(via).rate(observer)
+    seen = f"seen from {observer.name}, by way of {via.name}"
+    if about is body.centre:
+        return Vector(rate.c, via, rate._own_rate, Ledger("moment about the mass centre", f"of {body.name}, {seen}", lambda: _rate_terms(rate)))
+    reference = (body.centre - about).expressed_in(via).cross(about.acceleration(observer) * body.mass)
+    total = rate + reference
+    ledger = Ledger("moment", f"of {body.name} about {about.name}, {seen}", lambda: {**_rate_terms(rate), "reference": reference})
+    return Vector(total.c, via, None, ledger)
+
+
+def _rate_terms(rate):
+    return dict(rate.terms) or {"relative": rate, "rotation": 0 * rate}
+
+
+def equations_of_motion(body, forces, observer, about=None):
+    """The Newton-Euler equations (8.21) of one body, as what must vanish: for :func:`newton_euler.linear.solve_linear`.
+
+    forces : all external forces, a :class:`newton_euler.force_systems.ForceSystem` or what makes one, as {"pin": (R, P)}; they and the motion of
+        the body may hold unknowns, the accelerations and reactions asked for
+    about : G (default), or any Point; a point where unknown forces act keeps them out of the moment equation
+    Returns a dict of two Vectors in the frame of ``observer``, "force on beam" and "moment on beam about G", each the forces' part less that of
+    the motion; the equations of several bodies join as {**first, **second}.
+
+    >>> from newton_euler import Frame
+    >>> from newton_euler.linear import solve_linear
+    >>> from newton_euler.solids import rod
+    >>> ground = Frame("ground")
+    >>> def beam_let_go(R, alpha):  # a beam of 6 kg and 2 m, pinned at its end, at the instant when it is let go
+    ...     beam = rod(2.0, ground.rotate("beam", "z", acceleration=alpha).point("G", 1.0, 0, 0), "x", mass=6.0)
+    ...     forces = {"weight": (ground.vector(0, -60.0, 0), beam.centre), "pin": (ground.vector(0, R, 0), ground)}
+    ...     return equations_of_motion(beam, forces, ground)
+    >>> s = solve_linear(beam_let_go)
+    >>> round(s.R, 12), round(s.alpha, 12)
+    (15.0, -7.5)
+    """
+    if not isinstance(forces, ForceSystem):
+        forces = ForceSystem(forces, observer)
+    about = body.centre if about is None else place(about, "the point that the moment is about")
+    force = forces.force.expressed_in(observer) - resultant_force(body.mass, body.centre.acceleration(observer))
+    moment = forces.moment(about).expressed_in(observer) - resultant_moment(body, observer, about)
+    return {f"force on {body.name}": force, f"moment on {body.name} about {about.name}": moment}

@@ -1,0 +1,70 @@
+"""What gyroscopes are used for (10.11): the wheel of a bicycle, the rate sensor, the inertial platform, the gyrocompass.
+
+All rest on M = I psi' phi' (10.37): a moment makes the axis of a spinning body precess, and turning the axis takes a moment.
+"""
+
+from ..models import Model
+from ..scalars import cos, pi, sin, sqrt
+
+
+def uprighting_moment(I, speed, wheel_radius, steering_rate):
+    """The moment with which a rolling wheel, steered at ``steering_rate``, acts about the line of travel: I phi' psi' with phi' = v/r.
+
+    Positive: steered to the left, the wheel leans the bicycle to the right. It is not the only reason why a bicycle stays up.
+
+    >>> uprighting_moment(0.1, 5.0, 0.25, 0.5)
+    1.0
+    """
+    return I * (speed / wheel_radius) * steering_rate
+
+
+def sensed_tilt(I, spin, rate, stiffness):
+    """The tilt (rad) of a rate gyroscope about its line of nodes: I phi' psi'/stiffness, a spring of N m/rad holding it. For small tilts.
+
+    >>> round(sensed_tilt(0.001, 1000.0, 0.02, 0.5), 6)
+    0.04
+    """
+    return I * spin * rate / stiffness
+
+
+def drift(moment, I, spin):
+    """The rate (rad/s) at which friction in a gimbal turns the axis of an inertial platform: M/(I phi').
+
+    >>> drift(1e-6, 0.001, 1000.0)
+    1e-06
+    """
+    return moment / (I * spin)
+
+
+def gyrocompass(I0, I, omega_z, earth_rate, latitude):
+    """A gyroscope whose axis is kept level: it swings about north. A Model with the states azimuth (rad, from north) and azimuth_rate.
+
+    With c = Omega cos(latitude) the axis turns at c sin(azimuth) about the level and at Omega sin(latitude) + azimuth' about the vertical transverse
+    axis, and the rotor at omega_z about its own, so that I0 azimuth'' = -c sin(azimuth) (I omega_z - I0 c cos(azimuth)).
+
+    >>> compass = gyrocompass(0.002, 0.003, 1000.0, 7.292e-5, 0.8)
+    >>> compass.derivative((0.1, 0.0))[1] < 0 < compass.derivative((-0.1, 0.0))[1]  # back to north
+    True
+    """
+    parameters = {"I0": I0, "I": I, "omega_z": omega_z, "earth_rate": earth_rate, "latitude": latitude}
+    return Model("gyrocompass", parameters, ("azimuth", "azimuth_rate"), _compass_rates, {"energy": _compass_energy})
+
+
+def compass_period(I0, I, omega_z, earth_rate, latitude):
+    """The period (s) of small swings about north: 2 pi sqrt(I0/(Omega cos(latitude) (I omega_z - I0 Omega cos(latitude)))).
+
+    >>> round(compass_period(0.002, 0.003, 1000.0, 7.292e-5, 0.8), 3)
+    22.761
+    """
+    level = earth_rate * cos(latitude)
+    return 2 * pi(level) * sqrt(I0 / (level * (I * omega_z - I0 * level)))
+
+
+def _compass_rates(s, p, t):
+    level = p.earth_rate * cos(p.latitude)
+    return s.azimuth_rate, -level * sin(s.azimuth) * (p.I * p.omega_z - p.I0 * level * cos(s.azimuth)) / p.I0
+
+
+def _compass_energy(s, p, t):
+    level = p.earth_rate * cos(p.latitude)
+    return p.I0 * (s.azimuth_rate**2 - (level * sin(s.azimuth)) ** 2) / 2 - p.I * p.omega_z * level * cos(s.azimuth)

@@ -1,0 +1,167 @@
+"""Degrees of freedom (5.11), (5.28), Table 5-1: counted by rank, against the numbers of Chapter 5; redundant, singular and impossible constraints."""
+
+import pytest
+import sympy
+
+from newton_euler import ConstraintError, cos, degrees_of_freedom, sin, sqrt
+from newton_euler.constraints import KINDS
+
+
+def squared(P, Q):
+    return sum((a - b) ** 2 for a, b in zip(P, Q, strict=True))
+
+
+def end(B, length):
+    """The far end of a bar in the plane, from its first end and its angle."""
+    return B[0] + length * cos(B[2]), B[1] + length * sin(B[2])
+
+
+def meet(P, Q):
+    return P[0] - Q[0], P[1] - Q[1]
+
+
+def count(bodies, constraints=None, **options):
+    return degrees_of_freedom(bodies, constraints, **options).count
+
+
+@pytest.mark.parametrize(("kind", "dof"), [("particle in plane", 2), ("particle", 3), ("body in plane", 3), ("body", 6)])
+def test_table_5_1_free_particles_and_bodies(kind, dof):
+    assert count({"B": kind}) == dof == KINDS[kind]
+
+
+@pytest.mark.parametrize("surfaces", [0, 1, 2, 3])
+def test_eqn_5_28_each_independent_constraint_takes_one_away(surfaces):
+    """3 - L for a particle under L surfaces f(x, y, z) = 0."""
+    f = {
+        "sphere": lambda P: squared(P, (0, 0, 0)) - 1,
+        "plane": lambda P: P[0] + 2 * P[1] - P[2] / 3,
+        "saddle": lambda P: P[2] - P[0] * P[1] - 0.1,
+    }
+    chosen = dict(list(f.items())[:surfaces])
+    assert count({"P": "particle"}, chosen) == 3 - surfaces
+    assert count({"P": "particle"}, {"z = 0": lambda P: P[2]}) == 2  # plane motion
+
+
+TIGHT = {"rope 1": lambda m1, p2: m1[0] + p2[0] - 5, "rope 2": lambda m2, m3, p2: m2[0] + m3[0] - 2 * p2[0] - 3}
+CHAIN = {
+    "rope 1": lambda P2, P3: P2[0] + P3[0] - 5,
+    "rope 2": lambda m1, m2, P2: m1[0] + m2[0] - 2 * P2[0] - 1,
+    "rope 3": lambda m3, P4, P3: m3[0] + P4[0] - 2 * P3[0] - 1,
+    "rope 4": lambda m4, m5, P4: m4[0] + m5[0] - 2 * P4[0] - 1,
+}
+HEIGHT, PLANAR = "particle on line", "particle in plane"
+
+
+def rod(P, Q, length):
+    return squared(P, Q) - length**2
+
+
+CASES = {  # problems 5/19 to 5/28
+    "5/19 two particles on a surface": (4, {"A": 3, "B": 3}, {"A": lambda A: A[2] - A[0] ** 2, "B": lambda B: B[2] - B[0] ** 2}),
+    "5/20 pendulum": (1, {"P": PLANAR}, {"rod": lambda P: rod(P, (0, 0), 1)}),
+    "5/21 spherical pendulum": (2, {"P": "particle"}, {"sphere": lambda P: rod(P, (0, 0, 0), 1)}),
+    "5/22 pendulum on a cart": (2, {"cart": PLANAR, "P": PLANAR}, {"track": lambda cart: cart[1], "rod": lambda cart, P: rod(cart, P, 1)}),
+    "5/23 ladder": (1, {"L": "body in plane"}, {"floor": lambda L: L[1], "wall": lambda L: end(L, 3)[0]}),
+    "5/24 double Atwood machine": (2, dict.fromkeys(("m1", "m2", "m3", "p2"), HEIGHT), TIGHT),
+    "5/25 five masses, four ropes": (4, dict.fromkeys(("m1", "m2", "m3", "m4", "m5", "P2", "P3", "P4"), HEIGHT), CHAIN),
+    "5/26 two blocks": (2, {"A": HEIGHT, "B": HEIGHT}, {}),
+    "5/27 double pendulum": (2, {"P": PLANAR, "Q": PLANAR}, {"1": lambda P: rod(P, (0, 0), 1), "2": lambda P, Q: rod(P, Q, 1)}),
+    "5/28 cone and string": (
+        4,
+        {"P": "particle", "Q": "particle"},
+        {"cone": lambda P: P[2] ** 2 - 3 * (P[0] ** 2 + P[1] ** 2), "string": lambda P, Q: sqrt(rod(P, (0, 0, 0), 0)) + sqrt(rod(Q, (0, 0, 0), 0)) - 1},
+    ),
+    "5/28 the same, Q vertical": (
+        2,
+        {"P": "particle", "Q": HEIGHT},
+        {"cone": lambda P: P[2] ** 2 - 3 * (P[0] ** 2 + P[1] ** 2), "string": lambda P, Q: sqrt(rod(P, (0, 0, 0), 0)) + Q[0] - 1},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_numbers_of_chapter_5(name):
+    dof, bodies, constraints = CASES[name]
+    assert count(bodies, constraints) == dof
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_count_does_not_depend_on_the_random_place(seed):
+    dof, bodies, constraints = CASES["5/28 cone and string"]
+    assert count(bodies, constraints, seed=seed) == dof
+
+
+def test_it_does_not_depend_on_units():
+    """The same pendulum in metres and in micrometres, its constraint in square metres or times a million."""
+    for length, factor in [(1.0, 1.0), (1e6, 1.0), (1.0, 1e6), (1e-3, 1e-6)]:
+        assert count({"P": "particle"}, {"rod": lambda P, L=length, f=factor: f * (squared(P, (0, 0, 0)) - L * L), "plane": lambda P: P[1]}) == 1
+
+
+def four_bar(crank, coupler, follower, base):
+    return {"c": "body in plane", "r": "body in plane", "f": "body in plane"}, {
+        "A0": lambda c: (c[0], c[1]),
+        "A": lambda c, r: meet(end(c, crank), r),
+        "B": lambda r, f: meet(end(r, coupler), f),
+        "B0": lambda f: meet(end(f, follower), (base, 0)),
+    }
+
+
+def test_four_bar_linkage_and_a_redundant_parallel_bar():
+    """The fifth bar of a double parallelogram is redundant: counting equations gives 0, the linkage moves."""
+    bodies, joints = four_bar(1.0, 2.5, 2.0, 3.0)
+    found = degrees_of_freedom(bodies, joints)
+    assert (found.count, found.unknowns, found.rank, found.redundant) == (1, 9, 8, {})
+    assert int(f"{found.count}") == found.__index__() == 1
+    same = degrees_of_freedom(bodies, {**joints, "A again": joints["A"]})
+    assert (same.count, same.redundant) == (1, {"A again": 2})
+    assert "redundant: A again, 2 of its equations follow from the constraints before it" in str(same)
+
+
+def test_two_constraints_in_one_need_not_all_be_redundant():
+    found = degrees_of_freedom({"P": 3}, {"plane": lambda P: P[2], "line": lambda P: (P[2], P[1])})
+    assert (found.count, found.redundant) == (1, {"line": 1})
+
+
+def test_a_dead_point_is_singular():
+    """Four-bar linkage as a flat parallelogram: instantly two degrees of freedom, one nearby."""
+    bodies, joints = four_bar(1.0, 2.0, 1.0, 2.0)
+    flat = {"c": (0.0, 0.0, 0.0), "r": (1.0, 0.0, 0.0), "f": (3.0, 0.0, 3.141592653589793)}
+    found = degrees_of_freedom(bodies, joints, at=flat)
+    assert (found.count, found.singular) == (2, True)
+    assert "the configuration is singular" in str(found)
+    assert found.configuration["r"] == (1.0, 0.0, 0.0)
+    general = degrees_of_freedom(bodies, joints)
+    assert (general.count, general.singular) == (1, False)
+
+
+def test_forces_are_no_constraints():
+    free = {"A": HEIGHT, "B": HEIGHT}
+    assert count(free) == count(free, {}) == 2  # springs and dampers have no place in the call
+
+
+@pytest.mark.parametrize(
+    ("constraints", "match"),
+    [
+        ({"a": lambda P: P[0], "b": lambda P: P[0] - 1}, r"no configuration was found in which all constraints hold \(a, b\)"),
+        ({"pole": lambda P: P[0] ** 2 + P[1] ** 2}, "the gradient of the constraint 'pole' vanishes where it holds.*split it"),
+        ({"a": lambda P, Z: P[0]}, r"constraint 'a' takes \['P', 'Z'\]; its parameters are bodies: P"),
+        ({"a": lambda P: P[5]}, "constraint 'a' fails: tuple index out of range; numbers of coordinates: P 3"),
+        ({"a": lambda P: P[0] * sympy.Symbol("L")}, "put numbers in for its symbols"),
+        ({"a": lambda P: P[0] * float("nan")}, "is nan at some place; write it so that it has a value everywhere"),
+    ],
+)
+def test_constraints_that_cannot_be_counted_are_refused(constraints, match):
+    with pytest.raises(ConstraintError, match=match):
+        degrees_of_freedom({"P": "particle"}, constraints)
+
+
+def test_a_wrong_kind_or_place_is_refused():
+    with pytest.raises(ConstraintError, match="the kind of P is one of 'particle', .* got 'point'"):
+        degrees_of_freedom({"P": "point"})
+    pendulum = {"P": PLANAR}, {"rod": lambda P: squared(P, (0, 0)) - 1}
+    with pytest.raises(ConstraintError, match="does not meet the constraint 'rod': it is 3 instead of 0"):
+        degrees_of_freedom(*pendulum, at={"P": (2.0, 0.0)})
+    with pytest.raises(ConstraintError, match=r"at= gives the coordinates of every body \(P\); it has Q"):
+        degrees_of_freedom(*pendulum, at={"Q": (1.0, 0.0)})
+    with pytest.raises(ConstraintError, match="at= holds 3 numbers; the bodies have 2 coordinates"):
+        degrees_of_freedom(*pendulum, at={"P": (1.0, 0.0, 0.0)})

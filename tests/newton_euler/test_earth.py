@@ -1,0 +1,571 @@
+"""Chapter 6, (6.11)-(6.34): weight, projectiles and wind on the rotating Earth.
+
+Two oracles know nothing of Coriolis. *Kepler*: the shot is an ellipse among the stars about the Earth's centre, found from Kepler's equation to 40 digits and
+looked at from the turning ground. *The exponential*: (6.20) is linear with constant coefficients, and the exponential of its matrix solves it.
+"""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+
+from newton_euler import Dimension, Frame, at, compiled, cos, moving, radians, sin, sqrt
+from newton_euler import earth as e
+from newton_euler.kinetics import relative_acceleration
+from newton_euler.models import ModelError, smallest
+from newton_euler.scenes import projectile as shots
+from newton_euler.scenes.low import air_near_low
+from tests.kinds import KINDS, close, first, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+BOOK_RATE, BOOK_RADIUS = 0.727e-4, 6.378e6  # rad/s, m: as the book has them
+LENGTH, SPEED, GRAVITY, RATE = Dimension(0, 1, 0), Dimension(0, 1, -1), Dimension(0, 1, -2), Dimension(0, 0, -1)
+
+
+def small(kind, scale=1):
+    return scale * (1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26)
+
+
+def site(kind, latitude="0.8"):
+    """Ground axes, latitude, rate (so large that its square is seen), radius, g."""
+    latitude, rate, radius, g = numbers(kind, latitude, "0.01", 2000, "9.81")
+    return e.ground_frame(e.earth_frame(Frame("stars"), rate), latitude, radius=radius), latitude, rate, radius, g
+
+
+# -- frames
+
+
+def test_constants_agree_with_each_other_and_with_the_book():
+    assert e.EARTH_RATE == pytest.approx(2 * math.pi / 86164.0989, rel=1e-7)
+    assert e.EARTH_RATE == pytest.approx(BOOK_RATE, rel=4e-3)
+    assert e.EARTH_GM / e.EARTH_RADIUS**2 == pytest.approx(9.82, abs=1e-3)
+    assert e.EARTH_ORBIT_RATE == pytest.approx(2 * math.pi / (365.25636 * 86400), rel=1e-6)
+    assert e.EARTH_ORBIT_RATE**2 * e.EARTH_ORBIT_RADIUS**3 == pytest.approx(1.32712e20, rel=1e-4)  # the Sun's GM, m^3/s^2: Kepler's third law
+
+
+def test_ground_axes_point_east_north_and_up():
+    """Against longitude and latitude on a sphere, among axes with z to the north pole."""
+    stars = Frame("stars")
+    earth = e.earth_frame(stars)
+    latitude, longitude = 0.7, 2.1
+    ground = e.ground_frame(earth, latitude, longitude, radius=2.0)
+    c, s, C, S = math.cos(longitude), math.sin(longitude), math.cos(latitude), math.sin(latitude)
+    z_up = stars.k, stars.i, stars.j  # x through longitude 0, y 90 degrees to the east, z north
+    for axis, wanted in ((ground.i, (-s, c, 0)), (ground.j, (-S * c, -S * s, C)), (ground.k, (C * c, C * s, S))):
+        assert close([axis.dot(u) for u in z_up], wanted, 1e-15)
+    assert close(ground.origin.position(stars), 2.0 * ground.k, 1e-15)
+
+
+def test_a_latitude_in_degrees_is_refused():
+    with pytest.raises(e.EarthError, match=r"a latitude is in radians, between -pi/2 and pi/2; got 45.0: write radians\(45\)"):
+        e.ground_frame(e.earth_frame(Frame("stars")), 45.0)
+    with pytest.raises(e.EarthError, match="a latitude is in radians"):
+        e.projectile(1.0, 1.0, 0.0, 0.0, np.array([0.1, 30.0]), 9.81)
+
+
+# -- 6.8: weight
+
+
+@every_kind
+def test_eqns_6_11_and_6_13_force_of_the_ground(kind):
+    ground, latitude, rate, radius, g = site(kind)
+    m = numbers(kind, 3)
+    N = e.support_force(m, g, ground)
+    s, c = sin(latitude), cos(latitude)
+    assert close(N, (0, m * radius * rate**2 * s * c, m * g - m * radius * rate**2 * c**2), small(kind, 10))
+    assert close(N - m * g * ground.k, m * e.ground_acceleration(ground), small(kind, 10))
+    assert close(N, -m * e.effective_gravity(g, ground), small(kind, 10))
+
+
+@every_kind
+def test_eqn_6_12_acceleration_of_a_place_on_the_earth(kind):
+    """Against the printed components, and against the second rates of its coordinates among the stars."""
+    ground, latitude, rate, radius, _ = site(kind)
+    s, c = sin(latitude), cos(latitude)
+    a = e.ground_acceleration(ground)
+    assert close(a, (0, radius * rate**2 * s * c, -radius * rate**2 * c**2), small(kind))
+    t = 0 * rate
+    across = at(lambda t: radius * c * sin(rate * t) + 0 * t, t), at(lambda t: radius * c * cos(rate * t) + 0 * t, t)
+    assert close(a.components(ground.tree[0]), (across[0].acceleration, 0, across[1].acceleration), small(kind))
+
+
+def test_eqn_6_14_the_rotation_neglected_and_the_error_of_it():
+    """At most 0.35 % of the weight, at the equator: 0.344 with the book's data."""
+    still = e.ground_frame(e.earth_frame(Frame("stars"), 0), 0.7)
+    assert e.support_force(2.0, 9.81, still).components() == (0, 0, 19.62)
+    assert round(100 * e.rotation_error(9.81, BOOK_RADIUS, BOOK_RATE), 3) == 0.344
+    errors = []
+    for latitude in (0.0, 0.5, -0.5, 1.2, math.pi / 2):
+        ground = e.ground_frame(e.earth_frame(Frame("stars"), BOOK_RATE), latitude, radius=BOOK_RADIUS)
+        errors.append(1 - e.support_force(1.0, 9.81, ground).z / 9.81)
+    assert errors[0] == max(errors) == pytest.approx(e.rotation_error(9.81, BOOK_RADIUS, BOOK_RATE), rel=1e-12)
+    assert errors[1] == pytest.approx(errors[2])
+
+
+def test_section_6_8_apparent_g_and_the_plumb_line():
+    """Measured 9.780 at the equator and 9.832 at the poles; half of the difference is rotation, half the shape of the Earth, which is no sphere."""
+    stars = Frame("stars")
+    g = e.EARTH_GM / e.EARTH_RADIUS**2
+    latitude = np.linspace(-1.5, 1.5, 31)
+    down = e.effective_gravity(g, e.ground_frame(e.earth_frame(stars), latitude))
+    assert np.all(np.diff(np.abs(latitude)) * np.diff(down.norm()) > 0)
+    assert close(-down.z, g - e.EARTH_RADIUS * e.EARTH_RATE**2 * np.cos(latitude) ** 2, 1e-14)
+    assert down.norm()[15] == pytest.approx(9.786, abs=1e-3)
+    ground = e.ground_frame(e.earth_frame(stars), radians(45.0))
+    plumb = e.effective_gravity(g, ground)
+    assert plumb.y < 0  # toward the equator
+    assert math.degrees(plumb.angle_to(-ground.k)) == pytest.approx(0.099, abs=1e-3)
+
+
+def test_section_6_8_weightless_at_the_equator():
+    assert round(e.weightless_speed(9.81, BOOK_RADIUS) / 1000, 1) == 7.9
+    v = e.weightless_speed(9.81, BOOK_RADIUS)
+    ground = e.ground_frame(e.earth_frame(Frame("stars"), v / BOOK_RADIUS), 0.0, radius=BOOK_RADIUS)
+    assert e.support_force(1.0, 9.81, ground).norm() < 1e-14
+
+
+def test_section_6_8_the_books_orbital_rate_is_wrong():
+    """It prints 1.20e-7 rad/s and so 0.02 %; one turn a year is 1.99e-7 rad/s, and the ratio 0.06 %."""
+    assert round(e.EARTH_ORBIT_RATE * 1e7, 2) == 1.99
+    assert round(100 * e.rotation_error(9.81, e.EARTH_ORBIT_RADIUS, e.EARTH_ORBIT_RATE), 2) == 0.06
+    assert round(100 * e.rotation_error(9.81, 1.5e11, 1.20e-7), 2) == 0.02
+
+
+# -- 6.9, 6.10: the equations
+
+
+@every_kind
+def test_eqn_6_15_only_terms_in_the_square_of_the_rate_are_left_out(kind):
+    """F/m - 2 omega x v_r against the whole of (6.10): what remains is -a_O - omega x (omega x r)."""
+    ground, _, _, _, g = site(kind)
+    r, v = numbers(kind, 3, -4, 5), numbers(kind, 7, 2, -3)
+    P = ground.point("P", *(moving(a, rate=b) for a, b in zip(r, v, strict=True)))
+    whole = relative_acceleration(1, P, ground.tree[0], gravity=-g * ground.k)
+    omega = e.earth_rate(ground)
+    apparent = e.apparent_acceleration(ground.vector(*v), -g * ground.k, omega)
+    left = -e.ground_acceleration(ground) - omega.cross(omega.cross(ground.vector(*r)))
+    assert close(whole - apparent, left, small(kind, 10))
+    assert close(e.apparent_acceleration(ground.vector(*v), e.effective_gravity(g, ground), omega) - apparent, -e.ground_acceleration(ground), small(kind))
+    assert close(whole.terms["coriolis"], apparent.terms["coriolis"], small(kind))
+
+
+def angles(kind):
+    """Speed, azimuth, elevation, latitude, g, rate."""
+    return numbers(kind, 100, "0.6", "0.7", "0.8", "9.81", "0.0001")
+
+
+@every_kind
+def test_eqns_6_16_to_6_19_launch_and_rotation_along_ground_axes(kind):
+    v0, theta, phi, latitude, g, rate = angles(kind)
+    ground = e.ground_frame(e.earth_frame(Frame("stars"), rate), latitude)
+    launch, omega = e.launch_velocity(ground, v0, theta, phi), e.earth_rate(ground)
+    c, s, C, S, cl, sl = cos(theta), sin(theta), cos(phi), sin(phi), cos(latitude), sin(latitude)
+    assert close(launch, (v0 * c * C, v0 * s * C, v0 * S), small(kind, 100))  # 6.17
+    assert close(omega, (0, rate * cl, rate * sl), small(kind))  # 6.18
+    assert close(omega, e.earth_rate3(latitude, rate), small(kind))
+    turned = cl * S - sl * s * C, sl * c * C, -cl * c * C
+    assert close(omega.cross(launch), [rate * v0 * x for x in turned], small(kind))  # 6.19
+    a = e.apparent_acceleration(launch, -g * ground.k, omega)
+    assert close(a, [-2 * rate * v0 * x - g * k for x, k in zip(turned, (0, 0, 1), strict=True)], small(kind))  # 6.16
+
+
+def by_exponential(t, r, v, g, omega):
+    """Position and velocity at t by the exponential of the matrix of (6.20) as a system of first order; all mpf."""
+    A, g, omega = mp.zeros(7), tuple(g), tuple(omega)  # r, v, 1
+    spin = ((0, -omega[2], omega[1]), (omega[2], 0, -omega[0]), (-omega[1], omega[0], 0))
+    for n in range(3):
+        A[n, 3 + n] = 1
+        A[3 + n, 6] = g[n]
+        for m in range(3):
+            A[3 + n, 3 + m] = -2 * spin[n][m]
+    out = mp.expm(A * t) * mp.matrix([*r, *v, 1])
+    return tuple(out[:3]), tuple(out[3:6])
+
+
+def shot(rate="0.0001"):
+    """Ground, launch, gravity and omega of a shot, of mpf."""
+    v0, theta, phi, latitude, g, _ = angles("mpmath")
+    ground = e.ground_frame(e.earth_frame(Frame("stars"), numbers("mpmath", rate)), latitude)
+    return e.launch_velocity(ground, v0, theta, phi), ground.vector(0, mp.mpf("-0.02"), -g), e.earth_rate(ground)
+
+
+def test_eqn_6_20_is_solved_by_the_series_to_30_digits():
+    launch, g, omega = shot()
+    for t in (mp.mpf(1), mp.mpf(60), mp.mpf(3600)):
+        r, v = by_exponential(t, (0, 0, 0), launch, g, omega)
+        scale = g.norm() * t * t
+        assert close(e.projectile_to_order(t, launch, g, omega, 24), r, scale * mp.mpf(10) ** -28)
+        assert close(e.projectile_velocity(t, launch, g, omega, 24), v, scale * mp.mpf(10) ** -28)
+
+
+def test_eqn_6_21_first_integral():
+    """dr/dt + 2 omega x r = g t + A, with A the velocity of launch, exactly."""
+    launch, g, omega = shot()
+    t = mp.mpf(600)
+    r, v = (f(t, launch, g, omega, 24) for f in (e.projectile_to_order, e.projectile_velocity))
+    assert close(v + 2 * omega.cross(r), t * g + launch, mp.mpf(10) ** -24)
+
+
+@every_kind
+def test_eqns_6_22_to_6_24_integrals_to_first_order(kind):
+    v0, theta, phi, latitude, g, rate = angles(kind)
+    t = numbers(kind, 12)
+    ground = e.ground_frame(e.earth_frame(Frame("stars"), rate), latitude)
+    launch, omega, gravity = e.launch_velocity(ground, v0, theta, phi), e.earth_rate(ground), -g * ground.k
+    v = e.projectile_velocity(t, launch, gravity, omega)
+    assert close(v + t * t * omega.cross(gravity) + 2 * t * omega.cross(launch), t * gravity + launch, small(kind, 100))  # 6.22, B = v_r0
+    r = e.projectile_position(t, launch, gravity, omega)
+    third = t * t * t / 3 * omega.cross(gravity)
+    assert close(r + third + t * t * omega.cross(launch) - t * t / 2 * gravity, t * launch, small(kind, 1e4))  # 6.23, C = 0
+    assert close(r, -third - t * t * omega.cross(launch) + t * t / 2 * gravity + t * launch, small(kind, 1e4))  # 6.24
+    assert close(r, sum(r.terms.values()), small(kind, 1e4))
+    assert close(r.terms["fall turned"], -third, small(kind))
+    assert close(r, e.projectile_to_order(t, launch, gravity, omega, 1), small(kind, 1e4))
+    moved = at(lambda t: e.position3(t, tuple(launch), tuple(gravity), tuple(omega))[0] + 0 * t, t)
+    assert close(moved.rate, v.x, small(kind, 100))
+
+
+def test_eqn_6_24_is_right_to_the_first_order():
+    """Its error against the exponential falls by 4 where the rate is halved, and is (2 omega t)^2/6 of the way or less."""
+    t, error = mp.mpf(60), []
+    for rate in ("0.0002", "0.0001"):
+        launch, g, omega = shot(rate)
+        r, _ = by_exponential(t, (0, 0, 0), launch, g, omega)
+        error.append(max(abs(a - b) for a, b in zip(e.projectile_position(t, launch, g, omega), r, strict=True)))
+    assert 3.95 < error[0] / error[1] < 4.05
+    assert 0 < error[1] < (2 * mp.mpf("0.0001") * t) ** 2 / 6 * (launch.norm() * t + g.norm() * t * t / 2)
+
+
+@every_kind
+def test_eqn_6_25_coordinates(kind):
+    """The book's three lines, written out."""
+    v0, theta, phi, latitude, g, w = angles(kind)
+    t = numbers(kind, 12)
+    c, s, C, S, cl, sl = cos(theta), sin(theta), cos(phi), sin(phi), cos(latitude), sin(latitude)
+    x = g * w * cl * t**3 / 3 - v0 * w * (S * cl - s * C * sl) * t**2 + v0 * c * C * t
+    y = -v0 * w * c * C * sl * t**2 + v0 * s * C * t
+    z = v0 * w * c * C * cl * t**2 - g * t**2 / 2 + v0 * S * t
+    assert close(e.projectile(t, v0, theta, phi, latitude, g, w), (x, y, z), small(kind, 1e4))
+
+
+@every_kind
+def test_eqns_6_26_and_6_27_flight_time_and_range(kind):
+    v0, theta, phi, latitude, g, w = angles(kind)
+    t = e.flight_time(v0, theta, phi, latitude, g, w)
+    assert close(t, 2 * v0 * sin(phi) / (g - 2 * v0 * w * cos(theta) * cos(phi) * cos(latitude)), small(kind))
+    x, y, z = e.projectile(t, v0, theta, phi, latitude, g, w)
+    assert close(z, 0, small(kind, 1e4))
+    assert close(e.shot_range(v0, theta, phi, latitude, g, w), sqrt(x * x + y * y), small(kind, 1e4))
+
+
+@every_kind
+def test_eqns_6_28_and_6_29_shot_to_the_east_on_the_equator(kind):
+    v0, _, phi, _, g, w = angles(kind)
+    t, zero = numbers(kind, 12, 0)
+    C, S = cos(phi), sin(phi)
+    wanted = g * w * t**3 / 3 - v0 * w * S * t**2 + v0 * C * t, 0, v0 * w * C * t**2 - g * t**2 / 2 + v0 * S * t
+    assert close(e.projectile(t, v0, zero, phi, zero, g, w), wanted, small(kind, 1e4))
+    assert close(e.flight_time(v0, zero, phi, zero, g, w), 2 * v0 * S / (g - 2 * v0 * w * C), small(kind))
+
+
+def test_eqns_6_30_and_6_31_are_the_first_order_of_the_range():
+    """Differentiated by the rate at 0, over symbols."""
+    v0, phi, g, w = sympy.symbols("v0 phi g omega", positive=True)
+    zero = sympy.Integer(0)
+    t = e.flight_time(v0, zero, phi, zero, g, w)
+    whole = e.projectile(t, v0, zero, phi, zero, g, w)[0]
+    short = e.range_east(v0, phi, g, w)
+    assert sympy.simplify((whole - short).subs(w, 0)) == 0
+    assert sympy.simplify(sympy.diff(whole - short, w).subs(w, 0)) == 0
+    still = short.subs(w, 0)
+    assert sympy.simplify((still - short) / still - e.range_error(v0, phi, g, w)) == 0
+
+
+@every_kind
+def test_eqn_6_31_vanishes_at_60_degrees_and_changes_sign_there(kind):
+    v0, _, _, _, g, w = angles(kind)
+    below, sixty, above = (radians(numbers("float" if kind == "array" else kind, x)) for x in (59, 60, 61))
+    assert close(e.range_error(v0, sixty, g, w), 0, small(kind))
+    low, high = e.range_error(v0, below, g, w), e.range_error(v0, above, g, w)
+    assert bool(np.all(low < 0))
+    assert bool(np.all(high > 0))
+    assert float(first(e.range_east(v0, below, g, w))) > float(first(v0**2 * sin(2 * below) / g))  # lengthened
+
+
+# -- 6.10 against the ellipse among the stars
+
+
+def kepler(t, start, latitude, g, rate, radius):
+    """Position and velocity along ground axes at ``t`` of a shot from ``start``, from Kepler's equation; all mpf. Its orbit is an ellipse."""
+    mu = g * radius**2
+    c, s = mp.cos(latitude), mp.sin(latitude)
+    east = mp.matrix([[1, 0, 0], [0, c, s], [0, -s, c]])  # ground components to (east, polar, outward)
+    r = east * mp.matrix([start[0], start[1], start[2] + radius])
+    v = east * mp.matrix(start[3:])
+    v = v + rate * mp.matrix([r[2], 0, -r[0]])  # polar axis (0, 1, 0) x r
+    r0, v2 = mp.norm(r), (v.T * v)[0]
+    a = 1 / (2 / r0 - v2 / mu)
+    n, sigma = mp.sqrt(mu / a**3), (r.T * v)[0] / mp.sqrt(mu * a)
+    E = mp.findroot(lambda E: E - (1 - r0 / a) * mp.sin(E) + sigma * (1 - mp.cos(E)) - n * t, n * t)
+    f, gg = 1 - a / r0 * (1 - mp.cos(E)), t - (E - mp.sin(E)) / n
+    moved = f * r + gg * v
+    R = mp.norm(moved)
+    df, dg = -mp.sqrt(mu * a) / (R * r0) * mp.sin(E), 1 - a / R * (1 - mp.cos(E))
+    speed = df * r + dg * v - rate * mp.matrix([moved[2], 0, -moved[0]])
+    ca, sa = mp.cos(rate * t), mp.sin(rate * t)
+    back = mp.matrix([[ca, 0, -sa], [0, 1, 0], [sa, 0, ca]])
+    place, seen = east.T * (back * moved), east.T * (back * speed)
+    return (place[0], place[1], place[2] - radius), tuple(seen)
+
+
+def test_the_full_equations_of_motion_hold_on_the_ellipse_to_25_digits():
+    latitude, g, rate, radius = numbers("mpmath", "0.8", "9.82", "0.00007292", "6371000")
+    start = numbers("mpmath", 10, -20, 30, 300, 200, 500)
+    model = shots.full(g, latitude, rate, radius)
+    with mp.workdps(70):
+        for t in (mp.mpf(0), mp.mpf(20)):
+            place, velocity = kepler(t, start, latitude, g, rate, radius)
+            if t == 0:
+                assert close(place + velocity, start, mp.mpf(10) ** -50)
+            second = [mp.diff(lambda x, n=n: kepler(x, start, latitude, g, rate, radius)[1][n], t) for n in range(3)]
+            assert close(model.derivative(place + velocity, t), velocity + tuple(second), mp.mpf(10) ** -25)
+
+
+def test_the_full_model_integrated_stays_on_the_ellipse():
+    latitude, g, rate, radius = 0.8, 9.82, 7.292e-5, 6.371e6
+    start = (0.0, 0.0, 0.0, 300.0, 200.0, 500.0)
+    model = shots.full(g, latitude, rate, radius)
+    rhs = model.compiled_rhs()
+    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 100), start, method="DOP853", rtol=1e-12, atol=1e-9)
+    exact, _ = kepler(mp.mpf(100), [mp.mpf(x) for x in start], *map(mp.mpf, (latitude, g, rate, radius)))
+    assert close(tuple(run.y[:3, -1]), exact, 1e-5)
+    for name in model.invariants:
+        before, after = model.invariant(name, start), model.invariant(name, run.y[:, -1])
+        assert after == pytest.approx(before, rel=1e-12)
+
+
+@pytest.mark.parametrize("latitude", [0.0, 0.5, -1.0])
+def test_a_body_let_go_lands_to_the_east_as_the_ellipse_says(latitude):
+    """(1/3) omega g cos(latitude) t^3, against the ellipse: within 0.35 %, and to a part in 10000 with the effective gravity. 2.2 cm in 100 m."""
+    g, rate, radius, h = 9.82, e.EARTH_RATE, e.EARTH_RADIUS, 100.0
+    start = [mp.mpf(x) for x in (0.0, 0.0, h, 0.0, 0.0, 0.0)]
+    t = math.sqrt(2 * h / g)
+    place, _ = kepler(mp.mpf(t), start, *map(mp.mpf, (latitude, g, rate, radius)))
+    assert 0.9965 < float(place[0]) / e.drop_deflection(h, latitude, g) < 0.9966
+    ground = e.ground_frame(e.earth_frame(Frame("stars")), latitude)
+    found = e.projectile_position(t, 0 * ground.k, e.effective_gravity(g, ground), e.earth_rate(ground))
+    assert found.x == pytest.approx(float(place[0]), rel=1e-4)
+
+
+@settings(max_examples=30, deadline=None)
+@given(
+    st.floats(-1.5, 1.5), st.floats(-math.pi, math.pi), st.floats(0.1, 1.5), st.floats(10, 2000), st.floats(0.01, 1.0), st.sampled_from([1, 40])
+)  # fmt: skip
+def test_what_the_models_neglect_is_bounded_and_the_bound_is_no_guess(latitude, azimuth, elevation, speed, part, faster):
+    """Every rung of the ladder against the ellipse, at some instant of the flight; on an Earth that turns ``faster`` too (up to 0.7 of weightless)."""
+    g, rate, radius = 9.82, 2e-5 * faster, 6.371e6
+    t = part * 1.9 * speed * math.sin(elevation) / g
+    start = (0.0, 0.0, 0.0, *(speed * x for x in e.launch_direction(azimuth, elevation)))
+    exact, _ = kepler(mp.mpf(t), [mp.mpf(x) for x in start], *map(mp.mpf, (latitude, g, rate, radius)))
+    if exact[0] ** 2 + exact[1] ** 2 + (exact[2] + radius) ** 2 < radius**2:
+        return  # the bound is for what is above the ground
+    for model in shots.ladder(g, latitude, rate, radius)[:3]:
+        found = model.solution(t, start)[:3]
+        error = math.dist(found, [float(x) for x in exact])
+        bound = sum(model.neglected(t, start).values())
+        assert error <= bound * (1 + 1e-9) + 1e-9
+    coriolis = shots.flat(g, latitude, rate, radius).neglected(t, start)[shots.CORIOLIS]
+    assert coriolis <= 2 * rate * t * (speed * t + g * t * t)
+
+
+def test_the_ladder_gives_the_coarsest_model_that_is_accurate_enough():
+    start = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0)
+    rungs = shots.ladder(9.82, 0.8)
+    names = [smallest(rungs, metres, 10.0, start).model.name for metres in (5.0, 3.0, 1.0, 1e-3)]
+    assert names == [model.name for model in rungs]
+    evidence = smallest(rungs, 1.0, 10.0, start).evidence
+    assert list(evidence) == names[:3]
+    assert list(evidence.values()) == sorted(evidence.values(), reverse=True)
+    with pytest.raises(ModelError, match="no model of this ladder is as accurate as 1e-06; the errors may reach projectile, flat: "):
+        smallest(rungs[:2], 1e-6, 10.0, start)
+
+
+@pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
+def test_the_models_solve_their_equations(kind):
+    """The exact solutions, differentiated by the product rule, against the right-hand sides; the first is a parabola."""
+    latitude, g, rate, radius = numbers(kind, "0.8", "9.81", "0.0001", "6371000")
+    start, t = numbers(kind, 10, 20, 30, 100, -50, 70), numbers(kind, 15)
+    for model in shots.ladder(g, latitude, rate, radius)[:3]:
+        state = model.solution(t, start)
+        rates = [at(lambda t, n=n, model=model: model.solution(t, start)[n] + 0 * t, t).rate for n in range(6)]
+        assert close(rates, model.derivative(state), small(kind, 1e3))
+        assert close(model.solution(0 * t, start), start, 0)
+    x, y, z, *_ = shots.flat(g).solution(t, start)
+    assert close((x, y, z), [r + v * t - a * t * t / 2 for r, v, a in zip(start[:3], start[3:], (0, 0, g), strict=True)], small(kind, 1e4))
+
+
+def test_problem_6_22_a_shot_straight_up_lands_to_the_west():
+    v0, g, w, latitude = sympy.symbols("v0 g omega lat", positive=True)
+    x = e.projectile(2 * v0 / g, v0, sympy.Integer(0), sympy.pi / 2, latitude, g, w)[0]
+    assert sympy.simplify(x + 4 * w * sympy.cos(latitude) * v0**3 / (3 * g**2)) == 0
+
+
+def test_problem_6_19_deflection_of_a_body_let_go_as_a_formula():
+    h, g, w, latitude = sympy.symbols("h g omega lat", positive=True)
+    assert sympy.simplify(e.drop_deflection(h, latitude, g, w) - w * sympy.cos(latitude) * g * sympy.sqrt(2 * h / g) ** 3 / 3) == 0
+
+
+def test_a_shot_too_fast_for_the_first_order_is_refused():
+    with pytest.raises(e.EarthError, match="at this speed the Coriolis acceleration outweighs gravity"):
+        e.flight_time(1e5, 0.0, 0.3, 0.0, 9.81)
+
+
+# -- 6.11: weather
+
+
+@every_kind
+def test_eqn_6_32_buoyancy_keeps_the_air_on_its_level(kind):
+    v, theta, _, latitude, g, rate = angles(kind)
+    m = numbers(kind, 2)
+    ground = e.ground_frame(e.earth_frame(Frame("stars"), rate), latitude)
+    wind = e.launch_velocity(ground, v, theta, numbers(kind, 0))
+    B = e.buoyancy(m, v, theta, latitude, g, rate)
+    a = e.apparent_acceleration(wind, B / m * ground.k - g * ground.k, e.earth_rate(ground))
+    assert close(a.z, 0, small(kind))
+    assert close((a.x, a.y), e.wind_acceleration(v, theta, latitude, rate), small(kind))
+    assert close(B, m * g - 2 * m * rate * v * cos(latitude) * cos(theta), small(kind))
+
+
+@every_kind
+def test_eqns_6_33_and_6_34_free_air_is_turned_to_the_right_in_the_north(kind):
+    v, theta, _, latitude, _, rate = angles(kind)
+    x, y = e.wind_acceleration(v, theta, latitude, rate)
+    turned = 2 * rate * v * sin(latitude)
+    assert close((x, y), (turned * sin(theta), -turned * cos(theta)), small(kind))
+    assert close(x * cos(theta) + y * sin(theta), 0, small(kind))  # across the motion
+    assert close(-x * sin(theta) + y * cos(theta), -turned, small(kind))  # -e_theta: to the right
+    south = e.wind_acceleration(v, theta, -latitude, rate)
+    assert close(south, (-x, -y), small(kind))
+
+
+def low(kind, latitude="0.8"):
+    latitude, rate, push = numbers(kind, latitude, "0.00007", "0.00000001")
+    return air_near_low(latitude, push, rate=rate), numbers(kind, 1000, -2000, "1.5", "0.7")
+
+
+@every_kind
+@pytest.mark.parametrize("latitude", ["0.8", "-0.5"])
+def test_air_near_a_low_solves_its_equations_and_keeps_its_invariants(kind, latitude):
+    model, start = low(kind, latitude)
+    t = numbers(kind, 30000)
+    state = model.solution(t, start)
+    rates = [at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate for n in range(4)]
+    assert close(rates, model.derivative(state), small(kind, 10))
+    assert close(model.solution(0 * t, start), start, small(kind, 1e3))
+    for name in model.invariants:
+        assert close(model.invariant(name, state), model.invariant(name, start), small(kind, 1e4))
+
+
+@pytest.mark.parametrize("latitude", [0.8, -0.8])
+def test_storms_turn_counterclockwise_in_the_north_and_clockwise_in_the_south(latitude):
+    """Air at rest is drawn in, and turned aside; with friction it spirals into the low."""
+    model = air_near_low(latitude, push=1e-8)
+    for t in np.linspace(1e3, 2e4, 5):
+        x, y, dx, dy = model.solution(t, (1e5, 0.0, 0.0, 0.0))
+        assert (x * dy - y * dx) * latitude > 0
+    rhs = air_near_low(latitude, push=1e-8, friction=2e-5).compiled_rhs()
+    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 6e5), (1e5, 0.0, 0.0, 0.0), rtol=1e-10, atol=1e-6)
+    x, y, dx, dy = run.y[:, -1]
+    assert math.hypot(x, y) < 1e4
+    assert np.all((run.y[0] * run.y[3] - run.y[1] * run.y[2])[1:] * latitude > 0)
+
+
+def test_free_air_runs_in_a_circle_clockwise_in_the_north():
+    v, latitude = 10.0, 0.8
+    model = air_near_low(latitude)
+    radius = e.inertial_circle(v, latitude)
+    centre = np.array([0.0, -radius])
+    period = 2 * math.pi * radius / v
+    for part in (0.25, 0.6, 1.0):
+        x, y, *_ = model.solution(part * period, (0.0, 0.0, v, 0.0))
+        assert math.dist((x, y), centre) == pytest.approx(radius, rel=1e-12)
+    x, y, *_ = model.solution(0.25 * period, (0.0, 0.0, v, 0.0))
+    assert (x, y) == pytest.approx((radius, -radius))
+
+
+@pytest.mark.parametrize("latitude", [0.8, -0.8])
+@pytest.mark.parametrize("push", [1e-3, 3e-3, -1e-3])
+def test_steady_wind_on_a_circle(latitude, push):
+    """At this speed the equations of motion give the acceleration v^2/r toward the centre; on a large circle it is the geostrophic wind."""
+    radius = 5e5
+    v = e.gradient_wind(push, radius, latitude)
+    sense = math.copysign(1, latitude)
+    model = air_near_low(latitude, push=push / radius)
+    assert close(model.derivative((radius, 0.0, 0.0, sense * v))[2:], (-(v**2) / radius, 0), 1e-15)
+    assert math.copysign(1, v) == math.copysign(1, push)
+    assert e.gradient_wind(push, 1e12, latitude) == pytest.approx(e.geostrophic_wind(push, latitude), rel=1e-3)
+    assert abs(e.gradient_wind(abs(push), radius, latitude)) < e.geostrophic_wind(abs(push), latitude)
+
+
+@every_kind
+def test_geostrophic_wind_is_not_accelerated(kind):
+    push, latitude, rate = numbers(kind, "0.001", "0.8", "0.00007")
+    v = e.geostrophic_wind(push, latitude, rate)
+    x, y = e.wind_acceleration(v, numbers(kind, 0), latitude, rate)  # to the east, low pressure to the north
+    assert close((x, y + push), (0, 0), small(kind))
+
+
+def test_winds_that_do_not_exist_are_refused():
+    with pytest.raises(e.EarthError, match="on the equator .* nothing turns a horizontal wind aside"):
+        e.geostrophic_wind(1e-3, 0.0)
+    with pytest.raises(e.EarthError, match="no steady wind: at radius 100000.0 .* not 0.001; a high has a flat middle"):
+        e.gradient_wind(-1e-3, 1e5, 0.8)
+    with pytest.raises(e.EarthError, match="no steady wind"):
+        e.gradient_wind(np.array([1e-3, -1e-3]), 1e5, 0.8)
+
+
+# -- units, compiled
+
+
+def test_units():
+    pure = Dimension()
+    shot = SPEED, pure, pure, pure, GRAVITY, RATE
+    assert e.projectile(Dimension(0, 0, 1), *shot) == (LENGTH,) * 3
+    assert e.flight_time(*shot) == Dimension(0, 0, 1)
+    assert e.shot_range(*shot) == LENGTH
+    assert e.range_east(SPEED, pure, GRAVITY, RATE) == LENGTH
+    assert e.range_error(SPEED, pure, GRAVITY, RATE) == pure
+    assert e.drop_deflection(LENGTH, pure, GRAVITY, RATE) == LENGTH
+    assert e.rotation_error(GRAVITY, LENGTH, RATE) == pure
+    assert e.weightless_speed(GRAVITY, LENGTH) == SPEED
+    assert e.gradient_wind(GRAVITY, LENGTH, pure, RATE) == SPEED
+    assert e.inertial_circle(SPEED, pure, RATE) == LENGTH
+    assert e.wind_acceleration(SPEED, pure, pure, RATE) == (GRAVITY, GRAVITY)
+    for model in shots.ladder(GRAVITY, pure, RATE, LENGTH):
+        start = (LENGTH,) * 3 + (SPEED,) * 3
+        rates = model.derivative(start)
+        assert rates[:3] == (SPEED,) * 3
+        assert all(a in (0, GRAVITY) for a in rates[3:])
+        assert all(bound == LENGTH for bound in model.neglected(Dimension(0, 0, 1), start).values())
+
+
+def test_projectiles_compile():
+    x = (12.0, 100.0, 0.6, 0.7, 0.8, 9.81, 1e-4)
+    assert close(compiled(e.projectile)(*x), e.projectile(*x), 1e-12)
+    assert close(compiled(e.shot_range)(*x[1:]), e.shot_range(*x[1:]), 1e-12)
+
+
+def test_a_projectile_explains_its_terms():
+    ground = e.ground_frame(e.earth_frame(Frame("stars")), 0.8)
+    r = e.projectile_position(10.0, e.launch_velocity(ground, 100.0, 0.3, 0.5), -9.81 * ground.k, e.earth_rate(ground))
+    told = str(r.explain("m"))
+    assert "equation (6.24)" in told
+    assert "fall turned  -1/3 omega x g t^3" in told
+    assert close(r.without("fall turned", "launch turned"), r.terms["launch"] + r.terms["fall"], 1e-12)
+    for vector, number in ((e.effective_gravity(9.81, ground), "6.11"), (e.support_force(1.0, 9.81, ground), "6.13")):
+        assert f"equation ({number})" in str(vector.explain())

@@ -1,0 +1,204 @@
+"""Forces, couples, their moments and the wrench: (8.4)-(8.7), (8.20), (8.21)."""
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from newton_euler import Dimension, Frame, compiled
+from newton_euler.force_systems import Couple, Force, ForceError, ForceSystem
+from newton_euler.inertia import MassError
+from newton_euler.linear import solve_linear
+from tests.kinds import KINDS, close, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+triples = st.tuples(*[st.floats(-10, 10)] * 3)
+ground = Frame("ground")
+
+
+def tolerance(kind):
+    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26
+
+
+def system(kind):
+    """Three forces and a couple, in the ground and in a frame that is turned and moved, with their components in the ground as triples."""
+    shop = Frame("ground")
+    angle, x, y, z = numbers(kind, "0.3", 1, -2, "1/2")
+    bench = shop.rotate("bench", "z", angle=angle, origin=shop.point("bench", x, y, z))
+    parts = {
+        "weight": (shop.vector(0 * x, 0 * y, -9 + 0 * z), shop.point("G", y, z, x)),
+        "rope": (bench.vector(x, y, z), bench.point("A", z, x, y)),
+        "push": Force(shop.vector(z, z, x), shop.point("B", x, x, y)),
+        "motor": Couple(bench.vector(y, x, 2 * x)),
+    }
+    return shop, bench, ForceSystem(parts, shop)
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+@every_kind
+def test_eqn_8_4_to_8_8_the_moment_about_any_point_is_the_sum_of_d_cross_f(kind):
+    shop, bench, s = system(kind)
+    C = bench.point("C", *numbers(kind, 2, "1/3", -1))
+    c = C.position(shop).components()
+    total = s.parts[3].vector.components(shop)
+    for part in s.parts[:3]:
+        d = [p - q for p, q in zip(part.point.position(shop).components(), c, strict=True)]
+        total = [t + m for t, m in zip(total, cross(d, part.vector.components(shop)), strict=True)]
+    M = s.moment(C)
+    assert close(M, total, tolerance(kind))
+    assert list(M.terms) == ["weight", "rope", "push", "motor"]
+    assert close(sum((M.terms[n] for n in ("rope", "push", "motor")), M.terms["weight"]), M, tolerance(kind))
+    assert list(s.force.terms) == ["weight", "rope", "push"]
+
+
+@every_kind
+def test_eqn_8_5_and_8_6_forces_between_two_points_along_their_line_have_no_moment(kind):
+    shop, bench, s = system(kind)
+    P, Q = s.parts[0].point, s.parts[1].point
+    f = (P - Q).expressed_in(shop) * numbers(kind, "7/3")
+    pair = ForceSystem({"on P": (f, P), "on Q": (-f, Q)}, shop)
+    assert close(pair.force, (0, 0, 0), tolerance(kind))
+    assert close(pair.moment(bench), (0, 0, 0), 10 * tolerance(kind))
+
+
+@every_kind
+def test_eqn_8_20_a_force_moves_with_the_couple_of_its_moment(kind):
+    shop, bench, s = system(kind)
+    force, C = s.parts[1], bench.point("C", *numbers(kind, 2, "1/3", -1))
+    moved = force.moved(C)
+    for about in (shop.origin, C, s.parts[0].point):
+        assert close(moved.moment(about), force.moment(about), 10 * tolerance(kind))
+    assert close(moved.force, force.vector, tolerance(kind))
+    assert moved.parts[1].name == "couple of rope"
+
+
+@every_kind
+def test_all_forces_may_be_moved_to_one_point(kind):
+    shop, bench, s = system(kind)
+    there = s.at(bench)
+    assert len(there.parts) == 2
+    for about in (shop.origin, s.parts[2].point):
+        assert close(there.moment(about), s.moment(about), 10 * tolerance(kind))
+
+
+@every_kind
+def test_the_wrench_is_equivalent_and_its_couple_is_along_its_force(kind):
+    shop, bench, s = system(kind)
+    w = s.wrench(bench)
+    again = ForceSystem([(w.force, w.point), Couple(w.moment)], shop)
+    assert w.kind == "wrench"
+    for about in (shop.origin, s.parts[2].point):
+        assert close(again.moment(about), s.moment(about), 100 * tolerance(kind))
+    assert close(w.moment.cross(w.force), (0, 0, 0), 100 * tolerance(kind))
+    nearest = (w.point - bench.point("O", 0, 0, 0)).dot(w.force)
+    assert close(nearest, 0, 100 * tolerance(kind))
+
+
+def test_a_single_force_a_couple_and_balance_are_told_in_words():
+    F, P, O = ground.vector(0, 0, 2.0), ground.point("P", 1.0, 0, 0), ground.point("O", 0, 0, 0)
+    single = ForceSystem([(F, P)]).wrench(O)
+    assert (single.kind, single.pitch) == ("force", 0.0)
+    assert str(single) == "a single force [0, 0, 2] in ground on the line through (1, 0, 0) of ground"
+    couple = ForceSystem([(F, P), (-F, O)]).wrench()
+    assert (couple.kind, couple.point, couple.pitch) == ("couple", None, None)
+    assert "a couple [0, -2, 0] in ground, the same about every point: there is no resultant force, and so no axis" in str(couple)
+    balance = ForceSystem([(F, P), (-F, P)]).wrench()
+    assert (balance.kind, str(balance)) == ("nothing", "in balance: neither a force nor a couple is left")
+
+
+def test_rounding_does_not_make_an_axis_far_away():
+    """0.1 + 0.2 - 0.3 leaves a force of 6e-17: a couple, not a wrench whose axis is 1e16 m away."""
+    A, B, C = (ground.point(n, x, 0, 0) for n, x in (("A", 0.0), ("B", 1.0), ("C", 2.0)))
+    s = ForceSystem([(ground.vector(0, 0.1, 0), A), (ground.vector(0, 0.2, 0), B), (ground.vector(0, -0.3, 0), C)])
+    assert s.force.y != 0
+    assert s.wrench(A).kind == "couple"
+
+
+def test_an_array_of_systems_of_two_kinds_has_no_one_wrench():
+    f = np.array([1.0, 0.0])
+    with pytest.raises(ForceError, match="at some instants and at others none"):
+        ForceSystem([(ground.vector(0, f, 0), ground.point("A", 1.0, 0, 0)), Couple(ground.vector(0, 0, 1.0))]).wrench()
+
+
+def test_the_wrench_of_symbols_is_a_formula():
+    F, M, d = sympy.symbols("F M d", positive=True)
+    w = ForceSystem([(ground.vector(0, 0, F), ground.point("A", d, 0, 0)), Couple(ground.vector(0, M, M))]).wrench(ground.point("O", 0, 0, 0))
+    assert w.pitch == M / F
+    assert sympy.simplify(w.point.position(ground).x - (d - M / F)) == 0
+
+
+@settings(max_examples=60, deadline=None)
+@given(triples, triples, triples, triples, triples)
+def test_systems_with_one_resultant_and_one_moment_are_equivalent(a, b, p, q, c):
+    A, B, C = (ground.point(n, *x) for n, x in zip("ABC", (p, q, c), strict=True))
+    s = ForceSystem([(ground.vector(*a), A), (ground.vector(*b), B)])
+    assert s.equivalent(s.at(C))
+    assert s.at(A).equivalent(s.at(B))
+    assume(np.linalg.norm(np.add(a, b)) > 1e-3)
+    w = s.wrench(C)
+    assert s.equivalent(ForceSystem([(w.force, w.point), Couple(w.moment)]), 1e-6)
+    smallest = w.moment.norm()
+    for point in (A, B, C):
+        assert smallest <= s.moment(point).norm() + 1e-9  # no point has a smaller moment than those of the axis
+
+
+@settings(max_examples=30, deadline=None)
+@given(triples, triples, triples)
+def test_a_different_moment_is_not_equivalent(a, p, c):
+    assume(np.linalg.norm(a) > 1e-2)
+    A, C = ground.point("A", *p), ground.point("C", *c)
+    assume(np.linalg.norm(np.cross(np.subtract(c, p), a)) > 1e-3)
+    F = ground.vector(*a)
+    assert not ForceSystem([(F, A)]).equivalent(ForceSystem([(F, C)]))
+    assert not ForceSystem([(F, A)]).equivalent(ForceSystem([(F * 1.1, A)]))
+
+
+def test_systems_add_and_names_stay_apart():
+    A = ground.point("A", 1.0, 0, 0)
+    one, two = ForceSystem([(ground.i, A)]), ForceSystem([(ground.j, A)])
+    both = one + two
+    assert [p.name for p in both.parts] == ["force", "force 2"]
+    assert close(both.force, (1, 1, 0))
+    assert ForceSystem([], frame=ground).wrench().kind == "nothing"
+    assert str(both) == "force: [1, 0, 0] in ground at A\nforce 2: [0, 1, 0] in ground at A"
+    assert "moment of the forces about A, equation (8.7)" in str(both.moment(A).explain("N m"))
+
+
+def test_forces_may_hold_unknowns():
+    """Three legs of a table carry its weight: forces as unknowns in the conditions of balance."""
+    legs = [ground.point(n, *x, 0) for n, x in zip("ABC", [(0, 0), (2.0, 0), (0, 3.0)], strict=True)]
+
+    def balance(A, B, C):
+        held = {p.name: (ground.vector(0, 0, f), p) for p, f in zip(legs, (A, B, C), strict=True)}
+        s = ForceSystem({**held, "weight": (ground.vector(0, 0, -60.0), ground.point("G", 0.5, 1.0, 0))}, ground)
+        return {"force": s.force, "moment": s.moment(legs[0])}
+
+    assert close(tuple(solve_linear(balance)), (25, 15, 20), 1e-12)
+
+
+def test_moments_can_be_compiled_and_have_the_unit_of_force_times_length():
+    def moment(F, x):
+        here = Frame("here")
+        return ForceSystem([(here.vector(F, 0, F), here.point("A", x, x, 0))]).moment(here.point("O", 0, 0, 0))
+
+    assert compiled(moment)(2.0, 3.0) == tuple(moment(2.0, 3.0))
+    force, length = Dimension(1, 1, -2), Dimension(0, 1)
+    assert all(x == force * length for x in moment(force, length) if x != 0)
+
+
+def test_what_is_no_force_is_refused_in_words():
+    with pytest.raises(ForceError, match=r"a force is a pair \(Vector, Point\), a couple is Couple\(Vector\); got 3"):
+        ForceSystem([3])
+    with pytest.raises(ForceError, match="the vector of a force is a Vector"):
+        ForceSystem([(2.0, ground.origin)])
+    with pytest.raises(MassError, match="the place of wind is a Point or a Frame"):
+        ForceSystem({"wind": (ground.i, "there")})
+    with pytest.raises(ForceError, match="a system without forces needs a frame"):
+        ForceSystem([])
+    with pytest.raises(MassError, match="the place of the point that the moment is about is a Point or a Frame"):
+        ForceSystem([(ground.i, ground)]).moment("A")

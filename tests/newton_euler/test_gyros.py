@@ -1,0 +1,952 @@
+"""Chapter 10: one point fixed; gyroscopic motion. (10.1)-(10.38), mostly against mass points, Lagrange's equations and integration.
+
+The matrices (10.5)-(10.12) have more tests in test_rotations.py.
+"""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+
+from newton_euler import Dimension, Frame, FrameError, at, compiled, cos, cross, moving, pi, sin, sqrt
+from newton_euler.gyros import (
+    GyroError,
+    fast_spin,
+    free_precession,
+    gyro_moment,
+    gyro_momentum,
+    instantaneous_axis,
+    least_spin,
+    normal_moment,
+    nutation_stiffness,
+    sleeping_top,
+    steady_moment,
+    steady_precession,
+    steady_spin,
+)
+from newton_euler.mass import Inertia
+from newton_euler.nutation import nutation
+from newton_euler.rotations import apply, euler_frame, euler_from_quaternion, euler_matrix, in_sequence, quaternion_from_euler, rotation_matrix
+from newton_euler.scenes import top
+from newton_euler.scenes.car_rotor import rotor_moment, rotor_spin, wheel_loads
+from newton_euler.scenes.free_bodies import football, station_moments, wobble_period
+from newton_euler.scenes.gyro_instruments import compass_period, drift, gyrocompass, sensed_tilt, uprighting_moment
+from newton_euler.scenes.spherical_pendulum import momentum, nodding, pendulum
+from newton_euler.scenes.turning_shaft import hinged, least_rate, rod, stiffness, swing_out
+from newton_euler.solids import cylinder
+from tests.kinds import KINDS, close, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def tolerance(kind):
+    """Absolute, for quantities of order 10: some round-offs of the kind."""
+    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26
+
+
+# a motion with everything in it: value, rate and second rate of psi, theta, phi
+MOTION = {"psi": ("0.4", "1.2", "-0.7"), "theta": ("0.9", "0.5", "0.3"), "phi": ("1.3", "2.5", "0.8")}
+
+
+def top_of(kind):
+    """Ground, the frame of the body, its angles as triples (value, rate, second rate), and I0, I."""
+    angles = {name: numbers(kind, *values) for name, values in MOTION.items()}
+    ground = Frame("ground")
+    body = euler_frame(ground, "body", *(moving(*v) for v in angles.values()))
+    return ground, body, angles, numbers(kind, "0.6"), numbers(kind, "0.25")
+
+
+# -- instantaneous axis, Euler's angles (10.1)-(10.12)
+
+
+@every_kind
+def test_section_10_1_all_points_of_the_instantaneous_axis_are_at_rest(kind):
+    ground, body, _, _, _ = top_of(kind)
+    axis = instantaneous_axis(body, ground)
+    assert close(axis.slide, 0, 0)
+    for s in numbers(kind, -2, "0.5", 3):
+        P = body.point("P", *(s * x for x in axis.direction))
+        assert close(P.velocity(ground), (0, 0, 0), tolerance(kind))
+
+
+@every_kind
+def test_section_10_1_without_a_point_at_rest_the_axis_is_that_of_the_screw(kind):
+    ground = Frame("ground")
+    v, w = numbers(kind, 1, -2, "0.5"), numbers(kind, "0.8", "0.3", "1.5")
+    origin = ground.point("B", *(moving(0 * x, x) for x in v))
+    body = ground.rotate("a", "x", rate=w[0], origin=origin).rotate("b", "y", rate=w[1]).rotate("c", "z", rate=w[2])
+    axis = instantaneous_axis(body, ground)
+    here = axis.point.velocity(ground)
+    assert close(here.cross(axis.direction), (0, 0, 0), tolerance(kind))
+    assert close(here, axis.direction * axis.slide, tolerance(kind))
+
+
+def test_a_body_that_does_not_turn_has_no_instantaneous_axis():
+    ground = Frame("ground")
+    with pytest.raises(GyroError, match="box does not turn in ground at this instant"):
+        instantaneous_axis(ground.translate("box", ground.point("C", moving(0.0, 1.0), 0, 0)), ground)
+
+
+@every_kind
+def test_eqn_10_1_and_10_2_the_precessing_frame_turns_about_the_vertical_and_the_line_of_nodes(kind):
+    ground, body, angles, _, _ = top_of(kind)
+    (_, dpsi, _), (theta, dtheta, _), nodal = angles["psi"], angles["theta"], body.parent
+    assert close(nodal.angular_velocity(ground), dpsi * ground.k + dtheta * nodal.i, tolerance(kind))
+    assert close(ground.k.expressed_in(nodal), (0, sin(theta), cos(theta)), tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_3_and_10_4_components_of_both_angular_velocities(kind):
+    ground, body, angles, _, _ = top_of(kind)
+    (_, dpsi, _), (theta, dtheta, _), (_, dphi, _) = angles.values()
+    Omega = (dtheta, dpsi * sin(theta), dpsi * cos(theta))
+    assert close(body.parent.angular_velocity(ground), Omega, tolerance(kind))
+    assert close(body.angular_velocity(ground).components(body.parent), (*Omega[:2], Omega[2] + dphi), tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_5_to_10_10_three_turns_make_the_matrix(kind):
+    psi, theta, phi = numbers(kind, "0.4", "0.9", "1.3")
+    one = psi / psi
+    turns = [rotation_matrix(e, x) for e, x in (((0, 0, one), psi), ((one, 0, 0), theta), ((0, 0, one), phi))]
+    assert close(euler_matrix(psi, theta, phi), in_sequence(*turns, axes="moving"), tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_11_to_10_14_angular_momentum_of_the_spherical_pendulum_in_body_axes(kind):
+    m, L = numbers(kind, 3, 2)
+    angles = [numbers(kind, *v) for v in MOTION.values()]
+    H, bar = momentum(m, L, *(moving(*v) for v in angles))
+    (_, dpsi, _), (theta, dtheta, _), (phi, dphi, _) = angles
+    factor = m * L * L / 3
+    omega = (dtheta * cos(phi) + dpsi * sin(theta) * sin(phi), -dtheta * sin(phi) + dpsi * sin(theta) * cos(phi), dphi + dpsi * cos(theta))
+    assert close(bar.angular_velocity(bar.parent.parent.parent), omega, tolerance(kind))
+    assert close(H.components(bar), (factor * omega[0], factor * omega[1], 0), 10 * tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_15_and_10_16_the_same_in_the_frame_that_does_not_spin(kind):
+    m, L = numbers(kind, 3, 2)
+    angles = [numbers(kind, *v) for v in MOTION.values()]
+    H, _ = momentum(m, L, *(moving(*v) for v in angles))
+    (_, dpsi, _), (theta, dtheta, _), _ = angles
+    assert close(H, (m * L * L / 3 * dtheta, m * L * L / 3 * dpsi * sin(theta), 0), 10 * tolerance(kind))
+
+
+# -- gyroscopic motion (10.17)-(10.27)
+
+
+@every_kind
+def test_eqn_10_17_to_10_19_and_10_21_angular_momentum(kind):
+    ground, body, angles, I0, I = top_of(kind)
+    (_, dpsi, _), (theta, dtheta, _), (_, dphi, _) = angles.values()
+    expected = (I0 * dtheta, I0 * dpsi * sin(theta), I * (dphi + dpsi * cos(theta)))
+    H = gyro_momentum(body, ground, I0, I)
+    assert close(H, expected, tolerance(kind))
+    assert H.frame is body.parent
+    fixed_in_body = Inertia(ground.origin, (I0, I0, I), frame=body).times(body.angular_velocity(ground))
+    assert close(H, fixed_in_body, tolerance(kind))  # (10.17) holds in both frames
+
+
+@every_kind
+def test_eqn_10_20_the_rate_of_momentum_is_taken_with_the_rate_of_the_axes(kind):
+    ground, body, _, I0, I = top_of(kind)
+    H = gyro_momentum(body, ground, I0, I)
+    by_nodal = H.rate(body.parent) + body.parent.angular_velocity(ground).cross(H)
+    by_body = H.rate(body) + body.angular_velocity(ground).cross(H)
+    assert close(gyro_moment(body, ground, I0, I), by_nodal, tolerance(kind))
+    assert close(by_nodal, by_body, 10 * tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_22_the_turning_of_the_momentum(kind):
+    ground, body, angles, I0, I = top_of(kind)
+    Omega, dphi = body.parent.angular_velocity(ground), angles["phi"][1]
+    x, y, z = Omega
+    crossed = Omega.cross(gyro_momentum(body, ground, I0, I))
+    assert close(crossed, ((I - I0) * y * z + I * dphi * y, (I0 - I) * x * z - I * dphi * x, 0), tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_23_and_10_27_moment_by_its_terms(kind):
+    ground, body, angles, I0, I = top_of(kind)
+    (x, y, z), dphi = body.parent.angular_velocity(ground), angles["phi"][1]
+    terms = gyro_moment(body, ground, I0, I).terms
+    (dx, dy, dz), ddphi = body.parent.angular_acceleration(ground), angles["phi"][2]
+    assert close(terms["acceleration"], (I0 * dx, I0 * dy, I * (dz + ddphi)), tolerance(kind))
+    assert close(terms["precession"], ((I - I0) * y * z, (I0 - I) * x * z, 0), tolerance(kind))
+    assert close(terms["gyroscopic"], (I * dphi * y, -I * dphi * x, 0), tolerance(kind))
+
+
+def spun(angles):
+    """The rates that (10.24) and (10.25) are written in: theta and its rates, psi', psi'', omega_z and its rate (10.26)."""
+    (_, dpsi, ddpsi), (theta, dtheta, ddtheta), (_, dphi, ddphi) = angles.values()
+    wz, dwz = dphi + dpsi * cos(theta), ddphi + ddpsi * cos(theta) - dpsi * dtheta * sin(theta)
+    return theta, dtheta, ddtheta, dpsi, ddpsi, wz, dwz
+
+
+@every_kind
+def test_eqn_10_24_moment_in_euler_angles(kind):
+    ground, body, angles, I0, I = top_of(kind)
+    theta, dtheta, ddtheta, dpsi, ddpsi, wz, dwz = spun(angles)
+    s, c = sin(theta), cos(theta)
+    expected = (
+        I0 * ddtheta - (I0 - I) * dpsi * dpsi * s * c + I * (wz - dpsi * c) * dpsi * s,
+        I0 * (ddpsi * s + dpsi * dtheta * c) - (I - I0) * dpsi * dtheta * c - I * (wz - dpsi * c) * dtheta,
+        I * dwz,
+    )
+    assert close(gyro_moment(body, ground, I0, I), expected, tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_25_and_10_26_moment_in_its_shortest_form(kind):
+    ground, body, angles, I0, I = top_of(kind)
+    theta, dtheta, ddtheta, dpsi, ddpsi, wz, dwz = spun(angles)
+    s, c = sin(theta), cos(theta)
+    expected = (
+        I0 * (ddtheta - dpsi * dpsi * s * c) + I * wz * dpsi * s,
+        I0 / s * (ddpsi * s * s + 2 * dpsi * dtheta * s * c) - I * dtheta * wz,
+        I * dwz,
+    )
+    assert close(gyro_moment(body, ground, I0, I), expected, tolerance(kind))
+    assert close(body.angular_velocity(ground).components(body.parent)[2], wz, tolerance(kind))
+
+
+def test_eqn_10_23_from_mass_points_in_explicit_motion():
+    """A body of revolution as far as its inertia goes: points on two rings. No inertia matrix, no moving frame."""
+    masses = [(mp.mpf(m), r) for m, z, rho, count in ((2, 3, 1, 3), (1, -1, 2, 4)) for r in ring(z, rho, count)]
+    I = sum(m * (x * x + y * y) for m, (x, y, _) in masses)
+    I0 = sum(m * (y * y + z * z) for m, (_, y, z) in masses)
+    t0 = mp.mpf("0.3")
+    laws = [lambda t: 1 + t + t * t, lambda t: 1 - t / 2 + t**3, lambda t: 5 * t - t * t]
+    total = [mp.mpf(0)] * 3
+    with mp.workdps(60):
+        for m, r in masses:
+            def place(t, r=r):
+                return apply(euler_matrix(*(f(t) for f in laws)), r)
+
+            a = [mp.diff(lambda t, n=n, place=place: place(t)[n], t0, 2) for n in range(3)]
+            p = place(t0)
+            total = [M + m * (p[(n + 1) % 3] * a[(n + 2) % 3] - p[(n + 2) % 3] * a[(n + 1) % 3]) for n, M in enumerate(total)]
+    ground = Frame("ground")
+    body = euler_frame(ground, "body", *(at(f, t0) for f in laws))
+    assert close(gyro_moment(body, ground, I0, I).components(ground), tuple(total), mp.mpf(10) ** -22)
+
+
+def ring(z, rho, count):
+    """Places of equal masses around the axis; three or more have equal transverse moments."""
+    return [(rho * mp.cos(2 * mp.pi * n / count), rho * mp.sin(2 * mp.pi * n / count), mp.mpf(z)) for n in range(count)]
+
+
+def lagrange(momenta=False):
+    """Lagrange's equations of the symmetric body: the generalised forces of psi, theta, phi, as expressions of the motion."""
+    t = sympy.Symbol("t")
+    I0, I = sympy.symbols("I0 I", positive=True)
+    q = [sympy.Function(n)(t) for n in ("psi", "theta", "phi")]
+    psi, theta, phi = q
+    T = I0 * (theta.diff(t) ** 2 + psi.diff(t) ** 2 * sympy.sin(theta) ** 2) / 2 + I * (phi.diff(t) + psi.diff(t) * sympy.cos(theta)) ** 2 / 2
+    return I0, I, q, t, [T.diff(x.diff(t)).diff(t) - T.diff(x) for x in q]
+
+
+def test_eqn_10_25_against_lagranges_equations():
+    I0, I, q, t, (Q_psi, Q_theta, Q_phi) = lagrange()
+    ground = Frame("ground")
+    body = euler_frame(ground, "body", *(moving(x) for x in q))
+    M = gyro_moment(body, ground, I0, I)
+    assert sympy.simplify(M.x - Q_theta) == 0  # work of the moment per angle: M.i, M.k, M.K
+    assert sympy.simplify(M.z - Q_phi) == 0
+    assert sympy.simplify(M.y * sympy.sin(q[1]) + M.z * sympy.cos(q[1]) - Q_psi) == 0
+
+
+def test_a_frame_not_made_of_euler_angles_is_refused():
+    with pytest.raises(FrameError, match="wheel is not spun about the z axis of a frame above it"):
+        gyro_moment(Frame("ground").rotate("wheel", "x", rate=1.0), None, 1.0, 1.0)
+
+
+@pytest.mark.parametrize(("I0", "I", "words"), [(1.0, 2.1, "no body of revolution has I = 2.1"), (0.0, 1.0, "I0 must be positive"), (1.0, -0.1, "no body")])
+def test_moments_that_no_body_has_are_refused(I0, I, words):
+    with pytest.raises(GyroError, match=words):
+        steady_precession(I0, I, 1.0, spin=1.0, mgr=0.1)
+
+
+# -- steady precession (10.28)-(10.34), (10.37), (10.38)
+
+
+def steady_data(kind):
+    return numbers(kind, "0.6", "0.25", "0.9", "1.2", "2.5")  # I0, I, theta, psi', phi'
+
+
+@every_kind
+def test_eqn_10_28_and_10_29_steady_precession_needs_a_moment_about_the_line_of_nodes_only(kind):
+    I0, I, theta, dpsi, dphi = steady_data(kind)
+    ground = Frame("ground")
+    body = euler_frame(ground, "body", moving(0 * dpsi, dpsi), theta, moving(0 * dphi, dphi))
+    wz = dphi + dpsi * cos(theta)
+    M = gyro_moment(body, ground, I0, I)
+    assert close(M, (dpsi * sin(theta) * (I * wz - I0 * dpsi * cos(theta)), 0, 0), tolerance(kind))
+    assert close(M.x, steady_moment(I0, I, theta, dpsi, dphi), tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_30_moment_of_gravity(kind):
+    theta, r, weight = numbers(kind, "0.9", "0.2", 5)
+    nodal = euler_frame(Frame("ground"), "body", 0 * theta, theta, 0 * theta).parent
+    moment = (r * nodal.k).cross(-weight * nodal.parent.k)
+    assert close(moment, (r * weight * sin(theta), 0, 0), tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_31_both_rates_with_the_whole_axial_rate(kind):
+    I0, I, theta, wz, mgr = numbers(kind, "0.6", "0.25", "0.9", 12, "1.5")
+    found = steady_precession(I0, I, theta, omega_z=wz, mgr=mgr)
+    for dpsi in (found.slow, found.fast):
+        assert close(dpsi * (I * wz - I0 * dpsi * cos(theta)), mgr, 10 * tolerance(kind))
+        assert close(steady_spin(I0, I, theta, dpsi, mgr=mgr) + dpsi * cos(theta), wz, 100 * tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_32_moment_and_spin_of_a_steady_precession(kind):
+    I0, I, theta, dpsi, dphi = steady_data(kind)
+    M = steady_moment(I0, I, theta, dpsi, dphi)
+    assert close(M, dpsi * dpsi * sin(theta) * cos(theta) * (I - I0) + dpsi * dphi * I * sin(theta), tolerance(kind))
+    assert close(steady_spin(I0, I, theta, dpsi, moment=M), dphi, tolerance(kind))
+
+
+@every_kind
+@pytest.mark.parametrize("sense", [1, -1])
+def test_eqn_10_33_both_roots(kind, sense):
+    I0, I, theta, dphi, M = numbers(kind, "0.6", "0.25", "0.9", 12 * sense, "1.5")
+    found = steady_precession(I0, I, theta, spin=dphi, moment=M)
+    a, root = (I0 - I) * cos(theta), sqrt(dphi * dphi - 4 * M * (I0 - I) * cos(theta) / (I * I * sin(theta)))
+    printed = [I * (dphi + s * sense * root) / (2 * a) for s in (-1, 1)]
+    assert close((found.slow, found.fast), printed, 100 * tolerance(kind))
+    assert close(found.discriminant, I * I * root * root, 10 * tolerance(kind))
+
+
+def test_eqn_10_33_as_a_formula():
+    I0, I, theta, dphi, M = sympy.symbols("I0 I theta phi_dot M", positive=True)
+    found = steady_precession(I0, I, theta, spin=dphi, moment=M)
+    for dpsi in (found.slow, found.fast):
+        assert sympy.simplify(sympy.expand((I0 - I) * sympy.cos(theta) * dpsi**2 - I * dphi * dpsi + M / sympy.sin(theta))) == 0
+
+
+def test_eqn_10_33_has_the_units_of_a_rate():
+    inertia, rate, pure = Dimension(1, 2, 0), Dimension(0, 0, -1), Dimension()
+    found = steady_precession(inertia, inertia, pure, spin=rate, mgr=inertia * rate * rate)
+    assert found.slow == found.fast == rate
+    assert set(found.stiffness) == {rate * rate}
+
+
+def test_steady_precession_can_be_compiled():
+    def slow(I0, spin):
+        return steady_precession(I0, 0.25, 0.9, spin=spin, mgr=1.5).slow
+
+    assert compiled(slow)(0.6, -12.0) == pytest.approx(slow(0.6, -12.0), rel=1e-15)
+
+
+def slow_root_to_60_digits(I0, I, theta, spin, mgr):
+    with mp.workdps(60):
+        a, h = (mp.mpf(I0) - mp.mpf(I)) * mp.cos(mp.mpf(theta)), mp.mpf(I) * mp.mpf(spin)
+        return 2 * mp.mpf(mgr) / (h * (1 + mp.sqrt(1 - 4 * a * mp.mpf(mgr) / (h * h))))
+
+
+@pytest.mark.parametrize("difference", [1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 0.0, -1e-12, -1e-6])
+def test_eqn_10_33_does_not_cancel_where_the_printed_form_does(difference):
+    """ENGINES, section 4: relative error of the printed root 3e-10, 6e-7, 1e-3, 100 % at 1e-6, 1e-9, 1e-12, 1e-15."""
+    I0, I, theta, spin, mgr = 1.0, 1.0 - difference, 1.0, 3.0, 2.0
+    found = steady_precession(I0, I, theta, spin=spin, mgr=mgr)
+    true = slow_root_to_60_digits(I0, I, theta, spin, mgr)
+    assert abs(found.slow / true - 1) < 4e-16
+    if difference == 0:
+        assert found.fast == math.inf
+    elif abs(difference) <= 1e-9:
+        a = (I0 - I) * math.cos(theta)
+        naive = (I * spin - math.sqrt((I * spin) ** 2 - 4 * a * mgr)) / (2 * a)
+        assert abs(naive / true - 1) > 1e-8
+
+
+@pytest.mark.parametrize("offset", [1e-3, 1e-9, 1e-15, 0.0, -1e-9])
+def test_the_slow_rate_is_continuous_through_the_level_axis(offset):
+    found = steady_precession(0.6, 0.25, math.pi / 2 + offset, spin=12.0, mgr=1.5)
+    assert abs(found.slow / slow_root_to_60_digits(0.6, 0.25, math.pi / 2 + offset, 12.0, 1.5) - 1) < 4e-16
+    assert abs(found.slow - 1.5 / (0.25 * 12.0)) < 2 * abs(offset) + 1e-15
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.floats(0.1, 10), st.floats(0.01, 1.99), st.floats(0.01, 3.13), st.floats(-50, 50), st.floats(-20, 20))
+def test_both_rates_satisfy_the_quadratic_to_round_off(I0, part, theta, spin, mgr):
+    I = part * I0
+    assume(abs(spin) > 1e-3)
+    a, h = (I0 - I) * math.cos(theta), I * spin
+    assume(h * h - 4 * a * mgr > 1e-6 * h * h)
+    found = steady_precession(I0, I, theta, spin=spin, mgr=mgr)
+    for dpsi in (found.slow, found.fast):
+        if math.isfinite(dpsi):
+            terms = a * dpsi * dpsi, -h * dpsi, mgr
+            assert abs(sum(terms)) <= 1e-14 * max(map(abs, terms)) + 1e-300
+    assert abs(found.slow) <= abs(found.fast) * (1 + 1e-15)
+    assert min(found.stiffness) >= 0
+
+
+@every_kind
+def test_at_discriminant_zero_both_rates_are_one(kind):
+    """I0 = 2, I = 1, theta = 0, mgr = 4: I phi' = 4 is the least."""
+    I0, I, zero, mgr, spin = numbers(kind, 2, 1, 0, 4, 4)
+    if kind != "array":
+        found = steady_precession(I0, I, zero, spin=spin, mgr=mgr)
+        assert close((found.slow, found.fast, found.discriminant), (2, 2, 0), tolerance(kind))
+    assert close(least_spin(I0, I, zero, mgr=mgr), 4 * (I0 / I0) * sqrt((I0 - I) * mgr / 4) / I, tolerance(kind))
+
+
+def test_below_the_least_spin_there_is_no_steady_precession_and_above_there_is():
+    I0, I, theta, mgr = 0.6, 0.25, 0.9, 1.5
+    for of in ("spin", "omega_z"):
+        least = least_spin(I0, I, theta, mgr=mgr, of=of)
+        found = steady_precession(I0, I, theta, mgr=mgr, **{of: least * (1 + 1e-6)})
+        assert found.slow < found.fast
+        assert steady_precession(I0, I, theta, mgr=mgr, **{of: -least * (1 + 1e-6)}).slow < 0
+        assert steady_precession(I0, I, theta, mgr=mgr, **{of: least}).discriminant >= 0
+        with pytest.raises(GyroError, match=rf"negative; {of} must be at least {least:.6g} rad/s in size"):
+            steady_precession(I0, I, theta, mgr=mgr, **{of: least * (1 - 1e-6)})
+
+
+def test_of_many_instants_one_without_a_precession_is_told():
+    with pytest.raises(GyroError, match="no steady precession is possible"):
+        steady_precession(0.6, 0.25, 0.9, spin=np.array([12.0, 0.1]), mgr=1.5)
+
+
+@pytest.mark.parametrize("theta", [1.8, 2.5, 3.1])
+def test_a_hanging_body_precesses_at_every_spin(theta):
+    assert least_spin(0.6, 0.25, theta, mgr=1.5) == 0
+    found = steady_precession(0.6, 0.25, theta, spin=0.0, mgr=1.5)
+    assert found.slow == -found.fast  # the conical pendulum, both ways round
+    assert found.slow**2 == pytest.approx(-1.5 / (0.35 * math.cos(theta)), rel=1e-14)
+
+
+def test_without_spin_a_body_with_its_axis_level_holds_no_moment():
+    with pytest.raises(GyroError, match="without spin a body at this angle can hold no moment"):
+        steady_precession(1.0, 1.0, 1.0, spin=0.0, mgr=1.0)
+
+
+def test_a_rod_without_axial_moment_is_told_that_no_spin_helps():
+    with pytest.raises(GyroError, match="without I no spin helps"):
+        steady_precession(1.0, 0, 0.5, spin=100.0, mgr=1.0)
+
+
+def test_which_data_to_give():
+    with pytest.raises(GyroError, match="give one of mgr"):
+        steady_precession(1.0, 1.0, 1.0, spin=1.0)
+    with pytest.raises(GyroError, match="give either spin"):
+        steady_precession(1.0, 1.0, 1.0, mgr=1.0)
+    with pytest.raises(GyroError, match="there is no line of nodes to have a moment about"):
+        steady_precession(1.0, 1.0, 0.0, spin=1.0, moment=1.0)
+    with pytest.raises(GyroError, match="the precession is zero"):
+        steady_spin(1.0, 1.0, 1.0, 0.0, mgr=1.0)
+    with pytest.raises(GyroError, match="of= is 'spin'"):
+        least_spin(1.0, 1.0, 1.0, mgr=1.0, of="omega")
+
+
+@every_kind
+def test_eqn_10_34_fast_spin_and_its_error(kind):
+    I0, I, theta, spin, mgr = numbers(kind, "0.6", "0.25", "0.9", 40, "1.5")
+    found, true = fast_spin(I0, I, theta, spin, mgr=mgr), steady_precession(I0, I, theta, spin=spin, mgr=mgr)
+    assert close(found.slow, mgr / (I * spin), tolerance(kind))
+    assert close(found.fast, I * spin / ((I0 - I) * cos(theta)), 10 * tolerance(kind))
+    assert close(found.slow_error, found.slow / true.slow - 1, tolerance(kind))
+    assert close(found.fast_error, found.fast / true.fast - 1, tolerance(kind))
+
+
+def test_eqn_10_34_leading_error_as_printed_in_the_map():
+    eps = 1.5 * 0.35 * math.cos(0.9) / (0.25 * 1e5) ** 2
+    found = fast_spin(0.6, 0.25, 0.9, 1e5, mgr=1.5)
+    assert found.slow_error == pytest.approx(-eps, rel=1e-8)
+    assert found.fast_error == pytest.approx(eps, rel=1e-8)
+    with pytest.raises(GyroError, match="approximations for a fast spin"):
+        fast_spin(0.6, 0.25, 0.9, 0.0, mgr=1.5)
+
+
+@every_kind
+def test_eqn_10_37_and_10_38_axis_level(kind):
+    I0, I, dpsi, dphi = numbers(kind, "0.6", "0.25", "1.2", 40)
+    ground = Frame("ground")
+    level = pi(dpsi) / 2
+    assert close(steady_moment(I0, I, level, dpsi, dphi), I * dpsi * dphi, 10 * tolerance(kind))
+    assert close(normal_moment(ground.vector(0, dpsi, 0), ground.vector(0, 0, dphi), I), (I * dpsi * dphi, 0, 0), tolerance(kind))
+    body = euler_frame(ground, "body", moving(0 * dpsi, dpsi), level, moving(0 * dphi, dphi))
+    H = gyro_momentum(body, ground, I0, I)
+    precession = body.parent.angular_velocity(ground)
+    assert close(H, (0, I0 * dpsi, I * dphi), 10 * tolerance(kind))
+    assert close(cross(precession, H), (I * dpsi * dphi, 0, 0), 10 * tolerance(kind))
+
+
+def test_eqn_10_38_needs_right_angles():
+    f = Frame("ground")
+    with pytest.raises(GyroError, match="are not at right angles"):
+        normal_moment(f.vector(0, 1.0, 0.1), f.vector(0, 0, 10.0), 1.0)
+
+
+# -- without moment (10.35), (10.36)
+
+
+@every_kind
+def test_eqn_10_35_and_10_36_free_precession_needs_no_moment(kind):
+    I0, I, theta, spin = numbers(kind, "0.6", "0.25", "0.9", 5)
+    found = free_precession(I0, I, theta, spin)
+    assert close(found.rate, I * spin / ((I0 - I) * cos(theta)), 10 * tolerance(kind))
+    assert close(steady_moment(I0, I, theta, found.rate, spin), 0, 100 * tolerance(kind))
+    both = steady_precession(I0, I, theta, spin=spin, mgr=0)
+    assert close((both.slow, both.fast), (0, found.rate), 10 * tolerance(kind))
+
+
+@pytest.mark.parametrize(("I", "sense"), [(0.999999, "direct"), (1.000001, "retrograde"), (0.1, "direct"), (1.9, "retrograde")])
+def test_direct_or_retrograde_on_both_sides_of_equal_moments(I, sense):
+    for theta in (0.4, 2.5):
+        found = free_precession(1.0, I, theta, 10.0)
+        assert found.sense == sense
+        assert (found.rate * 10.0 * math.cos(theta) > 0) == (sense == "direct")
+
+
+@pytest.mark.parametrize(("I0", "I"), [(1.0, 0.3), (1.0, 1.7)])
+def test_the_cones_of_the_instantaneous_axis(I0, I):
+    theta, spin = 0.4, 10.0
+    found = free_precession(I0, I, theta, spin)
+    ground = Frame("ground")
+    body = euler_frame(ground, "body", moving(0.0, found.rate), theta, moving(0.0, spin))
+    omega = body.angular_velocity(ground)
+    along = 1 if omega.dot(body.k) > 0 else -1
+    assert found.body_cone == pytest.approx((omega * along).angle_to(body.k), rel=1e-12)
+    to_K = omega.angle_to(ground.k)
+    assert found.space_cone == pytest.approx(min(to_K, math.pi - to_K), rel=1e-12)
+
+
+def test_where_there_is_no_free_precession():
+    with pytest.raises(GyroError, match="with I = I0 there is no precession"):
+        free_precession(1.0, 1.0, 0.4, 10.0)
+    with pytest.raises(GyroError, match="is pi/2: H has no component along the axis"):
+        free_precession(1.0, 0.3, math.pi / 2, 10.0)
+
+
+# -- nutation: its frequency and limits
+
+
+@pytest.mark.parametrize("theta", [0.2, 0.9, math.pi / 2, 2.5])
+@pytest.mark.parametrize("which", ["slow", "fast"])
+def test_the_stiffness_is_the_curvature_of_the_effective_potential(theta, which):
+    I0, I, wz, mgr = (mp.mpf(x) for x in ("0.6", "0.25", "12", "1.5"))
+    theta = mp.mpf(theta)
+    found = steady_precession(I0, I, theta, omega_z=wz, mgr=mgr)
+    dpsi = getattr(found, which)
+    h = I * wz
+    p = I0 * dpsi * mp.sin(theta) ** 2 + h * mp.cos(theta)
+
+    def U(x):
+        return (p - h * mp.cos(x)) ** 2 / (2 * I0 * mp.sin(x) ** 2) + mgr * mp.cos(x)
+
+    with mp.workdps(50):
+        curvature = mp.diff(U, theta, 2) / I0
+    true = found.stiffness[0 if which == "slow" else 1]
+    assert abs(curvature / true - 1) < mp.mpf(10) ** -12
+    assert abs(nutation_stiffness(I0, I, theta, dpsi, wz) - true) <= mp.mpf(10) ** -25 * true
+
+
+def swings(model, start, seconds):
+    """Extremes of theta in a run of the model without rounding to speak of."""
+    rhs, n = model.compiled_rhs(), model.states.index("theta")
+    out = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, seconds), start, method="DOP853", rtol=1e-12, atol=1e-13, dense_output=True)
+    turning = model.states.index("theta_rate")
+
+    def event(t, y):
+        return y[turning]
+
+    out = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, seconds), start, method="DOP853", rtol=1e-12, atol=1e-13, events=event)
+    return np.array([y[n] for y in out.y_events[0]]), out.t_events[0]
+
+
+@pytest.mark.parametrize(
+    ("theta_rate", "precession", "kind"),
+    [(0.0, 0.0, "cusps"), (0.0, 0.2, "waves"), (0.0, -0.2, "loops"), (0.4, 0.1, "loops"), (0.05, 0.3, "waves"), (0.0, 3.0, "loops")],
+)
+def test_limits_of_nutation_against_integration(theta_rate, precession, kind):
+    I0, I, mgr, theta, spin = 0.6, 0.25, 1.5, 0.9, 20.0
+    found = nutation(I0, I, mgr, theta, theta_rate, precession, spin=spin)
+    assert found.kind == kind
+    wz = spin + precession * math.cos(theta)
+    extremes, times = swings(top.euler(I0, I, mgr, wz), (0, theta, 0, precession, theta_rate), 3 * found.period)
+    assert min(extremes) == pytest.approx(found.theta_min, abs=1e-10)
+    assert max(extremes) == pytest.approx(found.theta_max, abs=1e-10)
+    later = times[times > 1e-6]
+    assert later[2] - later[0] == pytest.approx(found.period, rel=1e-8)
+    assert found.precession_at_max == pytest.approx(rate_at(found.theta_max, I0, I, wz, theta, precession), rel=1e-9)
+
+
+def rate_at(angle, I0, I, wz, theta, precession):
+    p = I0 * precession * math.sin(theta) ** 2 + I * wz * math.cos(theta)
+    return (p - I * wz * math.cos(angle)) / (I0 * math.sin(angle) ** 2)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.floats(0.1, 3.0), st.floats(-3, 3), st.floats(-5, 5), st.floats(-30, 30), st.floats(-4, 4), st.floats(0.05, 1.9))
+def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, precession, wz, mgr, I):
+    I0 = 1.0
+    found = nutation(I0, I, mgr, theta, theta_rate, precession, omega_z=wz)
+    assert found.theta_min - 1e-14 <= theta <= found.theta_max + 1e-14
+    exact = [mp.mpf(x) for x in (I0, I, mgr, theta, theta_rate, precession)]
+    true = nutation(*exact, omega_z=mp.mpf(wz))
+    scale = 1 + 1 / abs(mp.sin(true.theta_min)) + 1 / abs(mp.sin(true.theta_max))
+    assert abs(found.theta_min - true.theta_min) < 1e-7
+    h = exact[1] * mp.mpf(wz)
+    p = exact[0] * exact[5] * mp.sin(exact[3]) ** 2 + h * mp.cos(exact[3])
+    E = exact[0] * (exact[4] ** 2 + exact[5] ** 2 * mp.sin(exact[3]) ** 2) / 2 + exact[2] * mp.cos(exact[3])
+    for angle in (true.theta_min, true.theta_max):
+        s2 = mp.sin(angle) ** 2
+        f = (p - h * mp.cos(angle)) ** 2 - 2 * exact[0] * s2 * (E - exact[2] * mp.cos(angle))
+        assert abs(f) < mp.mpf(10) ** -24 * (p * p + h * h + abs(E) + 1) * scale
+
+
+def test_small_nutations_keep_their_digits():
+    """A top displaced by 1e-9 rad/s from steady precession: the roots of f in cos(theta) would be good to 1e-8 only."""
+    I0, I, mgr, theta, wz = 0.6, 0.25, 1.5, 0.9, 20.0
+    found = steady_precession(I0, I, theta, omega_z=wz, mgr=mgr)
+    rate = 1e-9
+    seen = nutation(I0, I, mgr, theta, rate, found.slow, omega_z=wz, tolerance=1e-15)
+    assert (seen.theta_max - seen.theta_min) / 2 == pytest.approx(rate / math.sqrt(found.stiffness[0]), rel=1e-4)
+    assert seen.period == pytest.approx(2 * math.pi / math.sqrt(found.stiffness[0]), rel=1e-9)
+    assert nutation(I0, I, mgr, theta, 0.0, found.slow, omega_z=wz).kind == "steady"
+
+
+def test_a_top_that_reaches_the_vertical():
+    """p_psi = p_phi: started upright with theta' = 1, below its critical rate."""
+    found = nutation(0.6, 0.25, 1.5, 0.0, 1.0, 0.0, omega_z=3.0)
+    assert found.kind == "through the vertical"
+    assert found.theta_min == 0
+    assert math.isnan(found.precession_at_min)
+    assert 0.1 < found.theta_max < math.pi
+    model = top.reduced(0.6, 0.25, 1.5, 3.0, 0)
+    extremes, _ = swings(model, (0.0, 1.0), 20.0)
+    assert max(abs(extremes)) == pytest.approx(found.theta_max, abs=1e-10)
+
+
+@pytest.mark.parametrize("tilt", [1e-3, 1e-8])
+def test_near_the_vertical_no_digits_are_lost(tilt):
+    true = nutation(*(mp.mpf(x) for x in (0.6, 0.25, 1.5, 0.4, 0.0)), precession=mp.mpf(12.0 / 2.4 + tilt), omega_z=mp.mpf(12.0), tolerance=1e-20)
+    found = nutation(0.6, 0.25, 1.5, 0.4, 0.0, 12.0 / 2.4 + tilt, omega_z=12.0, tolerance=1e-20)
+    assert abs(found.theta_min - true.theta_min) < 1e-14
+    assert abs(found.theta_max - true.theta_max) < 1e-14
+
+
+def test_a_pendulum_in_a_plane_is_told():
+    found = nutation(1.0, 0, 2.0, 2.5, 0.0, 0.0, omega_z=0.0)
+    assert found.kind == "planar"
+    assert found.theta_max == pytest.approx(math.pi, abs=1e-14)
+
+
+def test_nutation_of_arrays_and_its_errors():
+    found = nutation(0.6, 0.25, 1.5, 0.9, 0.0, np.array([0.0, 0.2, -0.2]), spin=20.0)
+    assert found.kind == ["cusps", "waves", "loops"]
+    one = nutation(0.6, 0.25, 1.5, 0.9, 0.0, 0.2, spin=20.0)
+    assert found.theta_max[1] == pytest.approx(one.theta_max, rel=1e-15)
+    with pytest.raises(GyroError, match="roots of a cubic with expressions"):
+        nutation(0.6, 0.25, 1.5, sympy.Symbol("theta"), 0.0, 0.0, spin=20.0)
+    with pytest.raises(GyroError, match="give either spin"):
+        nutation(0.6, 0.25, 1.5, 0.9, 0.0, 0.0)
+
+
+# -- the sleeping top
+
+
+@pytest.mark.parametrize(("part", "stable"), [(0.9, False), (0.9999, False), (1.0, True), (1.0001, True), (1.1, True)])
+def test_the_sleeping_top_on_both_sides_of_its_threshold(part, stable):
+    I0, I, mgr = 0.25, 0.5, 1.0  # critical rate 2 sqrt(I0 mgr)/I = 2
+    found = sleeping_top(I0, I, mgr, 2.0 * part)
+    assert found.critical == 2.0
+    assert found.stable is stable
+    assert found.margin == pytest.approx(part**2, rel=1e-15)
+    assert (found.growth == 0) == stable
+
+
+def test_the_sleeping_top_agrees_with_the_limits_of_nutation():
+    """ENGINES: a tilt rate of 1e-6 grows to .9 at .9 of the critical rate, stays small above: by the limits, without a simulation."""
+    I0, I, mgr = 0.25, 0.5, 1.0
+    below, above = (nutation(I0, I, mgr, 0.0, 1e-6, 0.0, omega_z=2.0 * part).theta_max for part in (0.9, 1.1))
+    assert below > 0.5
+    assert above < 1e-5
+
+
+def test_a_small_tilt_grows_at_the_rate_told():
+    I0, I, mgr, wz = 0.25, 0.5, 1.0, 1.6
+    growth = sleeping_top(I0, I, mgr, wz).growth
+    rhs = top.rolled_out(I0, I, mgr, wz).compiled_rhs()
+    start = (1.0, 0.0, 0.0, 0.0, 1e-7, 0.0)
+    out = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 8), start, method="DOP853", rtol=1e-11, atol=1e-18, t_eval=(4.0, 8.0))
+    tilt = np.hypot(out.y[1], out.y[2])
+    assert math.log(tilt[1] / tilt[0]) / 4.0 == pytest.approx(growth, rel=0.02)
+
+
+def test_a_hanging_top_needs_no_spin():
+    found = sleeping_top(0.25, 0.5, -1.0, 0.0)
+    assert found.stable
+    assert found.critical == 0
+    assert found.margin == math.inf
+
+
+def test_the_sleeping_top_as_a_formula():
+    I0, I, mgr, w = sympy.symbols("I0 I mgr omega", positive=True)
+    found = sleeping_top(I0, I, mgr, w)
+    assert found.stable is None
+    assert sympy.simplify(found.critical - 2 * sympy.sqrt(I0 * mgr) / I) == 0
+
+
+# -- models of the top
+
+
+TOP = {"I0": 0.6, "I": 0.25, "mgr": 1.5, "omega_z": 9.0}
+START = {"psi": 0.3, "theta": 0.8, "phi": 0.0, "psi_rate": 0.7, "theta_rate": -0.4}
+
+
+def run(model, start, seconds, rtol=1e-12):
+    rhs = model.compiled_rhs()
+    out = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, seconds), start, method="DOP853", rtol=rtol, atol=1e-13)
+    return [tuple(state) for state in out.y.T.tolist()]
+
+
+def rolled_start(angles):
+    """State of the frame that does not spin, put onto {i, j, k} at the start (phi = 0)."""
+    theta = angles["theta"]
+    return (*quaternion_from_euler(angles["psi"], theta, 0.0), angles["theta_rate"], angles["psi_rate"] * math.sin(theta))
+
+
+def test_the_three_models_of_the_top_agree():
+    T = 3.0
+    by_euler = run(top.euler(**TOP), tuple(START.values()), T)[-1]
+    by_theta = run(
+        top.reduced(**TOP, surplus=top.surplus(TOP["I0"], TOP["I"], START["theta"], START["psi_rate"], TOP["omega_z"])),
+        (START["theta"], START["theta_rate"]), T,
+    )[-1]  # fmt: skip
+    rolled = run(top.rolled_out(**TOP), rolled_start(START), T)[-1]
+    assert by_theta == pytest.approx((by_euler[1], by_euler[4]), abs=1e-9)
+    psi, theta, phi = euler_from_quaternion(top.body_quaternion(rolled, TOP["omega_z"] * T))
+    assert theta == pytest.approx(by_euler[1], abs=1e-9)
+    assert math.remainder(psi - by_euler[0], 2 * math.pi) == pytest.approx(0, abs=1e-9)
+    assert math.remainder(phi - by_euler[2], 2 * math.pi) == pytest.approx(0, abs=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("model", "start"),
+    [
+        (top.euler(**TOP), tuple(START.values())),
+        (top.reduced(**TOP, surplus=top.surplus(TOP["I0"], TOP["I"], START["theta"], START["psi_rate"], TOP["omega_z"])), (0.8, -0.4)),
+        (top.rolled_out(**TOP), rolled_start(START)),
+        (top.rolled_out(**TOP), (1.0, 0.0, 0.0, 0.0, 0.3, 0.0)),  # through the upright position
+        (pendulum(3.0, 2.0, 9.81), rolled_start(START)),
+        (nodding(3.0, 2.0, 9.81, 2.5, 1.0), (2.5, 0.0)),
+        (hinged(**rod(3.0, 2.0, 4.0, 9.81)), (0.5, 0.0)),
+        (gyrocompass(0.002, 0.003, 1000.0, 7.292e-5, 0.8), (0.5, 0.0)),
+        (top.free(0.6, 0.25, 9.0), rolled_start(START)),
+    ],
+    ids=lambda x: getattr(x, "name", ""),
+)
+def test_invariants_are_kept(model, start):
+    states = run(model, start, 5.0)
+    assert model.invariants
+    for name in model.invariants:
+        values = [model.invariant(name, state) for state in states]
+        assert max(values) - min(values) < 1e-9 * (1 + abs(values[0])), name
+
+
+@every_kind
+def test_the_models_obey_eqn_10_25(kind):
+    I0, I, theta, dtheta, dpsi, wz, mgr = numbers(kind, "0.6", "0.25", "0.9", "0.5", "1.2", 9, "1.5")
+    s, c = sin(theta), cos(theta)
+    dpsi_, dtheta_, dphi_, ddpsi, ddtheta = top.euler(I0, I, mgr, wz).derivative((0, theta, 0, dpsi, dtheta))
+    assert close((dpsi_, dtheta_, dphi_), (dpsi, dtheta, wz - dpsi * c), tolerance(kind))
+    assert close(I0 * (ddtheta - dpsi * dpsi * s * c) + I * wz * dpsi * s, mgr * s, tolerance(kind))
+    assert close(I0 * (ddpsi * s + 2 * dpsi * dtheta * c) - I * dtheta * wz, 0, tolerance(kind))
+    surplus = top.surplus(I0, I, theta, dpsi, wz)
+    assert close(top.reduced(I0, I, mgr, wz, surplus).derivative((theta, dtheta)), (dtheta, ddtheta), 10 * tolerance(kind))
+    assert close(top.precession_rate(I0, I, theta, wz, surplus), dpsi, 10 * tolerance(kind))
+
+
+def test_the_model_of_the_top_against_lagranges_equations():
+    I0, I, q, t, (Q_psi, Q_theta, _) = lagrange()
+    mgr, wz, dpsi, dtheta, theta = sympy.symbols("mgr omega_z u v theta", positive=True)
+    _, _, dphi, ddpsi, ddtheta = top.euler(I0, I, mgr, wz).derivative((0, theta, 0, dpsi, dtheta))
+    second = {q[0].diff(t, 2): ddpsi, q[1].diff(t, 2): ddtheta, q[2].diff(t, 2): -ddpsi * sympy.cos(theta) + dpsi * dtheta * sympy.sin(theta)}
+    first = {q[0].diff(t): dpsi, q[1].diff(t): dtheta, q[2].diff(t): dphi}
+    for Q, force in ((Q_psi, 0), (Q_theta, mgr * sympy.sin(theta))):
+        assert sympy.simplify(sympy.expand(Q.subs(second).subs(first).subs(q[1], theta) - force)) == 0
+
+
+def test_upright_euler_angles_fail_and_the_other_two_models_do_not():
+    with pytest.raises(ZeroDivisionError):
+        top.euler(**TOP).derivative((0.0, 0.0, 0.0, 0.7, 0.1))
+    assert top.reduced(**TOP, surplus=0).derivative((0.0, 0.1)) == (0.1, 0.0)
+    assert all(map(math.isfinite, top.rolled_out(**TOP).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))))
+
+
+@every_kind
+def test_the_free_body_has_an_exact_solution(kind):
+    I0, I, wz, t = numbers(kind, "0.6", "0.25", 9, 2)
+    start = (*quaternion_from_euler(*numbers(kind, "0.3", "0.8", 0)), *numbers(kind, "-0.4", "0.5"))
+    model = top.free(I0, I, wz)
+    end = model.solution(t, start)
+    for name in ("energy", "norm", "p_psi"):
+        assert close(model.invariant(name, end), model.invariant(name, start), 100 * tolerance(kind))
+    if kind == "float":
+        assert run(model, start, t)[-1] == pytest.approx(end, abs=1e-10)
+    rates = model.derivative(end)
+    step = t / 10**5
+    ahead, behind = model.solution(t + step, start), model.solution(t - step, start)
+    for f, b, rate in zip(ahead, behind, rates, strict=True):
+        assert close((f - b) / (2 * step), rate, 1e-6)
+
+
+def test_steady_precession_of_the_model_is_that_of_eqn_10_31():
+    found = steady_precession(0.6, 0.25, 0.8, omega_z=20.0, mgr=1.5)
+    for dpsi in (found.slow, found.fast):
+        state = (0.0, 0.8, 0.0, dpsi, 0.0)
+        assert top.euler(0.6, 0.25, 1.5, 20.0).derivative(state)[3:] == pytest.approx((0, 0), abs=1e-12)
+
+
+# -- worked examples
+
+
+def test_section_10_7_rod_on_a_turning_shaft():
+    data = rod(3.0, 2.0, 4.0, 9.81)
+    theta = swing_out(**data)
+    assert math.cos(theta) == pytest.approx(3 * 9.81 / (2 * 16.0 * 2.0), rel=1e-15)
+    assert least_rate(**data) == pytest.approx(math.sqrt(3 * 9.81 / 4.0), rel=1e-15)
+    assert hinged(**data).derivative((theta, 0.0))[1] == pytest.approx(0, abs=1e-14)
+    found = steady_precession(4.0, 0, theta, spin=0, mgr=-3.0 * 9.81 * 1.0)  # (10.31) with r = -L/2, I = 0, k up along the rod
+    assert abs(found.slow) == pytest.approx(4.0, rel=1e-14)
+
+
+@pytest.mark.parametrize(("part", "swings_out"), [(0.999, False), (1.001, True)])
+def test_section_10_7_on_both_sides_of_the_least_rate(part, swings_out):
+    data = rod(3.0, 2.0, part * least_rate(**rod(3.0, 2.0, 1.0, 9.81)), 9.81)
+    assert (stiffness(0.0, **data) < 0) == swings_out
+    if swings_out:
+        theta = swing_out(**data)
+        assert stiffness(theta, **data) == pytest.approx((data["omega"] * math.sin(theta)) ** 2, rel=1e-9)
+    else:
+        with pytest.raises(GyroError, match="hangs straight down; it swings out above"):
+            swing_out(**data)
+
+
+def test_section_10_7_stiffness_is_the_slope_of_the_model():
+    data = rod(*(mp.mpf(x) for x in ("3", "2", "4", "9.81")))
+    theta = swing_out(**data)
+    slope = mp.diff(lambda x: hinged(**data).derivative((x, 0))[1], theta)
+    assert abs(slope + stiffness(theta, **data)) < mp.mpf(10) ** -12
+
+
+def test_exercise_9_9_ring_on_a_turning_shaft():
+    a, omega, g, m = 0.5, 8.0, 9.81, 2.0
+    body = Frame("ring")
+    about = Inertia(body.origin, (m * a * a / 2, m * a * a, m * a * a / 2), mass=m, centre=body.origin).about(body.point("A", 0, 0, a))
+    data = {"weight_moment": m * g * a, "excess": about.moments[1] - about.moments[2], "omega": omega, "about_hinge": about.moments[0]}
+    assert math.cos(swing_out(**data)) == pytest.approx(2 * g / (3 * a * omega**2), rel=1e-14)
+    assert least_rate(**data) == pytest.approx(math.sqrt(2 * g / (3 * a)), rel=1e-14)
+
+
+def test_section_10_8_football_and_space_station():
+    theta, spin = 0.5, 10.0
+    assert football(theta, spin).rate == pytest.approx(spin / (2 * math.cos(theta)), rel=1e-14)
+    assert football(theta, spin).sense == "direct"
+    I0, I = station_moments(3.0, 30.0, Frame("station").origin)
+    assert (I0, I) == pytest.approx((3 * 9 / 12 + 900 / 12, 4.5))
+    assert steady_spin(I0, I, math.radians(40.0), 1.0, mgr=0) == pytest.approx((I0 - I) / I * math.cos(math.radians(40)), rel=1e-14)
+
+
+def test_section_10_8_the_wobble_of_the_earth_by_integration():
+    """Seen from the body the axis of rotation goes around at (I - I0) omega_z/I0; the book's 26 000 years are no free precession."""
+    e = 0.003285
+    I0, I, wz = 1.0, 1.0 + e, 2 * math.pi
+    rate = free_precession(I0, I, 1e-6, -e * wz).rate
+    assert rate == pytest.approx(wz * (1 + e), rel=1e-11)  # about K nearly a day, whatever the wobble
+    assert wobble_period(e, 1.0) == pytest.approx(304.4, abs=0.1)
+    model = top.free(I0, I, wz)
+    t = wobble_period(e, 1.0)
+    w_x, w_y = model.solution(t, (1.0, 0, 0, 0, 1e-6, 0))[4:]
+    spun = wz * t  # from the frame that does not spin into the body
+    in_body = (w_x * math.cos(spun) + w_y * math.sin(spun), w_y * math.cos(spun) - w_x * math.sin(spun))
+    assert in_body == pytest.approx((1e-6, 0), abs=1e-16 * spun)
+
+
+def test_section_10_10_rotor_of_the_car():
+    W, W_R, h, K, v, g = 3000.0, 300.0, 4.0, 2.0, 100.0, 32.2
+    spin = rotor_spin(W, h, v, W_R, K)
+    assert spin == 1000.0
+    assert spin * 60 / (2 * math.pi) == pytest.approx(9549.3, abs=0.05)  # the book rounds to 10 000 rpm
+    m, I = W / g, W_R / g * K * K
+    for r in (200.0, 1000.0):  # at every radius
+        assert I * spin * v / r == pytest.approx(rotor_moment(m, h, v, r), rel=1e-14)
+        inner, outer = wheel_loads(m, h, v, r, 5.0, g, rotor=I * spin)
+        assert inner == pytest.approx(W / 2, rel=1e-14)
+        assert outer == pytest.approx(W / 2, rel=1e-14)
+
+
+def test_section_10_10_the_rotor_turns_against_the_wheels():
+    """The car drives along y and turns left, to -x; the moment on the rotor from (10.38), that on the car is its reaction."""
+    f = Frame("car")
+    wheels, turning = f.vector(-1.0, 0, 0), f.vector(0, 0, 0.2)
+    on_car = -normal_moment(turning, -50.0 * wheels, 2.0)
+    friction = f.vector(0, 0, -1.0).cross(f.vector(-300.0, 0, 0))  # at the road, a height 1 below G, towards the centre
+    assert on_car.y * friction.y < 0
+
+
+def test_section_10_11_instruments():
+    assert uprighting_moment(0.1, 5.0, 0.25, 0.5) == pytest.approx(1.0)
+    assert sensed_tilt(0.001, 1000.0, 0.02, 0.5) == pytest.approx(0.04)
+    assert drift(1e-6, 0.001, 1000.0) == pytest.approx(steady_precession(0.002, 0.001, math.pi / 2, spin=1000.0, moment=1e-6).slow, rel=1e-12)
+
+
+def test_section_10_11_the_gyrocompass_from_lagranges_equation():
+    t = sympy.Symbol("t")
+    I0, I, wz, E, lat = sympy.symbols("I0 I omega_z Omega lambda", positive=True)
+    alpha, phi = sympy.Function("alpha")(t), sympy.Function("phi")(t)
+    level, vertical = E * sympy.cos(lat) * sympy.sin(alpha), E * sympy.sin(lat) + alpha.diff(t)
+    T = I0 * (level**2 + vertical**2) / 2 + I * (phi.diff(t) + E * sympy.cos(lat) * sympy.cos(alpha)) ** 2 / 2
+    equation = T.diff(alpha.diff(t)).diff(t) - T.diff(alpha)
+    x = sympy.Symbol("x")
+    acceleration = gyrocompass(I0, I, wz, E, lat).derivative((x, sympy.Symbol("rate")))[1]
+    put = {alpha.diff(t, 2): acceleration, phi.diff(t): wz - E * sympy.cos(lat) * sympy.cos(alpha)}
+    assert sympy.simplify(equation.subs(put).subs(alpha, x)) == 0
+
+
+def test_section_10_11_the_gyrocompass_swings_about_north_with_its_period():
+    data = (0.002, 0.003, 1000.0, 7.292e-5, 0.8)
+    period = compass_period(*data)
+    azimuth, rate = run(gyrocompass(*data), (1e-4, 0.0), period, 1e-11)[-1]
+    assert azimuth == pytest.approx(1e-4, rel=1e-6)
+    assert rate == pytest.approx(0, abs=1e-9)
+
+
+def test_section_10_4_the_spherical_pendulum_in_a_plane_and_on_a_cone():
+    planar = pendulum(3.0, 2.0, 9.81)
+    tilted = (*quaternion_from_euler(0.0, 2.5, 0.0), 0.0, 0.0)
+    acceleration = planar.derivative(tilted)[4]
+    assert acceleration == pytest.approx(3 * 9.81 / (2 * 2.0) * math.sin(2.5), rel=1e-14)
+    cone = math.sqrt(3 * 9.81 / (2 * 2.0 * abs(math.cos(2.5))))
+    assert nodding(3.0, 2.0, 9.81, 2.5, cone).derivative((2.5, 0.0))[1] == pytest.approx(0, abs=1e-12)
+
+
+def test_exercise_10_3_the_two_rates_of_a_top():
+    """By the quadratic equation solved with 40 digits, in feet and pounds."""
+    W, k_z, k_x, c, spin, theta = 3 / 16, 0.84 / 12, 1.8 / 12, 1.5 / 12, 60 * math.pi, math.radians(30)
+    m = W / 32.2
+    found = steady_precession(m * k_x**2, m * k_z**2, theta, spin=spin, mgr=W * c)
+    with mp.workdps(40):
+        a, h = (mp.mpf(k_x) ** 2 - mp.mpf(k_z) ** 2) * mp.cos(theta), mp.mpf(k_z) ** 2 * spin
+        roots = sorted(mp.polyroots([a, -h, mp.mpf("32.2") * c], maxsteps=200, extraprec=200))
+    assert (found.slow, found.fast) == pytest.approx(tuple(map(float, roots)), rel=1e-12)
+
+
+def test_exercise_10_10_shell_and_cylinder_change_from_retrograde_to_direct():
+    for factor, sense in ((0.999, "retrograde"), (1.001, "direct")):
+        solid = cylinder(1.0, factor * math.sqrt(3.0), Frame("body").origin, "z", mass=1.0).inertia.moments
+        assert free_precession(solid[0], solid[2], 0.1, 5.0).sense == sense

@@ -1,0 +1,304 @@
+"""Named linear equations: values, what they leave open, what they repeat, what contradicts what; over every kind of number."""
+
+import itertools
+import random
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from newton_euler import Dimension, Frame, compiled, cos, sin
+from newton_euler.linear import LinearError, solve_linear, solve_rates
+from newton_euler.scalars import DimensionError, ScalarError, coarseness, sampled
+from newton_euler.vectors import FrameError
+from tests.kinds import KINDS, close, number, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+NAMES = tuple(f"u{n}" for n in range(12))
+
+
+def system(rows, right):
+    """The conditions row . unknowns - right, as "e0", "e1" ..."""
+
+    def conditions(*unknowns):
+        return {
+            f"e{n}": sum((c * u for c, u in zip(row, unknowns, strict=True)), start=0) - b for n, (row, b) in enumerate(zip(rows, right, strict=True))
+        }
+
+    return conditions
+
+
+def regular(kind, count):
+    """A system with a known solution: rows, right sides, solution. Made of small whole numbers that depend on ``count``."""
+    dice = random.Random(count)
+    rows = [[numbers(kind, dice.randint(-5, 5) + 9 * (i == j)) for j in range(count)] for i in range(count)]
+    wanted = [numbers(kind, f"{n - 3}/{n + 2}") for n in range(count)]
+    return rows, [sum(c * w for c, w in zip(row, wanted, strict=True)) for row in rows], wanted
+
+
+# -- values
+
+
+@every_kind
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 5, 7, 12])
+def test_regular_systems_give_the_solution_they_were_made_from(kind, count):
+    if kind == "sympy" and count == 12:
+        pytest.skip("a full matrix of 12 exact numbers has no use and is slow")
+    rows, right, wanted = regular(kind, count)
+    s = solve_linear(system(rows, right), NAMES[:count])
+    assert close(tuple(s), wanted, 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -26)
+    assert s.undetermined == ()
+    assert not s.redundant
+    assert s.report() == "The equations determine every unknown, and each of them is needed"
+
+
+@every_kind
+def test_solve_linear_and_solve_rates_agree(kind):
+    rows, right, _ = regular(kind, 3)
+    conditions = system(rows, right)
+    assert close(tuple(solve_linear(conditions, NAMES[:3])), solve_rates(lambda *u: tuple(conditions(*u).values()), 3), 1e-12)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(1, 6), st.integers(0, 10**6))
+def test_numbers_agree_with_lapack(count, seed):
+    dice = np.random.default_rng(seed)
+    A, b = dice.normal(size=(count, count)), dice.normal(size=count)
+    s = solve_linear(system(A.tolist(), b.tolist()), NAMES[:count])
+    condition = np.linalg.cond(A)
+    expected = np.linalg.solve(A, b)
+    assert np.max(np.abs(np.array(list(s)) - expected)) <= 1e-14 * condition * max(np.abs(expected))
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(2, 5), st.integers(0, 3), st.integers(0, 10**6))
+def test_the_order_of_equations_and_their_units_do_not_matter(count, surplus, seed):
+    """Equations that are multiplied by powers of ten and shuffled, with sums of them added, give the same values."""
+    dice = np.random.default_rng(seed)
+    A, wanted = dice.integers(-4, 5, size=(count, count)) + 9 * np.eye(count), dice.normal(size=count)
+    mixed = np.vstack([A, dice.integers(-2, 3, size=(surplus, count)) @ A])
+    scale = 10.0 ** dice.integers(-6, 7, size=len(mixed))
+    rows = (mixed * scale[:, None])[dice.permutation(len(mixed))]
+    s = solve_linear(system(rows.tolist(), (rows @ wanted).tolist()), NAMES[:count])
+    assert close(tuple(s), tuple(wanted), 1e-11)
+    trivial = sum(1 for row in rows if not row.any())  # 0 = 0 is not mentioned
+    assert len(s.redundant) == surplus - trivial
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(2, 5), st.integers(1, 2), st.integers(0, 10**6))
+def test_what_numbers_leave_open_is_what_the_rank_says(count, missing, seed):
+    """An unknown is determined if its unit vector lies in the row space: the rank by singular values decides."""
+    dice = np.random.default_rng(seed)
+    A = dice.integers(-2, 3, size=(max(count - missing, 1), count)).astype(float)
+    s = solve_linear(system(A.tolist(), (A @ np.ones(count)).tolist()), NAMES[:count])
+    rank = np.linalg.matrix_rank(A)
+    determined = [np.linalg.matrix_rank(np.vstack([A, np.eye(count)[k]])) == rank for k in range(count)]
+    assert [name not in s.undetermined for name in s.names] == determined
+    assert all(abs(x - 1) < 1e-9 for x in s.values.values())
+
+
+def test_formulas_of_symbols_are_exact_and_unsimplified_ones_agree_with_sympy():
+    symbols = sympy.symbols("a:5:6")
+    rows = [list(symbols[6 * n : 6 * n + 5]) for n in range(5)]
+    rows[0][1] = rows[0][2] = rows[3][4] = 0
+    right = [symbols[6 * n + 5] for n in range(5)]
+    s = solve_linear(system(rows, right), NAMES[:5])
+    expected = sympy.Matrix(rows).LUsolve(sympy.Matrix(right))
+    point = {x: sympy.Rational(n * n + 3, n + 7) for n, x in enumerate(symbols)}
+    assert all(sympy.simplify(mine.subs(point) - theirs.subs(point)) == 0 for mine, theirs in zip(s, expected, strict=True))
+
+
+def test_what_stands_alone_is_solved_first_and_stays_short():
+    m, g, mu, t = sympy.symbols("m g mu t")
+    s = solve_linear(lambda N, F, a: {"along": m * a - m * g * sin(t) + F, "across": N - m * g * cos(t), "friction": F - mu * N})
+    assert m * g * sympy.cos(t) == s.N
+    assert mu * m * g * sympy.cos(t) == s.F
+    assert sympy.simplify(s.a - g * (sympy.sin(t) - mu * sympy.cos(t))) == 0
+
+
+@pytest.mark.parametrize("count", [7, 8])
+def test_more_symbols_than_cramer_takes_are_eliminated(count):
+    """The matrix of a chain with a corner: each unknown meets its neighbours, the first one the last."""
+    k = sympy.Symbol("k")
+
+    def chain(*u):
+        return tuple((2 + k) * u[n] - u[n - 1] - k * u[(n + 1) % count] - n for n in range(count))
+
+    s = solve_linear(chain, NAMES[:count])
+    numeric = solve_linear(lambda *u: tuple((2 + 0.37) * u[n] - u[n - 1] - 0.37 * u[(n + 1) % count] - n for n in range(count)), NAMES[:count])
+    assert close([x.subs(k, sympy.Rational(37, 100)) for x in s], tuple(numeric), 1e-12)
+
+
+def test_a_zero_that_only_simplification_would_see_is_no_pivot():
+    """sin^2 + cos^2 - 1 stands before B in both: it must be seen as 0 by its value, not divided by."""
+    t, m = sympy.symbols("t m")
+    hidden = sympy.sin(t) ** 2 + sympy.cos(t) ** 2 - 1
+    s = solve_linear(lambda A, B: {"p": hidden * B + A - m, "q": A + B - 3 * m})
+    assert sympy.simplify(s.A - m) == 0
+    assert sympy.simplify(s.B - 2 * m) == 0
+    left = solve_linear(lambda A, B: {"p": hidden * B + A - m, "q": 2 * A - 2 * m})
+    assert left.undetermined == ("B",)
+    assert dict(left.redundant) == {"q": ("p",)}
+
+
+def test_functions_of_time_and_symengine_are_seen_by_value_too():
+    symengine = pytest.importorskip("symengine")
+    t = sympy.Symbol("t")
+    q = sympy.Function("q")(t)
+    assert abs(sampled(sympy.sin(q) ** 2 + sympy.cos(q) ** 2 - 1)) == 0
+    assert sampled(q.diff(t) - q) != 0
+    x = symengine.Symbol("x")
+    assert sampled((x + 1) ** 2 - x**2 - 2 * x - 1) == 0
+    s = solve_linear(lambda A, B: {"p": x * A + B - 1, "q": A - B})
+    assert close(float(s.A.subs(x, 2)), 1 / 3)
+
+
+def test_traced_formulas_run_on_floats_and_arrays():
+    def slide(m, g, t):
+        return tuple(solve_linear(lambda N, F, a: {"along": m * a - m * g * sin(t) + F, "across": N - m * g * cos(t), "friction": F - 0.1 * N}))
+
+    fast = compiled(slide)
+    assert close(fast(2.0, 9.81, 0.3), slide(2.0, 9.81, 0.3), 1e-14)
+    angles = np.array([0.3, 0.4])
+    assert close(fast(2.0, 9.81, angles), slide(2.0, 9.81, angles), 1e-14)
+
+
+# -- dimensions
+
+
+def test_equations_of_different_units_prove_their_units():
+    M, L, T = Dimension(1), Dimension(0, 1), Dimension(0, 0, 1)
+    g = L / T**2
+
+    def beam(R, alpha):
+        return {"force": R - M * g + M * (L * alpha) / 2, "moment": M * (L * L) / 12 * alpha - R * L / 2}
+
+    s = solve_linear(beam)
+    assert M * g == s.R
+    assert s.alpha == 1 / T**2
+    with pytest.raises(DimensionError, match="cannot add"):
+        solve_linear(lambda R, alpha: {"force": R - M * g + M * L * alpha, "moment": M * L * alpha - R * L + M * g})
+
+
+# -- reports
+
+
+def test_a_statically_indeterminate_beam_tells_what_it_knows():
+    """Pins at both ends: the forces along the beam are open, their sum is not."""
+    ground = Frame("ground")
+
+    def pinned(A_x, A_y, B_x, B_y):
+        A, B = ground.vector(A_x, A_y, 0), ground.vector(B_x, B_y, 0)
+        load = ground.vector(3.0, -12.0, 0)
+        r = ground.vector(2.0, 0, 0)
+        return {"force": A + B + load, "moment about A": r.cross(B) + (r / 2).cross(load)}
+
+    s = solve_linear(pinned)
+    assert (s.A_y, s.B_y) == (6.0, 6.0)
+    assert s.undetermined == ("A_x", "B_x")
+    assert s.relations == ("A_x = -3 - B_x",)
+    with pytest.raises(LinearError, match=r"A_x is not determined by the equations\. Not determined: A_x, B_x: only A_x = -3 - B_x is known"):
+        _ = s.A_x
+    with pytest.raises(LinearError, match="there is no unknown 'C_x'; there are A_x, A_y, B_x, B_y"):
+        _ = s["C_x"]
+    assert str(s).splitlines()[:2] == ["A_x = not determined", "A_y = 6"]
+
+
+@every_kind
+def test_a_third_moment_equation_says_nothing_new(kind):
+    one, two, five = numbers(kind, 1, 2, 5)
+    s = solve_linear(lambda A, B: {"force": A + B - five, "about A": two * B - one * five, "about B": two * A - one * five})
+    assert close((s.A, s.B), (five / 2, five / 2), 1e-12)
+    assert dict(s.redundant) == {"about B": ("force", "about A")}
+    assert "The equation 'about B' says nothing new: it follows from 'force' and 'about A'" in s.report()
+
+
+@every_kind
+def test_contradictions_are_named(kind):
+    one, two, five = numbers(kind, 1, 2, 5)
+    with pytest.raises(LinearError, match=r"contradict each other: 'about B' .* if 'force' and 'about A' hold") as caught:
+        solve_linear(lambda A, B, C: {"other": C - one, "force": A + B - five, "about A": two * B - one * five, "about B": two * A - one})
+    assert caught.value.equations == ("force", "about A", "about B")
+    with pytest.raises(LinearError, match=r"'late' cannot hold|'late' is off by 2|'late' does not hold"):
+        solve_linear(lambda A: {"force": A - one, "late": 0 * A + two})
+    assert issubclass(LinearError, FrameError)
+
+
+def test_symbols_contradict_each_other_too_and_no_made_up_number_is_told():
+    g = sympy.Symbol("g")
+    with pytest.raises(LinearError, match="'q' does not hold if 'p' holds"):
+        solve_linear(lambda A: {"p": A - g, "q": 2 * A - g})
+
+
+def test_rounding_is_neither_a_pivot_nor_a_contradiction():
+    noise = 6e-17
+    ground = Frame("ground")
+    s = solve_linear(lambda F, N: {"force": ground.vector(noise * F + noise, F - 2.0, noise * N), "level": N + F - 5.0})
+    assert close((s.F, s.N), (2, 3), 1e-12)
+    left = solve_linear(lambda F, N: {"force": F - 2.0 + noise * N})
+    assert left.undetermined == ("N",)
+    assert left.F == 2.0
+
+
+def test_small_units_are_no_rounding():
+    """A watch wheel in SI: moments of inertia of 1e-12 beside forces and lengths of order 1e-3."""
+    s = solve_linear(lambda F, alpha: {"moment": 1e-12 * alpha - 1e-3 * F, "rolling": 1e-3 * alpha - 5.0})
+    assert s.alpha == pytest.approx(5e3)
+    assert pytest.approx(5e-6) == s.F
+
+
+def test_arrays_without_a_common_pivot_are_solved_instant_by_instant():
+    x = np.array([1.0, 0.0, 2.0])
+    s = solve_linear(lambda a, b: {"p": x * a + (1 - x) * b - 1.0, "q": (1 - x) * a + x * b - 2.0})
+    for n, value in enumerate(x):
+        one = solve_linear(lambda a, b, v=float(value): {"p": v * a + (1 - v) * b - 1.0, "q": (1 - v) * a + v * b - 2.0})
+        assert close((s.a[n], s.b[n]), tuple(one), 1e-14)
+    with pytest.raises(LinearError, match="the equations determine a at some instants and not at others; solve these instants apart"):
+        solve_linear(lambda a, b: {"p": x * a - 1.0 * x, "q": b - 2.0})
+
+
+def test_names_come_from_the_arguments_or_are_given():
+    assert solve_linear(lambda N, a: (N - 1.0, a + N)).names == ("N", "a")
+    assert solve_linear(lambda *u: (u[0] - 1.0, u[1] + u[0]), "N, a")["a"] == -1.0
+    assert list(solve_linear(lambda u: u - 2.0)) == [2.0]
+    with pytest.raises(LinearError, match="the unknown 'a' is named twice"):
+        solve_linear(lambda *u: u[0], "a a")
+    with pytest.raises(LinearError, match="there are no unknowns"):
+        solve_linear(lambda *u: 1.0)
+    assert dict(solve_linear(lambda a: {"both": (a - 1.0, 2 * a - 2.0)}).redundant) == {"both.2": ("both.1",)}
+
+
+def test_what_is_not_linear_is_refused():
+    for conditions in (lambda w: w * w - 4.0, lambda w: sin(w) - 0.5, lambda w: 1 / w - 2.0):
+        with pytest.raises(ScalarError, match="must be linear in"):
+            solve_linear(conditions)
+
+
+def test_coarseness_is_that_of_the_coarsest_number():
+    assert coarseness([1, mp.mpf(2)]) == 2.0**-52 or coarseness([mp.mpf(2)]) < 1e-28
+    assert coarseness([1.0, mp.mpf(2)]) == 2.0**-52
+
+
+def test_thirty_digits_survive_beside_whole_numbers():
+    third = mp.mpf(1) / 3
+    s = solve_linear(lambda a, b, c, d: (a + 2 * b - third, b - third * c, c + d - 1, d - third * a))
+    residual = [s.a + 2 * s.b - third, s.b - third * s.c, s.c + s.d - 1, s.d - third * s.a]
+    assert max(map(abs, residual)) < mp.mpf(10) ** -29
+
+
+def test_every_order_of_the_equations_gives_the_same_formula_values():
+    k = sympy.Symbol("k")
+    equations = {"p": (1, k, 0, 2), "q": (0, 1, k, 3), "r": (k, 0, 1, 1)}
+    found = set()
+    for order in itertools.permutations(equations):
+
+        def conditions(*u, order=order):
+            return {n: sum(c * x for c, x in zip(equations[n][:3], u, strict=True)) - equations[n][3] for n in order}
+
+        found.add(tuple(sympy.simplify(x) for x in solve_linear(conditions, "a b c")))
+    assert len(found) == 1
+    assert number(found.pop()[0].subs(k, 2)) is not None

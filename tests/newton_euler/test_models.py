@@ -1,0 +1,219 @@
+"""The record of a scene's equations of motion: what it answers, over every kind of number, and what it refuses, in words."""
+
+import importlib.util
+import math
+from dataclasses import FrozenInstanceError
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+
+from newton_euler import Dimension, Frame, ZERO, at, coordinate_accelerations, cos, moving, polar, sin
+from newton_euler.models import Model, ModelError, Neglected, second_order, smallest
+from newton_euler.scenes.aircraft import vertical_flight
+from newton_euler.scenes.low import air_near_low
+from newton_euler.scenes.projectile import flat
+from newton_euler.scenes.space_station import free_body
+from tests.kinds import KINDS, close, numbers
+
+
+def oscillator(m=2.0, k=8.0, **more):
+    return second_order(
+        "oscillator", {"m": m, "k": k}, ("x",), lambda s, p, t: (-p.k * s.x / p.m,),
+        invariants={"energy": lambda s, p, t: (p.m * s.dx**2 + p.k * s.x**2) / 2}, **more,
+    )  # fmt: skip
+
+
+def pendulum(m=1.0, g=9.81, length=2.0):
+    """From its forces, in polar coordinates: x down, the cord takes what it must and so does not matter for theta."""
+
+    def accelerations(s, p, t):
+        ground = Frame("ground")
+        bob = polar(ground, "bob", p.length, moving(s.theta, rate=s.dtheta))
+        return coordinate_accelerations(p.m, bob, weight=p.m * p.g * ground.i)[1:]
+
+    return second_order("pendulum", {"m": m, "g": g, "length": length}, ("theta",), accelerations)
+
+
+# -- answers
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_derivative_over_every_kind_of_number(kind):
+    m, k, x, v = numbers(kind, 2, 8, "0.3", "-0.7")
+    model = oscillator(m, k)
+    wanted = (v, -k * x / m)
+    assert close(model.derivative((x, v)), wanted, 0)
+    assert close(model.derivative({"dx": v, "x": x}), wanted, 0)
+    assert close(model.invariant("energy", (x, v)), (m * v * v + k * x * x) / 2, 1e-14)
+
+
+def test_derivative_of_symbols_and_dimensions():
+    m, k, x, v = sympy.symbols("m k x v")
+    assert oscillator(m, k).derivative((x, v)) == (v, -k * x / m)
+    length, time = Dimension(0, 1, 0), Dimension(0, 0, 1)
+    model = oscillator(Dimension(1), Dimension(1, 0, -2))
+    assert model.derivative((length, length / time)) == (length / time, length / time**2)
+
+
+def test_the_state_form_follows_from_forces_in_polar_coordinates():
+    model = pendulum()
+    assert model.states == ("theta", "dtheta")
+    assert close(model.derivative((0.4, 1.5)), (1.5, -9.81 / 2 * math.sin(0.4)), 1e-15)
+    assert close(model.compiled_rhs()(0.0, 0.4, 1.5), (1.5, -9.81 / 2 * math.sin(0.4)), 1e-15)
+    g, length, theta = sympy.symbols("g length theta")
+    assert sympy.simplify(pendulum(1, g, length).derivative((theta, 0))[1] + g * sympy.sin(theta) / length) == 0
+
+
+def test_compiled_with_parameters_fixed_or_free():
+    model = oscillator()
+    assert model.compiled_rhs()(0.0, 0.5, 1.0) == (1.0, -2.0)
+    free = model.compiled_rhs("k")
+    assert free.parameters == ["t", "x", "dx", "k"]
+    assert free(0.0, 0.5, 1.0, 16.0) == (1.0, -4.0)
+    assert close(free(0.0, np.array([0.5, 1.0]), 1.0, 16.0)[1], np.array([-4.0, -8.0]), 0)
+    assert close(free(mp.mpf(0), mp.mpf(1) / 3, mp.mpf(1), mp.mpf(16)), (1, mp.mpf(-8) / 3), mp.mpf(10) ** -29)
+
+
+@pytest.mark.skipif(importlib.util.find_spec("heyoka") is None, reason="heyoka is not installed")
+def test_the_right_hand_side_runs_on_heyoka_expressions():
+    import heyoka as hy
+
+    x, v = hy.make_vars("x", "v")
+    rates = oscillator().derivative((x, v))
+    run = hy.taylor_adaptive(sys=list(zip((x, v), rates, strict=True)), state=[1.0, 0.0])
+    run.propagate_until(math.pi / 2)
+    assert close(tuple(run.state), (-1, 0), 1e-14)
+
+
+def test_laws_see_states_parameters_and_time():
+    rocket = Model("rocket", {"m0": 10.0, "burn": 0.5, "thrust": lambda s, p, t: p.m0 * 20 - 3 * t + s.v}, ("v",),
+                   lambda s, p, t: (p.thrust / (p.m0 - p.burn * t),))  # fmt: skip
+    assert rocket.derivative((4.0,), 2.0) == ((200 - 6 + 4) / 9,)
+    assert rocket.compiled_rhs()(2.0, 4.0) == ((200 - 6 + 4) / 9,)
+    assert rocket.changed(thrust=90.0).derivative((4.0,), 2.0) == (10.0,)
+    assert rocket.changed(thrust=lambda s, p, t: 18.0).derivative((4.0,), 2.0) == (2.0,)
+
+
+def test_changed_leaves_the_model_as_it_was():
+    model = oscillator()
+    assert model.changed(k=2.0).derivative((1.0, 0.0)) == (0.0, -1.0)
+    assert model.parameters["k"] == 8.0
+    with pytest.raises(FrozenInstanceError):
+        model.name = "other"
+    with pytest.raises(TypeError):
+        model.parameters["k"] = 2.0
+    assert repr(model) == "Model('oscillator': x, dx; m, k)"
+
+
+MODELS = {
+    "flight": vertical_flight(2.0, 9.81),
+    "station": free_body(-0.3),
+    "low": air_near_low(0.8, 1e-2, rate=0.2),
+    "flat": flat(9.81),
+    "oscillator": oscillator(
+        exact=lambda s, p, t: (s.x * cos((p.k / p.m) ** 0.5 * t) + s.dx * sin((p.k / p.m) ** 0.5 * t) / (p.k / p.m) ** 0.5,
+                               s.dx * cos((p.k / p.m) ** 0.5 * t) - s.x * sin((p.k / p.m) ** 0.5 * t) * (p.k / p.m) ** 0.5),
+    ),
+}  # fmt: skip
+each_model = pytest.mark.parametrize("name", MODELS)
+
+
+@each_model
+def test_exact_solutions_start_where_they_should_and_solve_the_equations(name):
+    """Differentiated by the product rule, to 28 digits."""
+    model = MODELS[name]
+    start = [mp.mpf(x) / 7 for x in (20, 3, -4, 5, 6, 8)][: len(model.states)]
+    small = mp.mpf(10) ** -26
+    assert close(model.solution(mp.mpf(0), start), start, small)
+    t = mp.mpf(3) / 4
+    rates = [at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate for n in range(len(start))]
+    assert close(rates, model.derivative(model.solution(t, start), t), small)
+
+
+@each_model
+def test_exact_solutions_against_an_integrator(name):
+    model = MODELS[name]
+    rhs, start = model.compiled_rhs(), [3.0, 0.4, -0.6, 0.7, 0.9, 1.1][: len(model.states)]
+    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 5), start, method="DOP853", rtol=1e-12, atol=1e-12)
+    assert close(model.solution(5.0, start), tuple(run.y[:, -1]), 1e-9)
+
+
+@each_model
+@given(x=st.lists(st.floats(0.5, 10), min_size=6, max_size=6))
+def test_invariants_have_no_rate(name, x):
+    model = MODELS[name]
+    state = x[: len(model.states)]
+    moved = [moving(q, rate) for q, rate in zip(state, model.derivative(state), strict=True)]
+    for invariant in model.invariants:
+        assert abs(getattr(model.invariant(invariant, moved), "rate", 0)) < 1e-12 * 8 * 10**3
+
+
+def test_solution_of_many_instants_at_once():
+    t = np.linspace(0, 2, 5)
+    x, y, dx, dy = MODELS["station"].solution(t, (1.0, 2.0, 3.0, 4.0))
+    assert x.shape == (5,)
+    assert close([q[2] for q in (x, y, dx, dy)], MODELS["station"].solution(1.0, (1.0, 2.0, 3.0, 4.0)), 1e-14)
+
+
+def test_smallest_takes_the_first_rung_below_the_tolerance():
+    rungs = [oscillator(neglects=[Neglected("drag", lambda s, p, t, b=b: b * t, "position")]) for b in (1.0, 0.1)]
+    assert smallest(rungs, 5.0, 2.0, (1.0, 0.0)).model is rungs[0]
+    assert smallest(rungs, 0.5, 2.0, (1.0, 0.0)).model is rungs[1]
+    with pytest.raises(ModelError, match="no model of this ladder is as accurate as 0.001"):
+        smallest(rungs, 1e-3, 2.0, (1.0, 0.0))
+    with pytest.raises(ModelError, match="bounds of 'oscillator' have no values"):
+        smallest(rungs, 1e-3, sympy.Symbol("t"), (1.0, 0.0))
+    other = oscillator(neglects=[Neglected("drag", lambda s, p, t: t, "energy")])
+    with pytest.raises(ModelError, match="of different quantities and cannot be compared: energy; position"):
+        smallest([rungs[0], other], 1.0, 2.0, (1.0, 0.0))
+
+
+# -- refusals
+
+
+def rhs(s, p, t):
+    return s.v, -p.g
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v,)), "returns 1 rates for the 2 states h, v"),
+        (("fall", {"G": 9.81}, ("h", "v"), rhs), "fails when it is tried: there is no parameter 'g'; there are G"),
+        (("fall", {"g": 9.81}, ("h", "w"), rhs), "fails when it is tried: there is no state 'v'; there are h, w"),
+        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g if s.h > 0 else 0)), "a formula is traced without values: it must not branch"),
+        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, math.sin(s.h))), "a formula is traced without values"),
+        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, "down")), "returns scalars, Vectors, or tuples"),
+        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: None), "fails when it is tried"),
+        (("fall", {"g": "9.81"}, ("h", "v"), rhs), r"the parameter g of 'fall' is a number or a function \(s, p, t\), not '9.81'"),
+        (("fall", {"g": 9.81}, ("h", "g"), rhs), "'g' names two things in 'fall'"),
+        (("fall", {"g": 9.81}, ("h", "t"), rhs), "'t' cannot name a state or parameter"),
+        (("fall", {"g": 9.81}, ("h", "v max"), rhs), "'v max' cannot name a state or parameter"),
+        (("fall", {"lambda": 9.81}, ("h", "v"), rhs), "'lambda' cannot name"),
+        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (setattr(s, "v", 0), s.v)), "the states are only read, but 'v' was set"),
+        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, 1 / ZERO)), "fails when it is tried"),
+    ],
+)
+def test_a_model_that_does_not_fit_together_says_so_when_it_is_made(arguments, words):
+    with pytest.raises(ModelError, match=words):
+        Model(*arguments)
+
+
+def test_questions_that_a_model_cannot_answer():
+    model = oscillator()
+    for call, words in (
+        (lambda: model.derivative((1.0,)), r"oscillator has the 2 states x, dx; got 1 values: \(1.0,\)"),
+        (lambda: model.derivative({"x": 1.0}), "the state of 'oscillator' lacks dx; give all of x, dx"),
+        (lambda: model.solution(1.0, (1.0, 0.0)), "no exact solution of 'oscillator' is known; integrate it"),
+        (lambda: model.invariant("momentum", (1.0, 0.0)), "oscillator has no invariant 'momentum'; it has energy"),
+        (lambda: model.changed(c=1.0), "oscillator has no parameter 'c'; it has m, k"),
+        (lambda: model.compiled_rhs("c"), "oscillator has no parameter 'c'"),
+        (lambda: vertical_flight(1.0, 9.81).derivative((0.0, 0.0, 0.0, 0.0)), "aircraft in a vertical plane has no rates at .* singular there"),
+    ):
+        with pytest.raises(ModelError, match=words):
+            call()

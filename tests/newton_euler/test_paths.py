@@ -1,0 +1,235 @@
+"""Intrinsic components: the Frenet triad of space curves, the book's sign of torsion, and lines, inflections and rest. Equations: test_ch02, test_ch03."""
+
+import math
+import random
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from newton_euler import (
+    Dimension,
+    Frame,
+    FrameError,
+    SingularError,
+    along,
+    at_speed,
+    compiled,
+    cos,
+    exp,
+    flexure,
+    frenet,
+    frenet_along,
+    log,
+    moving,
+    polar,
+    polar_coordinates,
+    sin,
+    speed_rate,
+    sqrt,
+)
+from newton_euler.paths import derivatives
+from tests.kinds import KINDS, close, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+EPS = 2.0**-52
+ground = Frame("ground")
+
+
+def tolerance(kind):
+    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -25
+
+
+def knot(q):
+    return (2 + cos(3 * q)) * cos(2 * q), (2 + cos(3 * q)) * sin(2 * q), sin(3 * q)
+
+
+@every_kind
+def test_derivatives_of_a_path_up_to_the_third_are_those_of_SymPy(kind):
+    q = numbers(kind, "0.7")
+    s = sympy.Symbol("s")
+    names = {"float": "numpy", "array": "numpy", "mpmath": "mpmath", "sympy": "sympy"}
+    for order, found in enumerate(derivatives(knot, q)):
+        known = sympy.lambdify(s, [sympy.diff(x, s, order) for x in knot(s)], names[kind])(q)
+        assert close(found, known, 100 * tolerance(kind))
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.floats(-3, 3), st.floats(0.2, 4))
+def test_the_triad_is_orthonormal_and_right_handed_and_no_parameter_changes_it(q, rate):
+    here = frenet_along(knot, q, ground)
+    axes = here.e_t, here.e_n, here.e_b
+    assert close([[e.dot(f) for f in axes] for e in axes], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), 1e-14)
+    assert close(here.e_t.cross(here.e_n), here.e_b, 1e-14)
+    faster = frenet_along(knot, moving(q, rate, -0.7), ground)
+    assert close(faster.frame.rotation(ground), here.frame.rotation(ground), 1e-12)
+    assert close((faster.flexure, faster.torsion), (here.flexure, here.torsion), 1e-12 * (1 + abs(here.torsion)))
+    assert close(faster.speed, rate * here.speed, 1e-13 * rate)
+
+
+def test_from_motion_and_from_path_the_same_triad_follows():
+    q = moving(0.7, 1.3, 0.4)
+    P = ground.point("P", *along(knot, q))
+    by_motion, by_path = frenet(P.velocity(ground), P.acceleration(ground)), frenet_along(knot, q, ground)
+    assert close(by_motion.frame.rotation(ground), by_path.frame.rotation(ground), 1e-15)
+    assert close(by_motion.acceleration.components(ground), P.acceleration(ground), 1e-13)
+    with pytest.raises(SingularError, match=r"torsion needs the rate of the acceleration.*jerk="):
+        _ = by_motion.torsion
+    with pytest.raises(FrameError, match=r"angular velocity of e_t, e_n, e_b of path is not known"):
+        by_motion.e_n.rate(ground)
+
+
+def test_torsion_has_the_sign_of_the_book():
+    """A right-handed helix has a negative one; the usual definition, r' x r'' . r''' / |r' x r''|^2, a positive one."""
+    right = frenet_along(lambda s: (3 * cos(s), 3 * sin(s), 4 * s), 0.4, ground)
+    left = frenet_along(lambda s: (3 * cos(s), 3 * sin(s), -4 * s), 0.4, ground)
+    assert close((right.flexure, right.torsion), (0.12, -0.16), 1e-16)
+    assert close((left.flexure, left.torsion), (0.12, 0.16), 1e-16)
+    _, r1, r2, r3 = (np.array([float(x) for x in c]) for c in derivatives(lambda s: (3 * cos(s), 3 * sin(s), 4 * s), 0.4))
+    usual = np.cross(r1, r2) @ r3 / np.linalg.norm(np.cross(r1, r2)) ** 2
+    assert close(usual, 0.16, 1e-15)
+
+
+@every_kind
+def test_constant_speed_has_no_tangential_acceleration(kind):
+    q, speed = numbers(kind, "0.7", 3)
+    moved = frenet_along(knot, at_speed(knot, q, speed), ground)
+    assert close(moved.speed, speed, tolerance(kind))
+    assert close(moved.speed_rate, 0, 10 * tolerance(kind))
+    growing = frenet_along(knot, at_speed(knot, q, speed, speed / 4), ground)
+    assert close(growing.speed_rate, speed / 4, 10 * tolerance(kind))
+
+
+def test_circle_center_and_plane_motion_in_both_senses():
+    for sense in (1, -1):
+        here = frenet_along(lambda t, sense=sense: (2 * cos(sense * t), 2 * sin(sense * t), 0), 0.3, ground)
+        P = ground.vector(2 * math.cos(0.3 * sense), 2 * math.sin(0.3 * sense), 0)
+        assert close((P + here.to_center).components(ground), (0, 0, 0), 1e-15)
+        assert close(here.e_b.components(ground), (0, 0, sense), 1e-15)
+        assert here.torsion == 0
+
+
+def test_units_tracing_and_symbols():
+    L, T = Dimension(0, 1, 0), Dimension(0, 0, 1)
+    here = frenet(ground.vector(L / T, L / T, 0), ground.vector(L / T**2, 0, L / T**2), ground.vector(0, 0, L / T**3))
+    assert (here.flexure, here.torsion, here.radius, here.speed_rate) == (1 / L, 1 / L, L, L / T**2)
+    traced = compiled(lambda q: (lambda F: (F.flexure, F.torsion))(frenet_along(knot, q, Frame("g"))))
+    here = frenet_along(knot, 0.7, ground)
+    assert close(traced(0.7), (here.flexure, here.torsion), 1e-14)
+    q = sympy.Symbol("q", positive=True)
+    assert sympy.simplify(frenet_along(lambda q: (q, q**2, 0), q, ground).flexure - 2 / (1 + 4 * q**2) ** sympy.Rational(3, 2)) == 0
+
+
+def test_explanations_carry_the_numbers_of_the_book():
+    here = frenet(ground.vector(0, 5.0, 0), ground.vector(-2.0, 1.5, 0))
+    text = str(here.acceleration.explain("m/s^2"))
+    assert "equation (3.13)" in text
+    assert "normal  nu^2 f e_n" in text
+    assert close(here.acceleration.without("normal"), (1.5, 0, 0), 0)
+
+
+# -- beside and on the singular places
+
+
+LINES = {
+    "graph": lambda q: (q, 2 * q + 1, 0),
+    "with rounding in the speed": lambda q: (q * (cos(q) ** 2 + sin(q) ** 2), 0.0, 0),
+    "with cancelling curvature": lambda q: (2 * q + 0.1 * (sin(2 * q) - 2 * sin(q) * cos(q)), 3 * q, 0.7),
+    "to and fro": lambda q: (cos(q) ** 2, sin(q) ** 2, 0),
+    "uneven": lambda q: (0.7 * q**3, 1.3 * q**3, 0.11 * q**3),
+}
+
+
+@pytest.mark.parametrize("line", LINES)
+def test_on_a_straight_line_rounding_is_not_taken_for_a_normal(line):
+    generator = random.Random(1)
+    for _ in range(100):
+        with pytest.raises(SingularError, match=r"straight here.*e_n, e_b and the torsion do not exist.*radius of curvature is infinite"):
+            frenet_along(LINES[line], generator.uniform(0.1, 5), ground)
+
+
+def test_naively_rounding_on_a_line_becomes_a_confident_unit_vector():
+    def line(q):
+        return q * (cos(q) ** 2 + sin(q) ** 2), q, 0
+
+    P = ground.point("P", *along(line, 0.9))
+    v, a = P.velocity(ground), P.acceleration(ground)
+    assert 0 < a.norm() < 1e-14
+    e_n = v.cross(a).direction().cross(v.direction())
+    assert close(e_n.norm(), 1, 1e-15)
+    with pytest.raises(SingularError):
+        frenet_along(line, 0.9, ground)
+
+
+def test_a_straight_line_in_polar_components_is_seen_from_its_ledger():
+    """r'' and r theta'^2 cancel: what is left, 1e-16 of them, is no acceleration."""
+    generator = random.Random(2)
+    for _ in range(200):
+        angle, off, ahead = generator.uniform(0, 7), generator.uniform(0.1, 3), generator.uniform(-5, 5)
+        c, s = math.cos(angle), math.sin(angle)
+        v = ground.vector(1.7 * c, 1.7 * s, 0)
+        P = polar(ground, "P", *polar_coordinates(ground.vector(c * ahead - s * off, s * ahead + c * off, 0), v, ground.vector(0.0, 0.0, 0)))
+        with pytest.raises(SingularError, match="straight here"):
+            frenet(P.velocity(ground), P.acceleration(ground))
+
+
+@pytest.mark.parametrize("x", [1e-150, 1e-12, 1e-8, 1e-3])
+def test_beside_an_inflection_curvature_is_exact_and_on_it_refused(x):
+    def cubic(q):
+        return q, q**3, 0
+
+    for side in (1, -1):
+        here = frenet_along(cubic, side * x, ground)
+        assert abs(here.flexure / (6 * x / (1 + 9 * x**4) ** 1.5) - 1) < 4 * EPS
+        assert here.e_n.components(ground)[1] * side > 0.99  # it jumps to the other side
+    for q in (0.0, mp.mpf(0), sympy.Integer(0), np.array([1.0, 0.0])):
+        with pytest.raises(SingularError, match="straight here"):
+            frenet_along(cubic, q, ground)
+
+
+@pytest.mark.parametrize(("off", "known"), [(0.0, False), (2e-16, False), (1e-12, True), (1e-8, True)])
+def test_an_inflection_away_from_zero_is_as_sharp_as_the_parameter_is(off, known):
+    q = 1 + off
+
+    def shifted(q):
+        return q, (q - 1) ** 3, 0
+
+    if known:
+        assert abs(frenet_along(shifted, q, ground).flexure / (6 * (q - 1)) - 1) < 4 * EPS
+    else:
+        with pytest.raises(SingularError):
+            frenet_along(shifted, q, ground)
+
+
+def test_flexure_and_speed_rate_exist_on_a_line_and_not_at_rest():
+    v, a = ground.vector(3.0, 4.0, 0), ground.vector(0.6, 0.8, 0)
+    assert close((speed_rate(v, a), flexure(v, a)), (1.0, 0.0), 1e-15)
+    for refused in (speed_rate, flexure, frenet):
+        with pytest.raises(SingularError, match=r"at rest.*no direction.*frenet_along"):
+            refused(ground.vector(0.0, 0.0, 0.0), a)
+    with pytest.raises(SingularError, match="at rest"):
+        frenet_along(lambda q: (q**2, q**3, 0), 0.0, ground)  # a cusp
+    with pytest.raises(SingularError, match=r"path stands still at q = 0\.0"):
+        at_speed(lambda q: (q**2, q**3, 0), 0.0, 1.0)
+
+
+def test_the_contact_point_of_a_rolling_wheel_is_at_rest_not_moving_at_1e_minus_16():
+    wheel = ground.rotate("wheel", "-y", 0.3, 0.7, origin=ground.point("C", moving(0.0, -0.7 * 0.31), 0, 0.31))
+    contact = wheel.point("contact", 0.31 * math.sin(-0.3), 0, -0.31 * math.cos(0.3))
+    v, a = contact.velocity(ground), contact.acceleration(ground)
+    assert v.norm() < 1e-15
+    with pytest.raises(SingularError, match="at rest"):
+        frenet(v, a)
+
+
+def test_a_path_must_return_three_coordinates():
+    with pytest.raises(FrameError, match=r"three coordinates \(x, y, z\), with 0 for z in the plane"):
+        frenet_along(lambda q: (q, q), 1.0, ground)
+
+
+def test_a_curve_through_logarithms_and_roots():
+    here = frenet_along(lambda q: (exp(log(q)), sqrt(q * q) * q, 0), 1.5, ground)
+    assert close(here.flexure, 2 / (1 + 9.0) ** 1.5, 1e-14)

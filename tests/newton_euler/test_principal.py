@@ -1,0 +1,298 @@
+"""Principal moments and axes (7.15)-(7.21): numbers against NumPy, order and sign, what equal and nearly equal moments leave open, symmetry."""
+
+import math
+
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from newton_euler import Frame, Inertia, MassError, compiled, composite, particle
+from newton_euler.rotations import determinant, rotation_matrix
+from newton_euler.scenes.three_rods import three_rods
+from newton_euler.solids import box, cylinder, disk, sphere
+from tests.kinds import KINDS, close, number, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+laws = settings(max_examples=80, deadline=None)
+
+
+def tilted(moments, axis, angle, noise=0.0, seed=0):
+    """The matrix of a body with these principal moments, turned by an angle about an axis, with relative noise in its entries."""
+    R = np.array(rotation_matrix(axis, angle))
+    I = R @ np.diag(moments) @ R.T
+    shake = np.random.default_rng(seed).uniform(-1, 1, (3, 3)) * noise * max(moments)
+    I = (I + I.T) / 2 + (shake + shake.T) / 2
+    return Inertia(Frame("body"), np.diag(I).tolist(), (-I[0, 1], -I[1, 2], -I[0, 2]), tolerance=None), R
+
+
+def angle_between(axis, vector):
+    return math.atan2(np.linalg.norm(np.cross(axis, vector)), abs(np.dot(axis, vector)))
+
+
+# -- the equations
+
+
+@every_kind
+def test_eqn_7_15_to_7_19_about_a_principal_axis_H_is_parallel_to_omega(kind):
+    I = Inertia(Frame("body"), numbers(kind, 8, 11, 11), numbers(kind, 3, 0, -3))
+    p = I.principal()
+    small = 1e-13 if kind in ("float", "array") else 1e-25
+    for moment, axis in zip(p.moments, p.axes, strict=True):
+        assert close(I.times(axis), moment * axis, small)  # (7.15), (7.16), (7.18)
+        assert close(axis.norm(), 1, small)
+    (e, f, g) = p.axes
+    assert close(e.cross(f), g, small)  # right-handed and at right angles
+    q = I.expressed_in(I.frame)
+    assert q is I
+
+
+@every_kind
+def test_eqn_7_20_the_moments_are_the_roots_of_the_characteristic_equation(kind):
+    I = Inertia(Frame("body"), numbers(kind, 5, 4, 3), numbers(kind, 1, -1, "0.5"))
+    for moment in I.principal().moments:
+        rows = [[x - moment if n == m else x for m, x in enumerate(row)] for n, row in enumerate(I.matrix)]
+        assert close(determinant(rows), 0, 1e-12 if kind in ("float", "array") else 1e-24)
+
+
+@every_kind
+def test_example_7_5_principal_axes_of_the_three_rods(kind):
+    body = three_rods(numbers(kind, 12), numbers(kind, 1))
+    p = body.about(body.frame).principal()
+    scale = np.array([1.0, 1.0625, 0.875]) ** 3 if kind == "array" else 1
+    small = 1e-13 if kind in ("float", "array") else 1e-25
+    assert close(p.moments, (5 * scale, 11 * scale, 14 * scale), small)
+    for axis, printed in zip(p.axes, ((2, 1, -1), (0, 1, 1), (1, -1, 1)), strict=True):
+        length = sum(x * x for x in printed)
+        assert close([x * abs(x) * length for x in axis], [x * abs(x) for x in printed], 20 * small)
+
+
+def test_example_7_5_in_symbols_is_exact():
+    m, length = sympy.symbols("m l", positive=True)
+    body = three_rods(m, length)
+    p = body.about(body.frame).principal()
+    unit = m * length**2 / 12
+    assert p.moments == (5 * unit, 11 * unit, 14 * unit)
+    root = sympy.sqrt
+    assert [v.components() for v in p.axes] == [
+        (root(6) / 3, root(6) / 6, -root(6) / 6), (0, root(2) / 2, root(2) / 2), (root(3) / 3, -root(3) / 3, root(3) / 3)]  # fmt: skip
+
+
+def test_eqn_7_21_pairs_of_masses_opposite_an_axis():
+    """Equal particles opposite the axis k, at any heights: k is principal; three or more equal ones around it make two moments equal."""
+    frame = Frame("body")
+    parts = []
+    for n, (m, r, z) in enumerate([(2.0, 0.5, 0.3), (1.0, 1.5, -0.8)]):
+        for k in range(4):
+            a = n + k * math.pi / 2
+            parts.append(particle(m, frame.point("P", r * math.cos(a), r * math.sin(a), z), f"{n} {k}"))
+    I = composite("body", parts).about(frame)
+    s = I.symmetry()
+    assert (s.kind, s.axes) == ("top", ("x", "y", "z"))
+    assert close(s.axis, (0, 0, 1), 1e-15)
+    pair = composite("pair", [particle(1.0, frame.point("P", x, 2 * x, 0.4), str(x)) for x in (-1.0, 1.0)]).about(frame)
+    assert pair.symmetry().axes == ("z",)  # one pair: k is principal, the others not
+
+
+# -- numbers: order, sign, accuracy
+
+moments = st.tuples(*[st.floats(0.1, 10)] * 3).filter(lambda m: max(m) <= 0.99 * (sum(m) - max(m)))
+axes = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: sum(x * x for x in v) > 1e-3)
+
+
+@laws
+@given(moments, axes, st.floats(-4, 4))
+def test_moments_and_axes_of_any_body(given_moments, axis, angle):
+    I, _ = tilted(given_moments, axis, angle)
+    p = I.principal()
+    assert np.allclose(p.moments, sorted(given_moments), rtol=0, atol=1e-14 * max(given_moments) * 10)
+    V = np.array(p.rotation)
+    assert np.allclose(V.T @ V, np.eye(3), atol=1e-14)
+    assert abs(np.linalg.det(V) - 1) < 1e-14  # eigh alone is left-handed half of the time
+    diagonal = V.T @ I.to_array() @ V
+    assert np.abs(diagonal - np.diag(p.moments)).max() <= 1e-13 * 20 * max(given_moments)
+    assert np.allclose(I.expressed_in(p.frame()).to_array(), np.diag(p.moments), atol=1e-13 * 20 * max(given_moments))
+
+
+def test_order_and_sign_are_reproducible():
+    frame = Frame("body")
+    again = {tuple(Inertia(frame, (8.0, 11.0, 11.0), (3.0, x, -3.0)).principal().axes[1].components()) for x in (0.0, -0.0)}
+    assert len({tuple(round(c, 12) for c in v) for v in again}) == 1
+    p = Inertia(frame, (3.0, 1.0, 2.5)).principal()
+    assert p.moments == (1.0, 2.5, 3.0)
+    assert [v.components() for v in p.axes] == [(0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)]
+
+
+def test_an_array_of_matrices_is_each_of_them():
+    frame = Frame("body")
+    stiff = np.array([8.0, 9.0, 12.0])
+    p = Inertia(frame, (stiff, 11.0, 11.0), (3.0, 0.2, -3.0)).principal()
+    for n, x in enumerate(stiff):
+        one = Inertia(frame, (float(x), 11.0, 11.0), (3.0, 0.2, -3.0)).principal()
+        assert close(tuple(m[n] for m in p.moments), one.moments, 1e-14)
+        assert all(close(tuple(c[n] for c in a), tuple(b), 1e-13) for a, b in zip(p.axes, one.axes, strict=True))
+    assert p.turns[0].shape == (3,)
+
+
+def test_thirty_digits():
+    p = Inertia(Frame("body"), numbers("mpmath", 5, 4, 3), numbers("mpmath", 1, -1, "0.5")).principal()
+    exact = Inertia(Frame("body"), numbers("sympy", 5, 4, 3), numbers("sympy", 1, -1, "0.5")).principal()
+    assert all(abs(a - number(b)) < 1e-27 for a, b in zip(p.moments, exact.moments, strict=True))
+    assert not any(m.has(sympy.I) for m in exact.moments)  # no complex cube roots
+    for a, b in zip(p.axes, exact.axes, strict=True):
+        assert close(a, b.components(), 1e-26)
+
+
+# -- equal and nearly equal moments
+
+
+def test_equal_moments_are_not_turned_by_round_off():
+    """The naive way turns the axes by tens of degrees for a change of 1e-16; here the ones nearest to the frame are taken."""
+    naive, mine = [], []
+    for seed in range(20):
+        I, _ = tilted((2.0, 2.0, 3.0), (0.0, 0.0, 1.0), 0.3, 1e-16, seed)
+        naive.append(np.linalg.eigh(I.to_array())[1][:, 0])
+        p = I.principal()
+        mine.append(p.axes[0].components())
+        assert p.determined == (False, False, True)
+        assert close(p.axes[2], (0, 0, 1), 1e-14)
+    assert max(angle_between(naive[0], v) for v in naive) > 0.3  # rad
+    assert max(angle_between((1, 0, 0), v) for v in mine) < 1e-14
+
+
+@pytest.mark.parametrize("where", [0, 1], ids=["two low", "two high"])
+def test_a_tilted_body_of_revolution_has_a_right_handed_frame_of_principal_axes(where):
+    I, R = tilted(((2.0, 2.0, 3.0), (2.0, 3.0, 3.0))[where], (1.0, 2.0, 0.5), 0.8)
+    p = I.principal()
+    distinct = 2 if where == 0 else 0
+    assert angle_between(p.axes[distinct].components(), R[:, distinct]) < 1e-14
+    V = np.array(p.rotation)
+    assert np.allclose(V.T @ V, np.eye(3), atol=1e-15)
+    assert abs(np.linalg.det(V) - 1) < 1e-15
+    assert np.allclose(V.T @ I.to_array() @ V, np.diag(p.moments), atol=1e-14)
+    assert "only their plane is" in str(p)
+
+
+def test_a_sphere_keeps_the_axes_of_the_frame():
+    I, _ = tilted((2.0, 2.0, 2.0), (1.0, 2.0, 0.5), 0.8)
+    p = I.principal()
+    assert [v.components() for v in p.axes] == [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    assert p.determined == (False, False, False)
+    assert "any axis is a principal axis" in str(p)
+    assert I.symmetry().kind == "sphere"
+
+
+@pytest.mark.parametrize("gap", [1e-1, 1e-2, 3e-3])
+def test_the_report_tells_how_far_noise_turns_the_axes(gap):
+    """Three digits of data (0.1 %): the median turn over many tries is within the angle told, 95 % within three times it."""
+    noise, true = 1e-3, (2.0, 2.0 + gap * 3, 3.0)
+    turns = []
+    for seed in range(200):
+        I, R = tilted(true, (1.0, 0.4, -0.6), 1.1, noise, seed)
+        turns.append(angle_between(I.principal().axes[0].components(), R[:, 0]))
+    clean, _ = tilted(true, (1.0, 0.4, -0.6), 1.1)
+    told = clean.principal(noise).turns[0]
+    assert told / 20 < np.median(turns) < told
+    assert np.quantile(turns, 0.95) < 3 * told
+
+
+def test_nearly_equal_moments_are_reported_against_the_noise_of_the_data():
+    I, _ = tilted((2.0, 2.001, 3.0), (0.0, 0.0, 1.0), 0.3)
+    assert all(I.principal().determined)
+    doubtful = I.principal(noise=5e-4)
+    assert doubtful.determined == (False, False, True)
+    assert "axes 1 and 2 are not determined by data with a relative error of 0.0005" in str(doubtful)
+    assert "all axes are determined" in str(I.principal())
+    assert close(doubtful.gaps[0], 1e-3, 1e-12)
+
+
+# -- expressions
+
+
+def test_block_of_two_in_symbols_without_cube_roots():
+    a, b, c, d = sympy.symbols("a b c d", positive=True)
+    values = {a: 5.0, b: 3.0, c: 4.0, d: 0.8}
+    for n, products in enumerate([(d, 0, 0), (0, d, 0), (0, 0, d)]):
+        I = Inertia(Frame("body"), (a, b, c), products)
+        p = I.principal()
+        roots = {x.exp for m in p.moments for x in m.atoms(sympy.Pow) if not x.exp.is_Integer}
+        assert roots == {sympy.Rational(1, 2)}
+        numeric = Inertia(Frame("body"), (5.0, 3.0, 4.0), [0.8 if k == n else 0.0 for k in range(3)]).to_array()
+        V = np.array([[float(sympy.sympify(x).subs(values)) for x in axis] for axis in p.axes]).T
+        found = [float(m.subs(values)) for m in p.moments]
+        assert np.allclose(V.T @ numeric @ V, np.diag(found), atol=1e-14)
+        assert abs(np.linalg.det(V) - 1) < 1e-14
+        free = (n + 2) % 3
+        assert p.axes[free].components() == tuple(int(k == free) for k in range(3))
+
+
+def test_diagonal_symbols_stay_where_they_are():
+    a, b, c = sympy.symbols("a b c", positive=True)
+    p = Inertia(Frame("body"), (a, b, c)).principal()
+    assert p.moments == (a, b, c)
+    assert p.axes[1].components() == (0, 1, 0)
+    assert "principal moments about origin of body: a, b, c" in str(p)
+
+
+def test_full_matrix_as_a_formula_agrees_with_numbers():
+    """Compiled, on arrays: real, ascending, right-handed."""
+
+    def formula(a, b, c, d, e, f):
+        p = Inertia(Frame("body"), (a, b, c), (d, e, f)).principal()
+        return p.moments, tuple(p.axes)
+
+    given = (8.0, 11.2, 11.0, 3.0, 0.1, -3.0)
+    moments, axes = compiled(formula)(*given)
+    known = Inertia(Frame("body"), given[:3], given[3:]).principal()
+    assert close(moments, known.moments, 1e-12)
+    assert all(angle_between(a, b.components()) < 1e-12 for a, b in zip(axes, known.axes, strict=True))
+    assert abs(np.linalg.det(np.array(axes)) - 1) < 1e-12
+
+
+def test_exact_numbers_with_equal_moments():
+    q = sympy.Rational
+    I = Inertia(Frame("body"), (q(7, 3), q(7, 3), q(7, 3)), (q(1, 3), q(1, 3), q(1, 3)))  # about (1, 1, 1)
+    p = I.principal()
+    assert p.moments == (q(5, 3), q(8, 3), q(8, 3))
+    for moment, axis in zip(p.moments, p.axes, strict=True):
+        assert all(sympy.simplify(x) == 0 for x in (I.times(axis) - moment * axis).components())
+    assert sympy.simplify(determinant(p.rotation)) == 1
+
+
+# -- symmetry
+
+
+def test_symmetry_finds_itself():
+    F = Frame("F")
+    whole = box(1.0, 2.0, 3.0, F, mass=1.0)
+    assert (whole.inertia.symmetry().kind, whole.inertia.symmetry().planes) == ("none", ("yz", "zx", "xy"))
+    aside = whole.about(F.point("P", 0.5, 0.5, 0)).symmetry()
+    assert (aside.axes, aside.planes) == (("z",), ("xy",))
+    corner = whole.about(F.point("P", 0.5, 1.0, 1.5)).symmetry()
+    assert (corner.axes, corner.planes) == ((), ())
+    assert sphere(1.0, F, mass=1.0).inertia.symmetry().kind == "sphere"
+    top = disk(1.0, F, "y", mass=1.0).inertia.symmetry()
+    assert (top.kind, top.axis.components()) == ("top", (0, 1, 0))
+    assert "a body of revolution about [0, 1, 0] in F" in str(top)
+    assert "possible planes of symmetry: xy" in str(aside)
+
+
+def test_symmetry_is_only_dynamic():
+    """A cylinder of the right length moves like a sphere: the matrix cannot tell."""
+    F = Frame("F")
+    assert cylinder(1.0, math.sqrt(3), F, mass=1.0).inertia.symmetry().kind == "sphere"
+
+
+def test_symmetry_in_symbols_is_seen_by_form():
+    m, r, h = sympy.symbols("m r h", positive=True)
+    F = Frame("F")
+    s = cylinder(r, h, F, "z", mass=m).inertia.symmetry()
+    assert (s.kind, s.axis.components(), s.axes) == ("top", (0, 0, 1), ("x", "y", "z"))
+    assert box(m, r, h, F, mass=m).inertia.symmetry().kind == "none"
+    assert cylinder(r, h, F, "z", mass=m).about(F.point("P", r, 0, h)).symmetry().planes == ("zx",)
+
+
+def test_symmetry_of_many_matrices_is_refused():
+    with pytest.raises(MassError, match="not one symmetry; ask for each instant"):
+        Inertia(Frame("body"), (np.array([8.0, 9.0]), 11.0, 11.0)).symmetry()

@@ -1,0 +1,97 @@
+"""Motion along a line from its acceleration: against closed solutions, on floats, arrays and mpf; from rest, and where the end is not reached."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+
+from newton_euler import ScalarError, SingularError, cos, exp, from_place, from_speed, from_time, integral, log, sqrt
+from tests.kinds import close, numbers
+
+three_kinds = pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
+
+
+def tolerance(kind):
+    return 2e-14 if kind in ("float", "array") else mp.mpf(10) ** -26
+
+
+@three_kinds
+def test_acceleration_in_time_is_integrated_twice(kind):
+    t, x0, v0 = numbers(kind, "1.7", "-0.4", "2.5")
+    x, v = from_time(lambda t: cos(t), t, x0, v0)
+    module = mp if kind == "mpmath" else np
+    assert close(x, x0 + v0 * t + 1 - module.cos(t), tolerance(kind))
+    assert close(v, v0 + module.sin(t), tolerance(kind))
+
+
+@three_kinds
+def test_linear_drag_slows_exponentially(kind):
+    k, v0, v = numbers(kind, "0.5", 4, "1.5")
+    t, x = from_speed(lambda v: -k * v, v, v0)
+    assert close(t, log(v0 / v) / k, tolerance(kind))
+    assert close(x, (v0 - v) / k, tolerance(kind))
+
+
+@three_kinds
+def test_free_fall_and_spring_from_rest_start_with_an_infinite_dt_dx(kind):
+    g, h, one = numbers(kind, "9.81", 2, 1)
+    t, v = from_place(lambda x: g + 0 * x, h, 0 * h, 0 * h)
+    assert close(t, sqrt(2 * h / g), tolerance(kind))
+    assert close(v, sqrt(2 * g * h), tolerance(kind))
+    if kind != "mpmath":  # the same rule, 1 s long there
+        t, v = from_place(lambda x: -4 * x, 0 * one, one, 0 * one)  # to the left: v is negative
+        assert close(t, math.pi / 4 + 0 * one, tolerance(kind))
+        assert close(v, -2 * one, tolerance(kind))
+
+
+def test_far_from_the_origin_the_start_keeps_its_digits():
+    """x0 = 1e8 and a way of 1e-3: x - x0 in floats would be good to five digits."""
+    t, _ = from_place(lambda x: 2.0, 1e8 + 1 / 1024, x0=1e8)
+    assert abs(t - 1 / 32) < 1e-16
+
+
+def test_a_place_or_speed_that_is_not_reached_is_refused_in_words():
+    with pytest.raises(SingularError, match=r"does not reach x = 1\.1: v\^2 becomes negative"):
+        from_place(lambda x: -x, 1.1, v0=1.0)
+    with pytest.raises(SingularError, match=r"starts away from x = 1\.0 \(v0 = -1\.0\)"):
+        from_place(lambda x: x, 1.0, v0=-1.0)
+    with pytest.raises(SingularError, match=r"velocity 5\.0 is not reached from 0\.0"):
+        from_speed(lambda v: 2.0 - v, 5.0, v0=0.0)
+    with pytest.raises(SingularError, match="not reached"):
+        from_speed(lambda v: -1.0, 5.0, v0=0.0)
+
+
+def test_terminal_speed_is_approached_and_never_reached():
+    for missing in (1e-3, 1e-6, 1e-9):
+        t, _ = from_speed(lambda v: 2.0 - v, 2.0 - missing, v0=0.0)
+        assert abs(t - math.log(2 / missing)) < 1e-6
+    with pytest.raises(SingularError):
+        from_speed(lambda v: 2.0 - v, 2.0, v0=0.0)
+
+
+@pytest.mark.parametrize(
+    ("f", "start", "end", "value"),
+    [
+        (lambda x: x**-0.5, 0.0, 4.0, 4.0), (math.exp, 0.0, 1.0, math.e - 1), (math.sin, 0.0, math.pi, 2.0), (lambda x: x, -1.0, 1.0, 0.0),
+        (lambda x: 1 / (1 + 25 * x * x), -1.0, 1.0, 0.4 * math.atan(5)), (lambda x: 0.0, 0.0, 1.0, 0.0), (math.log, 0.0, 1.0, -1.0),
+        (math.exp, 1.0, 0.0, 1 - math.e), (math.sqrt, 0.0, 1.0, 2 / 3),
+    ],
+)  # fmt: skip
+def test_integrals_known_in_closed_form(f, start, end, value):
+    assert abs(integral(f, start, end) - value) < 2e-15
+
+
+def test_integrals_of_mpf_and_of_arrays():
+    assert abs(integral(exp, mp.mpf(0), mp.mpf(1)) - mp.e + 1) < mp.mpf(10) ** -28
+    assert abs(integral(lambda x: 1 / sqrt(x), mp.mpf(0), mp.mpf(4)) - 4) < mp.mpf(10) ** -27
+    ends = np.array([1.0, 2.0, 3.0])
+    assert close(integral(cos, 0.0, ends), np.sin(ends), 1e-15)
+
+
+def test_integrals_that_do_not_settle_and_expressions_are_refused_in_words():
+    with pytest.raises(SingularError, match=r"does not settle.*Split it where it is not"):
+        integral(lambda x: 0.0 if x < 0.3 else 1.0, 0.0, 1.0)
+    with pytest.raises(ScalarError, match=r"needs numbers.*by hand or with SymPy"):
+        integral(lambda x: x, 0, sympy.Symbol("x"))
