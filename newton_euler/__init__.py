@@ -22,7 +22,6 @@ from .components import (
 )
 from .constraints import ConstraintError, degrees_of_freedom
 from .coordinates import curvilinear, curvilinear_rates, gradient
-from .forces import attraction, gravitation, gravitational_field, gravity_at_height, gravity_at_surface, mass_from_weight, weight
 from .earth import (
     EARTH_GM,
     EARTH_ORBIT_RADIUS,
@@ -39,6 +38,7 @@ from .earth import (
     earth_rate,
     effective_gravity,
     flight_time,
+    force_near_earth,
     geostrophic_wind,
     gradient_wind,
     ground_acceleration,
@@ -57,6 +57,7 @@ from .earth import (
     weightless_speed,
     wind_acceleration,
 )
+from .forces import attraction, gravitation, gravitational_field, gravity_at_height, gravity_at_surface, mass_from_weight, weight
 from .frames import Frame, Point, solve_rates
 from .inertia import Inertia, MassError
 from .integration import integrated

@@ -23,7 +23,8 @@ def curvilinear(ground, name, position, q1, q2, q3, names=("u", "v", "w")):
     q1, q2, q3 : the coordinates, numbers or moving; in the order that makes e_1, e_2, e_3 right-handed
     names : of the coordinates, for the ledger
     Returns a :class:`~newton_euler.components.CoordinatePoint`: velocity and acceleration in ``ground`` come along e_1, e_2, e_3 (``P.local``),
-    with one term for each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form of ``position`` are left out.
+    with one term for each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form
+    of ``position`` or of the rates are left out.
 
     Raises :class:`SingularError` where a scale factor is zero (within rounding: a pole, an axis), so that a unit vector does not exist, and for
     coordinates that are not orthogonal or not right-handed there.

@@ -26,6 +26,10 @@ EQUATIONS.update({
         "gravity": ("g", r"\mathbf{g}"),
         "coriolis": ("-2 omega x v_r", r"\left(-2\boldsymbol{\omega}_e\times\mathbf{v}_r\right)"),
     }),
+    "force near the earth": ("6.15", r"\mathbf{F}^e", {
+        "relative": ("m a_r", r"m\mathbf{a}_r"),
+        "coriolis": ("2 m omega x v_r", r"2m\boldsymbol{\omega}_e\times\mathbf{v}_r"),
+    }),
     "support force": ("6.13", r"\mathbf{N}", {
         "weight": ("m g k", r"mg\,\hat{k}"),
         "rotation": ("m a_B", r"m\mathbf{a}_B"),
@@ -193,6 +197,21 @@ def apparent_acceleration(v, gravity, omega):
     All three are Vectors; terms: ``gravity``, ``coriolis``. Terms in omega^2 are left out, unless ``gravity`` is the effective one.
     """
     return _sum("apparent acceleration", f"in {v.frame.name}", {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)}, v.frame)
+
+
+def force_near_earth(m, v, a, omega):
+    """The resultant force, weight included, that a motion seen from the ground needs (6.15): m a + 2 m omega x v.
+
+    v, a : Vectors, velocity and acceleration seen from the ground; terms ``relative``, ``coriolis``. Terms in omega^2 are left out: they belong to
+    the effective gravity.
+
+    >>> from newton_euler import Frame
+    >>> ground = ground_frame(earth_frame(Frame("stars")), 0.8)
+    >>> print(force_near_earth(1000.0, -30.0*ground.j, 0*ground.j, earth_rate(ground)))  # a car to the south is held by the road to the east
+    [3.13863, 0, 0] in ground
+    """
+    parts = {"relative": scalar(m) * a, "coriolis": -scalar(m) * coriolis_acceleration(omega, v)}
+    return _sum("force near the earth", f"in {v.frame.name}", parts, v.frame)
 
 
 def launch_direction(azimuth, elevation):

@@ -118,7 +118,8 @@ class ForceSystem:
         forces = max((_size(f.vector) for f in (*self._forces(), *other._forces())), default=0.0)
         moments = max((_size(p.moment(about)) for p in (*self.parts, *other.parts)), default=0.0)
         noise = self._noise(about) + other._noise(about)
-        return _size(self.force - other.force) <= tolerance * forces and _size(self.moment(about) - other.moment(about)) <= tolerance * moments + noise
+        apart = _size(self.force - other.force), _size(self.moment(about) - other.moment(about))
+        return apart[0] <= tolerance * forces and apart[1] <= tolerance * moments + noise
 
     def _noise(self, about):
         """What rounding may leave of the moments: of each force, some round-offs of its magnitude times the coordinates of the points."""

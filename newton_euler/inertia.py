@@ -14,7 +14,7 @@ An :class:`Inertia` is that matrix about one point, along the axes of one frame;
 """
 
 from .frames import Frame, Point
-from .scalars import ZERO, Moving, Scaled, is_finite, is_numeric, is_zero, least, plain, scalar, size, sqrt
+from .scalars import ZERO, Moving, Scaled, epsilon, is_finite, is_numeric, is_zero, least, plain, scalar, size, sqrt
 from .vectors import ZERO3, Vector, _latex_number, add3, dot3, scale3
 
 AXES = "xyz"
@@ -235,19 +235,19 @@ class Inertia(Scaled):
 
     # -- can it be?
 
-    def check(self, tolerance=1e-9):
+    def check(self, tolerance=1e-9, slack=0.0):
         """Returns the inertia if some body can have it; raises :class:`MassError` in words otherwise. Expressions pass unseen.
 
         Masses are positive, and so the integrals of x^2, y^2, z^2, whence the triangle inequality of the moments in any axes; the products are
-        bounded by Schwarz's inequality; and the same must hold about G. Tested to ``tolerance`` times the largest moment: rounded data of a thin
-        plate may need more.
+        bounded by Schwarz's inequality; the same must hold about G. Tested to ``tolerance`` times the largest moment (rounded data of a thin plate
+        may need more), plus ``slack``, the round-off of what was subtracted to get here.
         """
         if self.mass is not None and is_numeric(self.mass) and not is_positive(self.mass):
             raise MassError(f"the mass is {plain(self.mass)}; it must be positive (a removed part is subtracted: composite(..., removed=[hole]))")
         if all(is_numeric(x) for x in self.moments + self.products):
-            _check_integrals(self, tolerance)
+            _check_integrals(self, tolerance, slack)
             if self.mass is not None and self.centre is not None and self.centre is not self.point:
-                _check_centroidal(self, tolerance)
+                _check_centroidal(self, tolerance, slack)
         return self
 
     def _needs(self, what, purpose):
@@ -324,10 +324,10 @@ def is_positive(x):
     return not is_numeric(x) or (least(x) > 0 and size(x - abs(x)) == 0)
 
 
-def _check_integrals(I, tolerance, largest=0.0):
+def _check_integrals(I, tolerance, slack):
     """The integrals of x^2, y^2, z^2 and their bounds on the products; I = tr(J) - J, and J belongs to some masses if it is not negative."""
-    largest = max(largest, *(size(x) for x in I.moments + I.products))
-    small = tolerance * largest
+    small = tolerance * max(size(x) for x in I.moments + I.products) + slack
+    largest = max(slack, *(size(x) for x in I.moments + I.products))
     xx, yy, zz = I.moments
     if not all(is_finite(x) for x in I.moments + I.products):
         raise MassError(f"the inertia matrix {I.matrix} has an entry that is not finite")
@@ -360,9 +360,16 @@ def _below(x, bound):
     return not is_positive(x - bound) and size(x - bound) > 0
 
 
-def _check_centroidal(I, tolerance):
+def round_off(mass, points, frame):
+    """What rounding of the coordinates of points at most does to moments of this mass, roughly: 100 round-offs of m r^2."""
+    coordinates = [x for P in points for x in P.position(frame).c]
+    return 100 * epsilon() * size(mass) * sum(size(x) ** 2 for x in coordinates if is_numeric(x)) if is_numeric(mass) else 0.0
+
+
+def _check_centroidal(I, tolerance, slack):
     try:
-        _check_integrals(I.about(I.centre), 4 * tolerance, max(map(size, I.moments)))  # what was subtracted counts too
+        slack += round_off(I.mass, (I.point, I.centre), I.frame) + tolerance * max(map(size, I.moments))  # what is subtracted
+        _check_integrals(I.about(I.centre), 4 * tolerance, slack)
     except MassError as problem:
         raise MassError(
             f"about {I.point.name} the moments are smaller than mass and distance of {I.centre.name} alone make them: "

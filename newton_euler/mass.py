@@ -10,8 +10,8 @@ Units: any consistent ones; in SI kg, m, kg m^2.
     H_B = d x m dd/dt + H_G     body.angular_momentum(ground, about=B)           (7.23)
 """
 
-from .inertia import Inertia, MassError, axes_at, place, positive, together
-from .scalars import plain, scalar
+from .inertia import Inertia, MassError, axes_at, place, positive, round_off, together
+from .scalars import is_numeric, plain, scalar, size
 from .vectors import EQUATIONS, ZERO3, Ledger, Vector, add3
 
 
@@ -161,7 +161,12 @@ def composite(name, parts, removed=(), frame=None):
     frame = frame or parts[0].frame
     mass, centre = together(parts, frame, f"G of {name}")
     body = Body(name, mass, centre, frame=frame, parts=parts)
+    if not removed:
+        return body
+    slack = sum(round_off(part.mass, (part.centre, centre), frame) for part in parts)
+    sizes = [size(x) for part in parts for x in part.inertia.moments if is_numeric(x)]
     try:
-        return body.check() if removed else body
+        body.inertia.check(slack=slack + 1e-14 * sum(sizes))
+        return body
     except MassError as problem:
         raise MassError(f"{name}: do the removed parts lie inside of it, and only once? {problem}") from None

@@ -12,7 +12,7 @@ exact; no step size enters.
 
 from dataclasses import dataclass, field
 
-from .scalars import ZERO, Moving, epsilon, is_numeric, moving, plain, scalar
+from .scalars import ZERO, Moving, epsilon, is_numeric, is_zero, moving, plain, scalar
 from .triads import SingularError, Triad, drowned, norm3, numeric3, shaken
 from .vectors import EQUATIONS, FrameError, Ledger, Vector, add3, cross3, dot3, scale3
 
@@ -211,13 +211,12 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
     speed, turn = norm3(v), cross3(v, a)
     _check_speed(v, speed, v_noise)
     area = norm3(turn)
-    if numeric3(turn):
-        rounding = 8 * epsilon(speed) * (speed * norm3(a)) + speed * a_noise + norm3(a) * v_noise
-        if drowned(area, rounding):
-            raise SingularError(
-                "the path is straight here, on a line or at an inflection: v x a is zero (within rounding), so e_n, e_b and the torsion do not exist "
-                "and the radius of curvature is infinite; the tangential component is speed_rate(v, a), the flexure 0"
-            )
+    rounding = 8 * epsilon(speed) * (speed * norm3(a)) + speed * a_noise + norm3(a) * v_noise
+    if is_zero(area) or (numeric3((*v, *a)) and drowned(area, rounding)):
+        raise SingularError(
+            "the path is straight here, on a line or at an inflection: v x a is zero (within rounding), so e_n, e_b and the torsion do not exist "
+            "and the radius of curvature is infinite; the tangential component is speed_rate(v, a), the flexure 0"
+        )
     e_t, e_b = tuple(x / speed for x in v), tuple(x / area for x in turn)
     f = area / speed**3
     tau = None if jerk is None else -dot3(turn, jerk) / (area * area)

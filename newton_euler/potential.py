@@ -10,8 +10,10 @@ from itertools import pairwise, product
 
 from .coordinates import gradient, tangents
 from .forces import G_STANDARD, K
+from .frames import Point
 from .inertia import positive
 from .scalars import ZERO, Moving, ScalarError, cos, is_finite, is_numeric, pi, plain, sampled, scalar, sin, size
+from .triads import norm3
 from .work import WorkError, work_along, work_integral
 
 
@@ -45,14 +47,19 @@ def spring_potential(stiffness, stretch):
 
 
 def spring_between(stiffness, free_length, first, second):
-    """V of a straight spring between two Points (11.35): its stretch is their distance less the free length.
+    """V of a straight spring between two places (11.35): its stretch is their distance less the free length.
+
+    first, second : two Points, and V is that of the instant, without rates; or two triples of coordinates along the same axes, and V can be
+        differentiated, as by :func:`conservative_force`
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> spring_between(100.0, 4.0, ground.origin, ground.point("P", 3.0, 4.0, 0))
     50.0
     """
-    return spring_potential(stiffness, scalar((second - first).norm()) - free_length)
+    if isinstance(first, Point):
+        return spring_potential(stiffness, scalar((second - first).norm()) - free_length)
+    return spring_potential(stiffness, norm3(tuple(scalar(b) - a for a, b in zip(first, second, strict=True))) - free_length)
 
 
 def gravitational_potential(m1, m2, distance, K=K):
@@ -61,14 +68,15 @@ def gravitational_potential(m1, m2, distance, K=K):
     >>> gravitational_potential(6.0, 2.0, 3.0, K=1.0)
     -4.0
     """
-    positive(scalar(distance), "the distance of the two bodies")
+    positive(distance.value if isinstance(distance, Moving) else scalar(distance), "the distance of the two bodies")
     return plain(-(scalar(K) * m1 * m2) / distance)
 
 
 def conservative_force(V, P):
     """The force F = -grad V (11.16)-(11.18) of the potential ``V`` at the Point ``P``, a Vector.
 
-    V : function of the coordinates by which P is given, rectangular or others, as for :func:`newton_euler.coordinates.gradient`
+    V : function of the coordinates by which P is given, rectangular or others, as for :func:`newton_euler.coordinates.gradient`; a formula of these,
+        since what goes by way of Points forgets their rates and would have no slope
 
     >>> from newton_euler import Frame
     >>> conservative_force(lambda x, y, z: 9.81*z, Frame("ground").point("P", 1.0, 2.0, 3.0)).components()
@@ -123,7 +131,7 @@ def _checked(force):
 class Potential:
     """The potential of ``force``, zero at ``base``: call it with x, y, z. It integrates along the straight line from the base (11.20).
 
-    Of numbers by quadrature, of SymPy expressions by formulas, of moving coordinates with the rate of V, which is -F.v (11.19), so that
+    Of numbers by quadrature (a SymPy number is one: to keep it exact ask with symbols and put it in), of SymPy expressions by formulas, of moving coordinates with the rate of V, which is -F.v (11.19), so that
     ``gradient(V, P)`` and ``at(lambda t: V(*place(t)), t)`` work.
     """
 

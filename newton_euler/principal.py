@@ -68,9 +68,7 @@ class Principal:
             open_axes = [1, 2, 3]
         names = " and ".join(map(str, open_axes))
         rest = "any axis is a principal axis" if len(open_axes) == 3 else "only their plane is: any two axes in it will do"
-        return [
-            f"  axes {names} are not determined by data with a relative error of {self.noise:.2g}: their moments are equal within it; {rest}"
-        ]
+        return [f"  axes {names} are not determined by data with a relative error of {self.noise:.2g}: their moments are equal within it; {rest}"]
 
 
 def principal(inertia, noise=None):

@@ -133,15 +133,18 @@ def _by_coriolis(s, p, t):
 
 
 def _by_centrifugal(s, p, t):
-    return p.rate**2 * (p.radius * cos(p.latitude) + sum(_reach(s, p, t))) * t * t / 2
+    start, added = _reach(s, p, t)
+    return p.rate**2 * (p.radius * cos(p.latitude) + start + added) * t * t / 2
 
 
 def _by_centrifugal_change(s, p, t):
-    return p.rate**2 * sum(_reach(s, p, t)) * t * t / 2
+    start, added = _reach(s, p, t)
+    return p.rate**2 * (start + added) * t * t / 2
 
 
 def _by_curvature(s, p, t):
-    return 3 * p.g * sum(_reach(s, p, t)) / p.radius * t * t / 2
+    start, added = _reach(s, p, t)
+    return 3 * p.g * (start + added) / p.radius * t * t / 2
 
 
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)

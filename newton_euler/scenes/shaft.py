@@ -27,6 +27,11 @@ def on_shaft(axis, a, b, psi, omega, alpha=0):
     """A shaft turned by psi about ``axis`` ("x" or "z") of the ground, its bearings at -a and b from O.
 
     Returns the frame of the shaft, and a function that makes the :class:`RotorScene` of a body in it.
+
+    >>> from newton_euler.solids import disk
+    >>> shaft, scene = on_shaft("x", 0.2, 0.3, 0.0, 10.0)
+    >>> scene(disk(0.1, shaft, "x", mass=1.0)).reactions().A.norm()
+    0
     """
     ground = Frame("ground")
     shaft = ground.rotate("shaft", axis, psi, omega, alpha)

@@ -29,6 +29,9 @@ def turning_rotor(mass, x, y, I, g, moment=0):
     """The motion of that body under a moment M about the shaft (9.10): a Model with the states psi and omega.
 
     x, y : coordinates of G in the body's axes; I about the axis of the shaft; moment : a number or a law (s, p, t)
+
+    >>> turning_rotor(2.0, 0.1, 0.0, 0.5, 10.0, moment=1.0).derivative((0.0, 3.0))
+    (3.0, 2.0)
     """
     return Model(
         "rotor with dead weight",

@@ -6,7 +6,7 @@ import shutil
 
 import pytest
 
-from grader.course import Course, CourseError, check_id, read_roster
+from grader.course import Course, CourseError, check_id, read_roster, write_json
 from grader.grading import grade
 from tests.grader.courses import grader, nbgrader, points, read, submit, total
 from tests.grader.test_routes import work
@@ -54,10 +54,6 @@ def test_the_right_vector_in_another_frame_is_told(fresh):
     assert "components along the axes of the rod" in result.scores["4/16"].parts[2].message
 
 
-def cells(notebook, role, number):
-    return [c for c in notebook["cells"] if c["metadata"].get("newton_euler", {}).get("role") == role and c["metadata"]["newton_euler"]["problem"] == number]
-
-
 def without(notebook, *cell_ids):
     return {**notebook, "cells": [c for c in notebook["cells"] if c["id"] not in cell_ids]}
 
@@ -86,7 +82,7 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
     "no nbgrader metadata": (lambda c: json.loads(json.dumps(work(c, "dan")).replace('"nbgrader"', '"gone"')), 0, "4/16", "the answer cell of 4/16 is missing"),
     "metadata of an old schema": (lambda c: json.loads(json.dumps(work(c, "dan")).replace('"schema_version": 3', '"schema_version": 1')), 11, None, ""),
     "text as a list of lines": (lambda c: {**work(c, "dan"), "cells": [{**x, "source": x["source"].splitlines(True)} for x in work(c, "dan")["cells"]]}, 11, None, ""),
-    "half a character": (lambda c: work(c, "dan", p4_1="speed = '\ud800'"), 9, "4/1", "the cell stopped with"),
+    "half a character": (lambda c: work(c, "dan", p4_1="speed = '\ud800'"), 9, None, ""),
     "markup in an error": (lambda c: work(c, "dan", p4_1="raise ValueError('[/red] [bold] <script>alert(1)</script> ' + chr(27))"), 9, "4/1", "[/red] [bold] <script>"),
     "a magic and a shell command": (lambda c: work(c, "dan", p4_1="%matplotlib inline\n!ls\nspeed = 1"), 9, None, ""),
     "ends the process": (lambda c: work(c, "dan", p4_31="import os; os._exit(0)"), 9, "4/31", "the end of its process: the cell ended Python, crashed it"),
@@ -103,37 +99,38 @@ def test_a_notebook_that_was_changed_is_graded_by_its_answer_cells_alone(fresh, 
         assert words in result.scores[number].note
 
 
+@pytest.mark.slow
 def test_the_same_notebooks_get_the_same_points_from_nbgrader(fresh):
+    for name in ("personal/ch04", "submitted"):
+        shutil.rmtree(fresh.path / name)
+    with fresh.gradebook() as book:
+        for n in range(len(NOTEBOOKS)):
+            book.add_student(f"dan{n}")
     expected = {}
-    with fresh.gradebook() as book:
-        for n, how in enumerate(NOTEBOOKS):
-            book.add_student(f"s{n}")
-    from grader.release import make_personal
-
-    for n, how in enumerate(NOTEBOOKS):
-        make_personal(fresh, "ch04", [f"s{n}"], workers=1) if n == 0 else shutil.copytree(fresh.path / "personal/ch04/s0", fresh.path / f"personal/ch04/s{n}")
-    shutil.rmtree(fresh.path / "personal/ch04")  # the masters are then derived, without figures
-    for s in fresh.roster():
-        if (fresh.path / "submitted" / s).exists():
-            shutil.rmtree(fresh.path / "submitted" / s)
-    for n, how in enumerate(NOTEBOOKS):
-        student = f"s{n}"
-        master = fresh.master("ch04", student)
-        path = fresh.personal_path("ch04", student)
-        path.parent.mkdir(parents=True)
-        path.write_text(json.dumps(master))
-        stand_in = type("C", (), {"personal_path": staticmethod(lambda a, s, st=student: fresh.personal_path(a, st)), "values": staticmethod(lambda a, s, p, st=student: fresh.values(a, st, p))})
-        submit(fresh, student, NOTEBOOKS[how][0](stand_in))
-        expected[student] = NOTEBOOKS[how][1]
-    ours = {r.student: r.points for r in grade(fresh, "ch04")}
-    assert ours == expected
-    comments = {s: c for s, c in points(fresh).items() if s in expected}
-    with fresh.gradebook() as book:
-        for student in expected:
-            book.remove_submission("ch04", student)
-    code, out = nbgrader("autograde", "ch04", cwd=fresh.path)
+    for n, (change, right, *_) in enumerate(NOTEBOOKS.values()):
+        student = f"dan{n}"
+        write_json(fresh.personal_path("ch04", student), fresh.master("ch04", student))
+        submit(fresh, student, change(Named(fresh, student)))
+        expected[student] = right
+    assert {r.student: r.points for r in grade(fresh, "ch04")} == expected
+    ours = points(fresh)
+    code, out = nbgrader("autograde", "ch04", "--force", cwd=fresh.path)
     assert code == 0, out
-    assert {s: c for s, c in points(fresh).items() if s in expected} == comments
+    theirs = points(fresh)
+    assert {s: theirs[s] for s in expected} == {s: ours[s] for s in expected}
+
+
+class Named:
+    """A course in which whoever is asked for is this student."""
+
+    def __init__(self, course, student):
+        self.course, self.student = course, student
+
+    def personal_path(self, assignment, _):
+        return self.course.personal_path(assignment, self.student)
+
+    def values(self, assignment, _, problems):
+        return self.course.values(assignment, self.student, problems)
 
 
 DAMAGED = {
@@ -337,5 +334,3 @@ def test_a_bug_in_grading_one_submission_keeps_nobody_else_from_a_grade(fresh, m
     assert "could not be graded, which is a bug of the grader: ZeroDivisionError" in results["ben"].problem
     assert not [s for s, r in results.items() if r.problem and s != "ben"]
 
-
-assert cells

@@ -48,6 +48,19 @@ def down_hill(x, y, z):
     return -(2 * x * y - 2 * z), -(x * x + z**3), -(3 * y * z * z - 2 * x)
 
 
+def swirl(x, y, z):
+    """A field with curl."""
+    return -y, x, z
+
+
+def exactly(V, kind, *place):
+    """V at a place; with SymPy by its formula."""
+    if kind != "sympy":
+        return V(*place)
+    names = sympy.symbols("x y z", real=True)
+    return V(*names).subs(dict(zip(names, place, strict=True)))
+
+
 def vortex(x, y, z):
     """No curl, but a hole: it does not exist on the z axis, and does the work 2 pi in every turn round it."""
     square = x * x + y * y
@@ -117,12 +130,10 @@ def test_eqn_11_20_work_is_the_potential_lost_on_every_path(kind):
 
 @every_kind
 def test_eqn_11_20_round_a_closed_path_it_is_zero(kind):
-    turn = numbers(kind, 1) * 2 * (sympy.pi if kind == "sympy" else mp.pi if kind == "mpmath" else math.pi)
-    U = work_along(down_hill, lambda a: (cos(a), sin(a), cos(2 * a)), 0, turn, exact=kind == "sympy")
-    if kind == "array":
-        U, turned = U.value[0], U.value[1]
-        assert abs(turned) > 1e-3  # more than one turn is not closed
-    assert close(getattr(U, "value", U), 0, small(kind))
+    a = numbers(kind, "1.5")
+    loop = lambda q: (a * q * (1 - q), 2 * q * q * (1 - q), 1 + a * q * (1 - q) ** 2)  # noqa: E731
+    assert close(work_along(down_hill, loop, 0, 1 + 0 * a, exact=kind == "sympy").value, 0, small(kind))
+    assert not close(work_along(swirl, loop, 0, 1 + 0 * a, exact=kind == "sympy").value, 0, 0.01)  # that of one with curl is not
 
 
 @settings(deadline=None, max_examples=25)
@@ -173,12 +184,13 @@ def test_eqn_11_23_components_by_x_over_r_cubed(kind):
 def test_eqn_11_24_its_potential_found_from_the_field(kind):
     """Found by integration from the base, where it is zero; the formula is zero far away."""
     K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, 2, 2)
-    base = tuple(numbers(kind, 3, 1, 0)) if kind == "sympy" else (3, 1, 0)
-    V = find_potential(attraction_field(K, M, m) if kind != "array" else attraction_field(2.0, 9.0, 0.5), base, box=((1, 2), (1, 2), (1, 2)))
-    if kind == "array":
-        K, M, m = 2.0, 9.0, 0.5
-    far = gravitational_potential(M, m, sqrt(x * x + y * y + z * z), K) - gravitational_potential(M, m, sqrt(10 + 0 * x), K)
-    assert close(V(x, y, z), far, 10 * small(kind) if kind != "float" else 1e-10)
+    V = find_potential(attraction_field(K, M, m), (3, 4, 0), box=((1, 2), (1, 2), (1, 2)))
+    far = gravitational_potential(M, m, sqrt(x * x + y * y + z * z), K) - gravitational_potential(M, m, 5 + 0 * x, K)
+    if kind == "sympy":  # the integral to a place that is not named has no formula that SymPy finds; along a radius it does
+        q = sympy.Symbol("q", positive=True)
+        assert sympy.simplify(V(3 * q, 4 * q, sympy.Integer(0)) + K * M * m * (1 / (5 * q) - sympy.Rational(1, 5))) == 0
+    else:
+        assert close(V(x, y, z), far, 10 * small(kind))
 
 
 @every_kind
@@ -233,9 +245,10 @@ def test_eqn_11_35_a_slant_spring_pulls_along_its_line(kind):
     """The gradient of V by the place of one end is the tension, towards the other one."""
     K, l0, x, y = numbers(kind, 20, "1.5", 3, 4)
     ground = Frame("ground")
-    V = lambda x, y, z: spring_between(K, l0, ground.origin, ground.point("P", x, y, z))  # noqa: E731
+    V = lambda x, y, z: spring_between(K, l0, (0, 0, 0), (x, y, z))  # noqa: E731
     r = sqrt(x * x + y * y)
     F = K * (r - l0)
+    assert close(spring_between(K, l0, ground.origin, ground.point("P", x, y, 0)), V(x, y, 0), small(kind))
     assert close(conservative_force(V, ground.point("P", x, y, 0)), (-F * x / r, -F * y / r, 0), 10 * small(kind))
 
 
@@ -254,7 +267,7 @@ def test_potentials_are_energies():
 @every_kind
 def test_a_potential_is_found(kind):
     x, y, z = numbers(kind, 2, "-0.5", "1.5")
-    assert close(find_potential(down_hill)(x, y, z), hill(x, y, z), small(kind))
+    assert close(exactly(find_potential(down_hill), kind, x, y, z), hill(x, y, z), small(kind))
 
 
 def test_a_potential_found_in_symbols():

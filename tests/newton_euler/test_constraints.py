@@ -56,6 +56,10 @@ def rod(P, Q, length):
     return squared(P, Q) - length**2
 
 
+def cone(P):
+    return P[2] ** 2 - 3 * (P[0] ** 2 + P[1] ** 2)
+
+
 CASES = {  # problems 5/19 to 5/28
     "5/19 two particles on a surface": (4, {"A": 3, "B": 3}, {"A": lambda A: A[2] - A[0] ** 2, "B": lambda B: B[2] - B[0] ** 2}),
     "5/20 pendulum": (1, {"P": PLANAR}, {"rod": lambda P: rod(P, (0, 0), 1)}),
@@ -69,12 +73,12 @@ CASES = {  # problems 5/19 to 5/28
     "5/28 cone and string": (
         4,
         {"P": "particle", "Q": "particle"},
-        {"cone": lambda P: P[2] ** 2 - 3 * (P[0] ** 2 + P[1] ** 2), "string": lambda P, Q: sqrt(rod(P, (0, 0, 0), 0)) + sqrt(rod(Q, (0, 0, 0), 0)) - 1},
+        {"cone": cone, "string": lambda P, Q: sqrt(squared(P, (0, 0, 0))) + sqrt(squared(Q, (0, 0, 0))) - 1},
     ),
     "5/28 the same, Q vertical": (
         2,
         {"P": "particle", "Q": HEIGHT},
-        {"cone": lambda P: P[2] ** 2 - 3 * (P[0] ** 2 + P[1] ** 2), "string": lambda P, Q: sqrt(rod(P, (0, 0, 0), 0)) + Q[0] - 1},
+        {"cone": cone, "string": lambda P, Q: sqrt(squared(P, (0, 0, 0))) + Q[0] - 1},
     ),
 }
 
@@ -156,7 +160,7 @@ def test_constraints_that_cannot_be_counted_are_refused(constraints, match):
 
 
 def test_a_wrong_kind_or_place_is_refused():
-    with pytest.raises(ConstraintError, match="the kind of P is one of 'particle', .* got 'point'"):
+    with pytest.raises(ConstraintError, match=r"the kind of P is one of 'particle', .* got 'point'"):
         degrees_of_freedom({"P": "point"})
     pendulum = {"P": PLANAR}, {"rod": lambda P: squared(P, (0, 0)) - 1}
     with pytest.raises(ConstraintError, match="does not meet the constraint 'rod': it is 3 instead of 0"):

@@ -135,9 +135,9 @@ def test_dimensions_and_compiling():
 def test_what_is_refused():
     ground = Frame("ground")
     P = particle(1.0, ground.origin, "P")
-    with pytest.raises(MassError, match="the distance of P and P must be positive, got 0"):
+    with pytest.raises(MassError, match=r"the distance of P and P must be positive, got 0"):
         gravitation(P, P)
-    with pytest.raises(MassError, match="distance of the two bodies must be positive, got -1.0"):
+    with pytest.raises(MassError, match=r"distance of the two bodies must be positive, got -1.0"):
         attraction(1.0, 1.0, -1.0)
     with pytest.raises(FrameError, match=r"upward direction as a Vector, as ground\.k; got 'up'"):
         weight(1.0, "up")

@@ -30,6 +30,7 @@ from newton_euler.gyros import (
     steady_spin,
 )
 from newton_euler.mass import Inertia
+from newton_euler.models import ModelError
 from newton_euler.nutation import nutation
 from newton_euler.rotations import apply, euler_frame, euler_from_quaternion, euler_matrix, in_sequence, quaternion_from_euler, rotation_matrix
 from newton_euler.scenes import top
@@ -227,6 +228,7 @@ def test_eqn_10_23_from_mass_points_in_explicit_motion():
     total = [mp.mpf(0)] * 3
     with mp.workdps(60):
         for m, r in masses:
+
             def place(t, r=r):
                 return apply(euler_matrix(*(f(t) for f in laws)), r)
 
@@ -243,7 +245,7 @@ def ring(z, rho, count):
     return [(rho * mp.cos(2 * mp.pi * n / count), rho * mp.sin(2 * mp.pi * n / count), mp.mpf(z)) for n in range(count)]
 
 
-def lagrange(momenta=False):
+def lagrange():
     """Lagrange's equations of the symmetric body: the generalised forces of psi, theta, phi, as expressions of the motion."""
     t = sympy.Symbol("t")
     I0, I = sympy.symbols("I0 I", positive=True)
@@ -254,7 +256,7 @@ def lagrange(momenta=False):
 
 
 def test_eqn_10_25_against_lagranges_equations():
-    I0, I, q, t, (Q_psi, Q_theta, Q_phi) = lagrange()
+    I0, I, q, _, (Q_psi, Q_theta, Q_phi) = lagrange()
     ground = Frame("ground")
     body = euler_frame(ground, "body", *(moving(x) for x in q))
     M = gyro_moment(body, ground, I0, I)
@@ -268,7 +270,10 @@ def test_a_frame_not_made_of_euler_angles_is_refused():
         gyro_moment(Frame("ground").rotate("wheel", "x", rate=1.0), None, 1.0, 1.0)
 
 
-@pytest.mark.parametrize(("I0", "I", "words"), [(1.0, 2.1, "no body of revolution has I = 2.1"), (0.0, 1.0, "I0 must be positive"), (1.0, -0.1, "no body")])
+@pytest.mark.parametrize(
+    ("I0", "I", "words"),
+    [(1.0, 2.1, "no body of revolution has I = 2.1"), (0.0, 1.0, "I0 must be positive"), (1.0, -0.1, "no body of revolution")],
+)
 def test_moments_that_no_body_has_are_refused(I0, I, words):
     with pytest.raises(GyroError, match=words):
         steady_precession(I0, I, 1.0, spin=1.0, mgr=0.1)
@@ -424,7 +429,7 @@ def test_of_many_instants_one_without_a_precession_is_told():
 def test_a_hanging_body_precesses_at_every_spin(theta):
     assert least_spin(0.6, 0.25, theta, mgr=1.5) == 0
     found = steady_precession(0.6, 0.25, theta, spin=0.0, mgr=1.5)
-    assert found.slow == -found.fast  # the conical pendulum, both ways round
+    assert found.slow == pytest.approx(-found.fast, rel=1e-15)  # the conical pendulum, both ways round
     assert found.slow**2 == pytest.approx(-1.5 / (0.35 * math.cos(theta)), rel=1e-14)
 
 
@@ -589,7 +594,7 @@ def rate_at(angle, I0, I, wz, theta, precession):
     return (p - I * wz * math.cos(angle)) / (I0 * math.sin(angle) ** 2)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(st.floats(0.1, 3.0), st.floats(-3, 3), st.floats(-5, 5), st.floats(-30, 30), st.floats(-4, 4), st.floats(0.05, 1.9))
 def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, precession, wz, mgr, I):
     I0 = 1.0
@@ -782,13 +787,13 @@ def test_the_model_of_the_top_against_lagranges_equations():
 
 
 def test_upright_euler_angles_fail_and_the_other_two_models_do_not():
-    with pytest.raises(ZeroDivisionError):
+    with pytest.raises(ModelError, match="the coordinates are singular there"):
         top.euler(**TOP).derivative((0.0, 0.0, 0.0, 0.7, 0.1))
     assert top.reduced(**TOP, surplus=0).derivative((0.0, 0.1)) == (0.1, 0.0)
     assert all(map(math.isfinite, top.rolled_out(**TOP).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))))
 
 
-@every_kind
+@pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
 def test_the_free_body_has_an_exact_solution(kind):
     I0, I, wz, t = numbers(kind, "0.6", "0.25", 9, 2)
     start = (*quaternion_from_euler(*numbers(kind, "0.3", "0.8", 0)), *numbers(kind, "-0.4", "0.5"))
@@ -803,6 +808,12 @@ def test_the_free_body_has_an_exact_solution(kind):
     ahead, behind = model.solution(t + step, start), model.solution(t - step, start)
     for f, b, rate in zip(ahead, behind, rates, strict=True):
         assert close((f - b) / (2 * step), rate, 1e-6)
+
+
+def test_the_exact_solution_of_the_free_body_is_a_formula_too():
+    t, start = sympy.Symbol("t"), (*quaternion_from_euler(0.3, 0.8, 0.0), -0.4, 0.5)
+    model = top.free(0.6, 0.25, 9.0)
+    assert [float(x.subs(t, 2)) for x in model.solution(t, start)] == pytest.approx(model.solution(2.0, start), abs=1e-12)
 
 
 def test_steady_precession_of_the_model_is_that_of_eqn_10_31():
@@ -858,7 +869,7 @@ def test_section_10_8_football_and_space_station():
     assert football(theta, spin).rate == pytest.approx(spin / (2 * math.cos(theta)), rel=1e-14)
     assert football(theta, spin).sense == "direct"
     I0, I = station_moments(3.0, 30.0, Frame("station").origin)
-    assert (I0, I) == pytest.approx((3 * 9 / 12 + 900 / 12, 4.5))
+    assert pytest.approx((3 * 9 / 12 + 900 / 12, 4.5), rel=1e-15) == (I0, I)
     assert steady_spin(I0, I, math.radians(40.0), 1.0, mgr=0) == pytest.approx((I0 - I) / I * math.cos(math.radians(40)), rel=1e-14)
 
 

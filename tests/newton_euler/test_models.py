@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from newton_euler import Dimension, Frame, ZERO, at, coordinate_accelerations, cos, moving, polar, sin
+from newton_euler import ZERO, Dimension, Frame, at, coordinate_accelerations, cos, moving, polar, sin
 from newton_euler.models import Model, ModelError, Neglected, second_order, smallest
 from newton_euler.scenes.aircraft import vertical_flight
 from newton_euler.scenes.low import air_near_low
@@ -125,8 +125,9 @@ each_model = pytest.mark.parametrize("name", MODELS)
 
 @each_model
 def test_exact_solutions_start_where_they_should_and_solve_the_equations(name):
-    """Differentiated by the product rule, to 28 digits."""
+    """Differentiated by the product rule, to 26 digits."""
     model = MODELS[name]
+    model = model.changed(**{n: mp.mpf(x) for n, x in model.parameters.items() if x})  # or sin(0.8) has 16
     start = [mp.mpf(x) / 7 for x in (20, 3, -4, 5, 6, 8)][: len(model.states)]
     small = mp.mpf(10) ** -26
     assert close(model.solution(mp.mpf(0), start), start, small)
@@ -164,9 +165,9 @@ def test_smallest_takes_the_first_rung_below_the_tolerance():
     rungs = [oscillator(neglects=[Neglected("drag", lambda s, p, t, b=b: b * t, "position")]) for b in (1.0, 0.1)]
     assert smallest(rungs, 5.0, 2.0, (1.0, 0.0)).model is rungs[0]
     assert smallest(rungs, 0.5, 2.0, (1.0, 0.0)).model is rungs[1]
-    with pytest.raises(ModelError, match="no model of this ladder is as accurate as 0.001"):
+    with pytest.raises(ModelError, match=r"no model of this ladder is as accurate as 0\.001"):
         smallest(rungs, 1e-3, 2.0, (1.0, 0.0))
-    with pytest.raises(ModelError, match="bounds of 'oscillator' have no values"):
+    with pytest.raises(ModelError, match=r"bounds of 'oscillator' have no values"):
         smallest(rungs, 1e-3, sympy.Symbol("t"), (1.0, 0.0))
     other = oscillator(neglects=[Neglected("drag", lambda s, p, t: t, "energy")])
     with pytest.raises(ModelError, match="of different quantities and cannot be compared: energy; position"):
@@ -213,7 +214,7 @@ def test_questions_that_a_model_cannot_answer():
         (lambda: model.invariant("momentum", (1.0, 0.0)), "oscillator has no invariant 'momentum'; it has energy"),
         (lambda: model.changed(c=1.0), "oscillator has no parameter 'c'; it has m, k"),
         (lambda: model.compiled_rhs("c"), "oscillator has no parameter 'c'"),
-        (lambda: vertical_flight(1.0, 9.81).derivative((0.0, 0.0, 0.0, 0.0)), "aircraft in a vertical plane has no rates at .* singular there"),
+        (lambda: vertical_flight(1.0, 9.81).derivative((0.0, 0.0, 0.0, 0.0)), r"aircraft in a vertical plane has no rates at .* singular there"),
     ):
         with pytest.raises(ModelError, match=words):
             call()

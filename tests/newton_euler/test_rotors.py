@@ -279,9 +279,7 @@ def test_the_reactions_do_not_depend_on_the_point_of_the_terms():
 def test_a_vertical_shaft_carries_the_weight_along_itself():
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "z", rate=4.0)
-    found = reactions(
-        disk(0.2, shaft.point("G", 0, 0, 0.1), "z", mass=2.0), shaft.origin, shaft.point("B", 0, 0, 1.0), ground, -10.0 * ground.k
-    )
+    found = reactions(disk(0.2, shaft.point("G", 0, 0, 0.1), "z", mass=2.0), shaft.origin, shaft.point("B", 0, 0, 1.0), ground, -10.0 * ground.k)
     assert found.axial == 20.0
     assert found.A.norm() == found.B.norm() == 0
 
