@@ -37,7 +37,15 @@ class _Commands(click.Group):
 
 
 def _bar(*columns):
-    return Progress(TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), *columns, TimeElapsedColumn(), console=console, transient=not console.is_terminal)
+    return Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        *columns,
+        TimeElapsedColumn(),
+        console=console,
+        transient=not console.is_terminal,
+    )
 
 
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
@@ -56,7 +64,9 @@ def main():
 @main.command()
 @click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 | all …")
 @click.option("--seed", type=int, help="Draw a variant of the numbers instead of the book's.")
-@click.option("--given", "changed", multiple=True, metavar="NAME=VALUE", help="Replace a given, in the unit of the text: --given omega=0.9. May be repeated.")
+@click.option(
+    "--given", "changed", multiple=True, metavar="NAME=VALUE", help="Replace a given, in the unit of the text: --given omega=0.9. May be repeated."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
 @click.option("--explain", is_flag=True, help="Also print the terms of every answer that is a sum.")
 def solve(names, seed, changed, as_json, explain):
@@ -75,7 +85,12 @@ def solve(names, seed, changed, as_json, explain):
             raise click.UsageError(f"none of these problems has a given {name!r}; {problems[0].id} has {', '.join(problems[0].units) or 'none'}")
     out = {}
     for p in problems:
-        results = solved(p, seed, {n: v for n, v in changes.items() if n in p.units})
+        try:
+            results = solved(p, seed, {n: v for n, v in changes.items() if n in p.units})
+        except (ArithmeticError, ValueError) as error:
+            if not changes:
+                raise
+            raise click.UsageError(f"{p.id} has no answer for {', '.join(changed)}: {error}") from error
         out[p.id] = answers_json(p, results)
         if not as_json:
             console.print(in_words(p, results))
@@ -214,7 +229,14 @@ def grade(assignment, course_path, students, force, workers, unsandboxed, verbos
 
 
 @main.command()
-@click.option("--course", "course_path", default=Path("demo-course"), type=click.Path(path_type=Path), show_default=True, help="A folder that does not exist yet.")
+@click.option(
+    "--course",
+    "course_path",
+    default=Path("demo-course"),
+    type=click.Path(path_type=Path),
+    show_default=True,
+    help="A folder that does not exist yet.",
+)
 @click.option("--problem", "only", multiple=True, metavar="4/16", help="Only these problems, to be quicker; may be repeated.")
 def demo(course_path, only):
     """The whole way on an example: a course, six students, release, submit, grade, feedback."""

@@ -4,9 +4,9 @@
 child, locks it in, and lets it run the cells; the child sends one line of JSON per problem through a pipe. What comes back is data, read up to
 a limit and until a deadline. Only one line per job is ever written to stdout, by the parent that ran no student code.
 
-The cage: Linux namespaces (user, mount, pid, network, ipc, uts), a read-only root with nothing but the interpreter and its libraries, resource limits, an
-unprivileged user, no capabilities, no new privileges. Where the kernel refuses, a plain child with limits, and the result says "unsandboxed". This
-process adopts whatever the child leaves running, and ends it before the next job.
+The cage: Linux namespaces (user, mount, pid, network, ipc, uts), a read-only root with nothing but the interpreter and its libraries, resource
+limits, an unprivileged user, no capabilities, no new privileges. Where the kernel refuses, a plain child with limits, and the result says
+"unsandboxed". This process adopts whatever the child leaves running, and ends it before the next job.
 """
 
 import contextlib
@@ -63,7 +63,9 @@ def readable_places():
     engine = os.path.dirname(os.path.abspath(importlib.import_module("newton_euler").__file__))
     wanted = [engine, "/usr/lib", "/usr/lib64", "/usr/local/lib", "/lib", "/lib64", "/etc/ld.so.cache", "/usr/share/zoneinfo"]
     # not the prefixes whole: /usr and /usr/local also hold /usr/local/share/nbgrader/exchange
-    wanted += [os.path.join(prefix, lib) for prefix in (sys.base_prefix, sys.prefix, sys.base_exec_prefix, sys.exec_prefix) for lib in ("lib", "lib64")]
+    wanted += [
+        os.path.join(prefix, lib) for prefix in (sys.base_prefix, sys.prefix, sys.base_exec_prefix, sys.exec_prefix) for lib in ("lib", "lib64")
+    ]
     wanted += [sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")]
     wanted += [p for p in sys.path if os.path.isdir(p) and os.path.basename(p) in ("site-packages", "dist-packages")]
     found = []

@@ -1,12 +1,12 @@
 """A course folder: where things are, who is in it, and its secret.
 
-    COURSE/nbgrader_config.py   nbgrader, set up for this course
-    COURSE/.course_secret       32 random bytes; every student's numbers follow from it. Never hand it out, never lose it
-    COURSE/gradebook.db         nbgrader's gradebook; its students are the roster
-    COURSE/source/ release/ submitted/ autograded/ feedback/     nbgrader's folders
-    COURSE/scores/              verdict and diagnosis of every part, as JSON
-    COURSE/personal/            each student's own copy of an assignment, as fetched
-    COURSE/student/             what goes to the students' side of the exchange: a configuration without secrets
+COURSE/nbgrader_config.py   nbgrader, set up for this course
+COURSE/.course_secret       32 random bytes; every student's numbers follow from it. Never hand it out, never lose it
+COURSE/gradebook.db         nbgrader's gradebook; its students are the roster
+COURSE/source/ release/ submitted/ autograded/ feedback/     nbgrader's folders
+COURSE/scores/              verdict and diagnosis of every part, as JSON
+COURSE/personal/            each student's own copy of an assignment, as fetched
+COURSE/student/             what goes to the students' side of the exchange: a configuration without secrets
 """
 
 import csv
@@ -49,7 +49,9 @@ class Course:
     def __init__(self, path):
         self.path = Path(path).resolve()
         if not (self.path / "nbgrader_config.py").exists():
-            raise CourseError(f"{path} is not a course folder: it has no nbgrader_config.py. Make one with: python -m grader build ch04 --course {path}")
+            raise CourseError(
+                f"{path} is not a course folder: it has no nbgrader_config.py. Make one with: python -m grader build ch04 --course {path}"
+            )
 
     @classmethod
     def create(cls, path, name=None):
@@ -79,11 +81,15 @@ class Course:
         """The bytes that every student's numbers are derived from."""
         path = self.path / ".course_secret"
         if not path.exists():
-            raise CourseError(f"{path} is missing; without it no student's numbers can be derived. Restore it from a backup; a new one changes all numbers")
+            raise CourseError(
+                f"{path} is missing; without it no student's numbers can be derived. Restore it from a backup; a new one changes all numbers"
+            )
         try:
             return bytes.fromhex(path.read_text().strip())
         except ValueError:
-            raise CourseError(f"{path} is damaged: expected one line of hexadecimal digits. Restore it from a backup; a new one changes all numbers") from None
+            raise CourseError(
+                f"{path} is damaged: expected one line of hexadecimal digits. Restore it from a backup; a new one changes all numbers"
+            ) from None
 
     db_url = property(lambda self: f"sqlite:///{self.path / 'gradebook.db'}", doc="nbgrader's gradebook")
 
@@ -115,10 +121,10 @@ class Course:
                 return own
         return nb.personal(released, student, self.values(assignment, student, nb.problems_of(released)), {})
 
-    def master_text(self, assignment, student):
-        """What :meth:`master` reads, as text: to see whether anything changed."""
+    def master_bytes(self, assignment, student):
+        """What :meth:`master` reads, unread: to see whether anything changed."""
         path = self.personal_path(assignment, student)
-        return (path if path.exists() else self.path / "release" / assignment / f"{assignment}.ipynb").read_text(encoding="utf-8")
+        return (path if path.exists() else self.path / "release" / assignment / f"{assignment}.ipynb").read_bytes()
 
     def values(self, assignment, student, problems):
         """Each problem's numbers for one student: {problem id: {name: number}}, from the secret alone."""
@@ -178,7 +184,9 @@ def read_roster(path):
         raise CourseError(f"{path} cannot be read as CSV in UTF-8 ({error}); save it again as 'CSV UTF-8', separated by commas") from error
     if not rows or "id" not in rows[0]:
         got = list(rows[0]) if rows else "no rows"
-        raise CourseError(f"{path}: expected a CSV file, separated by commas, whose first line names a column id, and a line for each student; got {got}")
+        raise CourseError(
+            f"{path}: expected a CSV file, separated by commas, whose first line names a column id, and a line for each student; got {got}"
+        )
     known = ("id", "first_name", "last_name", "email")
     students = [{k: (r[k] or "").strip() for k in known if r.get(k)} for r in rows]
     seen = set()
@@ -224,7 +232,7 @@ def _write(path, text, mode):
 
 
 _STUDENT_CONFIG = '''\
-"""For the students' side: put this file and newton_euler_fetch.py where Jupyter looks for nbgrader_config.py (a hub's /etc/jupyter, or ~/.jupyter)."""
+"""For the students' side: put this file and newton_euler_fetch.py where Jupyter reads nbgrader_config.py (a hub's /etc/jupyter, or ~/.jupyter)."""
 
 import os
 import sys

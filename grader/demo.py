@@ -56,7 +56,11 @@ def run(folder, only, console, bar):
             progress.advance(task)
     console.print(gradebook_table(results))
     console.print(diagnoses([r for r in results if r.student == "ben"], most=8))
-    surprises = [f"{r.student}: expected {expected[r.student]}, got {r.points:g}. {r.problem}" for r in results if r.problem or r.points not in expected[r.student]]
+    surprises = [
+        f"{r.student}: expected {expected[r.student]}, got {r.points:g}. {r.problem}"
+        for r in results
+        if r.problem or r.points not in expected[r.student]
+    ]
     for sentence in surprises:
         console.print(f"[red]{sentence}[/]")
     _say_where(course, console, time.perf_counter() - start)
@@ -144,7 +148,7 @@ def _exchange(course, step, student="*", home=None):
         config.Exchange.assignment_dir = str(home)
     before = {k: os.environ.get(k) for k in ("USER", "LOGNAME", "JUPYTERHUB_USER")}
     with contextlib.chdir(home or course.path):
-        os.environ.update({k: student for k in before} if home else {})
+        os.environ.update(dict.fromkeys(before, student) if home else {})
         try:
             coursedir = CourseDirectory(config=config)
             kinds[step]()(coursedir=coursedir, authenticator=Authenticator(config=config), config=config).start()
@@ -162,5 +166,7 @@ def _say_where(course, console, seconds):
     console.print(f"\nDone in {seconds:.0f} s. Look at")
     console.print(f"  what a student fetches   {course.path / 'homes/dan' / CHAPTER / (CHAPTER + '.ipynb')}", soft_wrap=True)
     console.print(f"  a feedback page          {course.path / 'feedback/ben' / CHAPTER / (CHAPTER + '.html')}", soft_wrap=True)
-    console.print(f"  the gradebook            {course.path / 'gradebook.db'}: cd {course.path} && jupyter lab, then Nbgrader > Formgrader", soft_wrap=True)
+    console.print(
+        f"  the gradebook            {course.path / 'gradebook.db'}: cd {course.path} && jupyter lab, then Nbgrader > Formgrader", soft_wrap=True
+    )
     console.print("Next: python -m grader build --help makes a course of your own.")

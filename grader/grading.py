@@ -53,14 +53,18 @@ def grade(course, assignment, students=None, force=False, workers=None, sandbox=
     submitted = course.submissions(assignment)
     missing = [s for s in students or () if s not in submitted]
     if missing:
-        raise CourseError(f"no submission of {assignment} by {', '.join(missing)}; there are {', '.join(submitted) or 'none'} in {course.path / 'submitted'}")
+        raise CourseError(
+            f"no submission of {assignment} by {', '.join(missing)}; there are {', '.join(submitted) or 'none'} in {course.path / 'submitted'}"
+        )
     course.released(assignment)  # these fail early, with what to do
     run = _Run(course, assignment, force, fingerprint(VERSION, course.secret.hex(), _code_state()))
     with course.gradebook() as book:
         try:
             book.find_assignment(assignment)
         except MissingEntry:
-            raise CourseError(f"the gradebook does not know {assignment}; generate it again with: nbgrader generate_assignment {assignment} --force") from None
+            raise CourseError(
+                f"the gradebook does not know {assignment}; generate it again with: nbgrader generate_assignment {assignment} --force"
+            ) from None
         roster = {s.id for s in book.students}
         saved = _saved(book, assignment)
     wanted = [s for s in submitted if not students or s in students]
@@ -94,7 +98,9 @@ class _Run:
     def graded(self, student, path, known, harvester):
         """The :class:`Result` of one submission, whatever happens in it."""
         if not known:
-            return Result(student, problem="is not on the roster; check the folder's name, or add the student with: nbgrader db student add " + student)
+            return Result(
+                student, problem="is not on the roster; check the folder's name, or add the student with: nbgrader db student add " + student
+            )
         try:
             return self._graded(student, path, harvester)
         except Unreadable as error:
@@ -102,17 +108,20 @@ class _Run:
         except (CourseError, HarvestError) as error:
             return Result(student, problem=f"could not be graded: {error}")
         except Exception as error:  # one submission must not keep the others from their grades
-            return Result(student, problem=f"could not be graded, which is a bug of the grader: {type(error).__name__}: {error}. An earlier grade stays as it is")
+            return Result(
+                student,
+                problem=f"could not be graded, which is a bug of the grader: {type(error).__name__}: {error}. An earlier grade stays as it is",
+            )
 
     def _graded(self, student, path, harvester):
         course, assignment = self.course, self.assignment
-        text = _read(path)
-        name = fingerprint(self.state, text, course.master_text(assignment, student))
+        content = _read(path)
+        name = fingerprint(self.state, content, course.master_bytes(assignment, student))
         record_path = course.path / "scores" / assignment / f"{student}.json"  # not in autograded/: nbgrader copies that to the students
         annotated_path = course.path / "autograded" / student / assignment / f"{assignment}.ipynb"
         if not self.force and annotated_path.exists() and (earlier := _restored(student, record_path, name)):
             return earlier
-        submitted = _notebook(path.name, text)
+        submitted = _notebook(path.name, content)
         own = pipeline.sheet(course, assignment, student)
         answers = nb.answers(submitted, own.problems)
         receipts, note = pipeline.harvested(harvester, own, answers)
@@ -132,18 +141,20 @@ def _read(path):
         found = f"it holds {', '.join(others)}; if that is the work, rename it" if others else "it holds no notebook"
         raise Unreadable(f"expected the notebook {path.name} in {path.parent}, and {found}")
     if path.stat().st_size > LARGEST:
-        raise Unreadable(f"{path.name} has {path.stat().st_size / 1e6:.0f} MB, more than the {LARGEST / 1e6:.0f} MB that are read; have its outputs cleared")
+        raise Unreadable(
+            f"{path.name} has {path.stat().st_size / 1e6:.0f} MB, more than the {LARGEST / 1e6:.0f} MB that are read; have its outputs cleared"
+        )
     try:
-        return path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
+        return path.read_bytes()
+    except OSError as error:
         raise Unreadable(f"{path.name} cannot be read ({error})") from error
 
 
-def _notebook(name, text):
+def _notebook(name, content):
     try:
-        submitted = json.loads(text)
+        submitted = json.loads(content)
     except (ValueError, RecursionError) as error:
-        what = "is empty" if not text.strip() else f"is damaged and cannot be read as a notebook ({error})"
+        what = "is empty" if not content.strip() else f"is damaged and cannot be read as a notebook ({error})"
         raise Unreadable(f"{name} {what}") from error
     if not isinstance(submitted, dict) or not isinstance(submitted.get("cells"), list):
         raise Unreadable(f"{name} is not a notebook of format 4: it has no list of cells")

@@ -21,11 +21,18 @@ def configure(c, course):
 
     ours = "grader.plugins"
     c.Autograde.create_student = False  # a folder of somebody unknown is reported, not graded
-    c.Autograde.sanitize_preprocessors = [f"{ours}.RebuildFromSource", "nbgrader.preprocessors.OverwriteCells", "nbgrader.preprocessors.CheckCellMetadata"]
+    c.Autograde.sanitize_preprocessors = [
+        f"{ours}.RebuildFromSource",
+        "nbgrader.preprocessors.OverwriteCells",
+        "nbgrader.preprocessors.CheckCellMetadata",
+    ]
     c.Autograde.autograde_preprocessors = [f"{ours}.HarvestExecute", f"{ours}.SaveScores", "nbgrader.preprocessors.AssignLatePenalties"]
     for name in ("RebuildFromSource", "HarvestExecute"):
         c[name].course_path = str(root)
 
     # our page has the name of nbgrader's own, which the formgrader asks for; its other templates stay reachable
-    c.HTMLExporter.extra_template_basedirs = [str(Path(__file__).with_name("templates")), str(Path(nbgrader.__file__).parent / "server_extensions/formgrader/templates")]
+    c.HTMLExporter.extra_template_basedirs = [
+        str(Path(__file__).with_name("templates")),
+        str(Path(nbgrader.__file__).parent / "server_extensions/formgrader/templates"),
+    ]
     c.GenerateFeedback.preprocessors = [f"{ours}.GradesAndFigures"]

@@ -27,19 +27,24 @@ from sympy import symbols
 from newton_euler import Frame, at, atan2, cos, cross, dot, moving, radians, sin, solve_rates, sqrt, tan
 from newton_euler.answers import expect, receipt
 """
-MASTER_COPY = "> **This copy has the numbers of the book.** Yours has numbers of its own: fetch the assignment with nbgrader, set up for this course, or ask for your copy."
+MASTER_COPY = (
+    "> **This copy has the numbers of the book.** Yours has numbers of its own: "
+    "fetch the assignment with nbgrader, set up for this course, or ask for your copy."
+)
 INTRODUCTION = """\
 # {title}
 
 {whose}
 
-Each problem has a cell for your work. It begins with names set to `None`; give each its value, in the unit that is written behind it, and run the cell
-below it: the **receipt** says whether your answer can be read (kind, shape, unit of a formula). It does not know the right answer; that is compared after you hand in,
-part by part, with a hint where a common slip explains the difference.
+Each problem has a cell for your work. It begins with names set to `None`; give each its value, in the unit that is written behind it, and run the
+cell below it: the **receipt** says whether your answer can be read (kind, shape, unit of a formula). It does not know the right answer; that is
+compared after you hand in, part by part, with a hint where a common slip explains the difference.
 
-- Vectors are written `[x, y, z]`, in the frame named in the problem; a `Vector` of `newton_euler` is taken too. Angles go into `sin` and `cos` in radians.
+- Vectors are written `[x, y, z]`, in the frame named in the problem; a `Vector` of `newton_euler` is taken too. Angles go into `sin` and `cos` in
+  radians.
 - The numbers of the problem are in the cell above yours; they are your own. Where a formula is asked for, the symbols are there instead.
-- Everything that your answer needs belongs into the answer cells: other cells are not read. The cells run from top to bottom, within {seconds:g} s each.
+- Everything that your answer needs belongs into the answer cells: other cells are not read. The cells run from top to bottom, within {seconds:g} s
+  each.
 - A problem left at `None` costs nothing but its points.
 """
 
@@ -74,7 +79,10 @@ def statement(p, values, figure=True):
     lines = [f"## {p.id} {p.title}", "", re.sub(r"\{(\w+)\}", put, p.text)]
     unsaid = [n for n in p.givens if n not in said]
     if unsaid:
-        lines += ["", "Given: " + ", ".join(f"{pretty(n)} = {number(values[n])}{_unit(p.givens[n].unit)} ({p.givens[n].means})" for n in unsaid) + "."]
+        lines += [
+            "",
+            "Given: " + ", ".join(f"{pretty(n)} = {number(values[n])}{_unit(p.givens[n].unit)} ({p.givens[n].means})" for n in unsaid) + ".",
+        ]
     if figure:
         lines += ["", f"![Figure: {_alt(p.figure)}](attachment:figure.png)"]
     if p.frame:
@@ -157,12 +165,14 @@ def _problem_cells(p, values, figure):
     n, points = slug(p.id), len(p.answers)
     # generate_assignment replaces the (empty) solution region by ClearSolutions.code_stub; a cell without one would lose its text
     answer = starter(p).replace("\n", "\n### BEGIN SOLUTION\n### END SOLUTION\n", 1)
+    theirs = {"grade": True, "solution": True, "locked": False, "grade_id": f"answer-{n}", "points": points}
+    ours = {"grade": True, "solution": False, "locked": True, "grade_id": f"receipt-{n}", "points": 0}
     return [
         _statement_cell(p, values, figure),
         _code(f"givens-{n}", givens(p, values), {"role": "givens", "problem": p.id}),
-        _code(f"answer-{n}", answer, {"role": "answer", "problem": p.id}, {"grade": True, "solution": True, "locked": False, "grade_id": f"answer-{n}", "points": points}),
-        _code(f"receipt-{n}", receipt_cell(p), {"role": "receipt", "problem": p.id}, {"grade": True, "solution": False, "locked": True, "grade_id": f"receipt-{n}", "points": 0}),
-    ]  # fmt: skip
+        _code(f"answer-{n}", answer, {"role": "answer", "problem": p.id}, theirs),
+        _code(f"receipt-{n}", receipt_cell(p), {"role": "receipt", "problem": p.id}, ours),
+    ]
 
 
 def _statement_cell(p, values, figure):
@@ -286,6 +296,10 @@ def rebuilt(master, given_answers):
     return {**master, "cells": cells}
 
 
-def fingerprint(*texts):
-    """A short name for content, to see whether anything changed."""
-    return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:20]
+def fingerprint(*contents):
+    """A short name for content (texts or bytes), to see whether anything changed."""
+    name = hashlib.sha256()
+    for content in contents:
+        name.update(content.encode() if isinstance(content, str) else content)
+        name.update(b"\0")
+    return name.hexdigest()[:20]

@@ -93,7 +93,9 @@ class ReleaseWithPersonal(ExchangeReleaseAssignment):
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
         students = course.roster()
         if not students:
-            self.log.warning("Nobody is on the roster: no personal copies. Add students, then: python -m grader personal %s --course . --exchange", assignment)
+            self.log.warning(
+                "Nobody is on the roster: no personal copies. Add students, then: python -m grader personal %s --course . --exchange", assignment
+            )
             return
         paths = make_personal(course, assignment, students)
         into_exchange(course, assignment, self.dest_path, paths)

@@ -49,7 +49,7 @@ def filled(notebook, texts):
     return notebook
 
 
-HOSTILE = '''\
+HOSTILE = """\
 import os, sys
 import newton_euler.answers as answers
 answers.record = lambda *a: ({key: "anything" for key in a[0]}, {})          # patch the checker
@@ -69,7 +69,7 @@ for fd in range(3, 64):                                                       # 
         os.write(fd, b'{"id": "4/16", "points": 1e9, "answers": {"a_D": "right"}, "verdict": "right"}\\n')
     except OSError:
         pass
-'''
+"""
 
 
 def hostile(notebook, problems):

@@ -9,7 +9,16 @@ from rich.table import Table
 def gradebook_table(results):
     """One row per student: points, how the parts were judged, and the diagnosis told most."""
     table = Table(title="Gradebook", title_justify="left")
-    for name, justify in (("student", "left"), ("points", "right"), ("%", "right"), ("right", "right"), ("wrong", "right"), ("not read", "right"), ("blank", "right"), ("told most often", "left")):
+    for name, justify in (
+        ("student", "left"),
+        ("points", "right"),
+        ("%", "right"),
+        ("right", "right"),
+        ("wrong", "right"),
+        ("not read", "right"),
+        ("blank", "right"),
+        ("told most often", "left"),
+    ):
         table.add_column(name, justify=justify, overflow="fold")
     for r in results:
         if r.problem:

@@ -5,102 +5,66 @@
 >>> shaft = ground.rotate("shaft", "z", rate=0.6)
 >>> print(shaft.point("P", 2.0, 0, 0).acceleration(ground))
 [-0.72, 0, 0] in shaft
+
+A name is imported from its room when it is first asked for, so that ``import newton_euler`` costs next to nothing.
 """
 
-from .components import (
-    T_phi,
-    T_theta,
-    T_theta_phi,
-    cylindrical,
-    cylindrical_coordinates,
-    cylindrical_frame,
-    polar,
-    polar_coordinates,
-    spherical,
-    spherical_coordinates,
-    spherical_frame,
-)
-from .constraints import ConstraintError, degrees_of_freedom
-from .coordinates import curvilinear, curvilinear_rates, gradient
-from .earth import (
-    EARTH_GM,
-    EARTH_ORBIT_RADIUS,
-    EARTH_ORBIT_RATE,
-    EARTH_RADIUS,
-    EARTH_RATE,
-    EarthError,
-    apparent_acceleration,
-    buoyancy,
-    coriolis_acceleration,
-    coriolis_parameter,
-    drop_deflection,
-    earth_frame,
-    earth_rate,
-    effective_gravity,
-    flight_time,
-    force_near_earth,
-    geostrophic_wind,
-    gradient_wind,
-    ground_acceleration,
-    ground_frame,
-    inertial_circle,
-    launch_velocity,
-    projectile,
-    projectile_position,
-    projectile_to_order,
-    projectile_velocity,
-    range_east,
-    range_error,
-    rotation_error,
-    shot_range,
-    support_force,
-    weightless_speed,
-    wind_acceleration,
-)
-from .forces import attraction, gravitation, gravitational_field, gravity_at_height, gravity_at_surface, mass_from_weight, weight
-from .frames import Frame, Point, solve_rates
-from .inertia import Inertia, MassError
-from .integration import integrated
-from .kinetics import (
-    acceleration_by,
-    coordinate_accelerations,
-    path_force,
-    path_rates,
-    reaction,
-    relative_acceleration,
-    resultant_force,
-)
-from .mass import Body, centre_of_mass, composite, particle
-from .models import Model, ModelError, Neglected, second_order, smallest
-from .paths import Frenet, along, at_speed, flexure, frenet, frenet_along, speed_rate
-from .rectilinear import from_place, from_speed, from_time, integral
-from .scalars import (
-    ZERO,
-    Dimension,
-    DimensionError,
-    ScalarError,
-    acos,
-    asin,
-    at,
-    atan,
-    atan2,
-    cos,
-    cosh,
-    exp,
-    log,
-    moving,
-    pi,
-    radians,
-    sin,
-    sinh,
-    sqrt,
-    tan,
-    tanh,
-)
-from .tracing import compiled
-from .triads import SingularError, Triad
-from .vectors import Explanation, FrameError, Vector, cross, dot, same
+from importlib import import_module
 
 __version__ = "0.1.0"
 
-__all__ = [name for name in dir() if not name.startswith("_") and not hasattr(globals()[name], "__spec__")]  # modules have a spec
+# room: the names that it gives to the public, in the order of the book
+ROOMS = {
+    "scalars": """ZERO Dimension DimensionError ScalarError acos asin at atan atan2 cos cosh exp log moving pi radians sin sinh sqrt tan tanh""",
+    "tracing": "compiled",
+    "units": "UnitError unit",
+    "vectors": "Explanation FrameError Vector cross dot same",
+    "triads": "SingularError Triad",
+    "rectilinear": "from_place from_speed from_time",
+    "paths": "Frenet along at_speed flexure frenet frenet_along speed_rate",
+    "components": """T_phi T_theta T_theta_phi cylindrical cylindrical_coordinates cylindrical_frame polar polar_coordinates
+        spherical spherical_coordinates spherical_frame""",
+    "coordinates": "curvilinear curvilinear_rates gradient",
+    "frames": "Frame Point",
+    "linear": "LinearError solve_linear solve_rates",
+    "rotations": """RotationError axis_angle direction_cosines euler_angles euler_body_rates euler_frame euler_from_quaternion euler_matrix euler_rates
+        in_sequence matrix_from_quaternion normalised quaternion quaternion_from_euler quaternion_from_matrix quaternion_product
+        quaternion_rate rotation_matrix""",
+    "inertia": "Inertia MassError",
+    "mass": "Body centre_of_mass composite particle",
+    "principal": "Principal Symmetry",
+    "integration": "integrated",
+    "forces": "attraction gravitation gravitational_field gravity_at_height gravity_at_surface mass_from_weight weight",
+    "constraints": "ConstraintError degrees_of_freedom",
+    "kinetics": "acceleration_by coordinate_accelerations path_force path_rates reaction relative_acceleration resultant_force",
+    "models": "Model ModelError Neglected second_order smallest",
+    "earth": """EARTH_GM EARTH_ORBIT_RADIUS EARTH_ORBIT_RATE EARTH_RADIUS EARTH_RATE EarthError apparent_acceleration buoyancy coriolis_acceleration
+        coriolis_parameter drop_deflection earth_frame earth_rate effective_gravity flight_time force_near_earth geostrophic_wind gradient_wind
+        ground_acceleration ground_frame inertial_circle launch_velocity projectile projectile_position projectile_to_order projectile_velocity
+        range_east range_error rotation_error shot_range support_force weightless_speed wind_acceleration""",
+    "momentum": "angular_momentum equations_of_motion resultant_moment",
+    "euler_equations": "angular_acceleration euler_moment euler_moments fixed_line_moment fixed_line_momentum planar_moment",
+    "force_systems": "Couple Force ForceError ForceSystem Wrench",
+    "rotors": "RotorError balance balancing_masses corrections imbalance reactions shaft_axis",
+    "gyros": """GyroError fast_spin free_precession gyro_moment gyro_momentum instantaneous_axis least_spin normal_moment nutation_stiffness
+        sleeping_top steady_moment steady_precession steady_spin""",
+    "work": "Amount WorkError constant_force_work pair_power power work_along work_in_time work_integral",
+    "potential": """NoPotential Potential conservative_force curl find_potential gravitational_potential jacobian spring_between
+        spring_potential weight_potential""",
+    "energy": """Audit EnergyError audit gyroscope_energy kinetic_energy kinetic_energy_about kinetic_energy_rate plane_kinetic_energy
+        rigid_power speed_after""",
+}
+_ROOM_OF = {name: room for room, names in ROOMS.items() for name in names.split()}
+__all__ = sorted(_ROOM_OF)
+
+
+def __getattr__(name):
+    room = _ROOM_OF.get(name)
+    if room is None:
+        raise AttributeError(f"module 'newton_euler' has no attribute {name!r}")
+    value = globals()[name] = getattr(import_module(f"{__name__}.{room}"), name)
+    return value
+
+
+def __dir__():
+    return sorted({*globals(), *__all__, *ROOMS})

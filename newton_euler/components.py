@@ -327,4 +327,3 @@ def T_theta_phi(theta, phi):
     ((1.0, 0.0, 0.0), (0.0, 1.0, 0), (0.0, 0.0, 1.0))
     """
     return product(T_phi(phi), T_theta(theta))
-

@@ -6,7 +6,7 @@ with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the c
 """
 
 from .components import CoordinatePoint, with_rates
-from .scalars import ZERO, Moving, at, is_numeric, moving, plain, scalar, sqrt
+from .scalars import ZERO, Moving, at, is_numeric, moving, plain, scalar, sqrt, whole
 from .triads import SingularError, Triad, drowned, norm3, numeric3, shaken, turning_of
 from .vectors import EQUATIONS, Vector, cross3, dot3, scale3
 
@@ -52,8 +52,9 @@ def tangents(position, q):
     return tuple(tuple(_rate(x) for x in position(*_seeded(q, n))) for n in range(3))
 
 
-def _seeded(q, n, rate=1):
-    return tuple(Moving(x, rate if m == n else ZERO) for m, x in enumerate(q))
+def _seeded(q, n):
+    """The coordinates as moving numbers, of which the n-th grows at the rate 1 (of its own kind, so that 1/3 is as exact)."""
+    return tuple(Moving(x, whole(1, x.value if isinstance(x, Moving) else x) if m == n else ZERO) for m, x in enumerate(q))
 
 
 def _rate(x):
@@ -155,4 +156,3 @@ def gradient(f, P):
     slopes = [at(lambda s, n=n: f(*q[:n], s, *q[n + 1 :]), q[n]).rate for n in range(len(q))]
     c = [slope / h for slope, h in zip(slopes, factors, strict=True)]
     return Vector(tuple(scalar(x) for x in (*c, ZERO)[:3]), getattr(P, "local", P.frame))
-

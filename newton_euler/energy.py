@@ -149,14 +149,14 @@ class Audit:
     @property
     def energy(self):
         """The change of E = T + V (11.30), which is U^n (11.31) and zero for a conservative system (11.32), (11.49)."""
-        return plain(scalar(self.kinetic) + sum(self.potentials.values()))
+        return plain(scalar(self.kinetic) + value_of(summed(self.potentials)))
 
     def heat(self, *names):
         """The change of internal energy, -U^n (11.33), by the forces named, as friction and drag; by all without a potential if none is."""
         unknown = [n for n in names if n not in self.works]
         if unknown:
             raise EnergyError(f"no work of {unknown[0]!r} is in this audit; there are {', '.join(self.works) or 'none'}")
-        return -sum(self.works[n] for n in names or self.works)
+        return -summed({n: self.works[n] for n in names or self.works})
 
     def balances(self, rtol=1e-9):
         """True if nothing is missing beyond ``rtol`` of the largest energy of the motion and the estimated error of the integrals."""
@@ -190,7 +190,7 @@ def audit(kinetic, start, end, potentials=None, powers=None, rtol=1e-10, exact=F
     V = {n: [_at(v, t, f"the potential of {n}") for t in (start, end)] for n, v in potentials.items()}
     U = {n: work_integral(_power_of(p, n), start, end, rtol, exact, breaks) for n, p in powers.items()}
     changes, works = {n: plain(b - a) for n, (a, b) in V.items()}, {n: u.value for n, u in U.items()}
-    missing = T[1] - T[0] + sum(changes.values()) - sum(works.values())
+    missing = T[1] - T[0] + value_of(summed(changes)) - value_of(summed(works))
     energies = [*T, *(x for pair in V.values() for x in pair), *works.values()]
     largest = max(size(scalar(_compared(x, "an energy"))) for x in energies)
     return Audit(plain(T[1] - T[0]), changes, works, plain(missing), sum(u.error for u in U.values()), largest)

@@ -75,14 +75,38 @@ def resultant_moment(body, observer, about=None, via=None):
       sum                  [0, 0, 5] N m
     """
     about, via = body.centre if about is None else place(about, "the point that the moment is about"), via or body.frame
-    rate = angular_momentum(body, observer, about).expressed_in(via).rate(observer)
     seen = f"seen from {observer.name}, by way of {via.name}"
     if about is body.centre:
+        rate = angular_momentum(body, observer).expressed_in(via).rate(observer)
         return Vector(rate.c, via, rate._own_rate, Ledger("moment about the mass centre", f"of {body.name}, {seen}", lambda: _rate_terms(rate)))
-    reference = (body.centre - about).expressed_in(via).cross(about.acceleration(observer) * body.mass)
-    total = rate + reference
-    ledger = Ledger("moment", f"of {body.name} about {about.name}, {seen}", lambda: {**_rate_terms(rate), "reference": reference})
-    return Vector(total.c, via, None, ledger)
+    total, terms = (_about_point_of_body if _rides(about, body) else _about_any_point)(body, observer, about, via)
+    return Vector(total.c, via, None, Ledger("moment", f"of {body.name} about {about.name}, {seen}", terms))
+
+
+def _about_point_of_body(body, observer, B, via):
+    """The moment and its terms, with H_B = I_B omega."""
+    rate = angular_momentum(body, observer, B).expressed_in(via).rate(observer)
+    reference = _arm_times_mass(body, B, via, B.acceleration(observer))
+    return rate + reference, lambda: {**_rate_terms(rate), "reference": reference}
+
+
+def _about_any_point(body, observer, B, via):
+    """The moment and its terms; the motion of B cancels in their sum DH_G/Dt + d x m a_G, which is computed without it."""
+    own = angular_momentum(body, observer).expressed_in(via).rate(observer)
+    a = body.centre.acceleration(observer)
+
+    def terms():
+        rotation = via.angular_velocity(observer).cross(angular_momentum(body, observer, B))
+        reference = _arm_times_mass(body, B, via, B.acceleration(observer))
+        orbital = _arm_times_mass(body, B, via, a.expressed_in(via) - B.acceleration(observer))
+        return {"relative": own + orbital - rotation, "rotation": rotation, "reference": reference}
+
+    return own + _arm_times_mass(body, B, via, a), terms
+
+
+def _arm_times_mass(body, B, via, a):
+    """d x m a."""
+    return (body.centre - B).expressed_in(via).cross(a * body.mass)
 
 
 def _rate_terms(rate):

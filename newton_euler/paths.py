@@ -12,7 +12,7 @@ exact; no step size enters.
 
 from dataclasses import dataclass, field
 
-from .scalars import ZERO, Moving, epsilon, is_numeric, is_zero, moving, plain, scalar
+from .scalars import ZERO, Moving, epsilon, is_numeric, is_zero, moving, plain, scalar, whole
 from .triads import SingularError, Triad, drowned, norm3, numeric3, shaken
 from .vectors import EQUATIONS, FrameError, Ledger, Vector, add3, cross3, dot3, scale3
 
@@ -44,7 +44,8 @@ def along(path, q):
 
 def derivatives(path, q):
     """The position on the path and its first, second and third derivative by the parameter, each a triple; ``q`` is a plain number."""
-    jets = [_jet(x) for x in _three(path(Moving(Moving(scalar(q), 1), 1)))]
+    one = whole(1, q)  # a plain 1 divided by 3 would have 16 digits, however many q has
+    jets = [_jet(x) for x in _three(path(Moving(Moving(scalar(q), one), one)))]
     orders = [(x.value.value, x.value.rate, x.value.acceleration, x.rate.acceleration) for x in jets]
     return tuple(zip(*orders, strict=True))
 
@@ -74,7 +75,7 @@ def _noise(path, q):
 
 def _running(q):
     q = moving(q)
-    return Moving(q.value, 1) if q.rests() else q
+    return Moving(q.value, whole(1, q.value)) if q.rests() else q
 
 
 def _three(c):
@@ -245,4 +246,3 @@ def _gathered(v):
     for term in v.terms.values():
         total = total + _gathered(term)
     return total
-

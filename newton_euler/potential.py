@@ -14,6 +14,7 @@ from .frames import Point
 from .inertia import positive
 from .scalars import ZERO, Moving, ScalarError, cos, is_finite, is_numeric, pi, plain, sampled, scalar, sin, size
 from .triads import norm3
+from .vectors import _short
 from .work import WorkError, work_along, work_integral
 
 
@@ -131,8 +132,9 @@ def _checked(force):
 class Potential:
     """The potential of ``force``, zero at ``base``: call it with x, y, z. It integrates along the straight line from the base (11.20).
 
-    Of numbers by quadrature (a SymPy number is one: to keep it exact ask with symbols and put it in), of SymPy expressions by formulas, of moving coordinates with the rate of V, which is -F.v (11.19), so that
-    ``gradient(V, P)`` and ``at(lambda t: V(*place(t)), t)`` work.
+    Of numbers by quadrature (a SymPy number is one: to keep it exact, ask with symbols and put it in); of SymPy expressions by formulas, which may
+    take SymPy long, or for ever; of moving coordinates with the rate of V, which is -F.v (11.19), so that ``gradient(V, P)`` and
+    ``at(lambda t: V(*place(t)), t)`` work.
     """
 
     force: object
@@ -193,8 +195,8 @@ def _check_curl(force, place, tolerance):
     largest = max(_measure(x) for row in J for x in row)
     c = _antisymmetric(J)
     if max(map(_measure, c)) > tolerance * largest:
-        told = ", ".join(f"{float(x):.4g}" if is_numeric(x) else str(x) for x in c)
-        where = ", ".join(f"{x:.4g}" for x in place)
+        told = ", ".join(map(_short, c))
+        where = ", ".join(map(_short, place))
         raise NoPotential(f"there is no potential: at ({where}) the curl of the force is ({told}), not zero; its work depends on the path", place, c)
 
 
@@ -227,9 +229,9 @@ def _check_loop(force, loop, n, tolerance):
     strengths = [sum(_measure(f) ** 2 for f in force(*p)) ** 0.5 for p in places]
     length = sum(sum((b - a) ** 2 for a, b in zip(p, q, strict=True)) ** 0.5 for p, q in pairwise(places))
     U = work_along(lambda *place: tuple(sampled(f) for f in force(*place)), loop, 0.0, 1.0)
-    if abs(U.value) > max(tolerance * length * max(strengths), 10 * U.error):
+    if size(scalar(U.value)) > max(tolerance * length * max(strengths), 10 * U.error):
         raise NoPotential(
-            f"there is no potential: round loop {n} the force does the work {U.value:.6g}, though its curl is zero; the loop goes round a place "
+            f"there is no potential: round loop {n} the force does the work {_short(U.value)}, though its curl is zero; the loop goes round a place "
             "where the force does not exist, and V would grow by this much with every turn",
             circulation=U.value,
         )

@@ -280,7 +280,9 @@ def is_finite(x):
     root = _root(type(x))
     if root == "numpy":
         return bool(importlib.import_module("numpy").isfinite(x).all())
-    return bool(x.is_finite) if root in ("sympy", "symengine") else abs(x) < float("inf")
+    if root in ("sympy", "symengine"):  # SymEngine does not know of its own floats whether they are finite
+        return bool(importlib.import_module("sympy").sympify(x).is_finite)
+    return abs(x) < float("inf")
 
 
 def size(x):
@@ -338,10 +340,18 @@ def sampled(x):
     parts = x.free_symbols | x.atoms(sympy.core.function.AppliedUndef, sympy.Derivative)
     chosen = {p: sympy.Float(0.2 + 0.7 * zlib.crc32(str(p).encode()) / 2**32, 40) for p in parts}
     try:
-        value = complex(x.xreplace(chosen).evalf(40))
+        value = complex(_inside_out(x, chosen))
     except TypeError:
         return None
     return 0.0 if abs(value) < 1e-25 else value.real or abs(value)
+
+
+def _inside_out(x, known):
+    """The value of a SymPy expression to 40 digits, each part computed once; evalf takes a time exponential in the depth where sums cancel."""
+    if x not in known:
+        value = x.func(*(_inside_out(a, known) for a in x.args)) if x.args else x
+        known[x] = value if value.is_Rational else value.evalf(40)
+    return known[x]
 
 
 def least(x):

@@ -356,12 +356,12 @@ class Compiled:
         if self.backend == "numpy":
             return False
         if self._heyoka is None:
+            if self.backend == "auto" and self._seen < HEYOKA_PAYS["heyoka" in sys.modules]:
+                return False
             if importlib.util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":
                     raise ImportError("backend='heyoka' needs heyoka: pip install 'newton-euler[fast]', or use backend='auto'")
                 self.backend = "numpy"
-                return False
-            if self.backend == "auto" and self._seen < HEYOKA_PAYS["heyoka" in sys.modules]:
                 return False
             self._heyoka = self._compile_heyoka()
         return True

@@ -14,7 +14,7 @@ in an inertial frame.
 """
 
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import count, pairwise
 
 from . import rectilinear
 from .paths import along
@@ -23,6 +23,7 @@ from .triads import SingularError
 from .vectors import FrameError, Vector, _short
 
 SUBDIVISIONS = 400
+_NUMBERS = count()  # so that the variables of nested integrals have names of their own
 
 
 class WorkError(ValueError):
@@ -113,7 +114,7 @@ def work_integral(f, start, end, rtol=1e-10, exact=False, breaks=()):
     """The integral of ``f`` from ``start`` to ``end``, an :class:`Amount` with its estimated error: (11.2), (11.3), (11.4) or (11.11), by what f is.
 
     f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the integral of abs(f). Arrays and mpf: to nearly
-        their accuracy, for a smooth f. ``exact=True``: by SymPy, where f is written with functions of this package
+        their accuracy, for a smooth f. ``exact=True``: by SymPy, where f is written with functions of this package; it may take long
     breaks : where f has corners or jumps, or acts for a short while only, in order; the integral is divided there
     Raises :class:`WorkError` where it does not converge, where f is not finite, or where SymPy finds no formula.
 
@@ -179,10 +180,10 @@ def _smooth(f, start, end, scale):
 def _by_formula(f, start, end):
     import sympy
 
-    q = sympy.Dummy("q", real=True)
+    name, q = sympy.Symbol(f"_q{next(_NUMBERS)}"), sympy.Dummy("q", real=True)  # SymEngine would lose a Dummy, and what is assumed of a symbol
     try:
         start, end = (sympy.sympify(plain(scalar(x))) for x in (start, end))
-        value = sympy.integrate(sympy.sympify(plain(scalar(f(q)))), (q, start, end))
+        value = sympy.integrate(sympy.sympify(plain(scalar(f(name)))).xreplace({name: q}), (q, start, end))
     except (sympy.SympifyError, ScalarError) as problem:
         raise WorkError(f"SymPy cannot read the integrand or the limits {start!r} and {end!r}: {problem}") from None
     if value.has(sympy.Integral):

@@ -8,7 +8,7 @@ import functools
 
 import sympy
 
-_MODULES = {"float": "numpy", "array": "numpy", "mpmath": "mpmath", "sympy": "sympy"}
+_MODULES = {"float": "numpy", "array": "numpy", "mpmath": "mpmath"}
 
 
 @functools.cache
@@ -17,7 +17,9 @@ def _formulas(position, order):
     q, rates, second = (sympy.symbols(f"{letter}1:4") for letter in "qde")
     at_t = [x + d * t + e * t**2 / 2 for x, d, e in zip(q, rates, second, strict=True)]
     derivatives = [sympy.diff(sympy.sympify(x), t, order).subs(t, 0) for x in position(*at_t)]
-    return {kind: sympy.lambdify([q, rates, second], derivatives, module, cse=True) for kind, module in _MODULES.items()}
+    formulas = {kind: sympy.lambdify([q, rates, second], derivatives, module, cse=True) for kind, module in _MODULES.items()}
+    symbols = (*q, *rates, *second)
+    return formulas | {"sympy": lambda *x: [d.subs(dict(zip(symbols, (*x[0], *x[1], *x[2]), strict=True))) for d in derivatives]}
 
 
 def explicit(position, order):

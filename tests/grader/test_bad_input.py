@@ -22,8 +22,16 @@ RIGHT = {"ada": 11, "ben": 8, "cleo": 4, "eve": 9, "mallory": 0}
 
 ANSWERS = {  # the cell of 4/16 (alpha_CD, v_D, a_D) or 4/1: what is said of it
     "wrong shape": ("v_D = [1, 2]", "v_D", "expected a vector, three numbers as in [1.0, 0, -2.5], in mm/s; got 2 numbers: [1, 2]"),
-    "wrong kind": ("v_D = 'fast'", "v_D", "expected a vector, three numbers as in [1.0, 0, -2.5], in mm/s; got the text 'fast'; write it without quotation marks"),
-    "nan": ("import numpy as np\nv_D = np.array([1, 0, 2]) * np.nan", "v_D", "got nan, which comes from a division by zero or the root of a negative number"),
+    "wrong kind": (
+        "v_D = 'fast'",
+        "v_D",
+        "expected a vector, three numbers as in [1.0, 0, -2.5], in mm/s; got the text 'fast'; write it without quotation marks",
+    ),
+    "nan": (
+        "import numpy as np\nv_D = np.array([1, 0, 2]) * np.nan",
+        "v_D",
+        "got nan, which comes from a division by zero or the root of a negative number",
+    ),
     "still a symbol": ("import sympy\nv_D = [sympy.Symbol('q'), 0, 0]", "v_D", "q still contains q; put in the numbers"),
     "a dict": ("v_D = {'x': 1}", "v_D", "got a dict, which has no order"),
     "a lambda": ("v_D = lambda t: t", "v_D", "expected a vector"),
@@ -70,23 +78,60 @@ def untouched(course, student):
 NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
     "no receipt cell": (lambda c: without(work(c, "dan"), "receipt-4-16"), 11, None, ""),
     "no statement and no numbers": (lambda c: without(work(c, "dan"), "statement-4-16", "givens-4-16", "setup"), 11, None, ""),
-    "no answer cell": (lambda c: without(work(c, "dan"), "answer-4-16"), 8, "4/16", "the answer cell of 4/16 is missing from the notebook; fetch the assignment again"),
-    "a copied answer cell": (lambda c: copied(work(c, "dan"), "answer-4-16", "v_D = 1"), 11, "4/16", "2 copies of the answer cell; the first one that was filled in was graded"),
+    "no answer cell": (
+        lambda c: without(work(c, "dan"), "answer-4-16"),
+        8,
+        "4/16",
+        "the answer cell of 4/16 is missing from the notebook; fetch the assignment again",
+    ),
+    "a copied answer cell": (
+        lambda c: copied(work(c, "dan"), "answer-4-16", "v_D = 1"),
+        11,
+        "4/16",
+        "2 copies of the answer cell; the first one that was filled in was graded",
+    ),
     "worked in the copy": (
         lambda c: copied(without(untouched(c, "dan")), "answer-4-16", next(x["source"] for x in work(c, "dan")["cells"] if x["id"] == "answer-4-16")),
-        3, "4/16", "2 copies of the answer cell; the first one that was filled in was graded",
+        3,
+        "4/16",
+        "2 copies of the answer cell; the first one that was filled in was graded",
     ),
     "a copied receipt cell": (lambda c: copied(work(c, "dan"), "receipt-4-16", "receipt('4/16')"), 11, None, ""),
     "cells in another order": (lambda c: {**work(c, "dan"), "cells": work(c, "dan")["cells"][::-1]}, 11, None, ""),
     "no metadata of ours": (lambda c: {**work(c, "dan"), "metadata": {}}, 11, None, ""),
-    "no nbgrader metadata": (lambda c: json.loads(json.dumps(work(c, "dan")).replace('"nbgrader"', '"gone"')), 0, "4/16", "the answer cell of 4/16 is missing"),
-    "metadata of an old schema": (lambda c: json.loads(json.dumps(work(c, "dan")).replace('"schema_version": 3', '"schema_version": 1')), 11, None, ""),
-    "text as a list of lines": (lambda c: {**work(c, "dan"), "cells": [{**x, "source": x["source"].splitlines(True)} for x in work(c, "dan")["cells"]]}, 11, None, ""),
+    "no nbgrader metadata": (
+        lambda c: json.loads(json.dumps(work(c, "dan")).replace('"nbgrader"', '"gone"')),
+        0,
+        "4/16",
+        "the answer cell of 4/16 is missing",
+    ),
+    "metadata of an old schema": (
+        lambda c: json.loads(json.dumps(work(c, "dan")).replace('"schema_version": 3', '"schema_version": 1')),
+        11,
+        None,
+        "",
+    ),
+    "text as a list of lines": (
+        lambda c: {**work(c, "dan"), "cells": [{**x, "source": x["source"].splitlines(True)} for x in work(c, "dan")["cells"]]},
+        11,
+        None,
+        "",
+    ),
     "half a character": (lambda c: work(c, "dan", p4_1="speed = '\ud800'"), 9, None, ""),
-    "markup in an error": (lambda c: work(c, "dan", p4_1="raise ValueError('[/red] [bold] <script>alert(1)</script> ' + chr(27))"), 9, "4/1", "[/red] [bold] <script>"),
+    "markup in an error": (
+        lambda c: work(c, "dan", p4_1="raise ValueError('[/red] [bold] <script>alert(1)</script> ' + chr(27))"),
+        9,
+        "4/1",
+        "[/red] [bold] <script>",
+    ),
     "a magic and a shell command": (lambda c: work(c, "dan", p4_1="%matplotlib inline\n!ls\nspeed = 1"), 9, None, ""),
-    "ends the process": (lambda c: work(c, "dan", p4_31="import os; os._exit(0)"), 9, "4/31", "the end of its process: the cell ended Python, crashed it"),
-}  # fmt: skip
+    "ends the process": (
+        lambda c: work(c, "dan", p4_31="import os; os._exit(0)"),
+        9,
+        "4/31",
+        "the end of its process: the cell ended Python, crashed it",
+    ),
+}
 
 
 @pytest.mark.parametrize("how", NOTEBOOKS)
@@ -333,4 +378,3 @@ def test_a_bug_in_grading_one_submission_keeps_nobody_else_from_a_grade(fresh, m
     results = {r.student: r for r in grade(fresh, "ch04", force=True, workers=1)}
     assert "could not be graded, which is a bug of the grader: ZeroDivisionError" in results["ben"].problem
     assert not [s for s, r in results.items() if r.problem and s != "ben"]
-

@@ -186,7 +186,9 @@ def test_answers_given_before_the_process_ended_are_kept(harvester):
 
 def test_a_forged_receipt_is_only_data_for_the_problem_it_names(harvester):
     forged = json.dumps({"id": "0/2", "answers": {"x": 1}, "points": 100, "sandbox": "x"}) + "\n" + json.dumps({"id": "9/9", "answers": {}}) + "\n"
-    reply = caged(harvester, f"import os\nfor fd in range(3, 64):\n    try: os.write(fd, {forged.encode()!r})\n    except OSError: pass\nx = 5", "x = 7")
+    reply = caged(
+        harvester, f"import os\nfor fd in range(3, 64):\n    try: os.write(fd, {forged.encode()!r})\n    except OSError: pass\nx = 5", "x = 7"
+    )
     assert set(reply["receipts"]) == {"0/1", "0/2"}
     assert reply["receipts"]["0/1"]["answers"] == {"x": 5.0}
     assert set(reply["receipts"]["0/2"]) == {"id", "answers", "faults", "error"}
@@ -262,7 +264,16 @@ def test_without_privileges_the_cage_is_as_tight():
 
 @pytest.mark.slow
 def test_without_privileges_the_worker_survives_too():
-    names = ["kills everybody", "fork bomb", "no death with its parent", "daemon", "stops itself", "endless in C", "floods the receipts", "memory in pieces"]
+    names = [
+        "kills everybody",
+        "fork bomb",
+        "no death with its parent",
+        "daemon",
+        "stops itself",
+        "endless in C",
+        "floods the receipts",
+        "memory in pieces",
+    ]
     before = ours()
     replies = elsewhere([x for n in names for x in (ENDINGS[n], "x = 42")], unprivileged=True)
     assert [r["receipts"]["0/1"]["answers"] for r in replies[1::2]] == [{"x": 42.0}] * len(names)
@@ -294,13 +305,25 @@ def test_where_the_kernel_refuses_the_reply_names_its_reason():
 @pytest.mark.slow
 @pytest.mark.skipif(os.geteuid() != 0, reason="without a cage and without root, student code has the instructor's own rights")
 def test_without_a_cage_the_worker_survives_and_nothing_is_left_running():
-    names = ["daemon", "fork bomb", "no death with its parent", "kills everybody", "stops itself", "floods the receipts", "endless loop that catches everything"]
+    names = [
+        "daemon",
+        "fork bomb",
+        "no death with its parent",
+        "kills everybody",
+        "stops itself",
+        "floods the receipts",
+        "endless loop that catches everything",
+    ]
     before = ours()
     replies = elsewhere([x for n in names for x in (ENDINGS[n], "x = 42")], sandbox=False)
     assert [r["receipts"]["0/1"]["answers"] for r in replies[1::2]] == [{"x": 42.0}] * len(names)
     assert ours() <= before
     time.sleep(0.1)
-    left = [p for p in Path("/proc").glob("[0-9]*/status") if "Uid:\t10" in p.read_text(errors="replace") and "python" in p.read_text(errors="replace")[:40]]
+    left = [
+        p
+        for p in Path("/proc").glob("[0-9]*/status")
+        if "Uid:\t10" in p.read_text(errors="replace") and "python" in p.read_text(errors="replace")[:40]
+    ]
     assert not left
 
 

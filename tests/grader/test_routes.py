@@ -193,4 +193,3 @@ def test_unsandboxed_grading_says_so_in_the_notebook(fresh):
     (result,) = grade(fresh, "ch04", ["ada"], sandbox=False)
     assert result.note == "unsandboxed: this machine refused the cage (unsandboxed: asked for)" or "unsandboxed" in result.note
     assert "unsandboxed" in read(fresh.path / "autograded/ada/ch04/ch04.ipynb")["cells"][0]["source"]
-

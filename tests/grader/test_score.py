@@ -134,7 +134,9 @@ def verdict(a, tree, right):
     return scoring._judged(Nothing, a, tree, {}, right, {}).verdict
 
 
-@pytest.mark.parametrize(("tree", "expected"), [(0, "right"), (0.9e-6, "right"), (-0.9e-6, "right"), (1.1e-6, "wrong"), (1, "wrong"), (1e-300, "right")])
+@pytest.mark.parametrize(
+    ("tree", "expected"), [(0, "right"), (0.9e-6, "right"), (-0.9e-6, "right"), (1.1e-6, "wrong"), (1, "wrong"), (1e-300, "right")]
+)
 def test_a_key_of_zero_is_compared_with_its_absolute_tolerance(tree, expected):
     assert verdict(answer("number"), tree, (0.0,)) == expected
 
@@ -155,15 +157,24 @@ def test_each_bound_of_an_interval_counts_by_itself():
     assert verdict(answer("interval"), [0.4, 100.0], (0.1, 100.0)) == "wrong"
 
 
-@pytest.mark.parametrize(("kind", "of", "right", "tree", "expected"), [
-    ("count", (), 3, 3, "right"), ("count", (), 3, 4, "wrong"), ("count", (), 1, True, "wrong"), ("count", (), 3, 3.0, "wrong"), ("count", (), 3, "3", "wrong"),
-    ("choice", ("stable", "unstable"), "stable", "stable", "right"), ("choice", ("stable", "unstable"), "stable", "unstable", "wrong"),
-    ("choice", ("stable", "unstable"), "stable", ["stable"], "wrong"), ("choice", ("stable", "unstable"), "stable", {"a": 1}, "wrong"),
-    ("matrix", (), tuple(map(float, range(1, 10))), [1, 2, 3, 4, 5, 6, 7, 8, 9], "right"),
-    ("matrix", (), tuple(map(float, range(1, 10))), [1, 4, 7, 2, 5, 8, 3, 6, 9], "wrong"),
-    ("matrix", (), tuple(map(float, range(1, 10))), [1, 2, 3], "unreadable"),
-    ("matrix", (), tuple(map(float, range(1, 10))), [[1, 2, 3], [4, 5, 6], [7, 8, 9]], "unreadable"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("kind", "of", "right", "tree", "expected"),
+    [
+        ("count", (), 3, 3, "right"),
+        ("count", (), 3, 4, "wrong"),
+        ("count", (), 1, True, "wrong"),
+        ("count", (), 3, 3.0, "wrong"),
+        ("count", (), 3, "3", "wrong"),
+        ("choice", ("stable", "unstable"), "stable", "stable", "right"),
+        ("choice", ("stable", "unstable"), "stable", "unstable", "wrong"),
+        ("choice", ("stable", "unstable"), "stable", ["stable"], "wrong"),
+        ("choice", ("stable", "unstable"), "stable", {"a": 1}, "wrong"),
+        ("matrix", (), tuple(map(float, range(1, 10))), [1, 2, 3, 4, 5, 6, 7, 8, 9], "right"),
+        ("matrix", (), tuple(map(float, range(1, 10))), [1, 4, 7, 2, 5, 8, 3, 6, 9], "wrong"),
+        ("matrix", (), tuple(map(float, range(1, 10))), [1, 2, 3], "unreadable"),
+        ("matrix", (), tuple(map(float, range(1, 10))), [[1, 2, 3], [4, 5, 6], [7, 8, 9]], "unreadable"),
+    ],
+)
 def test_counts_words_and_matrices_have_one_way_to_be_right(kind, of, right, tree, expected):
     assert verdict(answer(kind, of=of), tree, right if isinstance(right, tuple) else (right,)) == expected
 
@@ -174,27 +185,35 @@ OMEGA, NU, D, TILT = "omega", "nu", "d", "tilt"
 SPEED = ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", TILT]], 2]], 0.5]  # 4/2
 
 
-@pytest.mark.parametrize("tree", [
-    SPEED,
-    ["sqrt", ["+", ["*", NU, NU], ["*", OMEGA, OMEGA, D, D, ["+", 1, ["*", -1, ["^", ["cos", TILT], 2]]]]]],
-    ["*", NU, ["sqrt", ["+", 1.0, ["^", ["/", ["*", OMEGA, D, ["sin", TILT]], NU], 2.0]]]],
-    ["*", ["/", "pi", 3.1416], SPEED],
-    ["Abs", ["*", -1, SPEED]],
-    ["exp", ["log", SPEED]],
-    ["+", SPEED, ["*", 1e-6, OMEGA, D]],
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "tree",
+    [
+        SPEED,
+        ["sqrt", ["+", ["*", NU, NU], ["*", OMEGA, OMEGA, D, D, ["+", 1, ["*", -1, ["^", ["cos", TILT], 2]]]]]],
+        ["*", NU, ["sqrt", ["+", 1.0, ["^", ["/", ["*", OMEGA, D, ["sin", TILT]], NU], 2.0]]]],
+        ["*", ["/", "pi", 3.1416], SPEED],
+        ["Abs", ["*", -1, SPEED]],
+        ["exp", ["log", SPEED]],
+        ["+", SPEED, ["*", 1e-6, OMEGA, D]],
+    ],
+)
 def test_equivalent_formulas_are_right(tree):
     assert judged(problem("4/2"), {"speed": tree})["speed"].verdict == "right"
 
 
-@pytest.mark.parametrize("tree", [
-    ["*", 1.0002, SPEED],
-    ["+", SPEED, ["*", 3e-4, OMEGA, D]],
-    ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, TILT], 2]], 0.5],  # sin x = x for small x
-    ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", ["*", "pi", ["/", TILT, 180]]]], 2]], 0.5],
-    ["+", NU, ["*", OMEGA, D, ["sin", TILT]]],
-    1.234, NU, "pi",
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "tree",
+    [
+        ["*", 1.0002, SPEED],
+        ["+", SPEED, ["*", 3e-4, OMEGA, D]],
+        ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, TILT], 2]], 0.5],  # sin x = x for small x
+        ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", ["*", "pi", ["/", TILT, 180]]]], 2]], 0.5],
+        ["+", NU, ["*", OMEGA, D, ["sin", TILT]]],
+        1.234,
+        NU,
+        "pi",
+    ],
+)
 def test_nearly_equal_formulas_are_wrong(tree):
     assert judged(problem("4/2"), {"speed": tree})["speed"].verdict == "wrong"
 
@@ -227,14 +246,45 @@ def nested(n, tree="omega"):
 
 
 JUNK = {
-    "nan": float("nan"), "inf": float("inf"), "minus inf": -float("inf"), "huge": 1e308, "a long integer": 10**4000, "tower": ["^", 9, ["^", 9, 9]],
-    "tall tower": ["^", 9, ["^", 9, ["^", 9, 9]]], "tower of a symbol": ["^", "omega", ["^", 9.0, ["^", 9.0, 9.0]]], "deep": nested(150), "too deep": nested(300),
-    "much too deep": nested(900), "100000 nodes": ["+", *(["*", "omega", 1e-9] for _ in range(33_000))],
-    "no arguments": ["+"], "no arguments of a power": ["^"], "empty": [], "empty in empty": [[]], "text": "anything", "key": "speed", "dict": {"a": 1}, "true": True,
-    "nothing in a list": [None], "an unknown function": ["exec", 1], "attribute": ["__class__", 1], "too many": ["^", 1, 2, 3], "sin of two": ["sin", 1, 2],
-    "0/0": ["/", 0, 0], "1/0": ["/", 1, 0], "0^-1": ["^", 0, -1], "log 0": ["log", 0], "root of -1": ["sqrt", -1], "acos 2": ["acos", 2.0], "complex power": ["^", -8.0, ["/", 1, 3]],
-    "operator as a number": [1, 2], "nested in a nest": [["+", 1, 2]], "surrogate": "\ud800", "nul": "\0", "html": "<script>", "list of lists": [[1, 2], [3, 4]],
-}  # fmt: skip
+    "nan": float("nan"),
+    "inf": float("inf"),
+    "minus inf": -float("inf"),
+    "huge": 1e308,
+    "a long integer": 10**4000,
+    "tower": ["^", 9, ["^", 9, 9]],
+    "tall tower": ["^", 9, ["^", 9, ["^", 9, 9]]],
+    "tower of a symbol": ["^", "omega", ["^", 9.0, ["^", 9.0, 9.0]]],
+    "deep": nested(150),
+    "too deep": nested(300),
+    "much too deep": nested(900),
+    "100000 nodes": ["+", *(["*", "omega", 1e-9] for _ in range(33_000))],
+    "no arguments": ["+"],
+    "no arguments of a power": ["^"],
+    "empty": [],
+    "empty in empty": [[]],
+    "text": "anything",
+    "key": "speed",
+    "dict": {"a": 1},
+    "true": True,
+    "nothing in a list": [None],
+    "an unknown function": ["exec", 1],
+    "attribute": ["__class__", 1],
+    "too many": ["^", 1, 2, 3],
+    "sin of two": ["sin", 1, 2],
+    "0/0": ["/", 0, 0],
+    "1/0": ["/", 1, 0],
+    "0^-1": ["^", 0, -1],
+    "log 0": ["log", 0],
+    "root of -1": ["sqrt", -1],
+    "acos 2": ["acos", 2.0],
+    "complex power": ["^", -8.0, ["/", 1, 3]],
+    "operator as a number": [1, 2],
+    "nested in a nest": [["+", 1, 2]],
+    "surrogate": "\ud800",
+    "nul": "\0",
+    "html": "<script>",
+    "list of lists": [[1, 2], [3, 4]],
+}
 
 
 @pytest.mark.parametrize("name", JUNK)
@@ -244,18 +294,26 @@ def test_junk_earns_nothing_and_every_part_is_judged(name):
             result = score(p, VALUES[p.id], {"answers": {a.key: tree for a in p.answers}})
             assert [part.key for part in result.parts] == [a.key for a in p.answers]
             assert result.points == 0
-            assert all(part.verdict in ("wrong", "unreadable", "blank") and part.diagnosis is None and part.message.isprintable() for part in result.parts)
+            assert all(
+                part.verdict in ("wrong", "unreadable", "blank") and part.diagnosis is None and part.message.isprintable() for part in result.parts
+            )
 
 
 LEAF = st.one_of(
-    st.none(), st.booleans(), st.integers(), st.floats(), st.text(max_size=5),
+    st.none(),
+    st.booleans(),
+    st.integers(),
+    st.floats(),
+    st.text(max_size=5),
     st.sampled_from(["omega", "nu", "d", "tilt", "pi", "+", "*", "^", "/", "sin", "Abs", "atan2", "exp", "log", "sqrt"]),
-)  # fmt: skip
+)
 TREE = st.recursive(LEAF, lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=3), inner, max_size=2), max_leaves=25)
 OPERATION = st.recursive(
     st.floats() | st.integers(-9, 9) | st.sampled_from(["omega", "nu", "d", "tilt", "pi"]),
-    lambda inner: st.tuples(st.sampled_from(["+", "*", "^", "/", "sin", "acos", "exp", "log", "sqrt", "atan2", "Abs", "tan", "cosh"]), inner, inner).map(list)
-    | st.tuples(st.sampled_from(["sin", "acos", "exp", "log", "sqrt", "Abs", "tan", "cosh"]), inner).map(list),
+    lambda inner: (
+        st.tuples(st.sampled_from(["+", "*", "^", "/", "sin", "acos", "exp", "log", "sqrt", "atan2", "Abs", "tan", "cosh"]), inner, inner).map(list)
+        | st.tuples(st.sampled_from(["sin", "acos", "exp", "log", "sqrt", "Abs", "tan", "cosh"]), inner).map(list)
+    ),
     max_leaves=30,
 )
 CALM = settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
@@ -264,7 +322,11 @@ CALM = settings(max_examples=150, deadline=None, suppress_health_check=list(Heal
 @CALM
 @given(TREE, TREE)
 def test_score_never_raises_on_anything_that_json_can_hold(tree, other):
-    for receipt in (tree, {"answers": tree, "faults": other, "error": other}, {"answers": {"speed": tree, "acc_mag": other}, "faults": {"acc_mag": tree}}):
+    for receipt in (
+        tree,
+        {"answers": tree, "faults": other, "error": other},
+        {"answers": {"speed": tree, "acc_mag": other}, "faults": {"acc_mag": tree}},
+    ):
         result = score(problem("4/2"), VALUES["4/2"], receipt)
         assert [part.key for part in result.parts] == ["speed", "acc_mag"]
         assert result.points == 0

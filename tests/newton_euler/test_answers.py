@@ -28,9 +28,21 @@ def one(form, value, symbols=None):
 
 
 NUMBERS = [
-    2.5, np.float64(2.5), np.float32(2.5), np.array(2.5), np.array([2.5]), [2.5], (2.5,), mpmath.mpf("2.5"), sympy.Rational(5, 2), sympy.Float(2.5), Fraction(5, 2), Decimal("2.5"),
-    sympy.sqrt(sympy.Rational(25, 4)), sympy.Matrix([2.5]),
-]  # fmt: skip
+    2.5,
+    np.float64(2.5),
+    np.float32(2.5),
+    np.array(2.5),
+    np.array([2.5]),
+    [2.5],
+    (2.5,),
+    mpmath.mpf("2.5"),
+    sympy.Rational(5, 2),
+    sympy.Float(2.5),
+    Fraction(5, 2),
+    Decimal("2.5"),
+    sympy.sqrt(sympy.Rational(25, 4)),
+    sympy.Matrix([2.5]),
+]
 
 
 @pytest.mark.parametrize("value", NUMBERS, ids=lambda v: f"{type(v).__module__}.{type(v).__name__} {v}")
@@ -47,9 +59,19 @@ def test_whole_numbers_are_numbers_and_counts(value):
 
 
 VECTORS = [
-    [1, -2.5, 0], (1, -2.5, 0), np.array([1, -2.5, 0]), np.array([[1], [-2.5], [0]]), sympy.Matrix([1, -2.5, 0]), sympy.ImmutableMatrix([[1, -2.5, 0]]), ground.vector(1, -2.5, 0),
-    mpmath.matrix([1, -2.5, 0]), [np.float32(1), sympy.Rational(-5, 2), mpmath.mpf(0)], ground.i - 2.5 * ground.j, (x for x in (1, -2.5, 0)), sympy.Array([1, -2.5, 0]),
-]  # fmt: skip
+    [1, -2.5, 0],
+    (1, -2.5, 0),
+    np.array([1, -2.5, 0]),
+    np.array([[1], [-2.5], [0]]),
+    sympy.Matrix([1, -2.5, 0]),
+    sympy.ImmutableMatrix([[1, -2.5, 0]]),
+    ground.vector(1, -2.5, 0),
+    mpmath.matrix([1, -2.5, 0]),
+    [np.float32(1), sympy.Rational(-5, 2), mpmath.mpf(0)],
+    ground.i - 2.5 * ground.j,
+    (x for x in (1, -2.5, 0)),
+    sympy.Array([1, -2.5, 0]),
+]
 
 
 @pytest.mark.parametrize("value", VECTORS, ids=lambda v: type(v).__name__)
@@ -57,7 +79,12 @@ def test_a_vector_is_read_from_every_library(value):
     assert one("vector, m/s", value) == [1.0, -2.5, 0.0]
 
 
-MATRICES = [np.arange(9.0).reshape(3, 3), np.arange(9).reshape(3, 3).tolist(), sympy.Matrix(3, 3, range(9)), mpmath.matrix(np.arange(9).reshape(3, 3).tolist())]
+MATRICES = [
+    np.arange(9.0).reshape(3, 3),
+    np.arange(9).reshape(3, 3).tolist(),
+    sympy.Matrix(3, 3, range(9)),
+    mpmath.matrix(np.arange(9).reshape(3, 3).tolist()),
+]
 
 
 @pytest.mark.parametrize("value", MATRICES, ids=lambda v: type(v).__name__)
@@ -94,10 +121,22 @@ def test_pint_quantities_are_converted_to_the_unit_asked_for():
 
 
 FORMULAS = {
-    "polynomial": r * omega**2 / 3, "functions": sympy.sin(theta) * sympy.cos(theta) + sympy.tan(theta) / 2, "root": sympy.sqrt(r**2 + 1) - sympy.Rational(1, 3),
-    "pi": sympy.pi * r, "abs": sympy.Abs(sympy.cos(theta) - 1), "atan2": sympy.atan2(r, omega), "exp": sympy.exp(-theta), "E": sympy.E * r, "float": 2.5 * r, "negative power": 1 / r,
-    "inverse": sympy.asin(theta / 4) + sympy.atan(theta), "hyperbolic": sympy.cosh(theta), "log": sympy.log(r), "secant written out": 1 / sympy.cos(theta), "number": sympy.Integer(3),
-}  # fmt: skip
+    "polynomial": r * omega**2 / 3,
+    "functions": sympy.sin(theta) * sympy.cos(theta) + sympy.tan(theta) / 2,
+    "root": sympy.sqrt(r**2 + 1) - sympy.Rational(1, 3),
+    "pi": sympy.pi * r,
+    "abs": sympy.Abs(sympy.cos(theta) - 1),
+    "atan2": sympy.atan2(r, omega),
+    "exp": sympy.exp(-theta),
+    "E": sympy.E * r,
+    "float": 2.5 * r,
+    "negative power": 1 / r,
+    "inverse": sympy.asin(theta / 4) + sympy.atan(theta),
+    "hyperbolic": sympy.cosh(theta),
+    "log": sympy.log(r),
+    "secant written out": 1 / sympy.cos(theta),
+    "number": sympy.Integer(3),
+}
 
 
 @pytest.mark.parametrize("name", FORMULAS)
@@ -156,7 +195,7 @@ WRONG = [
     ("expression, m", sympy.Piecewise((r, r > 1), (0, True)), "not among the functions"),
     ("expression, m", [r, r], "expected a formula in the problem's symbols, in m; got 2"),
     ("vector_expression, m", r, "expected a vector of three formulas"),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("form", "value", "said"), WRONG, ids=[f"{f} from {v!r:.30}" for f, v, _ in WRONG])
@@ -247,14 +286,17 @@ def test_plain_nbgrader_cannot_give_points_for_a_receipt(problem, monkeypatch):
         receipt(problem, v=[1, 2, 3])
 
 
-@pytest.mark.parametrize(("formula", "hint"), [
-    (r * omega, None),
-    (r * omega**2, r"it has .*, but m/s has"),
-    (r + omega, "adds unlike quantities"),
-    (sympy.sin(r), "adds unlike|it "),
-    (0 * r, None),
-    (sympy.sqrt(r**2 * omega**2), None),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("formula", "hint"),
+    [
+        (r * omega, None),
+        (r * omega**2, r"it has .*, but m/s has"),
+        (r + omega, "adds unlike quantities"),
+        (sympy.sin(r), "adds unlike|it "),
+        (0 * r, None),
+        (sympy.sqrt(r**2 * omega**2), None),
+    ],
+)
 def test_the_dimension_of_a_formula_is_hinted_at(formula, hint):
     tree = one("expression, m/s", formula, SYMBOLS)
     hints = dimension_hints(tree, Form.read("expression, m/s"), SYMBOLS)
@@ -278,7 +320,9 @@ def test_trees_are_data_for_scalars_of_every_kind():
     assert evaluate(["*", "r", "r"], {"r": Dimension(0, 1, 0)}) == Dimension(0, 2, 0)
 
 
-@pytest.mark.parametrize("tree", [["+"], [], ["exec", 1], [1, 2], {"a": 1}, None, True, ["^", 1], ["atan2", 1], ["nope"], "unknown", [["+"], 1], ["sin", 1, 2]])
+@pytest.mark.parametrize(
+    "tree", [["+"], [], ["exec", 1], [1, 2], {"a": 1}, None, True, ["^", 1], ["atan2", 1], ["nope"], "unknown", [["+"], 1], ["sin", 1, 2]]
+)
 def test_what_is_not_a_tree_raises_a_tree_error(tree):
     with pytest.raises(TreeError):
         evaluate(tree, {"r": 1.0})

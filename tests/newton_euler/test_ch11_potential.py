@@ -184,12 +184,12 @@ def test_eqn_11_23_components_by_x_over_r_cubed(kind):
 def test_eqn_11_24_its_potential_found_from_the_field(kind):
     """Found by integration from the base, where it is zero; the formula is zero far away."""
     K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, 2, 2)
-    V = find_potential(attraction_field(K, M, m), (3, 4, 0), box=((1, 2), (1, 2), (1, 2)))
     far = gravitational_potential(M, m, sqrt(x * x + y * y + z * z), K) - gravitational_potential(M, m, 5 + 0 * x, K)
-    if kind == "sympy":  # the integral to a place that is not named has no formula that SymPy finds; along a radius it does
-        q = sympy.Symbol("q", positive=True)
-        assert sympy.simplify(V(3 * q, 4 * q, sympy.Integer(0)) + K * M * m * (1 / (5 * q) - sympy.Rational(1, 5))) == 0
+    if kind == "sympy":  # the integral to any place is more than SymPy finds; along a radius it is not
+        lost = work_along(attraction_field(K, M, m), lambda s: (s, 0, 0), 5, sqrt(x * x + y * y + z * z), exact=True).value
+        assert close(-lost, far, small(kind))
     else:
+        V = find_potential(attraction_field(K, M, m), (3, 4, 0), box=((1, 2), (1, 2), (1, 2)))
         assert close(V(x, y, z), far, 10 * small(kind))
 
 
@@ -277,6 +277,12 @@ def test_a_potential_found_in_symbols():
     assert sympy.expand(V + c * (x**2 + y**2 + z**2) ** 2 / 4) == 0
 
 
+def test_a_potential_found_in_symengine():
+    symengine = pytest.importorskip("symengine")
+    k, x = symengine.symbols("k x")
+    assert sympy.expand(find_potential(lambda x, y, z: (-k * x, 0, 0))(x, 0, 0) - sympy.sympify(k * x**2) / 2) == 0
+
+
 def test_a_potential_found_differentiates_to_the_force():
     V, P = find_potential(down_hill), Frame("ground").point("P", 2.0, -0.5, 1.5)
     assert close(-gradient(V, P), down_hill(2.0, -0.5, 1.5), 1e-14)
@@ -295,11 +301,11 @@ def test_the_curl_by_hand(kind):
 
 
 def test_a_force_with_curl_has_no_potential():
-    with pytest.raises(NoPotential, match=r"at \(-0\.75.*the curl of the force is \(0, 0, 2\), not zero") as told:
+    with pytest.raises(NoPotential, match=r"at \(-0\.7.*the curl of the force is \(0, 0, 2\), not zero") as told:
         find_potential(lambda x, y, z: (-y, x, 0))
     assert told.value.curl == (0, 0, 2)
     g = sympy.symbols("g_xy g_yx")
-    with pytest.raises(NoPotential, match="-g_xy \\+ g_yx|g_yx - g_xy"):
+    with pytest.raises(NoPotential, match=r"-g_xy \+ g_yx|g_yx - g_xy"):
         find_potential(lambda x, y, z: (g[0] * y, g[1] * x, 0))
 
 
@@ -352,7 +358,7 @@ def test_fields_that_are_none_are_refused_in_words(field, message):
 
 def test_a_straight_line_through_the_centre_of_attraction_is_refused():
     V = find_potential(attraction_field(1.0, 1.0, 1.0), base=(-1, 0, 0), box=((1, 2), (1, 2), (1, 2)))
-    with pytest.raises(WorkError, match="did not converge|no value"):
+    with pytest.raises(WorkError, match=r"did not converge|no value"):
         V(1.0, 0.0, 0.0)
     with pytest.raises(MassError, match="the distance of the two bodies must be positive"):
         gravitational_potential(1.0, 1.0, 0.0)

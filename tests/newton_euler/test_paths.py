@@ -47,6 +47,10 @@ def knot(q):
     return (2 + cos(3 * q)) * cos(2 * q), (2 + cos(3 * q)) * sin(2 * q), sin(3 * q)
 
 
+def twisted(q):
+    return q, q * q, q**3 / 3
+
+
 @every_kind
 def test_derivatives_of_a_path_up_to_the_third_are_those_of_SymPy(kind):
     q = numbers(kind, "0.7")
@@ -96,11 +100,19 @@ def test_torsion_has_the_sign_of_the_book():
 @every_kind
 def test_constant_speed_has_no_tangential_acceleration(kind):
     q, speed = numbers(kind, "0.7", 3)
-    moved = frenet_along(knot, at_speed(knot, q, speed), ground)
+    moved = frenet_along(twisted, at_speed(twisted, q, speed), ground)
     assert close(moved.speed, speed, tolerance(kind))
     assert close(moved.speed_rate, 0, 10 * tolerance(kind))
-    growing = frenet_along(knot, at_speed(knot, q, speed, speed / 4), ground)
+    growing = frenet_along(twisted, at_speed(twisted, q, speed, speed / 4), ground)
     assert close(growing.speed_rate, speed / 4, 10 * tolerance(kind))
+
+
+def test_a_fraction_in_a_path_is_as_exact_as_the_parameter():
+    """1/3 between the jets of a 30 digit number must not be the float 0.333…"""
+    q = mp.mpf("0.7")
+    assert close(derivatives(twisted, q), ((q, q * q, q**3 / 3), (1, 2 * q, q * q), (0, 2, 2 * q), (0, 0, 2)), mp.mpf(10) ** -28)
+    assert close(derivatives(lambda q: (q / 3, q * q / 3, q), q)[2], (0, mp.mpf(2) / 3, 0), mp.mpf(10) ** -28)
+    assert close(derivatives(lambda q: (q / 3, q * q / 3, q), q)[1], (mp.mpf(1) / 3, 2 * q / 3, 1), mp.mpf(10) ** -28)
 
 
 def test_circle_center_and_plane_motion_in_both_senses():

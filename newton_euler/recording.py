@@ -1,0 +1,180 @@
+"""What a sketch does before and behind its drawing: it takes places and directions as triples, records commands, and finishes the figure.
+
+A command draws with ink of a given length of a point; the finishing finds the length with which all symbols fit on the page, or takes
+the one of a :class:`Window`, which the pictures of a film share so that nothing jumps.
+"""
+
+import math
+from dataclasses import dataclass, field
+
+from .covering import far_to_near
+from .frames import Frame, Point
+from .labels import placed
+from .projection import mean, norm3, plane_view, space_view
+from .strokes import Ink
+from .vectors import FrameError, Vector, scale3
+
+
+@dataclass(frozen=True)
+class Window:
+    """What several pictures share: the length of a point in metres, the middle of the page, the middle of the scene, and where the
+    labels are, which each picture brings up to date for the next."""
+
+    pt: float
+    middle: tuple
+    centre: tuple
+    labels: dict = field(default_factory=dict)
+
+
+class Recording:
+    """A sketch that records commands and draws them when the figure is shown or saved."""
+
+    def __init__(self, ax, ground, azimuth=35, elevation=20, up="z", plane=None):
+        if not hasattr(ax, "add_patch"):
+            raise FrameError(f"a sketch is drawn on a matplotlib Axes, got {ax!r}; make one with fig, ax = plt.subplots()")
+        if not isinstance(ground, Frame):
+            raise FrameError(f"a sketch shows a scene from its ground, a Frame; got {ground!r}. Write Sketch(ax, ground)")
+        self.ax, self.frame = ax, ground
+        self.view = plane_view(plane) if plane is not None else space_view(azimuth, elevation, up)
+        self._commands, self._extent, self._longest, self._artists = [], [], {}, []
+        self._pending, self._before, self._window = False, None, None
+
+    # -- what a place and a direction are
+
+    def _place(self, P):
+        """A place as a triple of floats in the ground; it counts for the extent of the figure."""
+        if isinstance(P, Point):
+            P = P.position(self.frame)
+        return self._reach(self._triple(P, "place"))[0]
+
+    def _triple(self, v, what):
+        if isinstance(v, Point):
+            raise FrameError(f"a {what} is a Vector or a triple, got the point {v.name}; write B - A for the vector from A to B")
+        try:
+            v = tuple(v.components(self.frame) if isinstance(v, Vector) else v)
+        except TypeError:
+            v = (v,)
+        if len(v) != 3:
+            raise FrameError(f"a {what} is a {'Point, a ' * (what == 'place')}Vector or three numbers, got {v!r}")
+        try:
+            v = tuple(map(float, v))
+        except (TypeError, ValueError):
+            raise FrameError(f"a sketch needs numbers, but the {what} is {v!r}; draw with one value for each given") from None
+        if not all(map(math.isfinite, v)):
+            raise FrameError(f"the {what} {v!r} is not finite and cannot be drawn")
+        return v
+
+    def _unit(self, v):
+        v = self._triple(v, "direction")
+        if not norm3(v):
+            raise FrameError("a direction of length zero points nowhere; give a vector that is not zero")
+        return scale3(1 / norm3(v), v)
+
+    def _size(self, x):
+        try:
+            size = float(x)
+        except (TypeError, ValueError):
+            size = math.nan
+        if not 0 < size < math.inf:
+            raise FrameError(f"a radius, length or size is a positive number of metres; got {x!r}")
+        return size
+
+    def _reach(self, *points):
+        self._extent.extend(points)
+        return points
+
+    # -- recording and finishing
+
+    def _record(self, command):
+        self._commands.append(command)
+        if not self._pending:
+            self._pending, self._before = True, self.ax.get_axes_locator()
+            self.ax.set_axes_locator(self._locate)  # matplotlib asks for the place of the axes at the start of every drawing
+
+    def _locate(self, ax, renderer):
+        before = self._before
+        self.finish(renderer)
+        return before(ax, renderer) if before else ax.get_position(original=True)
+
+    def finish(self, renderer=None):
+        """Draw what was recorded: limits to fit, equal aspect, no frame. Runs by itself when the figure is drawn; twice does no harm."""
+        from matplotlib.path import Path
+        from matplotlib.transforms import TransformedPath
+
+        if not self._pending:
+            return
+        self._pending = False
+        if self.ax.get_axes_locator() == self._locate:
+            self.ax.set_axes_locator(self._before)
+        for artist in self._artists:
+            artist.remove()
+        width, height = self._page()
+        window = self._window or self._fitted(width, height)
+        (x, y), pt = window.middle, window.pt
+        self.ax.set(xlim=(x - width / 2 * pt, x + width / 2 * pt), ylim=(y - height / 2 * pt, y + height / 2 * pt))
+        self.ax.set_aspect("equal", adjustable="datalim")
+        self.ax.set_axis_off()
+        ink = self._inked(pt, window.centre)
+        clip = TransformedPath(Path.unit_rectangle(), self.ax.transAxes)
+        patches = [patch for stroke in far_to_near(ink) for patch in stroke.drawn(self.ax, self.view, clip)]
+        self._artists = [*patches, *placed(self.ax, ink, renderer, window.labels)]
+
+    def _page(self):
+        """Width and height of the axes in points."""
+        return tuple(size * 72 / self.ax.figure.dpi for size in self.ax.bbox.size)
+
+    def _inked(self, pt, centre):
+        ink = Ink(self.view, pt, self._extent, centre)
+        for command in self._commands:
+            command(ink)
+        return ink
+
+    def _fitted(self, width, height):
+        return _fitted([self], width, height)
+
+
+def sketches_on(ax):
+    """The sketches that wait on these axes to be drawn."""
+    found, locator = [], ax.get_axes_locator()
+    while isinstance(sketch := getattr(locator, "__self__", None), Recording):
+        found.append(sketch)
+        locator = sketch._before
+    return found
+
+
+def share_window(sketches):
+    """One window for the sketches of many pictures of one size: they show everything at one scale, and arrows of a kind to one measure."""
+    longest = {}
+    for sketch in sketches:
+        for kind, size in sketch._longest.items():
+            longest[kind] = max(size, longest.get(kind, 0))
+    for sketch in sketches:
+        sketch._longest = longest
+    window = _fitted(sketches, *sketches[0]._page())
+    for sketch in sketches:
+        sketch._window = window
+
+
+def _fitted(sketches, width, height):
+    """The window that holds them all. Symbols have sizes in points, so how long a point is depends on them: a few rounds settle it."""
+    places = [P for sketch in sketches for P in sketch._extent]
+    centre = mean(places) if places else (0.0, 0.0, 0.0)
+    box = _union(Ink(sketch.view, 0, sketch._extent, centre).box() for sketch in sketches)
+    for _ in range(5):
+        pt = _point(box, width, height)
+        box = _union(sketch._inked(pt, centre).box() for sketch in sketches)
+        if abs(_point(box, width, height) / pt - 1) < 0.02:
+            break
+    left, right, bottom, top = box
+    return Window(pt, ((left + right) / 2, (bottom + top) / 2), centre)
+
+
+def _union(boxes):
+    lefts, rights, bottoms, tops = zip(*boxes, strict=True)
+    return min(lefts), max(rights), min(bottoms), max(tops)
+
+
+def _point(box, width, height, margin=12):
+    """The length of a point with which the box fills a page of so many points."""
+    left, right, bottom, top = box
+    return max((right - left) / (width - 2 * margin), (top - bottom) / (height - 2 * margin)) or 1 / width

@@ -1,0 +1,177 @@
+"""``python -m grader``: teaches, answers, and tells errors in one sentence with exit code 2."""
+
+import json
+import shutil
+
+import numpy as np
+import pytest
+import sympy
+from click.testing import CliRunner
+
+from exercises.catalogue import SYMBOLIC, problem, problems
+from grader.__main__ import main
+from newton_euler.vectors import Vector
+
+
+def command(*arguments):
+    """(exit code, output) in this process."""
+    result = CliRunner().invoke(main, list(map(str, arguments)), prog_name="python -m grader")
+    if result.exception and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.output
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ((), "python -m grader build ch04 --course"),
+        (("solve",), "--explain"),
+        (("prove",), "exit code 1"),
+        (("figure",), "PNG"),
+        (("build",), "--update"),
+        (("personal",), "hand out COURSE/personal/ASSIGNMENT/STUDENT"),
+        (("grade",), "--force"),
+        (("demo",), "six students"),
+    ],
+)
+def test_help_teaches(name, words):
+    code, out = command(*name, "--help")
+    assert code == 0
+    assert words in " ".join(out.split())
+    assert command(*name, "-h") == (code, out)
+
+
+@pytest.fixture(scope="module")
+def all43():
+    code, out = command("solve", "ch04", "--json")
+    assert code == 0
+    return json.loads(out)
+
+
+def flat(x):
+    return [z for y in x for z in flat(y)] if isinstance(x, (Vector, tuple, list)) else [x]
+
+
+def test_solve_answers_all_43_problems_as_json(all43):
+    assert list(all43) == [f"4/{n}" for n in range(1, 44)]
+    for p in problems("ch04"):
+        for a in p.answers:
+            entry = all43[p.id][a.key]
+            assert set(entry) == {"kind", "unit", "expr" if a.kind in SYMBOLIC else "value"}
+            assert (entry["kind"], entry["unit"]) == (a.kind, a.unit)
+
+
+@pytest.mark.parametrize("p", problems("ch04"), ids=lambda p: p.id)
+def test_the_json_has_the_values_that_solve_gives_and_sympy_reads_its_formulas(p, all43):
+    rng = np.random.default_rng(4)
+    values = {n: float(rng.uniform(*s.vary)) for n, s in p.symbols.items()}
+    right = p.solve({**p.book_values, **values})
+    names = {n: sympy.Symbol(n) for n in p.symbols}
+    for a in p.answers:
+        entry = all43[p.id][a.key]
+        got = flat(entry["expr"] if a.kind in SYMBOLIC else entry["value"])
+        if a.kind in SYMBOLIC:
+            got = [float(sympy.sympify(text, locals=names).subs(values)) for text in got]
+        assert got == pytest.approx([float(x) for x in flat(right[a.key])], rel=1e-9, abs=1e-12)
+
+
+def test_solve_takes_other_numbers_and_variants():
+    book, other = (json.loads(command("solve", "4/16", "--json", *more)[1])["4/16"] for more in ((), ("--given", "omega=0.9")))
+    assert other["a_D"]["value"] != book["a_D"]["value"]
+    expected = problem("4/16").solve({**problem("4/16").book_values, "omega": 0.9})
+    assert other["a_D"]["value"] == pytest.approx([float(x) for x in expected["a_D"]])
+    one, again, two = (json.loads(command("solve", "4/16", "--json", "--seed", n)[1]) for n in (1, 1, 2))
+    assert one == again != two
+    assert command("solve", "4/2", "--json", "--given", "tilt=0.5")[1].count("tilt") == 0
+
+
+def test_explain_prints_the_terms():
+    assert "coriolis" in command("solve", "4/16", "--explain")[1]
+
+
+def test_prove_ends_with_0_if_all_holds_and_1_if_a_key_is_tampered_with(monkeypatch):
+    code, out = command("prove", "4/16", "4/2", "--seeds", 2)
+    assert (code, "2 passed, 0 failed" in out) == (0, True)
+    code_of = problem("4/16").code
+    original = code_of.solve
+    monkeypatch.setattr(code_of, "solve", lambda g: {**original(g), "v_D": original(g)["v_D"] * 1.0001})
+    from exercises import variants
+
+    variants._compiled.cache_clear()
+    try:
+        code, out = command("prove", "4/16", "--seeds", 1)
+    finally:
+        variants._compiled.cache_clear()
+    assert code == 1
+    assert "0 passed, 1 failed" in out
+    assert "v_D: solve in floats and prove differ" in out
+
+
+def test_figure_writes_a_png(tmp_path):
+    code, _ = command("figure", "4/16", "--to", tmp_path / "new")
+    assert code == 0
+    assert (tmp_path / "new/4_16.png").read_bytes().startswith(b"\x89PNG")
+
+
+WRONG = [
+    (("solve",), "Missing argument"),
+    (("solve", "4/99"), "there is no problem 4/99; ch04 has 4/1 to 4/43"),
+    (("solve", "5/1"), "there is no problem 5/1: the chapters with problems are"),
+    (("solve", "ch99"), "there is no chapter 'ch99'; there are"),
+    (("solve", "4/x"), "'4/x' is not a problem number; write chapter and problem, as in 4/16"),
+    (("solve", "../etc"), "is not a problem number"),
+    (("solve", "4/16", "--given", "omega"), "expected NAME=VALUE with a number, as in --given omega=0.9"),
+    (("solve", "4/16", "--given", "omega=fast"), "expected NAME=VALUE with a number"),
+    (("solve", "4/16", "--given", "omega=nan"), "expected NAME=VALUE with a number"),
+    (("solve", "4/16", "--given", "mass=3"), "none of these problems has a given 'mass'; 4/16 has"),
+    (("solve", "4/16", "--seed", "x"), "not a valid integer"),
+    (("prove", "4/16", "--seeds", "0"), "0 is not in the range"),
+    (("nonsense",), "No such command 'nonsense'"),
+    (("grade", "ch04"), "Missing option '--course'"),
+    (("grade", "ch04", "--course", "{tmp}"), "is not a course folder: it has no nbgrader_config.py. Make one with: python -m grader build"),
+    (("grade", "ch04", "--course", "{tmp}/missing"), "is not a course folder"),
+    (("grade", "ch04", "--course", "{tmp}/file"), "is a file"),
+    (("personal", "ch04", "--course", "{tmp}"), "is not a course folder"),
+    (("build", "ch99", "--course", "{tmp}/c"), "there is no chapter 'ch99'"),
+    (("build", "ch04", "--course", "{tmp}/c", "--problem", "5/1"), "ch04 has no problem 5/1; it has 4/1 to 4/43"),
+    (("build", "ch04", "--course", "{tmp}/c", "--students", "{tmp}/missing.csv"), "does not exist"),
+    (("build", "ch04", "--course", "{tmp}/c", "--update"), "is not a course folder"),
+    (("build", "ch04", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty"),
+    (("demo", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty"),
+    (("demo", "--course", "{tmp}/c", "--problem", "4/77"), "ch04 has no problem 4/77"),
+    (("figure", "4/16", "--to", "{tmp}/file"), "is a file"),
+]
+
+
+@pytest.mark.parametrize(("arguments", "words"), WRONG, ids=[" ".join(a) for a, _ in WRONG])
+def test_wrong_uses_end_with_2_and_a_sentence(arguments, words, tmp_path):
+    (tmp_path / "file").write_text("x")
+    code, out = command(*(a.replace("{tmp}", str(tmp_path)) for a in arguments))
+    assert code == 2
+    assert words in " ".join(out.replace("│", " ").split()) or words in out
+    assert "Traceback" not in out
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["file"]
+
+
+def test_a_given_that_makes_no_sense_is_told():
+    code, out = command("solve", "4/10", "--given", "r=0")
+    assert code == 2
+    assert "4/10 has no answer for r=0" in out
+
+
+def test_grade_prints_tables_with_whatever_students_wrote(fresh):
+    from tests.grader.courses import submit
+    from tests.grader.test_routes import work
+
+    submit(fresh, "dan", work(fresh, "dan", p4_1="raise ValueError('[/red] [/] [bold')"))
+    code, out = command("grade", "ch04", "--course", fresh.path, "--verbose")
+    assert code == 0
+    assert "dan" in out
+    assert "9/11" in out
+
+
+def test_grade_says_when_there_is_nothing_to_grade(fresh):
+    shutil.rmtree(fresh.path / "submitted")
+    code, out = command("grade", "ch04", "--course", fresh.path)
+    assert code == 0
+    assert "Collect first: nbgrader collect ch04" in out.replace("\n", " ")
