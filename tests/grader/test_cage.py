@@ -113,7 +113,7 @@ def test_nothing_in_the_cage_holds_a_key_or_the_exchange(harvester):
     import os
     x = 0
     for folder, _, files in os.walk("/"):
-        x += sum(f in ("problems.yaml", ".course_secret", "gradebook.db", "p16.py") for f in files) + folder.endswith("share/nbgrader/exchange")
+        x += sum(f in ("problems.yaml", ".course_secret", "p16.py") for f in files) + folder.endswith("share/nbgrader/exchange")
     """
     assert caged(harvester, cell, seconds=40, cell_seconds=30)["receipts"]["0/1"]["answers"] == {"x": 0.0}
 
@@ -149,8 +149,10 @@ ENDINGS = {
     "no alarm": "import signal\nsignal.signal(signal.SIGALRM, signal.SIG_IGN)\nwhile True: pass",
     "sleeps": "import time; time.sleep(1000)",
     "prints without end": "while True: print('x' * 10**6)",
-    "floods the receipts": "import os\nwhile True:\n    for fd in range(3, 20):\n        try: os.write(fd, b'x' * 65536)\n        except OSError: pass",
-    "deep json": "import os\nfor fd in range(3, 20):\n    try: os.write(fd, b'{\"id\": \"0/1\", \"answers\": ' + b'[' * 985 + b']' * 985 + b'}\\n')\n    except OSError: pass",
+    "floods the receipts": "import os\nwhile True:\n    for fd in range(3, 20):\n        try: os.write(fd, b'x' * 65536)\n"
+    "        except OSError: pass",
+    "deep json": "import os\nline = b'{\"id\": \"0/1\", \"answers\": ' + b'[' * 985 + b']' * 985 + b'}\n'\nfor fd in range(3, 20):\n"
+    "    try: os.write(fd, line)\n    except OSError: pass",
     "rewrites builtins": "import builtins, json, os\njson.dumps = None\nos.write = None\nbuiltins.len = lambda *_: -1\nx = 1",
     "an error that fails to print": "class E(Exception):\n    def __str__(self): raise E()\nraise E()",
     "half characters": "raise ValueError('\\ud800')",
@@ -204,6 +206,7 @@ def test_many_jobs_in_a_row_leave_no_process_and_no_file_open(harvester):
     assert ours() <= before
 
 
+@pytest.mark.slow
 def test_a_fork_bomb_beside_leaves_another_worker_its_processes():
     with Harvester(2) as two:
         from concurrent.futures import ThreadPoolExecutor

@@ -173,7 +173,7 @@ def test_section_2_8_plane_rotations_commute_and_angular_velocities_add():
 
 
 @every_kind
-def test_eqn_2_23_to_2_25_relative_velocity_and_acceleration(kind):
+def test_eqn_2_23_to_2_26_relative_velocity_and_acceleration(kind):
     """Against the position of A written out in the ground."""
     b, d, e, f = numbers(kind, "1.3", "0.5", "0.7", "-0.4")
 
@@ -199,6 +199,8 @@ def test_eqn_2_23_to_2_25_relative_velocity_and_acceleration(kind):
     assert close(A.position(ground), known.position(ground), tolerance(kind))
     assert close(A.velocity(ground), known.velocity(ground), 10 * tolerance(kind))
     assert close(A.velocity(ground), v_r + B.velocity(ground) + omega.cross(r), 10 * tolerance(kind))
+    assert close(omega.rate(ground), omega.rate(body), tolerance(kind))  # (2.26)
+    assert close(omega.rate(body), (0, 0, 2 * e), tolerance(kind))
     assert close(A.acceleration(ground), known.acceleration(ground), 10 * tolerance(kind))
     terms = a_r, omega.rate(ground).cross(r), 2 * omega.cross(v_r), omega.cross(omega.cross(r)), B.acceleration(ground)
     assert close(A.acceleration(ground), sum(terms), 10 * tolerance(kind))

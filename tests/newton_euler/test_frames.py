@@ -156,7 +156,7 @@ def test_eqn_4_13_and_4_14_a_vector_fixed_in_a_frame_turns_with_it(kind, axis):
 
 @pytest.mark.parametrize("kind", FAST_KINDS)
 @pytest.mark.parametrize("seed", range(4))
-def test_eqn_4_15_rate_of_a_moving_vector_seen_from_any_frame(kind, seed):
+def test_eqn_4_15_and_4_27_rate_of_a_moving_vector_seen_from_any_frame(kind, seed):
     tree = random_tree(seed, 4)
     frames = in_engine(tree, kind)
     q = [[0.3, 1.1, -0.6], [1.2, -0.4, 0.9], [-0.8, 0.5, 0.2]]

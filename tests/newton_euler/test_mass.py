@@ -176,7 +176,7 @@ def test_example_5_3_projectile_that_bursts():
 
 
 @every_kind
-def test_eqn_5_10_centre_in_the_body_frame_and_5_14_to_5_17_positions_from_it(kind):
+def test_eqn_5_10_and_5_14_to_5_17_centre_in_the_body_frame_and_positions_from_it(kind):
     ground, body, B = spinning(kind)
     cloud = of_kind(kind, points(2))
     parts = bodies(cloud, body)

@@ -1,0 +1,124 @@
+"""Films of any motion: a function that sketches the scene at an instant, drawn at many, in one window for all so that nothing jumps.
+
+>>> from math import sin
+>>> from newton_euler import Frame
+>>> from newton_euler.animation import animate
+>>> from newton_euler.drawing import Sketch
+>>> def swinging(t, ax):
+...     ground = Frame("ground")
+...     bob = ground.rotate("rod", "x", angle=0.4*sin(3*t)).point("B", 0, 0, -1)
+...     Sketch(ax, ground, plane="yz").rod((0, 0, 0), bob)
+>>> film = animate(swinging, [0.1*n for n in range(22)], alt="A pendulum swings to and fro.")
+>>> film                                                     # in Jupyter it shows with a button and a slider
+Animation of 22 pictures from t = 0.0 s to t = 2.1 s: A pendulum swings to and fro.
+
+``film.save("pendulum.html")`` or ``film.save("pendulum.gif")`` writes a file.
+"""
+
+import io
+import math
+from itertools import pairwise
+
+from .player import Animation, AnimationError
+from .recording import share_window, sketches_on
+
+MOST_PICTURES = 600
+MOST_PIXELS = 300e6  # of all pictures together: some ten megabytes of HTML
+COLOURS = 64  # of a picture: drawings have few, and a quarter of the size is worth the rest
+
+
+def animate(draw, times, speed=None, size=(5, 4), dpi=100, alt="", progress=None):
+    """An :class:`Animation` of the scene that ``draw(t, ax)`` draws with a Sketch on ``ax`` as it is at time t; called once for each.
+
+    times : of the pictures in s, increasing; they need not be evenly spaced
+    speed : seconds of the motion shown in one second; by default 1, or what makes the film last 8 s if that is too quick or too slow
+    size, dpi : width and height of the picture in inches, and its resolution
+    alt : what the film shows, in words, for those who cannot see it
+    progress : called with (steps done, steps of all) after each step, for a progress bar
+    """
+    times = _checked_times(times)
+    speed = _checked_speed(speed, times[-1] - times[0])
+    _check_amount(len(times), size, dpi)
+    figures = []
+    for n, t in enumerate(times):
+        figures.append(_figure(draw, t, size, dpi))
+        if progress:
+            progress(n + 1, 2 * len(times))
+    share_window([sketch for figure in figures for ax in figure.axes for sketch in sketches_on(ax)])
+    pictures = []
+    for picture in _pictures(figures):
+        pictures.append(picture)
+        if progress:
+            progress(len(times) + len(pictures), 2 * len(times))
+    return Animation(tuple(pictures), times, speed, alt, (round(96 * size[0]), round(96 * size[1])))
+
+
+def _figure(draw, t, size, dpi):
+    """A figure of the scene at time t, not yet drawn."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size, dpi=dpi)
+    ax = figure.add_axes((0.06, 0.06, 0.88, 0.88))
+    try:
+        draw(t, ax)
+    except Exception as error:
+        error.add_note(f"This came up while the picture at t = {t:g} s was drawn.")
+        raise
+    if not sketches_on(ax):
+        raise AnimationError(f"draw(t, ax) is to draw with Sketch(ax, ...) on the axes it is given, and did not at t = {t:g} s")
+    return figure
+
+
+def _pictures(figures):
+    """Each figure as a PNG. All use one renderer, which keeps what it learns of fonts and formulas."""
+    from matplotlib.backends.backend_agg import RendererAgg
+    from PIL import Image
+
+    width, height = (int(size) for size in figures[0].bbox.size)
+    renderer = RendererAgg(width, height, figures[0].dpi)
+    for n, figure in enumerate(figures):
+        figures[n] = None  # some hundred figures at once would take a lot of memory
+        renderer.clear()
+        figure.draw(renderer)
+        image = Image.frombytes("RGBA", (width, height), bytes(renderer.buffer_rgba())).convert("RGB").quantize(COLOURS)
+        png = io.BytesIO()
+        image.save(png, format="png")
+        yield png.getvalue()
+
+
+# -- what can be shown
+
+
+def _checked_times(times):
+    try:
+        times = tuple(map(float, times))
+    except (TypeError, ValueError):
+        raise AnimationError(f"the times of an animation are numbers of seconds; got {times!r}") from None
+    if len(times) < 2:
+        raise AnimationError(f"an animation needs two times or more, got {len(times)}")
+    for a, b in pairwise(times):
+        if not (math.isfinite(a) and math.isfinite(b) and a < b):
+            raise AnimationError(f"the times of an animation are finite and increase; got {a!r} and then {b!r}")
+    return times
+
+
+def _checked_speed(speed, span):
+    if speed is None:
+        return 1.0 if 1 <= span <= 30 else span / 8
+    if not (isinstance(speed, (int, float)) and 0 < speed < math.inf):
+        raise AnimationError(f"speed is how many seconds of the motion are shown in one second, a positive number; got {speed!r}")
+    return float(speed)
+
+
+def _check_amount(count, size, dpi):
+    if count > MOST_PICTURES:
+        raise AnimationError(
+            f"{count} pictures are too many for an animation, which takes {MOST_PICTURES} at most: "
+            f"give fewer times, as times[::{math.ceil(count / MOST_PICTURES)}]; 25 for each second of the show look smooth"
+        )
+    pixels = count * size[0] * size[1] * dpi**2
+    if pixels > MOST_PIXELS:
+        raise AnimationError(
+            f"{count} pictures of {size[0] * dpi:.0f} by {size[1] * dpi:.0f} pixels are too much for an animation: "
+            f"give fewer times, a smaller size, or a dpi of {math.floor(dpi * math.sqrt(MOST_PIXELS / pixels))} or less"
+        )
