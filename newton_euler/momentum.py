@@ -15,7 +15,7 @@ is (8.12) for the frame of the body. The last term vanishes for B = G (8.10), fo
 from .force_systems import ForceSystem
 from .inertia import place
 from .kinetics import resultant_force
-from .vectors import EQUATIONS, Ledger, Vector
+from .vectors import EQUATIONS, ZERO3, Ledger, Vector
 
 _MOMENT = {
     "relative": ("dH/dt", r"\frac{d\mathbf{H}}{dt}"),
@@ -78,7 +78,8 @@ def resultant_moment(body, observer, about=None, via=None):
     seen = f"seen from {observer.name}, by way of {via.name}"
     if about is body.centre:
         rate = angular_momentum(body, observer).expressed_in(via).rate(observer)
-        return Vector(rate.c, via, rate._own_rate, Ledger("moment about the mass centre", f"of {body.name}, {seen}", lambda: _rate_terms(rate)))
+        ledger = Ledger("moment about the mass centre", f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
+        return Vector(rate.c, via, rate._own_rate, ledger)
     total, terms = (_about_point_of_body if _rides(about, body) else _about_any_point)(body, observer, about, via)
     return Vector(total.c, via, None, Ledger("moment", f"of {body.name} about {about.name}, {seen}", terms))
 
@@ -87,7 +88,7 @@ def _about_point_of_body(body, observer, B, via):
     """The moment and its terms, with H_B = I_B omega."""
     rate = angular_momentum(body, observer, B).expressed_in(via).rate(observer)
     reference = _arm_times_mass(body, B, via, B.acceleration(observer))
-    return rate + reference, lambda: {**_rate_terms(rate), "reference": reference}
+    return rate + reference, lambda: {**_rate_terms(rate, observer), "reference": reference}
 
 
 def _about_any_point(body, observer, B, via):
@@ -109,8 +110,9 @@ def _arm_times_mass(body, B, via, a):
     return (body.centre - B).expressed_in(via).cross(a * body.mass)
 
 
-def _rate_terms(rate):
-    return dict(rate.terms) or {"relative": rate, "rotation": 0 * rate}
+def _rate_terms(rate, observer):
+    """``relative`` and ``rotation`` of a rate in the frame by way of which it was taken; seen from that frame itself nothing turns."""
+    return {"relative": Vector(rate.c, rate.frame), "rotation": Vector(ZERO3, rate.frame)} if rate.frame is observer else dict(rate.terms)
 
 
 def equations_of_motion(body, forces, observer, about=None):

@@ -326,6 +326,26 @@ def coarseness(values):
     return max((epsilon(x) for x in values if x is not ZERO and _root(type(x)) != "fractions" and type(x) is not int), default=epsilon())
 
 
+def unrounded(f, *values):
+    """``f(*values)`` of numbers taken as exact, computed with four times their digits or more and rounded once: for differences in which the digits
+    cancel.
+
+    >>> (1 + 1e-20) - 1, unrounded(lambda x: (1 + x) - 1, 1e-20)
+    (0.0, 1e-20)
+    """
+    mpmath, library = importlib.import_module("mpmath"), _library(values).__name__
+
+    def once(*numbers):
+        with mpmath.workprec(max(256, 4 * mpmath.mp.prec)):
+            out = f(*map(mpmath.mpf, numbers))
+        return +out if library == "mpmath" else float(out)
+
+    if library != "numpy":
+        return once(*values)
+    numpy = importlib.import_module("numpy")
+    return numpy.asarray(numpy.frompyfunc(once, len(values), 1)(*values), dtype=float)
+
+
 def sampled(x):
     """A number for ``x``, to see whether it vanishes without simplifying it: a float, array or mpf itself; of a SymPy or SymEngine expression its
     value where every symbol (and function, and derivative) has a number of its own between 0.2 and 0.9; None where no value can be had.

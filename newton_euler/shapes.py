@@ -188,12 +188,13 @@ class Bodies(Recording):
 
         def command(ink):
             for n, (A, B) in enumerate(legs):
-                # where it leaves a pulley it is drawn with this, over it or behind it, as it lies on it there
-                leads = [min(norm3(sub3(B, A)) / 3, stop.radius) if isinstance(stop, Pulley) else 0.0 for stop in stops[n : n + 2]]
-                first, last = (between(A, B, lead / (norm3(sub3(B, A)) or 1.0)) for lead in (leads[0], norm3(sub3(B, A)) - leads[1]))
-                for T, lead in ((A, first), (B, last)):
-                    if lead != T:
-                        ink.line((T, lead), "cable", depth=ink.view.depth(T))
+                # the ends that touch a pulley lie over its groove or behind it as the touching point does, whatever the middle of the leg does
+                lead, tail = (min(1 / 3, stop.radius / norm3(sub3(B, A))) if isinstance(stop, Pulley) else 0 for stop in stops[n : n + 2])
+                first, last = between(A, B, lead), between(A, B, 1 - tail)
+                if lead:
+                    ink.line((A, first), "cable", depth=ink.view.depth(A))
+                if tail:
+                    ink.line((last, B), "cable", depth=ink.view.depth(B))
                 ink.line((first, last), "cable")
             for arc in arcs:
                 for n in range(0, len(arc) - 1, 4):

@@ -75,9 +75,9 @@ def test_nbgraders_own_generate_validate_and_release_take_the_notebook_unchanged
 
 @pytest.mark.slow
 def test_validate_tells_a_student_what_cannot_be_read(fresh):
-    submit(fresh, "dan", work(fresh, "dan", p4_16="v_D = [1, 2]"))
+    submit(fresh, "dan", work(fresh, "dan", p4_16="alpha_CD = a_D = None\nv_D = [1, 2]"))
     _, out = nbgrader("validate", "submitted/dan/ch04/ch04.ipynb", cwd=fresh.path)
-    assert "expected a vector, three numbers" in out
+    assert "expected a vector, three numbers" in out, out
 
 
 @pytest.mark.parametrize("student", STUDENTS)
