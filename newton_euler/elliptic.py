@@ -10,9 +10,8 @@ from .scalars import cos, epsilon, exp, plain, sin, size, sqrt, tanh, where
 def jacobi(u, m1):
     """sn, cn and dn of ``u`` for the complementary parameter ``m1`` in [0, 1] (R. Bulirsch, Numerische Mathematik 7, 78, 1965).
 
-    >>> from newton_euler import cosh
-    >>> jacobi(0.5, 0.0)[1] == 1/cosh(0.5), jacobi(0.5, 1.0)[:2] == (sin(0.5), cos(0.5))
-    (True, True)
+    >>> [round(x, 12) for x in jacobi(0.5, 0.0)]  # tanh, 1/cosh, 1/cosh
+    [0.46211715726, 0.88681888397, 0.88681888397]
     """
     u, m1 = (plain(x) + 0 * (plain(u) + plain(m1)) for x in (u, m1))
     limit = m1 == 0

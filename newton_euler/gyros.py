@@ -86,7 +86,12 @@ def gyro_momentum(body, ground, I0, I):
     >>> gyro_momentum(top, ground, 0.02, 0.01).z
     1.0
     """
-    return _inertia(body, I0, I).times(body.angular_velocity(ground).expressed_in(body.parent))
+    return _inertia(body, I0, I).times(_omega(body, ground))
+
+
+def _omega(body, ground):
+    """omega = Omega + phi' k in {i, j, k} (10.18): not turned into the body and back, so that the angle of spin does not enter."""
+    return body.parent.angular_velocity(ground) + body.angular_velocity(body.parent).expressed_in(body.parent)
 
 
 def gyro_moment(body, ground, I0, I):

@@ -104,7 +104,7 @@ def _parse_once(renderer):
     """To parse a formula takes milliseconds, and matplotlib keeps the result with one renderer, that is for one figure: the
     renderers of all figures share what was parsed, as long as the settings for formulas stay as they are."""
     if hasattr(renderer, "mathtext_parser"):
-        import matplotlib
+        from matplotlib import rcParams
 
-        settings = type(renderer), str(matplotlib.rcParams.find_all("^mathtext"))
+        settings = (type(renderer), *(rcParams[name] for name in rcParams if name.startswith("mathtext.")))
         renderer.mathtext_parser = _parsers.setdefault(settings, renderer.mathtext_parser)

@@ -411,6 +411,30 @@ def euler_rates(psi, theta, phi, omega):
     return plain(dpsi), plain(x * cos(phi) - y * sin(phi)), plain(z - dpsi * cos(theta))
 
 
+def unwound(angles, rates, times):
+    """Angles that were read off modulo a turn, made continuous by their rates at the same instants, where steps may be of many turns.
+
+    angles (rad), rates (rad/s), times (s) : of shape (N,). Between two instants the mean of the two rates says about how far it went; the whole turns
+    that fit best are added. Raises :class:`RotationError` where more than a quarter of a turn is left over: then the samples do not tell.
+
+    >>> [round(float(x), 6) for x in unwound([0.0, 1.0, 2.0], [7.0, 7.4, 7.2], [0.0, 1.0, 2.0])]
+    [0.0, 7.283185, 14.566371]
+    """
+    import numpy as np
+
+    angles, rates, times = (np.asarray(x, dtype=float) for x in (angles, rates, times))
+    missing = np.diff(times) * (rates[1:] + rates[:-1]) / 2 - np.diff(angles)
+    turns = np.round(missing / (2 * np.pi))
+    left = np.abs(missing - 2 * np.pi * turns)
+    if not (left <= np.pi / 2).all():
+        n = int(np.argmax(left))
+        raise RotationError(
+            f"between t = {times[n]:.6g} and {times[n + 1]:.6g} s the rates {rates[n]:.6g} and {rates[n + 1]:.6g} rad/s leave {left[n]:.3g} rad open: "
+            "how many turns there were is not known; give more instants, or take the angle itself as a state of the motion"
+        )
+    return angles + 2 * np.pi * np.concatenate(([0.0], np.cumsum(turns)))
+
+
 def euler_frame(parent, name, psi, theta, phi, origin=None):
     """The frame ``name``, placed in ``parent`` by three successive turns (10.2): psi about z, theta about the new x, phi about the new z.
 

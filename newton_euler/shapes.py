@@ -177,8 +177,12 @@ class Bodies(Recording):
         turns : which way it goes round each pulley, 1 for right-handed about the pulley's normal and -1 for the other; by default the
             shortest of the ways
 
-        >>> left = s.pulley((0, -1, 2), ground.i, 0.2)                             # doctest: +SKIP
-        >>> s.cable((0, -1.2, 0), left, s.pulley((0, 1, 2), ground.i, 0.2), (0, 1.2, 1))  # doctest: +SKIP
+        >>> from matplotlib.figure import Figure
+        >>> from newton_euler import Frame
+        >>> from newton_euler.drawing import Sketch
+        >>> ground = Frame("ground")
+        >>> s = Sketch(Figure().add_subplot(), ground, plane="yz")
+        >>> s.cable((0, -0.2, 0), s.pulley((0, 0, 2), ground.i, 0.2), (0, 0.2, 1))  # two weights hang on it
         """
         stops = [stop if isinstance(stop, Pulley) else self._place(stop) for stop in stops]
         if len(stops) < 2:

@@ -1,81 +1,19 @@
-"""Drawing: to scale and right-handed, the near over the far, labels that keep clear of each other, mistakes told in words."""
+"""Drawing: to scale and right-handed, finished by itself, mistakes told in words."""
 
 import io
 import math
 import subprocess
 import sys
-from itertools import pairwise
 
 import numpy as np
 import pytest
-from matplotlib.colors import to_hex
-from matplotlib.figure import Figure
 
 from newton_euler import Frame, FrameError
-from newton_euler.drawing import BODY, DARK, KINDS, MARK, Sketch, _far_to_near, _Ink, _plane_view, _space_view
+from newton_euler.drawing import Sketch
+from newton_euler.looks import KINDS
+from tests.sketching import O, ground, png, sketch, texts, vertices
 
-ground = Frame("ground")
-O = ground.point("O", 0, 0, 0)
-
-
-def axes():
-    return Figure(figsize=(5, 4), dpi=100).add_subplot()
-
-
-def sketch(**view):
-    return Sketch(axes(), ground, **view)
-
-
-def png(s):
-    out = io.BytesIO()
-    s.ax.figure.savefig(out, format="png")
-    return out.getvalue()
-
-
-def vertices(s, colour=DARK):
-    """The coordinates on the page of each line and outline of one colour, in the order of drawing."""
-    return [p.get_path().vertices for p in s.ax.patches if to_hex(p.get_edgecolor()) == colour.lower()]
-
-
-def texts(s):
-    return {t.get_text(): t for t in s.ax.texts}
-
-
-# -- the projection
-
-
-@pytest.mark.parametrize(
-    ("view", "place", "page"),
-    [
-        ({"plane": "xz"}, (3, 5, 2), (3, 2)),
-        ({"plane": "yx"}, (3, 5, 2), (5, 3)),
-        ({"azimuth": 0, "elevation": 0}, (3, 5, 2), (5, 2)),  # from x: y to the right
-        ({"azimuth": -90, "elevation": 0}, (3, 5, 2), (3, 2)),  # from -y: x to the right
-        ({"azimuth": -90, "elevation": 90}, (3, 5, 2), (3, 5)),  # a map
-        ({"azimuth": 0, "elevation": 0, "up": "y"}, (3, 5, 2), (3, 5)),  # from z
-        ({"azimuth": 30, "elevation": 0}, (1, 0, 0), (-0.5, 0)),
-        ({"azimuth": 0, "elevation": 30}, (1, 0, 1), (0, math.sqrt(3) / 2 - 0.5)),
-    ],
-)
-def test_a_place_is_seen_where_it_should_be(view, place, page):
-    s = sketch(**view)
-    s.line((0, 0, 0), place)
-    s.finish()
-    assert vertices(s)[0] == pytest.approx(np.array([(0, 0), page]), abs=1e-12)
-
-
-@pytest.mark.parametrize("view", [_space_view(a, h, up) for a in (-200, 35, 90) for h in (-60, 0, 20) for up in "xyz"] + [_plane_view("zy")])
-def test_right_up_and_eye_are_a_right_handed_triple_of_unit_vectors(view):
-    R = np.array([view.right, view.up, view.eye])
-    assert pytest.approx(np.eye(3), abs=1e-15) == R @ R.T
-    assert np.linalg.det(R) == pytest.approx(1)
-
-
-def test_the_axis_up_is_seen_upwards_and_the_eye_looks_from_above():
-    for up, n in zip("xyz", range(3), strict=True):
-        view = _space_view(35, 20, up)
-        assert view.right[n] == 0
-        assert view.eye[n] == pytest.approx(math.sin(math.radians(20)))
+# -- places and the page
 
 
 def test_points_vectors_and_triples_name_the_same_place():
@@ -204,100 +142,6 @@ def test_symbols_keep_their_size_when_the_scene_is_a_thousand_times_larger():
     assert head(1e3) == pytest.approx(head(1.0), rel=1e-6)
 
 
-# -- what covers what
-
-
-def ordered(view, *items):
-    """The labels of the items (label, points, normal or None), the first drawn first."""
-    ink = _Ink(view, 0.01, [])
-    names = {}
-    for name, points, normal in items:
-        ink._put(points, "thin", BODY, normal is not None, None, normal)
-        names[id(ink.strokes[-1])] = name
-    return [names.get(id(s), "piece") for s in _far_to_near(ink)]
-
-
-SQUARE = [(5, 5, 0), (-5, 5, 0), (-5, -5, 0), (5, -5, 0)]
-
-
-def test_the_nearer_is_drawn_after_the_farther():
-    assert ordered(_plane_view("xy"), ("near", [(0, 0, 2), (1, 0, 2)], None), ("far", [(0, 0, 1), (1, 0, 1)], None)) == ["far", "near"]
-
-
-def test_what_lies_above_a_floor_covers_it_even_where_its_middle_is_farther_from_the_eye():
-    view = _space_view(0, 20, "z")
-    post = ("post", [(-4, 0, 0.1), (-4, 0, 0.5)], None)
-    cellar = ("cellar", [(4, 0, -0.1), (4, 0, -0.5)], None)
-    assert ordered(view, post, ("floor", SQUARE, (0, 0, 1)), cellar) == ["cellar", "floor", "post"]
-    assert ordered(view, cellar, ("floor", SQUARE, (0, 0, -1)), post) == ["cellar", "floor", "post"]
-
-
-def test_a_line_through_a_plate_is_cut_and_one_beside_it_is_not():
-    view = _space_view(35, 20, "z")
-    assert ordered(view, ("shaft", [(0, 0, -1), (0, 0, 3)], None), ("plate", SQUARE, (0, 0, 1))) == ["piece", "plate", "piece"]
-    assert "shaft" in ordered(view, ("shaft", [(9, 0, -1), (9, 0, 3)], None), ("plate", SQUARE, (0, 0, 1)))
-
-
-def test_marks_lie_over_bodies():
-    s = sketch()
-    s.dot((-5, 0, 0))
-    s.sphere((5, 0, 0), 1)
-    s.finish()
-    assert {p.get_zorder() for p in s.ax.patches} == {2 + BODY, 2 + MARK}
-
-
-# -- labels
-
-
-def crowded():
-    s = sketch()
-    P = [ground.point(name, 0.2 * n, 0.1 * n * n, 0.1 * (n % 3)) for n, name in enumerate("ABCDEF")]
-    for a, b in pairwise(P):
-        s.rod(a, b)
-        s.dimension(a, b, "$l$")
-    for p in P:
-        s.label(p, p.name)
-    return s
-
-
-def test_labels_do_not_overlap_each_other():
-    s = crowded()
-    png(s)
-    boxes = [t.get_window_extent() for t in s.ax.texts]
-    assert len(boxes) == 11
-    assert not [1 for n, a in enumerate(boxes) for b in boxes[:n] if a.overlaps(b)]
-
-
-def test_labels_are_legible_and_stay_on_the_page():
-    s = crowded()
-    png(s)
-    page = s.ax.figure.bbox
-    for t in s.ax.texts:
-        box = t.get_window_extent()
-        assert t.get_fontsize() >= 9
-        assert page.x0 < box.x0 < box.x1 < page.x1
-        assert page.y0 < box.y0 < box.y1 < page.y1
-
-
-def test_an_offset_of_a_label_is_kept():
-    s = sketch()
-    s.rod(O, (1, 1, 1))
-    s.label(O, "O", offset=(12, -9))
-    s.finish()
-    assert texts(s)["O"].get_position() == pytest.approx((12, -9))
-    assert texts(s)["O"].get_fontweight() == "bold"
-
-
-def test_single_letters_are_italic_except_names_of_points():
-    s = sketch()
-    s.dimension(O, (1, 0, 0), "b")
-    s.dimension(O, (0, 1, 0), "2b")
-    s.axes(O, ground, labels=["x", "$y_1$", "z"])
-    s.label(O, "O")
-    s.finish()
-    assert texts(s).keys() == {"$b$", "2b", "$x$", "$y_1$", "$z$", "O"}
-
-
 # -- finishing
 
 
@@ -323,7 +167,8 @@ def everything(s):
     s.turn(B, ground.k, r"$\omega$", radius=0.2)
     s.arc(A, B, C, r"$\theta$")
     s.dimension(A, B, "b")
-    s.path([(0, 0, 0.1 * n) for n in range(7)])
+    s.path([(0, 0, 0.1 * n) for n in range(7)], lift=0.1)
+    s.cable((1, 1, -1), s.pulley((1, 1, 1), ground.i, 0.3), C, (0, 2, 0))
     s.vector(C, (0, 0, -1), "$mg$", kind="force")
     s.label(A, "A")
 
@@ -377,8 +222,8 @@ def test_a_scene_of_one_place_and_an_empty_scene_are_drawn(place):
 
 def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
     program = (
-        "import sys, newton_euler.drawing as d; from newton_euler import Frame\n"
-        "assert not {'matplotlib', 'numpy'} & set(sys.modules), sorted(sys.modules)\n"
+        "import sys, newton_euler.animation, newton_euler.drawing as d; from newton_euler import Frame\n"
+        "assert not {'matplotlib', 'numpy', 'PIL'} & set(sys.modules), sorted(sys.modules)\n"
         "from matplotlib.figure import Figure; import io\n"
         "s = d.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1, 2, 3)); s.label((0, 0, 0), 'O')\n"
         "s.ax.figure.savefig(io.BytesIO())\n"
@@ -409,6 +254,13 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         (lambda s: s.axes(O, ground, labels="xy"), "three labels"),
         (lambda s: s.axes(O, ground.k), "axes of a Frame, got"),
         (lambda s: s.box(O, ground.k, (1, 1, 1)), "from a Frame, got"),
+        (lambda s: s.path([O, O], lift=-1), "positive number of metres; got -1"),
+        (lambda s: s.cable(O), "between two stops or more, places or pulleys; got 1"),
+        (lambda s: s.cable(O, "pulley"), "a place is a Point, a Vector or three numbers"),
+        (lambda s: s.cable((0.1, 0, 0), s.pulley(O, ground.k, 0.5), (2, 0, 0)), "lies within the radius 0.5"),
+        (lambda s: s.cable(O, (1, 0, 0), turns=[1]), "for each of the 0 pulleys on the way 1 or -1"),
+        (lambda s: s.cable(*[s.pulley((3 * n, 0, 0), ground.k, 1) for n in range(11)]), "say how it goes round each, as in turns="),
+        (lambda s: s.pulley(O, ground.k, 0), "positive number of metres; got 0"),
         (lambda s: Sketch(s.ax, s.ax), "from its ground, a Frame"),
         (lambda s: Sketch(ground, ground), "on a matplotlib Axes"),
         (lambda s: Sketch(s.ax, ground, plane="xx"), "two axes, as in plane='xz'"),

@@ -1,0 +1,126 @@
+"""What every method of integration is to the motion: a *course*, that goes on step by step and knows the states in between.
+
+Here are the frame that they share, the exact solution as a course, and SciPy's methods. Others: :mod:`.dop853`, :mod:`.taylor`, :mod:`.splitting`.
+"""
+
+import math
+from bisect import bisect_right
+
+SMALL = 1e-6  # a state that stays smaller than this, in its unit, is accurate relative to this
+PIECES = 8  # of an exact solution, in which events are sought
+
+
+class StepError(ArithmeticError):
+    """The method cannot go on from the place that its course has reached."""
+
+
+class Course:
+    """From the state ``x`` at ``t`` towards ``goal``.
+
+    t, x : reached so far; ``bounds`` : ends of the pieces (steps) behind it; ``sizes`` : the largest size of each state; ``calls`` of the
+    right-hand side. A subclass has ``advance(limit)`` and ``on_piece(at, times)``.
+    """
+
+    def __init__(self, system, t, x, goal, tolerance, sizes=None):
+        self.system, self.t, self.x, self.goal, self.tolerance = system, t, tuple(x), goal, tolerance
+        self.bounds, self.calls, self.start = [t], 0, (t, tuple(x))
+        self.sizes = tuple(max(abs(v), SMALL) for v in x)
+        if sizes:  # known from an earlier run, where this one would start with nothing
+            self.sizes = tuple(max(s, 1e-3 * known) for s, known in zip(self.sizes, sizes, strict=True))
+
+    def piece(self, t):
+        """The number of the piece in which t lies."""
+        return min(max(bisect_right(self.bounds, t) - 1, 0), len(self.bounds) - 2)
+
+    def restep(self, t):
+        """The state at t, as accurate as the method can."""
+        import numpy as np
+
+        return tuple(self.on_piece(self.piece(t), np.array([t]))[:, 0].tolist())
+
+    def states(self, times):
+        """The states at an array of times already behind, as an array (states, times)."""
+        import numpy as np
+
+        times = np.asarray(times, dtype=float)
+        out = np.empty((len(self.x), len(times)))
+        at = np.clip(np.searchsorted(self.bounds, times, side="right") - 1, 0, max(len(self.bounds) - 2, 0))
+        for piece in np.unique(at):
+            chosen = at == piece
+            out[:, chosen] = self.on_piece(int(piece), times[chosen]) if len(self.bounds) > 1 else np.array(self.x)[:, None]
+        return out
+
+    def grown(self):
+        """Keep the largest sizes."""
+        self.sizes = tuple(max(s, abs(v)) for s, v in zip(self.sizes, self.x, strict=True))
+
+
+class Exact(Course):
+    """The exact solution of the model; it takes no steps, and its pieces only serve to look for events."""
+
+    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
+        super().__init__(system, t, x, goal, tolerance, sizes)
+        self.solution = system.function(system.model.exact)
+
+    def advance(self, limit=1 << 62):
+        """To the goal, or with a limit by as many eighths of the way."""
+        start, x = self.start
+        left = PIECES - (len(self.bounds) - 1) if limit < PIECES else 1
+        count = min(limit, left)
+        ends = [self.t + (self.goal - self.t) * n / left for n in range(1, count)] + [self.goal if count == left else self.t + (self.goal - self.t) * count / left]
+        for end in ends:
+            self.bounds.append(end)
+            self.x = tuple(map(float, self.solution(end - start, *x)))
+            self.grown()
+        self.t, self.calls = ends[-1], self.calls + len(ends)
+        if not all(map(math.isfinite, self.x)):
+            raise StepError("the exact solution has no value here")
+
+    def on_piece(self, at, times):
+        """The solution itself."""
+        import numpy as np
+
+        start, x = self.start
+        self.calls += len(times)
+        return np.array([np.broadcast_to(row, len(times)) for row in self.solution(times - start, *x)])
+
+
+class SciPy(Course):
+    """One of SciPy's methods on the traced right-hand side, which takes Python's floats."""
+
+    kind = "DOP853"
+
+    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
+        super().__init__(system, t, x, goal, tolerance, sizes)
+        from scipy import integrate
+
+        f, p = system.f, system.p
+        fixed = {"max_step": step, "first_step": min(step, goal - t)} if step else {}
+        atol = [1e300] * len(x) if step else [tolerance * s for s in self.sizes]
+        self.solver = getattr(integrate, self.kind)(
+            lambda t, y: f(t, *y.tolist(), *p), t, x, goal, rtol=0.5 if step else max(tolerance, 2.3e-14), atol=atol, **fixed
+        )
+        self.pieces = []
+
+    def advance(self, limit=1 << 62):
+        """Go on by at most so many steps."""
+        solver = self.solver
+        while limit > 0 and solver.status == "running":
+            trouble = solver.step()
+            if solver.status == "failed":
+                raise StepError(trouble)
+            self.pieces.append(solver.dense_output())
+            self.bounds.append(solver.t)
+            self.x = tuple(solver.y.tolist())
+            self.grown()
+            limit -= 1
+        self.t, self.calls = float(solver.t), solver.nfev
+
+    def on_piece(self, at, times):
+        """SciPy's dense output."""
+        return self.pieces[at](times)
+
+
+def scipy_course(kind):
+    """The class of one of SciPy's methods, by its name there."""
+    return type(kind, (SciPy,), {"kind": kind, "__doc__": f"SciPy's {kind}."})

@@ -1,0 +1,150 @@
+"""A model made ready to run: its formulas traced once and kept, with its parameters as numbers beside them.
+
+Models that share a right-hand side (the same scene with other parameters) share the traced text, and what heyoka has compiled from it.
+"""
+
+import ast
+import math
+from collections import OrderedDict
+from inspect import Parameter, Signature
+
+from .models import ModelError, Named, is_law
+from .scalars import ScalarError, ZERO, is_numeric, plain, scalar
+from .tracing import compiled
+
+KEPT = 64  # right-hand sides
+_known = OrderedDict()
+
+
+class Traced:
+    """The text of one right-hand side: ``f(t, *states, *free)`` on floats, its ``rhs`` for all other kinds, and which states each rate needs."""
+
+    def __init__(self, model, free):
+        self.rhs = formula(model, free, model.rhs)
+        self.f = self.rhs._run["math"]
+        self.functions, self.integrators = {}, {}
+        self.seconds = 0.0  # spent in integrating it, to decide whether heyoka's compilation pays
+        self._needs = None
+
+    @property
+    def needs(self):
+        """For each rate the names of the arguments that it depends on."""
+        if self._needs is None:
+            self._needs = _dependencies(self.rhs.source)
+        return self._needs
+
+
+class System:
+    """A model with the numbers of its parameters.
+
+    f : the right-hand side on floats, ``f(t, *states, *p)``; p : the values of the parameters that are arguments of it
+    Raises :class:`ModelError` for a parameter that has no number.
+    """
+
+    def __init__(self, model):
+        self.model = model
+        fixed = tuple((n, x) for n, x in model.parameters.items() if is_law(x) or scalar(x) is ZERO)
+        names = [n for n, _ in fixed]
+        self.free = tuple(n for n in model.parameters if n not in names)
+        self.p = tuple(_number(model, n, model.parameters[n]) for n in self.free)
+        self.traced = _traced(model, self.free, fixed)
+        self.f = self.traced.f
+
+    @property
+    def autonomous(self):
+        """True if time does not occur in the rates."""
+        return all("t" not in needs for needs in self.traced.needs)
+
+    def rates(self, t, x):
+        """The rates of the states."""
+        return self.f(t, *x, *self.p)
+
+    def function(self, formula_):
+        """A function ``(s, p, t)`` as one of ``(t, *states)``; traced where it can be, else called as it is."""
+        known = self.traced.functions
+        if formula_ not in known:
+            try:
+                known[formula_] = formula(self.model, self.free, formula_)
+            except TypeError:  # it branches on values: allowed for events, on floats
+                known[formula_] = None
+        text, p, model = known[formula_], self.p, self.model
+        if text is not None:
+            return lambda t, *x: text(t, *x, *p)
+        return lambda t, *x: plain(model._call(formula_, dict(zip(model.states, x, strict=True)), model.parameters, t))
+
+
+def formula(model, free, f):
+    """A function ``(s, p, t)`` of the model as traced text with the arguments ``t, *states, *free``."""
+
+    def values(**named):
+        parameters = {**model.parameters, **{n: named[n] for n in free}}
+        return _plain(model._call(f, {n: named[n] for n in model.states}, parameters, named["t"]))
+
+    values.__name__ = model.name
+    values.__signature__ = Signature([Parameter(n, Parameter.POSITIONAL_OR_KEYWORD) for n in ("t", *model.states, *free)])
+    return compiled(values)
+
+
+def _plain(result):
+    return tuple(map(plain, result)) if isinstance(result, tuple) else plain(result)
+
+
+def _traced(model, free, fixed):
+    key = (model.rhs, model.states, free, fixed)
+    found = _known.pop(key, None) or Traced(model, free)
+    _known[key] = found
+    if len(_known) > KEPT:
+        _known.popitem(last=False)
+    return found
+
+
+def _number(model, name, value):
+    try:
+        if getattr(value, "shape", ()):
+            return value
+        value = float(value)
+    except (TypeError, ValueError, ScalarError) as error:
+        raise ModelError(f"the parameter {name} of {model.name!r} has no number: {value!r}; put one in with changed({name}=...)") from error
+    if not math.isfinite(value):
+        raise ModelError(f"the parameter {name} of {model.name!r} is {value!r}; a motion needs finite numbers")
+    return value
+
+
+def start_state(model, start):
+    """The start as a tuple of floats (or arrays) in the order of the states; :class:`ModelError` says what is wrong with it."""
+    if not isinstance(start, dict) and not hasattr(start, "keys") and not hasattr(start, "__iter__"):
+        raise ModelError(f"the start of {model.name!r} is a value for each of {', '.join(model.states)}, not {start!r}")
+    unknown = [n for n in start if n not in model.states] if hasattr(start, "keys") else []
+    if unknown:
+        raise ModelError(f"{model.name} has no state {unknown[0]!r}; its states are {', '.join(model.states)}")
+    return tuple(_state(model, n, x) for n, x in model._state(start).items())
+
+
+def _state(model, name, x):
+    try:
+        if getattr(x, "shape", ()):
+            return x
+        if isinstance(x, (str, bool)) or not is_numeric(scalar(x)):
+            raise TypeError
+        x = float(x)
+    except TypeError as error:
+        raise ModelError(f"the start of {model.name!r} needs a number for {name}, got {x!r}") from error
+    if not math.isfinite(x):
+        raise ModelError(f"the start of {model.name!r} has {name} = {x!r}; a motion needs finite numbers")
+    return x
+
+
+def _dependencies(source):
+    """Which arguments each result of a straight-line text depends on."""
+    function = ast.parse(source).body[0]
+    known = {a.arg: {a.arg} for a in function.args.args}
+
+    def of(node):
+        return set().union(*(known.get(n.id, set()) for n in ast.walk(node) if isinstance(n, ast.Name)))
+
+    for line in function.body[:-1]:
+        known[line.targets[0].id] = of(line.value)
+    return [of(node) for node in function.body[-1].value.elts]
+
+
+__all__ = ["Named", "System", "start_state"]

@@ -1,0 +1,121 @@
+"""Heyoka's Taylor method on the traced right-hand side: compiled once for a right-hand side and a level of accuracy, then the fastest by far.
+
+Parameters are arguments of what is compiled, so that other values need no other compilation.
+"""
+
+import importlib
+import importlib.util
+import math
+
+from .courses import Course, StepError
+
+LEVELS = (1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 2.3e-16)  # of heyoka's tolerance: each one is compiled by itself
+SHORT = 0.6  # of a natural step: at the orders used (8 to 20) the error is then a hundredth or less
+
+
+def installed():
+    """True where heyoka is."""
+    return importlib.util.find_spec("heyoka") is not None
+
+
+def integrator(system, tolerance, batch=None):
+    """Heyoka's integrator for this right-hand side, of the first level not above the tolerance; with ``batch`` one for so many motions at once."""
+    level = next((x for x in LEVELS if x <= 1.01 * tolerance), LEVELS[-1])
+    known = system.traced.integrators
+    if (level, batch) not in known:
+        hy = importlib.import_module("heyoka")
+        variables = [hy.expression(n) for n in system.model.states]
+        outputs = system.traced.rhs(hy.time, *variables, *(hy.par[i] for i in range(len(system.free))))
+        equations = [(v, o + hy.expression(0.0)) for v, o in zip(variables, outputs, strict=True)]
+        n, pars = len(variables), len(system.free)
+        if batch is None:
+            known[level, batch] = hy.taylor_adaptive(equations, [0.0] * n, tol=level, pars=[0.0] * pars)
+        else:
+            import numpy as np
+
+            known[level, batch] = hy.taylor_adaptive_batch(equations, np.zeros((n, batch)), tol=level, pars=np.zeros((pars, batch)))
+    return known[level, batch]
+
+
+class Taylor(Course):
+    """The course of a motion by Taylor series. Without events it is one call; what lies between is worked out when it is asked for."""
+
+    natural = True
+
+    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
+        super().__init__(system, t, x, goal, tolerance, sizes)
+        self.ta = integrator(system, tolerance)
+        self.series, self.step = [], step or math.inf
+
+    def _put(self, t, x):
+        self.ta.pars[:] = self.system.p
+        self.ta.time = t
+        self.ta.state[:] = x
+
+    def advance(self, limit=1 << 62):
+        """Go on by at most so many steps."""
+        if limit < 1 << 62 or not self.natural:
+            return self._by_steps(self.goal, limit)
+        self._put(self.t, self.x)
+        steps = self.ta.propagate_until(self.goal, max_delta_t=self.step)[3]
+        self.t, self.x, self.calls = float(self.ta.time), tuple(self.ta.state.tolist()), self.calls + steps * self.ta.order
+        self.bounds.append(self.t)
+        self._check()
+        return self.grown()
+
+    def _check(self):
+        if self.t < self.goal and not math.isfinite(sum(self.x)):
+            raise StepError("the series has no finite terms here")
+
+    def _by_steps(self, goal, limit):
+        ta = self.ta
+        self._put(self.t, self.x)
+        while limit > 0 and self.t < goal:
+            h = min(self.step, goal - self.t)
+            if not self.natural:
+                ta.step(max_delta_t=h)
+                h = min(h, SHORT * ta.last_h)
+                self._put(self.t, self.x)
+            ta.step(max_delta_t=h, write_tc=True)
+            x = tuple(ta.state.tolist())
+            if not math.isfinite(sum(x)) or ta.last_h < 4e-16 * abs(self.t):
+                raise StepError("the series has no finite terms here, or the step became too small to go on")
+            self.series.append(ta.tc.copy())
+            self.t, self.x, self.calls, limit = float(ta.time), x, self.calls + ta.order, limit - 1
+            self.bounds.append(self.t)
+            self.grown()
+
+    def states(self, times):
+        """On many times by heyoka's own grid, if the steps are not known yet."""
+        import numpy as np
+
+        times = np.asarray(times, dtype=float)
+        if self.series or len(self.bounds) < 2 or len(times) < 2 or np.any(np.diff(times) < 0):
+            return super().states(times)
+        self._put(*self.start)
+        found = self.ta.propagate_grid(np.concatenate(([self.start[0]], times)))[-1]
+        return found[1:].T
+
+    def on_piece(self, at, times):
+        """The Taylor polynomial of the step."""
+        from numpy.polynomial.polynomial import polyval
+
+        if not self.series:  # one call has led here: go the same way by steps
+            ends = self.bounds[1:]
+            self.t, self.x = self.start
+            self.bounds = [self.t]
+            self._by_steps(ends[-1], 1 << 62)
+            return super().states(times)
+        return polyval(times - self.bounds[at], self.series[at].T)
+
+    def restep(self, t):
+        """The Taylor polynomial is as accurate as the step."""
+        import numpy as np
+
+        return tuple(self.states(np.array([t]))[:, 0].tolist())
+
+
+class ShortSteps(Taylor):
+    """The same with shorter steps: the difference is the error of :class:`Taylor`, truncation and round-off."""
+
+    natural = False

@@ -1,0 +1,123 @@
+"""animation.py: one window for all pictures, one call for each time, and refusals in words."""
+
+import io
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from newton_euler import Frame
+from newton_euler.animation import MOST_PICTURES, animate
+from newton_euler.drawing import Sketch
+from newton_euler.player import AnimationError
+from newton_euler.recording import share_window
+from tests.sketching import ground, sketch, texts
+
+
+def arm(t, ax):
+    """A rod that turns once in two seconds and is longer then; its tip has an arrow for its velocity."""
+    tip = ground.vector(0, (1 + t) * math.cos(math.pi * t), (1 + t) * math.sin(math.pi * t))
+    s = Sketch(ax, ground, plane="yz")
+    s.rod((0, 0, 0), tip)
+    s.vector(tip, ground.vector(0, 1 + t, 0), "v")
+    s.label((0, 0, 0), "O")
+
+
+TIMES = [0.25 * n for n in range(9)]
+
+
+def seen(film):
+    return [np.asarray(Image.open(io.BytesIO(picture)).convert("L")) for picture in film.pictures]
+
+
+def test_every_picture_has_one_size_and_shows_its_own_instant():
+    pictures = seen(animate(arm, TIMES, size=(3, 2), dpi=80))
+    assert {p.shape for p in pictures} == {(160, 240)}
+    assert all((a != b).any() for a, b in pairwise(pictures))
+
+
+def test_draw_is_called_once_for_each_time_with_a_float():
+    called = []
+    animate(lambda t, ax: (called.append(t), arm(t, ax)), np.linspace(0, 1, 5))
+    assert called == [0, 0.25, 0.5, 0.75, 1]
+    assert {type(t) for t in called} == {float}
+
+
+def test_nothing_reaches_the_edge_of_any_picture():
+    for picture in seen(animate(arm, TIMES, size=(3, 2))):
+        assert (np.concatenate((picture[0], picture[-1], picture[:, 0], picture[:, -1])) > 250).all()
+
+
+def sketches():
+    scenes = []
+    for size in (1, 2, 4):
+        s = sketch(plane="yz")
+        s.rod((0, 0, 0), (0, size, 0))
+        s.vector((0, size, 0), (0, 0, size), "v")
+        s.label((0, 0, 0), "O")
+        scenes.append(s)
+    return scenes
+
+
+def test_what_rests_stays_where_it_is_on_the_page():
+    scenes = sketches()
+    share_window(scenes)
+    for s in scenes:
+        s.finish()
+    assert len({(*s.ax.get_xlim(), *s.ax.get_ylim()) for s in scenes}) == 1
+    assert len({texts(s)["O"].get_position() for s in scenes}) == 1
+
+
+def test_arrows_of_one_kind_have_one_measure_in_all_pictures():
+    scenes = sketches()
+    share_window(scenes)
+    lengths = []
+    for s in scenes:
+        s.finish()
+        lengths.append(next(np.ptp(p.get_path().vertices[:, 1]) for p in s.ax.patches if p.get_zorder() == 4))
+    assert np.array(lengths) / lengths[-1] == pytest.approx([0.25, 0.5, 1])
+
+
+@pytest.mark.parametrize(("end", "speed"), [(2, 1), (30, 1), (0.008, 0.001), (800, 100)])
+def test_a_motion_that_is_too_quick_or_too_slow_to_watch_lasts_8_seconds(end, speed):
+    assert animate(arm, [0, end / 2, end]).speed == pytest.approx(speed)
+
+
+def test_the_speed_asked_for_is_kept():
+    assert animate(arm, [0, 1], speed=0.5).speed == 0.5
+
+
+def test_progress_is_told_up_to_the_last_step():
+    steps = []
+    animate(arm, [0, 1, 2], progress=lambda done, of_all: steps.append((done, of_all)))
+    assert steps == [(n, 6) for n in range(1, 7)]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"times": range(MOST_PICTURES + 1)}, r"601 pictures are too many .* 600 at most: give fewer times, as times\[::2\]"),
+        ({"times": range(500), "dpi": 300}, "500 pictures of 1500 by 1200 pixels are too much .* a dpi of 173 or less"),
+        ({"times": [1]}, "two times or more, got 1"),
+        ({"times": [0, 2, 1]}, "increase; got 2.0 and then 1.0"),
+        ({"times": [0, math.nan]}, "finite and increase; got 0.0 and then nan"),
+        ({"times": 3}, "numbers of seconds; got 3"),
+        ({"times": [0, 1], "speed": 0}, "positive number; got 0"),
+        ({"times": [0, 1], "draw": lambda t, ax: None}, r"with Sketch\(ax, ...\) on the axes it is given, and did not at t = 0 s"),
+    ],
+)
+def test_what_cannot_be_shown_is_told_in_words_before_anything_is_drawn(arguments, words):
+    with pytest.raises(AnimationError, match=words):
+        animate(**({"draw": arm} | arguments))
+
+
+def test_an_error_of_draw_comes_through_and_names_the_instant():
+    def draw(t, ax):
+        arm(t, ax)
+        Frame("ground").point("P", 1 / (2 - t), 0, 0)
+
+    with pytest.raises(ZeroDivisionError) as caught:
+        animate(draw, [0, 1, 2])
+    assert caught.value.__notes__ == ["This came up while the picture at t = 2 s was drawn."]

@@ -1,0 +1,116 @@
+"""player.py: an animation as a page by itself, in a notebook, and as a GIF."""
+
+import base64
+import io
+import re
+from html.parser import HTMLParser
+
+import pytest
+from PIL import Image
+
+from newton_euler.player import Animation, AnimationError
+
+
+def picture(grey):
+    out = io.BytesIO()
+    Image.new("L", (50, 40), grey).save(out, format="png")
+    return out.getvalue()
+
+
+def film(times=(0.0, 0.5, 1.0), speed=1.0, alt="A disk turns."):
+    return Animation(tuple(picture(40 * n) for n in range(len(times))), times, speed, alt, (50, 40))
+
+
+class Tags(HTMLParser):
+    """The tags of a piece of HTML with their attributes, and those left open."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.open = {}, []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.setdefault(tag, []).append(dict(attributes))
+        if tag not in ("img", "input", "meta"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+
+def test_a_page_has_the_picture_in_words_and_controls_with_names():
+    page = Tags(film().html())
+    assert not page.open
+    (img,), (slider,) = page.tags["img"], page.tags["input"]
+    assert img["alt"] == "A disk turns."
+    assert base64.b64decode(img["src"].partition(",")[2]) == picture(0)
+    assert slider | {"min": "0", "max": "2", "aria-label": "time"} == slider
+    assert "hidden" in page.tags["div"][1]  # the controls, until the script that they need runs
+
+
+def test_a_page_waits_for_readers_who_prefer_reduced_motion():
+    assert 'play(!window.matchMedia("(prefers-reduced-motion: reduce)").matches)' in film().html()
+
+
+def test_a_page_needs_nothing_from_elsewhere(tmp_path):
+    film().save(tmp_path / "film.html")
+    page = (tmp_path / "film.html").read_text(encoding="utf-8")
+    assert page.startswith("<!DOCTYPE html>")
+    assert '<html lang="en">' in page
+    assert not re.search(r"https?:|<link|src=\"(?!data:)|\bimport\b", page)
+    assert not Tags(page.partition("\n")[2]).open
+
+
+def test_what_is_said_of_the_film_cannot_break_the_page():
+    page = film(alt='<script>"&').html()
+    assert 'alt="&lt;script&gt;&quot;&amp;"' in page
+    assert page.count("<script>") == 1
+
+
+def test_two_shows_of_one_film_on_a_page_do_not_share_a_name():
+    first, second = (re.search(r'id="(.*?)"', film().html())[1] for _ in range(2))
+    assert first != second
+
+
+def test_jupyter_gets_html_and_where_there_is_none_the_first_picture():
+    bundle = film()._repr_mimebundle_()
+    assert bundle["text/html"].startswith("<div id=")
+    assert base64.b64decode(bundle["image/png"]) == picture(0)
+    assert bundle["text/plain"] == "Animation of 3 pictures from t = 0.0 s to t = 1.0 s: A disk turns."
+
+
+@pytest.mark.parametrize(("speed", "words"), [(1.0, "<span></span>"), (0.25, "shown 4 times slower"), (3600.0, "shown 3.6e+03 times faster")])
+def test_the_page_says_how_the_show_differs_from_the_motion(speed, words):
+    assert words in film(speed=speed).html()
+
+
+@pytest.mark.parametrize(
+    ("times", "label"),
+    [((0.0, 0.04, 0.08), "t = 0.08 s"), ((0.0, 60.0, 120.0), "t = 120 s"), ((0.0, 1e-9, 2e-9), "t = 2e-09 s"), ((0.0, 0.1, 1.0), "t = 1.0 s")],
+)
+def test_times_have_the_decimals_that_tell_them_apart(times, label):
+    assert f'"{label}"' in film(times).html()
+
+
+def waits(path):
+    with Image.open(path) as gif:
+        out = []
+        for n in range(gif.n_frames):
+            gif.seek(n)
+            out.append(gif.info["duration"])
+        return out, gif.info["loop"]
+
+
+def test_a_gif_keeps_the_times_and_runs_for_ever(tmp_path):
+    film((0.0, 0.5, 1.5), speed=2.0).save(tmp_path / "film.gif")
+    assert waits(tmp_path / "film.gif") == ([250, 500, 500], 0)
+
+
+def test_pictures_that_follow_too_soon_for_a_gif_are_left_out(tmp_path):
+    film((0.0, 0.01, 0.02, 0.03, 0.04)).save(tmp_path / "film.gif")
+    assert waits(tmp_path / "film.gif")[0] == [20, 20, 20]
+
+
+def test_other_kinds_of_file_are_refused_in_words(tmp_path):
+    with pytest.raises(AnimationError, match=r"saved as .html or .gif; got 'film.mp4'"):
+        film().save(tmp_path / "film.mp4")

@@ -1,0 +1,56 @@
+"""Frenet axes on a straight line: rounding noise must not be normalised into a direction (3.5)."""
+
+import mpmath
+import numpy as np
+import pytest
+
+from newton_euler import Frame, at
+from newton_euler.paths import frenet, frenet_along
+from newton_euler.triads import SingularError
+
+ground = Frame("ground")
+LINE = (0.1, 0.7, 0.3)  # its direction
+
+
+def line(t):
+    s = t + t**3 / 3  # along it at a varying speed
+    return tuple(c * s for c in LINE)
+
+
+def test_the_printed_formula_makes_a_confident_unit_normal_of_rounding_noise():
+    t = 0.3
+    v, a = (np.array(LINE) * (1 + t * t)), (np.array([0.1 * (2 * t), 0.7 * 2 * t, 0.6 * t]))
+    e = np.cross(np.cross(v, a), v)
+    assert 0 < np.linalg.norm(e) < 1e-15
+    assert abs(np.linalg.norm(e / np.linalg.norm(e)) - 1) < 1e-12  # and no warning
+
+
+@pytest.mark.parametrize("t", [0.0, 0.3, 0.7, 1.1, 123.456])
+def test_the_engine_refuses_a_straight_path_in_words_wherever_it_is_asked(t):
+    with pytest.raises(SingularError, match="the path is straight here"):
+        frenet_along(line, t, ground)
+    P = ground.point("P", *at_time(line, t))
+    with pytest.raises(SingularError, match="e_n, e_b and the torsion do not exist"):
+        frenet(P.velocity(ground), P.acceleration(ground))
+
+
+def at_time(path, t):
+    return tuple(at(lambda s, n=n: path(s)[n], t) for n in range(3))
+
+
+@pytest.mark.parametrize("bend", [1e-3, 1e-6, 1e-9])
+def test_a_line_bent_ever_so_slightly_has_its_flexure_to_the_digits_that_rounding_leaves(bend):
+    def bent(t):
+        x, y, z = line(t)
+        return x + bend * t**2, y, z
+
+    found, exact = frenet_along(bent, 0.3, ground).flexure, frenet_along(bent, mpmath.mpf(0.3), ground).flexure
+    assert abs(found - exact) < 1e-15  # 1/m, absolute
+
+
+def test_a_path_at_rest_has_no_tangent_and_is_refused_with_the_way_out():
+    with pytest.raises(SingularError, match="frenet_along"):
+        frenet(ground.vector(0.0, 0, 0), ground.vector(1.0, 0, 0))
+    found = frenet_along(lambda s: (s**2, s**3, 0), 1e-9, ground)  # beside the cusp of a semicubical parabola
+    exact = frenet_along(lambda s: (s**2, s**3, 0), mpmath.mpf(1e-9), ground)
+    assert abs(found.flexure / exact.flexure - 1) < 1e-13
