@@ -415,7 +415,12 @@ def main():
     for name in PRELOAD:
         importlib.import_module(name)
     sympy = sys.modules["sympy"]
-    str(sympy.sin(sympy.Symbol("x")) ** 2 / 3)  # fills caches that every submission would fill again
+    # what every submission would do again: the first sum imports sympy.tensor, which takes as long as all cells of a notebook together
+    x, y = sympy.symbols("x y", real=True)
+    str(
+        sympy.sqrt(sympy.sin(x) ** 2 / 3 + y * sympy.tan(x) - sympy.Abs(y))
+        + sympy.Matrix([x + y, x, sympy.atan2(y, x)]).dot([y, x, 1]) * sympy.cos(x + y)
+    )
     _adopt_orphans()
     gc.collect()
     gc.freeze()

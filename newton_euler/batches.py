@@ -1,0 +1,108 @@
+"""Many motions of one model at once: other starts, other parameters, or both, as arrays of one length."""
+
+from dataclasses import dataclass, replace
+from time import perf_counter
+from types import MappingProxyType
+
+from .methods import METHODS
+from .models import ModelError
+from .records import Cost
+from .systems import System
+from .taylor import installed, integrator
+
+ENOUGH = 64  # motions, from which heyoka's batches are worth their compilation
+
+
+@dataclass(frozen=True, eq=False)
+class Motions:
+    """Many motions: ``times`` (samples), ``states`` by name as arrays (motions, times), ``method``, ``error`` of each motion (None by batches of heyoka,
+    whose tolerance is a thousandth of rtol), ``cost``."""
+
+    model: object
+    times: object
+    states: MappingProxyType
+    method: object
+    rtol: float
+    error: object
+    cost: Cost
+
+    def __len__(self):
+        return len(next(iter(self.states.values())))
+
+
+def integrate_batch(model, t0, t1, state, rtol, method, events, samples, integrate):
+    """What :func:`newton_euler.motion.integrate` does where the start or the parameters are arrays."""
+    import numpy as np
+
+    if events:
+        raise ModelError("events are sought on one motion at a time; integrate each start by itself")
+    begun = perf_counter()
+    values = {n: x for n, x in model.parameters.items() if getattr(x, "shape", ())}
+    try:
+        arrays = np.broadcast_arrays(*state, *values.values())
+    except ValueError as error:
+        shapes = ", ".join(f"{n} {np.shape(x)}" for n, x in [*zip(model.states, state, strict=True), *values.items()])
+        raise ModelError(f"the arrays of starts and parameters have lengths that do not fit together: {shapes}") from error
+    if arrays[0].ndim != 1:
+        raise ModelError(f"many motions are arrays of one dimension, got shape {arrays[0].shape}")
+    starts, parameters = np.array(arrays[: len(state)], dtype=float), dict(zip(values, arrays[len(state) :], strict=True))
+    if not all(np.isfinite(a).all() for a in (starts, *parameters.values())):
+        raise ModelError(f"the starts and parameters of {model.name!r} must all be finite numbers")
+    times = np.array([t0, t1]) if samples is None else np.linspace(t0, t1, samples) if isinstance(samples, int) else np.asarray(samples, dtype=float)
+    system = System(model)
+    exact = model.exact is not None and method in ("auto", "exact") and (t0 == 0 or system.autonomous)
+    if exact:
+        found, error, taken, calls = _exact(system, starts, parameters, times - t0), None, METHODS["exact"], len(times)
+    elif method == "taylor" or (method == "auto" and installed() and starts.shape[1] >= ENOUGH):
+        found, calls = _taylor(system, starts, parameters, t0, times, rtol)
+        error, taken = None, METHODS["taylor"]
+    else:
+        found, error, taken, calls = _each(model, starts, parameters, (t0, t1), rtol, method, times, integrate)
+    states = MappingProxyType(dict(zip(model.states, found, strict=True)))
+    return Motions(model, times, states, taken, rtol, error, Cost(perf_counter() - begun, 0.0, calls))
+
+
+def _exact(system, starts, parameters, times):
+    import numpy as np
+
+    model = replace(system.model, parameters={**system.model.parameters, **{n: x[:, None] for n, x in parameters.items()}})
+    found = System(model).function(model.exact)(times[None, :], *(x[:, None] for x in starts))
+    return [np.broadcast_to(row, (starts.shape[1], len(times))) for row in found]
+
+
+def _taylor(system, starts, parameters, t0, times, rtol):
+    """In batches as wide as the processor's registers; the last one is filled up with copies."""
+    import numpy as np
+
+    if not installed():
+        raise ModelError("method 'taylor' cannot be used: heyoka is not installed: pip install 'newton-euler[fast]' (Linux)")
+    import heyoka
+
+    width, count = 2 * heyoka.recommended_simd_size(), starts.shape[1]
+    ta = integrator(system, 1e-3 * rtol, width)
+    p = np.array([np.broadcast_to(parameters.get(n, value), count) for n, value in zip(system.free, system.p, strict=True)], dtype=float)
+    grid = np.repeat(np.concatenate(([t0], times))[:, None], width, axis=1)
+    out, steps = np.empty((len(starts), count, len(times))), 0
+    for first in range(0, count, width):
+        chosen = np.minimum(np.arange(first, first + width), count - 1)
+        ta.set_time(t0)
+        ta.state[:] = starts[:, chosen]
+        if len(p):
+            ta.pars[:] = p[:, chosen]
+        found = ta.propagate_grid(grid)[-1]
+        kept = min(width, count - first)
+        out[:, first : first + kept] = np.moveaxis(found[1:], 0, 2)[:, :kept]
+        steps += sum(r[3] for r in ta.propagate_res)
+    return out, steps * ta.order
+
+
+def _each(model, starts, parameters, span, rtol, method, times, integrate):
+    import numpy as np
+
+    motions = []
+    for n, start in enumerate(starts.T.tolist()):
+        one = replace(model, parameters={**model.parameters, **{name: float(x[n]) for name, x in parameters.items()}})
+        motions.append(integrate(one, span, start, rtol, method, samples=times))
+    found = [np.array([m.states[name] for m in motions]) for name in model.states]
+    error = np.array([m.error for m in motions])
+    return found, error, motions[0].method, sum(m.cost.calls for m in motions)

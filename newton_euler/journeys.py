@@ -1,0 +1,168 @@
+"""A motion from start to end by one method at one tolerance: the legs between events at which it turns, bounces, or becomes another model."""
+
+import math
+from dataclasses import dataclass
+
+from .courses import SMALL, StepError
+from .events import Occurrence, Watch
+from .methods import METHODS
+from .models import ModelError
+from .systems import System, start_state
+
+FIRST, MOST = 8, 128  # pieces between two looks for events
+LEGS = 20_000
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A part of a motion under one model: ``system``, ``course``, from ``t0`` to ``t1``, where the state is ``x1``."""
+
+    system: object
+    course: object
+    t0: float
+    t1: float
+    x1: tuple
+
+
+class Journey:
+    """Legs, occurrences and how it ended; ``trouble`` is True if that was in a place where the method could not go on."""
+
+    def __init__(self, method, system, t, x, goal, tolerance, events, progress, sizes, step, course=None):
+        self.method, self.goal, self.tolerance, self.progress, self.step = method, goal, tolerance, progress, step
+        self.course, self.origin = course or method.course, t
+        self.legs, self.occurrences, self.ended, self.trouble = [], [], "", False
+        began = None
+        while system is not None:
+            system, t, x, events, began = self._leg(system, t, x, events, began, sizes)
+            sizes = None
+        self.calls = sum(leg.course.calls for leg in self.legs)
+
+    @property
+    def sizes(self):
+        """The largest sizes of the states of the first leg, for the next run."""
+        return self.legs[0].course.sizes
+
+    def _leg(self, system, t, x, events, began, sizes):
+        """One leg; returns what the next one starts from, its system None at the end."""
+        course, hit = None, None
+        try:
+            course = self._made(system, t, x, sizes)
+            hit = self._follow(course, events, began)
+        except (StepError, ZeroDivisionError, OverflowError, ValueError) as error:
+            if isinstance(error, ModelError):
+                raise
+            course = course or _Standing(system, t, x)
+            self._stopped(system, course, error)
+        end, x1 = (hit[0], hit[2]) if hit else (course.t, course.x)
+        self.legs.append(Leg(system, course, t, end, x1))
+        if hit is None:
+            self.ended = self.ended or f"reached t = {end:.6g}"
+            return None, None, None, None, None
+        return self._after(hit, system, events)
+
+    def _made(self, system, t, x, sizes):
+        kind = self.course
+        trouble = self.method.cannot(system)
+        if trouble and self.legs:  # another model than the first: by the method that can do all
+            kind, trouble = METHODS["dop853"].course, None
+        if trouble:
+            raise ModelError(f"method {self.method.name!r} cannot be used: {trouble}")
+        return kind(system, t, x, self.goal, self.tolerance, sizes, self.step)
+
+    def _follow(self, course, events, began):
+        """Go on to the end or the first event that ends the leg; that is returned as (t, event, state)."""
+        if not events and not self.progress:
+            course.advance()
+            return None
+        watches = [Watch(event, course, event is began) for event in events]
+        limit, done = FIRST, 0
+        while course.t < self.goal:
+            course.advance(limit)
+            for at in range(done, len(course.bounds) - 1):
+                hit = self._happened(watches, course, at)
+                if hit:
+                    return hit
+            done, limit = len(course.bounds) - 1, min(2 * limit, MOST)
+            if self.progress:
+                self.progress((course.t - self.origin) / (self.goal - self.origin))
+        return None
+
+    def _happened(self, watches, course, at):
+        found = sorted(((t, n) for n, watch in enumerate(watches) for t in watch.found(at)))
+        for t, n in found:
+            event = watches[n].event
+            x = course.restep(t)
+            name = event.name or f"event {n + 1}"
+            self.occurrences.append(Occurrence(name, t, dict(zip(course.system.model.states, x, strict=True))))
+            if event.ends:
+                return t, event, x
+        return None
+
+    def _after(self, hit, system, events):
+        t, event, x = hit
+        name = self.occurrences[-1].name
+        self.ended = f"{name} at t = {t:.6g}"
+        if event.then is None:
+            return None, None, None, None, None
+        following = system.model._call(event.then, dict(zip(system.model.states, x, strict=True)), system.model.parameters, t)
+        if following is None:
+            return None, None, None, None, None
+        if not isinstance(following, tuple) or len(following) not in (2, 3):
+            raise ModelError(f"then= of {name!r} returns (model, start) or (model, start, events), not {following!r}")
+        if len(self.legs) >= LEGS or (len(self.legs) > 1 and self.legs[-1].t1 - self.legs[-1].t0 < 1e-13 * max(abs(t), self.goal - self.origin)):
+            self.ended = f"events follow each other without end: {name} at t = {t:.9g}; give then= a rule for what comes after"
+            return None, None, None, None, None
+        model, start = following[:2]
+        same = model.rhs is system.model.rhs
+        following_events = following[2] if len(following) == 3 else tuple(e for e in events if same or e is not event)
+        if t >= self.goal:
+            return None, None, None, None, None
+        self.ended = ""
+        return System(model), t, start_state(model, start), tuple(following_events), event
+
+    def _stopped(self, system, course, error):
+        self.trouble = True
+        place = ", ".join(f"{n} = {v:.6g}" for n, v in zip(system.model.states, course.x, strict=True))
+        why = "the coordinates may be singular there, or the motion leaves the model" if isinstance(error, StepError) else "the coordinates are singular there"
+        self.ended = f"{system.model.name} could not be followed beyond t = {course.t:.6g}, at {place}: {error}; {why}"
+
+    # -- errors
+
+    def difference(self, other):
+        """How far two runs end from each other: the largest difference of a state over its size, and of the time if events ended them."""
+        if len(self.legs) != len(other.legs) or self.legs[-1].system.model.states != other.legs[-1].system.model.states:
+            return 1.0
+        a, b = self.legs[-1], other.legs[-1]
+        shift = abs(a.t1 - b.t1) / (self.goal - self.origin)
+        sizes = [max(s) for s in zip(a.course.sizes, b.course.sizes, strict=True)]
+        return max(max((abs(u - v) / s for u, v, s in zip(a.x1, b.x1, sizes, strict=True)), default=0.0), shift)
+
+    def exact_error(self):
+        """Of an exact solution: how far half of the way, taken twice, leads from the whole one. None if some leg is not exact."""
+        if any(leg.course.__class__ is not METHODS["exact"].course for leg in self.legs):
+            return None
+        worst = 0.0
+        for leg in self.legs:
+            x, half = leg.course.start[1], (leg.t1 - leg.t0) / 2
+            try:
+                middle = leg.course.solution(half, *x) if leg.system.autonomous else None
+                again = leg.course.solution(half, *map(float, middle)) if middle else leg.x1
+            except (ArithmeticError, ValueError):
+                return 1.0
+            differences = [abs(float(u) - v) / max(abs(v), abs(w), SMALL) for u, v, w in zip(again, leg.x1, x, strict=True)]
+            worst = max([worst, *differences])
+        return worst + 2e-16 if math.isfinite(worst) else 1.0
+
+
+class _Standing:
+    """The course of a motion that could not start."""
+
+    def __init__(self, system, t, x):
+        self.system, self.t, self.x, self.bounds, self.calls = system, t, tuple(x), [t], 1
+        self.sizes = tuple(max(abs(v), SMALL) for v in x)
+
+    def states(self, times):
+        """The start."""
+        import numpy as np
+
+        return np.array(self.x)[:, None] + 0 * np.asarray(times, dtype=float)

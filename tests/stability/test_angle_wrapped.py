@@ -1,0 +1,84 @@
+"""Angles across +-pi: the gradient of a wrapped angle has spikes, and unwrapping fails for steps of more than half a turn."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+
+from newton_euler import Frame, at
+from newton_euler.components import polar_coordinates
+from newton_euler.rotations import RotationError, euler_from_quaternion, unwound
+from newton_euler.scalars import atan2, cos, sin
+from newton_euler.scenes import top
+
+RATE = 3.0  # rad/s
+
+
+def wrapped(angle):
+    return np.arctan2(np.sin(angle), np.cos(angle))
+
+
+def test_the_gradient_of_a_wrapped_angle_is_625_rad_per_s_instead_of_3():
+    t = np.linspace(0.0, 5.0, 1001)
+    rate = np.gradient(wrapped(RATE * t), t)
+    assert np.max(np.abs(rate - RATE)) > 600
+
+
+@pytest.mark.parametrize("t", [0.2, math.pi / 3 - 1e-12, math.pi / 3, math.pi / 3 + 1e-12, 4.0])
+def test_rates_of_angles_do_not_see_the_cut_and_are_right_to_1e_minus_15(t):
+    found = at(lambda t: atan2(2 * sin(RATE * t), 2 * cos(RATE * t)), t)
+    assert abs(found.rate - RATE) < 2e-15  # rad/s
+    assert abs(found.acceleration) < 4e-15
+    ground = Frame("ground")
+    x, y = 2 * math.cos(RATE * t), 2 * math.sin(RATE * t)
+    _, theta = polar_coordinates(ground.vector(x, y, 0), ground.vector(-RATE * y, RATE * x, 0))
+    assert abs(theta.rate - RATE) < 2e-15
+
+
+def test_unwrap_takes_a_turn_of_10_rad_per_sample_for_minus_2_6_and_the_rates_tell_better():
+    t = np.arange(0.0, 20.0)
+    angle = 10.0 * t
+    assert abs(np.diff(np.unwrap(wrapped(angle)))[0] - (10 - 4 * math.pi)) < 1e-12  # -2.57 rad
+    found = unwound(wrapped(angle), 10.0 + 0 * t, t)
+    assert np.max(np.abs(found - angle)) < 3e-14  # rad, of 190
+
+
+def test_a_spin_that_speeds_up_is_followed_over_thousands_of_turns_in_100_samples():
+    t = np.linspace(0.0, 10.0, 101)
+    angle, rate = 50 * t + 40 * t**2, 50 + 80 * t
+    assert np.max(np.abs(np.unwrap(wrapped(angle)) - angle)) > 1000
+    assert np.max(np.abs(unwound(wrapped(angle), rate, t) - angle)) < 1e-11
+
+
+def test_where_the_rates_leave_the_number_of_turns_open_it_refuses_in_words():
+    t = np.array([0.0, 1.0])
+    with pytest.raises(RotationError, match="how many turns there were is not known"):
+        unwound([0.0, math.pi], [0.0, 0.0], t)
+    with pytest.raises(RotationError, match="between t = 0 and 1 s"):
+        unwound([0.0, 0.0], [0.0, math.nan], t)
+    assert unwound([0.0, 1.5], [0.0, 0.0], t)[1] == 1.5
+
+
+def test_the_precession_of_a_top_through_many_turns_is_continuous_to_1e_minus_12_rad():
+    body = top.free(1.5, 1.0, 20.0)
+    start = (math.cos(0.3), math.sin(0.3), 0.0, 0.0, 0.0, 2.0)
+    t = np.linspace(0.0, 100.0, 401)
+    states = body.solution(t, start)
+    psi, theta, _ = euler_from_quaternion(states[:4])
+    exact = body.solution(mpmath.mpf(100), start)
+    psi_rate = np.array([np.asarray(states[4]) * 0]).ravel() + _precession(psi, theta, states)
+    found = unwound(psi, psi_rate, t)
+    assert abs(wrapped(found[-1]) - float(euler_from_quaternion(exact[:4])[0])) < 1e-12
+    assert np.all(np.abs(np.diff(found) - np.diff(t) * (psi_rate[1:] + psi_rate[:-1]) / 2) < math.pi / 2)
+
+
+def _precession(psi, theta, states):
+    phi = euler_from_quaternion(states[:4])[2]
+    return (states[4] * np.sin(phi) + states[5] * np.cos(phi)) / np.sin(theta)
+
+
+def test_an_angle_of_1e9_turns_has_lost_7_digits_and_the_quaternion_has_not():
+    psi = 2 * math.pi * 1e9 + 0.1
+    assert abs(math.sin(psi) - math.sin(mpmath.mpf(2) * mpmath.pi * 10**9 + mpmath.mpf("0.1"))) > 1e-9
+    assert np.spacing(psi) > 9e-7  # rad: what such an angle can resolve

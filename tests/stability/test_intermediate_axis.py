@@ -1,0 +1,61 @@
+"""Spin about the intermediate principal axis: exactly on it a run of floats stays for ever, beside it the body turns over (8.14)."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler.scenes.free_body import free_body, tilt_growth
+from tests.kinds import close
+
+BODY = free_body(1.0, 2.0, 3.0)
+GROWTH = 1 / math.sqrt(3)  # 1/s, at 1 rad/s
+
+
+def run(start, t, **options):
+    rhs = BODY.compiled_rhs()
+    return solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, t), start, **options)
+
+
+@pytest.mark.parametrize("rtol", [1e-3, 1e-12])
+def test_exactly_on_the_axis_a_run_of_floats_never_leaves_and_so_tells_nothing(rtol):
+    y = run((0.0, 1.0, 0.0), 1e4, rtol=rtol).y
+    assert (y[0] == 0).all()
+    assert (y[2] == 0).all()
+    assert BODY.solution(1e4, (0.0, 1.0, 0.0)) == (0.0, 1.0, 0.0)  # nor does the exact one: it is an equilibrium
+
+
+def test_the_criterion_tells_stable_from_unstable_where_the_run_cannot():
+    assert tilt_growth(1.0, 2.0, 3.0, "y", 1.0) == pytest.approx(GROWTH, rel=1e-15)
+    assert tilt_growth(1.0, 2.0, 3.0, "x", 1.0) == tilt_growth(1.0, 2.0, 3.0, "z", 1.0) == 0.0
+    assert tilt_growth(2.0, 2.0, 3.0, "y", 1.0) == 0.0  # equal moments: a tilt drifts, but does not grow exponentially
+    assert tilt_growth(2.0 - 1e-9, 2.0, 3.0, "y", 1.0) == pytest.approx(math.sqrt(1e-9 / 6), rel=1e-6)
+
+
+@pytest.mark.parametrize("tilt", [1e-2, 1e-8, 1e-16, 1e-100])
+def test_from_any_tilt_the_exact_motion_turns_over_when_the_growth_says(tilt):
+    start = (tilt, 1.0, 0.0)
+    K = next(t for t in np.arange(0.0, 800.0, 0.05) if BODY.solution(t, start)[1] < 0)  # the first passage through w_y = 0
+    expected = math.log(2 * math.sqrt(3) * 2 / tilt) / GROWTH  # the quarter period ln(4/k') for small k'
+    assert abs(K - expected) < 2.5  # s, of 11 to 400
+
+
+def test_the_default_solver_is_eight_seconds_late_after_ten_turnovers_and_the_exact_solution_right_to_1e_minus_13():
+    start = (0.01, 1.0, 0.01)
+    crossing = run(start, 250.0, events=lambda t, y: y[1]).t_events[0]
+    t = np.linspace(0.0, 250.0, 20001)
+    w = BODY.solution(t, start)[1]
+    exact = t[1:][(w[1:] < 0) != (w[:-1] < 0)]
+    assert abs(crossing[9] - exact[9]) > 4  # s
+    at = BODY.solution(float(exact[9]), start)
+    assert close(at, BODY.solution(mpmath.mpf(float(exact[9])), start), 1e-13)  # rad/s
+
+
+@pytest.mark.parametrize("tilt", [1e-3, 1e-7, 1e-14])
+def test_beside_the_axis_the_growth_of_the_tilt_is_that_of_the_criterion(tilt):
+    start = (tilt, 1.0, tilt / math.sqrt(3))  # the direction that grows
+    T = 1.0
+    grown = BODY.solution(T, start)[0] / tilt
+    assert grown == pytest.approx(math.exp(GROWTH * T), rel=max(1e-12, 2 * tilt**2))

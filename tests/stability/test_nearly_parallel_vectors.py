@@ -1,0 +1,69 @@
+"""Differences of nearly equal numbers: the angle between nearly parallel vectors, distances of near points, moments about a far one (A.11)."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+
+from newton_euler import Frame, Inertia
+
+ground = Frame("ground")
+A = (1.0, 2.0, 3.0)
+ACROSS = (3.0, 0.0, -1.0)  # at right angles to A
+
+
+def near(eps):
+    return tuple(a + eps * c for a, c in zip(A, ACROSS, strict=True))
+
+
+def exact(a, b):
+    with mpmath.workdps(60):
+        a, b = (tuple(map(mpmath.mpf, v)) for v in (a, b))
+        cross = a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+        return mpmath.atan2(mpmath.sqrt(sum(x * x for x in cross)), sum(x * y for x, y in zip(a, b, strict=True)))
+
+
+@pytest.mark.parametrize("eps", [1e-3, 1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_the_angle_by_arc_cosine_is_off_by_1e_minus_8_rad_and_angle_to_by_2e_minus_16(eps, sense):
+    b = tuple(sense * x for x in near(eps))
+    found = ground.vector(*A).angle_to(ground.vector(*b))
+    assert abs(found - exact(A, b)) < 5e-16
+    if eps <= 1e-9:
+        cosine = np.dot(A, b) / (np.linalg.norm(A) * np.linalg.norm(b))
+        assert abs(float(np.arccos(np.clip(cosine, -1, 1))) - float(exact(A, b))) > 0.4 * eps
+
+
+def test_the_arc_cosine_has_only_some_values_near_zero_and_1e_minus_9_is_none_of_them():
+    values = [math.acos(1 - n * 2.0**-53) for n in range(4)]
+    assert values[0] == 0.0
+    assert values[1] > 1.4e-8  # rad
+    assert ground.vector(1.0, 0, 0).angle_to(ground.vector(1.0, 1e-9, 0)) == pytest.approx(1e-9, rel=1e-15)
+
+
+def test_tiny_and_huge_vectors_have_angles_too():
+    for size in (1e-70, 1e70):
+        u, v = ground.vector(size, 0, 0), ground.vector(size, 1e-6 * size, 0)
+        assert u.angle_to(v) == pytest.approx(math.atan(1e-6), rel=1e-14)
+
+
+def test_the_component_across_is_lost_by_subtraction_of_the_component_along_but_not_by_cross_products():
+    eps = 1e-12
+    e, v = ground.vector(*A).direction(), ground.vector(*near(eps))
+    true = eps * math.sqrt(10)
+    naive = (v - e * v.dot(e)).norm()
+    assert abs(naive / true - 1) > 1e-6
+    assert abs(e.cross(v).norm() / float(mpmath.sin(exact(A, near(eps))) * v.norm()) - 1) < 1e-3
+
+
+def test_moments_about_g_taken_back_from_a_point_1e7_lengths_away_are_refused_or_right_to_what_is_left():
+    body = Frame("body")
+    G = body.point("G", 1e7, 0, 0)
+    about_G = Inertia(G, (1.0, 2.0, 2.5), mass=1.0, centre=G)
+    far = about_G.about(body.origin)
+    naive = far.moments[1] - 1.0 * (1e7) ** 2
+    assert abs(naive - 2.0) < 0.02  # 1e14 holds 2 to two digits
+    assert abs(far.about(G).moments[1] - 2.0) < 0.02
+    beside = body.point("H", 1e7 + 1e-6, 0, 0)
+    assert abs(about_G.about(beside).moments[1] - (2.0 + 1e-12)) < 1e-15  # from the difference of the points, so that nothing cancels
