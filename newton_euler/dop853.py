@@ -7,7 +7,7 @@ same right-hand side, and a fresh interpreter starts at once. Coefficients: :mod
 from functools import lru_cache
 from math import inf, isfinite, sqrt
 
-from .courses import SMALL, Course, StepError
+from .courses import Course, StepError
 from .dop853_table import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0  # of the next step
@@ -162,5 +162,3 @@ class Dop853(Course):
             out = (out + row) * power
         return out + np.array(x)[:, None]
 
-
-__all__ = ["SMALL", "Dop853", "stepper"]

@@ -55,6 +55,8 @@ def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None
     run = _Run(system, t0, t1, state, rtol, tuple(events), progress, begun)
     if step:
         return run.fixed(_usable(method, system), step, samples)
+    if method == "exact" and t0 and not system.autonomous:
+        raise ModelError(f"method 'exact' cannot be used: the rates of {model.name!r} depend on time, so its exact solution starts at t = 0")
     return run.auto(samples) if method == "auto" else run.by(_usable(method, system), samples)
 
 
@@ -88,8 +90,6 @@ def _usable(name, system):
     if name == "auto":
         raise ModelError("a fixed step needs a method by name")
     trouble = METHODS[name].cannot(system)
-    if trouble is None and name == "exact" and not system.autonomous:
-        trouble = "the exact solution starts at t = 0, and the rates depend on time" if False else None
     if trouble:
         raise ModelError(f"method {name!r} cannot be used: {trouble}")
     return METHODS[name]

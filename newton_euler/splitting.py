@@ -12,11 +12,11 @@ import math
 from functools import lru_cache
 
 from .courses import Course, StepError
+from .vectors import cross3, dot3
 
 MOST_STEPS = 3_000_000
 _W6 = (-1.17767998417887, 0.235573213359357, 0.784513610477560)  # Yoshida's solution A for order 6, outside to middle reversed
 _W8 = (-1.61582374150097, -2.44699182370524, -0.00716989419708120, 2.44002732616735, 0.157739928123617, 1.82020630970714, 1.04242620869991)
-_W8_ORDER = 8
 
 
 def _triple(order):
@@ -67,14 +67,19 @@ def moments(system):
     if len(states) != 3 or any(states[i] in needs[i] or "t" in needs[i] for i in range(3)):
         return None
     try:
-        a, b, c = (system.rates(0.0, (1.0, 1.0, 1.0))[i] for i in range(3))
+        a, b, c = system.rates(0.0, (1.0, 1.0, 1.0))
         probe = system.rates(0.0, (2.0, 3.0, -5.0))
-        found = (1.0, a + (1 + a * b) / (1 - b), (1 + a * b) / (1 - b))
     except ArithmeticError:
         return None
-    product = all(math.isclose(x, k * v, rel_tol=1e-12, abs_tol=1e-14) for x, k, v in zip(probe, (a, b, c), (-15.0, -10.0, 6.0), strict=True))
-    belongs = min(found) > 0 and math.isclose(c * found[2], found[0] - found[1], rel_tol=1e-12, abs_tol=1e-12)
-    return found if product and belongs else None
+    if not all(math.isclose(x, k * v, rel_tol=1e-12, abs_tol=1e-14) for x, k, v in zip(probe, (a, b, c), (-15.0, -10.0, 6.0), strict=True)):
+        return None
+    rows = (a, -1.0, 1.0), (1.0, b, -1.0), (-1.0, 1.0, c)  # a I1 = I2 - I3, ...: three equations, two of which are enough
+    found = max((cross3(rows[i], rows[i - 1]) for i in range(3)), key=lambda v: sum(map(abs, v)))
+    size = sum(found)
+    if not size or min(x / size for x in found) <= 0:
+        return None
+    found = tuple(3 * x / size for x in found)
+    return found if all(abs(dot3(row, found)) < 1e-12 for row in rows) else None
 
 
 # -- one step

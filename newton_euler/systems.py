@@ -8,8 +8,8 @@ import math
 from collections import OrderedDict
 from inspect import Parameter, Signature
 
-from .models import ModelError, Named, is_law
-from .scalars import ScalarError, ZERO, is_numeric, plain, scalar
+from .models import ModelError, is_law
+from .scalars import ZERO, ScalarError, is_numeric, plain, scalar
 from .tracing import compiled
 
 KEPT = 64  # right-hand sides
@@ -146,5 +146,3 @@ def _dependencies(source):
         known[line.targets[0].id] = of(line.value)
     return [of(node) for node in function.body[-1].value.elts]
 
-
-__all__ = ["Named", "System", "start_state"]

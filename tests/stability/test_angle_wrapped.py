@@ -8,7 +8,7 @@ import pytest
 
 from newton_euler import Frame, at
 from newton_euler.components import polar_coordinates
-from newton_euler.rotations import RotationError, euler_from_quaternion, unwound
+from newton_euler.rotations import RotationError, euler_from_quaternion, quaternion_from_euler, unwound
 from newton_euler.scalars import atan2, cos, sin
 from newton_euler.scenes import top
 
@@ -78,7 +78,8 @@ def _precession(psi, theta, states):
     return (states[4] * np.sin(phi) + states[5] * np.cos(phi)) / np.sin(theta)
 
 
-def test_an_angle_of_1e9_turns_has_lost_7_digits_and_the_quaternion_has_not():
+def test_an_angle_that_counts_1e9_turns_resolves_1e_minus_6_rad_and_one_read_off_a_quaternion_4e_minus_16():
     psi = 2 * math.pi * 1e9 + 0.1
-    assert abs(math.sin(psi) - math.sin(mpmath.mpf(2) * mpmath.pi * 10**9 + mpmath.mpf("0.1"))) > 1e-9
-    assert np.spacing(psi) > 9e-7  # rad: what such an angle can resolve
+    assert psi + 3e-7 == psi
+    near = quaternion_from_euler(0.1 + 1e-15, 0.5, 0.2)
+    assert abs(euler_from_quaternion(near)[0] - (0.1 + 1e-15)) < 4e-16

@@ -1,0 +1,87 @@
+"""Data that contradict each other, leave something open, or belong to no body: refused in words, where NumPy returns numbers (7.13), (8.21)."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+
+from newton_euler import Frame, Inertia, MassError, solve_linear, solve_rates
+from newton_euler.euler_equations import angular_acceleration
+from newton_euler.linear import LinearError
+
+body = Frame("body")
+
+
+def test_least_squares_answers_contradictory_equations_and_the_engine_names_them():
+    M, b = np.array([[1.0, 1.0], [2.0, 2.0]]), np.array([3.0, 7.0])
+    assert np.isfinite(np.linalg.lstsq(M, b, rcond=None)[0]).all()
+    with pytest.raises(LinearError, match=r"'doubled' is off by 1 if 'sum' holds") as refused:
+        solve_linear(lambda A, B: {"sum": A + B - 3.0, "doubled": 2.0 * A + 2.0 * B - 7.0})
+    assert refused.value.equations == ("sum", "doubled")
+
+
+def test_a_nearly_singular_solve_returns_1e16_and_the_engine_reports_what_is_open():
+    M = np.array([[0.1, 0.3], [0.3, 0.9]])  # of rank 1, but for the rounding of 0.1 and 0.3
+    assert abs(np.linalg.solve(M, [0.4, 1.2000001])).max() > 1e8
+    s = solve_linear(lambda A, B: {"one": 0.1 * A + 0.3 * B - 0.4, "three": 0.3 * A + 0.9 * B - 1.2})
+    assert s.undetermined == ("A", "B")
+    assert "follows from 'one'" in s.report()
+    with pytest.raises(LinearError, match="is not determined"):
+        _ = s.A
+
+
+def test_rates_that_are_left_open_or_contradict_each_other_are_refused():
+    with pytest.raises(LinearError, match="1 more are needed"):
+        solve_rates(lambda a, b: a + b - 1.0, 2)
+    with pytest.raises(LinearError, match="do not determine the rates"):
+        solve_rates(lambda a, b: (a + b - 1.0, 2 * a + 2 * b - 2.0), 2)
+    with pytest.raises(LinearError, match="contradict each other"):
+        solve_rates(lambda a, b: (a - 1.0, b - 1.0, a + b - 3.0), 2)
+
+
+@pytest.mark.parametrize("gap", [1e-3, 1e-6, 1e-9])
+def test_a_mass_matrix_near_singular_is_solved_to_round_off_over_the_gap(gap):
+    def laws(a, b):
+        return {"one": a + b - 2.0, "two": a + (1 + gap) * b - (2.0 + gap)}
+
+    s = solve_linear(laws)
+    with mpmath.workdps(40):  # the data as the floats hold them
+        exact = (mpmath.mpf(2.0 + gap) - 2) / (mpmath.mpf(1 + gap) - 1)
+    assert abs(s.b - exact) < 1e-15 / gap
+
+
+def test_a_mass_matrix_singular_within_rounding_is_left_open_not_solved():
+    s = solve_linear(lambda a, b: {"one": a + b - 2.0, "two": a + (1 + 1e-15) * b - 2.0})
+    assert s.undetermined == ("a", "b")
+
+
+def test_a_thin_rod_has_no_inverse_inertia_and_is_refused_where_numpy_returns_inf_or_raises_without_a_reason():
+    rod = Inertia(body, (0.0, 3.0, 3.0))
+    with pytest.raises(np.linalg.LinAlgError, match="Singular matrix"):
+        np.linalg.solve(rod.to_array(), [1.0, 0.0, 0.0])
+    with pytest.raises(MassError, match="thin rod about its own"):
+        angular_acceleration(rod, body.vector(0.0, 0, 0), body.vector(1.0, 0, 0))
+    thick = Inertia(body, (1e-12, 3.0, 3.0))
+    assert angular_acceleration(thick, body.vector(0.0, 0, 0), body.vector(1e-12, 3.0, 0)).components() == pytest.approx((1.0, 1.0, 0.0), abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("moments", "products", "why"),
+    [
+        ((1.0, 2.0, 4.0), (0, 0, 0), "triangle inequality"),
+        ((-1.0, 2.0, 2.0), (0, 0, 0), "no body has"),
+        ((2.0, 2.0, 2.0), (1.5, 0, 0), "its square is at most"),
+        ((2.0, 2.0, 2.0), (-0.9, -0.9, -0.9), "principal moments break the triangle inequality"),
+        ((math.nan, 2.0, 2.0), (0, 0, 0), "no body|finite|nan"),
+    ],
+)
+def test_inertia_that_no_body_has_is_refused_with_the_reason(moments, products, why):
+    with pytest.raises(MassError, match=why):
+        Inertia(body, moments, products)
+
+
+def test_a_plate_on_the_bound_itself_passes_and_a_millionth_beyond_does_not():
+    Inertia(body, (1.0, 2.0, 3.0))
+    with pytest.raises(MassError, match="triangle inequality"):
+        Inertia(body, (1.0, 2.0, 3.000003))
