@@ -8,7 +8,7 @@ from .methods import METHODS
 from .models import ModelError
 from .records import Cost
 from .systems import System
-from .taylor import installed, integrator
+from .taylor import TAYLOR_MARGIN, installed, integrator
 
 ENOUGH = 64  # motions, from which heyoka's batches are worth their compilation
 
@@ -16,7 +16,7 @@ ENOUGH = 64  # motions, from which heyoka's batches are worth their compilation
 @dataclass(frozen=True, eq=False)
 class Motions:
     """Many motions: ``times`` (samples), ``states`` by name as arrays (motions, times), ``method``, ``error`` of each motion (None by batches of heyoka,
-    whose tolerance is a thousandth of rtol), ``cost``."""
+    whose tolerance is a hundredth of rtol), ``cost``."""
 
     model: object
     times: object
@@ -79,19 +79,22 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     import heyoka
 
     width, count = 2 * heyoka.recommended_simd_size(), starts.shape[1]
-    ta = integrator(system, 1e-3 * rtol, width)
+    ta = integrator(system, TAYLOR_MARGIN * rtol, width)
     p = np.array([np.broadcast_to(parameters.get(n, value), count) for n, value in zip(system.free, system.p, strict=True)], dtype=float)
-    grid = np.repeat(np.concatenate(([t0], times))[:, None], width, axis=1)
+    if np.any(np.diff(times) <= 0) or times[0] < t0:
+        raise ModelError(f"the samples of many motions are times that grow, from t = {t0:g} on")
+    begun = int(times[0] != t0)
+    grid = np.repeat(np.concatenate(([t0] * begun, times))[:, None], width, axis=1)
     out, steps = np.empty((len(starts), count, len(times))), 0
     for first in range(0, count, width):
         chosen = np.minimum(np.arange(first, first + width), count - 1)
         ta.set_time(t0)
         ta.state[:] = starts[:, chosen]
-        if len(p):
-            ta.pars[:] = p[:, chosen]
+        if len(ta.pars):
+            ta.pars[:] = p[: len(ta.pars), chosen]
         found = ta.propagate_grid(grid)[-1]
         kept = min(width, count - first)
-        out[:, first : first + kept] = np.moveaxis(found[1:], 0, 2)[:, :kept]
+        out[:, first : first + kept] = np.moveaxis(found[begun:], 0, 2)[:, :kept]
         steps += sum(r[3] for r in ta.propagate_res)
     return out, steps * ta.order
 

@@ -25,8 +25,8 @@ class Course:
         self.system, self.t, self.x, self.goal, self.tolerance = system, t, tuple(x), goal, tolerance
         self.bounds, self.calls, self.start = [t], 0, (t, tuple(x))
         self.sizes = tuple(max(abs(v), SMALL) for v in x)
-        if sizes:  # known from an earlier run, where this one would start with nothing
-            self.sizes = tuple(max(s, 1e-3 * known) for s, known in zip(self.sizes, sizes, strict=True))
+        if sizes:  # from an earlier run, for those that start with nothing
+            self.sizes = tuple(max(s, 1e-6 * known) for s, known in zip(self.sizes, sizes, strict=True))
 
     def piece(self, t):
         """The number of the piece in which t lies."""

@@ -64,15 +64,17 @@ class Watch:
         import numpy as np
 
         a, b = self.course.bounds[at], self.course.bounds[at + 1]
+        start = self.course.start[0]
+        nearest = start + max(1e-13 * (b - a), 4e-16 * abs(start))  # so much after the event it is positive or negative
 
         def g(times):
-            times = np.atleast_1d(times)
+            times = np.maximum(np.atleast_1d(times), nearest) if self.began else np.atleast_1d(times)
             x = self.course.on_piece(at, times)
             try:
                 values = np.broadcast_to(np.asarray(self.g(times, *x), dtype=float), times.shape)
             except ValueError:  # it branches on values
                 values = np.array([float(self.g(t, *column)) for t, column in zip(times.tolist(), x.T.tolist(), strict=True)])
-            return values / (times - self.course.start[0]) if self.began else values
+            return values / (times - start) if self.began else values
 
         out = []
         for left, right in self._brackets(g, a, b):
@@ -95,7 +97,7 @@ class Watch:
         points = [*(a + (b - a) * x for x in _between(coefficients)), b]
         out, before = [], a
         if self.sign == 0:
-            self.sign = _sign(values[0])
+            self.sign = _sign(g(a)[0]) or _sign(values[0])
         for t, value in zip(points, g(np.array(points)), strict=True):
             sign = _sign(value)
             if sign and self.sign and sign != self.sign and self.event.direction in (0, sign):
@@ -120,7 +122,7 @@ class Watch:
 
 
 def _sign(x):
-    return (x > 0) - (x < 0)
+    return int(x > 0) - int(x < 0)
 
 
 def _far(coefficients):

@@ -11,6 +11,8 @@ from .systems import System, start_state
 
 FIRST, MOST = 8, 128  # pieces between two looks for events
 LEGS = 20_000
+SHORTEST = 1e-9  # leg, in parts of the whole time
+ENDLESS = "events follow each other without end"
 
 
 @dataclass(frozen=True)
@@ -39,8 +41,8 @@ class Journey:
 
     @property
     def sizes(self):
-        """The largest sizes of the states of the first leg, for the next run."""
-        return self.legs[0].course.sizes
+        """The largest sizes of the states of the first leg, for the next run; None if it led where they grow without bounds."""
+        return None if self.trouble else self.legs[0].course.sizes
 
     def _leg(self, system, t, x, events, began, sizes):
         """One leg; returns what the next one starts from, its system None at the end."""
@@ -48,9 +50,7 @@ class Journey:
         try:
             course = self._made(system, t, x, sizes)
             hit = self._follow(course, events, began)
-        except (StepError, ZeroDivisionError, OverflowError, ValueError) as error:
-            if isinstance(error, ModelError):
-                raise
+        except ArithmeticError as error:
             course = course or _Standing(system, t, x)
             self._stopped(system, course, error)
         end, x1 = (hit[0], hit[2]) if hit else (course.t, course.x)
@@ -109,8 +109,8 @@ class Journey:
             return None, None, None, None, None
         if not isinstance(following, tuple) or len(following) not in (2, 3):
             raise ModelError(f"then= of {name!r} returns (model, start) or (model, start, events), not {following!r}")
-        if len(self.legs) >= LEGS or (len(self.legs) > 1 and self.legs[-1].t1 - self.legs[-1].t0 < 1e-13 * max(abs(t), self.goal - self.origin)):
-            self.ended = f"events follow each other without end: {name} at t = {t:.9g}; give then= a rule for what comes after"
+        if len(self.legs) >= LEGS or (len(self.legs) > 1 and self.legs[-1].t1 - self.legs[-1].t0 < SHORTEST * (self.goal - self.origin)):
+            self.ended = f"{ENDLESS}: {name} at t = {t:.9g}; give then= a rule for what comes after"
             return None, None, None, None, None
         model, start = following[:2]
         same = model.rhs is system.model.rhs
@@ -130,6 +130,8 @@ class Journey:
 
     def difference(self, other):
         """How far two runs end from each other: the largest difference of a state over its size, and of the time if events ended them."""
+        if self.ended.startswith(ENDLESS) and other.ended.startswith(ENDLESS):
+            return abs(self.legs[-1].t1 - other.legs[-1].t1) / (self.goal - self.origin)
         if len(self.legs) != len(other.legs) or self.legs[-1].system.model.states != other.legs[-1].system.model.states:
             return 1.0
         a, b = self.legs[-1], other.legs[-1]

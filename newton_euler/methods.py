@@ -3,7 +3,7 @@
 What is asked for is the error of the motion, not that of a step. An adaptive method therefore runs twice, once at a tolerance a thousand times
 as coarse; the difference is the error of the coarse run, and as the error is proportional to the tolerance it foretells that of the fine one. Where that is
 too large the tolerance is tightened by what is missing, and the new run measures the one before. Runs of heyoka cost so little that its
-tolerance is a thousandth of what is asked for from the start.
+tolerance is a hundredth of what is asked for from the start.
 """
 
 import importlib.util
@@ -30,6 +30,7 @@ class Method:
     least : the smallest error, relative to each state, that it can be asked for
     cannot : a function of the prepared model that says why it cannot be used for it, or None
     calibrated : True if its tolerance is set by two runs
+    easy, loosest : the first tolerance is so much below the accuracy asked for, and not above this: coarse runs foretell little
     """
 
     name: str
@@ -39,6 +40,8 @@ class Method:
     least: float = 1e-13
     cannot: Callable = lambda system: None
     calibrated: bool = True
+    easy: float = EASY
+    loosest: float = 3e-6
 
 
 def _no_exact(system):
@@ -65,6 +68,9 @@ def _no_body(system):
     return None if moments(system) else f"{system.model.name!r} is not Euler's equations of a free body, three rates like a product of the two others"
 
 
+LEAST = {2: 1e-7, 4: 1e-11, 6: 1e-12, 8: 1e-12}  # by order: round-off of many steps
+
+
 def _table():
     yield Method("exact", "exact solution", Exact, least=1e-15, cannot=_no_exact, calibrated=False)
     yield Method("taylor", "Taylor series of heyoka", Taylor, least=1e-15, cannot=_no_heyoka, calibrated=False)
@@ -79,5 +85,4 @@ def _table():
         yield Method(f"lie-poisson{order}", words, splitting(order, body=True), order, LEAST[order], _no_body)
 
 
-LEAST = {2: 1e-9, 4: 1e-11, 6: 1e-12, 8: 1e-12}
 METHODS = {m.name: m for m in _table()}

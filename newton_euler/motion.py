@@ -9,15 +9,16 @@ from time import perf_counter
 from .batches import integrate_batch
 from .events import Event
 from .journeys import Journey
-from .methods import COARSEST, DECADES, EASY, METHODS
+from .methods import COARSEST, DECADES, METHODS
 from .models import Model, ModelError
 from .records import Cost, Motion, MotionError
 from .systems import System, start_state
-from .taylor import ShortSteps, installed
+from .taylor import TAYLOR_MARGIN, ShortSteps, installed
 
 HEYOKA_PAYS = 0.5  # seconds of integrating one right-hand side, after which heyoka's import and compilation would have been earned
-TAYLOR_MARGIN = 1e-3  # heyoka's tolerance over the error asked for
 RUNS = 5
+CAUTION = 4.0  # times the error that the difference foretells
+ROUND_OFF = 2e-14  # no estimate is smaller
 
 
 def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None, progress=None, step=None):
@@ -146,7 +147,7 @@ class _Run:
 
         def error():
             again = Journey(method, self.system, self.t0, self.state, self.t1, TAYLOR_MARGIN * self.rtol, self.events, None, None, None, ShortSteps)
-            return journey.difference(again) + 1e-16
+            return 2 * journey.difference(again) + 2e-15
 
         return self.record(journey, method, error, samples)
 
@@ -158,7 +159,7 @@ class _Run:
     def calibrated(self, method, samples, heyoka=False):
         """Two runs or more, as :mod:`.methods` says."""
         least = method.least / 10
-        tolerance = max(self.rtol / EASY, least)
+        tolerance = max(min(self.rtol / method.easy, method.loosest), least)
         coarse = min(tolerance * DECADES, COARSEST)
         begun = perf_counter()
         before = self.go(method, coarse)
@@ -184,7 +185,7 @@ class _Run:
         if difference > 0.05:
             return difference  # the coarse one is too far off to foretell anything
         steps = sum(len(leg.course.bounds) for leg in journey.legs)
-        return 2 * difference * tolerance / coarse + 2e-16 * math.sqrt(steps)
+        return CAUTION * difference * tolerance / coarse + ROUND_OFF * math.sqrt(1 + steps / 100)
 
 
 __all__ = ["Event", "Motion", "MotionError", "integrate"]

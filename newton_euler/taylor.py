@@ -9,7 +9,8 @@ import math
 
 from .courses import Course, StepError
 
-LEVELS = (1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 2.3e-16)  # of heyoka's tolerance: each one is compiled by itself
+LEVELS = (*(10.0**-n for n in range(5, 16)), 2.3e-16)  # of heyoka's tolerance: each one is compiled by itself
+TAYLOR_MARGIN = 1e-2  # heyoka's tolerance over the error asked for
 SHORT = 0.6  # of a natural step: at the orders used (8 to 20) the error is then a hundredth or less
 
 
@@ -27,13 +28,13 @@ def integrator(system, tolerance, batch=None):
         variables = [hy.expression(n) for n in system.model.states]
         outputs = system.traced.rhs(hy.time, *variables, *(hy.par[i] for i in range(len(system.free))))
         equations = [(v, o + hy.expression(0.0)) for v, o in zip(variables, outputs, strict=True)]
-        n, pars = len(variables), len(system.free)
+        n = len(variables)
         if batch is None:
-            known[level, batch] = hy.taylor_adaptive(equations, [0.0] * n, tol=level, pars=[0.0] * pars)
+            known[level, batch] = hy.taylor_adaptive(equations, [0.0] * n, tol=level)
         else:
             import numpy as np
 
-            known[level, batch] = hy.taylor_adaptive_batch(equations, np.zeros((n, batch)), tol=level, pars=np.zeros((pars, batch)))
+            known[level, batch] = hy.taylor_adaptive_batch(equations, np.zeros((n, batch)), tol=level)
     return known[level, batch]
 
 
@@ -48,7 +49,7 @@ class Taylor(Course):
         self.series, self.step = [], step or math.inf
 
     def _put(self, t, x):
-        self.ta.pars[:] = self.system.p
+        self.ta.pars[:] = self.system.p[: len(self.ta.pars)]  # those that the rates need, up to the last one
         self.ta.time = t
         self.ta.state[:] = x
 
@@ -90,11 +91,12 @@ class Taylor(Course):
         import numpy as np
 
         times = np.asarray(times, dtype=float)
-        if self.series or len(self.bounds) < 2 or len(times) < 2 or np.any(np.diff(times) < 0):
+        if self.series or len(self.bounds) < 2 or len(times) < 2 or np.any(np.diff(times) <= 0):
             return super().states(times)
         self._put(*self.start)
-        found = self.ta.propagate_grid(np.concatenate(([self.start[0]], times)))[-1]
-        return found[1:].T
+        begun = times[0] == self.start[0]
+        found = self.ta.propagate_grid(times if begun else np.concatenate(([self.start[0]], times)))[-1]
+        return found[0 if begun else 1 :].T
 
     def on_piece(self, at, times):
         """The Taylor polynomial of the step."""

@@ -13,7 +13,7 @@ def orbit(mu):
 
     mu : the constant of the attraction mu/r^2, m^3/s^2. The Laplace vector has the size of the eccentricity and points to the closest approach.
     The exact solution takes the numbers given as exact. Its error in position is at most about 16 round-offs of the size of the orbit plus the way
-    that the body runs in some round-offs of t (which it meets at a close approach). It refuses orbits through the centre, and expressions, in words.
+    that the body runs in 5 round-offs of t (which it meets at a close approach). It refuses orbits through the centre, and expressions, in words.
 
     >>> import math
     >>> [round(x, 9) for x in orbit(1.0).solution(math.pi/2, (1.0, 0.0, 0.0, 1.0))]

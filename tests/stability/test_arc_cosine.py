@@ -35,7 +35,7 @@ def test_unclipped_it_is_not_a_number_for_many_turns_there_and_back():
     there_and_back = [in_sequence(rotation_matrix(axis, 1.0), rotation_matrix(axis, -1.0)) for axis in axes]
     with np.errstate(invalid="ignore"):
         angles = np.array([np.arccos((np.trace(R) - 1) / 2) for R in there_and_back])
-    assert np.isnan(angles).sum() > 20
+    assert np.isnan(angles).sum() > 10
     assert np.nanmax(angles) > 1.4e-8  # rad
     assert all(axis_angle(R)[1] < 1e-15 for R in there_and_back)
 

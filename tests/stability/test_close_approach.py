@@ -1,0 +1,114 @@
+"""Close approach on an eccentric orbit: steps and digits are lost at the centre; Kepler's equation with bounds is not (6.4)."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+from scipy.integrate import solve_ivp
+
+from newton_euler.models import ModelError
+from newton_euler.scenes.orbit import from_farthest, orbit
+
+ORBIT = orbit(1.0)
+PERIOD = 2 * math.pi
+
+
+def run(e, t, **options):
+    rhs = ORBIT.compiled_rhs()
+    return solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, t), from_farthest(1.0, 1.0, e), **options).y[:, -1]
+
+
+def distance(a, b):
+    return math.hypot(*(float(p - q) for p, q in zip(tuple(a)[:2], tuple(b)[:2], strict=True)))
+
+
+def exact(e, t):
+    return ORBIT.solution(mpmath.mpf(t), from_farthest(1.0, 1.0, e))
+
+
+@pytest.mark.parametrize(("e", "off"), [(0.9, 0.5), (0.99, 0.5), (0.999, 0.5)])
+def test_the_default_solver_is_lost_by_the_size_of_the_orbit_after_10_periods(e, off):
+    t = 10 * PERIOD
+    assert distance(run(e, t), exact(e, t)) > off  # of the semi-axis, success=True
+    assert distance(ORBIT.solution(t, from_farthest(1.0, 1.0, e)), exact(e, t)) < 3e-14
+
+
+def test_runge_kutta_of_1000_steps_a_period_flies_away_at_e_0_99():
+    y, h = np.array(from_farthest(1.0, 1.0, 0.99)), PERIOD / 1000
+    f = lambda y: np.array([y[2], y[3], *(-y[:2] / np.hypot(y[0], y[1]) ** 3)])  # noqa: E731
+    farthest = 0.0
+    for _ in range(3000):
+        k1 = f(y)
+        k2 = f(y + h / 2 * k1)
+        k3 = f(y + h / 2 * k2)
+        y = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + f(y + h * k3))
+        farthest = max(farthest, math.hypot(y[0], y[1]))
+    assert farthest > 3  # semi-axes, of an orbit that ends at 1.99
+
+
+def kepler_by_newton(M, e, E):
+    """The textbook's Newton iteration E - (E - e sin E - M)/(1 - e cos E), from the start E; the number of steps, or None."""
+    for n in range(50):
+        step = (E - e * math.sin(E) - M) / (1 - e * math.cos(E))
+        E -= step
+        if abs(step) < 1e-12:
+            return n
+    return None
+
+
+def test_newtons_steps_without_bounds_wander_at_high_eccentricity():
+    slow = [kepler_by_newton(M, 0.999, M) for M in np.linspace(0.001, 0.3, 200).tolist()]
+    assert any(n is None or n > 20 for n in slow)
+
+
+@pytest.mark.parametrize("e", [0.0, 0.5, 0.9, 0.99, 0.999, 0.999999])
+def test_the_exact_orbit_is_right_to_1e_minus_14_and_at_the_closest_place_to_the_way_run_in_5_round_offs_of_t(e):
+    start, fastest = from_farthest(1.0, 1.0, e), math.sqrt((1 + e) / (1 - e))
+    for t in (1e-3, 1.0, 3.0, math.pi, 3.2, 20.0, -7.0, 10.5 * PERIOD):
+        x = ORBIT.solution(t, start)
+        v = math.hypot(*x[2:])
+        assert v <= fastest * (1 + 1e-6)
+        assert distance(x, exact(e, t)) < 1e-14 + 1e-15 * (abs(t) + 1) * v
+
+
+@pytest.mark.parametrize("e", [0.9, 0.999])
+def test_it_obeys_keplers_equation_in_30_digits(e):
+    with mpmath.workdps(30):
+        E0 = mpmath.mpf(2)
+        mu, a, ecc = mpmath.mpf(1), mpmath.mpf(1), mpmath.mpf(e)
+        start = tuple(mpmath.mpf(x) for x in (-(1 + ecc), 0, 0)) + (-mpmath.sqrt((1 - ecc) / (1 + ecc)),)
+        t = E0 - ecc * mpmath.sin(E0) + mpmath.pi  # from the farthest point on, half a period before E = 0
+        x = orbit(mu).solution(t, start)
+        assert abs(x[0] - a * (mpmath.cos(E0) - ecc)) < 1e-25
+        assert abs(x[1] - mpmath.sqrt(1 - ecc**2) * mpmath.sin(E0)) < 1e-25
+
+
+@pytest.mark.parametrize("e", [0.5, 0.99, 0.999])
+def test_energy_momentum_and_laplace_vector_are_kept_to_round_off_over_the_distance(e):
+    start = from_farthest(1.0, 1.0, e)
+    for t in (1.0, math.pi - 0.01, 40.0):
+        x = ORBIT.solution(t, start)
+        r = math.hypot(*x[:2])
+        for name in ORBIT.invariants:
+            assert abs(ORBIT.invariant(name, x) - ORBIT.invariant(name, start)) < 4e-15 / r
+    assert ORBIT.invariant("laplace_x", start) == pytest.approx(e, rel=1e-12)
+
+
+@pytest.mark.parametrize("v", [1.4, math.sqrt(2) - 1e-9, math.sqrt(2), math.sqrt(2) + 1e-9, 1.5, 3.0])
+def test_from_ellipse_through_parabola_to_hyperbola_nothing_happens(v):
+    start = (1.0, 0.0, -0.3, math.sqrt(v * v - 0.09))
+    for t in (2.0, 100.0, -50.0):
+        x, true = ORBIT.solution(t, start), ORBIT.solution(mpmath.mpf(t), start)
+        assert distance(x, true) < 2e-14 * max(1.0, math.hypot(*x[:2]), abs(t))
+
+
+def test_an_orbit_through_the_centre_and_expressions_are_refused_in_words():
+    with pytest.raises(ModelError, match="straight line through the centre"):
+        ORBIT.solution(1.0, (1.0, 0.0, -0.5, 0.0))
+    with pytest.raises(ModelError, match="solved for numbers"):
+        ORBIT.solution(sympy.Symbol("t"), (1.0, 0.0, 0.0, 1.0))
+    with pytest.raises(ModelError, match="positive mu"):
+        orbit(-1.0).solution(1.0, (1.0, 0.0, 0.0, 1.0))
+    assert math.isfinite(ORBIT.solution(50.0, (1.0, 0.0, -0.5, 1e-6))[0])  # beside it: e = 1 - 7e-13

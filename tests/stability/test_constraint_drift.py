@@ -1,0 +1,76 @@
+"""Constraint drift: a pendulum in x, y with its rod force lambda, against the angle as the one coordinate (5.28), (11.17)."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler.constraints import degrees_of_freedom
+from newton_euler.scenes import top
+from newton_euler.scenes.free_body import free_body
+from newton_euler.scenes.orbit import orbit
+from newton_euler.scenes.physical_pendulum import physical_pendulum
+from newton_euler.scenes.rolling_sphere import rolling_down
+from newton_euler.scenes.spherical_pendulum import nodding
+
+L, G, THETA0 = 1.0, 9.81, 1.0
+
+
+def with_multiplier(t, y):
+    """x, y (down), and rates; lambda from the second derivative of x^2 + y^2 = L^2, as textbooks reduce the index."""
+    x, y, vx, vy = y.tolist()
+    force = (vx * vx + vy * vy + G * y) / (x * x + y * y)
+    return [vx, vy, -force * x, G - force * y]
+
+
+def length_after(T, **options):
+    start = [math.sin(THETA0), math.cos(THETA0), 0.0, 0.0]
+    y = solve_ivp(with_multiplier, (0, T), start, **options).y[:, -1]
+    return math.hypot(y[0], y[1])
+
+
+def test_the_rod_of_length_1_is_metres_long_after_100_s_with_the_default_solver():
+    assert abs(length_after(100.0) - L) > 1.0
+
+
+def test_at_1e_minus_6_it_is_still_off_by_more_than_1e_minus_5():
+    assert abs(length_after(100.0, rtol=1e-6, atol=1e-6) - L) > 1e-5
+
+
+def test_with_the_angle_as_the_state_the_length_cannot_drift_and_the_energy_keeps_10_digits_at_1e_minus_10():
+    model = physical_pendulum(1.0, 0.0, L, G)
+    assert model.states == ("theta", "omega")
+    rhs = model.compiled_rhs()
+    y = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 20), (THETA0, 0.0), method="DOP853", rtol=1e-10, atol=1e-10).y
+    assert math.hypot(L * math.sin(y[0, -1]), L * math.cos(y[0, -1])) == pytest.approx(L, abs=2e-16)
+    energy = [model.invariant("energy", s) for s in y.T.tolist()]
+    assert np.ptp(energy) < 1e-8  # J, of 5
+
+
+def test_the_states_are_twice_the_degrees_of_freedom_that_the_constraints_leave():
+    pendulum = degrees_of_freedom({"P": "particle in plane"}, {"rod": lambda P: P[0] ** 2 + P[1] ** 2 - L**2})
+    assert len(physical_pendulum(1.0, 0.0, L, G).states) == 2 * pendulum.count
+    rolling = degrees_of_freedom({"sphere": "body in plane"}, {"contact": lambda sphere: sphere[1] - 0.5, "no slip": lambda sphere: sphere[0] + 0.5 * sphere[2]})
+    assert len(rolling_down(0.3, G).states) == 2 * rolling.count
+
+
+@pytest.mark.parametrize(
+    ("model", "count"),
+    [
+        (physical_pendulum(1.0, 0.1, L, G), 2),  # theta
+        (nodding(1.0, L, G, 2.0, 0.1), 2),  # theta; psi is cyclic
+        (top.reduced(1.5, 1.0, 5.0, 8.0, 0.1), 2),  # theta; psi and phi are cyclic
+        (top.euler(1.5, 1.0, 5.0, 8.0), 5),  # three angles, two rates; omega_z is constant
+        (orbit(1.0), 4),  # x, y
+        (free_body(1.0, 2.0, 3.0), 3),  # rates alone; the attitude is not asked for
+    ],
+)
+def test_the_state_of_a_scene_has_no_component_that_a_constraint_could_drift_in(model, count):
+    assert len(model.states) == count
+
+
+def test_a_quaternion_has_one_component_too_many_and_its_drift_is_an_invariant_that_is_watched():
+    model = top.rolled_out(1.5, 1.0, 5.0, 8.0)
+    assert len(model.states) == 6  # 5 and the norm
+    assert "norm" in model.invariants
