@@ -1,5 +1,6 @@
 """Where labels go: beside what they name, where they cover the fewest lines and no other label."""
 
+import os
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -98,6 +99,8 @@ def _page(ax, ink):
 
 
 _parsers = {}
+if hasattr(os, "register_at_fork"):  # what was parsed holds open font files; two processes reading one of them get each other's bytes
+    os.register_at_fork(after_in_child=_parsers.clear)
 
 
 def _parse_once(renderer):

@@ -429,7 +429,7 @@ def unwound(angles, rates, times):
     if not (left <= np.pi / 2).all():
         n = int(np.argmax(left))
         raise RotationError(
-            f"between t = {times[n]:.6g} and {times[n + 1]:.6g} s the rates {rates[n]:.6g} and {rates[n + 1]:.6g} rad/s leave {left[n]:.3g} rad open: "
+            f"between t = {times[n]:.6g} and {times[n + 1]:.6g} s the rates {rates[n]:.6g} and {rates[n + 1]:.6g} rad/s leave {left[n]:.3g} rad: "
             "how many turns there were is not known; give more instants, or take the angle itself as a state of the motion"
         )
     return angles + 2 * np.pi * np.concatenate(([0.0], np.cumsum(turns)))

@@ -5,7 +5,7 @@ frame of the left one. A vector that theory writes as a sum keeps its terms by n
 how it changes in time where that follows from how it was made (``a.rate(observer)``).
 """
 
-from .scalars import ZERO, Moving, ScalarError, Scaled, atan2, is_numeric, is_zero, moving, plain, scalar, size, sqrt
+from .scalars import ZERO, Moving, ScalarError, Scaled, atan2, is_numeric, is_zero, least, moving, plain, scalar, size, sqrt
 
 NO_THIRD_RATE = "the third time derivative of a moving quantity is not known; give coordinates with two rates only"
 
@@ -202,8 +202,11 @@ class Vector(Scaled):
         return self / length
 
     def angle_to(self, other):
-        """The angle between two vectors in rad, in [0, pi]; accurate at both ends, where an arc cosine is not."""
-        return atan2(scalar(self.cross(other).norm()), scalar(self.dot(other)))
+        """The angle between two vectors in rad, in [0, pi]; accurate at both ends, where an arc cosine is not. FrameError for zero vectors."""
+        across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
+        if is_numeric(across) and is_numeric(along) and least(abs(across) + abs(along)) == 0:
+            raise FrameError(f"a zero vector makes no angle with another, but one of {self} and {other} is zero, or too small to be squared")
+        return atan2(across, along)
 
     # -- change in time
 

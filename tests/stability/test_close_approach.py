@@ -104,6 +104,13 @@ def test_from_ellipse_through_parabola_to_hyperbola_nothing_happens(v):
         assert distance(x, true) < 2e-14 * max(1.0, math.hypot(*x[:2]), abs(t))
 
 
+@pytest.mark.parametrize("start", [(0.06, -4.4, 0.014, 5.1), (-3.3, -0.008, 5.3, -0.004), (100.0, 0.1, -3.0, 0.0)])
+def test_a_hyperbola_that_comes_in_close_and_leaves_is_as_accurate_as_one_that_only_leaves(start):
+    for t in (0.5, 2.0, 100.0):
+        x, true = ORBIT.solution(t, start), ORBIT.solution(mpmath.mpf(t), start)
+        assert distance(x, true) < 1e-15 * math.hypot(*x[2:]) * (t + 30)
+
+
 def test_an_orbit_through_the_centre_and_expressions_are_refused_in_words():
     with pytest.raises(ModelError, match="straight line through the centre"):
         ORBIT.solution(1.0, (1.0, 0.0, -0.5, 0.0))

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler import Frame, Inertia
+from newton_euler import Frame, FrameError, Inertia
 
 ground = Frame("ground")
 A = (1.0, 2.0, 3.0)
@@ -46,6 +46,13 @@ def test_tiny_and_huge_vectors_have_angles_too():
     for size in (1e-70, 1e70):
         u, v = ground.vector(size, 0, 0), ground.vector(size, 1e-6 * size, 0)
         assert u.angle_to(v) == pytest.approx(math.atan(1e-6), rel=1e-14)
+
+
+@pytest.mark.parametrize("v", [(0.0, 0.0, 0.0), (0, 0, 0), (np.array([1.0, 0.0]), 0, 0), (1e-200, 0, 0)])
+def test_the_angle_with_a_zero_vector_is_refused_where_atan2_says_0(v):
+    assert math.atan2(0.0, 0.0) == 0.0
+    with pytest.raises(FrameError, match="a zero vector makes no angle"):
+        ground.vector(*v).angle_to(ground.vector(*v))
 
 
 def test_the_component_across_is_lost_by_subtraction_of_the_component_along_but_not_by_cross_products():

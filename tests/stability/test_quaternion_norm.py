@@ -8,8 +8,16 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler.rotations import (
-    RotationError, checked_rotation, determinant, matrix_from_quaternion, normalised, product, quaternion_from_matrix, quaternion_rate, transpose,
-)  # fmt: skip
+    RotationError,
+    checked_rotation,
+    determinant,
+    matrix_from_quaternion,
+    normalised,
+    product,
+    quaternion_from_matrix,
+    quaternion_rate,
+    transpose,
+)
 from newton_euler.scenes import top
 from tests.kinds import close
 
