@@ -28,6 +28,11 @@ class Course:
         if sizes:  # from an earlier run, for those that start with nothing
             self.sizes = tuple(max(s, 1e-6 * known) for s, known in zip(self.sizes, sizes, strict=True))
 
+    @property
+    def places(self):
+        """The states at some of the ends of pieces, as pairs of time and state: for another run to be compared with."""
+        return []
+
     def piece(self, t):
         """The number of the piece in which t lies."""
         return min(max(bisect_right(self.bounds, t) - 1, 0), len(self.bounds) - 2)
@@ -100,7 +105,7 @@ class SciPy(Course):
         self.solver = getattr(integrate, self.kind)(
             lambda t, y: f(t, *y.tolist(), *p), t, x, goal, rtol=0.5 if step else max(tolerance, 2.3e-14), atol=atol, **fixed
         )
-        self.pieces = []
+        self.pieces, self.passed = [], []
 
     def advance(self, limit=1 << 62):
         """Go on by at most so many steps."""
@@ -112,13 +117,24 @@ class SciPy(Course):
             self.pieces.append(solver.dense_output())
             self.bounds.append(solver.t)
             self.x = tuple(solver.y.tolist())
+            self.passed.append(self.x)
             self.grown()
             limit -= 1
         self.t, self.calls = float(solver.t), solver.nfev
 
+    @property
+    def places(self):
+        """See :class:`Course`."""
+        return [(self.bounds[n + 1], self.passed[n]) for n in chosen(len(self.passed))]
+
     def on_piece(self, at, times):
         """SciPy's dense output."""
         return self.pieces[at](times)
+
+
+def chosen(count):
+    """Two numbers below ``count``, in the second half."""
+    return sorted({3 * count // 5, 4 * count // 5}) if count > 4 else []
 
 
 def scipy_course(kind):

@@ -7,7 +7,7 @@ same right-hand side, and a fresh interpreter starts at once. Coefficients: :mod
 from functools import lru_cache
 from math import inf, isfinite, sqrt
 
-from .courses import Course, StepError
+from .courses import Course, StepError, chosen
 from .dop853_table import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0  # of the next step
@@ -140,6 +140,11 @@ class Dop853(Course):
         self.bounds[-1] = self.t
         if self.h == 0.0:
             raise StepError("the step became too small to go on")
+
+    @property
+    def places(self):
+        """See :class:`newton_euler.courses.Course`."""
+        return [(self.steps[n][0], self.steps[n][2:]) for n in chosen(len(self.steps))]
 
     def restep(self, t):
         """The state at t by a step of the method itself from the last place before it."""

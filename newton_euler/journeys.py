@@ -137,7 +137,10 @@ class Journey:
         a, b = self.legs[-1], other.legs[-1]
         shift = abs(a.t1 - b.t1) / (self.goal - self.origin)
         sizes = [max(s) for s in zip(a.course.sizes, b.course.sizes, strict=True)]
-        return max(max((abs(u - v) / s for u, v, s in zip(a.x1, b.x1, sizes, strict=True)), default=0.0), shift)
+        pairs = [(a.x1, b.x1)]
+        if len(self.legs) == 1 and not self.trouble and not other.trouble:  # at some earlier instants too: it may be right by chance
+            pairs += [(x, b.course.restep(t)) for t, x in a.course.places if t <= b.t1]
+        return max(shift, *(abs(u - v) / s for one, two in pairs for u, v, s in zip(one, two, sizes, strict=True)))
 
     def exact_error(self):
         """Of an exact solution: how far half of the way, taken twice, leads from the whole one. None if some leg is not exact."""

@@ -158,7 +158,7 @@ class _Run:
 
     def calibrated(self, method, samples, heyoka=False):
         """Two runs or more, as :mod:`.methods` says."""
-        least = method.least / 10
+        least = method.tightest
         tolerance = max(min(self.rtol / method.easy, method.loosest), least)
         coarse = min(tolerance * DECADES, COARSEST)
         begun = perf_counter()

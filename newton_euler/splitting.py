@@ -11,7 +11,7 @@ Euler equations, Phys. Rev. Lett. 71 (1993) 3043.
 import math
 from functools import lru_cache
 
-from .courses import Course, StepError
+from .courses import Course, StepError, chosen
 from .vectors import cross3, dot3
 
 MOST_STEPS = 3_000_000
@@ -179,6 +179,16 @@ class Splitting(Course):
             self.t = self.bounds[-1] = self.goal
         self.sizes = tuple(max(s, max(map(abs, column))) for s, column in zip(self.sizes, zip(*self.steps[done:], strict=True), strict=True))
         self.calls += 3 * len(self.weights) * (len(self.steps) - 1 - done)
+
+    @property
+    def places(self):
+        """See :class:`newton_euler.courses.Course`."""
+        return [(self.bounds[n], self.steps[n]) for n in chosen(len(self.steps))]
+
+    def restep(self, t):
+        """By a shorter step from the last place before."""
+        at = self.piece(t)
+        return self.move(self.steps[at], t - self.bounds[at])
 
     def on_piece(self, at, times):
         """By a shorter step of the method from the last place before."""

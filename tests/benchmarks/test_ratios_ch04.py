@@ -1,9 +1,10 @@
 """What chapter 4 costs, as ratios measured side by side in one run: rounds interleaved, medians, so that a busy machine slows all alike.
 
 ``pytest -m benchmark -s tests/benchmarks`` prints the tables. The bounds asserted are about half of what is measured on a quiet machine.
-Run as a script with an argument it is the server for cold derivations: imports done, each case in a forked child with empty caches.
+Run as a script with an argument it is the server for cold derivations: imports done, SymPy's caches emptied before each case.
 """
 
+import gc
 import json
 import os
 import statistics
@@ -129,19 +130,15 @@ DERIVATIONS = {
 }
 
 
-def in_a_child(case):
-    """Seconds that the case takes in a forked copy of this process, whose caches are as cold as its parent's."""
-    reading, writing = os.pipe()
-    child = os.fork()
-    if child == 0:
-        start = time.perf_counter()
-        case()
-        os.write(writing, str(time.perf_counter() - start).encode())
-        os._exit(0)
-    os.waitpid(child, 0)
-    os.close(writing)
-    with os.fdopen(reading) as pipe:
-        return float(pipe.read())
+def cold(case):
+    """Seconds that the case takes with SymPy's caches empty (the engine and SymEngine keep none)."""
+    from sympy.core.cache import clear_cache
+
+    clear_cache()
+    gc.collect()
+    start = time.perf_counter()
+    case()
+    return time.perf_counter() - start
 
 
 def cold_derivations():
@@ -151,7 +148,7 @@ def cold_derivations():
     times = {name: [] for name in DERIVATIONS}
     for _ in range(ROUNDS):
         for name, case in DERIVATIONS.items():
-            times[name].append(in_a_child(case))
+            times[name].append(cold(case))
     print(json.dumps({name: statistics.median(t) for name, t in times.items()}))
 
 

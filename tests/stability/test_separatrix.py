@@ -54,6 +54,18 @@ def test_the_engines_closed_form_is_right_to_1e_minus_14_at_every_tilt(tilt, t):
     assert close(BODY.solution(t, start), BODY.solution(mpmath.mpf(t), start), 2e-14)  # rad/s
 
 
+@pytest.mark.parametrize("tilt", [0.1, 1e-4, 1e-7, 1e-12])
+def test_it_agrees_with_the_printed_form_in_80_digits_after_several_turnovers(tilt):
+    with mpmath.workdps(80):  # mpmath's own elliptic functions, of a k^2 that 80 digits hold
+        x, y, z, t = mpmath.mpf(tilt), mpmath.mpf(1), mpmath.mpf(tilt), mpmath.mpf(150)
+        twice, square = x * x + 2 * y * y + 3 * z * z, x * x + 4 * y * y + 9 * z * z
+        k2, rate = (3 * twice - square) / (square - twice), mpmath.sqrt((square - twice) / 6)
+        a, c = mpmath.sqrt((square - twice) / 6), mpmath.sqrt((3 * twice - square) / 2)
+        u = mpmath.ellipf(mpmath.atan2(y / c, x / c), k2) + rate * t
+        exact = c * mpmath.ellipfun("cn", u, m=k2), c * mpmath.ellipfun("sn", u, m=k2), a * mpmath.ellipfun("dn", u, m=k2)
+    assert close(BODY.solution(150.0, (tilt, 1.0, tilt)), exact, 6e-14)  # rad/s
+
+
 @pytest.mark.parametrize("start", [(1e-3, 1.0, 1e-3), (0.5, 0.2, 0.1), (0.1, -0.2, -0.5), (math.sqrt(3) * 0.1, 1.0, 0.1)])
 def test_the_30_digit_closed_form_agrees_with_30_digit_integration_by_taylor_series(start):
     y = mpmath.odefun(lambda t, y: list(BODY.derivative(y, t)), 0, [mpmath.mpf(x) for x in start], tol=mpmath.mpf("1e-20"))(2)
