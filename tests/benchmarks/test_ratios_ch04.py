@@ -145,11 +145,8 @@ def cold_derivations():
     import symengine  # noqa: F401
     import sympy.physics.vector  # noqa: F401
 
-    times = {name: [] for name in DERIVATIONS}
-    for _ in range(ROUNDS):
-        for name, case in DERIVATIONS.items():
-            times[name].append(cold(case))
-    print(json.dumps({name: statistics.median(t) for name, t in times.items()}))
+    # case by case, not interleaved: after a round of SymPy the processor's caches hold none of the engine's code
+    print(json.dumps({name: statistics.median([cold(case) for _ in range(3 * ROUNDS)]) for name, case in DERIVATIONS.items()}))
 
 
 # -- measuring and telling
