@@ -27,9 +27,9 @@ ROOMS = {
     "coordinates": "curvilinear curvilinear_rates gradient",
     "frames": "Frame Point",
     "linear": "LinearError solve_linear solve_rates",
-    "rotations": """RotationError axis_angle direction_cosines euler_angles euler_body_rates euler_frame euler_from_quaternion euler_matrix euler_rates
-        in_sequence matrix_from_quaternion normalised quaternion quaternion_from_euler quaternion_from_matrix quaternion_product
-        quaternion_rate rotation_matrix""",
+    "rotations": """RotationError axis_angle direction_cosines euler_angles euler_body_rates euler_frame euler_from_quaternion
+        euler_matrix euler_rates in_sequence matrix_from_quaternion normalised quaternion quaternion_from_euler quaternion_from_matrix
+        quaternion_product quaternion_rate rotation_matrix unwound""",
     "inertia": "Inertia MassError",
     "mass": "Body centre_of_mass composite particle",
     "principal": "Principal Symmetry",
@@ -38,6 +38,9 @@ ROOMS = {
     "constraints": "ConstraintError degrees_of_freedom",
     "kinetics": "acceleration_by coordinate_accelerations path_force path_rates reaction relative_acceleration resultant_force",
     "models": "Model ModelError Neglected second_order smallest",
+    "motion": "integrate",
+    "events": "Event",
+    "records": "Motion MotionError",
     "earth": """EARTH_GM EARTH_ORBIT_RADIUS EARTH_ORBIT_RATE EARTH_RADIUS EARTH_RATE EarthError apparent_acceleration buoyancy coriolis_acceleration
         coriolis_parameter drop_deflection earth_frame earth_rate effective_gravity flight_time force_near_earth geostrophic_wind gradient_wind
         ground_acceleration ground_frame inertial_circle launch_velocity projectile projectile_position projectile_to_order projectile_velocity

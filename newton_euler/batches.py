@@ -15,8 +15,10 @@ ENOUGH = 64  # motions, from which heyoka's batches are worth their compilation
 
 @dataclass(frozen=True, eq=False)
 class Motions:
-    """Many motions: ``times`` (samples), ``states`` by name as arrays (motions, times), ``method``, ``error`` of each motion (None by batches of heyoka,
-    whose tolerance is a hundredth of rtol), ``cost``."""
+    """Many motions: ``times`` (samples), ``states`` by name as arrays (motions, times), ``method``, ``error`` of each motion, ``cost``.
+
+    The error is None for exact solutions and for batches of heyoka, whose tolerance is a hundredth of rtol.
+    """
 
     model: object
     times: object
@@ -78,7 +80,7 @@ def _taylor(system, starts, parameters, t0, times, rtol):
         raise ModelError("method 'taylor' cannot be used: heyoka is not installed: pip install 'newton-euler[fast]' (Linux)")
     import heyoka
 
-    width, count = 2 * heyoka.recommended_simd_size(), starts.shape[1]
+    width, count = heyoka.recommended_simd_size(), starts.shape[1]
     ta = integrator(system, TAYLOR_MARGIN * rtol, width)
     p = np.array([np.broadcast_to(parameters.get(n, value), count) for n, value in zip(system.free, system.p, strict=True)], dtype=float)
     if np.any(np.diff(times) <= 0) or times[0] < t0:
@@ -92,9 +94,13 @@ def _taylor(system, starts, parameters, t0, times, rtol):
         ta.state[:] = starts[:, chosen]
         if len(ta.pars):
             ta.pars[:] = p[: len(ta.pars), chosen]
-        found = ta.propagate_grid(grid)[-1]
         kept = min(width, count - first)
-        out[:, first : first + kept] = np.moveaxis(found[begun:], 0, 2)[:, :kept]
+        if len(grid) == 2:  # only the ends are asked for
+            out[:, first : first + kept, 0] = starts[:, first : first + kept]
+            ta.propagate_until(times[-1])
+            out[:, first : first + kept, -1] = ta.state[:, :kept]
+        else:
+            out[:, first : first + kept] = np.moveaxis(ta.propagate_grid(grid)[-1][begun:], 0, 2)[:, :kept]
         steps += sum(r[3] for r in ta.propagate_res)
     return out, steps * ta.order
 

@@ -5,8 +5,10 @@ Here are the frame that they share, the exact solution as a course, and SciPy's 
 
 import math
 from bisect import bisect_right
+from itertools import pairwise
 
 SMALL = 1e-6  # a state that stays smaller than this, in its unit, is accurate relative to this
+PATIENCE, CREEPING = 2000, 1e-5  # so many steps, each on average less than this part of the longest one, lead nowhere
 PIECES = 8  # of an exact solution, in which events are sought
 
 
@@ -24,6 +26,7 @@ class Course:
     def __init__(self, system, t, x, goal, tolerance, sizes=None):
         self.system, self.t, self.x, self.goal, self.tolerance = system, t, tuple(x), goal, tolerance
         self.bounds, self.calls, self.start = [t], 0, (t, tuple(x))
+        self.creep, self.longest = 0, 0.0
         self.sizes = tuple(max(abs(v), SMALL) for v in x)
         if sizes:  # from an earlier run, for those that start with nothing
             self.sizes = tuple(max(s, 1e-6 * known) for s, known in zip(self.sizes, sizes, strict=True))
@@ -55,6 +58,16 @@ class Course:
             out[:, chosen] = self.on_piece(int(piece), times[chosen]) if len(self.bounds) > 1 else np.array(self.x)[:, None]
         return out
 
+    def creeps(self):
+        """Raise :class:`StepError` if the last steps have hardly led on, as where the rates jump between plus and minus infinity."""
+        n = len(self.bounds)
+        if n > self.creep + PATIENCE:
+            done = self.bounds[self.creep :]
+            self.longest = max(self.longest, *(b - a for a, b in pairwise(done)))
+            if self.t - done[0] < CREEPING * (len(done) - 1) * self.longest:
+                raise StepError(f"{len(done) - 1} steps have led on by {self.t - done[0]:.1g} only")
+            self.creep = n - 1
+
     def grown(self):
         """Keep the largest sizes."""
         self.sizes = tuple(max(s, abs(v)) for s, v in zip(self.sizes, self.x, strict=True))
@@ -72,7 +85,9 @@ class Exact(Course):
         start, x = self.start
         left = PIECES - (len(self.bounds) - 1) if limit < PIECES else 1
         count = min(limit, left)
-        ends = [self.t + (self.goal - self.t) * n / left for n in range(1, count)] + [self.goal if count == left else self.t + (self.goal - self.t) * count / left]
+        ends = [self.t + (self.goal - self.t) * n / left for n in range(1, count + 1)]
+        if count == left:
+            ends[-1] = self.goal
         for end in ends:
             self.bounds.append(end)
             self.x = tuple(map(float, self.solution(end - start, *x)))
@@ -119,7 +134,8 @@ class SciPy(Course):
             self.x = tuple(solver.y.tolist())
             self.passed.append(self.x)
             self.grown()
-            limit -= 1
+            self.t, limit = float(solver.t), limit - 1
+            self.creeps()
         self.t, self.calls = float(solver.t), solver.nfev
 
     @property

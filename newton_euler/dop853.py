@@ -7,7 +7,7 @@ same right-hand side, and a fresh interpreter starts at once. Coefficients: :mod
 from functools import lru_cache
 from math import inf, isfinite, sqrt
 
-from .courses import Course, StepError, chosen
+from .courses import PATIENCE, Course, StepError, chosen
 from .dop853_table import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0  # of the next step
@@ -130,6 +130,12 @@ class Dop853(Course):
 
     def advance(self, limit=1 << 62):
         """Go on by at most so many steps."""
+        while limit > 0 and self.t < self.goal:
+            self._some(min(limit, PATIENCE))
+            limit -= PATIENCE
+            self.creeps()
+
+    def _some(self, limit):
         before, least = len(self.steps), 4e-16 * max(abs(self.t), abs(self.goal))
         self.t, self.x, self.sizes, self.rates, self.h, tried = self.code["run"](
             self.system.f, self.system.p, self.t, self.goal, self.x, self.sizes, self.rates, self.h,

@@ -123,7 +123,9 @@ class Journey:
     def _stopped(self, system, course, error):
         self.trouble = True
         place = ", ".join(f"{n} = {v:.6g}" for n, v in zip(system.model.states, course.x, strict=True))
-        why = "the coordinates may be singular there, or the motion leaves the model" if isinstance(error, StepError) else "the coordinates are singular there"
+        why = "the coordinates are singular there"
+        if isinstance(error, StepError):
+            why = "the coordinates may be singular there, or the motion leaves the model"
         self.ended = f"{system.model.name} could not be followed beyond t = {course.t:.6g}, at {place}: {error}; {why}"
 
     # -- errors

@@ -1,7 +1,6 @@
 """What an integration returns: the states of a motion, and what is known about them."""
 
 import math
-from bisect import bisect_right
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
@@ -21,7 +20,7 @@ class MotionError(ModelError):
 
 @dataclass(frozen=True)
 class Cost:
-    """``seconds`` of integrating, all runs together, with imports and compilations they needed; ``preparing`` the model; ``calls`` of the right-hand side."""
+    """``seconds`` of integrating, all runs, with imports and compilations they need; ``preparing`` the model; ``calls`` of the right-hand side."""
 
     seconds: float
     preparing: float
@@ -112,7 +111,7 @@ class Motion:
         names = dict.fromkeys(n for leg in self.legs for n in leg.system.model.states)
         out = {n: np.full(len(times), math.nan) for n in names}
         starts = [leg.t0 for leg in self.legs]
-        which = np.array([max(bisect_right(starts, t) - 1, 0) for t in times.tolist()], dtype=int)
+        which = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
         for n in np.unique(which):
             leg, chosen = self.legs[n], which == n
             for name, row in zip(leg.system.model.states, leg.course.states(times[chosen]), strict=True):
@@ -154,7 +153,8 @@ class Motion:
         lines += [f"{event.name} at t = {event.t:.9g}" for event in self.events[:10]]
         if len(self.events) > 10:
             lines.append(f"... and {len(self.events) - 10} more events")
-        lines.append(f"cost: {1e3 * self.cost.seconds:.3g} ms, {self.cost.calls} calls of the right-hand side, {1e3 * self.cost.preparing:.3g} ms to prepare")
+        seconds, calls = self.cost.seconds, self.cost.calls
+        lines.append(f"cost: {1e3 * seconds:.3g} ms, {calls} calls of the right-hand side, {1e3 * self.cost.preparing:.3g} ms to prepare")
         return "\n".join(lines)
 
     __str__ = explain

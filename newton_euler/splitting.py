@@ -1,17 +1,18 @@
 """Methods of fixed step that keep the structure of a motion: its reversibility, its area in phase space, its angular momentum.
 
 ``verlet`` and its compositions are for models that split into two groups of states, as coordinates and velocities, in which no rate depends on
-its own group; they are symplectic if the forces have a potential. ``lie_poisson`` is for Euler's equations of a free body: it turns the angular momentum
-about one principal axis after the other, so that its size is kept to round-off. That a model is of such a form is read from its traced text.
+its own group; they are symplectic if the forces have a potential. ``lie_poisson`` is for Euler's equations of a free body: it turns the angular
+momentum about one principal axis after the other, so that its size is kept to round-off. That a model is of such a form is read from its text.
 
-H. Yoshida, Construction of higher order symplectic integrators, Phys. Lett. A 150 (1990) 262; R. I. McLachlan, Explicit Lie-Poisson integration and the
-Euler equations, Phys. Rev. Lett. 71 (1993) 3043.
+H. Yoshida, Construction of higher order symplectic integrators, Phys. Lett. A 150 (1990) 262; R. I. McLachlan, Explicit Lie-Poisson integration
+and the Euler equations, Phys. Rev. Lett. 71 (1993) 3043.
 """
 
 import math
 from functools import lru_cache
 
 from .courses import Course, StepError, chosen
+from .models import ModelError
 from .vectors import cross3, dot3
 
 MOST_STEPS = 3_000_000
@@ -140,7 +141,7 @@ class Splitting(Course):
         span = goal - t
         count = span / (step or self._time_scale() * tolerance ** (1 / self.order))
         if count > MOST_STEPS:
-            raise StepError(f"{count:.2g} steps of order {self.order} would be needed")
+            raise ModelError(f"{count:.2g} steps of order {self.order} would be needed; take a higher order, another method, or a coarser rtol")
         self.h = span / max(1, math.ceil(count * (1 - 1e-12)))
         self.steps, self.count = [self.x], max(1, math.ceil(count * (1 - 1e-12)))
 

@@ -7,7 +7,7 @@ import importlib
 import importlib.util
 import math
 
-from .courses import Course, StepError
+from .courses import CREEPING, PATIENCE, Course, StepError
 
 LEVELS = (*(10.0**-n for n in range(5, 16)), 2.3e-16)  # of heyoka's tolerance: each one is compiled by itself
 TAYLOR_MARGIN = 1e-2  # heyoka's tolerance over the error asked for
@@ -58,15 +58,21 @@ class Taylor(Course):
         if limit < 1 << 62 or not self.natural:
             return self._by_steps(self.goal, limit)
         self._put(self.t, self.x)
-        steps = self.ta.propagate_until(self.goal, max_delta_t=self.step)[3]
-        self.t, self.x, self.calls = float(self.ta.time), tuple(self.ta.state.tolist()), self.calls + steps * self.ta.order
+        ta = self.ta
+        while self.t < self.goal:
+            _, _, longest, steps, *_ = ta.propagate_until(self.goal, max_delta_t=self.step, max_steps=PATIENCE)
+            before, self.t, self.calls = self.t, float(ta.time), self.calls + steps * ta.order
+            self.longest = max(self.longest, longest)
+            if (self.t < self.goal and self.t - before < CREEPING * steps * self.longest) or not math.isfinite(sum(ta.state)):
+                return self._again()
+        self.x = tuple(ta.state.tolist())
         self.bounds.append(self.t)
-        self._check()
         return self.grown()
 
-    def _check(self):
-        if self.t < self.goal and not math.isfinite(sum(self.x)):
-            raise StepError("the series has no finite terms here")
+    def _again(self):
+        """By single steps, to see where it fails."""
+        self.t, self.x = self.start
+        self._by_steps(self.goal, 1 << 62)
 
     def _by_steps(self, goal, limit):
         ta = self.ta
@@ -85,6 +91,7 @@ class Taylor(Course):
             self.t, self.x, self.calls, limit = float(ta.time), x, self.calls + ta.order, limit - 1
             self.bounds.append(self.t)
             self.grown()
+            self.creeps()
 
     def states(self, times):
         """On many times by heyoka's own grid, if the steps are not known yet."""
