@@ -504,3 +504,15 @@ def test_warnings_of_numpy_are_not_hidden():
         assert compiled(lambda x: 1 / x)(np.array([0.0]))[0] == math.inf
     with pytest.raises(ZeroDivisionError, match=r".*"):
         compiled(lambda x: 1 / x)(0.0)
+
+
+def test_results_through_heyoka_are_not_touched_by_the_next_call_nor_by_other_lengths():
+    """Blocks go through a buffer that is kept between calls."""
+    pytest.importorskip("heyoka")
+    f = compiled(lambda x, a: (x * a, x + a), backend="heyoka")
+    lengths = (5, 1 << 15, (1 << 15) + 7, 5)
+    inputs = [np.linspace(0.0, 1.0 + n, length) for n, length in enumerate(lengths)]
+    results = [f(x, 2.0) for x in inputs]
+    for x, (product, total) in zip(inputs, results, strict=True):
+        assert np.array_equal(product, 2.0 * x)
+        assert np.array_equal(total, x + 2.0)
