@@ -61,13 +61,22 @@ def _ledger(problem, answer, sample):
     right = _right(problem, answer, sample)
     if not isinstance(right, Vector) or not right.terms:
         return
-    written = EQUATIONS[right._ledger.kind][2]
     for name in right.terms:
-        term = f"the {name} term {written[name][0]}" if name in written else f"the term {name}" if " x " in name else f"the turning of {name}"
+        term = _in_words(name, right._ledger.kind)
         yield f"leaves out {term}", _numbers(right.reweighted(**{name: 0}), sample)
         yield f"has {term} with the opposite sign", _numbers(right.reweighted(**{name: -1}), sample)
-    if "coriolis" in right.terms:
-        yield "writes the Coriolis term without the factor 2", _numbers(right.reweighted(coriolis=0.5), sample)
+    halved = {name: 0.5 for name in right.terms if name.startswith("coriolis")}  # spherical components have three of them
+    if halved:
+        yield "writes the Coriolis term without the factor 2", _numbers(right.reweighted(**halved), sample)
+
+
+def _in_words(name, kind):
+    """A term for the student: with its formula where it has one; the turns of frames by their frames."""
+    written = EQUATIONS[kind][2]
+    if name in written:
+        return f"the {name} term {written[name][0]}"
+    turning = kind.startswith("angular") and " x " not in name
+    return f"the turning of {name}" if turning else f"the term {name}"
 
 
 def _conversions(problem, answer, sample):

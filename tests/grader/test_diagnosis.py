@@ -1,5 +1,6 @@
 """Which wrong model gives a wrong answer: told if one alone fits, never for a right answer."""
 
+import importlib
 import math
 from collections import Counter
 
@@ -9,6 +10,7 @@ import pytest
 from exercises.catalogue import problem, problems
 from exercises.variants import SEPARATION, distance, draw, evaluate, flat
 from grader import score as scoring
+from grader.diagnose import _in_words
 from grader.score import score
 from newton_euler.answers import Form, record
 from newton_euler.vectors import Vector
@@ -210,3 +212,11 @@ def test_a_diagnosis_never_holds_a_number_of_the_key():
         for _, key, tree in listed(p, given):
             text = part_of(p, given, key, tree).diagnosis or ""
             assert not [n for n in numbers if len(n) > 4 and n in text], (p.id, text)
+
+
+def test_terms_are_named_for_what_they_are():
+    assert _in_words("coriolis", "acceleration") == "the coriolis term 2 omega x v_r"
+    assert _in_words("arm", "angular acceleration") == "the turning of arm"
+    assert _in_words("arm x rod", "angular acceleration") == "the term arm x rod"
+    importlib.import_module("newton_euler.coordinates")
+    assert _in_words("u''", "curvilinear acceleration") == "the term u''"
