@@ -82,7 +82,8 @@ def _taylor(system, starts, parameters, t0, times, rtol):
 
     width, count = heyoka.recommended_simd_size(), starts.shape[1]
     ta = integrator(system, TAYLOR_MARGIN * rtol, width)
-    p = np.array([np.broadcast_to(parameters.get(n, value), count) for n, value in zip(system.free, system.p, strict=True)], dtype=float)
+    early = system.traced.hoisted[1]._on(np)
+    p = np.array([np.broadcast_to(x, count) for x in early(*(parameters.get(n, v) for n, v in zip(system.free, system.p, strict=True)))], dtype=float)
     if np.any(np.diff(times) <= 0) or times[0] < t0:
         raise ModelError(f"the samples of many motions are times that grow, from t = {t0:g} on")
     begun = int(times[0] != t0)

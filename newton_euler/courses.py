@@ -12,6 +12,16 @@ PATIENCE, CREEPING = 2000, 1e-5  # so many steps, each on average less than this
 PIECES = 8  # of an exact solution, in which events are sought
 
 
+def instants(samples, begin, end):
+    """The times of samples, an array: those given that lie between begin and end, or so many at equal distances."""
+    import numpy as np
+
+    if isinstance(samples, int):
+        return np.linspace(begin, end, samples)
+    times = np.asarray(samples, dtype=float)
+    return times if len(times) and times[0] >= begin and times[-1] <= end else times[(times >= begin) & (times <= end)]
+
+
 class StepError(ArithmeticError):
     """The method cannot go on from the place that its course has reached."""
 
@@ -20,14 +30,17 @@ class Course:
     """From the state ``x`` at ``t`` towards ``goal``.
 
     t, x : reached so far; ``bounds`` : ends of the pieces (steps) behind it; ``sizes`` : the largest size of each state; ``calls`` of the
-    right-hand side. A subclass has ``advance(limit)`` and ``on_piece(at, times)``.
+    right-hand side; ``samples`` : the times, or how many, at which states will be asked for. A subclass has ``advance(limit)`` and
+    ``on_piece(at, times)``.
     """
+
+    samples = None
 
     def __init__(self, system, t, x, goal, tolerance, sizes=None):
         self.system, self.t, self.x, self.goal, self.tolerance = system, t, tuple(x), goal, tolerance
         self.bounds, self.calls, self.start = [t], 0, (t, tuple(x))
         self.creep, self.longest = 0, 0.0
-        self.sizes = tuple(max(abs(v), SMALL) for v in x)
+        self.sizes = tuple([v if v > SMALL else SMALL for v in map(abs, x)])
         if sizes:  # from an earlier run, for those that start with nothing
             self.sizes = tuple(max(s, 1e-6 * known) for s, known in zip(self.sizes, sizes, strict=True))
 
@@ -70,7 +83,7 @@ class Course:
 
     def grown(self):
         """Keep the largest sizes."""
-        self.sizes = tuple(max(s, abs(v)) for s, v in zip(self.sizes, self.x, strict=True))
+        self.sizes = tuple(map(max, self.sizes, map(abs, self.x)))
 
 
 class Exact(Course):
@@ -78,23 +91,26 @@ class Exact(Course):
 
     def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
         super().__init__(system, t, x, goal, tolerance, sizes)
-        self.solution = system.function(system.model.exact)
+        self.at = system.floats(system.model.exact)
 
     def advance(self, limit=1 << 62):
         """To the goal, or with a limit by as many eighths of the way."""
         start, x = self.start
-        left = PIECES - (len(self.bounds) - 1) if limit < PIECES else 1
-        count = min(limit, left)
-        ends = [self.t + (self.goal - self.t) * n / left for n in range(1, count + 1)]
-        if count == left:
-            ends[-1] = self.goal
+        if limit >= PIECES and len(self.bounds) == 1:
+            ends = [self.goal]
+        else:
+            left = PIECES - (len(self.bounds) - 1)
+            ends = [self.t + (self.goal - self.t) * n / left for n in range(1, min(limit, left))] + ([self.goal] if limit >= left else [])
         for end in ends:
+            self.x = self.at(end - start, x)
             self.bounds.append(end)
-            self.x = tuple(map(float, self.solution(end - start, *x)))
             self.grown()
         self.t, self.calls = ends[-1], self.calls + len(ends)
-        if not all(map(math.isfinite, self.x)):
-            raise StepError("the exact solution has no value here")
+
+    @staticmethod
+    def prepared(system, tolerance, slowly):
+        """See :func:`newton_euler.motion.prepare`."""
+        return system.floats(system.model.exact)
 
     def on_piece(self, at, times):
         """The solution itself."""
@@ -102,7 +118,7 @@ class Exact(Course):
 
         start, x = self.start
         self.calls += len(times)
-        return np.array([np.broadcast_to(row, len(times)) for row in self.solution(times - start, *x)])
+        return np.array([np.broadcast_to(row, len(times)) for row in self.system.function(self.system.model.exact)(times - start, *x)])
 
 
 class SciPy(Course):
@@ -114,7 +130,7 @@ class SciPy(Course):
         super().__init__(system, t, x, goal, tolerance, sizes)
         from scipy import integrate
 
-        f, p = system.f, system.p
+        f, p = system.fast, system.numbers
         fixed = {"max_step": step, "first_step": min(step, goal - t)} if step else {}
         atol = [1e300] * len(x) if step else [tolerance * s for s in self.sizes]
         self.solver = getattr(integrate, self.kind)(

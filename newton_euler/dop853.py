@@ -115,7 +115,7 @@ class Dop853(Course):
 
     def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
         super().__init__(system, t, x, goal, tolerance, sizes)
-        self.code = stepper(len(x), len(system.p))
+        self.code = stepper(len(x), len(system.numbers))
         self.steps, self._polynomial = [], (None, None)
         self.rates = self.system.rates(t, x)
         self.calls, self.hmax = 1, step or goal - t
@@ -138,7 +138,7 @@ class Dop853(Course):
     def _some(self, limit):
         before, least = len(self.steps), 4e-16 * max(abs(self.t), abs(self.goal))
         self.t, self.x, self.sizes, self.rates, self.h, tried = self.code["run"](
-            self.system.f, self.system.p, self.t, self.goal, self.x, self.sizes, self.rates, self.h,
+            self.system.fast, self.system.numbers, self.t, self.goal, self.x, self.sizes, self.rates, self.h,
             self.tolerance, self.hmax, least, limit, self.steps.append,
         )  # fmt: skip
         self.calls += 12 * tried
@@ -157,7 +157,7 @@ class Dop853(Course):
         at = self.piece(t)
         start, _, *x = self.steps[at]
         self.calls += 12
-        return self.code["one_step"](self.system.f, self.system.p, start, t - start, x)
+        return self.code["one_step"](self.system.fast, self.system.numbers, start, t - start, x)
 
     def on_piece(self, at, times):
         """The states at times inside the piece number ``at``, by the interpolation of order 7."""
@@ -165,7 +165,7 @@ class Dop853(Course):
 
         start, h, *x = self.steps[at]
         if self._polynomial[0] != at:
-            self._polynomial = at, np.array(self.code["polynomial"](self.system.f, self.system.p, start, h, x)).T[:, :, None]
+            self._polynomial = at, np.array(self.code["polynomial"](self.system.fast, self.system.numbers, start, h, x)).T[:, :, None]
             self.calls += 15
         u = (times - start) / h
         out = 0.0

@@ -1,13 +1,13 @@
 """A motion from start to end by one method at one tolerance: the legs between events at which it turns, bounces, or becomes another model."""
 
 import math
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from .courses import SMALL, StepError
 from .events import Occurrence, Watch
 from .methods import METHODS
 from .models import ModelError
-from .systems import System, start_state
+from .systems import prepared, start_state
 
 FIRST, MOST = 8, 128  # pieces between two looks for events
 LEGS = 20_000
@@ -15,8 +15,7 @@ SHORTEST = 1e-9  # leg, in parts of the whole time
 ENDLESS = "events follow each other without end"
 
 
-@dataclass(frozen=True)
-class Leg:
+class Leg(NamedTuple):
     """A part of a motion under one model: ``system``, ``course``, from ``t0`` to ``t1``, where the state is ``x1``."""
 
     system: object
@@ -29,9 +28,9 @@ class Leg:
 class Journey:
     """Legs, occurrences and how it ended; ``trouble`` is True if that was in a place where the method could not go on."""
 
-    def __init__(self, method, system, t, x, goal, tolerance, events, progress, sizes, step, course=None):
+    def __init__(self, method, system, t, x, goal, tolerance, events, progress, sizes, step, course=None, samples=None):
         self.method, self.goal, self.tolerance, self.progress, self.step = method, goal, tolerance, progress, step
-        self.course, self.origin = course or method.course, t
+        self.course, self.origin, self.samples = course or method.course, t, None if events or progress else samples
         self.legs, self.occurrences, self.ended, self.trouble = [], [], "", False
         began = None
         while system is not None:
@@ -62,12 +61,11 @@ class Journey:
 
     def _made(self, system, t, x, sizes):
         kind = self.course
-        trouble = self.method.cannot(system)
-        if trouble and self.legs:  # another model than the first: by the method that can do all
-            kind, trouble = METHODS["dop853"].course, None
-        if trouble:
-            raise ModelError(f"method {self.method.name!r} cannot be used: {trouble}")
-        return kind(system, t, x, self.goal, self.tolerance, sizes, self.step)
+        if self.legs and self.method.cannot(system):  # another model than the first: by the method that can do all
+            kind = METHODS["dop853"].course
+        course = kind(system, t, x, self.goal, self.tolerance, sizes, self.step)
+        course.samples = self.samples
+        return course
 
     def _follow(self, course, events, began):
         """Go on to the end or the first event that ends the leg; that is returned as (t, event, state)."""
@@ -118,7 +116,7 @@ class Journey:
         if t >= self.goal:
             return None, None, None, None, None
         self.ended = ""
-        return System(model), t, start_state(model, start), tuple(following_events), event
+        return prepared(model), t, start_state(model, start), tuple(following_events), event
 
     def _stopped(self, system, course, error):
         self.trouble = True
@@ -152,11 +150,11 @@ class Journey:
         for leg in self.legs:
             x, half = leg.course.start[1], (leg.t1 - leg.t0) / 2
             try:
-                middle = leg.course.solution(half, *x) if leg.system.autonomous else None
-                again = leg.course.solution(half, *map(float, middle)) if middle else leg.x1
-            except (ArithmeticError, ValueError):
+                middle = leg.course.at(half, x) if leg.system.autonomous else None
+                again = leg.course.at(half, middle) if middle else leg.x1
+            except (ArithmeticError, ModelError):
                 return 1.0
-            differences = [abs(float(u) - v) / max(abs(v), abs(w), SMALL) for u, v, w in zip(again, leg.x1, x, strict=True)]
+            differences = [abs(u - v) / max(abs(v), abs(w), SMALL) for u, v, w in zip(again, leg.x1, x, strict=True)]
             worst = max([worst, *differences])
         return worst + 2e-16 if math.isfinite(worst) else 1.0
 

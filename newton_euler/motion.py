@@ -10,9 +10,9 @@ from .batches import integrate_batch
 from .events import Event
 from .journeys import Journey
 from .methods import COARSEST, DECADES, METHODS
-from .models import Model, ModelError
+from .models import ModelError
 from .records import Cost, Motion, MotionError
-from .systems import System, start_state
+from .systems import prepared, start_state
 from .taylor import TAYLOR_MARGIN, ShortSteps, installed
 
 HEYOKA_PAYS = 0.5  # seconds of integrating one right-hand side, after which heyoka's import and compilation would have been earned
@@ -44,26 +44,23 @@ def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None
     >>> round(motion.at(2.5)["theta"], 6)
     0.433788
     """
-    t0, t1 = _span(model, t)
-    if isinstance(events, Event):
-        events = (events,)
-    state = start_state(model, start)
-    _check(rtol, method, events, step)
-    if any(getattr(x, "shape", ()) for x in (*state, *model.parameters.values())):
-        return integrate_batch(model, t0, t1, state, rtol, method, events, samples, integrate)
     begun = perf_counter()
-    system = System(model)
-    run = _Run(system, t0, t1, state, rtol, tuple(events), progress, begun)
+    system = prepared(model)
+    t0, t1 = _span(t)
+    state = start_state(model, start)
+    events = (events,) if isinstance(events, Event) else tuple(events)
+    _check(rtol, method, events, step)
+    if system.many or any(type(x) is not float for x in state):
+        return integrate_batch(model, t0, t1, state, rtol, method, events, samples, integrate)
+    run = _Run(system, t0, t1, state, rtol, events, progress, begun)
     if step:
         return run.fixed(_usable(method, system), step, samples)
-    if method == "exact" and t0 and not system.autonomous:
-        raise ModelError(f"method 'exact' cannot be used: the rates of {model.name!r} depend on time, so its exact solution starts at t = 0")
-    return run.auto(samples) if method == "auto" else run.by(_usable(method, system), samples)
+    return run.auto(samples) if method == "auto" else run.by(_usable(method, system, t0), samples)
 
 
-def _span(model, t):
-    if not isinstance(model, Model):
-        raise ModelError(f"integrate takes a Model, got {model!r}")
+def _span(t):
+    if type(t) is float and 0.0 < t < math.inf:
+        return 0.0, t
     try:
         t0, t1 = map(float, t) if hasattr(t, "__iter__") else (0.0, float(t))
     except (TypeError, ValueError) as error:
@@ -77,6 +74,8 @@ def _check(rtol, method, events, step):
     if method != "auto" and method not in METHODS:
         raise ModelError(f"there is no method {method!r}; take 'auto' or one of {', '.join(METHODS)}")
     least = 1e-15 if method == "auto" else METHODS[method].least
+    if type(rtol) is float and least <= rtol < 1 and not events and step is None:
+        return
     if step is None and not (isinstance(rtol, (int, float)) and least <= rtol < 1):
         what = f"method {method!r} cannot reach it, the least is {least:g}" if isinstance(rtol, (int, float)) and 0 < rtol < 1 else "it lies below 1"
         raise ModelError(f"rtol is the error asked for, got {rtol!r}: {what}")
@@ -87,10 +86,12 @@ def _check(rtol, method, events, step):
         raise ModelError(f"the step is a positive time, got {step!r}")
 
 
-def _usable(name, system):
+def _usable(name, system, t0=0.0):
     if name == "auto":
         raise ModelError("a fixed step needs a method by name")
     trouble = METHODS[name].cannot(system)
+    if name == "exact" and t0 and not system.autonomous:
+        trouble = f"the rates of {system.model.name!r} depend on time, so its exact solution starts at t = 0"
     if trouble:
         raise ModelError(f"method {name!r} cannot be used: {trouble}")
     return METHODS[name]
@@ -104,9 +105,9 @@ class _Run:
         self.events, self.progress, self.begun = events, progress, begun
         self.calls, self.prepared = 0, perf_counter()
 
-    def go(self, method, tolerance, sizes=None, step=None):
+    def go(self, method, tolerance, sizes=None, step=None, samples=None):
         """One run; SciPy or heyoka are imported and compiled on the way, which is not counted as integrating."""
-        journey = Journey(method, self.system, self.t0, self.state, self.t1, tolerance, self.events, self.progress, sizes, step)
+        journey = Journey(method, self.system, self.t0, self.state, self.t1, tolerance, self.events, self.progress, sizes, step, samples=samples)
         self.calls += journey.calls
         return journey
 
@@ -121,18 +122,17 @@ class _Run:
     # -- by method
 
     def auto(self, samples):
-        exact, taylor = METHODS["exact"], METHODS["taylor"]
+        exact = METHODS["exact"]
         if exact.cannot(self.system) is None and (self.t0 == 0 or self.system.autonomous):
-            journey = self.go(exact, self.rtol)
-            error = journey.exact_error()
+            try:
+                journey = self.go(exact, self.rtol)
+            except ModelError:  # it refuses this start in words: there are other methods
+                journey = None
+            error = journey.exact_error() if journey else None
             if error is not None and error <= self.rtol:
                 return self.record(journey, exact, error, samples)
-        traced, have = self.system.traced, installed()
-        if have and (traced.integrators or traced.seconds > HEYOKA_PAYS or self.rtol < 1e-12):
-            return self.by(taylor, samples)
-        if self.rtol < METHODS["dop853"].least:
-            raise ModelError(f"rtol = {self.rtol:g} needs heyoka, which is not installed; without it the least is {METHODS['dop853'].least:g}")
-        return self.calibrated(METHODS["dop853"], samples, heyoka=have)
+        name = cheapest(self.system, self.rtol)
+        return self.by(METHODS["taylor"], samples) if name == "taylor" else self.calibrated(METHODS[name], samples, heyoka=installed())
 
     def by(self, method, samples):
         if method.calibrated:
@@ -144,7 +144,7 @@ class _Run:
                 name = self.system.model.name
                 raise ModelError(f"the closed form of {name!r} is not accurate here: its error is about {error:.1g}; take method='auto'")
             return self.record(journey, method, error, samples)
-        journey = self.go(method, TAYLOR_MARGIN * self.rtol)
+        journey = self.go(method, TAYLOR_MARGIN * self.rtol, samples=samples)
 
         def error():
             again = Journey(method, self.system, self.t0, self.state, self.t1, TAYLOR_MARGIN * self.rtol, self.events, None, None, None, ShortSteps)
@@ -189,4 +189,38 @@ class _Run:
         return CAUTION * difference * tolerance / coarse + ROUND_OFF * math.sqrt(1 + steps / 100)
 
 
-__all__ = ["Event", "Motion", "MotionError", "integrate"]
+def cheapest(system, rtol):
+    """The name of the method without a closed form that costs least: heyoka's, once its compilation has been or will be earned back."""
+    least = METHODS["dop853"].least
+    if installed() and (system.traced.integrators or system.traced.seconds > HEYOKA_PAYS or rtol < least):
+        return "taylor"
+    if rtol < least:
+        raise ModelError(f"rtol = {rtol:g} needs heyoka, which is not installed; without it the least is {least:g}")
+    return "dop853"
+
+
+def prepare(model, rtol=1e-9, method="auto"):
+    """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0, a tuple: one model for many runs, as under a slider.
+
+    t, start : a float, and a tuple of floats in the order of the states. What is asked for, and raised, is as in :func:`integrate`, but there is no
+    record, so no error estimate and no drift: look at those of one run. "auto" compiles with heyoka at once, if it is installed, where there is no exact
+    solution.
+
+    >>> from newton_euler.scenes.physical_pendulum import physical_pendulum
+    >>> swing = prepare(physical_pendulum(2.0, 0.5, 0.5, 10.0))
+    >>> [round(swing(10.0, (amplitude, 0.0))[0], 6) for amplitude in (0.1, 1.0)]
+    [0.099925, -0.999952]
+    """
+    system = prepared(model)
+    _check(rtol, method, (), None)
+    if method == "auto":
+        method = "exact" if METHODS["exact"].cannot(system) is None else "taylor" if installed() else "dop853"
+    taken, tolerance = _usable(method, system), TAYLOR_MARGIN * rtol
+
+    def slowly(t, start):
+        return tuple(integrate(model, t, start, rtol, method).end.values())
+
+    return taken.course.prepared(system, tolerance, slowly) if hasattr(taken.course, "prepared") else slowly
+
+
+__all__ = ["Event", "Motion", "MotionError", "integrate", "prepare"]

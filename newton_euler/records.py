@@ -4,7 +4,9 @@ import math
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
+from typing import NamedTuple
 
+from .courses import instants
 from .models import ModelError
 
 EVEN = 101  # samples of a motion without steps
@@ -18,8 +20,7 @@ class MotionError(ModelError):
         self.reached = reached
 
 
-@dataclass(frozen=True)
-class Cost:
+class Cost(NamedTuple):
     """``seconds`` of integrating, all runs, with imports and compilations they need; ``preparing`` the model; ``calls`` of the right-hand side."""
 
     seconds: float
@@ -81,10 +82,7 @@ class Motion:
         if samples is None:
             ends = [b for leg in self.legs for b in leg.course.bounds[1:] if b < leg.t1] + [leg.t1 for leg in self.legs]
             return np.array([begin, *sorted(ends)]) if len(ends) > len(self.legs) else np.linspace(begin, end, EVEN)
-        if isinstance(samples, int):
-            return np.linspace(begin, end, samples)
-        times = np.asarray(samples, dtype=float)
-        return times[(times >= begin) & (times <= end)]
+        return instants(samples, begin, end)
 
     @cached_property
     def states(self):
@@ -108,6 +106,10 @@ class Motion:
     def _at(self, times):
         import numpy as np
 
+        if len(self.legs) == 1:
+            rows = self.legs[0].course.states(times)
+            rows[:, times == self.t_end] = np.array(self.legs[0].x1)[:, None]
+            return dict(zip(self.model.states, rows, strict=True))
         names = dict.fromkeys(n for leg in self.legs for n in leg.system.model.states)
         out = {n: np.full(len(times), math.nan) for n in names}
         starts = [leg.t0 for leg in self.legs]

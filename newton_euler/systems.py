@@ -6,9 +6,11 @@ Models that share a right-hand side (the same scene with other parameters) share
 import ast
 import math
 from collections import OrderedDict
+from functools import cached_property
 from inspect import Parameter, Signature
 
-from .models import ModelError, is_law
+from .hoisting import hoisted
+from .models import Model, ModelError, is_law
 from .scalars import ZERO, ScalarError, is_numeric, plain, scalar
 from .tracing import compiled
 
@@ -20,24 +22,38 @@ class Traced:
     """The text of one right-hand side: ``f(t, *states, *free)`` on floats, its ``rhs`` for all other kinds, and which states each rate needs."""
 
     def __init__(self, model, free):
-        self.rhs = formula(model, free, model.rhs)
+        self.rhs, self.states = formula(model, free, model.rhs), len(model.states)
         self.f = self.rhs._run["math"]
         self.functions, self.integrators = {}, {}
         self.seconds = 0.0  # spent in integrating it, to decide whether heyoka's compilation pays
-        self._needs = None
 
-    @property
+    @cached_property
     def needs(self):
         """For each rate the names of the arguments that it depends on."""
-        if self._needs is None:
-            self._needs = _dependencies(self.rhs.source)
-        return self._needs
+        return _dependencies(self.rhs.source)
+
+    @cached_property
+    def hoisted(self):
+        """The right-hand side with single numbers in place of what depends on parameters alone, and the formula that gives these."""
+        return hoisted(self.rhs, 1 + self.states)
+
+
+def prepared(model):
+    """The :class:`System` of a model, which keeps it."""
+    if not isinstance(model, Model):
+        raise ModelError(f"integrate takes a Model, got {model!r}")
+    found = vars(model).get("_system")
+    if found is None:
+        found = System(model)
+        object.__setattr__(model, "_system", found)
+    return found
 
 
 class System:
     """A model with the numbers of its parameters.
 
     f : the right-hand side on floats, ``f(t, *states, *p)``; p : the values of the parameters that are arguments of it
+    many : True if some parameter is an array
     Raises :class:`ModelError` for a parameter that has no number.
     """
 
@@ -47,13 +63,28 @@ class System:
         names = [n for n, _ in fixed]
         self.free = tuple(n for n in model.parameters if n not in names)
         self.p = tuple(_number(model, n, model.parameters[n]) for n in self.free)
+        self.many = any(getattr(x, "shape", ()) for x in model.parameters.values())
         self.traced = _traced(model, self.free, fixed)
         self.f = self.traced.f
 
-    @property
+    @cached_property
     def autonomous(self):
         """True if time does not occur in the rates."""
         return all("t" not in needs for needs in self.traced.needs)
+
+    @cached_property
+    def numbers(self):
+        """What the rates need of the parameters, for the first of ``traced.hoisted``; nan if the parameters give no numbers."""
+        rest, early = self.traced.hoisted
+        try:
+            return early._on(math)(*self.p)
+        except (ArithmeticError, ValueError):
+            return (math.nan,) * (rest.source.split(")")[0].count(",") - self.traced.states)
+
+    @cached_property
+    def fast(self):
+        """The right-hand side on floats, ``fast(t, *states, *numbers)``."""
+        return self.traced.hoisted[0]._on(math)
 
     def rates(self, t, x):
         """The rates of the states."""
@@ -61,16 +92,39 @@ class System:
 
     def function(self, formula_):
         """A function ``(s, p, t)`` as one of ``(t, *states)``; traced where it can be, else called as it is."""
+        text, p, model = self._text(formula_), self.p, self.model
+        if text is not None:
+            return lambda t, *x: text(t, *x, *p)
+        return lambda t, *x: plain(model._call(formula_, dict(zip(model.states, x, strict=True)), model.parameters, t))
+
+    def floats(self, formula_):
+        """A function ``(s, p, t)`` that returns states as one of ``(t, states)`` on floats alone, which returns a tuple of floats.
+
+        :class:`ModelError` says where it has no value.
+        """
+        text, p, name, called = self._text(formula_), self.p, self.model.name, self.function(formula_)
+        run = text._run["math"] if text is not None and text._rebuild is tuple else lambda t, *x: tuple(map(float, called(t, *x[: -len(p) or None])))
+
+        def at(t, x):
+            try:
+                found = run(t, *x, *p)
+                if math.isfinite(sum(found)):
+                    return found
+            except (ArithmeticError, ValueError) as error:
+                raise ModelError(f"the exact solution of {name!r} has no value at t = {t:.6g} after {x}: {error}") from error
+            raise ModelError(f"the exact solution of {name!r} has no value at t = {t:.6g} after {x}")
+
+        return at
+
+    def _text(self, formula_):
+        """The traced text of a function ``(s, p, t)``; None if it branches on values, as is allowed for events."""
         known = self.traced.functions
         if formula_ not in known:
             try:
                 known[formula_] = formula(self.model, self.free, formula_)
-            except TypeError:  # it branches on values: allowed for events, on floats
+            except (TypeError, ModelError):
                 known[formula_] = None
-        text, p, model = known[formula_], self.p, self.model
-        if text is not None:
-            return lambda t, *x: text(t, *x, *p)
-        return lambda t, *x: plain(model._call(formula_, dict(zip(model.states, x, strict=True)), model.parameters, t))
+        return known[formula_]
 
 
 def formula(model, free, f):
@@ -112,6 +166,8 @@ def _number(model, name, value):
 
 def start_state(model, start):
     """The start as a tuple of floats (or arrays) in the order of the states; :class:`ModelError` says what is wrong with it."""
+    if type(start) is tuple and len(start) == len(model.states) and set(map(type, start)) == {float} and math.isfinite(sum(start)):
+        return start
     if not isinstance(start, dict) and not hasattr(start, "keys") and not hasattr(start, "__iter__"):
         raise ModelError(f"the start of {model.name!r} is a value for each of {', '.join(model.states)}, not {start!r}")
     unknown = [n for n in start if n not in model.states] if hasattr(start, "keys") else []

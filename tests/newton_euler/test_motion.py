@@ -11,11 +11,12 @@ import pytest
 
 from newton_euler import Model, ModelError
 from newton_euler.methods import METHODS
-from newton_euler.motion import Event, MotionError, integrate
+from newton_euler.motion import Event, MotionError, integrate, prepare
 from newton_euler.scenes import top
 from newton_euler.scenes.physical_pendulum import physical_pendulum
 from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
 from newton_euler.scenes.space_station import free_body as station_body
+from newton_euler.systems import prepared
 from tests.motions import SCENES, SPIN, free_body, kepler, oscillator, reference, top_start, true_error
 
 ADAPTIVE = ("taylor", "dop853", "scipy DOP853", "scipy RK45", "scipy LSODA")
@@ -339,7 +340,8 @@ def test_a_parameter_without_a_number_is_named():
 
 
 def test_heyoka_that_is_missing_is_said(monkeypatch):
-    monkeypatch.setattr("newton_euler.taylor.importlib.util.find_spec", lambda name: None)
+    monkeypatch.setattr("newton_euler.motion.installed", lambda: False)
+    monkeypatch.setattr("newton_euler.methods.installed", lambda: False)
     with pytest.raises(ModelError, match=r"heyoka is not installed: pip install 'newton-euler\[fast\]'"):
         swing(method="taylor")
     with pytest.raises(ModelError, match="needs heyoka, which is not installed; without it the least is"):
@@ -366,3 +368,41 @@ def test_nothing_heavy_is_imported():
         "print([m for m in ('numpy', 'scipy', 'sympy', 'heyoka', 'mpmath', 'matplotlib') if m in sys.modules])"
     )
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+
+
+# -- runs that are prepared
+
+
+@pytest.mark.parametrize("method", ["auto", "exact", "taylor", "dop853", "verlet"])
+def test_a_prepared_run_is_that_of_integrate(method):
+    needs(method)
+    run = prepare(oscillator(), 1e-7, method)
+    for t, start in ((3.0, (1.0, 0.0)), (7.5, (0.2, -2.0))):
+        whole = integrate(oscillator(), t, start, 1e-7, "dop853")
+        assert run(t, start) == pytest.approx(tuple(whole.end.values()), abs=5e-7)
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+def test_a_prepared_run_into_a_singular_place_says_so(method):
+    needs(method)
+    run = prepare(Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,)), 1e-6, method)
+    assert run(0.4, (1.0,))[0] == pytest.approx(math.sqrt(0.2), rel=1e-5)
+    with pytest.raises(MotionError, match="could not be followed beyond t = 0"):
+        run(2.0, (1.0,))
+    assert run(0.4, (1.0,))[0] == pytest.approx(math.sqrt(0.2), rel=1e-5)  # and it is as good as before
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_what_parameters_alone_give_is_computed_once(scene):
+    """The rest has other arguments than the parameters, fewer operations, and the same rates within round-off."""
+    model, _, start = SCENES[scene]
+    system = prepared(model)
+    rest, _ = system.traced.hoisted
+    states = [x + 0.01 * n for n, x in enumerate(start, 1)]
+    whole, rates = system.rates(0.3, states), system.fast(0.3, *states, *system.numbers)
+    scale = max(map(abs, whole))
+    assert max(abs(a - b) for a, b in zip(whole, rates, strict=True)) <= 4e-15 * scale
+    count = lambda source: sum(source.count(f" {op} ") for op in "*/+-")  # noqa: E731
+    assert count(rest.source) <= count(system.traced.rhs.source)
+    arguments = rest.source.split("(", 1)[1].split(")")[0].split(", ")
+    assert not set(arguments) & set(model.parameters)
