@@ -26,19 +26,20 @@ def hoisted(text, count):
     """
     function = ast.parse(text.source).body[0]
     names = [a.arg for a in function.args.args]
+    if text._lazy != text.source:  # it chooses, and what one side computes may have no value on the other
+        return text, _formula(text, names[count:], [], names[count:])
     split = _Split(names[:count], names[count:])
     kept = [line for line in function.body[:-1] if split.keeps(line)]
-    result = ast.unparse(split.visit(function.body[-1].value))
-    rest, early = copy(text), copy(text)
-    rest.source = _source([*names[:count], *split.numbers.values()], kept, result)
-    early.source = _source(names[count:], split.early, f"({''.join(f'{x}, ' for x in split.numbers)})".replace(", )", ",)"))
-    early.parameters = names[count:]
-    return rest, early
+    results = [ast.unparse(split.visit(x)) for x in function.body[-1].value.elts]
+    return _formula(text, [*names[:count], *split.numbers.values()], kept, results), _formula(text, names[count:], split.early, split.numbers)
 
 
-def _source(names, lines, result):
+def _formula(text, names, lines, results):
+    """A formula like this one with another text."""
     body = "".join(f"    {ast.unparse(ast.fix_missing_locations(line))}\n" for line in lines)
-    return f"def formula({', '.join(names)}):\n{body}    return {result}\n"
+    new = copy(text)
+    new.source = new._lazy = f"def formula({', '.join(names)}):\n{body}    return ({''.join(f'{x}, ' for x in results).rstrip()})\n"
+    return new
 
 
 class _Split(ast.NodeTransformer):

@@ -25,6 +25,7 @@ class Traced:
         self.rhs, self.states = formula(model, free, model.rhs), len(model.states)
         self.f = self.rhs._run["math"]
         self.functions, self.integrators = {}, {}
+        self.trusted = False  # its exact solution, once that has been tried
         self.seconds = 0.0  # spent in integrating it, to decide whether heyoka's compilation pays
 
     @cached_property
@@ -92,29 +93,48 @@ class System:
 
     def function(self, formula_):
         """A function ``(s, p, t)`` as one of ``(t, *states)``; traced where it can be, else called as it is."""
-        text, p, model = self._text(formula_), self.p, self.model
-        if text is not None:
-            return lambda t, *x: text(t, *x, *p)
-        return lambda t, *x: plain(model._call(formula_, dict(zip(model.states, x, strict=True)), model.parameters, t))
+        text, p = self._text(formula_), self.p
+        return self._called(formula_) if text is None else lambda t, *x: text(t, *x, *p)
 
-    def floats(self, formula_):
-        """A function ``(s, p, t)`` that returns states as one of ``(t, states)`` on floats alone, which returns a tuple of floats.
+    def _called(self, formula_):
+        model = self.model
+        return lambda t, *x: _plain(model._call(formula_, dict(zip(model.states, x, strict=True)), model.parameters, t))
 
-        :class:`ModelError` says where it has no value.
+    def solution(self):
+        """The exact solution as a function of ``(t, states)`` on floats alone, which returns a tuple of floats.
+
+        Where the traced text has no value, as for an orbit that is no ellipse, the formula is called as it is. :class:`ModelError` where that has none.
         """
-        text, p, name, called = self._text(formula_), self.p, self.model.name, self.function(formula_)
-        run = text._run["math"] if text is not None and text._rebuild is tuple else lambda t, *x: tuple(map(float, called(t, *x[: -len(p) or None])))
+        formula_, p, model = self.model.exact, self.p, self.model
+        text, called = self._text(formula_), self._called(formula_)
+        run = (lambda *_: (math.nan,)) if text is None else text._run["math"]
 
         def at(t, x):
             try:
                 found = run(t, *x, *p)
                 if math.isfinite(sum(found)):
                     return found
-            except (ArithmeticError, ValueError) as error:
-                raise ModelError(f"the exact solution of {name!r} has no value at t = {t:.6g} after {x}: {error}") from error
-            raise ModelError(f"the exact solution of {name!r} has no value at t = {t:.6g} after {x}")
+            except (ArithmeticError, ValueError):
+                pass  # as below
+            try:
+                found = tuple(map(float, called(t, *x)))
+            except ArithmeticError as error:
+                raise ModelError(f"the exact solution of {model.name!r} has no value at t = {t:.6g} after {x}: {error}") from error
+            if not math.isfinite(sum(found)):
+                raise ModelError(f"the exact solution of {model.name!r} has no value at t = {t:.6g} after {x}")
+            return found
 
         return at
+
+    def solutions(self, times, x):
+        """The same at an array of times: an array (states, times)."""
+        import numpy as np
+
+        for run in (self.function(self.model.exact), self._called(self.model.exact)):
+            found = np.array([np.broadcast_to(row, times.shape) for row in run(times, *x)])
+            if np.isfinite(found).all():
+                break
+        return found
 
     def _text(self, formula_):
         """The traced text of a function ``(s, p, t)``; None if it branches on values, as is allowed for events."""

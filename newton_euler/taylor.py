@@ -101,13 +101,13 @@ class Taylor(Course):
         before, after = int(times[0] > self.t), int(times[-1] < self.goal)
         grid = np.concatenate(([self.t] * before, times, [self.goal] * after)) if before or after else times
         _, _, _, steps, *_, found = self.ta.propagate_grid(grid, max_steps=100 * PATIENCE)
-        if len(found) < len(grid) or not np.isfinite(found[-1]).all():
+        if len(found) < len(grid) or not math.isfinite(sum(found[-1].tolist())):
             self._put(self.t, self.x)
             return False
         self.kept = times, found[before : len(grid) - after].T
         self.t, self.x, self.calls = self.goal, tuple(found[-1].tolist()), self.calls + steps * self.ta.order
-        self.sizes = tuple(map(max, self.sizes, np.abs(found).max(axis=0).tolist()))
         self.bounds.append(self.t)
+        self.grown()
         return True
 
     def _again(self):
