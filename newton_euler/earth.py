@@ -13,7 +13,7 @@ functions that take a vector ``gravity`` may be given the :func:`effective_gravi
 
 from .inertia import is_positive
 from .scalars import ZERO, cos, is_numeric, least, plain, scalar, sin, size, sqrt
-from .vectors import EQUATIONS, ZERO3, Ledger, Vector, add3, cross3, dot3, scale3
+from .vectors import EQUATIONS, ZERO3, Vector, cross3, dot3, named_sum, scale3, sum3
 
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
 EARTH_RADIUS = 6.371e6  # m: of the sphere of equal volume (IUGG)
@@ -150,7 +150,7 @@ def effective_gravity(g, ground):
     [0, -0.00239041, -9.81983] in ground
     """
     parts = {"attraction": scalar(g) * -ground.k, "centrifugal": -ground_acceleration(ground)}
-    return _sum("effective gravity", f"in {ground.name}", parts, ground)
+    return named_sum("effective gravity", f"in {ground.name}", parts, ground)
 
 
 def support_force(m, g, ground):
@@ -159,7 +159,7 @@ def support_force(m, g, ground):
     Terms: ``weight``, and ``rotation``, which keeps the body on its circle.
     """
     parts = {"weight": scalar(m) * scalar(g) * ground.k, "rotation": scalar(m) * ground_acceleration(ground)}
-    return _sum("support force", f"in {ground.name}", parts, ground)
+    return named_sum("support force", f"in {ground.name}", parts, ground)
 
 
 def rotation_error(g, radius=EARTH_RADIUS, rate=EARTH_RATE):
@@ -176,13 +176,6 @@ def weightless_speed(g, radius=EARTH_RADIUS):
     return sqrt(g * radius)
 
 
-def _sum(kind, subject, parts, frame):
-    total = ZERO3
-    for part in parts.values():
-        total = add3(total, part.expressed_in(frame).c)
-    return Vector(total, frame, None, Ledger(kind, subject, lambda: parts))
-
-
 # -- projectiles (6.9, 6.10)
 
 
@@ -196,7 +189,7 @@ def apparent_acceleration(v, gravity, omega):
 
     All three are Vectors; terms: ``gravity``, ``coriolis``. Terms in omega^2 are left out, unless ``gravity`` is the effective one.
     """
-    return _sum("apparent acceleration", f"in {v.frame.name}", {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)}, v.frame)
+    return named_sum("apparent acceleration", f"in {v.frame.name}", {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)}, v.frame)
 
 
 def force_near_earth(m, v, a, omega):
@@ -211,7 +204,7 @@ def force_near_earth(m, v, a, omega):
     [3.13863, 0, 0] in ground
     """
     parts = {"relative": scalar(m) * a, "coriolis": -scalar(m) * coriolis_acceleration(omega, v)}
-    return _sum("force near the earth", f"in {v.frame.name}", parts, v.frame)
+    return named_sum("force near the earth", f"in {v.frame.name}", parts, v.frame)
 
 
 def launch_direction(azimuth, elevation):
@@ -240,7 +233,7 @@ def projectile_position(t, launch, gravity, omega):
     frame = launch.frame
     v, g, w = (x.expressed_in(frame).c for x in (launch, gravity, omega))
     terms = _position_terms(t, v, g, w)
-    return _sum("projectile", f"in {frame.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)
+    return named_sum("projectile", f"in {frame.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)
 
 
 def _position_terms(t, v, g, w):
@@ -260,22 +253,14 @@ def _series(t, c, w, power, order=1):
     return out
 
 
-def _sum3(*series):
-    total = ZERO3
-    for terms in series:
-        for term in terms:
-            total = add3(total, term)
-    return total
-
-
 def position3(t, v, g, w, order=1):
     """The solution of (6.20) to any order in w, of triples: the way from the start. Order 1 is (6.24)."""
-    return _sum3(_series(t, v, w, 1, order), _series(t, g, w, 2, order))
+    return sum3([*_series(t, v, w, 1, order), *_series(t, g, w, 2, order)])
 
 
 def velocity3(t, v, g, w, order=1):
     """The rate of :func:`position3`."""
-    return _sum3(_series(t, v, w, 0, order), _series(t, g, w, 1, order))
+    return sum3([*_series(t, v, w, 0, order), *_series(t, g, w, 1, order)])
 
 
 def projectile_to_order(t, launch, gravity, omega, order):

@@ -8,7 +8,7 @@ Units: in SI kg m^2, rad/s, rad/s^2, N m.
 from .inertia import AXES, MassError, axis_index
 from .linear import LinearError, solve_regular
 from .scalars import ZERO, is_numeric, is_zero, plain, scalar, size
-from .vectors import EQUATIONS, ZERO3, Ledger, Vector, add3, cross3, dot3, scale3, sub3
+from .vectors import EQUATIONS, ZERO3, Vector, cross3, dot3, named_sum, scale3, sub3
 
 EQUATIONS["Euler's moment"] = ("8.12", r"\mathbf{M}_B", {
     "relative": ("dH/dt", r"[I]\frac{d\boldsymbol{\omega}}{dt}"),
@@ -188,7 +188,4 @@ def _unit(axis):
 
 
 def _summed(frame, kind, inertia, **terms):
-    total = ZERO3
-    for c in terms.values():
-        total = add3(total, c)
-    return Vector(total, frame, None, Ledger(kind, f"about {inertia.point.name}", lambda: {name: Vector(c, frame) for name, c in terms.items()}))
+    return named_sum(kind, f"about {inertia.point.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)

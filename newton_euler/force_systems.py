@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 from .inertia import place
 from .scalars import is_numeric, least, plain, scalar, size
-from .vectors import EQUATIONS, ZERO3, FrameError, Ledger, Vector, _short, add3
+from .vectors import EQUATIONS, FrameError, Vector, _short, add3, named_sum
 
 EQUATIONS["resultant"] = ("8.21", r"\mathbf{F}^e", {})
 EQUATIONS["moment of the forces"] = ("8.7", r"\mathbf{M}", {})
@@ -93,19 +93,12 @@ class ForceSystem:
     @property
     def force(self):
         """The resultant force, the sum of all (8.21). terms : the forces by name."""
-        return self._total("resultant", "", {p.name: p.vector for p in self.parts if isinstance(p, Force)})
+        return named_sum("resultant", "", {p.name: p.vector for p in self.parts if isinstance(p, Force)}, self.frame)
 
     def moment(self, about):
         """The moment about a Point (or the origin of a Frame) of all forces and couples (8.7). terms : their moments by name."""
         about = place(about, "the point that the moment is about")
-        return self._total("moment of the forces", f"about {about.name}", {p.name: p.moment(about) for p in self.parts})
-
-    def _total(self, kind, subject, terms):
-        terms = {name: v.expressed_in(self.frame) for name, v in terms.items()}
-        total = ZERO3
-        for v in terms.values():
-            total = add3(total, v.c)
-        return Vector(total, self.frame, None, Ledger(kind, subject, lambda: terms))
+        return named_sum("moment of the forces", f"about {about.name}", {p.name: p.moment(about) for p in self.parts}, self.frame)
 
     def at(self, point):
         """The equivalent system of one force at ``point`` and one couple, the moment about it (8.7)."""

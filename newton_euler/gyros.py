@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 from .mass import Inertia
 from .scalars import ZERO, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, sin, size, sqrt, tan, where
-from .vectors import EQUATIONS, FrameError, Ledger, Vector, add3
+from .vectors import EQUATIONS, FrameError, Vector, _short, named_sum
 
 
 class GyroError(ValueError):
@@ -114,8 +114,7 @@ def gyro_moment(body, ground, I0, I):
         "precession": Omega.cross(inertia.times(Omega)),
         "gyroscopic": Omega.cross(inertia.times(spin)),
     }
-    total = add3(add3(terms["acceleration"].c, terms["precession"].c), terms["gyroscopic"].c)
-    return Vector(total, f, None, Ledger("gyroscopic moment", f"on {body.name}", lambda: terms))
+    return named_sum("gyroscopic moment", f"on {body.name}", terms, f)
 
 
 def _inertia(body, I0, I):
@@ -258,13 +257,9 @@ def _discriminant(a, h, c, I, what):
     small = 8 * epsilon(D) * abs(h * h) + 8 * epsilon(D) * abs(4 * (a * c))
     D = where(plain(D) < 0, where(plain(D + small) >= 0, 0 * D, D), D)
     if _any(plain(D) < 0):
-        needed = "without I no spin helps" if is_zero(I) else f"{what} must be at least {_told(_least_rate(a, c, I))} rad/s in size"
-        raise GyroError(f"no steady precession is possible at this angle: the discriminant is {_told(D)}, negative; {needed}")
+        needed = "without I no spin helps" if is_zero(I) else f"{what} must be at least {_short(_least_rate(a, c, I))} rad/s in size"
+        raise GyroError(f"no steady precession is possible at this angle: the discriminant is {_short(D)}, negative; {needed}")
     return D
-
-
-def _told(x):
-    return f"{float(x):.6g}" if not getattr(plain(x), "shape", ()) else str(x)
 
 
 def _sense(h):

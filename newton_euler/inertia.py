@@ -15,7 +15,7 @@ An :class:`Inertia` is that matrix about one point, along the axes of one frame;
 
 from .frames import Frame, Point
 from .scalars import ZERO, Moving, Scaled, epsilon, is_finite, is_numeric, is_zero, least, plain, scalar, size, sqrt
-from .vectors import ZERO3, Vector, _latex_number, add3, dot3, scale3
+from .vectors import ZERO3, NamedTerms, Vector, _latex_number, add3, dot3, scale3, sum3
 
 AXES = "xyz"
 PRODUCTS = ("xy", "yz", "zx")
@@ -25,7 +25,7 @@ class MassError(ValueError):
     """Masses, dimensions or moments of inertia that no body has, or a question that needs a mass or centre not given."""
 
 
-class Inertia(Scaled):
+class Inertia(Scaled, NamedTerms):
     """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13).
 
     point : the Point B that it is about, or a Frame: about its origin, along its axes
@@ -220,18 +220,8 @@ class Inertia(Scaled):
 
     def reweighted(self, **factors):
         """The sum of its terms, each times the factor named for it (others once): what a wrong model would give. Mass and centre stay."""
-        unknown = [n for n in factors if n not in self.terms]
-        if unknown:
-            raise MassError(f"no term {unknown[0]!r}; the terms are {', '.join(self.terms) or 'none'}")
-        moments = products = ZERO3
-        for name, term in self.terms.items():
-            factor = scalar(factors.get(name, 1))
-            moments, products = add3(moments, scale3(factor, term.moments)), add3(products, scale3(factor, term.products))
-        return self._like(moments, products)
-
-    def without(self, *names):
-        """The sum without the terms named: ``I.about(O).without("transfer")``."""
-        return self.reweighted(**dict.fromkeys(names, 0))
+        weighted = self._weighted(factors, MassError)
+        return self._like(*(sum3(scale3(factor, getattr(term, of)) for factor, term in weighted) for of in ("moments", "products")))
 
     # -- can it be?
 

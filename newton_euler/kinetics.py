@@ -14,7 +14,7 @@ from . import components, paths  # noqa: F401  their equations of acceleration b
 from .inertia import MassError, is_positive
 from .scalars import is_finite, is_numeric, least, plain, scalar
 from .triads import SingularError
-from .vectors import EQUATIONS, ZERO3, FrameError, Ledger, Vector, add3
+from .vectors import EQUATIONS, FrameError, Ledger, Vector, named_sum
 
 
 def _times_m(written):
@@ -23,9 +23,7 @@ def _times_m(written):
 
 _FORCES = {"acceleration": "6.10", "intrinsic acceleration": "6.5", "polar acceleration": "6.6", "cylindrical acceleration": "6.8",
            "spherical acceleration": "6.9"}  # fmt: skip
-EQUATIONS.update({
-    kind.replace("acceleration", "force"): (number, r"\mathbf{F}^e", _times_m(EQUATIONS[kind][2])) for kind, number in _FORCES.items()
-})
+EQUATIONS.update({kind.replace("acceleration", "force"): (number, r"\mathbf{F}^e", _times_m(EQUATIONS[kind][2])) for kind, number in _FORCES.items()})
 EQUATIONS.update({
     "acceleration by forces": ("6.1", r"\frac{1}{m}\mathbf{F}", {}),
     "reaction": ("6.1", r"\mathbf{R}", {"inertia": ("m a", r"m\bar{\mathbf{a}}")}),
@@ -77,7 +75,7 @@ def reaction(m, a, **known):
     [0, 0, 21.62] in ground
     """
     parts = {"inertia": _mass(m) * _vector(a, "the acceleration"), **{name: -_vector(F, f"the {name}") for name, F in known.items()}}
-    return _total("reaction", f"to {', '.join(known) or 'no other force'}", parts, a.frame)
+    return named_sum("reaction", f"to {', '.join(known) or 'no other force'}", parts, a.frame)
 
 
 def path_force(m, speed, speed_rate, flexure):
@@ -109,7 +107,7 @@ def acceleration_by(m, **forces):
     if not forces:
         raise FrameError("no force is given; name each of them, as in acceleration_by(m, weight=W, thrust=T)")
     parts = _per_mass(m, forces)
-    return _total("acceleration by forces", "of the mass centre", parts, next(iter(parts.values())).frame)
+    return named_sum("acceleration by forces", "of the mass centre", parts, next(iter(parts.values())).frame)
 
 
 def path_rates(m, F_t, F_n, speed):
@@ -142,7 +140,7 @@ def coordinate_accelerations(m, P, **forces):
     (0.0, 0.0)
     """
     forces = {name: P.local.vector(*_three(F, name)) if isinstance(F, (tuple, list)) else F for name, F in forces.items()}
-    total = _total("acceleration by forces", f"of {P.name}", _per_mass(m, forces), P.local)
+    total = named_sum("acceleration by forces", f"of {P.name}", _per_mass(m, forces), P.local)
     left = (total - P.acceleration(P.ground)).expressed_in(P.local).c
     if any(is_numeric(h) and least(h) == 0 for h in P.scale_factors):
         raise SingularError(
@@ -171,7 +169,7 @@ def relative_acceleration(m, P, observer, **forces):
     if taken:
         raise FrameError(f"{taken[0]!r} is a term of the moving frame; give the force another name")
     parts = _per_mass(m, forces) | {name: -seen.terms[term] for name, term in names.items() if seen.terms}
-    return _total("relative acceleration", f"of {P.name} in {frame.name}", parts, frame)
+    return named_sum("relative acceleration", f"of {P.name} in {frame.name}", parts, frame)
 
 
 def _per_mass(m, forces):
@@ -189,10 +187,3 @@ def _three(F, name):
     if len(F) > 3:
         raise FrameError(f"the force {name} has {len(F)} components: {F!r}; give those along the local axes, two in the plane")
     return (*F, 0, 0, 0)[:3]
-
-
-def _total(kind, subject, parts, frame):
-    total = ZERO3
-    for part in parts.values():
-        total = add3(total, part.expressed_in(frame).c)
-    return Vector(total, frame, None, Ledger(kind, subject, lambda: {name: v.expressed_in(frame) for name, v in parts.items()}))

@@ -5,14 +5,16 @@ run on :class:`newton_euler.scalars.Linear` unknowns, which read off the coeffic
 of a rolling contact or a joint; :func:`solve_linear` for whole sets of equations with names, and it reports what they leave open.
 """
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from inspect import signature
+from math import prod
 from types import MappingProxyType
 
 from .scalars import ZERO, Linear, coarseness, is_numeric, is_zero, least, plain, sampled, scalar, size
-from .vectors import FrameError, Vector
+from .vectors import FrameError, Vector, _short
 
 LARGEST_CORE = 6  # unknowns that are solved together by Cramer's rule; of more, one after the other is eliminated
 
@@ -48,27 +50,21 @@ def solve_rates(conditions, count):
     >>> solve_rates(slip, 1)
     (4.0,)
     """
-    rows = [(row.coefficients, row.right) for row in _equations(conditions(*_unknowns(count)), count)]
-    largest = _largest(x for row, _ in rows for x in row)
-    used = [row for row in rows if any(not is_numeric(x) or size(x) > 1e-13 * largest for x in row[0])]  # others are rounding
+    equations = _equations(conditions(*_unknowns(count)), count)
+    largest = _largest(c for e in equations for c in e.coefficients)
+    used = [e for e in equations if any(not is_numeric(c) or size(c) > 1e-13 * largest for c in e.coefficients)]  # others are rounding
     if len(used) < count:
         raise LinearError(f"{len(used)} conditions contain the rates, but {count} rates are unknown: {count - len(used)} more are needed")
+    rows = [e.parts() for e in used]
     if len(used) > count:  # agreeing surplus conditions: the normal equations, which any kind of scalar can solve
-        used = [([_sum(m[a] * m[b] for m, _ in used) for b in range(count)], _sum(m[a] * c for m, c in used)) for a in range(count)]
-    rates = _cramer([list(m) for m, _ in used], [c for _, c in used])
-    _check_solution(rows, rates)
+        rows = [[sum((row[a] * row[b] for row in rows), ZERO) for b in range(count + 1)] for a in range(count)]
+    rates = _cramer([row[:count] for row in rows], [row[count] for row in rows])
+    _check_solution(equations, rates)
     return tuple(plain(r) for r in rates)
 
 
 def _unknowns(count):
     return [Linear(ZERO, (1 if n == m else ZERO for m in range(count))) for n in range(count)]
-
-
-def _sum(values):
-    total = ZERO
-    for v in values:
-        total = total + v
-    return total
 
 
 def _largest(values):
@@ -94,23 +90,16 @@ def _cramer(matrix, right):
         return (-1) ** (n + k) * minor(everything[:n] + everything[n + 1 :], everything[:k] + everything[k + 1 :])
 
     determinant = minor(everything, everything)
-    scale = 1
-    for row in matrix:
-        scale *= _largest(row) or 1
-    if determinant is ZERO or (is_numeric(determinant) and least(determinant) <= 1e-13 * scale):
+    if determinant is ZERO or (is_numeric(determinant) and least(determinant) <= 1e-13 * prod(_largest(row) or 1 for row in matrix)):
         raise LinearError("the conditions do not determine the rates: some of them say the same, or a rate does not occur in them")
     # cofactor by determinant first: what is common to both cancels in a formula without being simplified
-    return [_sum(cofactor(n, k) / determinant * right[n] for n in everything) for k in everything]
+    return [sum((cofactor(n, k) / determinant * right[n] for n in everything), ZERO) for k in everything]
 
 
-def _check_solution(rows, rates):
-    terms = [[c * r for c, r in zip(coefficients, rates, strict=True)] for coefficients, _ in rows]
-    parts = [x for row in terms for x in row] + [right for _, right in rows]
-    if not all(map(is_numeric, parts)):
-        return
-    differences = [_sum(row) - right for row, (_, right) in zip(terms, rows, strict=True)]
-    allowed = 1e-9 * _largest(parts)
-    if (worst := _largest(differences)) > allowed:
+def _check_solution(equations, rates):
+    rows = [[*(c * r for c, r in zip(e.coefficients, rates, strict=True)), -e.right] for e in equations]
+    parts = [x for row in rows for x in row]
+    if all(map(is_numeric, parts)) and (worst := _largest(sum(row, ZERO) for row in rows)) > 1e-9 * _largest(parts):
         raise LinearError(f"the conditions contradict each other: with the rates that fit best, one of them is {worst:.3g} instead of 0")
 
 
@@ -195,18 +184,22 @@ def solve_linear(conditions, names=None):
     Not determined: A, B: only A = 3 - B is known; more equations are needed, or fewer unknowns
     """
     names = _names(conditions, names)
-    equations = [e for e in _equations(conditions(*_unknowns(len(names))), len(names)) if not e.says_nothing()]
+    equations = _equations(conditions(*_unknowns(len(names))), len(names))
+    return _solved([e for e in equations if not all(map(is_zero, e.parts()))], names)
+
+
+def _solved(equations, names):
     samples, faithful = _samples(equations)
     numbers = all(a is b for e, s in zip(equations, samples, strict=True) for a, b in zip(e.parts(), s.parts(), strict=True))
     try:
         found = _Elimination(samples, len(names), faithful, numbers)
     except _Varies:
         return _instant_by_instant(equations, names)
-    values = found.values() if numbers else _of_expressions(equations, found)
+    values = found.values if numbers else _of_expressions(equations, found)
     return Solution(
         tuple(names),
         MappingProxyType({names[k]: plain(values[k]) for k in sorted(values)}),
-        tuple(names[k] for k in found.open()),
+        tuple(names[k] for k in found.open),
         tuple(found.relations(names)) if numbers else (),
         MappingProxyType(found.redundant()),
     )
@@ -236,8 +229,8 @@ class _Equation:
     def parts(self):
         return (*self.coefficients, self.right)
 
-    def says_nothing(self):
-        return all(is_zero(x) for x in self.parts())
+    def each(self, change):
+        return _Equation(self.name, tuple(map(change, self.coefficients)), change(self.right), self.group)
 
 
 def _equations(conditions, count):
@@ -267,12 +260,9 @@ def _samples(equations):
 
     def number(x):
         known = sampled(x)
-        if known is None:
-            known = made_up.setdefault(id(x), (0.37 + 0.6180339887 * len(made_up)) % 1 + 0.5)
-        return known
+        return made_up.setdefault(id(x), (0.37 + 0.6180339887 * len(made_up)) % 1 + 0.5) if known is None else known
 
-    samples = [_Equation(e.name, tuple(map(number, e.coefficients)), number(e.right), e.group) for e in equations]
-    return samples, not made_up
+    return [e.each(number) for e in equations], not made_up
 
 
 # -- numbers: equation by equation
@@ -282,107 +272,90 @@ class _Varies(Exception):
     """No unknown can serve as the pivot at all instants of the arrays."""
 
 
-@dataclass
-class _Row:
-    """An equation after the elimination: coefficients with 1 at the pivot, right side, and how much of each equation is in it."""
-
-    pivot: int
-    coefficients: list
-    right: object
-    weights: dict
-
-    def less(self, other, factor):
-        """This row less ``factor`` times another."""
-        weights = dict(self.weights)
-        for n, w in other.weights.items():
-            weights[n] = weights.get(n, ZERO) - factor * w
-        coefficients = [a - factor * b for a, b in zip(self.coefficients, other.coefficients, strict=True)]
-        coefficients[other.pivot] = ZERO
-        return _Row(self.pivot, coefficients, self.right - factor * other.right, weights)
-
-    def over(self, pivot):
-        """This row with 1 at the pivot."""
-        p = self.coefficients[pivot]
-        coefficients = [x / p for x in self.coefficients]
-        coefficients[pivot] = 1
-        return _Row(pivot, coefficients, self.right / p, {n: w / p for n, w in self.weights.items()})
+def _less(row, factor, other, pivot):
+    """The row less ``factor`` times another, in which the pivot is 1."""
+    row = [a - factor * b for a, b in zip(row, other, strict=True)]
+    row[pivot] = ZERO
+    return row
 
 
 class _Elimination:
     """Equations of numbers, taken one after the other: what is new gives a pivot, what is not must agree.
 
-    Sizes are compared unknown by unknown (in ``scale``) and within a condition, so that units do not matter; a few round-offs count as nothing.
+    A row is a sum of equations: its coefficients, its right side, and how much of each equation is in it. ``rows`` has them by the unknown
+    that is their pivot, with 1 there, ``dependent`` those without by the number of the last equation. Sizes are compared unknown by unknown
+    (in ``scale``) and within a condition (``usual``, for each equation), so that units do not matter; a few round-offs count as nothing.
     """
 
-    def __init__(self, equations, count, faithful=True, numbers=True):
+    def __init__(self, equations, count, faithful, numbers):
         self.equations, self.count, self.numbers = equations, count, numbers
         self.round_off = float(coarseness([x for e in equations for x in e.parts()]))
         self.scale = self._scales()
-        self.rows, self.dependent = [], []
+        self.usual = self._by_group([self._relative(e.coefficients) for e in equations])
+        self.rows, self.dependent = {}, {}
         for n in range(len(equations)):
             self._take(n)
-        if faithful:
-            for row in self.dependent:
-                self._check(row)
+        self.free = {pivot: self._free(pivot, row) for pivot, row in self.rows.items()}
+        self.values = {pivot: row[count] for pivot, row in self.rows.items() if not self.free[pivot]}
+        self.open = [k for k in range(count) if k not in self.values]
+        for row in self.dependent.values() if faithful else ():
+            self._check(row)
+
+    def _by_group(self, values):
+        """For each equation the largest of its values and of those of the same condition."""
+        largest = {}
+        for e, own in zip(self.equations, values, strict=True):
+            largest[e.group] = max(largest.get(e.group, 0.0), _largest(own))
+        return [largest[e.group] for e in self.equations]
 
     def _scales(self):
         """The size of the coefficients of each unknown; 0 if there are none but rounding errors."""
-        largest = {}
-        for e in self.equations:
-            largest[e.group] = max(largest.get(e.group, 0.0), _largest(e.coefficients))
-        scale = [0.0] * self.count
-        for e in self.equations:
-            for k, x in enumerate(e.coefficients):
-                if size(x) > 16 * self.round_off * largest[e.group]:
-                    scale[k] = max(scale[k], size(x))
-        return scale
+        noise = [16 * self.round_off * x for x in self._by_group([e.coefficients for e in self.equations])]
+        columns = zip(*(e.coefficients for e in self.equations), strict=True)
+        return [max((size(x) for x, small in zip(c, noise, strict=True) if size(x) > small), default=0.0) for c in columns] or [0.0] * self.count
 
-    def _relative(self, coefficients, measure=size):
+    def _relative(self, row, measure=size):
         """The size of the coefficients of a row, each relative to what is usual for its unknown."""
-        return [measure(x) / s if s and x is not ZERO else 0.0 for x, s in zip(coefficients, self.scale, strict=True)]
-
-    def _usual(self, n):
-        """The size of the coefficients in the condition that the equation belongs to."""
-        return max(max(self._relative(e.coefficients), default=0.0) for e in self.equations if e.group == self.equations[n].group)
+        return [measure(x) / s if s and x is not ZERO else 0.0 for x, s in zip(row, self.scale, strict=False)]
 
     def _take(self, n):
-        equation = self.equations[n]
-        row = _Row(-1, list(equation.coefficients), equation.right, {n: 1})
-        usual = self._usual(n)
-        for other in self.rows:
-            if (factor := row.coefficients[other.pivot]) is not ZERO:
-                row = row.less(other, factor)
-                usual = max(usual, max(self._relative([factor * x for x in other.coefficients])))
-        if (pivot := self._pivot(row, 4096 * self.round_off * usual)) is None:
-            self.dependent.append(row)
+        row, usual = [*self.equations[n].parts(), *(int(n == m) or ZERO for m in range(len(self.equations)))], self.usual[n]
+        for pivot, other in self.rows.items():
+            if (factor := row[pivot]) is not ZERO:
+                row = _less(row, factor, other, pivot)
+                usual = max(usual, *self._relative([factor * x for x in other[: self.count]]))
+        pivot = self._pivot(row, 4096 * self.round_off * usual)
+        if pivot is None:
+            self.dependent[n] = row
             return
-        row = row.over(pivot)
-        self.rows = [r.less(row, r.coefficients[pivot]) if r.coefficients[pivot] is not ZERO else r for r in self.rows] + [row]
+        row = [x / row[pivot] for x in row]
+        row[pivot] = 1
+        self.rows = {k: r if r[pivot] is ZERO else _less(r, r[pivot], row, pivot) for k, r in self.rows.items()} | {pivot: row}
 
     def _pivot(self, row, noise):
         """The unknown with the largest coefficient at every instant; None if all are rounding errors."""
-        smallest = self._relative(row.coefficients, least)
+        smallest = self._relative(row, least)
         best = max(range(self.count), key=smallest.__getitem__)
         if smallest[best] > noise:
             return best
-        if max(self._relative(row.coefficients)) > noise:
+        if max(self._relative(row)) > noise:
             raise _Varies
         return None
 
+    def _free(self, pivot, row):
+        """The unknowns beside the pivot in a row."""
+        allowed = 2**19 * self.round_off / self.scale[pivot]
+        return [k for k, s in enumerate(self.scale) if k != pivot and s and size(row[k]) / s > allowed]
+
     def _check(self, row):
         involved = self._involved(row)
-        values = self.values()
-        terms = {e.name: [e.right, *(c * values[k] for k, c in enumerate(e.coefficients) if k in values)] for e in self.equations}
-        by_group = {}
-        for e in self.equations:
-            by_group[e.group] = max(by_group.get(e.group, 0.0), _largest(terms[e.name]))
-        own = max(size(row.weights[n]) * by_group[self.equations[n].group] for n in involved)
-        allowed = 2**22 * self.round_off * own + 4096 * self.round_off * max(by_group.values())
-        if size(row.right) > allowed:
-            self._contradiction([self.equations[n].name for n in involved], size(row.right))
-
-    def _contradiction(self, names, difference):
-        *others, name = names
+        terms = [[e.right, *(c * self.values[k] for k, c in enumerate(e.coefficients) if k in self.values)] for e in self.equations]
+        sizes = self._by_group(terms)
+        own = max(size(row[self.count + 1 + n]) * sizes[n] for n in involved)
+        difference = size(row[self.count])
+        if difference <= 2**22 * self.round_off * own + 4096 * self.round_off * max(sizes):
+            return
+        *others, name = names = [self.equations[n].name for n in involved]
         off = f"is off by {difference:.3g}" if self.numbers else "does not hold"
         if not others:
             raise LinearError(f"the equation {name!r} {off}: no unknown occurs in it", names)
@@ -390,41 +363,20 @@ class _Elimination:
 
     def _involved(self, row):
         """The equations of which a row is the sum, in their order."""
-        heaviest = max(self._weight(*pair) for pair in row.weights.items())
-        return [n for n, w in sorted(row.weights.items()) if self._weight(n, w) >= 2**19 * self.round_off * heaviest]
-
-    def _weight(self, n, w):
-        return size(w) * self._usual(n)
-
-    # -- what it found
-
-    def _free(self, row):
-        """The unknowns beside the pivot in a row."""
-        allowed = 2**19 * self.round_off / self.scale[row.pivot]
-        return [k for k, x in enumerate(row.coefficients) if k != row.pivot and self.scale[k] and size(x) / self.scale[k] > allowed]
-
-    def open(self):
-        """The unknowns that are not determined."""
-        determined = {row.pivot for row in self.rows if not self._free(row)}
-        return [k for k in range(self.count) if k not in determined]
-
-    def values(self):
-        """The unknowns that are."""
-        return {row.pivot: row.right for row in self.rows if not self._free(row)}
+        weights = {n: size(w) * self.usual[n] for n, w in enumerate(row[self.count + 1 :]) if w is not ZERO}
+        return [n for n, w in weights.items() if w >= 2**19 * self.round_off * max(weights.values())]
 
     def relations(self, names):
         """What is known of the unknowns that are not determined, in words."""
-        for row in self.rows:
-            if (free := self._free(row)) and not any(getattr(x, "shape", ()) for x in (row.right, *row.coefficients)):
-                yield f"{names[row.pivot]} = {_short(row.right)}" + "".join(_term(row.coefficients[k], names[k]) for k in free)
+        for pivot, free in self.free.items():
+            row = self.rows[pivot][: self.count + 1]
+            if free and not any(getattr(x, "shape", ()) for x in row):
+                yield f"{names[pivot]} = {_short(row[self.count])}" + "".join(_term(row[k], names[k]) for k in free)
 
     def redundant(self):
         """By name, the equations that follow from others."""
-        out = {}
-        for row in self.dependent:
-            *others, last = (self.equations[n].name for n in self._involved(row))
-            out[last] = tuple(others)
-        return {name: others for name, others in out.items() if others}
+        found = ([self.equations[n].name for n in self._involved(row)] for row in self.dependent.values())
+        return {last: tuple(others) for *others, last in found if others}
 
 
 def _term(coefficient, name):
@@ -437,23 +389,14 @@ def _instant_by_instant(equations, names):
     import numpy as np
 
     shape = np.broadcast_shapes(*(np.shape(x) for e in equations for x in e.parts()))
-
-    def instant(x, n):
-        return x if x is ZERO or not np.shape(x) else np.broadcast_to(x, shape)[n]
-
-    solved = []
-    for n in np.ndindex(shape):
-        now = [_Equation(e.name, tuple(instant(x, n) for x in e.coefficients), instant(e.right, n), e.group) for e in equations]
-        solved.append(_Elimination(now, len(names)))
-    kinds = {tuple(s.open()) for s in solved}
+    every = [_solved([e.each(lambda x: np.broadcast_to(x, shape)[n] if np.shape(x) else x) for e in equations], names) for n in np.ndindex(shape)]  # noqa: B023
+    kinds = {s.undetermined for s in every}
     if len(kinds) > 1:
-        left = sorted({names[k] for kind in kinds for k in kind})
+        left = sorted({name for kind in kinds for name in kind})
         raise LinearError(f"the equations determine {', '.join(left)} at some instants and not at others; solve these instants apart")
-    values = [s.values() for s in solved]
-    together = {k: np.array([float(v[k]) for v in values]).reshape(shape) for k in sorted(values[0])}
-    redundant = {name: others for s in solved for name, others in s.redundant().items()}
-    left = tuple(names[k] for k in solved[0].open())
-    return Solution(tuple(names), MappingProxyType({names[k]: x for k, x in together.items()}), left, (), MappingProxyType(redundant))
+    values = {name: np.array([float(s.values[name]) for s in every]).reshape(shape) for name in every[0].values}
+    redundant = {name: others for s in every for name, others in s.redundant.items()}
+    return Solution(tuple(names), MappingProxyType(values), every[0].undetermined, (), MappingProxyType(redundant))
 
 
 # -- expressions: what stands alone first, the rest by Cramer's rule
@@ -461,14 +404,12 @@ def _instant_by_instant(equations, names):
 
 def _of_expressions(equations, found):
     """The determined unknowns as formulas, from the equations that the elimination of numbers in their place found to be independent."""
-    surplus = {max(row.weights) for row in found.dependent}
-    pivots = {row.pivot for row in found.rows}
-    rows = []
-    for n, e in enumerate(equations):
-        if n not in surplus:
-            rows.append(({k: c for k, c in enumerate(e.coefficients) if k in pivots and c is not ZERO and size(_sample_or_one(c))}, e.right))
-    values = solve_regular(rows)
-    return {k: x for k, x in values.items() if k not in found.open()}
+    rows = [
+        ({k: c for k, c in enumerate(e.coefficients) if k in found.rows and c is not ZERO and size(_sample_or_one(c))}, e.right)
+        for n, e in enumerate(equations)
+        if n not in found.dependent
+    ]
+    return {k: x for k, x in solve_regular(rows).items() if k in found.values}
 
 
 def _sample_or_one(x):
@@ -478,66 +419,38 @@ def _sample_or_one(x):
 
 
 def solve_regular(rows):
-    """The unknowns by number, from as many independent equations, each a pair (coefficients by unknown, right side)."""
+    """The unknowns by number, from as many independent equations, each a pair (coefficients by unknown, right side).
+
+    One unknown after the other is taken from the place that touches the fewest other places: best one that is known at once, or that occurs nowhere
+    else and follows when the others are known. Where there is none of these and few unknowns are left, they are found by Cramer's rule.
+    """
     if not rows:
         return {}
-    n = min(range(len(rows)), key=lambda n: len(rows[n][0]))
-    if not rows[n][0]:
+    if not all(c for c, _ in rows):
         raise LinearError("the equations do not determine the unknowns: one of them contains none")
-    if len(rows[n][0]) == 1:
-        return _known_first(rows, n)
-    occurrences = {}
-    for m, (coefficients, _) in enumerate(rows):
-        for k in coefficients:
-            occurrences.setdefault(k, []).append(m)
-    alone = [(k, ms[0]) for k, ms in occurrences.items() if len(ms) == 1]
-    if alone:
-        return _left_for_last(rows, *alone[0])
-    if len(rows) > LARGEST_CORE:
-        return _one_eliminated(rows, n)
-    unknowns = sorted(occurrences)
-    return dict(zip(unknowns, _cramer([[c.get(k, ZERO) for k in unknowns] for c, _ in rows], [b for _, b in rows]), strict=True))
+    occurring = Counter(k for c, _ in rows for k in c)
 
+    def touched(place):
+        n, k = place
+        c = rows[n][0]
+        return (len(c) - 1) * (occurring[k] - 1), len(c), -least(c[k]) if is_numeric(c[k]) else 1.0
 
-def _known_first(rows, n):
-    """The equation n has one unknown: its value goes into the others."""
-    ((k, p),) = rows[n][0].items()
-    value = rows[n][1] / p
-    rest = [(_without(c, k), b - c[k] * value if k in c else b) for m, (c, b) in enumerate(rows) if m != n]
-    return {k: value, **solve_regular(rest)}
-
-
-def _left_for_last(rows, k, n):
-    """The unknown k occurs in the equation n alone: it follows when the others are known."""
-    values = solve_regular([row for m, row in enumerate(rows) if m != n])
+    n, k = min(((n, k) for n, (c, _) in enumerate(rows) for k in c), key=touched)
     coefficients, right = rows[n]
-    value = right - _sum(c * values[j] for j, c in coefficients.items() if j != k)
-    return {**values, k: value / coefficients[k]}
-
-
-def _one_eliminated(rows, n):
-    """One unknown of the equation n expressed by the others: that with a plain number before it, if there is one."""
-    coefficients, right = rows[n]
-    k = max(coefficients, key=lambda k: (is_numeric(coefficients[k]), abs(_sample_or_one(coefficients[k]))))
+    if min(len(coefficients), occurring[k]) > 1 and len(rows) <= LARGEST_CORE:
+        unknowns = sorted(occurring)
+        return dict(zip(unknowns, _cramer([[c.get(k, ZERO) for k in unknowns] for c, _ in rows], [b for _, b in rows]), strict=True))
     p, rest = coefficients[k], []
-    for m, (c, b) in enumerate(rows):
-        if m != n and k in c:
-            c, f = dict(c), c[k] / p
-            for j, x in coefficients.items():
-                c[j] = c.get(j, ZERO) - f * x
-            b = b - f * right
-        if m != n:
-            rest.append((_without(c, k), b))
-    return _left_for_last([(coefficients, right), *rest], k, 0)
-
-
-def _without(coefficients, k):
-    return {j: x for j, x in coefficients.items() if j != k}
+    others = {j: c for j, c in coefficients.items() if j != k}
+    for c, b in rows[:n] + rows[n + 1 :]:
+        if k in c:
+            factor = c[k] / p
+            b = b - (factor * right if others else c[k] * (right / p))
+            c = {j: c.get(j, ZERO) - factor * others[j] if j in others else c[j] for j in {**c, **others} if j != k}
+        rest.append((c, b))
+    values = solve_regular(rest)
+    return {**values, k: (right - sum((c * values[j] for j, c in others.items()), ZERO)) / p}
 
 
 def _quoted(names):
     return " and ".join([", ".join(map(repr, names[:-1])), repr(names[-1])] if len(names) > 1 else map(repr, names))
-
-
-def _short(x):
-    return f"{float(x):.6g}" if is_numeric(x) and not getattr(x, "shape", ()) else str(x)

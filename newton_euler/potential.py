@@ -162,10 +162,7 @@ class Potential:
 
 
 def _along(F, line):
-    total = ZERO
-    for f, d in zip(F, line, strict=True):
-        total = total + scalar(f) * d
-    return total
+    return sum((scalar(f) * d for f, d in zip(F, line, strict=True)), ZERO)
 
 
 def find_potential(force, base=(0, 0, 0), box=((-1, 1),) * 3, loops=None, tolerance=1e-9):

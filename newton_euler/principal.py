@@ -136,16 +136,20 @@ def _by_mpmath(matrix):
 
 
 def _canonical(values, axes):
-    """The axes of ascending values, with the signs and the choices among equal moments told at the top."""
+    """The axes of ascending values, of which equal ones are told by round-off."""
     small = ROUND_OFF * epsilon(values[0]) * max(abs(v) for v in values)
-    low, high = values[1] - values[0] <= small, values[2] - values[1] <= small
+    return _chosen(values[1] - values[0] <= small, values[2] - values[1] <= small, axes.__getitem__)
+
+
+def _chosen(low, high, axis):
+    """The axes by number, with the signs and the choices told at the top if the two lower moments are equal, or the two higher ones."""
     if low and high:
         return (1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1)
     if low or high:
-        n = _signed(axes[2] if low else axes[0])
+        n = _signed(axis(2 if low else 0))
         e = _nearest_in_plane(n)
         return (e, cross3(n, e), n) if low else (n, e, cross3(n, e))
-    first, second = _signed(axes[0]), _signed(axes[1])
+    first, second = _signed(axis(0)), _signed(axis(1))
     return first, second, cross3(first, second)
 
 
@@ -193,22 +197,15 @@ def _canonical_exact(M, values, tidy):
 
     short = (lambda x: sympy.radsimp(sympy.expand(x))) if tidy else (lambda x: x)
 
-    def null(value):
-        rows = [tuple(row) for row in (M - value * sympy.eye(3)).tolist()]
+    def null(n):
+        rows = [tuple(row) for row in (M - values[n] * sympy.eye(3)).tolist()]
         axis = max((cross3(rows[a], rows[b]) for a, b in PAIRS), key=lambda v: float(dot3(v, v)))
         axis = [short(x) for x in axis]
         length = sympy.sqrt(short(dot3(axis, axis)))
         return tuple(x / length for x in axis)
 
     equal = [abs(float((values[n + 1] - values[n]).evalf(30))) <= 1e-25 * abs(float(values[2])) for n in (0, 1)]
-    if all(equal):
-        return (1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1)
-    if any(equal):
-        n = _signed(null(values[2] if equal[0] else values[0]))
-        e = _nearest_in_plane(n)
-        return (e, cross3(n, e), n) if equal[0] else (n, e, cross3(n, e))
-    first, second = _signed(null(values[0])), _signed(null(values[1]))
-    return first, second, cross3(first, second)
+    return _chosen(*equal, null)
 
 
 # -- expressions

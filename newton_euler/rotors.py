@@ -24,7 +24,7 @@ from dataclasses import dataclass
 from .frames import Point
 from .mass import Body
 from .scalars import is_numeric, is_zero, plain, scalar, size, sqrt, where
-from .vectors import EQUATIONS, Ledger, Vector, add3, dot3, scale3
+from .vectors import EQUATIONS, Vector, add3, dot3, named_sum, scale3, sum3
 
 
 class RotorError(ValueError):
@@ -85,8 +85,9 @@ def reactions(body, A, B, ground, gravity=None, about=None):
     a, b = (O - A).dot(e), (B - O).dot(e)
     at_A = {name: e.cross(N - e.cross(F) * b) / length for name, (F, N) in pairs.items()}
     at_B = {name: -e.cross(N + e.cross(F) * a) / length for name, (F, N) in pairs.items()}
-    F, N = (_total(part) for part in zip(*pairs.values(), strict=True))
-    return Reactions(_named(at_A, "A", body), _named(at_B, "B", body), F.dot(e), N.dot(e), e)
+    F, N = (Vector(sum3(v.c for v in part), body.frame) for part in zip(*pairs.values(), strict=True))
+    at_A, at_B = (named_sum("bearing force", f"of {name} on {body.name}", at, body.frame) for name, at in (("A", at_A), ("B", at_B)))
+    return Reactions(at_A, at_B, F.dot(e), N.dot(e), e)
 
 
 def _wrench(body, O, ground, gravity):
@@ -102,18 +103,6 @@ def _wrench(body, O, ground, gravity):
         "static_euler": (turning.cross(d) * m, zero),
         "dynamic_euler": (zero, I.times(turning)),
     }
-
-
-def _total(vectors):
-    total, *others = vectors
-    for v in others:
-        total = Vector(add3(total.c, v.c), total.frame)
-    return total
-
-
-def _named(terms, bearing, body):
-    total = _total(terms.values())
-    return Vector(total.c, total.frame, None, Ledger("bearing force", f"of {bearing} on {body.name}", lambda: terms))
 
 
 def shaft_axis(A, B, frame=None):

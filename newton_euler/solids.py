@@ -16,7 +16,7 @@ from .frames import Point
 from .inertia import AXES, Inertia, MassError, axes_at, axis_index, place, positive
 from .mass import Body
 from .scalars import ZERO, pi, scalar, sin, sqrt
-from .vectors import ZERO3, add3, cross3, dot3, scale3, sub3
+from .vectors import add3, cross3, dot3, scale3, sub3, sum3
 
 # -- along lines
 
@@ -247,17 +247,11 @@ def simplex(*corners, mass=None, density=None, name=None):
 
 def _mean(vectors, count):
     """The sum of the triples divided by a whole number: not times 1/count, which would round before an mpf or a fraction comes in."""
-    total = ZERO3
-    for v in vectors:
-        total = add3(total, v)
-    return tuple(x / count for x in total)
+    return tuple(x / count for x in sum3(vectors))
 
 
 def _spread(arms, a, b):
-    total = ZERO
-    for arm in arms:
-        total = total + arm[a] * arm[b]
-    return total
+    return sum((arm[a] * arm[b] for arm in arms), ZERO)
 
 
 def _content(edges):

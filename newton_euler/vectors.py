@@ -5,6 +5,8 @@ frame of the left one. A vector that theory writes as a sum keeps its terms by n
 how it changes in time where that follows from how it was made (``a.rate(observer)``).
 """
 
+from functools import reduce
+
 from .scalars import ZERO, Moving, ScalarError, Scaled, atan2, is_numeric, is_zero, least, moving, plain, scalar, size, sqrt
 
 NO_THIRD_RATE = "the third time derivative of a moving quantity is not known; give coordinates with two rates only"
@@ -39,6 +41,11 @@ def add3(a, b):
     return a if b is ZERO3 else (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
+def sum3(triples):
+    """The sum of any number of them."""
+    return reduce(add3, triples, ZERO3)
+
+
 def sub3(a, b):
     """a - b."""
     return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
@@ -49,7 +56,24 @@ def scale3(s, a):
     return ZERO3 if a is ZERO3 else (s * a[0], s * a[1], s * a[2])
 
 
-class Vector(Scaled):
+class NamedTerms:
+    """What is a sum whose ``terms`` are known by name."""
+
+    __slots__ = ()
+
+    def without(self, *names):
+        """The sum without the terms named: ``a.without("coriolis")``."""
+        return self.reweighted(**dict.fromkeys(names, 0))
+
+    def _weighted(self, factors, error):
+        """Pairs of the factor named for a term (1 for others) and the term; an ``error`` if there is none of that name."""
+        unknown = [n for n in factors if n not in self.terms]
+        if unknown:
+            raise error(f"no term {unknown[0]!r}; the terms are {', '.join(self.terms) or 'none'}")
+        return [(scalar(factors.get(name, 1)), term) for name, term in self.terms.items()]
+
+
+class Vector(Scaled, NamedTerms):
     """A vector with components (x, y, z) along the axes of ``frame``. Make one with ``frame.vector(x, y, z)``.
 
     ``a + b, a - b, 2*a, a/2, -a`` and the methods :meth:`dot` (A.11), :meth:`cross` (A.13) work over scalars of every kind.
@@ -263,18 +287,7 @@ class Vector(Scaled):
         >>> a, a.reweighted(coriolis=0)
         (Vector(-4.0, 12.0, 0 in arm), Vector(-4.0, 0, 0 in arm))
         """
-        terms = self.terms
-        unknown = [n for n in factors if n not in terms]
-        if unknown:
-            raise FrameError(f"no term {unknown[0]!r}; the terms are {', '.join(terms) or 'none'}")
-        total = ZERO3
-        for name, term in terms.items():
-            total = add3(total, scale3(scalar(factors.get(name, 1)), term.expressed_in(self.frame).c))
-        return Vector(total, self.frame)
-
-    def without(self, *names):
-        """The sum without the terms named: ``a.without("coriolis")``."""
-        return self.reweighted(**dict.fromkeys(names, 0))
+        return Vector(sum3(scale3(f, term.expressed_in(self.frame).c) for f, term in self._weighted(factors, FrameError)), self.frame)
 
 
 def dot(a, b):
@@ -305,6 +318,12 @@ class Ledger:
     def mapped(self, change):
         """The ledger with every term changed in the same way."""
         return Ledger(self.kind, self.subject, lambda: {name: change(v) for name, v in self.terms.items()})
+
+
+def named_sum(kind, subject, terms, frame):
+    """The Vector in ``frame`` that is the sum of these, and keeps them by name."""
+    total = sum3(v.expressed_in(frame).c for v in terms.values())
+    return Vector(total, frame, None, Ledger(kind, subject, lambda: {name: v.expressed_in(frame) for name, v in terms.items()}))
 
 
 # kind of sum -> number in the book, symbol of the sum, and each term as text and as LaTeX ("" where the name says it)

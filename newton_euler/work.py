@@ -20,7 +20,7 @@ from . import rectilinear
 from .paths import along
 from .scalars import ZERO, ScalarError, epsilon, is_finite, is_numeric, plain, scalar, size, sqrt
 from .triads import SingularError
-from .vectors import FrameError, Vector, _short
+from .vectors import FrameError, NamedTerms, Vector, _short
 
 SUBDIVISIONS = 400
 _NUMBERS = count()  # so that the variables of nested integrals have names of their own
@@ -31,7 +31,7 @@ class WorkError(ValueError):
 
 
 @dataclass(frozen=True, eq=False)
-class Amount:
+class Amount(NamedTerms):
     """An amount of work, energy or power with its terms by name: ``U.value``, ``T.terms["rotation"]``, ``T.explain()``.
 
     what, number : what it is, and its equation in the book
@@ -84,14 +84,7 @@ class Amount:
         >>> Amount(7.0, {"translation": 5.0, "rotation": 2.0}).reweighted(rotation=0)
         5.0
         """
-        unknown = [n for n in factors if n not in self.terms]
-        if unknown:
-            raise WorkError(f"no term {unknown[0]!r}; the terms are {', '.join(self.terms) or 'none'}")
-        return summed({n: scalar(factors.get(n, 1)) * x for n, x in self.terms.items()}).value
-
-    def without(self, *names):
-        """The sum without the terms named: ``T.without("rotation")``."""
-        return self.reweighted(**dict.fromkeys(names, 0))
+        return plain(sum((factor * x for factor, x in self._weighted(factors, WorkError)), ZERO))
 
 
 def value_of(x):
@@ -101,10 +94,8 @@ def value_of(x):
 
 def summed(terms, what="work", number="11.1", error=0.0):
     """The :class:`Amount` that is the sum of these terms, numbers by name."""
-    total = ZERO
-    for x in terms.values():
-        total = total + value_of(x)
-    return Amount(plain(total), {n: plain(value_of(x)) for n, x in terms.items()}, what, number, error)
+    terms = {n: value_of(x) for n, x in terms.items()}
+    return Amount(plain(sum(terms.values(), ZERO)), {n: plain(x) for n, x in terms.items()}, what, number, error)
 
 
 # -- the integral
@@ -263,10 +254,7 @@ def power(force, velocity, observer=None):
     if isinstance(force, Vector) and isinstance(velocity, Vector):
         return force.dot(velocity)
     if isinstance(force, (tuple, list)) and isinstance(velocity, (tuple, list)):
-        total = ZERO
-        for a, b in zip(force, velocity, strict=True):
-            total = total + scalar(a) * scalar(b)
-        return plain(total)
+        return plain(sum((scalar(a) * scalar(b) for a, b in zip(force, velocity, strict=True)), ZERO))
     raise FrameError(
         "power needs two Vectors, two triples along the same axes, or a Vector, a Point or Frame, and the observer, as in power(F, P, ground); "
         f"got {force!r} and {velocity!r}"
