@@ -1,31 +1,47 @@
-"""Jacobi's elliptic functions and the elliptic integral of the first kind, from the *complementary* parameter m1 = 1 - k^2.
+"""Jacobi's elliptic functions from the *complementary* parameter m1 = 1 - k^2, and three quantities whose rates are products of the two others.
 
 Next to a separatrix k^2 is so near 1 that a float does not hold it (SciPy's functions take k^2, and there give nonsense); m1 it holds to the
-last digit. Over floats, arrays and mpf. Accuracy: a few round-offs of the argument, for every m1 from 1 (circular functions) to 0 (hyperbolic ones).
+last digit. Over floats, arrays and mpf, and traced. Accuracy: a few round-offs of the argument, for every m1 from 1 (circular functions) to 0
+(hyperbolic ones).
 """
 
-from .scalars import cos, epsilon, exp, plain, sin, size, sqrt, tanh, where
+from .scalars import atan2, cos, epsilon, exp, is_numeric, of_one_kind, sin, size, sqrt, tanh, where
+
+FEW, WIDE = 6, 1e-4  # levels that are enough for doubles m1 from 1e-4 to 1
+MANY = 12  # and for every double; a traced formula cannot see how many it needs
+FAR = 350.0  # a hyperbolic function of more has a square that a double does not tell from 0
 
 
 def jacobi(u, m1):
-    """sn, cn and dn of ``u`` for the complementary parameter ``m1`` in [0, 1] (R. Bulirsch, Numerische Mathematik 7, 78, 1965).
+    """sn, cn and dn of ``u`` for the complementary parameter ``m1`` in [0, 1], and the mean phase pi u/(2K), which is 0 where m1 is.
+
+    The amplitude is within pi/2 of the mean phase. By descending Landen transformations (R. Bulirsch, Numerische Mathematik 7, 78, 1965).
 
     >>> [round(x, 12) for x in jacobi(0.5, 0.0)]  # tanh, 1/cosh, 1/cosh
-    [0.46211715726, 0.88681888397, 0.88681888397]
+    [0.46211715726, 0.88681888397, 0.88681888397, 0.0]
     """
-    u, m1 = (plain(x) + 0 * (plain(u) + plain(m1)) for x in (u, m1))
-    limit = m1 == 0
-    a, b, levels = 1 + 0 * m1, sqrt(where(limit, 1, m1)), []
+    u, m1 = of_one_kind(u, m1)
+    wide, bound = m1 > WIDE, m1 > 0
+    k1 = sqrt(where(bound, m1, 1))
+    ending = _hyperbolic(where(bound, 0, u))
+    if is_numeric(k1):
+        return tuple(where(bound, x, y) for x, y in zip(_landen(u, k1, None), ending, strict=True))
+    few, many = _landen(u, k1, FEW), _landen(u, k1, MANY)
+    return tuple(where(wide, x, where(bound, y, z)) for x, y, z in zip(few, many, ending, strict=True))
+
+
+def _landen(u, k1, count):
+    """The functions by so many levels of arithmetic and geometric means, or by as many as the value needs."""
+    a, b, levels = 1, k1, []
     while True:
         levels.append((a, b))
         mean = (a + b) / 2
-        if size((a - b) / a) <= sqrt(float(epsilon(a))) / 16:
+        if len(levels) == count or (count is None and size((a - b) / a) <= sqrt(float(epsilon(a))) / 16):
             break
         a, b = mean, sqrt(a * b)
     phase = u * mean
-    s, c, dn = sin(phase), cos(phase), 1 + 0 * phase
-    s = where(s == 0, 1e-100 + 0 * s, s)
-    cot = c / s
+    s, dn = sin(phase) + 1e-150, 1  # not 0
+    cot = cos(phase) / s
     c = mean * cot
     for a, b in reversed(levels):
         product = cot * c
@@ -33,29 +49,55 @@ def jacobi(u, m1):
         dn = (b + product) / (a + product)
         cot = c / a
     sn = where(s < 0, -1, 1) / sqrt(c * c + 1)
-    e = exp(-abs(where(limit, u, 0 * u)))
+    return sn, c * sn, dn, phase
+
+
+def _hyperbolic(u):
+    """The same where m1 is 0."""
+    far = abs(u)
+    e = exp(-where(far < FAR, far, FAR))
     sech = 2 * e / (1 + e * e)
-    return where(limit, tanh(u), sn), where(limit, sech, c * sn), where(limit, sech, dn)
+    return tanh(u), sech, sech, 0 * u
 
 
-def first_kind(s, c, m1):
-    """The elliptic integral F of an amplitude in [-pi/2, pi/2], given by its sine and cosine: the ``u`` whose sn and cn these are.
+def coupled(k, start, gap, t):
+    """Three quantities with x' = k_x y z, y' = k_y z x and z' = k_z x y at the time ``t`` after ``start``, and the mean phase of their motion.
 
-    >>> round(first_kind(1.0, 0.0, 1.0), 12)  # pi/2
-    1.570796326795
+    k : three coefficients, the second of a sign other than that of the two others (each may be zero)
+    gap : k_y (k_x z^2 - k_z x^2), whose sign tells whether z or x changes sign; next to the separatrix the caller knows it better than by subtraction
+
+    By the addition theorem of Jacobi's functions (Landau and Lifshitz, Mechanics, 37): only those of the time are needed, no integral of the start,
+    and its denominator is a sum of squares.
+
+    >>> [round(x, 12) for x in coupled((0.0, -1.0, 1.0), (2.0, 1.0, 0.0), 4.0, 0.25)]  # turns about x: y = cos(2 t), z = sin(2 t)
+    [2.0, 0.87758256189, 0.479425538604, 0.5]
     """
-    return s * symmetric_integral(c * c, c * c + m1 * (s * s), c * c + s * s)
+    (kx, ky, kz), (x, y, z) = k, start
+    p, r = -ky * kz * (x * x), -kx * ky * (z * z)
+    about_x = gap > 0
+    largest = where(about_x, p, r)
+    square = largest + kz * kx * (y * y)
+    moves = square > 0
+    safe, rate = where(moves, square, 1), sqrt(square)
+    s, c, d, phase = jacobi(rate * t, where(moves, abs(gap) / safe, 1))
+    of_x, of_z = where(about_x, d, c), where(about_x, c, d)
+    whole = c * c + s * s * (largest / safe)
+    part = s / (where(moves, rate, 1) * whole)
+    return (
+        x * (of_x / whole) + kx * (y * z) * (part * of_z),
+        y * (c * d / whole) + ky * (z * x) * part,
+        z * (of_z / whole) + kz * (x * y) * (part * of_x),
+        phase,
+    )
 
 
-def symmetric_integral(x, y, z):
-    """Carlson's R_F(x, y, z), half the integral of 1/sqrt((t + x)(t + y)(t + z)) from 0 on; numbers >= 0, at most one of them zero."""
-    x, y, z = (plain(v) + 0 * (plain(x) + plain(y) + plain(z)) for v in (x, y, z))
-    while True:
-        mean = (x + y + z) / 3
-        X, Y, Z = (1 - v / mean for v in (x, y, z))
-        if max(map(size, (X, Y, Z))) <= (float(epsilon(mean)) / 8) ** (1 / 6):
-            break
-        step = sqrt(x) * sqrt(y) + sqrt(y) * sqrt(z) + sqrt(z) * sqrt(x)
-        x, y, z = ((v + step) / 4 for v in (x, y, z))
-    E2, E3 = X * Y - Z * Z, X * Y * Z
-    return (1 - E2 / 10 + E3 / 14 + E2 * E2 / 24 - 3 * E2 * E3 / 44) / sqrt(mean)
+def counted(angle, start, now, phase):
+    """The ``angle`` (rad) after the point at its cosine and sine ``start`` has moved to ``now``, through as many turns as bring it within pi of
+    ``angle + phase``.
+
+    >>> round(counted(0.5, (0.877582561890, 0.479425538604), (0.877582561890, 0.479425538604), 12.0), 6)  # two turns: 0.5 + 4 pi
+    13.066371
+    """
+    (c, s), (c1, s1) = start, now
+    along, across, turn, swing = c1 * c + s1 * s, s1 * c - c1 * s, cos(phase), sin(phase)
+    return angle + (phase + atan2(across * turn - along * swing, along * turn + across * swing))

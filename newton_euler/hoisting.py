@@ -1,9 +1,10 @@
 """What a right-hand side computes from its parameters alone, done once before a motion and not at every step.
 
-To heyoka a parameter inside a product is a series like any other; a single number in its place makes the product cheap.
+To heyoka a parameter inside a product is a series like any other; a single number in its place makes the product cheap. A division is a recurrence of its own, where a product by the inverse is not.
 """
 
 import ast
+import math
 from copy import copy
 
 from .tracing import _unused
@@ -63,8 +64,11 @@ class _Split(ast.NodeTransformer):
         """An expression with numbers in the places of its fixed parts."""
         if isinstance(node, ast.expr) and self._is_fixed(node):
             return self._number(ast.unparse(node))
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and self._is_fixed(node.right):
-            return ast.BinOp(self.visit(node.left), ast.Mult(), self._number(f"1.0 / ({ast.unparse(node.right)})"))
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div):
+            if self._is_fixed(node.right):
+                return ast.BinOp(self.visit(node.left), ast.Mult(), self._number(f"1.0 / ({ast.unparse(node.right)})"))
+            if isinstance(node.right, ast.Constant) and math.frexp(node.right.value)[0] == 0.5:  # a power of two: exact
+                return ast.BinOp(self.visit(node.left), ast.Mult(), ast.Constant(1.0 / node.right.value))
         return self.generic_visit(node)
 
     def _number(self, expression):

@@ -264,6 +264,28 @@ def is_numeric(x):
     return root in ("builtins", "numpy", "mpmath", "fractions") or (root in ("sympy", "symengine") and bool(x.is_Number))
 
 
+def of_one_kind(*values):
+    """The values, each with all the digits and instants of the others: if one is an mpf or an array, all are. What is traced stays as it is.
+
+    >>> of_one_kind(1, 2.5)
+    (1.0, 2.5)
+    """
+    values = tuple(map(plain, values))
+    if not all(map(is_numeric, values)):
+        return values
+    like = 0.0 * sum(values)
+    return tuple(x + like for x in values)
+
+
+def is_comparable(x):
+    """True where ``x`` may stand in the comparison of a :func:`where`: numbers, and values that are being traced.
+
+    >>> is_comparable(1.0), is_comparable(Dimension(1))
+    (True, False)
+    """
+    return is_numeric(x) or hasattr(x, "where")
+
+
 def is_zero(x):
     """True where ``x`` is certainly zero: structurally, or a number equal to 0 (an array only if all of it is)."""
     if not is_numeric(x):
@@ -297,11 +319,16 @@ def size(x):
 
 
 def where(condition, a, b):
-    """``a`` where the condition holds, else ``b``; instant by instant if it is an array of conditions. For numbers only: a formula must not branch.
+    """``a`` where the condition holds, else ``b``; instant by instant if it is an array of conditions.
+
+    For numbers and traced values, which can be compared; expressions and dimensions cannot. Both are computed before one is chosen: a divisor that
+    is zero where the quotient is not wanted must be replaced first.
 
     >>> where(2.0 > 1.0, "larger", "smaller")
     'larger'
     """
+    if isinstance(condition, _Own):
+        return condition.where(a, b)
     if getattr(condition, "shape", ()):
         return importlib.import_module("numpy").where(condition, plain(a), plain(b))
     return a if condition else b

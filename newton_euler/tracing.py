@@ -9,9 +9,13 @@ import importlib
 import importlib.util
 import inspect
 import math
+import operator
 import sys
+from itertools import takewhile
 
-from .scalars import FUNCTIONS, ZERO, Linear, Moving, ScalarError, Scaled, _library, _Own, _root, _value, function, pi, plain, scalar
+from .scalars import FUNCTIONS, ZERO, Linear, Moving, ScalarError, Scaled, _library, _Own, _root, _value, function, pi, plain, scalar, where
+
+COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 
 BLOCK = 8192  # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768 measured)
 HEYOKA_BLOCK = 1 << 15  # the same for heyoka, whose inputs are copied together (measured: 4096 costs half as much again)
@@ -95,13 +99,34 @@ class Step(_Own):
         """A step that is pi in the kind of number that comes to run."""
         return self.trace.step("pi")
 
+    def __abs__(self):
+        return abs(self.args[0]) if self.op == "neg" else self.trace.step("abs", self)
+
+    # A comparison is a step too, for `where` to choose by; it has no value that an `if` could ask for.
+
+    def __lt__(self, other):
+        return self.trace.step("lt", self, plain(other))
+
+    def __le__(self, other):
+        return self.trace.step("le", self, plain(other))
+
+    def __gt__(self, other):
+        return self.trace.step("gt", self, plain(other))
+
+    def __ge__(self, other):
+        return self.trace.step("ge", self, plain(other))
+
+    def where(self, a, b):
+        """A step that is ``a`` where this comparison holds, else ``b``, for :func:`newton_euler.scalars.where`."""
+        return a if a is b else self.trace.step("where", self, plain(a), plain(b))
+
     def _no_value(self, *_):
         raise TypeError(
-            "a formula is traced without values: it must not branch on them (if, max, ==, <), "
+            "a formula is traced without values: it must not branch on them (if, max, ==), but chooses by where(x < y, a, b), "
             "and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
         )
 
-    __bool__ = __float__ = __lt__ = __le__ = __gt__ = __ge__ = _no_value
+    __bool__ = __float__ = _no_value
 
     def __eq__(self, other):
         return self is other or self._no_value()
@@ -185,10 +210,11 @@ def _joined(parts, build):
     return [x for leaves, _ in parts for x in leaves], rebuild
 
 
-def _text(trace, names, outputs):
+def _text(trace, names, outputs, lazy):
     """The needed steps as lines of Python, each step used only once written inside its user.
 
-    Returns the lines, the results, the constants that have no plain spelling by name, and the number of operations.
+    Returns the lines, the results, the constants that have no plain spelling by name, and the number of operations. Lazy text computes what only one
+    side of a choice needs under an ``if``; arrays and heyoka take both sides.
     """
     used = {}
     needed, stack = set(), [o for o in outputs if isinstance(o, Step)]
@@ -201,8 +227,10 @@ def _text(trace, names, outputs):
         needed.add(s.number)
         for a in s.args:
             if isinstance(a, Step):
-                used[a.number] = used.get(a.number, 0) + 1
+                used[a.number] = used.get(a.number, 0) + (2 if s.op == "where" and a is s.args[0] else 1)  # a condition is asked again
                 stack.append(a)
+    steps = [s for s in trace.steps if s.number in needed]
+    places = _places(steps, outputs) if lazy else {}
     text, lines, constants, operations = {}, [], {}, 0
     mark = _unused("s", names)
 
@@ -216,20 +244,48 @@ def _text(trace, names, outputs):
         constants[name] = a
         return name
 
-    for s in trace.steps:
-        if s.number not in needed:
-            continue
+    for s in steps:
         if s.op == "argument":
             text[s.number] = names[s.args[0]]
             continue
         operations += s.op not in ("neg", "pi")
-        written = _write(s.op, [spelled(a) for a in s.args])
+        written = _write(s.op, [spelled(a) for a in s.args], lazy)
         if used[s.number] == 1 and len(written) < 120:
             text[s.number] = f"({written})"
         else:
             text[s.number] = f"{mark}{len(lines)}"
-            lines.append(f"{text[s.number]} = {written}")
-    return lines, [spelled(o) for o in outputs], constants, operations
+            lines.append((places.get(s.number, ()), f"{text[s.number]} = {written}"))
+    return _indented(lines, text), [spelled(o) for o in outputs], constants, operations
+
+
+def _places(steps, outputs):
+    """For each step the sides of choices that alone need it, outermost first: pairs of the number of a condition known by then, and True or False."""
+    places = {o.number: () for o in outputs if isinstance(o, Step)}
+    for s in reversed(steps):
+        own = places[s.number]
+        for i, a in enumerate(s.args):
+            if isinstance(a, Step):
+                path = (*own, (s.args[0].number, i == 1)) if s.op == "where" and i else own
+                path = tuple(takewhile(lambda choice, n=a.number: choice[0] < n, path))
+                places[a.number] = _shared(places[a.number], path) if a.number in places else path
+    return places
+
+
+def _shared(a, b):
+    """The beginning that two sequences have in common."""
+    return tuple(x for x, _ in takewhile(lambda pair: pair[0] == pair[1], zip(a, b, strict=False)))
+
+
+def _indented(lines, text):
+    """The lines, each under the conditions of its place."""
+    out, before = [], ()
+    for place, line in lines:
+        for depth in range(len(_shared(before, place)), len(place)):
+            number, side = place[depth]
+            out.append(f"{depth * '    '}if {'' if side else 'not '}{text[number]}:")
+        out.append(len(place) * "    " + line)
+        before = place
+    return out
 
 
 def _unused(letter, names):
@@ -239,12 +295,38 @@ def _unused(letter, names):
     return letter
 
 
-def _write(op, args):
+def _write(op, args, lazy):
     if op in ("+", "-", "*", "/", "**"):
         return f"{args[0]} {op} {args[1]}"
     if op == "neg":
         return f"-{args[0]}"
+    if lazy and op == "where":
+        return f"{args[1]} if {args[0]} else {args[2]}"
+    if lazy and op in COMPARISONS:
+        return f"{args[0]} {COMPARISONS[op]} {args[1]}"
     return op if op == "pi" else f"{op}({', '.join(args)})"
+
+
+def _written(trace, names, leaves, lazy):
+    """The text of the function, its constants, the number of its operations, and the results as they stand in it."""
+    lines, results, constants, operations = _text(trace, names, leaves, lazy)
+    body = "".join(f"    {line}\n" for line in lines)
+    return f"def formula({', '.join(names.values())}):\n{body}    return {', '.join(results)},\n", constants, operations, results
+
+
+def _choices(library):
+    """What the text calls ``where``, ``lt`` … over this library, and the powers of a number in heyoka."""
+    if library.__name__ != "heyoka":
+        chosen = library.where if library.__name__ == "numpy" else where
+        return {"where": chosen, **{name: getattr(operator, name) for name in COMPARISONS}}
+    hy = library
+
+    def over(f):
+        return lambda *args: f(*(a if isinstance(a, hy.expression) else hy.expression(float(a)) for a in args))
+
+    names = {"where": over(hy.select), "lt": over(hy.lt), "le": over(hy.lte), "gt": over(hy.gt), "ge": over(hy.gte)}
+    size = over(lambda x: hy.select(hy.lt(x, hy.expression(0.0)), -x, x))
+    return {**names, "abs": size, "pow": lambda base, x: hy.expression(float(base)) ** x}
 
 
 class Compiled:
@@ -255,16 +337,16 @@ class Compiled:
         if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
             raise TypeError(f"a formula to compile names all its arguments; {f!r} takes any number of them")
         parameters = [n for n in signature if n not in constants]
-        names = {n: f"{n}_" if n in (*FUNCTIONS, "atan2", "pi", "pow") else n for n in parameters}
+        names = {n: f"{n}_" if n in (*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where") else n for n in parameters}
         trace = _Trace()
         values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
         by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
         leaves, self._rebuild = _leaves(f(*by_place, **values))
         self.parameters, self.backend, self.name = parameters, backend, getattr(f, "__name__", "formula")
         self._defaults = {n: signature[n].default for n in parameters if signature[n].default is not inspect.Parameter.empty}
-        lines, self._results, self._constants, self.operations = _text(trace, names, leaves)
-        body = "".join(f"    {line}\n" for line in lines)
-        self.source = f"def formula({', '.join(names.values())}):\n{body}    return {', '.join(self._results)},\n"
+        self.source, self._constants, self.operations, self._results = _written(trace, names, leaves, lazy=False)
+        chooses = any(s.op == "where" for s in trace.steps)
+        self._lazy = _written(trace, names, leaves, lazy=True)[0] if chooses else self.source
         self._run, self._seen, self._heyoka, self._buffer = {}, 0, None, None
         self._run["math"] = self._on(math)
 
@@ -317,10 +399,10 @@ class Compiled:
         """The text as a function over one library."""
         space = {name: getattr(library, name) for name in (*FUNCTIONS, "atan2", "pi") if hasattr(library, name)}
         rounded = library.__name__ in ("math", "numpy", "heyoka")
-        if library.__name__ == "heyoka":
-            space["pow"] = lambda base, x: library.expression(float(base)) ** x
+        space.update(_choices(library))
         space.update({name: _float(c) if rounded else c for name, c in self._constants.items()})
-        exec(compile(self.source, f"<compiled {self.name}>", "exec"), space)
+        one = library.__name__ in ("math", "mpmath")  # number at a time
+        exec(compile(self._lazy if one else self.source, f"<compiled {self.name}>", "exec"), space)
         return space["formula"]
 
     def _arrays(self, np, args):
@@ -401,7 +483,7 @@ def _float(constant):
 def compiled(f, backend="auto", **constants):
     """``f``, traced once into straight-line text, for many fast evaluations.
 
-    f : a function of scalars, without branches on their values; its result is a scalar, a Vector, or tuples and dicts of them
+    f : a function of scalars, without branches on their values (it chooses by ``where``); it returns a scalar, a Vector, or tuples and dicts of them
     backend : "auto" (NumPy in blocks, and heyoka as soon as its compile time is earned back), "numpy" or "heyoka"; for arrays only
     constants : parameters of ``f`` to fix now; they are not parameters of the result
 

@@ -1,15 +1,16 @@
 """A body with three moments of inertia on which no moment acts, by its body rates: exact, and next to the separatrix too (8.14 with M = 0).
 
-Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is Jacobi's: with a, c the axes of largest and least
-moment in the order that the motion circles a, and b the intermediate one, w_a = A dn, w_b = B sn, w_c = C cn. Near the separatrix, the motions that
-leave the intermediate axis and come back to it, k^2 is 1 within rounding, and formulas in k^2 are nonsense. Here 1 - k^2 comes from a difference
-of two squares, in more digits where these cancel, and the functions from :mod:`newton_euler.elliptic`.
+Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is Jacobi's: with b the intermediate axis and a the
+one that the motion circles, w_a is a dn, w_b a sn, w_c a cn. Near the separatrix, the motions that leave the intermediate axis and come back to it,
+k^2 is 1 within rounding, and formulas in k^2 are nonsense. Here 1 - k^2 comes from a difference of two squares, in twice the digits where these
+cancel, and the state from that of the start by the addition theorem, :func:`newton_euler.elliptic.coupled`.
 """
 
-from ..elliptic import first_kind, jacobi
+from ..doubled import doubled
+from ..elliptic import coupled
 from ..gyros import GyroError
 from ..models import Model, ModelError
-from ..scalars import is_finite, is_numeric, least, plain, size, sqrt, unrounded, where
+from ..scalars import is_comparable, is_finite, is_numeric, of_one_kind, plain, size, sqrt, where
 from ..vectors import dot3
 
 AXES = "xyz"
@@ -72,58 +73,35 @@ def _momentum(s, p, t):
 
 
 def _exact(s, p, t):
-    moments, w = [plain(x) for x in (p.I_x, p.I_y, p.I_z)], [plain(x) for x in _w(s)]
-    _check(moments, w, plain(t))
-    like = 0.0 * (sum(w) + plain(t))
-    w = [x + like for x in w]
-    c, b, a = order = sorted(range(3), key=moments.__getitem__)
-    parity = 1 if order in ([0, 1, 2], [1, 2, 0], [2, 0, 1]) else -1  # of c, b, a; a, b, c has the other one
-    found = _circling(*(moments[n] for n in (a, b, c)), *(w[n] for n in (a, b, c)), t, parity)
-    return tuple(x for _, x in sorted(zip((a, b, c), found, strict=True), key=lambda pair: pair[0]))
+    *I, w_x, w_y, w_z, t = of_one_kind(p.I_x, p.I_y, p.I_z, s.w_x, s.w_y, s.w_z, t)
+    _check(I, (w_x, w_y, w_z), t)
+    k = (I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]
+    y, z = k[2] * k[0] >= 0, k[0] * k[1] >= 0  # is the intermediate axis, to be put second in the cycle x, y, z
+
+    def turned(of_x, of_y, of_z):
+        return where(y, of_x, where(z, of_y, of_z)), where(y, of_y, where(z, of_z, of_x)), where(y, of_z, where(z, of_x, of_y))
+
+    k, w = turned(*k), turned(w_x, w_y, w_z)
+    a, b, c, _ = coupled(k, w, _gap(k, turned(*I), w), t)
+    return where(y, a, where(z, c, b)), where(y, b, where(z, a, c)), where(y, c, where(z, b, a))
 
 
 def _check(moments, w, t):
-    if not all(map(is_numeric, (*moments, *w, t))):
+    if not all(map(is_comparable, (*moments, *w, t))):
         raise ModelError("the exact solution of the free body needs numbers: its branches compare the moments and the state; put values in first")
     if not all(map(is_finite, (*moments, *w, t))):
         raise ModelError(f"the free body cannot start with {w} at moments {moments} and go to t = {t}: all must be finite")
-    if any(getattr(x, "shape", ()) for x in moments) or not least(min(moments)) > 0 or not min(moments) > 0:
-        raise ModelError(f"the principal moments of the exact solution are three positive numbers, got {moments}; solve arrays of bodies one by one")
+    if any(is_numeric(I) and size(where(I > 0, 0, 1)) for I in moments):
+        raise ModelError(f"the principal moments of the exact solution are three positive numbers, got {moments}")
 
 
-def _circling(Ia, Ib, Ic, wa, wb, wc, t, parity):
-    """The rates about the axes of largest, intermediate and least moment at the time t; a and c change places where the motion circles c."""
-    D = _side(Ia, Ib, Ic, wa, wc)
-    about_c = D < 0
-    (Ia, wa), (Ic, wc) = [
-        (where(about_c, I2, I1), where(about_c, w2, w1)) for I1, w1, I2, w2 in ((Ia, wa, Ic, wc), (Ic, wc, Ia, wa))
-    ]  # fmt: skip
-    N = (Ic * (Ia - Ic)) * (wc * wc) + (Ib * (Ia - Ib)) * (wb * wb)  # 2 T I_a - H^2
-    Q = (Ib * (Ib - Ic)) * (wb * wb) + (Ia * (Ia - Ic)) * (wa * wa)  # H^2 - 2 T I_c
-    rests = N * Q * (Ia - Ib) * (abs(wa) + abs(wc)) == 0  # turns steadily: about an axis, or because moments are equal
-    safe = [where(rests, 1, x) for x in (N, Q, Ia - Ic, Ia - Ib)]
-    N, Q, wide, narrow = safe
-    A, C = _like_sign(sqrt(Q / (Ia * wide)), wa), _like_sign(sqrt(N / (Ic * wide)), wc)
-    B = _like_sign(sqrt(N / (Ib * narrow)), parity * A * C)
-    rate, m1 = sqrt(narrow * Q / (Ia * Ib * Ic)), where(rests, 1, wide * D / (narrow * Q))
-    m1 = where(m1 > 1, 1, m1)
-    start = first_kind(where(rests, 0, wb / B), where(rests, 1, wc / C), m1)
-    sn, cn, dn = jacobi(rate * t + start, m1)
-    a, b, c = (where(rests, w, x) for w, x in ((wa, A * dn), (wb, B * sn), (wc, C * cn)))
-    return where(about_c, c, a), b, where(about_c, a, c)
+def _gap(k, I, w):
+    """What tells whether the motion circles the first axis (> 0) or the third (< 0), by the difference of H^2 and 2 T I_b, b the axis between."""
 
+    def difference(Ia, Ib, Ic, wa, wc):
+        return Ia * (Ia - Ib) * (wa * wa) - Ic * (Ib - Ic) * (wc * wc)
 
-def _side(Ia, Ib, Ic, wa, wc):
-    """H^2 - 2 T I_b: positive where the motion circles the axis of the largest moment, 0 on the separatrix."""
-
-    def side(Ia, Ib, Ic, wa, wc):
-        return Ia * (Ia - Ib) * wa**2 - Ic * (Ib - Ic) * wc**2
-
-    scale = Ia * (Ia - Ib) * wa**2 + Ic * (Ib - Ic) * wc**2
-    D = side(Ia, Ib, Ic, wa, wc)
-    cancelled = abs(D) < scale / 16
-    return unrounded(side, Ia, Ib, Ic, wa, wc) if size(where(cancelled, 1, 0)) else D
-
-
-def _like_sign(x, sign):
-    return where(sign < 0, -x, x)
+    p, r = k[1] * k[2] * (w[0] * w[0]), k[0] * k[1] * (w[2] * w[2])
+    rough = r - p
+    cancelled = abs(rough) < abs(p + r) / 16
+    return where(cancelled, -k[1] / (I[0] * I[2]) * doubled(difference, *I, w[0], w[2]), rough)

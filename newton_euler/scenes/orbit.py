@@ -4,8 +4,11 @@ The exact solution uses the variable s with ds = dt/r (K. Stumpff's), in which t
 t = r0 G1 + (r0 . v0) G2 + mu G3. Its slope is r > 0, so it has one root, found by Newton's steps between bounds that never let them escape.
 """
 
+import math
+
+from ..doubled import doubled
 from ..models import Model, ModelError
-from ..scalars import cosh, epsilon, is_finite, is_numeric, least, plain, sin, sinh, size, sqrt, unrounded, where
+from ..scalars import atan2, cos, cosh, epsilon, is_comparable, is_finite, is_numeric, least, plain, sin, sinh, size, sqrt, unrounded, where
 
 
 def orbit(mu):
@@ -14,7 +17,8 @@ def orbit(mu):
     mu : the constant of the attraction mu/r^2, m^3/s^2. The Laplace vector has the size of the eccentricity and points to the closest approach.
     The exact solution takes the numbers given as exact. Its error in position is at most 4 round-offs of the size of the orbit plus the way that the
     body would run in the time t at its speed there (of 1500 random orbits). A hyperbola on its way in takes about 50 ms, for it needs more digits.
-    Orbits through the centre, and expressions, are refused in words.
+    Orbits through the centre, and expressions, are refused in words. Traced, as for :func:`newton_euler.motion.integrate`, it is for ellipses alone,
+    and nan for other orbits, and fifty times as fast.
 
     >>> import math
     >>> [round(x, 9) for x in orbit(1.0).solution(math.pi/2, (1.0, 0.0, 0.0, 1.0))]
@@ -64,6 +68,8 @@ def _laplace_y(s, p, t):
 
 def _exact(s, p, t):
     given = [plain(x) for x in (s.x, s.y, s.v_x, s.v_y, p.mu, t)]
+    if not all(map(is_numeric, given)) and all(map(is_comparable, given)):
+        return _ellipse(*given)  # it is being traced
     _check(*given)
     x, y, v_x, v_y, mu, t = [v + 0.0 * sum(given) for v in given]
     past = where(t < 0, -1, 1)
@@ -158,3 +164,71 @@ def _series(z, n):
         term = -term * z / ((k + 1) * (k + 2))
         k += 2
     return total
+
+
+# -- an ellipse in steps whose number is known beforehand, to be traced
+
+
+def _ellipse(x, y, v_x, v_y, mu, t):
+    """The state at t by the change u of the eccentric anomaly; nan if the orbit is no ellipse, or leads through the centre."""
+    r0, along, swept = sqrt(x * x + y * y), x * v_x + y * v_y, x * v_y - y * v_x
+    beta = _beta_traced(x, y, v_x, v_y, mu, r0)
+    closed = beta * abs(swept) > 0
+    beta = where(closed, beta, 1)
+    root, near = sqrt(beta), r0 * beta / mu
+    rise, depth = along * root / mu, 1 - near  # e sin(E) and e cos(E)
+    e, E0 = sqrt(rise * rise + depth * depth), atan2(rise, depth)
+    mean = _wrapped(beta * root / mu * t)
+    E = _anomaly_near(_wrapped(E0 - rise + mean), e, swept * swept * beta / (mu * mu) / (1 + e))
+    u = mean + _wrapped(E - E0 - mean)
+    for _ in range(2):
+        u = _halley(u, near, rise, mean)
+    half, turned = sin(u / 2), cos(u / 2)
+    G1, G2 = 2 * (half * turned) / root, 2 * (half * half) / beta
+    r = r0 * (1 - beta * G2) + along * G1 + mu * G2
+    f, g, df, dg = 1 - mu * G2 / r0, r0 * G1 + along * G2, -mu * G1 / (r0 * r), 1 - mu * G2 / r
+    return tuple(where(closed, out, math.nan) for out in (x * f + v_x * g, y * f + v_y * g, x * df + v_x * dg, y * df + v_y * dg))
+
+
+def _beta_traced(x, y, v_x, v_y, mu, r):
+    """As :func:`_beta`, with what was rounded in the root r and in 2 mu/r."""
+    pull, square = 2 * mu / r, v_x * v_x + v_y * v_y
+    short = doubled(lambda x, y, r: x * x + y * y - r * r, x, y, r) / (2 * r)
+    rest = (doubled(lambda mu, pull, r: mu + mu - pull * r, mu, pull, r) - pull * short) / r
+    precise = doubled(lambda pull, v_x, v_y: pull - v_x * v_x - v_y * v_y, pull, v_x, v_y) + rest
+    return where(abs(pull - square) < square / 4, precise, pull - square)
+
+
+def _wrapped(angle):
+    """The same angle between -pi and pi."""
+    return atan2(sin(angle), cos(angle))
+
+
+def _anomaly_near(M, e, rest):
+    """The eccentric anomaly to about a thousandth from M between -pi and pi, e, and 1 - e (F. L. Markley, Celest. Mech. 63, 101, 1995)."""
+    square = math.pi**2
+    a = (3 * square + 1.6 * math.pi * (math.pi - abs(M)) / (1 + e)) / (square - 6)
+    d = 3 * rest + a * e
+    q, r = 2 * a * d * rest - M * M, abs(3 * a * d * (d - rest) * M + M * M * M)
+    w = (r + sqrt(q * q * q + r * r)) ** (2 / 3)
+    E = 2 * r * w / (w * w + w * q + q * q)
+    return (where(M < 0, -E, E) + M) / d
+
+
+def _halley(u, near, rise, mean):
+    """One step of third order towards near sin(u) + rise (1 - cos(u)) + u - sin(u) = mean, in which nothing cancels."""
+    half, turned = sin(u / 2), cos(u / 2)
+    sine, drop = 2 * (half * turned), 2 * (half * half)
+    late = near * sine + rise * drop + _less_sine(u, sine) - mean
+    slope, bend = near + rise * sine + (1 - near) * drop, rise * (1 - drop) + (1 - near) * sine
+    return u - 2 * late * slope / (2 * slope * slope - late * bend)
+
+
+def _less_sine(u, sine):
+    """u - sin(u)."""
+    small = abs(u) < 1
+    z = where(small, u * u, 0)
+    series = 1 - z / 272
+    for n in (210, 156, 110, 72, 42, 20):
+        series = 1 - z / n * series
+    return where(small, u * z / 6 * series, u - sine)

@@ -8,7 +8,7 @@ import pytest
 import sympy
 from scipy import special
 
-from newton_euler.elliptic import first_kind, jacobi
+from newton_euler.elliptic import jacobi
 from newton_euler.models import ModelError
 from newton_euler.scenes.free_body import free_body
 from tests.kinds import close
@@ -42,7 +42,7 @@ def test_at_a_tilt_of_1e_minus_7_scipys_jacobi_functions_are_nonsense():
     with np.errstate(all="ignore"):
         cn = special.ellipj(60.0, 1 - 1e-14)[1]
     assert abs(cn) > 1e11  # of a function that stays within 1
-    sn, cn, dn = jacobi(60.0, 1e-14)
+    sn, cn, dn, _ = jacobi(60.0, 1e-14)
     assert abs(sn**2 + cn**2 - 1) < 1e-15
     assert abs(dn - special.ellipj(60.0 - 2 * special.ellipkm1(1e-14), 1 - 1e-14)[2]) < 1e-2  # one half-period earlier it still works, to 2 digits
 
@@ -95,8 +95,7 @@ def test_jacobis_functions_from_the_complementary_parameter_are_right_to_round_o
     for u in (-3.0, 0.0, 0.1, 1.0, 7.3, 33.3):
         with mpmath.workdps(300):
             exact = [mpmath.ellipfun(kind, u, m=1 - mpmath.mpf(m1)) for kind in ("sn", "cn", "dn")]
-            assert abs(first_kind(math.sin(0.7), math.cos(0.7), m1) / mpmath.ellipf(mpmath.mpf(0.7), 1 - mpmath.mpf(m1)) - 1) < 1e-15
-        assert close(jacobi(u, m1), tuple(exact), 4e-16 * max(1.0, abs(u)))
+        assert close(jacobi(u, m1)[:3], tuple(exact), 4e-16 * max(1.0, abs(u)))
 
 
 def test_arrays_of_starts_on_both_sides_at_once_and_expressions_refused():

@@ -1,0 +1,414 @@
+"""Closed forms: exact next to every limit, one formula for floats, arrays, 30 digits and traced text (8.14, 10.24, 11.17, 6.4)."""
+
+import math
+import random
+from dataclasses import replace
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from newton_euler import compiled, sqrt
+from newton_euler.doubled import doubled
+from newton_euler.elliptic import counted, coupled, jacobi
+from newton_euler.models import ModelError
+from newton_euler.motion import integrate
+from newton_euler.scalars import where
+from newton_euler.scenes import top
+from newton_euler.scenes.free_body import free_body
+from newton_euler.scenes.orbit import from_farthest, orbit
+from newton_euler.scenes.physical_pendulum import physical_pendulum
+from newton_euler.systems import System
+from tests.kinds import close
+from tests.motions import reference
+
+EPS = 2.0**-52
+TOP = (1.0, 1.5, 5.0, 8.0, top.surplus(1.0, 1.5, 0.6, 0.0, 8.0))  # the nutating top of the benchmarks
+PENDULUM = physical_pendulum(2.0, 0.5, 0.5, 10.0)
+SEPARATRIX = 2 * math.sqrt(10.0)  # rad/s at the bottom, from which this pendulum just reaches the upright
+
+
+def text(model):
+    """The exact solution as its traced text on floats."""
+    return System(model).function(model.exact)
+
+
+def precisely(model, t, start):
+    """The same formula in 40 digits, of the same numbers."""
+    with mpmath.workdps(40):
+        parameters = {n: mpmath.mpf(x) for n, x in model.parameters.items()}
+        return tuple(map(float, model.changed(**parameters).solution(mpmath.mpf(t), tuple(map(mpmath.mpf, start)))))
+
+
+def stepped(model, t, start):
+    """An independent solution, to 1e-11: Runge and Kutta's."""
+    end = integrate(replace(model, exact=None), t, start, 1e-12, "dop853").end
+    return tuple(end[n] for n in model.states)
+
+
+def by_series(model, t, start):
+    """An independent solution: Taylor series in 25 digits."""
+    with mpmath.workdps(25):
+        parameters = model.changed(**{n: mpmath.mpf(x) for n, x in model.parameters.items()})
+        return tuple(mpmath.odefun(lambda t, y: list(parameters.derivative(y, t)), 0, [mpmath.mpf(x) for x in start], tol=mpmath.mpf("1e-17"))(t))
+
+
+# -- choices in traced text
+
+
+def chosen(x, y):
+    negative = x < 0
+    root = where(negative, x + y, sqrt(where(negative, 1, x)) / y)
+    return where(y >= 2, where(x > 1, root, -root), abs(x) * 3), where(x <= y, x, y)
+
+
+@given(st.floats(-9, 9), st.floats(0.1, 9))
+def test_traced_text_chooses_as_the_formula_does(x, y):
+    assert compiled(chosen)(x, y) == chosen(x, y)
+
+
+def test_it_chooses_instant_by_instant_of_arrays_and_through_heyoka():
+    x, y = np.linspace(-3, 3, 50), np.linspace(1, 3, 50)
+    expected = np.array([chosen(a, b) for a, b in zip(x.tolist(), y.tolist(), strict=True)]).T
+    assert close(compiled(chosen)(x, y), tuple(expected), 1e-15)
+    pytest.importorskip("heyoka")
+    assert close(compiled(chosen, backend="heyoka")(x, y), tuple(expected), 1e-15)
+
+
+def test_the_side_that_is_not_chosen_is_not_computed_on_single_numbers():
+    quotient = compiled(lambda x: where(x > 0, 1 / x + sqrt(x), x))
+    assert quotient(0.0) == 0
+    assert quotient(mpmath.mpf(-1)) == -1
+    assert quotient(4.0) == 2.25
+
+
+@pytest.mark.parametrize("f", [lambda x: 1 if x < 0 else 2, lambda x: max(x, 1), lambda x: not (x >= 0), lambda x: sorted([x, 0.5])[0]])
+def test_an_if_on_a_traced_value_is_refused_in_words(f):
+    with pytest.raises(TypeError, match="must not branch"):
+        compiled(f)
+
+
+def test_one_choice_inside_another_formula_is_still_one():
+    inner = compiled(chosen)
+    outer = compiled(lambda x: inner(x, 2 * x)[1])
+    assert (outer(3.0), outer(-3.0)) == (3.0, -6.0)
+
+
+# -- twice the digits
+
+
+@given(*[st.floats(0.5, 2.0) for _ in range(4)])
+def test_doubled_differences_are_right_to_1e_minus_15_of_themselves_or_1e_minus_30_of_their_terms(a, b, c, d):
+    b = a * (1 + b * 1e-12)
+    exact = Fraction(a) * (Fraction(a) - Fraction(b)) * Fraction(c) - Fraction(d) * (Fraction(b) - Fraction(a))
+    found = doubled(lambda a, b, c, d: a * (a - b) * c - d * (b - a), a, b, c, d)
+    assert abs(Fraction(found) - exact) <= Fraction(1e-15) * abs(exact) + Fraction(1e-30)
+    assert doubled(lambda a, b, c: a * b - c, a, c, a * c) == Fraction(a) * Fraction(c) - Fraction(a * c)
+
+
+@given(st.floats(1e-20, 1.0), st.floats(-9.0, 9.0))
+def test_what_is_small_beside_a_doubled_number_is_not_lost(small, large):
+    assert doubled(lambda a, b: a + b - b, small, large) == pytest.approx(small, rel=1e-9, abs=0)
+    assert doubled(lambda a, b: b + a - b, small, large) == pytest.approx(small, rel=1e-9, abs=0)
+
+
+# -- Jacobi's functions
+
+
+@pytest.mark.parametrize("m1", [1.0, 0.999, 0.5, 0.011, 1e-4, 0.9e-4, 1e-9, 1e-100, 1e-300, 5e-324, 0.0])
+def test_traced_functions_take_enough_levels_for_every_parameter(m1):
+    f = compiled(jacobi)
+    for u in (-40.0, -1.0, 0.0, 1e-200, 0.3, 2.0, 33.3, 350.0):
+        assert close(f(u, m1), jacobi(u, m1), 4 * EPS * (1 + abs(u)))
+
+
+@given(st.floats(-50, 50), st.floats(1e-12, 1))
+def test_the_amplitude_is_within_a_quarter_turn_of_the_mean_phase(u, m1):
+    s, c, d, phase = jacobi(u, m1)
+    assert s * math.sin(phase) + c * math.cos(phase) > -1e-12
+    assert abs(d * d - c * c - m1 * s * s) < 1e-14
+
+
+@given(*[st.floats(-2, 2) for _ in range(3)], *[st.floats(0.01, 2) for _ in range(3)])
+def test_coupled_quantities_change_at_rates_that_are_products_of_the_others(x, y, z, kx, ky, kz):
+    k = kx, -ky, kz
+    gap = k[1] * (k[0] * z * z - k[2] * x * x)
+    h = 1e-4
+    before, now, after = (coupled(k, (x, y, z), gap, t)[:3] for t in (0.7 - h, 0.7, 0.7 + h))
+    rates = [(b - a) / (2 * h) for a, b in zip(before, after, strict=True)]
+    assert close(rates, (k[0] * now[1] * now[2], k[1] * now[2] * now[0], k[2] * now[0] * now[1]), 2e-5)
+
+
+@given(st.floats(-50, 50), st.floats(-3, 3))
+def test_an_angle_is_counted_through_all_turns_by_a_phase_within_pi_of_it(turned, off):
+    start, now = (math.cos(0.4), math.sin(0.4)), (math.cos(0.4 + turned), math.sin(0.4 + turned))
+    assert abs(counted(0.4, start, now, turned + off) - (0.4 + turned)) < 1e-13
+
+
+# -- the free body
+
+
+def random_body(rng):
+    """Moments, rates and a time, of which a third begin near the separatrix and some have equal moments."""
+    I, w, kind = [rng.uniform(0.5, 3) for _ in range(3)], [rng.gauss(0, 1) for _ in range(3)], rng.randrange(6)
+    if kind == 0:
+        I[1] = I[0]
+    if kind == 1:
+        I[2] = I[1] * (1 + 10 ** rng.uniform(-16, -1))
+    if kind >= 4:
+        c, b, a = sorted(range(3), key=I.__getitem__)
+        w[c] = w[a] * math.sqrt(I[a] * (I[a] - I[b]) / (I[c] * (I[b] - I[c]))) * (1 + rng.choice((-1, 0, 1)) * 10 ** rng.uniform(-16, -1))
+    return I, w, 10 ** rng.uniform(-2, 3)
+
+
+@pytest.mark.parametrize("seed", range(100))
+def test_the_text_of_the_free_body_is_right_to_5_round_offs_of_the_angle_turned(seed):
+    I, w, t = random_body(random.Random(seed))
+    body, size = free_body(*I), math.sqrt(sum(x * x for x in w))
+    assert close(text(body)(t, *w), precisely(body, t, w), 5 * EPS * size * (1 + size * t))  # rad/s
+
+
+def test_it_is_right_at_once_for_bodies_turned_every_way_round():
+    I, w = (1.0, 2.0, 3.0), (0.3, 1.0, 0.2)
+    expected = by_series(free_body(*I), 1.0, w)
+    for a, b, c in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        assert close(text(free_body(I[a], I[b], I[c]))(1.0, w[a], w[b], w[c]), (expected[a], expected[b], expected[c]), 2e-15)
+    mirrored = text(free_body(I[1], I[0], I[2]))(1.0, -w[1], -w[0], -w[2])  # a change of handedness turns the sense of the rates
+    assert close(mirrored, (-expected[1], -expected[0], -expected[2]), 2e-15)
+
+
+def test_a_body_at_rest_or_turning_about_an_axis_or_with_equal_moments_stays():
+    for I in ((1.0, 2.0, 3.0), (2.0, 2.0, 1.0), (2.0, 2.0, 2.0)):
+        for w in ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
+            assert close(text(free_body(*I))(400.0, *w), w, 4 * EPS)
+    assert close(text(free_body(2.0, 2.0, 2.0))(9.0, 0.1, 0.2, 0.3), (0.1, 0.2, 0.3), 4 * EPS)
+
+
+# -- the pendulum
+
+
+STARTS = [(1.0, 0.0), (-2.0, 3.0), (0.0, 6.5), (9.0, -7.0), (3.1, 0.0), (1e-7, 0.0)]
+
+
+@pytest.mark.parametrize("start", STARTS)
+def test_the_pendulum_agrees_with_integration_by_steps(start):
+    assert close(text(PENDULUM)(3.0, *start), stepped(PENDULUM, 3.0, start), 1e-10 * max(map(abs, start)))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("start", STARTS)
+def test_the_pendulum_agrees_with_25_digit_integration(start):
+    assert close(text(PENDULUM)(3.0, *start), by_series(PENDULUM, 3.0, start), 2e-14 * max(map(abs, start)))
+
+
+def test_from_rest_it_is_the_textbooks_elliptic_sine():
+    k, n = mpmath.sin(mpmath.mpf("0.5")), mpmath.sqrt(10)
+    for t in (0.1, 1.0, 7.0):
+        expected = 2 * mpmath.asin(k * mpmath.ellipfun("cd", n * t, m=k * k))
+        assert close(text(PENDULUM)(t, 1.0, 0.0)[0], expected, 5e-15)
+
+
+@pytest.mark.parametrize("off", [1e-2, 1e-6, 1e-10, 1e-13, 0.0, -1e-13, -1e-10, -1e-6, -1e-2])
+def test_on_both_sides_of_the_separatrix_it_is_the_motion_of_a_start_within_round_off(off):
+    omega = SEPARATRIX * (1 + off)
+    found = text(PENDULUM)(4.0, 0.0, omega)
+    between = [precisely(PENDULUM, 4.0, (0.0, omega * (1 + n * EPS))) for n in (-4, 4)]
+    slack = 1e-13
+    for x, a, b in zip(found, *between, strict=True):
+        assert min(a, b) - slack <= x <= max(a, b) + slack
+
+
+def test_it_counts_every_turn_and_small_swings_keep_their_relative_accuracy():
+    theta, omega = text(PENDULUM)(1000.0, 0.0, -30.0)
+    assert theta == pytest.approx(precisely(PENDULUM, 1000.0, (0.0, -30.0))[0], rel=1e-13)
+    assert theta < -29000
+    assert omega < -25
+    theta, _ = text(PENDULUM)(1.0, 1e-150, 0.0)
+    assert theta / 1e-150 == pytest.approx(math.cos(math.sqrt(10)), rel=1e-14)
+
+
+def test_upright_at_rest_it_stays_for_a_while_and_a_pendulum_pulled_upwards_hangs_there():
+    assert close(text(PENDULUM)(5.0, math.pi, 0.0), (math.pi, 0.0), 1e-8)
+    up = physical_pendulum(2.0, 0.5, 0.5, -10.0)
+    assert close(text(up)(3.0, 1.0, 0.3), stepped(up, 3.0, (1.0, 0.3)), 1e-10)
+    assert close(text(up)(3.0, 1.0, 9.3), stepped(up, 3.0, (1.0, 9.3)), 1e-10)
+    free = physical_pendulum(2.0, 0.5, 0.5, 0.0)
+    assert close(text(free)(3.0, 1.0, 0.3), (1.9, 0.3), 1e-15)
+
+
+# -- the top
+
+CASES = {  # I0, I, mgr, omega_z, surplus; theta, theta_rate
+    "cusps": (TOP, (0.6, 0.0)),
+    "loops": ((1.0, 1.5, 5.0, 8.0, top.surplus(1.0, 1.5, 0.6, -1.0, 8.0)), (0.6, 0.0)),
+    "waves": ((1.0, 1.5, 5.0, 8.0, top.surplus(1.0, 1.5, 0.6, 1.0, 8.0)), (0.6, 0.3)),
+    "pulled upwards": ((1.0, 1.5, -5.0, 3.0, top.surplus(1.0, 1.5, 2.0, 1.0, 3.0)), (2.0, -0.3)),
+    "no weight": ((1.0, 1.5, 0.0, 8.0, top.surplus(1.0, 1.5, 0.6, 1.0, 8.0)), (0.6, 0.3)),
+    "spherical pendulum": ((1.0, 0.0, 5.0, 0.0, top.surplus(1.0, 0.0, 2.0, 0.5, 0.0)), (2.0, 0.3)),
+    "over the top": ((1.0, 0.0, 5.0, 0.0, 0.0), (2.0, -5.0)),
+    "swings through the bottom": ((1.0, 0.0, 5.0, 0.0, 0.0), (2.0, 1.0)),
+    "through the upright": ((0.02, 0.01, 0.5, 100.0, 0.0), (0.3, 1.0)),
+    "falls from near the upright": ((1.0, 1.5, 5.0, 2.0, 0.0), (0.1, 0.0)),
+    "nearly through the upright": ((1.0, 1.5, 5.0, 2.0, 1e-5), (0.3, -2.0)),
+    "on the other side": ((1.0, 1.5, 5.0, 3.0, top.surplus(1.0, 1.5, 0.6, 1.0, 3.0)), (-0.6, 0.4)),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_top_reduced_to_theta_agrees_with_integration_by_steps(case):
+    parameters, start = CASES[case]
+    model = top.reduced(*parameters)
+    assert close(text(model)(2.0, *start), stepped(model, 2.0, start), 1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", CASES)
+def test_the_top_reduced_to_theta_agrees_with_25_digit_integration(case):
+    parameters, start = CASES[case]
+    model = top.reduced(*parameters)
+    assert close(text(model)(0.9, *start), by_series(model, 0.9, start), 1e-11 if "nearly" in case else 2e-14)
+
+
+def test_after_10_seconds_the_benchmarks_top_is_right_to_1e_minus_14():
+    assert close(text(top.reduced(*TOP))(10.0, 0.6, 0.0), reference("top, nutation"), 1e-14)
+
+
+def random_top(rng):
+    I0, theta = rng.uniform(0.3, 3), rng.uniform(0.05, 3.1)
+    I, mgr, spin, rate, precession = rng.uniform(0, 2) * I0, rng.gauss(0, 5), rng.gauss(0, 6), rng.gauss(0, 2), rng.gauss(0, 3)
+    kind = rng.randrange(6)
+    if kind == 0:
+        I, precession = 0.0, precession * rng.randrange(2)
+    if kind == 1:
+        mgr *= 10 ** rng.uniform(-20, 0) * rng.randrange(2)
+    if kind == 2:
+        theta, rate = 10 ** rng.uniform(-8, -1), rate * theta
+    q = 0.0 if kind == 3 else 10 ** rng.uniform(-20, -2) if kind == 4 else top.surplus(I0, I, theta, precession, spin)
+    return (I0, I, mgr, spin, q), 10 ** rng.uniform(-2, 2), (theta, rate)
+
+
+@pytest.mark.parametrize("seed", range(100))
+def test_the_text_of_the_top_is_right_to_50_round_offs_of_the_angle_turned(seed):
+    parameters, t, start = random_top(random.Random(seed))
+    model = top.reduced(*parameters)
+    I0, I, mgr, spin, _ = parameters
+    rate = math.sqrt(2 * (abs(model.invariant("energy", start)) + abs(mgr)) / I0) + abs(I * spin) / I0
+    found, exact = text(model)(t, *start), precisely(model, t, start)
+    assert abs(found[0] - exact[0]) < 50 * EPS * (1 + rate * t)
+    assert abs(found[1] - exact[1]) < 50 * EPS * (1 + rate * t) * rate
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-13, 1e-9, 1e-5])
+def test_steady_precession_stays_and_beside_it_the_nutation_is_small(off):
+    I0, I, mgr, spin, theta = 1.0, 1.5, 5.0, 8.0, 0.6
+    a, b = I0 * math.cos(theta), I * spin
+    steady = 2 * mgr / (b + math.sqrt(b * b - 4 * a * mgr))
+    model = top.reduced(I0, I, mgr, spin, top.surplus(I0, I, theta, steady * (1 + off), spin))
+    found = text(model)(7.0, theta, 0.0)
+    assert close(found, precisely(model, 7.0, (theta, 0.0)), 1e-14)
+    assert abs(found[0] - theta) < off + 1e-14
+
+
+@pytest.mark.parametrize("mgr", [-4.6, 4.6])
+@pytest.mark.parametrize("tilt", [1e-3, 1e-7])
+def test_small_nutations_about_a_vertical_keep_their_relative_accuracy(mgr, tilt):
+    """A top pulled upwards near the upward vertical, and a fast one that sleeps there."""
+    spin = 1.9 if mgr < 0 else 90.0
+    model = top.reduced(0.8, 0.06, mgr, spin, top.surplus(0.8, 0.06, tilt, 0.3, spin))
+    start = (tilt, 0.4 * tilt)
+    for t in (0.1, 2.0, 9.0):
+        assert close([x / tilt for x in text(model)(t, *start)], [x / tilt for x in precisely(model, t, start)], 1e-12)
+
+
+def test_a_sleeping_top_sleeps_and_at_the_start_every_top_is_where_it_starts():
+    for spin in (1.0, 100.0):
+        assert text(top.reduced(0.02, 0.01, 0.5, spin, 0.0))(50.0, 0.0, 0.0) == (0.0, 0.0)
+    for parameters, start in CASES.values():
+        assert close(text(top.reduced(*parameters))(0.0, *start), start, 1e-15 * 6)
+
+
+def test_a_top_on_the_vertical_that_has_a_surplus_is_nowhere():
+    model = top.reduced(1.0, 1.5, 5.0, 8.0, 1.0)
+    with pytest.raises(ZeroDivisionError):
+        text(model)(1.0, 0.0, 0.0)
+    with pytest.raises(ZeroDivisionError):
+        model.solution(1.0, (0.0, 0.0))
+
+
+def test_energy_is_kept_over_a_million_nutations():
+    model = top.reduced(*TOP)
+    before = model.invariant("energy", (0.6, 0.0))
+    for t in (1e3, 1e5, 5e5):
+        assert model.invariant("energy", text(model)(t, 0.6, 0.0)) == pytest.approx(before, rel=1e-14)
+
+
+# -- orbits
+
+
+@pytest.mark.parametrize("e", [0.0, 1e-9, 0.3, 0.9, 0.999, 0.999999])
+def test_the_text_of_the_orbit_agrees_with_keplers_equation_solved_between_bounds(e):
+    model = orbit(1.0)
+    start = from_farthest(1.0, 1.0, e)
+    for begin in (0.0, 2.0, math.pi, 3.3):
+        x = model.solution(begin, start)
+        for t in (-20.0, -0.3, 0.0, 1e-5, 1.0, 3.1, 3.2, 50.0):
+            found, expected = text(model)(t, *x), model.solution(t, x)
+            speed = math.hypot(*expected[2:])
+            assert math.dist(found[:2], expected[:2]) < 5 * EPS * (2 + speed * (1 + abs(t)))
+
+
+def test_it_has_no_value_for_what_is_no_ellipse():
+    for start in ((1.0, 0.0, 0.0, 1.5), (1.0, 0.0, 0.5, 0.0)):
+        assert all(map(math.isnan, text(orbit(1.0))(3.0, *start)))
+
+
+# -- every closed form
+
+
+MODELS = [
+    (free_body(1.0, 2.0, 3.0), (0.1, 1.0, 0.2)), (PENDULUM, (1.0, 0.5)), (PENDULUM, (0.0, 7.0)), (top.reduced(*TOP), (0.6, 0.1)),
+    (orbit(1.0), (1.0, 0.0, 0.1, 1.2)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("model", "start"), MODELS)
+def test_its_text_on_arrays_of_times_and_through_heyoka_gives_what_it_gives_one_by_one(model, start):
+    f, times = text(model), np.linspace(-2.0, 9.0, 40)
+    one_by_one = np.array([f(t, *start) for t in times.tolist()]).T
+    assert close(tuple(f(times, *start)), tuple(one_by_one), 1e-13)
+    pytest.importorskip("heyoka")
+    fast = compiled(lambda t: f(t, *start), backend="heyoka")
+    assert close(tuple(fast(times)), tuple(one_by_one), 1e-13)
+
+
+@pytest.mark.parametrize(("model", "start"), MODELS)
+def test_two_halves_of_the_way_lead_where_the_whole_does_and_back(model, start):
+    f = text(model)
+    whole = f(6.0, *start)
+    assert close(f(3.5, *f(2.5, *start)), whole, 2e-13)
+    assert close(f(-6.0, *whole), start, 2e-13)
+
+
+@pytest.mark.parametrize(("model", "start"), MODELS)
+def test_arrays_of_starts_are_solved_at_once_without_tracing(model, start):
+    scale = np.array([1.0, 1.01, 0.99])
+    together = model.solution(2.0, tuple(x * scale for x in start))
+    for n, x in enumerate(scale.tolist()):
+        assert close([v[n] for v in together], model.solution(2.0, tuple(x * v for v in start)), 1e-13)
+
+
+@pytest.mark.parametrize("model", [PENDULUM, top.reduced(*TOP)])
+def test_expressions_are_refused_in_words(model):
+    with pytest.raises(ModelError, match="needs numbers"):
+        model.solution(sympy.Symbol("t"), (0.6, 0.1))
+
+
+def test_the_derivative_of_every_closed_form_is_the_right_hand_side():
+    for model, start in MODELS:
+        f, h = text(model), 1e-5
+        rates = [(b - a) / (2 * h) for a, b in zip(f(1.0 - h, *start), f(1.0 + h, *start), strict=True)]
+        assert close(rates, replace(model, exact=None).derivative(f(1.0, *start)), 1e-7)
