@@ -3,7 +3,6 @@
 Here are the frame that they share, the exact solution as a course, and SciPy's methods. Others: :mod:`.dop853`, :mod:`.taylor`, :mod:`.splitting`.
 """
 
-import math
 from bisect import bisect_right
 from itertools import pairwise
 

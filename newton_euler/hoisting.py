@@ -1,6 +1,7 @@
 """What a right-hand side computes from its parameters alone, done once before a motion and not at every step.
 
-To heyoka a parameter inside a product is a series like any other; a single number in its place makes the product cheap. A division is a recurrence of its own, where a product by the inverse is not.
+To heyoka a parameter inside a product is a series like any other; a single number in its place makes the product cheap. A division is a recurrence
+of its own, where a product by the inverse is not.
 """
 
 import ast

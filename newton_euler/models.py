@@ -4,14 +4,18 @@ A :class:`Model` says which states there are and how fast they change; it integr
 name, the parameters by name, and the time, over scalars of every kind, so that a formula reads as it is printed: ``s.v*cos(s.gamma)``.
 """
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from inspect import Parameter, Signature
 from keyword import iskeyword
 from types import MappingProxyType
 
-from .scalars import ScalarError, is_numeric, plain, scalar, size
+from .scalars import ScalarError, plain, scalar
 from .tracing import compiled
+
+KEPT = 256
+_TRIED = set()  # right-hand sides that were found right: other numbers need no other trial
 
 
 class ModelError(ValueError):
@@ -40,12 +44,13 @@ class Neglected:
     """Something that a model leaves out, and how much that can matter.
 
     what : in words, as "the rotation of the earth"
-    bound : a function ``(s, p, t)`` of the start, the parameters and the time passed: the error that leaving it out makes until then is not larger
+    bound : a function ``(s, p, t)`` of the start, the parameters and the time passed: the error that leaving it out makes until then is not larger;
+        None where no bound is known
     of : the quantity that the bound is of, with its unit, as "position, m"
     """
 
     what: str
-    bound: Callable
+    bound: Callable | None
     of: str
 
 
@@ -128,8 +133,9 @@ class Model:
         return plain(self._call(self.invariants[name], self._state(state), self.parameters, t))
 
     def neglected(self, t, start):
-        """For each thing left out, the bound on the error that this makes until ``t`` after ``start``: a dict of numbers by :class:`Neglected`."""
-        return {n: plain(self._call(n.bound, self._state(start), self.parameters, t)) for n in self.neglects}
+        """For each :class:`Neglected` the bound of the error that it makes until ``t`` after ``start``, inf where none is known: a dict."""
+        state = self._state(start)
+        return {n: plain(self._call(n.bound, state, self.parameters, t)) if n.bound else math.inf for n in self.neglects}
 
     def changed(self, **parameters):
         """The same model with some parameters changed."""
@@ -175,13 +181,19 @@ class Model:
 
     def _check_rhs(self):
         """One call without values: it meets every name, and no branch can hide from it."""
-        numbers = [n for n, x in self.parameters.items() if not is_law(x)]
+        numbers = tuple(n for n, x in self.parameters.items() if not is_law(x))
+        key = (self.rhs, self.states, numbers, tuple((n, x) for n, x in self.parameters.items() if n not in numbers))
+        if key in _TRIED:
+            return
         try:
             count = len(self.compiled_rhs(*numbers)._results)
         except (AttributeError, TypeError, ZeroDivisionError) as error:
             raise ModelError(f"the right-hand side of {self.name!r} fails when it is tried: {error}") from error
         if count != len(self.states):
             raise ModelError(f"the right-hand side of {self.name!r} returns {count} rates for the {len(self.states)} states {', '.join(self.states)}")
+        if len(_TRIED) > KEPT:
+            _TRIED.clear()
+        _TRIED.add(key)
 
 
 def is_law(x):
@@ -216,31 +228,3 @@ def _check_number(name, value, model):
         scalar(value)
     except ScalarError as error:
         raise ModelError(f"the parameter {name} of {model!r} is a number or a function (s, p, t), not {value!r}") from error
-
-
-@dataclass(frozen=True)
-class Choice:
-    """What :func:`smallest` found: the ``model``, and as ``evidence`` the bound of the error of every rung up to it, by its name."""
-
-    model: Model
-    evidence: Mapping
-
-
-def smallest(ladder, tolerance, t, start):
-    """The coarsest model whose neglected terms together stay below ``tolerance`` until ``t``, with the evidence: a :class:`Choice`.
-
-    ladder : models of one scene with the same states, the coarsest first, whose bounds are all of one quantity
-    tolerance : in the unit of that quantity. Raises :class:`ModelError` if no rung is fine enough, and where bounds are no numbers.
-    """
-    evidence, quantities = {}, {n.of for model in ladder for n in model.neglects}
-    if len(quantities) > 1:
-        raise ModelError(f"the bounds of these models are of different quantities and cannot be compared: {'; '.join(sorted(quantities))}")
-    for model in ladder:
-        bounds = list(model.neglected(t, start).values())
-        if not all(map(is_numeric, bounds)):
-            raise ModelError(f"the bounds of {model.name!r} have no values: give numbers for the parameters, the start and t")
-        evidence[model.name] = sum(map(size, bounds))
-        if evidence[model.name] <= tolerance:
-            return Choice(model, MappingProxyType(evidence))
-    told = ", ".join(f"{name}: {bound:.3g}" for name, bound in evidence.items())
-    raise ModelError(f"no model of this ladder is as accurate as {tolerance:.3g}; the errors may reach {told}")

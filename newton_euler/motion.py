@@ -4,6 +4,7 @@
 """
 
 import math
+from contextlib import suppress
 from time import perf_counter
 
 from .batches import integrate_batch
@@ -131,7 +132,13 @@ class _Run:
             if journey and self.holds(journey):
                 return self.record(journey, exact, journey.exact_error, samples)
         name = cheapest(self.system, self.rtol)
-        return self.by(METHODS["taylor"], samples) if name == "taylor" else self.calibrated(METHODS[name], samples, heyoka=installed())
+        if name == "taylor":
+            try:
+                return self.by(METHODS["taylor"], samples)
+            except MotionError:  # as where the rates are not analytic: |v| v at rest; Runge-Kutta methods do not mind
+                if self.rtol < METHODS["dop853"].least:
+                    raise
+        return self.calibrated(METHODS["dop853"], samples, heyoka=name != "taylor" and installed())
 
     def by(self, method, samples):
         if method.calibrated:
@@ -152,13 +159,9 @@ class _Run:
         return self.record(journey, method, error, samples)
 
     def holds(self, journey):
-        """True if an exact solution is one. The first of a right-hand side is tried by going half of the way twice, and then trusted."""
-        traced = self.system.traced
-        if len(journey.legs) > 1 or not traced.trusted:
-            error = journey.exact_error()
-            traced.trusted = error is not None and error <= self.rtol
-            return traced.trusted
-        return True
+        """True if an exact solution is one, by going half of the way twice."""
+        error = journey.exact_error()
+        return error is not None and error <= self.rtol
 
     def fixed(self, method, step, samples):
         if method.order is None:
@@ -174,7 +177,8 @@ class _Run:
         before = self.go(method, coarse)
         spent = perf_counter() - begun
         if heyoka and spent * (coarse / tolerance) ** 0.125 > HEYOKA_PAYS:
-            return self.by(METHODS["taylor"], samples)
+            with suppress(MotionError):
+                return self.by(METHODS["taylor"], samples)
         journey = self.go(method, tolerance, before.sizes)
         error = self._foretold(before, journey, coarse, tolerance)
         for _ in range(RUNS):
@@ -211,8 +215,8 @@ def prepare(model, rtol=1e-9, method="auto"):
     """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0, a tuple: one model for many runs, as under a slider.
 
     t, start : a float, and a tuple of floats in the order of the states. What is asked for, and raised, is as in :func:`integrate`, but there is no
-    record, so no error estimate and no drift: look at those of one run. "auto" compiles with heyoka at once, if it is installed, where there is no exact
-    solution.
+    record, so no error estimate and no drift: look at those of one run. Where there is no exact solution, "auto" compiles with heyoka at once, if it is
+    installed.
 
     >>> from newton_euler.scenes.physical_pendulum import physical_pendulum
     >>> swing = prepare(physical_pendulum(2.0, 0.5, 0.5, 10.0))

@@ -25,7 +25,6 @@ class Traced:
         self.rhs, self.states = formula(model, free, model.rhs), len(model.states)
         self.f = self.rhs._run["math"]
         self.functions, self.integrators = {}, {}
-        self.trusted = False  # its exact solution, once that has been tried
         self.seconds = 0.0  # spent in integrating it, to decide whether heyoka's compilation pays
 
     @cached_property
@@ -103,7 +102,7 @@ class System:
     def solution(self):
         """The exact solution as a function of ``(t, states)`` on floats alone, which returns a tuple of floats.
 
-        Where the traced text has no value, as for an orbit that is no ellipse, the formula is called as it is. :class:`ModelError` where that has none.
+        Where the traced text has no value, as for an orbit that is no ellipse, the formula is called as it is. :class:`ModelError` if that has none.
         """
         formula_, p, model = self.model.exact, self.p, self.model
         text, called = self._text(formula_), self._called(formula_)
@@ -221,4 +220,3 @@ def _dependencies(source):
     for line in function.body[:-1]:
         known[line.targets[0].id] = of(line.value)
     return [of(node) for node in function.body[-1].value.elts]
-

@@ -3,14 +3,20 @@
 Thrust acts along the velocity, drag against it, lift normal to it and, in a coordinated turn, tilted by the *bank* angle to the right. The *path
 angle* gamma is upward from the horizontal, the *heading* chi from the y axis toward the x axis (north toward east, if y is north); both in rad.
 Each force, and the bank, is a number or a law ``(s, p, t)`` of the states, the parameters and the time.
+
+:func:`ladder` has four models of a flight at fixed controls: straight, in a level turn, in a vertical plane, and in space.
 """
 
 from typing import NamedTuple
 
 from ..frames import Frame
 from ..kinetics import reaction
-from ..models import Model, is_law
-from ..scalars import atan2, cos, is_zero, moving, plain, scalar, sin, sqrt
+from ..ladders import Ladder, Rung
+from ..models import Model, Neglected, is_law
+from ..scalars import atan2, cos, is_zero, moving, plain, scalar, sin, sqrt, tan
+
+POSITION = "position, m"
+PLANE, SPACE = ("v", "gamma", "x", "y"), ("v", "chi", "gamma", "x", "y", "h")
 
 
 def vertical_flight(m, g, thrust=0, drag=0, lift=0):
@@ -21,16 +27,11 @@ def vertical_flight(m, g, thrust=0, drag=0, lift=0):
     >>> vertical_flight(2.0, 9.81, thrust=30.0, drag=10.0, lift=19.62).derivative((50.0, 0.0, 0.0, 100.0))
     (10.0, 0.0, 50.0, 0.0)
     """
-
-    def rhs(s, p, t):
-        v, gamma = _along_path(s, p, p.lift)
-        return v, gamma, s.v * cos(s.gamma), s.v * sin(s.gamma)
-
     coasting = _none(thrust) and _none(drag)
     parameters = {"m": m, "g": g, "thrust": thrust, "drag": drag, "lift": lift}
     energy = {"energy over mass": lambda s, p, t: s.v * s.v / 2 + p.g * s.y}
     exact = _parabola if coasting and _none(lift) else None
-    return Model("aircraft in a vertical plane", parameters, ("v", "gamma", "x", "y"), rhs, invariants=energy if coasting else {}, exact=exact)
+    return Model("aircraft in a vertical plane", parameters, PLANE, _in_plane, invariants=energy if coasting else {}, exact=exact)
 
 
 def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
@@ -42,16 +43,88 @@ def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
     >>> [round(x, 9) + 0 for x in turning.derivative((30.0, 0.0, 0.0, 0.0, 0.0, 100.0))]
     [0.0, 0.25, 0.0, 0.0, 30.0, 0.0]
     """
-
-    def rhs(s, p, t):
-        v, gamma = _along_path(s, p, p.lift * cos(p.bank))
-        chi = p.lift * sin(p.bank) / (p.m * s.v * cos(s.gamma))
-        level = s.v * cos(s.gamma)
-        return v, chi, gamma, level * sin(s.chi), level * cos(s.chi), s.v * sin(s.gamma)
-
     parameters = {"m": m, "g": g, "thrust": thrust, "drag": drag, "lift": lift, "bank": bank}
     energy = {"energy over mass": lambda s, p, t: s.v * s.v / 2 + p.g * s.h} if _none(thrust) and _none(drag) else {}
-    return Model("aircraft in space", parameters, ("v", "chi", "gamma", "x", "y", "h"), rhs, invariants=energy)
+    return Model("aircraft in space", parameters, SPACE, _in_space, invariants=energy)
+
+
+def ladder(m=1000.0, g=9.81, thrust=1000.0, lift=2.8, drag=0.27, bank=0.05, start=(60.0, 0.5, 0.0, 0.0, 0.0, 1000.0), t=20.0):
+    """The models of a flight at fixed controls, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the position, in m, until ``t``.
+
+    lift, drag : the forces over the square of the speed, kg/m; start : v, chi, gamma, x, y, h. All are numbers. Without bank there is no turn, and
+    the ladder has three rungs.
+
+    >>> from newton_euler import smallest
+    >>> [smallest(ladder(), metres).model.name for metres in (200.0, 50.0, 1.0)]
+    ['aircraft, straight', 'aircraft in a level turn', 'aircraft in space']
+    >>> smallest(ladder(bank=1e-4), 10.0).model.name
+    'aircraft in a vertical plane'
+    """
+    v, chi, gamma, x, y, h = start
+    forces = {"m": m, "g": g, "thrust": thrust, "drag": _drag, "lift": _lift, "k_lift": lift, "k_drag": drag}
+    ground, begun = {"chi0": chi, "x0": x, "y0": y}, {"v0": v, "h0": h}
+    straight = Model("aircraft, straight", {**ground, **begun, "gamma0": gamma}, ("s",), _straight, {}, _gone, (UNBALANCED, BANK))
+    turn = Model("aircraft in a level turn", {**ground, **begun, "g": g, "bank": bank}, ("chi",), _turning, {}, _turned, (UNBALANCED,))
+    plane = Model("aircraft in a vertical plane", {**forces, **ground}, PLANE, _in_plane, neglects=(BANK,))
+    space = Model("aircraft in space", {**forces, "bank": bank}, SPACE, _in_space)
+    turns = () if is_zero(scalar(bank)) else (Rung(turn, (chi,), _on_circle),)
+    freer = Rung(plane, (v, gamma, 0.0, h), _in_ground), Rung(space, start, _place)
+    return Ladder("aircraft", POSITION, t, (Rung(straight, (0.0,), _on_line), *turns, *freer))
+
+
+def _lift(s, p, t):
+    return p.k_lift * s.v * s.v
+
+
+def _drag(s, p, t):
+    return p.k_drag * s.v * s.v
+
+
+def _straight(s, p, t):
+    return (p.v0,)
+
+
+def _gone(s, p, t):
+    return (s.s + p.v0 * t,)
+
+
+def _on_line(s, p, t):
+    level = s.s * cos(p.gamma0)
+    return p.x0 + level * sin(p.chi0), p.y0 + level * cos(p.chi0), p.h0 + s.s * sin(p.gamma0)
+
+
+def _turning(s, p, t):
+    """The lift carries the weight, so its level part is m g tan(bank)."""
+    return (p.g * tan(p.bank) / p.v0,)
+
+
+def _turned(s, p, t):
+    return (s.chi + p.g * tan(p.bank) / p.v0 * t,)
+
+
+def _on_circle(s, p, t):
+    chord, mean = 2 * p.v0 * p.v0 / (p.g * tan(p.bank)) * sin((s.chi - p.chi0) / 2), (s.chi + p.chi0) / 2
+    return p.x0 + chord * sin(mean), p.y0 + chord * cos(mean), p.h0
+
+
+def _in_ground(s, p, t):
+    return p.x0 + s.x * sin(p.chi0), p.y0 + s.x * cos(p.chi0), s.y
+
+
+def _place(s, p, t):
+    return s.x, s.y, s.h
+
+
+def _in_plane(s, p, t):
+    v, gamma = _along_path(s, p, p.lift)
+    return v, gamma, s.v * cos(s.gamma), s.v * sin(s.gamma)
+
+
+def _in_space(s, p, t):
+    v, gamma = _along_path(s, p, p.lift * cos(p.bank))
+    chi = p.lift * sin(p.bank) / (p.m * s.v * cos(s.gamma))
+    level = s.v * cos(s.gamma)
+    return v, chi, gamma, level * sin(s.chi), level * cos(s.chi), s.v * sin(s.gamma)
 
 
 def _along_path(s, p, lift):
@@ -66,6 +139,10 @@ def _none(force):
 def _parabola(s, p, t):
     level, climb = s.v * cos(s.gamma), s.v * sin(s.gamma) - p.g * t
     return sqrt(level * level + climb * climb), atan2(climb, level), s.x + level * t, s.y + (s.v * sin(s.gamma) - p.g * t / 2) * t
+
+
+UNBALANCED = Neglected("that the forces do not balance along the path and upwards", None, POSITION)
+BANK = Neglected("the bank", None, POSITION)
 
 
 class FlightForces(NamedTuple):

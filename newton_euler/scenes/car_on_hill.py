@@ -1,10 +1,19 @@
-"""A car that accelerates up a hill, and what its engine must give (11.19)."""
+"""A car that accelerates up a hill, and what its engine must give (11.19).
+
+:func:`ladder` has three models of its motion under a constant force: a particle, a car on wheels, and that against the air. The particle needs
+no less calculation than the car on wheels, but less to be known.
+"""
 
 from dataclasses import dataclass
+from math import inf
 
-from ..models import Model
-from ..scalars import plain, scalar, sin
+from ..ladders import Ladder, Rung
+from ..models import Model, ModelError, Named, Neglected
+from ..scalars import atan, plain, scalar, sin, sqrt
 from ..work import summed
+
+WAY = "way up the hill, m"
+STATES = ("s", "v")
 
 
 @dataclass(frozen=True)
@@ -56,5 +65,91 @@ class Car:
 
     def _wheels(self):
         """What the rotation of the wheels adds to the mass: their moments of inertia over radius^2."""
-        ratio = scalar(self.gyration) / self.radius
-        return self.wheels * self.wheel_mass * (ratio * ratio)
+        return _wheels(self)
+
+
+def _wheels(p):
+    ratio = scalar(p.gyration) / p.radius
+    return p.wheels * p.wheel_mass * (ratio * ratio)
+
+
+def ladder(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81, force=2500.0, slope=0.08, start=(0.0, 10.0), t=10.0):
+    """The models of one start, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the way, in m, until ``t``.
+
+    force : at the wheels, the power over the speed, as one gear gives it; air : rho C_D A/2, kg/m; start : s, v; the rest as in :class:`Car`.
+    Raises :class:`~newton_euler.models.ModelError` for a car that comes to rest before ``t``. The fullest model has no closed form that would hold
+    whether the force is larger or smaller than the weight's part.
+
+    >>> from newton_euler import smallest
+    >>> [smallest(ladder(), metres).model.name for metres in (10.0, 5.0, 0.1)]
+    ['car, particle', 'car on wheels', 'car on wheels, in air']
+    """
+    parameters = {"m": m, "wheel_mass": wheel_mass, "gyration": gyration, "radius": radius, "wheels": 4}
+    parameters |= {"air": air, "g": g, "force": force, "slope": slope}
+    models = (
+        Model("car, particle", parameters, STATES, _particle_rates, exact=_particle_exact, neglects=(WHEELS, AIR)),
+        Model("car on wheels", parameters, STATES, _wheel_rates, exact=_wheel_exact, neglects=(AIR,)),
+        Model("car on wheels, in air", parameters, STATES, _air_rates),
+    )
+    if start[1] < 0 or _stops(Named("parameter", parameters), start[1]) < t:
+        raise ModelError(f"the ladder is for a car that goes uphill until t = {t!r}; with {force!r} N and v = {start[1]!r} it does not")
+    return Ladder("car on a hill", WAY, t, tuple(Rung(model, start, _way) for model in models))
+
+
+def _stops(p, v):
+    """When it comes to rest, in numbers."""
+    held, mass = -_left(p), p.m + _wheels(p)
+    if held <= 0:
+        return inf
+    return mass * atan(v * sqrt(p.air / held)) / sqrt(p.air * held) if p.air else mass * v / held
+
+
+def _way(s, p, t):
+    return (s.s,)
+
+
+def _left(p):
+    """The force that is left over on the slope."""
+    return p.force - p.m * p.g * sin(p.slope)
+
+
+def _particle_rates(s, p, t):
+    return s.v, _left(p) / p.m
+
+
+def _particle_exact(s, p, t):
+    return _uniform(s, _left(p) / p.m, t)
+
+
+def _wheel_rates(s, p, t):
+    return s.v, _left(p) / (p.m + _wheels(p))
+
+
+def _wheel_exact(s, p, t):
+    return _uniform(s, _left(p) / (p.m + _wheels(p)), t)
+
+
+def _uniform(s, a, t):
+    return s.s + (s.v + a * t / 2) * t, s.v + a * t
+
+
+def _air_rates(s, p, t):
+    return s.v, (_left(p) - p.air * s.v * s.v) / (p.m + _wheels(p))
+
+
+# -- what may be neglected: against the air the car is never faster than without it
+
+
+def _by_wheels(s, p, t):
+    left = _left(p)
+    return sqrt(left * left) / p.m * _wheels(p) / (p.m + _wheels(p)) * (t * t) / 2
+
+
+def _by_air(s, p, t):
+    left, mass = _left(p), p.m + _wheels(p)
+    a = sqrt(left * left) / mass
+    return p.air / mass * (t * t) * (s.v * s.v / 2 + s.v * a * t / 3 + a * a * (t * t) / 12)
+
+
+WHEELS = Neglected("the moments of inertia of the wheels", _by_wheels, WAY)
+AIR = Neglected("the resistance of the air", _by_air, WAY)

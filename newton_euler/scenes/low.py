@@ -2,11 +2,17 @@
 
 Ground axes x east, y north, small against the Earth, so that the latitude is one number; the pressure grows with the square of the distance from the
 centre, so that it pushes with ``push`` times the distance. The same equations describe the pendulum of Foucault, with push = g/length.
+
+:func:`ladder` has three models of it: the Earth at rest, the Earth turning, and friction as well.
 """
 
 from ..earth import EARTH_RATE, coriolis_parameter
-from ..models import is_law, second_order
+from ..ladders import Ladder, Rung
+from ..models import Model, Neglected, is_law
 from ..scalars import cos, is_zero, scalar, sin, sqrt
+
+POSITION = "position, m"
+STATES = ("x", "y", "dx", "dy")
 
 
 def air_near_low(latitude, push=0, friction=0, rate=EARTH_RATE):
@@ -20,16 +26,46 @@ def air_near_low(latitude, push=0, friction=0, rate=EARTH_RATE):
     (0.0, 1.0, 0.0001, 0.001)
     """
     frictionless = not is_law(friction) and is_zero(scalar(friction))
-    return second_order(
-        "air near a low", {"latitude": latitude, "rate": rate, "push": push, "friction": friction}, ("x", "y"), _accelerations,
-        invariants={"energy over mass": _energy, "absolute angular momentum over mass": _momentum} if frictionless else {},
-        exact=_exact if frictionless else None,
+    return Model(
+        "air near a low", {"latitude": latitude, "rate": rate, "push": push, "friction": friction}, STATES, _rates,
+        invariants=_INVARIANTS if frictionless else {}, exact=_exact if frictionless else None,
     )  # fmt: skip
 
 
-def _accelerations(s, p, t):
+def ladder(latitude=0.8, push=2e-9, friction=1e-5, rate=EARTH_RATE, start=(0.0, -4e5, 8.0, 0.0), t=10_800.0):
+    """The models of one parcel of air, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for its position in m until ``t`` in s.
+
+    push, friction : numbers, push above zero and friction not below it; start : x, y, dx, dy in m and m/s
+
+    >>> from newton_euler import smallest
+    >>> [smallest(ladder(), metres).model.name for metres in (1e5, 2e4, 1e3)]
+    ['air near a low, Earth at rest', 'air near a low, without friction', 'air near a low']
+    """
+    full, energy = air_near_low(latitude, push, friction, rate), {"energy over mass": _energy}
+    models = (
+        Model("air near a low, Earth at rest", full.parameters, STATES, _still_rates, energy, _still_exact, (ROTATION, FRICTION)),
+        Model("air near a low, without friction", full.parameters, STATES, _smooth_rates, _INVARIANTS, _exact, (FRICTION,)),
+        full,
+    )
+    return Ladder("air near a low", POSITION, t, tuple(Rung(model, start, _place) for model in models))
+
+
+def _place(s, p, t):
+    return s.x, s.y
+
+
+def _still_rates(s, p, t):
+    return s.dx, s.dy, -p.push * s.x, -p.push * s.y
+
+
+def _smooth_rates(s, p, t):
     f = coriolis_parameter(p.latitude, p.rate)
-    return -p.push * s.x + f * s.dy - p.friction * s.dx, -p.push * s.y - f * s.dx - p.friction * s.dy
+    return s.dx, s.dy, -p.push * s.x + f * s.dy, -p.push * s.y - f * s.dx
+
+
+def _rates(s, p, t):
+    dx, dy, ddx, ddy = _smooth_rates(s, p, t)
+    return dx, dy, ddx - p.friction * s.dx, ddy - p.friction * s.dy
 
 
 def _energy(s, p, t):
@@ -38,6 +74,9 @@ def _energy(s, p, t):
 
 def _momentum(s, p, t):
     return s.x * s.dy - s.y * s.dx + coriolis_parameter(p.latitude, p.rate) / 2 * (s.x * s.x + s.y * s.y)
+
+
+_INVARIANTS = {"energy over mass": _energy, "absolute angular momentum over mass": _momentum}
 
 
 def _exact(s, p, t):
@@ -51,7 +90,37 @@ def _exact(s, p, t):
     return *_turned(x, y, half * t), *_turned(dx + half * y, dy - half * x, half * t)
 
 
+def _still_exact(s, p, t):
+    n = sqrt(p.push)
+    c, S = cos(n * t), sin(n * t)
+    return s.x * c + s.dx / n * S, s.y * c + s.dy / n * S, s.dx * c - n * s.x * S, s.dy * c - n * s.y * S
+
+
 def _turned(x, y, angle):
     """Turned clockwise."""
     c, s = cos(angle), sin(angle)
     return c * x + s * y, c * y - s * x
+
+
+# -- what may be neglected
+#
+# Coriolis and friction are accelerations along or across the velocity, which the energy bounds. What a unit of acceleration at one instant adds to
+# the position later is sin(n u)/n with n^2 >= push >= 0, never more than the time u passed since.
+
+
+def _moved(s, p, t):
+    """What a force over mass of one unit per unit of speed can add to the position until t."""
+    return sqrt(s.dx * s.dx + s.dy * s.dy + p.push * (s.x * s.x + s.y * s.y)) * (t * t) / 2
+
+
+def _by_rotation(s, p, t):
+    f = coriolis_parameter(p.latitude, p.rate)
+    return sqrt(f * f) * _moved(s, p, t)
+
+
+def _by_friction(s, p, t):
+    return p.friction * _moved(s, p, t)
+
+
+ROTATION = Neglected("the rotation of the Earth", _by_rotation, POSITION)
+FRICTION = Neglected("the friction", _by_friction, POSITION)

@@ -1,76 +1,78 @@
-"""A shot over the rotating Earth (6.9, 6.10), as a ladder of models from the flat earth at rest to the full equations of motion.
+"""A shot over the rotating Earth (6.9, 6.10), as a ladder of models from the flat earth at rest to the full equations of motion in air.
 
-All have the states x, y, z along ground axes (east, north, up) from a place on the surface, and vx, vy, vz seen from there; no air. What a model
-neglects is bounded as an error of the position, in the unit of length of the parameters, as long as the shot is above the ground.
+All have the states x, y, z along ground axes (east, north, up) from a place on the surface, and vx, vy, vz. What a model neglects is bounded as an
+error of the position, as long as the shot is above the ground. Air, of one density, holds the shot back by ``drag`` times the square of its speed;
+drag = density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the ground, 1e-8 at a height of 70 km.
 
->>> from newton_euler import radians
->>> from newton_euler.models import smallest
->>> start = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0)
->>> for metres in (5.0, 3.0, 1.0, 0.01):
-...     print(smallest(ladder(9.82, radians(45.0)), metres, 10.0, start).model.name)
+>>> from newton_euler.ladders import smallest
+>>> for metres in (5.0, 2.0, 1.0, 0.1, 0.01):
+...     print(smallest(ladder(), metres).model.name)
 projectile, flat
-projectile, Coriolis
+projectile, Coriolis to first order
 projectile, Coriolis and effective gravity
 projectile, full
+projectile, full in air
 """
 
-from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, earth_rate3, position3, velocity3
+from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, earth_rate3, position3
+from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
 from ..scalars import ZERO, cos, cosh, sinh, sqrt
-from ..vectors import ZERO3, add3, cross3, dot3, scale3
+from ..vectors import ZERO3, add3, cross3, dot3, scale3, sub3
 
-POSITION = "position"
+POSITION = "position, m"
 STATES = ("x", "y", "z", "vx", "vy", "vz")
-ORDER = 24  # of the series of the exact solutions: see earth.projectile_to_order
+ORDER = 24  # of the series in the turn 2 omega t: to round-off within five hours on the Earth
 
 
-def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS):
-    """Free fall with constant g on an earth at rest. Latitude, rate and radius serve to bound what it neglects."""
-    return _model("projectile, flat", g, latitude, rate, radius, lambda p: (_down(p), ZERO3), (CORIOLIS, CENTRIFUGAL, CURVATURE))
+def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+    """Free fall with constant g on an earth at rest. All but g serve to bound what it neglects, here and below."""
+    return _model("flat", (g, latitude, rate, radius, drag), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
 
 
-def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
-    """Constant g and the Coriolis acceleration: (6.16), which the book solves to first order (6.24)."""
-    return _model("projectile, Coriolis", g, latitude, rate, radius, lambda p: (_down(p), _omega(p)), (CENTRIFUGAL, CURVATURE))
+def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+    """The rotation to first order (6.24). The states vx, vy, vz are the velocity that the shot would have without it."""
+    return _model("Coriolis to first order", (g, latitude, rate, radius, drag), _turned, (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR), _turned_exact)
 
 
-def plumb(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
-    """The same with the effective gravity at the origin in place of g: the direction of the plumb line."""
-
-    def field(p):
-        omega = _omega(p)
-        return add3(_down(p), centrifugal3(ZERO3, omega, p.radius)), omega
-
-    return _model("projectile, Coriolis and effective gravity", g, latitude, rate, radius, field, (CENTRIFUGAL_CHANGE, CURVATURE))
+def plumb(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+    """Constant effective gravity, that of the origin, and the Coriolis acceleration (6.16), which is solved exactly."""
+    neglects = CENTRIFUGAL_CHANGE, CURVATURE, AIR
+    return _model("Coriolis and effective gravity", (g, latitude, rate, radius, drag), _uniform, neglects, _uniform_exact)
 
 
-def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
+def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+    """Constant g on an earth at rest, and the air."""
+    return _model("flat in air", (g, latitude, rate, radius, drag), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
+
+
+def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular momentum about the axis, among the stars."""
     invariants = {"energy over mass": _energy, "angular momentum over mass, about the axis": _axial}
-    return Model("projectile, full", _parameters(g, latitude, rate, radius), STATES, _full, invariants)
+    return _model("full", (g, latitude, rate, radius, drag), _full, (AIR,), invariants=invariants)
 
 
-def ladder(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
-    """The four models, the coarsest first, for :func:`newton_euler.models.smallest`."""
-    return tuple(make(g, latitude, rate, radius) for make in (flat, coriolis, plumb, full))
+def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
+    """The same in air that goes with the Earth."""
+    return _model("full in air", (g, latitude, rate, radius, drag), _full_in_air)
 
 
-def _parameters(g, latitude, rate, radius):
-    return {"g": g, "latitude": latitude, "rate": rate, "radius": radius}
+def ladder(g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8, start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t=10.0):
+    """The models of one shot, in the order of their cost: a :class:`~newton_euler.ladders.Ladder` for its position until ``t``.
+
+    Six, or four if ``drag`` is 0.
+    """
+    makers = (flat, coriolis, plumb, flat_in_air, full, full_in_air) if drag else (flat, coriolis, plumb, full)
+    return Ladder("projectile", POSITION, t, tuple(Rung(make(g, latitude, rate, radius, drag), start, _place) for make in makers))
 
 
-def _model(name, g, latitude, rate, radius, field, neglects):
-    """A projectile in a uniform field; ``field(p)`` returns gravity and angular velocity as triples."""
+def _model(name, values, rhs, neglects=(), exact=None, invariants=()):
+    parameters = dict(zip(("g", "latitude", "rate", "radius", "drag"), values, strict=True))
+    return Model(f"projectile, {name}", parameters, STATES, rhs, dict(invariants), exact, neglects)
 
-    def rhs(s, p, t):
-        gravity, omega = field(p)
-        return *_v(s), *add3(gravity, scale3(-2, cross3(omega, _v(s))))
 
-    def exact(s, p, t):
-        moved = position3(t, _v(s), *field(p), order=ORDER)
-        return *add3(_r(s), moved), *velocity3(t, _v(s), *field(p), order=ORDER)
-
-    return Model(name, _parameters(g, latitude, rate, radius), STATES, rhs, exact=exact, neglects=neglects)
+def _place(s, p, t):
+    return s.x, s.y, s.z
 
 
 def _r(s):
@@ -89,10 +91,86 @@ def _omega(p):
     return earth_rate3(p.latitude, p.rate)
 
 
+def _held_back(s, p):
+    """The acceleration by the air."""
+    return scale3(-p.drag * sqrt(dot3(_v(s), _v(s))), _v(s))
+
+
+# -- flat
+
+
+def _flat(s, p, t):
+    return *_v(s), *_down(p)
+
+
+def _parabola(s, p, t):
+    return s.x + s.vx * t, s.y + s.vy * t, s.z + s.vz * t - p.g * t * t / 2, s.vx, s.vy, s.vz - p.g * t
+
+
+def _flat_in_air(s, p, t):
+    return *_v(s), *add3(_down(p), _held_back(s, p))
+
+
+# -- Coriolis
+
+
+def _turned(s, p, t):
+    """The Coriolis acceleration of the flat shot, integrated once, along its way v t - g t^2/2 until now."""
+    way = sub3(scale3(t, _v(s)), scale3(t * t / 2, _down(p)))
+    return *sub3(_v(s), scale3(2, cross3(_omega(p), way))), *_down(p)
+
+
+def _turned_exact(s, p, t):
+    return *add3(_r(s), position3(t, _v(s), _down(p), _omega(p))), s.vx, s.vy, s.vz - p.g * t
+
+
+def _uniform(s, p, t):
+    return *_v(s), *add3(_plumb_line(p), scale3(-2, cross3(_omega(p), _v(s))))
+
+
+def _plumb_line(p):
+    """The effective gravity at the origin."""
+    return add3(_down(p), centrifugal3(ZERO3, _omega(p), p.radius))
+
+
+def _uniform_exact(s, p, t):
+    """The series of :func:`newton_euler.earth.position3`, all of it: three times across 2 omega is once across it, with a factor."""
+    a, v, g = scale3(2, _omega(p)), _v(s), _plumb_line(p)
+    c = _coefficients(dot3(a, a) * t * t)
+    moved = add3(_summed(v, a, t, 1, c), _summed(g, a, t, 2, c))
+    return *add3(_r(s), moved), *add3(_summed(v, a, t, 0, c), _summed(g, a, t, 1, c))
+
+
+def _summed(u, a, t, m, c):
+    """The sum of (-a x)^n u t^(m + n)/(m + n)! over n = 0, 1, ..."""
+    first = cross3(a, u)
+    power = (1, t, t * t / 2)[m]
+    terms = scale3(power, u), scale3(-(t ** (m + 1)) * c[m + 1], first), scale3(t ** (m + 2) * c[m + 2], cross3(a, first))
+    return add3(add3(terms[0], terms[1]), terms[2])
+
+
+def _coefficients(z):
+    """1/k! - z/(k + 2)! + z^2/(k + 4)! - ... for k = 0 ... 4, Stumpff's functions."""
+    c3, c4 = 1, 1
+    for n in range(ORDER, 0, -2):
+        c3, c4 = 1 - c3 * z / ((n + 2) * (n + 3)), 1 - c4 * z / ((n + 3) * (n + 4))
+    c3, c4 = c3 / 6, c4 / 24
+    c2, c1 = (1 - 2 * z * c4) / 2, 1 - z * c3
+    return 1 - z * c2, c1, c2, c3, c4
+
+
+# -- full
+
+
 def _full(s, p, t):
     omega = _omega(p)
     seen = scale3(-2, cross3(omega, _v(s)))
     return *_v(s), *add3(add3(attraction3(_r(s), p.g, p.radius), centrifugal3(_r(s), omega, p.radius)), seen)
+
+
+def _full_in_air(s, p, t):
+    rates = _full(s, p, t)
+    return *rates[:3], *add3(rates[3:], _held_back(s, p))
 
 
 # -- invariants
@@ -118,7 +196,8 @@ def _axial(s, p, t):
 #
 # Above the ground the attraction is at most g, the centrifugal acceleration at most rate^2 (R + d) at the distance d from the origin, and the
 # Coriolis acceleration does no work. So d <= D(t) with D'' = g + rate^2 (R + D), and the error e of a model that keeps the Coriolis term grows as
-# |e'| <= integral of what it leaves out. A Coriolis term that is left out makes the error 2 omega x (integral of the way).
+# |e'| <= integral of what it leaves out; that both are held back by the air makes e' smaller. A Coriolis term that is left out makes the error
+# 2 omega x (integral of the way), and to first order the way itself is wrong by as much. Nothing makes the speed larger than D'.
 
 
 def _reach(s, p, t):
@@ -130,6 +209,14 @@ def _reach(s, p, t):
 
 def _by_coriolis(s, p, t):
     return p.rate * t * _reach(s, p, t)[1]
+
+
+def _by_second_order(s, p, t):
+    return 2 * p.rate**2 * t * t / 3 * _reach(s, p, t)[1]
+
+
+def _by_second_order(s, p, t):
+    return 2 * p.rate**2 * t * t / 3 * _reach(s, p, t)[1]
 
 
 def _by_centrifugal(s, p, t):
@@ -147,7 +234,23 @@ def _by_curvature(s, p, t):
     return 3 * p.g * (start + added) / p.radius * t * t / 2
 
 
+def _by_air(s, p, t):
+    start, speed = sqrt(dot3(_r(s), _r(s))), sqrt(dot3(_v(s), _v(s)))
+    fastest = speed * cosh(p.rate * t) + (p.g + p.rate**2 * (p.radius + start)) * sinh(p.rate * t) / p.rate
+    return p.drag * fastest**2 * t * t / 2
+
+
+def _by_air(s, p, t):
+    start, speed = sqrt(dot3(_r(s), _r(s))), sqrt(dot3(_v(s), _v(s)))
+    fastest = speed * cosh(p.rate * t) + (p.g + p.rate**2 * (p.radius + start)) * sinh(p.rate * t) / p.rate
+    return p.drag * fastest**2 * t * t / 2
+
+
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)
+SECOND_ORDER = Neglected("the Coriolis acceleration beyond the first order in the rotation", _by_second_order, POSITION)
+SECOND_ORDER = Neglected("the Coriolis acceleration beyond the first order in the rotation", _by_second_order, POSITION)
 CENTRIFUGAL = Neglected("the centrifugal acceleration", _by_centrifugal, POSITION)
 CENTRIFUGAL_CHANGE = Neglected("the change of the centrifugal acceleration with place", _by_centrifugal_change, POSITION)
 CURVATURE = Neglected("the change of the attraction with place", _by_curvature, POSITION)
+AIR = Neglected("the air", _by_air, POSITION)
+AIR = Neglected("the air", _by_air, POSITION)

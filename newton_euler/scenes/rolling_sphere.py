@@ -1,12 +1,19 @@
 """A sphere, or another round body, that rolls down an incline without slipping (11.15). One that slides first: :mod:`.sliding_sphere`.
 
 ``k`` is the moment of inertia about the centre over m R^2: 2/5 for a solid sphere (the default), 2/3 for a shell, 1/2 for a cylinder.
+
+:func:`ladder` has three models of it: a block that slides without friction, rolling, and rolling against the air. The block needs no less
+calculation than the sphere, but no moment of inertia.
 """
 
 from ..energy import speed_after
-from ..models import Model
+from ..ladders import Ladder, Rung
+from ..models import Model, ModelError, Neglected
 from ..scalars import plain, scalar, sin, tan, whole
 from ..work import summed
+
+WAY = "way down the incline, m"
+STATES = ("x", "v")
 
 
 def rolling_energy(m, R, speed, pivoting=0, k=None):
@@ -42,12 +49,38 @@ def rolling_down(slope, g, k=None):
     >>> rolling_down(0.5235987755982988, 9.8).derivative((0.0, 0.0))[1]
     3.5
     """
-    return Model(
-        "sphere on an incline", {"slope": slope, "g": g, "k": _ratio(g, k)}, ("x", "v"),
-        lambda s, p, t: (s.v, _acceleration(p)),
-        invariants={"energy over mass": lambda s, p, t: (1 + p.k) * s.v * s.v / 2 - p.g * sin(p.slope) * s.x},
-        exact=lambda s, p, t: (s.x + s.v * t + _acceleration(p) * t * t / 2, s.v + _acceleration(p) * t),
-    )  # fmt: skip
+    return Model("sphere on an incline", {"slope": slope, "g": g, "k": _ratio(g, k)}, STATES, _rates, {"energy over mass": _energy}, _exact)
+
+
+def rolling_in_air(slope, g, air, k=None):
+    """The same against the air, which resists with ``air`` m v^2; air (1/m) is rho C_D A/(2 m). For a sphere that comes down: v is not negative.
+
+    The closed form (1 + k)/air log(cosh(n t) + ...) is not used: in little air it is the logarithm of next to one, and loses all digits.
+
+    >>> rolling_in_air(0.5235987755982988, 9.8, 0.01).derivative((0.0, 7.0))[1]
+    3.15
+    """
+    return Model("sphere on an incline, in air", {"slope": slope, "g": g, "k": _ratio(g, k), "air": air}, STATES, _air_rates)
+
+
+def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
+    """The models of one run, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the way, in m, until ``t``.
+
+    air : not negative; start : x, v. Raises :class:`~newton_euler.models.ModelError` for a sphere that goes uphill.
+
+    >>> from newton_euler import smallest
+    >>> [smallest(ladder(), metres).model.name for metres in (20.0, 1.0, 0.01)]
+    ['block on an incline', 'sphere on an incline', 'sphere on an incline, in air']
+    """
+    if start[1] < 0:
+        raise ModelError(f"the ladder is for a sphere that comes down, v not below zero; got v = {start[1]!r}")
+    full = rolling_in_air(slope, g, air, k)
+    models = (
+        Model("block on an incline", full.parameters, STATES, _block_rates, {"energy over mass": _block_energy}, _block_exact, (ROTATION, AIR)),
+        Model("sphere on an incline", full.parameters, STATES, _rates, {"energy over mass": _energy}, _exact, (AIR,)),
+        full,
+    )
+    return Ladder("sphere on an incline", WAY, t, tuple(Rung(model, start, _way) for model in models))
 
 
 def friction_needed(slope, k=None):
@@ -60,8 +93,60 @@ def friction_needed(slope, k=None):
     return plain(k * tan(slope) / (1 + k))
 
 
+def _way(s, p, t):
+    return (s.x,)
+
+
 def _acceleration(p):
     return p.g * sin(p.slope) / (1 + p.k)
+
+
+def _block_rates(s, p, t):
+    return s.v, p.g * sin(p.slope)
+
+
+def _block_exact(s, p, t):
+    return _uniform(s, p.g * sin(p.slope), t)
+
+
+def _block_energy(s, p, t):
+    return s.v * s.v / 2 - p.g * sin(p.slope) * s.x
+
+
+def _rates(s, p, t):
+    return s.v, _acceleration(p)
+
+
+def _exact(s, p, t):
+    return _uniform(s, _acceleration(p), t)
+
+
+def _energy(s, p, t):
+    return (1 + p.k) * s.v * s.v / 2 - p.g * sin(p.slope) * s.x
+
+
+def _uniform(s, a, t):
+    return s.x + (s.v + a * t / 2) * t, s.v + a * t
+
+
+def _air_rates(s, p, t):
+    return s.v, _acceleration(p) - p.air / (1 + p.k) * s.v * s.v
+
+
+# -- what may be neglected: against the air the sphere is never faster than without it
+
+
+def _by_rotation(s, p, t):
+    return p.g * sin(p.slope) * p.k / (1 + p.k) * (t * t) / 2
+
+
+def _by_air(s, p, t):
+    a = _acceleration(p)
+    return p.air / (1 + p.k) * (t * t) * (s.v * s.v / 2 + s.v * a * t / 3 + a * a * (t * t) / 12)
+
+
+ROTATION = Neglected("the moment of inertia", _by_rotation, WAY)
+AIR = Neglected("the resistance of the air", _by_air, WAY)
 
 
 def _ratio(like, k):

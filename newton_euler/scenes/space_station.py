@@ -3,11 +3,18 @@
 Station axes turn with it: the axis of rotation is z, along which ``omega`` is positive; the book's station has omega < 0. A body let go moves on a
 straight line at constant speed among the stars; from the station its path looks like a spiral, or a circle, but in general not like the
 limacon that the book names.
+
+:func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the Earth, as it does in the station, and with the air.
 """
 
-from ..models import second_order
-from ..scalars import ZERO, cos, sin, sqrt
+from ..ladders import Ladder, Rung
+from ..models import Model, Neglected
+from ..scalars import ZERO, cos, cosh, sin, sinh, sqrt
 from ..vectors import add3, cross3, scale3
+
+POSITION = "position, m"
+STATES = ("x", "y", "dx", "dy")
+CREEP = 0.01  # m/s
 
 
 def station_rate(g, radius):
@@ -30,19 +37,62 @@ def free_body(omega):
     >>> free_body(0.5).derivative((2.0, 0.0, 1.0, 1.0))  # centrifugal 0.5 along x, Coriolis 1.0 and -1.0
     (1.0, 1.0, 1.5, -1.0)
     """
-    return second_order(
-        "free body in a turning station", {"omega": omega}, ("x", "y"), _accelerations, exact=_exact,
-        invariants={
-            "speed among the stars, squared": lambda s, p, t: sum(v * v for v in _among_stars(s, p)),
-            "angular momentum over mass": lambda s, p, t: _moment((s.x, s.y), _among_stars(s, p)),
-        },
-    )  # fmt: skip
+    return Model("free body in a turning station", {"omega": omega}, STATES, _rates, _INVARIANTS, _exact)
 
 
-def _accelerations(s, p, t):
+def body_in_air(omega, air, creep=CREEP):
+    """The same with the air, which turns with the station and resists with ``air`` times the square of the speed seen there, over mass.
+
+    air : rho C_D A/(2 m), 1/m; creep : a speed, well below which the air resists in proportion to the speed, so that a body may start at rest
+
+    >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))  # 0.25 against the velocity
+    (3.0, 4.0, 4.35, -3.2)
+    """
+    return Model("body in the air of a turning station", {"omega": omega, "air": air, "creep": creep}, STATES, _air_rates)
+
+
+def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=1.0):
+    """The models of a throw near (radius, 0) at the rim, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the position in m until t.
+
+    omega : not zero; start : x, y, dx, dy in m and m/s. Nothing stops the body at the floor: ask as long as it flies.
+
+    >>> from newton_euler import smallest
+    >>> [smallest(ladder(), metres).model.name for metres in (2.0, 0.1, 1e-3)]
+    ['uniform gravity in a turning station', 'free body in a turning station', 'body in the air of a turning station']
+    """
+    full = body_in_air(omega, air)
+    parameters = {**full.parameters, "radius": radius}
+    models = (
+        Model("uniform gravity in a turning station", parameters, STATES, _uniform, {}, _parabola, (CORIOLIS, CHANGE, AIR)),
+        Model("free body in a turning station", parameters, STATES, _rates, _INVARIANTS, _exact, (AIR,)),
+        full,
+    )
+    return Ladder("space station", POSITION, t, tuple(Rung(model, start, _place) for model in models))
+
+
+def _place(s, p, t):
+    return s.x, s.y
+
+
+def _uniform(s, p, t):
+    return s.dx, s.dy, p.omega * p.omega * p.radius, ZERO
+
+
+def _parabola(s, p, t):
+    g = p.omega * p.omega * p.radius
+    return s.x + (s.dx + g * t / 2) * t, s.y + s.dy * t, s.dx + g * t, s.dy
+
+
+def _rates(s, p, t):
     omega, r, v = (ZERO, ZERO, p.omega), (s.x, s.y, ZERO), (s.dx, s.dy, ZERO)
     centripetal, coriolis = cross3(omega, cross3(omega, r)), scale3(2, cross3(omega, v))
-    return scale3(-1, add3(centripetal, coriolis))[:2]
+    return s.dx, s.dy, *scale3(-1, add3(centripetal, coriolis))[:2]
+
+
+def _air_rates(s, p, t):
+    dx, dy, ddx, ddy = _rates(s, p, t)
+    hold = p.air * sqrt(s.dx * s.dx + s.dy * s.dy + p.creep * p.creep)
+    return dx, dy, ddx - hold * s.dx, ddy - hold * s.dy
 
 
 def _among_stars(s, p):
@@ -52,6 +102,12 @@ def _among_stars(s, p):
 
 def _moment(r, v):
     return r[0] * v[1] - r[1] * v[0]
+
+
+_INVARIANTS = {
+    "speed among the stars, squared": lambda s, p, t: sum(v * v for v in _among_stars(s, p)),
+    "angular momentum over mass": lambda s, p, t: _moment((s.x, s.y), _among_stars(s, p)),
+}
 
 
 def _exact(s, p, t):
@@ -65,3 +121,45 @@ def _exact(s, p, t):
 def _turned_back(r, angle):
     c, s = cos(angle), sin(angle)
     return c * r[0] + s * r[1], c * r[1] - s * r[0]
+
+
+# -- what may be neglected
+#
+# Seen in the station neither the Coriolis acceleration nor the air makes the body faster, so its speed v and the distance r from the axis obey
+# v' <= omega^2 r, r' <= v: both grow no faster than those of a body on a spoke. In uniform gravity nothing holds a body to its path, so the double
+# integral of what is left out is the error; that of the Coriolis acceleration, 2 omega x v, is the integral of 2 omega x (way). Among the stars
+# nothing holds a free body either, so the same is true of the air.
+
+
+def _speed(s, p, t):
+    """The most that the speed can be until t."""
+    r, v, a = sqrt(s.x * s.x + s.y * s.y), sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * t
+    return v * cosh(a) + r * p.omega * sinh(a)
+
+
+def _gone(s, p, t):
+    """The most that the way from the start can be until t."""
+    r, v, a = sqrt(s.x * s.x + s.y * s.y), sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * t
+    half = sinh(a / 2)
+    return v / p.omega * sinh(a) + 2 * r * half * half  # cosh a - 1 without cancellation
+
+
+def _by_coriolis(s, p, t):
+    """The integral of :func:`_gone`, in which sinh(a) - a is at most a (cosh(a) - 1)/3, a = omega t."""
+    r, v, half = sqrt(s.x * s.x + s.y * s.y), sqrt(s.dx * s.dx + s.dy * s.dy), sinh(p.omega * t / 2)
+    return 4 * half * half * (v + p.omega * p.omega * r * t / 3) / sqrt(p.omega * p.omega)
+
+
+def _by_change(s, p, t):
+    away = sqrt((s.x - p.radius) * (s.x - p.radius) + s.y * s.y)
+    return p.omega * p.omega * (away + _gone(s, p, t)) * (t * t) / 2
+
+
+def _by_air(s, p, t):
+    v = _speed(s, p, t)
+    return p.air * v * sqrt(v * v + p.creep * p.creep) * (t * t) / 2
+
+
+CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)
+CHANGE = Neglected("the change of the centripetal acceleration with the place", _by_change, POSITION)
+AIR = Neglected("the air", _by_air, POSITION)

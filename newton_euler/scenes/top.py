@@ -69,7 +69,7 @@ def _sides(s, p):
 def _reduced_rates(s, p, t):
     t, whole, rest = _sides(s, p)
     slope = (whole * t + rest) * (whole * (1 + t * t) - (p.surplus + rest / t)) / (8 * p.I0)
-    return s.theta_rate, (p.mgr * sin(s.theta) - slope) / p.I0
+    return s.theta_rate, (p.mgr * (2 * t / (1 + t * t)) - slope) / p.I0  # sin(theta) from the tangent that is there
 
 
 def _reduced_energy(s, p, t):

@@ -2,11 +2,19 @@
 
 theta is the angle from the *downward* vertical to the rod. ``distance`` is that from the hinge to G, on the rod; ``excess`` is I_n - I_r about the
 hinge: the moment of inertia about the axis normal to both rod and hinge, less that about the rod (m L^2/3 for the rod itself).
+
+:func:`ladder` has three models of the swinging: small swings, any swings, and any swings on a shaft that is let go.
 """
 
+from math import copysign
+
 from ..gyros import GyroError
-from ..models import Model
-from ..scalars import acos, cos, is_numeric, plain, sin, size, sqrt
+from ..ladders import Ladder, Rung
+from ..models import Model, ModelError, Neglected
+from ..scalars import acos, cos, is_numeric, plain, sin, sinh, size, sqrt
+
+ANGLE = "angle theta, rad"
+STATES = ("theta", "theta_rate")
 
 
 def rod(mass, length, omega, g):
@@ -59,12 +67,117 @@ def hinged(weight_moment, excess, omega, about_hinge=None):
     (1.0, 0.0)
     """
     parameters = {"weight_moment": weight_moment, "excess": excess, "omega": omega, "about_hinge": excess if about_hinge is None else about_hinge}
-    return Model("hinged on a turning shaft", parameters, ("theta", "theta_rate"), _rates, {"energy": _energy})
+    return Model("hinged on a turning shaft", parameters, STATES, _rates, {"energy": _energy})
+
+
+def on_free_shaft(weight_moment, excess, omega, shaft, theta, about_hinge=None):
+    """The swinging on a shaft without moment, which turns at ``omega`` when the angle is ``theta``: a Model like :func:`hinged`.
+
+    shaft : moment of inertia about the vertical of all that turns, for theta = 0. The rate of the shaft is no state: its angle is cyclic, and the
+    ``momentum`` about the vertical, a parameter, keeps its value. The larger ``shaft``, the more even the rate.
+
+    >>> on_free_shaft(**rod(3.0, 2.0, 4.0, 9.81), shaft=1.0, theta=0.0).derivative((0.0, 1.0))
+    (1.0, 0.0)
+    """
+    momentum = (shaft + excess * sin(theta) ** 2) * omega
+    parameters = {"weight_moment": weight_moment, "excess": excess, "momentum": momentum, "shaft": shaft}
+    parameters["about_hinge"] = excess if about_hinge is None else about_hinge
+    return Model("hinged on a shaft let go", parameters, STATES, _free_rates, {"energy": _free_energy})
+
+
+def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0), t=4.0):
+    """The models of the thin rod on a shaft, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for theta, in rad, until ``t``.
+
+    omega : rate of the shaft at the start; shaft : its moment of inertia; start : theta, theta_rate
+    Raises :class:`~newton_euler.models.ModelError` at :func:`least_rate` itself, where not even the smallest swings are harmonic.
+
+    >>> from newton_euler import smallest
+    >>> [smallest(ladder(), radians).model.name for radians in (0.1, 0.03, 1e-3)]
+    ['small swings on a turning shaft', 'hinged on a turning shaft', 'hinged on a shaft let go']
+    """
+    data = rod(mass, length, omega, g)
+    at = copysign(swing_out(**data), start[0]) if omega > least_rate(**data) else 0.0
+    stiff = stiffness(at, **data)
+    if not stiff > 0:
+        raise ModelError(f"omega = {omega!r} is the least rate at which the rod swings out, where small swings have no rate of their own")
+    parameters = {**hinged(**data).parameters, "shaft": shaft, "rest": at, "stiffness": stiff}
+    models = (
+        Model("small swings on a turning shaft", parameters, STATES, _small_rates, {"energy": _small_energy}, _small_exact, (LARGE, EVEN)),
+        Model("hinged on a turning shaft", parameters, STATES, _rates, {"energy": _energy}, neglects=(EVEN,)),
+        on_free_shaft(**data, shaft=shaft, theta=start[0]),
+    )
+    return Ladder("turning shaft", ANGLE, t, tuple(Rung(model, start, _angle) for model in models))
+
+
+def _angle(s, p, t):
+    return (s.theta,)
+
+
+def _small_rates(s, p, t):
+    return s.theta_rate, -p.stiffness * (s.theta - p.rest)
+
+
+def _small_exact(s, p, t):
+    n, x = sqrt(p.stiffness), s.theta - p.rest
+    c, S = cos(n * t), sin(n * t)
+    return p.rest + x * c + s.theta_rate / n * S, s.theta_rate * c - n * x * S
+
+
+def _small_energy(s, p, t):
+    return s.theta_rate**2 + p.stiffness * (s.theta - p.rest) ** 2
 
 
 def _rates(s, p, t):
-    return s.theta_rate, sin(s.theta) * (p.excess * (p.omega * p.omega) * cos(s.theta) - p.weight_moment) / p.about_hinge
+    return s.theta_rate, _acceleration(s, p, p.omega)
+
+
+def _acceleration(s, p, omega):
+    return sin(s.theta) * (p.excess * (omega * omega) * cos(s.theta) - p.weight_moment) / p.about_hinge
 
 
 def _energy(s, p, t):
     return (p.about_hinge * s.theta_rate**2 - p.excess * (p.omega * sin(s.theta)) ** 2) / 2 - p.weight_moment * cos(s.theta)
+
+
+def _free_rates(s, p, t):
+    return s.theta_rate, _acceleration(s, p, p.momentum / _about_vertical(s, p))
+
+
+def _about_vertical(s, p):
+    return p.shaft + p.excess * sin(s.theta) ** 2
+
+
+def _free_energy(s, p, t):
+    return (p.about_hinge * s.theta_rate**2 + p.momentum**2 / _about_vertical(s, p)) / 2 - p.weight_moment * cos(s.theta)
+
+
+# -- what may be neglected
+#
+# theta'' is a function of theta with a slope of at most L = ((I_n - I_r) omega^2 + m g d)/I_hinge and a second derivative of at most twice that.
+# Two motions whose accelerations differ by ``more`` at equal angles are apart by e with |e|'' <= L |e| + more: |e| <= more (cosh(sqrt(L) t) - 1)/L.
+
+
+def _steepest(p):
+    return (p.excess * (p.omega * p.omega) + p.weight_moment) / p.about_hinge
+
+
+def _apart(p, more, t):
+    L = _steepest(p)
+    half = sinh(sqrt(L) * t / 2)
+    return 2 * more * half * half / L
+
+
+def _by_large(s, p, t):
+    """Small swings have an amplitude; a parabola is left out of the acceleration."""
+    x = s.theta - p.rest
+    return _apart(p, _steepest(p) * (x * x + s.theta_rate * s.theta_rate / p.stiffness), t)
+
+
+def _by_even(s, p, t):
+    """The rate of the shaft lies between 1/(1 + q) and 1 + q times that at the start."""
+    q = p.excess / p.shaft
+    return _apart(p, p.excess * (p.omega * p.omega) * q * (2 + q) / (2 * p.about_hinge), t)
+
+
+LARGE = Neglected("that the swings are not small", _by_large, ANGLE)
+EVEN = Neglected("that the swings turn the shaft faster and slower", _by_even, ANGLE)

@@ -2,12 +2,17 @@
 
 As the book has it, the axis X of the ground points vertically down, and psi is counted from it; z = Z lies along the shaft from bearing A
 to bearing B, at -a and b from O, the origin of the body's axes.
+
+:func:`ladder` has three models of how it turns: at a constant rate, without its weight, and with it.
 """
 
+from ..ladders import Ladder, Rung
 from ..mass import Body, Inertia
-from ..models import Model
-from ..scalars import cos, sin
+from ..models import Model, Neglected
+from ..scalars import cos, sin, sqrt
 from .shaft import on_shaft
+
+ANGLE = "angle psi, rad"
 
 
 def unbalanced_rotor(mass, centre, moments, products, a, b, psi, omega, alpha=0):
@@ -33,15 +38,70 @@ def turning_rotor(mass, x, y, I, g, moment=0):
     >>> turning_rotor(2.0, 0.1, 0.0, 0.5, 10.0, moment=1.0).derivative((0.0, 3.0))
     (3.0, 2.0)
     """
-    return Model(
-        "rotor with dead weight",
-        {"mass": mass, "x": x, "y": y, "I": I, "g": g, "moment": moment},
-        ("psi", "omega"),
-        lambda s, p, t: (s.omega, (p.moment - p.mass * p.g * (p.x * sin(s.psi) + p.y * cos(s.psi))) / p.I),
-        {} if callable(moment) else {"energy": _energy},
-    )
+    parameters = {"mass": mass, "x": x, "y": y, "I": I, "g": g, "moment": moment}
+    return Model("rotor with dead weight", parameters, ("psi", "omega"), _rates, {} if callable(moment) else {"energy": _energy})
+
+
+def ladder(mass=20.0, x=2e-4, y=0.0, I=0.5, g=9.81, moment=0.5, start=(0.0, 10.0), t=20.0):
+    """The models of a rotor that a constant moment turns, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for psi, in rad, until ``t``.
+
+    start : psi, omega; the rest as in :func:`turning_rotor`
+
+    >>> from newton_euler import smallest
+    >>> [smallest(ladder(), radians).model.name for radians in (1000.0, 10.0, 1e-3)]
+    ['rotor at a constant rate', 'rotor without weight', 'rotor with dead weight']
+    """
+    full = turning_rotor(mass, x, y, I, g, moment)
+    steady = Model("rotor at a constant rate", {**full.parameters, "omega": start[1]}, ("psi",), _steady, {}, _turned, (MOMENT, WEIGHT))
+    light = Model("rotor without weight", full.parameters, ("psi", "omega"), _light, {"energy": _light_energy}, _sped_up, (WEIGHT,))
+    rungs = ((steady, start[:1]), (light, start), (full, start))
+    return Ladder("rotor", ANGLE, t, tuple(Rung(model, begin, _angle) for model, begin in rungs))
+
+
+def _angle(s, p, t):
+    return (s.psi,)
+
+
+def _steady(s, p, t):
+    return (p.omega,)
+
+
+def _turned(s, p, t):
+    return (s.psi + p.omega * t,)
+
+
+def _light(s, p, t):
+    return s.omega, p.moment / p.I
+
+
+def _sped_up(s, p, t):
+    alpha = p.moment / p.I
+    return s.psi + (s.omega + alpha * t / 2) * t, s.omega + alpha * t
+
+
+def _light_energy(s, p, t):
+    return p.I * s.omega**2 / 2 - p.moment * s.psi
+
+
+def _rates(s, p, t):
+    return s.omega, (p.moment - p.mass * p.g * (p.x * sin(s.psi) + p.y * cos(s.psi))) / p.I
 
 
 def _energy(s, p, t):
     """Kinetic energy, less the works of weight and moment."""
     return p.I * s.omega**2 / 2 - p.mass * p.g * (p.x * cos(s.psi) - p.y * sin(s.psi)) - p.moment * s.psi
+
+
+# -- what may be neglected: at any angle the weight has at most the moment m g d
+
+
+def _by_moment(s, p, t):
+    return sqrt(p.moment * p.moment) / p.I * (t * t) / 2
+
+
+def _by_weight(s, p, t):
+    return p.mass * p.g * sqrt(p.x * p.x + p.y * p.y) / p.I * (t * t) / 2
+
+
+MOMENT = Neglected("the moment about the shaft", _by_moment, ANGLE)
+WEIGHT = Neglected("the dead weight", _by_weight, ANGLE)

@@ -19,7 +19,8 @@ from newton_euler import Dimension, Frame, at, compiled, cos, moving, radians, s
 from newton_euler import earth as e
 from newton_euler.forces import K, gravitational_field
 from newton_euler.kinetics import relative_acceleration
-from newton_euler.models import ModelError, smallest
+from newton_euler.ladders import Ladder, smallest
+from newton_euler.models import ModelError
 from newton_euler.scenes import projectile as shots
 from newton_euler.scenes.low import air_near_low
 from tests.kinds import KINDS, close, first, numbers
@@ -408,7 +409,7 @@ def test_what_the_models_neglect_is_bounded_and_the_bound_is_no_guess(latitude, 
     exact, _ = kepler(mp.mpf(t), [mp.mpf(x) for x in start], *map(mp.mpf, (latitude, g, rate, radius)))
     if exact[0] ** 2 + exact[1] ** 2 + (exact[2] + radius) ** 2 < radius**2:
         return  # the bound is for what is above the ground
-    for model in shots.ladder(g, latitude, rate, radius)[:3]:
+    for model in (make(g, latitude, rate, radius) for make in (shots.flat, shots.coriolis, shots.plumb)):
         found = model.solution(t, start)[:3]
         error = math.dist(found, [float(x) for x in exact])
         bound = sum(model.neglected(t, start).values())
@@ -417,16 +418,18 @@ def test_what_the_models_neglect_is_bounded_and_the_bound_is_no_guess(latitude, 
     assert coriolis <= 2 * rate * t * (speed * t + g * t * t)
 
 
-def test_the_ladder_gives_the_coarsest_model_that_is_accurate_enough():
-    start = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0)
-    rungs = shots.ladder(9.82, 0.8)
-    names = [smallest(rungs, metres, 10.0, start).model.name for metres in (5.0, 3.0, 1.0, 1e-3)]
-    assert names == [model.name for model in rungs]
-    evidence = smallest(rungs, 1.0, 10.0, start).evidence
-    assert list(evidence) == names[:3]
-    assert list(evidence.values()) == sorted(evidence.values(), reverse=True)
+def test_the_ladder_gives_the_cheapest_model_that_is_accurate_enough():
+    """Without air, and so without models of it."""
+    asked = shots.ladder(9.82, 0.8, drag=0)
+    names = [rung.name for rung in asked.rungs]
+    assert [smallest(asked, metres).model.name for metres in (5.0, 2.0, 1.0, 1e-3)] == names
+    evidence = smallest(asked, 1e-3).evidence
+    assert list(evidence) == names
+    bounds = [evidence[name].bound for name in names]
+    assert bounds[0] > bounds[1] > bounds[2] > bounds[3] == 0
+    less = Ladder("projectile", asked.of, asked.t, asked.rungs[:2])
     with pytest.raises(ModelError, match="no model of this ladder is as accurate as 1e-06; the errors may reach projectile, flat: "):
-        smallest(rungs[:2], 1e-6, 10.0, start)
+        smallest(less, 1e-6)
 
 
 @pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
@@ -434,10 +437,10 @@ def test_the_models_solve_their_equations(kind):
     """The exact solutions, differentiated by the product rule, against the right-hand sides; the first is a parabola."""
     latitude, g, rate, radius = numbers(kind, "0.8", "9.81", "0.0001", "6371000")
     start, t = numbers(kind, 10, 20, 30, 100, -50, 70), numbers(kind, 15)
-    for model in shots.ladder(g, latitude, rate, radius)[:3]:
+    for model in (make(g, latitude, rate, radius) for make in (shots.flat, shots.coriolis, shots.plumb)):
         state = model.solution(t, start)
         rates = [at(lambda t, n=n, model=model: model.solution(t, start)[n] + 0 * t, t).rate for n in range(6)]
-        assert close(rates, model.derivative(state), small(kind, 1e3))
+        assert close(rates, model.derivative(state, t), small(kind, 1e3))
         assert close(model.solution(0 * t, start), start, 0)
     x, y, z, *_ = shots.flat(g).solution(t, start)
     assert close((x, y, z), [r + v * t - a * t * t / 2 for r, v, a in zip(start[:3], start[3:], (0, 0, g), strict=True)], small(kind, 1e4))
@@ -580,9 +583,10 @@ def test_units():
     assert e.gradient_wind(GRAVITY, LENGTH, pure, RATE) == SPEED
     assert e.inertial_circle(SPEED, pure, RATE) == LENGTH
     assert e.wind_acceleration(SPEED, pure, pure, RATE) == (GRAVITY, GRAVITY)
-    for model in shots.ladder(GRAVITY, pure, RATE, LENGTH):
+    for make in (shots.flat, shots.coriolis, shots.plumb, shots.flat_in_air, shots.full, shots.full_in_air):
+        model = make(GRAVITY, pure, RATE, LENGTH, 1 / LENGTH)
         start = (LENGTH,) * 3 + (SPEED,) * 3
-        rates = model.derivative(start)
+        rates = model.derivative(start, Dimension(0, 0, 1))
         assert rates[:3] == (SPEED,) * 3
         assert all(a in (0, GRAVITY) for a in rates[3:])
         assert all(bound == LENGTH for bound in model.neglected(Dimension(0, 0, 1), start).values())

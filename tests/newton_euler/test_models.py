@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import ZERO, Dimension, Frame, at, coordinate_accelerations, cos, moving, polar, sin
-from newton_euler.models import Model, ModelError, Neglected, second_order, smallest
+from newton_euler.models import Model, ModelError, second_order
 from newton_euler.scenes.aircraft import vertical_flight
 from newton_euler.scenes.low import air_near_low
 from newton_euler.scenes.projectile import flat
@@ -159,19 +159,6 @@ def test_solution_of_many_instants_at_once():
     x, y, dx, dy = MODELS["station"].solution(t, (1.0, 2.0, 3.0, 4.0))
     assert x.shape == (5,)
     assert close([q[2] for q in (x, y, dx, dy)], MODELS["station"].solution(1.0, (1.0, 2.0, 3.0, 4.0)), 1e-14)
-
-
-def test_smallest_takes_the_first_rung_below_the_tolerance():
-    rungs = [oscillator(neglects=[Neglected("drag", lambda s, p, t, b=b: b * t, "position")]) for b in (1.0, 0.1)]
-    assert smallest(rungs, 5.0, 2.0, (1.0, 0.0)).model is rungs[0]
-    assert smallest(rungs, 0.5, 2.0, (1.0, 0.0)).model is rungs[1]
-    with pytest.raises(ModelError, match=r"no model of this ladder is as accurate as 0\.001"):
-        smallest(rungs, 1e-3, 2.0, (1.0, 0.0))
-    with pytest.raises(ModelError, match=r"bounds of 'oscillator' have no values"):
-        smallest(rungs, 1e-3, sympy.Symbol("t"), (1.0, 0.0))
-    other = oscillator(neglects=[Neglected("drag", lambda s, p, t: t, "energy")])
-    with pytest.raises(ModelError, match="of different quantities and cannot be compared: energy; position"):
-        smallest([rungs[0], other], 1.0, 2.0, (1.0, 0.0))
 
 
 # -- refusals

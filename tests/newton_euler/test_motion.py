@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler import Model, ModelError
+from newton_euler import Model, ModelError, second_order, sqrt
 from newton_euler.methods import METHODS
 from newton_euler.motion import Event, MotionError, integrate, prepare
 from newton_euler.scenes import top
@@ -212,6 +212,17 @@ def test_an_exact_solution_that_ends_in_another_model_is_no_exact_motion():
     with pytest.raises(ModelError, match="it becomes a model without one; take method='auto'"):
         integrate(oscillator(), 5.0, (1.0, 0.0), events=switch, method="exact")
     assert integrate(oscillator(), 5.0, (1.0, 0.0), events=switch).error < 1e-9
+
+
+def test_where_heyoka_fails_because_rates_are_not_analytic_auto_goes_on():
+    """A fall in air, from rest, against the closed form; |v| has a corner at rest."""
+    model = second_order("fall in air", {"g": 10.0, "c": 0.1}, ("y",), lambda s, p, t: (-p.g - p.c * sqrt(s.dy * s.dy) * s.dy,))
+    if METHODS["taylor"].cannot(None) is None:
+        with pytest.raises(MotionError):
+            integrate(model, 2.0, (0.0, 0.0), 1e-9, "taylor")  # and now it is compiled, and preferred
+    motion = integrate(model, 2.0, (0.0, 0.0))
+    assert motion.method.name == "dop853"
+    assert motion.end["dy"] == pytest.approx(-10 * math.tanh(2.0), abs=1e-7)
 
 
 def test_progress_is_told():
