@@ -8,7 +8,7 @@ from .methods import METHODS
 from .models import ModelError
 from .records import Cost
 from .systems import System
-from .taylor import TAYLOR_MARGIN, installed, integrator
+from .taylor import LARGE, TAYLOR_MARGIN, installed, integrator
 
 ENOUGH = 64  # motions, from which heyoka's batches are worth their compilation
 
@@ -81,7 +81,8 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     import heyoka
 
     width, count = heyoka.recommended_simd_size(), starts.shape[1]
-    ta = integrator(system, TAYLOR_MARGIN * rtol, width)
+    least = abs(starts).max(axis=0).min()  # of the smallest motion: see taylor._scale
+    ta = integrator(system, TAYLOR_MARGIN * rtol * (least if 0 < least < LARGE else 1.0), width)
     early = system.traced.hoisted[1]._on(np)
     p = np.array([np.broadcast_to(x, count) for x in early(*(parameters.get(n, v) for n, v in zip(system.free, system.p, strict=True)))], dtype=float)
     if np.any(np.diff(times) <= 0) or times[0] < t0:

@@ -215,8 +215,8 @@ def prepare(model, rtol=1e-9, method="auto"):
     """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0, a tuple: one model for many runs, as under a slider.
 
     t, start : a float, and a tuple of floats in the order of the states. What is asked for, and raised, is as in :func:`integrate`, but there is no
-    record, so no error estimate and no drift: look at those of one run. Where there is no exact solution, "auto" compiles with heyoka at once, if it is
-    installed.
+    record, so no error estimate and no drift: look at those of one run. Where there is no exact solution, "auto" compiles with heyoka at once, if
+    it is installed.
 
     >>> from newton_euler.scenes.physical_pendulum import physical_pendulum
     >>> swing = prepare(physical_pendulum(2.0, 0.5, 0.5, 10.0))

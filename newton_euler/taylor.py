@@ -12,6 +12,7 @@ from .courses import CREEPING, PATIENCE, Course, StepError, instants
 
 LEVELS = (*(10.0 ** (-n / 2) for n in range(8, 31)), 2.3e-16)  # of heyoka's tolerance: each one is compiled by itself
 TAYLOR_MARGIN = 10.0**-1.5  # heyoka's tolerance over the error asked for: of 150 runs three are then worse than asked for, at 0.1 a tenth
+LARGE = 0.1  # states of this size are accurate enough with the tolerance as it is
 SHORT = 0.6  # of a natural step: at the orders used (8 to 20) the error is then a hundredth or less
 
 
@@ -41,6 +42,14 @@ def integrator(system, tolerance, batch=None):
     return known[level, batch]
 
 
+def _scale(system, t, x, goal):
+    """By what to make the tolerance smaller: to heyoka it is absolute where all states are less than 1."""
+    largest = max(map(abs, x))
+    if largest == 0.0:  # what they may become
+        largest = max(abs(rate) for rate in system.rates(t, x)) * (goal - t)
+    return 1.0 if largest >= LARGE or not largest > 0.0 else largest
+
+
 class Taylor(Course):
     """The course of a motion by Taylor series. Without events it is one call; what lies between is worked out when it is asked for."""
 
@@ -48,7 +57,7 @@ class Taylor(Course):
 
     def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
         super().__init__(system, t, x, goal, tolerance, sizes)
-        self.ta = integrator(system, tolerance)
+        self.ta = integrator(system, tolerance * _scale(system, t, self.x, goal))
         self.series, self.kept, self.step = [], None, step or math.inf
 
     def _put(self, t, x):
@@ -65,6 +74,8 @@ class Taylor(Course):
         p = system.numbers[: len(pars)]
 
         def run(t, start):
+            if max(map(abs, start)) < LARGE:
+                return slowly(t, start)
             pars[:] = p
             ta.time = 0.0
             state[:] = start
