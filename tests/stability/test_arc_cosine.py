@@ -6,14 +6,11 @@ import mpmath
 import numpy as np
 import pytest
 
+from newton_euler.accuracy.rivals import by_arc_cosine
 from newton_euler.rotations import axis_angle, in_sequence, rotation_matrix
 from tests.kinds import close
 
 AXIS = (0.36, 0.48, 0.8)
-
-
-def by_arc_cosine(R):
-    return math.acos(min(1.0, max(-1.0, (R[0][0] + R[1][1] + R[2][2] - 1) / 2)))
 
 
 def axis_by_skew_part(R):

@@ -6,13 +6,14 @@ import mpmath
 import numpy as np
 import pytest
 
+from newton_euler.accuracy.rivals import printed_roots
 from newton_euler.gyros import fast_spin, steady_precession
 
 I0, SPIN, MGR = 0.02, 100.0, 0.5
 
 
 def printed(a, h, c):
-    return (h - math.sqrt(h * h - 4 * a * c)) / (2 * a)
+    return printed_roots(a, h, c)[0]
 
 
 def slow(theta, I):
@@ -23,7 +24,7 @@ def exact(theta, I):
     """The slow root in 30 digits (of 60 that the printed form is given)."""
     with mpmath.workdps(60):
         a, h = (mpmath.mpf(I0) - I) * mpmath.cos(mpmath.mpf(theta)), mpmath.mpf(I) * SPIN
-        return (h - mpmath.sqrt(h * h - 4 * a * MGR)) / (2 * a)
+        return printed(a, h, MGR)
 
 
 @pytest.mark.parametrize(("cosine", "lost"), [(1e-6, 1e-12), (1e-9, 1e-9), (1e-12, 1e-6), (1e-14, 1e-3)])
@@ -65,7 +66,7 @@ def test_the_error_of_the_fast_spin_formula_is_told_without_cancellation():
     found = fast_spin(I0, 0.01, 1.0, spin, mgr=MGR)
     with mpmath.workdps(60):
         a, h = (mpmath.mpf(I0) - 0.01) * mpmath.cos(1), mpmath.mpf(0.01) * spin
-        true = (h - mpmath.sqrt(h * h - 4 * a * MGR)) / (2 * a)
+        true = printed(a, h, MGR)
         error = (MGR / h - true) / true
     naive = found.slow / steady_precession(I0, 0.01, 1.0, spin=spin, mgr=MGR).slow - 1
     assert abs(naive / error - 1) > 1e-9

@@ -1,0 +1,67 @@
+"""Default tolerances: rtol 1e-3 and atol 1e-6 are neither small for a motion near a turning point nor relative for a small one."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler import second_order
+from newton_euler.motion import integrate
+from newton_euler.scenes.physical_pendulum import physical_pendulum
+
+G = 9.81
+PENDULUM = physical_pendulum(1.0, 0.0, 1.0, G)  # of 1 kg on 1 m; theta from the lowest place
+
+
+def _spring(s, p, t):
+    return (-p.k * s.x,)
+
+
+SPRING = second_order("oscillator", {"k": 4.0}, ("x",), _spring)
+
+
+def by_default(model, t, start, **options):
+    rhs = model.compiled_rhs(*model.parameters)
+    values = tuple(model.parameters.values())
+    return solve_ivp(lambda t, y: rhs(t, *y.tolist(), *values), (0.0, t), start, **options)
+
+
+def test_a_pendulum_released_at_3_1_rad_gains_more_energy_than_it_has_and_turns_over_dozens_of_times():
+    found = by_default(PENDULUM, 100.0, (3.1, 0.0))
+    energies = [PENDULUM.invariant("energy", s) for s in found.y.T.tolist()]
+    assert found.success
+    assert energies[-1] - energies[0] > 2 * G  # J: as much as lifts it from the lowest place to the highest
+    assert np.max(np.abs(found.y[0])) > 100  # rad
+
+
+@pytest.mark.parametrize("method", ["auto", "dop853", "taylor"])
+def test_the_engine_keeps_its_energy_to_1e_minus_9_and_swings_back_every_time(method):
+    if method == "taylor":
+        pytest.importorskip("heyoka")
+    motion = integrate(PENDULUM, 100.0, (3.1, 0.0), method=method)
+    assert motion.error < 1e-9
+    assert motion.drift["energy"] < 1e-9
+    assert np.max(np.abs(motion.states["theta"])) <= 3.1 * (1 + 1e-12)
+
+
+@pytest.mark.parametrize("beside", [1e-2, 1e-4, 1e-6])
+def test_beside_the_highest_place_it_turns_back_from_one_side_and_over_from_the_other(beside):
+    """At the top, with a hair less than the energy needed and a hair more."""
+    back = integrate(PENDULUM, 30.0, (math.pi - beside, 0.0), samples=2001).states["theta"]
+    over = integrate(PENDULUM, 30.0, (math.pi - beside, 2 * beside * math.sqrt(G)), samples=2001).states["theta"]
+    assert back.max() < math.pi
+    assert over.max() > 2 * math.pi
+
+
+@pytest.mark.parametrize("amplitude", [1e-6, 1e-7, 1e-8])
+def test_a_small_vibration_is_off_by_more_than_its_size(amplitude):
+    found = by_default(SPRING, 20.0, (amplitude, 0.0))
+    assert np.max(np.abs(found.y[0] - amplitude * np.cos(2 * found.t))) > 1.5 * amplitude
+
+
+@pytest.mark.parametrize("amplitude", [1.0, 1e-3, 1e-6, 1e-8])
+def test_the_engine_is_accurate_relative_to_the_size_of_a_state_and_says_so(amplitude):
+    motion = integrate(SPRING, 20.0, (amplitude, 0.0), 1e-9, "dop853")
+    assert motion.end["x"] == pytest.approx(amplitude * math.cos(40.0), abs=1e-8 * amplitude)
+    assert motion.error < 1e-9

@@ -1,0 +1,108 @@
+"""A bouncing ball comes to rest after infinitely many impacts in a finite time; a loop of runs lets it fall through the floor."""
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler import Model
+from newton_euler.motion import Event, integrate
+
+G, E, HEIGHT, T = 10.0, 0.9, 5.0, 30.0
+FIRST = (2 * HEIGHT / G) ** 0.5  # 1 s
+REST = FIRST * (1 + E) / (1 - E)  # 19 s
+
+
+def _rates(s, p, t):
+    return s.v, -p.g
+
+
+def _exact(s, p, t):
+    return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
+
+
+def _height(s, p, t):
+    return s.h
+
+
+def _bounce(s, p, t):
+    return BALL.changed(e=p.e), (0.0, -p.e * s.v)
+
+
+def _bounce_or_rest(s, p, t):
+    """The rule for what comes after: an impact slower than 1 mm/s is the last."""
+    return (BALL, (0.0, -p.e * s.v)) if s.v < -1e-3 else (BALL.changed(g=0.0), (0.0, 0.0), ())
+
+
+BALL = Model("ball", {"g": G, "e": E}, ("h", "v"), _rates, exact=_exact)
+
+
+def impact(n, e=E):
+    """The instant of the impact number n, from 0."""
+    return FIRST * (1 + 2 * sum(e**k for k in range(1, n + 1)))
+
+
+def by_restarts():
+    """Height at T and number of impacts, solve_ivp started again after each terminal event."""
+
+    def floor(t, y):
+        return y[0]
+
+    floor.terminal, floor.direction = True, -1
+    t, state, count = 0.0, [HEIGHT, 0.0], 0
+    while t < T and count < 2000:
+        run = solve_ivp(lambda t, y: [y[1], -G], (t, T), state, events=floor, rtol=1e-9, atol=1e-12)
+        t, state = run.t[-1], run.y[:, -1]
+        if run.status == 1:
+            count, state = count + 1, [state[0], -E * state[1]]
+    return t, state[0], count
+
+
+def by_steps(dt):
+    """The lowest height, from steps of dt with a bounce wherever the ball is below the floor."""
+    h, v, lowest = HEIGHT, 0.0, 0.0
+    for _ in range(round(T / dt)):
+        v -= G * dt
+        h += v * dt
+        if h < 0:
+            v = -E * v
+        lowest = min(lowest, h)
+    return lowest
+
+
+def test_runs_started_again_after_each_impact_let_it_fall_hundreds_of_metres_through_the_floor_or_never_end():
+    t, height, count = by_restarts()
+    assert count > 150
+    assert height < -500 or t < T  # m
+
+
+@pytest.mark.parametrize("dt", [1e-2, 1e-3])
+def test_steps_with_a_test_at_each_let_it_sink_into_the_floor_by_a_hundred_steps_of_its_last_fall(dt):
+    assert by_steps(dt) < -50 * dt
+
+
+@pytest.mark.parametrize("method", ["exact", "dop853"])
+def test_the_engine_finds_the_impacts_and_before_the_last_says_that_there_is_no_end_of_them(method):
+    motion = integrate(BALL, T, (HEIGHT, 0.0), method=method, events=Event(_height, -1, then=_bounce, name="impact"))
+    assert motion.ended.startswith("events follow each other without end: impact at t = 18.99999")
+    assert "give then= a rule for what comes after" in motion.ended
+    assert motion.t_end == pytest.approx(REST, abs=1e-5)
+    found = np.array([e.t for e in motion.events])
+    assert len(found) > 130
+    assert np.max(np.abs(found[:100] - [impact(n) for n in range(100)])) < 1e-12
+    assert motion.states["h"].min() > -1e-12
+
+
+def test_with_a_rule_for_the_last_impact_it_lies_on_the_floor_for_the_rest_of_the_time():
+    motion = integrate(BALL, T, (HEIGHT, 0.0), events=Event(_height, -1, then=_bounce_or_rest, name="impact"))
+    assert motion.ended == "reached t = 30"
+    assert motion.end == {"h": 0.0, "v": 0.0}
+    assert motion.events[-1].t == pytest.approx(REST, abs=2e-3 / G / (1 - E))
+
+
+@pytest.mark.parametrize("e", [0.999, 1.0])
+def test_beside_it_a_ball_that_hardly_loses_anything_goes_on(e):
+    """Rest would be reached after 2000 s, or never: 15 impacts in 30 s, to round-off."""
+    motion = integrate(BALL.changed(e=e), T, (HEIGHT, 0.0), events=Event(_height, -1, then=_bounce, name="impact"))
+    assert motion.ended == "reached t = 30"
+    exact = [impact(n, e) for n in range(40)]
+    assert [x.t for x in motion.events] == pytest.approx([t for t in exact if t < T - 1e-9], abs=1e-13)

@@ -1,0 +1,108 @@
+"""Events that lie close together: a solver that compares signs at the ends of its steps finds none of two; roots of a polynomial are all at hand."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler import Model, cos, sin
+from newton_euler.motion import Event, integrate
+
+G, V0 = 10.0, 10.0  # thrown upwards: 5 m high at 1 s
+TOP = V0 * V0 / (2 * G)
+
+
+def _rates(s, p, t):
+    return s.v, -p.g
+
+
+def _exact(s, p, t):
+    return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
+
+
+def _waves(s, p, t):
+    return s.dx, -p.k * s.x
+
+
+def _through(s, p, t):
+    return s.h - p.line
+
+
+def _back(s, p, t):
+    return THROW.changed(line=p.line), (s.h, -s.v)
+
+
+def _crest(s, p, t):
+    return s.x - p.line
+
+
+THROW = Model("throw", {"g": G, "line": 0.0}, ("h", "v"), _rates, exact=_exact)
+WAVE = Model("wave", {"k": 400.0, "line": 0.999}, ("x", "dx"), _waves)  # 20 rad/s
+METHODS = ("exact", "dop853", "taylor", "scipy DOP853")
+
+
+def crossings(gap, method="auto"):
+    """The instants at which the ball passes a line that it stays above for ``gap`` seconds; negative: a line as far above its top."""
+    line = TOP - math.copysign(G * gap * gap / 8, gap)
+    if method == "taylor":
+        pytest.importorskip("heyoka")
+    return [e.t for e in integrate(THROW.changed(line=line), 3.0, (0.0, V0), method=method, events=Event(_through)).events]
+
+
+@pytest.mark.parametrize("options", [{}, {"rtol": 1e-6}, {"method": "DOP853", "rtol": 1e-10}, {"method": "Radau"}, {"method": "LSODA"}], ids=str)
+def test_of_two_roots_two_hundredths_of_a_second_apart_solve_ivp_finds_none(options):
+    line = TOP - G * 0.02**2 / 8
+    found = solve_ivp(lambda t, y: [y[1], -G], (0.0, 3.0), (0.0, V0), events=lambda t, y: y[0] - line, **options)
+    assert found.success
+    assert len(found.t_events[0]) == 0
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("gap", [0.5, 2e-2, 1e-3, 1e-5])
+def test_the_engine_finds_both_down_to_1e_minus_5_s(method, gap):
+    """The height is known to 1e-15 m, the instant so near the top to a few 1e-15 s over the gap."""
+    assert crossings(gap, method) == pytest.approx([1 - gap / 2, 1 + gap / 2], abs=1e-13 + 5e-15 / gap)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("gap", [-1e-5, -1e-3, -0.5])
+def test_of_a_line_that_it_just_does_not_reach_it_finds_nothing(method, gap):
+    assert crossings(gap, method) == []
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("gap", [2e-2, 1e-3, 1e-4])
+def test_a_ball_that_grazes_the_ceiling_turns_there_and_one_that_stays_below_does_not(method, gap):
+    """The speed at the impact is half of G gap; it comes down earlier by the gap."""
+    if method == "taylor":
+        pytest.importorskip("heyoka")
+    ceiling = Event(_through, 1, then=_back, name="impact")
+    hit = integrate(THROW.changed(line=TOP - G * gap * gap / 8), 1.8, (0.0, V0), method=method, events=ceiling)
+    assert [e.name for e in hit.events] == ["impact"]
+    assert hit.events[0].state["v"] == pytest.approx(G * gap / 2, rel=2e-14 / gap**2 + 1e-12)
+    assert hit.end["v"] == pytest.approx(V0 - G * (1.8 + gap), abs=1e-12 / gap)
+    missed = integrate(THROW.changed(line=TOP + G * gap * gap / 8), 1.8, (0.0, V0), method=method, events=ceiling)
+    assert missed.events == ()
+    assert missed.end["v"] == pytest.approx(V0 - G * 1.8, abs=1e-13)
+
+
+def test_of_the_63_short_visits_to_a_crest_solve_ivp_loses_most_and_the_engine_none():
+    """x = cos(20 t): above 0.999 for 4.5 ms in every 314 ms."""
+    wave = solve_ivp(lambda t, y: [y[1], -400.0 * y[0]], (0.0, 20.0), (0.0, 20.0), rtol=1e-6, atol=1e-9, events=lambda t, y: y[0] - 0.999)
+    first = (math.pi / 2 - math.acos(0.999)) / 20
+    last = (math.pi / 2 + math.acos(0.999)) / 20
+    exact = sorted(x + 2 * math.pi * n / 20 for n in range(64) for x in (first, last) if x + 2 * math.pi * n / 20 < 20)
+    assert len(wave.t_events[0]) < len(exact) / 2
+    ours = [e.t for e in integrate(WAVE, 20.0, (0.0, 20.0), events=Event(_crest)).events]
+    assert len(ours) == len(exact)
+    assert np.max(np.abs(np.array(ours) - exact)) < 1e-8  # s
+
+
+def test_roots_of_a_function_that_is_no_polynomial_of_the_states_are_found_as_well():
+    def beats(s, p, t):
+        return sin(40 * t) * cos(3 * t + 0.1)
+
+    found = [e.t for e in integrate(THROW, 3.0, (0.0, V0), events=Event(beats)).events]
+    exact = sorted([math.pi * n / 40 for n in range(1, 39)] + [(math.pi * (n + 0.5) - 0.1) / 3 for n in range(3)])
+    assert found == pytest.approx([t for t in exact if t < 3], abs=1e-12)

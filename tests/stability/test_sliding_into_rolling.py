@@ -1,0 +1,113 @@
+"""Sliding that turns into rolling: friction as sign(slip) makes a solver chatter or stop; an event and another model do not (8.6)."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler.motion import Event, integrate
+from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
+
+V0, MU, G, R, T = 7.0, 0.2, 10.0, 0.5, 3.0
+BEGINS = rolling_begins(V0, MU, G, R)  # at 1 s
+
+
+class StuckError(Exception):
+    """The right-hand side was called too often."""
+
+
+def friction_by_sign(most=20_000, **options):
+    """State and number of calls at T, with one right-hand side for both regimes; StuckError holds the time that was reached."""
+    calls = 0
+
+    def rates(t, y):
+        nonlocal calls
+        calls += 1
+        if calls > most:
+            raise StuckError(t)
+        friction = -np.sign(y[1] + y[2] * R) * MU * G
+        return [y[1], friction, friction / (0.4 * R)]
+
+    return solve_ivp(rates, (0.0, T), (0.0, V0, 0.0), **options).y[:, -1], calls
+
+
+def slip(s, p, t):
+    """The velocity of the lowest point."""
+    return s.v + s.omega * p.r
+
+
+def goes_on_rolling(s, p, t):
+    """The other model, from where the first one ends."""
+    return rolling(p.r, p.k), (s.x, s.v, s.omega)
+
+
+ROLLS = Event(slip, then=goes_on_rolling, name="rolling begins")
+
+
+def thrown(v0, omega0=0.0, rtol=1e-9, method="auto", t=T):
+    """A sphere thrown with the speed v0 and a spin, by the engine."""
+    sense = math.copysign(1, v0 + omega0 * R)
+    return integrate(sliding(MU, G, R, sense=sense), t, (0.0, v0, omega0), rtol, method, ROLLS)
+
+
+def test_at_the_default_tolerance_the_sphere_never_rolls_and_its_speed_is_wrong_in_the_fourth_digit():
+    y, calls = friction_by_sign()
+    assert calls < 1000
+    assert abs(y[1] + y[2] * R) > 1e-3  # m/s of slip, 2 s after rolling began
+    assert 3e-4 < abs(y[1] - BEGINS.v) < 1e-2
+
+
+def test_at_1e_minus_6_it_takes_tens_of_thousands_of_calls_to_stand_still_on_a_jump():
+    y, calls = friction_by_sign(most=200_000, rtol=1e-6, atol=1e-6)
+    assert calls > 30_000
+    assert 1e-7 < abs(y[1] - BEGINS.v) < 1e-3
+
+
+@pytest.mark.filterwarnings("ignore:overflow")
+@pytest.mark.parametrize(
+    "options", [{"method": "LSODA"}, {"method": "LSODA", "rtol": 1e-6}, {"method": "Radau"}, {"rtol": 1e-9, "atol": 1e-9}], ids=str
+)
+def test_other_methods_and_tighter_tolerances_get_stuck_just_after_rolling_begins(options):
+    with pytest.raises(StuckError) as stuck:
+        friction_by_sign(**options)
+    assert BEGINS.t < stuck.value.args[0] < BEGINS.t + 0.7  # s, of 3
+
+
+def test_with_an_event_and_two_models_it_rolls_to_round_off_in_a_hundred_calls():
+    motion = thrown(V0)
+    assert motion.events[0].t == pytest.approx(BEGINS.t, abs=4e-16)
+    assert [leg.system.model.name for leg in motion.legs] == ["sliding sphere", "rolling sphere"]
+    assert motion.end["v"] == pytest.approx(5.0, abs=2e-15)
+    assert abs(motion.end["v"] + motion.end["omega"] * R) < 4e-15
+    assert motion.end["x"] == pytest.approx(sphere_at(T, V0, MU, G, R)[0], abs=4e-15)
+    assert motion.cost.calls < 300
+
+
+@pytest.mark.parametrize("method", ["dop853", "taylor", "scipy DOP853", "scipy RK45"])
+def test_every_method_of_the_engine_finds_the_same(method):
+    if method == "taylor":
+        pytest.importorskip("heyoka")
+    motion = thrown(V0, method=method)
+    assert motion.events[0].t == pytest.approx(BEGINS.t, abs=1e-12)
+    assert motion.end["x"] == pytest.approx(sphere_at(T, V0, MU, G, R)[0], abs=1e-11)
+    assert motion.cost.calls < 1000
+
+
+@pytest.mark.parametrize("slip0", [1e-3, 1e-6, 1e-9, -1e-9, -1e-6, -1e-3])
+def test_beside_rolling_from_the_start_the_instant_is_right_to_the_rounding_of_the_slip(slip0):
+    """It slides for microseconds to picoseconds; the slip is a difference of two speeds of 5 m/s, known to 1e-15."""
+    v0 = 5.0 + slip0
+    motion = thrown(v0, -5.0 / R)
+    exact = rolling_begins(v0, MU, G, R, omega0=-5.0 / R, sense=math.copysign(1, slip0))
+    assert motion.events[0].t == pytest.approx(exact.t, abs=2e-15 / (3.5 * MU * G))
+    assert motion.end["v"] == pytest.approx(exact.v, abs=2e-15)
+
+
+@pytest.mark.parametrize(("omega0", "v"), [(0.0, 5.0), (30.0, 5 - 2 / 7 * 15), (35.0, 0.0), (40.0, 5 - 2 / 7 * 20)])
+def test_backspin_rolls_on_stops_dead_or_comes_back(omega0, v):
+    motion = thrown(V0, omega0, t=12.0)
+    assert motion.end["v"] == pytest.approx(v, abs=4e-15)
+    start, end = ({"v": V0, "omega": omega0}, motion.end)
+    momentum = [0.4 * R * R * s["omega"] - R * s["v"] for s in (start, end)]  # about the surface, over the mass
+    assert momentum[1] == pytest.approx(momentum[0], abs=1e-14)

@@ -1,0 +1,86 @@
+"""A rod hinged on a turning shaft: at the critical rate hanging down gives way to swinging out, a pitchfork (10.7), (10.31)."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from newton_euler.gyros import GyroError
+from newton_euler.motion import integrate
+from newton_euler.scenes.turning_shaft import hinged, least_rate, rod, stiffness, swing_out
+
+G, LENGTH, MASS = 9.81, 2.0, 3.0
+CRITICAL = least_rate(**rod(MASS, LENGTH, 1.0, G))  # sqrt(3 g/(2 L)), 2.71 rad/s
+
+
+def turning(ratio):
+    """The parameters of the rod at ``ratio`` times the critical rate."""
+    return rod(MASS, LENGTH, ratio * CRITICAL, G)
+
+
+def exact_angle(parameters):
+    with mpmath.workdps(40):
+        c = mpmath.mpf(parameters["weight_moment"]) / (mpmath.mpf(parameters["excess"]) * mpmath.mpf(parameters["omega"]) ** 2)
+        return mpmath.acos(c)
+
+
+def farthest(ratio, T=60.0, tilt=1e-6):
+    """The largest angle (rad) in the time T after a tilt."""
+    return integrate(hinged(**turning(ratio)), T, (tilt, 0.0), samples=4001).states["theta"].max()
+
+
+def test_a_run_of_a_minute_calls_an_unstable_rod_stable_and_the_criterion_does_not():
+    """From 1e-6 rad the tilt grows by exp(sqrt(2 x 1e-4) x 2.7 T): at 1.0001 of the critical rate a minute is not enough."""
+    assert farthest(1.0001) < 1e-5
+    assert farthest(1.01) > 0.2
+    assert stiffness(0.0, **turning(1.0001)) < 0
+
+
+@pytest.mark.parametrize("off", [1e-2, 1e-6, 1e-10, 1e-14])
+def test_the_criterion_decides_on_both_sides_down_to_1e_minus_14_of_the_rate(off):
+    assert stiffness(0.0, **turning(1 - off)) > 0 > stiffness(0.0, **turning(1 + off))
+    assert stiffness(swing_out(**turning(1 + off)), **turning(1 + off)) > 0
+
+
+def test_a_derivative_by_finite_differences_across_the_threshold_is_of_neither_side():
+    """theta grows like sqrt(4 (omega/critical - 1)): its slope there has no bound, and below it is zero."""
+    h = 1e-4
+    slope = (swing_out(**turning(1 + h)) - 0.0) / (2 * h)
+    assert 50 < slope < 200
+    assert (swing_out(**turning(1 + h * h)) - 0.0) / (2 * h * h) > 50 * slope
+
+
+@given(st.floats(-13, 0.5))
+def test_above_it_the_angle_is_right_to_the_rounding_of_the_rate_over_the_distance_from_the_threshold(exponent):
+    parameters = turning(1 + 10**exponent)
+    assert abs(swing_out(**parameters) / exact_angle(parameters) - 1) < 4e-16 / 10**exponent + 4e-16
+
+
+@pytest.mark.parametrize("off", [1e-2, 1e-8, 1e-14])
+def test_below_it_the_engine_refuses_an_angle_and_says_from_which_rate_on_there_is_one(off):
+    with pytest.raises(GyroError, match=r"the body hangs straight down; it swings out above 2\.712"):
+        swing_out(**turning(1 - off))
+
+
+@pytest.mark.parametrize("off", [1e-1, 1e-3, 1e-5])
+def test_small_swings_about_the_new_angle_have_the_frequency_of_the_criterion(off):
+    """On both sides of the threshold; the softer the rod, the smaller the swing must be."""
+    for ratio, theta in ((1 + off, swing_out(**turning(1 + off))), (1 - off, 0.0)):
+        parameters = turning(ratio)
+        period = 2 * math.pi / math.sqrt(stiffness(theta, **parameters))
+        swing = 1e-4 * math.sqrt(off)
+        motion = integrate(hinged(**parameters), period, (theta + swing, 0.0), rtol=1e-11)
+        assert motion.end["theta"] - theta == pytest.approx(swing, rel=1e-5)
+        half = motion.at(period / 2)
+        assert half["theta"] - theta == pytest.approx(-swing, rel=1e-3)
+
+
+def test_many_rates_at_once_are_told_apart():
+    ratios = np.array([1.001, 1.1, 2.0])
+    angles = swing_out(**turning(ratios))
+    assert np.all(np.diff(angles) > 0)
+    with pytest.raises(GyroError, match="hangs straight down"):
+        swing_out(**turning(np.array([0.9, 1.1])))
