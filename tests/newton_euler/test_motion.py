@@ -145,6 +145,17 @@ def test_errors_are_what_was_asked_for_everywhere(method, least):
     assert statistics.median(asked) >= least
 
 
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize("size", [1e-6, 1e-3, 1.0, 1e6])
+def test_small_motions_are_as_accurate_as_large_ones(method, size):
+    """Relative to their size, in the closed form; to heyoka a tolerance is absolute below 1."""
+    needs(method)
+    for rtol in (1e-6, 1e-9):
+        motion = integrate(oscillator(exact=False), 20.0, (size, 0.0), rtol, method)
+        assert abs(motion.end["x"] / size - math.cos(40.0)) < 3 * rtol
+        assert prepare(oscillator(exact=False), rtol, method)(20.0, (size, 0.0))[0] / size == pytest.approx(math.cos(40.0), abs=3 * rtol)
+
+
 def test_an_error_that_cannot_be_reached_is_told():
     """Swinging over the top, the last digits of a float are not enough for 1e-12 without heyoka's care."""
     model, t, start = SCENES["pendulum, over the top"]

@@ -1,0 +1,405 @@
+"""Several ways to one answer, textbook ways and the engine's, for :mod:`newton_euler.accuracy.comparisons`; with their errors against 40 digits.
+
+Nothing else in the engine uses what is here: most of it is how *not* to do it.
+"""
+
+import math
+import operator
+from functools import cache, reduce
+from itertools import repeat
+
+from .. import rotations
+from ..frames import Frame
+from ..gyros import steady_precession
+from ..integration import integrated
+from ..mass import composite
+from ..scalars import cos, moving, sin, sqrt
+from ..solids import half_disk, simplex
+from ..tracing import compiled
+from . import relative_error
+
+DIGITS = 40
+
+# -- derivatives
+
+INSTANT = 1.3  # s
+FORWARD, CENTRAL = ((0, -1), (1, 1)), ((-1, -0.5), (1, 0.5))  # first differences: (steps away, weight)
+FORWARD_SECOND, CENTRAL_SECOND = ((0, 1), (1, -2), (2, 1)), ((-1, 1), (0, -2), (1, 1))
+
+
+def boom_end(t):
+    """The place (x, y, z), in m, of the end of a boom that turns, rises and lengthens, at the time t (s)."""
+    length, elevation, turned = 20 + 3 * sin(2 * t), 0.5 + 0.3 * cos(3 * t), 0.4 * t * t
+    return length * cos(elevation) * cos(turned), length * cos(elevation) * sin(turned), length * sin(elevation)
+
+
+def difference(f, t, h, weights, order):
+    """The difference quotient of f, a function of time that returns several numbers: sums of weight f(t + n h), divided by h^order."""
+    values = [[weight * x for x in f(t + n * h)] for n, weight in weights]
+    return tuple(sum(column) / h**order for column in zip(*values, strict=True))
+
+
+def complex_step(f, t, h):
+    """f'(t) as Im f(t + i h)/h: no difference, hence no cancellation."""
+    return tuple(x.imag / h for x in f(t + 1j * h))
+
+
+def complex_step_second(f, t, h):
+    """f''(t) as 2 (f(t) - Re f(t + i h))/h^2, which cancels as every difference."""
+    return tuple(2 * (x - z.real) / (h * h) for x, z in zip(f(t), f(t + 1j * h), strict=True))
+
+
+def velocity(t):
+    """The velocity of the boom's end by the engine, m/s: on a number that carries its rates."""
+    return tuple(x.rate for x in boom_end(moving(t, rate=1.0)))
+
+
+def acceleration(t):
+    """Its acceleration, m/s^2."""
+    return tuple(x.acceleration for x in boom_end(moving(t, rate=1.0)))
+
+
+_traced = cache(compiled)
+FIRST_DERIVATIVES = {
+    "forward difference": lambda h: difference(boom_end, INSTANT, h, FORWARD, 1),
+    "central difference": lambda h: difference(boom_end, INSTANT, h, CENTRAL, 1),
+    "complex step": lambda h: complex_step(boom_end, INSTANT, h),
+    "engine, no step": lambda h: velocity(INSTANT),
+    "engine, traced": lambda h: _traced(velocity)(INSTANT),
+}
+SECOND_DERIVATIVES = {
+    "forward difference": lambda h: difference(boom_end, INSTANT, h, FORWARD_SECOND, 2),
+    "central difference": lambda h: difference(boom_end, INSTANT, h, CENTRAL_SECOND, 2),
+    "complex step": lambda h: complex_step_second(boom_end, INSTANT, h),
+    "engine, no step": lambda h: acceleration(INSTANT),
+    "engine, traced": lambda h: _traced(acceleration)(INSTANT),
+}
+
+
+@cache
+def _derivative(order):
+    import mpmath
+
+    with mpmath.workdps(DIGITS):
+        return tuple(mpmath.diff(lambda t, n=n: boom_end(t)[n], mpmath.mpf(INSTANT), order) for n in range(3))
+
+
+def velocity_error(found, h=None):
+    """The error of a first derivative."""
+    return relative_error(found, _derivative(1))
+
+
+def acceleration_error(found, h=None):
+    """The error of a second derivative."""
+    return relative_error(found, _derivative(2))
+
+
+# -- turns
+
+AXIS, SMALL = (0.36, 0.48, 0.8), 0.01
+
+
+@cache
+def _turned(axis, angle, times=1):
+    """The matrix of a turn, so many times over, in 40 digits: by the series of exp."""
+    import mpmath
+
+    with mpmath.workdps(DIGITS):
+        x, y, z = (mpmath.mpf(c) / mpmath.norm(list(axis)) for c in axis)
+        return mpmath.expm(mpmath.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * mpmath.mpf(angle) * times)
+
+
+def _off(R, exact):
+    """How far the entries of R are from those of a rotation, as a root of the sum of squares, relative to that of a rotation, sqrt(3)."""
+    return math.sqrt(sum(float(R[n][m] - exact[n, m]) ** 2 for n in range(3) for m in range(3)) / 3)
+
+
+def by_matrices(n):
+    """n small turns, one after the other, as a product of matrices."""
+    return reduce(rotations.product, repeat(rotations.rotation_matrix(AXIS, SMALL), n))
+
+
+def by_numpy(n):
+    """The same product by NumPy."""
+    import numpy as np
+
+    return reduce(np.matmul, repeat(np.array(rotations.rotation_matrix(AXIS, SMALL)), n))
+
+
+def by_quaternions(n):
+    """As a product of quaternions, whose length is divided out at the end."""
+    return rotations.matrix_from_quaternion(reduce(rotations.quaternion_product, repeat(rotations.quaternion(AXIS, SMALL), n)))
+
+
+def by_scipy(n):
+    """As a product of SciPy's rotations."""
+    from scipy.spatial.transform import Rotation
+
+    q0, *v = rotations.quaternion(AXIS, SMALL)
+    return reduce(operator.mul, repeat(Rotation.from_quat([*v, q0]), n)).as_matrix().tolist()
+
+
+def by_euler_angles(n):
+    """With Euler angles 3-1-3 kept between one turn and the next."""
+    q = rotations.quaternion(AXIS, SMALL)
+    angles = rotations.euler_from_quaternion(q)
+    for _ in range(n - 1):
+        angles = rotations.euler_from_quaternion(rotations.quaternion_product(rotations.quaternion_from_euler(*angles), q))
+    return rotations.euler_matrix(*angles)
+
+
+TURNS = {
+    "3 x 3 matrices": by_matrices,
+    "matrices, NumPy": by_numpy,
+    "Euler angles": by_euler_angles,
+    "quaternions": by_quaternions,
+    "SciPy's Rotation": by_scipy,
+}
+
+
+def turn_error(R, n):
+    """The error of the attitude after n turns."""
+    return _off(R, _turned(AXIS, SMALL, n))
+
+
+def drift(R, n=None):
+    """How far R is from any rotation: the largest entry of R^T R - 1."""
+    gram = rotations.product(tuple(zip(*R, strict=True)), R)
+    return max(abs(float(gram[n][m]) - (n == m)) for n in range(3) for m in range(3))
+
+
+# -- past the vertical: a body turns about the x axis at 1 rad/s, while its z axis passes the vertical at a least angle
+
+STEPS, BEFORE, AFTER = 200, -0.9, 1.1  # s; a step ends where the axis is nearest to the vertical, at t = 0
+
+
+def runge_kutta(rate, s, step, steps):
+    """The state after so many steps of the classical method of fourth order, for ds/dt = rate(s), s a tuple."""
+
+    def moved(by, k):
+        return tuple(x + by * d for x, d in zip(s, k, strict=True))
+
+    for _ in range(steps):
+        a = rate(s)
+        b = rate(moved(step / 2, a))
+        c = rate(moved(step / 2, b))
+        d = rate(moved(step, c))
+        s = moved(step / 6, tuple(w + 2 * x + 2 * y + z for w, x, y, z in zip(a, b, c, d, strict=True)))
+    return s
+
+
+def _tilted(least, t):
+    return rotations.product(rotations.rotation_matrix((1, 0, 0), t), rotations.rotation_matrix((0, 1, 0), least))
+
+
+def _body_rates(least):
+    return math.cos(least), 0.0, math.sin(least)
+
+
+def pass_by_euler_rates(least):
+    """The attitude by the rates of Euler's angles (10.12)."""
+    omega = _body_rates(least)
+    start = rotations.euler_angles(_tilted(least, BEFORE))
+    return rotations.euler_matrix(*runge_kutta(lambda s: rotations.euler_rates(*s, omega), start, (AFTER - BEFORE) / STEPS, STEPS))
+
+
+def pass_by_quaternion_rate(least):
+    """The attitude by the rate of a quaternion."""
+    omega = _body_rates(least)
+    start = rotations.quaternion_from_matrix(_tilted(least, BEFORE))
+    return rotations.matrix_from_quaternion(runge_kutta(lambda q: rotations.quaternion_rate(q, omega), start, (AFTER - BEFORE) / STEPS, STEPS))
+
+
+PASSES = {"rates of Euler's angles": pass_by_euler_rates, "rate of a quaternion": pass_by_quaternion_rate}
+
+
+def pass_error(R, least):
+    """The error of the attitude after the pass."""
+    return _off(R, _turned((1, 0, 0), AFTER) * _turned((0, 1, 0), least))
+
+
+# -- inertia: a flat sheet, a triangle with a half disk on its base, about the apex; x is its axis of symmetry, z normal to it
+
+RADIUS, HEIGHT, DENSITY = 0.3, 0.8, 5.0  # m, m, kg/m^2
+
+
+def _sampled(u, v):
+    """The moments if the rectangle around the sheet is divided evenly among the points (u, v) of the unit square, and those outside are left out."""
+    cell = DENSITY * (HEIGHT + RADIUS) * 2 * RADIUS / len(u)
+    x, y = u * (HEIGHT + RADIUS), (2 * v - 1) * RADIUS
+    inside = ((x <= HEIGHT) & (abs(y) <= RADIUS * x / HEIGHT)) | ((x > HEIGHT) & (y * y + (x - HEIGHT) ** 2 <= RADIUS**2))
+    xx, yy = (float(cell * (c[inside] ** 2).sum()) for c in (x, y))
+    return yy, xx, xx + yy
+
+
+def by_random_points(n):
+    """n mass points at random."""
+    import numpy as np
+
+    return _sampled(*np.random.default_rng(1).random((2, n)))
+
+
+def by_grid(n):
+    """About n mass points, in the middle of rectangles."""
+    import numpy as np
+
+    middles = (np.arange(k := round(n**0.5)) + 0.5) / k
+    return _sampled(*(c.ravel() for c in np.meshgrid(middles, middles)))
+
+
+def _triangle(x, slope):
+    return x, slope * x, 0
+
+
+def _half_disk(r, angle):
+    return HEIGHT + r * cos(angle), r * sin(angle), 0
+
+
+def by_quadrature(n=None):
+    """The engine's integrals, in coordinates that follow the edges."""
+    sheet, slope, right = Frame("sheet"), RADIUS / HEIGHT, math.pi / 2
+    parts = (
+        integrated(_triangle, (0, HEIGHT), (-slope, slope), frame=sheet, density=DENSITY, name="triangle"),
+        integrated(_half_disk, (0, RADIUS), (-right, right), frame=sheet, density=DENSITY, name="half disk"),
+    )
+    return composite("sheet", parts).about(sheet.origin).moments
+
+
+def by_composition(n=None):
+    """The engine's closed forms, put together."""
+    sheet = Frame("sheet")
+    corners = sheet.origin, sheet.point("A", HEIGHT, RADIUS, 0), sheet.point("B", HEIGHT, -RADIUS, 0)
+    parts = simplex(*corners, density=DENSITY), half_disk(RADIUS, sheet.point("M", HEIGHT, 0, 0), "z", "x", density=DENSITY)
+    return composite("sheet", parts).about(sheet.origin).moments
+
+
+INERTIAS = {
+    "random points": by_random_points,
+    "grid of points": by_grid,
+    "engine, quadrature": by_quadrature,
+    "engine, composition": by_composition,
+}
+
+
+@cache
+def _inertia():
+    """The moments by strips of half the breadth b(x), mass 2 rho b dx: integrals over x in 40 digits."""
+    import mpmath
+
+    with mpmath.workdps(DIGITS):
+        radius, height = mpmath.mpf(RADIUS), mpmath.mpf(HEIGHT)
+
+        def total(f):
+            sloping = mpmath.quad(lambda x: f(x, radius * x / height), [0, height])
+            round_part = mpmath.quad(lambda x: f(x, mpmath.sqrt(radius**2 - (x - height) ** 2)), [height, height + radius])
+            return 2 * DENSITY * (sloping + round_part)
+
+        xx, yy = total(lambda x, b: b * x * x), total(lambda x, b: b**3 / 3)
+        return yy, xx, xx + yy
+
+
+def inertia_error(found, n=None):
+    """The error of the three moments."""
+    return relative_error(found, _inertia())
+
+
+# -- the angle of a rotation
+
+
+def by_arc_cosine(R):
+    """The angle as arccos of (trace - 1)/2, which rounding can push out of its domain."""
+    return math.acos(min(1.0, max(-1.0, (R[0][0] + R[1][1] + R[2][2] - 1) / 2)))
+
+
+def by_scipy_magnitude(R):
+    """The angle by SciPy's Rotation."""
+    from scipy.spatial.transform import Rotation
+
+    return float(Rotation.from_matrix(R).magnitude())
+
+
+def by_engine(R):
+    """The angle by the engine: quaternion and atan2."""
+    return rotations.axis_angle(R)[1]
+
+
+@cache
+def _rounded(angle, from_pi):
+    """The matrix of the turn by ``angle``, or by pi less that, right to the last digit of each entry."""
+    import mpmath
+
+    with mpmath.workdps(DIGITS):
+        R = _turned(AXIS, mpmath.pi - angle if from_pi else mpmath.mpf(angle))
+        return tuple(tuple(float(R[n, m]) for m in range(3)) for n in range(3))
+
+
+def _of_matrices(from_pi):
+    ways = {"arc cosine of the trace": by_arc_cosine, "SciPy's Rotation": by_scipy_magnitude, "engine, atan2": by_engine}
+    return {name: lambda angle, way=way: way(_rounded(angle, from_pi)) for name, way in ways.items()}
+
+
+ANGLES, ANGLES_NEAR_PI = _of_matrices(False), _of_matrices(True)
+
+
+def small_angle_error(found, angle):
+    """The error of an angle, relative to it."""
+    return abs(found - angle) / angle
+
+
+def angle_near_pi_error(found, angle):
+    """The error of the angle pi - angle, relative to it."""
+    import mpmath
+
+    with mpmath.workdps(DIGITS):
+        exact = mpmath.pi - angle
+        return abs(found - exact) / exact
+
+
+# -- steady precession
+
+I0, I, SPIN, MGR = 0.02, 0.01, 100.0, 0.5  # kg m^2, kg m^2, rad/s, N m
+
+
+def printed_roots(a, h, c):
+    """Both roots of a x^2 - h x + c = 0, the smaller one first, by the formula as it is printed (10.33)."""
+    root = sqrt(h * h - 4 * a * c)
+    return (h - root) / (2 * a), (h + root) / (2 * a)
+
+
+def numpy_roots(a, h, c):
+    """The same by NumPy: eigenvalues of the companion matrix."""
+    import numpy as np
+
+    return sorted(np.roots([a, -h, c]).tolist())
+
+
+def _nutation(a):
+    return math.acos(a / (I0 - I))
+
+
+def precessions(a):
+    """The rates by the engine."""
+    found = steady_precession(I0, I, _nutation(a), spin=SPIN, mgr=MGR)
+    return found.slow, found.fast
+
+
+PRECESSIONS = {
+    "printed root": lambda a: printed_roots((I0 - I) * math.cos(_nutation(a)), I * SPIN, MGR),
+    "NumPy's roots": lambda a: numpy_roots((I0 - I) * math.cos(_nutation(a)), I * SPIN, MGR),
+    "engine": precessions,
+}
+
+
+@cache
+def _precessions(a):
+    """By the printed form, which is given more digits than it loses."""
+    import mpmath
+
+    with mpmath.workdps(2 * DIGITS):
+        difference = mpmath.mpf(I0) - I
+        return printed_roots(difference * mpmath.cos(_nutation(a)), mpmath.mpf(I) * SPIN, MGR)
+
+
+def precession_error(found, a):
+    """The larger of the errors of the two rates."""
+    return max(float(abs(x / y - 1)) for x, y in zip(found, _precessions(a), strict=True))
