@@ -38,8 +38,8 @@ ROOMS = {
     "constraints": "ConstraintError degrees_of_freedom",
     "kinetics": "acceleration_by coordinate_accelerations path_force path_rates reaction relative_acceleration resultant_force",
     "models": "Model ModelError Neglected second_order",
-    "ladders": "Ladder Rung smallest",
-    "motion": "integrate",
+    "ladders": "Ladder Rung ladder smallest",
+    "motion": "integrate prepare",
     "events": "Event",
     "records": "Motion MotionError",
     "earth": """EARTH_GM EARTH_ORBIT_RADIUS EARTH_ORBIT_RATE EARTH_RADIUS EARTH_RATE EarthError apparent_acceleration buoyancy coriolis_acceleration
