@@ -90,7 +90,7 @@ class Exact(Course):
 
     def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
         super().__init__(system, t, x, goal, tolerance, sizes)
-        self.at = system.solution()
+        self.at = system.solution
 
     def advance(self, limit=1 << 62):
         """To the goal, or with a limit by as many eighths of the way."""
@@ -109,7 +109,7 @@ class Exact(Course):
     @staticmethod
     def prepared(system, tolerance, slowly):
         """See :func:`newton_euler.motion.prepare`."""
-        return system.solution()
+        return system.solution
 
     def on_piece(self, at, times):
         """The solution itself."""

@@ -63,6 +63,7 @@ class System:
         names = [n for n, _ in fixed]
         self.free = tuple(n for n in model.parameters if n not in names)
         self.p = tuple(_number(model, n, model.parameters[n]) for n in self.free)
+        self.trusted = False  # its exact solution, once that has been tried
         self.many = any(getattr(x, "shape", ()) for x in model.parameters.values())
         self.traced = _traced(model, self.free, fixed)
         self.f = self.traced.f
@@ -99,6 +100,7 @@ class System:
         model = self.model
         return lambda t, *x: _plain(model._call(formula_, dict(zip(model.states, x, strict=True)), model.parameters, t))
 
+    @cached_property
     def solution(self):
         """The exact solution as a function of ``(t, states)`` on floats alone, which returns a tuple of floats.
 
