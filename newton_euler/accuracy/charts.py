@@ -6,8 +6,7 @@ Both are drawn from what was just measured, by :mod:`.precision` or by :func:`me
 import math
 from dataclasses import replace
 
-from ..motion import integrate
-from ..taylor import installed
+from ..motion import prepare
 from . import Measured, chart, look, timed
 from .precision import NAMES
 
@@ -73,16 +72,15 @@ def _draw_drift(methods, auto, ax):
 def measured_models(ladder, progress=None):
     """For each rung of a :class:`~newton_euler.ladders.Ladder` a :class:`~newton_euler.accuracy.Measured`: the time of its motion, and its error.
 
-    The time is that of ``integrate`` to 1e-9 by "auto", when all is compiled; the error is in the ladder's unit, that of the fullest rung 0.
+    The time is that of a run to 1e-9 which :func:`newton_euler.prepare` has made; the error is in the ladder's unit, that of the fullest rung 0.
     """
     points = []
     for n, rung in enumerate(ladder.rungs):
         if progress:
             progress(n / len(ladder.rungs), rung.name)
         error = ladder.error(rung)
-        if rung.model.exact is None and installed():
-            integrate(rung.model, ladder.t, rung.start, 1e-9, "taylor")  # compiled for all: else some would pay for it, and some not
-        cost = timed(lambda: integrate(rung.model, ladder.t, rung.start, 1e-9), runs=5)  # noqa: B023 (called at once)
+        run, start = prepare(rung.model, 1e-9), tuple(map(float, rung.start))
+        cost = timed(lambda: run(ladder.t, start), runs=5)  # noqa: B023 (called at once)
         points.append(Measured(rung.name, cost, error, asked=1e-9))
     return points
 
@@ -98,8 +96,9 @@ def draw_models(points, ladder, figure):
     floor = min((p.error for p in points if p.error), default=1.0) / 100
     best = chart(points, ax, floor=floor, legend=False)
     middle = math.sqrt(min(p.cost for p in points) * max(p.cost for p in points))
-    for p in points:
-        _draw_rung(ladder, p, max(p.error, floor), p.cost > middle, ax)
+    for n, p in enumerate(points):
+        beside = any(q.error and abs(math.log(q.cost / p.cost)) < 0.3 and q.error < 3 * p.error < 9 * q.error for q in points[:n])
+        _draw_rung(ladder, p, max(p.error, floor), p.cost > middle, beside, ax)
     ax.set_title(f"models of {ladder.name}, until t = {ladder.t:g}: what they cost, and what they leave out", fontsize=11)
     ax.set(xlabel="time of a run to 1e-9", ylabel=f"error of {ladder.of}")
     ax.margins(x=0.2)
@@ -107,9 +106,9 @@ def draw_models(points, ladder, figure):
     return best
 
 
-def _draw_rung(ladder, point, height, dear, ax):
+def _draw_rung(ladder, point, height, dear, low, ax):
     bound = ladder.rung(point.method).bound(ladder.t)
     if point.error and bound < math.inf:
         ax.plot([point.cost] * 2, [height, bound], color="#999999", lw=1, marker="_", ms=10, zorder=1)
-    place = {"xytext": (-12, -14), "ha": "right"} if dear else {"xytext": (12, 6)}
+    place = {"xytext": (-12, -14), "ha": "right"} if dear else {"xytext": (12, -16 if low else 6)}  # low: another label is there
     ax.annotate(point.method.removeprefix(f"{ladder.name}, "), (point.cost, height), textcoords="offset points", fontsize=9, **place)
