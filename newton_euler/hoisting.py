@@ -8,7 +8,7 @@ import ast
 import math
 from copy import copy
 
-from .tracing import _unused
+from .straight_line import unused
 
 
 def hoisted(text, count):
@@ -49,7 +49,7 @@ class _Split(ast.NodeTransformer):
 
     def __init__(self, moving, parameters):
         self.moving, self.fixed, self.early, self.numbers = set(moving), set(parameters), [], {}
-        self.letter = _unused("h", {n: n for n in (*moving, *parameters)})
+        self.letter = unused("h", {n: n for n in (*moving, *parameters)})
 
     def keeps(self, line):
         """True for a line that moves, changed in place; a fixed one goes before."""

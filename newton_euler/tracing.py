@@ -9,167 +9,15 @@ import importlib
 import importlib.util
 import inspect
 import math
-import operator
 import sys
-from itertools import takewhile
 
-from .scalars import FUNCTIONS, ZERO, Linear, Moving, ScalarError, Scaled, _library, _Own, _root, _value, function, pi, plain, scalar, where
-
-COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
+from .scalars import FUNCTIONS, Moving, ScalarError, Scaled, _library, _Own, _root, _value, pi, scalar
+from .steps import Step, Trace
+from .straight_line import COMPARISONS, choices, written
 
 BLOCK = 8192  # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768 measured)
 HEYOKA_BLOCK = 1 << 15  # the same for heyoka, whose inputs are copied together (measured: 4096 costs half as much again)
 HEYOKA_PAYS = {True: 60_000, False: 1_500_000}  # instants until its compilation (and, if not yet loaded, import) is earned back
-
-
-class Step(_Own):
-    """One traced scalar: an operation on earlier steps, numbers or the arguments."""
-
-    __slots__ = ("args", "number", "op", "trace")
-    rank = 3
-
-    def __init__(self, trace, op, args, number):
-        self.trace, self.op, self.args, self.number = trace, op, args, number
-
-    # A minus sign moves outward until it is a subtraction or is gone; in floating point none of these moves changes a bit.
-
-    def __add__(self, other):
-        if _is(other, 0):
-            return self
-        if self.op == "neg":
-            return other - self.args[0]
-        return self - other.args[0] if _negated(other) else self.trace.step("+", self, other)
-
-    def __radd__(self, other):
-        return self if _is(other, 0) else other - self.args[0] if self.op == "neg" else self.trace.step("+", other, self)
-
-    def __sub__(self, other):
-        if _is(other, 0):
-            return self
-        return self + other.args[0] if _negated(other) else self.trace.step("-", self, other)
-
-    def __rsub__(self, other):
-        return -self if _is(other, 0) else other + self.args[0] if self.op == "neg" else self.trace.step("-", other, self)
-
-    def __mul__(self, other):
-        if other is ZERO:
-            return ZERO
-        if _is(other, 1) or _is(other, -1):
-            return self if other == 1 else -self
-        if self.op == "neg":
-            return -(self.args[0] * other)
-        return -(self * other.args[0]) if _negated(other) else self.trace.step("*", self, other)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other):
-        if other is ZERO:
-            return NotImplemented  # ZERO says what is wrong
-        if self.op == "neg":
-            return -(self.args[0] / other)
-        if _negated(other):
-            return -(self / other.args[0])
-        return self if _is(other, 1) else self.trace.step("/", self, other)
-
-    def __rtruediv__(self, other):
-        return -(other / self.args[0]) if self.op == "neg" else self.trace.step("/", other, self)
-
-    def __pow__(self, power):
-        if power is ZERO:
-            return 1
-        if _is(power, 2):
-            return self * self
-        return self if _is(power, 1) else self.trace.step("**", self, power)
-
-    def __rpow__(self, base):
-        return self.trace.step("pow", base, self)
-
-    def __neg__(self):
-        return self.args[0] if self.op == "neg" else self.trace.step("neg", self)
-
-    def function(self, name, *args):
-        """A step that is this function of earlier ones."""
-        if self.op == "neg" and name in ("cos", "cosh"):
-            return function(name, self.args[0])
-        if self.op == "neg" and name in ("sin", "tan", "asin", "atan", "sinh", "tanh"):
-            return -function(name, self.args[0])
-        return self.trace.step(name, *(args or (self,)))
-
-    def pi(self):
-        """A step that is pi in the kind of number that comes to run."""
-        return self.trace.step("pi")
-
-    def __abs__(self):
-        return abs(self.args[0]) if self.op == "neg" else self.trace.step("abs", self)
-
-    # A comparison is a step too, for `where` to choose by; it has no value that an `if` could ask for.
-
-    def __lt__(self, other):
-        return self.trace.step("lt", self, plain(other))
-
-    def __le__(self, other):
-        return self.trace.step("le", self, plain(other))
-
-    def __gt__(self, other):
-        return self.trace.step("gt", self, plain(other))
-
-    def __ge__(self, other):
-        return self.trace.step("ge", self, plain(other))
-
-    def where(self, a, b):
-        """A step that is ``a`` where this comparison holds, else ``b``, for :func:`newton_euler.scalars.where`."""
-        return a if a is b else self.trace.step("where", self, plain(a), plain(b))
-
-    def _no_value(self, *_):
-        raise TypeError(
-            "a formula is traced without values: it must not branch on them (if, max, ==), but chooses by where(x < y, a, b), "
-            "and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
-        )
-
-    __bool__ = __float__ = _no_value
-
-    def __eq__(self, other):
-        return self is other or self._no_value()
-
-    __hash__ = object.__hash__
-
-
-def _negated(x):
-    return isinstance(x, Step) and x.op == "neg"
-
-
-def _is(x, number):
-    return (x is ZERO and number == 0) or (type(x) in (int, float) and x == number)
-
-
-class _Trace:
-    def __init__(self):
-        self.steps, self.known = [], {}
-
-    def step(self, op, *args):
-        if any(isinstance(a, (Moving, Linear, Scaled)) for a in args):
-            return NotImplemented  # the moving number or vector takes over and calls back with its parts
-        key = tuple(self._key(a) for a in args)
-        if op in "+*":
-            key = tuple(sorted(key, key=repr))
-        found = self.known.get((op, key))
-        if found is None:
-            found = self.known[op, key] = self.new(op, *args)
-        return found
-
-    def new(self, op, *args):
-        self.steps.append(Step(self, op, args, len(self.steps)))
-        return self.steps[-1]
-
-    def _key(self, a):
-        """What tells an argument from others: 0.0, -0.0 and 0 are three."""
-        if isinstance(a, Step):
-            if a.trace is not self:
-                raise ScalarError("a value of one formula is used inside another that is being compiled; pass it as an argument")
-            return "#", a.number
-        if getattr(scalar(a), "shape", ()):
-            raise ScalarError("an array of instants cannot be a constant of a compiled formula; make it one of its arguments")
-        return type(a), repr(a) if isinstance(a, float) else a
 
 
 def _leaves(result):
@@ -210,125 +58,6 @@ def _joined(parts, build):
     return [x for leaves, _ in parts for x in leaves], rebuild
 
 
-def _text(trace, names, outputs, lazy):
-    """The needed steps as lines of Python, each step used only once written inside its user.
-
-    Returns the lines, the results, the constants that have no plain spelling by name, and the number of operations. Lazy text computes what only one
-    side of a choice needs under an ``if``; arrays and heyoka take both sides.
-    """
-    used = {}
-    needed, stack = set(), [o for o in outputs if isinstance(o, Step)]
-    for o in stack:
-        used[o.number] = used.get(o.number, 0) + 2  # an output keeps its own line
-    while stack:
-        s = stack.pop()
-        if s.number in needed:
-            continue
-        needed.add(s.number)
-        for a in s.args:
-            if isinstance(a, Step):
-                used[a.number] = used.get(a.number, 0) + (2 if s.op == "where" and a is s.args[0] else 1)  # a condition is asked again
-                stack.append(a)
-    steps = [s for s in trace.steps if s.number in needed]
-    places = _places(steps, outputs) if lazy else {}
-    text, lines, constants, operations = {}, [], {}, 0
-    mark = _unused("s", names)
-
-    def spelled(a):
-        if isinstance(a, Step):
-            return text[a.number]
-        a = a.item() if _root(type(a)) == "numpy" else plain(a)
-        if type(a) in (int, float, bool) and abs(a) < math.inf:
-            return f"({a!r})"
-        name = f"{_unused('c', names)}{len(constants)}"  # mpf, Fraction, inf, nan, symbols
-        constants[name] = a
-        return name
-
-    for s in steps:
-        if s.op == "argument":
-            text[s.number] = names[s.args[0]]
-            continue
-        operations += s.op not in ("neg", "pi")
-        written = _write(s.op, [spelled(a) for a in s.args], lazy)
-        if used[s.number] == 1 and len(written) < 120:
-            text[s.number] = f"({written})"
-        else:
-            text[s.number] = f"{mark}{len(lines)}"
-            lines.append((places.get(s.number, ()), f"{text[s.number]} = {written}"))
-    return _indented(lines, text), [spelled(o) for o in outputs], constants, operations
-
-
-def _places(steps, outputs):
-    """For each step the sides of choices that alone need it, outermost first: pairs of the number of a condition known by then, and True or False."""
-    places = {o.number: () for o in outputs if isinstance(o, Step)}
-    for s in reversed(steps):
-        own = places[s.number]
-        for i, a in enumerate(s.args):
-            if isinstance(a, Step):
-                path = (*own, (s.args[0].number, i == 1)) if s.op == "where" and i else own
-                path = tuple(takewhile(lambda choice, n=a.number: choice[0] < n, path))
-                places[a.number] = _shared(places[a.number], path) if a.number in places else path
-    return places
-
-
-def _shared(a, b):
-    """The beginning that two sequences have in common."""
-    return tuple(x for x, _ in takewhile(lambda pair: pair[0] == pair[1], zip(a, b, strict=False)))
-
-
-def _indented(lines, text):
-    """The lines, each under the conditions of its place."""
-    out, before = [], ()
-    for place, line in lines:
-        for depth in range(len(_shared(before, place)), len(place)):
-            number, side = place[depth]
-            out.append(f"{depth * '    '}if {'' if side else 'not '}{text[number]}:")
-        out.append(len(place) * "    " + line)
-        before = place
-    return out
-
-
-def _unused(letter, names):
-    """The letter, behind as many underscores as keep letter and digits apart from the names of the arguments."""
-    while any(n.startswith(letter) and n[len(letter) :].isdigit() for n in names.values()):
-        letter = "_" + letter
-    return letter
-
-
-def _write(op, args, lazy):
-    if op in ("+", "-", "*", "/", "**"):
-        return f"{args[0]} {op} {args[1]}"
-    if op == "neg":
-        return f"-{args[0]}"
-    if lazy and op == "where":
-        return f"{args[1]} if {args[0]} else {args[2]}"
-    if lazy and op in COMPARISONS:
-        return f"{args[0]} {COMPARISONS[op]} {args[1]}"
-    return op if op == "pi" else f"{op}({', '.join(args)})"
-
-
-def _written(trace, names, leaves, lazy):
-    """The text of the function, its constants, the number of its operations, and the results as they stand in it."""
-    lines, results, constants, operations = _text(trace, names, leaves, lazy)
-    body = "".join(f"    {line}\n" for line in lines)
-    return f"def formula({', '.join(names.values())}):\n{body}    return {', '.join(results)},\n", constants, operations, results
-
-
-def _choices(library):
-    """What the text calls ``where``, ``lt`` … over this library, and the powers of a number in heyoka."""
-    if library.__name__ != "heyoka":
-        chosen = library.where if library.__name__ == "numpy" else where
-        return {"where": chosen, **{name: getattr(operator, name) for name in COMPARISONS}}
-    hy = library
-
-    def over(f):
-        return lambda *args: f(*(a if isinstance(a, hy.expression) else hy.expression(float(a)) for a in args))
-
-    names = {"where": over(hy.select), "lt": over(hy.lt), "le": over(hy.lte), "gt": over(hy.gt), "ge": over(hy.gte)}
-    size = over(lambda x: hy.select(hy.lt(x, hy.expression(0.0)), -x, x))
-    return {**names, "abs": size, "pow": lambda base, x: hy.expression(float(base)) ** x}
-
-
 class Compiled:
     """What :func:`compiled` returns; call it like the formula. ``source`` is its text, ``operations`` how many it takes."""
 
@@ -338,15 +67,15 @@ class Compiled:
             raise TypeError(f"a formula to compile names all its arguments; {f!r} takes any number of them")
         parameters = [n for n in signature if n not in constants]
         names = {n: f"{n}_" if n in (*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where") else n for n in parameters}
-        trace = _Trace()
+        trace = Trace()
         values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
         by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
         leaves, self._rebuild = _leaves(f(*by_place, **values))
         self.parameters, self.backend, self.name = parameters, backend, getattr(f, "__name__", "formula")
         self._defaults = {n: signature[n].default for n in parameters if signature[n].default is not inspect.Parameter.empty}
-        self.source, self._constants, self.operations, self._results = _written(trace, names, leaves, lazy=False)
+        self.source, self._constants, self.operations, self._results = written(trace, names, leaves, lazy=False)
         chooses = any(s.op == "where" for s in trace.steps)
-        self._lazy = _written(trace, names, leaves, lazy=True)[0] if chooses else self.source
+        self._lazy = written(trace, names, leaves, lazy=True)[0] if chooses else self.source
         self._run, self._seen, self._heyoka, self._buffer = {}, 0, None, None
         self._run["math"] = self._on(math)
 
@@ -399,7 +128,7 @@ class Compiled:
         """The text as a function over one library."""
         space = {name: getattr(library, name) for name in (*FUNCTIONS, "atan2", "pi") if hasattr(library, name)}
         rounded = library.__name__ in ("math", "numpy", "heyoka")
-        space.update(_choices(library))
+        space.update(choices(library))
         space.update({name: _float(c) if rounded else c for name, c in self._constants.items()})
         one = library.__name__ in ("math", "mpmath")  # number at a time
         exec(compile(self._lazy if one else self.source, f"<compiled {self.name}>", "exec"), space)

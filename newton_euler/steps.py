@@ -1,0 +1,156 @@
+"""What tracing records: each operation on a traced scalar is a step; equal steps are one, so that common subexpressions are shared.
+
+Nothing here has a value, so a formula that is traced cannot branch on one; it chooses by :func:`newton_euler.scalars.where`, which is a step too.
+"""
+
+from .scalars import ZERO, Linear, Moving, ScalarError, Scaled, _Own, function, plain, scalar
+
+
+class Step(_Own):
+    """One traced scalar: an operation on earlier steps, numbers or the arguments."""
+
+    __slots__ = ("args", "number", "op", "trace")
+    rank = 3
+
+    def __init__(self, trace, op, args, number):
+        self.trace, self.op, self.args, self.number = trace, op, args, number
+
+    # A minus sign moves outward until it is a subtraction or is gone; in floating point none of these moves changes a bit.
+
+    def __add__(self, other):
+        if _is(other, 0):
+            return self
+        if self.op == "neg":
+            return other - self.args[0]
+        return self - other.args[0] if _negated(other) else self.trace.step("+", self, other)
+
+    def __radd__(self, other):
+        return self if _is(other, 0) else other - self.args[0] if self.op == "neg" else self.trace.step("+", other, self)
+
+    def __sub__(self, other):
+        if _is(other, 0):
+            return self
+        return self + other.args[0] if _negated(other) else self.trace.step("-", self, other)
+
+    def __rsub__(self, other):
+        return -self if _is(other, 0) else other + self.args[0] if self.op == "neg" else self.trace.step("-", other, self)
+
+    def __mul__(self, other):
+        if other is ZERO:
+            return ZERO
+        if _is(other, 1) or _is(other, -1):
+            return self if other == 1 else -self
+        if self.op == "neg":
+            return -(self.args[0] * other)
+        return -(self * other.args[0]) if _negated(other) else self.trace.step("*", self, other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        if other is ZERO:
+            return NotImplemented  # ZERO says what is wrong
+        if self.op == "neg":
+            return -(self.args[0] / other)
+        if _negated(other):
+            return -(self / other.args[0])
+        return self if _is(other, 1) else self.trace.step("/", self, other)
+
+    def __rtruediv__(self, other):
+        return -(other / self.args[0]) if self.op == "neg" else self.trace.step("/", other, self)
+
+    def __pow__(self, power):
+        if power is ZERO:
+            return 1
+        if _is(power, 2):
+            return self * self
+        return self if _is(power, 1) else self.trace.step("**", self, power)
+
+    def __rpow__(self, base):
+        return self.trace.step("pow", base, self)
+
+    def __neg__(self):
+        return self.args[0] if self.op == "neg" else self.trace.step("neg", self)
+
+    def function(self, name, *args):
+        """A step that is this function of earlier ones."""
+        if self.op == "neg" and name in ("cos", "cosh"):
+            return function(name, self.args[0])
+        if self.op == "neg" and name in ("sin", "tan", "asin", "atan", "sinh", "tanh"):
+            return -function(name, self.args[0])
+        return self.trace.step(name, *(args or (self,)))
+
+    def pi(self):
+        """A step that is pi in the kind of number that comes to run."""
+        return self.trace.step("pi")
+
+    def __abs__(self):
+        return abs(self.args[0]) if self.op == "neg" else self.trace.step("abs", self)
+
+    # A comparison is a step too, for `where` to choose by; it has no value that an `if` could ask for.
+
+    def __lt__(self, other):
+        return self.trace.step("lt", self, plain(other))
+
+    def __le__(self, other):
+        return self.trace.step("le", self, plain(other))
+
+    def __gt__(self, other):
+        return self.trace.step("gt", self, plain(other))
+
+    def __ge__(self, other):
+        return self.trace.step("ge", self, plain(other))
+
+    def where(self, a, b):
+        """A step that is ``a`` where this comparison holds, else ``b``, for :func:`newton_euler.scalars.where`."""
+        return a if a is b else self.trace.step("where", self, plain(a), plain(b))
+
+    def _no_value(self, *_):
+        raise TypeError(
+            "a formula is traced without values: it must not branch on them (if, max, ==), but chooses by where(x < y, a, b), "
+            "and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
+        )
+
+    __bool__ = __float__ = _no_value
+
+    def __eq__(self, other):
+        return self is other or self._no_value()
+
+    __hash__ = object.__hash__
+
+
+def _negated(x):
+    return isinstance(x, Step) and x.op == "neg"
+
+
+def _is(x, number):
+    return (x is ZERO and number == 0) or (type(x) in (int, float) and x == number)
+
+
+class Trace:
+    def __init__(self):
+        self.steps, self.known = [], {}
+
+    def step(self, op, *args):
+        if any(isinstance(a, (Moving, Linear, Scaled)) for a in args):
+            return NotImplemented  # the moving number or vector takes over and calls back with its parts
+        key = tuple(self._key(a) for a in args)
+        if op in "+*":
+            key = tuple(sorted(key, key=repr))
+        found = self.known.get((op, key))
+        if found is None:
+            found = self.known[op, key] = self.new(op, *args)
+        return found
+
+    def new(self, op, *args):
+        self.steps.append(Step(self, op, args, len(self.steps)))
+        return self.steps[-1]
+
+    def _key(self, a):
+        """What tells an argument from others: 0.0, -0.0 and 0 are three."""
+        if isinstance(a, Step):
+            if a.trace is not self:
+                raise ScalarError("a value of one formula is used inside another that is being compiled; pass it as an argument")
+            return "#", a.number
+        if getattr(scalar(a), "shape", ()):
+            raise ScalarError("an array of instants cannot be a constant of a compiled formula; make it one of its arguments")
+        return type(a), repr(a) if isinstance(a, float) else a
