@@ -8,12 +8,13 @@ from pathlib import Path
 from .precision import LONGEST, QUICK, TOLERANCES
 
 TOLD = """\
-What is measured is measured now, on this machine, when you ask. There are three kinds of charts:
+What is measured is measured now, on this machine, when you ask. There are four kinds of charts:
 
   a scene that moves, as "top"         all methods of integration: their true errors against time and against
                                        calls of the right-hand side, and the drift of what should stay constant
   "models of projectile" and others    from the coarsest model to the fullest: time against what is left out
   a comparison, as "angle"             where nothing moves: several ways to the same number
+  "map of sleeping top" and others     which method or model holds where, over two parameters
 
 How to read one: cost to the right, error upwards, so lower left is better. What no other beats is ringed, the
 front; everything else costs more and is no more accurate. Times are those of a run when all is imported and
@@ -25,8 +26,13 @@ examples:
   python -m newton_euler.accuracy top "free body" --out charts
   python -m newton_euler.accuracy --all --models --format svg
 """
-MODELS = "models of "
-KINDS = {"scenes": "scenes that move, by section", "models": "models of a scene", "comparisons": "comparisons where nothing moves"}
+MODELS, MAP = "models of ", "map of "
+KINDS = {
+    "scenes": "scenes that move, by section",
+    "models": "models of a scene",
+    "comparisons": "comparisons where nothing moves",
+    "maps": "maps of what holds where",
+}
 
 
 def main(arguments=None):
@@ -44,7 +50,7 @@ def main(arguments=None):
     args.out.mkdir(parents=True, exist_ok=True)
     for name in names:
         name = _found(name, kinds, args.models)
-        make = {"scenes": _scene, "models": _models, "comparisons": _comparison}[kinds[name][0]]
+        make = {"scenes": _scene, "models": _models, "comparisons": _comparison, "maps": _map}[kinds[name][0]]
         with Progress(name) as progress:
             figure, table = make(name, args.quick, progress)
         print(f"{name}: {kinds[name][1]}\n{table}\n{_saved(figure, name, args.out, args.format)}\n")
@@ -70,14 +76,16 @@ def _parser():
 
 
 def every_name():
-    """All charts: by name the kind, "scenes", "models" or "comparisons", and what they show in words."""
+    """All charts: by name the kind, one of :data:`KINDS`, and what they show in words."""
     from ..ladders import LADDERS
     from .catalogue import SCENES
     from .comparisons import COMPARISONS
+    from .maps import MAPS
 
     names = {name: ("scenes", f"{scene.section:>6}  {scene.words}") for name, scene in SCENES.items()}
     names |= {f"{MODELS}{name}": ("models", "what each model costs and what it leaves out") for name in LADDERS}
-    return names | {name: ("comparisons", comparison.title) for name, comparison in COMPARISONS.items()}
+    names |= {name: ("comparisons", comparison.title) for name, comparison in COMPARISONS.items()}
+    return names | {f"{MAP}{name}": ("maps", chart.title) for name, chart in MAPS.items()}
 
 
 def _found(name, kinds, models):
@@ -95,11 +103,7 @@ def _slug(name):
 def _listed(kinds):
     width = max(map(len, kinds))
     lines = []
-    for kind, title in (
-        ("scenes", "scenes that move, by section"),
-        ("models", "models of a scene"),
-        ("comparisons", "comparisons where nothing moves"),
-    ):
+    for kind, title in KINDS.items():
         lines += [f"{title}:", *(f"  {name:{width}}  {words}" for name, (k, words) in kinds.items() if k == kind), ""]
     return "\n".join(lines).rstrip()
 
@@ -145,6 +149,17 @@ def _comparison(name, quick, progress):
     comparison.draw(points, figure)
     lines = [f"  {p.method:44} {p.setting:24} {_seconds(p.cost):>9}  {p.error:8.1e}" for p in points]
     return figure, "\n".join([f"  {'way':44} {'set':24} {'time':>9}  error", *lines])
+
+
+def _map(name, quick, progress):
+    from .maps import MAPS, draw_map
+
+    name, figure = name.removeprefix(MAP), _figure()
+    figure.set_layout_engine("constrained")
+    figure.set_size_inches(10.0, 5.2)
+    found = draw_map(name, figure.subplots(), (18, 15) if quick else None, progress)
+    counts = {choice: int((found == choice).sum()) for choice in MAPS[name].choices}
+    return figure, "\n".join([f"  {MAPS[name].words}", *(f"  {choice:44} {n / found.size:6.1%} of the map" for choice, n in counts.items() if n)])
 
 
 def _seconds(x):

@@ -328,3 +328,10 @@ def test_the_module_runs_as_a_program():
 def test_all_methods_have_a_look_of_their_own():
     looks = [tuple(look(n).values()) for n in range(len(NAMES))]
     assert len(set(looks)) == len(NAMES)
+
+
+def test_a_map_is_drawn_by_the_command(tmp_path, capsys):
+    assert main(["map of steady precession", "--quick", "--out", str(tmp_path)]) == 0
+    told = capsys.readouterr().out
+    assert "none: it nods" in told
+    assert (tmp_path / "map-of-steady-precession.png").stat().st_size > 10_000
