@@ -230,6 +230,8 @@ def prepare(model, rtol=1e-9, method="auto"):
     [0.098256, -0.192477]
     """
     system = prepared(model)
+    if system.many:
+        raise ModelError(f"prepare takes a model with numbers, but parameters of {model.name!r} are arrays; integrate runs many motions at once")
     _check(rtol, method, (), None)
     if method == "auto":
         method = "exact" if METHODS["exact"].cannot(system) is None else "taylor" if installed() else "dop853"
@@ -238,7 +240,17 @@ def prepare(model, rtol=1e-9, method="auto"):
     def slowly(t, start):
         return tuple(integrate(model, t, start, rtol, method).end.values())
 
-    return taken.course.prepared(system, tolerance, slowly) if hasattr(taken.course, "prepared") else slowly
+    if not hasattr(taken.course, "prepared"):
+        return slowly
+    quickly = taken.course.prepared(system, tolerance, slowly)
+
+    def run(t, start):
+        try:
+            return quickly(t, start)
+        except (TypeError, ValueError):
+            return slowly(t, start)  # which says what is wrong
+
+    return run
 
 
 __all__ = ["Event", "Motion", "MotionError", "integrate", "prepare"]

@@ -71,10 +71,10 @@ class Taylor(Course):
         """See :func:`newton_euler.motion.prepare`; where it does not go smoothly, ``slowly(t, start)`` does, or says why not."""
         ta = integrator(system, tolerance)
         state, pars, propagate = ta.state, ta.pars, ta.propagate_until
-        p = system.numbers[: len(pars)]
+        p, count = system.numbers[: len(pars)], len(state)
 
         def run(t, start):
-            if max(map(abs, start)) < LARGE:
+            if len(start) != count or max(map(abs, start)) < LARGE:
                 return slowly(t, start)
             pars[:] = p
             ta.time = 0.0

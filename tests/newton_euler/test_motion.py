@@ -435,3 +435,22 @@ def test_what_parameters_alone_give_is_computed_once(scene):
     assert count(rest.source) <= count(system.traced.rhs.source)
     arguments = rest.source.split("(", 1)[1].split(")")[0].split(", ")
     assert not set(arguments) & set(model.parameters)
+
+
+@pytest.mark.parametrize("method", ["exact", "taylor", "dop853"])
+@pytest.mark.parametrize(
+    ("t", "start", "words"),
+    [(1.0, (1.0,), "has the 2 states x, dx; got 1 values"), (1.0, (1.0, "fast"), "needs a number for dx"), ("soon", (1.0, 0.0), "t is the time"),
+     (math.nan, (1.0, 0.0), "time runs forward"), (1.0, (math.nan, 0.0), "needs finite numbers")],
+)  # fmt: skip
+def test_what_a_prepared_run_cannot_do_is_said_as_by_integrate(method, t, start, words):
+    needs(method)
+    run = prepare(oscillator(), 1e-7, method)
+    with pytest.raises(ModelError, match=words):
+        run(t, start)
+    assert run(3.0, (1.0, 0.0))[0] == pytest.approx(math.cos(6.0), abs=3e-7)
+
+
+def test_only_one_model_is_prepared_at_a_time():
+    with pytest.raises(ModelError, match="prepare takes a model with numbers, but parameters of 'oscillator' are arrays"):
+        prepare(oscillator().changed(k=np.ones(3)))
