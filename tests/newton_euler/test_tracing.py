@@ -149,6 +149,8 @@ def test_backends_agree(formula, backend):
 
 @pytest.mark.parametrize("backend", ["numpy", "heyoka"])
 def test_backends_agree_on_the_acceleration_of_a_chain(backend):
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
     q, dq = np.random.default_rng(2).uniform(-3, 3, (2, 500))
     direct = np.array([np.broadcast_to(c, 500) for c in chain(q, dq, 0.7)])
     got = np.array(compiled(chain, backend=backend)(q, dq, 0.7))
@@ -273,6 +275,9 @@ def test_the_explanation_shows_the_lines():
 
 @pytest.mark.parametrize("backend", ["numpy", "heyoka"])
 def test_dicts_tuples_vectors_and_nests_of_them_come_back(backend):
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+
     def f(x):
         ground = Frame("ground")
         return {"v": ground.vector(x, 0, 2 * x), "pair": (x, [x * x, {"deep": 3}]), "n": 1, "none": ()}
