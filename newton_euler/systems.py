@@ -37,6 +37,11 @@ class Traced:
         """The right-hand side with single numbers in place of what depends on parameters alone, and the formula that gives these."""
         return hoisted(self.rhs, 1 + self.states)
 
+    @cached_property
+    def hoisted_on_floats(self):
+        """Both as functions of floats."""
+        return tuple(text._on(math) for text in self.hoisted)
+
 
 def prepared(model):
     """The :class:`System` of a model, which keeps it."""
@@ -76,16 +81,16 @@ class System:
     @cached_property
     def numbers(self):
         """What the rates need of the parameters, for the first of ``traced.hoisted``; nan if the parameters give no numbers."""
-        rest, early = self.traced.hoisted
+        rest, early = self.traced.hoisted_on_floats
         try:
-            return early._on(math)(*self.p)
+            return early(*self.p)
         except (ArithmeticError, ValueError):
-            return (math.nan,) * (rest.source.split(")")[0].count(",") - self.traced.states)
+            return (math.nan,) * (rest.__code__.co_argcount - 1 - self.traced.states)
 
-    @cached_property
+    @property
     def fast(self):
         """The right-hand side on floats, ``fast(t, *states, *numbers)``."""
-        return self.traced.hoisted[0]._on(math)
+        return self.traced.hoisted_on_floats[0]
 
     def rates(self, t, x):
         """The rates of the states."""

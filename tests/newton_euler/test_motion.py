@@ -390,6 +390,14 @@ def test_a_singular_place_ends_it_with_what_was_reached(method):
         integrate(top.euler(1.0, 1.5, 5.0, SPIN), 1.0, (0.0,) * 5, method=method, rtol=1e-6)
 
 
+@pytest.mark.parametrize("method", ["dop853", "taylor", "auto"])
+def test_parameters_with_which_the_rates_have_no_value_end_it_in_words(method):
+    needs(method)
+    model = Model("divided by nothing", {"k": 0.0}, ("x",), lambda s, p, t: (s.x / p.k,))
+    with pytest.raises(MotionError, match="divided by nothing could not be followed beyond t = 0, at x = 1"):
+        integrate(model, 1.0, (1.0,), 1e-6, method)
+
+
 def test_nothing_heavy_is_imported():
     code = (
         "import sys; from newton_euler.motion import integrate; from newton_euler.scenes.physical_pendulum import physical_pendulum as p;"
