@@ -94,17 +94,13 @@ class Exact(Course):
 
     def advance(self, limit=1 << 62):
         """To the goal, or with a limit by as many eighths of the way."""
-        start, x = self.start
-        if limit >= PIECES and len(self.bounds) == 1:
-            ends = [self.goal]
-        else:
-            left = PIECES - (len(self.bounds) - 1)
-            ends = [self.t + (self.goal - self.t) * n / left for n in range(1, min(limit, left))] + ([self.goal] if limit >= left else [])
-        for end in ends:
-            self.x = self.at(end - start, x)
+        left = PIECES - (len(self.bounds) - 1)
+        whole, count = (self.goal - self.t) / left, min(limit, left)
+        ends = [self.t + whole * n for n in range(1, count)] if limit < PIECES else []
+        for end in [*ends, self.goal if count == left else self.t + whole * count]:
+            self.x = self.at(end - self.start[0], self.start[1])
             self.bounds.append(end)
-            self.grown()
-        self.t, self.calls = ends[-1], self.calls + len(ends)
+        self.t, self.calls = end, self.calls + 1 + len(ends)
 
     @staticmethod
     def prepared(system, tolerance, slowly):

@@ -36,7 +36,7 @@ class Journey:
         while system is not None:
             system, t, x, events, began = self._leg(system, t, x, events, began, sizes)
             sizes = None
-        self.calls = sum(leg.course.calls for leg in self.legs)
+        self.calls = self.legs[0].course.calls if len(self.legs) == 1 else sum(leg.course.calls for leg in self.legs)
 
     @property
     def sizes(self):
@@ -64,7 +64,8 @@ class Journey:
         if self.legs and self.method.cannot(system):  # another model than the first: by the method that can do all
             kind = METHODS["dop853"].course
         course = kind(system, t, x, self.goal, self.tolerance, sizes, self.step)
-        course.samples = self.samples
+        if self.samples is not None:
+            course.samples = self.samples
         return course
 
     def _follow(self, course, events, began):

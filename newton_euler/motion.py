@@ -51,7 +51,7 @@ def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None
     state = start_state(model, start)
     events = (events,) if isinstance(events, Event) else tuple(events)
     _check(rtol, method, events, step)
-    if system.many or set(map(type, state)) != {float}:
+    if system.many or (state is not start and any(type(x) is not float for x in state)):
         return integrate_batch(model, t0, t1, state, rtol, method, events, samples, integrate)
     run = _Run(system, t0, t1, state, rtol, events, progress, begun)
     if step:

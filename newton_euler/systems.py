@@ -192,8 +192,8 @@ def _number(model, name, value):
 
 def start_state(model, start):
     """The start as a tuple of floats (or arrays) in the order of the states; :class:`ModelError` says what is wrong with it."""
-    if type(start) is tuple and len(start) == len(model.states) and set(map(type, start)) == {float} and math.isfinite(sum(start)):
-        return start
+    if type(start) in (tuple, list) and len(start) == len(model.states) and set(map(type, start)) == {float} and math.isfinite(sum(start)):
+        return tuple(start)
     if not isinstance(start, dict) and not hasattr(start, "keys") and not hasattr(start, "__iter__"):
         raise ModelError(f"the start of {model.name!r} is a value for each of {', '.join(model.states)}, not {start!r}")
     unknown = [n for n in start if n not in model.states] if hasattr(start, "keys") else []
