@@ -8,7 +8,7 @@ limacon that the book names.
 """
 
 from ..ladders import Ladder, Rung
-from ..models import Model, Neglected
+from ..models import Model, ModelError, Neglected
 from ..scalars import ZERO, cos, cosh, sin, sinh, sqrt
 from ..vectors import add3, cross3, scale3
 
@@ -60,6 +60,8 @@ def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=
     >>> [smallest(ladder(), metres).model.name for metres in (2.0, 0.1, 1e-3)]
     ['uniform gravity in a turning station', 'free body in a turning station', 'body in the air of a turning station']
     """
+    if omega == 0:
+        raise ModelError("a station that does not turn has no weight to model: omega must not be zero")
     full = body_in_air(omega, air)
     parameters = {**full.parameters, "radius": radius}
     models = (

@@ -16,6 +16,7 @@ from newton_euler import Dimension
 from newton_euler.ladders import ladder
 from newton_euler.models import ModelError, Named, is_law
 from newton_euler.motion import integrate
+from newton_euler.scenes import space_station
 from newton_euler.scenes.car_on_hill import Car
 from newton_euler.scenes.rolling_sphere import rolling_in_air
 from newton_euler.scenes.space_station import body_in_air
@@ -308,3 +309,10 @@ def test_small_swings_exist_on_both_sides_of_the_least_rate_but_not_at_it():
 def test_a_rod_on_the_other_side_swings_about_the_other_angle():
     one, other = (ladder("turning shaft", start=(sense * 1.2, 0.0)) for sense in (1, -1))
     assert one.error(one.rungs[0]) == pytest.approx(other.error(other.rungs[0]), rel=1e-9)
+
+
+def test_a_station_that_does_not_turn_has_no_ladder():
+    with pytest.raises(ModelError, match="omega must not be zero"):
+        space_station.ladder(omega=0.0)
+    hardly = space_station.ladder(omega=1e-9)
+    assert hardly.error(hardly.rungs[0]) < 1.0  # m, by the air alone
