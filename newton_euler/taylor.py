@@ -71,7 +71,8 @@ class Taylor(Course):
         """See :func:`newton_euler.motion.prepare`; where it does not go smoothly, ``slowly(t, start)`` does, or says why not."""
         ta = integrator(system, tolerance)
         state, pars, propagate = ta.state, ta.pars, ta.propagate_until
-        p, count = system.numbers[: len(pars)], len(state)
+        p, count = pars.copy(), len(state)
+        p[:] = system.numbers[: len(pars)]
 
         def run(t, start):
             if len(start) != count or max(map(abs, start)) < LARGE:
