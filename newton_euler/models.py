@@ -14,7 +14,7 @@ from types import MappingProxyType
 from .scalars import ScalarError, plain, scalar
 from .tracing import compiled
 
-KEPT = 256
+KEPT = 256  # right-hand sides, of which functions made at each call would else pile up
 _TRIED = set()  # right-hand sides that were found right: other numbers need no other trial
 
 

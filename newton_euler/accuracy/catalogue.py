@@ -54,23 +54,19 @@ class Scene:
         return self.make()
 
 
-def _collected():
-    scenes, names = {}, set()
-
-    def scene(section, name, words):
-        def add(make):
-            if name in names:
-                raise ModelError(f"two scenes have the name {name!r}")
-            names.add(name)
-            scenes[name] = Scene(name, section, words, make)
-            return make
-
-        return add
-
-    return scenes, scene
+SCENES = {}
 
 
-SCENES, _scene = _collected()
+def _scene(section, name, words):
+    """Puts the scene that a function makes into :data:`SCENES`."""
+
+    def add(make):
+        if name in SCENES:
+            raise ModelError(f"two scenes have the name {name!r}")
+        SCENES[name] = Scene(name, section, words, make)
+        return make
+
+    return add
 
 
 # -- chapter 5: gravitation
