@@ -7,7 +7,7 @@ how it changes in time where that follows from how it was made (``a.rate(observe
 
 from functools import reduce
 
-from .scalars import ZERO, Moving, ScalarError, Scaled, atan2, is_numeric, is_zero, least, moving, plain, scalar, size, sqrt
+from .scalars import ZERO, Moving, ScalarError, Scaled, atan2, is_numeric, is_zero, least, moving, plain, sampled, scalar, size, sqrt
 
 NO_THIRD_RATE = "the third time derivative of a moving quantity is not known; give coordinates with two rates only"
 
@@ -98,6 +98,29 @@ class Vector(Scaled, NamedTerms):
 
     def __iter__(self):
         return iter(self.components())
+
+    def __len__(self):
+        return 3
+
+    def __getitem__(self, n):
+        return self.components()[n]
+
+    def __eq__(self, other):
+        """True for a vector with the same components; of another frame, up to round-off, as :func:`same` says; False where no frame is common."""
+        if not isinstance(other, Vector):
+            return NotImplemented
+        if other.frame is self.frame:
+            equal = [a == b for a, b in zip(self.c, other.c, strict=True)]
+            return all(bool(e.all()) if getattr(e, "shape", ()) else bool(e) for e in equal)
+        try:
+            return same(self, other)
+        except FrameError:
+            return False
+
+    __hash__ = None  # equal vectors of two frames have different components
+
+    def __abs__(self):
+        return self.norm()
 
     def components(self, frame=None):
         """The three components along the axes of ``frame`` (default: the frame it is expressed in), as a tuple."""
@@ -425,9 +448,17 @@ def _latex_number(x, digits):
 
 
 def same(a, b, tolerance=1e-12):
-    """True if two numeric vectors differ by at most ``tolerance`` times the larger of their magnitudes."""
-    difference = (a - b).norm()
-    return size(scalar(difference)) <= tolerance * max(size(scalar(a.norm())), size(scalar(b.norm())))
+    """True if two vectors differ by at most ``tolerance`` times the larger of their magnitudes; of symbols, where these are given numbers.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground"); turned = ground.rotate("turned", "z", angle=0.3)
+    >>> same(ground.i, ground.i.expressed_in(turned)), same(ground.i, 1.001*ground.i)
+    (True, False)
+    """
+    difference, *lengths = (sampled(scalar(v.norm())) for v in (a - b, a, b))
+    if difference is None or None in lengths:
+        raise ScalarError(f"{a} and {b} have components without values, which cannot be compared")
+    return size(difference) <= tolerance * max(map(size, lengths))
 
 
 __all__ = ["Explanation", "FrameError", "ScalarError", "Vector", "cross", "dot", "same"]

@@ -147,6 +147,35 @@ def test_a_vector_times_what_is_no_number_is_refused():
             ground.i * bad
 
 
+def test_equal_vectors_are_equal_and_others_are_not():
+    ground, elsewhere = Frame("ground"), Frame("elsewhere")
+    turned = ground.rotate("turned", "z", angle=0.3)
+    a = ground.vector(1.0, 2.0, 2.0)
+    assert a == ground.vector(1, 2, 2)
+    assert a != ground.vector(1.0, 2.0, 2.0 + 1e-15)  # in one frame to the last digit
+    assert a == a.expressed_in(turned)  # in two up to round-off
+    assert a != ground.vector(1.0, 2.0, 2.001).expressed_in(turned)
+    assert a != elsewhere.vector(1.0, 2.0, 2.0)
+    assert (a == 3.0, a == (1.0, 2.0, 2.0)) == (False, False)
+    many = ground.vector(np.array([1.0, 2.0]), 0, 0)
+    assert many == ground.vector(np.array([1.0, 2.0]), 0, 0)
+    assert many != ground.vector(np.array([1.0, 3.0]), 0, 0)
+    x, angle = sympy.symbols("x angle")
+    symbolic = ground.vector(x, 0, 0)
+    assert symbolic == symbolic.expressed_in(ground.rotate("by angle", "z", angle=angle))
+    assert symbolic != ground.vector(2 * x, 0, 0)
+    with pytest.raises(TypeError, match="unhashable"):
+        {a: 1}
+
+
+def test_a_vector_is_indexed_measured_and_converted_like_a_sequence_of_three():
+    a = Frame("ground").vector(2.0, 0, -1.0)
+    assert (a[0], a[-1], a[:2], len(a), abs(Frame("other").vector(3.0, 0, 4.0))) == (2.0, -1.0, (2.0, 0), 3, 5.0)
+    assert np.array(a).tolist() == [2.0, 0.0, -1.0]
+    with pytest.raises(IndexError):
+        a[3]
+
+
 def test_same_compares_relative_to_the_larger():
     a = ground.vector(1e6, 0, 0)
     assert same(a, a + ground.vector(0, 1e-7, 0))
