@@ -1,0 +1,1 @@
+"""The worked examples of the book, one module a chapter: ``from newton_euler.chapters.examples.ch02 import Nozzle``."""
