@@ -7,31 +7,31 @@ import re
 from collections import defaultdict
 from pathlib import Path
 
-# section | rooms of newton_euler/ | first and last numbered equation | E: a worked example
+# section | rooms of newton_euler/, and its worked examples in chapters/examples/ | first and last numbered equation | E: a worked example
 SECTIONS = """
-A vectors, coordinates | 1-22 | E
+A vectors, coordinates, chapters/examples/appA | 1-22 | E
 1.2 paths, frames | 1-3 |
 2.1 frames | 1-3 |
-2.2 scenes/nozzle | | E
+2.2 chapters/examples/ch02 | | E
 2.3 paths | 4-14 |
-2.4 scenes/nozzle | | E
-2.5 scenes/car_in_curve | | E
+2.4 chapters/examples/ch02 | | E
+2.5 chapters/examples/ch02 | | E
 2.6 components | 15-18 |
-2.7 scenes/telescoping_boom | | E
+2.7 chapters/examples/ch02 | | E
 2.8 frames | 19-19 |
 2.9 frames | 20-22 |
 2.10 frames | 23-26 |
-2.11 scenes/telescoping_boom | | E
-2.12 scenes/two_cars | | E
-3.1 frames, scenes/exponential_curve | 1-3 | E
-3.2 paths, scenes/spring | 4-13 | E
-3.3 scenes/cable | | E
+2.11 chapters/examples/ch02 | | E
+2.12 chapters/examples/ch02 | | E
+3.1 frames, chapters/examples/ch03 | 1-3 | E
+3.2 paths, chapters/examples/ch03 | 4-13 | E
+3.3 chapters/examples/ch03 | | E
 3.4 coordinates | 14-17 |
 3.5 components | 18-23 |
-3.6 scenes/screw_jack | | E
+3.6 chapters/examples/ch03 | | E
 3.7 components | 24-27 |
 3.8 components | 28-38 |
-3.9 scenes/three_systems | | E
+3.9 chapters/examples/ch03 | | E
 4.2 rotations | 1-8 |
 4.4 frames | 9-12 |
 4.5 frames, linear | | E
@@ -42,19 +42,19 @@ A vectors, coordinates | 1-22 | E
 4.11 frames | | E
 5.1 mass | 1-3 |
 5.2 mass | 4-9 |
-5.3 scenes/bursting_projectile | | E
+5.3 chapters/examples/ch05 | | E
 5.4 mass, integration | 10-13 |
-5.5 scenes/three_rods | | E
-5.6 scenes/machine_part | | E
+5.5 chapters/examples/ch07 | | E
+5.6 chapters/examples/ch07 | | E
 5.8 frames, mass | 14-17 |
 5.9 frames | 18-19 |
 5.10 forces | 20-27 |
 5.11 constraints | 28-28 |
 6.1 kinetics | 1-6 |
-6.2 scenes/guide | | E
+6.2 chapters/examples/ch06 | | E
 6.3 scenes/aircraft | | S
 6.4 kinetics | 7-9 |
-6.5 scenes/screw_jack | | E
+6.5 chapters/examples/ch06 | | E
 6.6 kinetics | 10-10 |
 6.7 scenes/space_station | | E
 6.8 earth | 11-14 |
@@ -64,30 +64,30 @@ A vectors, coordinates | 1-22 | E
 6.12 scenes/aircraft | | S
 7.1 mass | 1-8 |
 7.2 inertia | 9-14 |
-7.3 solids, scenes/thin_rod, scenes/three_rods | | E
+7.3 solids, chapters/examples/ch07 | | E
 7.4 principal | 15-20 |
-7.5 principal | | E
+7.5 principal, chapters/examples/ch07 | | E
 7.6 principal | 21-21 |
 7.7 mass | 22-23 |
 7.8 inertia | 24-26 |
 7.9 inertia | 27-27 | E
-7.10 inertia, scenes/machine_part | | E
+7.10 inertia, chapters/examples/ch07 | | E
 8.1 momentum | 1-11 |
 8.2 euler_equations | 12-14 |
 8.3 momentum, euler_equations | 15-17 |
-8.4 scenes/three_bars | | E
+8.4 chapters/examples/ch08 | | E
 8.5 euler_equations | 18-19 |
 8.6 scenes/sliding_sphere | | E
 8.7 force_systems | 20-21 |
-9.2 rotors, scenes/off_centre_disk | 1-3 |
-9.3 rotors, scenes/bent_disk | 4-6 |
+9.2 rotors, chapters/examples/ch09 | 1-3 |
+9.3 rotors, chapters/examples/ch09 | 4-6 |
 9.5 rotors, scenes/unbalanced_rotor | 7-10 |
 10.2 rotations | 1-4 |
 10.3 rotations | 5-10 |
 10.4 scenes/spherical_pendulum | 11-16 |
 10.5 gyros | 17-27 |
 10.6 gyros, nutation | 28-34 |
-10.8 gyros, scenes/free_bodies | 35-36 |
+10.8 gyros, chapters/examples/ch10 | 35-36 |
 10.9 gyros | 37-38 |
 11.2 work | 1-1 |
 11.3 work | 2-5 |
@@ -95,11 +95,11 @@ A vectors, coordinates | 1-22 | E
 11.5 work | 8-9 |
 11.6 work | 10-11 |
 11.7 energy | 12-14 |
-11.8 scenes/pendulum_with_pin | | E
+11.8 chapters/examples/ch11 | | E
 11.9 potential | 15-20 |
-11.10 potential, scenes/gravitational_attraction | 21-25 | E
+11.10 potential, chapters/examples/ch11 | 21-25 | E
 11.11 energy | 26-33 |
-11.12 potential, scenes/pendulum_with_pin | 34-35 | E
+11.12 potential, chapters/examples/ch11 | 34-35 | E
 11.14 energy | 36-49 |
 11.15 scenes/rolling_sphere | | E
 11.16 energy, scenes/heavy_top | 50-53 | E
@@ -143,11 +143,11 @@ def numbers_in(name):
 
 
 def tests():
-    """{name: file} of all tests."""
+    """{name: file under tests/} of all tests."""
     found = {}
     for path in sorted(HERE.rglob("test_*.py")):
         for name in re.findall(r"^def (test_\w+)", path.read_text(encoding="utf-8"), re.M):
-            found[name] = path.name
+            found[name] = path.relative_to(HERE).as_posix()
     return found
 
 

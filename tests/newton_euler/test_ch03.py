@@ -1,4 +1,4 @@
-"""Chapter 3: every numbered equation over every kind of number, and the worked examples."""
+"""Chapter 3: every numbered equation over every kind of number."""
 
 import mpmath as mp
 import pytest
@@ -6,7 +6,6 @@ import sympy
 
 from newton_euler import (
     Frame,
-    SingularError,
     T_phi,
     T_theta,
     T_theta_phi,
@@ -16,11 +15,9 @@ from newton_euler import (
     curvilinear,
     cylindrical,
     cylindrical_frame,
-    exp,
     frenet,
     frenet_along,
     moving,
-    pi,
     sin,
     spherical,
     spherical_frame,
@@ -28,10 +25,6 @@ from newton_euler import (
 )
 from newton_euler.paths import derivatives
 from newton_euler.rotations import apply, direction_cosines, product, transpose
-from newton_euler.scenes import cable, exponential_curve
-from newton_euler.scenes.screw_jack import ball, time_of_turns
-from newton_euler.scenes.spring import Spring
-from newton_euler.scenes.three_systems import three_systems
 from tests.explicit import explicit, polar_position, spherical_position
 from tests.kinds import KINDS, close, numbers
 
@@ -246,94 +239,6 @@ def test_eqn_3_34_to_3_38_the_matrices(kind):
     spherical_components = apply(both, Q)  # 3.35
     assert close(spherical_components, ground.vector(*Q).components(spherical_frame(ground, theta, phi)), tolerance(kind))
     assert close(apply(T_phi(phi), apply(T_theta(theta), Q)), spherical_components, tolerance(kind))  # 3.38
-
-
-# -- worked examples
-
-
-@every_kind
-def test_example_3_1_exponential_curve_at_constant_speed(kind):
-    q, speed = numbers(kind, "0.4", 3)
-    P = exponential_curve.passing(ground, q, speed)
-    length = sqrt(exp(2 * q) + cos(q) ** 2 + 4 * q**2)
-    assert close(P.velocity(ground), [speed * x / length for x in (exp(q), cos(q), 2 * q)], tolerance(kind))
-    assert close(P.velocity(ground).dot(P.acceleration(ground)), 0, 10 * tolerance(kind))
-
-
-@every_kind
-def test_example_3_2_spring_drawn_out_keeps_a_finite_torsion(kind):
-    """The book has it infinite when straight; it goes to 1/wire. On the straight wire itself there is none."""
-    R, c, theta = numbers(kind, "1.2", "0.5", "0.7")
-    spring = Spring(R, c)
-    here = spring.intrinsic(theta, ground)
-    assert close((here.flexure, here.torsion), (spring.flexure, spring.torsion), tolerance(kind))
-    assert close(here.speed, spring.wire, tolerance(kind))
-    drawn = Spring.drawn_out(numbers(kind, 5), numbers("mpmath" if kind == "mpmath" else "float", "1.5707963"))
-    assert close(drawn.torsion, -1 / drawn.wire, 1e-7)
-    assert close(drawn.flexure, 0, 1e-7)
-    flat = Spring.drawn_out(numbers(kind, 5), 0)
-    assert close((flat.flexure, flat.torsion), (1 / flat.wire, 0), tolerance(kind))
-    with pytest.raises(SingularError, match="straight here"):
-        Spring(0.0, 5.0).intrinsic(0.7, ground)
-
-
-@every_kind
-def test_example_3_3_cable_at_rest_in_a_horizontal_plane(kind):
-    """The load found balances -d(T e_t)/ds, differentiated in rectangular components."""
-    q = numbers(kind, "0.6")
-
-    def path(q):
-        return q, q * q / 2, 0
-
-    def tension(q):
-        return 5 + q**3
-
-    load = cable.load_for_rest(path, tension, q, ground)
-    pull = [at(lambda s, n=n: tension(s) * (1, s)[n] / sqrt(1 + s * s), q).rate for n in (0, 1)]
-    ds = sqrt(1 + q * q)
-    assert close(load.components(ground), (-pull[0] / ds, -pull[1] / ds, 0), tolerance(kind))
-    flexure = frenet_along(path, q, ground).flexure
-    assert close(cable.out_of_balance(tension(q), 3 * q**2 / ds, flexure, load.components()), (0, 0, 0), tolerance(kind))
-
-
-def jack_after_one_turn(kind):
-    """Arm, lead and K, the time of one turn from rest, and the point A then."""
-    a, lead, K = numbers(kind, "0.4", "0.05", 2)
-    t = time_of_turns(1, K)
-    return a, lead, K, t, ball(ground, a, K, lead, t)
-
-
-@every_kind
-def test_example_3_6_screw_jack(kind):
-    a, lead, K, t, A = jack_after_one_turn(kind)
-    p = pi(K)
-    assert close((t, A.coordinates[1].value, A.coordinates[1].rate), (2 * sqrt(p / K), 2 * p, 2 * sqrt(p * K)), tolerance(kind))
-    v, acc = A.velocity(ground), A.acceleration(ground)
-    assert close(v, (0, 2 * a * sqrt(p * K), lead * sqrt(K / p)), tolerance(kind))
-    assert close(v.norm(), sqrt(K / p) * sqrt(4 * p**2 * a**2 + lead**2), tolerance(kind))
-    assert close(acc, (-4 * p * a * K, a * K, lead * K / (2 * p)), 10 * tolerance(kind))
-    assert close(acc.norm(), a * K * sqrt(1 + 16 * p**2 + lead**2 / (4 * p**2 * a**2)), 10 * tolerance(kind))
-
-
-@every_kind
-def test_example_3_9_1_screw_jack_in_rectangular_components(kind):
-    """The book keeps the angle general, as here, though its values belong to one turn, as there."""
-    a, lead, K, _, A = jack_after_one_turn(kind)
-    p, angle = pi(K), numbers(kind, "0.7")
-    c, s, back = cos(angle), sin(angle), transpose(T_theta(angle))
-    v, acc = A.velocity(ground), A.acceleration(ground)
-    assert close(apply(back, v), (-2 * a * sqrt(p * K) * s, 2 * a * sqrt(p * K) * c, lead * sqrt(K / p)), tolerance(kind))
-    assert close(apply(back, acc), (a * K * (-4 * p * c - s), a * K * (-4 * p * s + c), lead * K / (2 * p)), 10 * tolerance(kind))
-    assert close(v.components(ground), (0, 2 * a * sqrt(p * K), lead * sqrt(K / p)), 10 * tolerance(kind))
-    assert close(acc.components(ground), (-4 * p * a * K, a * K, lead * K / (2 * p)), 30 * tolerance(kind))
-
-
-@every_kind
-def test_example_3_9_2_a_velocity_in_three_systems(kind):
-    nu, theta, phi = numbers(kind, 5, "0.7", "0.4")
-    _, cylindrical_, spherical_ = three_systems((nu, 0, 0), theta, phi)
-    assert close(cylindrical_, (nu * cos(theta), -nu * sin(theta), 0), tolerance(kind))
-    assert close(spherical_, (nu * cos(theta) * cos(phi), -nu * sin(theta), -nu * cos(theta) * sin(phi)), tolerance(kind))
 
 
 def test_section_3_4_the_five_steps_symbolically():

@@ -1,4 +1,4 @@
-"""Chapter 6, (6.1)-(6.10) and the examples of 6.2, 6.3, 6.5, 6.7, 6.12: forces from motions, motions from forces. The rotating Earth: test_earth.py.
+"""Chapter 6, (6.1)-(6.10) and the examples of 6.3, 6.7, 6.12: forces from motions, motions from forces. The rotating Earth: test_earth.py.
 
 The oracle of every component equation is m times the second rates of the rectangular coordinates, differentiated by the product rule and projected
 on the local unit vectors: no formula of polar, spherical or relative motion.
@@ -43,10 +43,8 @@ from newton_euler.kinetics import (
     resultant_force,
 )
 from newton_euler.scenes.aircraft import flight, flight_forces, vertical_flight
-from newton_euler.scenes.guide import guide_force
-from newton_euler.scenes.screw_jack import ball, force_of_arm, force_on_ball, time_of_turns
 from newton_euler.scenes.space_station import free_body, rim_speed, station_rate
-from tests.kinds import KINDS, close, first, number, numbers
+from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
 MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
@@ -307,49 +305,6 @@ def test_forces_of_symengine_expressions():
     F = _polar_force(m, r, dr, 0, 0, dtheta, 0)
     assert symengine.expand(F.x + m * r * dtheta**2) == 0
     assert symengine.expand(F.y - 2 * m * dr * dtheta) == 0
-
-
-# -- 6.2, 6.5: examples
-
-
-@every_kind
-def test_example_6_2_mass_at_the_top_of_a_guide(kind):
-    m, v, radius, g = numbers(kind, 2, "4.8", "0.5", "9.81")
-    R = guide_force(m, v, radius, g)
-    assert close(R, m * (v * v / radius - g), small(kind))
-    if kind != "array":
-        assert close(R, numbers("mpmath", "72.54"), small(kind))  # the book prints 72.5 N
-
-
-def test_example_6_2_by_the_whole_circle():
-    """The same force from Newton's law in polar coordinates about the centre of curvature, with the weight as a vector."""
-    ground = Frame("ground")
-    P = polar(ground, "P", 0.5, moving(math.pi / 2, rate=-4.8 / 0.5))
-    R = reaction(2.0, P.acceleration(ground), weight=-2.0 * 9.81 * ground.j)
-    assert close(R.components(ground), (0, -72.54, 0), 1e-13)
-
-
-@every_kind
-def test_example_6_5_force_on_the_ball_of_the_screw_jack(kind):
-    """F = (-4 pi a K m, a K m, L K m/2 pi) after one turn: -2.51, 0.20, 0.16 N, of magnitude 2.526 (the book rounds to 2.52)."""
-    m, a, K, lead = numbers(kind, "0.2", "0.1", 10, "0.5")
-    ground = Frame("ground")
-    F = force_on_ball(ground, m, a, K, lead, time_of_turns(1, K))
-    pi = mp.pi if kind in ("mpmath", "sympy") else math.pi
-    wanted = tuple(number(x) for x in (a * K * m, lead * K * m))
-    assert close(F, (-4 * pi * wanted[0], wanted[0], wanted[1] / (2 * pi)), 10 * small(kind))
-    assert [round(float(first(number(x))), 2) for x in F] == [-2.51, 0.20, 0.16]
-    assert round(float(first(number(F.norm()))), 3) == 2.526
-    assert close(ball(ground, a, K, lead, time_of_turns(1, K)).coordinates[2].value, lead, small(kind))
-
-
-def test_example_6_5_the_book_leaves_out_the_weight_that_the_arm_carries():
-    ground = Frame("ground")
-    t = time_of_turns(1, 10.0)
-    arm = force_of_arm(ground, 0.2, 0.1, 10.0, 0.5, t, 9.81)
-    assert close(arm - force_on_ball(ground, 0.2, 0.1, 10.0, 0.5, t), 0.2 * 9.81 * ground.k, 1e-15)
-    assert round(arm.norm(), 2) == 3.29  # against 2.53 N without the weight
-    assert set(arm.terms) == {"inertia", "weight"}
 
 
 # -- 6.7: the space station

@@ -1,6 +1,6 @@
-"""Chapter 11, the worked examples of 11.8, 11.12, 11.15, 11.16, 11.17, 11.19, and audits of motions that an integrator made.
+"""Chapter 11, the worked examples of 11.15, 11.16, 11.17, 11.19, and audits of motions that an integrator made.
 
-(11.4 is in test_ch11_work.py, 11.10 in test_ch11_potential.py.) Oracles: SciPy on second-order equations of motion, energy by bodies in frames.
+(11.4 is in test_ch11_work.py.) Oracles: SciPy on second-order equations of motion, energy by bodies in frames.
 """
 
 import math
@@ -11,14 +11,13 @@ import pytest
 import sympy
 from scipy.integrate import solve_ivp
 
-from newton_euler import Dimension, Frame, MassError, at, cos, moving, radians, sin, sqrt
+from newton_euler import Dimension, Frame, MassError, at, cos, moving, sin
 from newton_euler.energy import EnergyError, audit, kinetic_energy, kinetic_energy_about, plane_kinetic_energy
 from newton_euler.mass import Body
 from newton_euler.models import ModelError
 from newton_euler.rotations import euler_frame
 from newton_euler.scenes.car_on_hill import Car
 from newton_euler.scenes.heavy_top import top_energy
-from newton_euler.scenes.pendulum_with_pin import PendulumWithPin
 from newton_euler.scenes.physical_pendulum import pendulum_energy, physical_pendulum, swing_rate
 from newton_euler.scenes.rolling_sphere import friction_needed, rolling_down, rolling_energy, rolling_speed
 from newton_euler.scenes.sliding_sphere import rolling_begins, sphere_at
@@ -41,62 +40,6 @@ def integrated(model, start, end):
     rhs = model.compiled_rhs()
     run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, end), start, "DOP853", rtol=1e-12, atol=1e-13, max_step=0.05, dense_output=True)
     return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
-
-
-# -- the ball on a cord (11.8, 11.12)
-
-
-def ball(kind):
-    length, pin, v0, g = numbers(kind, "0.9", "0.6", 2, "9.81")
-    return PendulumWithPin(length, pin, radians(60 + 0 * length), v0, g)
-
-
-def test_example_11_8_in_numbers():
-    b = ball("float")
-    assert round(b.speed_at_pin(), 3) == 2.635
-    assert b.speed_at_pin() ** 2 == pytest.approx(4 + 9.81 * 0.3, rel=1e-14)
-    assert b.speed_at_bottom() ** 2 == pytest.approx(4 + 9.81 * 0.9, rel=1e-14)
-
-
-@every_kind
-def test_example_11_8_works_of_two_phases_by_the_tangential_component(kind):
-    b = ball(kind)
-    U = b.works(exact=kind == "sympy")
-    v1 = b.speed_at_bottom()
-    assert close(U.terms["A to the bottom"], (v1 * v1 - b.v0 * b.v0) / 2, small(kind))
-    assert close(U.terms["A to the bottom"], b.g * b.length * (1 - cos(b.angle)), small(kind))
-    assert close(U.terms["bottom to C"], -b.g * (b.length - b.pin), small(kind))
-    assert close(sqrt(b.v0 * b.v0 + 2 * U.value), b.speed_at_pin(), small(kind))
-
-
-@every_kind
-def test_example_11_12_by_conservation_of_energy(kind):
-    b = ball(kind)
-    start = b.energy(b.length * cos(b.angle), b.v0)
-    for depth, speed in ((b.length, b.speed_at_bottom()), (b.pin, b.speed_at_pin())):
-        assert close(b.energy(depth, speed).value, start.value, small(kind))
-
-
-def test_example_11_8_against_the_motion_in_two_phases():
-    """l theta'' = -g sin(theta), then the same with the rest of the cord, by SciPy."""
-    b = ball("float")
-    rest = b.length - b.pin
-    swing = lambda l: lambda t, y: (y[1], -b.g / l * math.sin(y[0]))  # noqa: E731
-    bottom, level = (lambda t, y: y[0]), (lambda t, y: y[0] + math.pi / 2)
-    bottom.terminal = level.terminal = True
-    first = solve_ivp(swing(b.length), (0, 5), (b.angle, -b.v0 / b.length), rtol=1e-11, atol=1e-12, events=bottom)
-    v1 = -b.length * first.y[1, -1]
-    second = solve_ivp(swing(rest), (0, 5), (0.0, -v1 / rest), rtol=1e-11, atol=1e-12, events=level)
-    assert v1 == pytest.approx(b.speed_at_bottom(), rel=1e-9)
-    assert -rest * second.y[1, -1] == pytest.approx(b.speed_at_pin(), rel=1e-9)
-
-
-def test_example_11_8_a_ball_that_does_not_reach_the_level_of_the_pin():
-    low = PendulumWithPin(length=0.9, pin=0.3, angle=radians(45.0), v0=0.0, g=9.81)
-    with pytest.raises(EnergyError, match="does not get there"):
-        low.speed_at_pin()
-    just = PendulumWithPin(length=1.0, pin=0.5, angle=math.acos(0.5), v0=1e-3, g=9.81)
-    assert just.speed_at_pin() == pytest.approx(1e-3, rel=1e-8)
 
 
 # -- the rolling sphere (11.15)

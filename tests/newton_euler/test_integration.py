@@ -9,7 +9,6 @@ import sympy
 
 from newton_euler import Frame, MassError, cos, integrated, sin, sqrt
 from newton_euler import solids as B
-from newton_euler.scenes.thin_rod import thin_rod
 from tests.kinds import close
 
 R, H = 0.7, 1.6
@@ -104,13 +103,6 @@ def test_eqn_5_13_and_7_10_in_symbols():
     assert parabola.content == a * b / 3
     assert parabola.centre.position(F).components() == (3 * a / 4, 3 * b / 10, 0)
     assert parabola.about(F).matrix[0][:2] == (m * b**2 / 7, -m * a * b / 4)
-
-
-def test_example_5_5_and_7_3_the_rod_in_numbers_and_symbols():
-    m, length = sympy.symbols("m l", positive=True)
-    exact, found = thin_rod(m, length, exact=True), thin_rod(3.0, 1.6)
-    assert exact.about(exact.frame).moments == (0, m * length**2 / 3, m * length**2 / 3)
-    assert close(found.about(found.frame).moments, (0, 2.56, 2.56), 1e-14)
 
 
 def test_what_does_not_converge_is_refused_in_words():

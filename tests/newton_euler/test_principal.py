@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 
 from newton_euler import Frame, Inertia, MassError, compiled, composite, particle
 from newton_euler.rotations import determinant, rotation_matrix
-from newton_euler.scenes.three_rods import three_rods
 from newton_euler.solids import box, cylinder, disk, sphere
 from tests.kinds import KINDS, close, number, numbers
 
@@ -54,29 +53,6 @@ def test_eqn_7_20_the_moments_are_the_roots_of_the_characteristic_equation(kind)
     for moment in I.principal().moments:
         rows = [[x - moment if n == m else x for m, x in enumerate(row)] for n, row in enumerate(I.matrix)]
         assert close(determinant(rows), 0, 1e-12 if kind in ("float", "array") else 1e-24)
-
-
-@every_kind
-def test_example_7_5_principal_axes_of_the_three_rods(kind):
-    body = three_rods(numbers(kind, 12), numbers(kind, 1))
-    p = body.about(body.frame).principal()
-    scale = np.array([1.0, 1.0625, 0.875]) ** 3 if kind == "array" else 1
-    small = 1e-13 if kind in ("float", "array") else 1e-25
-    assert close(p.moments, (5 * scale, 11 * scale, 14 * scale), small)
-    for axis, printed in zip(p.axes, ((2, 1, -1), (0, 1, 1), (1, -1, 1)), strict=True):
-        length = sum(x * x for x in printed)
-        assert close([x * abs(x) * length for x in axis], [x * abs(x) for x in printed], 20 * small)
-
-
-def test_example_7_5_in_symbols_is_exact():
-    m, length = sympy.symbols("m l", positive=True)
-    body = three_rods(m, length)
-    p = body.about(body.frame).principal()
-    unit = m * length**2 / 12
-    assert p.moments == (5 * unit, 11 * unit, 14 * unit)
-    root = sympy.sqrt
-    assert [v.components() for v in p.axes] == [
-        (root(6) / 3, root(6) / 6, -root(6) / 6), (0, root(2) / 2, root(2) / 2), (root(3) / 3, -root(3) / 3, root(3) / 3)]  # fmt: skip
 
 
 def test_eqn_7_21_pairs_of_masses_opposite_an_axis():

@@ -1,16 +1,15 @@
-"""The assembly of three rods turning about three axes, one after the other (8.4): angular momentum and the moment that keeps it up."""
+"""Worked examples of chapter 8, Euler's equations: the three rods of ch07 turning about three axes, one after the other (8.4)."""
 
 from dataclasses import dataclass
 
-from ..frames import Frame
-from ..momentum import angular_momentum, resultant_moment
-from ..vectors import Vector
-from .three_rods import three_rods
+from newton_euler import Frame, Vector
+from newton_euler.chapters.examples.ch07 import three_rods
+from newton_euler.momentum import angular_momentum, resultant_moment
 
 
 @dataclass(frozen=True)
 class Turning:
-    """A body that turns: its angular momentum ``H`` and the resultant moment ``M`` of the external forces about ``about``, seen from ``ground``."""
+    """A turning body, with its angular momentum ``H`` and the resultant moment ``M`` of the external forces about ``about``, seen from ``ground``."""
 
     body: object
     ground: Frame
@@ -20,8 +19,9 @@ class Turning:
 
 
 def bars_about_x(m, length, rate, acceleration):
-    """Example 1: about the x axis, which is not principal, so that Euler's equations do not apply. ``m`` is the mass of one rod.
+    """The three rods turning about x (8.4, example 1), a :class:`Turning`: x is not principal, so that Euler's equations do not apply.
 
+    m : mass of one rod; rate, acceleration : omega in rad/s, alpha in rad/s^2. Any consistent units of mass and length.
     M = (2/3 alpha, -(alpha + omega^2)/4, (alpha - omega^2)/4) m L^2 about the origin of the rods' axes.
 
     >>> bars_about_x(12.0, 1.0, 2.0, 1.0).M
@@ -33,7 +33,9 @@ def bars_about_x(m, length, rate, acceleration):
 
 
 def bars_about_principal_axis(m, length, rate, acceleration):
-    """Example 2: about the principal axis (2, 1, -1) with the moment 5/12 m L^2, which needs no moment across it.
+    """The three rods turning about (2, 1, -1) (8.4, example 2), a :class:`Turning`: a principal axis, with H and M along it.
+
+    The principal moment is 5/12 m L^2; the arguments are those of :func:`bars_about_x`.
 
     >>> e = bars_about_principal_axis(12.0, 1.0, 2.0, 3.0)
     >>> round(e.H.norm(), 12), round(e.M.norm(), 12), round(e.M.cross(e.H).norm(), 12)
@@ -45,9 +47,10 @@ def bars_about_principal_axis(m, length, rate, acceleration):
 
 
 def bars_about_mass_centre(m, length, rate, acceleration):
-    """Example 3: about the axis through G parallel to z. The book takes the mass of one rod for that of three; here all are taken.
+    """The three rods turning about the axis through G parallel to z (8.4, example 3), a :class:`Turning`.
 
-    M = (3 alpha - omega^2, alpha + 3 omega^2, 10 alpha) m L^2/12 about G.
+    The arguments are those of :func:`bars_about_x`. M = (3 alpha - omega^2, alpha + 3 omega^2, 10 alpha) m L^2/12 about G, with the whole mass
+    3 m; the book takes the mass of one rod.
 
     >>> print(bars_about_mass_centre(12.0, 1.0, 2.0, 1.0).M)
     [-1, 13, 10] in bars

@@ -1,0 +1,147 @@
+"""The worked examples of 11.8, 11.10 and 11.12, with (11.21)-(11.25)."""
+
+import math
+
+import mpmath as mp
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler import Frame, cos, gravitation, particle, radians, sqrt
+from newton_euler.chapters.examples.ch11 import PendulumWithPin, attraction_field, escape_speed, speed_at_distance
+from newton_euler.energy import EnergyError
+from newton_euler.potential import conservative_force, find_potential, gravitational_potential
+from newton_euler.work import work_along
+from tests.kinds import KINDS, close, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def small(kind):
+    """Absolute, for quantities of order 10: a few round-offs of the kind."""
+    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -26
+
+
+# -- the pendulum with a pin (11.8, 11.12)
+
+
+def ball(kind):
+    length, pin, v0, g = numbers(kind, "0.9", "0.6", 2, "9.81")
+    return PendulumWithPin(length, pin, radians(60 + 0 * length), v0, g)
+
+
+def test_example_11_8_in_numbers():
+    b = ball("float")
+    assert round(b.speed_at_pin(), 3) == 2.635
+    assert b.speed_at_pin() ** 2 == pytest.approx(4 + 9.81 * 0.3, rel=1e-14)
+    assert b.speed_at_bottom() ** 2 == pytest.approx(4 + 9.81 * 0.9, rel=1e-14)
+
+
+@every_kind
+def test_example_11_8_works_of_two_phases_by_the_tangential_component(kind):
+    b = ball(kind)
+    U = b.works(exact=kind == "sympy")
+    v1 = b.speed_at_bottom()
+    assert close(U.terms["A to the bottom"], (v1 * v1 - b.v0 * b.v0) / 2, small(kind))
+    assert close(U.terms["A to the bottom"], b.g * b.length * (1 - cos(b.angle)), small(kind))
+    assert close(U.terms["bottom to C"], -b.g * (b.length - b.pin), small(kind))
+    assert close(sqrt(b.v0 * b.v0 + 2 * U.value), b.speed_at_pin(), small(kind))
+
+
+@every_kind
+def test_example_11_12_by_conservation_of_energy(kind):
+    b = ball(kind)
+    start = b.energy(b.length * cos(b.angle), b.v0)
+    for depth, speed in ((b.length, b.speed_at_bottom()), (b.pin, b.speed_at_pin())):
+        assert close(b.energy(depth, speed).value, start.value, small(kind))
+
+
+def test_example_11_8_against_the_motion_in_two_phases():
+    """l theta'' = -g sin(theta), then the same with the rest of the cord, by SciPy."""
+    b = ball("float")
+    rest = b.length - b.pin
+    swing = lambda l: lambda t, y: (y[1], -b.g / l * math.sin(y[0]))  # noqa: E731
+    bottom, level = (lambda t, y: y[0]), (lambda t, y: y[0] + math.pi / 2)
+    bottom.terminal = level.terminal = True
+    first = solve_ivp(swing(b.length), (0, 5), (b.angle, -b.v0 / b.length), rtol=1e-11, atol=1e-12, events=bottom)
+    v1 = -b.length * first.y[1, -1]
+    second = solve_ivp(swing(rest), (0, 5), (0.0, -v1 / rest), rtol=1e-11, atol=1e-12, events=level)
+    assert v1 == pytest.approx(b.speed_at_bottom(), rel=1e-9)
+    assert -rest * second.y[1, -1] == pytest.approx(b.speed_at_pin(), rel=1e-9)
+
+
+def test_example_11_8_a_ball_that_does_not_reach_the_level_of_the_pin():
+    low = PendulumWithPin(length=0.9, pin=0.3, angle=radians(45.0), v0=0.0, g=9.81)
+    with pytest.raises(EnergyError, match="does not get there"):
+        low.speed_at_pin()
+    just = PendulumWithPin(length=1.0, pin=0.5, angle=math.acos(0.5), v0=1e-3, g=9.81)
+    assert just.speed_at_pin() == pytest.approx(1e-3, rel=1e-8)
+
+
+# -- gravitation (11.10)
+
+
+@every_kind
+def test_eqn_11_21_the_attraction_is_along_the_radius(kind):
+    K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, -2, 2)
+    space = Frame("space")
+    e_r = space.vector(x, y, z).direction()
+    r2 = x * x + y * y + z * z
+    assert close(space.vector(*attraction_field(K, M, m)(x, y, z)), -(K * M * m / r2) * e_r, small(kind))
+
+
+@every_kind
+def test_eqn_11_22_it_is_the_force_of_chapter_5(kind):
+    K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, -2, 2)
+    space = Frame("space")
+    F = gravitation(particle(m, space.point("P", x, y, z)), particle(M, space.origin, "star"), K)
+    assert close(attraction_field(K, M, m)(x, y, z), F, small(kind))
+
+
+@every_kind
+def test_eqn_11_23_components_by_x_over_r_cubed(kind):
+    K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, -2, 2)
+    r = sqrt(x * x + y * y + z * z)
+    assert close(attraction_field(K, M, m)(x, y, z), tuple(-K * M * m * c / r**3 for c in (x, y, z)), small(kind))
+
+
+@every_kind
+def test_eqn_11_24_its_potential_found_from_the_field(kind):
+    """Found by integration from the base, where it is zero; the formula is zero far away."""
+    K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, 2, 2)
+    far = gravitational_potential(M, m, sqrt(x * x + y * y + z * z), K) - gravitational_potential(M, m, 5 + 0 * x, K)
+    if kind == "sympy":  # the integral to any place is more than SymPy finds; along a radius it is not
+        lost = work_along(attraction_field(K, M, m), lambda s: (s, 0, 0), 5, sqrt(x * x + y * y + z * z), exact=True).value
+        assert close(-lost, far, small(kind))
+    else:
+        V = find_potential(attraction_field(K, M, m), (3, 4, 0), box=((1, 2), (1, 2), (1, 2)))
+        assert close(V(x, y, z), far, 10 * small(kind))
+
+
+@every_kind
+def test_eqn_11_25_the_slope_of_the_potential_is_the_force(kind):
+    K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, -2, 2)
+    V = lambda x, y, z: gravitational_potential(M, m, sqrt(x * x + y * y + z * z), K)  # noqa: E731
+    F = conservative_force(V, Frame("space").point("P", x, y, z))
+    assert close(F, attraction_field(K, M, m)(x, y, z), small(kind))
+
+
+@every_kind
+def test_example_11_10_speed_at_a_distance_and_escape(kind):
+    """From r = 2, 3 m/s with K M = 14: at r = 4 v^2 = 9 - 7, and from 2 the escape speed is sqrt(14)."""
+    K, M, r = numbers(kind, "0.5", 28, 2)
+    if kind != "array":
+        assert close(speed_at_distance(2 * r, r, 3, K, M), sqrt(0 * r + 2), small(kind))
+        assert close(escape_speed(r, K, M), sqrt(0 * r + 14), small(kind))
+    far = speed_at_distance(10**12 * r, r, escape_speed(r, K, M), K, M)
+    assert close(far, 0 * r, 1e-5 if kind in ("float", "array") else mp.mpf("1e-5"))
+
+
+def test_example_11_10_a_small_drop_does_not_cancel():
+    drop = 1e-9
+    v = speed_at_distance(6.4e6, 6.4e6 + drop, 0.0, 6.673e-11, 6e24)
+    with mp.workdps(40):
+        a, b = mp.mpf(6.4e6), mp.mpf(6.4e6 + drop)
+        true = mp.sqrt(2 * mp.mpf(6.673e-11) * mp.mpf(6e24) * (1 / a - 1 / b))
+    assert v == pytest.approx(float(true), rel=1e-14)
+    naive = 2 * 6.673e-11 * 6e24 * (1 / 6.4e6 - 1 / (6.4e6 + drop))
+    assert not math.isclose(naive, float(true) ** 2, rel_tol=1e-3)
