@@ -59,9 +59,10 @@ def _mount(libc, source, target, kind, flags, data=None):
 
 
 def readable_places():
-    """The folders that student code may read: interpreter, installed libraries, the engine; never the course or the exercises."""
+    """The folders that student code may read: interpreter, installed libraries, the engine, the chapters; never the course or the exercises."""
     engine = os.path.dirname(os.path.abspath(importlib.import_module("newton_euler").__file__))
-    wanted = [engine, "/usr/lib", "/usr/lib64", "/usr/local/lib", "/lib", "/lib64", "/etc/ld.so.cache", "/usr/share/zoneinfo"]
+    chapters = importlib.import_module("newton_euler.chapters").__path__  # in a checkout they are beside the engine
+    wanted = [engine, *chapters, "/usr/lib", "/usr/lib64", "/usr/local/lib", "/lib", "/lib64", "/etc/ld.so.cache", "/usr/share/zoneinfo"]
     # not the prefixes whole: /usr and /usr/local also hold /usr/local/share/nbgrader/exchange
     wanted += [
         os.path.join(prefix, lib) for prefix in (sys.base_prefix, sys.prefix, sys.base_exec_prefix, sys.exec_prefix) for lib in ("lib", "lib64")

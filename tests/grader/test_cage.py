@@ -103,6 +103,11 @@ def test_student_code_does_not_reach(reached, what):
     assert "got True" not in str(given["faults"])
 
 
+def test_a_worked_example_can_be_imported(harvester):
+    reply = caged(harvester, "from newton_euler.chapters.examples.ch10 import rotor_moment; x = rotor_moment(1000.0, 0.5, 20.0, 100.0)")
+    assert reply["receipts"]["0/1"]["answers"] == {"x": 2000.0}
+
+
 def test_neither_the_course_nor_other_submissions_are_there(harvester, course):
     reply = caged(harvester, f"import os; x = os.path.exists({str(course.path)!r}) + os.path.exists({str(course.path.parent)!r})")
     assert reply["receipts"]["0/1"]["answers"] == {"x": 0.0}
