@@ -1,1 +1,1 @@
-"""The worked situations of the book as ready models and computations, one scene a file."""
+"""Ready models of the motions in the book, one scene a file."""
