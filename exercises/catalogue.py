@@ -104,7 +104,7 @@ class Problem:
     @cached_property
     def code(self):
         """The module ``pNN`` with ``solve``, ``prove``, ``mistakes`` and ``draw``."""
-        name = f"exercises.{self.chapter}.p{self.id.split('/')[1]}"
+        name = f"exercises.{self.chapter}.p{int(self.id.partition('/')[2]):02d}"
         try:
             module = importlib.import_module(name)
         except ModuleNotFoundError as error:

@@ -117,7 +117,7 @@ def _pair(text):
 def prove(names, seeds):
     """Check every key by its second way, its units, and every mistake; exit code 1 if anything fails."""
     from exercises.catalogue import select
-    from exercises.checking import AGREEMENT, check
+    from exercises.checks import AGREEMENT, check
 
     problems, failed = select(names or ("all",)), 0
     with _bar() as bar:

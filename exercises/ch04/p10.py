@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from exercises.ch04.scene_differential import meshing_rates, rolled, section, spin_against, train
+from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
 from exercises.proofs import angular_velocity, minus, times, transposed
 from newton_euler.drawing import Sketch
 

@@ -1,11 +1,11 @@
 """4/12: a bar on a rod that moves about a ball joint, from two components of one velocity."""
 
 from exercises.answering import in_frame
-from exercises.ch04 import scene_ball_joint as scene
+from exercises.devices import bar_on_ball_joint
 
-solve, prove, draw = scene.solve, scene.prove, scene.draw
+solve, prove, draw = bar_on_ball_joint.solve, bar_on_ball_joint.prove, bar_on_ball_joint.draw
 
 
 def mistakes(g):
-    ground, _, A, _ = scene.joint_motion(g)
-    return {**scene.mistakes(g), "B_at_rest": in_frame(ground, {"v_D": -A.velocity(ground) / 2})}
+    ground, _, A, _ = bar_on_ball_joint.joint_motion(g)
+    return {**bar_on_ball_joint.mistakes(g), "B_at_rest": in_frame(ground, {"v_D": -A.velocity(ground) / 2})}

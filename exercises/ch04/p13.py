@@ -1,10 +1,10 @@
 """4/13: the bar on a ball joint of 4/12 with the other sense of omega_x."""
 
-from exercises.ch04 import scene_ball_joint as scene
+from exercises.devices import bar_on_ball_joint
 
-solve, prove, draw = scene.solve, scene.prove, scene.draw
+solve, prove, draw = bar_on_ball_joint.solve, bar_on_ball_joint.prove, bar_on_ball_joint.draw
 
 
 def mistakes(g):
     other = solve(g.but(omega_x=-g.omega_x))
-    return {**scene.mistakes(g), "whole_omega_reversed": {key: -v for key, v in other.items()}}
+    return {**bar_on_ball_joint.mistakes(g), "whole_omega_reversed": {key: -v for key, v in other.items()}}

@@ -1,7 +1,7 @@
 """4/16: the rod CD, hinged at C to an arm BC that turns about the vertical, at an obtuse angle."""
 
 from exercises.answering import in_frame
-from exercises.ch04.scene_elbow_arm import arm_and_rod, common_mistakes, draw, prove, solve
+from exercises.devices.elbow_arm import arm_and_rod, common_mistakes, draw, prove, solve
 from newton_euler import cos, moving, sin
 
 __all__ = ["draw", "mistakes", "prove", "solve"]

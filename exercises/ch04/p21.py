@@ -2,7 +2,7 @@
 
 from exercises import proofs
 from exercises.answering import in_frame
-from exercises.ch04.scene_joint import angular_velocity, draw, fork_and_shaft, orientation
+from exercises.devices.universal_joint import angular_velocity, draw, fork_and_shaft, orientation
 from newton_euler import pi
 
 __all__ = ["draw", "mistakes", "prove", "solve"]

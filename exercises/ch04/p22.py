@@ -2,7 +2,7 @@
 
 from exercises import proofs
 from exercises.answering import in_frame
-from exercises.ch04.scene_rolling_disk import axle_and_disk, orientation, rolling_spin, sketch, turning
+from exercises.devices.rolling_disk import axle_and_disk, orientation, rolling_spin, sketch, turning
 
 
 def answers(g, spin):

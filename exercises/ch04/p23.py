@@ -1,7 +1,7 @@
 """4/23: the velocity of a rim point of a disk rolling in a circle."""
 
 from exercises.answering import in_frame
-from exercises.ch04.scene_rolling_disk import axle_and_disk, rim_point, rolling_spin, sketch, turning
+from exercises.devices.rolling_disk import axle_and_disk, rim_point, rolling_spin, sketch, turning
 from exercises.proofs import rate
 
 

@@ -1,7 +1,7 @@
 """4/29: the angular acceleration of the shaft of 4/21."""
 
 from exercises import proofs
-from exercises.ch04.scene_joint import angular_acceleration, draw, orientation
+from exercises.devices.universal_joint import angular_acceleration, draw, orientation
 
 __all__ = ["draw", "mistakes", "prove", "solve"]
 

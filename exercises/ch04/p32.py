@@ -1,19 +1,19 @@
 """4/32: a bevel gear that rolls round a fixed one."""
 
 from exercises.answering import in_frame
-from exercises.ch04 import scene_bevel_gear as scene
+from exercises.devices import bevel_gears
 
 
 def solve(g):
-    return scene.answers(g.n, 0, g.tan_gamma)
+    return bevel_gears.answers(g.n, 0, g.tan_gamma)
 
 
 def prove(g):
-    return scene.proved(g.n, 0, g.tan_gamma)
+    return bevel_gears.proved(g.n, 0, g.tan_gamma)
 
 
 def mistakes(g):
-    ground, arm, B = scene.gears(g.n, 0, g.tan_gamma)
+    ground, arm, B = bevel_gears.gears(g.n, 0, g.tan_gamma)
     wrong = {
         "only_spin": {"omega_B": B.angular_velocity(ground).without("arm")},
         "alpha_zero": {"alpha_B": arm.vector(0, 0, 0)},
@@ -25,4 +25,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    scene.figure(ax, g.tan_gamma, C_turns=False)
+    bevel_gears.figure(ax, g.tan_gamma, C_turns=False)

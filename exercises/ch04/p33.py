@@ -1,19 +1,19 @@
 """4/33: a bevel gear that rolls round a turning one."""
 
 from exercises.answering import in_frame
-from exercises.ch04 import scene_bevel_gear as scene
+from exercises.devices import bevel_gears
 
 
 def solve(g):
-    return scene.answers(g.n, g.n_C, g.tan_gamma)
+    return bevel_gears.answers(g.n, g.n_C, g.tan_gamma)
 
 
 def prove(g):
-    return scene.proved(g.n, g.n_C, g.tan_gamma)
+    return bevel_gears.proved(g.n, g.n_C, g.tan_gamma)
 
 
 def mistakes(g):
-    _, arm, _ = scene.gears(g.n, g.n_C, g.tan_gamma)
+    _, arm, _ = bevel_gears.gears(g.n, g.n_C, g.tan_gamma)
     wrong = {
         "C_at_rest": solve(g.but(n_C=0)),
         "n_C_added": solve(g.but(n_C=-g.n_C)),
@@ -25,4 +25,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    scene.figure(ax, g.tan_gamma, C_turns=True)
+    bevel_gears.figure(ax, g.tan_gamma, C_turns=True)

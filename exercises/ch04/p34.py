@@ -1,6 +1,6 @@
 """4/34: the angular motion of a disk in a turning bracket, constant rates."""
 
-from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, figure, prove_turning, turning
+from exercises.devices.disk_in_bracket import disk_in_bracket, figure, prove_turning, turning
 
 draw, prove = figure, prove_turning
 

@@ -1,6 +1,6 @@
 """4/38: the top of a disk in a turning bracket, growing rates."""
 
-from exercises.ch04.scene_disk_in_bracket import disk_in_bracket, figure, prove_rim, rim_motion
+from exercises.devices.disk_in_bracket import disk_in_bracket, figure, prove_rim, rim_motion
 
 
 def solve(g):

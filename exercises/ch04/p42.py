@@ -1,6 +1,6 @@
 """4/42: the top of a disk in two brackets."""
 
-from exercises.ch04.scene_disk_in_two_brackets import answers, draw_two_brackets, frames_and_point, prove_rim, wrong_alphas
+from exercises.devices.disk_in_two_brackets import answers, draw_two_brackets, frames_and_point, prove_rim, wrong_alphas
 
 
 def solve(g):

@@ -175,7 +175,7 @@ def test_the_same_problem_twice_is_told(chapter):
 
 def test_a_text_without_code_is_told(chapter):
     (p,) = chapter(ENTRY)
-    with pytest.raises(CatalogueError, match=re.escape("problem 77/1 has a text but no code: write exercises/ch77/p1.py")):
+    with pytest.raises(CatalogueError, match=re.escape("problem 77/1 has a text but no code: write exercises/ch77/p01.py")):
         p.code.solve(None)
 
 
@@ -183,7 +183,7 @@ def test_code_without_a_function_is_told(chapter, monkeypatch):
     (p,) = chapter(ENTRY)
     half = SimpleNamespace(solve=print, draw=print)
     monkeypatch.setattr(catalogue.importlib, "import_module", lambda name: half)
-    with pytest.raises(CatalogueError, match=r"exercises/ch77/p1.py does not define prove, mistakes"):
+    with pytest.raises(CatalogueError, match=r"exercises/ch77/p01.py does not define prove, mistakes"):
         p.code.solve(None)
 
 

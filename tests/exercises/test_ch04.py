@@ -10,7 +10,7 @@ import sympy
 
 from exercises import problem
 from exercises.catalogue import problems
-from exercises.checking import check, values
+from exercises.checks import check, values
 from exercises.variants import flat
 
 PROBLEMS = problems("ch04")

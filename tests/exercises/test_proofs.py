@@ -4,7 +4,7 @@ import pytest
 from mpmath import mp, mpf
 
 from exercises.catalogue import problems
-from exercises.checking import values
+from exercises.checks import values
 from exercises.proofs import (
     DIGITS,
     angular_acceleration,

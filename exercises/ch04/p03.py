@@ -3,7 +3,7 @@
 from mpmath import mp
 
 from exercises.answering import in_frame
-from exercises.ch04.scene_boom import acceleration_without_cross_product, turning_boom
+from exercises.devices.boom import acceleration_without_cross_product, turning_boom
 from exercises.proofs import rot, second_rate, size, times
 from newton_euler import moving
 from newton_euler.drawing import Sketch

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from exercises import problem, variants
-from exercises.checking import check
+from exercises.checks import check
 from newton_euler import pi
 
 P = problem("4/16")

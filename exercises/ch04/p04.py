@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises.ch04.scene_boom import acceleration_without_cross_product, turning_boom
+from exercises.devices.boom import acceleration_without_cross_product, turning_boom
 from exercises.proofs import rate, rot, second_rate, size, times
 from newton_euler import moving, pi
 from newton_euler.drawing import Sketch
