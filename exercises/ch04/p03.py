@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices.boom import acceleration_without_cross_product, turning_boom
 from exercises.proofs import rot, second_rate, size, times
 from newton_euler import moving

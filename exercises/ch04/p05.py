@@ -1,6 +1,6 @@
 """4/5: a bevel gear that rolls on a fixed gear and is driven by an equal one above it."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
 from exercises.proofs import angular_velocity
 from newton_euler import ZERO

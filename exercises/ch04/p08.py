@@ -1,6 +1,6 @@
 """4/8: two points that stay a fixed distance apart, and the frame that follows them."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.proofs import angular_velocity, cross, minus, plus, rot, scaled, second_rate, size, times, transposed
 from newton_euler import Frame, moving
 from newton_euler.drawing import Sketch

@@ -1,6 +1,6 @@
 """4/12: a bar on a rod that moves about a ball joint, from two components of one velocity."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices import bar_on_ball_joint
 
 solve, prove, draw = bar_on_ball_joint.solve, bar_on_ball_joint.prove, bar_on_ball_joint.draw

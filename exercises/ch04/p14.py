@@ -1,6 +1,6 @@
 """4/14: two disks on the ends of one axle that roll in a circle."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.proofs import angular_velocity, rot, times
 from newton_euler import Frame, solve_rates
 from newton_euler.drawing import Sketch

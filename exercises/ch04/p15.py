@@ -1,6 +1,6 @@
 """4/15: a rod that rises in its hinge on a turning vertical shaft."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.proofs import rate, rot, second_rate, times
 from newton_euler import Frame, cos
 from newton_euler.drawing import Sketch

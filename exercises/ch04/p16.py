@@ -1,6 +1,6 @@
 """4/16: the rod CD, hinged at C to an arm BC that turns about the vertical, at an obtuse angle."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices.elbow_arm import arm_and_rod, common_mistakes, draw, prove, solve
 from newton_euler import cos, moving, sin
 

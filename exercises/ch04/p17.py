@@ -1,6 +1,6 @@
 """4/17: the elbow arm of 4/16 at an acute angle, the rod leaning back over the shaft."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices.elbow_arm import arm_and_rod, common_mistakes, draw, prove, solve
 
 __all__ = ["draw", "mistakes", "prove", "solve"]

@@ -1,6 +1,6 @@
 """4/18: the outer tip A of a bracket on a turning arm."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices.bracket_on_arm import arm_and_bracket, common_mistakes, motion_by_way_of_arm, motion_in_time, sketch
 
 

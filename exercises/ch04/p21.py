@@ -1,7 +1,7 @@
 """4/21: the angular velocity of a shaft in a tilting universal joint."""
 
 from exercises import proofs
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices.universal_joint import angular_velocity, draw, fork_and_shaft, orientation
 from newton_euler import pi
 

@@ -1,7 +1,7 @@
 """4/22: the angular velocity of a disk rolling in a circle."""
 
 from exercises import proofs
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices.rolling_disk import axle_and_disk, orientation, rolling_spin, sketch, turning
 
 

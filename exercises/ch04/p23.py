@@ -1,6 +1,6 @@
 """4/23: the velocity of a rim point of a disk rolling in a circle."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices.rolling_disk import axle_and_disk, rim_point, rolling_spin, sketch, turning
 from exercises.proofs import rate
 

@@ -1,6 +1,6 @@
 """4/25: the drum of a spacecraft simulator, in three turning frames."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices.disk_in_two_brackets import prove_turning
 from newton_euler import Frame
 from newton_euler.drawing import Sketch

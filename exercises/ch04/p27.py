@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.proofs import plus, rate, rot, second_rate, times
 from newton_euler import Frame
 from newton_euler.drawing import Sketch

@@ -1,6 +1,6 @@
 """4/30: the angular acceleration of a disk rolling in a circle, and the acceleration of a rim point."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices.rolling_disk import axle_and_disk, orientation, rim_point, rolling_spin, sketch
 from exercises.proofs import angular_acceleration, second_rate
 

@@ -1,6 +1,6 @@
 """4/32: a bevel gear that rolls round a fixed one."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices import bevel_gears
 
 

@@ -1,6 +1,6 @@
 """4/33: a bevel gear that rolls round a turning one."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.devices import bevel_gears
 
 

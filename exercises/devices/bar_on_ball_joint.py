@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.proofs import minus, rate, rot, size, times
 from newton_euler import Frame, solve_rates
 from newton_euler.drawing import Sketch

@@ -1,6 +1,6 @@
 """4/32 and 4/33: a bevel gear B on a turning arm, in mesh with a gear C below it, which is fixed or turns."""
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, angular_velocity, rot, times
 from newton_euler import Frame, atan, cos, sin, solve_rates
 from newton_euler.drawing import Sketch

@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.proofs import rate, second_rate
 from newton_euler import Frame
 from newton_euler.drawing import Sketch

@@ -6,7 +6,7 @@ the disk's centre is on the axle at the distance b from the shaft. On the rim, A
 
 from mpmath import mp
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, angular_velocity, plus, rate, scaled, second_rate, spun
 from newton_euler import Frame
 from newton_euler.drawing import Sketch

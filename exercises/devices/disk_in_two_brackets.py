@@ -6,7 +6,7 @@ The three axes meet at the disk's centre. On the rim, C is at the top and D at t
 
 from mpmath import mp
 
-from exercises.answering import in_frame
+from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, angular_velocity, cross, plus, rate, scaled, second_rate, spun
 from newton_euler import Frame
 from newton_euler.drawing import Sketch

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import pytest
 import sympy
 
-from exercises import catalogue, problem
-from exercises.catalogue import CatalogueError, problems, select
+from exercises import problem
+from exercises.catalogue import CatalogueError, model, problems, reading, select
 from newton_euler import Dimension, Frame
 
 PROBLEMS = problems("ch04")
@@ -29,13 +29,13 @@ def chapter(tmp_path, monkeypatch):
     """A function that makes chapter 77 of the catalogue, alone, from the text of its problems.yaml."""
 
     def forget():
-        catalogue.chapters.cache_clear()
-        catalogue.problems.cache_clear()
+        reading.chapters.cache_clear()
+        reading.problems.cache_clear()
 
     def write(text):
         (tmp_path / "ch77").mkdir()
         (tmp_path / "ch77" / "problems.yaml").write_text(text, encoding="utf-8")
-        monkeypatch.setattr(catalogue, "HERE", tmp_path)
+        monkeypatch.setattr(reading, "HERE", tmp_path)
         forget()
         return problems("ch77")
 
@@ -182,7 +182,7 @@ def test_a_text_without_code_is_told(chapter):
 def test_code_without_a_function_is_told(chapter, monkeypatch):
     (p,) = chapter(ENTRY)
     half = SimpleNamespace(solve=print, draw=print)
-    monkeypatch.setattr(catalogue.importlib, "import_module", lambda name: half)
+    monkeypatch.setattr(model.importlib, "import_module", lambda name: half)
     with pytest.raises(CatalogueError, match=r"exercises/ch77/p01.py does not define prove, mistakes"):
         p.code.solve(None)
 
@@ -190,6 +190,6 @@ def test_code_without_a_function_is_told(chapter, monkeypatch):
 def test_an_answer_that_is_not_asked_for_is_told(chapter, monkeypatch):
     (p,) = chapter(ENTRY)
     code = SimpleNamespace(solve=lambda g: {"speed": g.r}, prove=print, mistakes=print, draw=print)
-    monkeypatch.setattr(catalogue.importlib, "import_module", lambda name: code)
+    monkeypatch.setattr(model.importlib, "import_module", lambda name: code)
     with pytest.raises(CatalogueError, match="solve of 77/1 returns speed; the problem asks for v"):
         p.solve({"r": 2.0})

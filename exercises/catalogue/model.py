@@ -1,20 +1,17 @@
-"""The catalogue: every problem's text, data and code, checked when it is read.
+"""A problem: what it gives, what it asks for, and the code that computes it.
 
-``problem("4/16")`` is a :class:`Problem`. Its numbers go in and out in the units of its text; the code of ``p16.py`` sees them in kg, m, s and rad.
+Its numbers go in and out in the units of its text; the code of ``p16.py`` sees them in kg, m, s and rad.
 """
 
 import importlib
 from dataclasses import dataclass, field
-from functools import cache, cached_property
-from pathlib import Path
+from functools import cached_property
 
-import yaml
-
-from newton_euler.scalars import ZERO, scalar
+from newton_euler.scalars import scalar
 from newton_euler.units import unit
-from newton_euler.vectors import Vector
 
-HERE = Path(__file__).parent
+from .units import in_unit
+
 KINDS = {
     "number", "vector", "matrix", "expression", "vector_expression", "matrix_expression", "interval", "count", "choice",
 }  # fmt: skip
@@ -23,6 +20,16 @@ SYMBOLIC = {"expression", "vector_expression", "matrix_expression"}
 
 class CatalogueError(ValueError):
     """A problem that does not exist, or whose text, data and code do not fit together."""
+
+
+def folder(problem_id):
+    """The chapter folder of a problem number: "4/16" is in "ch04", "A/3" in "appA"."""
+    chapter, _, number = str(problem_id).partition("/")
+    if number.isdigit() and chapter.isdigit():
+        return f"ch{int(chapter):02d}"
+    if number.isdigit() and chapter in ("A", "B"):
+        return f"app{chapter}"
+    raise CatalogueError(f"{problem_id!r} is not a problem number; write chapter and problem, as in 4/16")
 
 
 @dataclass(frozen=True)
@@ -152,7 +159,7 @@ class Problem:
 
     def in_units(self, results):
         """Results of the code (in base units) in the units of the answers; a Vector stays a Vector with its terms."""
-        return {key: _in_unit(value, self.answer(key)) for key, value in results.items()}
+        return {key: in_unit(value, self.answer(key)) for key, value in results.items()}
 
     def solve(self, values):
         """The answers, by the engine, for ``values`` in the units of the text: {key: number, Vector, matrix, pair or word}."""
@@ -171,120 +178,3 @@ class Problem:
         import sympy
 
         return {n: sympy.Symbol(n, real=True) for n in self.symbols}
-
-
-def _in_unit(value, answer):
-    if answer.kind in ("count", "choice"):
-        return value
-    if isinstance(value, (tuple, list)):
-        return tuple(_in_unit(v, answer) for v in value)
-    if isinstance(value, Vector):
-        return unit(answer.unit).from_base(value)
-    value = scalar(value)
-    return 0 if value is ZERO else unit(answer.unit).from_base(value)
-
-
-# -- reading
-
-
-def folder(problem_id):
-    """The chapter folder of a problem number: "4/16" is in "ch04", "A/3" in "appA"."""
-    chapter, _, number = str(problem_id).partition("/")
-    if number.isdigit() and chapter.isdigit():
-        return f"ch{int(chapter):02d}"
-    if number.isdigit() and chapter in ("A", "B"):
-        return f"app{chapter}"
-    raise CatalogueError(f"{problem_id!r} is not a problem number; write chapter and problem, as in 4/16")
-
-
-@cache
-def chapters():
-    """The names of the chapters that have problems here."""
-    return tuple(sorted(p.parent.name for p in HERE.glob("*/problems.yaml")))
-
-
-@cache
-def problems(chapter):
-    """All problems of a chapter, in the order of the book: ``problems("ch04")``."""
-    path = HERE / chapter / "problems.yaml"
-    if not path.exists():
-        raise CatalogueError(f"there is no chapter {chapter!r}; there are {', '.join(chapters())}")
-    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # the C parser reads a chapter 10 times faster
-    try:
-        entries = yaml.load(path.read_text(encoding="utf-8"), loader)
-    except yaml.YAMLError as error:
-        raise CatalogueError(f"{chapter}/problems.yaml is not YAML: {error}") from error
-    found = [_read(entry, path) for entry in entries]
-    numbers = [p.id for p in found]
-    if len(set(numbers)) != len(numbers):
-        raise CatalogueError(f"{path.parent.name}/problems.yaml has the same problem twice: {sorted(n for n in numbers if numbers.count(n) > 1)[0]}")
-    return tuple(found)
-
-
-def problem(problem_id):
-    """The problem with this number: ``problem("4/16")``."""
-    chapter = folder(problem_id)
-    if chapter in chapters():
-        for p in problems(chapter):
-            if p.id == problem_id:
-                return p
-        last = problems(chapter)[-1].id
-        raise CatalogueError(f"there is no problem {problem_id}; {chapter} has {problems(chapter)[0].id} to {last}")
-    raise CatalogueError(f"there is no problem {problem_id}: the chapters with problems are {', '.join(chapters())}")
-
-
-def select(names):
-    """The problems that ``names`` stand for: problem numbers, chapter names, or "all"."""
-    chosen = []
-    for name in names:
-        if name == "all":
-            chosen += [p for c in chapters() for p in problems(c)]
-        elif "/" in name:
-            chosen.append(problem(name))
-        else:
-            chosen += problems(name)
-    return list(dict.fromkeys(chosen))
-
-
-_ANGLES = {"rad": (0.25, 1.1), "deg": (15, 65)}
-
-
-def _read(entry, path):
-    where = f"{path.parent.name}/problems.yaml, problem {entry.get('id', '?')}"
-    try:
-        return Problem(
-            id=entry["id"],
-            title=entry["title"],
-            section=str(entry["section"]),
-            text=" ".join(entry["text"].split()),
-            figure=" ".join(entry["figure"].split()),
-            givens={n: _read_given(n, g) for n, g in (entry.get("givens") or {}).items()},
-            symbols={n: _read_symbol(n, s) for n, s in (entry.get("symbols") or {}).items()},
-            frame=" ".join(entry.get("frame", "").split()),
-            answers=tuple(_read_answer(a) for a in entry["answers"]),
-            mistakes=entry.get("mistakes") or {},
-            struck=entry.get("struck") or {},
-        )
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise CatalogueError(f"{where}: {error!r}") from error
-
-
-def _read_given(name, g):
-    vary = tuple(g["vary"]) if "vary" in g else None
-    unit(g["unit"])
-    if vary and not vary[0] < vary[1]:
-        raise ValueError(f"{name}: vary must be [low, high], got {vary}")
-    return Given(name, g["value"], g["unit"], g["means"], vary, g.get("figure", False))
-
-
-def _read_symbol(name, s):
-    s = s if isinstance(s, dict) else {"unit": s}
-    unit(s["unit"])
-    return Symbol(name, s["unit"], tuple(s.get("vary", _ANGLES.get(s["unit"], (0.6, 1.9)))))
-
-
-def _read_answer(a):
-    if a["kind"] not in KINDS:
-        raise ValueError(f"kind {a['kind']!r} is none of {', '.join(sorted(KINDS))}")
-    unit(a.get("unit", "1"))
-    return Answer(a["key"], a["kind"], a.get("unit", "1"), a["means"], tuple(a.get("of", ())), float(a.get("atol", 1e-6)))
