@@ -40,8 +40,8 @@ def _fit(p):
     except CatalogueError as error:
         return [str(error)]
     missing = [m for m in p.mistakes if m not in named]
-    faults = [f"the mistake {m} is in problems.yaml but not computed; compute it, or move it to struck: with a reason" for m in missing]
-    faults += [f"the mistake {m} is computed but not in problems.yaml" for m in named if m not in p.mistakes]
+    faults = [f"the mistake {m} is in {p.name}.yaml but not computed; compute it, or move it to struck: with a reason" for m in missing]
+    faults += [f"the mistake {m} is computed but not in {p.name}.yaml" for m in named if m not in p.mistakes]
     asked = [a.key for a in p.answers]
     for what, got in (("solve", solved), ("prove", proved)):
         if list(got) != asked:

@@ -2,19 +2,13 @@
 
 from pathlib import Path
 
+from exercises import catalogue
 from exercises.catalogue import CatalogueError, problems
 
 from . import notebook as nb
 from .course import Course, CourseError, read_roster, write_json
 from .figures import png
 from .harvest import CELL_SECONDS
-
-TITLES = {
-    "appA": "Appendix A: vector algebra", "ch02": "Chapter 2: kinematics in the plane", "ch03": "Chapter 3: coordinates and components",
-    "ch04": "Chapter 4: relative motion", "ch05": "Chapter 5: masses, forces, constraints", "ch06": "Chapter 6: Newton's second law",
-    "ch07": "Chapter 7: rigid bodies, inertia", "ch08": "Chapter 8: momentum, Euler's equations", "ch09": "Chapter 9: fixed-axis rotation",
-    "ch10": "Chapter 10: motion about a point", "ch11": "Chapter 11: work and energy",
-}  # fmt: skip
 
 
 def chosen(chapter, only):
@@ -28,7 +22,7 @@ def chosen(chapter, only):
 
 def build_assignment(course_path, chapter, students=None, only=(), update=False, bar=None):
     """Write the source notebook of a chapter, into a new course or with ``update`` an existing one; returns (course, path)."""
-    picked = chosen(chapter, only)
+    picked, title = chosen(chapter, only), catalogue.chapter(chapter).title
     roster = read_roster(students) if students else []
     if update:
         course = Course(course_path)
@@ -41,7 +35,7 @@ def build_assignment(course_path, chapter, students=None, only=(), update=False,
         if bar:
             bar.advance(task)
     course = course if update else Course.create(course_path)
-    write_json(course.source(chapter), nb.build(picked, TITLES.get(chapter, chapter), CELL_SECONDS, figures=figures))
+    write_json(course.source(chapter), nb.build(picked, title, CELL_SECONDS, figures=figures))
     if roster:
         course.enrol(roster)
     return course, course.source(chapter)

@@ -1,9 +1,10 @@
 """The catalogue: every problem's text, data and code, checked when it is read: ``problem("4/16")`` is a :class:`Problem`."""
 
-from .model import SYMBOLIC, Answer, CatalogueError, Given, Givens, Problem, Symbol
-from .reading import chapters, problem, problems, select
+from .model import SYMBOLIC, Answer, CatalogueError, Chapter, Given, Givens, Problem, Symbol
+from .reading import chapter, chapters, problem, problems, select
 from .units import in_frame
 
 __all__ = [
-    "SYMBOLIC", "Answer", "CatalogueError", "Given", "Givens", "Problem", "Symbol", "chapters", "in_frame", "problem", "problems", "select",
+    "SYMBOLIC", "Answer", "CatalogueError", "Chapter", "Given", "Givens", "Problem", "Symbol",
+    "chapter", "chapters", "in_frame", "problem", "problems", "select",
 ]  # fmt: skip

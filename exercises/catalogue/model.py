@@ -4,6 +4,7 @@ Its numbers go in and out in the units of its text; the code of ``p16.py`` sees 
 """
 
 import importlib
+import re
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -22,14 +23,22 @@ class CatalogueError(ValueError):
     """A problem that does not exist, or whose text, data and code do not fit together."""
 
 
-def folder(problem_id):
-    """The chapter folder of a problem number: "4/16" is in "ch04", "A/3" in "appA"."""
-    chapter, _, number = str(problem_id).partition("/")
-    if number.isdigit() and chapter.isdigit():
-        return f"ch{int(chapter):02d}"
-    if number.isdigit() and chapter in ("A", "B"):
-        return f"app{chapter}"
-    raise CatalogueError(f"{problem_id!r} is not a problem number; write chapter and problem, as in 4/16")
+def place(problem_id):
+    """The folder of a problem number and the name of its files there: "4/16" is ("ch04", "p16"), "A/3" is ("appA", "p03")."""
+    found = re.fullmatch(r"([1-9][0-9]*|[AB])/([1-9][0-9]*)", str(problem_id))
+    if not found:
+        raise CatalogueError(f"{problem_id!r} is not a problem number; write chapter and problem, as in 4/16")
+    chapter, number = found.groups()
+    return f"app{chapter}" if chapter.isalpha() else f"ch{int(chapter):02d}", f"p{int(number):02d}"
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A chapter: the name of its folder, its title, and what holds for all its problems."""
+
+    name: str
+    title: str
+    preamble: str = ""
 
 
 @dataclass(frozen=True)
@@ -89,7 +98,10 @@ class Givens:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """One problem of the book: its text, its data, and through ``code`` what it computes."""
+    """One problem of the book: its text, its data, and through ``code`` what it computes.
+
+    ``checked`` is what was found by hand for the numbers of the book: {key: number, formula as a text, or list of them}.
+    """
 
     id: str
     title: str
@@ -102,16 +114,22 @@ class Problem:
     answers: tuple
     mistakes: dict = field(default_factory=dict)
     struck: dict = field(default_factory=dict)
+    checked: dict = field(default_factory=dict)
 
     @property
     def chapter(self):
         """The folder and name of its chapter: "ch04"."""
-        return folder(self.id)
+        return place(self.id)[0]
+
+    @property
+    def name(self):
+        """The name of its files in that folder: "p16"."""
+        return place(self.id)[1]
 
     @cached_property
     def code(self):
         """The module ``pNN`` with ``solve``, ``prove``, ``mistakes`` and ``draw``."""
-        name = f"exercises.{self.chapter}.p{int(self.id.partition('/')[2]):02d}"
+        name = f"exercises.{self.chapter}.{self.name}"
         try:
             module = importlib.import_module(name)
         except ModuleNotFoundError as error:

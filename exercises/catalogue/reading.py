@@ -1,50 +1,53 @@
-"""Reads the problems of a chapter from its YAML; what does not fit is told in words."""
+"""Finds and reads chapters and problems: ``chNN/chapter.yaml`` and ``chNN/pMM.yaml``."""
 
+import re
 from functools import cache
 from pathlib import Path
 
 import yaml
 
-from newton_euler.units import unit
+from .format import read_chapter, read_problem
+from .model import CatalogueError, place
 
-from .model import KINDS, Answer, CatalogueError, Given, Problem, Symbol, folder
-
-HERE = Path(__file__).parents[1]
+EXERCISES = Path(__file__).parents[1]
 
 
 @cache
 def chapters():
     """The names of the chapters that have problems here."""
-    return tuple(sorted(p.parent.name for p in HERE.glob("*/problems.yaml")))
+    return tuple(sorted(folder.name for folder in EXERCISES.iterdir() if any(folder.glob("p*.yaml"))))
 
 
 @cache
-def problems(chapter):
-    """All problems of a chapter, in the order of the book: ``problems("ch04")``."""
-    path = HERE / chapter / "problems.yaml"
+def chapter(name):
+    """The chapter of this name: ``chapter("ch04").title``."""
+    path = EXERCISES / name / "chapter.yaml"
     if not path.exists():
-        raise CatalogueError(f"there is no chapter {chapter!r}; there are {', '.join(chapters())}")
-    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # the C parser reads a chapter 10 times faster
-    try:
-        entries = yaml.load(path.read_text(encoding="utf-8"), loader)
-    except yaml.YAMLError as error:
-        raise CatalogueError(f"{chapter}/problems.yaml is not YAML: {error}") from error
-    found = [_read(entry, path) for entry in entries]
-    numbers = [p.id for p in found]
-    if len(set(numbers)) != len(numbers):
-        raise CatalogueError(f"{path.parent.name}/problems.yaml has the same problem twice: {sorted(n for n in numbers if numbers.count(n) > 1)[0]}")
-    return tuple(found)
+        raise CatalogueError(f'{name}/chapter.yaml is missing; write it with the title of the chapter, as in title: "Chapter 4: relative motion"')
+    return _read(path, read_chapter)
 
 
+@cache
+def problems(name):
+    """All problems of the chapter of this name, in the order of the book: ``problems("ch04")``."""
+    if name not in chapters():
+        raise CatalogueError(f"there is no chapter {name!r}; there are {', '.join(chapters())}")
+    paths = [path for path in (EXERCISES / name).glob("*.y*ml") if path.name != "chapter.yaml"]
+    for path in paths:
+        if not re.fullmatch(r"p\d+\.yaml", path.name):
+            raise CatalogueError(f"{name}/{path.name} is not named like a problem: rename it as in p01.yaml, or move it out of the folder")
+    return tuple(_at(path) for path in sorted(paths, key=lambda path: int(path.stem[1:])))
+
+
+@cache
 def problem(problem_id):
-    """The problem with this number: ``problem("4/16")``."""
-    chapter = folder(problem_id)
-    if chapter in chapters():
-        for p in problems(chapter):
-            if p.id == problem_id:
-                return p
-        last = problems(chapter)[-1].id
-        raise CatalogueError(f"there is no problem {problem_id}; {chapter} has {problems(chapter)[0].id} to {last}")
+    """The problem with this number: ``problem("4/16")``. Only its own file is read."""
+    name, stem = place(problem_id)
+    path = EXERCISES / name / f"{stem}.yaml"
+    if path.exists():
+        return _at(path)
+    if name in chapters():
+        raise CatalogueError(f"there is no problem {problem_id}; {name} has {problems(name)[0].id} to {problems(name)[-1].id}")
     raise CatalogueError(f"there is no problem {problem_id}: the chapters with problems are {', '.join(chapters())}")
 
 
@@ -61,45 +64,36 @@ def select(names):
     return list(dict.fromkeys(chosen))
 
 
-_ANGLES = {"rad": (0.25, 1.1), "deg": (15, 65)}
+# -- files
 
 
-def _read(entry, path):
-    where = f"{path.parent.name}/problems.yaml, problem {entry.get('id', '?')}"
+class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # the C parser reads a chapter 10 times faster
+    """The safe loader, which also refuses a key that is there twice: YAML itself would drop the first without a word."""
+
+    def construct_mapping(self, node, deep=False):
+        keys = [key.value for key, _ in node.value]
+        for key, _ in node.value:
+            if keys.count(key.value) > 1:
+                raise yaml.constructor.ConstructorError(None, None, f"the key {key.value} is there twice", key.start_mark)
+        return super().construct_mapping(node, deep)
+
+
+@cache
+def _at(path):
+    return _read(path, read_problem)
+
+
+def _read(path, build):
+    """``build(entry, path)`` of what the file holds; errors begin with the name of the file."""
+    name = f"{path.parent.name}/{path.name}"
     try:
-        return Problem(
-            id=entry["id"],
-            title=entry["title"],
-            section=str(entry["section"]),
-            text=" ".join(entry["text"].split()),
-            figure=" ".join(entry["figure"].split()),
-            givens={n: _read_given(n, g) for n, g in (entry.get("givens") or {}).items()},
-            symbols={n: _read_symbol(n, s) for n, s in (entry.get("symbols") or {}).items()},
-            frame=" ".join(entry.get("frame", "").split()),
-            answers=tuple(_read_answer(a) for a in entry["answers"]),
-            mistakes=entry.get("mistakes") or {},
-            struck=entry.get("struck") or {},
-        )
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise CatalogueError(f"{where}: {error!r}") from error
-
-
-def _read_given(name, g):
-    vary = tuple(g["vary"]) if "vary" in g else None
-    unit(g["unit"])
-    if vary and not vary[0] < vary[1]:
-        raise ValueError(f"{name}: vary must be [low, high], got {vary}")
-    return Given(name, g["value"], g["unit"], g["means"], vary, g.get("figure", False))
-
-
-def _read_symbol(name, s):
-    s = s if isinstance(s, dict) else {"unit": s}
-    unit(s["unit"])
-    return Symbol(name, s["unit"], tuple(s.get("vary", _ANGLES.get(s["unit"], (0.6, 1.9)))))
-
-
-def _read_answer(a):
-    if a["kind"] not in KINDS:
-        raise ValueError(f"kind {a['kind']!r} is none of {', '.join(sorted(KINDS))}")
-    unit(a.get("unit", "1"))
-    return Answer(a["key"], a["kind"], a.get("unit", "1"), a["means"], tuple(a.get("of", ())), float(a.get("atol", 1e-6)))
+        return build(yaml.load(path.read_bytes().decode("utf-8"), _Loader), path)
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        told = f"{name} is not in UTF-8: line {line} has the byte {error.object[error.start]:#04x}; save the file as UTF-8"
+        raise CatalogueError(told) from error
+    except yaml.YAMLError as error:
+        told = " ".join(str(error).replace('"<unicode string>", ', "").split())
+        raise CatalogueError(f"{name} is not YAML: {told}; a text with a colon, a # or quotation marks in it wants quotes around it") from error
+    except ValueError as error:
+        raise CatalogueError(f"{name}: {error}") from error

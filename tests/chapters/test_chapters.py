@@ -93,10 +93,10 @@ def test_every_formula_is_closed(path):
 
 @each_chapter
 def test_the_exercises_named_are_those_of_the_chapter(path):
-    catalogue = ROOT / "exercises" / number(path) / "problems.yaml"
-    if not catalogue.exists():
+    texts = [file.read_text(encoding="utf-8") for file in (ROOT / "exercises" / number(path)).glob("p*.yaml")]
+    if not texts:
         pytest.skip(f"{number(path)} has no exercises")
-    wanted = re.findall(r'^- id: "(\d+/\d+)"', catalogue.read_text(encoding="utf-8"), re.M)
+    wanted = re.findall(r'^id: "(\d+/\d+)"', "\n".join(texts), re.M)
     table = [row for row in prose(read(path)).partition("## Exercises")[2].splitlines() if row.startswith("|")]
     assert sorted(re.findall(r"\d+/\d+", "\n".join(table))) == sorted(wanted)
 

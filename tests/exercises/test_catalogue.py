@@ -7,45 +7,59 @@ import pytest
 import sympy
 
 from exercises import problem
-from exercises.catalogue import CatalogueError, model, problems, reading, select
+from exercises.catalogue import CatalogueError, chapter, chapters, model, problems, reading, select
 from newton_euler import Dimension, Frame
 
-PROBLEMS = problems("ch04")
+PROBLEMS = select(["all"])
 by_id = pytest.mark.parametrize("p", PROBLEMS, ids=lambda p: p.id.replace("/", "_"))
 
 ENTRY = """
-- id: "77/1"
-  title: A wheel
-  section: "4.8"
-  text: A wheel of radius {r}.
-  figure: A wheel.
-  givens: {r: {value: 2, unit: m, means: radius, vary: [1, 3]}}
-  answers: [{key: v, kind: number, unit: m/s, means: speed}]
+id: "77/1"
+title: A wheel
+section: "4.8"
+text: A wheel of radius {r}.
+figure: A wheel.
+givens: {r: {value: 2, unit: m, means: radius, vary: [1, 3]}}
+symbols: {h: m}
+answers: [{key: v, kind: number, unit: m/s, means: speed}]
+mistakes: {twice: doubles it}
+checked: {v: 2*pi}
 """
 
 
 @pytest.fixture
-def chapter(tmp_path, monkeypatch):
-    """A function that makes chapter 77 of the catalogue, alone, from the text of its problems.yaml."""
+def write(tmp_path, monkeypatch):
+    """A function that puts a file into chapter 77, the only one of a catalogue of its own."""
 
     def forget():
-        reading.chapters.cache_clear()
-        reading.problems.cache_clear()
+        for kept in (reading.chapters, reading.chapter, reading.problems, reading.problem, reading._at):
+            kept.cache_clear()
 
-    def write(text):
-        (tmp_path / "ch77").mkdir()
-        (tmp_path / "ch77" / "problems.yaml").write_text(text, encoding="utf-8")
-        monkeypatch.setattr(reading, "HERE", tmp_path)
+    def put(name, text):
+        (tmp_path / "ch77").mkdir(exist_ok=True)
+        (tmp_path / "ch77" / name).write_bytes(text if isinstance(text, bytes) else text.encode())
         forget()
-        return problems("ch77")
 
-    yield write
+    monkeypatch.setattr(reading, "EXERCISES", tmp_path)
+    yield put
     monkeypatch.undo()
     forget()
 
 
 def test_chapter_4_has_its_43_problems_in_order():
-    assert [p.id for p in PROBLEMS] == [f"4/{n}" for n in range(1, 44)]
+    assert [p.id for p in problems("ch04")] == [f"4/{n}" for n in range(1, 44)]
+
+
+@pytest.mark.parametrize("name", chapters())
+def test_chapter_has_a_title(name):
+    assert chapter(name).name == name
+    assert re.match(r"(Chapter|Appendix) \w+: \w", chapter(name).title)
+
+
+@by_id
+def test_a_problem_is_the_same_whether_asked_for_alone_or_with_its_chapter(p):
+    assert problem(p.id) is p
+    assert p in problems(p.chapter)
 
 
 @by_id
@@ -145,51 +159,155 @@ def test_unknown_answer_is_named():
         problem("4/16").answer("a_C")
 
 
+def changed(right, wrong):
+    assert ENTRY.count(right) == 1
+    return ENTRY.replace(right, wrong)
+
+
+def refused(ask, name):
+    """The sentence with which ``ask(name)`` is refused."""
+    with pytest.raises(CatalogueError) as caught:
+        ask(name)
+    return str(caught.value)
+
+
 @pytest.mark.parametrize(
     ("right", "wrong", "told"),
     [
-        ("title: A wheel", "name: A wheel", "title"),
+        ("title: A wheel", "name: A wheel", "a problem has the unknown key 'name'; its keys are id, title, section, text, figure, answers and"),
+        ("title: A wheel\n", "", "a problem lacks the key 'title'; its keys are id, title"),
+        ("title: A wheel", "title: 12", "title must be a text, and is 12; put it in quotation marks"),
+        ('section: "4.8"', "section: 4.10", "section must be a text, and is 4.1; put it in quotation marks"),
+        ("mistakes:", "mistake:", "a problem has the unknown key 'mistake'"),
+        ("mistakes: {twice: doubles it}", "mistakes: [doubles it]", "mistakes must be written as name: value, and is ['doubles it']"),
+        ("{twice: doubles it}", "{off: doubles it}", "mistakes: False is not a name: write letters, digits and _, in quotation marks if YAML"),
+        ("{twice: doubles it}", "{two-fold: doubles it}", "mistakes: 'two-fold' is not a name: write letters, digits and _"),
+        ("doubles it", "2", "twice must be a text, and is 2; put it in quotation marks"),
+        ("{value: 2, unit: m, means: radius, vary: [1, 3]}", "2", "r must be written as key: value, and is 2; its keys are value, unit, means"),
         ("unit: m,", "unit: furlong,", "unknown unit 'furlong'"),
+        ("unit: m,", "unit: 1,", 'r: unit must be a text, as in mm/s or "1", and is 1'),
         ("unit: m/s,", "unit: m/s/,", "cannot read the unit 'm/s/'"),
-        ("kind: number", "kind: numbr", "kind 'numbr' is none of"),
-        ("vary: [1, 3]", "vary: [3, 1]", r"r: vary must be \[low, high\]"),
-        ("answers: [", "answer: [", "answers"),
-        ("means: radius, ", "", "means"),
+        ("value: 2", "value: 1e-3", "r: value must be a number, as in 8, 0.6 or 1.0e-3, and is '1e-3'"),
+        ("value: 2", "value: yes", "r: value must be a number, as in 8, 0.6 or 1.0e-3, and is True"),
+        ("means: radius, ", "", "r lacks the key 'means'; its keys are value, unit, means and, where wanted, vary, figure"),
+        ("vary: [1, 3]", "varies: [1, 3]", "r has the unknown key 'varies'; its keys are value, unit, means"),
+        ("vary: [1, 3]", "vary: [3, 1]", "r: vary must be [low, high], two numbers with the lower one first, and is [3, 1]"),
+        ("vary: [1, 3]", "vary: 3", "r: vary must be [low, high], two numbers with the lower one first, and is 3"),
+        ("{h: m}", "{h: {unit: m, range: [1, 2]}}", "h has the unknown key 'range'; its keys are unit and, where wanted, vary"),
+        ("{h: m}", "{h: {unit: m, vary: [2, 2]}}", "h: vary must be [low, high], two numbers with the lower one first, and is [2, 2]"),
+        ("answers: [", "answer: [", "a problem has the unknown key 'answer'"),
+        ("[{key: v, kind: number, unit: m/s, means: speed}]", "v", "answers must be a list, and is 'v'"),
+        ("kind: number", "kind: numbr", "v: kind 'numbr' is none of choice, count"),
+        ("kind: number", "kind: choice, of: rest", "v: of must be the list of words to choose from, and is 'rest'"),
+        ("means: speed", "means: speed, atol: 1e-6", "v: atol must be a number, as in 1.0e-6, and is '1e-6'"),
+        ("means: speed", "means: speed, tol: 1.0e-6", "an answer has the unknown key 'tol'; its keys are key, kind, means"),
+        ("{v: 2*pi}", "{w: 2*pi}", "checked has w, which is not asked for; asked for are v"),
+        ("{v: 2*pi}", "{v: }", "checked: v must be a number, a formula, or a list of them, and is None"),
+        ('id: "77/1"', 'id: "77.1"', "'77.1' is not a problem number; write chapter and problem, as in 4/16"),
+        ('id: "77/1"', 'id: "77/01"', "'77/01' is not a problem number; write chapter and problem, as in 4/16"),
+        ('id: "77/1"', 'id: "77/2"', "the id 77/2 belongs in ch77/p02.yaml; rename this file, or correct the id"),
+        ('id: "77/1"', 'id: "78/1"', "the id 78/1 belongs in ch78/p01.yaml; rename this file, or correct the id"),
     ],
-)
-def test_bad_entry_is_told_with_its_place(chapter, right, wrong, told):
-    assert ENTRY.count(right) == 1
-    with pytest.raises(CatalogueError, match=f"ch77/problems.yaml, problem 77/1: .*{told}"):
-        chapter(ENTRY.replace(right, wrong))
+)  # fmt: skip
+def test_what_does_not_fit_is_told_with_its_file(write, right, wrong, told):
+    write("p01.yaml", changed(right, wrong))
+    assert refused(problem, "77/1").startswith(f"ch77/p01.yaml: {told}")
 
 
-def test_broken_yaml_is_told_with_file_and_line(chapter):
-    with pytest.raises(CatalogueError, match=r"(?s)ch77/problems.yaml is not YAML: .*line 4"):
-        chapter(ENTRY.replace('"4.8"', '"4.8'))
+@pytest.mark.parametrize("value", ["3", "2.5", "true", "a word", "[1, 2]", "{a: 1}", "", "2020-01-02", "[[1], {}]"])
+@pytest.mark.parametrize("line", range(1, len(ENTRY.splitlines())))
+def test_whatever_stands_under_a_key_is_read_or_refused_in_words(write, line, value):
+    lines = ENTRY.splitlines()
+    lines[line] = f"{lines[line].partition(':')[0]}: {value}"
+    write("p01.yaml", "\n".join(lines))
+    try:
+        told = f"read {problem('77/1').id}"
+    except CatalogueError as error:
+        told = str(error)
+    assert re.match(r"read 77/1$|ch77/p01.yaml: .* (must be|has|lacks|is not|belongs)", told)
 
 
-def test_the_same_problem_twice_is_told(chapter):
-    with pytest.raises(CatalogueError, match=r"ch77/problems.yaml has the same problem twice: 77/1"):
-        chapter(ENTRY + ENTRY)
+@pytest.mark.parametrize("text", ["", "- " + ENTRY.strip().replace("\n", "\n  "), "a wheel"])
+def test_a_file_that_holds_no_problem_is_told(write, text):
+    write("p01.yaml", text)
+    assert refused(problem, "77/1").startswith("ch77/p01.yaml: a problem must be written as key: value, and is ")
 
 
-def test_a_text_without_code_is_told(chapter):
-    (p,) = chapter(ENTRY)
-    with pytest.raises(CatalogueError, match=re.escape("problem 77/1 has a text but no code: write exercises/ch77/p01.py")):
-        p.code.solve(None)
+def test_broken_yaml_is_told_with_file_and_line(write):
+    write("p01.yaml", changed('"4.8"', '"4.8'))
+    told = refused(problem, "77/1")
+    assert told.startswith("ch77/p01.yaml is not YAML: while scanning a quoted scalar in line 4, column 10 ")
+    assert told.endswith("; a text with a colon, a # or quotation marks in it wants quotes around it")
 
 
-def test_code_without_a_function_is_told(chapter, monkeypatch):
-    (p,) = chapter(ENTRY)
+def test_a_key_that_is_there_twice_is_told_with_file_and_line(write):
+    write("p01.yaml", changed("{twice: doubles it}", "{twice: doubles it, once: does it, twice: doubles it too}"))
+    assert refused(problem, "77/1").startswith("ch77/p01.yaml is not YAML: the key twice is there twice in line 10, column 12;")
+
+
+def test_a_file_in_another_encoding_is_told_with_byte_and_line(write):
+    write("p01.yaml", changed("title: A wheel", "title: Une roue qui s'arrête").encode("latin-1"))
+    assert refused(problem, "77/1") == "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"
+
+
+def test_the_same_problem_twice_is_told(write):
+    write("p01.yaml", ENTRY)
+    write("p02.yaml", ENTRY)
+    told = "the id 77/1 is that of ch77/p01.yaml, too; give one of them the id that its name says, or delete it"
+    assert refused(problems, "ch77") == f"ch77/p02.yaml: {told}"
+    assert problem("77/1").id == "77/1"
+
+
+@pytest.mark.parametrize("name", ["p1.yaml", "p001.yaml"])
+def test_a_file_whose_number_has_not_two_digits_is_told(write, name):
+    write(name, ENTRY)
+    assert refused(problems, "ch77") == f"ch77/{name}: the id 77/1 belongs in ch77/p01.yaml; rename this file, or correct the id"
+
+
+@pytest.mark.parametrize("name", ["problems.yaml", "16.yaml", "p02.yml", "p2 copy.yaml"])
+def test_a_file_that_is_not_named_like_a_problem_is_told(write, name):
+    write("p01.yaml", ENTRY)
+    write(name, ENTRY)
+    assert refused(problems, "ch77") == f"ch77/{name} is not named like a problem: rename it as in p01.yaml, or move it out of the folder"
+
+
+def test_problems_come_in_the_order_of_their_numbers(write):
+    for n in (12, 2, 100):
+        write(f"p{n:02d}.yaml", changed('"77/1"', f'"77/{n}"'))
+    assert [p.id for p in problems("ch77")] == ["77/2", "77/12", "77/100"]
+
+
+def test_a_chapter_without_its_file_or_its_title_is_told(write):
+    write("p01.yaml", ENTRY)
+    assert refused(chapter, "ch77").startswith("ch77/chapter.yaml is missing; write it with the title of the chapter, as in title: ")
+    write("chapter.yaml", "titel: Wheels")
+    assert refused(chapter, "ch77") == (
+        "ch77/chapter.yaml: a chapter has the unknown key 'titel'; its keys are title and, where wanted, preamble"
+    )  # fmt: skip
+
+
+def test_a_chapter_has_a_title_and_what_holds_for_all_its_problems(write):
+    write("chapter.yaml", "title: Wheels\npreamble: >\n  All wheels\n  are round.\n")
+    assert chapter("ch77") == model.Chapter("ch77", "Wheels", "All wheels are round.")
+
+
+def test_a_text_without_code_is_told(write):
+    write("p01.yaml", ENTRY)
+    told = "problem 77/1 has a text but no code: write exercises/ch77/p01.py"
+    assert refused(lambda name: problem(name).code, "77/1") == told
+
+
+def test_code_without_a_function_is_told(write, monkeypatch):
+    write("p01.yaml", ENTRY)
     half = SimpleNamespace(solve=print, draw=print)
     monkeypatch.setattr(model.importlib, "import_module", lambda name: half)
     with pytest.raises(CatalogueError, match=r"exercises/ch77/p01.py does not define prove, mistakes"):
-        p.code.solve(None)
+        problem("77/1").code.solve(None)
 
 
-def test_an_answer_that_is_not_asked_for_is_told(chapter, monkeypatch):
-    (p,) = chapter(ENTRY)
+def test_an_answer_that_is_not_asked_for_is_told(write, monkeypatch):
+    write("p01.yaml", ENTRY)
     code = SimpleNamespace(solve=lambda g: {"speed": g.r}, prove=print, mistakes=print, draw=print)
     monkeypatch.setattr(model.importlib, "import_module", lambda name: code)
     with pytest.raises(CatalogueError, match="solve of 77/1 returns speed; the problem asks for v"):
-        p.solve({"r": 2.0})
+        problem("77/1").solve({"r": 2.0, "h": 1.0})

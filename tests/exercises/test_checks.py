@@ -85,17 +85,17 @@ def test_a_forgotten_answer_is_caught(tamper):
 
 def test_a_mistake_that_is_not_computed_is_caught(tamper):
     (fault,) = tamper(mistakes=lambda g: {name: m for name, m in MISTAKES(g).items() if name != "no_coriolis"})
-    assert fault.startswith("the mistake no_coriolis is in problems.yaml but not computed")
+    assert fault.startswith("the mistake no_coriolis is in p16.yaml but not computed")
 
 
 def test_a_mistake_of_another_name_is_caught(tamper):
     faults = tamper(mistakes=lambda g: {"no_coriolis_term" if n == "no_coriolis" else n: m for n, m in MISTAKES(g).items()})
-    assert "the mistake no_coriolis_term is computed but not in problems.yaml" in faults
+    assert "the mistake no_coriolis_term is computed but not in p16.yaml" in faults
 
 
 def test_a_mistake_without_a_text_is_caught():
     broken = replace(P, mistakes={name: text for name, text in P.mistakes.items() if name != "no_coriolis"})
-    assert check(broken) == ["the mistake no_coriolis is computed but not in problems.yaml"]
+    assert check(broken) == ["the mistake no_coriolis is computed but not in p16.yaml"]
 
 
 def test_a_mistake_in_an_answer_that_is_not_asked_for_is_caught(tamper):

@@ -223,7 +223,7 @@ def test_the_wheel_holds_the_engine_and_no_exercise(tmp_path):
         everything = "".join(z.read(n).decode("utf-8", "replace") for n in names if n.endswith((".py", ".yaml", ".json", ".ipynb")))
     assert "newton_euler/answers.py" in names
     assert not [n for n in names if n.startswith(("exercises", "grader", "tests", "problems", "book"))]
-    assert not [n for n in names if n.endswith("problems.yaml")]
+    assert not [n for n in names if n.endswith(".yaml")]
     assert "no_coriolis:" not in everything
     assert "coriolis_of_horizontal_nozzle" not in everything
 

@@ -54,7 +54,7 @@ def ours():
 REACH = {
     "the repository": f"x = os.path.exists({str(REPOSITORY / 'grader')!r}) or os.path.exists({str(REPOSITORY / 'exercises')!r})",
     "the exercises": "import exercises; x = 1",
-    "the catalogue of files": f"x = sum('problems.yaml' in f for _, _, f in os.walk('/')) + ('exercises' in os.listdir({str(REPOSITORY)!r}))",
+    "the catalogue of files": f"x = sum('p16.yaml' in f for _, _, f in os.walk('/')) + ('exercises' in os.listdir({str(REPOSITORY)!r}))",
     "the home of the instructor": f"x = len(set(os.listdir({str(Path.home())!r})) - {{'.pyenv', '.local', 'miniconda3', '.venv'}})",
     "proc": "x = os.path.exists('/proc/1') or os.path.exists('/proc/self')",
     "sys": "x = os.path.exists('/sys/kernel')",
@@ -118,7 +118,7 @@ def test_nothing_in_the_cage_holds_a_key_or_the_exchange(harvester):
     import os
     x = 0
     for folder, _, files in os.walk("/"):
-        x += sum(f in ("problems.yaml", ".course_secret", "p16.py") for f in files) + folder.endswith("share/nbgrader/exchange")
+        x += sum(f in ("p16.yaml", ".course_secret", "p16.py") for f in files) + folder.endswith("share/nbgrader/exchange")
     """
     assert caged(harvester, cell, seconds=40, cell_seconds=30)["receipts"]["0/1"]["answers"] == {"x": 0.0}
 

@@ -31,7 +31,7 @@ def trees(p, answers):
 
 
 def listed(p, given):
-    """[(mistake, key, the student's tree)] of every mistake that problems.yaml names, computed as a student would: with symbols."""
+    """[(mistake, key, the student's tree)] of every mistake that a problem's YAML names, computed as a student would: with symbols."""
     wrong = p.code.mistakes(p.base({**p.sympy_symbols(), **given}))
     return [(name, key, trees(p, p.in_units({key: v}))[key]) for name, answers in wrong.items() for key, v in answers.items()]
 
