@@ -1,0 +1,80 @@
+"""Every problem of every chapter holds, on numbers of every kind, and gives what was found by hand where its YAML says so under ``checked``."""
+
+import matplotlib.pyplot as plt
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+from exercises.catalogue import SYMBOLIC, chapters, problems, reading, select
+from exercises.checks import check, values
+from exercises.variants import flat
+
+PROBLEMS = select(["all"])
+CHECKED = [(p, key) for p in PROBLEMS for key in p.checked]
+
+
+def named(p):
+    return p.id.replace("/", "_")
+
+
+by_id = pytest.mark.parametrize("p", PROBLEMS, ids=named)
+
+
+@pytest.mark.parametrize("name", chapters())
+def test_every_code_has_its_text_and_every_text_its_code(name):
+    assert {p.name for p in problems(name)} == {code.stem for code in (reading.EXERCISES / name).glob("p*.py")}
+
+
+@pytest.mark.parametrize("p", PROBLEMS, ids=lambda p: f"{named(p)}_holds")
+def test_problem(p):
+    """Solved and proved alike in floats and in 50 digits, right in its units, and every mistake away from the key."""
+    assert check(p, seeds=2) == []
+
+
+@by_id
+def test_solve_runs_on_arrays_of_instants(p):
+    students = [values(p, seed) for seed in range(3)]
+    together = p.solve({n: np.array([float(v[n]) for v in students]) for n in p.units})
+    for n, alone in enumerate(map(p.solve, students)):
+        for key in alone:
+            at_n = [np.broadcast_to(x, 3)[n] for x in flat(together[key])]
+            assert at_n == pytest.approx([float(x) for x in flat(alone[key])], rel=1e-12, abs=1e-9)
+
+
+@by_id
+def test_solve_keeps_the_digits_of_mpmath_numbers(p):
+    with mpmath.mp.workdps(40):
+        precise = p.solve({n: mpmath.mpf(repr(float(v))) for n, v in values(p, 0).items()})
+        assert all(isinstance(x, mpmath.mpf) or x == 0 for answer in precise.values() for x in flat(answer))
+
+
+@pytest.mark.parametrize("p", [p for p in PROBLEMS if p.symbolic], ids=named)
+def test_formulas_are_exact_and_short(p):
+    for answer in p.formulas().values():
+        for x in map(sympy.sympify, flat(answer)):
+            assert not x.atoms(sympy.Float)
+            assert sympy.count_ops(x) <= 45
+
+
+@by_id
+def test_figure_can_be_drawn_for_the_book_and_for_a_student(p):
+    for seed in (0, 1):
+        fig, ax = plt.subplots()
+        p.code.draw(p.base(values(p, seed)), ax)
+        assert ax.figure is fig
+        plt.close(fig)
+
+
+@pytest.mark.parametrize(("p", "key"), CHECKED, ids=[f"{named(p)}-{key}" for p, key in CHECKED])
+def test_answer_is_the_one_found_by_hand(p, key):
+    """For the numbers of the book, or as a formula in the symbols of the text."""
+    kind, found, by_hand = p.answer(key).kind, flat(p.formulas()[key]), flat(p.checked[key])
+    if kind in ("count", "choice"):
+        assert found == by_hand
+        return
+    by_hand = [sympy.sympify(x, p.sympy_symbols()) for x in by_hand]
+    if kind in SYMBOLIC:
+        assert [sympy.simplify(x - y) for x, y in zip(found, by_hand, strict=True)] == [0] * len(by_hand)
+    else:
+        assert [float(x) for x in found] == pytest.approx([float(x) for x in by_hand], rel=1e-12, abs=1e-9)
