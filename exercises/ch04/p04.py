@@ -1,16 +1,9 @@
 """4/4: a crane that revolves while its boom is lowered."""
 
-from mpmath import mp
-
-from exercises.devices.boom import acceleration_without_cross_product, turning_boom
-from exercises.proofs import rate, rot, second_rate, size, times
-from newton_euler import moving, pi
-from newton_euler.drawing import Sketch
-
-
-def crane(g):
-    ground, house, boom = turning_boom(g.n, moving(g.beta_1, g.b_dot))
-    return ground, house, boom.point("P", 0, 0, g.R)
+from exercises.devices.boom import acceleration_without_cross_product
+from exercises.devices.crane import crane, figure, tip_in_time
+from exercises.proofs import rate, second_rate, size
+from newton_euler import pi
 
 
 def solve(g):
@@ -19,10 +12,7 @@ def solve(g):
 
 
 def prove(g):
-    def P(t):
-        beta = g.beta_1 + g.b_dot * t
-        return times(rot("z", g.n * t), [g.R * mp.sin(beta), 0, g.R * mp.cos(beta)])
-
+    P = tip_in_time(g)
     return {"speed": size(rate(P)), "acc_mag": size(second_rate(P))}
 
 
@@ -39,19 +29,5 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground, house, P = crane(g)
-    O, up, foot = ground.point("O", 0, 0, 0), (0, 0, 0.6 * g.R), (0, 0, -0.3 * g.R)
-    s = Sketch(ax, ground, azimuth=-110, elevation=15)
-    s.ground(foot, normal=ground.k, size=0.8 * g.R)
-    s.cylinder(foot, (0, 0, -0.22 * g.R), 0.2 * g.R)
-    s.box((-0.07 * g.R, 0, -0.11 * g.R), house, (0.34 * g.R, 0.22 * g.R, 0.22 * g.R))
-    s.rod(O, P)
-    s.hinge(O, house.j)
-    s.line(O, up)
-    s.arc(O, up, P, label=r"$\beta$")
-    s.turn((0, 0, 0.5 * g.R), ground.k, label="n")
-    s.vector(P, P.velocity(house), r"$\dot\beta$", kind="rate")
-    s.axes(O, house, length=0.25 * g.R)
-    s.dimension(O, P, label="R", offset=-0.08 * g.R)
-    s.label(O, "O")
-    s.label(P, "P")
+    frames = ground, house, _ = crane(g)
+    figure(g, ax, *frames).axes(ground.origin, house, length=0.25 * g.R)

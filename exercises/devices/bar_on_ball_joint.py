@@ -1,4 +1,4 @@
-"""4/12 and 4/13: a bar on a rod that moves about a ball joint at its foot."""
+"""The bar of 4/12 and 4/13, on a rod that moves about a ball joint at its foot."""
 
 from mpmath import mp
 

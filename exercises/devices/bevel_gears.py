@@ -1,4 +1,4 @@
-"""4/32 and 4/33: a bevel gear B on a turning arm, in mesh with a gear C below it, which is fixed or turns."""
+"""The bevel gears of 4/32 and 4/33: B on a turning arm, in mesh with C below it, which is fixed or turns."""
 
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, angular_velocity, rot, times

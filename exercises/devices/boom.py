@@ -1,4 +1,4 @@
-"""4/3 and 4/4: an arm in a vertical plane that turns about the vertical Z; its angle beta from the upward vertical grows."""
+"""An arm in a vertical plane that turns about the vertical Z; its angle beta from the upward vertical grows (robot arm, crane)."""
 
 from newton_euler import Frame
 

@@ -1,4 +1,4 @@
-"""4/5 and 4/10: a bevel pinion, carried round by a cage, between two equal bevel gears that face each other on one axis.
+"""The bevel pinion of 4/5 and 4/10, carried round by a cage between two equal bevel gears that face each other on one axis.
 
 The axis of the gears and the axis of the pinion are two of x, y, z that follow each other. The first gear is on the positive side.
 """

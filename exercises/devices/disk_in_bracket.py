@@ -1,4 +1,4 @@
-"""4/34 to 4/41: a disk on a horizontal axle in a bracket that turns about the vertical.
+"""The disk of 4/34 to 4/41, on a horizontal axle in a bracket that turns about the vertical.
 
 Axes of the bracket: z up along its shaft, y along the axle. The disk turns in the bracket at P about +y, the bracket at omega about +z;
 the disk's centre is on the axle at the distance b from the shaft. On the rim, A is at the top and B at the side on +x.

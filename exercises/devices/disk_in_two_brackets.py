@@ -1,4 +1,4 @@
-"""4/42, 4/43: a disk in the bracket A, which turns in the bracket B, which turns about the vertical.
+"""The disk of 4/42 and 4/43 (the drum of 4/25 turns alike) in the bracket A, which turns in the bracket B, which turns about the vertical.
 
 At the instant all axes are parallel: z up along the shaft of B, x along the axis of A in B, y along the axis of the disk in A.
 The three axes meet at the disk's centre. On the rim, C is at the top and D at the side on +x.

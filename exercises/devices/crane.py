@@ -1,0 +1,43 @@
+"""The crane of 4/4 (and 3/26): it revolves while its boom OP is lowered."""
+
+from mpmath import mp
+
+from exercises.devices.boom import turning_boom
+from exercises.proofs import rot, times
+from newton_euler import moving
+from newton_euler.drawing import Sketch
+
+
+def crane(g):
+    """Ground with Z up; the house, which turns, with x outward in the plane of the boom; P in the boom's frame, z along it."""
+    ground, house, boom = turning_boom(g.n, moving(g.beta_1, g.b_dot))
+    return ground, house, boom.point("P", 0, 0, g.R)
+
+
+def tip_in_time(g):
+    """Proof, the place of P in time."""
+
+    def P(t):
+        beta = g.beta_1 + g.b_dot * t
+        return times(rot("z", g.n * t), [g.R * mp.sin(beta), 0, g.R * mp.cos(beta)])
+
+    return P
+
+
+def figure(g, ax, ground, house, P):
+    """The figure, without axes, of these frames and P; returns the sketch."""
+    O, up, foot = ground.point("O", 0, 0, 0), (0, 0, 0.6 * g.R), (0, 0, -0.3 * g.R)
+    s = Sketch(ax, ground, azimuth=-110, elevation=15)
+    s.ground(foot, normal=ground.k, size=0.8 * g.R)
+    s.cylinder(foot, (0, 0, -0.22 * g.R), 0.2 * g.R)
+    s.box((-0.07 * g.R, 0, -0.11 * g.R), house, (0.34 * g.R, 0.22 * g.R, 0.22 * g.R))
+    s.rod(O, P)
+    s.hinge(O, house.j)
+    s.line(O, up)
+    s.arc(O, up, P, label=r"$\beta$")
+    s.turn((0, 0, 0.5 * g.R), ground.k, label="n")
+    s.vector(P, P.velocity(house), r"$\dot\beta$", kind="rate")
+    s.dimension(O, P, label="R", offset=-0.08 * g.R)
+    s.label(O, "O")
+    s.label(P, "P")
+    return s

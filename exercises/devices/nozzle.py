@@ -1,0 +1,41 @@
+"""The nozzle of 4/2 (and 3/14): it turns about the vertical through O, and water flows outward in it."""
+
+from mpmath import mp
+
+from exercises.proofs import rot, times
+from newton_euler import Frame, moving
+from newton_euler.drawing import Sketch
+
+
+def nozzle_and_particle(g):
+    """Ground with Z up; a frame that turns with the nozzle, x outward; the particle in a frame with z along the nozzle."""
+    ground = Frame("ground")
+    turning = ground.rotate("turning", "z", rate=g.omega)
+    nozzle = turning.rotate("nozzle", "y", angle=g.tilt)
+    return ground, turning, nozzle.point("P", 0, 0, moving(g.d, rate=g.nu))
+
+
+def particle_in_time(g):
+    """Proof, the place of the particle in time."""
+
+    def P(t):
+        d = g.d + g.nu * t
+        return times(rot("z", g.omega * t), [d * mp.sin(g.tilt), 0, d * mp.cos(g.tilt)])
+
+    return P
+
+
+def figure(g, ax, ground, turning, P):
+    """The figure, without axes, of these frames and the particle; returns the sketch."""
+    nozzle, O = P.frame, (0, 0, 0)
+    up = ground.point("up", 0, 0, 1.3 * g.d)
+    s = Sketch(ax, ground, azimuth=-105, elevation=15)
+    s.line((0, 0, -0.4 * g.d), up, style="centre")
+    s.cylinder(O, nozzle.point("end", 0, 0, 1.3 * g.d), 0.035 * g.d)
+    s.vector(P, nozzle.k, r"$\nu$")
+    s.turn((0, 0, 1.1 * g.d), ground.k, label=r"$\omega$")
+    s.arc(O, up, P, label="tilt")
+    s.dimension(O, P, label="d")
+    s.dot(P)
+    s.label(O, "O")
+    return s

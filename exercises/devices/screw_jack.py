@@ -1,0 +1,50 @@
+"""The screw-jack of 4/1 (and 3/12): its screw rises in the fixed nut by one lead in each turn; A is the end of its handle."""
+
+from mpmath import mp
+
+from newton_euler import Frame, cos, moving, pi, sin
+from newton_euler.drawing import Sketch
+
+
+def rise(g):
+    """Axial speed of the screw: one lead for each turn."""
+    return g.lead * g.n / (2 * pi(g.n))
+
+
+def screw_in_nut(g, rise, n):
+    """Ground with Z up along the screw; a frame at B that rises with it; the point A of the screw, which turns in that frame."""
+    ground = Frame("ground")
+    rising = ground.translate("rising", ground.point("B", 0, 0, moving(0, rate=rise)))
+    screw = rising.rotate("screw", "z", rate=n)
+    return ground, rising, screw.point("A", g.a, 0, 0)
+
+
+def handle_in_time(g):
+    """Proof, the place of A in time: a circle about the axis, and the lead times the turns made."""
+
+    def A(t):
+        turns = g.n * t / (2 * mp.pi)
+        return [g.a * mp.cos(g.n * t), g.a * mp.sin(g.n * t), g.lead * turns]
+
+    return A
+
+
+def figure(g, ax, ground, rising, A):
+    """The figure, without axes, of these frames and A; returns the sketch."""
+    B, thick, low = rising.origin, 0.15 * g.a, -0.3 * g.a - 2.5 * g.lead
+    s = Sketch(ax, ground, azimuth=-110, elevation=18)
+    s.box((0, 0, low), ground, (0.9 * g.a, 0.7 * g.a, 0.3 * g.a))
+    s.cylinder((0, 0, low + 0.15 * g.a), B, thick)
+    left, lowest, nearer = -200 * pi() / 180, -0.1 * g.a - 2.4 * g.lead, [2 * thick * x for x in s.view.eye]
+    for n in range(3):  # the near half of each turn, moved toward the eye so that it is not lost in the cylinder
+        turn = [(w, lowest + g.lead * (n + w / (2 * pi()))) for w in (k * pi() / 24 for k in range(25))]
+        thread = [(thick * cos(left + w), thick * sin(left + w), z) for w, z in turn]
+        s.path([[x + dx for x, dx in zip(P, nearer, strict=True)] for P in thread])
+        ends = (thread[-1], (*thread[-1][:2], thread[-1][2] - g.lead))
+    s.rod(B, A)
+    s.ground((-0.45 * g.a, 0, low - 0.15 * g.a), normal=ground.k)
+    s.turn((0, 0, 0.25 * g.a), ground.k, label="n")
+    s.dimension(B, A, label="a")
+    s.dimension(*ends, label="lead")
+    s.label(A, "A")
+    return s
