@@ -1,4 +1,4 @@
-"""Does a problem hold together? Two ways to the key, its units, and its mistakes."""
+"""Checks of a problem: its two ways to the key against each other, its units, and its mistakes against the key."""
 
 import random
 
@@ -7,8 +7,9 @@ from mpmath import mp, mpf
 from newton_euler.scalars import Dimension, DimensionError, size
 from newton_euler.units import unit
 
+from .catalogue import CatalogueError
 from .proofs import DIGITS
-from .variants import SEPARATION, SYMBOLIC, CatalogueError, distance, draw, evaluate, flat, symbol_values
+from .variants import SEPARATION, distance, draw, evaluate, flat, symbol_values
 
 AGREEMENT = 1e-9  # relative, solve in floats against prove; in 50 digits they must agree to the square of it
 _SEED = b"check"
@@ -135,4 +136,4 @@ def _shown(numbers):
     return "(" + ", ".join(f"{size(x) * (1 if x >= 0 else -1):.6g}" for x in numbers) + ")"
 
 
-__all__ = ["AGREEMENT", "SYMBOLIC", "check", "values"]
+__all__ = ["AGREEMENT", "check", "values"]

@@ -10,7 +10,7 @@ from functools import cache
 from newton_euler.tracing import compiled
 from newton_euler.vectors import Vector
 
-from .catalogue import SYMBOLIC, CatalogueError, problem
+from .catalogue import CatalogueError, problem
 
 DRAWS = 300  # attempts before a range is called impossible
 SEPARATION = 0.02  # a mistake must differ from the key by this much of its size, or it could not be told from rounding
@@ -121,4 +121,4 @@ def _compiled(problem_id):
     return compiled(formula)
 
 
-__all__ = ["SYMBOLIC", "distance", "draw", "evaluate", "flat", "objection", "seed", "symbol_values"]
+__all__ = ["distance", "draw", "evaluate", "flat", "objection", "seed", "symbol_values"]

@@ -53,7 +53,7 @@ def _check_place(problem_id, path):
 def _given(name, g):
     _check_keys(g, name, ("value", "unit", "means"), ("vary", "figure"))
     if not _is_number(g["value"]):
-        raise CatalogueError(f"{name}: value must be a number, as in 8, 0.6 or 1.0e-3, and is {short(g['value'])}")
+        raise CatalogueError(f"{name}: value must be a number, as in 8 or 0.6, and is {short(g['value'])}")
     return Given(name, g["value"], _unit(name, g), _text(g, "means"), _range(name, g), g.get("figure", False))
 
 
@@ -71,7 +71,7 @@ def _answer(a):
     if not isinstance(of, list):
         raise CatalogueError(f"{key}: of must be the list of words to choose from, and is {short(of)}")
     if not _is_number(atol):
-        raise CatalogueError(f"{key}: atol must be a number, as in 1.0e-6, and is {short(atol)}")
+        raise CatalogueError(f"{key}: atol must be a number, as in 1e-6, and is {short(atol)}")
     return Answer(key, kind, _unit(key, a), _text(a, "means"), tuple(of), float(atol))
 
 

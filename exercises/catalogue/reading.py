@@ -32,11 +32,11 @@ def problems(name):
     """All problems of the chapter of this name, in the order of the book: ``problems("ch04")``."""
     if name not in chapters():
         raise CatalogueError(f"there is no chapter {name!r}; there are {', '.join(chapters())}")
-    paths = [path for path in (EXERCISES / name).glob("*.y*ml") if path.name != "chapter.yaml"]
+    paths = [path for path in (EXERCISES / name).glob("[!.]*.y*ml") if path.name != "chapter.yaml"]
     for path in paths:
         if not re.fullmatch(r"p\d+\.yaml", path.name):
             raise CatalogueError(f"{name}/{path.name} is not named like a problem: rename it as in p01.yaml, or move it out of the folder")
-    return tuple(_at(path) for path in sorted(paths, key=lambda path: int(path.stem[1:])))
+    return tuple(_problem_at(path) for path in sorted(paths, key=lambda path: int(path.stem[1:])))
 
 
 @cache
@@ -45,7 +45,7 @@ def problem(problem_id):
     name, stem = place(problem_id)
     path = EXERCISES / name / f"{stem}.yaml"
     if path.exists():
-        return _at(path)
+        return _problem_at(path)
     if name in chapters():
         raise CatalogueError(f"there is no problem {problem_id}; {name} has {problems(name)[0].id} to {problems(name)[-1].id}")
     raise CatalogueError(f"there is no problem {problem_id}: the chapters with problems are {', '.join(chapters())}")
@@ -78,8 +78,12 @@ class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # the C parser re
         return super().construct_mapping(node, deep)
 
 
+# 1e-3 is a number too; YAML 1.1 wants 1.0e-3
+_Loader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"[-+]?[0-9]+[eE][-+]?[0-9]+$"), list("-+0123456789"))
+
+
 @cache
-def _at(path):
+def _problem_at(path):
     return _read(path, read_problem)
 
 

@@ -32,7 +32,7 @@ def write(tmp_path, monkeypatch):
     """A function that puts a file into chapter 77, the only one of a catalogue of its own."""
 
     def forget():
-        for kept in (reading.chapters, reading.chapter, reading.problems, reading.problem, reading._at):
+        for kept in (reading.chapters, reading.chapter, reading.problems, reading.problem, reading._problem_at):
             kept.cache_clear()
 
     def put(name, text):
@@ -187,8 +187,8 @@ def refused(ask, name):
         ("unit: m,", "unit: furlong,", "unknown unit 'furlong'"),
         ("unit: m,", "unit: 1,", 'r: unit must be a text, as in mm/s or "1", and is 1'),
         ("unit: m/s,", "unit: m/s/,", "cannot read the unit 'm/s/'"),
-        ("value: 2", "value: 1e-3", "r: value must be a number, as in 8, 0.6 or 1.0e-3, and is '1e-3'"),
-        ("value: 2", "value: yes", "r: value must be a number, as in 8, 0.6 or 1.0e-3, and is True"),
+        ("value: 2", "value: 2 m", "r: value must be a number, as in 8 or 0.6, and is '2 m'"),
+        ("value: 2", "value: yes", "r: value must be a number, as in 8 or 0.6, and is True"),
         ("means: radius, ", "", "r lacks the key 'means'; its keys are value, unit, means and, where wanted, vary, figure"),
         ("vary: [1, 3]", "varies: [1, 3]", "r has the unknown key 'varies'; its keys are value, unit, means"),
         ("vary: [1, 3]", "vary: [3, 1]", "r: vary must be [low, high], two numbers with the lower one first, and is [3, 1]"),
@@ -199,8 +199,8 @@ def refused(ask, name):
         ("[{key: v, kind: number, unit: m/s, means: speed}]", "v", "answers must be a list, and is 'v'"),
         ("kind: number", "kind: numbr", "v: kind 'numbr' is none of choice, count"),
         ("kind: number", "kind: choice, of: rest", "v: of must be the list of words to choose from, and is 'rest'"),
-        ("means: speed", "means: speed, atol: 1e-6", "v: atol must be a number, as in 1.0e-6, and is '1e-6'"),
-        ("means: speed", "means: speed, tol: 1.0e-6", "an answer has the unknown key 'tol'; its keys are key, kind, means"),
+        ("means: speed", "means: speed, atol: small", "v: atol must be a number, as in 1e-6, and is 'small'"),
+        ("means: speed", "means: speed, tol: 1e-6", "an answer has the unknown key 'tol'; its keys are key, kind, means"),
         ("{v: 2*pi}", "{w: 2*pi}", "checked has w, which is not asked for; asked for are v"),
         ("{v: 2*pi}", "{v: }", "checked: v must be a number, a formula, or a list of them, and is None"),
         ('id: "77/1"', 'id: "77.1"', "'77.1' is not a problem number; write chapter and problem, as in 4/16"),
@@ -231,6 +231,12 @@ def test_whatever_stands_under_a_key_is_read_or_refused_in_words(write, line, va
 def test_a_file_that_holds_no_problem_is_told(write, text):
     write("p01.yaml", text)
     assert refused(problem, "77/1").startswith("ch77/p01.yaml: a problem must be written as key: value, and is ")
+
+
+def test_a_power_of_ten_is_a_number_with_and_without_a_point(write):
+    write("p01.yaml", changed("value: 2", "value: 1e-3").replace("[1, 3]", "[1.0e-4, 2e3]").replace("means: speed", "means: speed, atol: 1e-9"))
+    p = problem("77/1")
+    assert (p.givens["r"].value, p.givens["r"].vary, p.answer("v").atol) == (1e-3, (1e-4, 2e3), 1e-9)
 
 
 def test_broken_yaml_is_told_with_file_and_line(write):
@@ -271,9 +277,10 @@ def test_a_file_that_is_not_named_like_a_problem_is_told(write, name):
     assert refused(problems, "ch77") == f"ch77/{name} is not named like a problem: rename it as in p01.yaml, or move it out of the folder"
 
 
-def test_problems_come_in_the_order_of_their_numbers(write):
+def test_problems_come_in_the_order_of_their_numbers_without_the_files_of_an_editor(write):
     for n in (12, 2, 100):
         write(f"p{n:02d}.yaml", changed('"77/1"', f'"77/{n}"'))
+    write(".#p02.yaml", "")
     assert [p.id for p in problems("ch77")] == ["77/2", "77/12", "77/100"]
 
 
