@@ -7,7 +7,7 @@ import math
 from dataclasses import replace
 
 from ..motion import prepare
-from . import Measured, chart, look, timed
+from .measure import Measured, chart, look, timed
 from .precision import NAMES
 
 FLOOR = 1e-17  # smaller errors are drawn there: a float cannot have them

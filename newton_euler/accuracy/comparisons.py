@@ -8,7 +8,8 @@ against what it cost. The naive ways are those of textbooks; :mod:`newton_euler.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from . import COLOURS, MARKERS, Measured, chart, rivals, timed
+from . import rivals
+from .measure import COLOURS, MARKERS, Measured, chart, timed
 
 ROUND_OFF = 2.0**-52  # smaller errors are luck, and are drawn there
 TITLES = {"fontsize": 10, "loc": "left"}

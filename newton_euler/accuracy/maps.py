@@ -20,7 +20,7 @@ from ..motion import Event, integrate
 from ..scenes import projectile, top, top_ladder
 from ..scenes.free_body import _rates, free_body
 from ..taylor import installed
-from . import COLOURS
+from .measure import COLOURS
 
 
 @dataclass(frozen=True)

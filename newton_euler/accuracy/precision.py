@@ -17,7 +17,8 @@ from ..methods import METHODS
 from ..models import ModelError
 from ..motion import integrate
 from ..systems import System
-from . import Measured, catalogue, timed
+from . import catalogue
+from .measure import Measured, timed
 from .reference import reference
 
 TOLERANCES = tuple(10.0**-n for n in range(3, 14))

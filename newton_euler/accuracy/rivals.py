@@ -16,7 +16,7 @@ from ..mass import composite
 from ..scalars import cos, moving, sin, sqrt
 from ..solids import half_disk, simplex
 from ..tracing import compiled
-from . import relative_error
+from .measure import relative_error
 
 DIGITS = 40
 

@@ -1,4 +1,4 @@
-"""accuracy.py: what is timed, what the front is, what the chart shows."""
+"""measure.py: what is timed, what the front is, what the chart shows."""
 
 import time
 from itertools import pairwise
@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import Frame
-from newton_euler.accuracy import SAME, Measured, chart, front, relative_error, timed
+from newton_euler.accuracy.measure import SAME, Measured, chart, front, relative_error, timed
 
 matplotlib.use("Agg")
 positive = st.floats(1e-9, 1.0)

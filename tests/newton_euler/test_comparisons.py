@@ -8,8 +8,9 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from newton_euler.accuracy import Measured, rivals
+from newton_euler.accuracy import rivals
 from newton_euler.accuracy.comparisons import COMPARISONS, ROUND_OFF
+from newton_euler.accuracy.measure import Measured
 
 
 @pytest.fixture(scope="module")

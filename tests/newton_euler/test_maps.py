@@ -7,8 +7,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler.accuracy import COLOURS, maps
+from newton_euler.accuracy import maps
 from newton_euler.accuracy.maps import MAPS, draw_map
+from newton_euler.accuracy.measure import COLOURS
 from newton_euler.motion import integrate
 from newton_euler.scenes import top
 

@@ -15,12 +15,13 @@ import pytest
 from matplotlib.figure import Figure
 
 from newton_euler import ModelError
-from newton_euler.accuracy import Measured, front, look, precision
+from newton_euler.accuracy import precision
 from newton_euler.accuracy.catalogue import SCENES, Scene, scene
 from newton_euler.accuracy.charts import draw_methods, draw_models, measured_models
 from newton_euler.accuracy.command import every_name, main
 from newton_euler.accuracy.comparisons import COMPARISONS
 from newton_euler.accuracy.maps import MAPS
+from newton_euler.accuracy.measure import Measured, front, look
 from newton_euler.accuracy.precision import NAMES, WorkPrecision, work_precision
 from newton_euler.accuracy.reference import by_extrapolation, by_heyoka, reference
 from newton_euler.ladders import LADDERS, Ladder, Rung
