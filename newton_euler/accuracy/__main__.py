@@ -1,5 +1,11 @@
 """``python -m newton_euler.accuracy``: see :mod:`.command`."""
 
-from .command import main
+try:
+    from .command import main
+except ModuleNotFoundError as error:
+    missing = error.name.partition(".")[0]
+    if missing not in ("click", "rich"):
+        raise
+    raise SystemExit(f"python -m newton_euler.accuracy needs the package {missing}: pip install 'newton-euler[course]'") from None
 
-raise SystemExit(main())
+main(prog_name="python -m newton_euler.accuracy")

@@ -277,8 +277,15 @@ def test_models_are_charted_against_the_fullest():
 # -- the command
 
 
+def run(*arguments):
+    """Its exit code."""
+    with pytest.raises(SystemExit) as end:
+        main(arguments, prog_name="python -m newton_euler.accuracy")
+    return end.value.code
+
+
 def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
-    assert main(["--list"]) == 0
+    assert run("--list") == 0
     told = capsys.readouterr().out
     names = list(every_name())
     assert len({re.sub("[^a-z]", "", n.lower()) for n in names}) == len(names)
@@ -287,7 +294,7 @@ def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
 
 
 def test_an_unknown_name_is_refused_with_the_list(capsys, tmp_path):
-    assert main(["top", "topp", "--out", str(tmp_path)]) == 2
+    assert run("top", "topp", "--out", str(tmp_path)) == 2
     told = capsys.readouterr()
     assert "no chart 'topp'" in told.err
     assert "models of projectile" in told.err
@@ -295,7 +302,7 @@ def test_an_unknown_name_is_refused_with_the_list(capsys, tmp_path):
 
 
 def test_with_models_only_ladders_are_known(capsys):
-    assert main(["pendulum of Foucault", "--models"]) == 2
+    assert run("pendulum of Foucault", "--models") == 2
     assert "no chart 'pendulum of Foucault'" in capsys.readouterr().err
 
 
@@ -303,7 +310,7 @@ def test_with_models_only_ladders_are_known(capsys):
     ("name", "file"), [("Sphere-on-an-incline", "sphere-on-an-incline.svg"), ("models of projectile", "models-of-projectile.svg")]
 )
 def test_the_command_measures_prints_and_writes(name, file, capsys, tmp_path):
-    assert main([name, "--quick", "--format", "svg", "--out", str(tmp_path / "new")]) == 0
+    assert run(name, "--quick", "--format", "svg", "--out", str(tmp_path / "new")) == 0
     told = capsys.readouterr()
     assert f"written: {tmp_path / 'new' / file}" in told.out
     assert "time" in told.out
@@ -327,13 +334,21 @@ def test_the_module_runs_as_a_program():
     assert not told.stderr
 
 
+@pytest.mark.parametrize("package", ["click", "rich"])
+def test_without_click_or_rich_it_says_what_to_install(package):
+    program = f"import runpy, sys; sys.modules[{package!r}] = None; runpy.run_module('newton_euler.accuracy', run_name='__main__')"
+    told = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True)
+    assert told.returncode == 1
+    assert told.stderr == f"python -m newton_euler.accuracy needs the package {package}: pip install 'newton-euler[course]'\n"
+
+
 def test_all_methods_have_a_look_of_their_own():
     looks = [tuple(look(n).values()) for n in range(len(NAMES))]
     assert len(set(looks)) == len(NAMES)
 
 
 def test_a_map_is_drawn_by_the_command(tmp_path, capsys):
-    assert main(["map of steady precession", "--quick", "--out", str(tmp_path)]) == 0
+    assert run("map of steady precession", "--quick", "--out", str(tmp_path)) == 0
     told = capsys.readouterr().out
     assert "none: it nods" in told
     assert (tmp_path / "map-of-steady-precession.png").stat().st_size > 10_000
