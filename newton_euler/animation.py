@@ -15,16 +15,101 @@ Animation of 22 pictures from t = 0.0 s to t = 2.1 s: A pendulum swings to and f
 ``film.save("pendulum.html")`` or ``film.save("pendulum.gif")`` writes a file.
 """
 
+import base64
+import html
 import io
+import json
 import math
+import uuid
+from dataclasses import dataclass
 from itertools import pairwise
+from pathlib import Path
+from string import Template
 
-from .player import Animation, AnimationError
 from .recording import share_window, sketches_on
 
 MOST_PICTURES = 600
 MOST_PIXELS = 300e6  # of all pictures together: some ten megabytes of HTML
 COLOURS = 128  # of a picture: drawings have few, and at a third of the size none is off by more than eye or screen can tell
+
+
+class AnimationError(ValueError):
+    """An animation that cannot be made or saved."""
+
+
+@dataclass(frozen=True)
+class Animation:
+    """Pictures of a motion. Jupyter shows it; :meth:`save` writes it to a file.
+
+    pictures : PNG, as bytes
+    times : of the pictures, in s
+    speed : seconds of the motion shown in one second
+    alt : what it shows, in words
+    size : width and height on the screen, in pixels of CSS
+    """
+
+    pictures: tuple
+    times: tuple
+    speed: float
+    alt: str
+    size: tuple
+
+    def __repr__(self):
+        return f"Animation of {len(self.pictures)} pictures from {self._labels()[0]} to {self._labels()[-1]}{': ' * bool(self.alt)}{self.alt}"
+
+    def _repr_mimebundle_(self, **_):
+        """The film; where no HTML is shown, as on paper, its first picture."""
+        return {"text/html": self.html(), "image/png": base64.b64encode(self.pictures[0]).decode(), "text/plain": repr(self)}
+
+    def html(self):
+        """A piece of HTML. Without a script (in a notebook that is not trusted) it is the first picture; for a reader who prefers
+        reduced motion it waits at the first picture until it is played."""
+        return self._page().partition("<body>\n")[2].partition("\n</body>")[0]
+
+    def _page(self):
+        pictures, labels = [base64.b64encode(picture).decode() for picture in self.pictures], self._labels()
+        data = {"pictures": pictures, "times": self.times, "labels": labels, "speed": self.speed}
+        return Template(Path(__file__).with_name("player.html").read_text(encoding="utf-8")).substitute(
+            name=f"motion-{uuid.uuid4().hex[:12]}", alt=html.escape(self.alt or f"Animation of a motion from {labels[0]} to {labels[-1]}"),
+            first=pictures[0], width=self.size[0], height=self.size[1], last=len(pictures) - 1, pace=self._pace(), data=json.dumps(data),
+        )  # fmt: skip
+
+    def save(self, path):
+        """Write a page (.html), which needs nothing else, or a moving picture (.gif)."""
+        path = Path(path)
+        if path.suffix == ".html":
+            path.write_text(self._page(), encoding="utf-8")
+        elif path.suffix == ".gif":
+            path.write_bytes(self._gif())
+        else:
+            raise AnimationError(f"an animation is saved as .html or .gif; got {path.name!r}")
+
+    def _gif(self):
+        """A GIF counts time in hundredths of a second, and viewers show nothing shorter than two: pictures between are left out."""
+        from PIL import Image
+
+        shown, starts = [], []
+        for picture, t in zip(self.pictures, self.times, strict=True):
+            start = round(100 * (t - self.times[0]) / self.speed)
+            if not starts or start >= starts[-1] + 2:
+                shown.append(Image.open(io.BytesIO(picture)))
+                starts.append(start)
+        waits = [10 * (b - a) for a, b in pairwise(starts)] or [1000]
+        out = io.BytesIO()
+        shown[0].save(out, format="gif", save_all=True, append_images=shown[1:], duration=[*waits, waits[-1]], loop=0)
+        return out.getvalue()
+
+    def _pace(self):
+        """How the show differs from the motion, in words."""
+        if abs(self.speed - 1) < 1e-9:
+            return ""
+        return f"shown {1 / self.speed:.3g} times slower" if self.speed < 1 else f"shown {self.speed:.3g} times faster"
+
+    def _labels(self):
+        """The times in words, with as many decimals as tell them apart."""
+        step = min(b - a for a, b in pairwise(self.times))
+        decimals = max(0, math.ceil(-math.log10(step) - 1e-9))
+        return [f"t = {t:.{decimals}f} s" if decimals < 7 else f"t = {t:.7g} s" for t in self.times]
 
 
 def animate(draw, times, speed=None, size=(5, 4), dpi=100, alt="", progress=None):

@@ -9,9 +9,8 @@ import pytest
 from PIL import Image
 
 from newton_euler import Frame
-from newton_euler.animation import MOST_PICTURES, animate
+from newton_euler.animation import MOST_PICTURES, AnimationError, animate
 from newton_euler.drawing import Sketch
-from newton_euler.player import AnimationError
 from newton_euler.recording import share_window
 from tests.sketching import ground, sketch, texts
 

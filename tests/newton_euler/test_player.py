@@ -1,4 +1,4 @@
-"""player.py: an animation as a page by itself, in a notebook, and as a GIF."""
+"""animation.py: an animation as a page by itself, in a notebook, and as a GIF."""
 
 import base64
 import io
@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 import pytest
 from PIL import Image
 
-from newton_euler.player import Animation, AnimationError
+from newton_euler.animation import Animation, AnimationError
 
 
 def picture(grey):
