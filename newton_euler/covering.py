@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 from itertools import pairwise
 
-from .looks import BODY
+from .primitives import BODY
 from .projection import between, mean, norm3
 from .vectors import dot3, sub3
 

@@ -6,14 +6,13 @@ Bodies are to scale; symbols (joints, arrows, axes, dimension lines) have sizes 
 Matplotlib is imported when the figure is finished, not with this module.
 
 Here are frames, vectors, supports and measures; ``shapes`` has the bodies, ``recording`` what happens when, ``projection`` how space is
-seen, ``covering`` what covers what, ``labels`` where labels go, ``looks`` the colours and lines. ``animation`` makes films of sketches.
+seen, ``covering`` what covers what, ``labels`` where labels go, ``primitives`` the colours and lines. ``animation`` makes films of sketches.
 """
 
 import math
 
 from .frames import Frame
-from .labels import italic
-from .looks import ARROW, BODY, KINDS, MARK
+from .primitives import ARROW, BODY, KINDS, MARK, italic
 from .projection import across_most, between, circle, norm3, on_circle
 from .shapes import Bodies
 from .vectors import FrameError, add3, cross3, dot3, scale3, sub3

@@ -2,26 +2,8 @@
 
 import os
 from itertools import pairwise
-from typing import NamedTuple
 
-from .looks import FONT, LOOKS
-
-
-class Note(NamedTuple):
-    """A text beside a place on the page, which stands ``gap`` points from it in the direction ``towards`` (an angle) if that is free."""
-
-    place: tuple
-    text: str
-    towards: float
-    gap: float
-    colour: str
-    weight: str
-    fixed: tuple | None  # points to the right and up, if it is not to be moved
-
-
-def italic(text):
-    """A symbol of one letter in italics, as it is set in print; anything else as it is."""
-    return f"${text}$" if len(text) == 1 and text.isalpha() else text
+from .primitives import FONT, LOOKS
 
 
 def placed(ax, ink, renderer, before=None):

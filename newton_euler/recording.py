@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from .covering import far_to_near
 from .frames import Frame, Point
 from .labels import placed
+from .primitives import Ink
 from .projection import mean, norm3, plane_view, space_view
-from .strokes import Ink
 from .vectors import FrameError, Vector, scale3
 
 

@@ -3,7 +3,7 @@
 import math
 
 from .frames import Frame
-from .looks import DASHES
+from .primitives import DASHES
 from .projection import across, between, circle, norm3, normal_of, on_circle, silhouette
 from .recording import Recording
 from .tangents import Pulley, route

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
-from newton_euler.looks import DARK
+from newton_euler.primitives import DARK
 
 ground = Frame("ground")
 O = ground.point("O", 0, 0, 0)

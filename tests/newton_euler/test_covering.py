@@ -1,9 +1,8 @@
 """covering.py: the near over the far, what lies on a face over the face, and lines through a face cut."""
 
 from newton_euler.covering import far_to_near
-from newton_euler.looks import BODY, MARK
+from newton_euler.primitives import BODY, MARK, Ink
 from newton_euler.projection import plane_view, space_view
-from newton_euler.strokes import Ink
 from tests.sketching import sketch
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from newton_euler import Frame, FrameError
 from newton_euler.drawing import Sketch
-from newton_euler.looks import KINDS
+from newton_euler.primitives import KINDS
 from tests.sketching import O, ground, png, sketch, texts, vertices
 
 # -- places and the page
