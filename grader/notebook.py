@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass
 
 from exercises.catalogue import problem as find_problem
-from newton_euler.answers import Form
+from newton_euler.forms import Form
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ",

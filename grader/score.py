@@ -12,8 +12,9 @@ from functools import cache
 import numpy as np
 
 from exercises.variants import evaluate, symbol_values
-from newton_euler.answers import SHAPES, Form, TreeError
-from newton_euler.answers import evaluate as tree_value
+from newton_euler.forms import SHAPES, Form
+from newton_euler.formula_trees import TreeError
+from newton_euler.formula_trees import evaluate as tree_value
 from newton_euler.scalars import DimensionError, ScalarError
 
 from .diagnose import diagnose

@@ -6,60 +6,12 @@ dimension) and writes them down as one JSON record: numbers, or trees of a few o
 
 import json
 import os
-import re
-from dataclasses import dataclass
 
-from .scalars import FUNCTIONS, Dimension, DimensionError, function, pi
-from .units import UnitError, unit
+from .forms import SHAPES, AnswerError, Form, clipped, read_number
+from .formula_trees import NODES, dimension_hints, read_formula
+from .scalars import FUNCTIONS
+from .units import pint_name
 from .vectors import Vector
-
-NODES = 4000  # the largest formula that is taken, in operations
-SHAPES = {"number": 1, "vector": 3, "matrix": 9, "interval": 2, "expression": 1, "vector_expression": 3, "matrix_expression": 9}
-_WORDS = {
-    "number": "one number",
-    "vector": "a vector, three numbers as in [1.0, 0, -2.5]",
-    "matrix": "a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
-    "interval": "an interval, two numbers as in [low, high]",
-    "count": "a whole number",
-    "choice": "one of the words",
-    "expression": "a formula in the problem's symbols",
-    "vector_expression": "a vector of three formulas, as in [r*omega, 0, 0]",
-    "matrix_expression": "a 3 x 3 matrix of formulas",
-}
-
-
-class AnswerError(ValueError):
-    """An answer that cannot be read: what was expected, what came, what to do."""
-
-
-@dataclass(frozen=True)
-class Form:
-    """What one answer must look like: its kind, its unit, and for a choice the words."""
-
-    kind: str
-    unit: str
-    of: tuple = ()
-
-    @classmethod
-    def read(cls, text):
-        """From the text in a notebook: "vector, mm/s", "choice: stable | unstable"."""
-        kind, _, rest = (part.strip() for part in text.partition(":" if text.startswith("choice") else ","))
-        if kind not in _WORDS:
-            raise AnswerError(f"no such kind of answer: {kind!r}; there are {', '.join(_WORDS)}")
-        return cls("choice", "1", tuple(w.strip() for w in rest.split("|"))) if kind == "choice" else cls(kind, rest or "1")
-
-    def __str__(self):
-        if self.kind == "choice":
-            return f"choice: {' | '.join(self.of)}"
-        return f"{self.kind}, {self.unit}"
-
-    @property
-    def words(self):
-        """The same for a reader."""
-        if self.kind == "choice":
-            return f"one of {', '.join(map(repr, self.of))}"
-        return _WORDS[self.kind] + ("" if self.kind == "count" or self.unit == "1" else f", in {self.unit}")
-
 
 _expected, receipts = {}, {}
 
@@ -150,8 +102,8 @@ def _tree(value, form, symbols):
     formula = form.kind.endswith("expression")
     parts = _flat(value, form)
     if len(parts) != SHAPES[form.kind]:
-        raise AnswerError(f"expected {form.words}; got {_counted(len(parts))}: {_clipped(value)}")
-    read = [_formula(x, form, symbols, [NODES]) if formula else _number(x, form) for x in parts]
+        raise AnswerError(f"expected {form.words}; got {_counted(len(parts))}: {clipped(value)}")
+    read = [read_formula(x, form, symbols, [NODES]) if formula else read_number(x, form) for x in parts]
     return read[0] if len(read) == 1 else read
 
 
@@ -160,21 +112,15 @@ def _without_unit(value, form):
     if not hasattr(value, "magnitude") or not hasattr(value, "to"):
         return value
     try:
-        return value.to(_pints_name(form.unit)).magnitude
+        return value.to(pint_name(form.unit)).magnitude
     except Exception as error:
         raise AnswerError(f"expected {form.words}; the quantity {value} cannot be converted: {error}") from None
-
-
-def _pints_name(unit_text):
-    """A unit of the problems as pint writes it; pint's lb and oz are masses."""
-    names = {"rev": "revolution", "lb": "lbf", "oz": "force_ounce", "1": "dimensionless", "%": "percent"}
-    return re.sub(r"[A-Za-z%]+|(?<!\^)\b1\b", lambda m: names.get(m[0], m[0]), unit_text).replace("^", "**")
 
 
 def _flat(value, form):
     value = _without_unit(value, form)
     if isinstance(value, str):
-        raise AnswerError(f"expected {form.words}; got the text {_clipped(value)}; write it without quotation marks")
+        raise AnswerError(f"expected {form.words}; got the text {clipped(value)}; write it without quotation marks")
     if isinstance(value, Vector):
         return list(value.components())
     if isinstance(value, dict | set):
@@ -188,123 +134,6 @@ def _flat(value, form):
 
 def _counted(n):
     return "1 number" if n == 1 else f"{n} numbers"
-
-
-def _clipped(value):
-    text = repr(value)
-    return text if len(text) < 80 else text[:77] + "..."
-
-
-def _number(x, form):
-    if isinstance(x, bool) or x is None or isinstance(x, complex):
-        raise AnswerError(f"expected {form.words}; got {x!r}")
-    free = getattr(x, "free_symbols", None)
-    if free:
-        raise AnswerError(f"expected {form.words}; {_clipped(x)} still contains {', '.join(sorted(map(str, free)))}; put in the numbers")
-    try:
-        number = float(x)
-    except (TypeError, ValueError):
-        raise AnswerError(f"expected {form.words}; cannot make a number of {_clipped(x)}") from None
-    if number != number or number in (float("inf"), float("-inf")):
-        raise AnswerError(f"expected {form.words}; got {number}, which comes from a division by zero or the root of a negative number")
-    return number
-
-
-# -- formulas
-
-
-def _formula(x, form, symbols, budget):
-    """A SymPy or SymEngine expression as nested lists: numbers, names of symbols, and [operator, ...]."""
-    budget[0] -= 1
-    if budget[0] < 0:
-        raise AnswerError(f"expected {form.words}; this one has more than {NODES} operations. Simplify it, or put in fewer intermediate results")
-    if not hasattr(x, "args") or isinstance(x, (int, float)):
-        return _number(x, form)
-    if str(type(x).__module__).startswith("symengine"):  # SymPy's f(t) has a type without a module
-        x = x._sympy_()
-    if x.is_Symbol:
-        if x.name not in symbols:
-            raise AnswerError(f"expected {form.words}; it contains {x.name!r}, but the symbols of the problem are {', '.join(symbols)}")
-        return x.name
-    if x.is_Integer:
-        return int(x) if abs(int(x)) < 2**53 else float(x)
-    if x.is_Rational:
-        return ["/", float(x.p), float(x.q)]
-    if x.is_Number or not x.args:
-        return "pi" if str(x) == "pi" else _number(x, form)
-    name = {"Add": "+", "Mul": "*", "Pow": "^"}.get(x.func.__name__, x.func.__name__)
-    if name not in ("+", "*", "^", "atan2", "Abs", "exp", *FUNCTIONS):
-        raise AnswerError(f"expected {form.words}; {name} is not among the functions that are read: {', '.join(FUNCTIONS)}, atan2, Abs")
-    return [name, *(_formula(a, form, symbols, budget) for a in x.args)]
-
-
-class TreeError(ValueError):
-    """A tree that is not one: an unknown operator or symbol, or too deep."""
-
-
-def evaluate(tree, values, depth=0):
-    """The value of a formula tree over scalars of any kind; ``values`` maps symbols to scalars. Reads data, runs nothing of it."""
-    if depth > 200:
-        raise TreeError("the formula is nested more than 200 deep")
-    if isinstance(tree, bool) or tree is None:
-        raise TreeError(f"not a formula: {tree!r}")
-    if isinstance(tree, (int, float)):
-        return float(tree)  # never a Python integer: 9^9^9 would not end
-    if isinstance(tree, str):
-        if tree == "pi":
-            return pi()
-        if tree not in values:
-            raise TreeError(f"unknown symbol {tree[:40]!r}")
-        return values[tree]
-    if not isinstance(tree, list) or not tree or not isinstance(tree[0], str):
-        raise TreeError("a formula is a number, a symbol or a list that begins with an operator")
-    name, *args = tree[0], *(evaluate(a, values, depth + 1) for a in tree[1:])
-    if not args:
-        raise TreeError(f"the operator {name[:40]!r} has no arguments")
-    if name in ("+", "*"):
-        out = args[0]
-        for a in args[1:]:
-            out = out + a if name == "+" else out * a
-        return out
-    if name == "^" and len(args) == 2:
-        return _power(*args)
-    if name == "/" and len(args) == 2:
-        return args[0] / args[1]
-    if name == "Abs" and len(args) == 1:
-        return abs(args[0])
-    if (name in FUNCTIONS and len(args) == 1) or (name == "atan2" and len(args) == 2):
-        return function(name, *args)
-    raise TreeError(f"unknown operator {name[:40]!r} with {len(args)} arguments")
-
-
-def _power(base, exponent):
-    if isinstance(exponent, Dimension):
-        if isinstance(base, Dimension) and any(base.powers):
-            raise DimensionError(f"a quantity with {base} is raised to a power that is not a number")
-        return Dimension()
-    if isinstance(exponent, float) and float(exponent).is_integer():
-        exponent = int(exponent)
-    return base**exponent
-
-
-def dimension_hints(tree, form, symbols):
-    """What is wrong with the dimension of a formula, as sentences; needs no key, only the units of the symbols."""
-    try:
-        asked, dimensions = unit(form.unit).dimension, {n: unit(u).dimension for n, u in symbols.items()}
-    except UnitError:
-        return []
-    hints, parts = [], tree if SHAPES[form.kind] > 1 else [tree]
-    for n, part in enumerate(parts):
-        where = f"component {n + 1}" if len(parts) > 1 else "it"
-        try:
-            got = evaluate(part, dimensions)
-        except DimensionError as error:
-            hints.append(f"{where} adds unlike quantities ({error})")
-            continue
-        got = got if isinstance(got, Dimension) else Dimension()
-        if got != asked and part not in (0, 0.0):
-            hints.append(f"{where} has {got}, but {form.unit} has {asked}")
-    return hints
 
 
 def _behind(unit_text):

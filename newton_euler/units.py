@@ -88,6 +88,12 @@ def unit(text):
     return Unit(text)
 
 
+def pint_name(unit_text):
+    """A unit of the problems as pint writes it; pint's lb and oz are masses."""
+    names = {"rev": "revolution", "lb": "lbf", "oz": "force_ounce", "1": "dimensionless", "%": "percent"}
+    return re.sub(r"[A-Za-z%]+|(?<!\^)\b1\b", lambda m: names.get(m[0], m[0]), unit_text).replace("^", "**")
+
+
 def _parts(text):
     if not isinstance(text, str):
         raise UnitError(f"cannot read the unit {text!r}; write it as text, as in 'kg*m^2/s' or 'rev/min'")

@@ -222,6 +222,7 @@ def test_the_wheel_holds_the_engine_and_no_exercise(tmp_path):
         names = z.namelist()
         everything = "".join(z.read(n).decode("utf-8", "replace") for n in names if n.endswith((".py", ".yaml", ".json", ".ipynb")))
     assert "newton_euler/answers.py" in names
+    assert any(n.endswith("/player.html") for n in names)
     assert not [n for n in names if n.startswith(("exercises", "grader", "tests", "problems", "book"))]
     assert not [n for n in names if n.endswith(".yaml")]
     assert "no_coriolis:" not in everything

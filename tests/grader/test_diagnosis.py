@@ -12,7 +12,8 @@ from exercises.variants import SEPARATION, distance, draw, evaluate, flat
 from grader import score as scoring
 from grader.diagnose import _in_words
 from grader.score import score
-from newton_euler.answers import Form, record
+from newton_euler.answers import record
+from newton_euler.forms import Form
 from newton_euler.vectors import Vector
 
 CH04 = problems("ch04")

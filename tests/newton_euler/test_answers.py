@@ -11,7 +11,9 @@ import pytest
 import sympy
 
 from newton_euler import Frame
-from newton_euler.answers import NODES, AnswerError, Form, TreeError, dimension_hints, evaluate, expect, receipt, receipts, record
+from newton_euler.answers import expect, receipt, receipts, record
+from newton_euler.forms import AnswerError, Form
+from newton_euler.formula_trees import NODES, TreeError, dimension_hints, evaluate
 from newton_euler.scalars import Dimension
 
 ground = Frame("ground")

@@ -1,0 +1,69 @@
+"""What an answer must look like: a number, a vector, a formula, ...; and how a number is read."""
+
+from dataclasses import dataclass
+
+SHAPES = {"number": 1, "vector": 3, "matrix": 9, "interval": 2, "expression": 1, "vector_expression": 3, "matrix_expression": 9}
+_WORDS = {
+    "number": "one number",
+    "vector": "a vector, three numbers as in [1.0, 0, -2.5]",
+    "matrix": "a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
+    "interval": "an interval, two numbers as in [low, high]",
+    "count": "a whole number",
+    "choice": "one of the words",
+    "expression": "a formula in the problem's symbols",
+    "vector_expression": "a vector of three formulas, as in [r*omega, 0, 0]",
+    "matrix_expression": "a 3 x 3 matrix of formulas",
+}
+
+
+class AnswerError(ValueError):
+    """An answer that cannot be read: what was expected, what came, what to do."""
+
+
+@dataclass(frozen=True)
+class Form:
+    """What one answer must look like: its kind, its unit, and for a choice the words."""
+
+    kind: str
+    unit: str
+    of: tuple = ()
+
+    @classmethod
+    def read(cls, text):
+        """From the text in a notebook: "vector, mm/s", "choice: stable | unstable"."""
+        kind, _, rest = (part.strip() for part in text.partition(":" if text.startswith("choice") else ","))
+        if kind not in _WORDS:
+            raise AnswerError(f"no such kind of answer: {kind!r}; there are {', '.join(_WORDS)}")
+        return cls("choice", "1", tuple(w.strip() for w in rest.split("|"))) if kind == "choice" else cls(kind, rest or "1")
+
+    def __str__(self):
+        if self.kind == "choice":
+            return f"choice: {' | '.join(self.of)}"
+        return f"{self.kind}, {self.unit}"
+
+    @property
+    def words(self):
+        """The same for a reader."""
+        if self.kind == "choice":
+            return f"one of {', '.join(map(repr, self.of))}"
+        return _WORDS[self.kind] + ("" if self.kind == "count" or self.unit == "1" else f", in {self.unit}")
+
+
+def clipped(value):
+    text = repr(value)
+    return text if len(text) < 80 else text[:77] + "..."
+
+
+def read_number(x, form):
+    if isinstance(x, bool) or x is None or isinstance(x, complex):
+        raise AnswerError(f"expected {form.words}; got {x!r}")
+    free = getattr(x, "free_symbols", None)
+    if free:
+        raise AnswerError(f"expected {form.words}; {clipped(x)} still contains {', '.join(sorted(map(str, free)))}; put in the numbers")
+    try:
+        number = float(x)
+    except (TypeError, ValueError):
+        raise AnswerError(f"expected {form.words}; cannot make a number of {clipped(x)}") from None
+    if number != number or number in (float("inf"), float("-inf")):
+        raise AnswerError(f"expected {form.words}; got {number}, which comes from a division by zero or the root of a negative number")
+    return number

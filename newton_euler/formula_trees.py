@@ -1,0 +1,101 @@
+"""Formulas as nested lists of numbers, symbols and a few operators: read from SymPy, evaluated as data, and checked for their dimension."""
+
+from .forms import SHAPES, AnswerError, read_number
+from .scalars import FUNCTIONS, Dimension, DimensionError, function, pi
+from .units import UnitError, unit
+
+NODES = 4000  # the largest formula that is taken, in operations
+
+
+def read_formula(x, form, symbols, budget):
+    """A SymPy or SymEngine expression as nested lists: numbers, names of symbols, and [operator, ...]."""
+    budget[0] -= 1
+    if budget[0] < 0:
+        raise AnswerError(f"expected {form.words}; this one has more than {NODES} operations. Simplify it, or put in fewer intermediate results")
+    if not hasattr(x, "args") or isinstance(x, (int, float)):
+        return read_number(x, form)
+    if str(type(x).__module__).startswith("symengine"):  # SymPy's f(t) has a type without a module
+        x = x._sympy_()
+    if x.is_Symbol:
+        if x.name not in symbols:
+            raise AnswerError(f"expected {form.words}; it contains {x.name!r}, but the symbols of the problem are {', '.join(symbols)}")
+        return x.name
+    if x.is_Integer:
+        return int(x) if abs(int(x)) < 2**53 else float(x)
+    if x.is_Rational:
+        return ["/", float(x.p), float(x.q)]
+    if x.is_Number or not x.args:
+        return "pi" if str(x) == "pi" else read_number(x, form)
+    name = {"Add": "+", "Mul": "*", "Pow": "^"}.get(x.func.__name__, x.func.__name__)
+    if name not in ("+", "*", "^", "atan2", "Abs", "exp", *FUNCTIONS):
+        raise AnswerError(f"expected {form.words}; {name} is not among the functions that are read: {', '.join(FUNCTIONS)}, atan2, Abs")
+    return [name, *(read_formula(a, form, symbols, budget) for a in x.args)]
+
+
+class TreeError(ValueError):
+    """A tree that is not one: an unknown operator or symbol, or too deep."""
+
+
+def evaluate(tree, values, depth=0):
+    """The value of a formula tree over scalars of any kind; ``values`` maps symbols to scalars. Reads data, runs nothing of it."""
+    if depth > 200:
+        raise TreeError("the formula is nested more than 200 deep")
+    if isinstance(tree, bool) or tree is None:
+        raise TreeError(f"not a formula: {tree!r}")
+    if isinstance(tree, (int, float)):
+        return float(tree)  # never a Python integer: 9^9^9 would not end
+    if isinstance(tree, str):
+        if tree == "pi":
+            return pi()
+        if tree not in values:
+            raise TreeError(f"unknown symbol {tree[:40]!r}")
+        return values[tree]
+    if not isinstance(tree, list) or not tree or not isinstance(tree[0], str):
+        raise TreeError("a formula is a number, a symbol or a list that begins with an operator")
+    name, *args = tree[0], *(evaluate(a, values, depth + 1) for a in tree[1:])
+    if not args:
+        raise TreeError(f"the operator {name[:40]!r} has no arguments")
+    if name in ("+", "*"):
+        out = args[0]
+        for a in args[1:]:
+            out = out + a if name == "+" else out * a
+        return out
+    if name == "^" and len(args) == 2:
+        return _power(*args)
+    if name == "/" and len(args) == 2:
+        return args[0] / args[1]
+    if name == "Abs" and len(args) == 1:
+        return abs(args[0])
+    if (name in FUNCTIONS and len(args) == 1) or (name == "atan2" and len(args) == 2):
+        return function(name, *args)
+    raise TreeError(f"unknown operator {name[:40]!r} with {len(args)} arguments")
+
+
+def _power(base, exponent):
+    if isinstance(exponent, Dimension):
+        if isinstance(base, Dimension) and any(base.powers):
+            raise DimensionError(f"a quantity with {base} is raised to a power that is not a number")
+        return Dimension()
+    if isinstance(exponent, float) and float(exponent).is_integer():
+        exponent = int(exponent)
+    return base**exponent
+
+
+def dimension_hints(tree, form, symbols):
+    """What is wrong with the dimension of a formula, as sentences; needs no key, only the units of the symbols."""
+    try:
+        asked, dimensions = unit(form.unit).dimension, {n: unit(u).dimension for n, u in symbols.items()}
+    except UnitError:
+        return []
+    hints, parts = [], tree if SHAPES[form.kind] > 1 else [tree]
+    for n, part in enumerate(parts):
+        where = f"component {n + 1}" if len(parts) > 1 else "it"
+        try:
+            got = evaluate(part, dimensions)
+        except DimensionError as error:
+            hints.append(f"{where} adds unlike quantities ({error})")
+            continue
+        got = got if isinstance(got, Dimension) else Dimension()
+        if got != asked and part not in (0, 0.0):
+            hints.append(f"{where} has {got}, but {form.unit} has {asked}")
+    return hints
