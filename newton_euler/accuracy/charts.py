@@ -1,51 +1,43 @@
-"""Figures of speed against accuracy: the methods on one scene, and the models of one.
-
-Both are drawn from what was just measured, by :mod:`.precision` or by :func:`measured_models`.
-"""
+"""Charts of what was just measured: the methods on one scene (:mod:`.precision`), and the models of one (:func:`measured_models`)."""
 
 import math
 from dataclasses import replace
 
 from ..motion import prepare
-from .measure import Measured, chart, look, timed
+from .measure import Measured, chart, log_log, marker_style, timed
 from .precision import NAMES
 
 FLOOR = 1e-17  # smaller errors are drawn there: a float cannot have them
-SIZE = (13.0, 4.9)  # inches
 AUTO = {"color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6, "zorder": 4, "label": "auto"}
 
 
-# -- methods
-
-
 def draw_methods(found, figure):
-    """Three charts side by side: error against time, error against calls of the right-hand side, drift of the invariants against what was asked for.
+    """The front of the methods by time, after drawing three charts: error against time, error against calls, drift of invariants against tolerance.
 
     found : a :class:`~newton_euler.accuracy.precision.WorkPrecision`
-    Returns the front of the methods by time; "auto", which only chooses one of them, is drawn over them.
+    "auto", which only chooses one of the methods, is drawn over them.
     """
-    figure.set_layout_engine("constrained")
-    figure.set_size_inches(*SIZE)
-    scene = found.scene
-    figure.suptitle(f"{scene.name}, section {scene.section}: {scene.words}", fontsize=12)
+    figure.set(layout_engine="constrained", size_inches=(13.0, 4.9))
+    figure.suptitle(f"{found.scene.name}, section {found.scene.section}: {found.scene.words}", fontsize=12)
     left, middle, right = figure.subplots(1, 3)
     points = [replace(p, error=max(p.error, FLOOR)) for p in found.points]
     methods, auto = [p for p in points if p.method != "auto"], [p for p in points if p.method == "auto"]
     best = chart(methods, left, order=NAMES, legend=False)
     chart([p for p in methods if p.calls], middle, cost="calls", order=NAMES, legend=False)
-    for ax, cost, label in ((left, "cost", "time of a run"), (middle, "calls", "calls of the right-hand side")):
-        ax.plot([getattr(p, cost) for p in auto], [p.error for p in auto], **AUTO)
-        ax.set(xlabel=label, ylabel="true error at the end, relative" if ax is left else "")
+    left.plot([p.cost for p in auto], [p.error for p in auto], **AUTO)
+    left.set(xlabel="time of a run", ylabel="true error at the end, relative")
+    middle.plot([p.calls for p in auto], [p.error for p in auto], **AUTO)
+    middle.set(xlabel="calls of the right-hand side", ylabel="")
     _draw_drift(methods, auto, right)
     handles, names = left.get_legend_handles_labels()
-    figure.legend(handles, [_prepared(name, found) for name in names], loc="outside right center", frameon=False, fontsize=9, labelspacing=0.8)
+    figure.legend(handles, [_entry(name, found) for name in names], loc="outside right center", frameon=False, fontsize=9, labelspacing=0.8)
     return best
 
 
-def _prepared(name, found):
-    """The method, and what its first run took more."""
+def _entry(name, found):
+    """The method in the legend, with the time to prepare its first run if that is more than noise."""
     seconds, costs = found.preparing.get(name, 0.0), [p.cost for p in found.points if p.method == name]
-    return f"{name}\n  {1e3 * seconds:.0f} ms to prepare" if seconds > max([2e-3, *costs[:1]]) else name  # less is noise
+    return f"{name}\n  {1e3 * seconds:.0f} ms to prepare" if seconds > max([2e-3, *costs[:1]]) else name
 
 
 def _draw_drift(methods, auto, ax):
@@ -54,30 +46,24 @@ def _draw_drift(methods, auto, ax):
     if not known:
         ax.set_axis_off()
         return
-    for n, method in enumerate(NAMES):
-        own = [p for p in known if p.method == method]
-        ax.plot([p.asked for p in own], [max(p.drift, FLOOR) for p in own], ms=7, lw=0.8, **look(n))
-    ax.plot([p.asked for p in auto], [max(p.drift, FLOOR) for p in auto], **AUTO)
+    log_log(ax, "error asked for, rtol", "worst drift of an invariant, relative")
+    styles = {name: {"ms": 7, "lw": 0.8, **marker_style(n)} for n, name in enumerate(NAMES)} | {"auto": AUTO}
+    for method, style in styles.items():
+        own = [p for p in [*known, *auto] if p.method == method]
+        ax.plot([p.asked for p in own], [max(p.drift, FLOOR) for p in own], **style)
     asked = sorted({p.asked for p in known})
     (diagonal,) = ax.plot(asked, asked, color="#999999", lw=1, ls=":")
     ax.legend([diagonal], ["drift = rtol"], loc="upper left", frameon=False, fontsize=9)
-    ax.set(xscale="log", yscale="log", xlabel="error asked for, rtol", ylabel="worst drift of an invariant, relative")
-    ax.grid(True, color="#dddddd", lw=0.6)
-    ax.set_axisbelow(True)
 
 
-# -- models
+def measured_models(ladder, progress=lambda fraction, words: None):
+    """A :class:`~newton_euler.accuracy.Measured` for each rung of a :class:`~newton_euler.ladders.Ladder`: the time of its motion, and its error.
 
-
-def measured_models(ladder, progress=None):
-    """For each rung of a :class:`~newton_euler.ladders.Ladder` a :class:`~newton_euler.accuracy.Measured`: the time of its motion, and its error.
-
-    The time is that of a run to 1e-9 which :func:`newton_euler.prepare` has made; the error is in the ladder's unit, that of the fullest rung 0.
+    The time is that of a prepared run (:func:`newton_euler.prepare`) to 1e-9; the error is in the ladder's unit, that of the fullest rung 0.
     """
     points = []
     for n, rung in enumerate(ladder.rungs):
-        if progress:
-            progress(n / len(ladder.rungs), rung.name)
+        progress(n / len(ladder.rungs), rung.name)
         error = ladder.error(rung)
         run, start = prepare(rung.model, 1e-9), tuple(map(float, rung.start))
         cost = timed(lambda: run(ladder.t, start), runs=5)  # noqa: B023 (called at once)
@@ -86,29 +72,26 @@ def measured_models(ladder, progress=None):
 
 
 def draw_models(points, ladder, figure):
-    """Error of each rung, in the ladder's unit, against the time of its motion; what the model itself bounds is a bar above. Returns the front.
+    """The front of the rungs, after drawing their errors, in the ladder's unit, against the times of their motions.
 
-    The fullest rung, which the others are measured against, stands below at the arrow.
+    A bar above a point ends at the bound of the error that the model itself gives. The fullest rung, which the others are measured against,
+    stands below at the arrow.
     """
-    figure.set_layout_engine("constrained")
-    figure.set_size_inches(9.0, 5.6)
+    figure.set(layout_engine="constrained", size_inches=(9.0, 5.6))
     ax = figure.subplots()
     floor = min((p.error for p in points if p.error), default=1.0) / 100
     best = chart(points, ax, floor=floor, legend=False)
     middle = math.sqrt(min(p.cost for p in points) * max(p.cost for p in points))
     for n, p in enumerate(points):
-        beside = any(q.error and abs(math.log(q.cost / p.cost)) < 0.3 and q.error < 3 * p.error < 9 * q.error for q in points[:n])
-        _draw_rung(ladder, p, max(p.error, floor), p.cost > middle, beside, ax)
+        height, bound = max(p.error, floor), ladder.rung(p.method).bound(ladder.t)
+        if p.error and bound < math.inf:
+            ax.plot([p.cost] * 2, [height, bound], color="#999999", lw=1, marker="_", ms=10, zorder=1)
+        place = {"xytext": (-12, -14), "ha": "right"} if p.cost > middle else {"xytext": (12, 6)}
+        if p.cost <= middle and any(q.error and abs(math.log(q.cost / p.cost)) < 0.3 and q.error < 3 * p.error < 9 * q.error for q in points[:n]):
+            place = {"xytext": (12, -16)}  # another label is in the usual place
+        ax.annotate(p.method.removeprefix(f"{ladder.name}, "), (p.cost, height), textcoords="offset points", fontsize=9, **place)
     ax.set_title(f"models of {ladder.name}, until t = {ladder.t:g}: what they cost, and what they leave out", fontsize=11)
     ax.set(xlabel="time of a run to 1e-9", ylabel=f"error of {ladder.of}")
     ax.margins(x=0.2)
     ax.set_ylim(floor / 12, 30 * (max(p.error for p in points) or 1.0))  # bounds may be far beyond
     return best
-
-
-def _draw_rung(ladder, point, height, dear, low, ax):
-    bound = ladder.rung(point.method).bound(ladder.t)
-    if point.error and bound < math.inf:
-        ax.plot([point.cost] * 2, [height, bound], color="#999999", lw=1, marker="_", ms=10, zorder=1)
-    place = {"xytext": (-12, -14), "ha": "right"} if dear else {"xytext": (12, -16 if low else 6)}  # low: another label is there
-    ax.annotate(point.method.removeprefix(f"{ladder.name}, "), (point.cost, height), textcoords="offset points", fontsize=9, **place)

@@ -1,23 +1,22 @@
-"""Speed charted against accuracy where nothing is integrated: derivatives, rotations, inertia, angles, steady precession.
+"""Charts of speed against accuracy where nothing is integrated: derivatives, rotations, inertia, angles, steady precession.
 
-Each comparison asks one question of several ways to its answer, over a range of what can be set, and draws the error against what was set and
-against what it cost. The naive ways are those of textbooks; :mod:`newton_euler.accuracy.rivals` holds them. References have 40 digits, by mpmath.
-``python -m newton_euler.accuracy NAME`` draws one.
+A comparison asks one or more questions; each is answered in several ways over a range of settings, and the error is drawn against the setting and
+against the cost. The ways of textbooks and their errors, against references of 40 digits, are in :mod:`newton_euler.accuracy.rivals`.
 """
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from . import rivals
-from .measure import COLOURS, MARKERS, Measured, chart, timed
+from .measure import COLOURS, MARKERS, Measured, chart, log_log, timed
 
 ROUND_OFF = 2.0**-52  # smaller errors are luck, and are drawn there
 TITLES = {"fontsize": 10, "loc": "left"}
 
 
 @dataclass(frozen=True)
-class Tried(Measured):
-    """A point that also says which ``question`` it answers, and the number ``x`` that was set."""
+class ComparisonPoint(Measured):
+    """A point that also says which ``question`` it answers, and the setting as a number ``x``."""
 
     question: str = ""
     x: float = 0.0
@@ -25,15 +24,15 @@ class Tried(Measured):
 
 @dataclass(frozen=True)
 class Question:
-    """What is asked, of whom, and over what.
+    """What is computed, how, and over which settings.
 
     what : in words
-    across : the letter and the words, with the unit, for what is set, as ("h", "step h, s")
-    settings : the numbers set
-    ways : from the name of a method to a function of the number set
-    error : a function of what a way found and of the number set
-    posed : the number belongs to the question (an angle), not to the answer (a step): then the worst answers are charted against their cost
-    laborious : the number set changes the cost, so that each is timed; otherwise the first one stands for all
+    across : the letter of the setting and its words with the unit, as ("h", "step h, s")
+    settings : numbers
+    ways : from the name of a way to a function of the setting
+    error : a function of what a way found and of the setting
+    worst_only : the setting belongs to the question (an angle), not to the way (a step): only the worst error of each way is charted against its cost
+    timed_each : the setting changes the cost, so that the time is taken at each one, not only at the first
     """
 
     what: str
@@ -41,78 +40,61 @@ class Question:
     settings: tuple
     ways: Mapping
     error: Callable
-    posed: bool = False
-    laborious: bool = False
+    worst_only: bool = False
+    timed_each: bool = False
 
     def measured(self):
-        """One point after the other, from the first number set to the last, all ways in turns."""
+        """The points, one after the other, setting by setting."""
         for n, x in enumerate(self.settings):
-            if n == 0 or self.laborious:
+            if n == 0 or self.timed_each:
                 costs = timed(*(lambda way=way: way(x) for way in self.ways.values()), runs=3, shortest=1e-3)  # noqa: B023 (called at once)
             for (method, way), cost in zip(self.ways.items(), costs, strict=True):
-                setting = f"{self.across[0]} = {x:.3g}"
-                yield Tried(method, cost, float(self.error(way(x), x)), setting, question=self.what, x=x)
+                yield ComparisonPoint(method, cost, float(self.error(way(x), x)), f"{self.across[0]} = {x:.3g}", question=self.what, x=x)
+
+    def draw(self, points, left, right):
+        """The front of the points, after drawing their errors against the setting (``left``) and against the cost (``right``)."""
+        from matplotlib.ticker import LogLocator
+
+        points = [replace(p, error=max(p.error, ROUND_OFF)) for p in points]
+        by_way = [[p for p in points if p.method == way] for way in self.ways]
+        log_log(left, self.across[1], "relative error")
+        left.set_title(self.what, **TITLES)
+        for n, own in enumerate(by_way):  # those drawn first are larger, to be seen behind others
+            left.plot([p.x for p in own], [p.error for p in own], marker=MARKERS[n], color=COLOURS[n], ms=9 - 1.3 * n, lw=1)
+        best = chart([max(own, key=lambda p: p.error) for own in by_way] if self.worst_only else points, right)
+        costs = [p.cost for p in points]
+        right.set(ylabel="", xlim=(min(costs) / 2, 2 * max(costs)))
+        right.set_title("the worst of each, against its cost" if self.worst_only else "against the cost", **TITLES)
+        right.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if max(costs) < 10 * min(costs) else (1,)))
+        return best
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """A chart of speed against accuracy: ``name``, ``title``, what it shows in ``words``, and its ``questions``."""
+    """A chart of speed against accuracy: ``name``, ``title`` and ``questions``."""
 
     name: str
     title: str
-    words: str
     questions: tuple
 
-    def measure(self, progress=None):
-        """Ask all questions of all ways: a list of :class:`~newton_euler.accuracy.Measured`, in a few seconds.
+    def measure(self, progress=lambda fraction, words: None):
+        """All answers to all questions: a list of :class:`~newton_euler.accuracy.Measured`, in a few seconds.
 
-        progress : a function ``(fraction, words)``, called for each point
+        progress : is called for each point
         """
-        count = sum(len(q.settings) * len(q.ways) for q in self.questions)
-        points = []
+        count, points = sum(len(q.settings) * len(q.ways) for q in self.questions), []
         for point in (p for q in self.questions for p in q.measured()):
             points.append(point)
-            if progress:
-                progress(len(points) / count, f"{point.method}, {point.setting}")
+            progress(len(points) / count, f"{point.method}, {point.setting}")
         return points
 
     def draw(self, points, figure):
-        """A row for each question: its errors against what was set, and against what they cost. Returns the fronts, as one list."""
-        from matplotlib.ticker import LogLocator, NullFormatter
-
-        figure.set_layout_engine("constrained")
-        figure.set_size_inches(11.5, 0.6 + 3.6 * len(self.questions))
+        """The fronts of all questions as one list, after drawing two charts in a row for each question."""
+        rows = len(self.questions)
+        figure.set(layout_engine="constrained", size_inches=(11.5, 0.6 + 3.6 * rows))
         figure.suptitle(self.title)
-        best = []
-        for question, (left, right) in zip(self.questions, figure.subplots(len(self.questions), 2, squeeze=False), strict=True):
-            own = [replace(p, error=max(p.error, ROUND_OFF)) for p in points if p.question == question.what]
-            _draw_across(question, own, left)
-            best += chart(_worst(own) if question.posed else own, right)
-            right.set_title("the worst of each, against its cost" if question.posed else "against the cost", **TITLES)
-            right.set(ylabel="", xlim=_roomy([p.cost for p in own]))
-            right.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if max(right.get_xlim()) < 40 * min(right.get_xlim()) else (1,)))
-            right.xaxis.set_minor_formatter(NullFormatter())
-        return best
-
-
-def _worst(points):
-    """The point of largest error of each method."""
-    return [max((p for p in points if p.method == method), key=lambda p: p.error) for method in dict.fromkeys(p.method for p in points)]
-
-
-def _roomy(costs):
-    return min(costs) / 2, max(costs) * 2
-
-
-def _draw_across(question, points, ax):
-    for n, method in enumerate(question.ways):
-        own = [p for p in points if p.method == method]
-        size = 9 - 1.3 * n  # those drawn first show behind others
-        ax.plot([p.x for p in own], [p.error for p in own], marker=MARKERS[n], color=COLOURS[n], ms=size, lw=1)
-    ax.set(xscale="log", yscale="log", xlabel=question.across[1], ylabel="relative error")
-    ax.set_title(question.what, **TITLES)
-    ax.grid(True, color="#dddddd", lw=0.6)
-    ax.set_axisbelow(True)
+        pairs = zip(self.questions, figure.subplots(rows, 2, squeeze=False), strict=True)
+        return [best for q, axes in pairs for best in q.draw([p for p in points if p.question == q.what], *axes)]
 
 
 def _decades(first, last):
@@ -133,9 +115,7 @@ COMPARISONS = {
         Comparison(
             "derivatives",
             "Velocity and acceleration of the end of a boom, from its position as a function of time",
-            "Differences truncate where the step is long and cancel where it is short: of 16 digits the best central first difference keeps 10, the "
-            "best second one 7. The complex step does not cancel in a first derivative, but does in a second. The engine's numbers carry their rates "
-            "along: there is no step and nothing is lost, and traced they cost less than a difference.",
+            # Differences truncate at long steps and cancel at short ones; a complex step cancels in second derivatives only; jets have no step.
             (
                 Question(f"velocity at t = {rivals.INSTANT} s", *STEPS, rivals.FIRST_DERIVATIVES, rivals.velocity_error),
                 Question(f"acceleration at t = {rivals.INSTANT} s", *STEPS, rivals.SECOND_DERIVATIVES, rivals.acceleration_error),
@@ -144,39 +124,33 @@ COMPARISONS = {
         Comparison(
             "rotations",
             "Turns by matrices, Euler angles and quaternions",
-            "A product of many matrices drifts away from a rotation, and its attitude with it; a quaternion is a rotation again once its length "
-            "is divided out. The rates of Euler's angles grow without bound where the body's axis passes the vertical, and an error as large "
-            "as a step is left behind; the rate of a quaternion knows no such place.",
+            # A product of many matrices drifts away from a rotation; the rates of Euler's angles are unbounded where the axis passes the vertical.
             (
-                Question("attitude after n turns of 0.01 rad", *TURNS, rivals.turn_error, posed=True),
-                Question("distance from any rotation, after the same", *TURNS, rivals.drift, posed=True),
-                Question("attitude after 200 Runge-Kutta steps of 0.01 rad", *LEAST_ANGLES, rivals.PASSES, rivals.pass_error, posed=True),
+                Question("attitude after n turns of 0.01 rad", *TURNS, rivals.turn_error, worst_only=True),
+                Question("distance from any rotation, after the same", *TURNS, rivals.drift, worst_only=True),
+                Question("attitude after 200 Runge-Kutta steps of 0.01 rad", *LEAST_ANGLES, rivals.PASSES, rivals.pass_error, worst_only=True),
             ),
         ),
         Comparison(
             "inertia",
             "Moments of inertia of a sheet, a triangle with a half disk on its base, about the apex",
-            "For one more digit a hundred times as many points are needed at random, and twenty times in a grid, whose cells do not follow the edge. "
-            "Quadrature in coordinates that do is right to round-off, and so is the sum of closed forms, at a fraction of the cost.",
-            (Question("I_xx, I_yy, I_zz", *POINTS, rivals.INERTIAS, rivals.inertia_error, laborious=True),),
+            # One more digit takes 100 times as many points at random and 20 times in a grid, whose cells do not follow the edge.
+            (Question("I_xx, I_yy, I_zz", *POINTS, rivals.INERTIAS, rivals.inertia_error, timed_each=True),),
         ),
         Comparison(
             "angle",
             "The angle of a rotation matrix",
-            "The arc cosine of the trace loses half of the digits at 0 and at pi: it sees no angle below 1e-8 rad. By way of the quaternion and "
-            "atan2, as the engine and SciPy go, none is lost.",
+            # The arc cosine of the trace loses half of the digits at 0 and at pi; the quaternion with atan2 loses none.
             (
-                Question("a small angle", *SMALL_ANGLES, rivals.ANGLES, rivals.small_angle_error, posed=True),
-                Question("an angle near pi", *ANGLES_NEAR_PI, rivals.ANGLES_NEAR_PI, rivals.angle_near_pi_error, posed=True),
+                Question("a small angle", *SMALL_ANGLES, rivals.ANGLES, rivals.small_angle_error, worst_only=True),
+                Question("an angle near pi", *ANGLES_NEAR_PI, rivals.ANGLES_NEAR_PI, rivals.angle_near_pi_error, worst_only=True),
             ),
         ),
         Comparison(
             "steady precession",
             "Both rates of steady precession, where the quadratic (10.33) becomes linear",
-            "The printed root is a difference of nearly equal numbers as (I0 - I) cos(theta) goes to zero, and has hardly a digit left at 1e-16. "
-            "Taken from the sum of equal signs and from the product of the roots, both rates are right to round-off; so are the eigenvalues of "
-            "a balanced companion matrix, by which NumPy finds roots, for more time.",
-            (Question("psi', slow and fast", *COEFFICIENTS, rivals.PRECESSIONS, rivals.precession_error, posed=True),),
+            # The printed root is a difference of nearly equal numbers as (I0 - I) cos(theta) goes to zero.
+            (Question("psi', slow and fast", *COEFFICIENTS, rivals.PRECESSIONS, rivals.precession_error, worst_only=True),),
         ),
     )
 }

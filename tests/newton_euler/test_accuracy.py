@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import Frame
-from newton_euler.accuracy.measure import SAME, Measured, chart, front, relative_error, timed
+from newton_euler.accuracy.measure import EQUAL_WITHIN, Measured, chart, front, relative_error, timed
 
 matplotlib.use("Agg")
 positive = st.floats(1e-9, 1.0)
@@ -42,9 +42,9 @@ def test_nothing_on_the_front_is_beaten_and_everything_else_is(points):
     best = front(points)
     costs, errors = [p.cost for p in best], [p.error for p in best]
     assert costs == sorted(costs)
-    assert all(b < a / SAME for a, b in pairwise(errors))
+    assert all(b < a / EQUAL_WITHIN for a, b in pairwise(errors))
     for p in points:
-        rivals = [q for q in best if q.cost <= p.cost and q.error <= SAME * p.error]
+        rivals = [q for q in best if q.cost <= p.cost and q.error <= EQUAL_WITHIN * p.error]
         assert p in best or rivals
 
 

@@ -21,7 +21,7 @@ from newton_euler.accuracy.charts import draw_methods, draw_models, measured_mod
 from newton_euler.accuracy.command import every_name, main
 from newton_euler.accuracy.comparisons import COMPARISONS
 from newton_euler.accuracy.maps import MAPS
-from newton_euler.accuracy.measure import Measured, front, look
+from newton_euler.accuracy.measure import Measured, front, marker_style
 from newton_euler.accuracy.precision import NAMES, WorkPrecision, work_precision
 from newton_euler.accuracy.reference import by_extrapolation, by_heyoka, reference
 from newton_euler.ladders import LADDERS, Ladder, Rung
@@ -343,7 +343,7 @@ def test_without_click_or_rich_it_says_what_to_install(package):
 
 
 def test_all_methods_have_a_look_of_their_own():
-    looks = [tuple(look(n).values()) for n in range(len(NAMES))]
+    looks = [tuple(marker_style(n).values()) for n in range(len(NAMES))]
     assert len(set(looks)) == len(NAMES)
 
 
