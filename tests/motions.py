@@ -60,14 +60,14 @@ SCENES = {name: scene.motion for name, scene in ALL.items()}
 
 def reference(name):
     """The final state, as floats."""
-    return precision.known(ALL[name])
+    return precision.final_state(ALL[name])
 
 
 def sizes(name):
     """What errors are relative to, by state."""
-    return dict(zip(SCENES[name][0].states, precision.sizes(ALL[name]), strict=True))
+    return dict(zip(SCENES[name][0].states, precision.state_sizes(ALL[name]), strict=True))
 
 
 def true_error(name, motion):
     """Of the last state, as ``Motion.error`` counts it."""
-    return precision.Judge(ALL[name]).error(motion)
+    return precision.Reference(ALL[name]).error(motion)

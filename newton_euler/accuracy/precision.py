@@ -1,4 +1,4 @@
-"""Work and precision of the methods of integration on a scene: what each costs, and how far it is off from 30 digits.
+"""Work-precision data of the methods of integration on a scene: what each costs, and its error against 30 digits.
 
 >>> found = work_precision("sphere on an incline", tolerances=(1e-3, 1e-9), methods=("exact", "dop853", "auto"))
 >>> [p.error < 1e-13 for p in found.points if p.method == "exact"]
@@ -23,9 +23,8 @@ from .reference import reference
 
 TOLERANCES = tuple(10.0**-n for n in range(3, 14))
 QUICK = TOLERANCES[::2]
-LONGEST = 0.2  # seconds that a run may take; a method is not asked for more digits after that
-LONG = 0.03  # a run that takes longer is timed by itself, not in many runs
-TURNS = 15  # in which times are compared
+LONGEST = 0.2  # seconds; a method whose run takes longer is not asked for more digits
+LONG = 0.03  # seconds; a longer run is timed once, a shorter one in many runs
 NAMES = (*METHODS, "auto")
 
 
@@ -34,11 +33,11 @@ class WorkPrecision:
     """What was measured on one scene.
 
     scene : a :class:`~newton_euler.accuracy.catalogue.Scene`
-    points : :class:`~newton_euler.accuracy.Measured`, method by method, each with what was ``asked`` for
-    ratios : by tolerance, how many times the time of the cheapest other method "auto" takes, measured in turns, and the name of that method; it was
-        asked for the same and reached it
-    preparing : seconds by method that its first run took more than the next, to write and compile code; all imports were made before
-    left_out : by method, in words, why it was not asked for the smallest tolerances; methods that the scene cannot use have no points
+    points : :class:`~newton_euler.accuracy.Measured`, method by method, each with the tolerance ``asked`` for
+    ratios : {tolerance: (time of "auto" / time of the best other method, name of that method)}, measured in turns; the best method is the
+        cheapest that was asked for the same tolerance and reached it
+    preparing : {method: seconds that its first run took more than the next, to write and compile code}; all imports were made before
+    left_out : {method: why it was not asked for the smallest tolerances}; methods that the scene cannot use have no points
     """
 
     scene: catalogue.Scene
@@ -48,7 +47,7 @@ class WorkPrecision:
     left_out: dict
 
     def explain(self):
-        """The numbers as a table; then the ratios of "auto", and what was left out."""
+        """The numbers as a table, then the ratios of "auto", and what was left out; a text."""
         lines = [f"  {'method':13} {'rtol':>6} {'time':>11} {'calls':>8} {'error':>8} {'drift':>8}"]
         for p in self.points:
             drift = "" if p.drift is None else f"{p.drift:.1e}"
@@ -59,27 +58,25 @@ class WorkPrecision:
     __str__ = explain
 
 
-def work_precision(name, tolerances=TOLERANCES, methods=NAMES, longest=LONGEST, progress=None):
-    """Measure every method that the scene can use at every tolerance: a :class:`WorkPrecision`.
+def work_precision(name, tolerances=TOLERANCES, methods=NAMES, longest=LONGEST, progress=lambda fraction, words: None):
+    """The :class:`WorkPrecision` of a scene: every method that it can use, measured at every tolerance.
 
-    The cost is the time of one call of ``integrate``, its model prepared and its code compiled before. The error is that of the worst state at
-    the end, relative to its largest size on the way, as :class:`~newton_euler.records.Motion` counts it.
+    The cost is the time of one call of ``integrate`` after its model is prepared and its code compiled. The error is that of the worst state
+    at the end, relative to the largest size of this state during the motion, as in :class:`~newton_euler.records.Motion`.
 
     longest : a method whose run takes more seconds is not asked for more digits
-    progress : a function ``(fraction, words)``, called now and then
     """
     scene = catalogue.scene(name)
-    judge = Judge(scene)
+    reference = Reference(scene)
     points, preparing, left_out = [], {}, {}
     for n, method in enumerate(methods):
-        if method != "auto" and METHODS[method].cannot(System(judge.model)):
+        if method != "auto" and METHODS[method].cannot(System(reference.model)):
             continue
         for m, rtol in enumerate(tolerances):
-            if progress:
-                progress((n + m / len(tolerances)) / len(methods), f"{method}, {rtol:.0e}")
+            progress((n + m / len(tolerances)) / len(methods), f"{method}, {rtol:.0e}")
             try:
-                point, first = judge.measured(method, rtol)
-            except ModelError as error:  # it cannot reach so much, or not here
+                point, first = reference.measured(method, rtol)
+            except ModelError as error:  # the method cannot reach this tolerance, or not on this scene
                 left_out[method] = f"{rtol:.0e}: {error}"
                 break
             points.append(point)
@@ -87,31 +84,29 @@ def work_precision(name, tolerances=TOLERANCES, methods=NAMES, longest=LONGEST, 
             if point.cost > longest and m + 1 < len(tolerances):
                 left_out[method] = f"not asked for less than {rtol:.0e}, which took {point.cost:.2g} s"
                 break
-    return WorkPrecision(scene, tuple(points), dict(_ratios(judge, points)), preparing, left_out)
+    return WorkPrecision(scene, tuple(points), dict(_ratios(reference, points)), preparing, left_out)
 
 
-def _ratios(judge, points):
-    """Of each tolerance the cheapest method that was asked for it and reached it, and how many times its time "auto" takes, measured in turns."""
+def _ratios(reference, points):
     for rtol in sorted({p.asked for p in points if p.method == "auto"}, reverse=True):
         reached = [p for p in points if p.asked == rtol and p.error <= rtol and p.method != "auto"]
         if reached:
             best = min(reached, key=lambda p: p.cost).method
-            ours, theirs = timed(lambda: judge.run("auto", rtol), lambda: judge.run(best, rtol), runs=TURNS, shortest=5e-4)  # noqa: B023
-            yield rtol, (ours / theirs, best)
+            auto, other = timed(*(lambda m=m: reference.run(m, rtol) for m in ("auto", best)), runs=15, shortest=5e-4)  # noqa: B023
+            yield rtol, (auto / other, best)
 
 
-class Judge:
-    """A scene with its reference: it runs methods on it and says how far they are off."""
+class Reference:
+    """A scene with its final state to 30 digits, against which the errors of methods are measured."""
 
     def __init__(self, scene):
         import_module("scipy.integrate")  # imports are not what is measured
         self.scene = scene
         self.model, self.t, self.start = scene.motion
-        self.end = known(scene)
-        self.sizes = sizes(scene)
+        self.end, self.sizes = final_state(scene), state_sizes(scene)
 
     def run(self, method, rtol):
-        """The motion."""
+        """The motion of the scene by a method."""
         return integrate(self.model, self.t, self.start, rtol, method)
 
     def error(self, motion):
@@ -120,37 +115,38 @@ class Judge:
 
     def measured(self, method, rtol):
         """The point of one method at one tolerance, and the seconds that its first run took."""
-        begun = perf_counter()
-        motion = self.run(method, rtol)
-        first = perf_counter() - begun
+        motion, first = _stopwatch(lambda: self.run(method, rtol))
         compiles = method == "auto" or not METHODS[method].calibrated
         cost = first if first > LONGEST and not compiles else _seconds(lambda: self.run(method, rtol))
         return Measured(method, cost, self.error(motion), f"rtol = {rtol:.0e}", rtol, motion.cost.calls, worst_drift(motion)), first
 
 
 def worst_drift(motion):
-    """The largest drift of an invariant, at about a hundred ends of steps; None if no invariant is known."""
+    """The largest drift of an invariant at about a hundred ends of steps; None if no invariant is known."""
     ends = motion.legs[0].course.bounds
     sampled = replace(motion, samples=ends[:: len(ends) // 100 + 1]) if len(ends) > 100 else motion
     return max(sampled.drift.values(), default=None)
 
 
-def _seconds(call):
+def _stopwatch(call):
     begun = perf_counter()
-    call()
-    once = perf_counter() - begun
+    return call(), perf_counter() - begun
+
+
+def _seconds(call):
+    _, once = _stopwatch(call)
     return once if once > LONG else timed(call, runs=3, shortest=1e-3)
 
 
 @cache
-def known(scene):
+def final_state(scene):
     """The last state by :func:`~newton_euler.accuracy.reference.reference`, rounded to floats."""
     return tuple(map(float, reference(*scene.motion)))
 
 
 @cache
-def sizes(scene):
-    """The largest size of each state on the way, at least 1e-6: what errors are relative to."""
+def state_sizes(scene):
+    """The largest size of each state during the motion, at least 1e-6: what errors are relative to."""
     model, t, start = scene.motion
     motion = integrate(replace(model, exact=None), t, start, 1e-6, "dop853")
     return tuple(max(float(abs(x).max()), SMALL) for x in motion.states.values())
