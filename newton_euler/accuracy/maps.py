@@ -1,4 +1,4 @@
-"""Maps of parameter space, coloured by the method or the model that holds there, with the thresholds that theory knows drawn over them.
+"""Maps of parameter space, coloured by the method or the model that holds there, with the theoretical borders drawn over them.
 
 Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices, ``draw_map(name, ax)`` draws them.
 
@@ -18,14 +18,14 @@ from ..earth import EARTH_RADIUS, EARTH_RATE
 from ..gyros import GyroError, least_spin, sleeping_top, steady_precession
 from ..motion import Event, integrate
 from ..scenes import projectile, top, top_ladder
-from ..scenes.free_body import _rates, free_body
+from ..scenes.free_body import free_body
 from ..taylor import installed
 from .measure import COLOURS
 
 
 @dataclass(frozen=True)
 class Axis:
-    """An axis of a map: what it is, with its unit, from ``low`` to ``high``, by powers of ten if ``log``."""
+    """An axis of a map: its ``label`` with the unit, from ``low`` to ``high``, in powers of ten if ``log``."""
 
     label: str
     low: float
@@ -36,17 +36,17 @@ class Axis:
         """The limits of so many cells, an array."""
         import numpy as np
 
-        return np.geomspace(self.low, self.high, count + 1) if self.log else np.linspace(self.low, self.high, count + 1)
+        return (np.geomspace if self.log else np.linspace)(self.low, self.high, count + 1)
 
     def centres(self, count):
-        """Their middles."""
+        """The middles of so many cells, an array."""
         edges = self.edges(count)
         return (edges[1:] * edges[:-1]) ** 0.5 if self.log else (edges[1:] + edges[:-1]) / 2
 
 
 @dataclass(frozen=True)
 class Curve:
-    """What theory says of a border: ``label``, and y as a function of an array of x (nan where there is none); or x where it is upright."""
+    """A theoretical border: ``label``, and y as a function of an array of x (nan where there is none); or x if the border is upright."""
 
     label: str
     y: Callable | None = None
@@ -60,8 +60,8 @@ class Map:
     name, title, words : what it shows; the words are for a caption
     x, y : each an :class:`Axis`
     choices : all that may hold somewhere, in the order of the legend
-    column : a function of one x and an array of y, which grow, that returns the choice at each
-    curves : the borders known in theory
+    column : a function of one x and an increasing list of y that returns the choice at each
+    curves : theoretical borders
     resolution : cells along x and y that take a few seconds
     """
 
@@ -75,24 +75,23 @@ class Map:
     curves: tuple = ()
     resolution: tuple = (36, 30)
 
-    def measure(self, resolution=None, progress=None):
+    def measure(self, resolution=None, progress=lambda fraction: None):
         """The choices, an array of strings: a row for each y from the lowest, a column for each x.
 
-        resolution : cells along x and y; ``progress`` : a function of the fraction done
+        resolution : cells along x and y
         """
         import numpy as np
 
         across, up = resolution or self.resolution
         columns = []
         for n, x in enumerate(self.x.centres(across).tolist()):
-            if progress:
-                progress(n / across)
+            progress(n / across)
             columns.append(list(self.column(x, self.y.centres(up).tolist())))
         return np.array(columns, dtype=object).T
 
 
-def draw_map(name, ax, resolution=None, progress=None):
-    """Measure the map of this name and draw it on ``ax``, with a legend of colours and of the curves of theory. Returns the choices."""
+def draw_map(name, ax, resolution=None, progress=lambda fraction: None):
+    """The choices of the map of this name, measured and drawn on ``ax`` with a legend of the colours and of the theoretical borders."""
     import numpy as np
     from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
@@ -104,20 +103,14 @@ def draw_map(name, ax, resolution=None, progress=None):
     edges = chart.x.edges(found.shape[1]), chart.y.edges(found.shape[0])
     ax.pcolormesh(*edges, numbers, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(colours) - 0.5, alpha=0.75, linewidth=0, rasterized=True)
     handles = [Patch(color=c, alpha=0.75, label=choice) for c, choice in zip(colours, chart.choices, strict=True) if (found == choice).any()]
-    for curve, style in zip(chart.curves, ("-", "--", ":"), strict=False):
-        handles.append(_drawn(curve, chart, ax, style))
+    x = chart.x.centres(800)
+    for curve, dashes in zip(chart.curves, ("-", "--", ":"), strict=False):
+        style = {"color": "black", "lw": 1.8, "ls": dashes, "label": curve.label}
+        handles += ax.plot(x, curve.y(x), **style) if curve.y else [ax.axvline(curve.x, **style)]
     ax.set(xlabel=chart.x.label, ylabel=chart.y.label, title=chart.title, xscale="log" if chart.x.log else "linear", xlim=edges[0][[0, -1]])
     ax.set(yscale="log" if chart.y.log else "linear", ylim=edges[1][[0, -1]])
     ax.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9)
     return found
-
-
-def _drawn(curve, chart, ax, style):
-    looks = {"color": "black", "lw": 1.8, "ls": style, "label": curve.label}
-    if curve.y is None:
-        return ax.axvline(curve.x, **looks)
-    x = chart.x.centres(800)
-    return ax.plot(x, curve.y(x), **looks)[0]
 
 
 # -- methods: the free body
@@ -126,24 +119,24 @@ def _drawn(curve, chart, ax, style):
 BODY, GROWTH = free_body(1.0, 2.0, 3.0), 1 / math.sqrt(3)  # of a tilt from the intermediate axis, 1/s at 1 rad/s
 WANTED = 1e-9  # of the rates at any time, relative to 1 rad/s
 DENSE = 100  # instants in a cell at which errors are looked for
-STEPWISE, SERIES = "dop853, nothing to compile", "taylor, compilation counted"
-CLOSED, DIGITS = "only the exact solution", "only the exact solution in 30 digits"
+DOP853, TAYLOR = "dop853, nothing to compile", "taylor, compilation counted"
+EXACT, EXACT_30 = "only the exact solution", "only the exact solution in 30 digits"
 
 
-def tilted(tilt):
-    """A spin of 1 rad/s almost about the intermediate axis of :data:`BODY`."""
+def start_at(tilt):
+    """Rates of a spin of 1 rad/s that is tilted from the intermediate axis of :data:`BODY`."""
     return math.sin(tilt) / math.sqrt(2), math.cos(tilt), math.sin(tilt) / math.sqrt(2)
 
 
 @cache
-def compiling():
-    """The seconds that heyoka takes to compile a right-hand side of this kind; infinite where it is not installed."""
-    integrate(BODY, 1.0, tilted(0.1), 1e-9, "dop853")  # tracing does not count, for any
+def compile_time():
+    """The seconds that heyoka takes to compile a right-hand side of this kind; infinite if it is not installed."""
+    integrate(BODY, 1.0, start_at(0.1), 1e-9, "dop853")  # tracing does not count for any method
     if not installed():
         return math.inf
-    integrate(BODY, 1.0, tilted(0.1), 1e-9, "taylor")  # imports do not count
-    fresh = replace(BODY, rhs=lambda s, p, t: _rates(s, p, t))  # a function of its own, which is not compiled yet
-    return integrate(fresh, 1.0, tilted(0.1), 1e-9, "taylor").cost.seconds
+    integrate(BODY, 1.0, start_at(0.1), 1e-9, "taylor")  # imports do not count
+    fresh = replace(BODY, rhs=lambda s, p, t: BODY.rhs(s, p, t))  # a new function, which is not compiled yet
+    return integrate(fresh, 1.0, start_at(0.1), 1e-9, "taylor").cost.seconds
 
 
 def errors_until(times, motion, start):
@@ -155,8 +148,8 @@ def errors_until(times, motion, start):
     return worst[np.searchsorted(motion.times, times, side="right") - 1]
 
 
-def _by_series(times, start):
-    """For each of the times the seconds that a Taylor series to round-off takes; infinite where it is not right to :data:`WANTED`."""
+def _taylor_seconds(times, start):
+    """For each of the times the seconds of a Taylor series to round-off, with its compilation; infinite where its error is above WANTED."""
     import numpy as np
 
     if not installed():
@@ -164,17 +157,20 @@ def _by_series(times, start):
     instants = np.union1d(times, np.geomspace(times[0], times[-1], DENSE * len(times)))
     motion = integrate(BODY, times[-1], start, 1e-15, "taylor", samples=instants)
     right = errors_until(times, motion, start) <= WANTED
-    return [compiling() + motion.cost.seconds * t / times[-1] if fine else math.inf for t, fine in zip(times, right.tolist(), strict=True)]
+    return [compile_time() + motion.cost.seconds * t / times[-1] if fine else math.inf for t, fine in zip(times, right.tolist(), strict=True)]
 
 
-def _stepwise(t, start, rtol):
-    """The seconds that DOP853 takes; infinite where it is not right to :data:`WANTED`."""
-    motion = integrate(BODY, t, start, rtol, "dop853", samples=DENSE)
-    return motion.cost.seconds if errors_until([t], motion, start)[0] <= WANTED else math.inf
+def _dop853_seconds(t, start):
+    """The seconds of DOP853 with the first tolerance that leaves an error below WANTED; infinite if none does."""
+    for rtol in (1e-10, 1e-12):
+        motion = integrate(BODY, t, start, rtol, "dop853", samples=DENSE)
+        if errors_until([t], motion, start)[0] <= WANTED:
+            return motion.cost.seconds
+    return math.inf
 
 
-def _closed(t, start):
-    """True where the exact solution in floats is right to :data:`WANTED`, by that in 30 digits."""
+def _exact_holds(t, start):
+    """True if the exact solution in floats differs from that in 30 digits by at most WANTED."""
     import mpmath
 
     with mpmath.workdps(30):
@@ -183,95 +179,94 @@ def _closed(t, start):
 
 
 def _free_body(tilt, times):
-    start, rate, longest = tilted(tilt), 0.0, 2 * compiling()
-    for t, series in zip(times, _by_series(times, start), strict=True):
-        stepwise = math.inf
-        if rate * t < 3 * min(series, longest):  # a second of motion takes no less than before
-            tried = (_stepwise(t, start, rtol) for rtol in (1e-10, 1e-12))
-            stepwise = next((seconds for seconds in tried if seconds < math.inf), math.inf)
-            rate = stepwise / t
-        if min(series, stepwise) < math.inf:
-            yield STEPWISE if stepwise < series else SERIES
+    start, rate, longest = start_at(tilt), 0.0, 2 * compile_time()
+    for t, taylor in zip(times, _taylor_seconds(times, start), strict=True):
+        dop853 = math.inf
+        if rate * t < 3 * min(taylor, longest):  # a second of motion takes no less than before
+            dop853 = _dop853_seconds(t, start)
+            rate = dop853 / t
+        if min(taylor, dop853) < math.inf:
+            yield DOP853 if dop853 < taylor else TAYLOR
         else:
-            yield CLOSED if _closed(t, start) else DIGITS
+            yield EXACT if _exact_holds(t, start) else EXACT_30
 
 
-def _first_turn(tilt):
-    """A small tilt a, halved between growing and decaying, reaches a right angle after the quarter period ln(4 sqrt(2)/a)/GROWTH."""
+def _first_turnover(tilt):
+    """A small tilt a, half growing and half decaying, reaches a right angle after the quarter period ln(4 sqrt(2)/a)/GROWTH."""
     import numpy as np
 
     return np.log(4 * math.sqrt(2) / tilt) / GROWTH
 
 
-def _rounded_off(tilt):
-    """Until when an integration is right to WANTED even where the motion is fastest.
+def _roundoff_time(tilt):
+    """The time until which an integration has errors below WANTED even where the motion is fastest.
 
-    A rounding e of the energy changes the period by 4 e/(GROWTH a^2), a walk of n periods the time of a turnover by n^(3/2) such.
+    A round-off e of the energy changes the period by 4 e/(GROWTH a^2); after a random walk of n periods the time of a turnover has changed
+    by n^(3/2) times that.
     """
     periods = (WANTED * tilt**2 / (4 * 2.0**-53)) ** (2 / 3)
-    return _first_turn(tilt) * (2 + 4 * periods)  # the first turnover is not yet affected
+    return _first_turnover(tilt) * (2 + 4 * periods)  # the first turnover is not yet affected
 
 
 # -- models: the projectile, and the top
 
 G, LATITUDE = 9.82, math.radians(45)
 I0, I, MGR, THETA = 0.02, 0.01, 0.5, 0.6
-LASTING, ASYMMETRY = 5.0, 1e-3  # s; of the transverse moments
-LEAST = least_spin(I0, I, THETA, mgr=MGR, of="omega_z")  # for steady precession
-
-
-def _holding(ladder, tolerances):
-    """The name of the first rung that is within each tolerance."""
-    errors = {rung.name: ladder.error(rung, min(tolerances) / 1000) for rung in ladder.rungs}
-    for tolerance in tolerances:
-        yield next(name for name, error in errors.items() if error <= tolerance)
 
 
 def shot(flight):
-    """The ladder of a shot straight up that is in the air for so many seconds, without drag."""
+    """The ladder of a vertical shot without drag that is in the air for so many seconds."""
     return projectile.ladder(G, LATITUDE, drag=0.0, start=(0.0, 0.0, 0.0, 0.0, 0.0, G * flight / 2), t=flight)
 
 
-def spun(omega_z):
-    """The ladder of a top of this rate about its axis, let go at rest 0.6 rad from the vertical."""
-    return top_ladder.ladder(I0, I, MGR, omega_z, THETA, precession=0.0, asymmetry=ASYMMETRY, t=LASTING)
+def released_top(omega_z):
+    """The ladder of a top of this spin, released from rest 0.6 rad from the vertical, for 5 s."""
+    return top_ladder.ladder(I0, I, MGR, omega_z, THETA, precession=0.0, asymmetry=1e-3, t=5.0)
 
 
-def _projectile(flight, tolerances):
-    return _holding(shot(flight), tolerances)
+def _smallest_rung(ladder_at):
+    """The column of a map: for one x, the first rung of ``ladder_at(x)`` whose error is within each tolerance."""
+
+    def column(x, tolerances):
+        ladder = ladder_at(x)
+        errors = {rung.name: ladder.error(rung, min(tolerances) / 1000) for rung in ladder.rungs}
+        return [next(name for name, error in errors.items() if error <= tolerance) for tolerance in tolerances]
+
+    return column
 
 
-def _top(omega_z, tolerances):
-    return _holding(spun(omega_z), tolerances)
+def rung_names(ladder):
+    """The names of the rungs of a ladder, a tuple."""
+    return tuple(rung.name for rung in ladder.rungs)
 
 
-def _plumb_line(flight):
-    """The centrifugal acceleration, left out for T."""
+def _centrifugal_error(flight):
+    """The distance that the centrifugal acceleration moves a body in the time of flight T."""
     return EARTH_RATE**2 * EARTH_RADIUS * math.cos(LATITUDE) * flight**2 / 2
 
 
-def _inverse_square(flight):
-    """The weight that is less by 2 g z/R at the height z = g t (T - t)/2, left out for T."""
+def _uniform_field_error(flight):
+    """The distance that the gravity deficit 2 g z/R at the height z = g t (T - t)/2 moves a body in the time of flight T."""
     return G**2 * flight**4 / (12 * EARTH_RADIUS)
 
 
-def _nodding(omega_z):
-    """The nutation of a fast top let go at rest, 2 I0 mgr sin(theta)/(I omega_z)^2."""
+def _nutation(omega_z):
+    """The nutation of a fast top released from rest, 2 I0 mgr sin(theta)/(I omega_z)^2."""
     return 2 * I0 * MGR * math.sin(THETA) / (I * omega_z) ** 2
 
 
 # -- what a run can tell: the sleeping top
 
 CRITICAL, TILT, FALLEN = sleeping_top(I0, I, MGR, 1.0).critical, 1e-6, 0.1  # rad/s, rad, rad
-FALLS, SEEMS, STANDS = "falls, and a run shows it", "falls, but a run does not show it yet", "stands, as the criterion says"
+FALLS, UNDECIDED, STANDS = "falls, and a run shows it", "falls, but a run does not show it yet", "stands, as the criterion says"
 LONGEST = 100.0  # s
 
 
-def _leaning(s, p, t):
+def _beyond_fallen(s, p, t):
     return s.q1 * s.q1 + s.q2 * s.q2 - math.sin(FALLEN / 2) ** 2
 
 
-FALL = Event(_leaning, 1, terminal=True, name="falls")
+FALL = Event(_beyond_fallen, 1, terminal=True, name="falls")
 
 
 def falling_time(ratio):
@@ -283,12 +278,11 @@ def falling_time(ratio):
 
 def _sleeping(ratio, times):
     fallen, stable = falling_time(ratio), sleeping_top(I0, I, MGR, ratio * CRITICAL).stable
-    for t in times:
-        yield FALLS if t >= fallen else STANDS if stable else SEEMS
+    return [FALLS if t >= fallen else STANDS if stable else UNDECIDED for t in times]
 
 
-def _grown(ratio):
-    """|z| of I0 z'' - i I omega_z z' - mgr z = 0 from rest is TILT sqrt(mgr/I0)/growth exp(growth t)/2 at last."""
+def _theoretical_falling_time(ratio):
+    """|z| of I0 z'' - i I omega_z z' - mgr z = 0 from rest is asymptotically TILT sqrt(mgr/I0)/growth exp(growth t)/2."""
     import numpy as np
 
     growth = np.sqrt(np.where(ratio < 1, MGR / I0 * (1 - ratio**2), np.nan))
@@ -310,7 +304,7 @@ def _steady(omega_z, angles):
             yield BOTH if found.slow * found.fast > 0 else OPPOSED
 
 
-def _steepest(omega_z):
+def _limit_angle(omega_z):
     """cos(theta) = (I omega_z)^2/(4 I0 mgr), the double root of (10.33)."""
     import numpy as np
 
@@ -318,43 +312,41 @@ def _steepest(omega_z):
     return np.degrees(np.arccos(np.where(c <= 1, c, np.nan)))
 
 
-def _names(ladder):
-    return tuple(rung.name for rung in ladder.rungs)
-
-
-def _table():
-    yield Map(
+_MAPS = (
+    Map(
         "free body", "Free body near its intermediate axis: the cheapest integration to 1e-9",
-        "Moments 1, 2, 3, at 1 rad/s. The exact solution costs least of all and judges the others. Beside the separatrix each turnover multiplies "
-        "what was rounded, and before long no integration in floats is right to 1e-9 any more.",
-        Axis("tilt from the intermediate axis, rad", 1e-8, 1.0), Axis("time, s", 1.0, 3e4), (STEPWISE, SERIES, CLOSED, DIGITS), _free_body,
-        (Curve("first turnover", _first_turn), Curve("round-off grown to 1e-9", _rounded_off)), (24, 24),
-    )  # fmt: skip
-    yield Map(
+        "Moments 1, 2, 3, at 1 rad/s. The exact solution costs least and is the reference. Next to the separatrix each turnover multiplies the "
+        "round-off, so that no integration in floats stays right to 1e-9 for long.",
+        Axis("tilt from the intermediate axis, rad", 1e-8, 1.0), Axis("time, s", 1.0, 3e4), (DOP853, TAYLOR, EXACT, EXACT_30), _free_body,
+        (Curve("first turnover", _first_turnover), Curve("round-off grown to 1e-9", _roundoff_time)), (24, 24),
+    ),
+    Map(
         "projectile", "Shot straight up at 45° north: the smallest model",
         "In vacuum, the position over the whole flight, against the inverse square of an Earth that turns.",
-        Axis("time of flight, s", 1.0, 1000.0), Axis("error allowed, m", 1e-6, 1e5), _names(shot(1.0)), _projectile,
-        (Curve("centrifugal: ω² R T² cos λ/2", _plumb_line), Curve("less weight above: g² T⁴/(12 R)", _inverse_square)), (40, 60),
-    )  # fmt: skip
-    yield Map(
+        Axis("time of flight, s", 1.0, 1000.0), Axis("error allowed, m", 1e-6, 1e5), rung_names(shot(1.0)), _smallest_rung(shot),
+        (Curve("centrifugal: ω² R T² cos λ/2", _centrifugal_error), Curve("less weight above: g² T⁴/(12 R)", _uniform_field_error)), (40, 60),
+    ),
+    Map(
         "top", "Top let go at 0.6 rad for 5 s: the smallest model",
         "I0 = 0.02, I = 0.01, mgr = 0.5, transverse moments 0.1 % above and below I0; the direction of the axis against the body in three angles.",
-        Axis("rate about its axis, rad/s", 10.0, 1000.0), Axis("error allowed, rad", 1e-6, 3.0), _names(spun(200.0)), _top,
-        (Curve("nutation 2 I₀ mgr sin θ/(I ω)²", _nodding), Curve("least rate of steady precession", x=LEAST)),
-        (36, 60),
-    )  # fmt: skip
-    yield Map(
+        Axis("rate about its axis, rad/s", 10.0, 1000.0), Axis("error allowed, rad", 1e-6, 3.0),
+        rung_names(released_top(200.0)), _smallest_rung(released_top),
+        (Curve("nutation 2 I₀ mgr sin θ/(I ω)²", _nutation),
+         Curve("least rate of steady precession", x=least_spin(I0, I, THETA, mgr=MGR, of="omega_z"))), (36, 60),
+    ),
+    Map(
         "sleeping top", "Top set upright, tilted by 1e-6 rad: what a run can tell",
         "A tilt of 0.1 rad counts as fallen. Just below the critical rate no run is long enough, and the criterion alone decides.",
-        Axis("rate over the critical one, 2 √(I₀ mgr)/I", 0.8, 1.1, log=False), Axis("length of the run, s", 1.0, LONGEST), (FALLS, SEEMS, STANDS),
-        _sleeping, (Curve("by its rate of growth", _grown), Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40),
-    )  # fmt: skip
-    yield Map(
+        Axis("rate over the critical one, 2 √(I₀ mgr)/I", 0.8, 1.1, log=False), Axis("length of the run, s", 1.0, LONGEST),
+        (FALLS, UNDECIDED, STANDS), _sleeping,
+        (Curve("by its rate of growth", _theoretical_falling_time), Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40),
+    ),
+    Map(
         "steady precession", "Where a top can precess steadily",
         "I0 = 0.02, I = 0.01, mgr = 0.5; rates of both precessions from (10.33).",
         Axis("rate about its axis, rad/s", 0.0, 60.0, log=False), Axis("angle from the upward vertical, degrees", 0.0, 180.0, log=False),
-        (NONE, BOTH, OPPOSED), _steady, (Curve("(I ω)² = 4 I₀ mgr cos θ", _steepest), Curve("sleeping top: (I ω)² = 4 I₀ mgr", x=CRITICAL)), (90, 90),
-    )  # fmt: skip
-
-
-MAPS = {chart.name: chart for chart in _table()}
+        (NONE, BOTH, OPPOSED), _steady,
+        (Curve("(I ω)² = 4 I₀ mgr cos θ", _limit_angle), Curve("sleeping top: (I ω)² = 4 I₀ mgr", x=CRITICAL)), (90, 90),
+    ),
+)  # fmt: skip
+MAPS = {chart.name: chart for chart in _MAPS}
