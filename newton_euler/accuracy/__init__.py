@@ -1,8 +1,8 @@
-"""Speed charted against accuracy: measure what a method costs and how far it is off, and show which one to choose.
+"""Charts of speed against accuracy: what a method costs, how large its error is, and so which method to choose.
 
-``python -m newton_euler.accuracy NAME`` measures a scene, the models of one, or a comparison then and there, and draws a chart; ``--help`` says more.
-:mod:`.measure` has what all charts share. :mod:`.precision` measures methods of integration on a scene against :mod:`.reference`, :mod:`.comparisons`
-the textbook's ways (:mod:`.rivals`) where nothing moves; :mod:`.charts` and :mod:`.maps` draw.
+``python -m newton_euler.accuracy NAME`` measures and draws one; ``--help`` says more. :mod:`.measure` has what all charts share. :mod:`.precision`
+measures methods of integration on a scene against :mod:`.reference`, :mod:`.comparisons` the engine against textbook methods (:mod:`.rivals`)
+where nothing is integrated; :mod:`.charts` and :mod:`.maps` draw.
 """
 
 from .measure import Measured, chart, front, relative_error, timed

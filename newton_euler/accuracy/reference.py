@@ -1,8 +1,8 @@
-"""Where a motion ends, to 30 digits: what the errors of all methods are measured against.
+"""The final state of a motion to 30 digits: the reference for the errors of all methods.
 
-Heyoka in multiple precision gives it in milliseconds. Where it is missing, and to check it, the model's right-hand side is integrated in mpmath's
-numbers by extrapolation (W. B. Gragg 1965): the midpoint rule with 2, 4, 6, … steps has an error in even powers of the step, of which each
-run removes one. None of the methods that are measured works so, and none of their code is used.
+Heyoka in multiple precision takes milliseconds. Where it is not installed, and to check it, the right-hand side is integrated in mpmath's numbers
+by extrapolation (W. B. Gragg 1965): the error of the midpoint rule has even powers of the step only, and each further run, with 2, 4, 6, … steps,
+removes one of them. None of the methods that are measured works in this way, and none of their code is used.
 """
 
 import importlib
@@ -11,15 +11,15 @@ from ..models import ModelError
 from ..systems import System, start_state
 from ..taylor import installed
 
-RUNS = 14  # of the midpoint rule over one step: order 28
+RUNS = 14  # of the midpoint rule over one step, which makes the order 28
 GUARD = 10  # digits beyond those asked for
-BITS = 140  # of heyoka's numbers: 42 digits
+BITS = 140  # of heyoka's numbers, which are 42 digits
 
 
 def reference(model, t, start):
-    """The states at ``t`` after ``start`` at t = 0, a tuple of mpf that are right to about 30 digits of the largest size of each.
+    """The states at ``t`` after ``start`` at t = 0, a tuple of mpf with about 30 digits, counted from the largest size of each.
 
-    The numbers of the parameters and of the start are taken as exact.
+    Parameters and start are taken as exact numbers.
 
     >>> from newton_euler.scenes.physical_pendulum import physical_pendulum
     >>> theta, omega = reference(physical_pendulum(2.0, 0.5, 0.5, 10.0), 1.0, (1.0, 0.0))
@@ -30,9 +30,9 @@ def reference(model, t, start):
 
 
 def by_heyoka(model, t, start):
-    """The same by Taylor series in heyoka's numbers of 42 digits: other arithmetic and another order than its method in floats.
+    """The same states by Taylor series in heyoka's numbers of 42 digits; arithmetic and order differ from those of its method in floats.
 
-    Heyoka multiplies by the inverse of a number that a formula divides by, and rounds it to a float: dividing by 60 leaves 17 digits, by 64 all.
+    Where a formula divides by a number, heyoka multiplies by the inverse rounded to a float: dividing by 60 leaves 17 digits, by 64 all.
     """
     import mpmath as mp
 
@@ -49,7 +49,7 @@ def by_heyoka(model, t, start):
 
 
 def by_extrapolation(model, t, start, digits=30):
-    """The same by extrapolation. A motion of ten swings takes some seconds."""
+    """The same states by extrapolation; ten swings of a pendulum take some seconds."""
     import mpmath as mp
 
     with mp.workdps(digits + GUARD):
@@ -71,18 +71,18 @@ def by_extrapolation(model, t, start, digits=30):
                 now, x = now + h, new
                 sizes = [max(a, abs(b)) for a, b in zip(sizes, x, strict=True)]
             elif h < end * mp.mpf(10) ** -8:
-                raise ModelError(f"the motion of {model.name!r} could not be followed beyond t = {float(now):.6g}")
+                raise ModelError(f"the motion of {model.name!r} could not be integrated beyond t = {float(now):.6g}")
             h = h * mp.mpf(min(4.0, max(0.2, 0.9 * factor)))
         return tuple(+v for v in x)
 
 
 def _step(rates, t, x, h, sizes):
-    """The state after a step h, and its error relative to the largest state."""
+    """The state after a step h, and its error relative to the largest state: the last entries of the extrapolation table."""
     first, table = rates(t, x), []
     for run in range(1, RUNS + 1):
         row = [_midpoint(rates, t, x, first, h, 2 * run)]
         for back, column in enumerate(table[-1] if table else [], start=1):
-            weight = 1 / ((row[0][0] * 0 + run) ** 2 / (run - back) ** 2 - 1)
+            weight = 1 / ((row[0][0] * 0 + run) ** 2 / (run - back) ** 2 - 1)  # + 0 x: in the digits of the states
             row.append([a + (a - b) * weight for a, b in zip(row[-1], column, strict=True)])
         table.append(row)
     best, before = table[-1][-1], table[-1][-2]
@@ -91,7 +91,7 @@ def _step(rates, t, x, h, sizes):
 
 
 def _midpoint(rates, t, x, first, h, n):
-    """Gragg's rule: n steps of h/n."""
+    """The state after n steps h/n of Gragg's midpoint rule."""
     d = h / n
     before, now = x, [a + d * k for a, k in zip(x, first, strict=True)]
     for i in range(1, n):

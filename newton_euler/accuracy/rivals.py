@@ -1,6 +1,6 @@
-"""Several ways to one answer, textbook ways and the engine's, for :mod:`newton_euler.accuracy.comparisons`; with their errors against 40 digits.
+"""Baselines for :mod:`newton_euler.accuracy.comparisons`: the same numbers by methods of textbooks and by the engine, with errors against 40 digits.
 
-Nothing else in the engine uses what is here: most of it is how *not* to do it.
+Nothing else in the engine uses this module, since most of its methods are numerically poor on purpose.
 """
 
 import math
@@ -28,7 +28,7 @@ FORWARD_SECOND, CENTRAL_SECOND = ((0, 1), (1, -2), (2, 1)), ((-1, 1), (0, -2), (
 
 
 def boom_end(t):
-    """The place (x, y, z), in m, of the end of a boom that turns, rises and lengthens, at the time t (s)."""
+    """The position (x, y, z), in m, of the end of a boom that turns, rises and lengthens, at the time t (s)."""
     length, elevation, turned = 20 + 3 * sin(2 * t), 0.5 + 0.3 * cos(3 * t), 0.4 * t * t
     return length * cos(elevation) * cos(turned), length * cos(elevation) * sin(turned), length * sin(elevation)
 
@@ -45,35 +45,33 @@ def complex_step(f, t, h):
 
 
 def complex_step_second(f, t, h):
-    """f''(t) as 2 (f(t) - Re f(t + i h))/h^2, which cancels as every difference."""
+    """f''(t) as 2 (f(t) - Re f(t + i h))/h^2, a difference with cancellation."""
     return tuple(2 * (x - z.real) / (h * h) for x, z in zip(f(t), f(t + 1j * h), strict=True))
 
 
 def velocity(t):
-    """The velocity of the boom's end by the engine, m/s: on a number that carries its rates."""
+    """The velocity of the boom's end by the engine, m/s: the position of a time that carries its rates."""
     return tuple(x.rate for x in boom_end(moving(t, rate=1.0)))
 
 
 def acceleration(t):
-    """Its acceleration, m/s^2."""
+    """The acceleration of the boom's end by the engine, m/s^2."""
     return tuple(x.acceleration for x in boom_end(moving(t, rate=1.0)))
 
 
-_traced = cache(compiled)
-FIRST_DERIVATIVES = {
-    "forward difference": lambda h: difference(boom_end, INSTANT, h, FORWARD, 1),
-    "central difference": lambda h: difference(boom_end, INSTANT, h, CENTRAL, 1),
-    "complex step": lambda h: complex_step(boom_end, INSTANT, h),
-    "engine, no step": lambda h: velocity(INSTANT),
-    "engine, traced": lambda h: _traced(velocity)(INSTANT),
-}
-SECOND_DERIVATIVES = {
-    "forward difference": lambda h: difference(boom_end, INSTANT, h, FORWARD_SECOND, 2),
-    "central difference": lambda h: difference(boom_end, INSTANT, h, CENTRAL_SECOND, 2),
-    "complex step": lambda h: complex_step_second(boom_end, INSTANT, h),
-    "engine, no step": lambda h: acceleration(INSTANT),
-    "engine, traced": lambda h: _traced(acceleration)(INSTANT),
-}
+def _derivatives(order, forward, central, by_complex_step, engine):
+    traced = compiled(engine)
+    return {
+        "forward difference": lambda h: difference(boom_end, INSTANT, h, forward, order),
+        "central difference": lambda h: difference(boom_end, INSTANT, h, central, order),
+        "complex step": lambda h: by_complex_step(boom_end, INSTANT, h),
+        "engine, no step": lambda h: engine(INSTANT),
+        "engine, traced": lambda h: traced(INSTANT),
+    }
+
+
+FIRST_DERIVATIVES = _derivatives(1, FORWARD, CENTRAL, complex_step, velocity)
+SECOND_DERIVATIVES = _derivatives(2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_second, acceleration)
 
 
 @cache
@@ -84,24 +82,24 @@ def _derivative(order):
         return tuple(mpmath.diff(lambda t, n=n: boom_end(t)[n], mpmath.mpf(INSTANT), order) for n in range(3))
 
 
-def velocity_error(found, h=None):
-    """The error of a first derivative."""
+def velocity_error(found, h):
+    """The relative error of a first derivative."""
     return relative_error(found, _derivative(1))
 
 
-def acceleration_error(found, h=None):
-    """The error of a second derivative."""
+def acceleration_error(found, h):
+    """The relative error of a second derivative."""
     return relative_error(found, _derivative(2))
 
 
-# -- turns
+# -- products of rotations
 
 AXIS, SMALL = (0.36, 0.48, 0.8), 0.01
 
 
 @cache
-def _turned(axis, angle, times=1):
-    """The matrix of a turn, so many times over, in 40 digits: by the series of exp."""
+def _rotation(axis, angle, times=1):
+    """The matrix of a rotation, repeated so many times, in 40 digits by the series of exp."""
     import mpmath
 
     with mpmath.workdps(DIGITS):
@@ -109,13 +107,13 @@ def _turned(axis, angle, times=1):
         return mpmath.expm(mpmath.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * mpmath.mpf(angle) * times)
 
 
-def _off(R, exact):
-    """How far the entries of R are from those of a rotation, as a root of the sum of squares, relative to that of a rotation, sqrt(3)."""
+def _matrix_error(R, exact):
+    """The Frobenius norm of R - exact, relative to that of a rotation, sqrt(3)."""
     return math.sqrt(sum(float(R[n][m] - exact[n, m]) ** 2 for n in range(3) for m in range(3)) / 3)
 
 
 def by_matrices(n):
-    """n small turns, one after the other, as a product of matrices."""
+    """n small rotations as a product of matrices."""
     return reduce(rotations.product, repeat(rotations.rotation_matrix(AXIS, SMALL), n))
 
 
@@ -127,12 +125,12 @@ def by_numpy(n):
 
 
 def by_quaternions(n):
-    """As a product of quaternions, whose length is divided out at the end."""
+    """The same as a product of quaternions, normalised at the end."""
     return rotations.matrix_from_quaternion(reduce(rotations.quaternion_product, repeat(rotations.quaternion(AXIS, SMALL), n)))
 
 
 def by_scipy(n):
-    """As a product of SciPy's rotations."""
+    """The same as a product of SciPy's rotations."""
     from scipy.spatial.transform import Rotation
 
     q0, *v = rotations.quaternion(AXIS, SMALL)
@@ -140,7 +138,7 @@ def by_scipy(n):
 
 
 def by_euler_angles(n):
-    """With Euler angles 3-1-3 kept between one turn and the next."""
+    """The same with Euler angles 3-1-3 after each rotation."""
     q = rotations.quaternion(AXIS, SMALL)
     angles = rotations.euler_from_quaternion(q)
     for _ in range(n - 1):
@@ -158,23 +156,23 @@ TURNS = {
 
 
 def turn_error(R, n):
-    """The error of the attitude after n turns."""
-    return _off(R, _turned(AXIS, SMALL, n))
+    """The relative error of the attitude after n small rotations."""
+    return _matrix_error(R, _rotation(AXIS, SMALL, n))
 
 
 def drift(R, n=None):
-    """How far R is from any rotation: the largest entry of R^T R - 1."""
-    gram = rotations.product(tuple(zip(*R, strict=True)), R)
+    """The largest entry of R^T R - 1, which is zero for a rotation."""
+    gram = rotations.product(rotations.transpose(R), R)
     return max(abs(float(gram[n][m]) - (n == m)) for n in range(3) for m in range(3))
 
 
-# -- past the vertical: a body turns about the x axis at 1 rad/s, while its z axis passes the vertical at a least angle
+# -- near the singularity of Euler's angles: a body turns about the x axis at 1 rad/s; at t = 0 its z axis has its least angle to the vertical
 
-STEPS, BEFORE, AFTER = 200, -0.9, 1.1  # s; a step ends where the axis is nearest to the vertical, at t = 0
+STEPS, BEFORE, AFTER = 200, -0.9, 1.1  # s; a step ends at t = 0
 
 
 def runge_kutta(rate, s, step, steps):
-    """The state after so many steps of the classical method of fourth order, for ds/dt = rate(s), s a tuple."""
+    """The state after so many steps of the classical Runge-Kutta method of fourth order, for ds/dt = rate(s), s a tuple."""
 
     def moved(by, k):
         return tuple(x + by * d for x, d in zip(s, k, strict=True))
@@ -197,14 +195,14 @@ def _body_rates(least):
 
 
 def pass_by_euler_rates(least):
-    """The attitude by the rates of Euler's angles (10.12)."""
+    """The final attitude by the rates of Euler's angles (10.12)."""
     omega = _body_rates(least)
     start = rotations.euler_angles(_tilted(least, BEFORE))
     return rotations.euler_matrix(*runge_kutta(lambda s: rotations.euler_rates(*s, omega), start, (AFTER - BEFORE) / STEPS, STEPS))
 
 
 def pass_by_quaternion_rate(least):
-    """The attitude by the rate of a quaternion."""
+    """The final attitude by the rate of a quaternion."""
     omega = _body_rates(least)
     start = rotations.quaternion_from_matrix(_tilted(least, BEFORE))
     return rotations.matrix_from_quaternion(runge_kutta(lambda q: rotations.quaternion_rate(q, omega), start, (AFTER - BEFORE) / STEPS, STEPS))
@@ -214,8 +212,8 @@ PASSES = {"rates of Euler's angles": pass_by_euler_rates, "rate of a quaternion"
 
 
 def pass_error(R, least):
-    """The error of the attitude after the pass."""
-    return _off(R, _turned((1, 0, 0), AFTER) * _turned((0, 1, 0), least))
+    """The relative error of the final attitude."""
+    return _matrix_error(R, _rotation((1, 0, 0), AFTER) * _rotation((0, 1, 0), least))
 
 
 # -- inertia: a flat sheet, a triangle with a half disk on its base, about the apex; x is its axis of symmetry, z normal to it
@@ -223,8 +221,8 @@ def pass_error(R, least):
 RADIUS, HEIGHT, DENSITY = 0.3, 0.8, 5.0  # m, m, kg/m^2
 
 
-def _sampled(u, v):
-    """The moments if the rectangle around the sheet is divided evenly among the points (u, v) of the unit square, and those outside are left out."""
+def _of_points(u, v):
+    """The moments of equal mass points at the (u, v) in the unit square, which is mapped to the rectangle around the sheet; others are left out."""
     cell = DENSITY * (HEIGHT + RADIUS) * 2 * RADIUS / len(u)
     x, y = u * (HEIGHT + RADIUS), (2 * v - 1) * RADIUS
     inside = ((x <= HEIGHT) & (abs(y) <= RADIUS * x / HEIGHT)) | ((x > HEIGHT) & (y * y + (x - HEIGHT) ** 2 <= RADIUS**2))
@@ -233,18 +231,18 @@ def _sampled(u, v):
 
 
 def by_random_points(n):
-    """n mass points at random."""
+    """The moments of n random mass points."""
     import numpy as np
 
-    return _sampled(*np.random.default_rng(1).random((2, n)))
+    return _of_points(*np.random.default_rng(1).random((2, n)))
 
 
 def by_grid(n):
-    """About n mass points, in the middle of rectangles."""
+    """The moments of about n mass points in a rectangular grid."""
     import numpy as np
 
     middles = (np.arange(k := round(n**0.5)) + 0.5) / k
-    return _sampled(*(c.ravel() for c in np.meshgrid(middles, middles)))
+    return _of_points(*(c.ravel() for c in np.meshgrid(middles, middles)))
 
 
 def _triangle(x, slope):
@@ -256,7 +254,7 @@ def _half_disk(r, angle):
 
 
 def by_quadrature(n=None):
-    """The engine's integrals, in coordinates that follow the edges."""
+    """The moments by the engine's integrals, in coordinates that follow the edges."""
     sheet, slope, right = Frame("sheet"), RADIUS / HEIGHT, math.pi / 2
     parts = (
         integrated(_triangle, (0, HEIGHT), (-slope, slope), frame=sheet, density=DENSITY, name="triangle"),
@@ -266,7 +264,7 @@ def by_quadrature(n=None):
 
 
 def by_composition(n=None):
-    """The engine's closed forms, put together."""
+    """The moments by the engine's closed forms of the two parts."""
     sheet = Frame("sheet")
     corners = sheet.origin, sheet.point("A", HEIGHT, RADIUS, 0), sheet.point("B", HEIGHT, -RADIUS, 0)
     parts = simplex(*corners, density=DENSITY), half_disk(RADIUS, sheet.point("M", HEIGHT, 0, 0), "z", "x", density=DENSITY)
@@ -283,7 +281,7 @@ INERTIAS = {
 
 @cache
 def _inertia():
-    """The moments by strips of half the breadth b(x), mass 2 rho b dx: integrals over x in 40 digits."""
+    """The moments in 40 digits, by integrals over strips of half the breadth b(x) and mass 2 rho b dx."""
     import mpmath
 
     with mpmath.workdps(DIGITS):
@@ -299,7 +297,7 @@ def _inertia():
 
 
 def inertia_error(found, n=None):
-    """The error of the three moments."""
+    """The relative error of the three moments."""
     return relative_error(found, _inertia())
 
 
@@ -307,7 +305,7 @@ def inertia_error(found, n=None):
 
 
 def by_arc_cosine(R):
-    """The angle as arccos of (trace - 1)/2, which rounding can push out of its domain."""
+    """The angle as arccos of (trace - 1)/2, clipped because round-off can push it out of [-1, 1]."""
     return math.acos(min(1.0, max(-1.0, (R[0][0] + R[1][1] + R[2][2] - 1) / 2)))
 
 
@@ -324,30 +322,30 @@ def by_engine(R):
 
 
 @cache
-def _rounded(angle, from_pi):
-    """The matrix of the turn by ``angle``, or by pi less that, right to the last digit of each entry."""
+def _rounded_rotation(angle, from_pi):
+    """The matrix of the rotation by ``angle``, or by pi less that, right to the last digit of each entry."""
     import mpmath
 
     with mpmath.workdps(DIGITS):
-        R = _turned(AXIS, mpmath.pi - angle if from_pi else mpmath.mpf(angle))
+        R = _rotation(AXIS, mpmath.pi - angle if from_pi else mpmath.mpf(angle))
         return tuple(tuple(float(R[n, m]) for m in range(3)) for n in range(3))
 
 
-def _of_matrices(from_pi):
+def _from_matrices(from_pi):
     ways = {"arc cosine of the trace": by_arc_cosine, "SciPy's Rotation": by_scipy_magnitude, "engine, atan2": by_engine}
-    return {name: lambda angle, way=way: way(_rounded(angle, from_pi)) for name, way in ways.items()}
+    return {name: lambda angle, way=way: way(_rounded_rotation(angle, from_pi)) for name, way in ways.items()}
 
 
-ANGLES, ANGLES_NEAR_PI = _of_matrices(False), _of_matrices(True)
+ANGLES, ANGLES_NEAR_PI = _from_matrices(False), _from_matrices(True)
 
 
 def small_angle_error(found, angle):
-    """The error of an angle, relative to it."""
+    """The relative error of an angle."""
     return abs(found - angle) / angle
 
 
 def angle_near_pi_error(found, angle):
-    """The error of the angle pi - angle, relative to it."""
+    """The relative error of the angle pi - angle."""
     import mpmath
 
     with mpmath.workdps(DIGITS):
@@ -361,45 +359,44 @@ I0, I, SPIN, MGR = 0.02, 0.01, 100.0, 0.5  # kg m^2, kg m^2, rad/s, N m
 
 
 def printed_roots(a, h, c):
-    """Both roots of a x^2 - h x + c = 0, the smaller one first, by the formula as it is printed (10.33)."""
+    """Both roots of a x^2 - h x + c = 0, the smaller one first, by the formula as the book prints it (10.33)."""
     root = sqrt(h * h - 4 * a * c)
     return (h - root) / (2 * a), (h + root) / (2 * a)
 
 
 def numpy_roots(a, h, c):
-    """The same by NumPy: eigenvalues of the companion matrix."""
+    """The same roots by NumPy: eigenvalues of the companion matrix."""
     import numpy as np
 
     return sorted(np.roots([a, -h, c]).tolist())
 
 
-def _nutation(a):
+def _theta(a):
     return math.acos(a / (I0 - I))
 
 
 def precessions(a):
-    """The rates by the engine."""
-    found = steady_precession(I0, I, _nutation(a), spin=SPIN, mgr=MGR)
+    """Both rates by the engine."""
+    found = steady_precession(I0, I, _theta(a), spin=SPIN, mgr=MGR)
     return found.slow, found.fast
 
 
 PRECESSIONS = {
-    "printed root": lambda a: printed_roots((I0 - I) * math.cos(_nutation(a)), I * SPIN, MGR),
-    "NumPy's roots": lambda a: numpy_roots((I0 - I) * math.cos(_nutation(a)), I * SPIN, MGR),
+    "printed root": lambda a: printed_roots((I0 - I) * math.cos(_theta(a)), I * SPIN, MGR),
+    "NumPy's roots": lambda a: numpy_roots((I0 - I) * math.cos(_theta(a)), I * SPIN, MGR),
     "engine": precessions,
 }
 
 
 @cache
 def _precessions(a):
-    """By the printed form, which is given more digits than it loses."""
+    """Both rates by the printed formula with more digits than it loses."""
     import mpmath
 
     with mpmath.workdps(2 * DIGITS):
-        difference = mpmath.mpf(I0) - I
-        return printed_roots(difference * mpmath.cos(_nutation(a)), mpmath.mpf(I) * SPIN, MGR)
+        return printed_roots((mpmath.mpf(I0) - I) * mpmath.cos(_theta(a)), mpmath.mpf(I) * SPIN, MGR)
 
 
 def precession_error(found, a):
-    """The larger of the errors of the two rates."""
+    """The larger of the relative errors of the two rates."""
     return max(float(abs(x / y - 1)) for x, y in zip(found, _precessions(a), strict=True))
