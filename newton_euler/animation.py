@@ -28,8 +28,8 @@ from string import Template
 
 from .recording import share_window, sketches_on
 
-MOST_PICTURES = 600
-MOST_PIXELS = 300e6  # of all pictures together: some ten megabytes of HTML
+MAX_PICTURES = 600
+MAX_PIXELS = 300e6  # of all pictures together: some ten megabytes of HTML
 COLOURS = 128  # of a picture: drawings have few, and at a third of the size none is off by more than eye or screen can tell
 
 
@@ -199,14 +199,14 @@ def _checked_speed(speed, span):
 
 
 def _check_amount(count, size, dpi):
-    if count > MOST_PICTURES:
+    if count > MAX_PICTURES:
         raise AnimationError(
-            f"{count} pictures are too many for an animation, which takes {MOST_PICTURES} at most: "
-            f"give fewer times, as times[::{math.ceil(count / MOST_PICTURES)}]; 25 for each second of the show look smooth"
+            f"{count} pictures are too many for an animation, which takes {MAX_PICTURES} at most: "
+            f"give fewer times, as times[::{math.ceil(count / MAX_PICTURES)}]; 25 for each second of the show look smooth"
         )
     pixels = count * size[0] * size[1] * dpi**2
-    if pixels > MOST_PIXELS:
+    if pixels > MAX_PIXELS:
         raise AnimationError(
             f"{count} pictures of {size[0] * dpi:.0f} by {size[1] * dpi:.0f} pixels are too much for an animation: "
-            f"give fewer times, a smaller size, or a dpi of {math.floor(dpi * math.sqrt(MOST_PIXELS / pixels))} or less"
+            f"give fewer times, a smaller size, or a dpi of {math.floor(dpi * math.sqrt(MAX_PIXELS / pixels))} or less"
         )

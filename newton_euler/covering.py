@@ -1,4 +1,4 @@
-"""What covers what: the order in which strokes are drawn, the far before the near."""
+"""Occlusion: the order in which strokes are drawn, so that the near ones hide the far ones."""
 
 import math
 from dataclasses import replace
@@ -9,21 +9,27 @@ from .projection import between, mean, norm3
 from .vectors import dot3, sub3
 
 
-def far_to_near(ink):
-    """The strokes in the order of drawing. Bodies go by depth, but what lies beyond the plane of a face is always drawn before the face,
-    and what lies on the eye's side after it; a line through a face is cut in two."""
-    faces = [s for s in ink.strokes if s.normal and s.layer == BODY and abs(ink.view.depth(s.normal)) > 0.02]
-    bodies = []
-    for stroke in ink.strokes:
-        if stroke.layer == BODY:
-            bodies += _cut(ink.view, stroke, faces)
-    bodies.sort(key=lambda s: s.depth)
-    marks = [s for s in ink.strokes if s.layer != BODY]
-    return _by_planes(ink.view, bodies, 1e-3 * ink.pt) + sorted(marks, key=lambda s: (s.layer, s.depth))
+def painters_order(canvas):
+    """The strokes in the order of drawing, by the painter's algorithm: what is drawn later hides what was drawn before.
+
+    Bodies go from far to near, by the depths of their middles. That alone is wrong beside large faces; therefore what lies beyond the plane of a
+    face is always drawn before the face, what lies on the eye's side after it, and a line through a face is cut in two (Newell, Newell
+    and Sancha 1972). Marks and arrows lie over all bodies.
+    """
+    bodies = [s for s in canvas.strokes if s.layer == BODY]
+    faces = [s for s in bodies if _can_hide(canvas.view, s)]
+    pieces = sorted((piece for s in bodies for piece in _cut(canvas.view, s, faces)), key=lambda s: s.depth)
+    marks = sorted((s for s in canvas.strokes if s.layer != BODY), key=lambda s: (s.layer, s.depth))
+    return _by_planes(canvas.view, pieces, 1e-3 * canvas.pt) + marks
+
+
+def _can_hide(view, stroke):
+    """True for a face that is not seen edge-on."""
+    return stroke.normal and abs(view.depth(stroke.normal)) > 0.02
 
 
 def _cut(view, stroke, faces):
-    """The pieces of a straight line between the faces it passes through; anything else whole."""
+    """The pieces of a straight line between the faces that it passes through; any other stroke whole."""
     if stroke.closed or len(stroke.points) != 2:
         return [stroke]
     A, B = stroke.points
@@ -32,17 +38,16 @@ def _cut(view, stroke, faces):
         a, b = (dot3(face.normal, sub3(P, face.points[0])) for P in (A, B))
         if a * b < 0 and _inside(view, between(A, B, a / (a - b)), face.points):
             cuts.add(a / (a - b))
-    cuts = sorted(cuts)
     if len(cuts) == 2:
         return [stroke]
-    pieces = [(between(A, B, s), between(A, B, t)) for s, t in pairwise(cuts)]
+    pieces = [(between(A, B, s), between(A, B, t)) for s, t in pairwise(sorted(cuts))]
     return [replace(stroke, points=piece, depth=view.depth(mean(piece)), cut=True) for piece in pieces]
 
 
 def _inside(view, p, corners):
-    """Whether p is seen inside the polygon: a ray to the right crosses its edges an odd number of times."""
-    x, y = view.flat(p)
-    flat = [view.flat(q) for q in corners]
+    """True if p is seen inside the polygon: a ray to the right crosses its edges an odd number of times."""
+    x, y = view.project(p)
+    flat = [view.project(q) for q in corners]
     odd = False
     for (x0, y0), (x1, y1) in zip(flat, flat[1:] + flat[:1], strict=True):
         if (y0 > y) != (y1 > y) and x < x0 + (y - y0) * (x1 - x0) / (y1 - y0):
@@ -51,10 +56,10 @@ def _inside(view, p, corners):
 
 
 def _by_planes(view, strokes, eps):
-    """Strokes sorted by depth, put into an order that also obeys the planes of the faces, as far as these agree."""
+    """Strokes sorted by depth, reordered so that the planes of the faces are obeyed too, as far as these do not contradict each other."""
     import numpy as np
 
-    faces = [n for n, s in enumerate(strokes) if s.normal and abs(view.depth(s.normal)) > 0.02]
+    faces = [n for n, s in enumerate(strokes) if _can_hide(view, s)]
     if not faces:
         return strokes
     starts = np.cumsum([0, *(len(s.points) for s in strokes[:-1])])
@@ -73,11 +78,11 @@ def _by_planes(view, strokes, eps):
                 before[n].add(f)
         for n in np.flatnonzero(meets & (most < eps) & (least < -eps)):
             before[f].add(n)
-    return _released(strokes, before)
+    return _topological(strokes, before)
 
 
-def _released(items, before):
-    """The items in their order, each held back until all ``before`` it are out; where they wait for each other the first goes."""
+def _topological(items, before):
+    """The items in topological order: each after all in ``before``, else in the given order; of a cycle the first comes first."""
     waiting, out = list(range(len(items))), []
     while waiting:
         n = next((n for n in waiting if not before[n].intersection(waiting)), waiting[0])

@@ -1,4 +1,4 @@
-"""How space is seen on the page: an orthographic projection, and the circles, outlines and triples that figures are made of."""
+"""The orthographic projection of a figure, and the geometry of triples, circles and outlines."""
 
 import math
 
@@ -6,54 +6,53 @@ from .vectors import FrameError, add3, cross3, dot3, scale3, sub3
 
 
 class View:
-    """An orthographic projection: unit vectors to the right, up, and to the eye, in the ground."""
+    """An orthographic projection, given by unit vectors to the right, up, and to the eye, in the ground."""
 
     def __init__(self, right, up):
         self.right, self.up, self.eye = right, up, cross3(right, up)
 
-    def flat(self, p):
-        """Where it is on the page: to the right and up."""
-        return (dot3(p, self.right), dot3(p, self.up))
+    def project(self, p):
+        """The coordinates on the page, to the right and up, of the place p."""
+        return dot3(p, self.right), dot3(p, self.up)
 
     def depth(self, p):
-        """How near to the eye."""
+        """The coordinate of p towards the eye."""
         return dot3(p, self.eye)
 
-    def lifted(self, p, x, y):
-        """The place seen at (x, y) from p."""
+    def offset(self, p, x, y):
+        """The place that is seen at (x, y) from p, at the depth of p."""
         return add3(p, add3(scale3(x, self.right), scale3(y, self.up)))
 
-    def seen(self, v):
-        """False where v points so nearly at the eye that it shows as a dot."""
-        return math.hypot(*self.flat(v)) > 0.1 * norm3(v)
+    def is_seen(self, v):
+        """False if v points so nearly at the eye that it looks like a dot."""
+        return math.hypot(*self.project(v)) > 0.1 * norm3(v)
 
     def slant(self, v):
-        """How well a direction serves for hatching: steep, and rather to the right."""
-        x, y = self.flat(v)
-        angle = math.atan2(y, x)
+        """A measure of how well a direction serves for hatching: steep, and to the right rather than to the left."""
+        angle = math.atan2(*reversed(self.project(v)))
         return abs(math.sin(angle)) + 0.2 * math.sin(2 * angle)
 
-    def sideways(self, A, B):
-        """The unit vector that is seen at a right angle to the left of AB."""
-        x, y = self.flat(sub3(B, A))
+    def left_of(self, A, B):
+        """The unit vector that is seen at a right angle to AB, to the left."""
+        x, y = self.project(sub3(B, A))
         size = math.hypot(x, y)
-        return self.lifted((0, 0, 0), -y / size, x / size) if size else self.up
+        return self.offset((0, 0, 0), -y / size, x / size) if size else self.up
 
     def tilted(self, axis):
-        """The axis, or if a circle about it were seen edge-on, one near it about which it shows as an ellipse."""
+        """The axis, or if a circle about it is nearly seen edge-on, a direction near it about which a circle looks like an ellipse."""
         d = self.depth(axis)
         if abs(d) >= 0.3:
             return axis
         return unit3(add3(axis, scale3(math.copysign(0.3, d if abs(d) > 1e-9 else 1), self.eye)))
 
-    def across(self, axis):
-        """Two unit vectors that make a right-handed triple with ``axis``, the first towards the eye."""
-        e1 = across_most(axis, self.eye)
+    def perpendiculars(self, axis):
+        """Two unit vectors that form a right-handed triple with ``axis``, the first towards the eye."""
+        e1 = perpendicular_towards(axis, self.eye)
         return e1, cross3(axis, e1)
 
 
 def space_view(azimuth, elevation, up):
-    """Seen from the azimuth and elevation, in degrees, with the axis ``up`` upwards."""
+    """The view from the azimuth and elevation, in degrees, with the axis ``up`` upwards."""
     if up not in ("x", "y", "z"):
         raise FrameError(f"up is 'x', 'y' or 'z', the axis of the ground that is vertical in the figure; got {up!r}")
     a, h = math.radians(azimuth), math.radians(elevation)
@@ -69,7 +68,7 @@ def space_view(azimuth, elevation, up):
 
 
 def plane_view(plane):
-    """Seen at a right angle to a plane, "xz" for x to the right and z up."""
+    """The view at a right angle to a plane, "xz" for x to the right and z up."""
     if not isinstance(plane, str) or len(plane) != 2 or len(set(plane) & set("xyz")) != 2:
         raise FrameError(f"a plane is two axes, as in plane='xz' for x to the right and z up; got {plane!r}")
     return View(*(tuple(float(axis == name) for axis in "xyz") for name in plane))
@@ -79,48 +78,46 @@ def plane_view(plane):
 
 
 def norm3(v):
-    """Its magnitude."""
+    """The magnitude of v, a float."""
     return math.sqrt(dot3(v, v))
 
 
 def unit3(v):
-    """Its direction."""
+    """The unit vector along v."""
     return scale3(1 / norm3(v), v)
 
 
 def between(A, B, t):
-    """The place a share t of the way from A to B."""
+    """The place at the fraction t of the way from A to B."""
     return add3(A, scale3(t, sub3(B, A)))
 
 
 def mean(points):
-    """The middle of many places."""
+    """The mean of many places."""
     return tuple(sum(c) / len(points) for c in zip(*points, strict=True))
 
 
-def across_most(axis, target):
+def perpendicular_towards(axis, target):
     """The unit vector at right angles to ``axis`` that is nearest to ``target``."""
     v = sub3(target, scale3(dot3(axis, target), axis))
-    if norm3(v) < 1e-6:
-        return across(axis)[0]
-    return unit3(v)
+    return perpendiculars(axis)[0] if norm3(v) < 1e-6 else unit3(v)
 
 
-def across(axis):
-    """Two unit vectors that make a right-handed triple with ``axis``."""
+def perpendiculars(axis):
+    """Two unit vectors that form a right-handed triple with ``axis``."""
     least = min(range(3), key=lambda n: abs(axis[n]))
-    e1 = across_most(axis, tuple(float(n == least) for n in range(3)))
+    e1 = perpendicular_towards(axis, tuple(float(n == least) for n in range(3)))
     return e1, cross3(axis, e1)
 
 
 def on_circle(C, e1, e2, radius, angle):
-    """The place at an angle from e1 towards e2."""
+    """The place on a circle about C at an angle from e1 towards e2."""
     return add3(C, add3(scale3(radius * math.cos(angle), e1), scale3(radius * math.sin(angle), e2)))
 
 
 def circle(C, normal, radius, count=60, closed=False):
-    """Places round a circle, right-handed; ``closed`` repeats the first."""
-    e1, e2 = across(normal)
+    """Places on a circle, right-handed about ``normal``; ``closed`` repeats the first."""
+    e1, e2 = perpendiculars(normal)
     return [on_circle(C, e1, e2, radius, 2 * math.pi * n / count) for n in range(count + closed)]
 
 
@@ -132,9 +129,13 @@ def normal_of(corners):
     return total
 
 
-def hull(view, points):
-    """The points on the convex outline as seen, counter-clockwise (monotone chain)."""
-    ordered = sorted(points, key=view.flat)
+def convex_hull(view, points):
+    """The points on the convex hull as seen on the page, counter-clockwise.
+
+    By Andrew's monotone chain: points sorted from left to right, from which turns to the right are removed, give the lower half; back, the
+    upper half. This is the outline of a convex body.
+    """
+    ordered = sorted(points, key=view.project)
 
     def half(points):
         out = []
@@ -148,8 +149,8 @@ def hull(view, points):
 
 
 def silhouette(view, apex, rim):
-    """The two places of the rim where lines from the apex touch it as seen; none if the apex is seen inside."""
-    outline = hull(view, [apex, *rim])
+    """The two places of the rim where lines from the apex are seen to be tangent; none if the apex is seen inside."""
+    outline = convex_hull(view, [apex, *rim])
     if apex not in outline:
         return ()
     n = outline.index(apex)

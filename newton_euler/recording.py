@@ -1,24 +1,24 @@
-"""What a sketch does before and behind its drawing: it takes places and directions as triples, records commands, and finishes the figure.
+"""The recorder behind a sketch: it reads places and directions as triples, records commands, and draws them when the figure is finished.
 
-A command draws with ink of a given length of a point; the finishing finds the length with which all symbols fit on the page, or takes
-the one of a :class:`Window`, which the pictures of a film share so that nothing jumps.
+A command draws on a :class:`~newton_euler.primitives.Canvas`, on which a point of the page has a certain length in metres. Finishing finds the
+length with which everything fits on the page, or takes that of a :class:`Window`, which the pictures of a film share so that nothing jumps.
 """
 
 import math
 from dataclasses import dataclass, field
 
-from .covering import far_to_near
+from .covering import painters_order
 from .frames import Frame, Point
-from .labels import placed
-from .primitives import Ink
+from .labels import place_labels
+from .primitives import Canvas
 from .projection import mean, norm3, plane_view, space_view
 from .vectors import FrameError, Vector, scale3
 
 
 @dataclass(frozen=True)
 class Window:
-    """What several pictures share: the length of a point in metres, the middle of the page, the middle of the scene, and where the
-    labels are, which each picture brings up to date for the next."""
+    """What several pictures share: the length of a point in metres, the middle of the page, the middle of the scene, and the places of
+    labels, which each picture updates for the next."""
 
     pt: float
     middle: tuple
@@ -26,8 +26,8 @@ class Window:
     labels: dict = field(default_factory=dict)
 
 
-class Recording:
-    """A sketch that records commands and draws them when the figure is shown or saved."""
+class Recorder:
+    """The base of a sketch: records commands and draws them when the figure is shown or saved."""
 
     def __init__(self, ax, ground, azimuth=35, elevation=20, up="z", plane=None):
         if not hasattr(ax, "add_patch"):
@@ -42,10 +42,10 @@ class Recording:
     # -- what a place and a direction are
 
     def _place(self, P):
-        """A place as a triple of floats in the ground; it counts for the extent of the figure."""
+        """A place as a triple of floats in the ground, which is added to the extent of the figure."""
         if isinstance(P, Point):
             P = P.position(self.frame)
-        return self._reach(self._triple(P, "place"))[0]
+        return self._extend([self._triple(P, "place")])[0]
 
     def _triple(self, v, what):
         if isinstance(v, Point):
@@ -70,7 +70,7 @@ class Recording:
             raise FrameError("a direction of length zero points nowhere; give a vector that is not zero")
         return scale3(1 / norm3(v), v)
 
-    def _size(self, x):
+    def _length(self, x):
         try:
             size = float(x)
         except (TypeError, ValueError):
@@ -79,7 +79,7 @@ class Recording:
             raise FrameError(f"a radius, length or size is a positive number of metres; got {x!r}")
         return size
 
-    def _reach(self, *points):
+    def _extend(self, points):
         self._extent.extend(points)
         return points
 
@@ -97,7 +97,7 @@ class Recording:
         return before(ax, renderer) if before else ax.get_position(original=True)
 
     def finish(self, renderer=None):
-        """Draw what was recorded: limits to fit, equal aspect, no frame. Runs by itself when the figure is drawn; twice does no harm."""
+        """Draw what was recorded: limits to fit, equal aspect, no frame. Runs by itself when the figure is drawn; a second call does nothing."""
         from matplotlib.path import Path
         from matplotlib.transforms import TransformedPath
 
@@ -109,41 +109,38 @@ class Recording:
         for artist in self._artists:
             artist.remove()
         width, height = self._page()
-        window = self._window or self._fitted(width, height)
+        window = self._window or _fitted([self], width, height)
         (x, y), pt = window.middle, window.pt
         self.ax.set(xlim=(x - width / 2 * pt, x + width / 2 * pt), ylim=(y - height / 2 * pt, y + height / 2 * pt))
         self.ax.set_aspect("equal", adjustable="datalim")
         self.ax.set_axis_off()
-        ink = self._inked(pt, window.centre)
+        canvas = self._canvas(pt, window.centre)
         clip = TransformedPath(Path.unit_rectangle(), self.ax.transAxes)
-        patches = [patch for stroke in far_to_near(ink) for patch in stroke.drawn(self.ax, self.view, clip)]
-        self._artists = [*patches, *placed(self.ax, ink, renderer, window.labels)]
+        self._artists = [patch for stroke in painters_order(canvas) for patch in stroke.drawn(self.ax, self.view, clip)]
+        self._artists += place_labels(self.ax, canvas, renderer, window.labels)
 
     def _page(self):
         """Width and height of the axes in points."""
         return tuple(size * 72 / self.ax.figure.dpi for size in self.ax.bbox.size)
 
-    def _inked(self, pt, centre):
-        ink = Ink(self.view, pt, self._extent, centre)
+    def _canvas(self, pt, centre):
+        canvas = Canvas(self.view, pt, self._extent, centre)
         for command in self._commands:
-            command(ink)
-        return ink
-
-    def _fitted(self, width, height):
-        return _fitted([self], width, height)
+            command(canvas)
+        return canvas
 
 
 def sketches_on(ax):
-    """The sketches that wait on these axes to be drawn."""
+    """The sketches on these axes that are not drawn yet."""
     found, locator = [], ax.get_axes_locator()
-    while isinstance(sketch := getattr(locator, "__self__", None), Recording):
+    while isinstance(sketch := getattr(locator, "__self__", None), Recorder):
         found.append(sketch)
         locator = sketch._before
     return found
 
 
 def share_window(sketches):
-    """One window for the sketches of many pictures of one size: they show everything at one scale, and arrows of a kind to one measure."""
+    """Give one window to the sketches of many pictures of one size: one scale for all, also for arrows of a kind."""
     longest = {}
     for sketch in sketches:
         for kind, size in sketch._longest.items():
@@ -156,13 +153,13 @@ def share_window(sketches):
 
 
 def _fitted(sketches, width, height):
-    """The window that holds them all. Symbols have sizes in points, so how long a point is depends on them: a few rounds settle it."""
+    """The window that holds all sketches, by fixed-point iteration: symbols have sizes in points, so the length of a point depends on them."""
     places = [P for sketch in sketches for P in sketch._extent]
     centre = mean(places) if places else (0.0, 0.0, 0.0)
-    box = _union(Ink(sketch.view, 0, sketch._extent, centre).box() for sketch in sketches)
+    box = _union(Canvas(sketch.view, 0, sketch._extent, centre).box() for sketch in sketches)
     for _ in range(5):
         pt = _point(box, width, height)
-        box = _union(sketch._inked(pt, centre).box() for sketch in sketches)
+        box = _union(sketch._canvas(pt, centre).box() for sketch in sketches)
         if abs(_point(box, width, height) / pt - 1) < 0.02:
             break
     left, right, bottom, top = box
@@ -175,6 +172,6 @@ def _union(boxes):
 
 
 def _point(box, width, height, margin=12):
-    """The length of a point with which the box fills a page of so many points."""
+    """The length of a point in metres with which the box fills a page of so many points."""
     left, right, bottom, top = box
     return max((right - left) / (width - 2 * margin), (top - bottom) / (height - 2 * margin)) or 1 / width

@@ -4,174 +4,165 @@ import math
 
 from .frames import Frame
 from .primitives import DASHES
-from .projection import across, between, circle, norm3, normal_of, on_circle, silhouette
-from .recording import Recording
+from .projection import between, circle, norm3, normal_of, on_circle, perpendiculars, silhouette
+from .recording import Recorder
 from .tangents import Pulley, route
 from .vectors import FrameError, add3, scale3, sub3
 
 
-class Bodies(Recording):
-    """The methods of a sketch that draw bodies; bodies cover each other as they do in space."""
+class Bodies(Recorder):
+    """The methods of a sketch that draw bodies, which hide each other as they do in space."""
 
     def rod(self, A, B):
-        """A slender rod from A to B."""
+        """Draw a slender rod from A to B."""
         self._straight(A, B, "rod edge", "rod")
 
     def shaft(self, A, B):
-        """A shaft from A to B with its centre line."""
+        """Draw a shaft from A to B with its centre line."""
         self._straight(A, B, "shaft edge", "shaft", "centre")
 
     def line(self, A, B, style="dashed"):
-        """A thin line from A to B, ``style`` solid, dashed, dotted or centre."""
+        """Draw a thin line from A to B, ``style`` solid, dashed, dotted or centre."""
         if style not in DASHES:
             raise FrameError(f"a line is {', '.join(DASHES)}; got {style!r}")
         self._straight(A, B, f"line {style}")
 
-    def _straight(self, A, B, *looks):
-        A, B = self._place(A), self._place(B)
-        self._record(lambda ink: ink.line((A, B), looks))
+    def _straight(self, A, B, *styles):
+        ends = self._place(A), self._place(B)
+        self._record(lambda canvas: canvas.line(ends, styles))
 
     def spring(self, A, B):
-        """A coil spring from A to B."""
+        """Draw a coil spring from A to B."""
         A, B = self._place(A), self._place(B)
 
-        def command(ink):
-            side = ink.view.sideways(A, B)
+        @self._record
+        def command(canvas):
+            side = canvas.view.left_of(A, B)
             swings = [(0, 0), (0.15, 0), *((0.15 + 0.7 * (n + 0.5) / 12, (-1) ** n) for n in range(12)), (0.85, 0), (1, 0)]
-            ink.line([add3(between(A, B, t), scale3(5 * s * ink.pt, side)) for t, s in swings], "spring")
-
-        self._record(command)
+            canvas.line([add3(between(A, B, t), scale3(5 * s * canvas.pt, side)) for t, s in swings], "spring")
 
     def disk(self, C, normal, radius, spoke=None):
-        """A thin disk about C. ``spoke``: a place on its rim that is joined to C, which shows how it has turned."""
+        """Draw a thin disk about C. ``spoke``: a place on its rim that is joined to C, which shows how it has turned."""
         C, normal = self._place(C), self._unit(normal)
-        rim = self._reach(*circle(C, normal, self._size(radius)))
+        rim = self._rim(C, normal, radius)
         spoke = None if spoke is None else self._place(spoke)
 
-        def command(ink):
-            ink.face(rim, "body", normal)
+        @self._record
+        def command(canvas):
+            canvas.face(rim, "body", normal)
             if spoke:
-                ink.line((C, spoke), "ring", depth=ink.view.depth(C) + ink.pt)
-
-        self._record(command)
+                canvas.line((C, spoke), "ring", depth=canvas.view.depth(C) + canvas.pt)
 
     def ring(self, C, normal, radius):
-        """A circle about C without a filling."""
-        rim = self._reach(*circle(self._place(C), self._unit(normal), self._size(radius)))
+        """Draw a circle about C without a filling."""
+        rim = self._rim(self._place(C), self._unit(normal), radius)
+        self._record(lambda canvas: canvas.curve([*rim, rim[0]], "ring"))
 
-        def command(ink):
-            for n in range(0, len(rim), 4):
-                ink.line([*rim, rim[0]][n : n + 5], "ring")
-
-        self._record(command)
+    def _rim(self, C, normal, radius):
+        return self._extend(circle(C, normal, self._length(radius)))
 
     def cone(self, apex, axis, length, radius):
-        """A cone from its apex along ``axis`` to a base of ``radius`` at the distance ``length``."""
+        """Draw a cone from its apex along ``axis`` to a base of ``radius`` at the distance ``length``."""
         apex, axis = self._place(apex), self._unit(axis)
-        base = self._reach(*circle(add3(apex, scale3(self._size(length), axis)), axis, self._size(radius)))
+        base = self._rim(add3(apex, scale3(self._length(length), axis)), axis, radius)
 
-        def command(ink):
-            ink.solid([apex, *base], "side")
-            ink.end(base, axis, "top")
-
-        self._record(command)
+        @self._record
+        def command(canvas):
+            canvas.solid([apex, *base], "side")
+            canvas.end(base, axis, "top")
 
     def gear(self, C, normal, radius, cone_apex=None):
-        """A gear wheel about C with the pitch ``radius``; with ``cone_apex`` also the lines of its pitch cone."""
-        C, normal, r = self._place(C), self._unit(normal), self._size(radius)
+        """Draw a gear wheel about C with the pitch ``radius``; with ``cone_apex`` also the lines of its pitch cone."""
+        C, normal, r = self._place(C), self._unit(normal), self._length(radius)
         apex = None if cone_apex is None else self._place(cone_apex)
-        e1, e2 = across(normal)
-        count = 28
-        teeth = [(n + d, 1 + h) for n in range(count) for d, h in ((-0.3, -0.05), (-0.15, 0.05), (0.15, 0.05), (0.3, -0.05))]
-        rim = self._reach(*(on_circle(C, e1, e2, r * f, 2 * math.pi * n / count) for n, f in teeth))
+        e1, e2 = perpendiculars(normal)
+        count, tooth = 28, ((-0.3, 0.95), (-0.15, 1.05), (0.15, 1.05), (0.3, 0.95))
+        rim = self._extend([on_circle(C, e1, e2, r * f, 2 * math.pi * (n + d) / count) for n in range(count) for d, f in tooth])
 
-        def command(ink):
-            ink.face(rim, "body", normal)
-            ink.line(circle(C, normal, 0.18 * r, closed=True), "seam", depth=ink.view.depth(C) + ink.pt)
-            for end in silhouette(ink.view, apex, circle(C, normal, r)) if apex else ():
-                ink.line((apex, end), "line centre")
-
-        self._record(command)
+        @self._record
+        def command(canvas):
+            canvas.face(rim, "body", normal)
+            canvas.line(circle(C, normal, 0.18 * r, closed=True), "seam", depth=canvas.view.depth(C) + canvas.pt)
+            for end in silhouette(canvas.view, apex, circle(C, normal, r)) if apex else ():
+                canvas.line((apex, end), "line centre")
 
     def cylinder(self, A, B, radius):
-        """A cylinder with the axis from A to B."""
-        A, B, r = self._place(A), self._place(B), self._size(radius)
+        """Draw a cylinder with the axis from A to B."""
+        A, B = self._place(A), self._place(B)
         axis = self._unit(sub3(B, A))
-        first, last = (self._reach(*circle(P, axis, r)) for P in (A, B))
-        self._record(lambda ink: ink.cylinder(first, last, axis, "side", "top"))
+        first, last = (self._rim(P, axis, radius) for P in (A, B))
+        self._record(lambda canvas: canvas.cylinder(first, last, axis, "side", "top"))
 
     def sphere(self, C, radius):
-        """A sphere about C."""
-        C, r = self._place(C), self._size(radius)
-        outline = self._reach(*circle(C, self.view.eye, r))
+        """Draw a sphere about C."""
+        C, r = self._place(C), self._length(radius)
+        outline = self._rim(C, self.view.eye, r)
         equator = circle(C, self.view.tilted(self.view.up), r)
 
-        def command(ink):
-            ink.line(outline, "body", closed=True, depth=ink.view.depth(C) + r / 2)
-            near = [p for p in equator[36:] + equator[:36] if ink.view.depth(sub3(p, C)) > 0]
-            ink.line(near, "seam", depth=ink.view.depth(C) + r / 2 + ink.pt)
-
-        self._record(command)
+        @self._record
+        def command(canvas):
+            depth = canvas.view.depth(C) + r / 2
+            canvas.line(outline, "body", closed=True, depth=depth)
+            near = [p for p in equator[36:] + equator[:36] if canvas.view.depth(sub3(p, C)) > 0]
+            canvas.line(near, "seam", depth=depth + canvas.pt)
 
     def plate(self, corners):
-        """A plane plate with these corners, three or more places in order."""
+        """Draw a plane plate with these corners, three or more places in order."""
         corners = [self._place(P) for P in corners]
         if len(corners) < 3:
             raise FrameError(f"a plate has three corners or more, got {len(corners)}")
-        self._record(lambda ink: ink.face(corners, "body", normal_of(corners)))
+        self._record(lambda canvas: canvas.face(corners, "body", normal_of(corners)))
 
     def box(self, centre, frame, sizes):
-        """A box about ``centre`` with its edges, of three ``sizes`` in metres, along the axes of ``frame``."""
+        """Draw a box about ``centre`` with its edges, of three ``sizes`` in metres, along the axes of ``frame``."""
         if not isinstance(frame, Frame):
             raise FrameError(f"box(centre, frame, sizes) takes the directions of its edges from a Frame, got {frame!r}")
         C, sizes = self._place(centre), self._triple(sizes, "sizes")
         halves = [scale3(s / 2, e.components(self.frame)) for s, e in zip(sizes, (frame.i, frame.j, frame.k), strict=True)]
-        faces = [(sign, n) for n in range(3) for sign in (1, -1)]
 
-        def corners(sign, n):
-            middle, a, b = add3(C, scale3(sign, halves[n])), halves[(n + 1) % 3], halves[(n + 2) % 3]
+        def corners(outwards, n):
+            middle, a, b = add3(C, outwards), halves[(n + 1) % 3], halves[(n + 2) % 3]
             return [add3(middle, add3(scale3(s, a), scale3(t, b))) for s, t in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
 
-        self._reach(*(p for face in faces for p in corners(*face)))
+        faces = [(n, outwards, self._extend(corners(outwards, n))) for n in range(3) for outwards in (halves[n], scale3(-1, halves[n]))]
 
-        def command(ink):
-            for sign, n in faces:
-                if ink.view.depth(scale3(sign, halves[n])) > 1e-12 * norm3(sizes):
-                    ink.face(corners(sign, n), ("body", "side", "top")[n], halves[n])
-
-        self._record(command)
+        @self._record
+        def command(canvas):
+            for n, outwards, face in faces:
+                if canvas.view.depth(outwards) > 1e-12 * norm3(sizes):
+                    canvas.face(face, ("body", "side", "top")[n], halves[n])
 
     # -- pulleys and cables
 
     def pulley(self, C, normal, radius):
-        """A pulley about C with its axle along ``normal``; ``radius`` is that of the bottom of its groove, where a cable runs.
+        """Draw a pulley about C with its axle along ``normal``; ``radius`` is that of the bottom of its groove, where a cable runs.
 
         Returns the pulley, to be named as a stop in :meth:`cable`.
         """
-        wheel = Pulley(self._place(C), self._unit(normal), self._size(radius))
+        wheel = Pulley(self._place(C), self._unit(normal), self._length(radius))
         C, normal, r = wheel.centre, wheel.normal, wheel.radius
-        half, rim = 0.14 * r, 1.1 * r
+        half = 0.14 * r
 
         def ring(radius, along):
             return circle(add3(C, scale3(along, normal)), normal, radius)
 
-        rims = self._reach(*ring(rim, -half), *ring(rim, half))
+        flanges = [self._extend(ring(1.1 * r, sign * half)) for sign in (-1, 1)]
 
-        def command(ink):
-            deep = ink.view.depth(C)
-            ink.solid(ring(r, -half) + ring(r, half), "side", depth=deep - 1e-6 * r)
-            for sign, flange in ((-1, rims[:60]), (1, rims[60:])):
+        @self._record
+        def command(canvas):
+            depth = canvas.view.depth(C)
+            canvas.solid(ring(r, -half) + ring(r, half), "side", depth=depth - 1e-6 * r)
+            for sign, flange in zip((-1, 1), flanges, strict=True):
                 outwards = scale3(sign, normal)
-                ink.face(flange, "body", outwards)
-                if ink.view.depth(outwards) > 0:
-                    ink.line(circle(add3(C, scale3(half, outwards)), normal, r, closed=True), "seam", depth=deep + ink.pt)
-                ink.cylinder(ring(0.16 * r, sign * half), ring(0.16 * r, sign * (half + 0.1 * r)), outwards, "joint", "joint")
+                canvas.face(flange, "body", outwards)
+                if canvas.view.depth(outwards) > 0:
+                    canvas.line(circle(add3(C, scale3(half, outwards)), normal, r, closed=True), "seam", depth=depth + canvas.pt)
+                canvas.cylinder(ring(0.16 * r, sign * half), ring(0.16 * r, sign * (half + 0.1 * r)), outwards, "joint", "joint")
 
-        self._record(command)
         return wheel
 
     def cable(self, *stops, turns=None):
-        """A cable from place to place. Over a pulley, as :meth:`pulley` returned it, it runs in the groove and is tangent to it; one that
+        """Draw a cable from place to place. Over a pulley, as :meth:`pulley` returned it, it runs in the groove and is tangent to it; one that
         ends on the pulley where it began is a closed belt.
 
         turns : which way it goes round each pulley, 1 for right-handed about the pulley's normal and -1 for the other; by default the
@@ -187,21 +178,20 @@ class Bodies(Recording):
         stops = [stop if isinstance(stop, Pulley) else self._place(stop) for stop in stops]
         if len(stops) < 2:
             raise FrameError(f"a cable runs between two stops or more, places or pulleys; got {len(stops)}")
-        legs, arcs = route(stops, turns)
-        self._reach(*(P for line in [*legs, *arcs] for P in line))
+        spans, arcs = route(stops, turns)
+        for line in [*spans, *arcs]:
+            self._extend(line)
 
-        def command(ink):
-            for n, (A, B) in enumerate(legs):
-                # the ends that touch a pulley lie over its groove or behind it as the touching point does, whatever the middle of the leg does
+        @self._record
+        def command(canvas):
+            for n, (A, B) in enumerate(spans):
+                # the ends that touch a pulley have the depth of their tangent points, so that they lie over its groove or behind it as these do
                 lead, tail = (min(1 / 3, stop.radius / norm3(sub3(B, A))) if isinstance(stop, Pulley) else 0 for stop in stops[n : n + 2])
                 first, last = between(A, B, lead), between(A, B, 1 - tail)
                 if lead:
-                    ink.line((A, first), "cable", depth=ink.view.depth(A))
+                    canvas.line((A, first), "cable", depth=canvas.view.depth(A))
                 if tail:
-                    ink.line((last, B), "cable", depth=ink.view.depth(B))
-                ink.line((first, last), "cable")
+                    canvas.line((last, B), "cable", depth=canvas.view.depth(B))
+                canvas.line((first, last), "cable")
             for arc in arcs:
-                for n in range(0, len(arc) - 1, 4):
-                    ink.line(arc[n : n + 5], "cable")
-
-        self._record(command)
+                canvas.curve(arc, "cable")

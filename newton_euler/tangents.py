@@ -1,4 +1,4 @@
-"""Where a cable runs: straight between places, tangent to the pulleys on its way, and round these as far as it lies on them."""
+"""The route of a cable: straight spans, tangent to the pulleys, and arcs on the pulleys between them."""
 
 import math
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from .vectors import FrameError, cross3, dot3, scale3, sub3
 
 @dataclass(frozen=True)
 class Pulley:
-    """A pulley as a cable meets it: the circle of ``radius`` about ``centre`` on which it runs, across ``normal``; triples."""
+    """The circle on a pulley on which a cable runs, of ``radius`` about ``centre``, perpendicular to ``normal``; triples."""
 
     centre: tuple
     normal: tuple
@@ -18,7 +18,7 @@ class Pulley:
 
 
 def route(stops, turns=None):
-    """The legs, a pair of places between each two stops, and the arcs, a list of places for each stop (empty but on pulleys).
+    """The spans, a pair of places between each two stops, and the arcs, a list of places for each stop (empty unless that is a pulley).
 
     stops : triples and pulleys; a route that ends on the pulley it began with is closed, and a belt
     turns : for each pulley 1 or -1, the way the cable goes round it, right-handed about its normal or not; by default the shortest
@@ -36,7 +36,7 @@ def route(stops, turns=None):
         if closed:
             ways[len(stops) - 1] = ways[0]
         try:
-            found = _one_way(stops, ways, closed)
+            found = _route_with_turns(stops, ways, closed)
         except FrameError as error:
             why = error
         else:
@@ -47,33 +47,35 @@ def route(stops, turns=None):
     return shortest[1:]
 
 
-def _one_way(stops, ways, closed):
-    """Length, legs and arcs with the given turns."""
-    legs = [_leg(stops[n], ways.get(n), stops[n + 1], ways.get(n + 1)) for n in range(len(stops) - 1)]
+def _route_with_turns(stops, ways, closed):
+    """The length, the spans and the arcs with the given turns."""
+    spans = [_span(stops[n], ways.get(n), stops[n + 1], ways.get(n + 1)) for n in range(len(stops) - 1)]
     arcs = [[] for _ in stops]
-    for n, ((_, arrival), (leaving, _)) in enumerate(pairwise(legs), 1):
+    for n, ((_, arrival), (leaving, _)) in enumerate(pairwise(spans), 1):
         if n in ways:
             arcs[n] = _arc(stops[n], ways[n], arrival, leaving)
     if closed:
-        arcs[0] = _arc(stops[0], ways[0], legs[-1][1], legs[0][0])
-    length = sum(norm3(sub3(q, p)) for line in [*legs, *arcs] for p, q in pairwise(line))
-    return length, legs, arcs
+        arcs[0] = _arc(stops[0], ways[0], spans[-1][1], spans[0][0])
+    length = sum(norm3(sub3(q, p)) for line in [*spans, *arcs] for p, q in pairwise(line))
+    return length, spans, arcs
 
 
-def _leg(a, turn_a, b, turn_b):
-    """The straight part between two stops. Touching points move along the leg when the other end does, so that this settles at once."""
+def _span(a, turn_a, b, turn_b):
+    """The straight part between two stops, a pair of places, by fixed-point iteration: a tangent point moves along the span when the other end
+    moves, so that this converges at once."""
     P, Q = (stop.centre if isinstance(stop, Pulley) else stop for stop in (a, b))
     for _ in range(50):
         before = P, Q
-        P = _touch(a, Q, -turn_a) if isinstance(a, Pulley) else P
-        Q = _touch(b, P, turn_b) if isinstance(b, Pulley) else Q
+        P = _tangent_point(a, Q, -turn_a) if isinstance(a, Pulley) else P
+        Q = _tangent_point(b, P, turn_b) if isinstance(b, Pulley) else Q
         if norm3(sub3(P, before[0])) + norm3(sub3(Q, before[1])) <= 1e-12 * norm3(sub3(Q, P)):
             break
     return P, Q
 
 
-def _touch(pulley, P, turn):
-    """Where a line from P touches the pulley and then turns with it; the line back from a cable that leaves turns the other way."""
+def _tangent_point(pulley, P, turn):
+    """The point of the pulley at which a line from P is tangent and goes on in the sense ``turn``; of a span that leaves, P is the far end
+    and the sense the opposite one."""
     v = sub3(P, pulley.centre)
     v = sub3(v, scale3(dot3(v, pulley.normal), pulley.normal))
     distance = norm3(v)
@@ -84,7 +86,7 @@ def _touch(pulley, P, turn):
 
 
 def _arc(pulley, turn, arrival, leaving):
-    """Places along the pulley from where the cable arrives to where it leaves it."""
+    """Places along the pulley, from the point where the cable arrives to the point where it leaves."""
     a, b = sub3(arrival, pulley.centre), sub3(leaving, pulley.centre)
     angle = turn * math.atan2(dot3(pulley.normal, cross3(a, b)), dot3(a, b)) % (2 * math.pi)
     if angle > 2 * math.pi - 1e-6:  # a straight cable that only just touches, but for rounding

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from newton_euler import Frame
-from newton_euler.animation import MOST_PICTURES, AnimationError, animate
+from newton_euler.animation import MAX_PICTURES, AnimationError, animate
 from newton_euler.drawing import Sketch
 from newton_euler.recording import share_window
 from tests.sketching import ground, sketch, texts
@@ -97,7 +97,7 @@ def test_progress_is_told_up_to_the_last_step():
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"times": range(MOST_PICTURES + 1)}, r"601 pictures are too many .* 600 at most: give fewer times, as times\[::2\]"),
+        ({"times": range(MAX_PICTURES + 1)}, r"601 pictures are too many .* 600 at most: give fewer times, as times\[::2\]"),
         ({"times": range(500), "dpi": 300}, "500 pictures of 1500 by 1200 pixels are too much .* a dpi of 173 or less"),
         ({"times": [1]}, "two times or more, got 1"),
         ({"times": [0, 2, 1]}, "increase; got 2.0 and then 1.0"),

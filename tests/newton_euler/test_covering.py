@@ -1,19 +1,19 @@
 """covering.py: the near over the far, what lies on a face over the face, and lines through a face cut."""
 
-from newton_euler.covering import far_to_near
-from newton_euler.primitives import BODY, MARK, Ink
+from newton_euler.covering import painters_order
+from newton_euler.primitives import BODY, MARK, Canvas
 from newton_euler.projection import plane_view, space_view
 from tests.sketching import sketch
 
 
 def ordered(view, *items):
     """The labels of the items (label, points, normal or None), the first drawn first."""
-    ink = Ink(view, 0.01, [], (0, 0, 0))
+    canvas = Canvas(view, 0.01, [], (0, 0, 0))
     names = {}
     for name, points, normal in items:
-        ink.put(points, "thin", BODY, normal is not None, None, normal)
-        names[id(ink.strokes[-1])] = name
-    return [names.get(id(s), "piece") for s in far_to_near(ink)]
+        canvas.line(points, "thin", BODY, normal is not None, None, normal)
+        names[id(canvas.strokes[-1])] = name
+    return [names.get(id(s), "piece") for s in painters_order(canvas)]
 
 
 SQUARE = [(5, 5, 0), (-5, 5, 0), (-5, -5, 0), (5, -5, 0)]

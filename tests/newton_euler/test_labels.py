@@ -6,7 +6,7 @@ import matplotlib
 import pytest
 from matplotlib.backends.backend_agg import RendererAgg
 
-from newton_euler.labels import placed
+from newton_euler.labels import place_labels
 from tests.sketching import O, ground, png, sketch, texts
 
 
@@ -83,7 +83,7 @@ def test_a_label_moves_from_where_it_was_only_if_that_is_much_better(last, now):
     s.label((0, 0, 1), "A")
     s.finish()
     before = {(0, "A"): last}
-    list(placed(s.ax, s._inked(0.01, (0, 0, 0)), RendererAgg(500, 400, 100), before))
+    list(place_labels(s.ax, s._canvas(0.01, (0, 0, 0)), RendererAgg(500, 400, 100), before))
     assert before == {(0, "A"): now}
 
 

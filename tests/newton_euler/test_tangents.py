@@ -18,16 +18,16 @@ def length(lines):
 
 
 def total(stops, turns=None):
-    legs, arcs = route(stops, turns)
-    return length(legs) + length(arcs)
+    spans, arcs = route(stops, turns)
+    return length(spans) + length(arcs)
 
 
 def test_a_rope_over_a_pulley_hangs_down_on_both_sides():
     """Half a turn over the top, the rest straight; chords of 6 degrees are shorter than the arc by less than 1 in 2000."""
     wheel = Pulley((0.0, 0.0, 0.0), Z, 1.0)
-    legs, arcs = route([(-1.0, -5.0, 0.0), wheel, (1.0, -3.0, 0.0)])
-    assert legs[0][1] == pytest.approx((-1, 0, 0), abs=1e-12)
-    assert legs[1][0] == pytest.approx((1, 0, 0), abs=1e-12)
+    spans, arcs = route([(-1.0, -5.0, 0.0), wheel, (1.0, -3.0, 0.0)])
+    assert spans[0][1] == pytest.approx((-1, 0, 0), abs=1e-12)
+    assert spans[1][0] == pytest.approx((1, 0, 0), abs=1e-12)
     assert length(arcs) == pytest.approx(math.pi, rel=5e-4)
     assert max(P[1] for P in arcs[1]) == pytest.approx(1, abs=2e-3)
 
@@ -35,15 +35,15 @@ def test_a_rope_over_a_pulley_hangs_down_on_both_sides():
 @pytest.mark.parametrize(("turns", "expected"), [((1, 1), 5 * 0.96**0.5), ((1, -1), (25 - 9) ** 0.5)])
 def test_a_leg_between_two_pulleys_is_an_outer_or_an_inner_tangent(turns, expected):
     """Centres 5 apart, radii 1 and 2: sqrt(d^2 - (R - r)^2) and sqrt(d^2 - (R + r)^2)."""
-    legs, _ = route([Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 0.0, 0.0), Z, 2.0)], turns)
-    assert length(legs) == pytest.approx(expected, rel=1e-12)
+    spans, _ = route([Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 0.0, 0.0), Z, 2.0)], turns)
+    assert length(spans) == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize("turns", [(1, 1), (1, -1), (-1, 1), (-1, -1)])
 def test_legs_are_square_to_the_radius_and_run_the_way_the_pulley_turns(turns):
     wheels = [Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 1.0, 0.0), Z, 2.0)]
-    legs, arcs = route([(-3.0, 2.0, 0.0), *wheels, (9.0, 0.0, 0.0)], turns)
-    for wheel, turn, arriving, leaving, arc in zip(wheels, turns, legs, legs[1:], arcs[1:], strict=False):
+    spans, arcs = route([(-3.0, 2.0, 0.0), *wheels, (9.0, 0.0, 0.0)], turns)
+    for wheel, turn, arriving, leaving, arc in zip(wheels, turns, spans, spans[1:], arcs[1:], strict=False):
         for (A, B), T in ((arriving, arriving[1]), (leaving, leaving[0])):
             along, radius = np.subtract(B, A), np.subtract(T, wheel.centre)
             assert np.linalg.norm(radius) == pytest.approx(wheel.radius)
@@ -66,8 +66,8 @@ def test_a_cable_back_to_its_pulley_is_a_belt():
 
 
 def test_a_straight_cable_that_just_touches_has_no_arc_and_no_whole_turn():
-    legs, arcs = route([(-3.0, 1.0, 0.0), Pulley((0.0, 0.0, 0.0), Z, 1.0), (4.0, 1.0, 0.0)])
-    assert length(legs) == pytest.approx(7)
+    spans, arcs = route([(-3.0, 1.0, 0.0), Pulley((0.0, 0.0, 0.0), Z, 1.0), (4.0, 1.0, 0.0)])
+    assert length(spans) == pytest.approx(7)
     assert length(arcs) < 1e-6
 
 
