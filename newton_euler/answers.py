@@ -1,15 +1,14 @@
-"""What a student's notebook imports: does an answer have the right form, and what is handed in.
+"""What a student's notebook imports: ``expect`` says what a problem asks for, ``receipt`` checks the *form* of the answers and records them.
 
-``expect`` says what a problem asks for, ``receipt`` checks the *form* of the answers (kind, shape, finite, known symbols, and for formulas the
-dimension) and writes them down as one JSON record: numbers, or trees of a few operators. Neither holds nor needs the key.
+The form is kind, shape, finite numbers, known symbols, and for formulas the dimension. The record is JSON: numbers, or trees of a few operators.
+Neither function holds or needs the key.
 """
 
 import json
 import os
 
 from .forms import SHAPES, AnswerError, Form, clipped, read_number
-from .formula_trees import NODES, dimension_hints, read_formula
-from .scalars import FUNCTIONS
+from .formula_trees import NODES, dimension_hints, in_words, read_formula
 from .units import pint_name
 from .vectors import Vector
 
@@ -22,9 +21,9 @@ def expect(problem, symbols=None, **forms):
 
 
 def receipt(problem, **answers):
-    """Check the form of the answers to ``problem`` and keep them as one JSON record; answers that are None are still open.
+    """A :class:`Receipt` that says what was read of each answer to ``problem``, and is kept as one JSON record; None is an open answer.
 
-    Returns a :class:`Receipt` that says, for each answer, what was read. Raises :class:`AnswerError` naming every answer that cannot be read.
+    Raises :class:`AnswerError`, which names every answer that cannot be read.
 
     >>> expect("0/1", v="vector, mm/s")
     >>> receipt("0/1", v=[1, 2.5, 0])
@@ -60,20 +59,17 @@ class Receipt:
         return json.dumps({"problem": self.problem, "answers": self.answers})
 
     def __repr__(self):
-        given = [f"{key} = {_shown(tree)}{_behind(self.forms[key].unit)}" for key, tree in self.answers.items() if tree is not None]
-        blank = [key for key in self.forms if self.answers.get(key) is None]
-        text = f"{self.problem}: {'; '.join(given)}. Form checked only; the key is not here." if given else f"{self.problem}: no answer yet."
-        if given and blank:
-            text += f" Still open: {', '.join(blank)}."
+        given = [f"{key} = {in_words(tree)} {self.forms[key].unit}".removesuffix(" 1") for key, tree in self.answers.items() if tree is not None]
+        if not given:
+            return f"{self.problem}: no answer yet."
+        blank = ", ".join(key for key in self.forms if self.answers.get(key) is None)
+        text = f"{self.problem}: {'; '.join(given)}. Form checked only; the key is not here.{blank and f' Still open: {blank}.'}"
         return "\n".join([text, *self.hints()])
 
     def hints(self):
-        """What can be said about formulas without the key: answers whose dimension does not fit the unit asked for."""
-        hints = []
-        for key, tree in self.answers.items():
-            if tree is not None and self.forms[key].kind.endswith("expression"):
-                hints += [f"  look again at {key}: {hint}" for hint in dimension_hints(tree, self.forms[key], self.symbols)]
-        return hints
+        """A sentence for each formula whose dimension does not fit the unit asked for, a list."""
+        formulas = [(key, tree) for key, tree in self.answers.items() if tree is not None and self.forms[key].kind.endswith("expression")]
+        return [f"  look again at {key}: {hint}" for key, tree in formulas for hint in dimension_hints(tree, self.forms[key], self.symbols)]
 
 
 def record(forms, symbols, answers):
@@ -86,65 +82,42 @@ def record(forms, symbols, answers):
         except AnswerError as error:
             faults[key] = str(error)
         except Exception as error:  # objects of any library may fail in any way; the student is told, the rest goes on
-            faults[key] = f"expected {form.words}; the value given cannot be read: {type(error).__name__}: {error}"[:500]
+            faults[key] = str(form.error(f"the value given cannot be read: {type(error).__name__}: {error}"))[:500]
     return read, faults
 
 
 def _tree(value, form, symbols):
     if form.kind == "choice":
         if value not in form.of:
-            raise AnswerError(f"expected {form.words}; got {str(value)[:80]!r}")
+            raise form.error(f"got {str(value)[:80]!r}")
         return value
     if form.kind == "count":
         if isinstance(value, bool) or int(value) != value:
-            raise AnswerError(f"expected {form.words}; got {value!r}")
+            raise form.error(f"got {value!r}")
         return int(value)
-    formula = form.kind.endswith("expression")
     parts = _flat(value, form)
     if len(parts) != SHAPES[form.kind]:
-        raise AnswerError(f"expected {form.words}; got {_counted(len(parts))}: {clipped(value)}")
+        raise form.error(f"got {len(parts)} number{'s' * (len(parts) != 1)}: {clipped(value)}")
+    formula = form.kind.endswith("expression")
     read = [read_formula(x, form, symbols, [NODES]) if formula else read_number(x, form) for x in parts]
     return read[0] if len(read) == 1 else read
 
 
-def _without_unit(value, form):
-    """A pint quantity as a number in the unit that is asked for."""
-    if not hasattr(value, "magnitude") or not hasattr(value, "to"):
-        return value
-    try:
-        return value.to(pint_name(form.unit)).magnitude
-    except Exception as error:
-        raise AnswerError(f"expected {form.words}; the quantity {value} cannot be converted: {error}") from None
-
-
 def _flat(value, form):
-    value = _without_unit(value, form)
+    """The numbers of a scalar, vector, matrix or sequence of any library, row by row; of a pint quantity in the unit that is asked for."""
+    if hasattr(value, "magnitude") and hasattr(value, "to"):
+        try:
+            value = value.to(pint_name(form.unit)).magnitude
+        except Exception as error:
+            raise form.error(f"the quantity {value} cannot be converted: {error}") from None
     if isinstance(value, str):
-        raise AnswerError(f"expected {form.words}; got the text {clipped(value)}; write it without quotation marks")
+        raise form.error(f"got the text {clipped(value)}; write it without quotation marks")
     if isinstance(value, Vector):
         return list(value.components())
     if isinstance(value, dict | set):
-        raise AnswerError(f"expected {form.words}; got a {type(value).__name__}, which has no order")
+        raise form.error(f"got a {type(value).__name__}, which has no order")
     if getattr(value, "shape", None) == ():
         return [value]
     if hasattr(value, "__iter__") or hasattr(value, "shape"):
         return [x for part in value for x in _flat(part, form)]
     return [value]
-
-
-def _counted(n):
-    return "1 number" if n == 1 else f"{n} numbers"
-
-
-def _behind(unit_text):
-    return "" if unit_text == "1" else f" {unit_text}"
-
-
-def _shown(tree):
-    if isinstance(tree, list) and not (tree and isinstance(tree[0], str) and tree[0] in ("+", "*", "^", "/", *FUNCTIONS, "Abs", "atan2")):
-        return "[" + ", ".join(_shown(t) for t in tree) + "]"
-    if isinstance(tree, list):
-        if tree[0] in "+*^/":
-            return "(" + f" {tree[0]} ".join(_shown(t) for t in tree[1:]) + ")"
-        return f"{tree[0]}({', '.join(_shown(t) for t in tree[1:])})"
-    return f"{tree:.6g}" if isinstance(tree, float) else str(tree)

@@ -1,5 +1,6 @@
-"""What an answer must look like: a number, a vector, a formula, ...; and how a number is read."""
+"""The forms of answers: what an answer must look like, and how a number is read."""
 
+import math
 from dataclasses import dataclass
 
 SHAPES = {"number": 1, "vector": 3, "matrix": 9, "interval": 2, "expression": 1, "vector_expression": 3, "matrix_expression": 9}
@@ -30,40 +31,44 @@ class Form:
 
     @classmethod
     def read(cls, text):
-        """From the text in a notebook: "vector, mm/s", "choice: stable | unstable"."""
+        """The form that a notebook states as text: "vector, mm/s", "choice: stable | unstable"."""
         kind, _, rest = (part.strip() for part in text.partition(":" if text.startswith("choice") else ","))
         if kind not in _WORDS:
             raise AnswerError(f"no such kind of answer: {kind!r}; there are {', '.join(_WORDS)}")
         return cls("choice", "1", tuple(w.strip() for w in rest.split("|"))) if kind == "choice" else cls(kind, rest or "1")
 
     def __str__(self):
-        if self.kind == "choice":
-            return f"choice: {' | '.join(self.of)}"
-        return f"{self.kind}, {self.unit}"
+        return f"choice: {' | '.join(self.of)}" if self.kind == "choice" else f"{self.kind}, {self.unit}"
 
     @property
     def words(self):
-        """The same for a reader."""
+        """The form in words for a reader."""
         if self.kind == "choice":
             return f"one of {', '.join(map(repr, self.of))}"
         return _WORDS[self.kind] + ("" if self.kind == "count" or self.unit == "1" else f", in {self.unit}")
 
+    def error(self, fault):
+        """The :class:`AnswerError` that says what was expected, and then the fault."""
+        return AnswerError(f"expected {self.words}; {fault}")
+
 
 def clipped(value):
+    """The ``repr`` of a value, at most 80 characters of it."""
     text = repr(value)
     return text if len(text) < 80 else text[:77] + "..."
 
 
 def read_number(x, form):
-    if isinstance(x, bool) or x is None or isinstance(x, complex):
-        raise AnswerError(f"expected {form.words}; got {x!r}")
+    """The finite float that a number of any library is."""
+    if x is None or isinstance(x, bool | complex):
+        raise form.error(f"got {x!r}")
     free = getattr(x, "free_symbols", None)
     if free:
-        raise AnswerError(f"expected {form.words}; {clipped(x)} still contains {', '.join(sorted(map(str, free)))}; put in the numbers")
+        raise form.error(f"{clipped(x)} still contains {', '.join(sorted(map(str, free)))}; put in the numbers")
     try:
         number = float(x)
     except (TypeError, ValueError):
-        raise AnswerError(f"expected {form.words}; cannot make a number of {clipped(x)}") from None
-    if number != number or number in (float("inf"), float("-inf")):
-        raise AnswerError(f"expected {form.words}; got {number}, which comes from a division by zero or the root of a negative number")
+        raise form.error(f"cannot make a number of {clipped(x)}") from None
+    if not math.isfinite(number):
+        raise form.error(f"got {number}, which comes from a division by zero or the root of a negative number")
     return number

@@ -1,24 +1,28 @@
 """Formulas as nested lists of numbers, symbols and a few operators: read from SymPy, evaluated as data, and checked for their dimension."""
 
-from .forms import SHAPES, AnswerError, read_number
+from functools import reduce
+from operator import add, mul
+
+from .forms import SHAPES, read_number
 from .scalars import FUNCTIONS, Dimension, DimensionError, function, pi
 from .units import UnitError, unit
 
-NODES = 4000  # the largest formula that is taken, in operations
+NODES = 4000  # the largest formula that is read, in operations
+DEPTH = 200  # the deepest formula that is evaluated
 
 
 def read_formula(x, form, symbols, budget):
-    """A SymPy or SymEngine expression as nested lists: numbers, names of symbols, and [operator, ...]."""
+    """The tree of a SymPy or SymEngine expression: a number, the name of a symbol, or [operator, ...]."""
     budget[0] -= 1
     if budget[0] < 0:
-        raise AnswerError(f"expected {form.words}; this one has more than {NODES} operations. Simplify it, or put in fewer intermediate results")
+        raise form.error(f"this one has more than {NODES} operations. Simplify it, or put in fewer intermediate results")
     if not hasattr(x, "args") or isinstance(x, (int, float)):
         return read_number(x, form)
     if str(type(x).__module__).startswith("symengine"):  # SymPy's f(t) has a type without a module
         x = x._sympy_()
     if x.is_Symbol:
         if x.name not in symbols:
-            raise AnswerError(f"expected {form.words}; it contains {x.name!r}, but the symbols of the problem are {', '.join(symbols)}")
+            raise form.error(f"it contains {x.name!r}, but the symbols of the problem are {', '.join(symbols)}")
         return x.name
     if x.is_Integer:
         return int(x) if abs(int(x)) < 2**53 else float(x)
@@ -27,8 +31,8 @@ def read_formula(x, form, symbols, budget):
     if x.is_Number or not x.args:
         return "pi" if str(x) == "pi" else read_number(x, form)
     name = {"Add": "+", "Mul": "*", "Pow": "^"}.get(x.func.__name__, x.func.__name__)
-    if name not in ("+", "*", "^", "atan2", "Abs", "exp", *FUNCTIONS):
-        raise AnswerError(f"expected {form.words}; {name} is not among the functions that are read: {', '.join(FUNCTIONS)}, atan2, Abs")
+    if name not in ("+", "*", "^", "atan2", "Abs", *FUNCTIONS):
+        raise form.error(f"{name} is not among the functions that are read: {', '.join(FUNCTIONS)}, atan2, Abs")
     return [name, *(read_formula(a, form, symbols, budget) for a in x.args)]
 
 
@@ -38,8 +42,8 @@ class TreeError(ValueError):
 
 def evaluate(tree, values, depth=0):
     """The value of a formula tree over scalars of any kind; ``values`` maps symbols to scalars. Reads data, runs nothing of it."""
-    if depth > 200:
-        raise TreeError("the formula is nested more than 200 deep")
+    if depth > DEPTH:
+        raise TreeError(f"the formula is nested more than {DEPTH} deep")
     if isinstance(tree, bool) or tree is None:
         raise TreeError(f"not a formula: {tree!r}")
     if isinstance(tree, (int, float)):
@@ -53,21 +57,13 @@ def evaluate(tree, values, depth=0):
     if not isinstance(tree, list) or not tree or not isinstance(tree[0], str):
         raise TreeError("a formula is a number, a symbol or a list that begins with an operator")
     name, *args = tree[0], *(evaluate(a, values, depth + 1) for a in tree[1:])
-    if not args:
-        raise TreeError(f"the operator {name[:40]!r} has no arguments")
-    if name in ("+", "*"):
-        out = args[0]
-        for a in args[1:]:
-            out = out + a if name == "+" else out * a
-        return out
-    if name == "^" and len(args) == 2:
-        return _power(*args)
-    if name == "/" and len(args) == 2:
-        return args[0] / args[1]
-    if name == "Abs" and len(args) == 1:
-        return abs(args[0])
-    if (name in FUNCTIONS and len(args) == 1) or (name == "atan2" and len(args) == 2):
-        return function(name, *args)
+    if args and name in ("+", "*"):
+        return reduce(add if name == "+" else mul, args)
+    if len(args) == 2 and name in ("^", "/", "atan2"):
+        a, b = args
+        return _power(a, b) if name == "^" else a / b if name == "/" else function(name, a, b)
+    if len(args) == 1 and (name == "Abs" or name in FUNCTIONS):
+        return abs(*args) if name == "Abs" else function(name, *args)
     raise TreeError(f"unknown operator {name[:40]!r} with {len(args)} arguments")
 
 
@@ -76,9 +72,21 @@ def _power(base, exponent):
         if isinstance(base, Dimension) and any(base.powers):
             raise DimensionError(f"a quantity with {base} is raised to a power that is not a number")
         return Dimension()
-    if isinstance(exponent, float) and float(exponent).is_integer():
+    if isinstance(exponent, float) and exponent.is_integer():
         exponent = int(exponent)
     return base**exponent
+
+
+def in_words(tree):
+    """A tree, or a list of trees, as text for a reader."""
+    if not isinstance(tree, list):
+        return f"{tree:.6g}" if isinstance(tree, float) else str(tree)
+    head, parts = tree[0] if tree else None, [in_words(part) for part in tree]
+    if head in ("+", "*", "^", "/"):
+        return f"({f' {head} '.join(parts[1:])})"
+    if isinstance(head, str) and head in ("Abs", "atan2", *FUNCTIONS):
+        return f"{head}({', '.join(parts[1:])})"
+    return f"[{', '.join(parts)}]"
 
 
 def dimension_hints(tree, form, symbols):
@@ -96,6 +104,6 @@ def dimension_hints(tree, form, symbols):
             hints.append(f"{where} adds unlike quantities ({error})")
             continue
         got = got if isinstance(got, Dimension) else Dimension()
-        if got != asked and part not in (0, 0.0):
+        if got != asked and part != 0:
             hints.append(f"{where} has {got}, but {form.unit} has {asked}")
     return hints
