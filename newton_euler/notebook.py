@@ -1,10 +1,10 @@
-"""What the chapters need beside mechanics: pictures that can be moved, and refusals shown as text."""
+"""What the notebooks of the chapters need beside mechanics: figures with sliders, and error messages as text."""
 
 import textwrap
 from io import BytesIO
 
 
-def movable(draw, **sliders):
+def interactive_figure(draw, **sliders):
     """Show the figure that ``draw`` returns, and a slider for each of its arguments where ipywidgets is installed.
 
     sliders : name=(start, lowest, highest) or (start, lowest, highest, step)
@@ -14,20 +14,19 @@ def movable(draw, **sliders):
 
     shown = display(_picture(draw(**{name: s[0] for name, s in sliders.items()})), display_id=True)
     try:
-        import ipywidgets
+        from ipywidgets import FloatSlider, VBox
     except ImportError:
         return
     boxes = {}
-    for name, (start, lowest, highest, *step) in sliders.items():
-        step = step[0] if step else (highest - lowest) / 50
-        boxes[name] = ipywidgets.FloatSlider(value=start, min=lowest, max=highest, step=step, description=name, continuous_update=False)
+    for name, (start, low, high, *step) in sliders.items():
+        boxes[name] = FloatSlider(start, min=low, max=high, step=step[0] if step else (high - low) / 50, description=name, continuous_update=False)
 
     def redraw(_):
         shown.update(_picture(draw(**{name: box.value for name, box in boxes.items()})))
 
     for box in boxes.values():
         box.observe(redraw, "value")
-    display(ipywidgets.VBox(list(boxes.values())))
+    display(VBox(list(boxes.values())))
 
 
 def _picture(figure):
@@ -41,10 +40,10 @@ def _picture(figure):
     return Image(data=png.getvalue(), format="png")
 
 
-def refusal(f, width=100):
-    """The words in which ``f()`` refuses, as text of lines not longer than ``width``; AssertionError if it does not refuse.
+def error_message(f, width=100):
+    """The error that ``f()`` raises, as text of lines not longer than ``width``; AssertionError if it raises none.
 
-    >>> print(refusal(lambda: 1/0))
+    >>> print(error_message(lambda: 1/0))
     ZeroDivisionError: division by zero
     """
     try:

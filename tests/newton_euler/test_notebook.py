@@ -6,7 +6,7 @@ import matplotlib
 import pytest
 
 from newton_euler import Frame
-from newton_euler.notebook import movable, refusal
+from newton_euler.notebook import error_message, interactive_figure
 
 matplotlib.use("Agg")
 
@@ -46,7 +46,7 @@ def drawing(calls):
 def test_without_ipywidgets_the_picture_is_shown_and_nothing_else(shown, monkeypatch):
     monkeypatch.setitem(sys.modules, "ipywidgets", None)
     calls = []
-    movable(drawing(calls), a=(1.0, 0, 2), b=(2, 0, 3, 0.5))
+    interactive_figure(drawing(calls), a=(1.0, 0, 2), b=(2, 0, 3, 0.5))
     assert calls == [{"a": 1.0, "b": 2}]
     assert [thing.data[:4] for thing in shown.outputs] == [b"\x89PNG"]
 
@@ -56,7 +56,7 @@ def test_a_slider_draws_the_picture_anew_in_its_place(shown):
     import matplotlib.pyplot as plt
 
     calls = []
-    movable(drawing(calls), a=(1.0, 0, 2), b=(2, 0, 3, 0.5))
+    interactive_figure(drawing(calls), a=(1.0, 0, 2), b=(2, 0, 3, 0.5))
     picture, box = shown.outputs
     first, second = box.children
     assert (first.description, first.min, first.max, first.step, second.step) == ("a", 0, 2, 0.04, 0.5)
@@ -70,8 +70,8 @@ def test_a_slider_draws_the_picture_anew_in_its_place(shown):
 
 def test_a_refusal_is_told_in_lines_and_its_absence_is_an_error():
     ground = Frame("ground")
-    told = refusal(lambda: ground.i.rate(), width=60)
+    told = error_message(lambda: ground.i.rate(), width=60)
     assert told.startswith("FrameError: a vector changes differently")
     assert max(map(len, told.splitlines())) <= 60
     with pytest.raises(AssertionError, match="nothing was refused; the result is 3"):
-        refusal(lambda: 3)
+        error_message(lambda: 3)
