@@ -1,4 +1,4 @@
-"""Films of any motion: a function that sketches the scene at an instant, drawn at many, in one window for all so that nothing jumps.
+"""Animations of any motion: a function sketches the scene at one instant, and is called for many, in one window for all so that nothing jumps.
 
 >>> from math import sin
 >>> from newton_euler import Frame
@@ -9,10 +9,10 @@
 ...     bob = ground.rotate("rod", "x", angle=0.4*sin(3*t)).point("B", 0, 0, -1)
 ...     Sketch(ax, ground, plane="yz").rod((0, 0, 0), bob)
 >>> film = animate(swinging, [0.1*n for n in range(22)], alt="A pendulum swings to and fro.")
->>> film                                                     # in Jupyter it shows with a button and a slider
+>>> film                                                     # Jupyter shows it with a button and a slider
 Animation of 22 pictures from t = 0.0 s to t = 2.1 s: A pendulum swings to and fro.
 
-``film.save("pendulum.html")`` or ``film.save("pendulum.gif")`` writes a file.
+``film.save("pendulum.html")`` or ``film.save("pendulum.gif")`` writes a file. player.html is the page around the pictures.
 """
 
 import base64
@@ -30,7 +30,7 @@ from .recording import share_window, sketches_on
 
 MAX_PICTURES = 600
 MAX_PIXELS = 300e6  # of all pictures together: some ten megabytes of HTML
-COLOURS = 128  # of a picture: drawings have few, and at a third of the size none is off by more than eye or screen can tell
+COLOURS = 128  # of a picture: drawings have few; the files are a third as large, without a difference that can be seen
 
 
 class AnimationError(ValueError):
@@ -58,34 +58,34 @@ class Animation:
         return f"Animation of {len(self.pictures)} pictures from {self._labels()[0]} to {self._labels()[-1]}{': ' * bool(self.alt)}{self.alt}"
 
     def _repr_mimebundle_(self, **_):
-        """The film; where no HTML is shown, as on paper, its first picture."""
+        """What Jupyter shows: the page, or where HTML cannot be shown, as on paper, the first picture."""
         return {"text/html": self.html(), "image/png": base64.b64encode(self.pictures[0]).decode(), "text/plain": repr(self)}
 
     def html(self):
-        """A piece of HTML. Without a script (in a notebook that is not trusted) it is the first picture; for a reader who prefers
+        """The body of the page. Without scripts (in a notebook that is not trusted) it shows the first picture; for a reader who prefers
         reduced motion it waits at the first picture until it is played."""
         return self._page().partition("<body>\n")[2].partition("\n</body>")[0]
 
     def _page(self):
-        pictures, labels = [base64.b64encode(picture).decode() for picture in self.pictures], self._labels()
-        data = {"pictures": pictures, "times": self.times, "labels": labels, "speed": self.speed}
+        pictures = [base64.b64encode(picture).decode() for picture in self.pictures]
+        data = {"pictures": pictures, "times": self.times, "labels": self._labels(), "speed": self.speed}
         return Template(Path(__file__).with_name("player.html").read_text(encoding="utf-8")).substitute(
-            name=f"motion-{uuid.uuid4().hex[:12]}", alt=html.escape(self.alt or f"Animation of a motion from {labels[0]} to {labels[-1]}"),
-            first=pictures[0], width=self.size[0], height=self.size[1], last=len(pictures) - 1, pace=self._pace(), data=json.dumps(data),
+            name=f"motion-{uuid.uuid4().hex[:12]}", alt=html.escape(self.alt or repr(self)), data=json.dumps(data), pace=self._pace(),
+            first=pictures[0], last=len(pictures) - 1, width=self.size[0], height=self.size[1],
         )  # fmt: skip
 
     def save(self, path):
-        """Write a page (.html), which needs nothing else, or a moving picture (.gif)."""
+        """Write a page (.html), which needs no other file, or a moving picture (.gif)."""
         path = Path(path)
         if path.suffix == ".html":
             path.write_text(self._page(), encoding="utf-8")
         elif path.suffix == ".gif":
-            path.write_bytes(self._gif())
+            self._save_gif(path)
         else:
             raise AnimationError(f"an animation is saved as .html or .gif; got {path.name!r}")
 
-    def _gif(self):
-        """A GIF counts time in hundredths of a second, and viewers show nothing shorter than two: pictures between are left out."""
+    def _save_gif(self, path):
+        """Write a GIF. It counts time in hundredths of a second, and viewers show nothing shorter than two: pictures between are left out."""
         from PIL import Image
 
         shown, starts = [], []
@@ -95,12 +95,10 @@ class Animation:
                 shown.append(Image.open(io.BytesIO(picture)))
                 starts.append(start)
         waits = [10 * (b - a) for a, b in pairwise(starts)] or [1000]
-        out = io.BytesIO()
-        shown[0].save(out, format="gif", save_all=True, append_images=shown[1:], duration=[*waits, waits[-1]], loop=0)
-        return out.getvalue()
+        shown[0].save(path, save_all=True, append_images=shown[1:], duration=[*waits, waits[-1]], loop=0)
 
     def _pace(self):
-        """How the show differs from the motion, in words."""
+        """How fast the animation is shown, in words; nothing if as fast as the motion."""
         if abs(self.speed - 1) < 1e-9:
             return ""
         return f"shown {1 / self.speed:.3g} times slower" if self.speed < 1 else f"shown {self.speed:.3g} times faster"
@@ -112,11 +110,11 @@ class Animation:
         return [f"t = {t:.{decimals}f} s" if decimals < 7 else f"t = {t:.7g} s" for t in self.times]
 
 
-def animate(draw, times, speed=None, size=(5, 4), dpi=100, alt="", progress=None):
+def animate(draw, times, speed=None, size=(5, 4), dpi=100, alt="", progress=lambda done, of_all: None):
     """An :class:`Animation` of the scene that ``draw(t, ax)`` draws with a Sketch on ``ax`` as it is at time t; called once for each.
 
     times : of the pictures in s, increasing; they need not be evenly spaced
-    speed : seconds of the motion shown in one second; by default 1, or what makes the film last 8 s if that is too quick or too slow
+    speed : seconds of the motion shown in one second; by default 1, or such that the film lasts 8 s if that is too fast or too slow
     size, dpi : width and height of the picture in inches, and its resolution; 200 is sharper on fine screens and four times as much
     alt : what the film shows, in words, for those who cannot see it
     progress : called with (steps done, steps of all) after each step, for a progress bar
@@ -125,16 +123,14 @@ def animate(draw, times, speed=None, size=(5, 4), dpi=100, alt="", progress=None
     speed = _checked_speed(speed, times[-1] - times[0])
     _check_amount(len(times), size, dpi)
     figures = []
-    for n, t in enumerate(times):
+    for t in times:
         figures.append(_figure(draw, t, size, dpi))
-        if progress:
-            progress(n + 1, 2 * len(times))
+        progress(len(figures), 2 * len(times))
     share_window([sketch for figure in figures for ax in figure.axes for sketch in sketches_on(ax)])
     pictures = []
     for picture in _pictures(figures):
         pictures.append(picture)
-        if progress:
-            progress(len(times) + len(pictures), 2 * len(times))
+        progress(len(times) + len(pictures), 2 * len(times))
     return Animation(tuple(pictures), times, speed, alt, (round(100 * size[0]), round(100 * size[1])))
 
 
@@ -155,8 +151,8 @@ def _figure(draw, t, size, dpi):
 
 
 def _pictures(figures):
-    """Each figure as a PNG. All use one renderer, which keeps what it learns of fonts and formulas; letters are not fitted to the
-    grid of pixels, since they would change their shape as they move over it."""
+    """Each figure as a PNG, by one renderer, which keeps fonts and formulas; letters are not fitted to the grid of pixels, since they
+    would change their shape as they move over it."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import RendererAgg
     from PIL import Image
@@ -172,9 +168,6 @@ def _pictures(figures):
         png = io.BytesIO()
         image.quantize(COLOURS, Image.Quantize.MAXCOVERAGE).save(png, format="png")
         yield png.getvalue()
-
-
-# -- what can be shown
 
 
 def _checked_times(times):
