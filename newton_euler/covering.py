@@ -17,10 +17,10 @@ def painters_order(canvas):
     and Sancha 1972). Marks and arrows lie over all bodies.
     """
     bodies = [s for s in canvas.strokes if s.layer == BODY]
-    faces = [s for s in bodies if _can_hide(canvas.view, s)]
-    pieces = sorted((piece for s in bodies for piece in _cut(canvas.view, s, faces)), key=lambda s: s.depth)
+    faces = [s for s in bodies if _can_hide(canvas, s)]
+    pieces = sorted((piece for s in bodies for piece in _cut(canvas, s, faces)), key=lambda s: s.depth)
     marks = sorted((s for s in canvas.strokes if s.layer != BODY), key=lambda s: (s.layer, s.depth))
-    return _by_planes(canvas.view, pieces, 1e-3 * canvas.pt) + marks
+    return _by_planes(canvas, pieces, 1e-3 * canvas.pt) + marks
 
 
 def _can_hide(view, stroke):

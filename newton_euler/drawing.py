@@ -75,10 +75,10 @@ class Sketch(Bodies):
         @self._record
         def command(canvas):
             r = radius or 17 * canvas.pt
-            e1, e2 = canvas.view.perpendiculars(canvas.view.tilted(axis))
+            e1, e2 = canvas.perpendiculars(canvas.tilted(axis))
             arc = [on_circle(P, e1, e2, r, math.radians(a)) for a in range(-200, 65, 10)]
             for n in range(0, len(arc) - 2, 2):  # the rear goes behind the body that turns, the front is never hidden
-                in_front = canvas.view.depth(sub3(arc[n + 1], P)) > -1e-9 * r
+                in_front = canvas.depth(sub3(arc[n + 1], P)) > -1e-9 * r
                 canvas.line(arc[n : n + 3], "rate", MARK if in_front else BODY)
             canvas.head(arc[-4], arc[-1], "rate", MARK)
             canvas.note(arc[-3], label, away_from=P, colour=KINDS["rate"], gap=5)
@@ -92,7 +92,7 @@ class Sketch(Bodies):
 
         @self._record
         def command(canvas):
-            edge_on = abs(canvas.view.depth(normal)) < 0.2
+            edge_on = abs(canvas.depth(normal)) < 0.2
             (canvas.support if edge_on else canvas.floor)(P, normal, (size or 44 * canvas.pt) / 2)
 
     def hinge(self, P, axis=None):
@@ -101,7 +101,7 @@ class Sketch(Bodies):
 
         @self._record
         def command(canvas):
-            if axis is None or abs(canvas.view.depth(axis)) > 0.95:
+            if axis is None or abs(canvas.depth(axis)) > 0.95:
                 canvas.disc(P, 3.6, "joint")
             else:
                 ends = (circle(add3(P, scale3(s * 8 * canvas.pt, axis)), axis, 4 * canvas.pt) for s in (-1, 1))
@@ -146,7 +146,7 @@ class Sketch(Bodies):
 
         @self._record
         def command(canvas):
-            left = canvas.view.left_of(A, B)
+            left = canvas.left_of(A, B)
             if shift is None:
                 inside = dot3(sub3(canvas.centre, A), left) > 0
                 by = scale3((-16 if inside else 16) * canvas.pt, left)
@@ -157,7 +157,7 @@ class Sketch(Bodies):
                 beyond = scale3(3 * canvas.pt / norm3(by), by)
                 for P, p in ((A, a), (B, b)):
                     canvas.line((between(P, p, 0.2), add3(p, beyond)), "measure", MARK)
-            if canvas.view.is_seen(sub3(B, A)):
+            if canvas.is_seen(sub3(B, A)):
                 canvas.line((a, b), "measure", MARK)
                 canvas.head(b, a, "measure", MARK, 6)
                 canvas.head(a, b, "measure", MARK, 6)

@@ -62,7 +62,7 @@ def _points_on_lines(np, canvas, step=3):
     """The positions, in points and every few points, along all lines and along the edges of thick ones: what a label should not cover."""
     ends, widths = [], []
     for stroke in canvas.strokes:
-        flat = [canvas.view.project(p) for p in stroke.points]
+        flat = [canvas.project(p) for p in stroke.points]
         ends += pairwise(flat + flat[:1] * stroke.closed)
         widths += [STYLES[stroke.styles[0]]["linewidth"] if stroke.styles else 0] * (len(ends) - len(widths))
     if not ends:

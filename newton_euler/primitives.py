@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from .projection import circle, convex_hull, mean, perpendiculars, unit3
+from .projection import View, circle, convex_hull, mean, perpendiculars, unit3
 from .vectors import add3, cross3, scale3, sub3
 
 # colours that colour-blind readers tell apart (Okabe and Ito); bodies are grey
@@ -86,19 +86,20 @@ class Stroke:
             yield ax.add_artist(patch)
 
 
-class Canvas:
-    """The strokes in space and the labels of one picture, for one length ``pt`` of a point of the page."""
+class Canvas(View):
+    """A view with the strokes in space and the labels of one picture, for one length ``pt`` of a point of the page."""
 
     def __init__(self, view, pt, extent, centre):
-        self.view, self.pt, self.centre, self.strokes, self.notes = view, pt, centre, [], []
-        self.spots = [view.project(p) for p in extent] or [(0.0, 0.0)]
+        super().__init__(view.right, view.up)
+        self.pt, self.centre, self.strokes, self.notes = pt, centre, [], []
+        self.spots = [self.project(p) for p in extent] or [(0.0, 0.0)]
 
     def line(self, points, styles, layer=BODY, closed=False, depth=None, normal=None):
         """Add a stroke. ``depth``: how near it counts as, by default the depth of its middle; ``normal``: of a flat face."""
         styles = (styles,) if isinstance(styles, str) else styles
         if depth is None:
-            depth = self.view.depth(mean(points))
-        self.spots += map(self.view.project, points)
+            depth = self.depth(mean(points))
+        self.spots += map(self.project, points)
         self.strokes.append(Stroke(list(points), styles, layer, closed, depth, normal))
 
     def curve(self, points, style):
@@ -113,12 +114,12 @@ class Canvas:
     def solid(self, points, style, layer=BODY, depth=None):
         """Add the outline of a convex body."""
         if depth is None:
-            depth = (self.view.depth(mean(points)) + max(map(self.view.depth, points))) / 2
-        self.line(convex_hull(self.view, points), style, layer, True, depth)
+            depth = (self.depth(mean(points)) + max(map(self.depth, points))) / 2
+        self.line(convex_hull(self, points), style, layer, True, depth)
 
     def end(self, rim, outwards, style, layer=BODY):
         """Add the flat end of a body; turned away from the eye it is invisible, but still separates what is inside from what is outside."""
-        self.face(rim, style if self.view.depth(outwards) > 0 else (), outwards, layer)
+        self.face(rim, style if self.depth(outwards) > 0 else (), outwards, layer)
 
     def cylinder(self, first, last, axis, side, top, layer=BODY):
         """Add a cylinder between two rims."""
@@ -128,35 +129,35 @@ class Canvas:
 
     def disc(self, P, radius, style, layer=MARK):
         """Add a circle on the page, radius in points."""
-        self.line(circle(P, self.view.eye, radius * self.pt, 24), style, layer, closed=True)
+        self.line(circle(P, self.eye, radius * self.pt, 24), style, layer, closed=True)
 
     def head(self, tail, tip, style, layer, size=8):
         """Add an arrowhead at ``tip``, ``size`` points long."""
-        x, y = self.view.project(sub3(tip, tail))
+        x, y = self.project(sub3(tip, tail))
         length = math.hypot(x, y) or 1.0
         x, y = size * self.pt * x / length, size * self.pt * y / length
-        wings = (self.view.offset(tip, -x - w * y, -y + w * x) for w in (0.32, -0.32))
+        wings = (self.offset(tip, -x - w * y, -y + w * x) for w in (0.32, -0.32))
         self.line([tip, *wings], ("tip", style), layer, True)
 
     def arrow(self, tail, tip, style, layer):
         """Add an arrow, or where it points at the eye or away from it, a circle with a dot or a cross."""
         v = sub3(tip, tail)
-        if self.view.is_seen(v):
+        if self.is_seen(v):
             self.line((tail, tip), style, layer)
-            self.head(tail, tip, style, layer, min(8, 0.6 * math.hypot(*self.view.project(v)) / self.pt))
+            self.head(tail, tip, style, layer, min(8, 0.6 * math.hypot(*self.project(v)) / self.pt))
         else:
             self.disc(tail, 4, "joint", layer)
-            if self.view.depth(v) > 0:
+            if self.depth(v) > 0:
                 self.disc(tail, 1.3, style, layer)
             else:
                 x = 2.8 * self.pt
                 for y in (-x, x):
-                    self.line((self.view.offset(tail, -x, -y), self.view.offset(tail, x, y)), style, layer)
+                    self.line((self.offset(tail, -x, -y), self.offset(tail, x, y)), style, layer)
 
     def support(self, P, normal, half):
         """Add ground seen edge-on: a line, hatched on the far side of the normal."""
-        n = unit3(self.view.offset((0, 0, 0), *self.view.project(normal)))
-        along = cross3(n, self.view.eye)
+        n = unit3(self.offset((0, 0, 0), *self.project(normal)))
+        along = cross3(n, self.eye)
         self.line((add3(P, scale3(-half, along)), add3(P, scale3(half, along))), "support")
         slant = scale3(5 * self.pt, add3(scale3(-1, n), scale3(-0.8, along)))
         for k in range(-4, 6):
@@ -166,12 +167,12 @@ class Canvas:
     def floor(self, P, normal, half):
         """Add ground seen from above or below: a hatched patch."""
         e1, e2 = (scale3(half, e) for e in perpendiculars(normal))
-        e2 = max((e2, scale3(-1, e2)), key=lambda e: self.view.slant(add3(e1, e)))
+        e2 = max((e2, scale3(-1, e2)), key=lambda e: self.slant(add3(e1, e)))
 
         def corner(s, t):
             return add3(P, add3(scale3(s, e1), scale3(t, e2)))
 
-        back = self.view.depth(P) - half
+        back = self.depth(P) - half
         self.line([corner(s, t) for s, t in ((1, 1), (-1, 1), (-1, -1), (1, -1))], "patch", closed=True, depth=back)
         for k in range(-3, 4):
             s = k / 2
@@ -182,8 +183,8 @@ class Canvas:
         if text:
             if len(text) == 1 and text.isalpha() and weight != "bold":
                 text = f"${text}$"
-            x, y = self.view.project(sub3(place, away_from)) if away_from else (0, 0)
-            self.notes.append(Note(self.view.project(place), text, math.atan2(y, x), gap, colour, weight, fixed))
+            x, y = self.project(sub3(place, away_from)) if away_from else (0, 0)
+            self.notes.append(Note(self.project(place), text, math.atan2(y, x), gap, colour, weight, fixed))
 
     def box(self):
         """Left, right, bottom and top of everything that was added."""

@@ -37,7 +37,7 @@ class Bodies(Recorder):
 
         @self._record
         def command(canvas):
-            side = canvas.view.left_of(A, B)
+            side = canvas.left_of(A, B)
             swings = [(0, 0), (0.15, 0), *((0.15 + 0.7 * (n + 0.5) / 12, (-1) ** n) for n in range(12)), (0.85, 0), (1, 0)]
             canvas.line([add3(between(A, B, t), scale3(5 * s * canvas.pt, side)) for t, s in swings], "spring")
 
@@ -51,7 +51,7 @@ class Bodies(Recorder):
         def command(canvas):
             canvas.face(rim, "body", normal)
             if spoke:
-                canvas.line((C, spoke), "ring", depth=canvas.view.depth(C) + canvas.pt)
+                canvas.line((C, spoke), "ring", depth=canvas.depth(C) + canvas.pt)
 
     def ring(self, C, normal, radius):
         """Draw a circle about C without a filling."""
@@ -82,8 +82,8 @@ class Bodies(Recorder):
         @self._record
         def command(canvas):
             canvas.face(rim, "body", normal)
-            canvas.line(circle(C, normal, 0.18 * r, closed=True), "seam", depth=canvas.view.depth(C) + canvas.pt)
-            for end in silhouette(canvas.view, apex, circle(C, normal, r)) if apex else ():
+            canvas.line(circle(C, normal, 0.18 * r, closed=True), "seam", depth=canvas.depth(C) + canvas.pt)
+            for end in silhouette(canvas, apex, circle(C, normal, r)) if apex else ():
                 canvas.line((apex, end), "line centre")
 
     def cylinder(self, A, B, radius):
@@ -101,9 +101,9 @@ class Bodies(Recorder):
 
         @self._record
         def command(canvas):
-            depth = canvas.view.depth(C) + r / 2
+            depth = canvas.depth(C) + r / 2
             canvas.line(outline, "body", closed=True, depth=depth)
-            near = [p for p in equator[36:] + equator[:36] if canvas.view.depth(sub3(p, C)) > 0]
+            near = [p for p in equator[36:] + equator[:36] if canvas.depth(sub3(p, C)) > 0]
             canvas.line(near, "seam", depth=depth + canvas.pt)
 
     def plate(self, corners):
@@ -129,7 +129,7 @@ class Bodies(Recorder):
         @self._record
         def command(canvas):
             for n, outwards, face in faces:
-                if canvas.view.depth(outwards) > 1e-12 * norm3(sizes):
+                if canvas.depth(outwards) > 1e-12 * norm3(sizes):
                     canvas.face(face, ("body", "side", "top")[n], halves[n])
 
     # -- pulleys and cables
@@ -150,12 +150,12 @@ class Bodies(Recorder):
 
         @self._record
         def command(canvas):
-            depth = canvas.view.depth(C)
+            depth = canvas.depth(C)
             canvas.solid(ring(r, -half) + ring(r, half), "side", depth=depth - 1e-6 * r)
             for sign, flange in zip((-1, 1), flanges, strict=True):
                 outwards = scale3(sign, normal)
                 canvas.face(flange, "body", outwards)
-                if canvas.view.depth(outwards) > 0:
+                if canvas.depth(outwards) > 0:
                     canvas.line(circle(add3(C, scale3(half, outwards)), normal, r, closed=True), "seam", depth=depth + canvas.pt)
                 canvas.cylinder(ring(0.16 * r, sign * half), ring(0.16 * r, sign * (half + 0.1 * r)), outwards, "joint", "joint")
 
@@ -189,9 +189,9 @@ class Bodies(Recorder):
                 lead, tail = (min(1 / 3, stop.radius / norm3(sub3(B, A))) if isinstance(stop, Pulley) else 0 for stop in stops[n : n + 2])
                 first, last = between(A, B, lead), between(A, B, 1 - tail)
                 if lead:
-                    canvas.line((A, first), "cable", depth=canvas.view.depth(A))
+                    canvas.line((A, first), "cable", depth=canvas.depth(A))
                 if tail:
-                    canvas.line((last, B), "cable", depth=canvas.view.depth(B))
+                    canvas.line((last, B), "cable", depth=canvas.depth(B))
                 canvas.line((first, last), "cable")
             for arc in arcs:
                 canvas.curve(arc, "cable")
