@@ -8,11 +8,10 @@ from . import chapters
 
 
 def main(arguments=None):
-    """The command line; returns the exit code."""
+    """The exit code of the command line."""
     parser = argparse.ArgumentParser(prog="python -m newton_euler", description="Newton-Euler dynamics: the course's notebooks.")
-    commands = parser.add_subparsers(dest="command", required=True)
-    command = commands.add_parser("chapters", help="copy the notebooks to a folder; files that are there already are left alone")
-    command.add_argument("folder", nargs="?", default="chapters", type=Path, help="where to (default: chapters)")
+    parser.add_argument("command", choices=["chapters"], help="copy the notebooks to a folder; files that are there already are left alone")
+    parser.add_argument("folder", nargs="?", default="chapters", type=Path, help="where to (default: chapters)")
     return copy_chapters(parser.parse_args(arguments).folder)
 
 
@@ -22,7 +21,7 @@ def notebooks():
 
 
 def copy_chapters(folder):
-    """Copy each notebook that is not in ``folder`` yet, and say so."""
+    """Copy each notebook that is not in ``folder`` yet, and print its path; returns 0."""
     folder.mkdir(parents=True, exist_ok=True)
     for notebook in notebooks():
         target = folder / notebook.name

@@ -11,8 +11,8 @@ from .covering import painters_order
 from .frames import Frame, Point
 from .labels import place_labels
 from .primitives import Canvas
-from .projection import mean, norm3, plane_view, space_view
-from .vectors import FrameError, Vector, scale3
+from .projection import mean, norm3, plane_view, space_view, unit3
+from .vectors import FrameError, Vector
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class Recorder:
         v = self._triple(v, "direction")
         if not norm3(v):
             raise FrameError("a direction of length zero points nowhere; give a vector that is not zero")
-        return scale3(1 / norm3(v), v)
+        return unit3(v)
 
     def _length(self, x):
         try:
@@ -89,7 +89,7 @@ class Recorder:
         self._commands.append(command)
         if not self._pending:
             self._pending, self._before = True, self.ax.get_axes_locator()
-            self.ax.set_axes_locator(self._locate)  # matplotlib asks for the place of the axes at the start of every drawing
+            self.ax.set_axes_locator(self._locate)  # matplotlib calls it at the start of every drawing
 
     def _locate(self, ax, renderer):
         before = self._before

@@ -30,7 +30,7 @@ def route(stops, turns=None):
         raise FrameError(f"turns names for each of the {len(free)} pulleys on the way 1 or -1, right-handed about its normal or not; got {turns!r}")
     if len(free) > 10 and turns is None:
         raise FrameError(f"over {len(free)} pulleys the way is not searched for: say how it goes round each, as in turns=[1, -1, ...]")
-    shortest, why = None, None
+    shortest, failure = None, None
     for signs in [turns] if turns is not None else product((1, -1), repeat=len(free)):
         ways = dict(zip(free, signs, strict=True))
         if closed:
@@ -38,12 +38,12 @@ def route(stops, turns=None):
         try:
             found = _route_with_turns(stops, ways, closed)
         except FrameError as error:
-            why = error
+            failure = error
         else:
             if shortest is None or found[0] < shortest[0] * (1 - 1e-9):
                 shortest = found
     if shortest is None:
-        raise why
+        raise failure
     return shortest[1:]
 
 
