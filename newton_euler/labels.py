@@ -9,8 +9,8 @@ from .primitives import FONT, STYLES
 def place_labels(ax, canvas, renderer, before):
     """The labels as texts on ``ax``. ``before``: their places in the last picture of a film, which is updated.
 
-    Greedy point-feature labelling: labels choose one after the other among 16 directions and 4 distances, so that the time is linear in
-    their number. The cost of a place counts what it would cover, the turn from the preferred direction and the distance; a place other than
+    Greedy: one label after the other takes the cheapest of 16 directions and 4 distances, and stays there, since trying all combinations would
+    take too long. The cost counts what the label would cover, the turn from its preferred direction and the distance; a place other than
     that of the last picture costs more, so that labels of a film do not jump.
     """
     import numpy as np

@@ -30,21 +30,19 @@ def route(stops, turns=None):
         raise FrameError(f"turns names for each of the {len(free)} pulleys on the way 1 or -1, right-handed about its normal or not; got {turns!r}")
     if len(free) > 10 and turns is None:
         raise FrameError(f"over {len(free)} pulleys the way is not searched for: say how it goes round each, as in turns=[1, -1, ...]")
-    shortest, failure = None, None
+    routes, failure = [], None
     for signs in [turns] if turns is not None else product((1, -1), repeat=len(free)):
         ways = dict(zip(free, signs, strict=True))
         if closed:
             ways[len(stops) - 1] = ways[0]
         try:
-            found = _route_with_turns(stops, ways, closed)
+            routes.append(_route_with_turns(stops, ways, closed))
         except FrameError as error:
             failure = error
-        else:
-            if shortest is None or found[0] < shortest[0] * (1 - 1e-9):
-                shortest = found
-    if shortest is None:
+    if not routes:
         raise failure
-    return shortest[1:]
+    shortest = min(length for length, *_ in routes)
+    return next(lines for length, *lines in routes if length <= shortest * (1 + 1e-9))  # of equally long ones always the first
 
 
 def _route_with_turns(stops, ways, closed):
