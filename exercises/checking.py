@@ -4,8 +4,8 @@ import random
 
 from mpmath import mp, mpf
 
-from newton_euler.scalars import Dimension, DimensionError, size
-from newton_euler.units import unit
+from newton_euler.scalars import size
+from newton_euler.units import Dimension, DimensionError, unit
 
 from .proofs import DIGITS
 from .variants import SEPARATION, SYMBOLIC, CatalogueError, distance, draw, evaluate, flat, symbol_values

@@ -14,7 +14,8 @@ import numpy as np
 from exercises.variants import evaluate, symbol_values
 from newton_euler.answers import SHAPES, Form, TreeError
 from newton_euler.answers import evaluate as tree_value
-from newton_euler.scalars import DimensionError, ScalarError
+from newton_euler.scalars import ScalarError
+from newton_euler.units import DimensionError
 
 from .diagnose import diagnose
 

@@ -15,9 +15,10 @@ __version__ = "0.1.0"
 
 # room: the names that it gives to the public, in the order of the book
 ROOMS = {
-    "scalars": """ZERO Dimension DimensionError ScalarError acos asin at atan atan2 cos cosh exp log moving pi radians sin sinh sqrt tan tanh""",
+    "scalars": """ZERO ScalarError acos asin atan atan2 cos cosh exp log pi radians sin sinh sqrt tan tanh""",
+    "jets": "at moving",
     "tracing": "compiled",
-    "units": "UnitError unit",
+    "units": "Dimension DimensionError UnitError unit",
     "vectors": "Explanation FrameError Vector cross dot same",
     "triads": "SingularError Triad",
     "rectilinear": "from_place from_speed from_time",

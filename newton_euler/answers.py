@@ -9,8 +9,8 @@ import os
 import re
 from dataclasses import dataclass
 
-from .scalars import FUNCTIONS, Dimension, DimensionError, function, pi
-from .units import UnitError, unit
+from .scalars import FUNCTIONS, function, pi
+from .units import Dimension, DimensionError, UnitError, unit
 from .vectors import Vector
 
 NODES = 4000  # the largest formula that is taken, in operations

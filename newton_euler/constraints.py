@@ -8,7 +8,8 @@ import inspect
 import random
 from dataclasses import dataclass
 
-from .scalars import Moving, is_finite, is_numeric, scalar
+from .jets import Moving
+from .scalars import is_finite, is_numeric, scalar
 from .vectors import Vector
 
 # Table 5-1, and the coordinates that a constraint gets

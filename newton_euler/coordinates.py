@@ -6,7 +6,8 @@ with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the c
 """
 
 from .components import CoordinatePoint, with_rates
-from .scalars import ZERO, Moving, at, is_numeric, moving, plain, scalar, sqrt, whole
+from .jets import Moving, at, moving
+from .scalars import ZERO, is_numeric, plain, scalar, sqrt, whole
 from .triads import SingularError, Triad, drowned, norm3, numeric3, shaken, turning_of
 from .vectors import EQUATIONS, Vector, cross3, dot3, scale3
 

@@ -5,7 +5,8 @@ angular velocity and acceleration (4.20), (4.25), velocity (4.17), (4.28) and ac
 Rates are passed up the chain in the frame at hand and never differentiated out, which is what keeps it fast and its formulas short.
 """
 
-from .scalars import ZERO, Moving, ScalarError, cos, is_finite, is_zero, moving, plain, scalar, sin, sqrt, whole
+from .jets import Moving, moving
+from .scalars import ZERO, ScalarError, cos, is_finite, is_zero, plain, scalar, sin, sqrt, whole
 from .vectors import NO_THIRD_RATE, ZERO3, FrameError, Ledger, Vector, add3, cross3, dot3, scale3, sub3
 
 _AXES = {"x": 0, "y": 1, "z": 2}

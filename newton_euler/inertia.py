@@ -14,7 +14,8 @@ An :class:`Inertia` is that matrix about one point, along the axes of one frame;
 """
 
 from .frames import Frame, Point
-from .scalars import ZERO, Moving, Scaled, epsilon, is_finite, is_numeric, is_zero, least, plain, scalar, size, sqrt
+from .jets import Moving
+from .scalars import ZERO, Scaled, epsilon, is_finite, is_numeric, is_zero, least, plain, scalar, size, sqrt
 from .vectors import ZERO3, NamedTerms, Vector, _latex_number, add3, dot3, scale3, sum3
 
 AXES = "xyz"

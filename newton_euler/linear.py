@@ -1,7 +1,7 @@
 """Linear equations for unknown rates, accelerations and reactions, over scalars of every kind, and what they leave open.
 
 Velocities are linear in rates, the Newton-Euler equations (8.21) in accelerations and forces. The equations are written as what must vanish and
-run on :class:`newton_euler.scalars.Linear` unknowns, which read off the coefficients, each in its own unit. :func:`solve_rates` is for the few rates
+run on :class:`LinearForm` unknowns, which read off the coefficients, each in its own unit. :func:`solve_rates` is for the few rates
 of a rolling contact or a joint; :func:`solve_linear` for whole sets of equations with names, and it reports what they leave open.
 """
 
@@ -13,7 +13,7 @@ from inspect import signature
 from math import prod
 from types import MappingProxyType
 
-from .scalars import ZERO, Linear, coarseness, is_numeric, is_zero, least, plain, sampled, scalar, size
+from .scalars import ZERO, ScalarError, Scaled, _Own, coarseness, is_numeric, is_zero, least, outranks, pi, plain, sampled, scalar, size
 from .vectors import FrameError, Vector, _short
 
 LARGEST_CORE = 6  # unknowns that are solved together by Cramer's rule; of more, one after the other is eliminated
@@ -28,6 +28,77 @@ class LinearError(FrameError):
     def __init__(self, message, equations=()):
         super().__init__(message)
         self.equations = tuple(equations)
+
+
+class LinearForm(_Own):
+    """``value + c[0]*u[0] + c[1]*u[1] + …``: a scalar that is linear in unknowns.
+
+    Running conditions on it reads off their coefficients, each in its own unit. A product of unknowns, or a function of one, raises
+    :class:`ScalarError`.
+
+    >>> 3.0 * LinearForm(2.0, (1, ZERO)) - LinearForm(ZERO, (ZERO, 1))
+    LinearForm(6.0, (3.0, -1))
+    """
+
+    __slots__ = ("coefficients", "value")
+    rank = 5
+
+    def __init__(self, value, coefficients):
+        self.value, self.coefficients = value, tuple(coefficients)
+
+    def __repr__(self):
+        return f"LinearForm({plain(self.value)!r}, {tuple(map(plain, self.coefficients))!r})"
+
+    def _each(self, change):
+        return LinearForm(change(self.value), map(change, self.coefficients))
+
+    def __add__(self, other):
+        if isinstance(other, LinearForm):
+            return LinearForm(self.value + other.value, (a + b for a, b in zip(self.coefficients, other.coefficients, strict=True)))
+        if outranks(other, self):
+            return NotImplemented
+        return LinearForm(self.value + scalar(other), self.coefficients)
+
+    __radd__ = __add__
+
+    def __neg__(self):
+        return self._each(lambda x: -x)
+
+    def __sub__(self, other):
+        return self + -other
+
+    def __rsub__(self, other):
+        return -self + other
+
+    def __mul__(self, other):
+        if other is ZERO:
+            return ZERO
+        if isinstance(other, Scaled) or outranks(other, self):
+            return NotImplemented
+        if isinstance(other, LinearForm):
+            raise ScalarError("two unknowns are multiplied; the conditions must be linear in them, as velocities are in rates")
+        return self._each(lambda x: x * other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        if isinstance(other, LinearForm):
+            raise ScalarError("an unknown stands in a denominator; the conditions must be linear in the unknowns, as velocities are in rates")
+        return NotImplemented if outranks(other, self) else self._each(lambda x: x / other)
+
+    def __rtruediv__(self, other):
+        raise ScalarError("an unknown stands in a denominator; the conditions must be linear in the unknowns, as velocities are in rates")
+
+    def function(self, name, *args):
+        """The function of this name, for :func:`function`."""
+        raise ScalarError(f"{name} is taken of an unknown; the conditions must be linear in the unknowns, as velocities are in rates")
+
+    def __pow__(self, power):
+        raise ScalarError("an unknown is raised to a power; the conditions must be linear in the unknowns, as velocities are in rates")
+
+    def pi(self):
+        """The number pi in the kind of the value."""
+        return pi(self.value)
 
 
 # -- a few rates
@@ -64,7 +135,7 @@ def solve_rates(conditions, count):
 
 
 def _unknowns(count):
-    return [Linear(ZERO, (1 if n == m else ZERO for m in range(count))) for n in range(count)]
+    return [LinearForm(ZERO, (1 if n == m else ZERO for m in range(count))) for n in range(count)]
 
 
 def _largest(values):
@@ -251,7 +322,7 @@ def _spread(name, value):
 
 
 def _equation(name, x, group, count):
-    return _Equation(name, x.coefficients, -x.value, group) if isinstance(x, Linear) else _Equation(name, (ZERO,) * count, -x, group)
+    return _Equation(name, x.coefficients, -x.value, group) if isinstance(x, LinearForm) else _Equation(name, (ZERO,) * count, -x, group)
 
 
 def _samples(equations):

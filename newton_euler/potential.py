@@ -12,7 +12,8 @@ from .coordinates import gradient, tangents
 from .forces import G_STANDARD, K
 from .frames import Point
 from .inertia import positive
-from .scalars import ZERO, Moving, ScalarError, cos, is_finite, is_numeric, pi, plain, sampled, scalar, sin, size
+from .jets import Moving
+from .scalars import ZERO, ScalarError, cos, is_finite, is_numeric, pi, plain, sampled, scalar, sin, size
 from .triads import norm3
 from .vectors import _short
 from .work import WorkError, work_along, work_integral

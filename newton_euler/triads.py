@@ -5,7 +5,8 @@ it like in any other. Where a direction is only rounding noise, :class:`Singular
 """
 
 from .frames import Frame
-from .scalars import Moving, epsilon, is_numeric, plain, scalar, size, sqrt, where
+from .jets import Moving
+from .scalars import epsilon, is_numeric, plain, scalar, size, sqrt, where
 from .vectors import ZERO3, FrameError, add3, dot3, scale3
 
 

@@ -7,7 +7,8 @@ how it changes in time where that follows from how it was made (``a.rate(observe
 
 from functools import reduce
 
-from .scalars import ZERO, Moving, ScalarError, Scaled, atan2, is_numeric, is_zero, least, moving, plain, scalar, size, sqrt
+from .jets import Moving, moving
+from .scalars import ZERO, ScalarError, Scaled, atan2, is_numeric, is_zero, least, plain, scalar, size, sqrt
 
 NO_THIRD_RATE = "the third time derivative of a moving quantity is not known; give coordinates with two rates only"
 

@@ -1,8 +1,8 @@
 """A cable at rest in a horizontal plane under tension and a load along its length (3.3)."""
 
 from ..frames import Frame
+from ..jets import at
 from ..paths import frenet_along
-from ..scalars import at
 from ..vectors import Vector
 
 

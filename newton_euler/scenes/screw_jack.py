@@ -1,8 +1,9 @@
 """The ball on the arm of a screw-jack (3.6, 6.5): it turns about a vertical axis, ever faster, and rises by the lead each turn."""
 
 from ..components import cylindrical
+from ..jets import at
 from ..kinetics import reaction, resultant_force
-from ..scalars import at, pi, sqrt
+from ..scalars import pi, sqrt
 
 
 def ball(ground, a, K, lead, t):

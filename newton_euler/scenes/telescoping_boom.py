@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ..components import polar
-from ..scalars import moving
+from ..jets import moving
 
 
 @dataclass(frozen=True)

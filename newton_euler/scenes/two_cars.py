@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ..frames import Frame
-from ..scalars import moving
+from ..jets import moving
 
 
 @dataclass(frozen=True)

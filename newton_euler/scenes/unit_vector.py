@@ -1,7 +1,7 @@
 """A unit vector that turns in a plane (App. A, example 1)."""
 
 from ..frames import Frame
-from ..scalars import moving
+from ..jets import moving
 
 
 def turning_unit_vector(theta, rate):

@@ -12,7 +12,7 @@ import sympy
 
 from newton_euler import Frame
 from newton_euler.answers import NODES, AnswerError, Form, TreeError, dimension_hints, evaluate, expect, receipt, receipts, record
-from newton_euler.scalars import Dimension
+from newton_euler.units import Dimension
 
 ground = Frame("ground")
 SYMBOLS = {"r": "m", "omega": "rad/s", "theta": "rad"}
