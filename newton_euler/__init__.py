@@ -31,7 +31,8 @@ ROOMS = {
     "rotations": """RotationError axis_angle direction_cosines euler_angles euler_body_rates euler_frame euler_from_quaternion
         euler_matrix euler_rates in_sequence matrix_from_quaternion normalised quaternion quaternion_from_euler quaternion_from_matrix
         quaternion_product quaternion_rate rotation_matrix unwound""",
-    "inertia": "Inertia MassError",
+    "admissibility": "MassError",
+    "inertia": "Inertia",
     "mass": "Body centre_of_mass composite particle",
     "principal": "Principal Symmetry",
     "integration": "integrated",

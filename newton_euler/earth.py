@@ -11,8 +11,7 @@ functions that take a vector ``gravity`` may be given the :func:`effective_gravi
 [0, 5.1563e-05, 5.1563e-05] in ground
 """
 
-from .inertia import is_positive
-from .scalars import ZERO, cos, is_numeric, least, plain, scalar, sin, size, sqrt
+from .scalars import ZERO, cos, is_numeric, is_positive, least, plain, scalar, sin, size, sqrt
 from .vectors import EQUATIONS, ZERO3, Vector, cross3, dot3, named_sum, scale3, sum3
 
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)

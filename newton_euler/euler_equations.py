@@ -5,7 +5,8 @@ an inertial frame. For a point that moves in any way, and by way of any frame, s
 Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
-from .inertia import AXES, MassError, axis_index
+from .admissibility import AXES, MassError
+from .inertia import axis_index
 from .linear import LinearError, solve_regular
 from .scalars import ZERO, is_numeric, is_zero, plain, scalar, size
 from .vectors import EQUATIONS, ZERO3, Vector, cross3, dot3, named_sum, scale3, sub3

@@ -14,7 +14,7 @@ force may be moved if the couple of its moment goes with it (8.20). Forces may h
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from .inertia import place
+from .frames import place
 from .scalars import is_numeric, least, plain, scalar, size
 from .vectors import EQUATIONS, FrameError, Vector, _short, add3, named_sum
 

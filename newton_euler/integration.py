@@ -9,10 +9,11 @@ Numbers are integrated by SciPy's adaptive cubature, with an error estimate and 
 
 from itertools import product
 
-from .inertia import Inertia, MassError, is_positive
+from .admissibility import MassError
+from .inertia import Inertia
 from .jets import Moving
 from .mass import Body
-from .scalars import ZERO, is_numeric, plain, scalar, size, sqrt
+from .scalars import ZERO, is_numeric, is_positive, plain, scalar, size, sqrt
 from .vectors import cross3, dot3
 
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))  # of the second moments

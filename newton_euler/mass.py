@@ -10,7 +10,9 @@ Units: any consistent ones; in SI kg, m, kg m^2.
     H_B = d x m dd/dt + H_G     body.angular_momentum(ground, about=B)           (7.23)
 """
 
-from .inertia import Inertia, MassError, axes_at, place, positive, round_off, together
+from .admissibility import MassError, positive, round_off
+from .frames import axes_at, place
+from .inertia import Inertia, together
 from .scalars import is_numeric, plain, scalar, size
 from .vectors import EQUATIONS, ZERO3, Ledger, Vector, add3
 

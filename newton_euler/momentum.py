@@ -13,7 +13,7 @@ is (8.12) for the frame of the body. The last term vanishes for B = G (8.10), fo
 """
 
 from .force_systems import ForceSystem
-from .inertia import place
+from .frames import place
 from .kinetics import resultant_force
 from .vectors import EQUATIONS, ZERO3, Ledger, Vector
 

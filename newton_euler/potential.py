@@ -8,10 +8,10 @@ does not say. Units: any consistent ones; in SI J.
 from dataclasses import dataclass
 from itertools import pairwise, product
 
+from .admissibility import positive
 from .coordinates import gradient, tangents
 from .forces import G_STANDARD, K
 from .frames import Point
-from .inertia import positive
 from .jets import Moving
 from .scalars import ZERO, ScalarError, cos, is_finite, is_numeric, pi, plain, sampled, scalar, sin, size
 from .triads import norm3

@@ -200,7 +200,7 @@ def _root(kind):
     return root
 
 
-def _library(values):
+def library_of(values):
     """The library that has functions for these values; of several, an expression decides before mpmath before NumPy."""
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
@@ -217,7 +217,7 @@ def function(name, *args):
     if own:
         chosen = max(own, key=lambda a: a.rank)
         return chosen.function(name, *args) if name == "atan2" else chosen.function(name)
-    return getattr(_library(args), name)(*args)
+    return getattr(library_of(args), name)(*args)
 
 
 def _define(name):
@@ -259,7 +259,7 @@ def pi(like=0.0):
     """
     if isinstance(like, _Own):
         return like.pi() if hasattr(like, "pi") else math.pi
-    library = _library((like,))
+    library = library_of((like,))
     return +library.pi if library.__name__ == "mpmath" else getattr(library, "pi", math.pi)
 
 
@@ -311,6 +311,11 @@ def is_zero(x):
     return bool(equal.all()) if hasattr(equal, "all") else bool(equal)
 
 
+def is_positive(x):
+    """True if the number ``x`` (every one of an array) is larger than zero; an expression is not looked at."""
+    return not is_numeric(x) or (least(x) > 0 and size(x - abs(x)) == 0)
+
+
 def is_finite(x):
     """True unless ``x`` is a number (or has an element) that is nan or infinite; expressions count as finite."""
     if not is_numeric(x):
@@ -357,7 +362,7 @@ def epsilon(like=0.0):
     >>> epsilon(1.0) == 2.0**-52
     True
     """
-    library = _library((like,))
+    library = library_of((like,))
     return +library.eps if library.__name__ == "mpmath" else 2.0**-52
 
 
@@ -377,7 +382,7 @@ def unrounded(f, *values):
     >>> (1 + 1e-20) - 1, unrounded(lambda x: (1 + x) - 1, 1e-20)
     (0.0, 1e-20)
     """
-    mpmath, library = importlib.import_module("mpmath"), _library(values).__name__
+    mpmath, library = importlib.import_module("mpmath"), library_of(values).__name__
 
     def once(*numbers):
         with mpmath.workprec(max(256, 4 * mpmath.mp.prec)):

@@ -12,8 +12,9 @@ of a solid.
 (0.010000000000000002, 0.065, 0.065)
 """
 
-from .frames import Point
-from .inertia import AXES, Inertia, MassError, axes_at, axis_index, place, positive
+from .admissibility import AXES, MassError, positive
+from .frames import Point, axes_at, place
+from .inertia import Inertia, axis_index
 from .mass import Body
 from .scalars import ZERO, pi, scalar, sin, sqrt
 from .vectors import add3, cross3, dot3, scale3, sub3, sum3

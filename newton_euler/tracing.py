@@ -12,7 +12,7 @@ import math
 import sys
 
 from .jets import Moving
-from .scalars import FUNCTIONS, ScalarError, Scaled, _library, _Own, _root, pi, scalar, without_rates
+from .scalars import FUNCTIONS, ScalarError, Scaled, _Own, _root, library_of, pi, scalar, without_rates
 from .steps import Step, Trace
 from .straight_line import COMPARISONS, choices, written
 
@@ -110,7 +110,7 @@ class Compiled:
             scalar(a)  # or it is no number, and the error says so
         if any(isinstance(a, _Own) for a in args):
             return self._own(args)
-        library = _library(args)
+        library = library_of(args)
         if library.__name__ == "numpy":
             return self._arrays(library, args)
         if library.__name__ not in self._run:
