@@ -15,12 +15,13 @@ __version__ = "0.1.0"
 
 # room: the names that it gives to the public, in the order of the book
 ROOMS = {
-    "scalars": """ZERO ScalarError acos asin atan atan2 cos cosh exp log pi radians sin sinh sqrt tan tanh""",
+    "scalars": """ZERO ScalarError SingularError acos asin atan atan2 cos cosh exp log pi radians sin sinh sqrt tan tanh""",
     "jets": "at moving",
     "tracing": "compiled",
     "units": "Dimension DimensionError UnitError unit",
     "vectors": "Explanation FrameError Vector cross dot same",
-    "triads": "SingularError Triad",
+    "quadrature": "WorkError",
+    "triads": "Triad",
     "rectilinear": "from_place from_speed from_time",
     "paths": "Frenet along at_speed flexure frenet frenet_along speed_rate",
     "components": """T_phi T_theta T_theta_phi cylindrical cylindrical_coordinates cylindrical_frame polar polar_coordinates
@@ -54,7 +55,7 @@ ROOMS = {
     "rotors": "RotorError balance balancing_masses corrections imbalance reactions shaft_axis",
     "gyros": """GyroError fast_spin free_precession gyro_moment gyro_momentum instantaneous_axis least_spin normal_moment nutation_stiffness
         sleeping_top steady_moment steady_precession steady_spin""",
-    "work": "Amount WorkError constant_force_work pair_power power work_along work_in_time work_integral",
+    "work": "Amount constant_force_work pair_power power work_along work_in_time work_integral",
     "potential": """NoPotential Potential conservative_force curl find_potential gravitational_potential jacobian spring_between
         spring_potential weight_potential""",
     "energy": """Audit EnergyError audit gyroscope_energy kinetic_energy kinetic_energy_about kinetic_energy_rate plane_kinetic_energy

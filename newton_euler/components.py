@@ -13,8 +13,8 @@ components (3.1)-(3.3) are those of an ordinary point: ``ground.point("P", x, y,
 from .frames import Frame, Point
 from .jets import Moving, moving
 from .rotations import product
-from .scalars import ZERO, atan2, cos, epsilon, least, plain, scalar, sin, size, sqrt
-from .triads import SingularError, drowned, norm3, numeric3
+from .scalars import ZERO, SingularError, atan2, cos, epsilon, least, plain, scalar, sin, size, sqrt
+from .triads import drowned, norm3, numeric3
 from .vectors import EQUATIONS, Ledger, Vector
 
 _RADIAL = ("r' e_r", r"\dot{r}\,\hat{e}_r"), ("r'' e_r", r"\ddot{r}\,\hat{e}_r")

@@ -7,8 +7,8 @@ with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the c
 
 from .components import CoordinatePoint, with_rates
 from .jets import Moving, at, moving
-from .scalars import ZERO, is_numeric, plain, scalar, sqrt, whole
-from .triads import SingularError, Triad, drowned, norm3, numeric3, shaken, turning_of
+from .scalars import ZERO, SingularError, is_numeric, plain, scalar, sqrt, whole
+from .triads import Triad, drowned, norm3, numeric3, shaken, turning_of
 from .vectors import EQUATIONS, Vector, cross3, dot3, scale3
 
 EQUATIONS.update({

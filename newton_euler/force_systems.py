@@ -15,8 +15,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from .frames import place
-from .scalars import is_numeric, least, plain, scalar, size
-from .vectors import EQUATIONS, FrameError, Vector, _short, add3, named_sum
+from .scalars import is_numeric, least, plain, scalar, short, size
+from .vectors import EQUATIONS, FrameError, Vector, add3, named_sum
 
 EQUATIONS["resultant"] = ("8.21", r"\mathbf{F}^e", {})
 EQUATIONS["moment of the forces"] = ("8.7", r"\mathbf{M}", {})
@@ -179,10 +179,10 @@ class Wrench:
             return "in balance: neither a force nor a couple is left"
         if self.kind == "couple":
             return f"a couple {self.moment}, the same about every point: there is no resultant force, and so no axis"
-        place = f"({', '.join(_short(x) for x in self.point.position(self.point.frame))}) of {self.point.frame.name}"
+        place = f"({', '.join(short(x) for x in self.point.position(self.point.frame))}) of {self.point.frame.name}"
         if self.kind == "force":
             return f"a single force {self.force} on the line through {place}"
-        return f"a force {self.force} on the axis through {place} with a couple along it, pitch {_short(self.pitch)}"
+        return f"a force {self.force} on the axis through {place} with a couple along it, pitch {short(self.pitch)}"
 
 
 def _parts(name, part):

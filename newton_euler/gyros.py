@@ -19,8 +19,8 @@ import math
 from dataclasses import dataclass
 
 from .mass import Inertia
-from .scalars import ZERO, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, sin, size, sqrt, tan, where
-from .vectors import EQUATIONS, FrameError, Vector, _short, named_sum
+from .scalars import ZERO, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, short, sin, size, sqrt, tan, where
+from .vectors import EQUATIONS, FrameError, Vector, named_sum
 
 
 class GyroError(ValueError):
@@ -257,8 +257,8 @@ def _discriminant(a, h, c, I, what):
     small = 8 * epsilon(D) * abs(h * h) + 8 * epsilon(D) * abs(4 * (a * c))
     D = where(plain(D) < 0, where(plain(D + small) >= 0, 0 * D, D), D)
     if _any(plain(D) < 0):
-        needed = "without I no spin helps" if is_zero(I) else f"{what} must be at least {_short(_least_rate(a, c, I))} rad/s in size"
-        raise GyroError(f"no steady precession is possible at this angle: the discriminant is {_short(D)}, negative; {needed}")
+        needed = "without I no spin helps" if is_zero(I) else f"{what} must be at least {short(_least_rate(a, c, I))} rad/s in size"
+        raise GyroError(f"no steady precession is possible at this angle: the discriminant is {short(D)}, negative; {needed}")
     return D
 
 

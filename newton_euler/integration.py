@@ -13,11 +13,11 @@ from .admissibility import MassError
 from .inertia import Inertia
 from .jets import Moving
 from .mass import Body
+from .quadrature import cubature
 from .scalars import ZERO, is_numeric, is_positive, plain, scalar, size, sqrt
 from .vectors import cross3, dot3
 
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))  # of the second moments
-SUBDIVISIONS = {1: 4000, 2: 400, 3: 40}  # by number of parameters; each one is 2, 4 or 8 boxes of 21^n points
 
 
 class IntegratedBody(Body):
@@ -124,7 +124,7 @@ def _numeric(position, limits, weigh, rtol, name):
 
     coarse = np.array(list(product(np.linspace(0.05, 0.95, 10), repeat=n)))
     scale = _scales(moments(coarse), name, np)
-    values, error = _cubature(lambda points: moments(points) / scale, n, rtol, name)
+    values, error = cubature(lambda points: moments(points) / scale, n, rtol, name, MassError)
     values = (values * scale).tolist()
     return (reference, values[0], values[1], values[2:5], values[5:]), error
 
@@ -158,23 +158,6 @@ def _scales(sample, name, np):
         raise MassError(f"{name} has no extent: its parameters do not move its points, or the limits coincide, or its density is zero")
     length = (second / mass) ** 0.5
     return np.array([content, mass] + [mass * length] * 3 + [mass * length**2] * 6)
-
-
-def _cubature(f, n, rtol, name):
-    import numpy as np
-    from scipy.integrate import cubature
-
-    found = cubature(f, [0.0] * n, [1.0] * n, rule="gk21", rtol=rtol, atol=rtol, max_subdivisions=SUBDIVISIONS[n])
-    error = float(np.max(found.error))
-    if not np.isfinite(found.estimate).all():
-        raise MassError(f"the integrals over {name} are not finite: the formula or the density grows without bound within the limits")
-    if found.status != "converged":
-        raise MassError(
-            f"the integrals over {name} did not converge: after {found.subdivisions} subdivisions their relative error is about {error:.1g}, and "
-            f"{rtol:.1g} was asked for. Split the body where the formula has a corner or a jump, choose coordinates that follow its edges, or "
-            "ask for less with rtol="
-        )
-    return found.estimate, error
 
 
 # -- formulas

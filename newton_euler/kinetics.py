@@ -12,8 +12,7 @@ Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raise
 
 from . import components, paths  # noqa: F401  their equations of acceleration become equations of force below
 from .admissibility import MassError
-from .scalars import is_finite, is_numeric, is_positive, least, plain, scalar
-from .triads import SingularError
+from .scalars import SingularError, is_finite, is_numeric, is_positive, least, plain, scalar
 from .vectors import EQUATIONS, FrameError, Ledger, Vector, named_sum
 
 

@@ -13,8 +13,8 @@ from inspect import signature
 from math import prod
 from types import MappingProxyType
 
-from .scalars import ZERO, ScalarError, Scaled, _Own, coarseness, is_numeric, is_zero, least, outranks, pi, plain, sampled, scalar, size
-from .vectors import FrameError, Vector, _short
+from .scalars import ZERO, ScalarError, Scaled, _Own, coarseness, is_numeric, is_zero, least, outranks, pi, plain, sampled, scalar, short, size
+from .vectors import FrameError, Vector
 
 LARGEST_CORE = 6  # unknowns that are solved together by Cramer's rule; of more, one after the other is eliminated
 
@@ -226,7 +226,7 @@ class Solution:
         return ". ".join(said) or "The equations determine every unknown, and each of them is needed"
 
     def __str__(self):
-        lines = [f"{name} = {_short(self.values[name]) if name in self.values else 'not determined'}" for name in self.names]
+        lines = [f"{name} = {short(self.values[name]) if name in self.values else 'not determined'}" for name in self.names]
         return "\n".join([*lines, self.report()])
 
 
@@ -442,7 +442,7 @@ class _Elimination:
         for pivot, free in self.free.items():
             row = self.rows[pivot][: self.count + 1]
             if free and not any(getattr(x, "shape", ()) for x in row):
-                yield f"{names[pivot]} = {_short(row[self.count])}" + "".join(_term(row[k], names[k]) for k in free)
+                yield f"{names[pivot]} = {short(row[self.count])}" + "".join(_term(row[k], names[k]) for k in free)
 
     def redundant(self):
         """By name, the equations that follow from others."""

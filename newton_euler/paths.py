@@ -13,8 +13,8 @@ exact; no step size enters.
 from dataclasses import dataclass, field
 
 from .jets import Moving, moving
-from .scalars import ZERO, epsilon, is_numeric, is_zero, plain, scalar, whole
-from .triads import SingularError, Triad, drowned, norm3, numeric3, shaken
+from .scalars import ZERO, SingularError, epsilon, is_numeric, is_zero, plain, scalar, whole
+from .triads import Triad, drowned, norm3, numeric3, shaken
 from .vectors import EQUATIONS, FrameError, Ledger, Vector, add3, cross3, dot3, scale3
 
 EQUATIONS.update({

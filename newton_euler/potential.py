@@ -13,10 +13,10 @@ from .coordinates import gradient, tangents
 from .forces import G_STANDARD, K
 from .frames import Point
 from .jets import Moving
-from .scalars import ZERO, ScalarError, is_finite, is_numeric, plain, sampled, scalar, size
+from .quadrature import WorkError, quadrature
+from .scalars import ZERO, ScalarError, is_finite, is_numeric, plain, sampled, scalar, short, size
 from .triads import norm3
-from .vectors import _short
-from .work import WorkError, work_along, work_integral
+from .work import work_along
 
 
 class NoPotential(WorkError):
@@ -159,7 +159,7 @@ class Potential:
             return _along(_checked(self.force)(*(a + s * d for a, d in zip(self.base, line, strict=True))), line)
 
         start = plain(0 * sum(map(plain, target)))  # zero in the kind of the coordinates: an mpf keeps its digits
-        return -work_integral(along, 0 if exact else start, 1 if exact else start + 1, self.rtol, exact).value
+        return -quadrature(along, 0 if exact else start, 1 if exact else start + 1, self.rtol, exact)[0]
 
 
 def _along(F, line):
@@ -193,8 +193,8 @@ def _check_curl(force, place, tolerance):
     largest = max(_measure(x) for row in J for x in row)
     c = _antisymmetric(J)
     if max(map(_measure, c)) > tolerance * largest:
-        told = ", ".join(map(_short, c))
-        where = ", ".join(map(_short, place))
+        told = ", ".join(map(short, c))
+        where = ", ".join(map(short, place))
         raise NoPotential(f"there is no potential: at ({where}) the curl of the force is ({told}), not zero; its work depends on the path", place, c)
 
 
@@ -215,7 +215,7 @@ def _check_loop(force, loop, n, tolerance):
     U = work_along(lambda *place: tuple(sampled(f) for f in force(*place)), loop, 0.0, 1.0)
     if size(scalar(U.value)) > max(tolerance * length * strength, 10 * U.error):
         raise NoPotential(
-            f"there is no potential: round loop {n} the force does the work {_short(U.value)}, though its curl is zero; the loop goes round a place "
+            f"there is no potential: round loop {n} the force does the work {short(U.value)}, though its curl is zero; the loop goes round a place "
             "where the force does not exist, and V would grow by this much with every turn",
             circulation=U.value,
         )

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 from .admissibility import AXES, PRODUCTS, MassError
 from .rotations import axis_angle
-from .scalars import ZERO, acos, atan2, cos, epsilon, is_numeric, is_zero, library_of, pi, plain, scalar, sin, size, sqrt
-from .vectors import Vector, _short, cross3, dot3, scale3
+from .scalars import ZERO, acos, atan2, cos, epsilon, is_numeric, is_zero, library_of, pi, plain, scalar, short, sin, size, sqrt
+from .vectors import Vector, cross3, dot3, scale3
 
 PAIRS = ((0, 1), (1, 2), (2, 0))  # the axes u, v of the products xy, yz, zx
 ROUND_OFF = 256  # moments nearer than so many round-offs of the largest are equal
@@ -53,7 +53,7 @@ class Principal:
         return self.inertia.frame.rotate(name, axis, angle)
 
     def __str__(self):
-        lines = [f"principal moments about {self.inertia.point.name}: {', '.join(map(_short, self.moments))}"]
+        lines = [f"principal moments about {self.inertia.point.name}: {', '.join(map(short, self.moments))}"]
         lines += [f"  axis {n + 1}: {axis}" for n, axis in enumerate(self.axes)]
         return "\n".join(lines + self._doubts())
 

@@ -26,6 +26,10 @@ class ScalarError(TypeError):
     """Something that is not a number of any known kind, or an operation that a kind of number does not have."""
 
 
+class SingularError(ValueError):
+    """A direction, a radius, a rate or an integral that does not exist at this place: on an axis, at a pole, at an inflection, on a straight line."""
+
+
 class _Own:
     """Base of the kinds of number defined here. NumPy must hand operations over instead of looping over them."""
 
@@ -183,6 +187,15 @@ def plain(x):
 def without_rates(x):
     """The value of ``x`` alone, to compare or to measure it; the structural zero as the integer 0."""
     return x.without_rates() if isinstance(x, _Own) else x
+
+
+def short(x):
+    """The number with six digits, for messages and tables; an expression or an array in full.
+
+    >>> short(2 / 3)
+    '0.666667'
+    """
+    return str(x) if not is_numeric(x) or getattr(x, "shape", ()) else f"{float(x):.6g}"
 
 
 def _dtype(x):

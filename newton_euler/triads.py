@@ -10,10 +10,6 @@ from .scalars import epsilon, is_numeric, plain, scalar, size, sqrt, where
 from .vectors import ZERO3, FrameError, add3, dot3, scale3
 
 
-class SingularError(ValueError):
-    """A direction, a radius or a rate that does not exist at this place: on an axis, at a pole, at an inflection, on a straight line."""
-
-
 class Triad(Frame):
     """The frame with these axes, at this instant.
 

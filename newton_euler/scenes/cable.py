@@ -22,7 +22,7 @@ def load_for_rest(path, tension, q, ground=None):
     """The force per length that holds the cable at rest, a Vector along e_t, e_n, e_b: R1 = -dT/ds, R2 = -T f, R3 = 0.
 
     path : function of a parameter that returns (x, y, z) of the cable; tension : T as a function of the same parameter; q : its value here
-    Raises :class:`~newton_euler.triads.SingularError` where the cable is straight.
+    Raises :class:`~newton_euler.scalars.SingularError` where the cable is straight.
 
     >>> from newton_euler import cos, sin
     >>> print(load_for_rest(lambda q: (2.0*cos(q), 2.0*sin(q), 0), lambda q: 100.0, 0.3))  # round a smooth post: it pushes outwards with T/r

@@ -1,13 +1,12 @@
 """A car in a curve, with tangential and normal acceleration (2.5)."""
 
-from ..scalars import is_numeric, size, sqrt, where
-from ..triads import SingularError
+from ..scalars import SingularError, is_numeric, size, sqrt, where
 
 
 def speed_in_curve(rho, speed_rate, acceleration):
     """The speed in a curve of radius ``rho`` at which the magnitude of the total acceleration is ``acceleration``; from (2.14).
 
-    speed_rate : rate of change of the speed; any consistent units. Raises :class:`~newton_euler.triads.SingularError` if it alone is more than the
+    speed_rate : rate of change of the speed; any consistent units. Raises :class:`~newton_euler.scalars.SingularError` if it alone is more than the
     total, which no speed can give.
 
     >>> round(speed_in_curve(rho=250.0, speed_rate=2.0, acceleration=3.0), 2)

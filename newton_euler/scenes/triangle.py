@@ -1,13 +1,12 @@
 """Three points: the directions of the sides, the normal, and the plane through them (App. A, examples 2 and 3)."""
 
-from ..scalars import is_zero, scalar
-from ..triads import SingularError
+from ..scalars import SingularError, is_zero, scalar
 
 
 def triangle(A, B, C):
     """The unit vectors along AB and AC, and the unit normal in the sense of AB x AC, of three Points of one frame.
 
-    Raises :class:`~newton_euler.triads.SingularError` if the points lie on one line (exactly), so that no normal exists.
+    Raises :class:`~newton_euler.scalars.SingularError` if the points lie on one line (exactly), so that no normal exists.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
