@@ -109,13 +109,12 @@ class CoordinatePoint(Point):
         if observer is not self.ground or via is not None:
             return vector
         here = vector.expressed_in(self.local)
-        make = self._terms[what]
-        ledger = Ledger(f"{self._system} {what}", f"of {self.name} in {observer.name}", lambda: _in(self.local, make(self)))
+
+        def terms():
+            return {name: v.expressed_in(self.local) for name, v in self._terms[what](self).items()}
+
+        ledger = Ledger(f"{self._system} {what}", f"of {self.name} in {observer.name}", terms)
         return Vector(here.c, here.frame, here._own_rate, ledger)
-
-
-def _in(frame, terms):
-    return {name: v.expressed_in(frame) for name, v in terms.items()}
 
 
 def polar(ground, name, r, theta):

@@ -93,7 +93,7 @@ class ForceSystem:
     @property
     def force(self):
         """The resultant force, the sum of all (8.21). terms : the forces by name."""
-        return named_sum("resultant", "", {p.name: p.vector for p in self.parts if isinstance(p, Force)}, self.frame)
+        return named_sum("resultant", "", {p.name: p.vector for p in self._forces()}, self.frame)
 
     def moment(self, about):
         """The moment about a Point (or the origin of a Frame) of all forces and couples (8.7). terms : their moments by name."""

@@ -98,8 +98,11 @@ class Inertia(Scaled, NamedTerms):
         if not isinstance(omega, Vector):
             raise MassError(f"the inertia matrix multiplies an angular velocity, a Vector as from frame.angular_velocity(ground); got {omega!r}")
         w = omega.expressed_in(self.frame).c
-        c = ZERO3 if w is ZERO3 else tuple(dot3(row, w) for row in self._rows())
-        return Vector(c, self.frame, omega._own_rate and (lambda: self.times(omega.rate(self.frame))))
+        return Vector(self.times3(w), self.frame, omega._own_rate and (lambda: self.times(omega.rate(self.frame))))
+
+    def times3(self, c):
+        """The matrix times a triple of components along its axes."""
+        return ZERO3 if c is ZERO3 else tuple(dot3(row, c) for row in self._rows())
 
     def moment(self, axis):
         """The moment of inertia about the axis through ``point``: n . I n.
@@ -146,8 +149,8 @@ class Inertia(Scaled, NamedTerms):
         point = place(point, "an inertia matrix")
         if point is self.point:
             return self
-        self._needs("mass", f"going from {self.point.name} to {point.name}")
-        self._needs("centre", f"going from {self.point.name} to {point.name}")
+        for what in ("mass", "centre"):
+            self._needs(what, f"going from {self.point.name} to {point.name}")
         step = (self.point - point).expressed_in(self.frame).c
         before = ZERO3 if self.centre is self.point else (self.centre - self.point).expressed_in(self.frame).c
         moments, products = _transfer(self.mass, step, before)

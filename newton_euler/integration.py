@@ -11,7 +11,7 @@ from itertools import product
 
 from .admissibility import MassError
 from .inertia import Inertia
-from .jets import Moving
+from .jets import Moving, as_moving
 from .mass import Body
 from .quadrature import cubature
 from .scalars import ZERO, is_numeric, is_positive, plain, scalar, size, sqrt
@@ -91,7 +91,7 @@ def _tangents(position, parameters):
     place, tangents = None, []
     for n in range(len(parameters)):
         moved = [Moving(u, 1) if n == m else u for m, u in enumerate(parameters)]
-        c = [x if isinstance(x, Moving) else Moving(scalar(x)) for x in position(*moved)]
+        c = [as_moving(x) for x in position(*moved)]
         place = [x.value for x in c]
         tangents.append(tuple(x.rate for x in c))
     return place, tangents

@@ -55,7 +55,7 @@ class Moving(_Own):
         return f"moving({plain(self.value)!r}, rate={plain(self.rate)!r}, acceleration={plain(self.acceleration)!r})"
 
     def __add__(self, other):
-        o = _as_moving(other)
+        o = as_moving(other)
         return Moving(self.value + o.value, self.rate + o.rate, self.acceleration + o.acceleration)
 
     __radd__ = __add__
@@ -64,17 +64,17 @@ class Moving(_Own):
         return Moving(-self.value, -self.rate, -self.acceleration)
 
     def __sub__(self, other):
-        return self + (-_as_moving(other))
+        return self + (-as_moving(other))
 
     def __rsub__(self, other):
-        return _as_moving(other) + (-self)
+        return as_moving(other) + (-self)
 
     def __mul__(self, other):
         if other is ZERO:
             return ZERO
         if isinstance(other, Scaled):
             return NotImplemented
-        o = _as_moving(other)
+        o = as_moving(other)
         return Moving(
             self.value * o.value,
             self.rate * o.value + self.value * o.rate,
@@ -84,13 +84,13 @@ class Moving(_Own):
     __rmul__ = __mul__
 
     def __truediv__(self, other):
-        o = _as_moving(other)
+        o = as_moving(other)
         q = self.value / o.value
         dq = (self.rate - q * o.rate) / o.value
         return Moving(q, dq, (self.acceleration - 2 * (dq * o.rate) - q * o.acceleration) / o.value)
 
     def __rtruediv__(self, other):
-        return _as_moving(other) / self
+        return as_moving(other) / self
 
     def __pow__(self, power):
         if isinstance(power, Moving):
@@ -116,7 +116,7 @@ class Moving(_Own):
     def function(self, name, *args):
         """The function of this name, for :func:`function`."""
         if name == "atan2":
-            y, x = (_as_moving(a) for a in args)
+            y, x = (as_moving(a) for a in args)
             square = x.value * x.value + y.value * y.value
             rate = (x.value * y.rate - y.value * x.rate) / square
             growth = 2 * (x.value * x.rate + y.value * y.rate)
@@ -151,7 +151,8 @@ _DERIVATIVES = {
 }
 
 
-def _as_moving(x):
+def as_moving(x):
+    """``x`` itself if it is moving, else a moving number whose rates are zero by structure."""
     return x if isinstance(x, Moving) else Moving(scalar(x))
 
 
@@ -196,4 +197,4 @@ def at(f, t):
     >>> at(lambda t: t**3, 2.0)
     moving(8.0, rate=12.0, acceleration=12.0)
     """
-    return _as_moving(f(Moving(t, whole(1, t))))  # a rate of the kind of t, or constants of 16 digits are multiplied before they meet it
+    return as_moving(f(Moving(t, whole(1, t))))  # a rate of the kind of t, or constants of 16 digits are multiplied before they meet it

@@ -68,9 +68,7 @@ class Body:
 
     def __neg__(self):
         """The body as a hole: with negative mass."""
-        if self.parts:
-            return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame, [-part for part in self.parts])
-        return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame)
+        return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame, [-part for part in self.parts])
 
     def check(self, tolerance=1e-9):
         """Returns the body if mass and inertia are possible; :class:`MassError` otherwise, see :meth:`Inertia.check`."""

@@ -12,7 +12,7 @@ the third root is taken, which is far from both, and the limits from it: their d
 import math
 from dataclasses import dataclass
 
-from .gyros import GyroError, _check_moments
+from .gyros import GyroError, check_top
 from .scalars import acos, atan2, cos, is_numeric, of_one_kind, pi, scalar, sin, sqrt, where
 
 
@@ -43,9 +43,7 @@ def nutation(I0, I, mgr, theta, theta_rate, precession, spin=None, omega_z=None,
         affected by it
     For floats, mpf and arrays; raises :class:`GyroError` for expressions, whose cubic has no order of its roots.
     """
-    _check_moments(I0, I)
-    if (spin is None) == (omega_z is None):
-        raise GyroError("give either spin, the rate phi' about the axis relative to the precessing plane, or omega_z = phi' + psi' cos(theta)")
+    check_top(I0, I, spin, omega_z)
     b = I * (omega_z if spin is None else spin + precession * cos(theta)) / I0
     given = of_one_kind(*map(scalar, (b, mgr / I0, theta, theta_rate, precession)))
     if not all(map(is_numeric, given)):

@@ -5,7 +5,7 @@ accuracy of the numbers it gets (floats, arrays, mpf). For formulas integrate by
 """
 
 from .quadrature import integral
-from .scalars import SingularError, scalar, size, sqrt, where
+from .scalars import SingularError, anywhere, scalar, size, sqrt, where
 
 
 def from_time(a, t, x0=0.0, v0=0.0):
@@ -49,11 +49,11 @@ def from_place(a, x, x0=0.0, v0=0.0):
     def speed(s):
         """At the distance s from the start; s is small near the start, where x0 + s would lose digits."""
         square = v0 * v0 + 2 * s * integral(lambda p: a(x0 + s * p), 0 * s, 0 * s + 1)
-        if size(where(square < 0, 1, 0)) > 0:
+        if anywhere(square < 0):
             raise SingularError(f"the point does not reach x = {x!r}: v^2 becomes negative on the way, so it turns back before")
         return sqrt(square)
 
-    if size(where(v0 * forward < 0, 1, 0)) > 0:
+    if anywhere(v0 * forward < 0):
         raise SingularError(f"the point starts away from x = {x!r} (v0 = {v0!r}); follow it to its turning point first")
     return integral(lambda s: forward / speed(s), 0 * way, way), forward * speed(way)
 
@@ -61,5 +61,5 @@ def from_place(a, x, x0=0.0, v0=0.0):
 def _check_reached(a, v, v0):
     ahead = where(v >= v0, 1, -1)
     for n in range(65):
-        if size(where(a(v0 + (v - v0) * n / 64) * ahead <= 0, 1, 0)) > 0 and size(v - v0) > 0:
+        if anywhere(a(v0 + (v - v0) * n / 64) * ahead <= 0) and size(v - v0) > 0:
             raise SingularError(f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes or points the other way in between")

@@ -369,6 +369,11 @@ def where(condition, a, b):
     return a if condition else b
 
 
+def anywhere(condition):
+    """True where the condition holds; of an array of conditions, where it holds at any instant."""
+    return bool(size(where(condition, 1, 0)))
+
+
 def epsilon(like=0.0):
     """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or for an mpf what its working precision gives.
 
