@@ -12,7 +12,7 @@ force may be moved if the couple of its moment goes with it (8.20). Forces may h
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .frames import place
 from .scalars import is_numeric, least, plain, scalar, short, size
@@ -207,7 +207,7 @@ def _distinct(parts):
     seen, out = {}, []
     for part in parts:
         seen[part.name] = n = seen.get(part.name, 0) + 1
-        out.append(part if n == 1 else type(part)(*(getattr(part, f) for f in ("vector", "point") if hasattr(part, f)), name=f"{part.name} {n}"))
+        out.append(part if n == 1 else replace(part, name=f"{part.name} {n}"))
     return out
 
 

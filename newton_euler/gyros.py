@@ -18,7 +18,7 @@ as (I0 - I) cos(theta) vanishes, where the fast precession goes to infinity and 
 import math
 from dataclasses import dataclass
 
-from .mass import Inertia
+from .inertia import Inertia
 from .scalars import ZERO, anywhere, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, short, sin, sqrt, tan, where
 from .vectors import EQUATIONS, FrameError, Vector, named_sum
 

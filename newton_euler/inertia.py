@@ -254,12 +254,19 @@ def axis_index(name):
     return AXES.index(bare), -1 if name.startswith("-") else 1
 
 
+SECOND_MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))  # the pairs of coordinates, in the order that from_second_moments takes
+
+
+def from_second_moments(second):
+    """Moments (7.9) and products (7.10) of inertia from the integrals of x x, y y, z z, x y, y z, z x over the mass."""
+    xx, yy, zz, *products = second
+    return (yy + zz, zz + xx, xx + yy), tuple(products)
+
+
 def _transfer(mass, step, before=ZERO3):
     """Moments and products that are added when the point goes back by ``step``; ``before`` leads from the old point to G."""
     s, p = step, add3(step, scale3(2, before))
-    xx, yy, zz = (mass * (a * b) for a, b in zip(s, p, strict=True))
-    moments = (yy + zz, zz + xx, xx + yy)
-    return moments, tuple(mass * (s[n] * p[m] + s[m] * p[n]) / 2 for n, m in ((0, 1), (1, 2), (2, 0)))
+    return from_second_moments([mass * (s[n] * p[n]) if n == m else mass * (s[n] * p[m] + s[m] * p[n]) / 2 for n, m in SECOND_MOMENTS])
 
 
 def _difference(a, b):

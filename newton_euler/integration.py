@@ -10,14 +10,12 @@ Numbers are integrated by SciPy's adaptive cubature, with an error estimate and 
 from itertools import product
 
 from .admissibility import MassError
-from .inertia import Inertia
+from .inertia import SECOND_MOMENTS, Inertia, from_second_moments
 from .jets import Moving, as_moving
 from .mass import Body
 from .quadrature import cubature
 from .scalars import ZERO, is_numeric, is_positive, plain, scalar, size, sqrt
 from .vectors import cross3, dot3
-
-PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))  # of the second moments
 
 
 class IntegratedBody(Body):
@@ -69,10 +67,9 @@ def _body(moments, error, mass, density, frame, name):
     d = [x / total for x in first]
     centre = frame.point(f"G of {name}", *(_tidy(r + x) for r, x in zip(reference, d, strict=True)))
     if is_numeric(total):  # about G at once, the transfer being taken off where it is small
-        second = [s - total * d[a] * d[b] for s, (a, b) in zip(second, PAIRS, strict=True)]
-    xx, yy, zz, xy, yz, zx = (factor * s for s in second)
+        second = [s - total * d[a] * d[b] for s, (a, b) in zip(second, SECOND_MOMENTS, strict=True)]
     about = centre if is_numeric(total) else frame
-    body = IntegratedBody(name, m, centre, Inertia(about, (yy + zz, zz + xx, xx + yy), (xy, yz, zx), m, centre, frame, None))
+    body = IntegratedBody(name, m, centre, Inertia(about, *from_second_moments([factor * s for s in second]), m, centre, frame, None))
     body.content, body.error = content, error
     return body
 
@@ -182,7 +179,7 @@ def _exact(position, limits, weigh, name):
 
     x, y, z = place
     rho = sympy.sympify(weigh(x, y, z))
-    second = [total(rho * place[a] * place[b]) for a, b in PAIRS]
+    second = [total(rho * place[a] * place[b]) for a, b in SECOND_MOMENTS]
     return (ZERO, ZERO, ZERO), total(1), total(rho), [total(rho * c) for c in place], second
 
 

@@ -63,8 +63,6 @@ class Principal:
             return []
         if not open_axes:
             return [f"  all axes are determined, to {max(size(t) for t in self.turns):.2g} rad, for data with a relative error of {self.noise:.2g}"]
-        if len(open_axes) == 3 and size(self.gaps[0]) < size(self.gaps[2]) == 0:
-            open_axes = [1, 2, 3]
         names = " and ".join(map(str, open_axes))
         rest = "any axis is a principal axis" if len(open_axes) == 3 else "only their plane is: any two axes in it will do"
         return [f"  axes {names} are not determined by data with a relative error of {self.noise:.2g}: their moments are equal within it; {rest}"]
