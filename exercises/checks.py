@@ -4,8 +4,8 @@ import random
 
 from mpmath import mp, mpf
 
-from newton_euler.scalars import Dimension, DimensionError, size
-from newton_euler.units import unit
+from newton_euler.scalars import size
+from newton_euler.units import Dimension, DimensionError, unit
 
 from .catalogue import CatalogueError
 from .proofs import DIGITS

@@ -15,7 +15,8 @@ from exercises.variants import evaluate, symbol_values
 from newton_euler.forms import SHAPES, Form
 from newton_euler.formula_trees import TreeError
 from newton_euler.formula_trees import evaluate as tree_value
-from newton_euler.scalars import DimensionError, ScalarError
+from newton_euler.scalars import ScalarError
+from newton_euler.units import DimensionError
 
 from .diagnose import diagnose
 

@@ -15,11 +15,13 @@ __version__ = "0.1.0"
 
 # room: the names that it gives to the public, in the order of the book
 ROOMS = {
-    "scalars": """ZERO Dimension DimensionError ScalarError acos asin at atan atan2 cos cosh exp log moving pi radians sin sinh sqrt tan tanh""",
+    "scalars": """ZERO ScalarError SingularError acos asin atan atan2 cos cosh exp log pi radians sin sinh sqrt tan tanh""",
+    "jets": "at moving",
     "tracing": "compiled",
-    "units": "UnitError unit",
+    "units": "Dimension DimensionError UnitError unit",
     "vectors": "Explanation FrameError Vector cross dot same",
-    "triads": "SingularError Triad",
+    "quadrature": "WorkError",
+    "triads": "Triad",
     "rectilinear": "from_place from_speed from_time",
     "paths": "Frenet along at_speed flexure frenet frenet_along speed_rate",
     "components": """T_phi T_theta T_theta_phi cylindrical cylindrical_coordinates cylindrical_frame polar polar_coordinates
@@ -30,7 +32,8 @@ ROOMS = {
     "rotations": """RotationError axis_angle direction_cosines euler_angles euler_body_rates euler_frame euler_from_quaternion
         euler_matrix euler_rates in_sequence matrix_from_quaternion normalised quaternion quaternion_from_euler quaternion_from_matrix
         quaternion_product quaternion_rate rotation_matrix unwound""",
-    "inertia": "Inertia MassError",
+    "admissibility": "MassError",
+    "inertia": "Inertia",
     "mass": "Body centre_of_mass composite particle",
     "principal": "Principal Symmetry",
     "integration": "integrated",
@@ -52,7 +55,7 @@ ROOMS = {
     "rotors": "RotorError balance balancing_masses corrections imbalance reactions shaft_axis",
     "gyros": """GyroError fast_spin free_precession gyro_moment gyro_momentum instantaneous_axis least_spin normal_moment nutation_stiffness
         sleeping_top steady_moment steady_precession steady_spin""",
-    "work": "Amount WorkError constant_force_work pair_power power work_along work_in_time work_integral",
+    "work": "Amount constant_force_work pair_power power work_along work_in_time work_integral",
     "potential": """NoPotential Potential conservative_force curl find_potential gravitational_potential jacobian spring_between
         spring_potential weight_potential""",
     "energy": """Audit EnergyError audit gyroscope_energy kinetic_energy kinetic_energy_about kinetic_energy_rate plane_kinetic_energy

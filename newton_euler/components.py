@@ -11,9 +11,10 @@ components (3.1)-(3.3) are those of an ordinary point: ``ground.point("P", x, y,
 """
 
 from .frames import Frame, Point
+from .jets import Moving, moving
 from .rotations import product
-from .scalars import ZERO, Moving, atan2, cos, epsilon, least, moving, plain, scalar, sin, size, sqrt
-from .triads import SingularError, drowned, norm3, numeric3
+from .scalars import ZERO, SingularError, atan2, cos, epsilon, least, plain, scalar, sin, size, sqrt
+from .triads import drowned, norm3, numeric3
 from .vectors import EQUATIONS, Ledger, Vector
 
 _RADIAL = ("r' e_r", r"\dot{r}\,\hat{e}_r"), ("r'' e_r", r"\ddot{r}\,\hat{e}_r")
@@ -108,13 +109,12 @@ class CoordinatePoint(Point):
         if observer is not self.ground or via is not None:
             return vector
         here = vector.expressed_in(self.local)
-        make = self._terms[what]
-        ledger = Ledger(f"{self._system} {what}", f"of {self.name} in {observer.name}", lambda: _in(self.local, make(self)))
+
+        def terms():
+            return {name: v.expressed_in(self.local) for name, v in self._terms[what](self).items()}
+
+        ledger = Ledger(f"{self._system} {what}", f"of {self.name} in {observer.name}", terms)
         return Vector(here.c, here.frame, here._own_rate, ledger)
-
-
-def _in(frame, terms):
-    return {name: v.expressed_in(frame) for name, v in terms.items()}
 
 
 def polar(ground, name, r, theta):

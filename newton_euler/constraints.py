@@ -5,10 +5,10 @@ not seen from their number but from the rank of their Jacobian at a general conf
 """
 
 import inspect
-import random
 from dataclasses import dataclass
 
-from .scalars import Moving, is_finite, is_numeric, scalar
+from .jets import Moving
+from .scalars import is_finite, is_numeric, scalar
 from .vectors import Vector
 
 # Table 5-1, and the coordinates that a constraint gets
@@ -50,30 +50,25 @@ class Freedom:
         return "\n".join(lines + ["  the configuration is singular: nearby the constraints take away more"] * self.singular)
 
 
-def degrees_of_freedom(bodies, constraints=None, at=None, tolerance=1e-9, seed=5):
+def degrees_of_freedom(bodies, constraints=None, at=None, tolerance=1e-9):
     """The :class:`Freedom` of a system of bodies under holonomic constraints (5.11): DOF = unknowns - rank of the Jacobian.
 
     bodies : name -> kind, one of :data:`KINDS`, or a number of coordinates
     constraints : name -> function that vanishes (5.28), of the bodies it names as its parameters, each a tuple of coordinates (lengths and radians);
         it returns a scalar or a tuple of them, in arithmetic and with functions of this package
-    at : name -> coordinates: a configuration to look at; default: general ones, found from random places (``seed``) by Newton's method
-    tolerance : singular values of the Jacobian below it, relative to the largest, count as zero; its rows are scaled to 1 before
-    Raises :class:`ConstraintError` if no configuration meets the constraints. Springs, dampers and weights are forces and no constraints.
+    at : name -> coordinates: the configuration to look at; default: the one that Newton's method finds from a fixed start in no special position
+    tolerance : a row of the Jacobian, scaled to 1, of which less than this lies outside the span of the others, is dependent on them
+    Raises :class:`ConstraintError` if that configuration does not meet the constraints. Springs, dampers and weights are forces and no constraints.
 
     >>> pendulum = degrees_of_freedom({"P": "particle in plane"}, {"rod": lambda P: P[0]**2 + P[1]**2 - 1})
     >>> pendulum.count
     1
     """
     system = _System(bodies, constraints or {})
-    found = [system.settled(random.Random(seed + n)) for n in range(3)]
-    best = max((system.rank(q, tolerance) for q in found), default=0)
-    general = next(q for q in found if system.rank(q, tolerance) == best)
-    if at is None:
-        return Freedom(system.size - best, system.size, best, system.redundant(general, tolerance), system.by_name(general))
-    q = system.given(at)
-    rank = system.rank(q, tolerance)
-    near = system.rank(system.settled(random.Random(seed), q, 0.05), tolerance)
-    return Freedom(system.size - rank, system.size, rank, system.redundant(q, tolerance), system.by_name(q), rank < near)
+    q = system.settled() if at is None else system.given(at)
+    rank, redundant = system.rank(q, tolerance)
+    singular = at is not None and rank < system.rank(system.settled(q, 0.05), tolerance)[0]
+    return Freedom(system.size - rank, system.size, rank, redundant, system.by_name(q), singular)
 
 
 class _System:
@@ -126,36 +121,30 @@ class _System:
             columns.append([float(_number(name, x.rate)) if isinstance(x, Moving) else 0.0 for name, x in self.equations(moved)])
         return np.array(columns).T.reshape(-1, self.size)
 
-    def settled(self, dice, start=None, spread=1.0):
-        """A configuration that meets the constraints, from a random one near ``start``, by Newton's method of least change."""
-        for _ in range(20):
-            begin = [dice.gauss(0.0, spread) + (0.0 if start is None else start[n]) for n in range(self.size)]
-            q = self._newton(begin)
-            if q is not None:
-                self._look_for_flat_ones(begin, q)
-                return q
-        names = ", ".join(name for name, _, _ in self.constraints)
-        raise ConstraintError(f"no configuration was found in which all constraints hold ({names}): do two of them contradict each other?")
-
-    def _newton(self, begin):
-        """The solution that 80 steps from ``begin`` lead to, or None."""
+    def settled(self, near=0.0, spread=1.0):
+        """The configuration that meets the constraints to which Newton's method of least change leads from a place at random, the same each time."""
         import numpy as np
 
-        q = np.array(begin)
-        for _ in range(80):
-            values = self.values(q)
-            if not len(values) or np.abs(values).max() <= 1e-13 * max(1.0, np.abs(q).max()):
-                return q
+        start = q = near + spread * np.random.default_rng(5).normal(size=self.size)
+        for _ in range(80):  # enough also where a gradient vanishes, and each step only halves the distance
+            off = np.abs(values := self.values(q)).max(initial=0.0) / max(1.0, np.abs(q).max())
+            if not off > 1e-13:
+                break
             q = q - np.linalg.lstsq(self.jacobian(q), values, rcond=1e-9)[0]
-            if not np.isfinite(q).all():
-                return None
-        return q if np.abs(self.values(q)).max() <= 1e-9 * max(1.0, np.abs(q).max()) else None
+        if not off < 1e-9:
+            names = ", ".join(name for name, _, _ in self.constraints)
+            raise ConstraintError(
+                f"no configuration was found in which all constraints hold ({names}): do two of them contradict each other? "
+                f"If not, pass one as at={{{', '.join(f'{name!r}: ...' for name in self.places)}}}, the coordinates of every body"
+            )
+        self._check_gradients(start, q)
+        return q
 
-    def _look_for_flat_ones(self, begin, q):
-        """A constraint whose gradient vanishes wherever it holds, as x**2 + y**2 = 0, hides how many coordinates it takes away."""
+    def _check_gradients(self, start, q):
+        """Refuses a constraint whose gradient vanishes wherever it holds, as x**2 + y**2 = 0: it hides how many coordinates it takes away."""
         import numpy as np
 
-        before, after = (np.linalg.norm(self.jacobian(p), axis=1) for p in (begin, q))
+        before, after = (np.linalg.norm(self.jacobian(p), axis=1) for p in (start, q))
         for (name, _), a, b in zip(self.equations(list(map(float, q))), before, after, strict=True):
             if b < 1e-5 * a:
                 raise ConstraintError(
@@ -177,34 +166,21 @@ class _System:
                 raise ConstraintError(f"the configuration at= does not meet the constraint {name!r}: it is {float(x):.3g} instead of 0")
         return q
 
-    def _scaled(self, q):
-        """The Jacobian with each row divided by its length; rows of zeros stay."""
-        import numpy as np
-
-        J = self.jacobian(q)
-        lengths = np.linalg.norm(J, axis=1, keepdims=True)
-        return J / np.where(lengths > 0, lengths, 1.0)
-
     def rank(self, q, tolerance):
+        """The number of independent constraints, and by name how many equations of each lie in the span of those before (Gram and Schmidt)."""
         import numpy as np
 
-        return int(np.linalg.matrix_rank(self._scaled(q), tol=tolerance * max(1, len(self.constraints)))) if self.constraints else 0
-
-    def redundant(self, q, tolerance):
-        """Each constraint whose rows lie in the span of the rows before, and how many of its rows."""
-        import numpy as np
-
-        if not self.constraints:
-            return {}
-        basis, found = np.zeros((0, self.size)), {}
-        for (name, _), row in zip(self.equations(list(map(float, q))), self._scaled(q), strict=True):
-            rest = row - basis.T @ (basis @ row)
-            rest = rest - basis.T @ (basis @ rest)
-            if np.linalg.norm(rest) > tolerance * len(self.constraints):
-                basis = np.vstack([basis, rest / np.linalg.norm(rest)])
+        basis, redundant = np.zeros((0, self.size)), {}
+        for (name, _), row in zip(self.equations(list(map(float, q))), self.jacobian(q), strict=True):
+            rest = row / (np.linalg.norm(row) or 1.0)
+            for _ in range(2):  # the second time removes what round-off left: twice is enough (Giraud, Langou, Rozloznik 2005)
+                rest = rest - basis.T @ (basis @ rest)
+            length = np.linalg.norm(rest)
+            if length > tolerance * len(self.constraints):
+                basis = np.vstack([basis, rest / length])
             else:
-                found[name] = found.get(name, 0) + 1
-        return found
+                redundant[name] = redundant.get(name, 0) + 1
+        return len(basis), redundant
 
 
 def _number(name, x):

@@ -6,8 +6,9 @@ with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the c
 """
 
 from .components import CoordinatePoint, with_rates
-from .scalars import ZERO, Moving, at, is_numeric, moving, plain, scalar, sqrt, whole
-from .triads import SingularError, Triad, drowned, norm3, numeric3, shaken, turning_of
+from .jets import Moving, as_moving, at, moving
+from .scalars import ZERO, SingularError, is_numeric, plain, scalar, whole
+from .triads import Triad, drowned, norm3, numeric3, shaken, turning_of
 from .vectors import EQUATIONS, Vector, cross3, dot3, scale3
 
 EQUATIONS.update({
@@ -86,9 +87,8 @@ def _check_axes(axes):
 
 
 def _moving_axes(position, q):
-    columns = [[x if isinstance(x, Moving) else Moving(x) for x in c] for c in tangents(position, q)]
-    lengths = [sqrt(dot3(c, c)) for c in columns]
-    return [[x if isinstance(x, Moving) else Moving(x) for x in (y / h for y in c)] for c, h in zip(columns, lengths, strict=True)]
+    columns = [[as_moving(x) for x in c] for c in tangents(position, q)]
+    return [[as_moving(x / norm3(c)) for x in c] for c in columns]
 
 
 def _velocity_terms(P, columns, names):

@@ -11,8 +11,7 @@ functions that take a vector ``gravity`` may be given the :func:`effective_gravi
 [0, 5.1563e-05, 5.1563e-05] in ground
 """
 
-from .inertia import is_positive
-from .scalars import ZERO, cos, is_numeric, least, plain, scalar, sin, size, sqrt
+from .scalars import ZERO, cos, is_numeric, is_positive, least, plain, scalar, sin, size, sqrt
 from .vectors import EQUATIONS, ZERO3, Vector, cross3, dot3, named_sum, scale3, sum3
 
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
@@ -74,13 +73,9 @@ def ground_frame(earth, latitude, longitude=0, radius=EARTH_RADIUS, name="ground
     [448, 0, 0] in ground
     """
     meridian = earth.rotate(f"meridian of {name}", "y", longitude)
-    up = _up(_checked_latitude(latitude))
-    return meridian.rotate(name, "-x", latitude, origin=meridian.point(f"origin of {name}", *(radius * x for x in up)))
-
-
-def _up(latitude):
-    """The direction up in the axes that ground axes have on the equator; along ground axes it is the direction of the rotation, turned about."""
-    return ZERO, sin(latitude), cos(latitude)
+    latitude = _checked_latitude(latitude)
+    origin = meridian.point(f"origin of {name}", ZERO, radius * sin(latitude), radius * cos(latitude))
+    return meridian.rotate(name, "-x", latitude, origin=origin)
 
 
 def _checked_latitude(latitude):
@@ -231,16 +226,15 @@ def projectile_position(t, launch, gravity, omega):
     [0.168611, 0, 0] in ground
     """
     frame = launch.frame
-    v, g, w = (x.expressed_in(frame).c for x in (launch, gravity, omega))
-    terms = _position_terms(t, v, g, w)
+    v, g, w = _along(frame, launch, gravity, omega)
+    straight, straight_turned = _series(t, v, w, 1)
+    fall, fall_turned = _series(t, g, w, 2)
+    terms = {"launch": straight, "fall": fall, "launch turned": straight_turned, "fall turned": fall_turned}
     return named_sum("projectile", f"in {frame.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)
 
 
-def _position_terms(t, v, g, w):
-    """The terms of (6.24) as triples."""
-    launch, launch_turned = _series(t, v, w, 1)
-    fall, fall_turned = _series(t, g, w, 2)
-    return {"launch": launch, "fall": fall, "launch turned": launch_turned, "fall turned": fall_turned}
+def _along(frame, *vectors):
+    return [v.expressed_in(frame).c for v in vectors]
 
 
 def _series(t, c, w, power, order=1):
@@ -268,14 +262,12 @@ def projectile_to_order(t, launch, gravity, omega, order):
 
     The rest after ``order`` is less than (2 omega t)^(order + 1)/(order + 2)! of the way; 24 orders are exact to round-off within five hours.
     """
-    frame = launch.frame
-    return Vector(position3(t, launch.c, gravity.expressed_in(frame).c, omega.expressed_in(frame).c, order), frame)
+    return Vector(position3(t, *_along(launch.frame, launch, gravity, omega), order), launch.frame)
 
 
 def projectile_velocity(t, launch, gravity, omega, order=1):
     """The velocity seen from the ground at time ``t``: the rate of :func:`projectile_position`, which is (6.22), or to a higher order."""
-    frame = launch.frame
-    return Vector(velocity3(t, launch.c, gravity.expressed_in(frame).c, omega.expressed_in(frame).c, order), frame)
+    return Vector(velocity3(t, *_along(launch.frame, launch, gravity, omega), order), launch.frame)
 
 
 def projectile(t, speed, azimuth, elevation, latitude, g, rate=EARTH_RATE):

@@ -11,8 +11,7 @@ translation and rotation, or of each body; the audit of a motion every potential
 from dataclasses import dataclass
 
 from .mass import Body
-from .scalars import cos, is_numeric, plain, sampled, scalar, sin, size, sqrt, where
-from .vectors import _short
+from .scalars import anywhere, cos, is_numeric, plain, sampled, scalar, short, sin, size, sqrt
 from .work import power, summed, value_of, work_integral
 
 
@@ -58,9 +57,9 @@ def kinetic_energy_about(body, point, observer):
     omega = body.frame.angular_velocity(observer)
     v_G, turning = body.centre.velocity(observer), omega.cross((point - body.centre).expressed_in(omega.frame))
     v, scale = (v_G + turning).norm(), scalar(v_G.norm()) + turning.norm()
-    if is_numeric(scale) and size(where(plain(v) > 1e-9 * plain(scale), 1, 0)):
+    if is_numeric(scale) and anywhere(plain(v) > 1e-9 * plain(scale)):
         raise EnergyError(
-            f"the point of {body.name} at {point.name} moves, at {_short(v)}: (11.52) needs a point of the body that is at rest in {observer.name}; "
+            f"the point of {body.name} at {point.name} moves, at {short(v)}: (11.52) needs a point of the body that is at rest in {observer.name}; "
             "use kinetic_energy, or name another point"
         )
     return summed({"rotation": scalar(omega.dot(body.about(point).times(omega))) / 2}, "kinetic energy", "11.52")
@@ -125,9 +124,9 @@ def speed_after(speed, work, m):
     """
     U = value_of(work)
     square = scalar(speed) * speed + 2 * U / m
-    if is_numeric(square) and size(where(plain(square) < 0, 1, 0)):
+    if is_numeric(square) and anywhere(plain(square) < 0):
         had = plain(scalar(m) * speed * speed / 2)
-        raise EnergyError(f"it does not get there: the work {_short(plain(U))} takes more than the kinetic energy {_short(had)}, so it stops before")
+        raise EnergyError(f"it does not get there: the work {short(plain(U))} takes more than the kinetic energy {short(had)}, so it stops before")
     return plain(sqrt(square))
 
 
@@ -166,7 +165,7 @@ class Audit:
         rows = [("change of T", self.kinetic), *((f"change of V, {n}", x) for n, x in self.potentials.items())]
         rows += [*((f"less work, {n}", -x) for n, x in self.works.items()), ("not accounted for", self.missing)]
         width = max(len(name) for name, _ in rows)
-        return "\n".join(["energy equation (11.29), J", *(f"  {name:<{width}}  {_short(x)}" for name, x in rows)])
+        return "\n".join(["energy equation (11.29), J", *(f"  {name:<{width}}  {short(x)}" for name, x in rows)])
 
 
 def audit(kinetic, start, end, potentials=None, powers=None, rtol=1e-10, exact=False, breaks=()):

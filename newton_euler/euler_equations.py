@@ -5,10 +5,11 @@ an inertial frame. For a point that moves in any way, and by way of any frame, s
 Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
-from .inertia import AXES, MassError, axis_index
+from .admissibility import AXES, MassError
+from .inertia import axis_index
 from .linear import LinearError, solve_regular
 from .scalars import ZERO, is_numeric, is_zero, plain, scalar, size
-from .vectors import EQUATIONS, ZERO3, Vector, cross3, dot3, named_sum, scale3, sub3
+from .vectors import EQUATIONS, ZERO3, Vector, cross3, named_sum, scale3, sub3
 
 EQUATIONS["Euler's moment"] = ("8.12", r"\mathbf{M}_B", {
     "relative": ("dH/dt", r"[I]\frac{d\boldsymbol{\omega}}{dt}"),
@@ -46,18 +47,12 @@ def euler_moment(inertia, omega, alpha, turning=None):
     Vector(0, -15.0, 0 in frame)
     """
     frame = inertia.frame
-    w, Omega, rate = _rates(frame, omega, alpha, turning)
-    relative, rotation = _times(inertia, rate), cross3(Omega, _times(inertia, w))
-    return _summed(frame, "Euler's moment", inertia, relative=relative, rotation=rotation)
-
-
-def _rates(frame, omega, alpha, turning):
-    """omega, Omega, and the rate of omega seen in the frame: alpha - Omega x omega, which in the body is alpha itself."""
     w, rate = omega.expressed_in(frame).c, alpha.expressed_in(frame).c
-    if turning is None:
-        return w, w, rate
-    Omega = turning.expressed_in(frame).c
-    return w, Omega, sub3(rate, cross3(Omega, w))
+    Omega = w
+    if turning is not None:
+        Omega = turning.expressed_in(frame).c
+        rate = sub3(rate, cross3(Omega, w))  # of omega, seen in the frame; in the body it is alpha itself
+    return _summed(frame, "Euler's moment", inertia, relative=inertia.times3(rate), rotation=cross3(Omega, inertia.times3(w)))
 
 
 def euler_moments(inertia, omega, alpha):
@@ -99,7 +94,7 @@ def angular_acceleration(inertia, omega, moment, turning=None):
     Omega = w if turning is None else turning.expressed_in(frame).c
     terms = {
         "moment": _divided(inertia, moment.expressed_in(frame).c),
-        "gyroscopic": scale3(-1, _divided(inertia, cross3(Omega, _times(inertia, w)))),
+        "gyroscopic": scale3(-1, _divided(inertia, cross3(Omega, inertia.times3(w)))),
     }
     if turning is not None:
         terms["turning"] = cross3(Omega, w)
@@ -117,7 +112,7 @@ def fixed_line_momentum(inertia, rate, axis="z"):
     >>> fixed_line_momentum(Inertia(Frame("body"), (3.0, 3.0, 4.0), (0, 0.5, 1.0)), 10.0)
     Vector(-10.0, -5.0, 40.0 in body)
     """
-    return Vector(scale3(scalar(rate), _times(inertia, _unit(axis))), inertia.frame)
+    return Vector(scale3(scalar(rate), inertia.times3(_unit(axis))), inertia.frame)
 
 
 def fixed_line_moment(inertia, rate, acceleration, axis="z"):
@@ -133,7 +128,7 @@ def fixed_line_moment(inertia, rate, acceleration, axis="z"):
     Vector(-1.0, -5.5, 12.0 in body)
     """
     e, rate = _unit(axis), scalar(rate)
-    column = _times(inertia, e)
+    column = inertia.times3(e)
     relative, rotation = scale3(scalar(acceleration), column), scale3(rate * rate, cross3(e, column))
     return _summed(inertia.frame, "moment of a body on a fixed line", inertia, relative=relative, rotation=rotation)
 
@@ -163,10 +158,6 @@ def _principal(inertia, axes, law, instead):
     ]
     if left:
         raise MassError(f"{law}, but the matrix about {inertia.point.name} has {', '.join(left)}; {instead}")
-
-
-def _times(inertia, w):
-    return ZERO3 if w is ZERO3 else tuple(dot3(tuple(map(scalar, row)), w) for row in inertia.matrix)
 
 
 def _divided(inertia, c):

@@ -12,11 +12,11 @@ force may be moved if the couple of its moment goes with it (8.20). Forces may h
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from .inertia import place
-from .scalars import is_numeric, least, plain, scalar, size
-from .vectors import EQUATIONS, FrameError, Vector, _short, add3, named_sum
+from .frames import place
+from .scalars import is_numeric, least, plain, scalar, short, size
+from .vectors import EQUATIONS, FrameError, Vector, add3, named_sum
 
 EQUATIONS["resultant"] = ("8.21", r"\mathbf{F}^e", {})
 EQUATIONS["moment of the forces"] = ("8.7", r"\mathbf{M}", {})
@@ -93,7 +93,7 @@ class ForceSystem:
     @property
     def force(self):
         """The resultant force, the sum of all (8.21). terms : the forces by name."""
-        return named_sum("resultant", "", {p.name: p.vector for p in self.parts if isinstance(p, Force)}, self.frame)
+        return named_sum("resultant", "", {p.name: p.vector for p in self._forces()}, self.frame)
 
     def moment(self, about):
         """The moment about a Point (or the origin of a Frame) of all forces and couples (8.7). terms : their moments by name."""
@@ -179,10 +179,10 @@ class Wrench:
             return "in balance: neither a force nor a couple is left"
         if self.kind == "couple":
             return f"a couple {self.moment}, the same about every point: there is no resultant force, and so no axis"
-        place = f"({', '.join(_short(x) for x in self.point.position(self.point.frame))}) of {self.point.frame.name}"
+        place = f"({', '.join(short(x) for x in self.point.position(self.point.frame))}) of {self.point.frame.name}"
         if self.kind == "force":
             return f"a single force {self.force} on the line through {place}"
-        return f"a force {self.force} on the axis through {place} with a couple along it, pitch {_short(self.pitch)}"
+        return f"a force {self.force} on the axis through {place} with a couple along it, pitch {short(self.pitch)}"
 
 
 def _parts(name, part):
@@ -207,7 +207,7 @@ def _distinct(parts):
     seen, out = {}, []
     for part in parts:
         seen[part.name] = n = seen.get(part.name, 0) + 1
-        out.append(part if n == 1 else type(part)(*(getattr(part, f) for f in ("vector", "point") if hasattr(part, f)), name=f"{part.name} {n}"))
+        out.append(part if n == 1 else replace(part, name=f"{part.name} {n}"))
     return out
 
 

@@ -4,7 +4,8 @@ Chapter 5 takes K for the constant of gravitation; its value and g are arguments
 need nothing new. Springs and dampers, friction, moments and force systems belong to later chapters.
 """
 
-from .inertia import MassError, place, positive
+from .admissibility import MassError, positive
+from .frames import place
 from .scalars import plain, scalar, sqrt, whole
 from .vectors import FrameError, Vector
 

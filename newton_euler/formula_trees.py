@@ -4,8 +4,8 @@ from functools import reduce
 from operator import add, mul
 
 from .forms import SHAPES, read_number
-from .scalars import FUNCTIONS, Dimension, DimensionError, function, pi
-from .units import UnitError, unit
+from .scalars import FUNCTIONS, function, pi
+from .units import Dimension, DimensionError, UnitError, unit
 
 NODES = 4000  # the largest formula that is read, in operations
 DEPTH = 200  # the deepest formula that is evaluated

@@ -5,7 +5,8 @@ angular velocity and acceleration (4.20), (4.25), velocity (4.17), (4.28) and ac
 Rates are passed up the chain in the frame at hand and never differentiated out, which is what keeps it fast and its formulas short.
 """
 
-from .scalars import ZERO, Moving, ScalarError, cos, is_finite, is_zero, moving, plain, scalar, sin, sqrt, whole
+from .jets import Moving, moving
+from .scalars import ZERO, ScalarError, cos, is_finite, is_zero, plain, scalar, sin, sqrt, whole
 from .vectors import NO_THIRD_RATE, ZERO3, FrameError, Ledger, Vector, add3, cross3, dot3, scale3, sub3
 
 _AXES = {"x": 0, "y": 1, "z": 2}
@@ -397,3 +398,25 @@ def _fitting(numbers, what):
     if len(shapes) > 1:
         raise FrameError(f"{what} have the shapes {sorted(shapes)}; all arrays must have one shape (N,), one entry for each instant")
     return numbers
+
+
+def place(where, what):
+    """A place as a Point; a Frame stands for its own origin, as a point fixed in it."""
+    if isinstance(where, Frame):
+        return where.point(f"origin of {where.name}", 0, 0, 0)
+    if not isinstance(where, Point):
+        raise FrameError(f"the place of {what} is a Point or a Frame, as in body.point('C', 0, 0, 0.2); got {where!r}")
+    return where
+
+
+def axes_at(point):
+    """The frame that a point is fixed in; :class:`FrameError` if it is also the origin of another, whose axes may be the ones meant."""
+    others = [f.name for f in point.frame.tree if f._origin is point and f is not point.frame]
+    if point.name.startswith("origin of ") and point.name != f"origin of {point.frame.name}":
+        others.append(point.name[len("origin of ") :])
+    if others:
+        raise FrameError(
+            f"{point.name} is a point of {point.frame.name}, and the origin of {others[0]}: along whose axes? For {others[0]}, which the body turns "
+            f"with, give the frame in place of the point; for {point.frame.name} say frame=..., or make another point there"
+        )
+    return point.frame

@@ -18,9 +18,9 @@ as (I0 - I) cos(theta) vanishes, where the fast precession goes to infinity and 
 import math
 from dataclasses import dataclass
 
-from .mass import Inertia
-from .scalars import ZERO, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, sin, size, sqrt, tan, where
-from .vectors import EQUATIONS, FrameError, Vector, _short, named_sum
+from .inertia import Inertia
+from .scalars import ZERO, anywhere, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, short, sin, sqrt, tan, where
+from .vectors import EQUATIONS, FrameError, Vector, named_sum
 
 
 class GyroError(ValueError):
@@ -86,12 +86,9 @@ def gyro_momentum(body, ground, I0, I):
     >>> gyro_momentum(top, ground, 0.02, 0.01).z
     1.0
     """
-    return _inertia(body, I0, I).times(_omega(body, ground))
-
-
-def _omega(body, ground):
-    """omega = Omega + phi' k in {i, j, k} (10.18): not turned into the body and back, so that the angle of spin does not enter."""
-    return body.parent.angular_velocity(ground) + body.angular_velocity(body.parent).expressed_in(body.parent)
+    f = body.parent
+    omega = f.angular_velocity(ground) + body.angular_velocity(f).expressed_in(f)  # (10.18), without a turn into the body by the angle of spin
+    return _inertia(body, I0, I).times(omega)
 
 
 def gyro_moment(body, ground, I0, I):
@@ -129,14 +126,17 @@ def _inertia(body, I0, I):
 def _check_moments(I0, I):
     """I0 > 0 and 0 <= I <= 2 I0, as for any body; expressions pass unseen."""
     I0, I = scalar(I0), scalar(I)
-    if is_numeric(I0) and _any(plain(I0) <= 0):
+    if is_numeric(I0) and anywhere(plain(I0) <= 0):
         raise GyroError(f"the transverse moment of inertia I0 must be positive, got {plain(I0)!r}")
-    if is_numeric(I0) and is_numeric(I) and (_any(plain(I) < 0) or _any(plain(I - 2 * I0) > 1e-9 * plain(I0))):
+    if is_numeric(I0) and is_numeric(I) and (anywhere(plain(I) < 0) or anywhere(plain(I - 2 * I0) > 1e-9 * plain(I0))):
         raise GyroError(f"no body of revolution has I = {plain(I)!r} with I0 = {plain(I0)!r}: I lies between 0 and 2 I0; are they exchanged?")
 
 
-def _any(condition):
-    return size(where(condition, 1, 0)) > 0
+def check_top(I0, I, spin, omega_z):
+    """Raises :class:`GyroError` unless I0 and I are those of a body, and one of its two rates about the axis is given."""
+    _check_moments(I0, I)
+    if (spin is None) == (omega_z is None):
+        raise GyroError("give either spin, the rate phi' about the axis relative to the precessing plane, or omega_z = phi' + psi' cos(theta)")
 
 
 def normal_moment(precession, spin, I):
@@ -150,7 +150,7 @@ def normal_moment(precession, spin, I):
     Vector(2.0, 0, 0 in ground)
     """
     along, product = scalar(precession.dot(spin)), scalar(precession.norm()) * spin.norm()
-    if is_numeric(along) and is_numeric(product) and _any(abs(plain(along)) > 1e-9 * plain(product)):
+    if is_numeric(along) and is_numeric(product) and anywhere(abs(plain(along)) > 1e-9 * plain(product)):
         raise GyroError(f"precession {precession} and spin {spin} are not at right angles; use gyro_moment or steady_moment(I0, I, theta, ...)")
     return precession.cross(spin) * I
 
@@ -242,9 +242,7 @@ def _over_sine(theta, mgr, moment):
 
 
 def _quadratic(I0, I, theta, spin, omega_z, c):
-    _check_moments(I0, I)
-    if (spin is None) == (omega_z is None):
-        raise GyroError("give either spin, the rate phi' about the axis relative to the precessing plane, or omega_z = phi' + psi' cos(theta)")
+    check_top(I0, I, spin, omega_z)
     I0, I = scalar(I0), scalar(I)
     return ((I0 - I) * cos(theta), I * spin, c) if omega_z is None else (I0 * cos(theta), I * omega_z, c)
 
@@ -256,9 +254,9 @@ def _discriminant(a, h, c, I, what):
         return D
     small = 8 * epsilon(D) * abs(h * h) + 8 * epsilon(D) * abs(4 * (a * c))
     D = where(plain(D) < 0, where(plain(D + small) >= 0, 0 * D, D), D)
-    if _any(plain(D) < 0):
-        needed = "without I no spin helps" if is_zero(I) else f"{what} must be at least {_short(_least_rate(a, c, I))} rad/s in size"
-        raise GyroError(f"no steady precession is possible at this angle: the discriminant is {_short(D)}, negative; {needed}")
+    if anywhere(plain(D) < 0):
+        needed = "without I no spin helps" if is_zero(I) else f"{what} must be at least {short(_least_rate(a, c, I))} rad/s in size"
+        raise GyroError(f"no steady precession is possible at this angle: the discriminant is {short(D)}, negative; {needed}")
     return D
 
 
@@ -268,7 +266,7 @@ def _sense(h):
 
 
 def _check_any_root(q, c):
-    if is_numeric(q) and is_numeric(c) and _any(where(plain(q) == 0, where(plain(c) != 0, 1, 0), 0) == 1):
+    if is_numeric(q) and is_numeric(c) and anywhere(where(plain(q) == 0, where(plain(c) != 0, 1, 0), 0) == 1):
         raise GyroError("no steady precession is possible: without spin a body at this angle can hold no moment; tilt it or spin it")
 
 

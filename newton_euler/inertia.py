@@ -13,16 +13,12 @@ and carry their minus sign in the *inertia matrix* (7.13) only:
 An :class:`Inertia` is that matrix about one point, along the axes of one frame; ``I.times(omega)`` is the angular momentum.
 """
 
-from .frames import Frame, Point
-from .scalars import ZERO, Moving, Scaled, epsilon, is_finite, is_numeric, is_zero, least, plain, scalar, size, sqrt
+from .admissibility import AXES, MassError, check
+from .frames import axes_at, place
+from .jets import Moving
+from .principal import principal, symmetry
+from .scalars import ZERO, Scaled, is_numeric, is_positive, is_zero, plain, scalar, sqrt
 from .vectors import ZERO3, NamedTerms, Vector, _latex_number, add3, dot3, scale3, sum3
-
-AXES = "xyz"
-PRODUCTS = ("xy", "yz", "zx")
-
-
-class MassError(ValueError):
-    """Masses, dimensions or moments of inertia that no body has, or a question that needs a mass or centre not given."""
 
 
 class Inertia(Scaled, NamedTerms):
@@ -102,8 +98,11 @@ class Inertia(Scaled, NamedTerms):
         if not isinstance(omega, Vector):
             raise MassError(f"the inertia matrix multiplies an angular velocity, a Vector as from frame.angular_velocity(ground); got {omega!r}")
         w = omega.expressed_in(self.frame).c
-        c = ZERO3 if w is ZERO3 else tuple(dot3(row, w) for row in self._rows())
-        return Vector(c, self.frame, omega._own_rate and (lambda: self.times(omega.rate(self.frame))))
+        return Vector(self.times3(w), self.frame, omega._own_rate and (lambda: self.times(omega.rate(self.frame))))
+
+    def times3(self, c):
+        """The matrix times a triple of components along its axes."""
+        return ZERO3 if c is ZERO3 else tuple(dot3(row, c) for row in self._rows())
 
     def moment(self, axis):
         """The moment of inertia about the axis through ``point``: n . I n.
@@ -150,8 +149,8 @@ class Inertia(Scaled, NamedTerms):
         point = place(point, "an inertia matrix")
         if point is self.point:
             return self
-        self._needs("mass", f"going from {self.point.name} to {point.name}")
-        self._needs("centre", f"going from {self.point.name} to {point.name}")
+        for what in ("mass", "centre"):
+            self._needs(what, f"going from {self.point.name} to {point.name}")
         step = (self.point - point).expressed_in(self.frame).c
         before = ZERO3 if self.centre is self.point else (self.centre - self.point).expressed_in(self.frame).c
         moments, products = _transfer(self.mass, step, before)
@@ -178,14 +177,10 @@ class Inertia(Scaled, NamedTerms):
 
     def principal(self, noise=None):
         """Principal moments and axes (7.18)-(7.20): a :class:`newton_euler.principal.Principal`, with a report of what is determined."""
-        from .principal import principal
-
         return principal(self, noise)
 
     def symmetry(self, tolerance=1e-9):
         """The symmetries that the matrix shows: a :class:`newton_euler.principal.Symmetry`."""
-        from .principal import symmetry
-
         return symmetry(self, tolerance)
 
     # -- sums
@@ -232,40 +227,13 @@ class Inertia(Scaled, NamedTerms):
         bounded by Schwarz's inequality; the same must hold about G. Tested to ``tolerance`` times the largest moment (rounded data of a thin plate
         may need more), plus ``slack``, the round-off of what was subtracted to get here.
         """
-        if self.mass is not None and is_numeric(self.mass) and not is_positive(self.mass):
-            raise MassError(f"the mass is {plain(self.mass)}; it must be positive (a removed part is subtracted: composite(..., removed=[hole]))")
-        if all(is_numeric(x) for x in self.moments + self.products):
-            _check_integrals(self, tolerance, slack)
-            if self.mass is not None and self.centre is not None and self.centre is not self.point:
-                _check_centroidal(self, tolerance, slack)
+        check(self, tolerance, slack)
         return self
 
     def _needs(self, what, purpose):
         if getattr(self, what) is None:
             missing = "the mass of the body" if what == "mass" else "the place of its centre of mass"
             raise MassError(f"{purpose} needs {missing}; make it Inertia({self.point.name}, moments, products, mass=..., centre=G)")
-
-
-def place(where, what):
-    """A place as a Point; a Frame stands for its own origin, as a point fixed in it."""
-    if isinstance(where, Frame):
-        return where.point(f"origin of {where.name}", 0, 0, 0)
-    if not isinstance(where, Point):
-        raise MassError(f"the place of {what} is a Point or a Frame, as in body.point('C', 0, 0, 0.2); got {where!r}")
-    return where
-
-
-def axes_at(point):
-    """The frame that a point is fixed in; :class:`MassError` if it is also the origin of another, whose axes may be the ones meant."""
-    others = [f.name for f in point.frame.tree if f._origin is point and f is not point.frame]
-    if point.name.startswith("origin of ") and point.name != f"origin of {point.frame.name}":
-        others.append(point.name[len("origin of ") :])
-    if others:
-        raise MassError(
-            f"{point.name} is a point of {point.frame.name}, and the origin of {others[0]}: along whose axes? For {others[0]}, which the body turns "
-            f"with, give the frame in place of the point; for {point.frame.name} say frame=..., or make another point there"
-        )
-    return point.frame
 
 
 def _three(values, what):
@@ -286,12 +254,19 @@ def axis_index(name):
     return AXES.index(bare), -1 if name.startswith("-") else 1
 
 
+SECOND_MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))  # the pairs of coordinates, in the order that from_second_moments takes
+
+
+def from_second_moments(second):
+    """Moments (7.9) and products (7.10) of inertia from the integrals of x x, y y, z z, x y, y z, z x over the mass."""
+    xx, yy, zz, *products = second
+    return (yy + zz, zz + xx, xx + yy), tuple(products)
+
+
 def _transfer(mass, step, before=ZERO3):
     """Moments and products that are added when the point goes back by ``step``; ``before`` leads from the old point to G."""
     s, p = step, add3(step, scale3(2, before))
-    xx, yy, zz = (mass * (a * b) for a, b in zip(s, p, strict=True))
-    moments = (yy + zz, zz + xx, xx + yy)
-    return moments, tuple(mass * (s[n] * p[m] + s[m] * p[n]) / 2 for n, m in ((0, 1), (1, 2), (2, 0)))
+    return from_second_moments([mass * (s[n] * p[n]) if n == m else mass * (s[n] * p[m] + s[m] * p[n]) / 2 for n, m in SECOND_MOMENTS])
 
 
 def _difference(a, b):
@@ -307,69 +282,6 @@ def _common(moments):
         if _difference(moments[n], moments[m]) is ZERO:
             return moments[n]
     return ZERO
-
-
-def is_positive(x):
-    """True if the number ``x`` (every one of an array) is larger than zero; an expression is not looked at."""
-    return not is_numeric(x) or (least(x) > 0 and size(x - abs(x)) == 0)
-
-
-def _check_integrals(I, tolerance, slack):
-    """The integrals of x^2, y^2, z^2 and their bounds on the products; I = tr(J) - J, and J belongs to some masses if it is not negative."""
-    small = tolerance * max(size(x) for x in I.moments + I.products) + slack
-    largest = max(slack, *(size(x) for x in I.moments + I.products))
-    xx, yy, zz = I.moments
-    if not all(is_finite(x) for x in I.moments + I.products):
-        raise MassError(f"the inertia matrix {I.matrix} has an entry that is not finite")
-    squares = ((yy + zz - xx) / 2, (zz + xx - yy) / 2, (xx + yy - zz) / 2)
-    for n, square in enumerate(squares):
-        if _below(square, -small):
-            a, b, c = (AXES[n], *(axis for axis in AXES if axis != AXES[n]))
-            raise MassError(
-                f"no body has these moments: I_{a}{a} = {plain(I.moments[n])} is larger than I_{b}{b} + I_{c}{c} = "
-                f"{plain(I.moments[AXES.index(b)] + I.moments[AXES.index(c)])} (triangle inequality); "
-                "look for a misprint, or for moments about two points"
-            )
-    for name, product in zip(PRODUCTS, I.products, strict=True):
-        a, b = (squares[AXES.index(c)] for c in name)
-        if _below(a * b - product * product, -4 * small * largest):
-            raise MassError(
-                f"no body has the product I_{name} = {plain(product)} with these moments: its square is at most {plain(a * b)}, the product of "
-                f"the integrals of {name[0]}^2 and {name[1]}^2; is the sign convention or the unit another?"
-            )
-    (a, b, c), (ab, bc, ca) = squares, I.products
-    determinant = a * b * c + 2 * (ab * bc * ca) - a * bc * bc - b * ca * ca - c * ab * ab
-    if _below(determinant, -8 * small * largest * largest):
-        raise MassError(
-            f"no body has the inertia matrix {I.matrix}: its principal moments break the triangle inequality (the largest exceeds the sum of "
-            "the others); are the signs of the products those of plain integrals, the minus signs standing in the matrix only?"
-        )
-
-
-def _below(x, bound):
-    return not is_positive(x - bound) and size(x - bound) > 0
-
-
-def round_off(mass, points, frame):
-    """What rounding of the coordinates of points at most does to moments of this mass, roughly: 100 round-offs of m r^2."""
-    coordinates = [x for P in points for x in P.position(frame).c]
-    return 100 * epsilon() * size(mass) * sum(size(x) ** 2 for x in coordinates if is_numeric(x)) if is_numeric(mass) else 0.0
-
-
-def _check_centroidal(I, tolerance, slack):
-    try:
-        slack += round_off(I.mass, (I.point, I.centre), I.frame) + tolerance * max(map(size, I.moments))  # what is subtracted
-        _check_integrals(I.about(I.centre), 4 * tolerance, slack)
-    except MassError as problem:
-        raise MassError(
-            f"about {I.point.name} the moments are smaller than mass and distance of {I.centre.name} alone make them: "
-            f"about {I.centre.name}, {problem}"
-        ) from None
-
-
-def positive(x, what):
-    if not is_positive(x) or not is_finite(x):
-        raise MassError(f"{what} must be positive, got {plain(x)}; to cut something out give it to composite(..., removed=[...])")
 
 
 def together(parts, frame, name="G"):

@@ -9,13 +9,13 @@ Numbers are integrated by SciPy's adaptive cubature, with an error estimate and 
 
 from itertools import product
 
-from .inertia import Inertia, MassError, is_positive
+from .admissibility import MassError
+from .inertia import SECOND_MOMENTS, Inertia, from_second_moments
+from .jets import Moving, as_moving
 from .mass import Body
-from .scalars import ZERO, Moving, is_numeric, plain, scalar, size, sqrt
+from .quadrature import cubature
+from .scalars import ZERO, is_numeric, is_positive, plain, scalar, size, sqrt
 from .vectors import cross3, dot3
-
-PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))  # of the second moments
-SUBDIVISIONS = {1: 4000, 2: 400, 3: 40}  # by number of parameters; each one is 2, 4 or 8 boxes of 21^n points
 
 
 class IntegratedBody(Body):
@@ -67,10 +67,9 @@ def _body(moments, error, mass, density, frame, name):
     d = [x / total for x in first]
     centre = frame.point(f"G of {name}", *(_tidy(r + x) for r, x in zip(reference, d, strict=True)))
     if is_numeric(total):  # about G at once, the transfer being taken off where it is small
-        second = [s - total * d[a] * d[b] for s, (a, b) in zip(second, PAIRS, strict=True)]
-    xx, yy, zz, xy, yz, zx = (factor * s for s in second)
+        second = [s - total * d[a] * d[b] for s, (a, b) in zip(second, SECOND_MOMENTS, strict=True)]
     about = centre if is_numeric(total) else frame
-    body = IntegratedBody(name, m, centre, Inertia(about, (yy + zz, zz + xx, xx + yy), (xy, yz, zx), m, centre, frame, None))
+    body = IntegratedBody(name, m, centre, Inertia(about, *from_second_moments([factor * s for s in second]), m, centre, frame, None))
     body.content, body.error = content, error
     return body
 
@@ -89,7 +88,7 @@ def _tangents(position, parameters):
     place, tangents = None, []
     for n in range(len(parameters)):
         moved = [Moving(u, 1) if n == m else u for m, u in enumerate(parameters)]
-        c = [x if isinstance(x, Moving) else Moving(scalar(x)) for x in position(*moved)]
+        c = [as_moving(x) for x in position(*moved)]
         place = [x.value for x in c]
         tangents.append(tuple(x.rate for x in c))
     return place, tangents
@@ -122,7 +121,7 @@ def _numeric(position, limits, weigh, rtol, name):
 
     coarse = np.array(list(product(np.linspace(0.05, 0.95, 10), repeat=n)))
     scale = _scales(moments(coarse), name, np)
-    values, error = _cubature(lambda points: moments(points) / scale, n, rtol, name)
+    values, error = cubature(lambda points: moments(points) / scale, n, rtol, name, MassError)
     values = (values * scale).tolist()
     return (reference, values[0], values[1], values[2:5], values[5:]), error
 
@@ -158,23 +157,6 @@ def _scales(sample, name, np):
     return np.array([content, mass] + [mass * length] * 3 + [mass * length**2] * 6)
 
 
-def _cubature(f, n, rtol, name):
-    import numpy as np
-    from scipy.integrate import cubature
-
-    found = cubature(f, [0.0] * n, [1.0] * n, rule="gk21", rtol=rtol, atol=rtol, max_subdivisions=SUBDIVISIONS[n])
-    error = float(np.max(found.error))
-    if not np.isfinite(found.estimate).all():
-        raise MassError(f"the integrals over {name} are not finite: the formula or the density grows without bound within the limits")
-    if found.status != "converged":
-        raise MassError(
-            f"the integrals over {name} did not converge: after {found.subdivisions} subdivisions their relative error is about {error:.1g}, and "
-            f"{rtol:.1g} was asked for. Split the body where the formula has a corner or a jump, choose coordinates that follow its edges, or "
-            "ask for less with rtol="
-        )
-    return found.estimate, error
-
-
 # -- formulas
 
 
@@ -197,7 +179,7 @@ def _exact(position, limits, weigh, name):
 
     x, y, z = place
     rho = sympy.sympify(weigh(x, y, z))
-    second = [total(rho * place[a] * place[b]) for a, b in PAIRS]
+    second = [total(rho * place[a] * place[b]) for a, b in SECOND_MOMENTS]
     return (ZERO, ZERO, ZERO), total(1), total(rho), [total(rho * c) for c in place], second
 
 

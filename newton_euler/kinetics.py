@@ -7,13 +7,12 @@
 :func:`path_rates` along the path, :func:`relative_acceleration` in a frame that moves. What they return is the right-hand side of a
 :class:`~newton_euler.models.Model`.
 
-Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises :class:`~newton_euler.inertia.MassError`.
+Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises :class:`~newton_euler.admissibility.MassError`.
 """
 
 from . import components, paths  # noqa: F401  their equations of acceleration become equations of force below
-from .inertia import MassError, is_positive
-from .scalars import is_finite, is_numeric, least, plain, scalar
-from .triads import SingularError
+from .admissibility import MassError
+from .scalars import SingularError, is_finite, is_numeric, is_positive, least, plain, scalar
 from .vectors import EQUATIONS, FrameError, Ledger, Vector, named_sum
 
 

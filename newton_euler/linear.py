@@ -1,7 +1,7 @@
 """Linear equations for unknown rates, accelerations and reactions, over scalars of every kind, and what they leave open.
 
 Velocities are linear in rates, the Newton-Euler equations (8.21) in accelerations and forces. The equations are written as what must vanish and
-run on :class:`newton_euler.scalars.Linear` unknowns, which read off the coefficients, each in its own unit. :func:`solve_rates` is for the few rates
+run on :class:`LinearForm` unknowns, which read off the coefficients, each in its own unit. :func:`solve_rates` is for the few rates
 of a rolling contact or a joint; :func:`solve_linear` for whole sets of equations with names, and it reports what they leave open.
 """
 
@@ -13,10 +13,19 @@ from inspect import signature
 from math import prod
 from types import MappingProxyType
 
-from .scalars import ZERO, Linear, coarseness, is_numeric, is_zero, least, plain, sampled, scalar, size
-from .vectors import FrameError, Vector, _short
+from .scalars import ZERO, ScalarError, Scaled, _Own, coarseness, is_numeric, is_zero, least, outranks, pi, plain, sampled, scalar, short, size
+from .vectors import FrameError, Vector
 
 LARGEST_CORE = 6  # unknowns that are solved together by Cramer's rule; of more, one after the other is eliminated
+
+# Thresholds of the elimination, in round-offs of the coarsest number. Measured on 3000 surplus equations of systems with 2 to 12 random unknowns and
+# condition numbers up to 1e4: what should vanish is at most 2**2 of them in a row, and 2**4 in a right side; what should not, at least 2**37.
+LEFT_OVER = 16  # beside the largest coefficient of a condition: what is left of a sum of a few terms that cancel, as of a turned vector's components
+NO_PIVOT = 2**12  # beside the largest coefficient that was subtracted: a thousand times what is measured, for longer chains of equations
+ABSENT = 2**19  # beside the pivot, or the largest part of a sum: halfway between both measured sizes
+CONTRADICTION = 2**22  # beside the terms of the equation: 1e-9, so that data that agree in nine digits agree
+AGREEMENT = 1e-9  # the same for the surplus conditions of solve_rates
+RATE_NOISE = 1e-13  # of solve_rates, for every kind of number: 450 round-offs of a float beside the largest coefficient, or the product of the rows
 
 
 class LinearError(FrameError):
@@ -28,6 +37,77 @@ class LinearError(FrameError):
     def __init__(self, message, equations=()):
         super().__init__(message)
         self.equations = tuple(equations)
+
+
+class LinearForm(_Own):
+    """``value + c[0]*u[0] + c[1]*u[1] + …``: a scalar that is linear in unknowns.
+
+    Running conditions on it reads off their coefficients, each in its own unit. A product of unknowns, or a function of one, raises
+    :class:`ScalarError`.
+
+    >>> 3.0 * LinearForm(2.0, (1, ZERO)) - LinearForm(ZERO, (ZERO, 1))
+    LinearForm(6.0, (3.0, -1))
+    """
+
+    __slots__ = ("coefficients", "value")
+    rank = 5
+
+    def __init__(self, value, coefficients):
+        self.value, self.coefficients = value, tuple(coefficients)
+
+    def __repr__(self):
+        return f"LinearForm({plain(self.value)!r}, {tuple(map(plain, self.coefficients))!r})"
+
+    def _each(self, change):
+        return LinearForm(change(self.value), map(change, self.coefficients))
+
+    def __add__(self, other):
+        if isinstance(other, LinearForm):
+            return LinearForm(self.value + other.value, (a + b for a, b in zip(self.coefficients, other.coefficients, strict=True)))
+        if outranks(other, self):
+            return NotImplemented
+        return LinearForm(self.value + scalar(other), self.coefficients)
+
+    __radd__ = __add__
+
+    def __neg__(self):
+        return self._each(lambda x: -x)
+
+    def __sub__(self, other):
+        return self + -other
+
+    def __rsub__(self, other):
+        return -self + other
+
+    def __mul__(self, other):
+        if other is ZERO:
+            return ZERO
+        if isinstance(other, Scaled) or outranks(other, self):
+            return NotImplemented
+        if isinstance(other, LinearForm):
+            raise ScalarError("two unknowns are multiplied; the conditions must be linear in them, as velocities are in rates")
+        return self._each(lambda x: x * other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        if isinstance(other, LinearForm):
+            return other.__rtruediv__(self)
+        return NotImplemented if outranks(other, self) else self._each(lambda x: x / other)
+
+    def __rtruediv__(self, other):
+        raise ScalarError("an unknown stands in a denominator; the conditions must be linear in the unknowns, as velocities are in rates")
+
+    def function(self, name, *args):
+        """The function of this name, for :func:`function`."""
+        raise ScalarError(f"{name} is taken of an unknown; the conditions must be linear in the unknowns, as velocities are in rates")
+
+    def __pow__(self, power):
+        raise ScalarError("an unknown is raised to a power; the conditions must be linear in the unknowns, as velocities are in rates")
+
+    def pi(self):
+        """The number pi in the kind of the value."""
+        return pi(self.value)
 
 
 # -- a few rates
@@ -52,7 +132,7 @@ def solve_rates(conditions, count):
     """
     equations = _equations(conditions(*_unknowns(count)), count)
     largest = _largest(c for e in equations for c in e.coefficients)
-    used = [e for e in equations if any(not is_numeric(c) or size(c) > 1e-13 * largest for c in e.coefficients)]  # others are rounding
+    used = [e for e in equations if any(not is_numeric(c) or size(c) > RATE_NOISE * largest for c in e.coefficients)]  # others are rounding
     if len(used) < count:
         raise LinearError(f"{len(used)} conditions contain the rates, but {count} rates are unknown: {count - len(used)} more are needed")
     rows = [e.parts() for e in used]
@@ -64,7 +144,7 @@ def solve_rates(conditions, count):
 
 
 def _unknowns(count):
-    return [Linear(ZERO, (1 if n == m else ZERO for m in range(count))) for n in range(count)]
+    return [LinearForm(ZERO, (1 if n == m else ZERO for m in range(count))) for n in range(count)]
 
 
 def _largest(values):
@@ -90,7 +170,7 @@ def _cramer(matrix, right):
         return (-1) ** (n + k) * minor(everything[:n] + everything[n + 1 :], everything[:k] + everything[k + 1 :])
 
     determinant = minor(everything, everything)
-    if determinant is ZERO or (is_numeric(determinant) and least(determinant) <= 1e-13 * prod(_largest(row) or 1 for row in matrix)):
+    if determinant is ZERO or (is_numeric(determinant) and least(determinant) <= RATE_NOISE * prod(_largest(row) or 1 for row in matrix)):
         raise LinearError("the conditions do not determine the rates: some of them say the same, or a rate does not occur in them")
     # cofactor by determinant first: what is common to both cancels in a formula without being simplified
     return [sum((cofactor(n, k) / determinant * right[n] for n in everything), ZERO) for k in everything]
@@ -99,7 +179,7 @@ def _cramer(matrix, right):
 def _check_solution(equations, rates):
     rows = [[*(c * r for c, r in zip(e.coefficients, rates, strict=True)), -e.right] for e in equations]
     parts = [x for row in rows for x in row]
-    if all(map(is_numeric, parts)) and (worst := _largest(sum(row, ZERO) for row in rows)) > 1e-9 * _largest(parts):
+    if all(map(is_numeric, parts)) and (worst := _largest(sum(row, ZERO) for row in rows)) > AGREEMENT * _largest(parts):
         raise LinearError(f"the conditions contradict each other: with the rates that fit best, one of them is {worst:.3g} instead of 0")
 
 
@@ -155,7 +235,7 @@ class Solution:
         return ". ".join(said) or "The equations determine every unknown, and each of them is needed"
 
     def __str__(self):
-        lines = [f"{name} = {_short(self.values[name]) if name in self.values else 'not determined'}" for name in self.names]
+        lines = [f"{name} = {short(self.values[name]) if name in self.values else 'not determined'}" for name in self.names]
         return "\n".join([*lines, self.report()])
 
 
@@ -251,7 +331,7 @@ def _spread(name, value):
 
 
 def _equation(name, x, group, count):
-    return _Equation(name, x.coefficients, -x.value, group) if isinstance(x, Linear) else _Equation(name, (ZERO,) * count, -x, group)
+    return _Equation(name, x.coefficients, -x.value, group) if isinstance(x, LinearForm) else _Equation(name, (ZERO,) * count, -x, group)
 
 
 def _samples(equations):
@@ -310,7 +390,7 @@ class _Elimination:
 
     def _scales(self):
         """The size of the coefficients of each unknown; 0 if there are none but rounding errors."""
-        noise = [16 * self.round_off * x for x in self._by_group([e.coefficients for e in self.equations])]
+        noise = [LEFT_OVER * self.round_off * x for x in self._by_group([e.coefficients for e in self.equations])]
         columns = zip(*(e.coefficients for e in self.equations), strict=True)
         return [max((size(x) for x, small in zip(c, noise, strict=True) if size(x) > small), default=0.0) for c in columns] or [0.0] * self.count
 
@@ -324,7 +404,7 @@ class _Elimination:
             if (factor := row[pivot]) is not ZERO:
                 row = _less(row, factor, other, pivot)
                 usual = max(usual, *self._relative([factor * x for x in other[: self.count]]))
-        pivot = self._pivot(row, 4096 * self.round_off * usual)
+        pivot = self._pivot(row, NO_PIVOT * self.round_off * usual)
         if pivot is None:
             self.dependent[n] = row
             return
@@ -344,7 +424,7 @@ class _Elimination:
 
     def _free(self, pivot, row):
         """The unknowns beside the pivot in a row."""
-        allowed = 2**19 * self.round_off / self.scale[pivot]
+        allowed = ABSENT * self.round_off / self.scale[pivot]
         return [k for k, s in enumerate(self.scale) if k != pivot and s and size(row[k]) / s > allowed]
 
     def _check(self, row):
@@ -353,7 +433,7 @@ class _Elimination:
         sizes = self._by_group(terms)
         own = max(size(row[self.count + 1 + n]) * sizes[n] for n in involved)
         difference = size(row[self.count])
-        if difference <= 2**22 * self.round_off * own + 4096 * self.round_off * max(sizes):
+        if difference <= CONTRADICTION * self.round_off * own + NO_PIVOT * self.round_off * max(sizes):
             return
         *others, name = names = [self.equations[n].name for n in involved]
         off = f"is off by {difference:.3g}" if self.numbers else "does not hold"
@@ -364,14 +444,14 @@ class _Elimination:
     def _involved(self, row):
         """The equations of which a row is the sum, in their order."""
         weights = {n: size(w) * self.usual[n] for n, w in enumerate(row[self.count + 1 :]) if w is not ZERO}
-        return [n for n, w in weights.items() if w >= 2**19 * self.round_off * max(weights.values())]
+        return [n for n, w in weights.items() if w >= ABSENT * self.round_off * max(weights.values())]
 
     def relations(self, names):
         """What is known of the unknowns that are not determined, in words."""
         for pivot, free in self.free.items():
             row = self.rows[pivot][: self.count + 1]
             if free and not any(getattr(x, "shape", ()) for x in row):
-                yield f"{names[pivot]} = {_short(row[self.count])}" + "".join(_term(row[k], names[k]) for k in free)
+                yield f"{names[pivot]} = {short(row[self.count])}" + "".join(_term(row[k], names[k]) for k in free)
 
     def redundant(self):
         """By name, the equations that follow from others."""

@@ -10,7 +10,9 @@ Units: any consistent ones; in SI kg, m, kg m^2.
     H_B = d x m dd/dt + H_G     body.angular_momentum(ground, about=B)           (7.23)
 """
 
-from .inertia import Inertia, MassError, axes_at, place, positive, round_off, together
+from .admissibility import MassError, positive, round_off
+from .frames import axes_at, place
+from .inertia import Inertia, together
 from .scalars import is_numeric, plain, scalar, size
 from .vectors import EQUATIONS, ZERO3, Ledger, Vector, add3
 
@@ -66,9 +68,7 @@ class Body:
 
     def __neg__(self):
         """The body as a hole: with negative mass."""
-        if self.parts:
-            return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame, [-part for part in self.parts])
-        return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame)
+        return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame, [-part for part in self.parts])
 
     def check(self, tolerance=1e-9):
         """Returns the body if mass and inertia are possible; :class:`MassError` otherwise, see :meth:`Inertia.check`."""

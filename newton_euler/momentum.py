@@ -13,7 +13,7 @@ is (8.12) for the frame of the body. The last term vanishes for B = G (8.10), fo
 """
 
 from .force_systems import ForceSystem
-from .inertia import place
+from .frames import place
 from .kinetics import resultant_force
 from .vectors import EQUATIONS, ZERO3, Ledger, Vector
 
@@ -41,10 +41,14 @@ def angular_momentum(body, observer, about=None):
     >>> angular_momentum(bar, ground, about=turning).z  # m L^2/3 omega
     8.0
     """
-    about = None if about is None else place(about, "the point that the moment is about")
-    if about is not None and about is not body.centre and _rides(about, body):
+    about = _point(body, about)
+    if about is not body.centre and _rides(about, body):
         return body.about(about).times(body.frame.angular_velocity(observer))
     return body.angular_momentum(observer, about)
+
+
+def _point(body, about):
+    return body.centre if about is None else place(about, "the point that the moment is about")
 
 
 def _rides(point, body):
@@ -74,7 +78,7 @@ def resultant_moment(body, observer, about=None, via=None):
       rotation  omega x H  [0, 0, 0] N m
       sum                  [0, 0, 5] N m
     """
-    about, via = body.centre if about is None else place(about, "the point that the moment is about"), via or body.frame
+    about, via = _point(body, about), via or body.frame
     seen = f"seen from {observer.name}, by way of {via.name}"
     if about is body.centre:
         rate = angular_momentum(body, observer).expressed_in(via).rate(observer)
@@ -138,7 +142,7 @@ def equations_of_motion(body, forces, observer, about=None):
     """
     if not isinstance(forces, ForceSystem):
         forces = ForceSystem(forces, observer)
-    about = body.centre if about is None else place(about, "the point that the moment is about")
+    about = _point(body, about)
     force = forces.force.expressed_in(observer) - resultant_force(body.mass, body.centre.acceleration(observer))
     moment = forces.moment(about).expressed_in(observer) - resultant_moment(body, observer, about)
     return {f"force on {body.name}": force, f"moment on {body.name} about {about.name}": moment}

@@ -2,7 +2,7 @@
 
 With I omega_z and the momentum about the vertical constant, the energy makes u = cos(theta) move in a cubic potential: u'^2 = f(u), and the limits
 are the two roots of f in [-1, 1]. Looking for them in f(u) loses half of the digits at small nutations and near the vertical. Here
-f is written twice without cancellation: in the distance from the start, where it is small, and in the distance from the pole.
+the third root is taken, which is far from both, and the limits from it: their distances from the start, and from the vertical, without cancellation.
 
 >>> found = nutation(0.02, 0.01, mgr=0.5, theta=1.0, theta_rate=0.0, precession=0.0, spin=100.0)  # released at rest
 >>> found.kind, round(found.theta_max - found.theta_min, 6)
@@ -12,8 +12,8 @@ f is written twice without cancellation: in the distance from the start, where i
 import math
 from dataclasses import dataclass
 
-from .gyros import GyroError, _check_moments
-from .scalars import atan2, cos, epsilon, is_numeric, pi, plain, scalar, sin, size, sqrt, where
+from .gyros import GyroError, check_top
+from .scalars import acos, atan2, cos, is_numeric, of_one_kind, pi, scalar, sin, sqrt, where
 
 
 @dataclass(frozen=True)
@@ -43,57 +43,82 @@ def nutation(I0, I, mgr, theta, theta_rate, precession, spin=None, omega_z=None,
         affected by it
     For floats, mpf and arrays; raises :class:`GyroError` for expressions, whose cubic has no order of its roots.
     """
-    _check_moments(I0, I)
-    if (spin is None) == (omega_z is None):
-        raise GyroError("give either spin, the rate phi' about the axis relative to the precessing plane, or omega_z = phi' + psi' cos(theta)")
+    check_top(I0, I, spin, omega_z)
     b = I * (omega_z if spin is None else spin + precession * cos(theta)) / I0
-    A = 2 * mgr / I0
-    given = [plain(scalar(x)) for x in (A, b, theta, theta_rate, precession)]
+    given = of_one_kind(*map(scalar, (b, mgr / I0, theta, theta_rate, precession)))
     if not all(map(is_numeric, given)):
         raise GyroError("the limits of nutation need numbers: the roots of a cubic with expressions have no order; put in values first")
-    A, b, theta, q, n = (x + 0 * sum(given) for x in given)
-    half_s, half_c = sin(theta / 2), cos(theta / 2)
-    v, w, s2 = 2 * half_s * half_s, 2 * half_c * half_c, sin(theta) ** 2  # 1 - u, 1 + u, 1 - u^2
-    up, v1 = _limit(v, w, s2, q, n, A, b)  # how far u rises, what is left to the pole
-    down, w1 = _limit(w, v, s2, q, n, -A, -b)
-    limits = _angle(v1, 2 - v1), _angle(2 - w1, w1)
-    momenta = n * s2 - b * up, n * s2 + b * down  # psi' sin^2(theta) at the limits
-    from_pole = limits[0], pi(limits[0]) - limits[1]
-    rates = [_rate(m, x * (2 - x), angle, tolerance) for m, x, angle in zip(momenta, (v1, w1), from_pole, strict=True)]
-    kind = _classify(*limits, *momenta, abs(n) * s2 + abs(b) * (up + down), tolerance, pi(theta))
-    return Nutation(*limits, *rates, kind, _period(up, down, A, b, q, n, v, w, s2))
+    b, pull, theta, q, n = given  # from here on all momenta and the pull of gravity are divided by I0
+    S, C = sin(theta / 2), cos(theta / 2)
+    sine, cosine = 2 * (S * C), C * C - S * S
+    momenta = 2 * (S * S) * (2 * n * (C * C) - b), 2 * (C * C) * (2 * n * (S * S) + b)
+    hanging = pull < 0  # a top that is pulled up is one that is pulled down, seen from below
+    change = where(hanging, -1, 1) * sine * (n * cosine - b)
+    moved, left, zeta = turning_points(*exchanged(hanging, S, C), q, 1, abs(pull), exchanged(hanging, *momenta), (n * sine, change))
+    (up, down), (v1, w2) = exchanged(hanging, *moved), exchanged(hanging, *left)
+    limits = _angle(v1, 2 - v1), _angle(2 - w2, w2)
+    still = n * sine * sine
+    at_limits = still - b * up, still + b * down  # psi' sin^2(theta)
+    pairs = zip(at_limits, (v1, w2), (limits[0], pi(theta) - limits[1]), strict=True)
+    rates = [_rate(momentum, v * (2 - v), angle, tolerance) for momentum, v, angle in pairs]
+    kind = _classify(*limits, *at_limits, abs(still) + abs(b) * (up + down), tolerance, pi(theta))
+    return Nutation(*limits, *rates, kind, _period(2 * (zeta + abs(pull) * left[0]), 2 * (zeta + abs(pull) * (2 - left[1]))))
 
 
-def _limit(v, w, s2, q, n, A, b):
-    """How far the axis can go towards the pole that is ``v`` away, as the change of cos(theta), and what is left of v.
+def exchanged(condition, x, y):
+    """The pair, in the other order where the condition holds."""
+    return where(condition, y, x), where(condition, x, y)
 
-    v, w : 1 - u and 1 + u at the start for the upper pole; exchanged for the lower one, with the signs of A and b
+
+def turning_points(S, C, rate, I0, mgr, momenta, transverse):
+    """The distances of v = 1 - cos(theta) from its limits, (v - v1, v2 - v), those of the limits from 0 and 2, (v1, 2 - v2), and zeta; mgr >= 0.
+
+    S, C, rate : sin(theta/2), cos(theta/2) and theta' now
+    momenta : the angular momentum about the vertical less that about the axis, q, and their sum
+    transverse : I0 psi' sin(theta), which is q/(2 tan(theta/2)) plus the sum times tan(theta/2)/2, and the difference of these two
+    The energy gives I0 v'^2/2 = F(v), a cubic with the roots v1, v2 and -zeta/mgr.
     """
-    kinetic = q * q + n * n * s2
-    c1 = (v - w) * q * q + s2 * (2 * b * n + (v - w) * n * n - A)
-    c2 = (w - v) * A - kinetic - b * b
-    at_pole = n * s2 - b * v
-
-    def near_start(x):  # f at the distance x from the start
-        return s2 * q * q + x * (c1 + x * (c2 + x * A))
-
-    def near_pole(y):  # f at the distance y from the pole
-        momentum = at_pole + b * y
-        return y * (2 - y) * (kinetic - A * (v - y)) - momentum * momentum
-
-    half = v / 2
-    passed = near_pole(half) > 0
-    x, y = _edge(lambda x: near_start(x) > 0, 0 * half, half), _edge(lambda y: near_pole(y) > 0, half, 0 * half)
-    return where(passed, v - y, x), where(passed, y, v - x)
+    (q, whole), (across, change) = momenta, transverse
+    v, h = 2 * (S * S), (whole - q) / 2
+    kinetic = (I0 * (rate * rate) + across * across / I0) / 2
+    zeta = _farthest_root(kinetic - mgr * v, h * h / (2 * I0), h * q / I0, q * q / (2 * I0), mgr)
+    Z = zeta + mgr * v
+    over = where(Z > 0, Z, 1)
+    product = I0 * (2 * (S * C) * rate) ** 2 / (2 * over)
+    slope = I0 * (rate * rate) * (C * C - S * S) + mgr * (2 * (S * C)) ** 2 + across * change / I0
+    X, Y = _between(product, (slope - mgr * product) / over)
+    lowest = 2 * I0 * zeta * (v + Y)
+    v1 = where(lowest > 0, q * q / where(lowest > 0, lowest, 1), v - X)
+    highest = 2 * I0 * (2 * (C * C) + X) * (2 * mgr + zeta)
+    w2 = where(highest > 0, whole * whole / where(highest > 0, highest, 1), 2 * (C * C) - Y)
+    return (X, Y), (v1, w2), zeta
 
 
-def _edge(inside, start, end):
-    """By bisection, to the last digit even where it is tiny, the last place towards ``end`` that is inside; ``start`` if no other one is."""
-    for _ in range(int(-4 * math.log2(size(epsilon(start))))):
-        middle = (start + end) / 2
-        reached = inside(middle)
-        start, end = where(reached, middle, start), where(reached, end, middle)
-    return start
+def _farthest_root(e, spin, cross, rest, mgr):
+    """The root zeta >= 0 of (zeta - e) zeta (zeta + 2 mgr) = spin zeta^2 - cross mgr zeta + rest mgr^2, the others being none.
+
+    By the cosine for the root of the largest size, which is well-conditioned, and the quadratic that is left for the two others, of opposite signs.
+    """
+    a, b, c = 2 * mgr - e - spin, mgr * (cross - 2 * e), -rest * (mgr * mgr)
+    square = (a * a - 3 * b) / 9
+    P = sqrt(where(square > 0, square, 0 * square))
+    cube, turned = P * P * P, a > 0
+    cosine = (abs(a) * (a * a / 27 - b / 6) + where(turned, c, -c) / 2) / where(cube > 0, cube, 1)
+    cosine = where(cosine > 1, 1, where(cosine < -1, -1, cosine))
+    largest = abs(a) / 3 + 2 * P * cos(acos(cosine + 0 * P) / 3)
+    under = where(largest > 0, largest, 1)
+    product = -c / under
+    half = (b + product) / (2 * under)
+    root = sqrt(half * half + product)
+    other = where(half > 0, product / where(half + root > 0, half + root, 1), root - half)
+    return where(turned, other, largest)
+
+
+def _between(product, difference):
+    """The two numbers >= 0 of this product, and difference of the second and the first."""
+    larger = (abs(difference) + sqrt(difference * difference + 4 * product)) / 2
+    smaller = product / where(larger > 0, larger, 1)
+    return where(difference > 0, smaller, larger), where(difference > 0, larger, smaller)
 
 
 def _angle(v, w):
@@ -122,12 +147,10 @@ def _classify(theta_min, theta_max, at_min, at_max, scale, tolerance, pi):
     return "loops" if (at_min > 0) != (at_max > 0) else "waves"
 
 
-def _period(up, down, A, b, q, n, v, w, s2):
-    """2 pi over the arithmetic-geometric mean of the square roots of f/((u - u1)(u2 - u)) at both limits."""
-    middle = (v - w) * A + q * q + n * n * s2 + b * b
-    first, last = middle + A * (2 * down - up), middle + A * (down - 2 * up)
-    none = where(first <= 0, 1, where(last <= 0, 1, 0)) == 1
-    x, y = (sqrt(where(none, 1, value)) for value in (first, last))
+def _period(x, y):
+    """2 pi over the arithmetic-geometric mean of the square roots of F/((v - v1)(v2 - v)) 2/I0 at both limits; infinite where one is 0."""
+    none = where(x > 0, where(y > 0, 1, 0), 0) == 0
+    x, y = (sqrt(where(none, 1, value)) for value in (x, y))
     for _ in range(16):
         x, y = (x + y) / 2, sqrt(x * y)
     return where(none, math.inf, 2 * pi(x) / x)

@@ -12,8 +12,9 @@ exact; no step size enters.
 
 from dataclasses import dataclass, field
 
-from .scalars import ZERO, Moving, epsilon, is_numeric, is_zero, moving, plain, scalar, whole
-from .triads import SingularError, Triad, drowned, norm3, numeric3, shaken
+from .jets import Moving, as_moving, moving
+from .scalars import ZERO, SingularError, epsilon, is_numeric, is_zero, plain, scalar, whole
+from .triads import Triad, drowned, norm3, numeric3, shaken
 from .vectors import EQUATIONS, FrameError, Ledger, Vector, add3, cross3, dot3, scale3
 
 EQUATIONS.update({
@@ -87,8 +88,8 @@ def _three(c):
 
 
 def _jet(x):
-    x = x if isinstance(x, Moving) else Moving(scalar(x))
-    return Moving(*(part if isinstance(part, Moving) else Moving(scalar(part)) for part in (x.value, x.rate, x.acceleration)))
+    x = as_moving(x)
+    return Moving(*map(as_moving, (x.value, x.rate, x.acceleration)))
 
 
 # -- the Frenet triad

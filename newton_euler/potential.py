@@ -8,14 +8,15 @@ does not say. Units: any consistent ones; in SI J.
 from dataclasses import dataclass
 from itertools import pairwise, product
 
+from .admissibility import positive
 from .coordinates import gradient, tangents
 from .forces import G_STANDARD, K
 from .frames import Point
-from .inertia import positive
-from .scalars import ZERO, Moving, ScalarError, cos, is_finite, is_numeric, pi, plain, sampled, scalar, sin, size
+from .jets import Moving
+from .quadrature import WorkError, quadrature
+from .scalars import ZERO, ScalarError, is_finite, is_numeric, plain, sampled, scalar, short, size
 from .triads import norm3
-from .vectors import _short
-from .work import WorkError, work_along, work_integral
+from .work import work_along
 
 
 class NoPotential(WorkError):
@@ -158,21 +159,21 @@ class Potential:
             return _along(_checked(self.force)(*(a + s * d for a, d in zip(self.base, line, strict=True))), line)
 
         start = plain(0 * sum(map(plain, target)))  # zero in the kind of the coordinates: an mpf keeps its digits
-        return -work_integral(along, 0 if exact else start, 1 if exact else start + 1, self.rtol, exact).value
+        return -quadrature(along, 0 if exact else start, 1 if exact else start + 1, self.rtol, exact)[0]
 
 
 def _along(F, line):
     return sum((scalar(f) * d for f, d in zip(F, line, strict=True)), ZERO)
 
 
-def find_potential(force, base=(0, 0, 0), box=((-1, 1),) * 3, loops=None, tolerance=1e-9):
+def find_potential(force, base=(0, 0, 0), box=((-1, 1),) * 3, loops=(), tolerance=1e-9):
     """The :class:`Potential` of a force field, or the reason why there is none, as a :class:`NoPotential` (11.16)-(11.18).
 
     force : function of x, y, z that returns (F_x, F_y, F_z), written with functions of this package; symbols in it count as numbers of their own
     base : where V is zero; straight lines from it must stay where the force exists
     box : the region in which the field is used, three pairs (low, high)
-    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region; default: one round each of the three lines through
-        the middle of the box along the axes, near its faces. A hole elsewhere is not found without its loop
+    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region, as round an axis on which the force does not exist;
+        a hole is not found without its loop
     tolerance : of the curl, on a grid of 27 places of the box, relative to the derivatives of F; and of the work round a loop, relative to size
         of F times length. A spot check: a curl that is zero at these places alone passes.
 
@@ -182,7 +183,7 @@ def find_potential(force, base=(0, 0, 0), box=((-1, 1),) * 3, loops=None, tolera
     """
     for place in product(*([low + (high - low) * (n + 0.37) / 3 for n in range(3)] for low, high in box)):
         _check_curl(force, place, tolerance)
-    for n, loop in enumerate(_around(box) if loops is None else loops, 1):
+    for n, loop in enumerate(loops, 1):
         _check_loop(_checked(force), loop, n, tolerance)
     return Potential(force, tuple(base))
 
@@ -192,8 +193,8 @@ def _check_curl(force, place, tolerance):
     largest = max(_measure(x) for row in J for x in row)
     c = _antisymmetric(J)
     if max(map(_measure, c)) > tolerance * largest:
-        told = ", ".join(map(_short, c))
-        where = ", ".join(map(_short, place))
+        told = ", ".join(map(short, c))
+        where = ", ".join(map(short, place))
         raise NoPotential(f"there is no potential: at ({where}) the curl of the force is ({told}), not zero; its work depends on the path", place, c)
 
 
@@ -205,30 +206,16 @@ def _measure(x):
     return size(value)
 
 
-def _around(box):
-    """An ellipse in the box round each axis through its middle, near one of its faces."""
-    for n in range(3):
-        yield lambda s, n=n: _ellipse(box, n, 2 * pi(s) * s)
-
-
-def _ellipse(box, n, angle):
-    out = []
-    for m, (low, high) in enumerate(box):
-        middle, half = (low + high) / 2, (high - low) / 2
-        out.append(middle + half * (0.83 if m == n else cos(angle) if m == (n + 1) % 3 else sin(angle)))
-    return tuple(out)
-
-
 def _check_loop(force, loop, n, tolerance):
     places = [tuple(plain(scalar(x)) for x in loop(k / 24)) for k in range(25)]
     if max(size(scalar(a) - b) for a, b in zip(places[0], places[-1], strict=True)) > 1e-9 * max(size(scalar(x)) for p in places for x in p):
         raise WorkError(f"loop {n} is not closed: it leads from {places[0]} to {places[-1]}")
-    strengths = [sum(_measure(f) ** 2 for f in force(*p)) ** 0.5 for p in places]
-    length = sum(sum((b - a) ** 2 for a, b in zip(p, q, strict=True)) ** 0.5 for p, q in pairwise(places))
+    strength = max(_measure(f) for p in places for f in force(*p))
+    length = sum(norm3(tuple(b - a for a, b in zip(p, q, strict=True))) for p, q in pairwise(places))
     U = work_along(lambda *place: tuple(sampled(f) for f in force(*place)), loop, 0.0, 1.0)
-    if size(scalar(U.value)) > max(tolerance * length * max(strengths), 10 * U.error):
+    if size(scalar(U.value)) > max(tolerance * length * strength, 10 * U.error):
         raise NoPotential(
-            f"there is no potential: round loop {n} the force does the work {_short(U.value)}, though its curl is zero; the loop goes round a place "
+            f"there is no potential: round loop {n} the force does the work {short(U.value)}, though its curl is zero; the loop goes round a place "
             "where the force does not exist, and V would grow by this much with every turn",
             circulation=U.value,
         )

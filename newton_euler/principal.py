@@ -11,9 +11,10 @@ real formulas with an arc cosine, ascending.
 
 from dataclasses import dataclass
 
-from .inertia import AXES, PRODUCTS, MassError
-from .scalars import ZERO, _library, acos, atan2, cos, epsilon, is_numeric, is_zero, pi, plain, sin, size, sqrt
-from .vectors import Vector, _short, cross3, dot3, scale3
+from .admissibility import AXES, PRODUCTS, MassError
+from .rotations import axis_angle
+from .scalars import ZERO, acos, atan2, cos, epsilon, is_numeric, is_zero, library_of, pi, plain, scalar, short, sin, size, sqrt
+from .vectors import Vector, cross3, dot3, scale3
 
 PAIRS = ((0, 1), (1, 2), (2, 0))  # the axes u, v of the products xy, yz, zx
 ROUND_OFF = 256  # moments nearer than so many round-offs of the largest are equal
@@ -48,13 +49,11 @@ class Principal:
 
     def frame(self, name="principal"):
         """A new frame along the principal axes, fixed in the frame of the inertia. For numbers, not expressions."""
-        from .rotations import axis_angle
-
         axis, angle = axis_angle(self.rotation)
         return self.inertia.frame.rotate(name, axis, angle)
 
     def __str__(self):
-        lines = [f"principal moments about {self.inertia.point.name}: {', '.join(map(_short, self.moments))}"]
+        lines = [f"principal moments about {self.inertia.point.name}: {', '.join(map(short, self.moments))}"]
         lines += [f"  axis {n + 1}: {axis}" for n, axis in enumerate(self.axes)]
         return "\n".join(lines + self._doubts())
 
@@ -64,8 +63,6 @@ class Principal:
             return []
         if not open_axes:
             return [f"  all axes are determined, to {max(size(t) for t in self.turns):.2g} rad, for data with a relative error of {self.noise:.2g}"]
-        if len(open_axes) == 3 and size(self.gaps[0]) < size(self.gaps[2]) == 0:
-            open_axes = [1, 2, 3]
         names = " and ".join(map(str, open_axes))
         rest = "any axis is a principal axis" if len(open_axes) == 3 else "only their plane is: any two axes in it will do"
         return [f"  axes {names} are not determined by data with a relative error of {self.noise:.2g}: their moments are equal within it; {rest}"]
@@ -87,15 +84,23 @@ def principal(inertia, noise=None):
     >>> print(p.axes[1])
     [0, 0.707107, 0.707107] in body
     """
-    entries = [plain(x) for x in (*inertia.moments, *inertia.products)]
-    if not all(is_numeric(x) for x in entries):
-        return _of_expressions(inertia)
-    library = _library(entries).__name__
+    rows = inertia.matrix
+    if not all(is_numeric(x) for row in rows for x in row):
+        moments, axes = _of_expressions([list(map(scalar, row)) for row in rows])
+        return Principal(inertia, tuple(map(plain, moments)), tuple(Vector(a, inertia.frame) for a in axes))
+    if any(getattr(x, "shape", ()) for row in rows for x in row):
+        return _of_arrays(inertia, noise)
+    return _with_report(inertia, noise, *_of_numbers(rows))
+
+
+def _of_numbers(rows):
+    library = library_of([x for row in rows for x in row]).__name__
     if library in ("sympy", "symengine"):
-        return _with_report(inertia, noise, *_exact(inertia))
+        moments, axes = _by_sympy(rows) or _of_full_matrix(rows)
+        return moments, _canonical(moments, axes)
     if library == "mpmath":
-        return _with_report(inertia, noise, *_by_mpmath(inertia.matrix))
-    return _by_numpy(inertia, noise)
+        return _by_mpmath(rows)
+    return _by_numpy([rows])[0]
 
 
 def _with_report(inertia, noise, moments, axes):
@@ -110,21 +115,24 @@ def _with_report(inertia, noise, moments, axes):
 # -- numbers
 
 
-def _by_numpy(inertia, noise):
+def _of_arrays(inertia, noise):
     import numpy as np
 
-    I = inertia.to_array()
-    if I.ndim == 2:
-        values, columns = np.linalg.eigh(I)
-        return _with_report(inertia, noise, values.tolist(), _canonical(values.tolist(), columns.T.tolist()))
-    values, columns = np.linalg.eigh(np.moveaxis(I, (0, 1), (-2, -1)))
-    instants = [_with_report(inertia, noise, v, _canonical(v, c)) for v, c in zip(values.tolist(), columns.swapaxes(-1, -2).tolist(), strict=True)]
+    found = [_with_report(inertia, noise, *p) for p in _by_numpy(np.moveaxis(inertia.to_array(), -1, 0))]
 
     def stacked(what):
-        return tuple(np.array([getattr(p, what)[n] for p in instants]) for n in range(3))
+        return tuple(np.array([getattr(p, what)[n] for p in found]) for n in range(3))
 
-    axes = tuple(Vector(tuple(np.array([p.axes[n].c[k] for p in instants]) for k in range(3)), inertia.frame) for n in range(3))
-    return Principal(inertia, stacked("moments"), axes, instants[0].noise, stacked("gaps"), stacked("turns"))
+    axes = tuple(Vector(tuple(np.array([p.axes[n].c[k] for p in found]) for k in range(3)), inertia.frame) for n in range(3))
+    return Principal(inertia, stacked("moments"), axes, found[0].noise, stacked("gaps"), stacked("turns"))
+
+
+def _by_numpy(matrices):
+    """Moments and axes of each of the matrices."""
+    import numpy as np
+
+    values, columns = np.linalg.eigh(np.asarray(matrices, dtype=float))
+    return [(v, _canonical(v, c)) for v, c in zip(values.tolist(), columns.swapaxes(-1, -2).tolist(), strict=True)]
 
 
 def _by_mpmath(matrix):
@@ -136,20 +144,16 @@ def _by_mpmath(matrix):
 
 
 def _canonical(values, axes):
-    """The axes of ascending values, of which equal ones are told by round-off."""
+    """The axes of ascending values, with the signs and the choices told at the top; of the values, equal ones are told by round-off."""
     small = ROUND_OFF * epsilon(values[0]) * max(abs(v) for v in values)
-    return _chosen(values[1] - values[0] <= small, values[2] - values[1] <= small, axes.__getitem__)
-
-
-def _chosen(low, high, axis):
-    """The axes by number, with the signs and the choices told at the top if the two lower moments are equal, or the two higher ones."""
+    low, high = values[1] - values[0] <= small, values[2] - values[1] <= small
     if low and high:
         return (1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1)
     if low or high:
-        n = _signed(axis(2 if low else 0))
+        n = _signed(axes[2 if low else 0])
         e = _nearest_in_plane(n)
         return (e, cross3(n, e), n) if low else (n, e, cross3(n, e))
-    first, second = _signed(axis(0)), _signed(axis(1))
+    first, second = _signed(axes[0]), _signed(axes[1])
     return first, second, cross3(first, second)
 
 
@@ -168,73 +172,37 @@ def _nearest_in_plane(n):
     return tuple(x / length for x in e)
 
 
-# -- exact numbers
-
-
-def _exact(inertia):
-    """Moments ascending and axes of a matrix of SymPy numbers: by factors of the characteristic polynomial, else with an arc cosine."""
+def _by_sympy(rows):
+    """Exact moments and axes; None where the characteristic polynomial (7.20) has other roots than fractions and square roots of them."""
     import sympy
 
-    M, x = sympy.Matrix(inertia.matrix), sympy.Dummy("I")
-    coupled = [n for n, product in enumerate(inertia.products) if not is_zero(product)]
-    if len(coupled) <= 1:
-        found = _block(inertia.moments, inertia.products[coupled[0]], *PAIRS[coupled[0]])[0] if coupled else inertia.moments
-    else:
-        found = []
-        for factor, times in sympy.factor_list(M.charpoly(x).as_expr(x), x)[1]:
-            if sympy.degree(factor, x) <= 2:
-                found += sympy.solve(factor, x) * times
-    tidy = len(found) == 3
-    if not tidy:
-        found = _trigonometric(inertia.matrix)
-    values = sorted((sympy.sympify(plain(v)) for v in found), key=float)
-    return values, _canonical_exact(M, values, tidy)
-
-
-def _canonical_exact(M, values, tidy):
-    """Axes from cross products of rows of [I] - I[1]; where the roots are square roots, with rational denominators."""
-    import sympy
-
-    short = (lambda x: sympy.radsimp(sympy.expand(x))) if tidy else (lambda x: x)
-
-    def null(n):
-        rows = [tuple(row) for row in (M - values[n] * sympy.eye(3)).tolist()]
-        axis = max((cross3(rows[a], rows[b]) for a, b in PAIRS), key=lambda v: float(dot3(v, v)))
-        axis = [short(x) for x in axis]
-        length = sympy.sqrt(short(dot3(axis, axis)))
-        return tuple(x / length for x in axis)
-
-    equal = [abs(float((values[n + 1] - values[n]).evalf(30))) <= 1e-25 * abs(float(values[2])) for n in (0, 1)]
-    return _chosen(*equal, null)
+    M = sympy.Matrix([[sympy.nsimplify(x, rational=True) for x in row] for row in rows])
+    if len(sympy.roots(M.charpoly(), cubics=False, multiple=True)) < 3:
+        return None
+    pairs = sorted(((m, list(axis.normalized())) for m, _, space in M.eigenvects() for axis in space), key=lambda pair: float(pair[0]))
+    return zip(*pairs, strict=True)
 
 
 # -- expressions
 
 
-def _of_expressions(inertia):
-    coupled = [n for n, product in enumerate(inertia.products) if not is_zero(product)]
+def _of_expressions(rows):
+    coupled = [(u, v) for u, v in PAIRS if not is_zero(rows[u][v])]
     if not coupled:
-        return _free(inertia, inertia.moments, ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1)))
-    unit = next(m for m in inertia.moments if not is_zero(m))
-    ratios = [x / unit for x in (*inertia.moments, *inertia.products)]
-    if all(is_numeric(x) for x in ratios):  # numbers times one expression, as m L^2, which is positive as a moment
-        p = principal(inertia._like(ratios[:3], ratios[3:]))
-        return _free(inertia, scale3(unit, p.moments), [axis.c for axis in p.axes])
-    if len(coupled) == 1:
-        return _free(inertia, *_block(inertia.moments, inertia.products[coupled[0]], *PAIRS[coupled[0]]))
-    moments = _trigonometric(inertia._rows())
-    return _free(inertia, moments, _by_cross_products(inertia._rows(), moments))
+        return tuple(rows[n][n] for n in range(3)), ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1))
+    unit = next(rows[n][n] for n in range(3) if not is_zero(rows[n][n]))
+    ratios = [[plain(x / unit) for x in row] for row in rows]
+    if all(is_numeric(x) for row in ratios for x in row):  # numbers times one expression, as m L^2, which is positive as a moment
+        moments, axes = _of_numbers(ratios)
+        return scale3(unit, moments), axes
+    return _block(rows, *coupled[0]) if len(coupled) == 1 else _of_full_matrix(rows)
 
 
-def _free(inertia, moments, axes):
-    return Principal(inertia, tuple(map(plain, moments)), tuple(Vector(a, inertia.frame) for a in axes))
-
-
-def _block(moments, product, u, v):
+def _block(rows, u, v):
     """One product I_uv is left: the larger moment along u turned by half of atan2(-2 I_uv, I_uu - I_vv)."""
-    mean, half = (moments[u] + moments[v]) / 2, (moments[u] - moments[v]) / 2
-    radius, angle = sqrt(half * half + product * product), atan2(-product, half) / 2
-    out, axes = list(moments), [tuple(1 if n == m else ZERO for n in range(3)) for m in range(3)]
+    mean, half, entry = (rows[u][u] + rows[v][v]) / 2, (rows[u][u] - rows[v][v]) / 2, rows[u][v]
+    radius, angle = sqrt(half * half + entry * entry), atan2(entry, half) / 2
+    out, axes = [rows[n][n] for n in range(3)], [tuple(1 if n == m else ZERO for n in range(3)) for m in range(3)]
     out[u], out[v] = mean + radius, mean - radius
     c, s = cos(angle), sin(angle)
     axes[u] = tuple({u: c, v: s}.get(n, ZERO) for n in range(3))
@@ -242,24 +210,25 @@ def _block(moments, product, u, v):
     return out, axes
 
 
-def _trigonometric(rows):
-    """The three real roots of the characteristic equation (7.20), ascending: I = q + 2 p cos(phi), without complex cube roots."""
+def _of_full_matrix(rows):
+    """The real roots of the characteristic equation (7.20), ascending, I = q + 2 p cos(phi), and axes normal to two rows of [I] - I[1] (7.18).
+
+    For moments that all differ, in a matrix whose first two rows stay independent when a moment is subtracted.
+    """
     q = (rows[0][0] + rows[1][1] + rows[2][2]) / 3
-    d = [[x - q if n == m else x for m, x in enumerate(row)] for n, row in enumerate(rows)]
+    d = _less(rows, q)
     p = sqrt((dot3(d[0], d[0]) + dot3(d[1], d[1]) + dot3(d[2], d[2])) / 6)
     phi = acos(dot3(d[0], cross3(d[1], d[2])) / (2 * p**3)) / 3
     third = 2 * pi(q) / 3
-    return tuple(q + 2 * p * cos(phi + k * third) for k in (1, 2, 0))  # phi in [0, pi/3]: k = 1 the least, 0 the largest
+    moments = tuple(q + 2 * p * cos(phi + k * third) for k in (1, 2, 0))  # phi in [0, pi/3]: k = 1 the least, 0 the largest
+    first, second = (cross3(*_less(rows, moment)[:2]) for moment in moments[:2])
+    first, second = (scale3(1 / sqrt(dot3(axis, axis)), axis) for axis in (first, second))
+    return moments, (first, second, cross3(first, second))
 
 
-def _by_cross_products(rows, moments):
-    """Axes normal to two rows of [I] - I[1] (7.18), for moments that all differ and a matrix without a special place."""
-    axes = []
-    for moment in moments[:2]:
-        first, second = ([x - moment if n == m else x for m, x in enumerate(row)] for n, row in enumerate(rows[:2]))
-        axis = cross3(first, second)
-        axes.append(scale3(1 / sqrt(dot3(axis, axis)), axis))
-    return (*axes, cross3(*axes))
+def _less(rows, x):
+    """The matrix less x on its diagonal."""
+    return [[y - x if n == m else y for m, y in enumerate(row)] for n, row in enumerate(rows)]
 
 
 # -- symmetry

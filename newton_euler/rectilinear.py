@@ -4,8 +4,8 @@ The acceleration is dv/dt, and v = dx/dt, so that also a = v dv/dx. Each functio
 accuracy of the numbers it gets (floats, arrays, mpf). For formulas integrate by hand or with SymPy.
 """
 
-from .scalars import ScalarError, cosh, epsilon, exp, is_numeric, pi, scalar, sinh, size, sqrt, where
-from .triads import SingularError
+from .quadrature import integral
+from .scalars import SingularError, anywhere, scalar, size, sqrt, where
 
 
 def from_time(a, t, x0=0.0, v0=0.0):
@@ -49,11 +49,11 @@ def from_place(a, x, x0=0.0, v0=0.0):
     def speed(s):
         """At the distance s from the start; s is small near the start, where x0 + s would lose digits."""
         square = v0 * v0 + 2 * s * integral(lambda p: a(x0 + s * p), 0 * s, 0 * s + 1)
-        if size(where(square < 0, 1, 0)) > 0:
+        if anywhere(square < 0):
             raise SingularError(f"the point does not reach x = {x!r}: v^2 becomes negative on the way, so it turns back before")
         return sqrt(square)
 
-    if size(where(v0 * forward < 0, 1, 0)) > 0:
+    if anywhere(v0 * forward < 0):
         raise SingularError(f"the point starts away from x = {x!r} (v0 = {v0!r}); follow it to its turning point first")
     return integral(lambda s: forward / speed(s), 0 * way, way), forward * speed(way)
 
@@ -61,43 +61,5 @@ def from_place(a, x, x0=0.0, v0=0.0):
 def _check_reached(a, v, v0):
     ahead = where(v >= v0, 1, -1)
     for n in range(65):
-        if size(where(a(v0 + (v - v0) * n / 64) * ahead <= 0, 1, 0)) > 0 and size(v - v0) > 0:
+        if anywhere(a(v0 + (v - v0) * n / 64) * ahead <= 0) and size(v - v0) > 0:
             raise SingularError(f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes or points the other way in between")
-
-
-def integral(f, start, end):
-    """The integral of ``f`` from ``start`` to ``end``, by the tanh-sinh rule, to nearly the accuracy of the numbers.
-
-    f may be infinite at ``start`` = 0 if integrable, as x**-0.5, but at no other end. Arrays are many integrals at once.
-    Raises :class:`SingularError` if the rule does not settle (f jumps, or oscillates too fast), and :class:`ScalarError` for expressions.
-
-    >>> integral(lambda x: x**-0.5, 0.0, 4.0) - 4 < 1e-14
-    True
-    """
-    if not (is_numeric(start) and is_numeric(end)):
-        raise ScalarError(f"an integral from {start!r} to {end!r} needs numbers; of an expression take the integral by hand or with SymPy")
-    width, small = end - start, epsilon(end - start)
-    nearest = small * small if size(start) == 0 else small  # next to 0 nodes are told apart to the last
-    total, step, before = _sum(f, start, width, small / small, None, small, nearest), small / small, None
-    allowed = 1e-3 * sqrt(small) * size(width * _sum(lambda x: abs(f(x)), start, width, step, None, small, nearest))
-    for _ in range(9):
-        total, step = total + _sum(f, start, width, step / 2, step, small, nearest), step / 2
-        value = total * step * width
-        if before is not None and size(value - before) <= allowed:  # the next halving squares the error
-            return value
-        before = value
-    raise SingularError(f"the integral from {start!r} to {end!r} does not settle; is the function smooth in between? Split it where it is not")
-
-
-def _sum(f, start, width, first, step, small, nearest):
-    """Weight times f over the nodes at t = ±first, ±(first + step), … ; without a step those at 0, ±1, ±2, …"""
-    total, t = (0, first) if step else (pi(first) / 4 * f(start + width / 2), first)
-    while True:
-        near = 1 / (1 + exp(pi(t) * sinh(t)))  # fraction of the way from the start; 1 - near is its mirror image
-        if near < nearest:
-            return total
-        weight = pi(t) * cosh(t) * near * (1 - near)
-        total = total + weight * f(start + width * near)
-        if near > small:
-            total = total + weight * f(start + width * (1 - near))
-        t = t + (step or first)

@@ -13,7 +13,7 @@ values: it takes floats, mpf, arrays (each entry of shape (N,), one for each ins
 words; of moving numbers it reads the values.
 """
 
-from .scalars import ZERO, ScalarError, _value, atan2, cos, epsilon, is_finite, is_numeric, least, plain, scalar, sin, size, sqrt, where
+from .scalars import ZERO, ScalarError, atan2, cos, epsilon, is_finite, is_numeric, least, plain, scalar, sin, size, sqrt, where, without_rates
 from .vectors import cross3, dot3, scale3
 
 
@@ -131,7 +131,7 @@ def axis_angle(R, tolerance=1e-9):
 
 def _unit(axis, angle):
     axis = _three(axis, "an axis")
-    length = sqrt(dot3(axis, axis) + 0 * _value(angle))  # a length of the kind of the angle: exact if that is
+    length = sqrt(dot3(axis, axis) + 0 * without_rates(angle))  # a length of the kind of the angle: exact if that is
     if _vanishes(length) or not is_finite(length):
         raise RotationError(f"the axis {tuple(map(plain, axis))} has no direction: its length is {plain(length)}; give a vector that is not zero")
     return tuple(x / length for x in axis)
@@ -149,7 +149,7 @@ def _three(v, what):
 
 def _vanishes(x, small=0):
     """True if a number, at any instant, is not larger than ``small`` in size; an expression is taken not to vanish."""
-    return is_numeric(x) and least(_value(x)) <= small
+    return is_numeric(x) and least(without_rates(x)) <= small
 
 
 def _length_and_direction(v):
@@ -180,7 +180,7 @@ def checked_rotation(R, tolerance=1e-9):
             "a rotation matrix is three rows of three entries; for many instants the entries are arrays, so that NumPy shows the shape (3, 3, N); "
             f"got {_shape_in_words(R, shape)}"
         )
-    R = tuple(tuple(_value(x) for x in row) for row in R)
+    R = tuple(tuple(without_rates(x) for x in row) for row in R)
     gram = product(transpose(R), R)
     try:
         errors = [size(gram[n][m] - int(n == m)) for n in range(3) for m in range(3)]
@@ -364,7 +364,7 @@ def quaternion_from_euler(psi, theta, phi):
 
 def euler_from_quaternion(q):
     """The Euler angles (psi, theta, phi) of a quaternion of any length; ranges, and the choice at theta = 0 and pi, as for :func:`euler_angles`."""
-    w, x, y, z = (_value(c) for c in normalised(q))
+    w, x, y, z = (without_rates(c) for c in normalised(q))
     upright, tilted = sqrt(w * w + z * z), sqrt(x * x + y * y)  # cos and sin of theta/2; (w, z) has the angle (psi + phi)/2, (x, y) (psi - phi)/2
     theta = 2 * atan2(tilted, upright)
     small = 4 * epsilon(upright)
@@ -402,7 +402,7 @@ def euler_rates(psi, theta, phi, omega):
     """
     x, y, z = _three(omega, "an angular velocity")
     s = sin(theta)
-    if _vanishes(s, 4 * epsilon(_value(s))):
+    if _vanishes(s, 4 * epsilon(without_rates(s))):
         raise RotationError(
             f"theta = {plain(theta)!r} rad: at theta = 0 and pi the axes of precession and spin coincide and the rates of Euler's angles are not "
             "determined; use quaternion_rate, which has no such place, and read angles off afterwards"

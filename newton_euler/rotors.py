@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 from .frames import Point
 from .mass import Body
-from .scalars import is_numeric, is_zero, plain, scalar, size, sqrt, where
+from .scalars import anywhere, is_numeric, is_zero, plain, scalar, size, sqrt, where
 from .vectors import EQUATIONS, Vector, add3, dot3, named_sum, scale3, sum3
 
 
@@ -132,7 +132,7 @@ def _extent(P):
 
 def _small(x, limit=0.0):
     """True if a number (any one of an array) is not larger than ``limit``; an expression is not looked at."""
-    return is_numeric(x) and size(where(abs(plain(x)) <= limit, 1, 0)) > 0
+    return is_numeric(x) and anywhere(abs(plain(x)) <= limit)
 
 
 def _on_axis(body, A, e, length, about):

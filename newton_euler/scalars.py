@@ -1,14 +1,15 @@
 """Numbers of every kind behind one set of functions.
 
 Every formula of the engine is written once, in plain arithmetic, over *scalars*. A scalar is a Python float, a NumPy
-array (many instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka expression, or one of the kinds below:
+array (many instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka expression, or one of the engine's own kinds:
 
 ``ZERO``        a zero known from the structure of a formula; it vanishes from sums and products
-``Moving``      a value with its first and second rate in time
-``Dimension``   no value at all, only powers of mass, length and time: a formula that runs on it has consistent units
+``Moving``      a value with its first and second rate in time (:mod:`newton_euler.jets`)
+``Dimension``   no value at all, only powers of mass, length and time: a formula that runs on it has consistent units (:mod:`newton_euler.units`)
+``LinearForm``  a sum of unknowns with coefficients (:mod:`newton_euler.linear`)
 ``Step``        a value being traced by :func:`newton_euler.tracing.compiled`
 
-This is the only module that knows them apart. The others call ``sin``, ``sqrt`` … from here and otherwise use ``+ - * /``.
+This is the only module that tells numbers apart. The others call ``sin``, ``sqrt`` … from here and otherwise use ``+ - * /``.
 None of the heavy libraries is imported here: a number brings its own library along.
 """
 
@@ -25,8 +26,8 @@ class ScalarError(TypeError):
     """Something that is not a number of any known kind, or an operation that a kind of number does not have."""
 
 
-class DimensionError(ScalarError):
-    """Quantities of different dimension were added, or a function was taken of one that is not a pure number."""
+class SingularError(ValueError):
+    """A direction, a radius, a rate or an integral that does not exist at this place: on an axis, at a pole, at an inflection, on a straight line."""
 
 
 class _Own:
@@ -35,13 +36,26 @@ class _Own:
     __slots__ = ()
     __array_ufunc__ = None
     _op_priority = 1000.0  # SymPy's word for the same
-    rank = 0  # of several kinds in one call, the highest decides
+    rank = 0  # of several kinds in one operation, the highest decides
+
+    def is_numeric(self):
+        """Whether the number has a value that can be compared."""
+        return False
+
+    def without_rates(self):
+        """The value alone, for :func:`without_rates`."""
+        return self
 
     def __pos__(self):
         return self
 
     def __rpow__(self, base):
         return exp(self * log(base))
+
+
+def outranks(x, kind):
+    """Whether ``x`` is a number of the engine that wraps those of ``kind``, and so carries out an operation with one of them."""
+    return isinstance(x, _Own) and x.rank > kind.rank
 
 
 class Scaled:
@@ -55,6 +69,14 @@ class _Zero(_Own):
     """The structural zero; there is one, :data:`ZERO`. Adding it costs nothing and leaves nothing behind."""
 
     __slots__ = ()
+
+    def is_numeric(self):
+        """True: it is the number 0."""
+        return True
+
+    def without_rates(self):
+        """The integer 0."""
+        return 0
 
     def __add__(self, other):
         return other
@@ -81,7 +103,7 @@ class _Zero(_Own):
         raise ZeroDivisionError(f"{other!r} is divided by a quantity that is zero by the structure of the formula")
 
     def __pow__(self, power):
-        power = _value(power)
+        power = without_rates(power)
         if not is_numeric(power):
             return self
         if power == 0:
@@ -162,9 +184,18 @@ def plain(x):
     return 0 if x is ZERO else x
 
 
-def _value(x):
-    """The number behind ``x``, without its rates, to compare or to measure it."""
-    return _value(x.value) if isinstance(x, Moving) else plain(x)
+def without_rates(x):
+    """The value of ``x`` alone, to compare or to measure it; the structural zero as the integer 0."""
+    return x.without_rates() if isinstance(x, _Own) else x
+
+
+def short(x):
+    """The number with six digits, for messages and tables; an expression or an array in full.
+
+    >>> short(2 / 3)
+    '0.666667'
+    """
+    return str(x) if not is_numeric(x) or getattr(x, "shape", ()) else f"{float(x):.6g}"
 
 
 def _dtype(x):
@@ -182,7 +213,7 @@ def _root(kind):
     return root
 
 
-def _library(values):
+def library_of(values):
     """The library that has functions for these values; of several, an expression decides before mpmath before NumPy."""
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
@@ -199,7 +230,7 @@ def function(name, *args):
     if own:
         chosen = max(own, key=lambda a: a.rank)
         return chosen.function(name, *args) if name == "atan2" else chosen.function(name)
-    return getattr(_library(args), name)(*args)
+    return getattr(library_of(args), name)(*args)
 
 
 def _define(name):
@@ -241,7 +272,7 @@ def pi(like=0.0):
     """
     if isinstance(like, _Own):
         return like.pi() if hasattr(like, "pi") else math.pi
-    library = _library((like,))
+    library = library_of((like,))
     return +library.pi if library.__name__ == "mpmath" else getattr(library, "pi", math.pi)
 
 
@@ -256,10 +287,8 @@ def radians(degrees):
 
 def is_numeric(x):
     """True where ``x`` has a value that can be compared: float, array, mpf, but not an expression or a dimension."""
-    if isinstance(x, (Moving, Linear)):
-        return isinstance(x, Moving) and is_numeric(x.value)
     if isinstance(x, _Own):
-        return x is ZERO
+        return x.is_numeric()
     root = _root(type(x))
     return root in ("builtins", "numpy", "mpmath", "fractions") or (root in ("sympy", "symengine") and bool(x.is_Number))
 
@@ -280,6 +309,7 @@ def of_one_kind(*values):
 def is_comparable(x):
     """True where ``x`` may stand in the comparison of a :func:`where`: numbers, and values that are being traced.
 
+    >>> from newton_euler import Dimension
     >>> is_comparable(1.0), is_comparable(Dimension(1))
     (True, False)
     """
@@ -290,15 +320,20 @@ def is_zero(x):
     """True where ``x`` is certainly zero: structurally, or a number equal to 0 (an array only if all of it is)."""
     if not is_numeric(x):
         return False
-    equal = _value(x) == 0
+    equal = without_rates(x) == 0
     return bool(equal.all()) if hasattr(equal, "all") else bool(equal)
+
+
+def is_positive(x):
+    """True if the number ``x`` (every one of an array) is larger than zero; an expression is not looked at."""
+    return not is_numeric(x) or (least(x) > 0 and size(x - abs(x)) == 0)
 
 
 def is_finite(x):
     """True unless ``x`` is a number (or has an element) that is nan or infinite; expressions count as finite."""
     if not is_numeric(x):
         return True
-    x = _value(x)
+    x = without_rates(x)
     root = _root(type(x))
     if root == "numpy":
         return bool(importlib.import_module("numpy").isfinite(x).all())
@@ -313,7 +348,7 @@ def size(x):
     >>> size(-3.0), size(ZERO)
     (3.0, 0.0)
     """
-    x = _value(x)
+    x = without_rates(x)
     largest = abs(x)
     return float(largest.max(initial=0)) if hasattr(largest, "max") else float(largest)
 
@@ -334,13 +369,18 @@ def where(condition, a, b):
     return a if condition else b
 
 
+def anywhere(condition):
+    """True where the condition holds; of an array of conditions, where it holds at any instant."""
+    return bool(size(where(condition, 1, 0)))
+
+
 def epsilon(like=0.0):
     """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or for an mpf what its working precision gives.
 
     >>> epsilon(1.0) == 2.0**-52
     True
     """
-    library = _library((like,))
+    library = library_of((like,))
     return +library.eps if library.__name__ == "mpmath" else 2.0**-52
 
 
@@ -360,7 +400,7 @@ def unrounded(f, *values):
     >>> (1 + 1e-20) - 1, unrounded(lambda x: (1 + x) - 1, 1e-20)
     (0.0, 1e-20)
     """
-    mpmath, library = importlib.import_module("mpmath"), _library(values).__name__
+    mpmath, library = importlib.import_module("mpmath"), library_of(values).__name__
 
     def once(*numbers):
         with mpmath.workprec(max(256, 4 * mpmath.mp.prec)):
@@ -403,323 +443,5 @@ def _inside_out(x, known):
 
 def least(x):
     """The smallest absolute value in ``x``, as a float: the instant of an array at which a divisor is nearest to zero."""
-    smallest = abs(_value(x))
+    smallest = abs(without_rates(x))
     return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)
-
-
-class Moving(_Own):
-    """A scalar at one instant together with its first and second time rate (a jet of order two).
-
-    Arithmetic and functions carry the rates along by the product and chain rules, so no step size enters.
-    Make one with :func:`moving` or :func:`at`.
-    """
-
-    __slots__ = ("acceleration", "rate", "value")
-    rank = 9  # it wraps the other kinds
-
-    def __init__(self, value, rate=ZERO, acceleration=ZERO):
-        self.value, self.rate, self.acceleration = value, rate, acceleration
-
-    def __repr__(self):
-        return f"moving({plain(self.value)!r}, rate={plain(self.rate)!r}, acceleration={plain(self.acceleration)!r})"
-
-    def __add__(self, other):
-        o = _as_moving(other)
-        return Moving(self.value + o.value, self.rate + o.rate, self.acceleration + o.acceleration)
-
-    __radd__ = __add__
-
-    def __neg__(self):
-        return Moving(-self.value, -self.rate, -self.acceleration)
-
-    def __sub__(self, other):
-        return self + (-_as_moving(other))
-
-    def __rsub__(self, other):
-        return _as_moving(other) + (-self)
-
-    def __mul__(self, other):
-        if other is ZERO:
-            return ZERO
-        if isinstance(other, Scaled):
-            return NotImplemented
-        o = _as_moving(other)
-        return Moving(
-            self.value * o.value,
-            self.rate * o.value + self.value * o.rate,
-            self.acceleration * o.value + 2 * (self.rate * o.rate) + self.value * o.acceleration,
-        )
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other):
-        o = _as_moving(other)
-        q = self.value / o.value
-        dq = (self.rate - q * o.rate) / o.value
-        return Moving(q, dq, (self.acceleration - 2 * (dq * o.rate) - q * o.acceleration) / o.value)
-
-    def __rtruediv__(self, other):
-        return _as_moving(other) / self
-
-    def __pow__(self, power):
-        if isinstance(power, (Moving, Dimension)):
-            raise ScalarError("a moving number can be raised to a constant power only; for others write exp(power*log(x))")
-        if power is ZERO or (type(power) in (int, float) and power in (0, 1)):
-            return self if power else 1
-        u = self.value
-        if self.rests():
-            return Moving(u**power)
-        return self._chain(u**power, power * u ** (power - 1), power * (power - 1) * u ** (power - 2))
-
-    def rests(self):
-        """Known to be constant: then a function may have no derivative here, as a square root at 0."""
-        return self.rate is ZERO and self.acceleration is ZERO
-
-    def __rpow__(self, base):
-        return exp(self * log(self.value * 0 + base))  # the logarithm in the kind of the value, with all its digits
-
-    def _chain(self, f, df, ddf):
-        """The number f(self), given f and its first two derivatives at the value."""
-        return Moving(f, df * self.rate, ddf * (self.rate * self.rate) + df * self.acceleration)
-
-    def function(self, name, *args):
-        """The function of this name, for :func:`function`."""
-        if name == "atan2":
-            y, x = (_as_moving(a) for a in args)
-            square = x.value * x.value + y.value * y.value
-            rate = (x.value * y.rate - y.value * x.rate) / square
-            growth = 2 * (x.value * x.rate + y.value * y.rate)
-            return Moving(atan2(y.value, x.value), rate, (x.value * y.acceleration - y.value * x.acceleration - rate * growth) / square)
-        if self.rests():
-            return Moving(function(name, self.value))
-        return self._chain(*_DERIVATIVES[name](self.value))
-
-    def pi(self):
-        """The number pi in the kind of the value."""
-        return pi(self.value)
-
-
-def _reciprocal(f, df_inverse, ddf_factor):
-    df = 1 / df_inverse
-    return f, df, ddf_factor * df
-
-
-_DERIVATIVES = {
-    "sin": lambda u: (sin(u), cos(u), -sin(u)),
-    "cos": lambda u: (cos(u), -sin(u), -cos(u)),
-    "tan": lambda u: (tan(u), 1 + tan(u) ** 2, 2 * tan(u) * (1 + tan(u) ** 2)),
-    "asin": lambda u: _reciprocal(asin(u), sqrt((1 - u) * (1 + u)), u / ((1 - u) * (1 + u))),
-    "acos": lambda u: _reciprocal(acos(u), -sqrt((1 - u) * (1 + u)), u / ((1 - u) * (1 + u))),
-    "atan": lambda u: _reciprocal(atan(u), 1 + u * u, -2 * u / (1 + u * u)),
-    "sinh": lambda u: (sinh(u), cosh(u), sinh(u)),
-    "cosh": lambda u: (cosh(u), sinh(u), cosh(u)),
-    "tanh": lambda u: (tanh(u), 1 - tanh(u) ** 2, -2 * tanh(u) * (1 - tanh(u) ** 2)),
-    "exp": lambda u: (exp(u),) * 3,
-    "log": lambda u: (log(u), 1 / u, -1 / (u * u)),
-    "sqrt": lambda u: _reciprocal(sqrt(u), 2 * sqrt(u), -1 / (2 * u)),
-}
-
-
-def _as_moving(x):
-    return x if isinstance(x, Moving) else Moving(scalar(x))
-
-
-def moving(value, rate=None, acceleration=None):
-    """A scalar with its rates at the instant, for angles and coordinates that change.
-
-    ``rate`` and ``acceleration`` are d/dt and d2/dt2 of ``value``, in its unit per second and per second squared. One that is left
-    out is derived if what precedes it is a SymPy or SymEngine expression in the symbol ``t``, and zero otherwise.
-
-    >>> moving(2.0, rate=3.0)**2
-    moving(4.0, rate=12.0, acceleration=18.0)
-    """
-    if type(value) is float and rate is None and acceleration is None:
-        return Moving(value)
-    if isinstance(value, Moving):
-        if rate is not None or acceleration is not None:
-            raise ScalarError(f"{value!r} already has its rates; leave out rate= and acceleration=, or pass its value alone")
-        return value
-    if callable(value) and _root(type(value)) not in _LIBRARIES:
-        raise ScalarError("a function of time needs an instant: pass at(f, t) instead of f")
-    value = scalar(value)
-    rate = _derived(value) if rate is None else whole(scalar(rate), value)
-    return Moving(value, rate, _derived(rate) if acceleration is None else whole(scalar(acceleration), value))
-
-
-def _derived(x):
-    """dx/dt of a symbolic expression in ``t``, whatever the assumptions that ``t`` was made with; zero for any other number."""
-    if x is ZERO or type(x) is float or _root(type(x)) not in ("sympy", "symengine"):
-        return ZERO
-    times = [s for s in x.free_symbols if str(s) == "t"]
-    if len(times) > 1:
-        raise ScalarError(f"{x} holds {len(times)} different symbols named t; make one t = Symbol('t') and use it throughout")
-    derivative = x.diff(times[0]) if times else ZERO
-    return ZERO if derivative == 0 else derivative
-
-
-def at(f, t):
-    """The function of time ``f`` at the instant ``t`` (s), with its first and second rate, exactly and without a step size.
-
-    ``f`` uses the functions of this module (``from newton_euler import sin, sqrt …``); ``t`` may be of any kind.
-
-    >>> at(lambda t: t**3, 2.0)
-    moving(8.0, rate=12.0, acceleration=12.0)
-    """
-    return _as_moving(f(Moving(t, whole(1, t))))  # a rate of the kind of t, or constants of 16 digits are multiplied before they meet it
-
-
-class Linear(_Own):
-    """``value + c[0]*u[0] + c[1]*u[1] + …``: a scalar that is linear in unknowns, for the equations of :mod:`newton_euler.linear`.
-
-    Running conditions on it reads off their coefficients, each in its own unit. A product of unknowns, or a function of one, raises
-    :class:`ScalarError`.
-
-    >>> 3.0 * Linear(2.0, (1, ZERO)) - Linear(ZERO, (ZERO, 1))
-    Linear(6.0, (3.0, -1))
-    """
-
-    __slots__ = ("coefficients", "value")
-    rank = 5
-
-    def __init__(self, value, coefficients):
-        self.value, self.coefficients = value, tuple(coefficients)
-
-    def __repr__(self):
-        return f"Linear({plain(self.value)!r}, {tuple(map(plain, self.coefficients))!r})"
-
-    def _each(self, change):
-        return Linear(change(self.value), map(change, self.coefficients))
-
-    def __add__(self, other):
-        if isinstance(other, Moving):
-            return NotImplemented
-        if isinstance(other, Linear):
-            return Linear(self.value + other.value, (a + b for a, b in zip(self.coefficients, other.coefficients, strict=True)))
-        return Linear(self.value + scalar(other), self.coefficients)
-
-    __radd__ = __add__
-
-    def __neg__(self):
-        return self._each(lambda x: -x)
-
-    def __sub__(self, other):
-        return self + -other
-
-    def __rsub__(self, other):
-        return -self + other
-
-    def __mul__(self, other):
-        if other is ZERO:
-            return ZERO
-        if isinstance(other, (Moving, Scaled)):
-            return NotImplemented
-        if isinstance(other, Linear):
-            raise ScalarError("two unknowns are multiplied; the conditions must be linear in them, as velocities are in rates")
-        return self._each(lambda x: x * other)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other):
-        if isinstance(other, Linear):
-            raise ScalarError("an unknown stands in a denominator; the conditions must be linear in the unknowns, as velocities are in rates")
-        return NotImplemented if isinstance(other, Moving) else self._each(lambda x: x / other)
-
-    def __rtruediv__(self, other):
-        raise ScalarError("an unknown stands in a denominator; the conditions must be linear in the unknowns, as velocities are in rates")
-
-    def function(self, name, *args):
-        """The function of this name, for :func:`function`."""
-        raise ScalarError(f"{name} is taken of an unknown; the conditions must be linear in the unknowns, as velocities are in rates")
-
-    def __pow__(self, power):
-        raise ScalarError("an unknown is raised to a power; the conditions must be linear in the unknowns, as velocities are in rates")
-
-    def pi(self):
-        """The number pi in the kind of the value."""
-        return pi(self.value)
-
-
-class Dimension(_Own):
-    """What remains of a quantity without its value: its powers of mass, length and time.
-
-    Angles, and numbers written in a formula, are pure. Adding unlike dimensions raises :class:`DimensionError`, so
-    one run of a formula on dimensions proves its units.
-
-    >>> length, time = Dimension(0, 1, 0), Dimension(0, 0, 1)
-    >>> length/time**2 + 2*length/time**2
-    Dimension(L^1 T^-2)
-    """
-
-    __slots__ = ("powers",)
-    rank = 1
-
-    def __init__(self, mass=0, length=0, time=0):
-        self.powers = (Fraction(mass), Fraction(length), Fraction(time))
-
-    def __repr__(self):
-        named = [f"{n}^{p}" for n, p in zip("MLT", self.powers, strict=True) if p]
-        return f"Dimension({' '.join(named) or '1'})"
-
-    def __eq__(self, other):
-        return isinstance(other, Dimension) and self.powers == other.powers
-
-    def __hash__(self):
-        return hash(self.powers)
-
-    def __add__(self, other):
-        if other is ZERO:
-            return self
-        if isinstance(other, (Moving, Linear)):
-            return NotImplemented
-        if _as_dimension(other) != self:
-            raise DimensionError(f"cannot add {_as_dimension(other)} to {self}: look at the units of the two terms")
-        return self
-
-    __radd__ = __sub__ = __rsub__ = __add__
-
-    def __neg__(self):
-        return self
-
-    __abs__ = __neg__
-
-    def __mul__(self, other):
-        if other is ZERO:
-            return ZERO
-        if isinstance(other, (Moving, Linear, Scaled)):
-            return NotImplemented
-        return Dimension(*(a + b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True)))
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other):
-        if isinstance(other, (Moving, Linear, _Zero)):
-            return NotImplemented
-        return Dimension(*(a - b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True)))
-
-    def __rtruediv__(self, other):
-        return _as_dimension(other) / self
-
-    def __pow__(self, power):
-        if isinstance(power, (Moving, Dimension)):
-            if any(self.powers):
-                raise DimensionError(f"{self} is raised to a power that varies: its dimension would vary too")
-            return NotImplemented if isinstance(power, Moving) else exp(power)
-        power = Fraction(power if isinstance(power, Fraction) else float(power)).limit_denominator(1000)  # 1/3 is not a float
-        return Dimension(*(a * power for a in self.powers))
-
-    def function(self, name, *args):
-        """The function of this name, for :func:`function`."""
-        if name == "sqrt":
-            return self ** Fraction(1, 2)
-        if name == "atan2":
-            _ = args[0] + args[1] if args[0] is not ZERO and args[1] is not ZERO else None
-        elif any(self.powers):
-            raise DimensionError(f"{name} of a quantity with {self}: its argument must be a pure number (an angle, a ratio)")
-        return Dimension()
-
-
-def _as_dimension(x):
-    if isinstance(x, Dimension):
-        return x
-    scalar(x)  # or it is no number at all
-    return Dimension()

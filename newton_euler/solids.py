@@ -12,8 +12,9 @@ of a solid.
 (0.010000000000000002, 0.065, 0.065)
 """
 
-from .frames import Point
-from .inertia import AXES, Inertia, MassError, axes_at, axis_index, place, positive
+from .admissibility import AXES, MassError, positive
+from .frames import Point, axes_at, place
+from .inertia import SECOND_MOMENTS, Inertia, axis_index, from_second_moments
 from .mass import Body
 from .scalars import ZERO, pi, scalar, sin, sqrt
 from .vectors import add3, cross3, dot3, scale3, sub3, sum3
@@ -240,18 +241,14 @@ def simplex(*corners, mass=None, density=None, name=None):
     m = _mass(name, mass, density, _content(edges))
     middle = _mean(edges, n + 1)
     arms = [scale3(-1, middle), *(sub3(e, middle) for e in edges)]
-    xx, yy, zz, xy, yz, zx = (_spread(arms, a, b) * m / ((n + 1) * (n + 2)) for a, b in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)))
+    second = [sum((arm[a] * arm[b] for arm in arms), ZERO) * m / ((n + 1) * (n + 2)) for a, b in SECOND_MOMENTS]
     centre = frame.point(f"G of {name}", *add3(first, middle))
-    return Body(name, m, centre, Inertia(centre, (yy + zz, zz + xx, xx + yy), (xy, yz, zx), m, centre, frame, None))
+    return Body(name, m, centre, Inertia(centre, *from_second_moments(second), m, centre, frame, None))
 
 
 def _mean(vectors, count):
     """The sum of the triples divided by a whole number: not times 1/count, which would round before an mpf or a fraction comes in."""
     return tuple(x / count for x in sum3(vectors))
-
-
-def _spread(arms, a, b):
-    return sum((arm[a] * arm[b] for arm in arms), ZERO)
 
 
 def _content(edges):

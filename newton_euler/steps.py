@@ -3,7 +3,7 @@
 Nothing here has a value, so a formula that is traced cannot branch on one; it chooses by :func:`newton_euler.scalars.where`, which is a step too.
 """
 
-from .scalars import ZERO, Linear, Moving, ScalarError, Scaled, _Own, function, plain, scalar
+from .scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, plain, scalar
 
 
 class Step(_Own):
@@ -131,7 +131,7 @@ class Trace:
         self.steps, self.known = [], {}
 
     def step(self, op, *args):
-        if any(isinstance(a, (Moving, Linear, Scaled)) for a in args):
+        if any(isinstance(a, Scaled) or outranks(a, Step) for a in args):
             return NotImplemented  # the moving number or vector takes over and calls back with its parts
         key = tuple(self._key(a) for a in args)
         if op in "+*":

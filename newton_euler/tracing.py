@@ -11,7 +11,8 @@ import inspect
 import math
 import sys
 
-from .scalars import FUNCTIONS, Moving, ScalarError, Scaled, _library, _Own, _root, _value, pi, scalar
+from .jets import Moving
+from .scalars import FUNCTIONS, ScalarError, Scaled, _Own, _root, library_of, pi, scalar, without_rates
 from .steps import Step, Trace
 from .straight_line import COMPARISONS, choices, written
 
@@ -109,7 +110,7 @@ class Compiled:
             scalar(a)  # or it is no number, and the error says so
         if any(isinstance(a, _Own) for a in args):
             return self._own(args)
-        library = _library(args)
+        library = library_of(args)
         if library.__name__ == "numpy":
             return self._arrays(library, args)
         if library.__name__ not in self._run:
@@ -120,7 +121,7 @@ class Compiled:
         """On the kinds of this engine; pi comes from the most exact number among them."""
         run = self._run.get("own") or self._run.setdefault("own", self._on(sys.modules[_Own.__module__]))
         traced = [a for a in args if isinstance(a, Step)]
-        inside = [a for a in map(_value, args) if not isinstance(a, _Own) and _root(type(a)) != "builtins"]
+        inside = [a for a in map(without_rates, args) if not isinstance(a, _Own) and _root(type(a)) != "builtins"]
         run.__globals__["pi"] = pi((traced or inside or [0.0])[0])
         return self._rebuild(run(*args))
 

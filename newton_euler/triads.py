@@ -5,12 +5,9 @@ it like in any other. Where a direction is only rounding noise, :class:`Singular
 """
 
 from .frames import Frame
-from .scalars import Moving, epsilon, is_numeric, plain, scalar, size, sqrt, where
+from .jets import Moving, as_moving
+from .scalars import anywhere, epsilon, is_numeric, plain, scalar, sqrt
 from .vectors import ZERO3, FrameError, add3, dot3, scale3
-
-
-class SingularError(ValueError):
-    """A direction, a radius or a rate that does not exist at this place: on an axis, at a pole, at an inflection, on a straight line."""
 
 
 class Triad(Frame):
@@ -66,8 +63,7 @@ class _Turning:
 def turning_of(axes):
     """Angular velocity and acceleration, each along the axes, of axes whose components are :class:`Moving`: omega_1 = e_2' . e_3, and so on."""
     moved = [tuple(Moving(x.rate, x.acceleration) for x in axis) for axis in axes]  # the second rate of the last is not needed
-    omega = [dot3(moved[(n + 1) % 3], axes[(n + 2) % 3]) for n in range(3)]
-    omega = [x if isinstance(x, Moving) else Moving(x) for x in omega]
+    omega = [as_moving(dot3(moved[(n + 1) % 3], axes[(n + 2) % 3])) for n in range(3)]
     return tuple(x.value for x in omega), tuple(x.rate for x in omega)
 
 
@@ -86,7 +82,7 @@ def numeric3(c):
 
 def drowned(value, noise):
     """True if a numeric ``value`` >= 0 does not stand out of ``noise`` >= 0 (arrays: at any instant)."""
-    return bool(size(where(plain(value) <= plain(noise), 1, 0)))
+    return anywhere(plain(value) <= plain(noise))
 
 
 def shaken(f, q):

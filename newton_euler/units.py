@@ -1,4 +1,4 @@
-"""Units by name, with exact factors to the coherent base kg, m, s, rad.
+"""Dimensions, and units by name with exact factors to the coherent base kg, m, s, rad.
 
 ``Unit("rev/min")`` or ``Unit("slug*ft^2")``: names joined by ``*`` and ``/``, powers by ``^``. ``lb`` is the pound of force, ``slug`` the mass that
 it accelerates at 1 ft/s^2; angles are pure numbers.
@@ -8,7 +8,98 @@ import re
 from fractions import Fraction
 from functools import cache
 
-from .scalars import ZERO, Dimension, pi
+from .scalars import ZERO, ScalarError, Scaled, _Own, exp, outranks, pi, scalar
+
+
+class DimensionError(ScalarError):
+    """Quantities of different dimension were added, or a function was taken of one that is not a pure number."""
+
+
+class Dimension(_Own):
+    """What remains of a quantity without its value: its powers of mass, length and time.
+
+    Angles, and numbers written in a formula, are pure. Adding unlike dimensions raises :class:`DimensionError`, so
+    one run of a formula on dimensions proves its units.
+
+    >>> length, time = Dimension(0, 1, 0), Dimension(0, 0, 1)
+    >>> length/time**2 + 2*length/time**2
+    Dimension(L^1 T^-2)
+    """
+
+    __slots__ = ("powers",)
+    rank = 1
+
+    def __init__(self, mass=0, length=0, time=0):
+        self.powers = (Fraction(mass), Fraction(length), Fraction(time))
+
+    def __repr__(self):
+        named = [f"{n}^{p}" for n, p in zip("MLT", self.powers, strict=True) if p]
+        return f"Dimension({' '.join(named) or '1'})"
+
+    def __eq__(self, other):
+        return isinstance(other, Dimension) and self.powers == other.powers
+
+    def __hash__(self):
+        return hash(self.powers)
+
+    def __add__(self, other):
+        if other is ZERO:
+            return self
+        if outranks(other, self):
+            return NotImplemented
+        if _as_dimension(other) != self:
+            raise DimensionError(f"cannot add {_as_dimension(other)} to {self}: look at the units of the two terms")
+        return self
+
+    __radd__ = __sub__ = __rsub__ = __add__
+
+    def __neg__(self):
+        return self
+
+    __abs__ = __neg__
+
+    def __mul__(self, other):
+        if other is ZERO:
+            return ZERO
+        if isinstance(other, Scaled) or outranks(other, self):
+            return NotImplemented
+        return Dimension(*(a + b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True)))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        if other is ZERO or outranks(other, self):
+            return NotImplemented
+        return Dimension(*(a - b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True)))
+
+    def __rtruediv__(self, other):
+        return _as_dimension(other) / self
+
+    def __pow__(self, power):
+        if isinstance(power, Dimension) or outranks(power, self):
+            if any(self.powers):
+                raise DimensionError(f"{self} is raised to a power that varies: its dimension would vary too")
+            return exp(power) if isinstance(power, Dimension) else NotImplemented
+        power = Fraction(power if isinstance(power, Fraction) else float(power)).limit_denominator(1000)  # 1/3 is not a float
+        return Dimension(*(a * power for a in self.powers))
+
+    def function(self, name, *args):
+        """The function of this name, for :func:`function`."""
+        if name == "sqrt":
+            return self ** Fraction(1, 2)
+        if name == "atan2":
+            _ = args[0] + args[1] if args[0] is not ZERO and args[1] is not ZERO else None
+        elif any(self.powers):
+            raise DimensionError(f"{name} of a quantity with {self}: its argument must be a pure number (an angle, a ratio)")
+        return Dimension()
+
+
+def _as_dimension(x):
+    if isinstance(x, Dimension):
+        return x
+    scalar(x)  # or it is no number at all
+    return Dimension()
+
 
 _INCH, _POUND_MASS, _STANDARD_G = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction(980665, 10**5)
 _POUND = _POUND_MASS * _STANDARD_G

@@ -7,7 +7,8 @@ how it changes in time where that follows from how it was made (``a.rate(observe
 
 from functools import reduce
 
-from .scalars import ZERO, Moving, ScalarError, Scaled, atan2, is_numeric, is_zero, least, moving, plain, sampled, scalar, size, sqrt
+from .jets import Moving, moving
+from .scalars import ZERO, ScalarError, Scaled, atan2, is_numeric, is_zero, least, plain, sampled, scalar, short, size, sqrt
 
 NO_THIRD_RATE = "the third time derivative of a moving quantity is not known; give coordinates with two rates only"
 
@@ -145,7 +146,7 @@ class Vector(Scaled, NamedTerms):
         return f"Vector({', '.join(map(repr, self))} in {self.frame.name})"
 
     def __str__(self):
-        return f"[{', '.join(_short(x) for x in self)}] in {self.frame.name}"
+        return f"[{', '.join(short(x) for x in self)}] in {self.frame.name}"
 
     def _repr_latex_(self):
         return f"${self.latex()}$"
@@ -389,8 +390,8 @@ class Explanation:
         width = max(map(len, [*names, "sum"]))
         lines = [f"{self.ledger.kind} {self.ledger.subject}, equation ({self.number}), components in {self.vector.frame.name}"]
         for name, term in zip(names, terms.values(), strict=True):
-            lines.append(f"  {name:<{width}}  [{', '.join(_short(x) for x in term)}]{unit}")
-        lines.append(f"  {'sum':<{width}}  [{', '.join(_short(x) for x in self.vector)}]{unit}")
+            lines.append(f"  {name:<{width}}  [{', '.join(short(x) for x in term)}]{unit}")
+        lines.append(f"  {'sum':<{width}}  [{', '.join(short(x) for x in self.vector)}]{unit}")
         return "\n".join(lines)
 
     __repr__ = __str__
@@ -425,12 +426,6 @@ def _product(name, symbol):
     if " x " in name:
         return r"\times".join(rf"\boldsymbol{{\omega}}_{{\text{{{part}}}}}" for part in name.split(" x "))
     return rf"{symbol}_{{\text{{{name}}}}}"
-
-
-def _short(x):
-    if not is_numeric(x) or (hasattr(x, "shape") and x.shape):
-        return str(x)
-    return f"{float(x):.6g}"
 
 
 def _latex_number(x, digits):

@@ -14,20 +14,11 @@ in an inertial frame.
 """
 
 from dataclasses import dataclass, field
-from itertools import count, pairwise
 
-from . import rectilinear
 from .paths import along
-from .scalars import ZERO, ScalarError, epsilon, is_finite, is_numeric, plain, scalar, size, sqrt
-from .triads import SingularError
-from .vectors import FrameError, NamedTerms, Vector, _short
-
-SUBDIVISIONS = 400
-_NUMBERS = count()  # so that the variables of nested integrals have names of their own
-
-
-class WorkError(ValueError):
-    """An integral that does not converge, or a force or path that has no value where it is needed."""
+from .quadrature import WorkError, quadrature
+from .scalars import ZERO, plain, scalar, short
+from .vectors import FrameError, NamedTerms, Vector
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +67,7 @@ class Amount(NamedTerms):
         """The sum in words: its equation in the book, each term, and their sum."""
         rows = [*self.terms.items(), ("sum", self.value)]
         width = max(len(name) for name, _ in rows)
-        return "\n".join([f"{self.what}, equation ({self.number})", *(f"  {name:<{width}}  {_short(x)} {unit}" for name, x in rows)])
+        return "\n".join([f"{self.what}, equation ({self.number})", *(f"  {name:<{width}}  {short(x)} {unit}" for name, x in rows)])
 
     def reweighted(self, **factors):
         """The sum of its terms, each times the factor named for it (others once): what a wrong model would give.
@@ -112,74 +103,8 @@ def work_integral(f, start, end, rtol=1e-10, exact=False, breaks=()):
     >>> work_integral(lambda x: -200.0*x, 0.0, 0.1).value  # a spring, stretched from rest
     -1.0
     """
-    pieces = [_piece(f, a, b, rtol, exact) for a, b in pairwise((start, *breaks, end))]
-    return Amount(sum(value for value, _ in pieces), error=sum(error for _, error in pieces))
-
-
-def _piece(f, start, end, rtol, exact):
-    """(value, estimated error) of one smooth piece."""
-    if exact:
-        return _by_formula(f, start, end), 0.0
-    if not (is_numeric(scalar(start)) and is_numeric(scalar(end))):
-        raise WorkError(f"the limits {start!r} and {end!r} are no numbers: pass exact=True to integrate by formulas, or put numbers in")
-    samples = [_finite(f, start + (end - start) * (n + 0.5) / 16) for n in range(16)]
-    scale = size(scalar(end - start)) * sum(map(size, samples)) / 16
-    one = samples[0] + (end - start)  # an array, or an mpf of more digits than a float?
-    if getattr(one, "shape", ()) or epsilon(one) < 2.0**-53:
-        return _smooth(f, start, end, scale)
-    return _adaptive(f, float(start), float(end), rtol, scale)
-
-
-def _finite(f, x):
-    try:
-        value = scalar(f(x))
-    except (ArithmeticError, ValueError) as problem:
-        raise WorkError(f"the integrand has no value at {_short(x)}: {problem}") from problem
-    if not is_numeric(value):
-        raise WorkError(f"the integrand is {plain(value)!r} at {_short(x)}: pass exact=True to integrate formulas, or put numbers in")
-    if not is_finite(value):
-        raise WorkError(f"the integrand is {plain(value)} at {_short(x)}; look at divisions and roots there")
-    return value
-
-
-def _adaptive(f, start, end, rtol, scale):
-    import warnings
-
-    from scipy.integrate import IntegrationWarning, quad
-
-    with warnings.catch_warnings():
-        warnings.simplefilter("error", IntegrationWarning)
-        try:
-            return quad(lambda x: float(_finite(f, x)), start, end, epsabs=rtol * scale, epsrel=rtol, limit=SUBDIVISIONS)
-        except IntegrationWarning as problem:
-            raise WorkError(
-                f"the integral from {start:.6g} to {end:.6g} did not converge to {rtol:.1g}: {str(problem).split('.')[0].strip()}. Divide it with "
-                "breaks=(...) where the force has a corner or a jump, or ask for less with rtol="
-            ) from None
-
-
-def _smooth(f, start, end, scale):
-    """What the tanh-sinh rule of :mod:`newton_euler.rectilinear` guarantees is half of the digits; mostly it has them nearly all."""
-    width = end - start
-    try:
-        value = rectilinear.integral(lambda s: _finite(f, start + width * s), 0 * width, 0 * width + 1) * width
-    except SingularError:
-        raise WorkError(f"the integral from {start!r} to {end!r} does not settle; divide it with breaks=(...) where the force has a corner") from None
-    return plain(value), 1e-3 * scale * float(sqrt(epsilon(value)))
-
-
-def _by_formula(f, start, end):
-    import sympy
-
-    name, q = sympy.Symbol(f"_q{next(_NUMBERS)}"), sympy.Dummy("q", real=True)  # SymEngine would lose a Dummy, and what is assumed of a symbol
-    try:
-        start, end = (sympy.sympify(plain(scalar(x))) for x in (start, end))
-        value = sympy.integrate(sympy.sympify(plain(scalar(f(name)))).xreplace({name: q}), (q, start, end))
-    except (sympy.SympifyError, ScalarError) as problem:
-        raise WorkError(f"SymPy cannot read the integrand or the limits {start!r} and {end!r}: {problem}") from None
-    if value.has(sympy.Integral):
-        raise WorkError("SymPy finds no formula for this integral; put numbers in, without exact=True")
-    return value
+    value, error = quadrature(f, start, end, rtol, exact, breaks)
+    return Amount(value, error=error)
 
 
 # -- work

@@ -1,8 +1,7 @@
 """Worked examples of Appendix A: the rate of a unit vector, the normal of a triangle, the plane through three points."""
 
 from newton_euler import Frame, moving
-from newton_euler.scalars import is_zero, scalar
-from newton_euler.triads import SingularError
+from newton_euler.scalars import SingularError, is_zero, scalar
 
 
 def turning_unit_vector(theta, rate):

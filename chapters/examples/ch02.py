@@ -4,8 +4,7 @@ from dataclasses import dataclass
 
 from newton_euler import Frame, cos, moving, polar, sin, sqrt, tan
 from newton_euler.paths import along, frenet
-from newton_euler.scalars import is_numeric, size, where
-from newton_euler.triads import SingularError
+from newton_euler.scalars import SingularError, is_numeric, size, where
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,9 @@ from dataclasses import dataclass, replace
 from functools import cache
 
 from ..earth import EARTH_RADIUS, EARTH_RATE
+from ..events import Event
 from ..gyros import GyroError, least_spin, sleeping_top, steady_precession
-from ..motion import Event, integrate
+from ..motion import integrate
 from ..scenes import projectile, top, top_ladder
 from ..scenes.free_body import free_body
 from ..taylor import installed

@@ -12,8 +12,9 @@ from .. import rotations
 from ..frames import Frame
 from ..gyros import steady_precession
 from ..integration import integrated
+from ..jets import moving
 from ..mass import composite
-from ..scalars import cos, moving, sin, sqrt
+from ..scalars import cos, sin, sqrt
 from ..solids import half_disk, simplex
 from ..tracing import compiled
 from .measure import relative_error

@@ -10,10 +10,11 @@ Each force, and the bank, is a number or a law ``(s, p, t)`` of the states, the 
 from typing import NamedTuple
 
 from ..frames import Frame
+from ..jets import moving
 from ..kinetics import reaction
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected, is_law
-from ..scalars import atan2, cos, is_zero, moving, plain, scalar, sin, sqrt, tan
+from ..scalars import atan2, cos, is_zero, plain, scalar, sin, sqrt, tan
 
 POSITION = "position, m"
 PLANE, SPACE = ("v", "gamma", "x", "y"), ("v", "chi", "gamma", "x", "y", "h")

@@ -5,7 +5,7 @@ with the *upward* vertical K, so that the bar hangs at theta = pi.
 """
 
 from ..frames import Frame
-from ..mass import Inertia
+from ..inertia import Inertia
 from ..rotations import euler_frame
 from .top import reduced, rolled_out, surplus
 

@@ -6,8 +6,9 @@ to bearing B, at -a and b from O, the origin of the body's axes.
 :func:`ladder` has three models of how it turns: at a constant rate, without its weight, and with it.
 """
 
+from ..inertia import Inertia
 from ..ladders import Ladder, Rung
-from ..mass import Body, Inertia
+from ..mass import Body
 from ..models import Model, Neglected
 from ..scalars import cos, sin, sqrt
 from .shaft import on_shaft

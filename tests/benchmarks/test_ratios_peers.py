@@ -17,7 +17,7 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from newton_euler.accuracy import timed
+from newton_euler.accuracy.measure import timed
 from newton_euler.models import ModelError
 from newton_euler.motion import integrate, prepare
 from newton_euler.scenes import top

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, at, compiled, cos, moving, sin
+from newton_euler.admissibility import MassError
 from newton_euler.euler_equations import (
     angular_acceleration,
     euler_moment,
@@ -19,7 +20,7 @@ from newton_euler.euler_equations import (
     planar_moment,
 )
 from newton_euler.force_systems import ForceSystem
-from newton_euler.inertia import Inertia, MassError
+from newton_euler.inertia import Inertia
 from newton_euler.kinetics import resultant_force
 from newton_euler.linear import solve_linear
 from newton_euler.mass import composite, particle

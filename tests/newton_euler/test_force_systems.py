@@ -7,9 +7,8 @@ import sympy
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Dimension, Frame, compiled
+from newton_euler import Dimension, Frame, FrameError, compiled
 from newton_euler.force_systems import Couple, Force, ForceError, ForceSystem
-from newton_euler.inertia import MassError
 from newton_euler.linear import solve_linear
 from tests.kinds import KINDS, close, numbers
 
@@ -196,9 +195,9 @@ def test_what_is_no_force_is_refused_in_words():
         ForceSystem([3])
     with pytest.raises(ForceError, match="the vector of a force is a Vector"):
         ForceSystem([(2.0, ground.origin)])
-    with pytest.raises(MassError, match="the place of wind is a Point or a Frame"):
+    with pytest.raises(FrameError, match="the place of wind is a Point or a Frame"):
         ForceSystem({"wind": (ground.i, "there")})
     with pytest.raises(ForceError, match="a system without forces needs a frame"):
         ForceSystem([])
-    with pytest.raises(MassError, match="the place of the point that the moment is about is a Point or a Frame"):
+    with pytest.raises(FrameError, match="the place of the point that the moment is about is a Point or a Frame"):
         ForceSystem([(ground.i, ground)]).moment("A")

@@ -29,7 +29,7 @@ from newton_euler.gyros import (
     steady_precession,
     steady_spin,
 )
-from newton_euler.mass import Inertia
+from newton_euler.inertia import Inertia
 from newton_euler.models import ModelError
 from newton_euler.nutation import nutation
 from newton_euler.rotations import apply, euler_frame, euler_from_quaternion, euler_matrix, in_sequence, quaternion_from_euler, rotation_matrix

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, compiled, cos, sin
 from newton_euler.linear import LinearError, solve_linear, solve_rates
-from newton_euler.scalars import DimensionError, ScalarError, coarseness, sampled
+from newton_euler.scalars import ScalarError, coarseness, sampled
+from newton_euler.units import DimensionError
 from newton_euler.vectors import FrameError
 from tests.kinds import KINDS, close, number, numbers
 

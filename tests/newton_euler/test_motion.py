@@ -10,8 +10,10 @@ import numpy as np
 import pytest
 
 from newton_euler import Model, ModelError, second_order, sqrt
+from newton_euler.events import Event
 from newton_euler.methods import METHODS
-from newton_euler.motion import Event, MotionError, integrate, prepare
+from newton_euler.motion import integrate, prepare
+from newton_euler.records import MotionError
 from newton_euler.scenes import top
 from newton_euler.scenes.physical_pendulum import physical_pendulum
 from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at

@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension, Frame, compiled, cos, pi, radians, sin
-from newton_euler.mass import Body, Inertia, composite, particle
+from newton_euler.inertia import Inertia
+from newton_euler.mass import Body, composite, particle
 from newton_euler.momentum import resultant_moment
 from newton_euler.rotors import RotorError, balance, balancing_masses, corrections, imbalance, reactions, shaft_axis
 from newton_euler.scenes.unbalanced_rotor import turning_rotor, unbalanced_rotor

@@ -14,21 +14,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import Frame, scalars
+from newton_euler.jets import Moving, at, moving
 from newton_euler.scalars import (
     FUNCTIONS,
     ZERO,
-    Dimension,
-    DimensionError,
-    Moving,
     ScalarError,
-    at,
     atan2,
     function,
     is_finite,
     is_numeric,
     is_zero,
     least,
-    moving,
     pi,
     plain,
     radians,
@@ -36,6 +32,7 @@ from newton_euler.scalars import (
     size,
     whole,
 )
+from newton_euler.units import Dimension, DimensionError
 from tests.kinds import KINDS, close, numbers
 
 
@@ -469,6 +466,12 @@ def test_a_dimension_cannot_be_raised_to_what_varies():
         LENGTH + "m"
 
 
+def test_a_moving_dimension_is_raised_to_a_pure_number_if_it_is_one_itself():
+    assert (moving(Dimension()) ** Dimension()).value == Dimension()
+    with pytest.raises(DimensionError, match="its dimension would vary too"):
+        moving(LENGTH) ** Dimension()
+
+
 def test_moving_dimensions_have_the_dimensions_of_their_rates():
     x = moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2)
     y = scalars.sqrt(x * x + x * x)
@@ -497,7 +500,7 @@ def test_floats_arrays_and_tracing_need_numpy_alone():
     assert out.stdout.strip() == "[]"
 
 
-@pytest.mark.parametrize("module", ["scalars", "vectors", "frames", "tracing", "units"])
+@pytest.mark.parametrize("module", ["scalars", "jets", "vectors", "frames", "tracing", "units"])
 def test_public_names_have_docstrings(module):
     m = importlib.import_module(f"newton_euler.{module}")
     mine = {n: o for n, o in vars(m).items() if not n.startswith("_") and getattr(o, "__module__", None) == m.__name__ and callable(o)}

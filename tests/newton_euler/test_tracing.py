@@ -37,7 +37,7 @@ from newton_euler import (
     tan,
     tanh,
 )
-from newton_euler.scalars import Moving
+from newton_euler.jets import Moving
 from newton_euler.tracing import BLOCK
 from tests.kinds import KINDS, close, numbers
 

@@ -9,8 +9,7 @@ import pytest
 from newton_euler import Frame, at
 from newton_euler.components import cylindrical_coordinates, polar_coordinates
 from newton_euler.coordinates import curvilinear
-from newton_euler.scalars import cos, sin
-from newton_euler.triads import SingularError
+from newton_euler.scalars import SingularError, cos, sin
 
 ground = Frame("ground")
 

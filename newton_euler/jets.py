@@ -1,0 +1,200 @@
+"""Scalars that carry their first and second rate in time: exact derivatives of any formula, without a step size."""
+
+from .scalars import (
+    _LIBRARIES,
+    ZERO,
+    ScalarError,
+    Scaled,
+    _Own,
+    _root,
+    acos,
+    asin,
+    atan,
+    atan2,
+    cos,
+    cosh,
+    exp,
+    function,
+    is_numeric,
+    log,
+    pi,
+    plain,
+    scalar,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+    tanh,
+    whole,
+    without_rates,
+)
+
+
+class Moving(_Own):
+    """A scalar at one instant together with its first and second time rate (a jet of order two).
+
+    Arithmetic and functions carry the rates along by the product and chain rules, so no step size enters.
+    Make one with :func:`moving` or :func:`at`.
+    """
+
+    __slots__ = ("acceleration", "rate", "value")
+    rank = 9  # it wraps the other kinds
+
+    def is_numeric(self):
+        """Whether its value can be compared."""
+        return is_numeric(self.value)
+
+    def without_rates(self):
+        """The value alone."""
+        return without_rates(self.value)
+
+    def __init__(self, value, rate=ZERO, acceleration=ZERO):
+        self.value, self.rate, self.acceleration = value, rate, acceleration
+
+    def __repr__(self):
+        return f"moving({plain(self.value)!r}, rate={plain(self.rate)!r}, acceleration={plain(self.acceleration)!r})"
+
+    def __add__(self, other):
+        o = as_moving(other)
+        return Moving(self.value + o.value, self.rate + o.rate, self.acceleration + o.acceleration)
+
+    __radd__ = __add__
+
+    def __neg__(self):
+        return Moving(-self.value, -self.rate, -self.acceleration)
+
+    def __sub__(self, other):
+        return self + (-as_moving(other))
+
+    def __rsub__(self, other):
+        return as_moving(other) + (-self)
+
+    def __mul__(self, other):
+        if other is ZERO:
+            return ZERO
+        if isinstance(other, Scaled):
+            return NotImplemented
+        o = as_moving(other)
+        return Moving(
+            self.value * o.value,
+            self.rate * o.value + self.value * o.rate,
+            self.acceleration * o.value + 2 * (self.rate * o.rate) + self.value * o.acceleration,
+        )
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        o = as_moving(other)
+        q = self.value / o.value
+        dq = (self.rate - q * o.rate) / o.value
+        return Moving(q, dq, (self.acceleration - 2 * (dq * o.rate) - q * o.acceleration) / o.value)
+
+    def __rtruediv__(self, other):
+        return as_moving(other) / self
+
+    def __pow__(self, power):
+        if isinstance(power, Moving):
+            raise ScalarError("a moving number can be raised to a constant power only; for others write exp(power*log(x))")
+        if power is ZERO or (type(power) in (int, float) and power in (0, 1)):
+            return self if power else 1
+        u = self.value
+        if self.rests():
+            return Moving(u**power)
+        return self._chain(u**power, power * u ** (power - 1), power * (power - 1) * u ** (power - 2))
+
+    def rests(self):
+        """Known to be constant: then a function may have no derivative here, as a square root at 0."""
+        return self.rate is ZERO and self.acceleration is ZERO
+
+    def __rpow__(self, base):
+        return exp(self * log(self.value * 0 + base))  # the logarithm in the kind of the value, with all its digits
+
+    def _chain(self, f, df, ddf):
+        """The number f(self), given f and its first two derivatives at the value."""
+        return Moving(f, df * self.rate, ddf * (self.rate * self.rate) + df * self.acceleration)
+
+    def function(self, name, *args):
+        """The function of this name, for :func:`function`."""
+        if name == "atan2":
+            y, x = (as_moving(a) for a in args)
+            square = x.value * x.value + y.value * y.value
+            rate = (x.value * y.rate - y.value * x.rate) / square
+            growth = 2 * (x.value * x.rate + y.value * y.rate)
+            return Moving(atan2(y.value, x.value), rate, (x.value * y.acceleration - y.value * x.acceleration - rate * growth) / square)
+        if self.rests():
+            return Moving(function(name, self.value))
+        return self._chain(*_DERIVATIVES[name](self.value))
+
+    def pi(self):
+        """The number pi in the kind of the value."""
+        return pi(self.value)
+
+
+def _reciprocal(f, df_inverse, ddf_factor):
+    df = 1 / df_inverse
+    return f, df, ddf_factor * df
+
+
+_DERIVATIVES = {
+    "sin": lambda u: (sin(u), cos(u), -sin(u)),
+    "cos": lambda u: (cos(u), -sin(u), -cos(u)),
+    "tan": lambda u: (tan(u), 1 + tan(u) ** 2, 2 * tan(u) * (1 + tan(u) ** 2)),
+    "asin": lambda u: _reciprocal(asin(u), sqrt((1 - u) * (1 + u)), u / ((1 - u) * (1 + u))),
+    "acos": lambda u: _reciprocal(acos(u), -sqrt((1 - u) * (1 + u)), u / ((1 - u) * (1 + u))),
+    "atan": lambda u: _reciprocal(atan(u), 1 + u * u, -2 * u / (1 + u * u)),
+    "sinh": lambda u: (sinh(u), cosh(u), sinh(u)),
+    "cosh": lambda u: (cosh(u), sinh(u), cosh(u)),
+    "tanh": lambda u: (tanh(u), 1 - tanh(u) ** 2, -2 * tanh(u) * (1 - tanh(u) ** 2)),
+    "exp": lambda u: (exp(u),) * 3,
+    "log": lambda u: (log(u), 1 / u, -1 / (u * u)),
+    "sqrt": lambda u: _reciprocal(sqrt(u), 2 * sqrt(u), -1 / (2 * u)),
+}
+
+
+def as_moving(x):
+    """``x`` itself if it is moving, else a moving number whose rates are zero by structure."""
+    return x if isinstance(x, Moving) else Moving(scalar(x))
+
+
+def moving(value, rate=None, acceleration=None):
+    """A scalar with its rates at the instant, for angles and coordinates that change.
+
+    ``rate`` and ``acceleration`` are d/dt and d2/dt2 of ``value``, in its unit per second and per second squared. One that is left
+    out is derived if what precedes it is a SymPy or SymEngine expression in the symbol ``t``, and zero otherwise.
+
+    >>> moving(2.0, rate=3.0)**2
+    moving(4.0, rate=12.0, acceleration=18.0)
+    """
+    if type(value) is float and rate is None and acceleration is None:
+        return Moving(value)
+    if isinstance(value, Moving):
+        if rate is not None or acceleration is not None:
+            raise ScalarError(f"{value!r} already has its rates; leave out rate= and acceleration=, or pass its value alone")
+        return value
+    if callable(value) and _root(type(value)) not in _LIBRARIES:
+        raise ScalarError("a function of time needs an instant: pass at(f, t) instead of f")
+    value = scalar(value)
+    rate = _derived(value) if rate is None else whole(scalar(rate), value)
+    return Moving(value, rate, _derived(rate) if acceleration is None else whole(scalar(acceleration), value))
+
+
+def _derived(x):
+    """dx/dt of a symbolic expression in ``t``, whatever the assumptions that ``t`` was made with; zero for any other number."""
+    if x is ZERO or type(x) is float or _root(type(x)) not in ("sympy", "symengine"):
+        return ZERO
+    times = [s for s in x.free_symbols if str(s) == "t"]
+    if len(times) > 1:
+        raise ScalarError(f"{x} holds {len(times)} different symbols named t; make one t = Symbol('t') and use it throughout")
+    derivative = x.diff(times[0]) if times else ZERO
+    return ZERO if derivative == 0 else derivative
+
+
+def at(f, t):
+    """The function of time ``f`` at the instant ``t`` (s), with its first and second rate, exactly and without a step size.
+
+    ``f`` uses the functions of this module (``from newton_euler import sin, sqrt …``); ``t`` may be of any kind.
+
+    >>> at(lambda t: t**3, 2.0)
+    moving(8.0, rate=12.0, acceleration=12.0)
+    """
+    return as_moving(f(Moving(t, whole(1, t))))  # a rate of the kind of t, or constants of 16 digits are multiplied before they meet it
