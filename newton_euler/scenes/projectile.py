@@ -215,10 +215,6 @@ def _by_second_order(s, p, t):
     return 2 * p.rate**2 * t * t / 3 * _reach(s, p, t)[1]
 
 
-def _by_second_order(s, p, t):
-    return 2 * p.rate**2 * t * t / 3 * _reach(s, p, t)[1]
-
-
 def _by_centrifugal(s, p, t):
     start, added = _reach(s, p, t)
     return p.rate**2 * (p.radius * cos(p.latitude) + start + added) * t * t / 2
@@ -240,17 +236,9 @@ def _by_air(s, p, t):
     return p.drag * fastest**2 * t * t / 2
 
 
-def _by_air(s, p, t):
-    start, speed = sqrt(dot3(_r(s), _r(s))), sqrt(dot3(_v(s), _v(s)))
-    fastest = speed * cosh(p.rate * t) + (p.g + p.rate**2 * (p.radius + start)) * sinh(p.rate * t) / p.rate
-    return p.drag * fastest**2 * t * t / 2
-
-
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)
-SECOND_ORDER = Neglected("the Coriolis acceleration beyond the first order in the rotation", _by_second_order, POSITION)
 SECOND_ORDER = Neglected("the Coriolis acceleration beyond the first order in the rotation", _by_second_order, POSITION)
 CENTRIFUGAL = Neglected("the centrifugal acceleration", _by_centrifugal, POSITION)
 CENTRIFUGAL_CHANGE = Neglected("the change of the centrifugal acceleration with place", _by_centrifugal_change, POSITION)
 CURVATURE = Neglected("the change of the attraction with place", _by_curvature, POSITION)
-AIR = Neglected("the air", _by_air, POSITION)
 AIR = Neglected("the air", _by_air, POSITION)
