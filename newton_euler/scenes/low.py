@@ -7,6 +7,7 @@ centre, so that it pushes with ``push`` times the distance. The same equations d
 """
 
 from ..earth import EARTH_RATE, coriolis_parameter
+from ..harmonic import oscillation, plane_oscillation
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected, is_law
 from ..scalars import cos, is_zero, scalar, sin, sqrt
@@ -82,18 +83,13 @@ _INVARIANTS = {"energy over mass": _energy, "absolute angular momentum over mass
 def _exact(s, p, t):
     """An ellipse at the rate n about the centre, seen from axes that turn at f/2 to the left of the air."""
     half = coriolis_parameter(p.latitude, p.rate) / 2
-    n = sqrt(half * half + p.push)
-    c, S = cos(n * t), sin(n * t) / n
-    wx, wy = s.dx - half * s.y, s.dy + half * s.x
-    x, y = s.x * c + wx * S, s.y * c + wy * S
-    dx, dy = wx * c - n * n * s.x * S, wy * c - n * n * s.y * S
+    square = half * half + p.push
+    (x, dx), (y, dy) = oscillation(s.x, s.dx - half * s.y, square, t), oscillation(s.y, s.dy + half * s.x, square, t)
     return *_turned(x, y, half * t), *_turned(dx + half * y, dy - half * x, half * t)
 
 
 def _still_exact(s, p, t):
-    n = sqrt(p.push)
-    c, S = cos(n * t), sin(n * t)
-    return s.x * c + s.dx / n * S, s.y * c + s.dy / n * S, s.dx * c - n * s.x * S, s.dy * c - n * s.y * S
+    return plane_oscillation(s, p.push, t)
 
 
 def _turned(x, y, angle):

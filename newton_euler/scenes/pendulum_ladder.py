@@ -6,9 +6,10 @@ The particle needs no more calculation than the body but less to be known: not I
 import math
 from dataclasses import replace
 
+from ..harmonic import growth, oscillation
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
-from ..scalars import asin, cos, cosh, scalar, sin, sqrt, where
+from ..scalars import asin, scalar, sin, sqrt, where
 from .physical_pendulum import physical_pendulum
 
 ANGLE = "angle, rad"
@@ -54,9 +55,7 @@ def _rates(s, p, t):
 
 
 def _exact(s, p, t):
-    n = sqrt(_square(p.m, p.I, p.l, p.g))
-    c, S = cos(n * t), sin(n * t)
-    return s.theta * c + s.omega / n * S, s.omega * c - n * s.theta * S
+    return oscillation(s.theta, s.omega, _square(p.m, p.I, p.l, p.g), t)
 
 
 # -- what may be neglected
@@ -75,7 +74,7 @@ def _by_size(s, p, t, I):
     """Let go at rest, the body does what the particle does, but slower. Pushed, it moves away no faster than from the upper resting place."""
     n, slower = sqrt(p.g / p.l), sqrt(_square(p.m, I, p.l, p.g))
     at_rest = (n - slower) * t * 2 * sin(abs(s.theta) / 2)
-    pushed = (1 - (slower / n) ** 2) * (cosh(n * t) - 1)
+    pushed = (n * n - slower * slower) * growth(n, t)[2]
     return where(s.omega == 0, at_rest, pushed)
 
 

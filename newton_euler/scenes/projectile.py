@@ -14,15 +14,16 @@ projectile, full
 projectile, full in air
 """
 
-from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, earth_rate3, position3
+from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, coriolis_series, earth_rate3, position3
+from ..harmonic import growth, stumpff
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
-from ..scalars import ZERO, cos, cosh, sinh, sqrt
+from ..scalars import ZERO, cos, sqrt
 from ..vectors import ZERO3, add3, cross3, dot3, scale3, sub3
 
 POSITION = "position, m"
 STATES = ("x", "y", "z", "vx", "vy", "vz")
-ORDER = 24  # of the series in the turn 2 omega t: to round-off within five hours on the Earth
+LARGEST = 8  # (2 omega t)^2 for which the series is summed to round-off: five hours on the Earth
 
 
 def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
@@ -134,29 +135,13 @@ def _plumb_line(p):
 
 
 def _uniform_exact(s, p, t):
-    """The series of :func:`newton_euler.earth.position3`, all of it: three times across 2 omega is once across it, with a factor."""
-    a, v, g = scale3(2, _omega(p)), _v(s), _plumb_line(p)
-    c = _coefficients(dot3(a, a) * t * t)
-    moved = add3(_summed(v, a, t, 1, c), _summed(g, a, t, 2, c))
-    return *add3(_r(s), moved), *add3(_summed(v, a, t, 0, c), _summed(g, a, t, 1, c))
-
-
-def _summed(u, a, t, m, c):
-    """The sum of (-a x)^n u t^(m + n)/(m + n)! over n = 0, 1, ..."""
-    first = cross3(a, u)
-    power = (1, t, t * t / 2)[m]
-    terms = scale3(power, u), scale3(-(t ** (m + 1)) * c[m + 1], first), scale3(t ** (m + 2) * c[m + 2], cross3(a, first))
-    return add3(add3(terms[0], terms[1]), terms[2])
-
-
-def _coefficients(z):
-    """1/k! - z/(k + 2)! + z^2/(k + 4)! - ... for k = 0 ... 4, Stumpff's functions."""
-    c3, c4 = 1, 1
-    for n in range(ORDER, 0, -2):
-        c3, c4 = 1 - c3 * z / ((n + 2) * (n + 3)), 1 - c4 * z / ((n + 3) * (n + 4))
-    c3, c4 = c3 / 6, c4 / 24
-    c2, c1 = (1 - 2 * z * c4) / 2, 1 - z * c3
-    return 1 - z * c2, c1, c2, c3, c4
+    """The series of :func:`newton_euler.earth.position3`, all of it: three times across 2 omega is once across it, times -(2 omega)^2."""
+    v, g, w = _v(s), _plumb_line(p), _omega(p)
+    z = 4 * dot3(w, w) * t * t
+    c3, c4 = stumpff(3, z, LARGEST) / 6, stumpff(4, z, LARGEST) / 24
+    f1, f2, f3, f4 = t * (1 - z * c3), t * t / 2 * (1 - 2 * z * c4), t * t * t * c3, t * t * t * t * c4
+    moved = coriolis_series(v, g, w, [(t, t * t / 2), (f2, f3), (f3, f4)])
+    return *add3(_r(s), moved), *coriolis_series(v, g, w, [(1, t), (f1, f2), (f2, f3)])
 
 
 # -- full
@@ -200,11 +185,17 @@ def _axial(s, p, t):
 # 2 omega x (integral of the way), and to first order the way itself is wrong by as much. Nothing makes the speed larger than D'.
 
 
+def _bounds(s, p):
+    """At the start the distance from the origin, the speed, and the bound of the acceleration."""
+    start = sqrt(dot3(_r(s), _r(s)))
+    return start, sqrt(dot3(_v(s), _v(s))), p.g + p.rate**2 * (p.radius + start)
+
+
 def _reach(s, p, t):
     """The distance d from the origin at the start, and the bound of what is added to it until t."""
-    start, speed = sqrt(dot3(_r(s), _r(s))), sqrt(dot3(_v(s), _v(s)))
-    half = sinh(p.rate * t / 2) / p.rate  # cosh x - 1 = 2 sinh(x/2)^2 without cancellation
-    return start, speed * 2 * half * cosh(p.rate * t / 2) + 2 * (p.g + p.rate**2 * (p.radius + start)) * half**2
+    start, speed, most = _bounds(s, p)
+    _, of_speed, of_acceleration = growth(p.rate, t)
+    return start, speed * of_speed + most * of_acceleration
 
 
 def _by_coriolis(s, p, t):
@@ -231,9 +222,9 @@ def _by_curvature(s, p, t):
 
 
 def _by_air(s, p, t):
-    start, speed = sqrt(dot3(_r(s), _r(s))), sqrt(dot3(_v(s), _v(s)))
-    fastest = speed * cosh(p.rate * t) + (p.g + p.rate**2 * (p.radius + start)) * sinh(p.rate * t) / p.rate
-    return p.drag * fastest**2 * t * t / 2
+    _, speed, most = _bounds(s, p)
+    grown, added, _ = growth(p.rate, t)
+    return p.drag * (speed * grown + most * added) ** 2 * t * t / 2
 
 
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)

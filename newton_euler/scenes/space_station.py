@@ -7,9 +7,10 @@ limacon that the book names.
 :func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the Earth, as it does in the station, and with the air.
 """
 
+from ..harmonic import growth
 from ..ladders import Ladder, Rung
 from ..models import Model, ModelError, Neglected
-from ..scalars import ZERO, cos, cosh, sin, sinh, sqrt
+from ..scalars import ZERO, cos, sin, sqrt
 from ..vectors import add3, cross3, scale3
 
 POSITION = "position, m"
@@ -133,33 +134,28 @@ def _turned_back(r, angle):
 # nothing holds a free body either, so the same is true of the air.
 
 
-def _speed(s, p, t):
-    """The most that the speed can be until t."""
-    r, v, a = sqrt(s.x * s.x + s.y * s.y), sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * t
-    return v * cosh(a) + r * p.omega * sinh(a)
-
-
-def _gone(s, p, t):
-    """The most that the way from the start can be until t."""
-    r, v, a = sqrt(s.x * s.x + s.y * s.y), sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * t
-    half = sinh(a / 2)
-    return v / p.omega * sinh(a) + 2 * r * half * half  # cosh a - 1 without cancellation
+def _bounds(s, p, t):
+    """At the start the speed and the centrifugal acceleration, and the factors that bound their growth until t."""
+    v, a = sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * p.omega * sqrt(s.x * s.x + s.y * s.y)
+    return v, a, growth(p.omega, t)
 
 
 def _by_coriolis(s, p, t):
-    """The integral of :func:`_gone`, in which sinh(a) - a is at most a (cosh(a) - 1)/3, a = omega t."""
-    r, v, half = sqrt(s.x * s.x + s.y * s.y), sqrt(s.dx * s.dx + s.dy * s.dy), sinh(p.omega * t / 2)
-    return 4 * half * half * (v + p.omega * p.omega * r * t / 3) / sqrt(p.omega * p.omega)
+    """The integral of the way, in which sinh(x) - x is at most x (cosh(x) - 1)/3, x = omega t."""
+    v, a, (_, _, of_acceleration) = _bounds(s, p, t)
+    return 2 * sqrt(p.omega * p.omega) * of_acceleration * (v + a * t / 3)
 
 
 def _by_change(s, p, t):
+    v, a, (_, of_speed, of_acceleration) = _bounds(s, p, t)
     away = sqrt((s.x - p.radius) * (s.x - p.radius) + s.y * s.y)
-    return p.omega * p.omega * (away + _gone(s, p, t)) * (t * t) / 2
+    return p.omega * p.omega * (away + v * of_speed + a * of_acceleration) * (t * t) / 2
 
 
 def _by_air(s, p, t):
-    v = _speed(s, p, t)
-    return p.air * v * sqrt(v * v + p.creep * p.creep) * (t * t) / 2
+    v, a, (grown, added, _) = _bounds(s, p, t)
+    fastest = v * grown + a * added
+    return p.air * fastest * sqrt(fastest * fastest + p.creep * p.creep) * (t * t) / 2
 
 
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)

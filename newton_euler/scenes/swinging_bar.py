@@ -6,9 +6,10 @@ level of the joint. Friction is a moment against the turning; ``friction`` is th
 
 from dataclasses import replace
 
+from ..harmonic import plane_oscillation
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
-from ..scalars import ZERO, cos, exp, sin, sqrt
+from ..scalars import ZERO
 from ..vectors import add3, scale3
 from .foucault import any_swing as on_cord
 from .foucault import below, held
@@ -70,9 +71,7 @@ def _small(s, p, t):
 
 
 def _ellipse(s, p, t):
-    n = sqrt(_square(p))
-    c, S = cos(n * t), sin(n * t)
-    return s.x * c + s.dx / n * S, s.y * c + s.dy / n * S, s.dx * c - n * s.x * S, s.dy * c - n * s.y * S
+    return plane_oscillation(s, _square(p), t)
 
 
 def _slowed(s, p, t):
@@ -80,16 +79,7 @@ def _slowed(s, p, t):
 
 
 def _shrinking(s, p, t):
-    half = p.friction / 2
-    n = sqrt(_square(p) - half * half)
-    left = exp(-half * t)
-    c, S = left * cos(n * t), left * sin(n * t) / n
-
-    def moved(x, v):
-        return x * (c + half * S) + v * S, v * (c - half * S) - _square(p) * x * S
-
-    (x, dx), (y, dy) = moved(s.x, s.dx), moved(s.y, s.dy)
-    return x, y, dx, dy
+    return plane_oscillation(s, _square(p), t, p.friction)
 
 
 def _full(s, p, t):

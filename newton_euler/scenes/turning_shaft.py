@@ -9,9 +9,10 @@ hinge: the moment of inertia about the axis normal to both rod and hinge, less t
 from math import copysign
 
 from ..gyros import GyroError
+from ..harmonic import growth, oscillation
 from ..ladders import Ladder, Rung
 from ..models import Model, ModelError, Neglected
-from ..scalars import acos, cos, is_numeric, plain, sin, sinh, size, sqrt
+from ..scalars import acos, cos, is_numeric, plain, sin, size, sqrt
 
 ANGLE = "angle theta, rad"
 STATES = ("theta", "theta_rate")
@@ -118,9 +119,8 @@ def _small_rates(s, p, t):
 
 
 def _small_exact(s, p, t):
-    n, x = sqrt(p.stiffness), s.theta - p.rest
-    c, S = cos(n * t), sin(n * t)
-    return p.rest + x * c + s.theta_rate / n * S, s.theta_rate * c - n * x * S
+    x, rate = oscillation(s.theta - p.rest, s.theta_rate, p.stiffness, t)
+    return p.rest + x, rate
 
 
 def _small_energy(s, p, t):
@@ -162,9 +162,7 @@ def _steepest(p):
 
 
 def _apart(p, more, t):
-    L = _steepest(p)
-    half = sinh(sqrt(L) * t / 2)
-    return 2 * more * half * half / L
+    return more * growth(sqrt(_steepest(p)), t)[2]
 
 
 def _by_large(s, p, t):

@@ -4,9 +4,10 @@ The body spins about z, more or less. In both approximations the rate about z is
 symmetric body), or run away where z is the axis of the intermediate moment.
 """
 
+from ..harmonic import circular_or_hyperbolic
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
-from ..scalars import cos, cosh, sin, sinh, sqrt, where
+from ..scalars import cos, sin
 from .free_body import free_body
 
 RATES = "angular velocity, rad/s"
@@ -81,16 +82,8 @@ def _small(s, p, t):
 
 def _ellipse(s, p, t):
     a, b = _factors(p)
-    c, S = _swinging(a * b, t)
+    c, S = circular_or_hyperbolic(a * b, t)
     return s.w_x * c - a * s.w_y * S, s.w_y * c + b * s.w_x * S
-
-
-def _swinging(square, t):
-    """cos(n t) and sin(n t)/n with n^2 = square, which may be negative or zero."""
-    grows, n = square < 0, sqrt(abs(square))
-    turned, grown = where(grows, 0, n * t), where(grows, n * t, 0)
-    c, S = where(grows, cosh(grown), cos(turned)), where(grows, sinh(grown), sin(turned))
-    return c, where(n > 0, S / where(n > 0, n, 1), t)
 
 
 ASYMMETRY = Neglected("the difference of I_x and I_y", None, RATES)
