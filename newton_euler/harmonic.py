@@ -52,9 +52,8 @@ def stumpff(k, z, largest=1):
     0.0
     """
     term, last = 1.0, k
-    while term > epsilon(z) / 4:
+    while (term := term * largest / ((last + 1) * (last + 2))) > epsilon(z) / 4:
         last += 2
-        term *= largest / (last * (last - 1))
     total = 1
     for n in range(last, k, -2):
         total = 1 - z / (n * (n - 1)) * total

@@ -31,7 +31,7 @@ LADDERS = {
     "projectile": "newton_euler.scenes.projectile:ladder",
     "physical pendulum": "newton_euler.scenes.pendulum_ladder:ladder",
     "top": "newton_euler.scenes.top_ladder:ladder",
-    "satellite": "newton_euler.scenes.satellite:ladder",
+    "satellite": "newton_euler.scenes.orbit:ladder",
     "Foucault's pendulum": "newton_euler.scenes.foucault:ladder",
     "free body": "newton_euler.scenes.wobble:ladder",
     "spherical pendulum": "newton_euler.scenes.swinging_bar:ladder",

@@ -20,7 +20,7 @@ from newton_euler import Model, ModelError, Neglected, at, ladders, moving, seco
 from newton_euler.ladders import LADDERS, Ladder, Rung, ladder, smallest
 from newton_euler.motion import integrate, prepare
 from newton_euler.rotations import euler_matrix, matrix_from_quaternion, quaternion_from_euler
-from newton_euler.scenes import satellite, spherical_pendulum, top_ladder, wobble
+from newton_euler.scenes import orbit, spherical_pendulum, top_ladder, wobble
 from tests.ladders import DRAWS, FREEDOM
 
 DRAWN, BORDER = 40, 1.001
@@ -177,7 +177,7 @@ def test_a_satellite_goes_round_a_nearly_circular_orbit_faster_by_the_bulge():
     """Where r is constant the rate squared is mu/r^3 (1 + 3 J2 R^2/(2 r^2))."""
     r, mu, oblateness = 2.0, 8.0, 0.1
     rate = math.sqrt(mu / r**3 * (1 + 1.5 * oblateness / r**2))
-    assert satellite.over_equator(mu, oblateness, r * r * rate).derivative((r, 0.0, 0.0)) == pytest.approx((0.0, 0.0, rate), abs=1e-15)
+    assert orbit.over_equator(mu, oblateness, r * r * rate).derivative((r, 0.0, 0.0)) == pytest.approx((0.0, 0.0, rate), abs=1e-15)
 
 
 def test_the_pull_of_an_oblate_earth_is_that_of_its_potential():
@@ -185,7 +185,7 @@ def test_the_pull_of_an_oblate_earth_is_that_of_its_potential():
     with mpmath.workdps(40):
         mu, J2R2, r = mpmath.mpf(8), mpmath.mpf("0.1"), mpmath.mpf(2)
         pull = mpmath.diff(lambda r: -mu / r * (1 + J2R2 / (2 * r * r)), r)
-        assert abs(satellite.over_equator(mu, J2R2, mpmath.mpf(0)).derivative((r, mpmath.mpf(0), mpmath.mpf(0)))[1] + pull) < mpmath.mpf(10) ** -25
+        assert abs(orbit.over_equator(mu, J2R2, mpmath.mpf(0)).derivative((r, mpmath.mpf(0), mpmath.mpf(0)))[1] + pull) < mpmath.mpf(10) ** -25
 
 
 def test_foucaults_pendulum_turns_with_the_sine_of_the_latitude():
