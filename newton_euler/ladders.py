@@ -29,7 +29,7 @@ ROUGH, FINEST = 1e-9, 1e-12  # relative errors of the states: the second is trie
 # by the scene's name, where the function is that makes its ladder; all of its parameters have values
 LADDERS = {
     "projectile": "newton_euler.scenes.projectile:ladder",
-    "physical pendulum": "newton_euler.scenes.pendulum_ladder:ladder",
+    "physical pendulum": "newton_euler.scenes.pendulum:ladder",
     "top": "newton_euler.scenes.top_ladder:ladder",
     "satellite": "newton_euler.scenes.orbit:ladder",
     "Foucault's pendulum": "newton_euler.scenes.foucault:ladder",

@@ -20,7 +20,7 @@ from ..scenes import (
     gyro_instruments,
     low,
     orbit,
-    physical_pendulum,
+    pendulum,
     projectile,
     rolling_sphere,
     sliding_sphere,
@@ -233,12 +233,12 @@ def _incline():
 
 @_scene("11.17", "pendulum", "a rigid pendulum, swinging by 1 rad")
 def _pendulum():
-    return physical_pendulum.physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0)
+    return pendulum.physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0)
 
 
 @_scene("11.17", "pendulum, over the top", "a rigid pendulum let go next to the upright position")
 def _upright():
-    return physical_pendulum.physical_pendulum(2.0, 0.5, 0.5, 10.0), 15.0, (3.1, 0.0)
+    return pendulum.physical_pendulum(2.0, 0.5, 0.5, 10.0), 15.0, (3.1, 0.0)
 
 
 @_scene("11.19", "car on a hill", "a car of constant power over wavy ground")

@@ -21,7 +21,7 @@ from newton_euler.scalars import where
 from newton_euler.scenes import top
 from newton_euler.scenes.free_body import free_body
 from newton_euler.scenes.orbit import from_farthest, orbit
-from newton_euler.scenes.physical_pendulum import physical_pendulum
+from newton_euler.scenes.pendulum import physical_pendulum
 from newton_euler.systems import System
 from tests.kinds import close
 from tests.motions import reference

@@ -13,7 +13,7 @@ from newton_euler import Model, ModelError, second_order, sqrt
 from newton_euler.methods import METHODS
 from newton_euler.motion import Event, MotionError, integrate, prepare
 from newton_euler.scenes import top
-from newton_euler.scenes.physical_pendulum import physical_pendulum
+from newton_euler.scenes.pendulum import physical_pendulum
 from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
 from newton_euler.scenes.space_station import free_body as station_body
 from newton_euler.systems import prepared
@@ -400,7 +400,7 @@ def test_parameters_with_which_the_rates_have_no_value_end_it_in_words(method):
 
 def test_nothing_heavy_is_imported():
     code = (
-        "import sys; from newton_euler.motion import integrate; from newton_euler.scenes.physical_pendulum import physical_pendulum as p;"
+        "import sys; from newton_euler.motion import integrate; from newton_euler.scenes.pendulum import physical_pendulum as p;"
         "assert integrate(p(2., .5, .5, 10.), 1., (1., 0.)).error < 1e-9;"
         "print([m for m in ('numpy', 'scipy', 'sympy', 'heyoka', 'mpmath', 'matplotlib') if m in sys.modules])"
     )

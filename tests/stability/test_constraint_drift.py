@@ -10,7 +10,7 @@ from newton_euler.constraints import degrees_of_freedom
 from newton_euler.scenes import top
 from newton_euler.scenes.free_body import free_body
 from newton_euler.scenes.orbit import orbit
-from newton_euler.scenes.physical_pendulum import physical_pendulum
+from newton_euler.scenes.pendulum import physical_pendulum
 from newton_euler.scenes.rolling_sphere import rolling_down
 from newton_euler.scenes.spherical_pendulum import nodding
 

@@ -1,14 +1,24 @@
 """A rigid body that swings about a level axis: the physical pendulum (11.17).
 
 m mass, I moment of inertia about the parallel to the axis through G, l distance of G from the axis, theta from the downward vertical.
+
+:func:`ladder` has three models of it: a harmonic oscillator, a particle, and the body. The particle needs no less calculation than the body, but less
+to be known: not I.
 """
+
+import math
+from dataclasses import replace
 
 from ..elliptic import counted, coupled
 from ..energy import plane_kinetic_energy, speed_after
-from ..models import Model, ModelError
+from ..harmonic import growth, oscillation
+from ..ladders import Ladder, Rung
+from ..models import Model, ModelError, Neglected
 from ..potential import weight_potential
-from ..scalars import cos, is_comparable, of_one_kind, scalar, sin, where
+from ..scalars import asin, cos, is_comparable, of_one_kind, scalar, sin, sqrt, where
 from ..work import summed
+
+ANGLE = "angle, rad"
 
 
 def physical_pendulum(m, I, l, g):
@@ -27,12 +37,13 @@ def physical_pendulum(m, I, l, g):
     return Model("physical pendulum", parameters, ("theta", "omega"), _rates, {"energy": _energy}, _exact)
 
 
-def _stiffness(p):
-    return p.m * p.g * p.l / (p.I + p.m * p.l * p.l)
+def _square(p, I):
+    """Of the rate of small swings."""
+    return p.m * p.g * p.l / (I + p.m * p.l * p.l)
 
 
 def _rates(s, p, t):
-    return s.omega, -(_stiffness(p) * sin(s.theta))
+    return s.omega, -(_square(p, p.I) * sin(s.theta))
 
 
 def _energy(s, p, t):
@@ -41,7 +52,7 @@ def _energy(s, p, t):
 
 def _exact(s, p, t):
     """cos(theta/2), sin(theta/2) and omega/2 change at rates that are products of the others; with g or l negative, sine and cosine change places."""
-    theta, omega, k, t = of_one_kind(s.theta, s.omega, _stiffness(p), t)
+    theta, omega, k, t = of_one_kind(s.theta, s.omega, _square(p, p.I), t)
     if not all(map(is_comparable, (theta, omega, k, t))):
         raise ModelError("the exact solution of the pendulum needs numbers: its branches compare them; put values in first")
     half, upright = theta / 2, k < 0
@@ -75,3 +86,67 @@ def swing_rate(m, I, l, g, theta, theta0, omega0=0):
     """
     drop = 2 * sin((scalar(theta0) + theta) / 2) * sin((scalar(theta0) - theta) / 2)  # cos(theta) - cos(theta0)
     return speed_after(omega0, scalar(m) * g * l * drop, I + scalar(m) * l * l)
+
+
+# -- smaller models
+
+
+def small_swings(m, I, l, g):
+    """The body at small angles, exactly: a harmonic oscillator; states as for :func:`physical_pendulum`.
+
+    >>> small_swings(2.0, 0.5, 0.5, 10.0).derivative((0.1, 0.0))
+    (0.0, -1.0)
+    """
+    return Model("pendulum, small swings", {"m": m, "I": I, "l": l, "g": g}, ("theta", "omega"), _small_rates, exact=_small_exact, neglects=(SINE,))
+
+
+def particle(m, l, g, I=0):
+    """The whole mass at the distance l from the axis: the mathematical pendulum. I serves to bound what it neglects."""
+    size = Neglected("the moment of inertia about the centre of mass", lambda s, p, t: _by_size(s, p, t, scalar(I)), ANGLE)
+    return replace(physical_pendulum(m, 0, l, g), name="pendulum, a particle", neglects=(size,))
+
+
+def ladder(m=1.0, I=0.002, l=1.0, g=9.81, start=(0.3, 0.0), t=10.0):
+    """Small swings, a particle, a body: a :class:`~newton_euler.ladders.Ladder` for theta in rad, until ``t`` after the start (theta, omega).
+
+    >>> from newton_euler.ladders import smallest
+    >>> [smallest(ladder(), angle).model.name for angle in (0.1, 0.01, 0.001)]
+    ['pendulum, small swings', 'pendulum, a particle', 'physical pendulum']
+    """
+    models = small_swings(m, I, l, g), particle(m, l, g, I), physical_pendulum(m, I, l, g)
+    return Ladder("physical pendulum", ANGLE, t, tuple(Rung(model, start, _theta) for model in models))
+
+
+def _theta(s, p, t):
+    return (s.theta,)
+
+
+def _small_rates(s, p, t):
+    return s.omega, -_square(p, p.I) * s.theta
+
+
+def _small_exact(s, p, t):
+    return oscillation(s.theta, s.omega, _square(p, p.I), t)
+
+
+# -- what may be neglected
+
+
+def _by_sine(s, p, t):
+    """A swing of the amplitude A has |theta - sin(theta)| <= A^3/6 all the time, which pushes an oscillator by at most n t A^3/6."""
+    n = sqrt(_square(p, p.I))
+    high = sin(s.theta / 2) ** 2 + (s.omega / (2 * n)) ** 2  # sin^2(A/2)
+    swings = where(high < 1, abs(s.theta) < 3.14, False)
+    amplitude = 2 * asin(sqrt(where(swings, high, 0)))
+    return where(swings, n * t * amplitude**3 / 6, math.inf)
+
+
+def _by_size(s, p, t, I):
+    """Let go at rest, the body does what the particle does, but slower. Pushed, it moves away no faster than from the upper resting place."""
+    n, slower = sqrt(p.g / p.l), sqrt(_square(p, I))
+    at_rest = (n - slower) * t * 2 * sin(abs(s.theta) / 2)
+    pushed = (n * n - slower * slower) * growth(n, t)[2]
+    return where(s.omega == 0, at_rest, pushed)
+
+
+SINE = Neglected("the difference between an angle and its sine", _by_sine, ANGLE)
