@@ -17,18 +17,18 @@ from ..scenes import (
     aircraft,
     car_on_hill,
     free_body,
-    gyro_instruments,
+    gyrocompass,
     low,
     orbit,
     pendulum,
     projectile,
     rolling_sphere,
+    rotor,
     sliding_sphere,
     space_station,
     spherical_pendulum,
     top,
     turning_shaft,
-    unbalanced_rotor,
 )
 
 DAY = 86_400.0  # s
@@ -155,7 +155,7 @@ def _rolling():
 
 @_scene("9.5", "rotor", "a rotor with dead weight, started from rest by a constant moment")
 def _rotor():
-    return unbalanced_rotor.turning_rotor(2.0, 0.1, 0.0, 0.5, 10.0, moment=2.5), 8.0, (0.0, 0.0)
+    return rotor.turning_rotor(2.0, 0.1, 0.0, 0.5, 10.0, moment=2.5), 8.0, (0.0, 0.0)
 
 
 # -- chapter 10: tops and gyroscopes
@@ -220,7 +220,7 @@ def _football():
 
 @_scene("10.11", "gyrocompass", "a level axis that swings about north, for two minutes")
 def _compass():
-    return gyro_instruments.gyrocompass(0.002, 0.003, 1000.0, 7.292e-5, 0.8), 120.0, (1.0, 0.0)
+    return gyrocompass.gyrocompass(0.002, 0.003, 1000.0, 7.292e-5, 0.8), 120.0, (1.0, 0.0)
 
 
 # -- chapter 11: energy

@@ -4,11 +4,11 @@ The shaft lies along X of the ground, bearing A at -a and B at b from the centre
 """
 
 from ..solids import disk
-from .shaft import on_shaft
+from .rotor import on_shaft
 
 
 def bent_disk(mass, radius, beta, a, b, psi, omega):
-    """The disk with its normal tilted by beta (rad) from the shaft towards y: a :class:`~newton_euler.scenes.shaft.RotorScene`, forces (9.4)-(9.6).
+    """The disk with its normal tilted by beta (rad) from the shaft towards y: a :class:`~newton_euler.scenes.rotor.RotorScene`, forces (9.4)-(9.6).
 
     The frame of the body is that of the disk, with x along the normal; ask ``A.expressed_in(scene.shaft)``.
 

@@ -1,10 +1,7 @@
-"""What gyroscopes are used for (10.11): the wheel of a bicycle, the rate sensor, the inertial platform, the gyrocompass.
+"""What gyroscopes are used for (10.11): the wheel of a bicycle, the rate sensor, the inertial platform; the gyrocompass: :mod:`.gyrocompass`.
 
 All rest on M = I psi' phi' (10.37): a moment makes the axis of a spinning body precess, and turning the axis takes a moment.
 """
-
-from ..models import Model
-from ..scalars import cos, pi, sin, sqrt
 
 
 def uprighting_moment(I, speed, wheel_radius, steering_rate):
@@ -34,37 +31,3 @@ def drift(moment, I, spin):
     1e-06
     """
     return moment / (I * spin)
-
-
-def gyrocompass(I0, I, omega_z, earth_rate, latitude):
-    """A gyroscope whose axis is kept level: it swings about north. A Model with the states azimuth (rad, from north) and azimuth_rate.
-
-    With c = Omega cos(latitude) the axis turns at c sin(azimuth) about the level and at Omega sin(latitude) + azimuth' about the vertical transverse
-    axis, and the rotor at omega_z about its own, so that I0 azimuth'' = -c sin(azimuth) (I omega_z - I0 c cos(azimuth)).
-
-    >>> compass = gyrocompass(0.002, 0.003, 1000.0, 7.292e-5, 0.8)
-    >>> compass.derivative((0.1, 0.0))[1] < 0 < compass.derivative((-0.1, 0.0))[1]  # back to north
-    True
-    """
-    parameters = {"I0": I0, "I": I, "omega_z": omega_z, "earth_rate": earth_rate, "latitude": latitude}
-    return Model("gyrocompass", parameters, ("azimuth", "azimuth_rate"), _compass_rates, {"energy": _compass_energy})
-
-
-def compass_period(I0, I, omega_z, earth_rate, latitude):
-    """The period (s) of small swings about north: 2 pi sqrt(I0/(Omega cos(latitude) (I omega_z - I0 Omega cos(latitude)))).
-
-    >>> round(compass_period(0.002, 0.003, 1000.0, 7.292e-5, 0.8), 3)
-    22.761
-    """
-    level = earth_rate * cos(latitude)
-    return 2 * pi(level) * sqrt(I0 / (level * (I * omega_z - I0 * level)))
-
-
-def _compass_rates(s, p, t):
-    level = p.earth_rate * cos(p.latitude)
-    return s.azimuth_rate, -level * sin(s.azimuth) * (p.I * p.omega_z - p.I0 * level * cos(s.azimuth)) / p.I0
-
-
-def _compass_energy(s, p, t):
-    level = p.earth_rate * cos(p.latitude)
-    return p.I0 * (s.azimuth_rate**2 - (level * sin(s.azimuth)) ** 2) / 2 - p.I * p.omega_z * level * cos(s.azimuth)

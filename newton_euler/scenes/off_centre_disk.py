@@ -5,11 +5,11 @@ disk, psi is counted from Y to y.
 """
 
 from ..solids import disk
-from .shaft import on_shaft
+from .rotor import on_shaft
 
 
 def off_centre_disk(mass, radius, d, a, b, psi, omega):
-    """The disk with its centre at the distance d from the axis: a :class:`~newton_euler.scenes.shaft.RotorScene` with the forces (9.1)-(9.3).
+    """The disk with its centre at the distance d from the axis: a :class:`~newton_euler.scenes.rotor.RotorScene` with the forces (9.1)-(9.3).
 
     >>> rotor = off_centre_disk(mass=2.0, radius=0.1, d=0.01, a=0.2, b=0.3, psi=0.0, omega=10.0)
     >>> print(rotor.reactions().A)

@@ -36,7 +36,8 @@ from newton_euler.rotations import apply, euler_frame, euler_from_quaternion, eu
 from newton_euler.scenes import top
 from newton_euler.scenes.car_rotor import rotor_moment, rotor_spin, wheel_loads
 from newton_euler.scenes.free_bodies import football, station_moments, wobble_period
-from newton_euler.scenes.gyro_instruments import compass_period, drift, gyrocompass, sensed_tilt, uprighting_moment
+from newton_euler.scenes.gyro_instruments import drift, sensed_tilt, uprighting_moment
+from newton_euler.scenes.gyrocompass import compass_period, gyrocompass
 from newton_euler.scenes.spherical_pendulum import momentum, nodding, pendulum
 from newton_euler.scenes.turning_shaft import hinged, least_rate, rod, stiffness, swing_out
 from newton_euler.solids import cylinder

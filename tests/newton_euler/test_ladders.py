@@ -20,7 +20,7 @@ from newton_euler import Model, ModelError, Neglected, at, ladders, moving, seco
 from newton_euler.ladders import LADDERS, Ladder, Rung, ladder, smallest
 from newton_euler.motion import integrate, prepare
 from newton_euler.rotations import euler_matrix, matrix_from_quaternion, quaternion_from_euler
-from newton_euler.scenes import orbit, spherical_pendulum, top_ladder, wobble
+from newton_euler.scenes import free_body, orbit, spherical_pendulum, top_ladder
 from tests.ladders import DRAWS, FREEDOM
 
 DRAWN, BORDER = 40, 1.001
@@ -142,7 +142,7 @@ def test_closed_forms_solve_their_equations_to_25_digits(name):
 @pytest.mark.parametrize("I_z", [0.5, 0.999999, 1.0, 1.000001, 1.1, 1.2, 1.5])
 def test_small_wobble_is_right_on_both_sides_of_the_intermediate_axis(I_z):
     """Moments 1 and 1.2: the wobble swings, drifts or runs away. The judge is the exponential of the matrix, to 30 digits."""
-    model = wobble.small(1.0, 1.2, I_z, 3.0)
+    model = free_body.small_wobble(1.0, 1.2, I_z, 3.0)
     with mpmath.workdps(30):
         columns = [[mpmath.mpf(x) for x in model.derivative(unit)] for unit in ((1, 0), (0, 1))]
         moved = mpmath.expm(2 * mpmath.matrix(columns).T) * mpmath.matrix([0.1, -0.2])

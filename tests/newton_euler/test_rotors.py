@@ -16,7 +16,7 @@ from newton_euler.momentum import resultant_moment
 from newton_euler.rotors import RotorError, balance, balancing_masses, corrections, imbalance, reactions, shaft_axis
 from newton_euler.scenes.bent_disk import bent_disk
 from newton_euler.scenes.off_centre_disk import off_centre_disk
-from newton_euler.scenes.unbalanced_rotor import turning_rotor, unbalanced_rotor
+from newton_euler.scenes.rotor import turning_rotor, unbalanced_rotor
 from newton_euler.solids import cylinder, disk, plate, rod
 from tests.kinds import KINDS, close, numbers
 

@@ -1,4 +1,4 @@
-"""Any body on a level shaft, at a varying rate, with its dead weight (9.5).
+"""A body on a shaft in two bearings (chapter 9), and any body on a level shaft, at a varying rate, with its dead weight (9.5).
 
 As the book has it, the axis X of the ground points vertically down, and psi is counted from it; z = Z lies along the shaft from bearing A
 to bearing B, at -a and b from O, the origin of the body's axes.
@@ -6,17 +6,52 @@ to bearing B, at -a and b from O, the origin of the body's axes.
 :func:`ladder` has three models of how it turns: at a constant rate, without its weight, and with it.
 """
 
+from dataclasses import dataclass
+
+from ..frames import Frame, Point
 from ..ladders import Ladder, Rung
 from ..mass import Body, Inertia
 from ..models import Model, Neglected
+from ..rotors import reactions
 from ..scalars import cos, sin, sqrt
-from .shaft import on_shaft
 
 ANGLE = "angle psi, rad"
 
 
+@dataclass(frozen=True)
+class RotorScene:
+    """A body on a shaft: the frames ``ground`` and ``shaft``, the ``body``, its bearings A and B, and O between them."""
+
+    ground: Frame
+    shaft: Frame
+    body: Body
+    A: Point
+    B: Point
+    O: Point
+
+    def reactions(self, gravity=None):
+        """The :class:`newton_euler.rotors.Reactions`; ``gravity`` a Vector, or None to leave the weight out."""
+        return reactions(self.body, self.A, self.B, self.ground, gravity, self.O)
+
+
+def on_shaft(axis, a, b, psi, omega, alpha=0):
+    """A shaft turned by psi about ``axis`` ("x" or "z") of the ground, its bearings at -a and b from O.
+
+    Returns the frame of the shaft, and a function that makes the :class:`RotorScene` of a body in it.
+
+    >>> from newton_euler.solids import disk
+    >>> shaft, scene = on_shaft("x", 0.2, 0.3, 0.0, 10.0)
+    >>> scene(disk(0.1, shaft, "x", mass=1.0)).reactions().A.norm()
+    0
+    """
+    ground = Frame("ground")
+    shaft = ground.rotate("shaft", axis, psi, omega, alpha)
+    A, B = (shaft.point(name, *((s, 0, 0) if axis == "x" else (0, 0, s))) for name, s in (("A", -a), ("B", b)))
+    return shaft, lambda body: RotorScene(ground, shaft, body, A, B, shaft.point("O", 0, 0, 0))
+
+
 def unbalanced_rotor(mass, centre, moments, products, a, b, psi, omega, alpha=0):
-    """The body of (9.7)-(9.10) in its bearings: a :class:`~newton_euler.scenes.shaft.RotorScene`.
+    """The body of (9.7)-(9.10) in its bearings: a :class:`RotorScene`.
 
     centre : coordinates of G in the body's axes from O; moments, products : (I_xx, I_yy, I_zz) and the integrals (I_xy, I_yz, I_zx) about O
     The downward vertical is ``scene.ground.i``: ``scene.reactions(gravity=9.81*scene.ground.i)``.
