@@ -5,18 +5,16 @@ of a top. The error of a rung is the largest distance, over the whole time, betw
 leaves out it tells in words, with a bound of the error where one is known. A rung without a bound is measured, and so is one whose bound is too
 large.
 
+>>> from newton_euler.scenes import ladder
 >>> choice = smallest(ladder("projectile"), 1.0)  # metre
 >>> choice.model.name
 'projectile, Coriolis and effective gravity'
->>> ladder("satellite", t=600.0).t  # each has a function of this name in its scene, whose parameters it takes
-600.0
 """
 
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from importlib import import_module
 from types import MappingProxyType
 
 from .models import Model, ModelError
@@ -25,24 +23,6 @@ from .scalars import is_numeric, size
 INSTANTS = 257  # at which rungs are compared
 FINER = 1e-3  # of the tolerance may be due to integration
 ROUGH, FINEST = 1e-9, 1e-12  # relative errors of the states: the second is tried where the first is not enough
-
-# by the scene's name, where the function is that makes its ladder; all of its parameters have values
-LADDERS = {
-    "projectile": "newton_euler.scenes.projectile:ladder",
-    "physical pendulum": "newton_euler.scenes.pendulum:ladder",
-    "top": "newton_euler.scenes.top_ladder:ladder",
-    "satellite": "newton_euler.scenes.orbit:ladder",
-    "Foucault's pendulum": "newton_euler.scenes.foucault:ladder",
-    "free body": "newton_euler.scenes.free_body:ladder",
-    "spherical pendulum": "newton_euler.scenes.spherical_pendulum:ladder",
-    "aircraft": "newton_euler.scenes.aircraft:ladder",
-    "space station": "newton_euler.scenes.space_station:ladder",
-    "air near a low": "newton_euler.scenes.low:ladder",
-    "rotor": "newton_euler.scenes.rotor:ladder",
-    "turning shaft": "newton_euler.scenes.turning_shaft:ladder",
-    "sphere on an incline": "newton_euler.scenes.rolling_sphere:ladder",
-    "car on a hill": "newton_euler.scenes.car_on_hill:ladder",
-}
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,6 +176,7 @@ def smallest(ladder, tolerance):
     that of the fullest rung. So no cheaper rung would have done. The fullest is measured against nothing, but its bound, if it has one, counts for
     all; :class:`ModelError` if that is too large.
 
+    >>> from newton_euler.scenes import ladder
     >>> print(smallest(ladder("projectile"), 2.0))
     for position, m, within 2:
     not projectile, flat: off by at most 4.44, by 2.84 from the fullest
@@ -220,11 +201,3 @@ def smallest(ladder, tolerance):
             return Choice(rung, MappingProxyType(evidence), tolerance, ladder.of)
     told = ", ".join(f"{name}: {e.bound:.3g}" for name, e in evidence.items())
     raise ModelError(f"no model of this ladder is as accurate as {tolerance:.3g}; the errors may reach {told}")
-
-
-def ladder(name, **given):
-    """The :class:`Ladder` of a scene in :data:`LADDERS`, for its own values, or those ``given``: parameters, start and t as its scene names them."""
-    if name not in LADDERS:
-        raise ModelError(f"there is no ladder {name!r}; there are {', '.join(LADDERS)}")
-    module, function = LADDERS[name].split(":")
-    return getattr(import_module(module), function)(**given)

@@ -2,7 +2,7 @@
 
 import math
 
-from newton_euler.ladders import ladder
+from newton_euler.scenes import ladder
 from newton_euler.scenes.turning_shaft import least_rate, rod, swing_out
 
 

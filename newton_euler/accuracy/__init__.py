@@ -4,7 +4,7 @@ The *front* of a set of methods are those that no other beats: every other one h
 an error is an exact solution or one of more digits, never the method under test.
 
 ``python -m newton_euler.accuracy NAME`` measures a scene, the models of one, or a comparison then and there, and draws a chart; ``--help`` says more.
-Here is what all charts share. :mod:`.precision` measures methods on a scene of :mod:`.catalogue` against :mod:`.reference`, :mod:`.comparisons` the
+Here is what all charts share. :mod:`.precision` measures methods on a scene of :mod:`~.scenes` against :mod:`.reference`, :mod:`.comparisons` the
 textbook's ways (:mod:`.rivals`) where nothing moves; :mod:`.charts` and :mod:`.maps` draw.
 """
 

@@ -27,7 +27,7 @@ def draw_methods(found, figure):
     figure.set_layout_engine("constrained")
     figure.set_size_inches(*SIZE)
     scene = found.scene
-    figure.suptitle(f"{scene.name}, section {scene.section}: {scene.words}", fontsize=12)
+    figure.suptitle(f"{scene.name}, section {scene.section}: {scene.description}", fontsize=12)
     left, middle, right = figure.subplots(1, 3)
     points = [replace(p, error=max(p.error, FLOOR)) for p in found.points]
     methods, auto = [p for p in points if p.method != "auto"], [p for p in points if p.method == "auto"]

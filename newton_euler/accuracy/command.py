@@ -77,13 +77,12 @@ def _parser():
 
 def every_name():
     """All charts: by name the kind, one of :data:`KINDS`, and what they show in words."""
-    from ..ladders import LADDERS
-    from .catalogue import SCENES
+    from ..scenes import LADDERS, SCENES
     from .comparisons import COMPARISONS
     from .maps import MAPS
 
-    names = {name: ("scenes", f"{scene.section:>6}  {scene.words}") for name, scene in SCENES.items()}
-    names |= {f"{MODELS}{name}": ("models", "what each model costs and what it leaves out") for name in LADDERS}
+    names = {name: ("scenes", f"{scene.section:>6}  {scene.description}") for name, scene in SCENES.items()}
+    names |= {f"{MODELS}{name}": ("models", found.description) for name, found in LADDERS.items()}
     names |= {name: ("comparisons", comparison.title) for name, comparison in COMPARISONS.items()}
     return names | {f"{MAP}{name}": ("maps", chart.title) for name, chart in MAPS.items()}
 
@@ -131,7 +130,7 @@ def _scene(name, quick, progress):
 
 
 def _models(name, quick, progress):
-    from ..ladders import ladder
+    from ..scenes import ladder
     from .charts import draw_models, measured_models
 
     rungs = ladder(name.removeprefix(MODELS))

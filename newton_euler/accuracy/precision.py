@@ -16,8 +16,10 @@ from ..courses import SMALL
 from ..methods import METHODS
 from ..models import ModelError
 from ..motion import integrate
+from ..scenes import scene as scene_named
+from ..scenes.catalogue import Scene
 from ..systems import System
-from . import Measured, catalogue, timed
+from . import Measured, timed
 from .reference import reference
 
 TOLERANCES = tuple(10.0**-n for n in range(3, 14))
@@ -32,7 +34,7 @@ NAMES = (*METHODS, "auto")
 class WorkPrecision:
     """What was measured on one scene.
 
-    scene : a :class:`~newton_euler.accuracy.catalogue.Scene`
+    scene : a :class:`~newton_euler.scenes.catalogue.Scene`
     points : :class:`~newton_euler.accuracy.Measured`, method by method, each with what was ``asked`` for
     ratios : by tolerance, how many times the time of the cheapest other method "auto" takes, measured in turns, and the name of that method; it was
         asked for the same and reached it
@@ -40,7 +42,7 @@ class WorkPrecision:
     left_out : by method, in words, why it was not asked for the smallest tolerances; methods that the scene cannot use have no points
     """
 
-    scene: catalogue.Scene
+    scene: Scene
     points: tuple
     ratios: dict
     preparing: dict
@@ -67,7 +69,7 @@ def work_precision(name, tolerances=TOLERANCES, methods=NAMES, longest=LONGEST, 
     longest : a method whose run takes more seconds is not asked for more digits
     progress : a function ``(fraction, words)``, called now and then
     """
-    scene = catalogue.scene(name)
+    scene = scene_named(name)
     judge = Judge(scene)
     points, preparing, left_out = [], {}, {}
     for n, method in enumerate(methods):

@@ -14,11 +14,20 @@ from ..kinetics import reaction
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected, is_law
 from ..scalars import atan2, cos, is_zero, moving, plain, scalar, sin, sqrt, tan
+from .catalogue import scene
 
 POSITION = "position, m"
 PLANE, SPACE = ("v", "gamma", "x", "y"), ("v", "chi", "gamma", "x", "y", "h")
 
 
+def _drag_of_scene(s, p, t):
+    return 0.004 * s.v * s.v
+
+
+@scene(
+    "6.3", "aircraft", "an aircraft in a vertical plane, with thrust, lift and the drag of the air", 20.0, (50.0, 0.1, 0.0, 100.0),
+    m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=25.0,
+)  # fmt: skip
 def vertical_flight(m, g, thrust=0, drag=0, lift=0):
     """The model of flight in a vertical plane (6.3): states v, gamma, x, y (y up).
 
@@ -34,6 +43,10 @@ def vertical_flight(m, g, thrust=0, drag=0, lift=0):
     return Model("aircraft in a vertical plane", parameters, PLANE, _in_plane, invariants=energy if coasting else {}, exact=exact)
 
 
+@scene(
+    "6.12", "aircraft in space", "an aircraft in a turn, banked by 0.5 rad, with a little more lift than it needs", 20.0,
+    (50.0, 0.0, 0.0, 0.0, 0.0, 100.0), m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=22.5, bank=0.5,
+)  # fmt: skip
 def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
     """The model of flight in space (6.12): states v, chi, gamma, x, y, h (h up). For bank 0 it is that of :func:`vertical_flight`.
 
@@ -48,6 +61,7 @@ def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
     return Model("aircraft in space", parameters, SPACE, _in_space, invariants=energy)
 
 
+@scene("6.12", "aircraft", "straight, in a level turn, in a vertical plane, in space", ladder=True)
 def ladder(m=1000.0, g=9.81, thrust=1000.0, lift=2.8, drag=0.27, bank=0.05, start=(60.0, 0.5, 0.0, 0.0, 0.0, 1000.0), t=20.0):
     """The models of a flight at fixed controls, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the position, in m, until ``t``.
 

@@ -11,6 +11,7 @@ from ..ladders import Ladder, Rung
 from ..models import Model, ModelError, Named, Neglected
 from ..scalars import atan, plain, scalar, sin, sqrt
 from ..work import summed
+from .catalogue import scene
 
 WAY = "way up the hill, m"
 STATES = ("s", "v")
@@ -68,11 +69,17 @@ class Car:
         return _wheels(self)
 
 
+@scene("11.19", "car on a hill", "a car of constant power over wavy ground", 60.0, (0.0, 10.0))
+def _on_waves():
+    return Car(1200.0, 20.0, 0.25, 0.3, lambda v: 0.5 * v * v, 9.81).model(40e3, lambda s, p, t: 0.08 * sin(s.s / 64))
+
+
 def _wheels(p):
     ratio = scalar(p.gyration) / p.radius
     return p.wheels * p.wheel_mass * (ratio * ratio)
 
 
+@scene("11.19", "car on a hill", "a particle, a car on wheels, air", ladder=True)
 def ladder(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81, force=2500.0, slope=0.08, start=(0.0, 10.0), t=10.0):
     """The models of one start, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the way, in m, until ``t``.
 

@@ -12,6 +12,7 @@ from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
 from ..scalars import ZERO, sqrt
 from ..vectors import add3, cross3, dot3, scale3
+from .catalogue import scene
 from .low import STATES, air_near_low
 
 PLACE = "place in plan, m"
@@ -32,6 +33,7 @@ def full(length, g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
     return Model("Foucault's pendulum", parameters, STATES, _full)
 
 
+@scene("6.11", "Foucault's pendulum", "small swings and any, on an Earth at rest and turning", ladder=True)
 def ladder(length=67.0, g=9.81, latitude=0.8526, rate=EARTH_RATE, radius=EARTH_RADIUS, start=(1.5, 0.0, 0.0, 0.0), t=100.0):
     """Four models: a :class:`~newton_euler.ladders.Ladder` for the place in plan, m. Length and latitude are the Panthéon's; start is x, y, dx, dy.
 

@@ -17,11 +17,16 @@ from ..ladders import Ladder, Rung
 from ..models import Model, ModelError, Neglected
 from ..scalars import cos, is_comparable, is_finite, is_numeric, of_one_kind, plain, sin, size, sqrt, where
 from ..vectors import dot3
+from .catalogue import scene
 
 AXES = "xyz"
 RATES = "angular velocity, rad/s"
 
 
+@scene(
+    "10.8", "free body", "a spin about the intermediate axis, which it leaves and comes back to", 50.0, (0.01, 1.0, 0.01), I_x=1.0, I_y=2.0, I_z=3.0
+)
+@scene("10.8", "free body, calm", "a spin near the axis of the least moment", 20.0, (1.0, 0.1, 0.4), I_x=1.0, I_y=1.5, I_z=2.2)
 def free_body(I_x, I_y, I_z):
     """The free body as a Model: states w_x, w_y, w_z along its principal axes (rad/s); invariants ``energy`` and ``momentum``, the size of H.
 
@@ -130,6 +135,7 @@ def small_wobble(I_x, I_y, I_z, spin):
     return Model("small wobble", _named(I_x, I_y, I_z, spin), ("w_x", "w_y"), _small, exact=_small_exact, neglects=(PRODUCT,))
 
 
+@scene("10.8", "free body", "a symmetric body, a small wobble, any motion", ladder=True)
 def ladder(I_x=1.0, I_y=1.02, I_z=1.5, start=(0.1, 0.0, 5.0), t=10.0):
     """Symmetric body, small wobble, free body: a :class:`~newton_euler.ladders.Ladder` for the body rates w_x, w_y, w_z, which are the start.
 

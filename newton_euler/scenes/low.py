@@ -10,12 +10,26 @@ from ..earth import EARTH_RATE, coriolis_parameter
 from ..harmonic import oscillation, plane_oscillation
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected, is_law
-from ..scalars import cos, is_zero, scalar, sin, sqrt
+from ..scalars import cos, is_zero, radians, scalar, sin, sqrt
+from .catalogue import scene
 
 POSITION = "position, m"
 STATES = ("x", "y", "dx", "dy")
+DAY = 86_400.0  # s
 
 
+@scene(
+    "6.11", "low", "air that starts at rest 300 km from the centre of a low, for two days", 2 * DAY, (3e5, 0.0, 0.0, 0.0),
+    latitude=radians(45.0), push=1e-8,
+)  # fmt: skip
+@scene(
+    "6.11", "low, friction", "air near a low with friction, which lets it run inwards", 2 * DAY, (3e5, 0.0, 0.0, 0.0),
+    latitude=radians(45.0), push=1e-8, friction=1e-5,
+)  # fmt: skip
+@scene(
+    "6.11", "pendulum of Foucault", "67 m long, in Paris, for ten minutes, by the equations of the low", 600.0, (3.0, 0.0, 0.0, 0.0),
+    latitude=radians(48.85), push=9.81 / 67.0,
+)  # fmt: skip
 def air_near_low(latitude, push=0, friction=0, rate=EARTH_RATE):
     """The model of a parcel of air: states x, y from the centre, dx, dy as seen from the ground (6.33).
 
@@ -33,6 +47,7 @@ def air_near_low(latitude, push=0, friction=0, rate=EARTH_RATE):
     )  # fmt: skip
 
 
+@scene("6.11", "air near a low", "Earth at rest, Earth turning, friction", ladder=True)
 def ladder(latitude=0.8, push=2e-9, friction=1e-5, rate=EARTH_RATE, start=(0.0, -4e5, 8.0, 0.0), t=10_800.0):
     """The models of one parcel of air, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for its position in m until ``t`` in s.
 

@@ -18,6 +18,7 @@ from ..harmonic import stumpff
 from ..ladders import Ladder, Rung
 from ..models import Model, ModelError, Neglected
 from ..scalars import atan2, cos, epsilon, is_comparable, is_finite, is_numeric, of_one_kind, plain, sin, size, sqrt, where
+from .catalogue import scene
 
 POSITION = "position, m"
 EARTH_J2 = 1.082627e-3  # of the Earth's field, without unit (WGS 84)
@@ -25,6 +26,8 @@ EARTH_EQUATOR = 6.378137e6  # m, its radius there (WGS 84)
 EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 
 
+@scene("5.10", "planet", "a planet on an ellipse of eccentricity 0.44, in units of its distance and mu", 30.0, (0.6, 0.8, -0.96, 0.72), mu=1.0)
+@scene("5.10", "planet, eccentric", "a comet that passes close to its sun: eccentricity 0.75", 20.0, (0.6, 0.8, -0.4, 0.3), mu=1.0)
 def orbit(mu):
     """The orbit as a Model: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum`` over mass, and the Laplace vector's two components.
 
@@ -166,6 +169,10 @@ def circle(mu, r, sense=1):
     return Model("satellite, circle", {"mu": mu, "r": r, "sense": sense}, ("angle",), _circle, exact=_along_circle, neglects=neglects)
 
 
+@scene(
+    "5.10", "satellite", "a satellite over the equator of an oblate Earth, about five times round", 30_000.0, (7e6, 0.0, 0.0),
+    mu=EARTH_GM, oblateness=EARTH_OBLATENESS, swept=7e6 * 7.6e3,
+)  # fmt: skip
 def over_equator(mu, oblateness, swept):
     """The satellite over the equator of an oblate Earth: states r, r_rate and the azimuth ``angle``; ``swept`` is r^2 times the rate of the angle.
 
@@ -176,6 +183,7 @@ def over_equator(mu, oblateness, swept):
     return Model("satellite, over an oblate Earth", parameters, ("r", "r_rate", "angle"), _oblate_rates, {"energy over mass": _oblate_energy})
 
 
+@scene("5.10", "satellite", "circle, Kepler's ellipse, ellipse that the Earth's bulge turns", ladder=True)
 def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3), t=30_000.0):
     """Circle, ellipse, oblate Earth: a :class:`~newton_euler.ladders.Ladder` for the position in the plane, from the ``start`` x, y, v_x, v_y.
 

@@ -17,10 +17,13 @@ from ..models import Model, ModelError, Neglected
 from ..potential import weight_potential
 from ..scalars import asin, cos, is_comparable, of_one_kind, scalar, sin, sqrt, where
 from ..work import summed
+from .catalogue import scene
 
 ANGLE = "angle, rad"
 
 
+@scene("11.17", "pendulum", "a rigid pendulum, swinging by 1 rad", 10.0, (1.0, 0.0), m=2.0, I=0.5, l=0.5, g=10.0)
+@scene("11.17", "pendulum, over the top", "a rigid pendulum let go next to the upright position", 15.0, (3.1, 0.0), m=2.0, I=0.5, l=0.5, g=10.0)
 def physical_pendulum(m, I, l, g):
     """The motion as a Model with the states theta and omega; the energy (11.32), by :func:`pendulum_energy`, is an invariant.
 
@@ -106,6 +109,7 @@ def particle(m, l, g, I=0):
     return replace(physical_pendulum(m, 0, l, g), name="pendulum, a particle", neglects=(size,))
 
 
+@scene("11.17", "physical pendulum", "small swings, a particle, a rigid body", ladder=True)
 def ladder(m=1.0, I=0.002, l=1.0, g=9.81, start=(0.3, 0.0), t=10.0):
     """Small swings, a particle, a body: a :class:`~newton_euler.ladders.Ladder` for theta in rad, until ``t`` after the start (theta, omega).
 

@@ -20,9 +20,11 @@ from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
 from ..scalars import ZERO, cos, sqrt
 from ..vectors import ZERO3, add3, cross3, dot3, scale3, sub3
+from .catalogue import scene
 
 POSITION = "position, m"
 STATES = ("x", "y", "z", "vx", "vy", "vz")
+START = 0.0, 0.0, 0.0, 200.0, 50.0, 200.0  # of the scenes
 LARGEST = 8  # (2 omega t)^2 for which the series is summed to round-off: five hours on the Earth
 
 
@@ -31,6 +33,7 @@ def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     return _model("flat", (g, latitude, rate, radius, drag), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
 
 
+@scene("6.10", "projectile, rotation only", "the shot with constant g and the Coriolis acceleration only", 40.0, START, g=9.82, latitude=0.8)
 def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """The rotation to first order (6.24). The states vx, vy, vz are the velocity that the shot would have without it."""
     return _model("Coriolis to first order", (g, latitude, rate, radius, drag), _turned, (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR), _turned_exact)
@@ -47,6 +50,7 @@ def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     return _model("flat in air", (g, latitude, rate, radius, drag), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
 
 
+@scene("6.10", "projectile", "a shot of 283 m/s over the rotating Earth, all terms", 40.0, START, g=9.82, latitude=0.8)
 def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular momentum about the axis, among the stars."""
     invariants = {"energy over mass": _energy, "angular momentum over mass, about the axis": _axial}
@@ -58,6 +62,7 @@ def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     return _model("full in air", (g, latitude, rate, radius, drag), _full_in_air)
 
 
+@scene("6.10", "projectile", "flat Earth, Coriolis, effective gravity, attraction of a sphere, air", ladder=True)
 def ladder(g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8, start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t=10.0):
     """The models of one shot, in the order of their cost: a :class:`~newton_euler.ladders.Ladder` for its position until ``t``.
 

@@ -9,8 +9,9 @@ calculation than the sphere, but no moment of inertia.
 from ..energy import speed_after
 from ..ladders import Ladder, Rung
 from ..models import Model, ModelError, Neglected
-from ..scalars import plain, scalar, sin, tan, whole
+from ..scalars import plain, radians, scalar, sin, tan, whole
 from ..work import summed
+from .catalogue import scene
 
 WAY = "way down the incline, m"
 STATES = ("x", "v")
@@ -41,6 +42,7 @@ def rolling_speed(drop, g, v0=0, k=None):
     return speed_after(v0, scalar(g) * drop, 1 + _ratio(g, k))
 
 
+@scene("11.15", "sphere on an incline", "a sphere that rolls down a plane of 30 degrees", 2.0, (1.0, 0.5), slope=radians(30.0), g=9.8)
 def rolling_down(slope, g, k=None):
     """The motion straight down a plane of inclination ``slope``: a Model with the states x (down the plane) and v, and the energy over mass kept.
 
@@ -63,6 +65,7 @@ def rolling_in_air(slope, g, air, k=None):
     return Model("sphere on an incline, in air", {"slope": slope, "g": g, "k": _ratio(g, k), "air": air}, STATES, _air_rates)
 
 
+@scene("11.15", "sphere on an incline", "a block that slides without friction, rolling, rolling in air", ladder=True)
 def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
     """The models of one run, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the way, in m, until ``t``.
 

@@ -14,6 +14,7 @@ from ..mass import Body, Inertia
 from ..models import Model, Neglected
 from ..rotors import reactions
 from ..scalars import cos, sin, sqrt
+from .catalogue import scene
 
 ANGLE = "angle psi, rad"
 
@@ -65,6 +66,10 @@ def unbalanced_rotor(mass, centre, moments, products, a, b, psi, omega, alpha=0)
     return scene(Body("rotor", mass, G, Inertia(shaft.point("O", 0, 0, 0), moments, products, mass, G), shaft))
 
 
+@scene(
+    "9.5", "rotor", "a rotor with dead weight, started from rest by a constant moment", 8.0, (0.0, 0.0),
+    mass=2.0, x=0.1, y=0.0, I=0.5, g=10.0, moment=2.5,
+)  # fmt: skip
 def turning_rotor(mass, x, y, I, g, moment=0):
     """The motion of that body under a moment M about the shaft (9.10): a Model with the states psi and omega.
 
@@ -77,6 +82,7 @@ def turning_rotor(mass, x, y, I, g, moment=0):
     return Model("rotor with dead weight", parameters, ("psi", "omega"), _rates, {} if callable(moment) else {"energy": _energy})
 
 
+@scene("9.5", "rotor", "constant rate, no weight, dead weight", ladder=True)
 def ladder(mass=20.0, x=2e-4, y=0.0, I=0.5, g=9.81, moment=0.5, start=(0.0, 10.0), t=20.0):
     """The models of a rotor that a constant moment turns, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for psi, in rad, until ``t``.
 

@@ -12,6 +12,7 @@ from ..ladders import Ladder, Rung
 from ..models import Model, ModelError, Neglected
 from ..scalars import ZERO, cos, sin, sqrt
 from ..vectors import add3, cross3, scale3
+from .catalogue import scene
 
 POSITION = "position, m"
 STATES = ("x", "y", "dx", "dy")
@@ -32,6 +33,10 @@ def rim_speed(g, radius):
     return sqrt(g * radius)
 
 
+@scene(
+    "6.7", "space station", "a body let go 20 m from the axis of a turning station, until it reaches the floor at 100 m", 15.0,
+    (20.0, 0.0, 0.0, 0.0), omega=-station_rate(9.81, 100.0),
+)  # fmt: skip
 def free_body(omega):
     """The model of a body let go in the station (6.10): states x, y along station axes from the axis of rotation, dx, dy seen there.
 
@@ -52,6 +57,7 @@ def body_in_air(omega, air, creep=CREEP):
     return Model("body in the air of a turning station", {"omega": omega, "air": air, "creep": creep}, STATES, _air_rates)
 
 
+@scene("6.7", "space station", "uniform gravity, the turning station, air", ladder=True)
 def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=1.0):
     """The models of a throw near (radius, 0) at the rim, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the position in m until t.
 

@@ -16,8 +16,9 @@ from ..ladders import Ladder, Rung
 from ..mass import Inertia
 from ..models import Model, Neglected
 from ..rotations import euler_frame
-from ..scalars import ZERO
+from ..scalars import ZERO, cos, sin
 from ..vectors import add3, scale3
+from .catalogue import scene
 from .foucault import any_swing as on_cord
 from .foucault import below, held
 from .low import STATES
@@ -44,6 +45,10 @@ def momentum(mass, length, psi, theta, phi):
     return Inertia(bar.origin, (I0, I0, 0), frame=bar.parent, tolerance=None).times(turning), bar
 
 
+@scene(
+    "10.4", "spherical pendulum", "a bar on a ball joint, pushed sideways, without a singular place", 8.0, (cos(1.2), sin(1.2), 0.0, 0.0, 0.1, 0.7),
+    mass=3.0, length=2.0, g=9.81,
+)  # fmt: skip
 def pendulum(mass, length, g):
     """The pendulum as a Model without a singular place: :func:`newton_euler.scenes.top.rolled_out`.
 
@@ -53,6 +58,10 @@ def pendulum(mass, length, g):
     return rolled_out(mass * (length * length) / 3, 0, mass * g * length / 2, 0)
 
 
+@scene(
+    "10.4", "spherical pendulum, nodding", "its angle from the vertical alone, the cyclic one eliminated", 8.0, (2.0, 0.0),
+    mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
+)  # fmt: skip
 def nodding(mass, length, g, theta, precession):
     """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this rate psi': :func:`newton_euler.scenes.top.reduced`.
 
@@ -91,6 +100,7 @@ def any_swing_with_friction(length, g, friction):
     return Model("bar, any swing with friction", {"length": length, "g": g, "friction": friction}, STATES, _full)
 
 
+@scene("10.4", "spherical pendulum", "small swings and any, with friction in the joint or without", ladder=True)
 def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0):
     """Four models: a :class:`~newton_euler.ladders.Ladder` for the place of the tip in plan, m, from the ``start`` x, y, dx, dy.
 

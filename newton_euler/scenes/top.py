@@ -14,6 +14,15 @@ from ..scalars import cos, plain, scalar, sin, sqrt, tan
 from ..top_closed_form import nutation_exact
 from ..vectors import dot3
 from ..work import summed
+from .catalogue import scene
+
+SPIN = 8.0  # rad/s
+TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}  # the top of the scenes, let go at 0.6 rad from the vertical, which nutates
+
+
+def tilted(theta):
+    """The start of :func:`rolled_out` at rest, but for the spin, at this angle from the vertical."""
+    return cos(theta / 2), sin(theta / 2), 0.0, 0.0, 0.0, 0.0
 
 
 def surplus(I0, I, theta, precession, omega_z):
@@ -56,6 +65,10 @@ def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
 # -- theta alone
 
 
+@scene(
+    "10.5", "top, nutation", "the nutating top reduced to its angle from the vertical", 10.0, (0.6, 0.0),
+    **TOP, surplus=surplus(1.0, 1.5, 0.6, 0.0, SPIN),
+)  # fmt: skip
 def reduced(I0, I, mgr, omega_z, surplus):
     """The nutation alone (10.24) with the cyclic angles eliminated: states theta, theta_rate; invariant the energy, less that of spin.
 
@@ -95,6 +108,7 @@ def _reduced_energy(s, p, t):
 # -- Euler's angles
 
 
+@scene("10.5", "top, angles", "the nutating top in Euler's angles", 10.0, (0.0, 0.6, 0.0, 0.0, 0.0), **TOP)
 def euler(I0, I, mgr, omega_z):
     """The top in Euler's angles (10.25): states psi, theta, phi, psi_rate, theta_rate; invariants energy and p_psi. Singular at theta = 0 and pi.
 
@@ -127,6 +141,7 @@ def _euler_vertical(s, p, t):
 # -- the frame that goes with the axis without spinning
 
 
+@scene("10.5", "top", "a nutating top, in the frame that does not spin", 10.0, tilted(0.6), **TOP)
 def rolled_out(I0, I, mgr, omega_z):
     """The top in a frame that goes with its axis and does not turn about it, (10.20) with Omega_z = 0: no singular place, no fast angle.
 
@@ -167,6 +182,7 @@ def _rolled_vertical(s, p, t):
 # -- the body's own frame
 
 
+@scene("10.5", "top, attitude", "the nutating top by the quaternion of the body", 10.0, tilted(0.6), **TOP)
 def attitude(I0, I, mgr, omega_z):
     """The top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself, for pictures, by the fewest operations.
 
@@ -196,6 +212,7 @@ def body_quaternion(state, spun):
     return quaternion_product(tuple(state)[:4], (cos(spun / 2), 0 * spun, 0 * spun, sin(spun / 2)))
 
 
+@scene("10.8", "free symmetric body", "a football, with its attitude", 10.0, (1.0, 0.0, 0.0, 0.0, 0.8, 0.0), I0=3.0, I=1.0, omega_z=6.0)
 def free(I0, I, omega_z):
     """The symmetric body without moment (10.35), (10.36): the states of :func:`rolled_out`, with the exact solution; omega_z is not zero.
 

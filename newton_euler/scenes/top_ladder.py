@@ -12,6 +12,7 @@ from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
 from ..rotations import euler_matrix, euler_rates, matrix_from_quaternion, quaternion_from_euler, quaternion_rate
 from ..scalars import cos, sin
+from .catalogue import scene
 from .top import _reduced_rates, _sides, reduced, surplus
 
 DIRECTION = "direction of the axis, rad"
@@ -58,6 +59,7 @@ EULER = ("psi", "theta", "phi", "w_x", "w_y", "w_z")
 QUATERNION = ("q0", "q1", "q2", "q3", "w_x", "w_y", "w_z")
 
 
+@scene("10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True)
 def ladder(I0=0.02, I=0.01, mgr=0.5, omega_z=150.0, theta=0.6, theta_rate=0.0, precession=0.34, asymmetry=1e-3, t=1.0):
     """Five models: a :class:`~newton_euler.ladders.Ladder` for the direction of the axis, a unit vector, so its errors are angles.
 

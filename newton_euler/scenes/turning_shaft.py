@@ -13,6 +13,7 @@ from ..harmonic import growth, oscillation
 from ..ladders import Ladder, Rung
 from ..models import Model, ModelError, Neglected
 from ..scalars import acos, cos, is_numeric, plain, sin, size, sqrt
+from .catalogue import scene
 
 ANGLE = "angle theta, rad"
 STATES = ("theta", "theta_rate")
@@ -61,6 +62,10 @@ def stiffness(theta, weight_moment, excess, omega, about_hinge=None):
     return (weight_moment * cos(theta) - excess * (omega * omega) * cos(2 * theta)) / (excess if about_hinge is None else about_hinge)
 
 
+@scene(
+    "10.7", "turning shaft", "a rod hinged on a turning shaft, swinging about the angle at which it would stay", 12.0, (0.2, 0.5),
+    **rod(3.0, 2.0, 4.0, 9.81),
+)  # fmt: skip
 def hinged(weight_moment, excess, omega, about_hinge=None):
     """The swinging as a Model, states theta and theta_rate; invariant the energy seen in the turning frame.
 
@@ -86,6 +91,7 @@ def on_free_shaft(weight_moment, excess, omega, shaft, theta, about_hinge=None):
     return Model("hinged on a shaft let go", parameters, STATES, _free_rates, {"energy": _free_energy})
 
 
+@scene("10.7", "turning shaft", "small swings, any swings, a shaft that is let go", ladder=True)
 def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0), t=4.0):
     """The models of the thin rod on a shaft, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for theta, in rad, until ``t``.
 

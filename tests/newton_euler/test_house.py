@@ -1,6 +1,8 @@
 """The engine's own order: what every module of newton_euler must obey."""
 
 import ast
+import subprocess
+import sys
 from collections import Counter
 from pathlib import Path
 
@@ -22,3 +24,16 @@ def defined(statement):
 def test_no_module_defines_a_name_twice(module):
     body = ast.parse((ENGINE / module).read_text(encoding="utf-8")).body
     assert [name for name, count in Counter(n for s in body for n in defined(s)).items() if count > 1] == []
+
+
+def test_scenes_are_loaded_when_one_is_asked_for():
+    program = """if True:
+        import sys
+        import newton_euler, newton_euler.scenes
+        from newton_euler import Ladder, Model, ladder, smallest
+        print([name for name in sys.modules if name.startswith("newton_euler.scenes.")])
+        ladder("top")
+        print("newton_euler.scenes.top" in sys.modules)
+    """
+    told = subprocess.run([sys.executable, "-c", program], cwd=ENGINE.parent, check=True, capture_output=True, text=True).stdout
+    assert told.splitlines() == ["['newton_euler.scenes.catalogue']", "True"]

@@ -13,10 +13,9 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension
-from newton_euler.ladders import ladder
 from newton_euler.models import ModelError, Named, is_law
 from newton_euler.motion import integrate
-from newton_euler.scenes import space_station
+from newton_euler.scenes import ladder, space_station
 from newton_euler.scenes.car_on_hill import Car
 from newton_euler.scenes.rolling_sphere import rolling_in_air
 from newton_euler.scenes.space_station import body_in_air
