@@ -86,7 +86,7 @@ class Ladder:
             raise ModelError(f"{self.name} has no rung {name!r}; it has {', '.join(rung.name for rung in self.rungs)}")
         return found[0]
 
-    def said(self, rung, rtol):
+    def observe(self, rung, rtol):
         """What a rung says, an array (parts, instants) over the time of the ladder, with states within ``rtol``."""
         import numpy as np
 
@@ -100,8 +100,8 @@ class Ladder:
 
     def observed(self, rung, accuracy):
         """The same within about ``accuracy``, in the ladder's unit, if this can be reached."""
-        values = self.said(rung, ROUGH)
-        return values if ROUGH * abs(values).max() <= accuracy else self.said(rung, FINEST)
+        values = self.observe(rung, ROUGH)
+        return values if ROUGH * abs(values).max() <= accuracy else self.observe(rung, FINEST)
 
     def error(self, rung, accuracy=0.0):
         """How far a rung is from the fullest one: the largest distance of what is observed, over the whole time, in the ladder's unit.

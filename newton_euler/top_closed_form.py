@@ -11,8 +11,8 @@ from .scalars import acos, cos, is_comparable, of_one_kind, sin, sqrt, where, wh
 
 
 def nutation_exact(s, p, t):
-    """theta and its rate at the time t after the state ``s`` of :func:`newton_euler.scenes.top.reduced`, whose parameters are ``p``."""
-    theta, rate, I0, I, mgr, omega_z, q, t = of_one_kind(s.theta, s.theta_rate, p.I0, p.I, p.mgr, p.omega_z, p.surplus, t)
+    """theta and its rate at the time t after the state ``s`` of :func:`newton_euler.scenes.top.nutation`, whose parameters are ``p``."""
+    theta, rate, I0, I, mgr, omega_z, q, t = of_one_kind(s.theta, s.theta_rate, p.I0, p.I, p.mgr, p.omega_z, p.momentum_difference, t)
     if not all(map(is_comparable, (theta, rate, I0, I, mgr, omega_z, q, t))):
         raise ModelError("the exact solution of the top needs numbers: its branches compare them; put values in first")
     whole, below, start = 2 * (I * omega_z) + q, mgr < 0, (cos(theta / 2), sin(theta / 2))

@@ -1,7 +1,7 @@
 """Air near the centre of low pressure, on the level (6.11): why storms turn counterclockwise in the north.
 
 Ground axes x east, y north, small against the Earth, so that the latitude is one number; the pressure grows with the square of the distance from the
-centre, so that it pushes with ``push`` times the distance. The same equations describe the pendulum of Foucault, with push = g/length.
+centre, and ``pressure_gradient`` is its gradient over density and distance. The same equations, with g/length, describe the pendulum of Foucault.
 
 :func:`ladder` has three models of it: the Earth at rest, the Earth turning, and friction as well.
 """
@@ -20,44 +20,43 @@ DAY = 86_400.0  # s
 
 @scene(
     "6.11", "low", "air that starts at rest 300 km from the centre of a low, for two days", 2 * DAY, (3e5, 0.0, 0.0, 0.0),
-    latitude=radians(45.0), push=1e-8,
+    latitude=radians(45.0), pressure_gradient=1e-8,
 )  # fmt: skip
 @scene(
     "6.11", "low, friction", "air near a low with friction, which lets it run inwards", 2 * DAY, (3e5, 0.0, 0.0, 0.0),
-    latitude=radians(45.0), push=1e-8, friction=1e-5,
+    latitude=radians(45.0), pressure_gradient=1e-8, friction=1e-5,
 )  # fmt: skip
 @scene(
     "6.11", "pendulum of Foucault", "67 m long, in Paris, for ten minutes, by the equations of the low", 600.0, (3.0, 0.0, 0.0, 0.0),
-    latitude=radians(48.85), push=9.81 / 67.0,
+    latitude=radians(48.85), pressure_gradient=9.81 / 67.0,
 )  # fmt: skip
-def air_near_low(latitude, push=0, friction=0, rate=EARTH_RATE):
+def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
     """The model of a parcel of air: states x, y from the centre, dx, dy as seen from the ground (6.33).
 
-    push : inward acceleration over distance, 1/s^2; 0 for free air, which runs in circles; friction : deceleration over speed, 1/s
+    pressure_gradient : inward acceleration over distance, 1/s^2; 0 for free air, which runs in circles
+    friction : deceleration over speed, 1/s
     Without friction, energy and absolute angular momentum are invariants, and there is an exact solution.
 
-    >>> air = air_near_low(1.5707963267948966, push=1e-8, rate=5e-5)
+    >>> air = air_near_low(1.5707963267948966, pressure_gradient=1e-8, rate=5e-5)
     >>> air.derivative((0.0, -1e5, 0.0, 1.0))  # it moves to the north, to the centre, and is turned aside to the east
     (0.0, 1.0, 0.0001, 0.001)
     """
+    parameters = locals()
     frictionless = not is_law(friction) and is_zero(scalar(friction))
-    return Model(
-        "air near a low", {"latitude": latitude, "rate": rate, "push": push, "friction": friction}, STATES, _rates,
-        invariants=_INVARIANTS if frictionless else {}, exact=_exact if frictionless else None,
-    )  # fmt: skip
+    return Model("air near a low", parameters, STATES, _rates, *((_INVARIANTS, _exact) if frictionless else ()))
 
 
 @scene("6.11", "air near a low", "Earth at rest, Earth turning, friction", ladder=True)
-def ladder(latitude=0.8, push=2e-9, friction=1e-5, rate=EARTH_RATE, start=(0.0, -4e5, 8.0, 0.0), t=10_800.0):
+def ladder(latitude=0.8, pressure_gradient=2e-9, friction=1e-5, rate=EARTH_RATE, start=(0.0, -4e5, 8.0, 0.0), t=10_800.0):
     """The models of one parcel of air, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for its position in m until ``t`` in s.
 
-    push, friction : numbers, push above zero and friction not below it; start : x, y, dx, dy in m and m/s
+    pressure_gradient : a number above 0; friction : a number, not negative; start : x, y, dx, dy in m and m/s
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (1e5, 2e4, 1e3)]
     ['air near a low, Earth at rest', 'air near a low, without friction', 'air near a low']
     """
-    full, energy = air_near_low(latitude, push, friction, rate), {"energy over mass": _energy}
+    full, energy = air_near_low(latitude, pressure_gradient, friction, rate), {"energy over mass": _energy}
     models = (
         Model("air near a low, Earth at rest", full.parameters, STATES, _still_rates, energy, _still_exact, (ROTATION, FRICTION)),
         Model("air near a low, without friction", full.parameters, STATES, _smooth_rates, _INVARIANTS, _exact, (FRICTION,)),
@@ -71,12 +70,12 @@ def _place(s, p, t):
 
 
 def _still_rates(s, p, t):
-    return s.dx, s.dy, -p.push * s.x, -p.push * s.y
+    return s.dx, s.dy, -p.pressure_gradient * s.x, -p.pressure_gradient * s.y
 
 
 def _smooth_rates(s, p, t):
     f = coriolis_parameter(p.latitude, p.rate)
-    return s.dx, s.dy, -p.push * s.x + f * s.dy, -p.push * s.y - f * s.dx
+    return s.dx, s.dy, -p.pressure_gradient * s.x + f * s.dy, -p.pressure_gradient * s.y - f * s.dx
 
 
 def _rates(s, p, t):
@@ -85,7 +84,7 @@ def _rates(s, p, t):
 
 
 def _energy(s, p, t):
-    return (s.dx * s.dx + s.dy * s.dy + p.push * (s.x * s.x + s.y * s.y)) / 2
+    return (s.dx * s.dx + s.dy * s.dy + p.pressure_gradient * (s.x * s.x + s.y * s.y)) / 2
 
 
 def _momentum(s, p, t):
@@ -98,13 +97,13 @@ _INVARIANTS = {"energy over mass": _energy, "absolute angular momentum over mass
 def _exact(s, p, t):
     """An ellipse at the rate n about the centre, seen from axes that turn at f/2 to the left of the air."""
     half = coriolis_parameter(p.latitude, p.rate) / 2
-    square = half * half + p.push
+    square = half * half + p.pressure_gradient
     (x, dx), (y, dy) = oscillation(s.x, s.dx - half * s.y, square, t), oscillation(s.y, s.dy + half * s.x, square, t)
     return *_turned(x, y, half * t), *_turned(dx + half * y, dy - half * x, half * t)
 
 
 def _still_exact(s, p, t):
-    return plane_oscillation(s, p.push, t)
+    return plane_oscillation(s, p.pressure_gradient, t)
 
 
 def _turned(x, y, angle):
@@ -116,12 +115,12 @@ def _turned(x, y, angle):
 # -- what may be neglected
 #
 # Coriolis and friction are accelerations along or across the velocity, which the energy bounds. What a unit of acceleration at one instant adds to
-# the position later is sin(n u)/n with n^2 >= push >= 0, never more than the time u passed since.
+# the position later is sin(n u)/n with n^2 >= pressure_gradient >= 0, never more than the time u passed since.
 
 
 def _moved(s, p, t):
     """What a force over mass of one unit per unit of speed can add to the position until t."""
-    return sqrt(s.dx * s.dx + s.dy * s.dy + p.push * (s.x * s.x + s.y * s.y)) * (t * t) / 2
+    return sqrt(s.dx * s.dx + s.dy * s.dy + p.pressure_gradient * (s.x * s.x + s.y * s.y)) * (t * t) / 2
 
 
 def _by_rotation(s, p, t):

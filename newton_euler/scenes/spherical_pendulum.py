@@ -22,7 +22,7 @@ from .catalogue import scene
 from .foucault import any_swing as on_cord
 from .foucault import below, held
 from .low import STATES
-from .top import reduced, rolled_out, surplus
+from .top import momentum_difference, nonspinning_frame, nutation
 
 PLACE = "place of the tip in plan, m"
 
@@ -50,12 +50,12 @@ def momentum(mass, length, psi, theta, phi):
     mass=3.0, length=2.0, g=9.81,
 )  # fmt: skip
 def pendulum(mass, length, g):
-    """The pendulum as a Model without a singular place: :func:`newton_euler.scenes.top.rolled_out`.
+    """The pendulum as a Model without a singular place: :func:`newton_euler.scenes.top.nonspinning_frame`.
 
     >>> pendulum(3.0, 2.0, 9.81).parameters["I0"]
     4.0
     """
-    return rolled_out(mass * (length * length) / 3, 0, mass * g * length / 2, 0)
+    return nonspinning_frame(mass * (length * length) / 3, 0, mass * g * length / 2, 0)
 
 
 @scene(
@@ -63,13 +63,13 @@ def pendulum(mass, length, g):
     mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
 )  # fmt: skip
 def nodding(mass, length, g, theta, precession):
-    """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this rate psi': :func:`newton_euler.scenes.top.reduced`.
+    """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this rate psi': :func:`newton_euler.scenes.top.nutation`.
 
     >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)  # falls towards theta = pi
     1.03829
     """
     I0 = mass * (length * length) / 3
-    return reduced(I0, 0, mass * g * length / 2, 0, surplus(I0, 0, theta, precession, 0))
+    return nutation(I0, 0, mass * g * length / 2, 0, momentum_difference(I0, 0, theta, precession, 0))
 
 
 # -- the tip in plan

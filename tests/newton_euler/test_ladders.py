@@ -159,7 +159,10 @@ def test_the_fullest_top_is_the_symmetric_one_where_it_has_no_asymmetry():
 
 def test_the_fullest_top_keeps_its_energy_and_its_momentum_about_the_vertical():
     I0, I, mgr, asymmetry = 0.02, 0.01, 0.5, 0.3
-    for model, start in ((top_ladder.quaternion, (0.9, 0.3, 0.1, 0.2, 1.0, 2.0, 30.0)), (top_ladder.euler, (0.2, 0.6, 0.1, 1.0, 2.0, 30.0))):
+    for model, start in (
+        (top_ladder.asymmetric_top_quaternion, (0.9, 0.3, 0.1, 0.2, 1.0, 2.0, 30.0)),
+        (top_ladder.asymmetric_top_euler_angles, (0.2, 0.6, 0.1, 1.0, 2.0, 30.0)),
+    ):
         model = model(I0, I, mgr, asymmetry)
         moments = I0 * (1 - asymmetry), I0 * (1 + asymmetry), I
 
@@ -193,7 +196,7 @@ def test_foucaults_pendulum_turns_with_the_sine_of_the_latitude():
     for latitude in (0.3, -1.2, math.pi / 2):
         asked = ladder("Foucault's pendulum", latitude=latitude, rate=1e-3, length=9.81, start=(0.0, 0.0, 1e-3, 0.0), t=2.25 * 2 * math.pi)
         for rung in (asked.rungs[1], asked.fullest):
-            x, y = asked.said(rung, 1e-12)[:, -1]
+            x, y = asked.observe(rung, 1e-12)[:, -1]
             assert math.atan2(y, x) == pytest.approx(-1e-3 * math.sin(latitude) * asked.t, rel=1e-3)
 
 
@@ -215,7 +218,7 @@ def test_a_bar_swings_as_the_spherical_pendulum_of_the_top():
         1e-12,
     ).end
     axis = [row[2] for row in matrix_from_quaternion([end[n] for n in ("q0", "q1", "q2", "q3")])]
-    assert asked.said(asked.rung("bar, any swing"), 1e-12)[:, -1] == pytest.approx([length * axis[0], length * axis[1]], abs=1e-10)
+    assert asked.observe(asked.rung("bar, any swing"), 1e-12)[:, -1] == pytest.approx([length * axis[0], length * axis[1]], abs=1e-10)
 
 
 # -- the state of each model

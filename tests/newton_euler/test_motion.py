@@ -314,10 +314,10 @@ def test_an_event_may_branch_on_values():
 def test_many_tops_are_what_each_is(method):
     needs(method)
     spins = np.linspace(6.0, 9.0, 5)
-    motions = integrate(top.rolled_out(1.0, 1.5, 5.0, spins), 3.0, top_start(0.6), 1e-9, method, samples=4)
+    motions = integrate(top.nonspinning_frame(1.0, 1.5, 5.0, spins), 3.0, top_start(0.6), 1e-9, method, samples=4)
     assert len(motions) == 5
     for n, spin in enumerate(spins.tolist()):
-        one = integrate(top.rolled_out(1.0, 1.5, 5.0, spin), 3.0, top_start(0.6), 1e-10, "dop853", samples=4)
+        one = integrate(top.nonspinning_frame(1.0, 1.5, 5.0, spin), 3.0, top_start(0.6), 1e-10, "dop853", samples=4)
         for name in one.states:
             assert max(abs(motions.states[name][n] - one.states[name])) < 2e-9
 
