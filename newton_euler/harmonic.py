@@ -1,6 +1,16 @@
-"""Motion under an acceleration proportional to the distance, towards a point or away from it, and Stumpff's series."""
+"""Motion under an acceleration that is constant, or proportional to the distance from a point, towards it or away; and Stumpff's series."""
 
 from .scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
+
+
+def uniform_acceleration(x, v, a, t):
+    """x and its rate at the time t if x'' = a, from x and v at t = 0."""
+    return x + (v + a * t / 2) * t, v + a * t
+
+
+def integrated_square(v, a, t):
+    """The double integral of (v + a t)^2: what a drag of this size, 1/m times the square of the speed, at most takes off the way until t."""
+    return t * t * (v * v / 2 + v * a * t / 3 + a * a * (t * t) / 12)
 
 
 def oscillation(x, v, square, t, damping=ZERO):

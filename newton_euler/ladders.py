@@ -74,17 +74,22 @@ class Ladder:
         if other:
             raise ModelError(f"the bounds of {self.name!r} are of different quantities and cannot be compared: {self.of}; {'; '.join(other)}")
 
-    @cached_property
+    @classmethod
+    def of_models(cls, name, of, t, start, observed, *models):
+        """The ladder of models that have the same states, and so one start and one function for what is observed."""
+        return cls(name, of, t, tuple(Rung(model, start, observed) for model in models))
+
+    @property
     def fullest(self):
         """The last rung."""
         return self.rungs[-1]
 
     def rung(self, name):
         """The rung of this name."""
-        found = [rung for rung in self.rungs if rung.name == name]
-        if not found:
-            raise ModelError(f"{self.name} has no rung {name!r}; it has {', '.join(rung.name for rung in self.rungs)}")
-        return found[0]
+        found = {rung.name: rung for rung in self.rungs}
+        if name not in found:
+            raise ModelError(f"{self.name} has no rung {name!r}; it has {', '.join(found)}")
+        return found[name]
 
     def observe(self, rung, rtol):
         """What a rung says, an array (parts, instants) over the time of the ladder, with states within ``rtol``."""

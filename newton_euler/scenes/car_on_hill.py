@@ -7,7 +7,8 @@ no less calculation than the car on wheels, but less to be known.
 from dataclasses import dataclass
 from math import inf
 
-from ..ladders import Ladder, Rung
+from ..harmonic import integrated_square, uniform_acceleration
+from ..ladders import Ladder
 from ..models import Model, ModelError, Named, Neglected
 from ..scalars import atan, plain, scalar, sin, sqrt
 from ..work import summed
@@ -93,14 +94,11 @@ def ladder(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81
     """
     parameters = {"m": m, "wheel_mass": wheel_mass, "gyration": gyration, "radius": radius, "wheels": 4}
     parameters |= {"air": air, "g": g, "force": force, "slope": slope}
-    models = (
-        Model("car, particle", parameters, STATES, _particle_rates, exact=_particle_exact, neglects=(WHEELS, AIR)),
-        Model("car on wheels", parameters, STATES, _wheel_rates, exact=_wheel_exact, neglects=(AIR,)),
-        Model("car on wheels, in air", parameters, STATES, _air_rates),
-    )
+    particle = Model("car, particle", parameters, STATES, _particle_rates, {}, _particle_exact, (WHEELS, AIR))
+    wheels = Model("car on wheels", parameters, STATES, _wheel_rates, {}, _wheel_exact, (AIR,))
     if start[1] < 0 or _stops(Named("parameter", parameters), start[1]) < t:
         raise ModelError(f"the ladder is for a car that goes uphill until t = {t!r}; with {force!r} N and v = {start[1]!r} it does not")
-    return Ladder("car on a hill", WAY, t, tuple(Rung(model, start, _way) for model in models))
+    return Ladder.of_models("car on a hill", WAY, t, start, _way, particle, wheels, Model("car on wheels, in air", parameters, STATES, _air_rates))
 
 
 def _stops(p, v):
@@ -125,7 +123,7 @@ def _particle_rates(s, p, t):
 
 
 def _particle_exact(s, p, t):
-    return _uniform(s, _left(p) / p.m, t)
+    return uniform_acceleration(s.s, s.v, _left(p) / p.m, t)
 
 
 def _wheel_rates(s, p, t):
@@ -133,11 +131,7 @@ def _wheel_rates(s, p, t):
 
 
 def _wheel_exact(s, p, t):
-    return _uniform(s, _left(p) / (p.m + _wheels(p)), t)
-
-
-def _uniform(s, a, t):
-    return s.s + (s.v + a * t / 2) * t, s.v + a * t
+    return uniform_acceleration(s.s, s.v, _left(p) / (p.m + _wheels(p)), t)
 
 
 def _air_rates(s, p, t):
@@ -154,8 +148,7 @@ def _by_wheels(s, p, t):
 
 def _by_air(s, p, t):
     left, mass = _left(p), p.m + _wheels(p)
-    a = sqrt(left * left) / mass
-    return p.air / mass * (t * t) * (s.v * s.v / 2 + s.v * a * t / 3 + a * a * (t * t) / 12)
+    return p.air / mass * integrated_square(s.v, sqrt(left * left) / mass, t)
 
 
 WHEELS = Neglected("the moments of inertia of the wheels", _by_wheels, WAY)

@@ -8,7 +8,7 @@ acceleration of the bob is G - r (v.v + G.r)/length^2, where G is that of a free
 from dataclasses import replace
 
 from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, earth_rate3
-from ..ladders import Ladder, Rung
+from ..ladders import Ladder
 from ..models import Model, Neglected
 from ..scalars import ZERO, sqrt
 from ..vectors import add3, cross3, dot3, scale3
@@ -24,13 +24,12 @@ def any_swing(length, g):
     >>> round(any_swing(5.0, 10.0).derivative((3.0, 0.0, 0.0, 0.0))[2], 9)  # -g sin(theta) cos(theta)
     -4.8
     """
-    return Model("Foucault's pendulum, any swing, Earth at rest", {"length": length, "g": g}, STATES, _at_rest, neglects=(ROTATION,))
+    return Model("Foucault's pendulum, any swing, Earth at rest", locals(), STATES, _at_rest, neglects=(ROTATION,))
 
 
 def full(length, g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
     """Swings of any size and all terms of (6.10): with what the place in the swing changes in the centrifugal acceleration and in gravity."""
-    parameters = {"length": length, "g": g, "latitude": latitude, "rate": rate, "radius": radius}
-    return Model("Foucault's pendulum", parameters, STATES, _full)
+    return Model("Foucault's pendulum", locals(), STATES, _full)
 
 
 @scene("6.11", "Foucault's pendulum", "small swings and any, on an Earth at rest and turning", ladder=True)
@@ -47,7 +46,7 @@ def ladder(length=67.0, g=9.81, latitude=0.8526, rate=EARTH_RATE, radius=EARTH_R
     still = replace(air_near_low(0, g / length, rate=0), name="Foucault's pendulum, small swings, Earth at rest", neglects=(SIZE, ROTATION))
     turned = replace(air_near_low(latitude, g / length, rate=rate), name="Foucault's pendulum, small swings", neglects=(SIZE,))
     models = still, turned, any_swing(length, g), full(length, g, latitude, rate, radius)
-    return Ladder("Foucault's pendulum", PLACE, t, tuple(Rung(model, start, _place) for model in models))
+    return Ladder.of_models("Foucault's pendulum", PLACE, t, start, _place, *models)
 
 
 def _place(s, p, t):

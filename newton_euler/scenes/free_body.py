@@ -37,8 +37,7 @@ def free_body(I_x, I_y, I_z):
     >>> [round(w, 6) for w in body.solution(20.0, (1e-7, 1.0, 1e-7))]
     [-0.003787, 0.999993, 0.002187]
     """
-    parameters = {"I_x": I_x, "I_y": I_y, "I_z": I_z}
-    return Model("free body", parameters, ("w_x", "w_y", "w_z"), _rates, {"energy": _energy, "momentum": _momentum}, _exact)
+    return Model("free body", locals(), ("w_x", "w_y", "w_z"), _rates, {"energy": _energy, "momentum": _momentum}, _exact)
 
 
 def tilt_growth(I_x, I_y, I_z, axis, rate):
@@ -123,7 +122,7 @@ def symmetric_wobble(I_x, I_y, I_z, spin):
     >>> symmetric_wobble(1.0, 3.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-0.5, 2.5)
     """
-    return Model("wobble of a symmetric body", _named(I_x, I_y, I_z, spin), ("w_x", "w_y"), _symmetric, exact=_symmetric_exact, neglects=(ASYMMETRY,))
+    return Model("wobble of a symmetric body", locals(), ("w_x", "w_y"), _symmetric, exact=_symmetric_exact, neglects=(ASYMMETRY,))
 
 
 def small_wobble(I_x, I_y, I_z, spin):
@@ -132,7 +131,7 @@ def small_wobble(I_x, I_y, I_z, spin):
     >>> small_wobble(1.0, 2.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-1.0, 5.0)
     """
-    return Model("small wobble", _named(I_x, I_y, I_z, spin), ("w_x", "w_y"), _small, exact=_small_exact, neglects=(PRODUCT,))
+    return Model("small wobble", locals(), ("w_x", "w_y"), _small, exact=_small_exact, neglects=(PRODUCT,))
 
 
 @scene("10.8", "free body", "a symmetric body, a small wobble, any motion", ladder=True)
@@ -146,10 +145,6 @@ def ladder(I_x=1.0, I_y=1.02, I_z=1.5, start=(0.1, 0.0, 5.0), t=10.0):
     *across, spin = start
     rungs = [Rung(make(I_x, I_y, I_z, spin), tuple(across), _with_spin) for make in (symmetric_wobble, small_wobble)]
     return Ladder("free body", RATES, t, (*rungs, Rung(free_body(I_x, I_y, I_z), start, _all)))
-
-
-def _named(I_x, I_y, I_z, spin):
-    return {"I_x": I_x, "I_y": I_y, "I_z": I_z, "spin": spin}
 
 
 def _with_spin(s, p, t):

@@ -19,8 +19,7 @@ def gyrocompass(I0, I, omega_z, earth_rate, latitude):
     >>> compass.derivative((0.1, 0.0))[1] < 0 < compass.derivative((-0.1, 0.0))[1]  # back to north
     True
     """
-    parameters = {"I0": I0, "I": I, "omega_z": omega_z, "earth_rate": earth_rate, "latitude": latitude}
-    return Model("gyrocompass", parameters, ("azimuth", "azimuth_rate"), _compass_rates, {"energy": _compass_energy})
+    return Model("gyrocompass", locals(), ("azimuth", "azimuth_rate"), _compass_rates, {"energy": _compass_energy})
 
 
 def compass_period(I0, I, omega_z, earth_rate, latitude):

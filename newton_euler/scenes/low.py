@@ -8,9 +8,9 @@ centre, and ``pressure_gradient`` is its gradient over density and distance. The
 
 from ..earth import EARTH_RATE, coriolis_parameter
 from ..harmonic import oscillation, plane_oscillation
-from ..ladders import Ladder, Rung
-from ..models import Model, Neglected, is_law
-from ..scalars import cos, is_zero, radians, scalar, sin, sqrt
+from ..ladders import Ladder
+from ..models import Model, Neglected, is_absent
+from ..scalars import cos, radians, sin, sqrt
 from .catalogue import scene
 
 POSITION = "position, m"
@@ -41,9 +41,7 @@ def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
     >>> air.derivative((0.0, -1e5, 0.0, 1.0))  # it moves to the north, to the centre, and is turned aside to the east
     (0.0, 1.0, 0.0001, 0.001)
     """
-    parameters = locals()
-    frictionless = not is_law(friction) and is_zero(scalar(friction))
-    return Model("air near a low", parameters, STATES, _rates, *((_INVARIANTS, _exact) if frictionless else ()))
+    return Model("air near a low", locals(), STATES, _rates, *((_INVARIANTS, _exact) if is_absent(friction) else ()))
 
 
 @scene("6.11", "air near a low", "Earth at rest, Earth turning, friction", ladder=True)
@@ -57,12 +55,9 @@ def ladder(latitude=0.8, pressure_gradient=2e-9, friction=1e-5, rate=EARTH_RATE,
     ['air near a low, Earth at rest', 'air near a low, without friction', 'air near a low']
     """
     full, energy = air_near_low(latitude, pressure_gradient, friction, rate), {"energy over mass": _energy}
-    models = (
-        Model("air near a low, Earth at rest", full.parameters, STATES, _still_rates, energy, _still_exact, (ROTATION, FRICTION)),
-        Model("air near a low, without friction", full.parameters, STATES, _smooth_rates, _INVARIANTS, _exact, (FRICTION,)),
-        full,
-    )
-    return Ladder("air near a low", POSITION, t, tuple(Rung(model, start, _place) for model in models))
+    still = Model("air near a low, Earth at rest", full.parameters, STATES, _still_rates, energy, _still_exact, (ROTATION, FRICTION))
+    smooth = Model("air near a low, without friction", full.parameters, STATES, _smooth_rates, _INVARIANTS, _exact, (FRICTION,))
+    return Ladder.of_models("air near a low", POSITION, t, start, _place, still, smooth, full)
 
 
 def _place(s, p, t):

@@ -165,8 +165,7 @@ def circle(mu, r, sense=1):
     >>> circle(8.0, 2.0).derivative((0.0,))
     (1.0,)
     """
-    neglects = (Neglected("the eccentricity", None, POSITION), BULGE)
-    return Model("satellite, circle", {"mu": mu, "r": r, "sense": sense}, ("angle",), _circle, exact=_along_circle, neglects=neglects)
+    return Model("satellite, circle", locals(), ("angle",), _circle, {}, _along_circle, (ECCENTRICITY, BULGE))
 
 
 @scene(
@@ -179,8 +178,7 @@ def over_equator(mu, oblateness, swept):
     >>> over_equator(8.0, 0.0, 4.0).derivative((2.0, 0.0, 0.0))  # on the circle
     (0.0, 0.0, 1.0)
     """
-    parameters = {"mu": mu, "oblateness": oblateness, "swept": swept}
-    return Model("satellite, over an oblate Earth", parameters, ("r", "r_rate", "angle"), _oblate_rates, {"energy over mass": _oblate_energy})
+    return Model("satellite, over an oblate Earth", locals(), ("r", "r_rate", "angle"), _oblate_rates, {"energy over mass": _oblate_energy})
 
 
 @scene("5.10", "satellite", "circle, Kepler's ellipse, ellipse that the Earth's bulge turns", ladder=True)
@@ -234,4 +232,5 @@ def _at_angle(s, p, t):
     return s.r * cos(s.angle), s.r * sin(s.angle)
 
 
+ECCENTRICITY = Neglected("the eccentricity", None, POSITION)
 BULGE = Neglected("the bulge of the Earth", None, POSITION)

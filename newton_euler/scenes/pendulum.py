@@ -12,7 +12,7 @@ from dataclasses import replace
 from ..elliptic import counted, coupled
 from ..energy import plane_kinetic_energy, speed_after
 from ..harmonic import growth, oscillation
-from ..ladders import Ladder, Rung
+from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
 from ..potential import weight_potential
 from ..scalars import asin, cos, is_comparable, of_one_kind, scalar, sin, sqrt, where
@@ -36,8 +36,7 @@ def physical_pendulum(m, I, l, g):
     >>> [round(x, 6) for x in swing.solution(10.0, (0.0, 6.5))]  # over the top, several times
     [34.990743, 2.024268]
     """
-    parameters = {"m": m, "I": I, "l": l, "g": g}
-    return Model("physical pendulum", parameters, ("theta", "omega"), _rates, {"energy": _energy}, _exact)
+    return Model("physical pendulum", locals(), ("theta", "omega"), _rates, {"energy": _energy}, _exact)
 
 
 def _square(p, I):
@@ -100,7 +99,7 @@ def small_swings(m, I, l, g):
     >>> small_swings(2.0, 0.5, 0.5, 10.0).derivative((0.1, 0.0))
     (0.0, -1.0)
     """
-    return Model("pendulum, small swings", {"m": m, "I": I, "l": l, "g": g}, ("theta", "omega"), _small_rates, exact=_small_exact, neglects=(SINE,))
+    return Model("pendulum, small swings", locals(), ("theta", "omega"), _small_rates, {}, _small_exact, (SINE,))
 
 
 def particle(m, l, g, I=0):
@@ -118,7 +117,7 @@ def ladder(m=1.0, I=0.002, l=1.0, g=9.81, start=(0.3, 0.0), t=10.0):
     ['pendulum, small swings', 'pendulum, a particle', 'physical pendulum']
     """
     models = small_swings(m, I, l, g), particle(m, l, g, I), physical_pendulum(m, I, l, g)
-    return Ladder("physical pendulum", ANGLE, t, tuple(Rung(model, start, _theta) for model in models))
+    return Ladder.of_models("physical pendulum", ANGLE, t, start, _theta, *models)
 
 
 def _theta(s, p, t):

@@ -16,7 +16,7 @@ projectile, full in air
 
 from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, coriolis_series, earth_rate3, position3
 from ..harmonic import growth, stumpff
-from ..ladders import Ladder, Rung
+from ..ladders import Ladder
 from ..models import Model, Neglected
 from ..scalars import ZERO, cos, sqrt
 from ..vectors import ZERO3, add3, cross3, dot3, scale3, sub3
@@ -30,36 +30,34 @@ LARGEST = 8  # (2 omega t)^2 for which the series is summed to round-off: five h
 
 def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """Free fall with constant g on an earth at rest. All but g serve to bound what it neglects, here and below."""
-    return _model("flat", (g, latitude, rate, radius, drag), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
+    return _model("flat", locals(), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
 
 
 @scene("6.10", "projectile, rotation only", "the shot with constant g and the Coriolis acceleration only", 40.0, START, g=9.82, latitude=0.8)
 def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """The rotation to first order (6.24). The states vx, vy, vz are the velocity that the shot would have without it."""
-    return _model("Coriolis to first order", (g, latitude, rate, radius, drag), _turned, (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR), _turned_exact)
+    return _model("Coriolis to first order", locals(), _turned, (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR), _turned_exact)
 
 
 def plumb(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """Constant effective gravity, that of the origin, and the Coriolis acceleration (6.16), which is solved exactly."""
-    neglects = CENTRIFUGAL_CHANGE, CURVATURE, AIR
-    return _model("Coriolis and effective gravity", (g, latitude, rate, radius, drag), _uniform, neglects, _uniform_exact)
+    return _model("Coriolis and effective gravity", locals(), _uniform, (CENTRIFUGAL_CHANGE, CURVATURE, AIR), _uniform_exact)
 
 
 def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """Constant g on an earth at rest, and the air."""
-    return _model("flat in air", (g, latitude, rate, radius, drag), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
+    return _model("flat in air", locals(), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
 
 
 @scene("6.10", "projectile", "a shot of 283 m/s over the rotating Earth, all terms", 40.0, START, g=9.82, latitude=0.8)
 def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular momentum about the axis, among the stars."""
-    invariants = {"energy over mass": _energy, "angular momentum over mass, about the axis": _axial}
-    return _model("full", (g, latitude, rate, radius, drag), _full, (AIR,), invariants=invariants)
+    return _model("full", locals(), _full, (AIR,), None, {"energy over mass": _energy, "angular momentum over mass, about the axis": _axial})
 
 
 def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """The same in air that goes with the Earth."""
-    return _model("full in air", (g, latitude, rate, radius, drag), _full_in_air)
+    return _model("full in air", locals(), _full_in_air)
 
 
 @scene("6.10", "projectile", "flat Earth, Coriolis, effective gravity, attraction of a sphere, air", ladder=True)
@@ -69,16 +67,15 @@ def ladder(g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8
     Six, or four if ``drag`` is 0.
     """
     makers = (flat, coriolis, plumb, flat_in_air, full, full_in_air) if drag else (flat, coriolis, plumb, full)
-    return Ladder("projectile", POSITION, t, tuple(Rung(make(g, latitude, rate, radius, drag), start, _place) for make in makers))
+    return Ladder.of_models("projectile", POSITION, t, start, _place, *(make(g, latitude, rate, radius, drag) for make in makers))
 
 
-def _model(name, values, rhs, neglects=(), exact=None, invariants=()):
-    parameters = dict(zip(("g", "latitude", "rate", "radius", "drag"), values, strict=True))
-    return Model(f"projectile, {name}", parameters, STATES, rhs, dict(invariants), exact, neglects)
+def _model(name, parameters, rhs, neglects=(), exact=None, invariants=()):
+    return Model(f"projectile, {name}", parameters, STATES, rhs, invariants, exact, neglects)
 
 
 def _place(s, p, t):
-    return s.x, s.y, s.z
+    return _r(s)
 
 
 def _r(s):

@@ -7,7 +7,8 @@ calculation than the sphere, but no moment of inertia.
 """
 
 from ..energy import speed_after
-from ..ladders import Ladder, Rung
+from ..harmonic import integrated_square, uniform_acceleration
+from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
 from ..scalars import plain, radians, scalar, sin, tan, whole
 from ..work import summed
@@ -51,7 +52,8 @@ def rolling_down(slope, g, k=None):
     >>> rolling_down(0.5235987755982988, 9.8).derivative((0.0, 0.0))[1]
     3.5
     """
-    return Model("sphere on an incline", {"slope": slope, "g": g, "k": _ratio(g, k)}, STATES, _rates, {"energy over mass": _energy}, _exact)
+    k = _ratio(g, k)
+    return Model("sphere on an incline", locals(), STATES, _rates, {"energy over mass": _energy}, _exact)
 
 
 def rolling_in_air(slope, g, air, k=None):
@@ -62,7 +64,8 @@ def rolling_in_air(slope, g, air, k=None):
     >>> rolling_in_air(0.5235987755982988, 9.8, 0.01).derivative((0.0, 7.0))[1]
     3.15
     """
-    return Model("sphere on an incline, in air", {"slope": slope, "g": g, "k": _ratio(g, k), "air": air}, STATES, _air_rates)
+    k = _ratio(g, k)
+    return Model("sphere on an incline, in air", locals(), STATES, _air_rates)
 
 
 @scene("11.15", "sphere on an incline", "a block that slides without friction, rolling, rolling in air", ladder=True)
@@ -78,12 +81,9 @@ def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
     if start[1] < 0:
         raise ModelError(f"the ladder is for a sphere that comes down, v not below zero; got v = {start[1]!r}")
     full = rolling_in_air(slope, g, air, k)
-    models = (
-        Model("block on an incline", full.parameters, STATES, _block_rates, {"energy over mass": _block_energy}, _block_exact, (ROTATION, AIR)),
-        Model("sphere on an incline", full.parameters, STATES, _rates, {"energy over mass": _energy}, _exact, (AIR,)),
-        full,
-    )
-    return Ladder("sphere on an incline", WAY, t, tuple(Rung(model, start, _way) for model in models))
+    block = Model("block on an incline", full.parameters, STATES, _block_rates, {"energy over mass": _block_energy}, _block_exact, (ROTATION, AIR))
+    sphere = Model("sphere on an incline", full.parameters, STATES, _rates, {"energy over mass": _energy}, _exact, (AIR,))
+    return Ladder.of_models("sphere on an incline", WAY, t, start, _way, block, sphere, full)
 
 
 def friction_needed(slope, k=None):
@@ -109,7 +109,7 @@ def _block_rates(s, p, t):
 
 
 def _block_exact(s, p, t):
-    return _uniform(s, p.g * sin(p.slope), t)
+    return uniform_acceleration(s.x, s.v, p.g * sin(p.slope), t)
 
 
 def _block_energy(s, p, t):
@@ -121,15 +121,11 @@ def _rates(s, p, t):
 
 
 def _exact(s, p, t):
-    return _uniform(s, _acceleration(p), t)
+    return uniform_acceleration(s.x, s.v, _acceleration(p), t)
 
 
 def _energy(s, p, t):
     return (1 + p.k) * s.v * s.v / 2 - p.g * sin(p.slope) * s.x
-
-
-def _uniform(s, a, t):
-    return s.x + (s.v + a * t / 2) * t, s.v + a * t
 
 
 def _air_rates(s, p, t):
@@ -144,8 +140,7 @@ def _by_rotation(s, p, t):
 
 
 def _by_air(s, p, t):
-    a = _acceleration(p)
-    return p.air / (1 + p.k) * (t * t) * (s.v * s.v / 2 + s.v * a * t / 3 + a * a * (t * t) / 12)
+    return p.air / (1 + p.k) * integrated_square(s.v, _acceleration(p), t)
 
 
 ROTATION = Neglected("the moment of inertia", _by_rotation, WAY)

@@ -9,6 +9,7 @@ to bearing B, at -a and b from O, the origin of the body's axes.
 from dataclasses import dataclass
 
 from ..frames import Frame, Point
+from ..harmonic import uniform_acceleration
 from ..ladders import Ladder, Rung
 from ..mass import Body, Inertia
 from ..models import Model, Neglected
@@ -78,8 +79,7 @@ def turning_rotor(mass, x, y, I, g, moment=0):
     >>> turning_rotor(2.0, 0.1, 0.0, 0.5, 10.0, moment=1.0).derivative((0.0, 3.0))
     (3.0, 2.0)
     """
-    parameters = {"mass": mass, "x": x, "y": y, "I": I, "g": g, "moment": moment}
-    return Model("rotor with dead weight", parameters, ("psi", "omega"), _rates, {} if callable(moment) else {"energy": _energy})
+    return Model("rotor with dead weight", locals(), ("psi", "omega"), _rates, {} if callable(moment) else {"energy": _energy})
 
 
 @scene("9.5", "rotor", "constant rate, no weight, dead weight", ladder=True)
@@ -95,8 +95,7 @@ def ladder(mass=20.0, x=2e-4, y=0.0, I=0.5, g=9.81, moment=0.5, start=(0.0, 10.0
     full = turning_rotor(mass, x, y, I, g, moment)
     steady = Model("rotor at a constant rate", {**full.parameters, "omega": start[1]}, ("psi",), _steady, {}, _turned, (MOMENT, WEIGHT))
     light = Model("rotor without weight", full.parameters, ("psi", "omega"), _light, {"energy": _light_energy}, _sped_up, (WEIGHT,))
-    rungs = ((steady, start[:1]), (light, start), (full, start))
-    return Ladder("rotor", ANGLE, t, tuple(Rung(model, begin, _angle) for model, begin in rungs))
+    return Ladder("rotor", ANGLE, t, (Rung(steady, start[:1], _angle), Rung(light, start, _angle), Rung(full, start, _angle)))
 
 
 def _angle(s, p, t):
@@ -116,8 +115,7 @@ def _light(s, p, t):
 
 
 def _sped_up(s, p, t):
-    alpha = p.moment / p.I
-    return s.psi + (s.omega + alpha * t / 2) * t, s.omega + alpha * t
+    return uniform_acceleration(s.psi, s.omega, p.moment / p.I, t)
 
 
 def _light_energy(s, p, t):

@@ -7,8 +7,8 @@ limacon that the book names.
 :func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the Earth, as it does in the station, and with the air.
 """
 
-from ..harmonic import growth
-from ..ladders import Ladder, Rung
+from ..harmonic import growth, uniform_acceleration
+from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
 from ..scalars import ZERO, cos, sin, sqrt
 from ..vectors import add3, cross3, scale3
@@ -43,7 +43,7 @@ def free_body(omega):
     >>> free_body(0.5).derivative((2.0, 0.0, 1.0, 1.0))  # centrifugal 0.5 along x, Coriolis 1.0 and -1.0
     (1.0, 1.0, 1.5, -1.0)
     """
-    return Model("free body in a turning station", {"omega": omega}, STATES, _rates, _INVARIANTS, _exact)
+    return Model("free body in a turning station", locals(), STATES, _rates, _INVARIANTS, _exact)
 
 
 def body_in_air(omega, air, creep=CREEP):
@@ -54,7 +54,7 @@ def body_in_air(omega, air, creep=CREEP):
     >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))  # 0.25 against the velocity
     (3.0, 4.0, 4.35, -3.2)
     """
-    return Model("body in the air of a turning station", {"omega": omega, "air": air, "creep": creep}, STATES, _air_rates)
+    return Model("body in the air of a turning station", locals(), STATES, _air_rates)
 
 
 @scene("6.7", "space station", "uniform gravity, the turning station, air", ladder=True)
@@ -71,12 +71,9 @@ def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=
         raise ModelError("a station that does not turn has no weight to model: omega must not be zero")
     full = body_in_air(omega, air)
     parameters = {**full.parameters, "radius": radius}
-    models = (
-        Model("uniform gravity in a turning station", parameters, STATES, _uniform, {}, _parabola, (CORIOLIS, CHANGE, AIR)),
-        Model("free body in a turning station", parameters, STATES, _rates, _INVARIANTS, _exact, (AIR,)),
-        full,
-    )
-    return Ladder("space station", POSITION, t, tuple(Rung(model, start, _place) for model in models))
+    uniform = Model("uniform gravity in a turning station", parameters, STATES, _uniform, {}, _parabola, (CORIOLIS, CHANGE, AIR))
+    free = Model("free body in a turning station", parameters, STATES, _rates, _INVARIANTS, _exact, (AIR,))
+    return Ladder.of_models("space station", POSITION, t, start, _place, uniform, free, full)
 
 
 def _place(s, p, t):
@@ -88,8 +85,8 @@ def _uniform(s, p, t):
 
 
 def _parabola(s, p, t):
-    g = p.omega * p.omega * p.radius
-    return s.x + (s.dx + g * t / 2) * t, s.y + s.dy * t, s.dx + g * t, s.dy
+    x, dx = uniform_acceleration(s.x, s.dx, p.omega * p.omega * p.radius, t)
+    return x, s.y + s.dy * t, dx, s.dy
 
 
 def _rates(s, p, t):

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from ..frames import Frame
 from ..harmonic import plane_oscillation
-from ..ladders import Ladder, Rung
+from ..ladders import Ladder
 from ..mass import Inertia
 from ..models import Model, Neglected
 from ..rotations import euler_frame
@@ -81,13 +81,12 @@ def small_swings(length, g):
     >>> small_swings(3.0, 10.0).derivative((0.1, -0.2, 0.0, 0.2))
     (0.0, 0.2, -0.5, 1.0)
     """
-    return Model("bar, small swings", {"length": length, "g": g}, STATES, _small, exact=_small_exact, neglects=(SIZE, FRICTION))
+    return Model("bar, small swings", locals(), STATES, _small, {}, _small_exact, (SIZE, FRICTION))
 
 
 def small_swings_with_friction(length, g, friction):
     """Small swings with friction, an ellipse that shrinks; friction is less than 2 sqrt(3 g/(2 length)), with which it creeps to rest."""
-    parameters = {"length": length, "g": g, "friction": friction}
-    return Model("bar, small swings with friction", parameters, STATES, _damped, exact=_damped_exact, neglects=(SIZE,))
+    return Model("bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,))
 
 
 def any_swing(length, g):
@@ -97,7 +96,7 @@ def any_swing(length, g):
 
 def any_swing_with_friction(length, g, friction):
     """The same with friction: states x, y, dx, dy of the tip."""
-    return Model("bar, any swing with friction", {"length": length, "g": g, "friction": friction}, STATES, _full)
+    return Model("bar, any swing with friction", locals(), STATES, _full)
 
 
 @scene("10.4", "spherical pendulum", "small swings and any, with friction in the joint or without", ladder=True)
@@ -111,13 +110,9 @@ def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0
     bar, small swings with friction
     bar, any swing with friction
     """
-    models = (
-        small_swings(length, g),
-        small_swings_with_friction(length, g, friction),
-        any_swing(length, g),
-        any_swing_with_friction(length, g, friction),
-    )
-    return Ladder("spherical pendulum", PLACE, t, tuple(Rung(model, start, _place) for model in models))
+    small = small_swings(length, g), small_swings_with_friction(length, g, friction)
+    models = *small, any_swing(length, g), any_swing_with_friction(length, g, friction)
+    return Ladder.of_models("spherical pendulum", PLACE, t, start, _place, *models)
 
 
 def _place(s, p, t):

@@ -11,7 +11,7 @@ from math import copysign
 
 from ..gyros import GyroError
 from ..harmonic import growth, oscillation
-from ..ladders import Ladder, Rung
+from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
 from ..scalars import acos, cos, is_numeric, plain, sin, size, sqrt
 from .catalogue import scene
@@ -111,12 +111,9 @@ def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0
     if not stiff > 0:
         raise ModelError(f"omega = {omega!r} is the least rate at which the rod swings out, where small swings have no rate of their own")
     parameters = {**hinged(**data).parameters, "shaft": shaft, "rest": at, "stiffness": stiff}
-    models = (
-        Model("small swings on a turning shaft", parameters, STATES, _small_rates, {"energy": _small_energy}, _small_exact, (LARGE, EVEN)),
-        Model("hinged on a turning shaft", parameters, STATES, _rates, {"energy": _energy}, neglects=(EVEN,)),
-        on_free_shaft(**data, shaft=shaft, theta=start[0]),
-    )
-    return Ladder("turning shaft", ANGLE, t, tuple(Rung(model, start, _angle) for model in models))
+    small = Model("small swings on a turning shaft", parameters, STATES, _small_rates, {"energy": _small_energy}, _small_exact, (LARGE, EVEN))
+    even = Model("hinged on a turning shaft", parameters, STATES, _rates, {"energy": _energy}, neglects=(EVEN,))
+    return Ladder.of_models("turning shaft", ANGLE, t, start, _angle, small, even, on_free_shaft(**data, shaft=shaft, theta=start[0]))
 
 
 def _angle(s, p, t):
