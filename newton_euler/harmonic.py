@@ -31,6 +31,12 @@ def plane_oscillation(s, square, t, damping=ZERO):
     return x, y, dx, dy
 
 
+def turned(x, y, angle):
+    """The components x, y of a vector that is turned by the angle, counterclockwise."""
+    c, s = cos(angle), sin(angle)
+    return c * x - s * y, c * y + s * x
+
+
 def growth(n, t):
     """cosh(n t), sinh(n t)/n and (cosh(n t) - 1)/n^2: x at the time t if x'' = n^2 x + a, for a start at 1, a rate of 1, and a = 1.
 

@@ -14,7 +14,7 @@ large.
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from types import MappingProxyType
 
 from .models import Model, ModelError
@@ -51,6 +51,12 @@ class Rung:
         return float(sum(map(size, bounds))) if bounds else math.inf
 
 
+@cache
+def observed_states(*names):
+    """The function for :class:`Rung` that observes the states of these names; always the same one, so that what is compiled of it is kept."""
+    return lambda s, p, t: tuple(getattr(s, n) for n in names)
+
+
 @dataclass(frozen=True, eq=False)
 class Ladder:
     """The models of one scene, with one start, for one question.
@@ -75,9 +81,9 @@ class Ladder:
             raise ModelError(f"the bounds of {self.name!r} are of different quantities and cannot be compared: {self.of}; {'; '.join(other)}")
 
     @classmethod
-    def of_models(cls, name, of, t, start, observed, *models):
-        """The ladder of models that have the same states, and so one start and one function for what is observed."""
-        return cls(name, of, t, tuple(Rung(model, start, observed) for model in models))
+    def of_models(cls, name, of, t, start, names, *models):
+        """The ladder of models that have the same states, and so one start; what is observed are states, given by their ``names``."""
+        return cls(name, of, t, tuple(Rung(model, start, observed_states(*names)) for model in models))
 
     @property
     def fullest(self):

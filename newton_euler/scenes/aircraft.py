@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from ..frames import Frame
 from ..kinetics import reaction
-from ..ladders import Ladder, Rung
+from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, Neglected, is_absent
 from ..scalars import atan2, cos, moving, plain, sin, sqrt, tan
 from .catalogue import scene
@@ -80,7 +80,7 @@ def ladder(m=1000.0, g=9.81, thrust=1000.0, lift=2.8, drag=0.27, bank=0.05, star
     plane = Model("aircraft in a vertical plane", {**forces, **ground}, PLANE, _in_plane, neglects=(BANK,))
     space = Model("aircraft in space", {**forces, "bank": bank}, SPACE, _in_space)
     turns = () if is_absent(bank) else (Rung(turn, (chi,), _on_circle),)
-    freer = Rung(plane, (v, gamma, 0.0, h), _in_ground), Rung(space, start, _place)
+    freer = Rung(plane, (v, gamma, 0.0, h), _in_ground), Rung(space, start, observed_states("x", "y", "h"))
     return Ladder("aircraft", POSITION, t, (Rung(straight, (0.0,), _on_line), *turns, *freer))
 
 
@@ -121,10 +121,6 @@ def _on_circle(s, p, t):
 
 def _in_ground(s, p, t):
     return p.x0 + s.x * sin(p.chi0), p.y0 + s.x * cos(p.chi0), s.y
-
-
-def _place(s, p, t):
-    return s.x, s.y, s.h
 
 
 def _in_plane(s, p, t):

@@ -98,7 +98,7 @@ def ladder(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81
     wheels = Model("car on wheels", parameters, STATES, _wheel_rates, {}, _wheel_exact, (AIR,))
     if start[1] < 0 or _stops(Named("parameter", parameters), start[1]) < t:
         raise ModelError(f"the ladder is for a car that goes uphill until t = {t!r}; with {force!r} N and v = {start[1]!r} it does not")
-    return Ladder.of_models("car on a hill", WAY, t, start, _way, particle, wheels, Model("car on wheels, in air", parameters, STATES, _air_rates))
+    return Ladder.of_models("car on a hill", WAY, t, start, ("s",), particle, wheels, Model("car on wheels, in air", parameters, STATES, _air_rates))
 
 
 def _stops(p, v):
@@ -107,10 +107,6 @@ def _stops(p, v):
     if held <= 0:
         return inf
     return mass * atan(v * sqrt(p.air / held)) / sqrt(p.air * held) if p.air else mass * v / held
-
-
-def _way(s, p, t):
-    return (s.s,)
 
 
 def _left(p):

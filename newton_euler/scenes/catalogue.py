@@ -21,11 +21,6 @@ class Scene:
     description: str
     make: Callable
 
-    @property
-    def chapter(self):
-        """The number of the chapter, as an int."""
-        return int(self.section.partition(".")[0])
-
     @cached_property
     def motion(self):
         """(model, t, start), made when first asked for and then kept, since what is traced and compiled belongs to the model."""

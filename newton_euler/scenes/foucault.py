@@ -46,11 +46,7 @@ def ladder(length=67.0, g=9.81, latitude=0.8526, rate=EARTH_RATE, radius=EARTH_R
     still = replace(air_near_low(0, g / length, rate=0), name="Foucault's pendulum, small swings, Earth at rest", neglects=(SIZE, ROTATION))
     turned = replace(air_near_low(latitude, g / length, rate=rate), name="Foucault's pendulum, small swings", neglects=(SIZE,))
     models = still, turned, any_swing(length, g), full(length, g, latitude, rate, radius)
-    return Ladder.of_models("Foucault's pendulum", PLACE, t, start, _place, *models)
-
-
-def _place(s, p, t):
-    return s.x, s.y
+    return Ladder.of_models("Foucault's pendulum", PLACE, t, start, ("x", "y"), *models)
 
 
 def below(s, length):

@@ -12,10 +12,10 @@ about z is constant, w_x and w_y go around an ellipse (a circle for the symmetri
 from ..doubled import doubled
 from ..elliptic import coupled
 from ..gyros import GyroError
-from ..harmonic import circular_or_hyperbolic
-from ..ladders import Ladder, Rung
+from ..harmonic import circular_or_hyperbolic, turned
+from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, ModelError, Neglected
-from ..scalars import cos, is_comparable, is_finite, is_numeric, of_one_kind, plain, sin, size, sqrt, where
+from ..scalars import is_comparable, is_finite, is_numeric, of_one_kind, plain, size, sqrt, where
 from ..vectors import dot3
 from .catalogue import scene
 
@@ -84,11 +84,11 @@ def _exact(s, p, t):
     k = (I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]
     y, z = k[2] * k[0] >= 0, k[0] * k[1] >= 0  # is the intermediate axis, to be put second in the cycle x, y, z
 
-    def turned(of_x, of_y, of_z):
+    def in_cycle(of_x, of_y, of_z):
         return where(y, of_x, where(z, of_y, of_z)), where(y, of_y, where(z, of_z, of_x)), where(y, of_z, where(z, of_x, of_y))
 
-    k, w = turned(*k), turned(w_x, w_y, w_z)
-    a, b, c, _ = coupled(k, w, _gap(k, turned(*I), w), t)
+    k, w = in_cycle(*k), in_cycle(w_x, w_y, w_z)
+    a, b, c, _ = coupled(k, w, _gap(k, in_cycle(*I), w), t)
     return where(y, a, where(z, c, b)), where(y, b, where(z, a, c)), where(y, c, where(z, b, a))
 
 
@@ -144,15 +144,11 @@ def ladder(I_x=1.0, I_y=1.02, I_z=1.5, start=(0.1, 0.0, 5.0), t=10.0):
     """
     *across, spin = start
     rungs = [Rung(make(I_x, I_y, I_z, spin), tuple(across), _with_spin) for make in (symmetric_wobble, small_wobble)]
-    return Ladder("free body", RATES, t, (*rungs, Rung(free_body(I_x, I_y, I_z), start, _all)))
+    return Ladder("free body", RATES, t, (*rungs, Rung(free_body(I_x, I_y, I_z), start, observed_states("w_x", "w_y", "w_z"))))
 
 
 def _with_spin(s, p, t):
     return s.w_x, s.w_y, p.spin
-
-
-def _all(s, p, t):
-    return s.w_x, s.w_y, s.w_z
 
 
 def _turning(p):
@@ -166,8 +162,7 @@ def _symmetric(s, p, t):
 
 
 def _symmetric_exact(s, p, t):
-    c, S = cos(_turning(p) * t), sin(_turning(p) * t)
-    return s.w_x * c - s.w_y * S, s.w_y * c + s.w_x * S
+    return turned(s.w_x, s.w_y, _turning(p) * t)
 
 
 def _factors(p):

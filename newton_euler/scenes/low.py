@@ -7,10 +7,10 @@ centre, and ``pressure_gradient`` is its gradient over density and distance. The
 """
 
 from ..earth import EARTH_RATE, coriolis_parameter
-from ..harmonic import oscillation, plane_oscillation
+from ..harmonic import oscillation, plane_oscillation, turned
 from ..ladders import Ladder
 from ..models import Model, Neglected, is_absent
-from ..scalars import cos, radians, sin, sqrt
+from ..scalars import radians, sqrt
 from .catalogue import scene
 
 POSITION = "position, m"
@@ -57,11 +57,7 @@ def ladder(latitude=0.8, pressure_gradient=2e-9, friction=1e-5, rate=EARTH_RATE,
     full, energy = air_near_low(latitude, pressure_gradient, friction, rate), {"energy over mass": _energy}
     still = Model("air near a low, Earth at rest", full.parameters, STATES, _still_rates, energy, _still_exact, (ROTATION, FRICTION))
     smooth = Model("air near a low, without friction", full.parameters, STATES, _smooth_rates, _INVARIANTS, _exact, (FRICTION,))
-    return Ladder.of_models("air near a low", POSITION, t, start, _place, still, smooth, full)
-
-
-def _place(s, p, t):
-    return s.x, s.y
+    return Ladder.of_models("air near a low", POSITION, t, start, ("x", "y"), still, smooth, full)
 
 
 def _still_rates(s, p, t):
@@ -94,17 +90,11 @@ def _exact(s, p, t):
     half = coriolis_parameter(p.latitude, p.rate) / 2
     square = half * half + p.pressure_gradient
     (x, dx), (y, dy) = oscillation(s.x, s.dx - half * s.y, square, t), oscillation(s.y, s.dy + half * s.x, square, t)
-    return *_turned(x, y, half * t), *_turned(dx + half * y, dy - half * x, half * t)
+    return *turned(x, y, -half * t), *turned(dx + half * y, dy - half * x, -half * t)
 
 
 def _still_exact(s, p, t):
     return plane_oscillation(s, p.pressure_gradient, t)
-
-
-def _turned(x, y, angle):
-    """Turned clockwise."""
-    c, s = cos(angle), sin(angle)
-    return c * x + s * y, c * y - s * x
 
 
 # -- what may be neglected
@@ -115,7 +105,7 @@ def _turned(x, y, angle):
 
 def _moved(s, p, t):
     """What a force over mass of one unit per unit of speed can add to the position until t."""
-    return sqrt(s.dx * s.dx + s.dy * s.dy + p.pressure_gradient * (s.x * s.x + s.y * s.y)) * (t * t) / 2
+    return sqrt(2 * _energy(s, p, t)) * (t * t) / 2
 
 
 def _by_rotation(s, p, t):

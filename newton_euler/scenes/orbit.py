@@ -15,7 +15,7 @@ from dataclasses import replace
 from ..doubled import doubled
 from ..earth import EARTH_GM
 from ..harmonic import stumpff
-from ..ladders import Ladder, Rung
+from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, ModelError, Neglected
 from ..scalars import atan2, cos, epsilon, is_comparable, is_finite, is_numeric, of_one_kind, plain, sin, size, sqrt, where
 from .catalogue import scene
@@ -193,7 +193,7 @@ def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3
     r, angle, swept = math.hypot(x, y), math.atan2(y, x), x * v_y - y * v_x
     rungs = (
         Rung(circle(mu, r, math.copysign(1.0, swept)), (angle,), _on_circle),
-        Rung(replace(orbit(mu), name="satellite, ellipse", neglects=(BULGE,)), start, _place),
+        Rung(replace(orbit(mu), name="satellite, ellipse", neglects=(BULGE,)), start, observed_states("x", "y")),
         Rung(over_equator(mu, oblateness, swept), (r, (x * v_x + y * v_y) / r, angle), _at_angle),
     )
     return Ladder("satellite", POSITION, t, rungs)
@@ -222,10 +222,6 @@ def _oblate_energy(s, p, t):
 
 def _on_circle(s, p, t):
     return p.r * cos(s.angle), p.r * sin(s.angle)
-
-
-def _place(s, p, t):
-    return s.x, s.y
 
 
 def _at_angle(s, p, t):

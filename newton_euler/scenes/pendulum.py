@@ -117,11 +117,7 @@ def ladder(m=1.0, I=0.002, l=1.0, g=9.81, start=(0.3, 0.0), t=10.0):
     ['pendulum, small swings', 'pendulum, a particle', 'physical pendulum']
     """
     models = small_swings(m, I, l, g), particle(m, l, g, I), physical_pendulum(m, I, l, g)
-    return Ladder.of_models("physical pendulum", ANGLE, t, start, _theta, *models)
-
-
-def _theta(s, p, t):
-    return (s.theta,)
+    return Ladder.of_models("physical pendulum", ANGLE, t, start, ("theta",), *models)
 
 
 def _small_rates(s, p, t):

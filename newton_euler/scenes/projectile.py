@@ -67,15 +67,11 @@ def ladder(g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8
     Six, or four if ``drag`` is 0.
     """
     makers = (flat, coriolis, plumb, flat_in_air, full, full_in_air) if drag else (flat, coriolis, plumb, full)
-    return Ladder.of_models("projectile", POSITION, t, start, _place, *(make(g, latitude, rate, radius, drag) for make in makers))
+    return Ladder.of_models("projectile", POSITION, t, start, STATES[:3], *(make(g, latitude, rate, radius, drag) for make in makers))
 
 
 def _model(name, parameters, rhs, neglects=(), exact=None, invariants=()):
     return Model(f"projectile, {name}", parameters, STATES, rhs, invariants, exact, neglects)
-
-
-def _place(s, p, t):
-    return _r(s)
 
 
 def _r(s):

@@ -83,7 +83,7 @@ def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
     full = rolling_in_air(slope, g, air, k)
     block = Model("block on an incline", full.parameters, STATES, _block_rates, {"energy over mass": _block_energy}, _block_exact, (ROTATION, AIR))
     sphere = Model("sphere on an incline", full.parameters, STATES, _rates, {"energy over mass": _energy}, _exact, (AIR,))
-    return Ladder.of_models("sphere on an incline", WAY, t, start, _way, block, sphere, full)
+    return Ladder.of_models("sphere on an incline", WAY, t, start, ("x",), block, sphere, full)
 
 
 def friction_needed(slope, k=None):
@@ -94,10 +94,6 @@ def friction_needed(slope, k=None):
     """
     k = _ratio(slope, k)
     return plain(k * tan(slope) / (1 + k))
-
-
-def _way(s, p, t):
-    return (s.x,)
 
 
 def _acceleration(p):

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from ..frames import Frame, Point
 from ..harmonic import uniform_acceleration
-from ..ladders import Ladder, Rung
+from ..ladders import Ladder, Rung, observed_states
 from ..mass import Body, Inertia
 from ..models import Model, Neglected
 from ..rotors import reactions
@@ -95,11 +95,7 @@ def ladder(mass=20.0, x=2e-4, y=0.0, I=0.5, g=9.81, moment=0.5, start=(0.0, 10.0
     full = turning_rotor(mass, x, y, I, g, moment)
     steady = Model("rotor at a constant rate", {**full.parameters, "omega": start[1]}, ("psi",), _steady, {}, _turned, (MOMENT, WEIGHT))
     light = Model("rotor without weight", full.parameters, ("psi", "omega"), _light, {"energy": _light_energy}, _sped_up, (WEIGHT,))
-    return Ladder("rotor", ANGLE, t, (Rung(steady, start[:1], _angle), Rung(light, start, _angle), Rung(full, start, _angle)))
-
-
-def _angle(s, p, t):
-    return (s.psi,)
+    return Ladder("rotor", ANGLE, t, tuple(Rung(model, start[: len(model.states)], observed_states("psi")) for model in (steady, light, full)))
 
 
 def _steady(s, p, t):

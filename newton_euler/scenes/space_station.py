@@ -7,10 +7,10 @@ limacon that the book names.
 :func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the Earth, as it does in the station, and with the air.
 """
 
-from ..harmonic import growth, uniform_acceleration
+from ..harmonic import growth, turned, uniform_acceleration
 from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
-from ..scalars import ZERO, cos, sin, sqrt
+from ..scalars import ZERO, sqrt
 from ..vectors import add3, cross3, scale3
 from .catalogue import scene
 
@@ -73,11 +73,7 @@ def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=
     parameters = {**full.parameters, "radius": radius}
     uniform = Model("uniform gravity in a turning station", parameters, STATES, _uniform, {}, _parabola, (CORIOLIS, CHANGE, AIR))
     free = Model("free body in a turning station", parameters, STATES, _rates, _INVARIANTS, _exact, (AIR,))
-    return Ladder.of_models("space station", POSITION, t, start, _place, uniform, free, full)
-
-
-def _place(s, p, t):
-    return s.x, s.y
+    return Ladder.of_models("space station", POSITION, t, start, ("x", "y"), uniform, free, full)
 
 
 def _uniform(s, p, t):
@@ -118,15 +114,10 @@ _INVARIANTS = {
 
 def _exact(s, p, t):
     """The straight line r0 + w t, turned back by omega t."""
-    w = _among_stars(s, p)
-    x, y = _turned_back((s.x + w[0] * t, s.y + w[1] * t), p.omega * t)
-    dx, dy = _turned_back(w, p.omega * t)
+    wx, wy = _among_stars(s, p)
+    x, y = turned(s.x + wx * t, s.y + wy * t, -p.omega * t)
+    dx, dy = turned(wx, wy, -p.omega * t)
     return x, y, dx + p.omega * y, dy - p.omega * x
-
-
-def _turned_back(r, angle):
-    c, s = cos(angle), sin(angle)
-    return c * r[0] + s * r[1], c * r[1] - s * r[0]
 
 
 # -- what may be neglected

@@ -112,11 +112,7 @@ def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0
     """
     small = small_swings(length, g), small_swings_with_friction(length, g, friction)
     models = *small, any_swing(length, g), any_swing_with_friction(length, g, friction)
-    return Ladder.of_models("spherical pendulum", PLACE, t, start, _place, *models)
-
-
-def _place(s, p, t):
-    return s.x, s.y
+    return Ladder.of_models("spherical pendulum", PLACE, t, start, ("x", "y"), *models)
 
 
 def _square(p):

@@ -8,6 +8,7 @@ turn by turn, :func:`euler` where psi and phi are wanted and the axis stays off 
 from dataclasses import replace
 
 from ..energy import gyroscope_energy
+from ..harmonic import turned
 from ..models import Model
 from ..rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
 from ..scalars import cos, plain, scalar, sin, sqrt, tan
@@ -228,6 +229,5 @@ def free(I0, I, omega_z):
 def _free_exact(s, p, t):
     q, rate = (s.q0, s.q1, s.q2, s.q3), p.I * p.omega_z / p.I0
     about = apply(matrix_from_quaternion(q), (s.w_x, s.w_y, rate))  # H/I0 in the ground
-    turned = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), q)
-    back, c, sn = quaternion((0, 0, 1), -rate * t), cos(rate * t), sin(rate * t)
-    return *quaternion_product(turned, back), s.w_x * c - s.w_y * sn, s.w_y * c + s.w_x * sn
+    moved = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), q)
+    return *quaternion_product(moved, quaternion((0, 0, 1), -rate * t)), *turned(s.w_x, s.w_y, rate * t)

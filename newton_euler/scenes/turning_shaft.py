@@ -113,11 +113,7 @@ def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0
     parameters = {**hinged(**data).parameters, "shaft": shaft, "rest": at, "stiffness": stiff}
     small = Model("small swings on a turning shaft", parameters, STATES, _small_rates, {"energy": _small_energy}, _small_exact, (LARGE, EVEN))
     even = Model("hinged on a turning shaft", parameters, STATES, _rates, {"energy": _energy}, neglects=(EVEN,))
-    return Ladder.of_models("turning shaft", ANGLE, t, start, _angle, small, even, on_free_shaft(**data, shaft=shaft, theta=start[0]))
-
-
-def _angle(s, p, t):
-    return (s.theta,)
+    return Ladder.of_models("turning shaft", ANGLE, t, start, ("theta",), small, even, on_free_shaft(**data, shaft=shaft, theta=start[0]))
 
 
 def _small_rates(s, p, t):
