@@ -11,7 +11,7 @@ from inspect import Parameter, Signature
 from keyword import iskeyword
 from types import MappingProxyType
 
-from .scalars import ScalarError, is_zero, plain, scalar
+from .scalars import ScalarError, is_comparable, is_zero, of_one_kind, plain, scalar
 from .tracing import compiled
 
 KEPT = 256  # right-hand sides, of which functions made at each call would else pile up
@@ -212,6 +212,17 @@ def is_law(x):
 def is_absent(x):
     """True for a number that is 0, as a force that is left out; a law is none."""
     return not is_law(x) and is_zero(scalar(x))
+
+
+def comparable(what, *values):
+    """The values as :func:`~newton_euler.scalars.of_one_kind` returns them, for an exact solution whose branches compare them.
+
+    ``what`` : the body, for the message; :class:`ModelError` for expressions.
+    """
+    values = of_one_kind(*values)
+    if not all(map(is_comparable, values)):
+        raise ModelError(f"the exact solution of the {what} needs numbers: its branches compare them; put values in first")
+    return values
 
 
 def second_order(name, parameters, coordinates, accelerations, **more):

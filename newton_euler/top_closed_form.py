@@ -6,15 +6,14 @@ below.
 """
 
 from .elliptic import counted, coupled
-from .models import ModelError
-from .scalars import acos, cos, is_comparable, of_one_kind, sin, sqrt, where, whole
+from .models import comparable
+from .scalars import acos, cos, sin, sqrt, where, whole
 
 
 def nutation_exact(s, p, t):
     """theta and its rate at the time t after the state ``s`` of :func:`newton_euler.scenes.top.nutation`, whose parameters are ``p``."""
-    theta, rate, I0, I, mgr, omega_z, q, t = of_one_kind(s.theta, s.theta_rate, p.I0, p.I, p.mgr, p.omega_z, p.momentum_difference, t)
-    if not all(map(is_comparable, (theta, rate, I0, I, mgr, omega_z, q, t))):
-        raise ModelError("the exact solution of the top needs numbers: its branches compare them; put values in first")
+    given = s.theta, s.theta_rate, p.I0, p.I, p.mgr, p.omega_z, p.momentum_difference, t
+    theta, rate, I0, I, mgr, omega_z, q, t = comparable("top", *given)
     whole, below, start = 2 * (I * omega_z) + q, mgr < 0, (cos(theta / 2), sin(theta / 2))
 
     def seen(x, y):

@@ -14,8 +14,8 @@ from ..elliptic import coupled
 from ..gyros import GyroError
 from ..harmonic import circular_or_hyperbolic, turned
 from ..ladders import Ladder, Rung, observed_states
-from ..models import Model, ModelError, Neglected
-from ..scalars import is_comparable, is_finite, is_numeric, of_one_kind, plain, size, sqrt, where
+from ..models import Model, ModelError, Neglected, comparable
+from ..scalars import is_finite, is_numeric, plain, size, sqrt, where
 from ..vectors import dot3
 from .catalogue import scene
 
@@ -79,7 +79,7 @@ def _momentum(s, p, t):
 
 
 def _exact(s, p, t):
-    *I, w_x, w_y, w_z, t = of_one_kind(p.I_x, p.I_y, p.I_z, s.w_x, s.w_y, s.w_z, t)
+    *I, w_x, w_y, w_z, t = comparable("free body", p.I_x, p.I_y, p.I_z, s.w_x, s.w_y, s.w_z, t)
     _check(I, (w_x, w_y, w_z), t)
     k = (I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]
     y, z = k[2] * k[0] >= 0, k[0] * k[1] >= 0  # is the intermediate axis, to be put second in the cycle x, y, z
@@ -93,8 +93,6 @@ def _exact(s, p, t):
 
 
 def _check(moments, w, t):
-    if not all(map(is_comparable, (*moments, *w, t))):
-        raise ModelError("the exact solution of the free body needs numbers: its branches compare the moments and the state; put values in first")
     if not all(map(is_finite, (*moments, *w, t))):
         raise ModelError(f"the free body cannot start with {w} at moments {moments} and go to t = {t}: all must be finite")
     if any(is_numeric(I) and size(where(I > 0, 0, 1)) for I in moments):

@@ -13,9 +13,9 @@ from ..elliptic import counted, coupled
 from ..energy import plane_kinetic_energy, speed_after
 from ..harmonic import growth, oscillation
 from ..ladders import Ladder
-from ..models import Model, ModelError, Neglected
+from ..models import Model, Neglected, comparable
 from ..potential import weight_potential
-from ..scalars import asin, cos, is_comparable, of_one_kind, scalar, sin, sqrt, where
+from ..scalars import asin, cos, scalar, sin, sqrt, where
 from ..work import summed
 from .catalogue import scene
 
@@ -54,9 +54,7 @@ def _energy(s, p, t):
 
 def _exact(s, p, t):
     """cos(theta/2), sin(theta/2) and omega/2 change at rates that are products of the others; with g or l negative, sine and cosine change places."""
-    theta, omega, k, t = of_one_kind(s.theta, s.omega, _square(p, p.I), t)
-    if not all(map(is_comparable, (theta, omega, k, t))):
-        raise ModelError("the exact solution of the pendulum needs numbers: its branches compare them; put values in first")
+    theta, omega, k, t = comparable("pendulum", s.theta, s.omega, _square(p, p.I), t)
     half, upright = theta / 2, k < 0
     start = cos(half), sin(half)
     x, y = where(upright, start[1], start[0]), where(upright, start[0], start[1])
