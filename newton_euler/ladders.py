@@ -1,9 +1,8 @@
 """Ladders: the models of one scene from the coarsest to the fullest, and the smallest one that a question needs.
 
-The rungs of a ladder may have other states, but all can be asked for the same thing: what is *observed*, as the position of a shot or the angle
-of a top. The error of a rung is the largest distance, over the whole time, between what it says of this and what the fullest rung says. What a model
-leaves out it tells in words, with a bound of the error where one is known. A rung without a bound is measured, and so is one whose bound is too
-large.
+The rungs of a ladder may have different states, but from the states of each the same quantity is *observed*, as the position of a shot or the angle
+of a top. The error of a rung is the largest distance, over the whole time, between its prediction and that of the fullest rung. Each model names what
+it leaves out, with a bound of the error where one is known. The error of a rung without a bound, or whose bound is too large, is measured.
 
 >>> from newton_euler.scenes import ladder
 >>> choice = smallest(ladder("projectile"), 1.0)  # metre
@@ -29,9 +28,9 @@ ROUGH, FINEST = 1e-9, 1e-12  # relative errors of the states: the second is trie
 class Rung:
     """One model of a ladder.
 
-    model : the :class:`~newton_euler.models.Model`; it ``neglects`` what the rungs above it have, with bounds of the error against the fullest
-    start : its states at t = 0, for the start of the ladder
-    observed : a function ``(s, p, t)`` of its states that returns a tuple, what is observed, in the unit of the ladder
+    model : the :class:`~newton_euler.models.Model`; it ``neglects`` what the fuller rungs contain, with bounds of the error against the fullest
+    start : its states at t = 0
+    observed : a function ``(s, p, t)`` of its states that returns what is observed, a tuple, in the unit of the ladder
     """
 
     model: Model
@@ -40,11 +39,11 @@ class Rung:
 
     @property
     def name(self):
-        """That of the model."""
+        """The name of the model."""
         return self.model.name
 
     def bound(self, t):
-        """What the error is not larger than until ``t``, by what the model neglects: inf if it names nothing, or something without a bound."""
+        """The bound of the error until ``t``, by what the model neglects: inf if it names nothing, or something without a bound."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
             raise ModelError(f"the bounds of {self.name!r} have no values: give numbers for the parameters, the start and t")
@@ -53,7 +52,7 @@ class Rung:
 
 @cache
 def observed_states(*names):
-    """The function for :class:`Rung` that observes the states of these names; always the same one, so that what is compiled of it is kept."""
+    """The function for :class:`Rung` that returns the states of these names; made once, since compiled code is kept by function."""
     return lambda s, p, t: tuple(getattr(s, n) for n in names)
 
 
@@ -82,7 +81,7 @@ class Ladder:
 
     @classmethod
     def of_models(cls, name, of, t, start, names, *models):
-        """The ladder of models that have the same states, and so one start; what is observed are states, given by their ``names``."""
+        """The ladder of models that have the same states, and so the same start; what is observed are the states of these ``names``."""
         return cls(name, of, t, tuple(Rung(model, start, observed_states(*names)) for model in models))
 
     @property
@@ -98,7 +97,7 @@ class Ladder:
         return found[name]
 
     def observe(self, rung, rtol):
-        """What a rung says, an array (parts, instants) over the time of the ladder, with states within ``rtol``."""
+        """What is observed of a rung, an array (components, instants) over the time of the ladder; its states are within ``rtol``."""
         import numpy as np
 
         from .motion import integrate
@@ -115,10 +114,10 @@ class Ladder:
         return values if ROUGH * abs(values).max() <= accuracy else self.observe(rung, FINEST)
 
     def error(self, rung, accuracy=0.0):
-        """How far a rung is from the fullest one: the largest distance of what is observed, over the whole time, in the ladder's unit.
+        """The error of a rung against the fullest one: the largest distance of what is observed, over the whole time, in the ladder's unit.
 
-        accuracy : how well it needs to be known; the default is as well as can be
-        A rung that cannot be followed to the end, as angles through a singular place, is infinitely far.
+        accuracy : of this error; the default is the best that can be reached
+        The error of a rung that cannot be integrated to the end, as angles through a singular position, is infinite.
         """
         if rung is self.fullest:
             return 0.0
@@ -134,7 +133,7 @@ class Ladder:
         return far if far == far else math.inf
 
     def _kept(self, key, accuracy, found):
-        """What was found before with at least this accuracy, or else now."""
+        """What was found before with at least this accuracy; otherwise it is found now."""
         known = self._found.get(key)
         if known is None or known[1] > accuracy:
             known = self._found[key] = found(), accuracy
@@ -147,7 +146,7 @@ class Ladder:
 
 @dataclass(frozen=True)
 class Evidence:
-    """Why a rung holds or does not: the ``bound`` of its error by what it neglects (inf if it has none), and its ``error`` (None if not needed)."""
+    """Why a rung is chosen or not: the ``bound`` of its error by what it neglects (inf if there is none), and its ``error`` (None if not needed)."""
 
     bound: float
     error: float | None
@@ -155,7 +154,7 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Choice:
-    """What :func:`smallest` found: the ``rung``, and the :class:`Evidence` of every rung up to it by its name; ``print`` it for words."""
+    """The result of :func:`smallest`: the ``rung``, and by name the :class:`Evidence` of every rung up to it; ``print`` it for an explanation."""
 
     rung: Rung
     evidence: Mapping
@@ -168,11 +167,11 @@ class Choice:
         return self.rung.model
 
     def explain(self):
-        """Rung by rung, in words, and what the chosen one leaves out."""
-        lines = [f"for {self.of}, within {self.tolerance:.3g}:", *(self._told(name, e) for name, e in self.evidence.items())]
+        """The evidence rung by rung, and what the chosen one leaves out, as text."""
+        lines = [f"for {self.of}, within {self.tolerance:.3g}:", *(self._line(name, e) for name, e in self.evidence.items())]
         return "\n".join([*lines, *(f"it leaves out {n.what}" for n in self.model.neglects)])
 
-    def _told(self, name, evidence):
+    def _line(self, name, evidence):
         bound = f"off by at most {evidence.bound:.3g}" if evidence.bound < math.inf else "no bound is known"
         measured = "" if evidence.error is None else f", by {evidence.error:.3g} from the fullest"
         return f"{'takes' if name == self.rung.name else 'not'} {name}: {bound}{measured}"
@@ -183,9 +182,9 @@ class Choice:
 def smallest(ladder, tolerance):
     """The cheapest rung of a ladder whose error stays within ``tolerance`` (in the ladder's unit), with the evidence: a :class:`Choice`.
 
-    From the cheapest rung on: the bound of what it neglects, which costs nothing, accepts it if it is small enough; else its motion is compared with
-    that of the fullest rung. So no cheaper rung would have done. The fullest is measured against nothing, but its bound, if it has one, counts for
-    all; :class:`ModelError` if that is too large.
+    The rungs are tried from the cheapest on. A rung is accepted if the bound of what it neglects, which costs nothing to compute, is small enough, or
+    if its motion is near enough to that of the fullest rung. The bound of the fullest rung itself, if it has one, is added to every error;
+    :class:`ModelError` if that is too large.
 
     >>> from newton_euler.scenes import ladder
     >>> print(smallest(ladder("projectile"), 2.0))
@@ -210,5 +209,5 @@ def smallest(ladder, tolerance):
         evidence[rung.name] = Evidence(bound, error)
         if min(bound, math.inf if error is None else error + left) <= tolerance:
             return Choice(rung, MappingProxyType(evidence), tolerance, ladder.of)
-    told = ", ".join(f"{name}: {e.bound:.3g}" for name, e in evidence.items())
-    raise ModelError(f"no model of this ladder is as accurate as {tolerance:.3g}; the errors may reach {told}")
+    bounds = ", ".join(f"{name}: {e.bound:.3g}" for name, e in evidence.items())
+    raise ModelError(f"no model of this ladder is as accurate as {tolerance:.3g}; the errors may reach {bounds}")

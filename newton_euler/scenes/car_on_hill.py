@@ -14,7 +14,7 @@ from ..scalars import atan, plain, scalar, sin, sqrt
 from ..work import summed
 from .catalogue import scene
 
-WAY = "way up the hill, m"
+WAY = "distance up the hill, m"
 STATES = ("s", "v")
 
 
@@ -23,7 +23,7 @@ class Car:
     """A car on wheels that roll without slipping.
 
     m : mass of the whole car, wheels included; wheel_mass, gyration, radius : of each wheel, its radius of gyration about the axle and its radius
-    drag : the force of the air (and whatever else a tow rope feels on the level) as a function of the speed; g : gravity
+    drag : the resistance on the level, of the air and the wheels, as a function of the speed; g : gravity
 
     >>> car = Car(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, drag=lambda v: 0.5*v*v, g=9.81)
     >>> round(car.power(20.0, 1.0, 0.0), 1)
@@ -62,7 +62,7 @@ class Car:
         return plain(left / ((self.m + self._wheels()) * v))
 
     def model(self, power, slope):
-        """The motion up a hill as a Model with the states s, the way, and v; ``power`` and ``slope`` numbers or laws (s, p, t)."""
+        """The motion up a hill as a Model with the states s, the distance, and v; ``power`` and ``slope`` numbers or laws (s, p, t)."""
         return Model("car on a hill", {"power": power, "slope": slope}, ("s", "v"), lambda s, p, t: (s.v, self.acceleration(p.power, s.v, p.slope)))
 
     def _wheels(self):
@@ -82,7 +82,7 @@ def _wheels(p):
 
 @scene("11.19", "car on a hill", "a particle, a car on wheels, air", ladder=True)
 def ladder(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81, force=2500.0, slope=0.08, start=(0.0, 10.0), t=10.0):
-    """The models of one start, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the way, in m, until ``t``.
+    """The models of one start, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the distance, in m, until ``t``.
 
     force : at the wheels, the power over the speed, as one gear gives it; air : rho C_D A/2, kg/m; start : s, v; the rest as in :class:`Car`.
     Raises :class:`~newton_euler.models.ModelError` for a car that comes to rest before ``t``. The fullest model has no closed form that would hold
@@ -102,7 +102,7 @@ def ladder(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81
 
 
 def _stops(p, v):
-    """When it comes to rest, in numbers."""
+    """The time at which the car comes to rest; inf if it does not."""
     held, mass = -_left(p), p.m + _wheels(p)
     if held <= 0:
         return inf
@@ -110,7 +110,7 @@ def _stops(p, v):
 
 
 def _left(p):
-    """The force that is left over on the slope."""
+    """The resultant force along the slope, without the air."""
     return p.force - p.m * p.g * sin(p.slope)
 
 

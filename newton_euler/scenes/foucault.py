@@ -1,4 +1,4 @@
-"""A pendulum on the turning Earth, Foucault's, as a ladder: how far is the Earth a frame that does not turn, and how small is a small swing?
+"""Foucault's pendulum on the rotating Earth, as a ladder: swings small or of any size, on an Earth at rest or rotating.
 
 The axes are z up the plumb line, from the point from which the bob hangs, x east and y north; x, y are the place of the bob in plan. So ``g`` is the
 effective gravity where the bob hangs at rest, and the latitude is that of the plumb line. A cord of constant length pulls as hard as it must, and the

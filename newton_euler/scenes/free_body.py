@@ -2,7 +2,7 @@
 
 Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is Jacobi's: with b the intermediate axis and a the
 one that the motion circles, w_a is a dn, w_b a sn, w_c a cn. Near the separatrix, the motions that leave the intermediate axis and come back to it,
-k^2 is 1 within rounding, and formulas in k^2 are nonsense. Here 1 - k^2 comes from a difference of two squares, in twice the digits where these
+k^2 is 1 within round-off, and formulas in k^2 lose all digits. Here 1 - k^2 comes from a difference of two squares, in twice the digits where these
 cancel, and the state from that of the start by the addition theorem, :func:`newton_euler.elliptic.coupled`.
 
 :func:`ladder` has three models of a body that spins about z, more or less: symmetric, nearly steady, or as it is. In both approximations the rate
@@ -44,7 +44,7 @@ def tilt_growth(I_x, I_y, I_z, axis, rate):
     """The rate (1/s) at which a small tilt grows while a body spins at ``rate`` about its principal ``axis`` "x", "y" or "z": 0 where it does not.
 
     For the axis n with the others u, v it is |rate| sqrt((I_n - I_u)(I_v - I_n)/(I_u I_v)), real about the intermediate one alone. In the time T a
-    tilt grows by exp(growth T). A run of floats that starts on the axis stays there, and says nothing.
+    tilt grows by exp(growth T). An integration in floats that starts exactly on the axis stays there, and does not show the instability.
 
     >>> tilt_growth(1.0, 2.0, 3.0, "z", 10.0), round(tilt_growth(1.0, 2.0, 3.0, "y", 3.0), 6)
     (0.0, 1.732051)
@@ -100,7 +100,7 @@ def _check(moments, w, t):
 
 
 def _gap(k, I, w):
-    """What tells whether the motion circles the first axis (> 0) or the third (< 0), by the difference of H^2 and 2 T I_b, b the axis between."""
+    """A number that is > 0 if the motion circles the first axis, < 0 if the third: from H^2 - 2 T I_b, b the axis between."""
 
     def difference(Ia, Ib, Ic, wa, wc):
         return Ia * (Ia - Ib) * (wa * wa) - Ic * (Ib - Ic) * (wc * wc)

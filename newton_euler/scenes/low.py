@@ -86,7 +86,7 @@ _INVARIANTS = {"energy over mass": _energy, "absolute angular momentum over mass
 
 
 def _exact(s, p, t):
-    """An ellipse at the rate n about the centre, seen from axes that turn at f/2 to the left of the air."""
+    """In axes that turn at the rate -f/2 the parcel describes an ellipse about the centre."""
     half = coriolis_parameter(p.latitude, p.rate) / 2
     square = half * half + p.pressure_gradient
     (x, dx), (y, dy) = oscillation(s.x, s.dx - half * s.y, square, t), oscillation(s.y, s.dy + half * s.x, square, t)
@@ -104,7 +104,7 @@ def _still_exact(s, p, t):
 
 
 def _moved(s, p, t):
-    """What a force over mass of one unit per unit of speed can add to the position until t."""
+    """The most that an acceleration of 1/s times the speed can change the position until t."""
     return sqrt(2 * _energy(s, p, t)) * (t * t) / 2
 
 

@@ -6,7 +6,7 @@ integrated.
 
 :func:`ladder` has three models of a satellite over the equator: the circle, Kepler's ellipse, and the ellipse that the Earth's bulge turns (5.5). In
 the plane of the equator the attraction of an oblate Earth is mu/r^2 + 3 mu J2 R^2/(2 r^4), still towards the centre, so that the angular momentum
-stays. ``oblateness`` is J2 R^2, in m^2.
+is constant. ``oblateness`` is J2 R^2, in m^2.
 """
 
 import math
@@ -32,8 +32,8 @@ def orbit(mu):
     """The orbit as a Model: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum`` over mass, and the Laplace vector's two components.
 
     mu : the constant of the attraction mu/r^2, m^3/s^2. The Laplace vector has the size of the eccentricity and points to the closest approach.
-    The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at most 7 round-offs of the distance from the centre
-    plus the way that the body would run in the time t at its speed there (of 2000 random ellipses, two thirds of them almost parabolas).
+    The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at most 7 times the round-off of the distance from
+    the centre plus t times the speed there (measured on 2000 random ellipses, two thirds of them almost parabolas).
     It raises :class:`~newton_euler.models.ModelError` for parabolas, hyperbolas, straight lines through the centre, and expressions.
 
     >>> import math

@@ -2,8 +2,8 @@
 
 m mass, I moment of inertia about the parallel to the axis through G, l distance of G from the axis, theta from the downward vertical.
 
-:func:`ladder` has three models of it: a harmonic oscillator, a particle, and the body. The particle needs no less calculation than the body, but less
-to be known: not I.
+:func:`ladder` has three models of it: a harmonic oscillator, a particle, and the body. The particle costs as much to compute as the body, but does
+not need I.
 """
 
 import math
@@ -40,7 +40,7 @@ def physical_pendulum(m, I, l, g):
 
 
 def _square(p, I):
-    """Of the rate of small swings."""
+    """The square of the angular frequency of small swings."""
     return p.m * p.g * p.l / (I + p.m * p.l * p.l)
 
 
@@ -77,9 +77,9 @@ def pendulum_energy(m, I, l, g, theta, omega):
 
 
 def swing_rate(m, I, l, g, theta, theta0, omega0=0):
-    """The size of omega at the angle theta, from that at theta0, without cancellation as theta -> theta0.
+    """The absolute value of omega at the angle theta, from that at theta0, without cancellation as theta -> theta0.
 
-    :class:`~newton_euler.energy.EnergyError` if it does not swing so far.
+    Raises :class:`~newton_euler.energy.EnergyError` if the pendulum does not reach theta.
 
     >>> round(swing_rate(2.0, 0.5, 0.5, 10.0, 0.0, 1.5707963267948966), 6)
     4.472136
@@ -139,7 +139,7 @@ def _by_sine(s, p, t):
 
 
 def _by_size(s, p, t, I):
-    """Let go at rest, the body does what the particle does, but slower. Pushed, it moves away no faster than from the upper resting place."""
+    """From rest the body moves as the particle does, but slower. From a start with a rate the two diverge no faster than at the upright position."""
     n, slower = sqrt(p.g / p.l), sqrt(_square(p, I))
     at_rest = (n - slower) * t * 2 * sin(abs(s.theta) / 2)
     pushed = (n * n - slower * slower) * growth(n, t)[2]

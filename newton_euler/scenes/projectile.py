@@ -1,7 +1,7 @@
-"""A shot over the rotating Earth (6.9, 6.10), as a ladder of models from the flat earth at rest to the full equations of motion in air.
+"""A shot over the rotating Earth (6.9, 6.10), as a ladder of models from a flat Earth at rest to the full equations of motion in air.
 
 All have the states x, y, z along ground axes (east, north, up) from a place on the surface, and vx, vy, vz. What a model neglects is bounded as an
-error of the position, as long as the shot is above the ground. Air, of one density, holds the shot back by ``drag`` times the square of its speed;
+error of the position, as long as the shot is above the ground. Air of uniform density decelerates it by ``drag`` times the square of its speed;
 drag = density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the ground, 1e-8 at a height of 70 km.
 
 >>> from newton_euler.ladders import smallest
@@ -29,7 +29,7 @@ LARGEST = 8  # (2 omega t)^2 for which the series is summed to round-off: five h
 
 
 def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Free fall with constant g on an earth at rest. All but g serve to bound what it neglects, here and below."""
+    """Free fall with constant g on an Earth at rest. The parameters other than g only bound what the model neglects."""
     return _model("flat", locals(), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
 
 
@@ -45,18 +45,18 @@ def plumb(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
 
 
 def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Constant g on an earth at rest, and the air."""
+    """Constant g on an Earth at rest, with air."""
     return _model("flat in air", locals(), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
 
 
 @scene("6.10", "projectile", "a shot of 283 m/s over the rotating Earth, all terms", 40.0, START, g=9.82, latitude=0.8)
 def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular momentum about the axis, among the stars."""
+    """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular momentum about the axis, in the inertial frame."""
     return _model("full", locals(), _full, (AIR,), None, {"energy over mass": _energy, "angular momentum over mass, about the axis": _axial})
 
 
 def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """The same in air that goes with the Earth."""
+    """The same in air that rotates with the Earth."""
     return _model("full in air", locals(), _full_in_air)
 
 
@@ -90,8 +90,8 @@ def _omega(p):
     return earth_rate3(p.latitude, p.rate)
 
 
-def _held_back(s, p):
-    """The acceleration by the air."""
+def _air_drag(s, p):
+    """The acceleration by the drag of the air."""
     return scale3(-p.drag * sqrt(dot3(_v(s), _v(s))), _v(s))
 
 
@@ -107,14 +107,14 @@ def _parabola(s, p, t):
 
 
 def _flat_in_air(s, p, t):
-    return *_v(s), *add3(_down(p), _held_back(s, p))
+    return *_v(s), *add3(_down(p), _air_drag(s, p))
 
 
 # -- Coriolis
 
 
 def _turned(s, p, t):
-    """The Coriolis acceleration of the flat shot, integrated once, along its way v t - g t^2/2 until now."""
+    """The Coriolis acceleration of the flat shot, integrated once: by its displacement v t - g t^2/2."""
     way = sub3(scale3(t, _v(s)), scale3(t * t / 2, _down(p)))
     return *sub3(_v(s), scale3(2, cross3(_omega(p), way))), *_down(p)
 
@@ -153,25 +153,25 @@ def _full(s, p, t):
 
 def _full_in_air(s, p, t):
     rates = _full(s, p, t)
-    return *rates[:3], *add3(rates[3:], _held_back(s, p))
+    return *rates[:3], *add3(rates[3:], _air_drag(s, p))
 
 
 # -- invariants
 
 
-def _among_stars(s, p):
-    """Position from the Earth's centre, and velocity among the stars, along ground axes."""
+def _inertial(s, p):
+    """Position from the Earth's centre, and velocity in the inertial frame, along ground axes."""
     rho = (s.x, s.y, s.z + p.radius)
     return rho, add3(_v(s), cross3(_omega(p), rho))
 
 
 def _energy(s, p, t):
-    rho, v = _among_stars(s, p)
+    rho, v = _inertial(s, p)
     return dot3(v, v) / 2 - p.g * p.radius**2 / sqrt(dot3(rho, rho))
 
 
 def _axial(s, p, t):
-    rho, v = _among_stars(s, p)
+    rho, v = _inertial(s, p)
     return dot3(earth_rate3(p.latitude, 1), cross3(rho, v))
 
 
@@ -179,8 +179,8 @@ def _axial(s, p, t):
 #
 # Above the ground the attraction is at most g, the centrifugal acceleration at most rate^2 (R + d) at the distance d from the origin, and the
 # Coriolis acceleration does no work. So d <= D(t) with D'' = g + rate^2 (R + D), and the error e of a model that keeps the Coriolis term grows as
-# |e'| <= integral of what it leaves out; that both are held back by the air makes e' smaller. A Coriolis term that is left out makes the error
-# 2 omega x (integral of the way), and to first order the way itself is wrong by as much. Nothing makes the speed larger than D'.
+# |e'| <= integral of what it leaves out; that the air decelerates both makes e' smaller. A Coriolis term that is left out makes the error
+# 2 omega x (integral of the displacement), and to first order the displacement itself is wrong by as much. Nothing makes the speed larger than D'.
 
 
 def _bounds(s, p):

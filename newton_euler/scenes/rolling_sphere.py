@@ -14,15 +14,15 @@ from ..scalars import plain, radians, scalar, sin, tan, whole
 from ..work import summed
 from .catalogue import scene
 
-WAY = "way down the incline, m"
+WAY = "distance down the incline, m"
 STATES = ("x", "v")
 
 
 def rolling_energy(m, R, speed, pivoting=0, k=None):
     """T of the rolling body with terms ``translation``, ``rolling`` and ``pivoting`` (11.45): 7/10 m v^2 for a sphere that does not pivot.
 
-    pivoting : the component of omega along the normal of the plane, rad/s, which the book takes to be zero. Rolling leaves it free, and it stays
-        what it is: for a sphere it only adds a constant.
+    pivoting : the component of omega along the normal of the plane, rad/s, which the book takes to be zero. Rolling does not change it: for a sphere
+        it only adds a constant.
 
     >>> round(rolling_energy(2.0, 0.5, 3.0).value, 9)
     12.6
@@ -33,7 +33,7 @@ def rolling_energy(m, R, speed, pivoting=0, k=None):
 
 
 def rolling_speed(drop, g, v0=0, k=None):
-    """The speed of the centre after it has come down by ``drop``: sqrt(v0^2 + 2 g h/(1 + k)), from rest sqrt(10 g h/7) for a sphere (11.49).
+    """The speed of the centre after a descent by ``drop``: sqrt(v0^2 + 2 g h/(1 + k)), from rest sqrt(10 g h/7) for a sphere (11.49).
 
     The contact is at rest, so its force does no work; without rolling it would be sqrt(2 g h), on any incline.
 
@@ -59,7 +59,7 @@ def rolling_down(slope, g, k=None):
 def rolling_in_air(slope, g, air, k=None):
     """The same against the air, which resists with ``air`` m v^2; air (1/m) is rho C_D A/(2 m). For a sphere that comes down: v is not negative.
 
-    The closed form (1 + k)/air log(cosh(n t) + ...) is not used: in little air it is the logarithm of next to one, and loses all digits.
+    The closed form (1 + k)/air log(cosh(n t) + ...) is not used: with little air it is the logarithm of almost 1, in which all digits cancel.
 
     >>> rolling_in_air(0.5235987755982988, 9.8, 0.01).derivative((0.0, 7.0))[1]
     3.15
@@ -70,7 +70,7 @@ def rolling_in_air(slope, g, air, k=None):
 
 @scene("11.15", "sphere on an incline", "a block that slides without friction, rolling, rolling in air", ladder=True)
 def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
-    """The models of one run, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the way, in m, until ``t``.
+    """The models of one run, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the distance, in m, until ``t``.
 
     air : not negative; start : x, v. Raises :class:`~newton_euler.models.ModelError` for a sphere that goes uphill.
 

@@ -3,7 +3,7 @@
 As the book has it, the axis X of the ground points vertically down, and psi is counted from it; z = Z lies along the shaft from bearing A
 to bearing B, at -a and b from O, the origin of the body's axes.
 
-:func:`ladder` has three models of how it turns: at a constant rate, without its weight, and with it.
+:func:`ladder` has three models of its rotation: at a constant rate, without its weight, and with it.
 """
 
 from dataclasses import dataclass

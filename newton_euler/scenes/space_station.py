@@ -1,8 +1,8 @@
 """A space station of radius r that turns about its axis, so that its rim feels like the ground (6.7).
 
 Station axes turn with it: the axis of rotation is z, along which ``omega`` is positive; the book's station has omega < 0. A body let go moves on a
-straight line at constant speed among the stars; from the station its path looks like a spiral, or a circle, but in general not like the
-limacon that the book names.
+straight line at constant speed in the inertial frame; seen from the station its path is a spiral, or a circle, but in general not the limacon that
+the book names.
 
 :func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the Earth, as it does in the station, and with the air.
 """
@@ -20,7 +20,7 @@ CREEP = 0.01  # m/s
 
 
 def station_rate(g, radius):
-    """The rate of rotation, rad/s, at which the floor at the rim pushes like the ground of the Earth: sqrt(g/radius).
+    """The rate of rotation, rad/s, at which a body at the rim weighs as much as on the Earth: sqrt(g/radius).
 
     >>> round(station_rate(9.81, 100.0)*60/6.2832, 2)  # turns a minute
     2.99
@@ -29,7 +29,7 @@ def station_rate(g, radius):
 
 
 def rim_speed(g, radius):
-    """The speed of the rim at this rate, sqrt(g radius): who runs as fast against the rotation stands still among the stars, and floats."""
+    """The speed of the rim at this rate, sqrt(g radius): who runs as fast against the rotation is at rest in the inertial frame, and floats."""
     return sqrt(g * radius)
 
 
@@ -61,7 +61,7 @@ def body_in_air(omega, air, creep=CREEP):
 def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=1.0):
     """The models of a throw near (radius, 0) at the rim, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the position in m until t.
 
-    omega : not zero; start : x, y, dx, dy in m and m/s. Nothing stops the body at the floor: ask as long as it flies.
+    omega : not zero; start : x, y, dx, dy in m and m/s. The floor is not modelled: choose t before the body reaches it.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (2.0, 0.1, 1e-3)]
@@ -97,8 +97,8 @@ def _air_rates(s, p, t):
     return dx, dy, ddx - hold * s.dx, ddy - hold * s.dy
 
 
-def _among_stars(s, p):
-    """The velocity among the stars, along station axes."""
+def _inertial_velocity(s, p):
+    """The velocity in the inertial frame, along station axes."""
     return s.dx - p.omega * s.y, s.dy + p.omega * s.x
 
 
@@ -107,14 +107,14 @@ def _moment(r, v):
 
 
 _INVARIANTS = {
-    "speed among the stars, squared": lambda s, p, t: sum(v * v for v in _among_stars(s, p)),
-    "angular momentum over mass": lambda s, p, t: _moment((s.x, s.y), _among_stars(s, p)),
+    "inertial speed, squared": lambda s, p, t: sum(v * v for v in _inertial_velocity(s, p)),
+    "angular momentum over mass": lambda s, p, t: _moment((s.x, s.y), _inertial_velocity(s, p)),
 }
 
 
 def _exact(s, p, t):
     """The straight line r0 + w t, turned back by omega t."""
-    wx, wy = _among_stars(s, p)
+    wx, wy = _inertial_velocity(s, p)
     x, y = turned(s.x + wx * t, s.y + wy * t, -p.omega * t)
     dx, dy = turned(wx, wy, -p.omega * t)
     return x, y, dx + p.omega * y, dy - p.omega * x
@@ -123,9 +123,9 @@ def _exact(s, p, t):
 # -- what may be neglected
 #
 # Seen in the station neither the Coriolis acceleration nor the air makes the body faster, so its speed v and the distance r from the axis obey
-# v' <= omega^2 r, r' <= v: both grow no faster than those of a body on a spoke. In uniform gravity nothing holds a body to its path, so the double
-# integral of what is left out is the error; that of the Coriolis acceleration, 2 omega x v, is the integral of 2 omega x (way). Among the stars
-# nothing holds a free body either, so the same is true of the air.
+# v' <= omega^2 r, r' <= v: both grow no faster than those of a body on a spoke. In uniform gravity no force depends on position or velocity, so the
+# double integral of what is left out is the error; that of the Coriolis acceleration, 2 omega x v, is the integral of 2 omega x (displacement). The
+# same is true of the air, for a free body in the inertial frame.
 
 
 def _bounds(s, p, t):
@@ -135,7 +135,7 @@ def _bounds(s, p, t):
 
 
 def _by_coriolis(s, p, t):
-    """The integral of the way, in which sinh(x) - x is at most x (cosh(x) - 1)/3, x = omega t."""
+    """The integral of the displacement, in which sinh(x) - x is at most x (cosh(x) - 1)/3, x = omega t."""
     v, a, (_, _, of_acceleration) = _bounds(s, p, t)
     return 2 * sqrt(p.omega * p.omega) * of_acceleration * (v + a * t / 3)
 

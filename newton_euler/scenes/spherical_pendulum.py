@@ -50,7 +50,7 @@ def momentum(mass, length, psi, theta, phi):
     mass=3.0, length=2.0, g=9.81,
 )  # fmt: skip
 def pendulum(mass, length, g):
-    """The pendulum as a Model without a singular place: :func:`newton_euler.scenes.top.nonspinning_frame`.
+    """The pendulum as a Model without a singular position: :func:`newton_euler.scenes.top.nonspinning_frame`.
 
     >>> pendulum(3.0, 2.0, 9.81).parameters["I0"]
     4.0
@@ -85,7 +85,7 @@ def small_swings(length, g):
 
 
 def small_swings_with_friction(length, g, friction):
-    """Small swings with friction, an ellipse that shrinks; friction is less than 2 sqrt(3 g/(2 length)), with which it creeps to rest."""
+    """Small swings with friction, an ellipse that shrinks; friction is below 2 sqrt(3 g/(2 length)), the critical damping."""
     return Model("bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,))
 
 
@@ -116,7 +116,7 @@ def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0
 
 
 def _square(p):
-    """Of the rate of small swings."""
+    """The square of the angular frequency of small swings."""
     return 3 * p.g / (2 * p.length)
 
 

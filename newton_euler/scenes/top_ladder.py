@@ -1,8 +1,8 @@
 """The top as a ladder: from steady precession, slow or exact, to nutation, and to a body whose two transverse moments are not quite equal.
 
-Asked for is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward vertical; I0, I, ``mgr``, omega_z as in :mod:`.top`. The
-fullest models are of a body with the moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, twice: in Euler's angles, which have a singular place where
-the axis is vertical, and by the quaternion, which has none.
+What is observed is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward vertical; I0, I, ``mgr``, omega_z as in
+:mod:`.top`. The fullest models are of a body with the moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, twice: in Euler's angles, which are singular
+where the axis is vertical, and by the quaternion, which is not.
 """
 
 from contextlib import suppress
@@ -19,7 +19,7 @@ DIRECTION = "direction of the axis, rad"
 
 
 def top_slow_precession(I, mgr, omega_z, theta):
-    """Steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi; theta stays.
+    """Steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi; theta is constant.
 
     >>> top_slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
     (0.5,)
@@ -39,8 +39,8 @@ def top_steady_precession(I0, I, mgr, omega_z, theta):
 
 def top_precession_and_nutation(I0, I, mgr, omega_z, momentum_difference):
     """Nutation (10.24), and the precession that goes with it: states theta, theta_rate, psi; parameters as for :func:`.top.nutation`."""
-    nods = nutation(I0, I, mgr, omega_z, momentum_difference)
-    return Model("top, nutation and precession", nods.parameters, (*nods.states, "psi"), _axis_rates, nods.invariants, neglects=(ASYMMETRY,))
+    base = nutation(I0, I, mgr, omega_z, momentum_difference)
+    return Model("top, nutation and precession", base.parameters, (*base.states, "psi"), _axis_rates, base.invariants, neglects=(ASYMMETRY,))
 
 
 def asymmetric_top_euler_angles(I0, I, mgr, asymmetry):

@@ -39,7 +39,7 @@ def least_rate(weight_moment, inertia_difference, **_):
 
 
 def swing_out(weight_moment, inertia_difference, omega, **_):
-    """The angle theta (rad) at which the body stays, for a rate above :func:`least_rate`: acos(m g d/((I_n - I_r) omega^2)), (10.31) with I = 0.
+    """The angle theta (rad) of relative equilibrium, for a rate above :func:`least_rate`: acos(m g d/((I_n - I_r) omega^2)), (10.31) with I = 0.
 
     weight_moment : m g d. Raises :class:`~newton_euler.gyros.GyroError` for a rate that is too low: then it hangs straight down.
 
@@ -83,7 +83,7 @@ def on_free_shaft(weight_moment, inertia_difference, omega, shaft, theta, about_
     """The swinging on a shaft without moment, which turns at ``omega`` when the angle is ``theta``: a Model like :func:`hinged`.
 
     shaft : moment of inertia about the vertical of all that turns, for theta = 0. The rate of the shaft is no state: its angle is cyclic, and the
-    ``momentum`` about the vertical, a parameter, keeps its value. The larger ``shaft``, the more even the rate.
+    ``momentum`` about the vertical, a parameter, is constant. The larger ``shaft``, the more even the rate.
 
     >>> on_free_shaft(**rod(3.0, 2.0, 4.0, 9.81), shaft=1.0, theta=0.0).derivative((0.0, 1.0))
     (1.0, 0.0)
@@ -99,7 +99,7 @@ def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0
     """The models of the thin rod on a shaft, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for theta, in rad, until ``t``.
 
     omega : rate of the shaft at the start; shaft : its moment of inertia; start : theta, theta_rate
-    Raises :class:`~newton_euler.models.ModelError` at :func:`least_rate` itself, where not even the smallest swings are harmonic.
+    Raises :class:`~newton_euler.models.ModelError` at :func:`least_rate` itself, where small swings are not harmonic.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), radians).model.name for radians in (0.1, 0.03, 1e-3)]
