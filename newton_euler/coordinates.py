@@ -11,10 +11,12 @@ from .scalars import ZERO, SingularError, is_numeric, plain, scalar, whole
 from .triads import Triad, drowned, norm3, numeric3, shaken, turning_of
 from .vectors import EQUATIONS, Vector, cross3, dot3, scale3
 
-EQUATIONS.update({
-    "curvilinear velocity": ("3.14", r"\mathbf{v}", {}),
-    "curvilinear acceleration": ("3.15", r"\mathbf{a}", {}),
-})
+EQUATIONS.update(
+    {
+        "curvilinear velocity": ("3.14", r"\mathbf{v}", {}),
+        "curvilinear acceleration": ("3.15", r"\mathbf{a}", {}),
+    }
+)
 
 
 def curvilinear(ground, name, position, q1, q2, q3, names=("u", "v", "w")):
@@ -130,6 +132,7 @@ def curvilinear_rates(position, q, v, a=None):
     >>> rates[0], rates[1].acceleration
     (moving(1.0, rate=3.0, acceleration=0), 1.0)
     """
+
     def make(frame, name, *coordinates):
         return curvilinear(frame, name, position, *coordinates)
 

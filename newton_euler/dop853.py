@@ -172,4 +172,3 @@ class Dop853(Course):
         for power, row in zip((u, 1 - u, u, 1 - u, u, 1 - u, u), self._polynomial[1][::-1], strict=True):
             out = (out + row) * power
         return out + np.array(x)[:, None]
-

@@ -11,8 +11,10 @@ functions that take a vector ``gravity`` may be given the :func:`effective_gravi
 [0, 5.1563e-05, 5.1563e-05] in ground
 """
 
+from itertools import accumulate, pairwise
+
 from .scalars import ZERO, cos, is_numeric, is_positive, least, plain, scalar, sin, size, sqrt
-from .vectors import EQUATIONS, ZERO3, Vector, cross3, dot3, named_sum, scale3, sum3
+from .vectors import EQUATIONS, ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
 
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
 EARTH_RADIUS = 6.371e6  # m: of the sphere of equal volume (IUGG)
@@ -227,9 +229,8 @@ def projectile_position(t, launch, gravity, omega):
     """
     frame = launch.frame
     v, g, w = _along(frame, launch, gravity, omega)
-    straight, straight_turned = _series(t, v, w, 1)
-    fall, fall_turned = _series(t, g, w, 2)
-    terms = {"launch": straight, "fall": fall, "launch turned": straight_turned, "fall turned": fall_turned}
+    terms = {"launch": scale3(t, v), "fall": scale3(t * t / 2, g)}
+    terms |= {"launch turned": scale3(-t * t, cross3(w, v)), "fall turned": scale3(-t * t * t / 3, cross3(w, g))}
     return named_sum("projectile", f"in {frame.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)
 
 
@@ -237,24 +238,28 @@ def _along(frame, *vectors):
     return [v.expressed_in(frame).c for v in vectors]
 
 
-def _series(t, c, w, power, order=1):
-    """c t^n/n! with n = ``power``, and then, ``order`` times, crossed with -2 w and integrated once more."""
-    term = c if power == 0 else scale3(t, c) if power == 1 else scale3(t * t / 2, c)
-    out = [term]
-    for n in range(1, order + 1):
-        term = cross3(w, scale3(-2 * t / (power + n), term))
-        out.append(term)
-    return out
+def coriolis_series(v, g, w, factors):
+    """The sum of (-2 w x)^n (a v + b g) over the pairs (a, b) of ``factors``, n = 0, 1, ..., of triples: by Horner's scheme."""
+    *rest, total = (add3(scale3(a, v), scale3(b, g)) for a, b in factors)
+    for term in reversed(rest):
+        total = add3(term, cross3(scale3(-2, w), total))
+    return total
+
+
+def _integrals(t, m, order):
+    """(t^k/k!, t^(k + 1)/(k + 1)!) for k = m ... m + ``order``: each crossing with -2 w is followed by an integration."""
+    powers = list(accumulate(range(1, m + order + 2), lambda power, k: power * t / k, initial=1))
+    return list(pairwise(powers[m:]))
 
 
 def position3(t, v, g, w, order=1):
     """The solution of (6.20) to any order in w, of triples: the way from the start. Order 1 is (6.24)."""
-    return sum3([*_series(t, v, w, 1, order), *_series(t, g, w, 2, order)])
+    return coriolis_series(v, g, w, _integrals(t, 1, order))
 
 
 def velocity3(t, v, g, w, order=1):
     """The rate of :func:`position3`."""
-    return sum3([*_series(t, v, w, 0, order), *_series(t, g, w, 1, order)])
+    return coriolis_series(v, g, w, _integrals(t, 0, order))
 
 
 def projectile_to_order(t, launch, gravity, omega, order):

@@ -1,22 +1,19 @@
 """Ladders: the models of one scene from the coarsest to the fullest, and the smallest one that a question needs.
 
-The rungs of a ladder may have other states, but all can be asked for the same thing: what is *observed*, as the position of a shot or the angle
-of a top. The error of a rung is the largest distance, over the whole time, between what it says of this and what the fullest rung says. What a model
-leaves out it tells in words, with a bound of the error where one is known. A rung without a bound is measured, and so is one whose bound is too
-large.
+The rungs of a ladder may have different states, but from the states of each the same quantity is *observed*, as the position of a shot or the angle
+of a top. The error of a rung is the largest distance, over the whole time, between its prediction and that of the fullest rung. Each model names what
+it leaves out, with a bound of the error where one is known. The error of a rung without a bound, or whose bound is too large, is measured.
 
+>>> from newton_euler.scenes import ladder
 >>> choice = smallest(ladder("projectile"), 1.0)  # metre
 >>> choice.model.name
 'projectile, Coriolis and effective gravity'
->>> ladder("satellite", t=600.0).t  # each has a function of this name in its scene, whose parameters it takes
-600.0
 """
 
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
-from importlib import import_module
+from functools import cache, cached_property
 from types import MappingProxyType
 
 from .models import Model, ModelError
@@ -26,32 +23,14 @@ INSTANTS = 257  # at which rungs are compared
 FINER = 1e-3  # of the tolerance may be due to integration
 ROUGH, FINEST = 1e-9, 1e-12  # relative errors of the states: the second is tried where the first is not enough
 
-# by the scene's name, where the function is that makes its ladder; all of its parameters have values
-LADDERS = {
-    "projectile": "newton_euler.scenes.projectile:ladder",
-    "physical pendulum": "newton_euler.scenes.pendulum_ladder:ladder",
-    "top": "newton_euler.scenes.top_ladder:ladder",
-    "satellite": "newton_euler.scenes.satellite:ladder",
-    "Foucault's pendulum": "newton_euler.scenes.foucault:ladder",
-    "free body": "newton_euler.scenes.wobble:ladder",
-    "spherical pendulum": "newton_euler.scenes.swinging_bar:ladder",
-    "aircraft": "newton_euler.scenes.aircraft:ladder",
-    "space station": "newton_euler.scenes.space_station:ladder",
-    "air near a low": "newton_euler.scenes.low:ladder",
-    "rotor": "newton_euler.scenes.unbalanced_rotor:ladder",
-    "turning shaft": "newton_euler.scenes.turning_shaft:ladder",
-    "sphere on an incline": "newton_euler.scenes.rolling_sphere:ladder",
-    "car on a hill": "newton_euler.scenes.car_on_hill:ladder",
-}
-
 
 @dataclass(frozen=True, eq=False)
 class Rung:
     """One model of a ladder.
 
-    model : the :class:`~newton_euler.models.Model`; it ``neglects`` what the rungs above it have, with bounds of the error against the fullest
-    start : its states at t = 0, for the start of the ladder
-    observed : a function ``(s, p, t)`` of its states that returns a tuple, what is observed, in the unit of the ladder
+    model : the :class:`~newton_euler.models.Model`; it ``neglects`` what the fuller rungs contain, with bounds of the error against the fullest
+    start : its states at t = 0
+    observed : a function ``(s, p, t)`` of its states that returns what is observed, a tuple, in the unit of the ladder
     """
 
     model: Model
@@ -60,15 +39,21 @@ class Rung:
 
     @property
     def name(self):
-        """That of the model."""
+        """The name of the model."""
         return self.model.name
 
     def bound(self, t):
-        """What the error is not larger than until ``t``, by what the model neglects: inf if it names nothing, or something without a bound."""
+        """The bound of the error until ``t``, by what the model neglects: inf if it names nothing, or something without a bound."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
             raise ModelError(f"the bounds of {self.name!r} have no values: give numbers for the parameters, the start and t")
         return float(sum(map(size, bounds))) if bounds else math.inf
+
+
+@cache
+def observed_states(*names):
+    """The function for :class:`Rung` that returns the states of these names; made once, since compiled code is kept by function."""
+    return lambda s, p, t: tuple(getattr(s, n) for n in names)
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,20 +79,25 @@ class Ladder:
         if other:
             raise ModelError(f"the bounds of {self.name!r} are of different quantities and cannot be compared: {self.of}; {'; '.join(other)}")
 
-    @cached_property
+    @classmethod
+    def of_models(cls, name, of, t, start, names, *models):
+        """The ladder of models that have the same states, and so the same start; what is observed are the states of these ``names``."""
+        return cls(name, of, t, tuple(Rung(model, start, observed_states(*names)) for model in models))
+
+    @property
     def fullest(self):
         """The last rung."""
         return self.rungs[-1]
 
     def rung(self, name):
         """The rung of this name."""
-        found = [rung for rung in self.rungs if rung.name == name]
-        if not found:
-            raise ModelError(f"{self.name} has no rung {name!r}; it has {', '.join(rung.name for rung in self.rungs)}")
-        return found[0]
+        found = {rung.name: rung for rung in self.rungs}
+        if name not in found:
+            raise ModelError(f"{self.name} has no rung {name!r}; it has {', '.join(found)}")
+        return found[name]
 
-    def said(self, rung, rtol):
-        """What a rung says, an array (parts, instants) over the time of the ladder, with states within ``rtol``."""
+    def observe(self, rung, rtol):
+        """What is observed of a rung, an array (components, instants) over the time of the ladder; its states are within ``rtol``."""
         import numpy as np
 
         from .motion import integrate
@@ -120,14 +110,14 @@ class Ladder:
 
     def observed(self, rung, accuracy):
         """The same within about ``accuracy``, in the ladder's unit, if this can be reached."""
-        values = self.said(rung, ROUGH)
-        return values if ROUGH * abs(values).max() <= accuracy else self.said(rung, FINEST)
+        values = self.observe(rung, ROUGH)
+        return values if ROUGH * abs(values).max() <= accuracy else self.observe(rung, FINEST)
 
     def error(self, rung, accuracy=0.0):
-        """How far a rung is from the fullest one: the largest distance of what is observed, over the whole time, in the ladder's unit.
+        """The error of a rung against the fullest one: the largest distance of what is observed, over the whole time, in the ladder's unit.
 
-        accuracy : how well it needs to be known; the default is as well as can be
-        A rung that cannot be followed to the end, as angles through a singular place, is infinitely far.
+        accuracy : of this error; the default is the best that can be reached
+        The error of a rung that cannot be integrated to the end, as angles through a singular position, is infinite.
         """
         if rung is self.fullest:
             return 0.0
@@ -143,7 +133,7 @@ class Ladder:
         return far if far == far else math.inf
 
     def _kept(self, key, accuracy, found):
-        """What was found before with at least this accuracy, or else now."""
+        """What was found before with at least this accuracy; otherwise it is found now."""
         known = self._found.get(key)
         if known is None or known[1] > accuracy:
             known = self._found[key] = found(), accuracy
@@ -156,7 +146,7 @@ class Ladder:
 
 @dataclass(frozen=True)
 class Evidence:
-    """Why a rung holds or does not: the ``bound`` of its error by what it neglects (inf if it has none), and its ``error`` (None if not needed)."""
+    """Why a rung is chosen or not: the ``bound`` of its error by what it neglects (inf if there is none), and its ``error`` (None if not needed)."""
 
     bound: float
     error: float | None
@@ -164,7 +154,7 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Choice:
-    """What :func:`smallest` found: the ``rung``, and the :class:`Evidence` of every rung up to it by its name; ``print`` it for words."""
+    """The result of :func:`smallest`: the ``rung``, and by name the :class:`Evidence` of every rung up to it; ``print`` it for an explanation."""
 
     rung: Rung
     evidence: Mapping
@@ -177,11 +167,11 @@ class Choice:
         return self.rung.model
 
     def explain(self):
-        """Rung by rung, in words, and what the chosen one leaves out."""
-        lines = [f"for {self.of}, within {self.tolerance:.3g}:", *(self._told(name, e) for name, e in self.evidence.items())]
+        """The evidence rung by rung, and what the chosen one leaves out, as text."""
+        lines = [f"for {self.of}, within {self.tolerance:.3g}:", *(self._line(name, e) for name, e in self.evidence.items())]
         return "\n".join([*lines, *(f"it leaves out {n.what}" for n in self.model.neglects)])
 
-    def _told(self, name, evidence):
+    def _line(self, name, evidence):
         bound = f"off by at most {evidence.bound:.3g}" if evidence.bound < math.inf else "no bound is known"
         measured = "" if evidence.error is None else f", by {evidence.error:.3g} from the fullest"
         return f"{'takes' if name == self.rung.name else 'not'} {name}: {bound}{measured}"
@@ -192,10 +182,11 @@ class Choice:
 def smallest(ladder, tolerance):
     """The cheapest rung of a ladder whose error stays within ``tolerance`` (in the ladder's unit), with the evidence: a :class:`Choice`.
 
-    From the cheapest rung on: the bound of what it neglects, which costs nothing, accepts it if it is small enough; else its motion is compared with
-    that of the fullest rung. So no cheaper rung would have done. The fullest is measured against nothing, but its bound, if it has one, counts for
-    all; :class:`ModelError` if that is too large.
+    The rungs are tried from the cheapest on. A rung is accepted if the bound of what it neglects, which costs nothing to compute, is small enough, or
+    if its motion is near enough to that of the fullest rung. The bound of the fullest rung itself, if it has one, is added to every error;
+    :class:`ModelError` if that is too large.
 
+    >>> from newton_euler.scenes import ladder
     >>> print(smallest(ladder("projectile"), 2.0))
     for position, m, within 2:
     not projectile, flat: off by at most 4.44, by 2.84 from the fullest
@@ -218,13 +209,5 @@ def smallest(ladder, tolerance):
         evidence[rung.name] = Evidence(bound, error)
         if min(bound, math.inf if error is None else error + left) <= tolerance:
             return Choice(rung, MappingProxyType(evidence), tolerance, ladder.of)
-    told = ", ".join(f"{name}: {e.bound:.3g}" for name, e in evidence.items())
-    raise ModelError(f"no model of this ladder is as accurate as {tolerance:.3g}; the errors may reach {told}")
-
-
-def ladder(name, **given):
-    """The :class:`Ladder` of a scene in :data:`LADDERS`, for its own values, or those ``given``: parameters, start and t as its scene names them."""
-    if name not in LADDERS:
-        raise ModelError(f"there is no ladder {name!r}; there are {', '.join(LADDERS)}")
-    module, function = LADDERS[name].split(":")
-    return getattr(import_module(module), function)(**given)
+    bounds = ", ".join(f"{name}: {e.bound:.3g}" for name, e in evidence.items())
+    raise ModelError(f"no model of this ladder is as accurate as {tolerance:.3g}; the errors may reach {bounds}")

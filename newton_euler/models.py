@@ -11,7 +11,7 @@ from inspect import Parameter, Signature
 from keyword import iskeyword
 from types import MappingProxyType
 
-from .scalars import ScalarError, plain, scalar
+from .scalars import ScalarError, is_comparable, is_zero, of_one_kind, plain, scalar
 from .tracing import compiled
 
 KEPT = 256  # right-hand sides, of which functions made at each call would else pile up
@@ -108,9 +108,7 @@ class Model:
         free : names of parameters that stay arguments; the others are fixed now. For SciPy write
         ``lambda t, y: rhs(t, *y.tolist())``: Python's floats run three times faster than NumPy's.
         """
-        unknown = [n for n in free if n not in self.parameters]
-        if unknown:
-            raise ModelError(f"{self.name} has no parameter {unknown[0]!r}; it has {', '.join(self.parameters) or 'none'}")
+        self._check_known(free)
 
         def rates(**values):
             parameters = {**self.parameters, **{n: values[n] for n in free}}
@@ -139,9 +137,7 @@ class Model:
 
     def changed(self, **parameters):
         """The same model with some parameters changed."""
-        unknown = [n for n in parameters if n not in self.parameters]
-        if unknown:
-            raise ModelError(f"{self.name} has no parameter {unknown[0]!r}; it has {', '.join(self.parameters) or 'none'}")
+        self._check_known(parameters)
         return replace(self, parameters={**self.parameters, **parameters})
 
     # -- how
@@ -167,6 +163,11 @@ class Model:
     def _rates(self, state, parameters, t):
         return tuple(plain(x) for x in self._call(self.rhs, state, parameters, t))
 
+    def _check_known(self, names):
+        unknown = [n for n in names if n not in self.parameters]
+        if unknown:
+            raise ModelError(f"{self.name} has no parameter {unknown[0]!r}; it has {', '.join(self.parameters) or 'none'}")
+
     def _check_names(self):
         names = [*self.states, *self.parameters]
         for name in names:
@@ -176,8 +177,11 @@ class Model:
         if twice:
             raise ModelError(f"{twice[0]!r} names two things in {self.name!r}; each state and parameter needs a name of its own")
         for name, value in self.parameters.items():
-            if not is_law(value):
-                _check_number(name, value, self.name)
+            try:
+                scalar(value)
+            except ScalarError as error:
+                if not callable(value):
+                    raise ModelError(f"the parameter {name} of {self.name!r} is a number or a function (s, p, t), not {value!r}") from error
 
     def _check_rhs(self):
         """One call without values: it meets every name, and no branch can hide from it."""
@@ -205,6 +209,22 @@ def is_law(x):
     return False
 
 
+def is_absent(x):
+    """True for a number that is 0, as a force that is left out; a law is none."""
+    return not is_law(x) and is_zero(scalar(x))
+
+
+def comparable(what, *values):
+    """The values as :func:`~newton_euler.scalars.of_one_kind` returns them, for an exact solution whose branches compare them.
+
+    ``what`` : the body, for the message; :class:`ModelError` for expressions.
+    """
+    values = of_one_kind(*values)
+    if not all(map(is_comparable, values)):
+        raise ModelError(f"the exact solution of the {what} needs numbers: its branches compare them; put values in first")
+    return values
+
+
 def second_order(name, parameters, coordinates, accelerations, **more):
     """The :class:`Model` whose states are the coordinates and their rates: equations of motion in state-variable form.
 
@@ -221,10 +241,3 @@ def second_order(name, parameters, coordinates, accelerations, **more):
         return *(getattr(s, rate) for rate in rates), *accelerations(s, p, t)
 
     return Model(name, parameters, (*coordinates, *rates), rhs, **more)
-
-
-def _check_number(name, value, model):
-    try:
-        scalar(value)
-    except ScalarError as error:
-        raise ModelError(f"the parameter {name} of {model!r} is a number or a function (s, p, t), not {value!r}") from error

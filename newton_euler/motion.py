@@ -38,7 +38,7 @@ def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None
     Raises :class:`ModelError` for what cannot be done, and :class:`~newton_euler.records.MotionError`, with what was ``reached``, if the motion
     runs into a singular place.
 
-    >>> from newton_euler.scenes.physical_pendulum import physical_pendulum
+    >>> from newton_euler.scenes.pendulum import physical_pendulum
     >>> motion = integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0))
     >>> motion.error < 1e-9, motion.drift["energy"] < 1e-9
     (True, True)
@@ -224,7 +224,7 @@ def prepare(model, rtol=1e-9, method="auto"):
     record, so no error estimate and no drift: look at those of one run. Where there is no exact solution, "auto" compiles with heyoka at once, if
     it is installed.
 
-    >>> from newton_euler.scenes.physical_pendulum import physical_pendulum
+    >>> from newton_euler.scenes.pendulum import physical_pendulum
     >>> swing = prepare(physical_pendulum(2.0, 0.5, 0.5, 10.0))
     >>> [round(swing(10.0, (amplitude, 0.0))[0], 6) for amplitude in (0.1, 1.0)]
     [0.098256, -0.192477]

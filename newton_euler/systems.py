@@ -109,7 +109,7 @@ class System:
     def solution(self):
         """The exact solution as a function of ``(t, states)`` on floats alone, which returns a tuple of floats.
 
-        Where the traced text has no value, as for an orbit that is no ellipse, the formula is called as it is. :class:`ModelError` if that has none.
+        Where the traced text has no value, as for an orbit that is no ellipse, the formula is called, which says why: a :class:`ModelError`.
         """
         formula_, p, model = self.model.exact, self.p, self.model
         text, called = self._text(formula_), self._called(formula_)

@@ -81,7 +81,7 @@ A vectors, coordinates, chapters/examples/appA | 1-22 | E
 8.7 force_systems | 20-21 |
 9.2 rotors, chapters/examples/ch09 | 1-3 |
 9.3 rotors, chapters/examples/ch09 | 4-6 |
-9.5 rotors, scenes/unbalanced_rotor | 7-10 |
+9.5 rotors, scenes/rotor | 7-10 |
 10.2 rotations | 1-4 |
 10.3 rotations | 5-10 |
 10.4 scenes/spherical_pendulum | 11-16 |
@@ -102,8 +102,8 @@ A vectors, coordinates, chapters/examples/appA | 1-22 | E
 11.12 potential, chapters/examples/ch11 | 34-35 | E
 11.14 energy | 36-49 |
 11.15 scenes/rolling_sphere | | E
-11.16 energy, scenes/heavy_top | 50-53 | E
-11.17 scenes/physical_pendulum | | E
+11.16 energy, scenes/top | 50-53 | E
+11.17 scenes/pendulum | | E
 11.19 scenes/car_on_hill | | E
 """
 HERE = Path(__file__).parent

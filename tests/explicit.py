@@ -1,7 +1,7 @@
 """An oracle: a motion written out in rectangular coordinates, differentiated by SymPy, and evaluated in any kind of number.
 
-    v = explicit(lambda r, theta, z: (r*sympy.cos(theta), r*sympy.sin(theta), z), 1)
-    v(kind, (r, theta, z), (r', theta', z'), (r'', theta'', z''))  # the three rectangular components
+v = explicit(lambda r, theta, z: (r*sympy.cos(theta), r*sympy.sin(theta), z), 1)
+v(kind, (r, theta, z), (r', theta', z'), (r'', theta'', z''))  # the three rectangular components
 """
 
 import functools

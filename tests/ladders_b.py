@@ -2,7 +2,7 @@
 
 import math
 
-from newton_euler.ladders import ladder
+from newton_euler.scenes import ladder
 from newton_euler.scenes.turning_shaft import least_rate, rod, swing_out
 
 
@@ -75,7 +75,7 @@ def air_near_low(r):
     """Parcels of air at all latitudes, for a quarter of an hour to a day."""
     away, place, speed, direction = any_size(r, 1e4, 1e6), r.uniform(-3.1, 3.1), any_size(r, 0.1, 30), r.uniform(-3.1, 3.1)
     start = away * math.cos(place), away * math.sin(place), speed * math.cos(direction), speed * math.sin(direction)
-    given = {"latitude": r.uniform(-1.4, 1.4), "push": any_size(r, 1e-10, 1e-7), "friction": any_size(r, 1e-9, 1e-4)}
+    given = {"latitude": r.uniform(-1.4, 1.4), "pressure_gradient": any_size(r, 1e-10, 1e-7), "friction": any_size(r, 1e-9, 1e-4)}
     return ladder("air near a low", **given, start=start, t=any_size(r, 900, 86_400)), any_size(r, 0.1, 1e5)
 
 

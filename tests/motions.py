@@ -1,9 +1,10 @@
 """Motions for tests: all scenes of the catalogue and a few that only tests need, with their final states to 30 digits."""
 
-from newton_euler import Model, cos, second_order, sin, sqrt
-from newton_euler.accuracy import catalogue, precision
-from newton_euler.accuracy.catalogue import SPIN, Scene
-from newton_euler.accuracy.catalogue import tilted as top_start
+from newton_euler import Model, cos, scenes, second_order, sin, sqrt
+from newton_euler.accuracy import precision
+from newton_euler.scenes.catalogue import Scene
+from newton_euler.scenes.top import SPIN
+from newton_euler.scenes.top import tilted as top_start
 
 __all__ = ["ALL", "SCENES", "SPIN", "free_body", "kepler", "oscillator", "reference", "sizes", "top_start", "true_error"]
 
@@ -54,7 +55,7 @@ ONLY_HERE = {
     "forced": Scene("forced", "0", "driven and damped", lambda: (forced(), 25.0, (0.3, 0.0))),
     "oscillator": Scene("oscillator", "0", "its exact solution kept back", lambda: (oscillator(exact=False), 20.0, (1.0, 0.3))),
 }
-ALL = catalogue.SCENES | ONLY_HERE
+ALL = scenes.SCENES | ONLY_HERE
 SCENES = {name: scene.motion for name, scene in ALL.items()}
 
 

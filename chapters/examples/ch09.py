@@ -3,12 +3,12 @@
 The shaft lies along X of the ground, bearing A at -a and bearing B at b from the centre plane of the disk; psi is counted from Y to y of the shaft.
 """
 
-from newton_euler.scenes.shaft import on_shaft
+from newton_euler.scenes.rotor import on_shaft
 from newton_euler.solids import disk
 
 
 def off_centre_disk(mass, radius, d, a, b, psi, omega):
-    """A thin disk at right angles to its shaft, with its centre off the axis (9.2): a :class:`~newton_euler.scenes.shaft.RotorScene`.
+    """A thin disk at right angles to its shaft, with its centre off the axis (9.2): a :class:`~newton_euler.scenes.rotor.RotorScene`.
 
     d : distance of the centre from the axis, along y of the shaft; psi in rad, omega in rad/s. Any consistent units of mass and length.
     Its ``reactions()`` are (9.1)-(9.3).

@@ -18,7 +18,7 @@ def draw_methods(found, figure):
     "auto", which only chooses one of the methods, is drawn over them.
     """
     figure.set(layout_engine="constrained", size_inches=(13.0, 4.9))
-    figure.suptitle(f"{found.scene.name}, section {found.scene.section}: {found.scene.words}", fontsize=12)
+    figure.suptitle(f"{found.scene.name}, section {found.scene.section}: {found.scene.description}", fontsize=12)
     left, middle, right = figure.subplots(1, 3)
     points = [replace(p, error=max(p.error, FLOOR)) for p in found.points]
     methods, auto = [p for p in points if p.method != "auto"], [p for p in points if p.method == "auto"]

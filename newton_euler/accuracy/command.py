@@ -7,8 +7,7 @@ import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
 
-from ..ladders import LADDERS, ladder
-from .catalogue import SCENES
+from ..scenes import LADDERS, SCENES, ladder
 from .charts import draw_methods, draw_models, measured_models
 from .comparisons import COMPARISONS
 from .maps import MAPS, draw_map
@@ -68,8 +67,8 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
 def every_name():
     """All charts: {name: (the function that makes it, one of :data:`KINDS`, and a title)}."""
     return (
-        {name: (_scene, f"{scene.section:>6}  {scene.words}") for name, scene in SCENES.items()}
-        | {f"{MODELS}{name}": (_models, "what each model costs and what it leaves out") for name in LADDERS}
+        {name: (_scene, f"{scene.section:>6}  {scene.description}") for name, scene in SCENES.items()}
+        | {f"{MODELS}{name}": (_models, found.description) for name, found in LADDERS.items()}
         | {name: (_comparison, comparison.title) for name, comparison in COMPARISONS.items()}
         | {f"{MAP}{name}": (_map, chart.title) for name, chart in MAPS.items()}
     )

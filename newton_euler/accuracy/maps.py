@@ -273,7 +273,7 @@ FALL = Event(_beyond_fallen, 1, terminal=True, name="falls")
 def falling_time(ratio):
     """The seconds in which a top at ``ratio`` times the critical rate gets from a tilt of 1e-6 to 0.1 rad; infinite if not within 100 s."""
     start = (math.cos(TILT / 2), math.sin(TILT / 2), 0.0, 0.0, 0.0, 0.0)
-    motion = integrate(top.rolled_out(I0, I, MGR, ratio * CRITICAL), LONGEST, start, 1e-9, events=FALL)
+    motion = integrate(top.nonspinning_frame(I0, I, MGR, ratio * CRITICAL), LONGEST, start, 1e-9, events=FALL)
     return motion.events[0].t if motion.events else math.inf
 
 

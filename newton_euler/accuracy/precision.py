@@ -16,8 +16,9 @@ from ..courses import SMALL
 from ..methods import METHODS
 from ..models import ModelError
 from ..motion import integrate
+from ..scenes import scene as scene_named
+from ..scenes.catalogue import Scene
 from ..systems import System
-from . import catalogue
 from .measure import Measured, timed
 from .reference import reference
 
@@ -32,7 +33,7 @@ NAMES = (*METHODS, "auto")
 class WorkPrecision:
     """What was measured on one scene.
 
-    scene : a :class:`~newton_euler.accuracy.catalogue.Scene`
+    scene : a :class:`~newton_euler.scenes.catalogue.Scene`
     points : :class:`~newton_euler.accuracy.Measured`, method by method, each with the tolerance ``asked`` for
     ratios : {tolerance: (time of "auto" / time of the best other method, name of that method)}, measured in turns; the best method is the
         cheapest that was asked for the same tolerance and reached it
@@ -40,7 +41,7 @@ class WorkPrecision:
     left_out : {method: why it was not asked for the smallest tolerances}; methods that the scene cannot use have no points
     """
 
-    scene: catalogue.Scene
+    scene: Scene
     points: tuple
     ratios: dict
     preparing: dict
@@ -66,7 +67,7 @@ def work_precision(name, tolerances=TOLERANCES, methods=NAMES, longest=LONGEST, 
 
     longest : a method whose run takes more seconds is not asked for more digits
     """
-    scene = catalogue.scene(name)
+    scene = scene_named(name)
     reference = Reference(scene)
     points, preparing, left_out = [], {}, {}
     for n, method in enumerate(methods):

@@ -1,1 +1,47 @@
-"""Ready models of the motions in the book, one scene a file."""
+"""Motions of the book, each a module whose functions return a Model, and ladders of models; :data:`SCENES` and :data:`LADDERS` have them by name.
+
+>>> model, t, start = scene("pendulum").motion
+>>> model.states, t, start
+(('theta', 'omega'), 10.0, (1.0, 0.0))
+>>> ladder("satellite", t=600.0).t
+600.0
+"""
+
+from functools import cache
+from importlib import import_module
+from pkgutil import walk_packages
+
+from ..models import ModelError
+from . import catalogue
+
+
+@cache
+def _table(name):
+    """One of the tables, in the order of the book. It needs all modules of scenes; to import them takes about 30 ms."""
+    for module in walk_packages(__path__, f"{__name__}."):
+        import_module(module.name)
+    entries = getattr(catalogue, name).values()
+    return {s.name: s for s in sorted(entries, key=lambda s: ([int(n) for n in s.section.split(".")], s.name))}
+
+
+def __getattr__(name):
+    if name not in ("SCENES", "LADDERS"):
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return _table(name)
+
+
+def scene(name):
+    """The scene of this name; :class:`~newton_euler.models.ModelError` lists those that there are."""
+    return _found("SCENES", name)
+
+
+def ladder(name, **given):
+    """The :class:`~newton_euler.ladders.Ladder` of this name, for its own values, or those ``given``: parameters, start and t by name."""
+    return _found("LADDERS", name).make(**given)
+
+
+def _found(table, name):
+    known = _table(table)
+    if name not in known:
+        raise ModelError(f"there is no {table.lower()[:-1]} {name!r}; there are {', '.join(known)}")
+    return known[name]

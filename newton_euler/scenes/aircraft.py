@@ -12,14 +12,23 @@ from typing import NamedTuple
 from ..frames import Frame
 from ..jets import moving
 from ..kinetics import reaction
-from ..ladders import Ladder, Rung
-from ..models import Model, Neglected, is_law
-from ..scalars import atan2, cos, is_zero, plain, scalar, sin, sqrt, tan
+from ..ladders import Ladder, Rung, observed_states
+from ..models import Model, Neglected, is_absent
+from ..scalars import atan2, cos, plain, sin, sqrt, tan
+from .catalogue import scene
 
 POSITION = "position, m"
 PLANE, SPACE = ("v", "gamma", "x", "y"), ("v", "chi", "gamma", "x", "y", "h")
 
 
+def _drag_of_scene(s, p, t):
+    return 0.004 * s.v * s.v
+
+
+@scene(
+    "6.3", "aircraft", "an aircraft in a vertical plane, with thrust, lift and the drag of the air", 20.0, (50.0, 0.1, 0.0, 100.0),
+    m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=25.0,
+)  # fmt: skip
 def vertical_flight(m, g, thrust=0, drag=0, lift=0):
     """The model of flight in a vertical plane (6.3): states v, gamma, x, y (y up).
 
@@ -28,13 +37,15 @@ def vertical_flight(m, g, thrust=0, drag=0, lift=0):
     >>> vertical_flight(2.0, 9.81, thrust=30.0, drag=10.0, lift=19.62).derivative((50.0, 0.0, 0.0, 100.0))
     (10.0, 0.0, 50.0, 0.0)
     """
-    coasting = _none(thrust) and _none(drag)
-    parameters = {"m": m, "g": g, "thrust": thrust, "drag": drag, "lift": lift}
-    energy = {"energy over mass": lambda s, p, t: s.v * s.v / 2 + p.g * s.y}
-    exact = _parabola if coasting and _none(lift) else None
-    return Model("aircraft in a vertical plane", parameters, PLANE, _in_plane, invariants=energy if coasting else {}, exact=exact)
+    parameters, coasting = locals(), is_absent(thrust) and is_absent(drag)
+    energy = {"energy over mass": lambda s, p, t: s.v * s.v / 2 + p.g * s.y} if coasting else {}
+    return Model("aircraft in a vertical plane", parameters, PLANE, _in_plane, energy, _parabola if coasting and is_absent(lift) else None)
 
 
+@scene(
+    "6.12", "aircraft in space", "an aircraft in a turn, banked by 0.5 rad, with a little more lift than it needs", 20.0,
+    (50.0, 0.0, 0.0, 0.0, 0.0, 100.0), m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=22.5, bank=0.5,
+)  # fmt: skip
 def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
     """The model of flight in space (6.12): states v, chi, gamma, x, y, h (h up). For bank 0 it is that of :func:`vertical_flight`.
 
@@ -44,11 +55,12 @@ def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
     >>> [round(x, 9) + 0 for x in turning.derivative((30.0, 0.0, 0.0, 0.0, 0.0, 100.0))]
     [0.0, 0.25, 0.0, 0.0, 30.0, 0.0]
     """
-    parameters = {"m": m, "g": g, "thrust": thrust, "drag": drag, "lift": lift, "bank": bank}
-    energy = {"energy over mass": lambda s, p, t: s.v * s.v / 2 + p.g * s.h} if _none(thrust) and _none(drag) else {}
-    return Model("aircraft in space", parameters, SPACE, _in_space, invariants=energy)
+    parameters, coasting = locals(), is_absent(thrust) and is_absent(drag)
+    energy = {"energy over mass": lambda s, p, t: s.v * s.v / 2 + p.g * s.h} if coasting else {}
+    return Model("aircraft in space", parameters, SPACE, _in_space, energy)
 
 
+@scene("6.12", "aircraft", "straight, in a level turn, in a vertical plane, in space", ladder=True)
 def ladder(m=1000.0, g=9.81, thrust=1000.0, lift=2.8, drag=0.27, bank=0.05, start=(60.0, 0.5, 0.0, 0.0, 0.0, 1000.0), t=20.0):
     """The models of a flight at fixed controls, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the position, in m, until ``t``.
 
@@ -68,8 +80,8 @@ def ladder(m=1000.0, g=9.81, thrust=1000.0, lift=2.8, drag=0.27, bank=0.05, star
     turn = Model("aircraft in a level turn", {**ground, **begun, "g": g, "bank": bank}, ("chi",), _turning, {}, _turned, (UNBALANCED,))
     plane = Model("aircraft in a vertical plane", {**forces, **ground}, PLANE, _in_plane, neglects=(BANK,))
     space = Model("aircraft in space", {**forces, "bank": bank}, SPACE, _in_space)
-    turns = () if is_zero(scalar(bank)) else (Rung(turn, (chi,), _on_circle),)
-    freer = Rung(plane, (v, gamma, 0.0, h), _in_ground), Rung(space, start, _place)
+    turns = () if is_absent(bank) else (Rung(turn, (chi,), _on_circle),)
+    freer = Rung(plane, (v, gamma, 0.0, h), _in_ground), Rung(space, start, observed_states("x", "y", "h"))
     return Ladder("aircraft", POSITION, t, (Rung(straight, (0.0,), _on_line), *turns, *freer))
 
 
@@ -112,10 +124,6 @@ def _in_ground(s, p, t):
     return p.x0 + s.x * sin(p.chi0), p.y0 + s.x * cos(p.chi0), s.y
 
 
-def _place(s, p, t):
-    return s.x, s.y, s.h
-
-
 def _in_plane(s, p, t):
     v, gamma = _along_path(s, p, p.lift)
     return v, gamma, s.v * cos(s.gamma), s.v * sin(s.gamma)
@@ -131,10 +139,6 @@ def _in_space(s, p, t):
 def _along_path(s, p, lift):
     """(v', gamma') by the forces along the path and, of the lift, its part in the vertical plane."""
     return (p.thrust - p.drag) / p.m - p.g * sin(s.gamma), (lift / p.m - p.g * cos(s.gamma)) / s.v
-
-
-def _none(force):
-    return not is_law(force) and is_zero(scalar(force))
 
 
 def _parabola(s, p, t):

@@ -7,12 +7,14 @@ no less calculation than the car on wheels, but less to be known.
 from dataclasses import dataclass
 from math import inf
 
-from ..ladders import Ladder, Rung
+from ..harmonic import integrated_square, uniform_acceleration
+from ..ladders import Ladder
 from ..models import Model, ModelError, Named, Neglected
 from ..scalars import atan, plain, scalar, sin, sqrt
 from ..work import summed
+from .catalogue import scene
 
-WAY = "way up the hill, m"
+WAY = "distance up the hill, m"
 STATES = ("s", "v")
 
 
@@ -21,7 +23,7 @@ class Car:
     """A car on wheels that roll without slipping.
 
     m : mass of the whole car, wheels included; wheel_mass, gyration, radius : of each wheel, its radius of gyration about the axle and its radius
-    drag : the force of the air (and whatever else a tow rope feels on the level) as a function of the speed; g : gravity
+    drag : the resistance on the level, of the air and the wheels, as a function of the speed; g : gravity
 
     >>> car = Car(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, drag=lambda v: 0.5*v*v, g=9.81)
     >>> round(car.power(20.0, 1.0, 0.0), 1)
@@ -60,7 +62,7 @@ class Car:
         return plain(left / ((self.m + self._wheels()) * v))
 
     def model(self, power, slope):
-        """The motion up a hill as a Model with the states s, the way, and v; ``power`` and ``slope`` numbers or laws (s, p, t)."""
+        """The motion up a hill as a Model with the states s, the distance, and v; ``power`` and ``slope`` numbers or laws (s, p, t)."""
         return Model("car on a hill", {"power": power, "slope": slope}, ("s", "v"), lambda s, p, t: (s.v, self.acceleration(p.power, s.v, p.slope)))
 
     def _wheels(self):
@@ -68,13 +70,19 @@ class Car:
         return _wheels(self)
 
 
+@scene("11.19", "car on a hill", "a car of constant power over wavy ground", 60.0, (0.0, 10.0))
+def _on_waves():
+    return Car(1200.0, 20.0, 0.25, 0.3, lambda v: 0.5 * v * v, 9.81).model(40e3, lambda s, p, t: 0.08 * sin(s.s / 64))
+
+
 def _wheels(p):
     ratio = scalar(p.gyration) / p.radius
     return p.wheels * p.wheel_mass * (ratio * ratio)
 
 
+@scene("11.19", "car on a hill", "a particle, a car on wheels, air", ladder=True)
 def ladder(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81, force=2500.0, slope=0.08, start=(0.0, 10.0), t=10.0):
-    """The models of one start, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the way, in m, until ``t``.
+    """The models of one start, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the distance, in m, until ``t``.
 
     force : at the wheels, the power over the speed, as one gear gives it; air : rho C_D A/2, kg/m; start : s, v; the rest as in :class:`Car`.
     Raises :class:`~newton_euler.models.ModelError` for a car that comes to rest before ``t``. The fullest model has no closed form that would hold
@@ -86,30 +94,23 @@ def ladder(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81
     """
     parameters = {"m": m, "wheel_mass": wheel_mass, "gyration": gyration, "radius": radius, "wheels": 4}
     parameters |= {"air": air, "g": g, "force": force, "slope": slope}
-    models = (
-        Model("car, particle", parameters, STATES, _particle_rates, exact=_particle_exact, neglects=(WHEELS, AIR)),
-        Model("car on wheels", parameters, STATES, _wheel_rates, exact=_wheel_exact, neglects=(AIR,)),
-        Model("car on wheels, in air", parameters, STATES, _air_rates),
-    )
+    particle = Model("car, particle", parameters, STATES, _particle_rates, {}, _particle_exact, (WHEELS, AIR))
+    wheels = Model("car on wheels", parameters, STATES, _wheel_rates, {}, _wheel_exact, (AIR,))
     if start[1] < 0 or _stops(Named("parameter", parameters), start[1]) < t:
         raise ModelError(f"the ladder is for a car that goes uphill until t = {t!r}; with {force!r} N and v = {start[1]!r} it does not")
-    return Ladder("car on a hill", WAY, t, tuple(Rung(model, start, _way) for model in models))
+    return Ladder.of_models("car on a hill", WAY, t, start, ("s",), particle, wheels, Model("car on wheels, in air", parameters, STATES, _air_rates))
 
 
 def _stops(p, v):
-    """When it comes to rest, in numbers."""
+    """The time at which the car comes to rest; inf if it does not."""
     held, mass = -_left(p), p.m + _wheels(p)
     if held <= 0:
         return inf
     return mass * atan(v * sqrt(p.air / held)) / sqrt(p.air * held) if p.air else mass * v / held
 
 
-def _way(s, p, t):
-    return (s.s,)
-
-
 def _left(p):
-    """The force that is left over on the slope."""
+    """The resultant force along the slope, without the air."""
     return p.force - p.m * p.g * sin(p.slope)
 
 
@@ -118,7 +119,7 @@ def _particle_rates(s, p, t):
 
 
 def _particle_exact(s, p, t):
-    return _uniform(s, _left(p) / p.m, t)
+    return uniform_acceleration(s.s, s.v, _left(p) / p.m, t)
 
 
 def _wheel_rates(s, p, t):
@@ -126,11 +127,7 @@ def _wheel_rates(s, p, t):
 
 
 def _wheel_exact(s, p, t):
-    return _uniform(s, _left(p) / (p.m + _wheels(p)), t)
-
-
-def _uniform(s, a, t):
-    return s.s + (s.v + a * t / 2) * t, s.v + a * t
+    return uniform_acceleration(s.s, s.v, _left(p) / (p.m + _wheels(p)), t)
 
 
 def _air_rates(s, p, t):
@@ -147,8 +144,7 @@ def _by_wheels(s, p, t):
 
 def _by_air(s, p, t):
     left, mass = _left(p), p.m + _wheels(p)
-    a = sqrt(left * left) / mass
-    return p.air / mass * (t * t) * (s.v * s.v / 2 + s.v * a * t / 3 + a * a * (t * t) / 12)
+    return p.air / mass * integrated_square(s.v, sqrt(left * left) / mass, t)
 
 
 WHEELS = Neglected("the moments of inertia of the wheels", _by_wheels, WAY)

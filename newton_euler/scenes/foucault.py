@@ -1,4 +1,4 @@
-"""A pendulum on the turning Earth, Foucault's, as a ladder: how far is the Earth a frame that does not turn, and how small is a small swing?
+"""Foucault's pendulum on the rotating Earth, as a ladder: swings small or of any size, on an Earth at rest or rotating.
 
 The axes are z up the plumb line, from the point from which the bob hangs, x east and y north; x, y are the place of the bob in plan. So ``g`` is the
 effective gravity where the bob hangs at rest, and the latitude is that of the plumb line. A cord of constant length pulls as hard as it must, and the
@@ -8,10 +8,11 @@ acceleration of the bob is G - r (v.v + G.r)/length^2, where G is that of a free
 from dataclasses import replace
 
 from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, earth_rate3
-from ..ladders import Ladder, Rung
+from ..ladders import Ladder
 from ..models import Model, Neglected
 from ..scalars import ZERO, sqrt
 from ..vectors import add3, cross3, dot3, scale3
+from .catalogue import scene
 from .low import STATES, air_near_low
 
 PLACE = "place in plan, m"
@@ -23,15 +24,15 @@ def any_swing(length, g):
     >>> round(any_swing(5.0, 10.0).derivative((3.0, 0.0, 0.0, 0.0))[2], 9)  # -g sin(theta) cos(theta)
     -4.8
     """
-    return Model("Foucault's pendulum, any swing, Earth at rest", {"length": length, "g": g}, STATES, _at_rest, neglects=(ROTATION,))
+    return Model("Foucault's pendulum, any swing, Earth at rest", locals(), STATES, _at_rest, neglects=(ROTATION,))
 
 
 def full(length, g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
     """Swings of any size and all terms of (6.10): with what the place in the swing changes in the centrifugal acceleration and in gravity."""
-    parameters = {"length": length, "g": g, "latitude": latitude, "rate": rate, "radius": radius}
-    return Model("Foucault's pendulum", parameters, STATES, _full)
+    return Model("Foucault's pendulum", locals(), STATES, _full)
 
 
+@scene("6.11", "Foucault's pendulum", "small swings and any, on an Earth at rest and turning", ladder=True)
 def ladder(length=67.0, g=9.81, latitude=0.8526, rate=EARTH_RATE, radius=EARTH_RADIUS, start=(1.5, 0.0, 0.0, 0.0), t=100.0):
     """Four models: a :class:`~newton_euler.ladders.Ladder` for the place in plan, m. Length and latitude are the Panthéon's; start is x, y, dx, dy.
 
@@ -45,11 +46,7 @@ def ladder(length=67.0, g=9.81, latitude=0.8526, rate=EARTH_RATE, radius=EARTH_R
     still = replace(air_near_low(0, g / length, rate=0), name="Foucault's pendulum, small swings, Earth at rest", neglects=(SIZE, ROTATION))
     turned = replace(air_near_low(latitude, g / length, rate=rate), name="Foucault's pendulum, small swings", neglects=(SIZE,))
     models = still, turned, any_swing(length, g), full(length, g, latitude, rate, radius)
-    return Ladder("Foucault's pendulum", PLACE, t, tuple(Rung(model, start, _place) for model in models))
-
-
-def _place(s, p, t):
-    return s.x, s.y
+    return Ladder.of_models("Foucault's pendulum", PLACE, t, start, ("x", "y"), *models)
 
 
 def below(s, length):

@@ -1,66 +1,72 @@
 """Air near the centre of low pressure, on the level (6.11): why storms turn counterclockwise in the north.
 
 Ground axes x east, y north, small against the Earth, so that the latitude is one number; the pressure grows with the square of the distance from the
-centre, so that it pushes with ``push`` times the distance. The same equations describe the pendulum of Foucault, with push = g/length.
+centre, and ``pressure_gradient`` is its gradient over density and distance. The same equations, with g/length, describe the pendulum of Foucault.
 
 :func:`ladder` has three models of it: the Earth at rest, the Earth turning, and friction as well.
 """
 
 from ..earth import EARTH_RATE, coriolis_parameter
-from ..ladders import Ladder, Rung
-from ..models import Model, Neglected, is_law
-from ..scalars import cos, is_zero, scalar, sin, sqrt
+from ..harmonic import oscillation, plane_oscillation, turned
+from ..ladders import Ladder
+from ..models import Model, Neglected, is_absent
+from ..scalars import radians, sqrt
+from .catalogue import scene
 
 POSITION = "position, m"
 STATES = ("x", "y", "dx", "dy")
+DAY = 86_400.0  # s
 
 
-def air_near_low(latitude, push=0, friction=0, rate=EARTH_RATE):
+@scene(
+    "6.11", "low", "air that starts at rest 300 km from the centre of a low, for two days", 2 * DAY, (3e5, 0.0, 0.0, 0.0),
+    latitude=radians(45.0), pressure_gradient=1e-8,
+)  # fmt: skip
+@scene(
+    "6.11", "low, friction", "air near a low with friction, which lets it run inwards", 2 * DAY, (3e5, 0.0, 0.0, 0.0),
+    latitude=radians(45.0), pressure_gradient=1e-8, friction=1e-5,
+)  # fmt: skip
+@scene(
+    "6.11", "pendulum of Foucault", "67 m long, in Paris, for ten minutes, by the equations of the low", 600.0, (3.0, 0.0, 0.0, 0.0),
+    latitude=radians(48.85), pressure_gradient=9.81 / 67.0,
+)  # fmt: skip
+def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
     """The model of a parcel of air: states x, y from the centre, dx, dy as seen from the ground (6.33).
 
-    push : inward acceleration over distance, 1/s^2; 0 for free air, which runs in circles; friction : deceleration over speed, 1/s
+    pressure_gradient : inward acceleration over distance, 1/s^2; 0 for free air, which runs in circles
+    friction : deceleration over speed, 1/s
     Without friction, energy and absolute angular momentum are invariants, and there is an exact solution.
 
-    >>> air = air_near_low(1.5707963267948966, push=1e-8, rate=5e-5)
+    >>> air = air_near_low(1.5707963267948966, pressure_gradient=1e-8, rate=5e-5)
     >>> air.derivative((0.0, -1e5, 0.0, 1.0))  # it moves to the north, to the centre, and is turned aside to the east
     (0.0, 1.0, 0.0001, 0.001)
     """
-    frictionless = not is_law(friction) and is_zero(scalar(friction))
-    return Model(
-        "air near a low", {"latitude": latitude, "rate": rate, "push": push, "friction": friction}, STATES, _rates,
-        invariants=_INVARIANTS if frictionless else {}, exact=_exact if frictionless else None,
-    )  # fmt: skip
+    return Model("air near a low", locals(), STATES, _rates, *((_INVARIANTS, _exact) if is_absent(friction) else ()))
 
 
-def ladder(latitude=0.8, push=2e-9, friction=1e-5, rate=EARTH_RATE, start=(0.0, -4e5, 8.0, 0.0), t=10_800.0):
+@scene("6.11", "air near a low", "Earth at rest, Earth turning, friction", ladder=True)
+def ladder(latitude=0.8, pressure_gradient=2e-9, friction=1e-5, rate=EARTH_RATE, start=(0.0, -4e5, 8.0, 0.0), t=10_800.0):
     """The models of one parcel of air, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for its position in m until ``t`` in s.
 
-    push, friction : numbers, push above zero and friction not below it; start : x, y, dx, dy in m and m/s
+    pressure_gradient : a number above 0; friction : a number, not negative; start : x, y, dx, dy in m and m/s
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (1e5, 2e4, 1e3)]
     ['air near a low, Earth at rest', 'air near a low, without friction', 'air near a low']
     """
-    full, energy = air_near_low(latitude, push, friction, rate), {"energy over mass": _energy}
-    models = (
-        Model("air near a low, Earth at rest", full.parameters, STATES, _still_rates, energy, _still_exact, (ROTATION, FRICTION)),
-        Model("air near a low, without friction", full.parameters, STATES, _smooth_rates, _INVARIANTS, _exact, (FRICTION,)),
-        full,
-    )
-    return Ladder("air near a low", POSITION, t, tuple(Rung(model, start, _place) for model in models))
-
-
-def _place(s, p, t):
-    return s.x, s.y
+    full, energy = air_near_low(latitude, pressure_gradient, friction, rate), {"energy over mass": _energy}
+    still = Model("air near a low, Earth at rest", full.parameters, STATES, _still_rates, energy, _still_exact, (ROTATION, FRICTION))
+    smooth = Model("air near a low, without friction", full.parameters, STATES, _smooth_rates, _INVARIANTS, _exact, (FRICTION,))
+    return Ladder.of_models("air near a low", POSITION, t, start, ("x", "y"), still, smooth, full)
 
 
 def _still_rates(s, p, t):
-    return s.dx, s.dy, -p.push * s.x, -p.push * s.y
+    return s.dx, s.dy, -p.pressure_gradient * s.x, -p.pressure_gradient * s.y
 
 
 def _smooth_rates(s, p, t):
     f = coriolis_parameter(p.latitude, p.rate)
-    return s.dx, s.dy, -p.push * s.x + f * s.dy, -p.push * s.y - f * s.dx
+    return s.dx, s.dy, -p.pressure_gradient * s.x + f * s.dy, -p.pressure_gradient * s.y - f * s.dx
 
 
 def _rates(s, p, t):
@@ -69,7 +75,7 @@ def _rates(s, p, t):
 
 
 def _energy(s, p, t):
-    return (s.dx * s.dx + s.dy * s.dy + p.push * (s.x * s.x + s.y * s.y)) / 2
+    return (s.dx * s.dx + s.dy * s.dy + p.pressure_gradient * (s.x * s.x + s.y * s.y)) / 2
 
 
 def _momentum(s, p, t):
@@ -80,37 +86,26 @@ _INVARIANTS = {"energy over mass": _energy, "absolute angular momentum over mass
 
 
 def _exact(s, p, t):
-    """An ellipse at the rate n about the centre, seen from axes that turn at f/2 to the left of the air."""
+    """In axes that turn at the rate -f/2 the parcel describes an ellipse about the centre."""
     half = coriolis_parameter(p.latitude, p.rate) / 2
-    n = sqrt(half * half + p.push)
-    c, S = cos(n * t), sin(n * t) / n
-    wx, wy = s.dx - half * s.y, s.dy + half * s.x
-    x, y = s.x * c + wx * S, s.y * c + wy * S
-    dx, dy = wx * c - n * n * s.x * S, wy * c - n * n * s.y * S
-    return *_turned(x, y, half * t), *_turned(dx + half * y, dy - half * x, half * t)
+    square = half * half + p.pressure_gradient
+    (x, dx), (y, dy) = oscillation(s.x, s.dx - half * s.y, square, t), oscillation(s.y, s.dy + half * s.x, square, t)
+    return *turned(x, y, -half * t), *turned(dx + half * y, dy - half * x, -half * t)
 
 
 def _still_exact(s, p, t):
-    n = sqrt(p.push)
-    c, S = cos(n * t), sin(n * t)
-    return s.x * c + s.dx / n * S, s.y * c + s.dy / n * S, s.dx * c - n * s.x * S, s.dy * c - n * s.y * S
-
-
-def _turned(x, y, angle):
-    """Turned clockwise."""
-    c, s = cos(angle), sin(angle)
-    return c * x + s * y, c * y - s * x
+    return plane_oscillation(s, p.pressure_gradient, t)
 
 
 # -- what may be neglected
 #
 # Coriolis and friction are accelerations along or across the velocity, which the energy bounds. What a unit of acceleration at one instant adds to
-# the position later is sin(n u)/n with n^2 >= push >= 0, never more than the time u passed since.
+# the position later is sin(n u)/n with n^2 >= pressure_gradient >= 0, never more than the time u passed since.
 
 
 def _moved(s, p, t):
-    """What a force over mass of one unit per unit of speed can add to the position until t."""
-    return sqrt(s.dx * s.dx + s.dy * s.dy + p.push * (s.x * s.x + s.y * s.y)) * (t * t) / 2
+    """The most that an acceleration of 1/s times the speed can change the position until t."""
+    return sqrt(2 * _energy(s, p, t)) * (t * t) / 2
 
 
 def _by_rotation(s, p, t):

@@ -1,7 +1,7 @@
-"""A shot over the rotating Earth (6.9, 6.10), as a ladder of models from the flat earth at rest to the full equations of motion in air.
+"""A shot over the rotating Earth (6.9, 6.10), as a ladder of models from a flat Earth at rest to the full equations of motion in air.
 
 All have the states x, y, z along ground axes (east, north, up) from a place on the surface, and vx, vy, vz. What a model neglects is bounded as an
-error of the position, as long as the shot is above the ground. Air, of one density, holds the shot back by ``drag`` times the square of its speed;
+error of the position, as long as the shot is above the ground. Air of uniform density decelerates it by ``drag`` times the square of its speed;
 drag = density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the ground, 1e-8 at a height of 70 km.
 
 >>> from newton_euler.ladders import smallest
@@ -14,65 +14,64 @@ projectile, full
 projectile, full in air
 """
 
-from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, earth_rate3, position3
-from ..ladders import Ladder, Rung
+from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, coriolis_series, earth_rate3, position3
+from ..harmonic import growth, stumpff
+from ..ladders import Ladder
 from ..models import Model, Neglected
-from ..scalars import ZERO, cos, cosh, sinh, sqrt
+from ..scalars import ZERO, cos, sqrt
 from ..vectors import ZERO3, add3, cross3, dot3, scale3, sub3
+from .catalogue import scene
 
 POSITION = "position, m"
 STATES = ("x", "y", "z", "vx", "vy", "vz")
-ORDER = 24  # of the series in the turn 2 omega t: to round-off within five hours on the Earth
+START = 0.0, 0.0, 0.0, 200.0, 50.0, 200.0  # of the scenes
+LARGEST = 8  # (2 omega t)^2 for which the series is summed to round-off: five hours on the Earth
 
 
 def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Free fall with constant g on an earth at rest. All but g serve to bound what it neglects, here and below."""
-    return _model("flat", (g, latitude, rate, radius, drag), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
+    """Free fall with constant g on an Earth at rest. The parameters other than g only bound what the model neglects."""
+    return _model("flat", locals(), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
 
 
+@scene("6.10", "projectile, rotation only", "the shot with constant g and the Coriolis acceleration only", 40.0, START, g=9.82, latitude=0.8)
 def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """The rotation to first order (6.24). The states vx, vy, vz are the velocity that the shot would have without it."""
-    return _model("Coriolis to first order", (g, latitude, rate, radius, drag), _turned, (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR), _turned_exact)
+    return _model("Coriolis to first order", locals(), _turned, (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR), _turned_exact)
 
 
 def plumb(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     """Constant effective gravity, that of the origin, and the Coriolis acceleration (6.16), which is solved exactly."""
-    neglects = CENTRIFUGAL_CHANGE, CURVATURE, AIR
-    return _model("Coriolis and effective gravity", (g, latitude, rate, radius, drag), _uniform, neglects, _uniform_exact)
+    return _model("Coriolis and effective gravity", locals(), _uniform, (CENTRIFUGAL_CHANGE, CURVATURE, AIR), _uniform_exact)
 
 
 def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Constant g on an earth at rest, and the air."""
-    return _model("flat in air", (g, latitude, rate, radius, drag), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
+    """Constant g on an Earth at rest, with air."""
+    return _model("flat in air", locals(), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
 
 
+@scene("6.10", "projectile", "a shot of 283 m/s over the rotating Earth, all terms", 40.0, START, g=9.82, latitude=0.8)
 def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular momentum about the axis, among the stars."""
-    invariants = {"energy over mass": _energy, "angular momentum over mass, about the axis": _axial}
-    return _model("full", (g, latitude, rate, radius, drag), _full, (AIR,), invariants=invariants)
+    """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular momentum about the axis, in the inertial frame."""
+    return _model("full", locals(), _full, (AIR,), None, {"energy over mass": _energy, "angular momentum over mass, about the axis": _axial})
 
 
 def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """The same in air that goes with the Earth."""
-    return _model("full in air", (g, latitude, rate, radius, drag), _full_in_air)
+    """The same in air that rotates with the Earth."""
+    return _model("full in air", locals(), _full_in_air)
 
 
+@scene("6.10", "projectile", "flat Earth, Coriolis, effective gravity, attraction of a sphere, air", ladder=True)
 def ladder(g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8, start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t=10.0):
     """The models of one shot, in the order of their cost: a :class:`~newton_euler.ladders.Ladder` for its position until ``t``.
 
     Six, or four if ``drag`` is 0.
     """
     makers = (flat, coriolis, plumb, flat_in_air, full, full_in_air) if drag else (flat, coriolis, plumb, full)
-    return Ladder("projectile", POSITION, t, tuple(Rung(make(g, latitude, rate, radius, drag), start, _place) for make in makers))
+    return Ladder.of_models("projectile", POSITION, t, start, STATES[:3], *(make(g, latitude, rate, radius, drag) for make in makers))
 
 
-def _model(name, values, rhs, neglects=(), exact=None, invariants=()):
-    parameters = dict(zip(("g", "latitude", "rate", "radius", "drag"), values, strict=True))
-    return Model(f"projectile, {name}", parameters, STATES, rhs, dict(invariants), exact, neglects)
-
-
-def _place(s, p, t):
-    return s.x, s.y, s.z
+def _model(name, parameters, rhs, neglects=(), exact=None, invariants=()):
+    return Model(f"projectile, {name}", parameters, STATES, rhs, invariants, exact, neglects)
 
 
 def _r(s):
@@ -91,8 +90,8 @@ def _omega(p):
     return earth_rate3(p.latitude, p.rate)
 
 
-def _held_back(s, p):
-    """The acceleration by the air."""
+def _air_drag(s, p):
+    """The acceleration by the drag of the air."""
     return scale3(-p.drag * sqrt(dot3(_v(s), _v(s))), _v(s))
 
 
@@ -108,14 +107,14 @@ def _parabola(s, p, t):
 
 
 def _flat_in_air(s, p, t):
-    return *_v(s), *add3(_down(p), _held_back(s, p))
+    return *_v(s), *add3(_down(p), _air_drag(s, p))
 
 
 # -- Coriolis
 
 
 def _turned(s, p, t):
-    """The Coriolis acceleration of the flat shot, integrated once, along its way v t - g t^2/2 until now."""
+    """The Coriolis acceleration of the flat shot, integrated once: by its displacement v t - g t^2/2."""
     way = sub3(scale3(t, _v(s)), scale3(t * t / 2, _down(p)))
     return *sub3(_v(s), scale3(2, cross3(_omega(p), way))), *_down(p)
 
@@ -134,29 +133,13 @@ def _plumb_line(p):
 
 
 def _uniform_exact(s, p, t):
-    """The series of :func:`newton_euler.earth.position3`, all of it: three times across 2 omega is once across it, with a factor."""
-    a, v, g = scale3(2, _omega(p)), _v(s), _plumb_line(p)
-    c = _coefficients(dot3(a, a) * t * t)
-    moved = add3(_summed(v, a, t, 1, c), _summed(g, a, t, 2, c))
-    return *add3(_r(s), moved), *add3(_summed(v, a, t, 0, c), _summed(g, a, t, 1, c))
-
-
-def _summed(u, a, t, m, c):
-    """The sum of (-a x)^n u t^(m + n)/(m + n)! over n = 0, 1, ..."""
-    first = cross3(a, u)
-    power = (1, t, t * t / 2)[m]
-    terms = scale3(power, u), scale3(-(t ** (m + 1)) * c[m + 1], first), scale3(t ** (m + 2) * c[m + 2], cross3(a, first))
-    return add3(add3(terms[0], terms[1]), terms[2])
-
-
-def _coefficients(z):
-    """1/k! - z/(k + 2)! + z^2/(k + 4)! - ... for k = 0 ... 4, Stumpff's functions."""
-    c3, c4 = 1, 1
-    for n in range(ORDER, 0, -2):
-        c3, c4 = 1 - c3 * z / ((n + 2) * (n + 3)), 1 - c4 * z / ((n + 3) * (n + 4))
-    c3, c4 = c3 / 6, c4 / 24
-    c2, c1 = (1 - 2 * z * c4) / 2, 1 - z * c3
-    return 1 - z * c2, c1, c2, c3, c4
+    """The series of :func:`newton_euler.earth.position3`, all of it: three times across 2 omega is once across it, times -(2 omega)^2."""
+    v, g, w = _v(s), _plumb_line(p), _omega(p)
+    z = 4 * dot3(w, w) * t * t
+    c3, c4 = stumpff(3, z, LARGEST) / 6, stumpff(4, z, LARGEST) / 24
+    f1, f2, f3, f4 = t * (1 - z * c3), t * t / 2 * (1 - 2 * z * c4), t * t * t * c3, t * t * t * t * c4
+    moved = coriolis_series(v, g, w, [(t, t * t / 2), (f2, f3), (f3, f4)])
+    return *add3(_r(s), moved), *coriolis_series(v, g, w, [(1, t), (f1, f2), (f2, f3)])
 
 
 # -- full
@@ -170,25 +153,25 @@ def _full(s, p, t):
 
 def _full_in_air(s, p, t):
     rates = _full(s, p, t)
-    return *rates[:3], *add3(rates[3:], _held_back(s, p))
+    return *rates[:3], *add3(rates[3:], _air_drag(s, p))
 
 
 # -- invariants
 
 
-def _among_stars(s, p):
-    """Position from the Earth's centre, and velocity among the stars, along ground axes."""
+def _inertial(s, p):
+    """Position from the Earth's centre, and velocity in the inertial frame, along ground axes."""
     rho = (s.x, s.y, s.z + p.radius)
     return rho, add3(_v(s), cross3(_omega(p), rho))
 
 
 def _energy(s, p, t):
-    rho, v = _among_stars(s, p)
+    rho, v = _inertial(s, p)
     return dot3(v, v) / 2 - p.g * p.radius**2 / sqrt(dot3(rho, rho))
 
 
 def _axial(s, p, t):
-    rho, v = _among_stars(s, p)
+    rho, v = _inertial(s, p)
     return dot3(earth_rate3(p.latitude, 1), cross3(rho, v))
 
 
@@ -196,23 +179,25 @@ def _axial(s, p, t):
 #
 # Above the ground the attraction is at most g, the centrifugal acceleration at most rate^2 (R + d) at the distance d from the origin, and the
 # Coriolis acceleration does no work. So d <= D(t) with D'' = g + rate^2 (R + D), and the error e of a model that keeps the Coriolis term grows as
-# |e'| <= integral of what it leaves out; that both are held back by the air makes e' smaller. A Coriolis term that is left out makes the error
-# 2 omega x (integral of the way), and to first order the way itself is wrong by as much. Nothing makes the speed larger than D'.
+# |e'| <= integral of what it leaves out; that the air decelerates both makes e' smaller. A Coriolis term that is left out makes the error
+# 2 omega x (integral of the displacement), and to first order the displacement itself is wrong by as much. Nothing makes the speed larger than D'.
+
+
+def _bounds(s, p):
+    """At the start the distance from the origin, the speed, and the bound of the acceleration."""
+    start = sqrt(dot3(_r(s), _r(s)))
+    return start, sqrt(dot3(_v(s), _v(s))), p.g + p.rate**2 * (p.radius + start)
 
 
 def _reach(s, p, t):
     """The distance d from the origin at the start, and the bound of what is added to it until t."""
-    start, speed = sqrt(dot3(_r(s), _r(s))), sqrt(dot3(_v(s), _v(s)))
-    half = sinh(p.rate * t / 2) / p.rate  # cosh x - 1 = 2 sinh(x/2)^2 without cancellation
-    return start, speed * 2 * half * cosh(p.rate * t / 2) + 2 * (p.g + p.rate**2 * (p.radius + start)) * half**2
+    start, speed, most = _bounds(s, p)
+    _, of_speed, of_acceleration = growth(p.rate, t)
+    return start, speed * of_speed + most * of_acceleration
 
 
 def _by_coriolis(s, p, t):
     return p.rate * t * _reach(s, p, t)[1]
-
-
-def _by_second_order(s, p, t):
-    return 2 * p.rate**2 * t * t / 3 * _reach(s, p, t)[1]
 
 
 def _by_second_order(s, p, t):
@@ -235,22 +220,14 @@ def _by_curvature(s, p, t):
 
 
 def _by_air(s, p, t):
-    start, speed = sqrt(dot3(_r(s), _r(s))), sqrt(dot3(_v(s), _v(s)))
-    fastest = speed * cosh(p.rate * t) + (p.g + p.rate**2 * (p.radius + start)) * sinh(p.rate * t) / p.rate
-    return p.drag * fastest**2 * t * t / 2
-
-
-def _by_air(s, p, t):
-    start, speed = sqrt(dot3(_r(s), _r(s))), sqrt(dot3(_v(s), _v(s)))
-    fastest = speed * cosh(p.rate * t) + (p.g + p.rate**2 * (p.radius + start)) * sinh(p.rate * t) / p.rate
-    return p.drag * fastest**2 * t * t / 2
+    _, speed, most = _bounds(s, p)
+    grown, added, _ = growth(p.rate, t)
+    return p.drag * (speed * grown + most * added) ** 2 * t * t / 2
 
 
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)
 SECOND_ORDER = Neglected("the Coriolis acceleration beyond the first order in the rotation", _by_second_order, POSITION)
-SECOND_ORDER = Neglected("the Coriolis acceleration beyond the first order in the rotation", _by_second_order, POSITION)
 CENTRIFUGAL = Neglected("the centrifugal acceleration", _by_centrifugal, POSITION)
 CENTRIFUGAL_CHANGE = Neglected("the change of the centrifugal acceleration with place", _by_centrifugal_change, POSITION)
 CURVATURE = Neglected("the change of the attraction with place", _by_curvature, POSITION)
-AIR = Neglected("the air", _by_air, POSITION)
 AIR = Neglected("the air", _by_air, POSITION)

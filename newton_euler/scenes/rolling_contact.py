@@ -74,14 +74,14 @@ def contact(mass, radius, inertia, normal, mu, mu_kinetic=None, force=0, moment=
     >>> print(contact(2.0, 0.5, 0.25, normal=19.62, mu=0.05, force=6.0))
     slips: the friction needed is 2, the limit 0.981
     """
-    told = [scalar(x) for x in (normal, mu, force, moment, surface, slip, mass, radius, inertia)]
-    if not all(map(is_numeric, told)):
+    given = [scalar(x) for x in (normal, mu, force, moment, surface, slip, mass, radius, inertia)]
+    if not all(map(is_numeric, given)):
         raise ContactError("which regime holds depends on values: ask rolling(...) and slipping(...), and compare the friction with mu N")
-    if size(told[0] - abs(told[0])) > 0:
+    if size(given[0] - abs(given[0])) > 0:
         raise ContactError(f"the normal force is {normal!r}: the surface would have to pull, so the body has left it; it is in free flight")
     roll, kinetic = rolling(mass, radius, inertia, force, moment, surface), mu if mu_kinetic is None else mu_kinetic
     limit, needed = mu * normal, roll.friction
-    slip = plain(told[5])
+    slip = plain(given[5])
     sense = where(slip == 0, where(needed >= 0, 1, -1), where(slip > 0, -1, 1))
     rolls = (slip == 0) & (abs(needed) <= limit)
     friction = where(rolls, needed, sense * kinetic * normal)

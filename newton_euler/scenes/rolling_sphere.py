@@ -7,20 +7,22 @@ calculation than the sphere, but no moment of inertia.
 """
 
 from ..energy import speed_after
-from ..ladders import Ladder, Rung
+from ..harmonic import integrated_square, uniform_acceleration
+from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
-from ..scalars import plain, scalar, sin, tan, whole
+from ..scalars import plain, radians, scalar, sin, tan, whole
 from ..work import summed
+from .catalogue import scene
 
-WAY = "way down the incline, m"
+WAY = "distance down the incline, m"
 STATES = ("x", "v")
 
 
 def rolling_energy(m, R, speed, pivoting=0, k=None):
     """T of the rolling body with terms ``translation``, ``rolling`` and ``pivoting`` (11.45): 7/10 m v^2 for a sphere that does not pivot.
 
-    pivoting : the component of omega along the normal of the plane, rad/s, which the book takes to be zero. Rolling leaves it free, and it stays
-        what it is: for a sphere it only adds a constant.
+    pivoting : the component of omega along the normal of the plane, rad/s, which the book takes to be zero. Rolling does not change it: for a sphere
+        it only adds a constant.
 
     >>> round(rolling_energy(2.0, 0.5, 3.0).value, 9)
     12.6
@@ -31,7 +33,7 @@ def rolling_energy(m, R, speed, pivoting=0, k=None):
 
 
 def rolling_speed(drop, g, v0=0, k=None):
-    """The speed of the centre after it has come down by ``drop``: sqrt(v0^2 + 2 g h/(1 + k)), from rest sqrt(10 g h/7) for a sphere (11.49).
+    """The speed of the centre after a descent by ``drop``: sqrt(v0^2 + 2 g h/(1 + k)), from rest sqrt(10 g h/7) for a sphere (11.49).
 
     The contact is at rest, so its force does no work; without rolling it would be sqrt(2 g h), on any incline.
 
@@ -41,6 +43,7 @@ def rolling_speed(drop, g, v0=0, k=None):
     return speed_after(v0, scalar(g) * drop, 1 + _ratio(g, k))
 
 
+@scene("11.15", "sphere on an incline", "a sphere that rolls down a plane of 30 degrees", 2.0, (1.0, 0.5), slope=radians(30.0), g=9.8)
 def rolling_down(slope, g, k=None):
     """The motion straight down a plane of inclination ``slope``: a Model with the states x (down the plane) and v, and the energy over mass kept.
 
@@ -49,22 +52,25 @@ def rolling_down(slope, g, k=None):
     >>> rolling_down(0.5235987755982988, 9.8).derivative((0.0, 0.0))[1]
     3.5
     """
-    return Model("sphere on an incline", {"slope": slope, "g": g, "k": _ratio(g, k)}, STATES, _rates, {"energy over mass": _energy}, _exact)
+    k = _ratio(g, k)
+    return Model("sphere on an incline", locals(), STATES, _rates, {"energy over mass": _energy}, _exact)
 
 
 def rolling_in_air(slope, g, air, k=None):
     """The same against the air, which resists with ``air`` m v^2; air (1/m) is rho C_D A/(2 m). For a sphere that comes down: v is not negative.
 
-    The closed form (1 + k)/air log(cosh(n t) + ...) is not used: in little air it is the logarithm of next to one, and loses all digits.
+    The closed form (1 + k)/air log(cosh(n t) + ...) is not used: with little air it is the logarithm of almost 1, in which all digits cancel.
 
     >>> rolling_in_air(0.5235987755982988, 9.8, 0.01).derivative((0.0, 7.0))[1]
     3.15
     """
-    return Model("sphere on an incline, in air", {"slope": slope, "g": g, "k": _ratio(g, k), "air": air}, STATES, _air_rates)
+    k = _ratio(g, k)
+    return Model("sphere on an incline, in air", locals(), STATES, _air_rates)
 
 
+@scene("11.15", "sphere on an incline", "a block that slides without friction, rolling, rolling in air", ladder=True)
 def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
-    """The models of one run, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the way, in m, until ``t``.
+    """The models of one run, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the distance, in m, until ``t``.
 
     air : not negative; start : x, v. Raises :class:`~newton_euler.models.ModelError` for a sphere that goes uphill.
 
@@ -75,12 +81,9 @@ def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
     if start[1] < 0:
         raise ModelError(f"the ladder is for a sphere that comes down, v not below zero; got v = {start[1]!r}")
     full = rolling_in_air(slope, g, air, k)
-    models = (
-        Model("block on an incline", full.parameters, STATES, _block_rates, {"energy over mass": _block_energy}, _block_exact, (ROTATION, AIR)),
-        Model("sphere on an incline", full.parameters, STATES, _rates, {"energy over mass": _energy}, _exact, (AIR,)),
-        full,
-    )
-    return Ladder("sphere on an incline", WAY, t, tuple(Rung(model, start, _way) for model in models))
+    block = Model("block on an incline", full.parameters, STATES, _block_rates, {"energy over mass": _block_energy}, _block_exact, (ROTATION, AIR))
+    sphere = Model("sphere on an incline", full.parameters, STATES, _rates, {"energy over mass": _energy}, _exact, (AIR,))
+    return Ladder.of_models("sphere on an incline", WAY, t, start, ("x",), block, sphere, full)
 
 
 def friction_needed(slope, k=None):
@@ -93,10 +96,6 @@ def friction_needed(slope, k=None):
     return plain(k * tan(slope) / (1 + k))
 
 
-def _way(s, p, t):
-    return (s.x,)
-
-
 def _acceleration(p):
     return p.g * sin(p.slope) / (1 + p.k)
 
@@ -106,7 +105,7 @@ def _block_rates(s, p, t):
 
 
 def _block_exact(s, p, t):
-    return _uniform(s, p.g * sin(p.slope), t)
+    return uniform_acceleration(s.x, s.v, p.g * sin(p.slope), t)
 
 
 def _block_energy(s, p, t):
@@ -118,15 +117,11 @@ def _rates(s, p, t):
 
 
 def _exact(s, p, t):
-    return _uniform(s, _acceleration(p), t)
+    return uniform_acceleration(s.x, s.v, _acceleration(p), t)
 
 
 def _energy(s, p, t):
     return (1 + p.k) * s.v * s.v / 2 - p.g * sin(p.slope) * s.x
-
-
-def _uniform(s, a, t):
-    return s.x + (s.v + a * t / 2) * t, s.v + a * t
 
 
 def _air_rates(s, p, t):
@@ -141,8 +136,7 @@ def _by_rotation(s, p, t):
 
 
 def _by_air(s, p, t):
-    a = _acceleration(p)
-    return p.air / (1 + p.k) * (t * t) * (s.v * s.v / 2 + s.v * a * t / 3 + a * a * (t * t) / 12)
+    return p.air / (1 + p.k) * integrated_square(s.v, _acceleration(p), t)
 
 
 ROTATION = Neglected("the moment of inertia", _by_rotation, WAY)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from ..models import Model
 from ..scalars import plain, scalar, where, whole
+from .catalogue import scene
 
 
 @dataclass(frozen=True)
@@ -21,6 +22,7 @@ class RollingBegins:
     omega: object
 
 
+@scene("8.6", "sliding sphere", "a sphere thrown without spin, until it begins to roll", 1.0, (0.0, 7.0, 0.0), mu=0.2, g=10.0, radius=0.5)
 def sliding(mu, g, radius, k=None, sense=1):
     """The model of the sphere while it slides: states x, v, omega.
 
@@ -35,8 +37,9 @@ def sliding(mu, g, radius, k=None, sense=1):
     return Model("sliding sphere", parameters, ("x", "v", "omega"), _sliding_rates, _INVARIANTS, _slid)
 
 
+@scene("8.6", "rolling sphere", "a sphere that rolls on the level: nothing changes but its place", 2.0, (6.0, 5.0, -10.0), radius=0.5)
 def rolling(radius, k=None):
-    """The model of the sphere while it rolls on the level: nothing changes but x. States as in :func:`sliding`."""
+    """The model of the sphere while it rolls on the level: only x changes. States as in :func:`sliding`."""
     parameters = {"r": radius, "k": _ratio(radius, k)}
     return Model("rolling sphere", parameters, ("x", "v", "omega"), lambda s, p, t: (s.v, 0, 0), {**_INVARIANTS, "slip": _slip}, _rolled)
 
@@ -44,7 +47,7 @@ def rolling(radius, k=None):
 def rolling_begins(v0, mu, g, radius, omega0=0, k=None, sense=1):
     """When and how the sphere begins to roll: :class:`RollingBegins`. Without spin t = 2 v0/(7 mu g), v = 5 v0/7, omega = -5 v0/(7 r).
 
-    sense : the sign of v0 + omega0 r, as in :func:`sliding`; with the wrong one the time comes out negative
+    sense : the sign of v0 + omega0 r, as in :func:`sliding`; with the wrong sign the time is negative
 
     >>> b = rolling_begins(7.0, 0.2, 10.0, 0.5)
     >>> round(b.t, 12), b.v, b.omega

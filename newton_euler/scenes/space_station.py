@@ -1,16 +1,18 @@
 """A space station of radius r that turns about its axis, so that its rim feels like the ground (6.7).
 
 Station axes turn with it: the axis of rotation is z, along which ``omega`` is positive; the book's station has omega < 0. A body let go moves on a
-straight line at constant speed among the stars; from the station its path looks like a spiral, or a circle, but in general not like the
-limacon that the book names.
+straight line at constant speed in the inertial frame; seen from the station its path is a spiral, or a circle, but in general not the limacon that
+the book names.
 
 :func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the Earth, as it does in the station, and with the air.
 """
 
-from ..ladders import Ladder, Rung
+from ..harmonic import growth, turned, uniform_acceleration
+from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
-from ..scalars import ZERO, cos, cosh, sin, sinh, sqrt
+from ..scalars import ZERO, sqrt
 from ..vectors import add3, cross3, scale3
+from .catalogue import scene
 
 POSITION = "position, m"
 STATES = ("x", "y", "dx", "dy")
@@ -18,7 +20,7 @@ CREEP = 0.01  # m/s
 
 
 def station_rate(g, radius):
-    """The rate of rotation, rad/s, at which the floor at the rim pushes like the ground of the Earth: sqrt(g/radius).
+    """The rate of rotation, rad/s, at which a body at the rim weighs as much as on the Earth: sqrt(g/radius).
 
     >>> round(station_rate(9.81, 100.0)*60/6.2832, 2)  # turns a minute
     2.99
@@ -27,17 +29,21 @@ def station_rate(g, radius):
 
 
 def rim_speed(g, radius):
-    """The speed of the rim at this rate, sqrt(g radius): who runs as fast against the rotation stands still among the stars, and floats."""
+    """The speed of the rim at this rate, sqrt(g radius): who runs as fast against the rotation is at rest in the inertial frame, and floats."""
     return sqrt(g * radius)
 
 
+@scene(
+    "6.7", "space station", "a body let go 20 m from the axis of a turning station, until it reaches the floor at 100 m", 15.0,
+    (20.0, 0.0, 0.0, 0.0), omega=-station_rate(9.81, 100.0),
+)  # fmt: skip
 def free_body(omega):
     """The model of a body let go in the station (6.10): states x, y along station axes from the axis of rotation, dx, dy seen there.
 
     >>> free_body(0.5).derivative((2.0, 0.0, 1.0, 1.0))  # centrifugal 0.5 along x, Coriolis 1.0 and -1.0
     (1.0, 1.0, 1.5, -1.0)
     """
-    return Model("free body in a turning station", {"omega": omega}, STATES, _rates, _INVARIANTS, _exact)
+    return Model("free body in a turning station", locals(), STATES, _rates, _INVARIANTS, _exact)
 
 
 def body_in_air(omega, air, creep=CREEP):
@@ -48,13 +54,14 @@ def body_in_air(omega, air, creep=CREEP):
     >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))  # 0.25 against the velocity
     (3.0, 4.0, 4.35, -3.2)
     """
-    return Model("body in the air of a turning station", {"omega": omega, "air": air, "creep": creep}, STATES, _air_rates)
+    return Model("body in the air of a turning station", locals(), STATES, _air_rates)
 
 
+@scene("6.7", "space station", "uniform gravity, the turning station, air", ladder=True)
 def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=1.0):
     """The models of a throw near (radius, 0) at the rim, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the position in m until t.
 
-    omega : not zero; start : x, y, dx, dy in m and m/s. Nothing stops the body at the floor: ask as long as it flies.
+    omega : not zero; start : x, y, dx, dy in m and m/s. The floor is not modelled: choose t before the body reaches it.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (2.0, 0.1, 1e-3)]
@@ -64,16 +71,9 @@ def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=
         raise ModelError("a station that does not turn has no weight to model: omega must not be zero")
     full = body_in_air(omega, air)
     parameters = {**full.parameters, "radius": radius}
-    models = (
-        Model("uniform gravity in a turning station", parameters, STATES, _uniform, {}, _parabola, (CORIOLIS, CHANGE, AIR)),
-        Model("free body in a turning station", parameters, STATES, _rates, _INVARIANTS, _exact, (AIR,)),
-        full,
-    )
-    return Ladder("space station", POSITION, t, tuple(Rung(model, start, _place) for model in models))
-
-
-def _place(s, p, t):
-    return s.x, s.y
+    uniform = Model("uniform gravity in a turning station", parameters, STATES, _uniform, {}, _parabola, (CORIOLIS, CHANGE, AIR))
+    free = Model("free body in a turning station", parameters, STATES, _rates, _INVARIANTS, _exact, (AIR,))
+    return Ladder.of_models("space station", POSITION, t, start, ("x", "y"), uniform, free, full)
 
 
 def _uniform(s, p, t):
@@ -81,8 +81,8 @@ def _uniform(s, p, t):
 
 
 def _parabola(s, p, t):
-    g = p.omega * p.omega * p.radius
-    return s.x + (s.dx + g * t / 2) * t, s.y + s.dy * t, s.dx + g * t, s.dy
+    x, dx = uniform_acceleration(s.x, s.dx, p.omega * p.omega * p.radius, t)
+    return x, s.y + s.dy * t, dx, s.dy
 
 
 def _rates(s, p, t):
@@ -97,8 +97,8 @@ def _air_rates(s, p, t):
     return dx, dy, ddx - hold * s.dx, ddy - hold * s.dy
 
 
-def _among_stars(s, p):
-    """The velocity among the stars, along station axes."""
+def _inertial_velocity(s, p):
+    """The velocity in the inertial frame, along station axes."""
     return s.dx - p.omega * s.y, s.dy + p.omega * s.x
 
 
@@ -107,59 +107,49 @@ def _moment(r, v):
 
 
 _INVARIANTS = {
-    "speed among the stars, squared": lambda s, p, t: sum(v * v for v in _among_stars(s, p)),
-    "angular momentum over mass": lambda s, p, t: _moment((s.x, s.y), _among_stars(s, p)),
+    "inertial speed, squared": lambda s, p, t: sum(v * v for v in _inertial_velocity(s, p)),
+    "angular momentum over mass": lambda s, p, t: _moment((s.x, s.y), _inertial_velocity(s, p)),
 }
 
 
 def _exact(s, p, t):
     """The straight line r0 + w t, turned back by omega t."""
-    w = _among_stars(s, p)
-    x, y = _turned_back((s.x + w[0] * t, s.y + w[1] * t), p.omega * t)
-    dx, dy = _turned_back(w, p.omega * t)
+    wx, wy = _inertial_velocity(s, p)
+    x, y = turned(s.x + wx * t, s.y + wy * t, -p.omega * t)
+    dx, dy = turned(wx, wy, -p.omega * t)
     return x, y, dx + p.omega * y, dy - p.omega * x
-
-
-def _turned_back(r, angle):
-    c, s = cos(angle), sin(angle)
-    return c * r[0] + s * r[1], c * r[1] - s * r[0]
 
 
 # -- what may be neglected
 #
 # Seen in the station neither the Coriolis acceleration nor the air makes the body faster, so its speed v and the distance r from the axis obey
-# v' <= omega^2 r, r' <= v: both grow no faster than those of a body on a spoke. In uniform gravity nothing holds a body to its path, so the double
-# integral of what is left out is the error; that of the Coriolis acceleration, 2 omega x v, is the integral of 2 omega x (way). Among the stars
-# nothing holds a free body either, so the same is true of the air.
+# v' <= omega^2 r, r' <= v: both grow no faster than those of a body on a spoke. In uniform gravity no force depends on position or velocity, so the
+# double integral of what is left out is the error; that of the Coriolis acceleration, 2 omega x v, is the integral of 2 omega x (displacement). The
+# same is true of the air, for a free body in the inertial frame.
 
 
-def _speed(s, p, t):
-    """The most that the speed can be until t."""
-    r, v, a = sqrt(s.x * s.x + s.y * s.y), sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * t
-    return v * cosh(a) + r * p.omega * sinh(a)
-
-
-def _gone(s, p, t):
-    """The most that the way from the start can be until t."""
-    r, v, a = sqrt(s.x * s.x + s.y * s.y), sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * t
-    half = sinh(a / 2)
-    return v / p.omega * sinh(a) + 2 * r * half * half  # cosh a - 1 without cancellation
+def _bounds(s, p, t):
+    """At the start the speed and the centrifugal acceleration, and the factors that bound their growth until t."""
+    v, a = sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * p.omega * sqrt(s.x * s.x + s.y * s.y)
+    return v, a, growth(p.omega, t)
 
 
 def _by_coriolis(s, p, t):
-    """The integral of :func:`_gone`, in which sinh(a) - a is at most a (cosh(a) - 1)/3, a = omega t."""
-    r, v, half = sqrt(s.x * s.x + s.y * s.y), sqrt(s.dx * s.dx + s.dy * s.dy), sinh(p.omega * t / 2)
-    return 4 * half * half * (v + p.omega * p.omega * r * t / 3) / sqrt(p.omega * p.omega)
+    """The integral of the displacement, in which sinh(x) - x is at most x (cosh(x) - 1)/3, x = omega t."""
+    v, a, (_, _, of_acceleration) = _bounds(s, p, t)
+    return 2 * sqrt(p.omega * p.omega) * of_acceleration * (v + a * t / 3)
 
 
 def _by_change(s, p, t):
+    v, a, (_, of_speed, of_acceleration) = _bounds(s, p, t)
     away = sqrt((s.x - p.radius) * (s.x - p.radius) + s.y * s.y)
-    return p.omega * p.omega * (away + _gone(s, p, t)) * (t * t) / 2
+    return p.omega * p.omega * (away + v * of_speed + a * of_acceleration) * (t * t) / 2
 
 
 def _by_air(s, p, t):
-    v = _speed(s, p, t)
-    return p.air * v * sqrt(v * v + p.creep * p.creep) * (t * t) / 2
+    v, a, (grown, added, _) = _bounds(s, p, t)
+    fastest = v * grown + a * added
+    return p.air * fastest * sqrt(fastest * fastest + p.creep * p.creep) * (t * t) / 2
 
 
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)

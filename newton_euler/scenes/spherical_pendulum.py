@@ -2,12 +2,29 @@
 
 It is a top without a moment of inertia about its axis, I0 = m L^2/3 and I = 0. The axis k points from the joint along the bar and theta is its angle
 with the *upward* vertical K, so that the bar hangs at theta = pi.
+
+:func:`ladder` has four models of the motion of its tip, at x, y in plan, from the joint, z up, always below the level of the joint: small swings or
+any, with friction in the joint or without. The bar swings like a simple pendulum of the length 2 L/3. Friction is a moment against the turning;
+``friction`` is this moment over the moment of inertia and the rate, 1/s.
 """
 
+from dataclasses import replace
+
 from ..frames import Frame
+from ..harmonic import plane_oscillation
 from ..inertia import Inertia
+from ..ladders import Ladder
+from ..models import Model, Neglected
 from ..rotations import euler_frame
-from .top import reduced, rolled_out, surplus
+from ..scalars import ZERO, cos, sin
+from ..vectors import add3, scale3
+from .catalogue import scene
+from .foucault import any_swing as on_cord
+from .foucault import below, held
+from .low import STATES
+from .top import momentum_difference, nonspinning_frame, nutation
+
+PLACE = "place of the tip in plan, m"
 
 
 def momentum(mass, length, psi, theta, phi):
@@ -28,20 +45,101 @@ def momentum(mass, length, psi, theta, phi):
     return Inertia(bar.origin, (I0, I0, 0), frame=bar.parent, tolerance=None).times(turning), bar
 
 
+@scene(
+    "10.4", "spherical pendulum", "a bar on a ball joint, pushed sideways, without a singular place", 8.0, (cos(1.2), sin(1.2), 0.0, 0.0, 0.1, 0.7),
+    mass=3.0, length=2.0, g=9.81,
+)  # fmt: skip
 def pendulum(mass, length, g):
-    """The pendulum as a Model without a singular place: :func:`newton_euler.scenes.top.rolled_out`.
+    """The pendulum as a Model without a singular position: :func:`newton_euler.scenes.top.nonspinning_frame`.
 
     >>> pendulum(3.0, 2.0, 9.81).parameters["I0"]
     4.0
     """
-    return rolled_out(mass * (length * length) / 3, 0, mass * g * length / 2, 0)
+    return nonspinning_frame(mass * (length * length) / 3, 0, mass * g * length / 2, 0)
 
 
+@scene(
+    "10.4", "spherical pendulum, nodding", "its angle from the vertical alone, the cyclic one eliminated", 8.0, (2.0, 0.0),
+    mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
+)  # fmt: skip
 def nodding(mass, length, g, theta, precession):
-    """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this rate psi': :func:`newton_euler.scenes.top.reduced`.
+    """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this rate psi': :func:`newton_euler.scenes.top.nutation`.
 
     >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)  # falls towards theta = pi
     1.03829
     """
     I0 = mass * (length * length) / 3
-    return reduced(I0, 0, mass * g * length / 2, 0, surplus(I0, 0, theta, precession, 0))
+    return nutation(I0, 0, mass * g * length / 2, 0, momentum_difference(I0, 0, theta, precession, 0))
+
+
+# -- the tip in plan
+
+
+def small_swings(length, g):
+    """Small swings without friction, an ellipse: states x, y, dx, dy of the tip.
+
+    >>> small_swings(3.0, 10.0).derivative((0.1, -0.2, 0.0, 0.2))
+    (0.0, 0.2, -0.5, 1.0)
+    """
+    return Model("bar, small swings", locals(), STATES, _small, {}, _small_exact, (SIZE, FRICTION))
+
+
+def small_swings_with_friction(length, g, friction):
+    """Small swings with friction, an ellipse that shrinks; friction is below 2 sqrt(3 g/(2 length)), the critical damping."""
+    return Model("bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,))
+
+
+def any_swing(length, g):
+    """Any swing below the level of the joint, without friction: as the tip would swing on a cord, with gravity 3 g/2."""
+    return replace(on_cord(length, 1.5 * g), name="bar, any swing", neglects=(FRICTION,))
+
+
+def any_swing_with_friction(length, g, friction):
+    """The same with friction: states x, y, dx, dy of the tip."""
+    return Model("bar, any swing with friction", locals(), STATES, _full)
+
+
+@scene("10.4", "spherical pendulum", "small swings and any, with friction in the joint or without", ladder=True)
+def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0):
+    """Four models: a :class:`~newton_euler.ladders.Ladder` for the place of the tip in plan, m, from the ``start`` x, y, dx, dy.
+
+    >>> from newton_euler.ladders import smallest
+    >>> for metres in (0.01, 0.001, 1e-5):
+    ...     print(smallest(ladder(), metres).model.name)
+    bar, small swings
+    bar, small swings with friction
+    bar, any swing with friction
+    """
+    small = small_swings(length, g), small_swings_with_friction(length, g, friction)
+    models = *small, any_swing(length, g), any_swing_with_friction(length, g, friction)
+    return Ladder.of_models("spherical pendulum", PLACE, t, start, ("x", "y"), *models)
+
+
+def _square(p):
+    """The square of the angular frequency of small swings."""
+    return 3 * p.g / (2 * p.length)
+
+
+def _small(s, p, t):
+    return s.dx, s.dy, -_square(p) * s.x, -_square(p) * s.y
+
+
+def _small_exact(s, p, t):
+    return plane_oscillation(s, _square(p), t)
+
+
+def _damped(s, p, t):
+    return s.dx, s.dy, -_square(p) * s.x - p.friction * s.dx, -_square(p) * s.y - p.friction * s.dy
+
+
+def _damped_exact(s, p, t):
+    return plane_oscillation(s, _square(p), t, p.friction)
+
+
+def _full(s, p, t):
+    r, v = below(s, p.length)
+    return s.dx, s.dy, *held(r, v, add3((ZERO, ZERO, -3 * p.g / 2), scale3(-p.friction, v)), p.length)
+
+
+SIZE = Neglected("the size of the swings", None, PLACE)
+FRICTION = Neglected("the friction in the joint", None, PLACE)

@@ -1,127 +1,114 @@
 """The symmetric top with a fixed point under gravity (10.5, 10.6) as models of three kinds, and the free symmetric body (10.8).
 
 All take I0, I, ``mgr`` and angles as in :mod:`newton_euler.gyros`; ``omega_z``, the whole rate about the axis, is constant and so a parameter.
-Which one: :func:`reduced` for nutation alone, :func:`attitude` for pictures, :func:`rolled_out` for a top that spins too fast to be followed turn by
-turn, :func:`euler` where psi and phi are wanted and the axis stays off the vertical.
+Which one: :func:`nutation` for nutation alone, :func:`attitude` for pictures, :func:`nonspinning_frame` for a top that spins too fast to be followed
+turn by turn, :func:`euler` where psi and phi are wanted and the axis stays off the vertical.
 """
 
 from dataclasses import replace
 
-from ..elliptic import counted, coupled
-from ..models import Model, ModelError
-from ..nutation import exchanged, turning_points
+from ..energy import gyroscope_energy
+from ..harmonic import turned
+from ..models import Model
 from ..rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
-from ..scalars import cos, is_comparable, of_one_kind, plain, scalar, sin, sqrt, tan, where, whole
+from ..scalars import cos, plain, scalar, sin, sqrt, tan
+from ..top_closed_form import nutation_exact
 from ..vectors import dot3
+from ..work import summed
+from .catalogue import scene
+
+SPIN = 8.0  # rad/s
+TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}  # the top of the scenes, let go at 0.6 rad from the vertical, which nutates
 
 
-def surplus(I0, I, theta, precession, omega_z):
+def tilted(theta):
+    """The start of :func:`nonspinning_frame` at rest, but for the spin, at this angle from the vertical."""
+    return cos(theta / 2), sin(theta / 2), 0.0, 0.0, 0.0, 0.0
+
+
+def momentum_difference(I0, I, theta, precession, omega_z):
     """p_psi - p_phi: the constant by which the angular momentum about the vertical exceeds that about the axis, I omega_z.
 
     It is I0 psi' sin^2(theta) - I omega_z (1 - cos(theta)), and zero for a top that passes through the upright position.
 
-    >>> surplus(0.02, 0.01, 0.0, 3.0, 100.0)
+    >>> momentum_difference(0.02, 0.01, 0.0, 3.0, 100.0)
     0.0
     """
     return I0 * precession * sin(theta) ** 2 - 2 * I * omega_z * sin(theta / 2) ** 2
 
 
-def precession_rate(I0, I, theta, omega_z, surplus):
+def precession_rate(I0, I, theta, omega_z, momentum_difference):
     """psi' at the angle theta from the constants, (p_psi - p_phi cos(theta))/(I0 sin^2(theta)), by half angles.
 
-    If ``surplus`` is the integer 0 it has its limit at theta = 0.
+    If ``momentum_difference`` is the integer 0 it has its limit at theta = 0.
 
     >>> precession_rate(0.02, 0.01, 0.0, 100.0, 0)
     25.0
     """
-    surplus = scalar(surplus)
-    whole = 2 * I * omega_z + surplus
-    return plain(whole / (4 * I0 * cos(theta / 2) ** 2) + surplus / (4 * I0 * sin(theta / 2) ** 2))
+    q = scalar(momentum_difference)
+    return plain((2 * I * omega_z + q) / (4 * I0 * cos(theta / 2) ** 2) + q / (4 * I0 * sin(theta / 2) ** 2))
+
+
+def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
+    """T + V of a top about its fixed point, an Amount with the terms ``transverse``, ``axial`` and ``weight``; constant during the motion.
+
+    I0, I, ``mgr`` and angles as in :mod:`newton_euler.gyros`. V = + mgr cos(theta), since theta is counted from the *upward* vertical and the moment
+    of the weight, + mgr sin(theta) (10.30), makes it grow. The book prints a minus sign here, with which the sum is not constant.
+
+    >>> top_energy(1.5, 1.0, 10.0, 0.0, 0.0, 2.0, 3.0).terms
+    {'transverse': 0.0, 'axial': 12.5, 'weight': 10.0}
+    """
+    T = gyroscope_energy(I0, I, theta, theta_rate, precession, spin)
+    return summed({**T.terms, "weight": scalar(mgr) * cos(theta)}, "energy", "11.32")
 
 
 # -- theta alone
 
 
-def reduced(I0, I, mgr, omega_z, surplus):
+@scene(
+    "10.5", "top, nutation", "the nutating top reduced to its angle from the vertical", 10.0, (0.6, 0.0),
+    **TOP, momentum_difference=momentum_difference(1.0, 1.5, 0.6, 0.0, SPIN),
+)  # fmt: skip
+def nutation(I0, I, mgr, omega_z, momentum_difference):
     """The nutation alone (10.24) with the cyclic angles eliminated: states theta, theta_rate; invariant the energy, less that of spin.
 
-    surplus : from the start, by the function :func:`surplus`; 0 for a sleeping top, and then theta = 0 is no singular place
+    momentum_difference : from the start, by the function :func:`momentum_difference`; 0 for a sleeping top, and then theta = 0 is no singular place
     I0 theta'' = mgr sin(theta) - d/dtheta (p_psi - p_phi cos(theta))^2/(2 I0 sin^2(theta)), with the quotient by half angles as
-    (p tan(theta/2) + q/tan(theta/2))^2/(8 I0), p = p_psi + p_phi, q = p_psi - p_phi = surplus. A pendulum has I = 0.
+    (p tan(theta/2) + q/tan(theta/2))^2/(8 I0), p = p_psi + p_phi, q = p_psi - p_phi = momentum_difference. A pendulum has I = 0.
 
-    The exact solution is by elliptic functions; it goes through the vertical where surplus, or its counterpart for the downward one, is exactly 0, as
-    theta here does, and counts the turns of a pendulum. ``mgr`` may be of either sign or 0.
+    The exact solution is by elliptic functions; it goes through the vertical where ``momentum_difference``, or the sum p for the downward one, is
+    exactly 0, and counts the turns of a pendulum. ``mgr`` may be of either sign or 0.
 
-    >>> top = reduced(0.02, 0.01, 0.5, 100.0, 0)
+    >>> top = nutation(0.02, 0.01, 0.5, 100.0, 0)
     >>> top.derivative((0.0, 0.1))
     (0.1, 0.0)
     >>> [round(x, 6) for x in top.solution(0.05, (0.0, 0.1))]  # it goes through the upright
     [0.00384, 0.033918]
     """
-    parameters = {"I0": I0, "I": I, "mgr": mgr, "omega_z": omega_z, "surplus": surplus}
-    return Model("top, nutation alone", parameters, ("theta", "theta_rate"), _reduced_rates, {"energy": _reduced_energy}, _reduced_exact)
+    return Model("top, nutation alone", locals(), ("theta", "theta_rate"), _nutation_rates, {"energy": _nutation_energy}, nutation_exact)
 
 
 def _sides(s, p):
-    t = tan(s.theta / 2)
-    return t, 2 * (p.I * p.omega_z) + p.surplus, p.surplus / t
+    """tan(theta/2), q, p and q/tan(theta/2)."""
+    t, q = tan(s.theta / 2), p.momentum_difference
+    return t, q, 2 * (p.I * p.omega_z) + q, q / t
 
 
-def _reduced_rates(s, p, t):
-    t, whole, rest = _sides(s, p)
-    slope = (whole * t + rest) * (whole * (1 + t * t) - (p.surplus + rest / t)) / (8 * p.I0)
+def _nutation_rates(s, p, t):
+    t, q, whole, rest = _sides(s, p)
+    slope = (whole * t + rest) * (whole * (1 + t * t) - (q + rest / t)) / (8 * p.I0)
     return s.theta_rate, (p.mgr * (2 * t / (1 + t * t)) - slope) / p.I0  # sin(theta) from the tangent that is there
 
 
-def _reduced_energy(s, p, t):
-    t, whole, rest = _sides(s, p)
+def _nutation_energy(s, p, t):
+    t, _, whole, rest = _sides(s, p)
     return p.I0 * s.theta_rate**2 / 2 + (whole * t + rest) ** 2 / (8 * p.I0) + p.mgr * cos(s.theta)
-
-
-# The square roots of v - v1, v2 - v and zeta + mgr v, with the roots of the cubic in :func:`turning_points`, change at rates that are products of the
-# two others. A top that is pulled up is one that is pulled down, seen from below.
-
-
-def _reduced_exact(s, p, t):
-    theta, rate, I0, I, mgr, omega_z, q, t = of_one_kind(s.theta, s.theta_rate, p.I0, p.I, p.mgr, p.omega_z, p.surplus, t)
-    if not all(map(is_comparable, (theta, rate, I0, I, mgr, omega_z, q, t))):
-        raise ModelError("the exact solution of the top needs numbers: its branches compare them; put values in first")
-    whole, below, start = 2 * (I * omega_z) + q, mgr < 0, (cos(theta / 2), sin(theta / 2))
-
-    (S, C), sides = exchanged(below, start[1], start[0]), exchanged(below, q, whole)
-    S1, C1, rate1, phase = _nutation(S, C, where(below, -rate, rate), I0, abs(mgr), *sides, t)
-    sine, cosine = exchanged(below, S1, C1)
-    phase = where(rate < 0, -phase, phase)
-    return 2 * counted(theta / 2, start, (cosine, sine), phase), where(below, -rate1, rate1)
-
-
-def _nutation(S, C, rate, I0, mgr, q, whole, t):
-    """sin(theta/2), cos(theta/2), theta' and the mean phase of turning (0 unless it turns over) at t, from those of the start; mgr >= 0."""
-    v = 2 * (S * S)
-    rest, sum_ = q * C / (2 * where(abs(q) > 0, S, 1)), whole * S / (2 * where(abs(whole) > 0, C, 1))
-    (X, Y), (v1, w2), zeta = turning_points(S, C, rate, I0, mgr, (q, whole), (rest + sum_, rest - sum_))
-    k = 1 / sqrt(2 * I0)
-    start = _signed(sqrt(X), S), _signed(sqrt(Y), C), _signed(sqrt(zeta + mgr * v), rate)
-    x, y, z, phase = coupled((k, -k, k * mgr), start, -(zeta + mgr * v1) / (2 * I0), t)
-    S1, slant = _off(v1, x, S)
-    C1, slant2 = _off(w2, y, C)
-    return S1, C1, 2 * k * z * (slant * slant2), where(v1 > 0, 0, where(w2 > 0, 0, phase))
-
-
-def _signed(x, like):
-    return where(like < 0, -x, x)
-
-
-def _off(least, x, like):
-    """The sine of half the angle from a vertical, whose double square is ``least + x^2``, and the ratio of x to its root: 1 through the vertical."""
-    root = sqrt(least + x * x)
-    off = least > 0
-    return where(off, _signed(root, like), x) / sqrt(whole(2, root)), where(off, _signed(x, like) / where(off, root, 1), 1)
 
 
 # -- Euler's angles
 
 
+@scene("10.5", "top, angles", "the nutating top in Euler's angles", 10.0, (0.0, 0.6, 0.0, 0.0, 0.0), **TOP)
 def euler(I0, I, mgr, omega_z):
     """The top in Euler's angles (10.25): states psi, theta, phi, psi_rate, theta_rate; invariants energy and p_psi. Singular at theta = 0 and pi.
 
@@ -130,8 +117,7 @@ def euler(I0, I, mgr, omega_z):
     >>> round(top.derivative((0, math.pi/2, 0, 0.5, 0.0))[4], 12)  # it precesses steadily
     0.0
     """
-    parameters = {"I0": I0, "I": I, "mgr": mgr, "omega_z": omega_z}
-    states = ("psi", "theta", "phi", "psi_rate", "theta_rate")
+    parameters, states = locals(), ("psi", "theta", "phi", "psi_rate", "theta_rate")
     return Model("top in Euler's angles", parameters, states, _euler_rates, {"energy": _euler_energy, "p_psi": _euler_vertical})
 
 
@@ -154,21 +140,17 @@ def _euler_vertical(s, p, t):
 # -- the frame that goes with the axis without spinning
 
 
-def rolled_out(I0, I, mgr, omega_z):
+@scene("10.5", "top", "a nutating top, in the frame that does not spin", 10.0, tilted(0.6), **TOP)
+def nonspinning_frame(I0, I, mgr, omega_z):
     """The top in a frame that goes with its axis and does not turn about it, (10.20) with Omega_z = 0: no singular place, no fast angle.
 
     states : q0 … q3, the quaternion of the frame, and w_x, w_y, the transverse angular velocity in it (rad/s)
     invariants : energy, p_psi and the norm of the quaternion. The attitude of the body follows by :func:`body_quaternion`.
 
-    >>> rolled_out(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]  # upright: the axis of the tilting moves on
+    >>> nonspinning_frame(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]  # upright: the axis of the tilting moves on
     (0.0, 5.0)
     """
-    parameters = {"I0": I0, "I": I, "mgr": mgr, "omega_z": omega_z}
-    invariants = {"energy": _rolled_energy, "p_psi": _rolled_vertical, "norm": lambda s, p, t: s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2}
-    return Model("top in the frame that does not spin", parameters, ROLLED, _rolled_rates, invariants)
-
-
-ROLLED = ("q0", "q1", "q2", "q3", "w_x", "w_y")
+    return Model("top in the frame that does not spin", locals(), ("q0", "q1", "q2", "q3", "w_x", "w_y"), _nonspinning_rates, _NONSPINNING_INVARIANTS)
 
 
 def _vertical(s):
@@ -176,34 +158,42 @@ def _vertical(s):
     return matrix_from_quaternion((s.q0, s.q1, s.q2, s.q3))[2]
 
 
-def _rolled_rates(s, p, t):
+def _nonspinning_rates(s, p, t):
     x, y, _ = _vertical(s)
     h = p.I * p.omega_z
     turning = quaternion_rate((s.q0, s.q1, s.q2, s.q3), (s.w_x, s.w_y, 0))
     return *turning, (p.mgr * y - h * s.w_y) / p.I0, (h * s.w_x - p.mgr * x) / p.I0
 
 
-def _rolled_energy(s, p, t):
+def _nonspinning_energy(s, p, t):
     return (p.I0 * (s.w_x**2 + s.w_y**2) + p.I * p.omega_z**2) / 2 + p.mgr * _vertical(s)[2]
 
 
-def _rolled_vertical(s, p, t):
+def _nonspinning_vertical(s, p, t):
     return dot3(_vertical(s), (p.I0 * s.w_x, p.I0 * s.w_y, p.I * p.omega_z))
+
+
+def _norm(s, p, t):
+    return s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2
+
+
+_NONSPINNING_INVARIANTS = {"energy": _nonspinning_energy, "p_psi": _nonspinning_vertical, "norm": _norm}
 
 
 # -- the body's own frame
 
 
+@scene("10.5", "top, attitude", "the nutating top by the quaternion of the body", 10.0, tilted(0.6), **TOP)
 def attitude(I0, I, mgr, omega_z):
     """The top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself, for pictures, by the fewest operations.
 
-    states : q0 … q3, the quaternion of the body, and w_x, w_y, the transverse rates in it (rad/s); invariants as for :func:`rolled_out`
+    states : q0 … q3, the quaternion of the body, and w_x, w_y, the transverse rates in it (rad/s); invariants as for :func:`nonspinning_frame`
     The start is a *unit* quaternion: the rates have no division by its length, which a motion keeps as well as it keeps the energy.
 
     >>> attitude(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]
     (0.0, -5.0)
     """
-    model = rolled_out(I0, I, mgr, omega_z)
+    model = nonspinning_frame(I0, I, mgr, omega_z)
     return replace(model, name="top, attitude", rhs=_attitude_rates)
 
 
@@ -215,7 +205,7 @@ def _attitude_rates(s, p, t):
 
 
 def body_quaternion(state, spun):
-    """The quaternion of the body, from a state of :func:`rolled_out` or :func:`free` and the angle omega_z t (rad) that it has spun.
+    """The quaternion of the body, from a state of :func:`nonspinning_frame` or :func:`free` and the angle omega_z t (rad) that it has spun.
 
     >>> body_quaternion((1.0, 0, 0, 0, 0, 0), 0.0)
     (1.0, 0.0, 0.0, 0.0)
@@ -223,8 +213,9 @@ def body_quaternion(state, spun):
     return quaternion_product(tuple(state)[:4], (cos(spun / 2), 0 * spun, 0 * spun, sin(spun / 2)))
 
 
+@scene("10.8", "free symmetric body", "a football, with its attitude", 10.0, (1.0, 0.0, 0.0, 0.0, 0.8, 0.0), I0=3.0, I=1.0, omega_z=6.0)
 def free(I0, I, omega_z):
-    """The symmetric body without moment (10.35), (10.36): the states of :func:`rolled_out`, with the exact solution; omega_z is not zero.
+    """The symmetric body without moment (10.35), (10.36): the states of :func:`nonspinning_frame`, with the exact solution; omega_z is not zero.
 
     The frame turns about the constant H at the rate H/I0, and back about its axis at I omega_z/I0.
 
@@ -232,12 +223,11 @@ def free(I0, I, omega_z):
     >>> [round(x, 6) for x in body.solution(0.2, (1.0, 0, 0, 0, 1.0, 0.0))[4:]]  # I omega_z/I0 = 50 rad/s
     [-0.839072, -0.544021]
     """
-    return replace(rolled_out(I0, I, 0, omega_z), name="free symmetric body", exact=_free_exact)
+    return replace(nonspinning_frame(I0, I, 0, omega_z), name="free symmetric body", exact=_free_exact)
 
 
 def _free_exact(s, p, t):
     q, rate = (s.q0, s.q1, s.q2, s.q3), p.I * p.omega_z / p.I0
     about = apply(matrix_from_quaternion(q), (s.w_x, s.w_y, rate))  # H/I0 in the ground
-    turned = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), q)
-    back, c, sn = quaternion((0, 0, 1), -rate * t), cos(rate * t), sin(rate * t)
-    return *quaternion_product(turned, back), s.w_x * c - s.w_y * sn, s.w_y * c + s.w_x * sn
+    moved = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), q)
+    return *quaternion_product(moved, quaternion((0, 0, 1), -rate * t)), *turned(s.w_x, s.w_y, rate * t)

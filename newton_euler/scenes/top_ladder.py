@@ -1,8 +1,8 @@
 """The top as a ladder: from steady precession, slow or exact, to nutation, and to a body whose two transverse moments are not quite equal.
 
-Asked for is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward vertical; I0, I, ``mgr``, omega_z as in :mod:`.top`. The
-fullest models are of a body with the moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, twice: in Euler's angles, which have a singular place where
-the axis is vertical, and by the quaternion, which has none.
+What is observed is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward vertical; I0, I, ``mgr``, omega_z as in
+:mod:`.top`. The fullest models are of a body with the moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, twice: in Euler's angles, which are singular
+where the axis is vertical, and by the quaternion, which is not.
 """
 
 from contextlib import suppress
@@ -12,52 +12,48 @@ from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
 from ..rotations import euler_matrix, euler_rates, matrix_from_quaternion, quaternion_from_euler, quaternion_rate
 from ..scalars import cos, sin
-from .top import _reduced_rates, _sides, reduced, surplus
+from .catalogue import scene
+from .top import _nutation_rates, _sides, momentum_difference, nutation
 
 DIRECTION = "direction of the axis, rad"
 
 
-def slow_precession(I, mgr, omega_z, theta):
-    """Steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi; theta stays.
+def top_slow_precession(I, mgr, omega_z, theta):
+    """Steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi; theta is constant.
 
-    >>> slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
+    >>> top_slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
     (0.5,)
     """
-    parameters = {"I": I, "mgr": mgr, "omega_z": omega_z, "theta": theta}
-    neglects = NUTATION, Neglected("I0 psi' cos(theta) beside I omega_z", None, DIRECTION), ASYMMETRY
-    return Model("top, slow precession", parameters, ("psi",), _slow, exact=_slow_exact, neglects=neglects)
+    return Model("top, slow precession", locals(), ("psi",), _slow, {}, _slow_exact, (NUTATION, NO_TRANSVERSE, ASYMMETRY))
 
 
-def steady(I0, I, mgr, omega_z, theta):
+def top_steady_precession(I0, I, mgr, omega_z, theta):
     """Steady precession (10.33) at the slow one of its two rates. :class:`~newton_euler.gyros.GyroError` where there is none.
 
-    >>> round(steady(0.02, 0.01, 0.5, 100.0, 0.0).parameters["rate"], 6)
+    >>> round(top_steady_precession(0.02, 0.01, 0.5, 100.0, 0.0).parameters["rate"], 6)
     0.505103
     """
     rate = steady_precession(I0, I, theta, omega_z=omega_z, mgr=mgr).slow
     return Model("top, steady precession", {"rate": rate, "theta": theta}, ("psi",), _steady, exact=_steady_exact, neglects=(NUTATION, ASYMMETRY))
 
 
-def axis(I0, I, mgr, omega_z, surplus):
-    """Nutation (10.24), and the precession that goes with it: states theta, theta_rate, psi; parameters as for :func:`.top.reduced`."""
-    nods = reduced(I0, I, mgr, omega_z, surplus)
-    return Model("top, nutation and precession", nods.parameters, (*nods.states, "psi"), axis_rates, nods.invariants, neglects=(ASYMMETRY,))
+def top_precession_and_nutation(I0, I, mgr, omega_z, momentum_difference):
+    """Nutation (10.24), and the precession that goes with it: states theta, theta_rate, psi; parameters as for :func:`.top.nutation`."""
+    base = nutation(I0, I, mgr, omega_z, momentum_difference)
+    return Model("top, nutation and precession", base.parameters, (*base.states, "psi"), _axis_rates, base.invariants, neglects=(ASYMMETRY,))
 
 
-def euler(I0, I, mgr, asymmetry):
+def asymmetric_top_euler_angles(I0, I, mgr, asymmetry):
     """The body with unequal moments in Euler's angles: states psi, theta, phi, and the body rates w_x, w_y, w_z. Singular at theta = 0 and pi."""
-    return Model("top of unequal moments, Euler's angles", _named(I0, I, mgr, asymmetry), EULER, _euler)
+    return Model("top of unequal moments, Euler's angles", locals(), ("psi", "theta", "phi", "w_x", "w_y", "w_z"), _euler)
 
 
-def quaternion(I0, I, mgr, asymmetry):
+def asymmetric_top_quaternion(I0, I, mgr, asymmetry):
     """The body with unequal moments by its quaternion: states q0 ... q3, w_x, w_y, w_z."""
-    return Model("top of unequal moments, quaternion", _named(I0, I, mgr, asymmetry), QUATERNION, _by_quaternion)
+    return Model("top of unequal moments, quaternion", locals(), ("q0", "q1", "q2", "q3", "w_x", "w_y", "w_z"), _by_quaternion)
 
 
-EULER = ("psi", "theta", "phi", "w_x", "w_y", "w_z")
-QUATERNION = ("q0", "q1", "q2", "q3", "w_x", "w_y", "w_z")
-
-
+@scene("10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True)
 def ladder(I0=0.02, I=0.01, mgr=0.5, omega_z=150.0, theta=0.6, theta_rate=0.0, precession=0.34, asymmetry=1e-3, t=1.0):
     """Five models: a :class:`~newton_euler.ladders.Ladder` for the direction of the axis, a unit vector, so its errors are angles.
 
@@ -73,41 +69,37 @@ def ladder(I0=0.02, I=0.01, mgr=0.5, omega_z=150.0, theta=0.6, theta_rate=0.0, p
     top of unequal moments, Euler's angles
     """
     body = theta_rate, precession * sin(theta), omega_z
-    over = surplus(I0, I, theta, precession, omega_z) or 0
+    over = momentum_difference(I0, I, theta, precession, omega_z) or 0
     rungs = (
-        Rung(slow_precession(I, mgr, omega_z, theta), (0.0,), _fixed),
+        Rung(top_slow_precession(I, mgr, omega_z, theta), (0.0,), _fixed),
         *_steady_rung(I0, I, mgr, omega_z, theta),
-        Rung(axis(I0, I, mgr, omega_z, over), (theta, theta_rate, 0.0), along),
-        Rung(euler(I0, I, mgr, asymmetry), (0.0, theta, 0.0, *body), along),
-        Rung(quaternion(I0, I, mgr, asymmetry), (*quaternion_from_euler(0.0, theta, 0.0), *body), _third),
+        Rung(top_precession_and_nutation(I0, I, mgr, omega_z, over), (theta, theta_rate, 0.0), _along),
+        Rung(asymmetric_top_euler_angles(I0, I, mgr, asymmetry), (0.0, theta, 0.0, *body), _along),
+        Rung(asymmetric_top_quaternion(I0, I, mgr, asymmetry), (*quaternion_from_euler(0.0, theta, 0.0), *body), _third),
     )
     return Ladder("top", DIRECTION, t, rungs)
 
 
 def _steady_rung(*values):
     with suppress(GyroError):  # too slow
-        yield Rung(steady(*values), (0.0,), _fixed)
-
-
-def _named(I0, I, mgr, asymmetry):
-    return {"I0": I0, "I": I, "mgr": mgr, "asymmetry": asymmetry}
+        yield Rung(top_steady_precession(*values), (0.0,), _fixed)
 
 
 # -- the direction of the axis
 
 
-def direction(psi, theta):
+def _direction(psi, theta):
     """The unit vector along the axis, in the ground."""
     return sin(theta) * sin(psi), -sin(theta) * cos(psi), cos(theta)
 
 
 def _fixed(s, p, t):
-    return direction(s.psi, p.theta)
+    return _direction(s.psi, p.theta)
 
 
-def along(s, p, t):
+def _along(s, p, t):
     """The direction, from the states psi and theta."""
-    return direction(s.psi, s.theta)
+    return _direction(s.psi, s.theta)
 
 
 def _third(s, p, t):
@@ -136,11 +128,11 @@ def _steady_exact(s, p, t):
 # -- moving
 
 
-def axis_rates(s, p, t):
+def _axis_rates(s, p, t):
     """The rates of theta, theta_rate and psi."""
-    tangent, whole, rest = _sides(s, p)
-    precession = (whole * (1 + tangent**2) + p.surplus + rest / tangent) / (4 * p.I0)  # top.precession_rate, by the tangent that is there already
-    return *_reduced_rates(s, p, t), precession
+    tangent, q, whole, rest = _sides(s, p)
+    precession = (whole * (1 + tangent**2) + q + rest / tangent) / (4 * p.I0)  # top.precession_rate, by the tangent that is there already
+    return *_nutation_rates(s, p, t), precession
 
 
 def _moments(p):
@@ -169,4 +161,5 @@ def _by_quaternion(s, p, t):
 
 
 NUTATION = Neglected("the nutation", None, DIRECTION)
+NO_TRANSVERSE = Neglected("I0 psi' cos(theta) beside I omega_z", None, DIRECTION)
 ASYMMETRY = Neglected("the difference of the transverse moments", None, DIRECTION)

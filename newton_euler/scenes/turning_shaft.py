@@ -1,7 +1,8 @@
 """A rod, or any flat or slender body, hinged at the end of a vertical shaft that turns at a constant rate (10.7).
 
-theta is the angle from the *downward* vertical to the rod. ``distance`` is that from the hinge to G, on the rod; ``excess`` is I_n - I_r about the
-hinge: the moment of inertia about the axis normal to both rod and hinge, less that about the rod (m L^2/3 for the rod itself).
+theta is the angle from the *downward* vertical to the rod. ``weight_moment`` is m g d, d the distance from the hinge to G, on the rod;
+``inertia_difference`` is I_n - I_r about the hinge: the moment of inertia about the axis normal to both rod and hinge, less that about the rod
+(m L^2/3 for the rod itself).
 
 :func:`ladder` has three models of the swinging: small swings, any swings, and any swings on a shaft that is let go.
 """
@@ -9,9 +10,11 @@ hinge: the moment of inertia about the axis normal to both rod and hinge, less t
 from math import copysign
 
 from ..gyros import GyroError
-from ..ladders import Ladder, Rung
+from ..harmonic import growth, oscillation
+from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
-from ..scalars import acos, cos, is_numeric, plain, sin, sinh, size, sqrt
+from ..scalars import acos, cos, is_numeric, plain, sin, size, sqrt
+from .catalogue import scene
 
 ANGLE = "angle theta, rad"
 STATES = ("theta", "theta_rate")
@@ -20,76 +23,83 @@ STATES = ("theta", "theta_rate")
 def rod(mass, length, omega, g):
     """The parameters of the thin rod of the book: a dict for :func:`swing_out`, :func:`least_rate` and :func:`hinged`.
 
-    >>> rod(3.0, 2.0, 4.0, 9.81)["excess"]
+    >>> rod(3.0, 2.0, 4.0, 9.81)["inertia_difference"]
     4.0
     """
-    return {"weight_moment": mass * g * length / 2, "excess": mass * (length * length) / 3, "omega": omega}
+    return {"weight_moment": mass * g * length / 2, "inertia_difference": mass * (length * length) / 3, "omega": omega}
 
 
-def least_rate(weight_moment, excess, **_):
+def least_rate(weight_moment, inertia_difference, **_):
     """The rate sqrt(m g d/(I_n - I_r)) (rad/s) above which the body swings out; for the rod sqrt(3 g/(2 L)). Up to it, hanging down is stable.
 
     >>> round(least_rate(**rod(3.0, 2.0, 4.0, 9.81)), 6)
     2.712471
     """
-    return sqrt(weight_moment / excess)
+    return sqrt(weight_moment / inertia_difference)
 
 
-def swing_out(weight_moment, excess, omega, **_):
-    """The angle theta (rad) at which the body stays, for a rate above :func:`least_rate`: acos(m g d/((I_n - I_r) omega^2)), (10.31) with I = 0.
+def swing_out(weight_moment, inertia_difference, omega, **_):
+    """The angle theta (rad) of relative equilibrium, for a rate above :func:`least_rate`: acos(m g d/((I_n - I_r) omega^2)), (10.31) with I = 0.
 
     weight_moment : m g d. Raises :class:`~newton_euler.gyros.GyroError` for a rate that is too low: then it hangs straight down.
 
     >>> round(swing_out(**rod(3.0, 2.0, 4.0, 9.81)), 6)
     1.092977
     """
-    c = weight_moment / (excess * (omega * omega))
+    c = weight_moment / (inertia_difference * (omega * omega))
     if is_numeric(c) and size(c) > 1:
-        raise GyroError(f"at {plain(omega)} rad/s the body hangs straight down; it swings out above {plain(least_rate(weight_moment, excess))} rad/s")
+        least = plain(least_rate(weight_moment, inertia_difference))
+        raise GyroError(f"at {plain(omega)} rad/s the body hangs straight down; it swings out above {least} rad/s")
     return acos(c)
 
 
-def stiffness(theta, weight_moment, excess, omega, about_hinge=None):
+def stiffness(theta, weight_moment, inertia_difference, omega, about_hinge=None):
     """The square of the angular frequency of small swings about theta, 0 or :func:`swing_out`; stable where it is positive.
 
-    (m g d cos(theta) - (I_n - I_r) omega^2 cos(2 theta))/I_hinge; I_hinge is ``excess`` unless given.
+    (m g d cos(theta) - (I_n - I_r) omega^2 cos(2 theta))/I_hinge; I_hinge is ``inertia_difference`` unless given.
 
     >>> stiffness(0.0, **rod(3.0, 2.0, 2.0, 9.81)) > 0, stiffness(0.0, **rod(3.0, 2.0, 4.0, 9.81)) > 0
     (True, False)
     """
-    return (weight_moment * cos(theta) - excess * (omega * omega) * cos(2 * theta)) / (excess if about_hinge is None else about_hinge)
+    about_hinge = inertia_difference if about_hinge is None else about_hinge
+    return (weight_moment * cos(theta) - inertia_difference * (omega * omega) * cos(2 * theta)) / about_hinge
 
 
-def hinged(weight_moment, excess, omega, about_hinge=None):
+@scene(
+    "10.7", "turning shaft", "a rod hinged on a turning shaft, swinging about the angle at which it would stay", 12.0, (0.2, 0.5),
+    **rod(3.0, 2.0, 4.0, 9.81),
+)  # fmt: skip
+def hinged(weight_moment, inertia_difference, omega, about_hinge=None):
     """The swinging as a Model, states theta and theta_rate; invariant the energy seen in the turning frame.
 
     >>> hinged(**rod(3.0, 2.0, 4.0, 9.81)).derivative((0.0, 1.0))
     (1.0, 0.0)
     """
-    parameters = {"weight_moment": weight_moment, "excess": excess, "omega": omega, "about_hinge": excess if about_hinge is None else about_hinge}
-    return Model("hinged on a turning shaft", parameters, STATES, _rates, {"energy": _energy})
+    about_hinge = inertia_difference if about_hinge is None else about_hinge
+    return Model("hinged on a turning shaft", locals(), STATES, _rates, {"energy": _energy})
 
 
-def on_free_shaft(weight_moment, excess, omega, shaft, theta, about_hinge=None):
+def on_free_shaft(weight_moment, inertia_difference, omega, shaft, theta, about_hinge=None):
     """The swinging on a shaft without moment, which turns at ``omega`` when the angle is ``theta``: a Model like :func:`hinged`.
 
     shaft : moment of inertia about the vertical of all that turns, for theta = 0. The rate of the shaft is no state: its angle is cyclic, and the
-    ``momentum`` about the vertical, a parameter, keeps its value. The larger ``shaft``, the more even the rate.
+    ``momentum`` about the vertical, a parameter, is constant. The larger ``shaft``, the more even the rate.
 
     >>> on_free_shaft(**rod(3.0, 2.0, 4.0, 9.81), shaft=1.0, theta=0.0).derivative((0.0, 1.0))
     (1.0, 0.0)
     """
-    momentum = (shaft + excess * sin(theta) ** 2) * omega
-    parameters = {"weight_moment": weight_moment, "excess": excess, "momentum": momentum, "shaft": shaft}
-    parameters["about_hinge"] = excess if about_hinge is None else about_hinge
+    momentum = (shaft + inertia_difference * sin(theta) ** 2) * omega
+    fixed = hinged(weight_moment, inertia_difference, omega, about_hinge).parameters
+    parameters = {n: fixed[n] for n in fixed if n != "omega"} | {"momentum": momentum, "shaft": shaft}
     return Model("hinged on a shaft let go", parameters, STATES, _free_rates, {"energy": _free_energy})
 
 
+@scene("10.7", "turning shaft", "small swings, any swings, a shaft that is let go", ladder=True)
 def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0), t=4.0):
     """The models of the thin rod on a shaft, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for theta, in rad, until ``t``.
 
     omega : rate of the shaft at the start; shaft : its moment of inertia; start : theta, theta_rate
-    Raises :class:`~newton_euler.models.ModelError` at :func:`least_rate` itself, where not even the smallest swings are harmonic.
+    Raises :class:`~newton_euler.models.ModelError` at :func:`least_rate` itself, where small swings are not harmonic.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), radians).model.name for radians in (0.1, 0.03, 1e-3)]
@@ -101,16 +111,9 @@ def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0
     if not stiff > 0:
         raise ModelError(f"omega = {omega!r} is the least rate at which the rod swings out, where small swings have no rate of their own")
     parameters = {**hinged(**data).parameters, "shaft": shaft, "rest": at, "stiffness": stiff}
-    models = (
-        Model("small swings on a turning shaft", parameters, STATES, _small_rates, {"energy": _small_energy}, _small_exact, (LARGE, EVEN)),
-        Model("hinged on a turning shaft", parameters, STATES, _rates, {"energy": _energy}, neglects=(EVEN,)),
-        on_free_shaft(**data, shaft=shaft, theta=start[0]),
-    )
-    return Ladder("turning shaft", ANGLE, t, tuple(Rung(model, start, _angle) for model in models))
-
-
-def _angle(s, p, t):
-    return (s.theta,)
+    small = Model("small swings on a turning shaft", parameters, STATES, _small_rates, {"energy": _small_energy}, _small_exact, (LARGE, EVEN))
+    even = Model("hinged on a turning shaft", parameters, STATES, _rates, {"energy": _energy}, neglects=(EVEN,))
+    return Ladder.of_models("turning shaft", ANGLE, t, start, ("theta",), small, even, on_free_shaft(**data, shaft=shaft, theta=start[0]))
 
 
 def _small_rates(s, p, t):
@@ -118,9 +121,8 @@ def _small_rates(s, p, t):
 
 
 def _small_exact(s, p, t):
-    n, x = sqrt(p.stiffness), s.theta - p.rest
-    c, S = cos(n * t), sin(n * t)
-    return p.rest + x * c + s.theta_rate / n * S, s.theta_rate * c - n * x * S
+    x, rate = oscillation(s.theta - p.rest, s.theta_rate, p.stiffness, t)
+    return p.rest + x, rate
 
 
 def _small_energy(s, p, t):
@@ -132,11 +134,11 @@ def _rates(s, p, t):
 
 
 def _acceleration(s, p, omega):
-    return sin(s.theta) * (p.excess * (omega * omega) * cos(s.theta) - p.weight_moment) / p.about_hinge
+    return sin(s.theta) * (p.inertia_difference * (omega * omega) * cos(s.theta) - p.weight_moment) / p.about_hinge
 
 
 def _energy(s, p, t):
-    return (p.about_hinge * s.theta_rate**2 - p.excess * (p.omega * sin(s.theta)) ** 2) / 2 - p.weight_moment * cos(s.theta)
+    return (p.about_hinge * s.theta_rate**2 - p.inertia_difference * (p.omega * sin(s.theta)) ** 2) / 2 - p.weight_moment * cos(s.theta)
 
 
 def _free_rates(s, p, t):
@@ -144,7 +146,7 @@ def _free_rates(s, p, t):
 
 
 def _about_vertical(s, p):
-    return p.shaft + p.excess * sin(s.theta) ** 2
+    return p.shaft + p.inertia_difference * sin(s.theta) ** 2
 
 
 def _free_energy(s, p, t):
@@ -158,13 +160,11 @@ def _free_energy(s, p, t):
 
 
 def _steepest(p):
-    return (p.excess * (p.omega * p.omega) + p.weight_moment) / p.about_hinge
+    return (p.inertia_difference * (p.omega * p.omega) + p.weight_moment) / p.about_hinge
 
 
 def _apart(p, more, t):
-    L = _steepest(p)
-    half = sinh(sqrt(L) * t / 2)
-    return 2 * more * half * half / L
+    return more * growth(sqrt(_steepest(p)), t)[2]
 
 
 def _by_large(s, p, t):
@@ -175,8 +175,8 @@ def _by_large(s, p, t):
 
 def _by_even(s, p, t):
     """The rate of the shaft lies between 1/(1 + q) and 1 + q times that at the start."""
-    q = p.excess / p.shaft
-    return _apart(p, p.excess * (p.omega * p.omega) * q * (2 + q) / (2 * p.about_hinge), t)
+    q = p.inertia_difference / p.shaft
+    return _apart(p, p.inertia_difference * (p.omega * p.omega) * q * (2 + q) / (2 * p.about_hinge), t)
 
 
 LARGE = Neglected("that the swings are not small", _by_large, ANGLE)

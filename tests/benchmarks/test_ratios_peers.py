@@ -62,10 +62,10 @@ def _rates(motion):
 def own(scene):
     """Our models of a scene, by words: the model, t, the start, and what is compared."""
     if scene == "top":
-        surplus = top.surplus(1.0, 1.5, THETA, 0.0, SPIN)
+        difference = top.momentum_difference(1.0, 1.5, THETA, 0.0, SPIN)
         return {
             "full model": (top.attitude(1.0, 1.5, 5.0, SPIN), TOP_TIME, (*TOP[:4], 0.0, 0.0), _axis_of_six),
-            "theta alone": (top.reduced(1.0, 1.5, 5.0, SPIN, surplus), TOP_TIME, (THETA, 0.0), _axis_of_theta),
+            "theta alone": (top.nutation(1.0, 1.5, 5.0, SPIN, difference), TOP_TIME, (THETA, 0.0), _axis_of_theta),
         }
     return {"rates": (free_body(1.0, 2.0, 3.0), FREE_TIME, FREE, _rates)}
 
@@ -338,8 +338,8 @@ def test_a_sweep_of_1000_tops_is_faster_than_by_scipy(wanted):
 @pytest.mark.benchmark
 def test_a_first_top_from_a_fresh_interpreter():
     ours = (
-        "from newton_euler.motion import integrate; from newton_euler.scenes.top import rolled_out;"
-        "integrate(rolled_out(1., 1.5, 5., 8.), 10., (.955, .2955, 0., 0., 0., 0.), 1e-6)"
+        "from newton_euler.motion import integrate; from newton_euler.scenes.top import nonspinning_frame;"
+        "integrate(nonspinning_frame(1., 1.5, 5., 8.), 10., (.955, .2955, 0., 0., 0., 0.), 1e-6)"
     )
     theirs = "from tests.benchmarks.peers import first_top_by_sympy; first_top_by_sympy()"
     root = Path(__file__).parents[2]

@@ -17,11 +17,10 @@ from newton_euler.mass import Body
 from newton_euler.models import ModelError
 from newton_euler.rotations import euler_frame
 from newton_euler.scenes.car_on_hill import Car
-from newton_euler.scenes.heavy_top import top_energy
-from newton_euler.scenes.physical_pendulum import pendulum_energy, physical_pendulum, swing_rate
+from newton_euler.scenes.pendulum import pendulum_energy, physical_pendulum, swing_rate
 from newton_euler.scenes.rolling_sphere import friction_needed, rolling_down, rolling_energy, rolling_speed
 from newton_euler.scenes.sliding_sphere import rolling_begins, sphere_at
-from newton_euler.scenes.top import euler
+from newton_euler.scenes.top import euler, top_energy
 from newton_euler.solids import sphere
 from newton_euler.work import power
 from tests.kinds import KINDS, close, numbers

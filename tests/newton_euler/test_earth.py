@@ -511,11 +511,11 @@ def test_air_near_a_low_solves_its_equations_and_keeps_its_invariants(kind, lati
 @pytest.mark.parametrize("latitude", [0.8, -0.8])
 def test_storms_turn_counterclockwise_in_the_north_and_clockwise_in_the_south(latitude):
     """Air at rest is drawn in, and turned aside; with friction it spirals into the low."""
-    model = air_near_low(latitude, push=1e-8)
+    model = air_near_low(latitude, pressure_gradient=1e-8)
     for t in np.linspace(1e3, 2e4, 5):
         x, y, dx, dy = model.solution(t, (1e5, 0.0, 0.0, 0.0))
         assert (x * dy - y * dx) * latitude > 0
-    rhs = air_near_low(latitude, push=1e-8, friction=2e-5).compiled_rhs()
+    rhs = air_near_low(latitude, pressure_gradient=1e-8, friction=2e-5).compiled_rhs()
     run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 6e5), (1e5, 0.0, 0.0, 0.0), rtol=1e-10, atol=1e-6)
     x, y, dx, dy = run.y[:, -1]
     assert math.hypot(x, y) < 1e4
@@ -542,7 +542,7 @@ def test_steady_wind_on_a_circle(latitude, push):
     radius = 5e5
     v = e.gradient_wind(push, radius, latitude)
     sense = math.copysign(1, latitude)
-    model = air_near_low(latitude, push=push / radius)
+    model = air_near_low(latitude, pressure_gradient=push / radius)
     assert close(model.derivative((radius, 0.0, 0.0, sense * v))[2:], (-(v**2) / radius, 0), 1e-15)
     assert math.copysign(1, v) == math.copysign(1, push)
     assert e.gradient_wind(push, 1e12, latitude) == pytest.approx(e.geostrophic_wind(push, latitude), rel=1e-3)

@@ -34,7 +34,7 @@ from newton_euler.models import ModelError
 from newton_euler.nutation import nutation
 from newton_euler.rotations import apply, euler_frame, euler_from_quaternion, euler_matrix, in_sequence, quaternion_from_euler, rotation_matrix
 from newton_euler.scenes import top
-from newton_euler.scenes.gyro_instruments import compass_period, gyrocompass
+from newton_euler.scenes.gyrocompass import compass_period, gyrocompass
 from newton_euler.scenes.spherical_pendulum import momentum, nodding, pendulum
 from newton_euler.scenes.turning_shaft import hinged, least_rate, rod, stiffness, swing_out
 from newton_euler.solids import cylinder
@@ -629,7 +629,7 @@ def test_a_top_that_reaches_the_vertical():
     assert found.theta_min == 0
     assert math.isnan(found.precession_at_min)
     assert 0.1 < found.theta_max < math.pi
-    model = top.reduced(0.6, 0.25, 1.5, 3.0, 0)
+    model = top.nutation(0.6, 0.25, 1.5, 3.0, 0)
     extremes, _ = swings(model, (0.0, 1.0), 20.0)
     assert max(abs(extremes)) == pytest.approx(found.theta_max, abs=1e-10)
 
@@ -683,7 +683,7 @@ def test_the_sleeping_top_agrees_with_the_limits_of_nutation():
 def test_a_small_tilt_grows_at_the_rate_told():
     I0, I, mgr, wz = 0.25, 0.5, 1.0, 1.6
     growth = sleeping_top(I0, I, mgr, wz).growth
-    rhs = top.rolled_out(I0, I, mgr, wz).compiled_rhs()
+    rhs = top.nonspinning_frame(I0, I, mgr, wz).compiled_rhs()
     start = (1.0, 0.0, 0.0, 0.0, 1e-7, 0.0)
     out = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 8), start, method="DOP853", rtol=1e-11, atol=1e-18, t_eval=(4.0, 8.0))
     tilt = np.hypot(out.y[1], out.y[2])
@@ -709,6 +709,7 @@ def test_the_sleeping_top_as_a_formula():
 
 TOP = {"I0": 0.6, "I": 0.25, "mgr": 1.5, "omega_z": 9.0}
 START = {"psi": 0.3, "theta": 0.8, "phi": 0.0, "psi_rate": 0.7, "theta_rate": -0.4}
+DIFFERENCE = top.momentum_difference(TOP["I0"], TOP["I"], START["theta"], START["psi_rate"], TOP["omega_z"])
 
 
 def run(model, start, seconds, rtol=1e-12):
@@ -727,10 +728,10 @@ def test_the_three_models_of_the_top_agree():
     T = 3.0
     by_euler = run(top.euler(**TOP), tuple(START.values()), T)[-1]
     by_theta = run(
-        top.reduced(**TOP, surplus=top.surplus(TOP["I0"], TOP["I"], START["theta"], START["psi_rate"], TOP["omega_z"])),
+        top.nutation(**TOP, momentum_difference=DIFFERENCE),
         (START["theta"], START["theta_rate"]), T,
     )[-1]  # fmt: skip
-    rolled = run(top.rolled_out(**TOP), rolled_start(START), T)[-1]
+    rolled = run(top.nonspinning_frame(**TOP), rolled_start(START), T)[-1]
     assert by_theta == pytest.approx((by_euler[1], by_euler[4]), abs=1e-9)
     psi, theta, phi = euler_from_quaternion(top.body_quaternion(rolled, TOP["omega_z"] * T))
     assert theta == pytest.approx(by_euler[1], abs=1e-9)
@@ -742,9 +743,9 @@ def test_the_three_models_of_the_top_agree():
     ("model", "start"),
     [
         (top.euler(**TOP), tuple(START.values())),
-        (top.reduced(**TOP, surplus=top.surplus(TOP["I0"], TOP["I"], START["theta"], START["psi_rate"], TOP["omega_z"])), (0.8, -0.4)),
-        (top.rolled_out(**TOP), rolled_start(START)),
-        (top.rolled_out(**TOP), (1.0, 0.0, 0.0, 0.0, 0.3, 0.0)),  # through the upright position
+        (top.nutation(**TOP, momentum_difference=DIFFERENCE), (0.8, -0.4)),
+        (top.nonspinning_frame(**TOP), rolled_start(START)),
+        (top.nonspinning_frame(**TOP), (1.0, 0.0, 0.0, 0.0, 0.3, 0.0)),  # through the upright position
         (pendulum(3.0, 2.0, 9.81), rolled_start(START)),
         (nodding(3.0, 2.0, 9.81, 2.5, 1.0), (2.5, 0.0)),
         (hinged(**rod(3.0, 2.0, 4.0, 9.81)), (0.5, 0.0)),
@@ -769,9 +770,9 @@ def test_the_models_obey_eqn_10_25(kind):
     assert close((dpsi_, dtheta_, dphi_), (dpsi, dtheta, wz - dpsi * c), tolerance(kind))
     assert close(I0 * (ddtheta - dpsi * dpsi * s * c) + I * wz * dpsi * s, mgr * s, tolerance(kind))
     assert close(I0 * (ddpsi * s + 2 * dpsi * dtheta * c) - I * dtheta * wz, 0, tolerance(kind))
-    surplus = top.surplus(I0, I, theta, dpsi, wz)
-    assert close(top.reduced(I0, I, mgr, wz, surplus).derivative((theta, dtheta)), (dtheta, ddtheta), 10 * tolerance(kind))
-    assert close(top.precession_rate(I0, I, theta, wz, surplus), dpsi, 10 * tolerance(kind))
+    difference = top.momentum_difference(I0, I, theta, dpsi, wz)
+    assert close(top.nutation(I0, I, mgr, wz, difference).derivative((theta, dtheta)), (dtheta, ddtheta), 10 * tolerance(kind))
+    assert close(top.precession_rate(I0, I, theta, wz, difference), dpsi, 10 * tolerance(kind))
 
 
 def test_the_model_of_the_top_against_lagranges_equations():
@@ -787,8 +788,8 @@ def test_the_model_of_the_top_against_lagranges_equations():
 def test_upright_euler_angles_fail_and_the_other_two_models_do_not():
     with pytest.raises(ModelError, match="the coordinates are singular there"):
         top.euler(**TOP).derivative((0.0, 0.0, 0.0, 0.7, 0.1))
-    assert top.reduced(**TOP, surplus=0).derivative((0.0, 0.1)) == (0.1, 0.0)
-    assert all(map(math.isfinite, top.rolled_out(**TOP).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))))
+    assert top.nutation(**TOP, momentum_difference=0).derivative((0.0, 0.1)) == (0.1, 0.0)
+    assert all(map(math.isfinite, top.nonspinning_frame(**TOP).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))))
 
 
 @pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
@@ -857,7 +858,7 @@ def test_exercise_9_9_ring_on_a_turning_shaft():
     a, omega, g, m = 0.5, 8.0, 9.81, 2.0
     body = Frame("ring")
     about = Inertia(body.origin, (m * a * a / 2, m * a * a, m * a * a / 2), mass=m, centre=body.origin).about(body.point("A", 0, 0, a))
-    data = {"weight_moment": m * g * a, "excess": about.moments[1] - about.moments[2], "omega": omega, "about_hinge": about.moments[0]}
+    data = {"weight_moment": m * g * a, "inertia_difference": about.moments[1] - about.moments[2], "omega": omega, "about_hinge": about.moments[0]}
     assert math.cos(swing_out(**data)) == pytest.approx(2 * g / (3 * a * omega**2), rel=1e-14)
     assert least_rate(**data) == pytest.approx(math.sqrt(2 * g / (3 * a)), rel=1e-14)
 

@@ -13,10 +13,9 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension
-from newton_euler.ladders import ladder
 from newton_euler.models import ModelError, Named, is_law
 from newton_euler.motion import integrate
-from newton_euler.scenes import space_station
+from newton_euler.scenes import ladder, space_station
 from newton_euler.scenes.car_on_hill import Car
 from newton_euler.scenes.rolling_sphere import rolling_in_air
 from newton_euler.scenes.space_station import body_in_air
@@ -31,13 +30,14 @@ WHEEL = {"wheel_mass": MASS, "gyration": LENGTH, "radius": LENGTH, "wheels": PUR
 HILL = {"m": MASS, "air": MASS / LENGTH, "g": G, "force": FORCE, "slope": PURE}
 FLIGHT = {"m": MASS, "g": G, "thrust": FORCE, "k_lift": MASS / LENGTH, "k_drag": MASS / LENGTH, "bank": PURE}
 BEGUN = {"chi0": PURE, "gamma0": PURE, "v0": SPEED, "x0": LENGTH, "y0": LENGTH, "h0": LENGTH}
-SHAFT = {"weight_moment": FORCE * LENGTH, "excess": INERTIA, "omega": RATE, "about_hinge": INERTIA, "shaft": INERTIA, "momentum": INERTIA / TIME}
+SHAFT = {"weight_moment": FORCE * LENGTH, "momentum": INERTIA / TIME, "omega": RATE}
+SHAFT |= dict.fromkeys(("inertia_difference", "about_hinge", "shaft"), INERTIA)
 
 # by name: the dimensions of parameters, of states, and of what is observed
 UNITS = {
     "aircraft": (FLIGHT | BEGUN, dict.fromkeys(("x", "y", "h", "s"), LENGTH) | {"v": SPEED, "chi": PURE, "gamma": PURE}, LENGTH),
     "space station": ({"omega": RATE, "radius": LENGTH, "air": PURE / LENGTH, "creep": SPEED}, PLANE, LENGTH),
-    "air near a low": ({"latitude": PURE, "rate": RATE, "push": PURE / TIME**2, "friction": RATE}, PLANE, LENGTH),
+    "air near a low": ({"latitude": PURE, "rate": RATE, "pressure_gradient": PURE / TIME**2, "friction": RATE}, PLANE, LENGTH),
     "rotor": (
         {"mass": MASS, "x": LENGTH, "y": LENGTH, "I": INERTIA, "g": G, "moment": FORCE * LENGTH, "omega": RATE},
         {"psi": PURE, "omega": RATE},
@@ -148,7 +148,7 @@ def test_bounds_hold_and_are_as_narrow_as_told(name, rung):
     for n in range(60):
         found, _ = DRAWS[name](r)
         found = replace(found, t=found.t * (1.0, 0.1, 0.02)[n % 3])
-        error, size = found.error(found.rung(rung)), abs(found.said(found.fullest, 1e-12)).max()
+        error, size = found.error(found.rung(rung)), abs(found.observe(found.fullest, 1e-12)).max()
         if error > 1e-8 * size:
             ratios.append(error / found.rung(rung).bound(found.t))
     assert REACHED.get(rung, 0.99) < max(ratios) < 1 + 1e-6
@@ -249,12 +249,12 @@ def test_air_near_a_low_with_friction_is_the_sum_of_two_complex_exponentials():
     x, y, dx, dy = found.fullest.start
     p = found.fullest.model.parameters
     f = 2 * p["rate"] * math.sin(p["latitude"])
-    one, two = np.roots([1, p["friction"] + 1j * f, p["push"]])
+    one, two = np.roots([1, p["friction"] + 1j * f, p["pressure_gradient"]])
     z, w = complex(x, y), complex(dx, dy)
     A, B = (w - two * z) / (one - two), (one * z - w) / (one - two)
     t = np.linspace(0.0, found.t, 257)
     place = A * np.exp(one * t) + B * np.exp(two * t)
-    assert np.abs(found.said(found.fullest, 1e-12) - [place.real, place.imag]).max() < 1e-5
+    assert np.abs(found.observe(found.fullest, 1e-12) - [place.real, place.imag]).max() < 1e-5
 
 
 @given(st.floats(1.0, 50.0), st.floats(0.0, 0.3), st.floats(500.0, 5000.0))

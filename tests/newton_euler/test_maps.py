@@ -166,7 +166,7 @@ def test_where_the_map_says_that_it_precesses_steadily_a_run_stays_at_its_angle(
         theta = math.radians(degrees)
         assert next(iter(MAPS["steady precession"].column(omega_z, [degrees]))) != maps.NONE
         rate = steady_precession(maps.I0, maps.I, theta, omega_z=omega_z, mgr=maps.MGR).slow
-        model = top.reduced(maps.I0, maps.I, maps.MGR, omega_z, top.surplus(maps.I0, maps.I, theta, rate, omega_z))
+        model = top.nutation(maps.I0, maps.I, maps.MGR, omega_z, top.momentum_difference(maps.I0, maps.I, theta, rate, omega_z))
         assert integrate(model, 1.0, (theta, 0.0)).end["theta"] == pytest.approx(theta, abs=1e-9)
 
 

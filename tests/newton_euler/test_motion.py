@@ -15,7 +15,7 @@ from newton_euler.methods import METHODS
 from newton_euler.motion import integrate, prepare
 from newton_euler.records import MotionError
 from newton_euler.scenes import top
-from newton_euler.scenes.physical_pendulum import physical_pendulum
+from newton_euler.scenes.pendulum import physical_pendulum
 from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
 from newton_euler.scenes.space_station import free_body as station_body
 from newton_euler.systems import prepared
@@ -316,10 +316,10 @@ def test_an_event_may_branch_on_values():
 def test_many_tops_are_what_each_is(method):
     needs(method)
     spins = np.linspace(6.0, 9.0, 5)
-    motions = integrate(top.rolled_out(1.0, 1.5, 5.0, spins), 3.0, top_start(0.6), 1e-9, method, samples=4)
+    motions = integrate(top.nonspinning_frame(1.0, 1.5, 5.0, spins), 3.0, top_start(0.6), 1e-9, method, samples=4)
     assert len(motions) == 5
     for n, spin in enumerate(spins.tolist()):
-        one = integrate(top.rolled_out(1.0, 1.5, 5.0, spin), 3.0, top_start(0.6), 1e-10, "dop853", samples=4)
+        one = integrate(top.nonspinning_frame(1.0, 1.5, 5.0, spin), 3.0, top_start(0.6), 1e-10, "dop853", samples=4)
         for name in one.states:
             assert max(abs(motions.states[name][n] - one.states[name])) < 2e-9
 
@@ -402,7 +402,7 @@ def test_parameters_with_which_the_rates_have_no_value_end_it_in_words(method):
 
 def test_nothing_heavy_is_imported():
     code = (
-        "import sys; from newton_euler.motion import integrate; from newton_euler.scenes.physical_pendulum import physical_pendulum as p;"
+        "import sys; from newton_euler.motion import integrate; from newton_euler.scenes.pendulum import physical_pendulum as p;"
         "assert integrate(p(2., .5, .5, 10.), 1., (1., 0.)).error < 1e-9;"
         "print([m for m in ('numpy', 'scipy', 'sympy', 'heyoka', 'mpmath', 'matplotlib') if m in sys.modules])"
     )

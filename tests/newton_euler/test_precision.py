@@ -16,7 +16,6 @@ from matplotlib.figure import Figure
 
 from newton_euler import ModelError
 from newton_euler.accuracy import precision
-from newton_euler.accuracy.catalogue import SCENES, Scene, scene
 from newton_euler.accuracy.charts import draw_methods, draw_models, measured_models
 from newton_euler.accuracy.command import every_name, main
 from newton_euler.accuracy.comparisons import COMPARISONS
@@ -24,10 +23,11 @@ from newton_euler.accuracy.maps import MAPS
 from newton_euler.accuracy.measure import Measured, front, marker_style
 from newton_euler.accuracy.precision import NAMES, WorkPrecision, work_precision
 from newton_euler.accuracy.reference import by_extrapolation, by_heyoka, reference
-from newton_euler.ladders import LADDERS, Ladder, Rung
+from newton_euler.ladders import Ladder, Rung
 from newton_euler.methods import METHODS
 from newton_euler.motion import integrate
-from newton_euler.scenes import projectile
+from newton_euler.scenes import LADDERS, SCENES, projectile, scene
+from newton_euler.scenes.catalogue import Scene
 
 matplotlib.use("Agg")
 ROOT = Path(__file__).parents[2]
@@ -50,7 +50,7 @@ def test_every_scene_of_the_catalogue_moves_to_its_end(name):
 def test_scenes_come_in_the_order_of_the_book_and_say_where_they_are():
     places = [tuple(map(int, s.section.split("."))) for s in SCENES.values()]
     assert places == sorted(places)
-    assert all(s.name == name and s.words for name, s in SCENES.items())
+    assert all(s.name == name and s.description for name, s in SCENES.items())
 
 
 def makers(path):
@@ -69,8 +69,7 @@ def test_no_module_of_scenes_that_makes_a_model_is_forgotten():
         import sys
         seen = set()
         sys.setprofile(lambda frame, event, _: seen.add(frame.f_code.co_filename) if event == "call" else None)
-        from newton_euler.accuracy.catalogue import SCENES
-        from newton_euler.ladders import LADDERS, ladder
+        from newton_euler.scenes import LADDERS, SCENES, ladder
         seen.clear()
         motions = [s.motion for s in SCENES.values()], [ladder(name) for name in LADDERS]
         sys.setprofile(None)

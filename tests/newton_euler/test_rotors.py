@@ -15,7 +15,7 @@ from newton_euler.inertia import Inertia
 from newton_euler.mass import Body, composite, particle
 from newton_euler.momentum import resultant_moment
 from newton_euler.rotors import RotorError, balance, balancing_masses, corrections, imbalance, reactions, shaft_axis
-from newton_euler.scenes.unbalanced_rotor import turning_rotor, unbalanced_rotor
+from newton_euler.scenes.rotor import turning_rotor, unbalanced_rotor
 from newton_euler.solids import cylinder, disk, plate, rod
 from tests.kinds import KINDS, close, numbers
 

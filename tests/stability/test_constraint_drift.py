@@ -10,7 +10,7 @@ from newton_euler.constraints import degrees_of_freedom
 from newton_euler.scenes import top
 from newton_euler.scenes.free_body import free_body
 from newton_euler.scenes.orbit import orbit
-from newton_euler.scenes.physical_pendulum import physical_pendulum
+from newton_euler.scenes.pendulum import physical_pendulum
 from newton_euler.scenes.rolling_sphere import rolling_down
 from newton_euler.scenes.spherical_pendulum import nodding
 
@@ -62,7 +62,7 @@ def test_the_states_are_twice_the_degrees_of_freedom_that_the_constraints_leave(
     [
         (physical_pendulum(1.0, 0.1, L, G), 2),  # theta
         (nodding(1.0, L, G, 2.0, 0.1), 2),  # theta; psi is cyclic
-        (top.reduced(1.5, 1.0, 5.0, 8.0, 0.1), 2),  # theta; psi and phi are cyclic
+        (top.nutation(1.5, 1.0, 5.0, 8.0, 0.1), 2),  # theta; psi and phi are cyclic
         (top.euler(1.5, 1.0, 5.0, 8.0), 5),  # three angles, two rates; omega_z is constant
         (orbit(1.0), 4),  # x, y
         (free_body(1.0, 2.0, 3.0), 3),  # rates alone; the attitude is not asked for
@@ -73,6 +73,6 @@ def test_the_state_of_a_scene_has_no_component_that_a_constraint_could_drift_in(
 
 
 def test_a_quaternion_has_one_component_too_many_and_its_drift_is_an_invariant_that_is_watched():
-    model = top.rolled_out(1.5, 1.0, 5.0, 8.0)
+    model = top.nonspinning_frame(1.5, 1.0, 5.0, 8.0)
     assert len(model.states) == 6  # 5 and the norm
     assert "norm" in model.invariants

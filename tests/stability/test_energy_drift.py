@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler.scenes.free_body import free_body
-from newton_euler.scenes.physical_pendulum import physical_pendulum
+from newton_euler.scenes.pendulum import physical_pendulum
 from tests.kinds import close
 
 BODY, START = free_body(1.0, 2.0, 3.0), (0.01, 1.0, 0.01)

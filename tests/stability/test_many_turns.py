@@ -43,7 +43,7 @@ def test_integrated_from_1e9_turns_on_the_angles_lose_six_digits_and_the_quatern
     counted = integrate(angles, 1.0, (TURNS, 0.6, TURNS, 0.0, 0.0), 1e-12, "dop853").end
     assert abs((counted["psi"] - TURNS) - fresh["psi"]) > 1e-8
     assert abs((counted["phi"] - TURNS) - fresh["phi"]) > 1e-8
-    rolled = integrate(top.rolled_out(I0, I, MGR, OMEGA_Z), 1.0, (*TILTED, 0.0, 0.0), 1e-12, "dop853").end
+    rolled = integrate(top.nonspinning_frame(I0, I, MGR, OMEGA_Z), 1.0, (*TILTED, 0.0, 0.0), 1e-12, "dop853").end
     theta, psi = fresh["theta"], fresh["psi"]
     expected = math.sin(theta) * math.sin(psi), -math.sin(theta) * math.cos(psi), math.cos(theta)
     assert apart(axis(rolled.values()), expected) < 1e-11

@@ -84,7 +84,7 @@ def test_so_the_drifted_quaternion_of_the_run_costs_only_its_error_in_angle():
 
 
 def test_the_moment_of_gravity_does_not_grow_with_the_length_of_the_quaternion():
-    model = top.rolled_out(1.5, 1.0, 5.0, 8.0)
+    model = top.nonspinning_frame(1.5, 1.0, 5.0, 8.0)
     unit = (math.cos(0.3), math.sin(0.3), 0.0, 0.0, 0.1, 0.2)
     scaled = (*(1.086 * x for x in unit[:4]), 0.1, 0.2)
     assert close(model.derivative(scaled)[4:], model.derivative(unit)[4:], 1e-14)  # rad/s^2

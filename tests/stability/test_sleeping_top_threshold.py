@@ -18,7 +18,7 @@ TILT = 1e-6  # rad
 def largest_tilt(ratio, T=200.0):
     """The largest angle (rad) within T seconds from a tilt of 1e-6 rad, at ratio times the critical spin, by integration."""
     omega_z = ratio * CRITICAL
-    model = top.rolled_out(I0, I, MGR, omega_z)
+    model = top.nonspinning_frame(I0, I, MGR, omega_z)
     rhs = model.compiled_rhs()
     start = (math.cos(TILT / 2), math.sin(TILT / 2), 0.0, 0.0, 0.0, 0.0)
     y = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, T), start, method="DOP853", rtol=1e-9, atol=1e-13, max_step=0.5).y

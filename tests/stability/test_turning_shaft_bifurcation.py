@@ -23,7 +23,7 @@ def turning(ratio):
 
 def exact_angle(parameters):
     with mpmath.workdps(40):
-        c = mpmath.mpf(parameters["weight_moment"]) / (mpmath.mpf(parameters["excess"]) * mpmath.mpf(parameters["omega"]) ** 2)
+        c = mpmath.mpf(parameters["weight_moment"]) / (mpmath.mpf(parameters["inertia_difference"]) * mpmath.mpf(parameters["omega"]) ** 2)
         return mpmath.acos(c)
 
 

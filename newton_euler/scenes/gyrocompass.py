@@ -1,9 +1,14 @@
-"""The gyrocompass (10.11)."""
+"""The gyrocompass (10.11): a gyroscope whose axis is kept level swings about north."""
 
 from ..models import Model
 from ..scalars import cos, pi, sin, sqrt
+from .catalogue import scene
 
 
+@scene(
+    "10.11", "gyrocompass", "a level axis that swings about north, for two minutes", 120.0, (1.0, 0.0),
+    I0=0.002, I=0.003, omega_z=1000.0, earth_rate=7.292e-5, latitude=0.8,
+)  # fmt: skip
 def gyrocompass(I0, I, omega_z, earth_rate, latitude):
     """A gyroscope whose axis is kept level: it swings about north. A Model with the states azimuth (rad, from north) and azimuth_rate.
 
@@ -14,8 +19,7 @@ def gyrocompass(I0, I, omega_z, earth_rate, latitude):
     >>> compass.derivative((0.1, 0.0))[1] < 0 < compass.derivative((-0.1, 0.0))[1]  # back to north
     True
     """
-    parameters = {"I0": I0, "I": I, "omega_z": omega_z, "earth_rate": earth_rate, "latitude": latitude}
-    return Model("gyrocompass", parameters, ("azimuth", "azimuth_rate"), _compass_rates, {"energy": _compass_energy})
+    return Model("gyrocompass", locals(), ("azimuth", "azimuth_rate"), _compass_rates, {"energy": _compass_energy})
 
 
 def compass_period(I0, I, omega_z, earth_rate, latitude):

@@ -1,23 +1,60 @@
-"""Any body on a level shaft, at a varying rate, with its dead weight (9.5).
+"""A body on a shaft in two bearings (chapter 9), and any body on a level shaft, at a varying rate, with its dead weight (9.5).
 
 As the book has it, the axis X of the ground points vertically down, and psi is counted from it; z = Z lies along the shaft from bearing A
 to bearing B, at -a and b from O, the origin of the body's axes.
 
-:func:`ladder` has three models of how it turns: at a constant rate, without its weight, and with it.
+:func:`ladder` has three models of its rotation: at a constant rate, without its weight, and with it.
 """
 
+from dataclasses import dataclass
+
+from ..frames import Frame, Point
+from ..harmonic import uniform_acceleration
 from ..inertia import Inertia
-from ..ladders import Ladder, Rung
+from ..ladders import Ladder, Rung, observed_states
 from ..mass import Body
 from ..models import Model, Neglected
+from ..rotors import reactions
 from ..scalars import cos, sin, sqrt
-from .shaft import on_shaft
+from .catalogue import scene
 
 ANGLE = "angle psi, rad"
 
 
+@dataclass(frozen=True)
+class RotorScene:
+    """A body on a shaft: the frames ``ground`` and ``shaft``, the ``body``, its bearings A and B, and O between them."""
+
+    ground: Frame
+    shaft: Frame
+    body: Body
+    A: Point
+    B: Point
+    O: Point
+
+    def reactions(self, gravity=None):
+        """The :class:`newton_euler.rotors.Reactions`; ``gravity`` a Vector, or None to leave the weight out."""
+        return reactions(self.body, self.A, self.B, self.ground, gravity, self.O)
+
+
+def on_shaft(axis, a, b, psi, omega, alpha=0):
+    """A shaft turned by psi about ``axis`` ("x" or "z") of the ground, its bearings at -a and b from O.
+
+    Returns the frame of the shaft, and a function that makes the :class:`RotorScene` of a body in it.
+
+    >>> from newton_euler.solids import disk
+    >>> shaft, scene = on_shaft("x", 0.2, 0.3, 0.0, 10.0)
+    >>> scene(disk(0.1, shaft, "x", mass=1.0)).reactions().A.norm()
+    0
+    """
+    ground = Frame("ground")
+    shaft = ground.rotate("shaft", axis, psi, omega, alpha)
+    A, B = (shaft.point(name, *((s, 0, 0) if axis == "x" else (0, 0, s))) for name, s in (("A", -a), ("B", b)))
+    return shaft, lambda body: RotorScene(ground, shaft, body, A, B, shaft.point("O", 0, 0, 0))
+
+
 def unbalanced_rotor(mass, centre, moments, products, a, b, psi, omega, alpha=0):
-    """The body of (9.7)-(9.10) in its bearings: a :class:`~newton_euler.scenes.shaft.RotorScene`.
+    """The body of (9.7)-(9.10) in its bearings: a :class:`RotorScene`.
 
     centre : coordinates of G in the body's axes from O; moments, products : (I_xx, I_yy, I_zz) and the integrals (I_xy, I_yz, I_zx) about O
     The downward vertical is ``scene.ground.i``: ``scene.reactions(gravity=9.81*scene.ground.i)``.
@@ -31,6 +68,10 @@ def unbalanced_rotor(mass, centre, moments, products, a, b, psi, omega, alpha=0)
     return scene(Body("rotor", mass, G, Inertia(shaft.point("O", 0, 0, 0), moments, products, mass, G), shaft))
 
 
+@scene(
+    "9.5", "rotor", "a rotor with dead weight, started from rest by a constant moment", 8.0, (0.0, 0.0),
+    mass=2.0, x=0.1, y=0.0, I=0.5, g=10.0, moment=2.5,
+)  # fmt: skip
 def turning_rotor(mass, x, y, I, g, moment=0):
     """The motion of that body under a moment M about the shaft (9.10): a Model with the states psi and omega.
 
@@ -39,10 +80,10 @@ def turning_rotor(mass, x, y, I, g, moment=0):
     >>> turning_rotor(2.0, 0.1, 0.0, 0.5, 10.0, moment=1.0).derivative((0.0, 3.0))
     (3.0, 2.0)
     """
-    parameters = {"mass": mass, "x": x, "y": y, "I": I, "g": g, "moment": moment}
-    return Model("rotor with dead weight", parameters, ("psi", "omega"), _rates, {} if callable(moment) else {"energy": _energy})
+    return Model("rotor with dead weight", locals(), ("psi", "omega"), _rates, {} if callable(moment) else {"energy": _energy})
 
 
+@scene("9.5", "rotor", "constant rate, no weight, dead weight", ladder=True)
 def ladder(mass=20.0, x=2e-4, y=0.0, I=0.5, g=9.81, moment=0.5, start=(0.0, 10.0), t=20.0):
     """The models of a rotor that a constant moment turns, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for psi, in rad, until ``t``.
 
@@ -55,12 +96,7 @@ def ladder(mass=20.0, x=2e-4, y=0.0, I=0.5, g=9.81, moment=0.5, start=(0.0, 10.0
     full = turning_rotor(mass, x, y, I, g, moment)
     steady = Model("rotor at a constant rate", {**full.parameters, "omega": start[1]}, ("psi",), _steady, {}, _turned, (MOMENT, WEIGHT))
     light = Model("rotor without weight", full.parameters, ("psi", "omega"), _light, {"energy": _light_energy}, _sped_up, (WEIGHT,))
-    rungs = ((steady, start[:1]), (light, start), (full, start))
-    return Ladder("rotor", ANGLE, t, tuple(Rung(model, begin, _angle) for model, begin in rungs))
-
-
-def _angle(s, p, t):
-    return (s.psi,)
+    return Ladder("rotor", ANGLE, t, tuple(Rung(model, start[: len(model.states)], observed_states("psi")) for model in (steady, light, full)))
 
 
 def _steady(s, p, t):
@@ -76,8 +112,7 @@ def _light(s, p, t):
 
 
 def _sped_up(s, p, t):
-    alpha = p.moment / p.I
-    return s.psi + (s.omega + alpha * t / 2) * t, s.omega + alpha * t
+    return uniform_acceleration(s.psi, s.omega, p.moment / p.I, t)
 
 
 def _light_energy(s, p, t):

@@ -1,0 +1,76 @@
+"""Motion under an acceleration that is constant, or proportional to the distance from a point, towards it or away; and Stumpff's series."""
+
+from .scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
+
+
+def uniform_acceleration(x, v, a, t):
+    """x and its rate at the time t if x'' = a, from x and v at t = 0."""
+    return x + (v + a * t / 2) * t, v + a * t
+
+
+def integrated_square(v, a, t):
+    """The double integral of (v + a t)^2: what a drag of this size, 1/m times the square of the speed, at most takes off the way until t."""
+    return t * t * (v * v / 2 + v * a * t / 3 + a * a * (t * t) / 12)
+
+
+def oscillation(x, v, square, t, damping=ZERO):
+    """x and its rate at the time t if x'' = -square x - damping x', from x and v at t = 0; square > (damping/2)^2.
+
+    >>> [round(q, 9) for q in oscillation(1.0, 0.0, 4.0, 0.25)]  # cos(2 t), -2 sin(2 t)
+    [0.877582562, -0.958851077]
+    """
+    half = damping / 2
+    n, decay = sqrt(square - half * half), exp(-half * t)
+    c, S = decay * cos(n * t), decay * sin(n * t) / n
+    return x * (c + half * S) + v * S, v * (c - half * S) - square * x * S
+
+
+def plane_oscillation(s, square, t, damping=ZERO):
+    """The states x, y, dx, dy at the time t if both coordinates oscillate in this way, from the states ``s`` at t = 0."""
+    (x, dx), (y, dy) = (oscillation(*start, square, t, damping) for start in ((s.x, s.dx), (s.y, s.dy)))
+    return x, y, dx, dy
+
+
+def turned(x, y, angle):
+    """The components x, y of a vector that is turned by the angle, counterclockwise."""
+    c, s = cos(angle), sin(angle)
+    return c * x - s * y, c * y + s * x
+
+
+def growth(n, t):
+    """cosh(n t), sinh(n t)/n and (cosh(n t) - 1)/n^2: x at the time t if x'' = n^2 x + a, for a start at 1, a rate of 1, and a = 1.
+
+    >>> [round(q, 9) for q in growth(2.0, 0.25)]
+    [1.127625965, 0.260547653, 0.031906491]
+    """
+    half = sinh(n * t / 2) / n  # cosh(x) - 1 = 2 sinh(x/2)^2 without cancellation
+    return cosh(n * t), sinh(n * t) / n, 2 * half * half
+
+
+def circular_or_hyperbolic(square, t):
+    """cos(n t) and sin(n t)/n with n^2 = ``square``, which may also be negative or zero; for numbers and traced values.
+
+    >>> circular_or_hyperbolic(0.0, 3.0)
+    (1.0, 3.0)
+    """
+    grows, n = square < 0, sqrt(abs(square))
+    turned, grown = where(grows, 0, n * t), where(grows, n * t, 0)
+    c, S = where(grows, cosh(grown), cos(turned)), where(grows, sinh(grown), sin(turned))
+    return c, where(n > 0, S / where(n > 0, n, 1), t)
+
+
+def stumpff(k, z, largest=1):
+    """k! times Stumpff's function c_k(z) = 1/k! - z/(k + 2)! + z^2/(k + 4)! - ..., by as many terms as |z| <= ``largest`` takes to round-off.
+
+    c_0(x^2) = cos(x), c_1(x^2) = sin(x)/x, x^2 c_2(x^2) = 1 - cos(x), x^3 c_3(x^2) = x - sin(x). K. Stumpff, Himmelsmechanik I, 1959.
+
+    >>> round(0.5**3*stumpff(3, 0.25)/6 - (0.5 - sin(0.5)), 16)
+    0.0
+    """
+    term, last = 1.0, k
+    while (term := term * largest / ((last + 1) * (last + 2))) > epsilon(z) / 4:
+        last += 2
+    total = 1
+    for n in range(last, k, -2):
+        total = 1 - z / (n * (n - 1)) * total
+    return total

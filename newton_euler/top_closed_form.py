@@ -1,0 +1,47 @@
+"""The exact solution of the nutation of a symmetric top (10.24), by elliptic functions.
+
+With v = 1 - cos(theta) the energy gives I0 v'^2/2 = F(v), a cubic with the roots v1 and v2, between which v moves, and -zeta/mgr. The square roots of
+v - v1, v2 - v and zeta + mgr v change at rates that are products of the two others. A top that is pulled up is one that is pulled down, seen from
+below.
+"""
+
+from .elliptic import counted, coupled
+from .models import comparable
+from .nutation import exchanged, turning_points
+from .scalars import cos, sin, sqrt, where, whole
+
+
+def nutation_exact(s, p, t):
+    """theta and its rate at the time t after the state ``s`` of :func:`newton_euler.scenes.top.nutation`, whose parameters are ``p``."""
+    given = s.theta, s.theta_rate, p.I0, p.I, p.mgr, p.omega_z, p.momentum_difference, t
+    theta, rate, I0, I, mgr, omega_z, q, t = comparable("top", *given)
+    whole, below, start = 2 * (I * omega_z) + q, mgr < 0, (cos(theta / 2), sin(theta / 2))
+    (S, C), sides = exchanged(below, start[1], start[0]), exchanged(below, q, whole)
+    S1, C1, rate1, phase = _nutation(S, C, where(below, -rate, rate), I0, abs(mgr), *sides, t)
+    sine, cosine = exchanged(below, S1, C1)
+    phase = where(rate < 0, -phase, phase)
+    return 2 * counted(theta / 2, start, (cosine, sine), phase), where(below, -rate1, rate1)
+
+
+def _nutation(S, C, rate, I0, mgr, q, whole, t):
+    """sin(theta/2), cos(theta/2), theta' and the mean phase of turning (0 unless it turns over) at t, from those of the start; mgr >= 0."""
+    v = 2 * (S * S)
+    rest, sum_ = q * C / (2 * where(abs(q) > 0, S, 1)), whole * S / (2 * where(abs(whole) > 0, C, 1))
+    (X, Y), (v1, w2), zeta = turning_points(S, C, rate, I0, mgr, (q, whole), (rest + sum_, rest - sum_))
+    k = 1 / sqrt(2 * I0)
+    start = _signed(sqrt(X), S), _signed(sqrt(Y), C), _signed(sqrt(zeta + mgr * v), rate)
+    x, y, z, phase = coupled((k, -k, k * mgr), start, -(zeta + mgr * v1) / (2 * I0), t)
+    S1, slant = _off(v1, x, S)
+    C1, slant2 = _off(w2, y, C)
+    return S1, C1, 2 * k * z * (slant * slant2), where(v1 > 0, 0, where(w2 > 0, 0, phase))
+
+
+def _signed(x, like):
+    return where(like < 0, -x, x)
+
+
+def _off(least, x, like):
+    """The sine of half the angle from a vertical, whose double square is ``least + x^2``, and the ratio of x to its root: 1 through the vertical."""
+    root = sqrt(least + x * x)
+    off = least > 0
+    return where(off, _signed(root, like), x) / sqrt(whole(2, root)), where(off, _signed(x, like) / where(off, root, 1), 1)
