@@ -58,6 +58,10 @@ class LinearForm(_Own):
     def __repr__(self):
         return f"LinearForm({plain(self.value)!r}, {tuple(map(plain, self.coefficients))!r})"
 
+    @staticmethod
+    def _refuse(what):
+        raise ScalarError(f"{what}; the conditions must be linear in the unknowns, as velocities are in rates")
+
     def _each(self, change):
         return LinearForm(change(self.value), map(change, self.coefficients))
 
@@ -85,7 +89,7 @@ class LinearForm(_Own):
         if isinstance(other, Scaled) or outranks(other, self):
             return NotImplemented
         if isinstance(other, LinearForm):
-            raise ScalarError("two unknowns are multiplied; the conditions must be linear in them, as velocities are in rates")
+            self._refuse("two unknowns are multiplied")
         return self._each(lambda x: x * other)
 
     __rmul__ = __mul__
@@ -96,14 +100,14 @@ class LinearForm(_Own):
         return NotImplemented if outranks(other, self) else self._each(lambda x: x / other)
 
     def __rtruediv__(self, other):
-        raise ScalarError("an unknown stands in a denominator; the conditions must be linear in the unknowns, as velocities are in rates")
+        self._refuse("an unknown stands in a denominator")
 
     def function(self, name, *args):
         """The function of this name, for :func:`function`."""
-        raise ScalarError(f"{name} is taken of an unknown; the conditions must be linear in the unknowns, as velocities are in rates")
+        self._refuse(f"{name} is taken of an unknown")
 
     def __pow__(self, power):
-        raise ScalarError("an unknown is raised to a power; the conditions must be linear in the unknowns, as velocities are in rates")
+        self._refuse("an unknown is raised to a power")
 
     def pi(self):
         """The number pi in the kind of the value."""

@@ -26,16 +26,14 @@ def rod(length, centre, axis="x", *, mass=None, density=None, name="rod"):
     """A thin straight rod about its middle: 0, m L^2/12 twice (App. B). For one from a point to a point see :func:`simplex`."""
     _lengths(name, length=length)
     m = _mass(name, mass, density, length)
-    across = m * (length * length) / 12
-    return _placed(name, centre, axis, m, (ZERO, across, across))
+    return _of_revolution(name, centre, axis, m, ZERO, m * (length * length) / 12)
 
 
 def ring(radius, centre, axis="x", *, mass=None, density=None, name="ring"):
     """A thin wire bent to a circle: m r^2 about its axis, m r^2/2 about a diameter."""
     _lengths(name, radius=radius)
     m = _mass(name, mass, density, 2 * pi(radius) * radius)
-    across = m * (radius * radius) / 2
-    return _placed(name, centre, axis, m, (m * (radius * radius), across, across))
+    return _of_revolution(name, centre, axis, m, m * (radius * radius), m * (radius * radius) / 2)
 
 
 def arc(radius, half_angle, middle, axis="x", toward=None, *, mass=None, density=None, name="arc"):
@@ -72,16 +70,14 @@ def disk(radius, centre, axis="x", *, mass=None, density=None, name="disk"):
     """A thin round disk: m r^2/2 about its axis, m r^2/4 about a diameter (App. B)."""
     _lengths(name, radius=radius)
     m = _mass(name, mass, density, pi(radius) * (radius * radius))
-    across = m * (radius * radius) / 4
-    return _placed(name, centre, axis, m, (m * (radius * radius) / 2, across, across))
+    return _of_revolution(name, centre, axis, m, m * (radius * radius) / 2, m * (radius * radius) / 4)
 
 
 def annulus(inner, outer, centre, axis="x", *, mass=None, density=None, name="annulus"):
     """A flat ring: m (r1^2 + r2^2)/2 about its axis, half of it about a diameter."""
     _lengths(name, inner=inner, outer=outer, wall=outer - inner)
     m = _mass(name, mass, density, pi(outer) * ((outer - inner) * (outer + inner)))
-    across = m * (inner * inner + outer * outer) / 4
-    return _placed(name, centre, axis, m, (m * (inner * inner + outer * outer) / 2, across, across))
+    return _of_revolution(name, centre, axis, m, m * (inner * inner + outer * outer) / 2, m * (inner * inner + outer * outer) / 4)
 
 
 def sector(radius, half_angle, middle, axis="x", toward=None, *, mass=None, density=None, name="sector"):
@@ -118,8 +114,7 @@ def cylinder(radius, length, centre, axis="x", *, mass=None, density=None, name=
     """A circular cylinder: m a^2/2, m (3 a^2 + L^2)/12 twice (App. B)."""
     _lengths(name, radius=radius, length=length)
     m = _mass(name, mass, density, pi(radius) * (radius * radius) * length)
-    across = m * (3 * (radius * radius) + length * length) / 12
-    return _placed(name, centre, axis, m, (m * (radius * radius) / 2, across, across))
+    return _of_revolution(name, centre, axis, m, m * (radius * radius) / 2, m * (3 * (radius * radius) + length * length) / 12)
 
 
 def tube(inner, outer, length, centre, axis="x", *, mass=None, density=None, name="tube"):
@@ -127,8 +122,7 @@ def tube(inner, outer, length, centre, axis="x", *, mass=None, density=None, nam
     _lengths(name, inner=inner, outer=outer, wall=outer - inner, length=length)
     m = _mass(name, mass, density, pi(outer) * ((outer - inner) * (outer + inner)) * length)
     squares = inner * inner + outer * outer
-    across = m * (3 * squares + length * length) / 12
-    return _placed(name, centre, axis, m, (m * squares / 2, across, across))
+    return _of_revolution(name, centre, axis, m, m * squares / 2, m * (3 * squares + length * length) / 12)
 
 
 def wedge(radius, half_angle, length, middle, axis="x", toward=None, *, mass=None, density=None, name="wedge"):
@@ -147,8 +141,7 @@ def cone(radius, height, apex, axis="x", *, mass=None, density=None, name="cone"
     """
     _lengths(name, radius=radius, height=height)
     m = _mass(name, mass, density, pi(radius) * (radius * radius) * height / 3)
-    across = 3 * m * (4 * (radius * radius) + height * height) / 80
-    return _placed(name, apex, axis, m, (3 * m * (radius * radius) / 10, across, across), 3 * height / 4)
+    return _of_revolution(name, apex, axis, m, 3 * m * (radius * radius) / 10, 3 * m * (4 * (radius * radius) + height * height) / 80, 3 * height / 4)
 
 
 def sphere(radius, centre, *, mass=None, density=None, name="sphere"):
@@ -171,8 +164,7 @@ def hemisphere(radius, middle, axis="x", *, mass=None, density=None, name="hemis
     """A solid half sphere; ``middle`` is the centre of its flat face and ``axis`` points into it. G lies 3 r/8 from there."""
     _lengths(name, radius=radius)
     m = _mass(name, mass, density, 2 * pi(radius) * radius**3 / 3)
-    across = 83 * m * (radius * radius) / 320
-    return _placed(name, middle, axis, m, (2 * m * (radius * radius) / 5, across, across), 3 * radius / 8)
+    return _of_revolution(name, middle, axis, m, 2 * m * (radius * radius) / 5, 83 * m * (radius * radius) / 320, 3 * radius / 8)
 
 
 def ellipsoid(a, b, c, centre, axis="x", *, mass=None, density=None, name="ellipsoid"):
@@ -190,16 +182,14 @@ def cylindrical_shell(radius, length, centre, axis="x", *, mass=None, density=No
     """A thin tube, open at its ends: m r^2, m (6 r^2 + L^2)/12 twice."""
     _lengths(name, radius=radius, length=length)
     m = _mass(name, mass, density, 2 * pi(radius) * radius * length)
-    across = m * (6 * (radius * radius) + length * length) / 12
-    return _placed(name, centre, axis, m, (m * (radius * radius), across, across))
+    return _of_revolution(name, centre, axis, m, m * (radius * radius), m * (6 * (radius * radius) + length * length) / 12)
 
 
 def conical_shell(radius, height, apex, axis="x", *, mass=None, density=None, name="conical shell"):
     """A thin cone without its base, ``axis`` pointing from its apex to the open end. G lies 2 h/3 from the apex."""
     _lengths(name, radius=radius, height=height)
     m = _mass(name, mass, density, pi(radius) * radius * sqrt(radius * radius + height * height))
-    across = m * (9 * (radius * radius) + 2 * (height * height)) / 36
-    return _placed(name, apex, axis, m, (m * (radius * radius) / 2, across, across), 2 * height / 3)
+    return _of_revolution(name, apex, axis, m, m * (radius * radius) / 2, m * (9 * (radius * radius) + 2 * (height * height)) / 36, 2 * height / 3)
 
 
 def spherical_shell(radius, centre, *, mass=None, density=None, name="spherical shell"):
@@ -213,8 +203,7 @@ def hemispherical_shell(radius, middle, axis="x", *, mass=None, density=None, na
     """A thin half sphere without its flat face; ``middle`` is the centre of its rim and ``axis`` points to its top. G lies r/2 from there."""
     _lengths(name, radius=radius)
     m = _mass(name, mass, density, 2 * pi(radius) * (radius * radius))
-    across = 5 * m * (radius * radius) / 12
-    return _placed(name, middle, axis, m, (2 * m * (radius * radius) / 3, across, across), radius / 2)
+    return _of_revolution(name, middle, axis, m, 2 * m * (radius * radius) / 3, 5 * m * (radius * radius) / 12, radius / 2)
 
 
 # -- between points
@@ -273,6 +262,11 @@ def _mass(name, mass, density, content):
 def _lengths(name, **values):
     for what, x in values.items():
         positive(scalar(x), f"the {what.replace('_', ' ')} of {name}")
+
+
+def _of_revolution(name, point, axis, m, axial, across, along=ZERO):
+    """The body with these moments about G, along ``axis`` and at right angles to it; G lies ``along`` from ``point``."""
+    return _placed(name, point, axis, m, (axial, across, across), along)
 
 
 def _placed(name, point, axis, m, moments, along=ZERO):

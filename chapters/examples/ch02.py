@@ -55,7 +55,7 @@ class Nozzle:
 def speed_in_curve(rho, speed_rate, acceleration):
     """The speed in a curve of radius ``rho`` at which the magnitude of the total acceleration is ``acceleration`` (2.5), from (2.14).
 
-    speed_rate : rate of change of the speed. Any consistent units. Raises :class:`~newton_euler.triads.SingularError` if ``speed_rate`` alone
+    speed_rate : rate of change of the speed. Any consistent units. Raises :class:`~newton_euler.scalars.SingularError` if ``speed_rate`` alone
     exceeds the total: then no speed exists.
 
     >>> round(speed_in_curve(rho=250.0, speed_rate=2.0, acceleration=3.0), 2)  # m, s
