@@ -26,7 +26,7 @@ class _Commands(click.Group):
         from newton_euler.units import UnitError
 
         from .course import CourseError
-        from .harvest import HarvestError
+        from .sandbox.harvester import HarvestError
 
         try:
             return super().invoke(context)
@@ -76,7 +76,7 @@ def solve(names, seed, changed, as_json, explain):
     """
     from exercises.catalogue import select
 
-    from .solving import answers_json, explained, in_words, solved
+    from .reports import answers_json, explained, in_words, solved
 
     problems = select(names)
     changes = dict(_pair(c) for c in changed)
@@ -144,8 +144,8 @@ def figure(names, seed, folder):
     """Write the figure of each problem as a PNG, to look at."""
     from exercises.catalogue import select
 
-    from .figures import png
-    from .solving import given_values
+    from .assignment.figures import png
+    from .reports import given_values
 
     folder.mkdir(parents=True, exist_ok=True)
     for p in select(names):
@@ -162,7 +162,7 @@ def figure(names, seed, folder):
 @click.option("--update", is_flag=True, help="Add the assignment to a course that exists; replaces a source notebook of the same name.")
 def build(chapter, course_path, students, only, update):
     """Make an nbgrader assignment from a chapter, in a new course folder or (--update) an existing one."""
-    from .building import build_assignment
+    from .assignment.build import build_assignment
 
     with _bar() as bar:
         course, path = build_assignment(course_path, chapter, students, only, update, bar)
@@ -182,9 +182,9 @@ def personal(assignment, course_path, students, exchange):
 
     Without an exchange, hand out COURSE/personal/ASSIGNMENT/STUDENT/ASSIGNMENT.ipynb yourself: to that student only.
     """
-    from .building import exchange_outbound
+    from .assignment.build import exchange_outbound
+    from .assignment.personal import into_exchange, make_personal
     from .course import Course
-    from .release import into_exchange, make_personal
 
     course = Course(course_path)
     with _bar() as bar:
@@ -207,7 +207,7 @@ def personal(assignment, course_path, students, exchange):
 def grade(assignment, course_path, students, force, workers, unsandboxed, verbose):
     """Grade the submissions in COURSE/submitted: rebuild, run in a cage, score, write gradebook and annotated notebooks."""
     from .course import Course
-    from .grading import grade as run
+    from .grading.run import grade as run
     from .table import diagnoses, gradebook_table
 
     course = Course(course_path)
@@ -240,7 +240,7 @@ def grade(assignment, course_path, students, force, workers, unsandboxed, verbos
 @click.option("--problem", "only", multiple=True, metavar="4/16", help="Only these problems, to be quicker; may be repeated.")
 def demo(course_path, only):
     """The whole way on an example: a course, six students, release, submit, grade, feedback."""
-    importlib.import_module("grader.demo").run(course_path, only, console, _bar)
+    importlib.import_module("grader.demo.run").run(course_path, only, console, _bar)
 
 
 if __name__ == "__main__":

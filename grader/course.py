@@ -21,7 +21,7 @@ from pathlib import Path
 
 from exercises import variants
 
-from . import notebook as nb
+from .assignment import notebook as nb
 
 REPOSITORY = Path(__file__).resolve().parent.parent
 CONFIG = '''\
@@ -63,7 +63,7 @@ class Course:
         _write(path / ".course_secret", secrets.token_hex(32), 0o600)
         student = path / "student"
         student.mkdir()
-        shutil.copy(Path(__file__).with_name("fetch.py"), student / "newton_euler_fetch.py")
+        shutil.copy(Path(__file__).with_name("assignment") / "fetch.py", student / "newton_euler_fetch.py")
         _write(student / "nbgrader_config.py", _STUDENT_CONFIG.format(name=name), 0o644)
         _write(path / "nbgrader_config.py", CONFIG.format(repository=str(REPOSITORY), name=name), 0o644)
         return cls(path)

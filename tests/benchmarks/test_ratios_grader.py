@@ -20,11 +20,11 @@ ROUNDS = 3
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
     """A course with all 43 problems of the chapter, everyone's right answers handed in, with the figures of the numbers of the book."""
-    from grader import notebook as nb
-    from grader import students
-    from grader.building import build_assignment
+    from grader.assignment import notebook as nb
+    from grader.assignment.build import build_assignment
     from grader.course import read_json, write_json
-    from grader.demo import _done, _quiet_api
+    from grader.demo import sample_students as students
+    from grader.demo.run import _done, _quiet_api
 
     course, path = build_assignment(tmp_path_factory.mktemp("ratios") / "c", "ch04")
     course.enrol(STUDENTS)
@@ -65,8 +65,8 @@ def _nbgraders_own(course):
 
 
 def test_grading_all_43_problems_against_nbgraders_autograde(course):
-    from grader.grading import _Run, _save, grade
-    from grader.harvest import Harvester
+    from grader.grading.run import _Run, _save, grade
+    from grader.sandbox.harvester import Harvester
 
     api, submitted = _nbgraders_own(course), course.submissions("ch04")
     ours, without_start, theirs, run, save = [], [], [], [], []

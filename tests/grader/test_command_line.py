@@ -161,7 +161,7 @@ def test_a_given_that_makes_no_sense_is_told():
 
 def test_grade_prints_tables_with_whatever_students_wrote(fresh):
     from tests.grader.courses import submit
-    from tests.grader.test_routes import work
+    from tests.grader.nbgrader_hooks.test_preprocessors import work
 
     submit(fresh, "dan", work(fresh, "dan", p4_1="raise ValueError('[/red] [/] [bold')"))
     code, out = command("grade", "ch04", "--course", fresh.path, "--verbose")

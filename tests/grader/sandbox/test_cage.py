@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from grader.harvest import Harvester, HarvestError
+from grader.sandbox.harvester import Harvester, HarvestError
 from tests.grader.courses import REPOSITORY, environment
 
 FORMS = {"x": "number, 1"}
@@ -239,7 +239,7 @@ def test_a_worker_that_dies_is_replaced(harvester):
 CHILD = """
 import json, sys, textwrap
 sys.path.insert(0, {repository!r})
-from grader.harvest import Harvester
+from grader.sandbox.harvester import Harvester
 with Harvester(1, sandbox={sandbox}) as h:
     out = [h.run("import os", [{{"id": "0/1", "givens": "", "cell": c, "forms": {{"x": "number, 1"}}, "symbols": {{}}}}], 3, 1) for c in {cells!r}]
 print(json.dumps(out))
@@ -336,7 +336,7 @@ def test_without_a_cage_the_worker_survives_and_nothing_is_left_running():
 
 
 def test_a_place_that_is_shown_is_never_the_whole_of_usr_or_a_home():
-    from grader.cage import readable_places
+    from grader.sandbox.cage import readable_places
 
     places, _ = readable_places()
     assert not {"/", "/usr", "/usr/local", str(Path.home()), str(REPOSITORY)} & set(places)

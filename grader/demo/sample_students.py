@@ -4,7 +4,7 @@ import copy
 
 from exercises.catalogue import SYMBOLIC
 
-from .solving import _nested
+from ..reports import _nested
 
 
 def right(p, values):

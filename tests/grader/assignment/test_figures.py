@@ -4,7 +4,7 @@ import multiprocessing
 from concurrent.futures import ProcessPoolExecutor
 
 from exercises import problem
-from grader.figures import png
+from grader.assignment.figures import png
 from newton_euler import labels
 
 DRAWN = ["4/16", "4/10", "4/28", "4/7"]

@@ -5,15 +5,15 @@ import shutil
 
 import pytest
 
-from grader import students
-from grader.grading import grade
+from grader.demo import sample_students as students
+from grader.grading.run import grade
 from tests.grader.courses import nbgrader, points, read, submit, total
 
 
 def work(course, student, **changed):
     """A right notebook of this student; ``changed`` replaces the text of answer cells, as p4_16="...")."""
     own = read(course.personal_path("ch04", student))
-    from grader import notebook as nb
+    from grader.assignment import notebook as nb
 
     problems = nb.problems_of(own)
     values = course.values("ch04", student, problems)
@@ -81,7 +81,7 @@ def test_what_a_human_grader_gave_and_wrote_survives_grading_again(fresh):
 
 
 def test_unchanged_submissions_are_not_run_again_and_changed_ones_are(fresh, monkeypatch):
-    from grader import pipeline
+    from grader.submission import pipeline
 
     ran = []
     original = pipeline.harvested
@@ -103,7 +103,7 @@ def test_unchanged_submissions_are_not_run_again_and_changed_ones_are(fresh, mon
 
 
 def test_a_change_of_the_exercises_grades_everything_again(fresh, monkeypatch):
-    from grader import grading
+    from grader.grading import run as grading
 
     grade(fresh, "ch04", ["ada"])
     monkeypatch.setattr(grading, "_code_state", lambda: "another key")
@@ -131,7 +131,7 @@ def test_an_interrupted_run_leaves_the_gradebook_and_the_next_one_fills_it(fresh
 
         self.db.commit = commit
 
-    import grader.grading as grading
+    from grader.grading import run as grading
 
     save = grading._save
 

@@ -7,10 +7,10 @@ import shutil
 import pytest
 
 from grader.course import Course, CourseError, check_id, read_roster, write_json
-from grader.grading import grade
+from grader.grading.run import grade
 from tests.grader.courses import nbgrader, points, read, submit, total
+from tests.grader.nbgrader_hooks.test_preprocessors import work
 from tests.grader.test_command_line import command
-from tests.grader.test_routes import work
 
 
 def graded(course, student, **options):
@@ -304,7 +304,7 @@ def test_a_student_without_submission_is_told(fresh):
 
 
 def test_an_empty_roster_is_told(ungraded):
-    from grader.release import make_personal
+    from grader.assignment.personal import make_personal
 
     with ungraded.gradebook() as book:
         for s in ungraded.roster():
@@ -365,7 +365,7 @@ def test_a_course_folder_that_exists_is_left_as_it_is(tmp_path):
 
 
 def test_a_failure_while_figures_are_drawn_leaves_no_half_made_course(tmp_path, monkeypatch):
-    from grader import building
+    from grader.assignment import build as building
 
     monkeypatch.setattr(building, "png", lambda *a: 1 / 0)
     with pytest.raises(ZeroDivisionError):
@@ -374,7 +374,7 @@ def test_a_failure_while_figures_are_drawn_leaves_no_half_made_course(tmp_path, 
 
 
 def test_a_bug_in_grading_one_submission_keeps_nobody_else_from_a_grade(fresh, monkeypatch):
-    from grader import pipeline
+    from grader.submission import pipeline
 
     original = pipeline.scored
     monkeypatch.setattr(pipeline, "scored", lambda own, *rest: 1 / 0 if own.student == "ben" else original(own, *rest))

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from exercises.catalogue import Answer, problem, problems
 from exercises.variants import draw, evaluate
-from grader import score as scoring
-from grader.score import FORMULA_RTOL, RTOL, Score, close, read, score
+from grader.scoring import score as scoring
+from grader.scoring.score import FORMULA_RTOL, RTOL, Score, close, read, score
 from newton_euler.answers import Form, record
 
 CH04 = problems("ch04")

@@ -3,13 +3,13 @@
 import sys
 import time
 
-from . import notebook as nb
-from . import students
-from .building import build_assignment, course_config
-from .course import read_json, write_json
-from .grading import grade
-from .release import into_exchange, make_personal
-from .table import diagnoses, gradebook_table
+from ..assignment import notebook as nb
+from ..assignment.build import build_assignment, course_config
+from ..assignment.personal import into_exchange, make_personal
+from ..course import read_json, write_json
+from ..grading.run import grade
+from ..table import diagnoses, gradebook_table
+from . import sample_students as students
 
 CHAPTER = "ch04"
 PEOPLE = {
@@ -138,7 +138,7 @@ def _exchange(course, step, student="*", home=None):
     config.CourseDirectory.student_id = student
     kinds = {
         "release_assignment": lambda: default.ExchangeReleaseAssignment,
-        "fetch_assignment": lambda: importlib.import_module("grader.fetch").PersonalFetch,
+        "fetch_assignment": lambda: importlib.import_module("grader.assignment.fetch").PersonalFetch,
         "submit": lambda: default.ExchangeSubmit,
         "collect": lambda: default.ExchangeCollect,
     }

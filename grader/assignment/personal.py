@@ -9,8 +9,8 @@ from nbgrader.exchange.default import ExchangeReleaseAssignment
 
 from exercises.catalogue import problem
 
+from ..course import Course, CourseError, check_id, write_json
 from . import notebook as nb
-from .course import Course, CourseError, check_id, write_json
 from .fetch import FOLDER, personal_name
 from .figures import png
 

@@ -8,10 +8,10 @@ from nbgrader import utils
 from nbgrader.preprocessors import GetGrades, NbGraderPreprocessor, SaveAutoGrades
 from traitlets import Unicode
 
-from . import notebook as nb
-from . import pipeline
-from .course import Course
-from .harvest import Harvester
+from ..assignment import notebook as nb
+from ..course import Course
+from ..sandbox.harvester import Harvester
+from ..submission import pipeline
 
 _harvester = None
 

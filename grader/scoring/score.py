@@ -16,7 +16,7 @@ from newton_euler.answers import SHAPES, Form, TreeError
 from newton_euler.answers import evaluate as tree_value
 from newton_euler.scalars import DimensionError, ScalarError
 
-from .diagnose import diagnose
+from .diagnosis import diagnose
 
 RTOL = 0.005  # of the size of the key: three significant figures, rounded however
 FORMULA_RTOL = 1e-4  # formulas are exact; this leaves room for 3.1416

@@ -7,11 +7,11 @@ from datetime import datetime
 from functools import cache, cached_property
 from pathlib import Path
 
-from . import notebook as nb
-from . import pipeline
-from .course import CourseError, write_json
-from .harvest import Harvester, HarvestError
-from .notebook import fingerprint
+from ..assignment import notebook as nb
+from ..assignment.notebook import fingerprint
+from ..course import CourseError, write_json
+from ..sandbox.harvester import Harvester, HarvestError
+from ..submission import pipeline
 
 VERSION = "1"  # of the way of grading; part of the fingerprint, so that a change of it grades everything again
 LARGEST = 64 * 2**20  # bytes of a submitted notebook
@@ -81,7 +81,7 @@ def grade(course, assignment, students=None, force=False, workers=None, sandbox=
 @cache
 def _code_state():
     """A name for what grading depends on besides submission and course: a corrected key grades everything again."""
-    root = Path(__file__).parent.parent
+    root = Path(__file__).parents[2]
     files = [f for folder in ("exercises", "grader", "newton_euler") for kind in ("*.py", "*.yaml") for f in sorted((root / folder).rglob(kind))]
     return fingerprint(*(f.read_text(encoding="utf-8") for f in files))
 
@@ -163,7 +163,7 @@ def _notebook(name, content):
 
 def _restored(student, path, name):
     """The earlier result of the same submission under the same conditions, or None."""
-    from .score import Part, Score
+    from ..scoring.score import Part, Score
 
     try:
         record = json.loads(path.read_text(encoding="utf-8"))
@@ -245,7 +245,7 @@ class _LatePenalties:
     def plugin(self):
         from nbgrader.preprocessors import AssignLatePenalties
 
-        from .building import course_config
+        from ..assignment.build import course_config
 
         step = AssignLatePenalties(config=course_config(self.course))
         step.init_plugin()

@@ -8,13 +8,13 @@ import zipfile
 import pytest
 
 from exercises.catalogue import problem
-from grader import notebook as nb
-from grader.fetch import personal_name
-from grader.release import into_exchange, make_personal
+from grader.assignment import notebook as nb
+from grader.assignment.fetch import personal_name
+from grader.assignment.personal import into_exchange, make_personal
 from newton_euler.scalars import plain
 from newton_euler.vectors import Vector
 from tests.grader.courses import REPOSITORY, grader, nbgrader, read, run, submit
-from tests.grader.test_routes import work
+from tests.grader.nbgrader_hooks.test_preprocessors import work
 
 STUDENTS = ("ada", "ben", "cleo", "dan", "eve", "mallory")
 

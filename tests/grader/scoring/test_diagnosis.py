@@ -9,9 +9,9 @@ import pytest
 
 from exercises.catalogue import problem, problems
 from exercises.variants import SEPARATION, distance, draw, evaluate, flat
-from grader import score as scoring
-from grader.diagnose import _in_words
-from grader.score import score
+from grader.scoring import score as scoring
+from grader.scoring.diagnosis import _in_words
+from grader.scoring.score import score
 from newton_euler.answers import Form, record
 from newton_euler.vectors import Vector
 

@@ -3,9 +3,9 @@
 import html
 from dataclasses import dataclass
 
-from . import notebook as nb
-from .course import CourseError
-from .score import OPEN, score
+from ..assignment import notebook as nb
+from ..course import CourseError
+from ..scoring.score import OPEN, score
 
 MARK = {"right": "✓", "wrong": "✗", "unreadable": "?", "blank": "–"}
 

@@ -5,10 +5,10 @@ from pathlib import Path
 from exercises import catalogue
 from exercises.catalogue import CatalogueError, problems
 
+from ..course import Course, CourseError, read_roster, write_json
+from ..sandbox.harvester import CELL_SECONDS
 from . import notebook as nb
-from .course import Course, CourseError, read_roster, write_json
 from .figures import png
-from .harvest import CELL_SECONDS
 
 
 def chosen(chapter, only):
