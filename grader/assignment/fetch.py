@@ -1,7 +1,7 @@
-"""nbgrader's fetch for students: each gets the copy with their own numbers.
+"""Replaces nbgrader's fetch for students, so that each gets the copy with their own numbers.
 
-A file of its own, copied into COURSE/student/: it runs on the students' side, where neither grader nor exercises are installed, and knows no secret.
-The copies are made at release, under a name that only the student id leads to, in folders that can be entered but not listed.
+This file is copied into COURSE/student/ and runs on the students' side, where grader and exercises are not installed; it imports neither and
+holds no secret. The copies are made at release, in folders that can be entered but not listed, under names derived from the student ids.
 """
 
 import hashlib
@@ -14,12 +14,12 @@ FOLDER = ".personal"
 
 
 def personal_name(course_id, assignment, student):
-    """The folder of a student's own copy, below ``outbound/.personal/<assignment>``."""
+    """The name of the folder of a student's own copy, in ``outbound/.personal/<assignment>``."""
     return hashlib.sha256(f"{course_id}\0{assignment}\0{student}".encode()).hexdigest()[:32]
 
 
 class PersonalFetch(ExchangeFetchAssignment):
-    """Copies the assignment, and then the student's own notebooks over it."""
+    """Copies the released assignment, then the student's own notebooks over it; never over a file that the student already has."""
 
     def copy_files(self):
         student = self.coursedir.student_id
@@ -32,7 +32,7 @@ class PersonalFetch(ExchangeFetchAssignment):
                 f"{self.coursedir.assignment_id} has no copy for {student!r}. Ask the instructor to put you on the roster and to run: "
                 f"python -m grader personal {self.coursedir.assignment_id} --course COURSE --exchange"
             )
-        missing = [f for f in os.listdir(own) if not os.path.exists(os.path.join(self.dest_path, f))]  # never over work that is there already
+        missing = [f for f in os.listdir(own) if not os.path.exists(os.path.join(self.dest_path, f))]
         self.log.info("Source: %s", self.src_path)
         self.do_copy(self.src_path, self.dest_path)
         for name in missing:

@@ -1,14 +1,15 @@
-"""The assignment notebook: built from the catalogue, made personal, and taken apart again.
+"""Builds the notebook of an assignment from the catalogue, and a student's copy of it with other numbers.
 
-Notebooks are plain dicts here (the JSON of the format), because nbformat validates at every step and a class has hundreds. For each problem
-there are four cells: the statement and the numbers (a student's own, without any nbgrader id), the answer (editable; the only text that is
-believed when it comes back) and the receipt (locked, worth nothing, checks the form).
+Notebooks are plain dicts here (the JSON of the format), because nbformat validates at every step and a class has hundreds. Each problem has four
+cells: the statement and the givens (with a student's own numbers, without an nbgrader id), the answer (editable; of a submission, the only text
+that is used) and the receipt (locked, no points, checks the form of the answer).
+
+Courses keep what is written here: a change of cell ids, of grade ids, of MASTER_COPY or of the numbers and units in :func:`givens` makes assignments
+that are already handed out impossible to grade.
 """
 
 import base64
-import hashlib
 import re
-from dataclasses import dataclass
 
 from exercises.catalogue import problem as find_problem
 from newton_euler.answers import Form
@@ -50,7 +51,7 @@ compared after you hand in, part by part, with a hint where a common slip explai
 
 
 def pretty(name):
-    """A variable name for a reader: ``omega_1`` as an italic omega with an index."""
+    """A variable name as HTML: ``omega_1`` as an italic omega with an index."""
     base, *indices = name.split("_")
     dots = {"dot": "\u0307", "ddot": "\u0308"}
     mark = "".join(dots[i] for i in indices if i in dots)
@@ -59,29 +60,29 @@ def pretty(name):
 
 
 def number(x):
-    """A given as a textbook prints it."""
+    """The text of a number, floats with six significant digits."""
     return f"{x:.6g}" if isinstance(x, float) else str(x)
 
 
 def statement(p, values, figure=True):
     """The text of a problem with the student's numbers, as Markdown; the figure is the attachment ``figure.png``."""
-    said = set()
+    mentioned = set()
 
-    def put(match):
+    def substitute(match):
         name = match[1]
         if name not in p.units:
             return match[0]
-        if name in p.symbols or name in said:
+        if name in p.symbols or name in mentioned:
             return pretty(name)
-        said.add(name)
+        mentioned.add(name)
         return f"{pretty(name)} = {number(values[name])}{_unit(p.givens[name].unit)}"
 
-    lines = [f"## {p.id} {p.title}", "", re.sub(r"\{(\w+)\}", put, p.text)]
-    unsaid = [n for n in p.givens if n not in said]
-    if unsaid:
+    lines = [f"## {p.id} {p.title}", "", re.sub(r"\{(\w+)\}", substitute, p.text)]
+    others = [n for n in p.givens if n not in mentioned]
+    if others:
         lines += [
             "",
-            "Given: " + ", ".join(f"{pretty(n)} = {number(values[n])}{_unit(p.givens[n].unit)} ({p.givens[n].means})" for n in unsaid) + ".",
+            "Given: " + ", ".join(f"{pretty(n)} = {number(values[n])}{_unit(p.givens[n].unit)} ({p.givens[n].means})" for n in others) + ".",
         ]
     if figure:
         lines += ["", f"![Figure: {_alt(p.figure)}](attachment:figure.png)"]
@@ -101,7 +102,7 @@ def _alt(text):
 
 
 def givens(p, values):
-    """The cell with a student's numbers, or with the symbols of a formula."""
+    """The source of the cell that defines a student's numbers, and the symbols of a formula."""
     lines = [f"# {p.id}: what is given"]
     width = max((len(f"{n} = {number(values[n])}") for n in p.givens), default=0)
     lines += [f"{f'{n} = {number(values[n])}':<{width}}  # {g.unit if g.unit != '1' else 'a ratio'}: {g.means}" for n, g in p.givens.items()]
@@ -112,7 +113,7 @@ def givens(p, values):
 
 
 def starter(p):
-    """The answer cell as it is handed out."""
+    """The source of the answer cell as it is handed out."""
     width = max(len(a.key) for a in p.answers)
     lines = [f"# {p.id}: your work; then a value for each name"]
     lines += [f"{a.key:<{width}} = None  # {form(a)}: {a.means}" for a in p.answers]
@@ -120,12 +121,12 @@ def starter(p):
 
 
 def form(a):
-    """The form of an answer, as the notebook announces it: "vector, mm/s"."""
+    """The form of an answer as the notebook states it: "vector, mm/s"."""
     return str(Form(a.kind, a.unit, a.of))
 
 
 def receipt_cell(p):
-    """The locked cell that checks the form."""
+    """The source of the locked cell that checks the form of the answers."""
     forms = ", ".join(f'{a.key}="{form(a)}"' for a in p.answers)
     symbols = f"symbols={ {n: s.unit for n, s in p.symbols.items()}!r}, " if p.symbols else ""
     answers = ", ".join(f"{a.key}={a.key}" for a in p.answers)
@@ -133,22 +134,26 @@ def receipt_cell(p):
 
 
 def slug(problem_id):
-    """The number of a problem as part of a cell id: 4/16 as 4-16."""
+    """The number of a problem as part of a cell id: "4-16" for "4/16"."""
     return problem_id.replace("/", "-")
 
 
-# -- building
+def answer_id(problem_id):
+    """The id of an answer cell, also in nbgrader's gradebook: "answer-4-16"."""
+    return f"answer-{slug(problem_id)}"
 
 
-def build(problems, title, seconds, values=None, figures=None):
-    """The source notebook of an assignment with the numbers of the book (or ``values``: {id: {name: number}})."""
+# -- the whole notebook
+
+
+def build_notebook(problems, title, seconds, figures=None):
+    """The source notebook of an assignment with the numbers of the book; ``figures``: {problem id: PNG}; ``seconds``: the time limit of a cell."""
     cells = [
         _markdown("introduction", INTRODUCTION.format(title=title, seconds=seconds, whose=MASTER_COPY), {"role": "introduction"}),
         _code("setup", SETUP.strip(), {"role": "setup"}, {"grade": False, "solution": False, "locked": True, "grade_id": "setup"}),
     ]
     for p in problems:
-        own = (values or {}).get(p.id, p.book_values)
-        cells += _problem_cells(p, own, (figures or {}).get(p.id))
+        cells += _problem_cells(p, p.book_values, (figures or {}).get(p.id))
     return {
         "nbformat": 4,
         "nbformat_minor": 5,
@@ -165,13 +170,13 @@ def _problem_cells(p, values, figure):
     n, points = slug(p.id), len(p.answers)
     # generate_assignment replaces the (empty) solution region by ClearSolutions.code_stub; a cell without one would lose its text
     answer = starter(p).replace("\n", "\n### BEGIN SOLUTION\n### END SOLUTION\n", 1)
-    theirs = {"grade": True, "solution": True, "locked": False, "grade_id": f"answer-{n}", "points": points}
-    ours = {"grade": True, "solution": False, "locked": True, "grade_id": f"receipt-{n}", "points": 0}
+    graded = {"grade": True, "solution": True, "locked": False, "grade_id": answer_id(p.id), "points": points}
+    locked = {"grade": True, "solution": False, "locked": True, "grade_id": f"receipt-{n}", "points": 0}
     return [
         _statement_cell(p, values, figure),
         _code(f"givens-{n}", givens(p, values), {"role": "givens", "problem": p.id}),
-        _code(f"answer-{n}", answer, {"role": "answer", "problem": p.id}, theirs),
-        _code(f"receipt-{n}", receipt_cell(p), {"role": "receipt", "problem": p.id}, ours),
+        _code(answer_id(p.id), answer, {"role": "answer", "problem": p.id}, graded),
+        _code(f"receipt-{n}", receipt_cell(p), {"role": "receipt", "problem": p.id}, locked),
     ]
 
 
@@ -182,22 +187,23 @@ def _statement_cell(p, values, figure):
     return cell
 
 
-def _markdown(cell_id, text, ours):
-    return {"cell_type": "markdown", "id": cell_id, "metadata": {"newton_euler": ours}, "source": text}
+def _markdown(cell_id, text, own):
+    return {"cell_type": "markdown", "id": cell_id, "metadata": {"newton_euler": own}, "source": text}
 
 
-def _code(cell_id, text, ours, nbgrader=None):
-    metadata = {"newton_euler": ours}
+def _code(cell_id, text, own, nbgrader=None):
+    metadata = {"newton_euler": own}
     if nbgrader:
         metadata["nbgrader"] = {"schema_version": 3, "task": False, "cell_type": "code", **nbgrader}
     return {"cell_type": "code", "id": cell_id, "metadata": metadata, "source": text, "outputs": [], "execution_count": None}
 
 
-def personal(released, student, values, figures):
+def personal_notebook(released, student, values, figures):
     """The released notebook with a student's own numbers and figures; ``values`` and ``figures`` by problem."""
     cells = []
     for cell in released["cells"]:
-        role, number_of = _ours(cell).get("role"), _ours(cell).get("problem")
+        own = own_metadata(cell)
+        role, number_of = own.get("role"), own.get("problem")
         if role == "statement":
             cell = {**_statement_cell(find_problem(number_of), values[number_of], figures.get(number_of)), "metadata": cell["metadata"]}
         elif role == "introduction":
@@ -208,98 +214,28 @@ def personal(released, student, values, figures):
     return {**released, "cells": cells}
 
 
-def shows_other_numbers(notebook, values):
-    """The first problem whose numbers in a personal notebook are not ``values``, or None."""
+def first_differing_problem(notebook, values):
+    """The first problem whose numbers or units in a personal notebook are not those of ``values``, or None."""
     for cell in notebook["cells"]:
-        ours = _ours(cell)
-        if ours.get("role") == "givens" and cell["source"] != givens(find_problem(ours["problem"]), values[ours["problem"]]):
-            return ours["problem"]
+        own = own_metadata(cell)
+        if own.get("role") == "givens":
+            now = givens(find_problem(own["problem"]), values[own["problem"]])
+            if _without_meanings(cell["source"]) != _without_meanings(now):
+                return own["problem"]
     return None
 
 
-def _ours(cell):
-    ours = cell.get("metadata", {}).get("newton_euler")
-    return ours if isinstance(ours, dict) else {}
+def _without_meanings(source):
+    """A givens cell without the explanation behind each unit, which may be reworded while a course runs."""
+    return re.sub(r"(#[^:\n]*):.*", r"\1", source)
+
+
+def own_metadata(cell):
+    """The metadata that this package wrote into a cell: {"role", "problem"}; {} for any other cell."""
+    own = cell.get("metadata", {}).get("newton_euler")
+    return own if isinstance(own, dict) else {}
 
 
 def problems_of(notebook):
     """The problems of an assignment notebook, in order."""
     return [find_problem(i) for i in notebook["metadata"]["newton_euler"]["problems"]]
-
-
-# -- taking apart
-
-
-@dataclass(frozen=True)
-class Answer:
-    """What came back for one problem: the text of the answer cell, and what was odd about it."""
-
-    text: str
-    note: str = ""
-
-
-def answers(submitted, problems):
-    """{problem id: Answer} from a submitted notebook, which is not trusted: only the text of answer cells is read."""
-    found = {}
-    for cell in submitted.get("cells", []):
-        if not isinstance(cell, dict):
-            continue
-        grade_id, text = _grade_id(cell), _text(cell)
-        if grade_id.startswith("answer-"):
-            found.setdefault(grade_id, []).append(text)
-    return {p.id: _answer(p, found.get(f"answer-{slug(p.id)}", [])) for p in problems}
-
-
-def _answer(p, texts):
-    if not texts:
-        return Answer("", f"the answer cell of {p.id} is missing from the notebook; fetch the assignment again and paste your work into it")
-    changed = [t for t in dict.fromkeys(texts) if _stripped(t) != _stripped(starter(p))]
-    chosen = changed[0] if changed else texts[0]
-    if len(texts) > 1:
-        which = "the first one that was filled in" if changed else "the first one"
-        return Answer(chosen, f"the notebook holds {len(texts)} copies of the answer cell; {which} was graded")
-    return Answer(chosen)
-
-
-def _stripped(text):
-    return re.sub(r"\s+|#[^\n]*", "", text)
-
-
-def is_untouched(p, text):
-    """True if the answer cell holds nothing but what was handed out."""
-    return _stripped(text) in ("", _stripped(starter(p)))
-
-
-def _grade_id(cell):
-    try:
-        return str(cell["metadata"]["nbgrader"]["grade_id"])
-    except (KeyError, TypeError):
-        return ""
-
-
-def _text(cell):
-    source = cell.get("source", "")
-    text = "".join(map(str, source)) if isinstance(source, list) else str(source)
-    return text.encode("utf-8", "replace").decode()  # JSON can hold halves of characters, which no file can
-
-
-def rebuilt(master, given_answers):
-    """The master notebook (released, with this student's numbers) with the texts of the answers put in, and nothing else of the submission."""
-    cells = []
-    for cell in master["cells"]:
-        ours = _ours(cell)
-        if ours.get("role") == "answer":
-            cell = {**cell, "source": given_answers[ours["problem"]].text, "outputs": [], "execution_count": None}
-        elif cell["cell_type"] == "code":
-            cell = {**cell, "outputs": [], "execution_count": None}
-        cells.append(cell)
-    return {**master, "cells": cells}
-
-
-def fingerprint(*contents):
-    """A short name for content (texts or bytes), to see whether anything changed."""
-    name = hashlib.sha256()
-    for content in contents:
-        name.update(content.encode() if isinstance(content, str) else content)
-        name.update(b"\0")
-    return name.hexdigest()[:20]

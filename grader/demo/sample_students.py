@@ -1,66 +1,67 @@
-"""Sample students, for the demo and the tests: what they write into the answer cells, and what else they do to the notebook."""
+"""Sample students for the demo and the tests: the texts of their answer cells, and what a hostile one changes in the notebook."""
 
 import copy
 
 from exercises.catalogue import SYMBOLIC
 
-from ..reports import _nested
+from ..assignment.notebook import own_metadata
+from ..reports import nested
 
 
-def right(p, values):
-    """The right answers of a problem, as a student would hold them: {key: literal}."""
+def right_answers(p, values):
+    """The right answers of a problem as Python literals: {key: literal}."""
     results = p.solve({**p.sympy_symbols(), **values})
     return {a.key: literal(a, results[a.key]) for a in p.answers}
 
 
 def literal(a, value):
-    """An answer as Python source."""
+    """The Python source of an answer."""
     if a.kind in SYMBOLIC:
-        return _source(_nested(value, str))
-    return repr(_nested(value, lambda x: x if isinstance(x, (int, str)) else float(x)))
+        return _source(nested(value, str))
+    return repr(nested(value, lambda x: x if isinstance(x, (int, str)) else float(x)))
 
 
 def _source(nested):
     return "[" + ", ".join(map(_source, nested)) + "]" if isinstance(nested, list) else nested
 
 
-def leaves_out(p, values):
-    """The answers of a student who leaves a term out wherever the problem knows of one: (answers, the keys that this spoils)."""
+def answers_without_a_term(p, values):
+    """(answers, wrong keys) of a student who makes the first listed mistake that leaves out a term; without one, the right answers."""
     name = next((m for m, text in p.mistakes.items() if "leaves out" in text or "leaving out" in text), None)
     if name is None:
-        return right(p, values), []
-    spoiled = p.in_units(p.code.mistakes(p.base({**p.sympy_symbols(), **values}))[name])
-    return {**right(p, values), **{key: literal(p.answer(key), v) for key, v in spoiled.items()}}, list(spoiled)
+        return right_answers(p, values), []
+    wrong = p.in_units(p.code.mistakes(p.base({**p.sympy_symbols(), **values}))[name])
+    return {**right_answers(p, values), **{key: literal(p.answer(key), v) for key, v in wrong.items()}}, list(wrong)
 
 
-def cell(p, answers):
-    """The text of an answer cell with these literals; formulas find the functions they need."""
+def cell_text(p, answers):
+    """The text of an answer cell with these literals, and for formulas the functions that they need."""
     head = "from sympy import Abs, cos, pi, sin, sqrt, tan\n" if p.symbolic else ""
     return head + "\n".join(f"{key} = {text}" for key, text in answers.items())
 
 
-def filled(notebook, texts):
-    """A copy of a fetched notebook with answer cells replaced: ``texts`` by problem id."""
+def fill_in(notebook, texts):
+    """A copy of a fetched notebook with other texts in the answer cells; ``texts`` by problem id."""
     notebook = copy.deepcopy(notebook)
     for c in notebook["cells"]:
-        ours = c["metadata"].get("newton_euler", {})
-        if ours.get("role") == "answer" and ours["problem"] in texts:
-            c["source"] = texts[ours["problem"]]
+        own = own_metadata(c)
+        if own.get("role") == "answer" and own["problem"] in texts:
+            c["source"] = texts[own["problem"]]
     return notebook
 
 
 HOSTILE = """\
 import os, sys
 import newton_euler.answers as answers
-answers.record = lambda *a: ({key: "anything" for key in a[0]}, {})          # patch the checker
+answers.record = lambda *a: ({key: "anything" for key in a[0]}, {})          # replace the form check
 answers.receipt = receipt = lambda *a, **k: 1e9
-for name in ("/", os.getcwd(), os.path.expanduser("~")):                      # look for keys
+for name in ("/", os.getcwd(), os.path.expanduser("~")):                      # search for keys
     try:
         found = os.listdir(name)
     except OSError:
         pass
 try:
-    from exercises import problem                                             # the solutions, if they were there
+    from exercises import problem                                             # the solutions, if they can be imported
     key = problem("4/16").solve(problem("4/16").book_values)
 except ImportError:
     pass
@@ -73,16 +74,16 @@ for fd in range(3, 64):                                                       # 
 
 
 def hostile(notebook, problems):
-    """Everything that earns full points in plain nbgrader: tags, forged outputs, changed points, copied test cells, a patched checker; no answer."""
-    forged = filled(notebook, {p.id: HOSTILE for p in problems})
+    """A notebook without an answer that tries all that earns full points in plain nbgrader: tags, forged outputs, points, copied and edited tests."""
+    forged = fill_in(notebook, {p.id: HOSTILE for p in problems})
     copies = []
     for c in forged["cells"]:
         c["metadata"]["tags"] = ["skip-execution", "raises-exception"]
-        if c["metadata"].get("newton_euler", {}).get("role") in ("receipt", "answer"):
+        if own_metadata(c).get("role") in ("receipt", "answer"):
             c["metadata"]["nbgrader"]["points"] = 1000
             c["outputs"] = [{"output_type": "execute_result", "execution_count": 1, "metadata": {}, "data": {"text/plain": "1000.0"}}]
             c["metadata"]["nbgrader"]["locked"] = False
-        if c["metadata"].get("newton_euler", {}).get("role") == "receipt":
+        if own_metadata(c).get("role") == "receipt":
             c["source"] = "1000.0"
             copies.append(copy.deepcopy(c) | {"id": c["id"] + "-copy"})
     forged["cells"] += copies[:1]

@@ -1,4 +1,4 @@
-"""What nbgrader runs in place of its own steps: rebuild, harvest, and saving the scores."""
+"""Preprocessors that replace nbgrader's own: rebuild the submission, run and score its answers, save the scores, prepare the feedback page."""
 
 import atexit
 import copy
@@ -8,16 +8,17 @@ from nbgrader import utils
 from nbgrader.preprocessors import GetGrades, NbGraderPreprocessor, SaveAutoGrades
 from traitlets import Unicode
 
-from ..assignment import notebook as nb
+from ..assignment.notebook import own_metadata
 from ..course import Course
-from ..sandbox.harvester import Harvester
+from ..sandbox import Harvester
 from ..submission import pipeline
+from ..submission.rebuild import SubmittedAnswer, read_answers, rebuild_notebook
 
 _harvester = None
 
 
-def harvester():
-    """One harvester for the life of the process; nbgrader makes its preprocessors anew for every notebook."""
+def shared_harvester():
+    """The harvester of this process, started at the first call; nbgrader makes new preprocessors for every notebook."""
     global _harvester
     if _harvester is None:
         _harvester = Harvester(1).__enter__()
@@ -25,67 +26,67 @@ def harvester():
     return _harvester
 
 
-class _OfCourse(NbGraderPreprocessor):
+class _CoursePreprocessor(NbGraderPreprocessor):
     course_path = Unicode("", help="The course folder; set by grader.nbgrader_config.configure").tag(config=True)
 
-    def _sheet(self, resources):
-        ours = resources["nbgrader"]
-        return pipeline.sheet(Course(self.course_path), ours["assignment"], ours["student"])
+    def _student_assignment(self, resources):
+        names = resources["nbgrader"]
+        return pipeline.student_assignment(Course(self.course_path), names["assignment"], names["student"])
 
 
-class RebuildFromSource(_OfCourse):
-    """First of ``Autograde.sanitize_preprocessors``: of the submission, only the texts of the answer cells go on."""
+class RebuildFromSource(_CoursePreprocessor):
+    """The first of ``Autograde.sanitize_preprocessors``: keeps only the texts of the answer cells of a submission."""
 
-    def preprocess(self, nb_, resources):
-        own = self._sheet(resources)
-        answers = nb.answers(nb_, own.problems)
-        rebuilt = copy.deepcopy(nb.rebuilt(own.master, answers))
+    def preprocess(self, notebook, resources):
+        own = self._student_assignment(resources)
+        answers = read_answers(notebook, own.problems)
+        rebuilt = copy.deepcopy(rebuild_notebook(own.master, answers))
         rebuilt["metadata"]["newton_euler"] = {**rebuilt["metadata"]["newton_euler"], "notes": {i: a.note for i, a in answers.items() if a.note}}
         return from_dict(rebuilt), resources
 
 
-class HarvestExecute(_OfCourse):
-    """In place of ``Execute``: the answers run in the cage, the scores go into the outputs and on to :class:`SaveScores`."""
+class HarvestExecute(_CoursePreprocessor):
+    """Replaces ``Execute``: runs the answers in the sandbox, writes the scores into the outputs and passes them on to :class:`SaveScores`."""
 
-    def preprocess(self, nb_, resources):
-        own = self._sheet(resources)
-        notes = nb_["metadata"]["newton_euler"].pop("notes", {})
-        answers = {i: nb.Answer(a.text, notes.get(i, "")) for i, a in nb.answers(nb_, own.problems).items()}
-        receipts, note = pipeline.harvested(harvester(), own, answers)
-        scores = pipeline.scored(own, answers, receipts)
+    def preprocess(self, notebook, resources):
+        own = self._student_assignment(resources)
+        notes = notebook["metadata"]["newton_euler"].pop("notes", {})
+        answers = {i: SubmittedAnswer(a.text, notes.get(i, "")) for i, a in read_answers(notebook, own.problems).items()}
+        receipts, note = pipeline.run_answers(shared_harvester(), own, answers)
+        scores = pipeline.score_answers(own, answers, receipts)
         resources["newton_euler"] = scores
         if note:
             self.log.warning("%s: %s", own.student, note)
-        return from_dict(pipeline.annotated(nb_, scores, note)), resources
+        return from_dict(pipeline.annotate(notebook, scores, note)), resources
 
 
 class SaveScores(SaveAutoGrades):
-    """Writes the scores, and the diagnosis as the comment, into the gradebook."""
+    """Writes the points, and the feedback as a comment, into the gradebook."""
 
     def _score_of(self, cell, resources):
-        return resources["newton_euler"].get(cell.metadata.get("newton_euler", {}).get("problem"))
+        return resources["newton_euler"].get(own_metadata(cell).get("problem"))
 
     def _add_score(self, cell, resources):
         grade = self.gradebook.find_grade(cell.metadata["nbgrader"]["grade_id"], self.notebook_id, self.assignment_id, self.student_id)
-        result = self._score_of(cell, resources)
-        grade.auto_score = result.points if result and utils.is_solution(cell) else 0
+        score = self._score_of(cell, resources)
+        grade.auto_score = score.points if score and utils.is_solution(cell) else 0
         grade.needs_manual_grade = grade.manual_score is not None
         self.gradebook.db.commit()
 
     def _add_comment(self, cell, resources):
-        found = self.gradebook.find_comment(cell.metadata["nbgrader"]["grade_id"], self.notebook_id, self.assignment_id, self.student_id)
-        result = self._score_of(cell, resources)
-        found.auto_comment = pipeline.comment(result) if result else None
+        comment = self.gradebook.find_comment(cell.metadata["nbgrader"]["grade_id"], self.notebook_id, self.assignment_id, self.student_id)
+        score = self._score_of(cell, resources)
+        comment.auto_comment = pipeline.feedback_comment(score) if score else None
         self.gradebook.db.commit()
 
 
 class GradesAndFigures(GetGrades):
-    """For the feedback page: scores, what a human grader wrote, and each figure inside its text."""
+    """For the feedback page: adds points and comments, also those of a human grader, and puts each figure into its text."""
 
     def _get_comment(self, cell, resources):
         super()._get_comment(cell, resources)
-        found = self.gradebook.find_comment(cell.metadata["nbgrader"]["grade_id"], self.notebook_id, self.assignment_id, self.student_id)
-        cell.metadata.nbgrader["manual_comment"] = found.manual_comment
+        comment = self.gradebook.find_comment(cell.metadata["nbgrader"]["grade_id"], self.notebook_id, self.assignment_id, self.student_id)
+        cell.metadata.nbgrader["manual_comment"] = comment.manual_comment
 
     def preprocess_cell(self, cell, resources, index):
         for name, kinds in cell.pop("attachments", {}).items():

@@ -1,12 +1,13 @@
-"""The process in which student code runs. A script of its own: it must not import the exercises, and holds no key.
+"""Runs student code in a sandboxed child process. This file is a script of its own: it does not import the exercises and holds no key.
 
-``python -I cage.py`` imports what student code may use, then waits. For each job (a line of JSON: cells, givens, forms, limits) it forks a
-child, locks it in, and lets it run the cells; the child sends one line of JSON per problem through a pipe. What comes back is data, read up to
-a limit and until a deadline. Only one line per job is ever written to stdout, by the parent that ran no student code.
+``python -I cage.py`` imports what student code may use, then waits for jobs (JSON: cells, givens, forms, limits). For each job it forks a child,
+isolates it, and lets it run the cells; the child sends one line of JSON per problem through a pipe, which is read as data, up to a limit and until a
+deadline. Only the parent, which runs no student code, writes to stdout: one reply per job.
 
-The cage: Linux namespaces (user, mount, pid, network, ipc, uts), a read-only root with nothing but the interpreter and its libraries, resource
-limits, an unprivileged user, no capabilities, no new privileges. Where the kernel refuses, a plain child with limits, and the result says
-"unsandboxed". This process adopts whatever the child leaves running, and ends it before the next job.
+The isolation (the "cage"): Linux namespaces (user, mount, pid, network, ipc, uts), a read-only root with nothing but the interpreter and its
+libraries, resource limits, an unprivileged user, no capabilities, no new privileges. Where the kernel refuses namespaces, the child has the resource
+limits only and the result says "unsandboxed". Processes that the child leaves running become children of the parent, which kills them before the next
+job.
 """
 
 import contextlib
@@ -25,9 +26,9 @@ import sys
 import sysconfig
 import time
 
-OUTPUT_LIMIT = 2**20  # bytes of receipts from one submission
-LINE_LIMIT = 2**16  # and of one problem
-DEPTH = 400  # of lists in lists in a receipt; JSON that is nested deeper would end whoever writes it again
+OUTPUT_LIMIT = 2**20  # bytes of the receipts of one submission
+LINE_LIMIT = 2**16  # bytes of the receipt of one problem
+DEPTH = 400  # of nested lists in a receipt; writing JSON that is nested deeper would exceed the recursion limit
 MEMORY = 3 * 2**30
 CLONE = {"mount": 0x20000, "uts": 0x4000000, "ipc": 0x8000000, "user": 0x10000000, "pid": 0x20000000, "net": 0x40000000}
 MS_RDONLY, MS_NOSUID, MS_NODEV, MS_REMOUNT, MS_BIND, MS_REC, MS_PRIVATE = 1, 2, 4, 32, 4096, 16384, 1 << 18
@@ -40,7 +41,7 @@ class Refused(OSError):
     """The kernel does not allow a namespace or a mount."""
 
 
-# -- locking in
+# -- isolation
 
 
 def _libc():
@@ -59,11 +60,11 @@ def _mount(libc, source, target, kind, flags, data=None):
 
 
 def readable_places():
-    """The folders that student code may read: interpreter, installed libraries, the engine, the chapters; never the course or the exercises."""
+    """(folders, links) that student code may read: interpreter, installed libraries, engine, chapters; never the course or the exercises."""
     engine = os.path.dirname(os.path.abspath(importlib.import_module("newton_euler").__file__))
     chapters = importlib.import_module("newton_euler.chapters").__path__  # in a checkout they are beside the engine
     wanted = [engine, *chapters, "/usr/lib", "/usr/lib64", "/usr/local/lib", "/lib", "/lib64", "/etc/ld.so.cache", "/usr/share/zoneinfo"]
-    # not the prefixes whole: /usr and /usr/local also hold /usr/local/share/nbgrader/exchange
+    # not the whole prefixes: /usr and /usr/local also contain /usr/local/share/nbgrader/exchange
     wanted += [
         os.path.join(prefix, lib) for prefix in (sys.base_prefix, sys.prefix, sys.base_exec_prefix, sys.exec_prefix) for lib in ("lib", "lib64")
     ]
@@ -89,12 +90,12 @@ def _enter_namespaces(libc):
 
 
 def _build_root(libc):
-    """A new root on tmpfs that shows the readable places and nothing else."""
+    """Make a new root on tmpfs that contains the readable places and nothing else, and change to it."""
     places, links = readable_places()
     _mount(libc, None, "/", None, MS_REC | MS_PRIVATE)
     root = _mount_point(places)
     _mount(libc, "cage", root, "tmpfs", MS_NOSUID | MS_NODEV, "size=64m,mode=755")
-    os.makedirs(root + "/tmp")  # before the places: one of them may lie in it
+    os.makedirs(root + "/tmp")  # before the places, since one of them may be in it
     _mount(libc, "scratch", root + "/tmp", "tmpfs", MS_NOSUID | MS_NODEV, "size=64m,mode=1777")
     for place in places:
         target = root + place
@@ -123,7 +124,7 @@ def _build_root(libc):
 
 
 def _mount_point(places):
-    """An existing folder to put the new root on, which hides none of the places that are shown in it."""
+    """An existing folder to mount the new root on; it contains none of the places that the new root must show."""
     for folder in ("/mnt", "/srv", "/media", "/opt", "/var/tmp", "/tmp"):
         if os.path.isdir(folder) and not any(p == folder or p.startswith(folder + "/") for p in places):
             return folder
@@ -131,7 +132,7 @@ def _mount_point(places):
 
 
 def _kept_flags(place):
-    """Flags of the mount that a remount in a user namespace must keep."""
+    """The flags of the mount that a remount in a user namespace must keep."""
     flags = os.statvfs(place).f_flag
     return (flags & os.ST_NODEV and MS_NODEV) | (flags & os.ST_NOEXEC and 8) | (flags & os.ST_NOATIME and 1024) | (flags & os.ST_RELATIME and 1 << 21)
 
@@ -167,14 +168,14 @@ def _drop_privileges(libc, uid):
         try:
             os.setresgid(uid, uid, uid)
             os.setresuid(uid, uid, uid)
-        except OSError:  # where few users are mapped, as in some containers
+        except OSError:  # few users are mapped, as in some containers
             os.setresgid(NOBODY, NOBODY, NOBODY)
             os.setresuid(NOBODY, NOBODY, NOBODY)
     if linux:
-        # who made a user namespace has all capabilities in it, and could make the mounts writable again
+        # the creator of a user namespace has all capabilities in it and could make the mounts writable again
         _call(libc.capset, (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)())
         libc.prctl(38, 1, 0, 0, 0)  # PR_SET_NO_NEW_PRIVS
-        libc.prctl(1, signal.SIGKILL, 0, 0, 0)  # PR_SET_PDEATHSIG: die with the process that watches
+        libc.prctl(1, signal.SIGKILL, 0, 0, 0)  # PR_SET_PDEATHSIG: die with the parent
 
 
 def _close_all_but(*kept):
@@ -185,7 +186,7 @@ def _close_all_but(*kept):
 
 
 def _caged(job, out, mode_out):
-    """In the child: lock in, then run the student's cells. Never returns."""
+    """In the child: isolate this process, then run the student's cells. Never returns."""
     libc, caged, used = _libc(), job.get("sandbox", True), _memory_in_use()
     null = os.open(os.devnull, os.O_RDWR)
     for fd in (0, 1, 2):
@@ -198,7 +199,7 @@ def _caged(job, out, mode_out):
             _enter_namespaces(libc)
         except (OSError, AttributeError) as error:
             caged, job["refused"] = False, str(error)
-    inner = os.fork() if caged else 0  # the first child of a new pid namespace is its init: when it dies, all die
+    inner = os.fork() if caged else 0  # the first child of a new pid namespace is its init: when it dies, the kernel kills all others
     if inner:
         libc.prctl(1, signal.SIGKILL, 0, 0, 0)
         os.close(out)
@@ -212,7 +213,7 @@ def _caged(job, out, mode_out):
             caged, job["refused"] = False, str(error)
             if job.get("insist"):
                 os._exit(3)
-    # limits that the namespaces would count come last
+    # after the namespaces, since making them would count against the limits
     _limit(job["seconds"], used)
     _drop_privileges(libc, job.get("uid", NOBODY))
     os.write(mode_out, b"namespaces" if caged else b"unsandboxed: " + str(job.get("refused", "asked for")).encode()[:200])
@@ -227,11 +228,11 @@ def _caged(job, out, mode_out):
 
 
 class _TooLong(Exception):
-    """A cell took longer than it may."""
+    """A cell ran longer than its time limit."""
 
 
 def run_cells(job, send):
-    """Run the answer cells in order, in one namespace, and send each problem's receipt as a line of JSON."""
+    """Run the answer cells in order, with common variables, and send the receipt of each problem as a line of JSON."""
     answers = importlib.import_module("newton_euler.answers")
     space = {"__name__": "__main__", "__builtins__": __builtins__}
     _run(job.get("setup", ""), space, job["cell_seconds"])
@@ -254,7 +255,7 @@ def run_cells(job, send):
 
 
 def _run(text, space, seconds):
-    """Run one cell; the error as a sentence, or None."""
+    """Run one cell; returns the error as a sentence, or None."""
 
     def too_long(*_):
         raise _TooLong(f"the cell ran longer than {seconds:g} s; look for a loop that does not end, or a simplify on a long formula")
@@ -283,11 +284,11 @@ def _line_of(error):
     return line
 
 
-# -- the waiting parent
+# -- the parent
 
 
 def _watch(pid, out, mode, seconds):
-    """Read what the child sends, up to the limits; kill it at the deadline, and all that it started."""
+    """Read what the child sends, up to the limits and the deadline, then kill it and all its descendants; returns (data, sandbox, how it ended)."""
     deadline, data, how, ended = time.monotonic() + seconds, bytearray(), b"", "done"
     open_ends = [out, mode]
     while open_ends:
@@ -312,13 +313,13 @@ def _watch(pid, out, mode, seconds):
 
 
 def _adopt_orphans():
-    """From now on, processes whose parent dies become children of this one, however they tried to get away."""
+    """Make this process the new parent of every descendant whose parent ends, also of daemons."""
     if sys.platform == "linux":
         _libc().prctl(36, 1, 0, 0, 0)  # PR_SET_CHILD_SUBREAPER
 
 
 def _end(pid):
-    """Kill and collect the child and everything that it left behind."""
+    """Kill the child and all its descendants, and wait for them."""
     rounds = 0
     while True:
         if rounds == 5:
@@ -334,7 +335,7 @@ def _end(pid):
 
 
 def _freeze():
-    """Stop all descendants, until none runs that could start another: of a fork bomb without a cage, killing only makes room for more."""
+    """Stop all descendants until none runs that could start another; killing the processes of a fork bomb one by one only makes room for more."""
     quiet = 0
     while quiet < 3:
         running = [p for p, state in _descendants().items() if state not in "TtZX"]
@@ -353,7 +354,7 @@ def _children():
 
 
 def _descendants():
-    """{pid: state} of all processes below this one."""
+    """{pid: state} of all descendants of this process."""
     found = {}
     for name in os.listdir("/proc") if os.path.isdir("/proc") else ():
         if name.isdigit():
@@ -368,7 +369,7 @@ def _descendants():
 
 
 def _receipts(data):
-    """The lines that are receipts; anything else is dropped. Problems are told apart by the grader, which knows what it asked for."""
+    """The lines of ``data`` that are receipts. Ids are not checked here but by the grader, which knows the problems."""
     found = []
     for line in data.split(b"\n"):
         try:
@@ -390,8 +391,8 @@ def _is_shallow(value):
 
 
 def run_job(job):
-    """Fork, run the job in the cage, and return its receipts: {"receipts": [...], "sandbox": how, "ended": how}."""
-    job = {"uid": 2**20 + os.getpid(), **job}  # a user of its own for each worker: what one submission uses up is not missing for another
+    """Run a job in a sandboxed child; returns {"receipts": [...], "sandbox": how, "ended": how, "seconds": elapsed}."""
+    job = {"uid": 2**20 + os.getpid(), **job}  # a separate user for each worker, so that limits counted by user do not affect other workers
     out, out_end = os.pipe()
     mode, mode_end = os.pipe()
     start = time.perf_counter()
@@ -412,11 +413,11 @@ def run_job(job):
 
 
 def main():
-    """Import once, then serve jobs: length-prefixed JSON on stdin, length-prefixed JSON on stdout."""
+    """Import the libraries, then serve jobs: length-prefixed JSON on stdin, length-prefixed JSON on stdout."""
     for name in PRELOAD:
         importlib.import_module(name)
     sympy = sys.modules["sympy"]
-    # what every submission would do again: the first sum imports sympy.tensor, which takes as long as all cells of a notebook together
+    # what every submission would have to repeat: the first sum imports sympy.tensor, which takes as long as all cells of a notebook together
     x, y = sympy.symbols("x y", real=True)
     str(
         sympy.sqrt(sympy.sin(x) ** 2 / 3 + y * sympy.tan(x) - sympy.Abs(y))

@@ -1,7 +1,7 @@
-"""Run submissions in cages and bring back their receipts.
+"""Runs submissions in sandboxed processes and returns their receipts.
 
-A :class:`Harvester` keeps clean processes (``cage.py``) ready, one per worker, that have the libraries loaded and know no key. A submission
-costs a fork, not an interpreter start.
+A :class:`Harvester` keeps one process (``cage.py``) per worker, with the libraries imported and no key in it. A submission costs a fork of it, not
+the start of an interpreter.
 """
 
 import contextlib
@@ -15,16 +15,16 @@ from queue import Queue
 
 CELL_SECONDS = 10.0
 SECONDS = 60.0
-_KEPT = ("PATH", "LANG", "LC_ALL", "TZ", "HOME")
-_CALM = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MPLBACKEND": "Agg", "MPLCONFIGDIR": "/tmp", "PYTHONDONTWRITEBYTECODE": "1"}
+_PASSED_ON = ("PATH", "LANG", "LC_ALL", "TZ", "HOME")
+_SET = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MPLBACKEND": "Agg", "MPLCONFIGDIR": "/tmp", "PYTHONDONTWRITEBYTECODE": "1"}
 
 
 class HarvestError(RuntimeError):
-    """The cage itself failed: a bug or a broken installation, not a student's mistake."""
+    """The sandbox itself failed, because of a bug or a broken installation and not because of a student's code."""
 
 
 class Harvester:
-    """Workers that run submissions: ``with Harvester(2) as h: h.run(job)``. Safe to call from several threads."""
+    """Workers that run submissions: ``with Harvester(2) as h: h.run(setup, problems)``. ``run`` may be called from several threads."""
 
     def __init__(self, workers=None, sandbox=True):
         self.count = workers or os.cpu_count() or 1
@@ -33,11 +33,11 @@ class Harvester:
 
     def __enter__(self):
         for _ in range(self.count):
-            self._idle.put(self._started())
+            self._idle.put(self._start_worker())
         return self
 
-    def _started(self):
-        environment = {k: os.environ[k] for k in _KEPT if k in os.environ} | _CALM
+    def _start_worker(self):
+        environment = {k: os.environ[k] for k in _PASSED_ON if k in os.environ} | _SET
         process = subprocess.Popen(
             [sys.executable, "-I", str(Path(__file__).with_name("cage.py"))],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, cwd="/",
@@ -58,19 +58,19 @@ class Harvester:
             process.stdout.close()
 
     def run(self, setup, problems, seconds=SECONDS, cell_seconds=CELL_SECONDS):
-        """Run the answer cells of one submission.
+        """Run the answer cells of one submission; returns {"receipts": {id: record}, "sandbox", "ended", "seconds"}.
 
-        problems : [{"id", "givens", "cell", "forms", "symbols"}], texts of cells and the forms to read answers by
-        Returns {"receipts": {id: record}, "sandbox": "namespaces" or why not, "ended": "done" or why it was stopped, "seconds"}.
-        Only ids that were asked for come back, each once, the first that was sent.
+        problems : [{"id", "givens", "cell", "forms", "symbols"}], the sources of the cells and the forms in which answers are read.
+        "sandbox" is "namespaces" or the reason why there is none; "ended" is "done" or the reason why the run was stopped.
+        Only ids of ``problems`` are returned, each with the first record that was sent for it.
         """
         job = {"setup": setup, "problems": problems, "seconds": seconds, "cell_seconds": cell_seconds, "sandbox": self.sandbox}
         process = self._idle.get()
         try:
             reply = _exchange(process, job)
         except BaseException:
-            process.kill()  # gone, or in the middle of a reply: the next job gets a fresh one
-            process = self._started()
+            process.kill()  # it has ended, or may still send a part of this reply; the next job gets a new one
+            process = self._start_worker()
             raise
         finally:
             self._idle.put(process)

@@ -1,4 +1,4 @@
-"""Which wrong model gives this wrong answer? Told only if one model alone fits, and it lies far from the key."""
+"""Finds the mistake that explains a wrong answer. A mistake is reported only if it alone fits the answer and differs clearly from the key."""
 
 import numpy as np
 
@@ -13,23 +13,26 @@ FACTORS = {
 
 
 def diagnose(problem, answer, given, key, sample, mistakes, rtol):
-    """A sentence for the student, or None. Arrays have the shape (components, points); ``mistakes`` maps names to wrong answers."""
+    """The mistake that gives the wrong answer ``given``, as a sentence for the student, or None.
+
+    Arrays have the shape (components, points); ``mistakes`` maps the names of the problem's listed mistakes to the answers that they give.
+    """
     listed = [(problem.mistakes[name], numbers) for name, numbers in mistakes.items()]
     for candidates in (
         lambda: listed,
-        lambda: _ledger(problem, answer, sample),
-        lambda: _conversions(problem, answer, sample),
-        lambda: _shapes(problem, answer, key, sample),
+        lambda: _term_mistakes(problem, answer, sample),
+        lambda: _unit_mistakes(problem, answer, sample),
+        lambda: _whole_answer_mistakes(problem, answer, key, sample),
     ):
         with np.errstate(all="ignore"):
-            told = _unique(candidates(), given, key, rtol)
-        if told is not None:
-            return told or None
+            found = _only_fit(candidates(), given, key, rtol)
+        if found is not None:
+            return found or None
     return None
 
 
-def _unique(candidates, given, key, rtol):
-    """The one text whose numbers fit; "" if several different ones do, None if none does."""
+def _only_fit(candidates, given, key, rtol):
+    """The only text whose numbers fit; "" if several texts fit, None if none does."""
     size = np.sqrt((key**2).sum(axis=0))
     fits = []
     for text, numbers in candidates:
@@ -46,7 +49,7 @@ def _unique(candidates, given, key, rtol):
     return None if not texts else texts[0] if len(texts) == 1 else ""
 
 
-def _right(problem, answer, sample, **changes):
+def _key_with(problem, answer, sample, **changes):
     g = problem.base(sample)
     return problem.in_units({answer.key: problem.code.solve(g.but(**changes))[answer.key]})[answer.key]
 
@@ -56,13 +59,13 @@ def _numbers(value, sample):
     return np.stack([np.broadcast_to(np.asarray(x, dtype=float), (points,)) for x in flat(value)])
 
 
-def _ledger(problem, answer, sample):
-    """What the named terms of the key say: each left out, or with its sign turned, or the Coriolis term once instead of twice."""
-    right = _right(problem, answer, sample)
+def _term_mistakes(problem, answer, sample):
+    """Mistakes in the named terms of the key: a term left out, a term with the opposite sign, the Coriolis term without its factor 2."""
+    right = _key_with(problem, answer, sample)
     if not isinstance(right, Vector) or not right.terms:
         return
     for name in right.terms:
-        term = _in_words(name, right._ledger.kind)
+        term = term_text(name, right._ledger.kind)
         yield f"leaves out {term}", _numbers(right.reweighted(**{name: 0}), sample)
         yield f"has {term} with the opposite sign", _numbers(right.reweighted(**{name: -1}), sample)
     halved = {name: 0.5 for name in right.terms if name.startswith("coriolis")}  # spherical components have three of them
@@ -70,38 +73,38 @@ def _ledger(problem, answer, sample):
         yield "writes the Coriolis term without the factor 2", _numbers(right.reweighted(**halved), sample)
 
 
-def _in_words(name, kind):
-    """A term for the student: with its formula where it has one; the turns of frames by their frames."""
-    written = EQUATIONS[kind][2]
-    if name in written:
-        return f"the {name} term {written[name][0]}"
+def term_text(name, kind):
+    """The name of a term for the student, with its formula if it has one."""
+    formulas = EQUATIONS[kind][2]
+    if name in formulas:
+        return f"the {name} term {formulas[name][0]}"
     turning = kind.startswith("angular") and " x " not in name
     return f"the turning of {name}" if turning else f"the term {name}"
 
 
-def _conversions(problem, answer, sample):
-    """A given used as it stands in the text, without conversion to radians or seconds."""
+def _unit_mistakes(problem, answer, sample):
+    """Mistakes in units: a given used with its number in degrees or revolutions, without conversion to radians or seconds."""
     g = problem.base(sample)
     for name, quantity in problem.givens.items():
         if any(unit in quantity.unit for unit in ("deg", "rev", "rpm")):
-            wrong = _right(problem, answer, sample, **{name: g.stated(name)})
+            wrong = _key_with(problem, answer, sample, **{name: g.stated(name)})
             yield f"uses {name} in {quantity.unit} as if it were in radians (and seconds)", _numbers(wrong, sample)
 
 
-def _shapes(problem, answer, key, sample):
-    """The right vector with its components in another frame, or turned the wrong way; opposite; or off by a factor of units."""
+def _whole_answer_mistakes(problem, answer, key, sample):
+    """Mistakes in the answer as a whole: its sign, a factor of units, components in another frame, a transposed rotation matrix."""
     yield "has every sign turned: look at the sense", -key
     for name, factor in FACTORS.items():
         yield f"is {factor:.4g} times too large ({name})", factor * key
         yield f"is {factor:.4g} times too small ({name})", key / factor
-    right = _right(problem, answer, sample)
+    right = _key_with(problem, answer, sample)
     if not isinstance(right, Vector):
         return
     seen = [_numbers(right, sample)]
     for frame in right.frame.tree:
         numbers = _numbers(right.components(frame), sample)
         if any(np.abs(numbers - other).max() <= 1e-9 * np.abs(numbers).max() for other in seen):
-            continue  # its axes lie along those of a frame that was tried
+            continue  # its axes are parallel to those of a frame already tried
         seen.append(numbers)
         yield f"has the right vector, but its components along the axes of the {frame.name}, not those asked for", numbers
         turned = Vector(right.c, frame).components(right.frame)

@@ -1,7 +1,7 @@
-"""From a receipt to points: pure functions over data.
+"""Computes the points of a receipt: pure functions over data.
 
-``score(problem, values, receipt)`` compares numbers with the key that the engine computes for the same values, formulas at seeded points of their
-domain. Nothing that a student wrote is run, evaluated as code or simplified here.
+``score_receipt(problem, values, receipt)`` compares numbers with the key that the engine computes for the same values, and formulas at seeded points
+of their domain. Nothing that a student wrote is run, evaluated as code or simplified here.
 """
 
 import json
@@ -18,15 +18,15 @@ from newton_euler.scalars import DimensionError, ScalarError
 
 from .diagnosis import diagnose
 
-RTOL = 0.005  # of the size of the key: three significant figures, rounded however
-FORMULA_RTOL = 1e-4  # formulas are exact; this leaves room for 3.1416
-POINTS = 8  # at which formulas are compared
-OPEN = "no answer"
+RTOL = 0.005  # of the size of the key: accepts three significant figures, rounded up or down
+FORMULA_RTOL = 1e-4  # formulas are exact; this accepts 3.1416 for pi
+POINTS = 8  # number of points at which formulas are compared
+NO_ANSWER = "no answer"
 
 
 @dataclass(frozen=True)
 class Part:
-    """One answer, judged: ``verdict`` is right, wrong, unreadable or blank; ``message`` is for the student and never holds the key."""
+    """The score of one answer: ``verdict`` is right, wrong, unreadable or blank; ``message`` is for the student and never contains the key."""
 
     key: str
     points: float
@@ -38,7 +38,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Score:
-    """All parts of one problem, with a note on the cell as a whole (an error in it, a copy, a missing one)."""
+    """The score of one problem: its parts, and a note on the cell as a whole (an error in it, a copy of it, a missing cell)."""
 
     problem: str
     parts: tuple
@@ -46,12 +46,12 @@ class Score:
 
     @property
     def points(self):
-        """The sum of the parts."""
+        """The sum of the points of the parts."""
         return sum(p.points for p in self.parts)
 
     @property
     def out_of(self):
-        """The most that the problem gives: a point for each answer."""
+        """The maximum: one point for each answer."""
         return sum(p.out_of for p in self.parts)
 
     def json(self):
@@ -59,8 +59,11 @@ class Score:
         return json.dumps({"points": self.points, "out_of": self.out_of, **asdict(self)})
 
 
-def score(problem, values, receipt, note=""):
-    """The :class:`Score` of a receipt (a record {"answers", "faults", "error"}, or None) for ``problem`` with a student's ``values``."""
+def score_receipt(problem, values, receipt, note=""):
+    """The :class:`Score` of a receipt ({"answers", "faults", "error"}, or None) for ``problem`` with a student's ``values``.
+
+    A receipt comes from a student's process: anything that JSON can hold is accepted, and what cannot be read gets no points.
+    """
     receipt = receipt if isinstance(receipt, dict) else {}
     answers = receipt.get("answers") if isinstance(receipt.get("answers"), dict) else {}
     faults = receipt.get("faults") if isinstance(receipt.get("faults"), dict) else {}
@@ -70,21 +73,21 @@ def score(problem, values, receipt, note=""):
         sample = _sample(problem, values)
         right, wrong = _key(problem, sample)
     else:
-        sample, (right, wrong) = _of_symbols(problem)
+        sample, (right, wrong) = _symbolic_key(problem)
     parts = []
     for a in problem.answers:
         tree = answers.get(a.key)
         if a.key in faults:
             parts.append(Part(a.key, 0, 1, "unreadable", _clipped(faults[a.key])))
         elif tree is None:
-            parts.append(Part(a.key, 0, 1, "blank", OPEN))
+            parts.append(Part(a.key, 0, 1, "blank", NO_ANSWER))
         else:
-            parts.append(_judged(problem, a, tree, sample, right[a.key], wrong))
+            parts.append(_score_part(problem, a, tree, sample, right[a.key], wrong))
     return Score(problem.id, tuple(parts), "; ".join(notes))
 
 
 def _sample(problem, values):
-    """Values of all givens and symbols; for formulas, arrays of the same seeded points for everyone."""
+    """Values of all givens and symbols; symbols as arrays of seeded points, the same for all students."""
     if not problem.symbols:
         return dict(values)
     rng = random.Random(f"points of {problem.id}")
@@ -93,8 +96,8 @@ def _sample(problem, values):
 
 
 @cache
-def _of_symbols(problem):
-    """Sample and key of a problem without numbers, which are the same for everyone; not to be modified."""
+def _symbolic_key(problem):
+    """Sample and key of a problem without givens, which are the same for all students; the result must not be modified."""
     sample = _sample(problem, {})
     return sample, _key(problem, sample)
 
@@ -104,7 +107,7 @@ def _key(problem, sample):
         return evaluate(problem, sample)
 
 
-def _judged(problem, a, tree, sample, key, wrong):
+def _score_part(problem, a, tree, sample, key, wrong):
     if a.kind in ("choice", "count"):
         ok = type(tree) is type(key[0]) and tree == key[0]
         return Part(a.key, float(ok), 1, "right" if ok else "wrong", "right" if ok else "not right")
@@ -121,19 +124,19 @@ def _judged(problem, a, tree, sample, key, wrong):
 
 
 def _right(a, given, key, tolerance):
-    if a.kind == "interval":  # each bound by itself: a wide interval must not excuse its low end
+    if a.kind == "interval":  # each bound separately: relative to a wide interval, an error of its lower bound would be small
         return all(close(given[[n]], key[[n]], tolerance, a.atol) for n in range(2))
     return close(given, key, tolerance, a.atol)
 
 
 def read(a, tree, sample):
-    """A student's tree as an array of shape (components, points); raises :class:`TreeError` for anything else."""
+    """A student's answer (a number, a formula tree, or a list of them) as an array of shape (components, points); otherwise :class:`TreeError`."""
     count = SHAPES[a.kind]
     trees = tree if count > 1 else [tree]
     if not isinstance(trees, list) or len(trees) != count:
         raise TreeError(f"expected {Form(a.kind, a.unit, a.of).words}")
     if a.kind.endswith("expression"):
-        symbols = {n: v for n, v in sample.items() if n in _names(a, sample)}
+        symbols = {n: v for n, v in sample.items() if np.ndim(v)}
         with np.errstate(all="ignore"):
             rows = [tree_value(t, symbols) for t in trees]
     else:
@@ -141,10 +144,6 @@ def read(a, tree, sample):
             raise TreeError(f"expected {Form(a.kind, a.unit, a.of).words}")
         rows = [float(t) for t in trees]
     return _rows(rows, max(np.size(v) for v in sample.values()) if sample else 1)
-
-
-def _names(a, sample):
-    return [n for n, v in sample.items() if np.ndim(v)]
 
 
 def _rows(numbers, points):
@@ -162,16 +161,16 @@ def _real(x):
 
 
 def close(given, key, rtol, atol):
-    """True if the answer is within ``rtol`` of the size of the key (``atol`` where the key is zero) at every point where the key exists."""
+    """True if at every point where the key is finite the answer is within ``rtol`` of the size of the key, or ``atol`` where the key is zero."""
     with np.errstate(all="ignore"):
         size = np.sqrt((key**2).sum(axis=0))
         gap = np.sqrt(((given - key) ** 2).sum(axis=0))
-        fine = gap <= np.maximum(rtol * size, atol if (size <= atol).any() else 0)
+        within = gap <= np.maximum(rtol * size, atol if (size <= atol).any() else 0)
     exists = np.isfinite(size)
-    return bool(exists.any() and fine[exists].all())
+    return bool(exists.any() and within[exists].all())
 
 
 def _clipped(text):
-    """Anything as one printable line: error messages are the student's to choose, and end up in files, tables and pages."""
+    """Any value as one printable line: students control the text of error messages, which are written to files, tables and pages."""
     line = " ".join(str(text).split())[:400]
     return "".join(c if c.isprintable() else "\ufffd" for c in line)

@@ -1,17 +1,19 @@
-"""One submission, from the notebook that came back to scores and an annotated notebook. Both grading routes go through here."""
+"""The steps from a student's answers to scores and an annotated notebook, shared by ``python -m grader grade`` and ``nbgrader autograde``."""
 
 import html
 from dataclasses import dataclass
 
 from ..assignment import notebook as nb
+from ..assignment.personal import master_notebook
 from ..course import CourseError
-from ..scoring.score import OPEN, score
+from ..scoring import NO_ANSWER, score_receipt
+from .rebuild import is_untouched
 
 MARK = {"right": "✓", "wrong": "✗", "unreadable": "?", "blank": "–"}
 
 
 @dataclass(frozen=True)
-class Sheet:
+class StudentAssignment:
     """An assignment of one student: the trusted notebook, its problems and the student's numbers."""
 
     student: str
@@ -20,21 +22,24 @@ class Sheet:
     values: dict
 
 
-def sheet(course, assignment, student):
-    """The :class:`Sheet` of a student, derived from the course alone."""
-    master = course.master(assignment, student)
+def student_assignment(course, assignment, student):
+    """The :class:`StudentAssignment` of a student, from the course alone; raises :class:`CourseError` if the fetched copy has other numbers."""
+    master = master_notebook(course, assignment, student)
     problems = nb.problems_of(master)
     values = course.values(assignment, student, problems)
-    if differing := nb.shows_other_numbers(master, values):
+    if differing := nb.first_differing_problem(master, values):
         raise CourseError(
             f"the copy that {student} fetched ({course.personal_path(assignment, student)}) has other numbers for {differing} than are derived now: "
             "the exercises or the course's secret have changed since. Grade with the version and the secret that it was made with"
         )
-    return Sheet(student, master, problems, values)
+    return StudentAssignment(student, master, problems, values)
 
 
-def harvested(harvester, own, answers):
-    """Run the answers in a cage; returns ({problem: receipt}, a note on how it ran, "" if all went as it should)."""
+def run_answers(harvester, own, answers):
+    """Run the answers of a :class:`StudentAssignment` in the sandbox; returns ({problem id: receipt}, note).
+
+    The note says how the run differed from a complete one in the sandbox; it is "" if it did not.
+    """
     cells = [
         {
             "id": p.id,
@@ -44,7 +49,7 @@ def harvested(harvester, own, answers):
             "symbols": {n: s.unit for n, s in p.symbols.items()},
         }
         for p in own.problems
-        if not nb.is_untouched(p, answers[p.id].text)
+        if not is_untouched(p, answers[p.id].text)
     ]
     if not cells:
         return {}, ""
@@ -60,41 +65,41 @@ def harvested(harvester, own, answers):
     return receipts, "; ".join(notes)
 
 
-def scored(own, answers, receipts):
-    """{problem id: Score}."""
-    return {p.id: score(p, own.values[p.id], receipts.get(p.id), answers[p.id].note) for p in own.problems}
+def score_answers(own, answers, receipts):
+    """The :class:`~grader.scoring.Score` of every problem: {problem id: score}."""
+    return {p.id: score_receipt(p, own.values[p.id], receipts.get(p.id), answers[p.id].note) for p in own.problems}
 
 
-def comment(result):
-    """What the student reads about one problem, in Markdown: for nbgrader's comment."""
-    if all(part.message == OPEN for part in result.parts) and not result.note:
+def feedback_comment(score):
+    """The feedback on one problem as Markdown, for nbgrader's automatic comment."""
+    if all(part.message == NO_ANSWER for part in score.parts) and not score.note:
         return "No answer."
-    lines = [f"- {MARK[part.verdict]} `{part.key}`: {part.message}" for part in result.parts]
-    return "\n".join([*([f"Note: {result.note}", ""] if result.note else []), *lines])
+    lines = [f"- {MARK[part.verdict]} `{part.key}`: {part.message}" for part in score.parts]
+    return "\n".join([*([f"Note: {score.note}", ""] if score.note else []), *lines])
 
 
-def annotated(notebook, scores, note=""):
-    """The rebuilt notebook with the verdicts as output of the receipt cells."""
+def annotate(notebook, scores, note=""):
+    """The rebuilt notebook with the verdicts as output of the receipt cells, and ``note`` above the introduction."""
     cells = []
     for cell in notebook["cells"]:
-        ours = cell["metadata"].get("newton_euler", {})
-        if ours.get("role") == "receipt":
-            cell = {**cell, "outputs": [_output(scores[ours["problem"]])]}
-        elif ours.get("role") == "introduction" and note:
+        own = nb.own_metadata(cell)
+        if own.get("role") == "receipt":
+            cell = {**cell, "outputs": [_output(scores[own["problem"]])]}
+        elif own.get("role") == "introduction" and note:
             cell = {**cell, "source": f"> {note}\n\n{cell['source']}"}
         cells.append(cell)
     return {**notebook, "cells": cells}
 
 
-def _output(result):
+def _output(score):
     rows = "".join(
         f"<tr><td>{MARK[p.verdict]}</td><td><code>{p.key}</code></td><td>{p.points:g} / {p.out_of:g}</td><td>{html.escape(p.message)}</td></tr>"
-        for p in result.parts
+        for p in score.parts
     )
-    note = f"<p>{html.escape(result.note)}</p>" if result.note else ""
-    text = "\n".join(f"{MARK[p.verdict]} {p.key}: {p.points:g} / {p.out_of:g}  {p.message}" for p in result.parts)
+    note = f"<p>{html.escape(score.note)}</p>" if score.note else ""
+    text = "\n".join(f"{MARK[p.verdict]} {p.key}: {p.points:g} / {p.out_of:g}  {p.message}" for p in score.parts)
     return {
         "output_type": "display_data",
         "metadata": {},
-        "data": {"text/plain": f"{result.note}\n{text}".strip(), "text/html": f"{note}<table>{rows}</table>"},
+        "data": {"text/plain": f"{score.note}\n{text}".strip(), "text/html": f"{note}<table>{rows}</table>"},
     }

@@ -65,7 +65,7 @@ def ungraded(fresh):
 @pytest.fixture(scope="session")
 def harvester():
     """One worker with the cage."""
-    from grader.sandbox.harvester import Harvester
+    from grader.sandbox import Harvester
 
     with Harvester(1) as h:
         yield h
@@ -89,7 +89,7 @@ def one_harvester(request, monkeypatch):
     """grade(…) in these tests uses the session's worker, unless it is to run without a cage."""
     if "fresh" in request.fixturenames or "ungraded" in request.fixturenames:
         from grader.grading import run as grading
-        from grader.sandbox.harvester import Harvester
+        from grader.sandbox import Harvester
 
         shared = _Shared(request.getfixturevalue("harvester"))
         monkeypatch.setattr(grading, "Harvester", lambda workers=None, sandbox=True: shared if sandbox else Harvester(1, sandbox))

@@ -4,7 +4,7 @@ import multiprocessing
 from concurrent.futures import ProcessPoolExecutor
 
 from exercises import problem
-from grader.assignment.figures import png
+from grader.assignment import figure_png
 from newton_euler import labels
 
 DRAWN = ["4/16", "4/10", "4/28", "4/7"]
@@ -12,7 +12,7 @@ DRAWN = ["4/16", "4/10", "4/28", "4/7"]
 
 def _drawn(problem_id):
     p = problem(problem_id)
-    return png(p, p.book_values)
+    return figure_png(p, p.book_values)
 
 
 def _kept(_):

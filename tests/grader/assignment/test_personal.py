@@ -10,7 +10,8 @@ import pytest
 from exercises.catalogue import problem
 from grader.assignment import notebook as nb
 from grader.assignment.fetch import personal_name
-from grader.assignment.personal import into_exchange, make_personal
+from grader.assignment.personal import copy_to_exchange, make_personal_copies
+from grader.submission import is_untouched
 from newton_euler.scalars import plain
 from newton_euler.vectors import Vector
 from tests.grader.courses import REPOSITORY, grader, nbgrader, read, run, submit
@@ -62,7 +63,7 @@ def test_nbgraders_own_generate_validate_and_release_take_the_notebook_unchanged
     released = ungraded.released("ch04")
     assert [c["id"] for c in released["cells"]] == [c["id"] for c in before["cells"]]
     answers = [c for c in released["cells"] if c["metadata"].get("newton_euler", {}).get("role") == "answer"]
-    assert [nb.is_untouched(problem(c["metadata"]["newton_euler"]["problem"]), c["source"]) for c in answers] == [True] * len(answers)
+    assert [is_untouched(problem(c["metadata"]["newton_euler"]["problem"]), c["source"]) for c in answers] == [True] * len(answers)
     submit(ungraded, "ada", work(ungraded, "ada"))
     code, out = nbgrader("validate", "submitted/ada/ch04/ch04.ipynb", cwd=ungraded.path)
     assert code == 0, out
@@ -113,7 +114,7 @@ def test_statement_numbers_and_grading_agree_for_everyone(course):
     for student in STUDENTS:
         own = read(course.personal_path("ch04", student))
         values = course.values("ch04", student, nb.problems_of(own))
-        assert nb.shows_other_numbers(own, values) is None
+        assert nb.first_differing_problem(own, values) is None
         for cell in own["cells"]:
             ours = cell["metadata"]["newton_euler"]
             if ours.get("role") == "givens":
@@ -163,7 +164,7 @@ def test_fetching_brings_the_own_copy_and_never_overwrites_work(ungraded, tmp_pa
     outbound = exchange / "mechanics/outbound/ch04"
     outbound.mkdir(parents=True)
     (outbound / "ch04.ipynb").write_text((ungraded.path / "release/ch04/ch04.ipynb").read_text())
-    into_exchange(ungraded, "ch04", outbound, {s: ungraded.personal_path("ch04", s) for s in ("ada", "ben")})
+    copy_to_exchange(ungraded, "ch04", outbound, {s: ungraded.personal_path("ch04", s) for s in ("ada", "ben")})
     home = tmp_path / "home"
     code, out = fetch(ungraded, exchange, "ada", home)
     assert code == 0, out
@@ -207,7 +208,7 @@ def test_a_late_joiner_gets_a_copy_and_nobody_elses_changes(ungraded, tmp_path):
 
 def test_personal_copies_are_the_same_when_made_again(ungraded):
     before = ungraded.personal_path("ch04", "ada").read_text()
-    make_personal(ungraded, "ch04", ["ada"], workers=1)
+    make_personal_copies(ungraded, "ch04", ["ada"], workers=1)
     assert ungraded.personal_path("ch04", "ada").read_text() == before
 
 

@@ -6,8 +6,9 @@ import shutil
 
 import pytest
 
+from grader.assignment import master_notebook
 from grader.course import Course, CourseError, check_id, read_roster, write_json
-from grader.grading.run import grade
+from grader.grading import grade
 from tests.grader.courses import nbgrader, points, read, submit, total
 from tests.grader.nbgrader_hooks.test_preprocessors import work
 from tests.grader.test_command_line import command
@@ -155,7 +156,7 @@ def test_the_same_notebooks_get_the_same_points_from_nbgrader(fresh):
     expected = {}
     for n, (change, right, *_) in enumerate(NOTEBOOKS.values()):
         student = f"dan{n}"
-        write_json(fresh.personal_path("ch04", student), fresh.master("ch04", student))
+        write_json(fresh.personal_path("ch04", student), master_notebook(fresh, "ch04", student))
         submit(fresh, student, change(Named(fresh, student)))
         expected[student] = right
     assert {r.student: r.points for r in grade(fresh, "ch04")} == expected
@@ -304,15 +305,15 @@ def test_a_student_without_submission_is_told(fresh):
 
 
 def test_an_empty_roster_is_told(ungraded):
-    from grader.assignment.personal import make_personal
+    from grader.assignment.personal import make_personal_copies
 
     with ungraded.gradebook() as book:
         for s in ungraded.roster():
             book.remove_student(s)
     with pytest.raises(CourseError, match=r"nobody is on the roster; add students with"):
-        make_personal(ungraded, "ch04")
+        make_personal_copies(ungraded, "ch04")
     with pytest.raises(CourseError, match=r"zoe: not on the roster; add the student first: nbgrader db student add zoe"):
-        make_personal(ungraded, "ch04", ["zoe"])
+        make_personal_copies(ungraded, "ch04", ["zoe"])
 
 
 ROSTERS = {
@@ -367,7 +368,7 @@ def test_a_course_folder_that_exists_is_left_as_it_is(tmp_path):
 def test_a_failure_while_figures_are_drawn_leaves_no_half_made_course(tmp_path, monkeypatch):
     from grader.assignment import build as building
 
-    monkeypatch.setattr(building, "png", lambda *a: 1 / 0)
+    monkeypatch.setattr(building, "figure_png", lambda *a: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         building.build_assignment(tmp_path / "c", "ch04", None, ("4/1",))
     assert not (tmp_path / "c").exists()
@@ -376,8 +377,8 @@ def test_a_failure_while_figures_are_drawn_leaves_no_half_made_course(tmp_path, 
 def test_a_bug_in_grading_one_submission_keeps_nobody_else_from_a_grade(fresh, monkeypatch):
     from grader.submission import pipeline
 
-    original = pipeline.scored
-    monkeypatch.setattr(pipeline, "scored", lambda own, *rest: 1 / 0 if own.student == "ben" else original(own, *rest))
+    original = pipeline.score_answers
+    monkeypatch.setattr(pipeline, "score_answers", lambda own, *rest: 1 / 0 if own.student == "ben" else original(own, *rest))
     results = {r.student: r for r in grade(fresh, "ch04", force=True, workers=1)}
     assert "could not be graded, which is a bug of the grader: ZeroDivisionError" in results["ben"].problem
     assert not [s for s, r in results.items() if r.problem and s != "ben"]

@@ -5,8 +5,8 @@ import shutil
 
 import pytest
 
-from grader.demo import sample_students as students
-from grader.grading.run import grade
+from grader.demo import sample_students as sample
+from grader.grading import grade
 from tests.grader.courses import nbgrader, points, read, submit, total
 
 
@@ -17,8 +17,8 @@ def work(course, student, **changed):
 
     problems = nb.problems_of(own)
     values = course.values("ch04", student, problems)
-    texts = {p.id: students.cell(p, students.right(p, values[p.id])) for p in problems}
-    return students.filled(own, {**texts, **{k[1:].replace("_", "/"): v for k, v in changed.items()}})
+    texts = {p.id: sample.cell_text(p, sample.right_answers(p, values[p.id])) for p in problems}
+    return sample.fill_in(own, {**texts, **{k[1:].replace("_", "/"): v for k, v in changed.items()}})
 
 
 def said(course):
@@ -84,8 +84,8 @@ def test_unchanged_submissions_are_not_run_again_and_changed_ones_are(fresh, mon
     from grader.submission import pipeline
 
     ran = []
-    original = pipeline.harvested
-    monkeypatch.setattr(pipeline, "harvested", lambda h, own, answers: ran.append(own.student) or original(h, own, answers))
+    original = pipeline.run_answers
+    monkeypatch.setattr(pipeline, "run_answers", lambda h, own, answers: ran.append(own.student) or original(h, own, answers))
     everyone = sorted(fresh.roster())
     first = {r.student: r.points for r in grade(fresh, "ch04")}
     assert sorted(ran) == everyone
@@ -133,18 +133,18 @@ def test_an_interrupted_run_leaves_the_gradebook_and_the_next_one_fills_it(fresh
 
     from grader.grading import run as grading
 
-    save = grading._save
+    save = grading.save_results
 
     def interrupted(*args):
         with monkeypatch.context() as m:
             m.setattr(Gradebook, "__init__", breaks)
             save(*args)
 
-    monkeypatch.setattr(grading, "_save", interrupted)
+    monkeypatch.setattr(grading, "save_results", interrupted)
     with pytest.raises(Broken):
         grade(fresh, "ch04")
     assert points(fresh) == before
-    monkeypatch.setattr(grading, "_save", save)
+    monkeypatch.setattr(grading, "save_results", save)
     results = grade(fresh, "ch04")
     assert all(r.unchanged for r in results)  # nothing ran twice
     now = points(fresh)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from grader.sandbox.harvester import Harvester, HarvestError
+from grader.sandbox import Harvester, HarvestError
 from tests.grader.courses import REPOSITORY, environment
 
 FORMS = {"x": "number, 1"}
@@ -239,7 +239,7 @@ def test_a_worker_that_dies_is_replaced(harvester):
 CHILD = """
 import json, sys, textwrap
 sys.path.insert(0, {repository!r})
-from grader.sandbox.harvester import Harvester
+from grader.sandbox import Harvester
 with Harvester(1, sandbox={sandbox}) as h:
     out = [h.run("import os", [{{"id": "0/1", "givens": "", "cell": c, "forms": {{"x": "number, 1"}}, "symbols": {{}}}}], 3, 1) for c in {cells!r}]
 print(json.dumps(out))

@@ -10,8 +10,8 @@ import pytest
 from exercises.catalogue import problem, problems
 from exercises.variants import SEPARATION, distance, draw, evaluate, flat
 from grader.scoring import score as scoring
-from grader.scoring.diagnosis import _in_words
-from grader.scoring.score import score
+from grader.scoring import score_receipt
+from grader.scoring.diagnosis import term_text
 from newton_euler.answers import Form, record
 from newton_euler.vectors import Vector
 
@@ -37,7 +37,7 @@ def listed(p, given):
 
 
 def part_of(p, given, key, tree):
-    return {x.key: x for x in score(p, given, {"answers": {key: tree}}).parts}[key]
+    return {x.key: x for x in score_receipt(p, given, {"answers": {key: tree}}).parts}[key]
 
 
 def numbers_of(p, given):
@@ -90,11 +90,11 @@ def test_at_least_19_of_20_listed_mistakes_are_told():
 def test_a_right_answer_never_gets_a_diagnosis_also_when_rounded(p, data):
     given = values(p, data)
     right = trees(p, p.solve({**p.sympy_symbols(), **given}))
-    for part in score(p, given, {"answers": right}).parts:
+    for part in score_receipt(p, given, {"answers": right}).parts:
         assert (part.verdict, part.diagnosis) == ("right", None)
     if not p.symbolic:
         rounded = {k: [float(f"{x:.3g}") for x in v] if isinstance(v, list) else float(f"{v:.3g}") for k, v in right.items()}
-        assert all(part.diagnosis is None and part.points for part in score(p, given, {"answers": rounded}).parts)
+        assert all(part.diagnosis is None and part.points for part in score_receipt(p, given, {"answers": rounded}).parts)
 
 
 @pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
@@ -215,8 +215,8 @@ def test_a_diagnosis_never_holds_a_number_of_the_key():
 
 
 def test_terms_are_named_for_what_they_are():
-    assert _in_words("coriolis", "acceleration") == "the coriolis term 2 omega x v_r"
-    assert _in_words("arm", "angular acceleration") == "the turning of arm"
-    assert _in_words("arm x rod", "angular acceleration") == "the term arm x rod"
+    assert term_text("coriolis", "acceleration") == "the coriolis term 2 omega x v_r"
+    assert term_text("arm", "angular acceleration") == "the turning of arm"
+    assert term_text("arm x rod", "angular acceleration") == "the term arm x rod"
     importlib.import_module("newton_euler.coordinates")
-    assert _in_words("u''", "curvilinear acceleration") == "the term u''"
+    assert term_text("u''", "curvilinear acceleration") == "the term u''"

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from exercises.catalogue import Answer, problem, problems
 from exercises.variants import draw, evaluate
 from grader.scoring import score as scoring
-from grader.scoring.score import FORMULA_RTOL, RTOL, Score, close, read, score
+from grader.scoring.score import FORMULA_RTOL, RTOL, Score, close, read, score_receipt
 from newton_euler.answers import Form, record
 
 CH04 = problems("ch04")
@@ -32,12 +32,12 @@ def key(p):
 
 def judged(p, answers, values=None):
     """The one part that matters: {key: Part}."""
-    return {part.key: part for part in score(p, values or VALUES[p.id], {"answers": answers}).parts}
+    return {part.key: part for part in score_receipt(p, values or VALUES[p.id], {"answers": answers}).parts}
 
 
 @pytest.mark.parametrize("p", CH04, ids=lambda p: p.id)
 def test_the_engines_answer_earns_every_point_without_a_diagnosis(p):
-    result = score(p, VALUES[p.id], {"answers": key(p)})
+    result = score_receipt(p, VALUES[p.id], {"answers": key(p)})
     assert result.points == result.out_of == len(p.answers)
     assert [(part.verdict, part.diagnosis) for part in result.parts] == [("right", None)] * len(p.answers)
 
@@ -56,25 +56,25 @@ def test_the_answers_to_the_books_numbers_earn_nothing_where_the_numbers_differ(
 
 def test_no_receipt_at_all_is_blank_and_costs_only_the_points():
     for receipt in (None, {}, {"answers": {}}, {"answers": None}, {"answers": []}, "text", 3, [], {"faults": "x"}):
-        result = score(problem("4/16"), VALUES["4/16"], receipt)
+        result = score_receipt(problem("4/16"), VALUES["4/16"], receipt)
         assert [(p.verdict, p.points, p.out_of) for p in result.parts] == [("blank", 0, 1)] * 3
 
 
 def test_a_fault_makes_its_part_unreadable_and_leaves_the_others():
     p = problem("4/16")
     answers = key(p)
-    result = score(p, VALUES["4/16"], {"answers": answers, "faults": {"v_D": "expected a vector"}})
+    result = score_receipt(p, VALUES["4/16"], {"answers": answers, "faults": {"v_D": "expected a vector"}})
     assert [part.verdict for part in result.parts] == ["right", "unreadable", "right"]
     assert result.points == 2
 
 
 def test_an_error_in_the_cell_is_told_once_for_the_problem():
-    result = score(problem("4/1"), VALUES["4/1"], {"error": "ZeroDivisionError, line 3: float division by zero"}, note="a copy was graded")
+    result = score_receipt(problem("4/1"), VALUES["4/1"], {"error": "ZeroDivisionError, line 3: float division by zero"}, note="a copy was graded")
     assert result.note == "a copy was graded; the cell stopped with ZeroDivisionError, line 3: float division by zero"
 
 
 def test_a_score_survives_json():
-    result = score(problem("4/1"), VALUES["4/1"], {"answers": key(problem("4/1"))})
+    result = score_receipt(problem("4/1"), VALUES["4/1"], {"answers": key(problem("4/1"))})
     assert json.loads(result.json())["points"] == 2
     assert isinstance(result, Score)
 
@@ -131,7 +131,7 @@ def verdict(a, tree, right):
         def in_units(results):
             return results
 
-    return scoring._judged(Nothing, a, tree, {}, right, {}).verdict
+    return scoring._score_part(Nothing, a, tree, {}, right, {}).verdict
 
 
 @pytest.mark.parametrize(
@@ -291,7 +291,7 @@ JUNK = {
 def test_junk_earns_nothing_and_every_part_is_judged(name):
     for p in (problem("4/1"), problem("4/2"), problem("4/16"), problem("4/5")):
         for tree in (JUNK[name], [JUNK[name]] * 3):
-            result = score(p, VALUES[p.id], {"answers": {a.key: tree for a in p.answers}})
+            result = score_receipt(p, VALUES[p.id], {"answers": {a.key: tree for a in p.answers}})
             assert [part.key for part in result.parts] == [a.key for a in p.answers]
             assert result.points == 0
             assert all(
@@ -327,7 +327,7 @@ def test_score_never_raises_on_anything_that_json_can_hold(tree, other):
         {"answers": tree, "faults": other, "error": other},
         {"answers": {"speed": tree, "acc_mag": other}, "faults": {"acc_mag": tree}},
     ):
-        result = score(problem("4/2"), VALUES["4/2"], receipt)
+        result = score_receipt(problem("4/2"), VALUES["4/2"], receipt)
         assert [part.key for part in result.parts] == ["speed", "acc_mag"]
         assert result.points == 0
         assert json.loads(result.json())["points"] == 0
@@ -365,6 +365,6 @@ def test_messages_hold_no_key_and_nothing_unprintable():
     p = problem("4/16")
     numbers = {f"{abs(x):.4g}" for v in key(p).values() for x in v}
     wrong = {k: [2.0 * x + 1 for x in v] for k, v in key(p).items()}
-    for part in score(p, VALUES["4/16"], {"answers": wrong, "error": "\x1b[31m\ud800 [/red]"}).parts:
+    for part in score_receipt(p, VALUES["4/16"], {"answers": wrong, "error": "\x1b[31m\ud800 [/red]"}).parts:
         assert not any(n in part.message for n in numbers if len(n) > 2)
-    assert score(p, VALUES["4/16"], {"error": "\x1b[31m\ud800"}).note.isprintable()
+    assert score_receipt(p, VALUES["4/16"], {"error": "\x1b[31m\ud800"}).note.isprintable()
