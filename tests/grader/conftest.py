@@ -24,6 +24,8 @@ def pytest_collection_modifyitems(items):
         if item.path.is_relative_to(Path(__file__).parent):
             for text in NBGRADER:
                 item.add_marker(pytest.mark.filterwarnings(text))
+            if "demo_course" in item.fixturenames:
+                item.add_marker(pytest.mark.integration)
 
 
 @pytest.fixture(scope="session")
