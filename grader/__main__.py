@@ -69,9 +69,10 @@ def main():
 @click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
 @click.option("--explain", is_flag=True, help="Also print the terms of every answer that is a sum.")
 def solve(names, seed, changed, as_json, explain):
-    """Print the answers of problems, with the numbers of the book, of a variant, or your own.
+    """Print the answers of problems.
 
-    Formulas are printed in the symbols of the text; --given replaces a symbol by a number, too.
+    The numbers are those of the book, of a variant (--seed), or your own (--given). Formulas are printed in the symbols of the text; --given also
+    replaces a symbol by a number.
     """
     from exercises.catalogue import select
 
@@ -114,7 +115,11 @@ def _pair(text):
 @click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
 @click.option("--seeds", default=3, show_default=True, type=click.IntRange(1), help="How many sets of numbers to check: the book's and drawn ones.")
 def prove(names, seeds):
-    """Check the answers of problems against their independent proofs, their units and their listed mistakes; exit code 1 if a check fails."""
+    """Check the keys, units and mistakes of problems.
+
+    Every key must agree with its independent proof, every formula with its unit, and every listed mistake must differ from the key; exit code 1 if
+    a check fails.
+    """
     from exercises.catalogue import select
     from exercises.checks import AGREEMENT, check
 
@@ -162,7 +167,10 @@ def figure(names, seed, folder):
 @click.option("--problem", "only", multiple=True, metavar="4/16", help="Only these problems of the chapter; may be repeated.")
 @click.option("--update", is_flag=True, help="Add the assignment to a course that exists; replaces a source notebook of the same name.")
 def build(chapter, course_path, students, only, update):
-    """Make an nbgrader assignment from a chapter, in a new course folder or (--update) an existing one."""
+    """Make an nbgrader assignment from a chapter.
+
+    The course folder is new, or with --update an existing one.
+    """
     from .assignment import build_assignment
 
     with _bar() as bar:
@@ -179,7 +187,9 @@ def build(chapter, course_path, students, only, update):
 @click.option("--student", "students", multiple=True, help="Only for this student; may be repeated. Default: all on the roster.")
 @click.option("--exchange", is_flag=True, help="Also copy them to nbgrader's exchange, for students who were added after the release.")
 def personal(assignment, course_path, students, exchange):
-    """Write each student's own copy of a released assignment, with their own numbers and figures.
+    """Write each student's own copy of an assignment.
+
+    The assignment must be generated for release; each copy has its student's own numbers and figures.
 
     Without an exchange, hand out COURSE/personal/ASSIGNMENT/STUDENT/ASSIGNMENT.ipynb yourself: to that student only.
     """
@@ -205,7 +215,10 @@ def personal(assignment, course_path, students, exchange):
 @click.option("--unsandboxed", is_flag=True, help="Run student code without isolation, with resource limits only; only for code that you trust.")
 @click.option("--verbose", "-v", is_flag=True, help="Also print every diagnosis.")
 def grade(assignment, course_path, students, force, workers, unsandboxed, verbose):
-    """Grade the submissions in COURSE/submitted: run the answers in a sandbox, score them, write gradebook and annotated notebooks."""
+    """Grade the submissions of an assignment.
+
+    Runs the answers of the notebooks in COURSE/submitted in a sandbox, scores them, and writes gradebook and annotated notebooks.
+    """
     from .course import Course
     from .grading import grade as grade_submissions
     from .reports import diagnosis_table, gradebook_table
@@ -239,7 +252,10 @@ def grade(assignment, course_path, students, force, workers, unsandboxed, verbos
 )
 @click.option("--problem", "only", multiple=True, metavar="4/16", help="Only these problems, which is faster; may be repeated.")
 def demo(course_path, only):
-    """Run all steps on an example course with six students: build, release, fetch, submit, grade, feedback."""
+    """Run all steps on an example course.
+
+    Builds and releases an assignment, plays six students who fetch and submit it, grades them, and writes their feedback pages.
+    """
     from .demo import run_demo
 
     run_demo(course_path, only, console, _bar)

@@ -70,7 +70,7 @@ def run_demo(folder, only, console, bar):
 
 
 def _fetch_and_submit(course, console):
-    """Fetch, fill in and submit the assignment for every student; returns {student: the points that the answers deserve}."""
+    """Fetch, fill in and submit the assignment for every student; returns {student: the expected points}."""
     expected = {}
     for student, what in STUDENTS.items():
         home = course.path / "homes" / student
@@ -89,7 +89,7 @@ def _fetch_and_submit(course, console):
 
 
 def _filled_in(student, fetched, problems, values):
-    """(notebook as the student submits it, points that it deserves)."""
+    """(notebook as the student submits it, expected points)."""
     total = sum(len(p.answers) for p in problems)
     texts = {p.id: sample.cell_text(p, sample.right_answers(p, values[p.id])) for p in problems}
     if student == "ada":

@@ -93,7 +93,7 @@ def _unit_mistakes(problem, answer, sample):
 
 def _whole_answer_mistakes(problem, answer, key, sample):
     """Mistakes in the answer as a whole: its sign, a factor of units, components in another frame, a transposed rotation matrix."""
-    yield "has every sign turned: look at the sense", -key
+    yield "has the opposite sign in every component: check the direction", -key
     for name, factor in FACTORS.items():
         yield f"is {factor:.4g} times too large ({name})", factor * key
         yield f"is {factor:.4g} times too small ({name})", key / factor
