@@ -1,6 +1,5 @@
-"""The command line: ``python -m grader --help``."""
+"""The command line of the grader: ``python -m grader --help``."""
 
-import importlib
 import json
 import math
 import sys
@@ -16,7 +15,7 @@ COURSE = click.option("--course", "course_path", required=True, type=click.Path(
 
 
 class _Commands(click.Group):
-    """Errors that are somebody's to mend end in one sentence and exit code 2, not in a traceback."""
+    """Prints an error that the user can correct as one sentence, with exit code 2, instead of a traceback."""
 
     def list_commands(self, context):
         return list(self.commands)
@@ -26,7 +25,7 @@ class _Commands(click.Group):
         from newton_euler.units import UnitError
 
         from .course import CourseError
-        from .harvest import HarvestError
+        from .sandbox import HarvestError
 
         try:
             return super().invoke(context)
@@ -50,7 +49,7 @@ def _bar(*columns):
 
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
 def main():
-    """From exercise to assignment, from submission to grade.
+    """Build nbgrader assignments from the exercises and grade what students submit.
 
     \b
     Try it:          python -m grader demo
@@ -70,13 +69,14 @@ def main():
 @click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
 @click.option("--explain", is_flag=True, help="Also print the terms of every answer that is a sum.")
 def solve(names, seed, changed, as_json, explain):
-    """Answer problems: for the numbers of the book, a variant, or your own.
+    """Print the answers of problems.
 
-    Formulas are printed in the symbols of the text; --given fixes a symbol to a number.
+    The numbers are those of the book, of a variant (--seed), or your own (--given). Formulas are printed in the symbols of the text; --given also
+    replaces a symbol by a number.
     """
     from exercises.catalogue import select
 
-    from .solving import answers_json, explained, in_words, solved
+    from .reports import answers_json, answers_text, solve_problem, terms_text
 
     problems = select(names)
     changes = dict(_pair(c) for c in changed)
@@ -86,16 +86,16 @@ def solve(names, seed, changed, as_json, explain):
     out = {}
     for p in problems:
         try:
-            results = solved(p, seed, {n: v for n, v in changes.items() if n in p.units})
+            results = solve_problem(p, seed, {n: v for n, v in changes.items() if n in p.units})
         except (ArithmeticError, ValueError) as error:
             if not changes:
                 raise
             raise click.UsageError(f"{p.id} has no answer for {', '.join(changed)}: {error}") from error
         out[p.id] = answers_json(p, results)
         if not as_json:
-            console.print(in_words(p, results))
+            console.print(answers_text(p, results))
             if explain:
-                console.print(explained(p, results))
+                console.print(terms_text(p, results))
     if as_json:
         click.echo(json.dumps(out, indent=1))
 
@@ -113,9 +113,13 @@ def _pair(text):
 
 @main.command()
 @click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
-@click.option("--seeds", default=3, show_default=True, type=click.IntRange(1), help="How many sets of numbers: the book's and drawn ones.")
+@click.option("--seeds", default=3, show_default=True, type=click.IntRange(1), help="How many sets of numbers to check: the book's and drawn ones.")
 def prove(names, seeds):
-    """Check every key by its second way, its units, and every mistake; exit code 1 if anything fails."""
+    """Check the keys, units and mistakes of problems.
+
+    Every key must agree with its independent proof, every formula with its unit, and every listed mistake must differ from the key; exit code 1 if
+    a check fails.
+    """
     from exercises.catalogue import select
     from exercises.checks import AGREEMENT, check
 
@@ -133,7 +137,7 @@ def prove(names, seeds):
     if failed:
         sys.exit(1)
     click.echo(f"Every key agrees with its proof to {AGREEMENT:g} (floats) and {AGREEMENT**2:g} (50 digits) for {seeds} sets of numbers;")
-    click.echo(f"all units hold; {mistakes} mistakes give answers of their own.")
+    click.echo(f"all units are right; {mistakes} listed mistakes give answers that differ from the key.")
 
 
 @main.command()
@@ -141,57 +145,63 @@ def prove(names, seeds):
 @click.option("--seed", type=int, help="Draw a variant of the numbers instead of the book's.")
 @click.option("--to", "folder", default=Path("."), type=click.Path(path_type=Path, file_okay=False), help="Folder to write to; default: here.")
 def figure(names, seed, folder):
-    """Write the figure of each problem as a PNG, to look at."""
+    """Write the figure of each problem as a PNG file."""
     from exercises.catalogue import select
 
-    from .figures import png
-    from .solving import given_values
+    from .assignment import figure_png
+    from .reports import given_values
 
     folder.mkdir(parents=True, exist_ok=True)
     for p in select(names):
         path = folder / f"{p.id.replace('/', '_')}.png"
-        path.write_bytes(png(p, given_values(p, seed, {})))
+        path.write_bytes(figure_png(p, given_values(p, seed, {})))
         click.echo(path)
 
 
 @main.command()
 @click.argument("chapter")
 @COURSE
-@click.option("--students", type=click.Path(exists=True, dir_okay=False), help="Roster as CSV with the columns id, first_name, last_name, email.")
+@click.option(
+    "--students", type=click.Path(exists=True, dir_okay=False), help="The roster, a CSV file with the columns id, first_name, last_name, email."
+)
 @click.option("--problem", "only", multiple=True, metavar="4/16", help="Only these problems of the chapter; may be repeated.")
 @click.option("--update", is_flag=True, help="Add the assignment to a course that exists; replaces a source notebook of the same name.")
 def build(chapter, course_path, students, only, update):
-    """Make an nbgrader assignment from a chapter, in a new course folder or (--update) an existing one."""
-    from .building import build_assignment
+    """Make an nbgrader assignment from a chapter.
+
+    The course folder is new, or with --update an existing one.
+    """
+    from .assignment import build_assignment
 
     with _bar() as bar:
         course, path = build_assignment(course_path, chapter, students, only, update, bar)
     click.echo(f"Wrote {path}")
     click.echo(f"Next:  cd {course.path} && nbgrader generate_assignment {chapter} && nbgrader release_assignment {chapter}")
     if not course.roster():
-        click.echo("The roster is empty: add students first (nbgrader db student import roster.csv), since everyone gets numbers of their own.")
+        click.echo("The roster is empty: add students first (nbgrader db student import roster.csv), since every student gets different numbers.")
 
 
 @main.command()
 @click.argument("assignment")
 @COURSE
-@click.option("--student", "students", multiple=True, help="Only for this student; may be repeated. Default: everyone on the roster.")
-@click.option("--exchange", is_flag=True, help="Also put the copies into nbgrader's exchange, for students who joined after the release.")
+@click.option("--student", "students", multiple=True, help="Only for this student; may be repeated. Default: all on the roster.")
+@click.option("--exchange", is_flag=True, help="Also copy them to nbgrader's exchange, for students who were added after the release.")
 def personal(assignment, course_path, students, exchange):
-    """Write everyone's own copy of a released assignment, with their own numbers and figures.
+    """Write each student's own copy of an assignment.
+
+    The assignment must be generated for release; each copy has its student's own numbers and figures.
 
     Without an exchange, hand out COURSE/personal/ASSIGNMENT/STUDENT/ASSIGNMENT.ipynb yourself: to that student only.
     """
-    from .building import exchange_outbound
+    from .assignment import copy_to_exchange, exchange_outbound, make_personal_copies
     from .course import Course
-    from .release import into_exchange, make_personal
 
     course = Course(course_path)
     with _bar() as bar:
         task = bar.add_task("figures", total=1.0)
-        paths = make_personal(course, assignment, students or None, lambda share: bar.advance(task, share))
+        paths = make_personal_copies(course, assignment, students or None, lambda share: bar.advance(task, share))
     if exchange:
-        into_exchange(course, assignment, exchange_outbound(course, assignment), paths)
+        copy_to_exchange(course, assignment, exchange_outbound(course, assignment), paths)
     for student, path in paths.items():
         click.echo(f"{student}: {path}")
 
@@ -200,26 +210,29 @@ def personal(assignment, course_path, students, exchange):
 @click.argument("assignment")
 @COURSE
 @click.option("--student", "students", multiple=True, help="Only this student; may be repeated.")
-@click.option("--force", is_flag=True, help="Also grade again what has not changed.")
+@click.option("--force", is_flag=True, help="Also grade submissions again that have not changed.")
 @click.option("--workers", type=click.IntRange(1), help="Processes that run student code; default: one per processor.")
-@click.option("--unsandboxed", is_flag=True, help="Run student code without the cage of namespaces; only for code you trust.")
+@click.option("--unsandboxed", is_flag=True, help="Run student code without isolation, with resource limits only; only for code that you trust.")
 @click.option("--verbose", "-v", is_flag=True, help="Also print every diagnosis.")
 def grade(assignment, course_path, students, force, workers, unsandboxed, verbose):
-    """Grade the submissions in COURSE/submitted: rebuild, run in a cage, score, write gradebook and annotated notebooks."""
+    """Grade the submissions of an assignment.
+
+    Runs the answers of the notebooks in COURSE/submitted in a sandbox, scores them, and writes gradebook and annotated notebooks.
+    """
     from .course import Course
-    from .grading import grade as run
-    from .table import diagnoses, gradebook_table
+    from .grading import grade as grade_submissions
+    from .reports import diagnosis_table, gradebook_table
 
     course = Course(course_path)
     with _bar() as bar:
         task = bar.add_task("grading", total=len(students) or len(course.submissions(assignment)))
-        results = run(course, assignment, students, force, workers, not unsandboxed, lambda r: bar.advance(task))
+        results = grade_submissions(course, assignment, students, force, workers, not unsandboxed, lambda r: bar.advance(task))
     if not results:
         click.echo(f"Nothing to grade: {course.path / 'submitted'} holds no {assignment}. Collect first: nbgrader collect {assignment}")
         return
     console.print(gradebook_table(results))
     if verbose:
-        console.print(diagnoses(results))
+        console.print(diagnosis_table(results))
     for r in results:
         if r.problem:
             console.print(f"[red]Not graded:[/] {escape(r.student)} {escape(r.problem)}.", soft_wrap=True)
@@ -237,10 +250,15 @@ def grade(assignment, course_path, students, force, workers, unsandboxed, verbos
     show_default=True,
     help="A folder that does not exist yet.",
 )
-@click.option("--problem", "only", multiple=True, metavar="4/16", help="Only these problems, to be quicker; may be repeated.")
+@click.option("--problem", "only", multiple=True, metavar="4/16", help="Only these problems, which is faster; may be repeated.")
 def demo(course_path, only):
-    """The whole way on an example: a course, six students, release, submit, grade, feedback."""
-    importlib.import_module("grader.demo").run(course_path, only, console, _bar)
+    """Run all steps on an example course.
+
+    Builds and releases an assignment, plays six students who fetch and submit it, grades them, and writes their feedback pages.
+    """
+    from .demo import run_demo
+
+    run_demo(course_path, only, console, _bar)
 
 
 if __name__ == "__main__":

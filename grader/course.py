@@ -1,12 +1,12 @@
-"""A course folder: where things are, who is in it, and its secret.
+"""A course folder: its paths, its students, its secret, and from the secret each student's numbers.
 
-COURSE/nbgrader_config.py   nbgrader, set up for this course
-COURSE/.course_secret       32 random bytes; every student's numbers follow from it. Never hand it out, never lose it
+COURSE/nbgrader_config.py   nbgrader's configuration for this course
+COURSE/.course_secret       32 random bytes, from which every student's numbers are derived. Back it up; never publish it
 COURSE/gradebook.db         nbgrader's gradebook; its students are the roster
 COURSE/source/ release/ submitted/ autograded/ feedback/     nbgrader's folders
-COURSE/scores/              verdict and diagnosis of every part, as JSON
+COURSE/scores/              result and diagnosis of every answer, as JSON
 COURSE/personal/            each student's own copy of an assignment, as fetched
-COURSE/student/             what goes to the students' side of the exchange: a configuration without secrets
+COURSE/student/             configuration for the students' side of the exchange; holds no secret
 """
 
 import csv
@@ -21,30 +21,15 @@ from pathlib import Path
 
 from exercises import variants
 
-from . import notebook as nb
-
-REPOSITORY = Path(__file__).resolve().parent.parent
-CONFIG = '''\
-"""nbgrader, set up for this course; written by python -m grader build. Add your own settings below."""
-
-import sys
-
-sys.path.insert(0, {repository!r})  # where grader/ and exercises/ are
-
-from grader.nbgrader_config import configure
-
-c = get_config()  # noqa: F821
-configure(c, course=__file__)
-c.CourseDirectory.course_id = {name!r}
-'''
+HERE = Path(__file__).resolve().parent
 
 
 class CourseError(ValueError):
-    """Something in a course folder is missing or not what it should be; the message says what to do."""
+    """Something in a course folder is missing or invalid; the message says what to do."""
 
 
 class Course:
-    """The course in a folder. ``Course.create(path)`` starts one, ``Course(path)`` opens it."""
+    """A course in a folder: ``Course.create(path)`` makes a new one, ``Course(path)`` opens an existing one."""
 
     def __init__(self, path):
         self.path = Path(path).resolve()
@@ -55,7 +40,7 @@ class Course:
 
     @classmethod
     def create(cls, path, name=None):
-        """A new, empty course in a folder that does not exist yet or is empty."""
+        """Make a new course without students or assignments, in a folder that is empty or does not exist yet."""
         cls.refuse_existing(path)
         path = Path(path).resolve()
         path.mkdir(parents=True, exist_ok=True)
@@ -63,22 +48,22 @@ class Course:
         _write(path / ".course_secret", secrets.token_hex(32), 0o600)
         student = path / "student"
         student.mkdir()
-        shutil.copy(Path(__file__).with_name("fetch.py"), student / "newton_euler_fetch.py")
-        _write(student / "nbgrader_config.py", _STUDENT_CONFIG.format(name=name), 0o644)
-        _write(path / "nbgrader_config.py", CONFIG.format(repository=str(REPOSITORY), name=name), 0o644)
+        shutil.copy(HERE / "assignment" / "fetch.py", student / "newton_euler_fetch.py")
+        _write(student / "nbgrader_config.py", _template("student_config.py.in", name=name), 0o644)
+        _write(path / "nbgrader_config.py", _template("nbgrader_config.py.in", repository=str(HERE.parent), name=name), 0o644)
         return cls(path)
 
     @staticmethod
     def refuse_existing(path):
-        """Raise :class:`CourseError` if there is something in the folder."""
+        """Raise :class:`CourseError` if the folder holds anything."""
         if Path(path).exists() and any(Path(path).iterdir()):
             raise CourseError(f"{path} exists and is not empty; name a new folder, or add to the course in it with build --update")
 
-    name = property(lambda self: self.path.name, doc="the name of the folder")
+    name = property(lambda self: self.path.name, doc="The name of the folder.")
 
     @cached_property
     def secret(self):
-        """The bytes that every student's numbers are derived from."""
+        """The bytes from which every student's numbers are derived."""
         path = self.path / ".course_secret"
         if not path.exists():
             raise CourseError(
@@ -91,82 +76,77 @@ class Course:
                 f"{path} is damaged: expected one line of hexadecimal digits. Restore it from a backup; a new one changes all numbers"
             ) from None
 
-    db_url = property(lambda self: f"sqlite:///{self.path / 'gradebook.db'}", doc="nbgrader's gradebook")
+    def config(self):
+        """The traitlets configuration that the course's nbgrader_config.py sets, including the instructor's own settings."""
+        from traitlets.config.loader import PyFileConfigLoader
+
+        return PyFileConfigLoader("nbgrader_config.py", path=str(self.path)).load_config()
 
     # -- assignments
 
     def source(self, assignment):
-        """The source notebook of an assignment."""
+        """The path of an assignment's source notebook."""
         return self.path / "source" / assignment / f"{assignment}.ipynb"
 
+    def released_path(self, assignment):
+        """The path of the notebook that nbgrader generated for release."""
+        return self.path / "release" / assignment / f"{assignment}.ipynb"
+
     def released(self, assignment):
-        """The notebook as generated for release, as a dict."""
-        path = self.path / "release" / assignment / f"{assignment}.ipynb"
+        """The notebook that nbgrader generated for release, as a dict."""
+        path = self.released_path(assignment)
         if not path.exists():
             where = "generate it with: nbgrader generate_assignment" if self.source(assignment).exists() else "build it with: python -m grader build"
             raise CourseError(f"there is no released {assignment} in {self.path}; {where} {assignment}")
         return _read_once(path, path.stat().st_mtime_ns)
 
     def personal_path(self, assignment, student):
-        """Where a student's own copy of an assignment is kept."""
+        """The path of a student's own copy of an assignment."""
         return self.path / "personal" / assignment / student / f"{assignment}.ipynb"
 
-    def master(self, assignment, student):
-        """The trusted notebook that a submission is rebuilt from: the student's own copy if one was made, else made now, without figures."""
-        path = self.personal_path(assignment, student)
-        released = self.released(assignment)
-        if path.exists():
-            own = read_json(path)
-            if [c["id"] for c in own["cells"]] == [c["id"] for c in released["cells"]]:
-                return own
-        return nb.personal(released, student, self.values(assignment, student, nb.problems_of(released)), {})
-
-    def master_bytes(self, assignment, student):
-        """What :meth:`master` reads, unread: to see whether anything changed."""
-        path = self.personal_path(assignment, student)
-        return (path if path.exists() else self.path / "release" / assignment / f"{assignment}.ipynb").read_bytes()
-
     def values(self, assignment, student, problems):
-        """Each problem's numbers for one student: {problem id: {name: number}}, from the secret alone."""
+        """One student's numbers, derived from the secret alone: {problem id: {name: number}}."""
         return {p.id: variants.draw(p, variants.seed(self.secret, assignment, student, p.id)) for p in problems}
 
-    # -- people
+    def submissions(self, assignment):
+        """{student: path of the submitted notebook} of an assignment, including students who are not on the roster."""
+        found = {}
+        for folder in sorted((self.path / "submitted").glob(f"*/{assignment}")):
+            found[folder.parent.name] = folder / f"{assignment}.ipynb"
+        return found
+
+    # -- students
+
+    db_url = property(lambda self: f"sqlite:///{self.path / 'gradebook.db'}", doc="The URL of nbgrader's gradebook.")
 
     def gradebook(self):
-        """nbgrader's gradebook, to be used in a with statement."""
+        """nbgrader's gradebook, as a context manager."""
         from nbgrader.api import Gradebook
 
-        own = os.path.dirname(sys.executable)  # nbgrader runs `alembic` by name; it stands beside the Python in use
+        own = os.path.dirname(sys.executable)  # nbgrader runs `alembic` by name; it is installed beside the running Python
         if own not in os.environ.get("PATH", "").split(os.pathsep):
             os.environ["PATH"] = own + os.pathsep + os.environ.get("PATH", "")
         return Gradebook(self.db_url, self.name)
 
     def roster(self):
-        """The ids of the students in the gradebook."""
+        """The sorted ids of the students in the gradebook."""
         with self.gradebook() as book:
             return sorted(s.id for s in book.students)
 
     def enrol(self, students):
-        """Put students on the roster: ids, or dicts with id, first_name, last_name, email."""
+        """Add students to the roster: ids, or dicts with id, first_name, last_name, email."""
         with self.gradebook() as book:
             for s in students:
                 s = dict(s) if isinstance(s, dict) else {"id": s}
                 student_id = check_id(s.pop("id"))
                 book.update_or_create_student(student_id, **{k: v for k, v in s.items() if v})
 
-    def submissions(self, assignment):
-        """{student: path of the submitted notebook} of an assignment, also of students who are not on the roster."""
-        found = {}
-        for folder in sorted((self.path / "submitted").glob(f"*/{assignment}")):
-            found[folder.parent.name] = folder / f"{assignment}.ipynb"
-        return found
-
 
 _BAD_IN_ID = re.compile(r"[/\\+*?\[\]{}%<>:\"|\x00-\x1f\x7f]|^[.\s-]|\s$")
 
 
 def check_id(student_id):
-    """The id, if folders and nbgrader's exchange can be named by it; otherwise :class:`CourseError`."""
+    """The id, if folders and nbgrader's exchange can be named by it; otherwise raises :class:`CourseError`."""
     if not student_id or _BAD_IN_ID.search(student_id):
         raise CourseError(
             f"{student_id!r} cannot be a student id: folders are named by it, and nbgrader splits names at '+'. "
@@ -176,7 +156,7 @@ def check_id(student_id):
 
 
 def read_roster(path):
-    """Students from a CSV file with a header that has ``id``, and perhaps first_name, last_name, email (nbgrader's own format)."""
+    """The students in a CSV file, as dicts; its header names ``id`` and optionally first_name, last_name, email, as nbgrader's own format does."""
     try:
         with open(path, newline="", encoding="utf-8-sig") as f:
             rows = list(csv.DictReader(f))
@@ -204,7 +184,7 @@ def read_roster(path):
 
 
 def read_json(path):
-    """A notebook that we or nbgrader wrote, as a plain dict with each cell's source as one text."""
+    """A notebook that this package or nbgrader wrote, as a plain dict with each cell's source as one string."""
     with open(path, encoding="utf-8") as f:
         notebook = json.load(f)
     for cell in notebook["cells"]:
@@ -214,14 +194,18 @@ def read_json(path):
 
 @lru_cache(maxsize=2)
 def _read_once(path, changed):
-    """A notebook that a run reads for every student; not to be modified."""
+    """:func:`read_json` with a cache, since a run reads the released notebook for every student; the result must not be modified."""
     return read_json(path)
 
 
 def write_json(path, content, indent=1):
-    """Write a notebook whole or not at all; without an indent 20 times faster."""
+    """Write a dict as JSON, atomically; ``indent=None`` is 20 times faster."""
     path.parent.mkdir(parents=True, exist_ok=True)
     _write(path, json.dumps(content, ensure_ascii=False, indent=indent) + "\n", 0o644)
+
+
+def _template(file, **values):
+    return (HERE / "templates" / file).read_text(encoding="utf-8").format(**values)
 
 
 def _write(path, text, mode):
@@ -229,17 +213,3 @@ def _write(path, text, mode):
     partial.write_text(text, encoding="utf-8")
     os.chmod(partial, mode)
     os.replace(partial, path)
-
-
-_STUDENT_CONFIG = '''\
-"""For the students' side: put this file and newton_euler_fetch.py where Jupyter reads nbgrader_config.py (a hub's /etc/jupyter, or ~/.jupyter)."""
-
-import os
-import sys
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-
-c = get_config()  # noqa: F821
-c.ExchangeFactory.fetch_assignment = "newton_euler_fetch.PersonalFetch"
-c.CourseDirectory.course_id = {name!r}
-'''

@@ -20,27 +20,27 @@ ROUNDS = 3
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
     """A course with all 43 problems of the chapter, everyone's right answers handed in, with the figures of the numbers of the book."""
-    from grader import notebook as nb
-    from grader import students
-    from grader.building import build_assignment
+    from grader.assignment import build_assignment
+    from grader.assignment import notebook as nb
     from grader.course import read_json, write_json
-    from grader.demo import _done, _quiet_api
+    from grader.demo import sample_students as sample
+    from grader.demo.run import nbgrader_api, require_success
 
     course, path = build_assignment(tmp_path_factory.mktemp("ratios") / "c", "ch04")
     course.enrol(STUDENTS)
-    _done(_quiet_api(course).generate_assignment("ch04"))
+    require_success(nbgrader_api(course).generate_assignment("ch04"))
     released = course.released("ch04")
     figures = {c["metadata"]["newton_euler"]["problem"]: c["attachments"] for c in released["cells"] if "attachments" in c}
     for s in STUDENTS:
         values = course.values("ch04", s, problems("ch04"))
-        own = copy.deepcopy(nb.personal(released, s, values, {}))
+        own = copy.deepcopy(nb.personal_notebook(released, s, values, {}))
         for cell in own["cells"]:
             ours = cell["metadata"].get("newton_euler", {})
             if ours.get("role") == "statement":
                 cell["attachments"] = figures[ours["problem"]]
         write_json(course.personal_path("ch04", s), own)
-        texts = {p.id: students.cell(p, students.right(p, values[p.id])) for p in problems("ch04")}
-        write_json(course.path / "submitted" / s / "ch04/ch04.ipynb", students.filled(own, texts))
+        texts = {p.id: sample.cell_text(p, sample.right_answers(p, values[p.id])) for p in problems("ch04")}
+        write_json(course.path / "submitted" / s / "ch04/ch04.ipynb", sample.fill_in(own, texts))
     assert path.exists()
     assert read_json(path)
     return course
@@ -65,8 +65,8 @@ def _nbgraders_own(course):
 
 
 def test_grading_all_43_problems_against_nbgraders_autograde(course):
-    from grader.grading import _Run, _save, grade
-    from grader.harvest import Harvester
+    from grader.grading.run import _Run, grade, save_results
+    from grader.sandbox import Harvester
 
     api, submitted = _nbgraders_own(course), course.submissions("ch04")
     ours, without_start, theirs, run, save = [], [], [], [], []
@@ -83,10 +83,10 @@ def test_grading_all_43_problems_against_nbgraders_autograde(course):
             start = time.perf_counter()
             step = _Run(course, "ch04", True, "state")
             with ThreadPoolExecutor(2) as pool:
-                results = list(pool.map(lambda s, run=step: run.graded(s, submitted[s], True, harvester), STUDENTS))
+                results = list(pool.map(lambda s, run=step: run.grade(s, submitted[s], True, harvester), STUDENTS))
             run.append((time.perf_counter() - start) / len(STUDENTS))
             middle = time.perf_counter()
-            _save(course, "ch04", results)
+            save_results(course, "ch04", results)
             save.append((time.perf_counter() - middle) / len(STUDENTS))
             without_start.append((time.perf_counter() - start) / len(STUDENTS))
 

@@ -21,9 +21,11 @@ NBGRADER = (  # what nbgrader 0.9 on SQLAlchemy 2.1 and nbconvert say, without h
 
 def pytest_collection_modifyitems(items):
     for item in items:
-        if Path(item.fspath).parent == Path(__file__).parent:
+        if item.path.is_relative_to(Path(__file__).parent):
             for text in NBGRADER:
                 item.add_marker(pytest.mark.filterwarnings(text))
+            if "demo_course" in item.fixturenames:
+                item.add_marker(pytest.mark.integration)
 
 
 @pytest.fixture(scope="session")
@@ -65,7 +67,7 @@ def ungraded(fresh):
 @pytest.fixture(scope="session")
 def harvester():
     """One worker with the cage."""
-    from grader.harvest import Harvester
+    from grader.sandbox import Harvester
 
     with Harvester(1) as h:
         yield h
@@ -88,8 +90,8 @@ class _Shared:
 def one_harvester(request, monkeypatch):
     """grade(…) in these tests uses the session's worker, unless it is to run without a cage."""
     if "fresh" in request.fixturenames or "ungraded" in request.fixturenames:
-        from grader import grading
-        from grader.harvest import Harvester
+        from grader.grading import run as grading
+        from grader.sandbox import Harvester
 
         shared = _Shared(request.getfixturevalue("harvester"))
         monkeypatch.setattr(grading, "Harvester", lambda workers=None, sandbox=True: shared if sandbox else Harvester(1, sandbox))

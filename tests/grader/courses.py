@@ -1,10 +1,13 @@
 """Helps for the tests of the grader: command lines, gradebooks, submissions."""
 
+import atexit
 import json
+import multiprocessing
 import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 REPOSITORY = Path(__file__).parents[2]
@@ -27,9 +30,39 @@ def grader(*arguments, **options):
     return run(sys.executable, "-m", "grader", *map(str, arguments), **options)
 
 
-def nbgrader(*arguments, cwd, **options):
-    """nbgrader's command line, in a course folder."""
-    return run("nbgrader", *map(str, arguments), cwd=cwd, **options)
+def nbgrader(*arguments, cwd, timeout=180, **more):
+    """nbgrader's command line in a folder: (exit code, everything it said).
+
+    It runs in a fork of a process that has imported nbgrader, which takes two seconds of every command.
+    """
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(["nbgrader.apps.nbgraderapp"])
+    with tempfile.NamedTemporaryFile() as output:
+        process = context.Process(target=_nbgrader, args=(list(map(str, arguments)), str(cwd), environment(**more), output.name))
+        process.start()
+        process.join(timeout)
+        process.kill()
+        process.join()
+        return process.exitcode, output.read().decode()
+
+
+def _nbgrader(arguments, cwd, variables, output):
+    """In the fork: become what a new process of nbgrader's command line would be."""
+    with open(output, "wb", buffering=0) as f:
+        os.dup2(f.fileno(), 1)
+        os.dup2(f.fileno(), 2)
+    os.environ.clear()
+    os.environ.update(variables)
+    os.chdir(cwd)
+    path = [p for p in variables["PYTHONPATH"].split(os.pathsep) if p]
+    sys.path[:] = path + [p for p in sys.path if p and Path(p) != REPOSITORY]
+    sys.argv = ["nbgrader", *arguments]
+    from nbgrader.apps.nbgraderapp import main
+
+    try:
+        main()
+    finally:
+        atexit._run_exitfuncs()  # which a process of multiprocessing leaves out
 
 
 def points(course, assignment="ch04"):
@@ -74,3 +107,15 @@ def copy_of(course, folder):
     config = Path(folder) / "nbgrader_config.py"
     config.write_text(config.read_text().replace(str(course.path), str(folder)))
     return Course(folder)
+
+
+def command(*arguments):
+    """``python -m grader`` with these arguments, in this process: (exit code, output)."""
+    from click.testing import CliRunner
+
+    from grader.__main__ import main
+
+    result = CliRunner().invoke(main, list(map(str, arguments)), prog_name="python -m grader")
+    if result.exception and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.output

@@ -24,7 +24,8 @@ from newton_euler.potential import (
     spring_potential,
     weight_potential,
 )
-from newton_euler.work import WorkError, power, work_along
+from newton_euler.quadrature import WorkError
+from newton_euler.work import power, work_along
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

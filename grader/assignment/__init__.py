@@ -1,0 +1,21 @@
+"""Builds the notebook of an assignment, and each student's copy of it with their own numbers and figures.
+
+``fetch`` is not imported here: it imports nbgrader, which takes two seconds.
+"""
+
+from .build import build_assignment
+from .figures import figure_png
+from .notebook import build_notebook, personal_notebook, problems_of
+from .personal import copy_to_exchange, exchange_outbound, make_personal_copies, master_notebook
+
+__all__ = [
+    "build_assignment",
+    "build_notebook",
+    "copy_to_exchange",
+    "exchange_outbound",
+    "figure_png",
+    "make_personal_copies",
+    "master_notebook",
+    "personal_notebook",
+    "problems_of",
+]

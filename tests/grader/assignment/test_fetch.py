@@ -1,0 +1,58 @@
+"""Students fetch their own copy, with nothing of the grader installed."""
+
+from grader.assignment import copy_to_exchange
+from tests.grader.courses import nbgrader
+
+
+def fetch(course, exchange, student, home, *options):
+    home.mkdir(exist_ok=True)
+    (home / "nbgrader_config.py").write_text(
+        (course.path / "student/nbgrader_config.py")
+        .read_text()
+        .replace("os.path.dirname(os.path.abspath(__file__))", repr(str(course.path / "student")))
+        + "\nimport importlib.util\n\nassert not any(map(importlib.util.find_spec, ('grader', 'exercises')))\n"
+    )
+    return nbgrader(
+        "fetch_assignment",
+        "ch04",
+        f"--Exchange.root={exchange}",
+        *options,
+        cwd=home,
+        USER=student,
+        JUPYTERHUB_USER=student,
+        PYTHONPATH="",
+    )
+
+
+def test_fetching_brings_the_own_copy_and_never_overwrites_work(ungraded, tmp_path):
+    exchange = tmp_path / "exchange"
+    outbound = exchange / "mechanics/outbound/ch04"
+    outbound.mkdir(parents=True)
+    (outbound / "ch04.ipynb").write_text((ungraded.path / "release/ch04/ch04.ipynb").read_text())
+    copy_to_exchange(ungraded, "ch04", outbound, {s: ungraded.personal_path("ch04", s) for s in ("ada", "ben")})
+    home = tmp_path / "home"
+    code, out = fetch(ungraded, exchange, "ada", home)
+    assert code == 0, out
+    path = home / "ch04/ch04.ipynb"
+    assert path.read_text() == ungraded.personal_path("ch04", "ada").read_text()
+    path.chmod(0o644)
+    path.write_text("my work")
+    code, out = fetch(ungraded, exchange, "ada", home)
+    assert code != 0
+    assert path.read_text() == "my work"
+    code, out = fetch(ungraded, exchange, "ada", home, "--replace")
+    assert (code, path.read_text()) == (0, "my work")
+    path.unlink()
+    code, out = fetch(ungraded, exchange, "ada", home, "--replace")
+    assert code == 0, out
+    assert path.read_text() == ungraded.personal_path("ch04", "ada").read_text()  # not the numbers of the book
+    code, out = fetch(ungraded, exchange, "zoe", tmp_path / "zoe")
+    assert code != 0
+    assert "ch04 has no copy for 'zoe'. Ask the instructor to put you on the roster" in out
+    plain = tmp_path / "plain"
+    plain.mkdir()
+    code, out = nbgrader("fetch_assignment", "ch04", f"--Exchange.root={exchange}", "--course=mechanics", cwd=plain, USER="ada")
+    assert code == 0, out
+    text = (plain / "ch04/ch04.ipynb").read_text()
+    assert "This copy has the numbers of the book" in text
+    assert not list((plain / "ch04").glob(".personal*"))

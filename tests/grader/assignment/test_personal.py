@@ -1,0 +1,66 @@
+"""Each student's own copy: own numbers and figures, no key, nothing of anybody else."""
+
+import pytest
+
+from grader.assignment import make_personal_copies
+from grader.assignment import notebook as nb
+from grader.assignment.fetch import personal_name
+from grader.course import CourseError
+from tests.grader.courses import command, read
+from tests.grader.keys import holds_nothing_secret
+
+STUDENTS = ("ada", "ben", "cleo", "dan", "eve", "mallory")
+
+
+@pytest.mark.parametrize("student", STUDENTS)
+def test_what_a_student_fetches_holds_no_key_and_nobody_elses_numbers(course, student):
+    text = course.personal_path("ch04", student).read_text()
+    holds_nothing_secret(text, course, student)
+    own = {c["source"] for c in read(course.personal_path("ch04", student))["cells"]}
+    for other in STUDENTS:
+        others = {c["source"] for c in read(course.personal_path("ch04", other))["cells"] if c["metadata"]["newton_euler"].get("role") == "givens"}
+        symbolic = {nb.givens(p, {}) for p in nb.problems_of(course.released("ch04")) if p.symbolic and not p.givens}
+        assert other == student or not own & others - symbolic
+    assert not any(c.get("outputs") for c in read(course.personal_path("ch04", student))["cells"])
+
+
+def test_figures_follow_the_numbers(course):
+    def figures(student):
+        return {
+            c["id"]: c["attachments"]["figure.png"]["image/png"] for c in read(course.personal_path("ch04", student))["cells"] if "attachments" in c
+        }
+
+    ada, ben = figures("ada"), figures("ben")
+    assert ada["statement-4-16"] != ben["statement-4-16"]
+    assert ada["statement-4-2"] == ben["statement-4-2"]  # a formula is asked for: no numbers
+
+
+def test_a_late_joiner_gets_a_copy_and_nobody_elses_changes(ungraded, tmp_path):
+    before = ungraded.personal_path("ch04", "ada").read_text()
+    outbound = tmp_path / "exchange/mechanics/outbound/ch04"
+    outbound.mkdir(parents=True)
+    config = ungraded.path / "nbgrader_config.py"
+    config.write_text(config.read_text() + f"\nc.Exchange.root = {str(tmp_path / 'exchange')!r}\n")
+    ungraded.enrol(["zoe"])
+    code, out = command("personal", "ch04", "--course", ungraded.path, "--student", "zoe", "--exchange")
+    assert code == 0, out
+    assert (outbound.parent / ".personal/ch04" / personal_name("mechanics", "ch04", "zoe") / "ch04.ipynb").exists()
+    assert ungraded.personal_path("ch04", "ada").read_text() == before
+
+
+def test_personal_copies_are_the_same_when_made_again(ungraded):
+    before = ungraded.personal_path("ch04", "ada").read_text()
+    make_personal_copies(ungraded, "ch04", ["ada"], workers=1)
+    assert ungraded.personal_path("ch04", "ada").read_text() == before
+
+
+def test_an_empty_roster_is_told(ungraded):
+    from grader.assignment.personal import make_personal_copies
+
+    with ungraded.gradebook() as book:
+        for s in ungraded.roster():
+            book.remove_student(s)
+    with pytest.raises(CourseError, match=r"nobody is on the roster; add students with"):
+        make_personal_copies(ungraded, "ch04")
+    with pytest.raises(CourseError, match=r"zoe: not on the roster; add the student first: nbgrader db student add zoe"):
+        make_personal_copies(ungraded, "ch04", ["zoe"])

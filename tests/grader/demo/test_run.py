@@ -1,0 +1,21 @@
+"""The whole way on an example."""
+
+import pytest
+
+from tests.grader.courses import grader, points, total
+
+
+def test_the_demo_on_five_problems_gives_its_six_students_the_expected_points(demo_course):
+    assert demo_course["code"] == 0, demo_course["said"]
+    assert {s: total(c) for s, c in points(demo_course["course"]).items()} == {"ada": 11, "ben": 8, "cleo": 4, "dan": 0, "eve": 9, "mallory": 0}
+
+
+def test_the_demo_says_where_to_look_next(demo_course):
+    for words in ("a feedback page", "the gradebook", "python -m grader build --help"):
+        assert words in demo_course["said"]
+
+
+@pytest.mark.slow
+def test_the_demo_on_the_whole_chapter_ends_well(tmp_path):
+    code, said = grader("demo", "--course", tmp_path / "c", timeout=600)
+    assert code == 0, said

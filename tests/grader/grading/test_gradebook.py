@@ -1,0 +1,96 @@
+"""What is in nbgrader's gradebook after grading: all or nothing, with what a person graded, and penalties for late submissions."""
+
+import shutil
+
+import pytest
+
+from grader.grading import grade
+from tests.grader.courses import nbgrader, points, submit, total
+from tests.grader.submissions import work
+
+
+def test_what_a_human_grader_gave_and_wrote_survives_grading_again(fresh):
+    grade(fresh, "ch04", ["ben"])
+    with fresh.gradebook() as book:
+        given = book.find_grade("answer-4-16", "ch04", "ch04", "ben")
+        given.manual_score, given.needs_manual_grade = 2.5, False
+        book.find_comment("answer-4-16", "ch04", "ch04", "ben").manual_comment = "a good attempt"
+        book.db.commit()
+    submit(fresh, "ben", work(fresh, "ben", p4_1="speed = 1.0\nacc_mag = 2.0"))
+    (result,) = grade(fresh, "ch04", ["ben"])
+    assert not result.unchanged
+    with fresh.gradebook() as book:
+        given = book.find_grade("answer-4-16", "ch04", "ch04", "ben")
+        assert (given.auto_score, given.manual_score, given.score) == (3, 2.5, 2.5)
+        assert book.find_comment("answer-4-16", "ch04", "ch04", "ben").manual_comment == "a good attempt"
+
+
+def test_an_interrupted_run_leaves_the_gradebook_and_the_next_one_fills_it(fresh, monkeypatch):
+    from nbgrader.api import Gradebook
+
+    before = points(fresh)
+    submit(fresh, "dan", work(fresh, "dan"))
+    submit(fresh, "ben", work(fresh, "ben"))
+
+    class Broken(RuntimeError):
+        pass
+
+    original = Gradebook.__init__
+
+    def breaks(self, *args, **kwargs):
+        original(self, *args, **kwargs)
+
+        def commit():
+            raise Broken
+
+        self.db.commit = commit
+
+    from grader.grading import run as grading
+
+    save = grading.save_results
+
+    def interrupted(*args):
+        with monkeypatch.context() as m:
+            m.setattr(Gradebook, "__init__", breaks)
+            save(*args)
+
+    monkeypatch.setattr(grading, "save_results", interrupted)
+    with pytest.raises(Broken):
+        grade(fresh, "ch04")
+    assert points(fresh) == before
+    monkeypatch.setattr(grading, "save_results", save)
+    results = grade(fresh, "ch04")
+    assert all(r.unchanged for r in results)  # nothing ran twice
+    now = points(fresh)
+    assert (total(now["dan"]), total(now["ben"])) == (11, 11)
+
+
+def test_scores_that_another_grader_overwrote_are_put_right(fresh):
+    grade(fresh, "ch04", ["ada"])
+    with fresh.gradebook() as book:
+        for g in book.find_submission_notebook("ch04", "ch04", "ada").grades:
+            g.auto_score = 0
+        book.db.commit()
+    grade(fresh, "ch04", ["ada"])
+    assert total(points(fresh)["ada"]) == 11
+
+
+def test_late_penalties_of_the_course_are_applied_by_both_routes(fresh):
+    with open(fresh.path / "nbgrader_config.py", "a") as f:
+        f.write("\nc.LateSubmissionPlugin.penalty_method = 'zero'\n")
+    for s in ("ben", "cleo", "dan", "eve", "mallory"):
+        shutil.rmtree(fresh.path / "submitted" / s)
+    (fresh.path / "submitted/ada/ch04/timestamp.txt").write_text("2026-11-20 12:00:00.0 UTC")
+    with fresh.gradebook() as book:
+        book.update_or_create_assignment("ch04", duedate="2026-11-19 12:00:00.0 UTC")
+        book.remove_submission("ch04", "ada")
+    grade(fresh, "ch04")
+    with fresh.gradebook() as book:
+        own = book.find_submission_notebook("ch04", "ch04", "ada")
+        assert (own.score, own.late_submission_penalty) == (11, 11)
+        book.remove_submission("ch04", "ada")
+    code, out = nbgrader("autograde", "ch04", "--force", cwd=fresh.path)
+    assert code == 0, out
+    with fresh.gradebook() as book:
+        own = book.find_submission_notebook("ch04", "ch04", "ada")
+        assert (own.score, own.late_submission_penalty) == (11, 11)

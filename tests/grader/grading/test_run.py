@@ -1,0 +1,138 @@
+"""A run over all submissions: what cannot be graded is reported and touches nobody else; only what changed runs again."""
+
+import json
+import shutil
+
+import pytest
+
+from grader.course import CourseError
+from grader.grading import grade
+from tests.grader.courses import command, nbgrader, points, read, submit, total
+from tests.grader.submissions import DAMAGED, RIGHT, work
+
+
+def test_unchanged_submissions_are_not_run_again_and_changed_ones_are(fresh, monkeypatch):
+    from grader.submission import pipeline
+
+    ran = []
+    original = pipeline.run_answers
+    monkeypatch.setattr(pipeline, "run_answers", lambda h, own, answers: ran.append(own.student) or original(h, own, answers))
+    everyone = sorted(fresh.roster())
+    first = {r.student: r.points for r in grade(fresh, "ch04")}
+    assert sorted(ran) == everyone
+    ran.clear()
+    again = grade(fresh, "ch04")
+    assert ran == []
+    assert all(r.unchanged for r in again)
+    assert {r.student: r.points for r in again} == first
+    submit(fresh, "dan", work(fresh, "dan"))
+    assert {r.student: r.unchanged for r in grade(fresh, "ch04")} == {s: s != "dan" for s in everyone}
+    assert ran == ["dan"]
+    ran.clear()
+    grade(fresh, "ch04", ["ada"], force=True)
+    assert ran == ["ada"]
+
+
+def test_a_change_of_the_exercises_grades_everything_again(fresh, monkeypatch):
+    from grader.grading import run as grading
+
+    grade(fresh, "ch04", ["ada"])
+    monkeypatch.setattr(grading, "_code_state", lambda: "another key")
+    (result,) = grade(fresh, "ch04", ["ada"])
+    assert not result.unchanged
+
+
+def test_the_record_of_scores_tells_every_part(course):
+    record = json.loads((course.path / "scores/ch04/ben.json").read_text())
+    assert [s["problem"] for s in record["scores"]] == ["4/1", "4/2", "4/10", "4/16", "4/31"]
+    assert any(p["diagnosis"] for s in record["scores"] for p in s["parts"])
+    assert course.secret.hex() not in json.dumps(record)
+
+
+def test_unsandboxed_grading_says_so_in_the_notebook(fresh):
+    (result,) = grade(fresh, "ch04", ["ada"], sandbox=False)
+    assert result.note == "unsandboxed: this machine refused the cage (unsandboxed: asked for)" or "unsandboxed" in result.note
+    assert "unsandboxed" in read(fresh.path / "autograded/ada/ch04/ch04.ipynb")["cells"][0]["source"]
+
+
+@pytest.mark.parametrize("how", DAMAGED)
+def test_a_damaged_notebook_is_told_and_its_earlier_grade_and_everybody_elses_stay(fresh, how):
+    grade(fresh, "ch04", workers=1)
+    before = points(fresh)
+    kept = (fresh.path / "autograded/ada/ch04/ch04.ipynb").read_text()
+    submit(fresh, "ada", DAMAGED[how][0])
+    results = {r.student: r for r in grade(fresh, "ch04", force=how == "truncated", workers=1)}
+    assert DAMAGED[how][1] in results["ada"].problem
+    assert "ask for it again. An earlier grade stays as it is" in results["ada"].problem
+    assert points(fresh) == before
+    assert (fresh.path / "autograded/ada/ch04/ch04.ipynb").read_text() == kept
+    assert not [s for s, r in results.items() if r.problem and s != "ada"]
+
+
+def test_a_notebook_that_is_not_text_or_huge_is_told(fresh):
+    path = submit(fresh, "dan", "")
+    path.write_bytes(b"\x89PNG\r\n\x1a\n\xff")
+    assert "cannot be read" in grade(fresh, "ch04", ["dan"], workers=1)[0].problem
+    with open(path, "wb") as f:
+        f.truncate(10**9)
+    assert grade(fresh, "ch04", ["dan"], workers=1)[0].problem.startswith("ch04.ipynb has 1000 MB, more than the 67 MB that are read")
+
+
+def test_a_submission_named_differently_is_found_and_told(fresh):
+    (fresh.path / "submitted/dan/ch04/ch04.ipynb").rename(fresh.path / "submitted/dan/ch04/Homework (1).ipynb")
+    result = grade(fresh, "ch04", ["dan"], workers=1)[0]
+    assert "expected the notebook ch04.ipynb" in result.problem
+    assert "it holds Homework (1).ipynb; if that is the work, rename it" in result.problem
+
+
+def test_a_folder_of_somebody_unknown_is_told_and_gets_no_entry(fresh):
+    submit(fresh, "nobody", work(fresh, "dan"))
+    code, out = command("grade", "ch04", "--course", fresh.path, "--workers", 1)
+    assert code == 1
+    said = " ".join(out.split())
+    assert "Not graded: nobody is not on the roster; check the folder's name, or add the student with: nbgrader db student add nobody" in said
+    assert "nobody" not in fresh.roster()
+    assert {s: total(c) for s, c in points(fresh).items()} == {**RIGHT, "dan": 0}
+
+
+@pytest.mark.parametrize("route", ["grader", "nbgrader"])
+def test_an_assignment_that_was_not_released_is_told(fresh, route):
+    shutil.rmtree(fresh.path / "release")
+    if route == "grader":
+        code, out = command("grade", "ch04", "--course", fresh.path)
+        assert code == 2
+        assert "there is no released ch04" in out
+        assert "generate it with: nbgrader generate_assignment ch04" in " ".join(out.split())
+    else:
+        for s in ("ben", "cleo", "dan", "eve", "mallory"):
+            shutil.rmtree(fresh.path / "submitted" / s)
+        code, out = nbgrader("autograde", "ch04", cwd=fresh.path)
+        assert code != 0
+        assert "there is no released ch04" in out
+
+
+def test_an_assignment_that_the_gradebook_does_not_know_is_told(fresh):
+    with fresh.gradebook() as book:
+        book.remove_assignment("ch04")
+    with pytest.raises(CourseError, match=r"the gradebook does not know ch04; generate it again"):
+        grade(fresh, "ch04")
+
+
+def test_an_assignment_of_another_name_is_told(fresh):
+    with pytest.raises(CourseError, match=r"there is no released ch05.*build it with"):
+        grade(fresh, "ch05")
+
+
+def test_a_student_without_submission_is_told(fresh):
+    with pytest.raises(CourseError, match=r"no submission of ch04 by zoe; there are ada, ben"):
+        grade(fresh, "ch04", ["zoe"])
+
+
+def test_a_bug_in_grading_one_submission_keeps_nobody_else_from_a_grade(fresh, monkeypatch):
+    from grader.submission import pipeline
+
+    original = pipeline.score_answers
+    monkeypatch.setattr(pipeline, "score_answers", lambda own, *rest: 1 / 0 if own.student == "ben" else original(own, *rest))
+    results = {r.student: r for r in grade(fresh, "ch04", force=True, workers=1)}
+    assert "could not be graded, which is a bug of the grader: ZeroDivisionError" in results["ben"].problem
+    assert not [s for s, r in results.items() if r.problem and s != "ben"]

@@ -1,0 +1,39 @@
+"""What no file of a student may contain: numbers and formulas of the key, texts of mistakes, the secret."""
+
+import re
+
+from grader.assignment import problems_of
+from newton_euler.scalars import plain
+from newton_euler.vectors import Vector
+
+
+def numbers_of_key(p, values):
+    """Every number of the key that could not be there by accident: six digits."""
+
+    def flat(x):
+        return [y for part in x for y in flat(part)] if isinstance(x, (Vector, tuple, list)) else [plain(x)]
+
+    return {f"{abs(float(x)):.6g}" for v in p.solve(values).values() for x in flat(v) if len(f"{abs(float(x)):.6g}".strip("0.")) >= 5}
+
+
+def keys(course, student):
+    problems = problems_of(course.released("ch04"))
+    values = course.values("ch04", student, problems)
+    found = {p.id: numbers_of_key(p, values[p.id]) for p in problems if not p.symbolic}
+    return {n for numbers in found.values() for n in numbers}
+
+
+def formulas(p):
+    return {str(f) for v in p.formulas().values() for f in (v if isinstance(v, (Vector, tuple)) else [v]) if len(str(f)) > 8}
+
+
+def holds_nothing_secret(text, course, student):
+    everywhere = re.sub(r"[A-Za-z0-9+/=]{200,}", "", text)  # pictures
+    assert not [n for n in keys(course, student) if n in everywhere]
+    assert not [n for n in keys(course, "the book") if n in everywhere]
+    for p in problems_of(course.released("ch04")):
+        if p.symbolic:
+            assert not [f for f in formulas(p) if f in everywhere]
+        assert not [text for text in p.mistakes.values() if text in everywhere]
+    for words in ("def solve", "solve(g", "prove(", "mistakes", course.secret.hex(), ".course_secret", "BEGIN SOLUTION", "HIDDEN TESTS"):
+        assert words not in everywhere, words

@@ -1,0 +1,105 @@
+"""nbgrader autograde gives the same grades; plain nbgrader gives none; the feedback page holds no key."""
+
+import re
+import shutil
+
+import pytest
+
+from grader.assignment import master_notebook
+from grader.course import write_json
+from grader.grading import grade
+from tests.grader.courses import nbgrader, points, read, submit, total
+from tests.grader.keys import keys
+from tests.grader.submissions import DAMAGED, NOTEBOOKS, Named, work
+
+
+def said(course):
+    return {s: {c: comment for c, (_, _, comment) in cells.items()} for s, cells in points(course).items()}
+
+
+def scores(course):
+    return {s: {c: automatic for c, (automatic, _, _) in cells.items()} for s, cells in points(course).items()}
+
+
+def test_nbgrader_autograde_under_our_configuration_gives_the_same_scores_and_comments(course, fresh):
+    with fresh.gradebook() as book:
+        for s in fresh.roster():
+            book.remove_submission("ch04", s)
+    code, out = nbgrader("autograde", "ch04", cwd=fresh.path)
+    assert code == 0, out
+    assert scores(fresh) == scores(course)
+    assert said(fresh) == said(course)
+    for s in fresh.roster():
+        ours, theirs = (read(c.path / "autograded" / s / "ch04/ch04.ipynb") for c in (course, fresh))
+        assert [c["source"] for c in ours["cells"]] == [c["source"] for c in theirs["cells"]]
+        tables = [["".join(o["data"]["text/html"]) for c in n["cells"] for o in c.get("outputs", [])] for n in (ours, theirs)]
+        assert tables[0] == tables[1]
+
+
+def test_plain_nbgrader_gives_nobody_anything(fresh):
+    """Without our steps: the cells with points have no outputs or fail; also with the tag skip-execution and an edited receipt cell."""
+    (fresh.path / "nbgrader_config.py").write_text("c = get_config()\nc.CourseDirectory.course_id = 'mechanics'\n")
+    for s in ("ben", "cleo", "dan"):
+        shutil.rmtree(fresh.path / "submitted" / s)
+    edited = work(fresh, "eve")
+    for c in edited["cells"]:
+        if c["metadata"].get("newton_euler", {}).get("role") == "receipt":
+            c["source"] = "1.0"
+            c["metadata"]["tags"] = ["skip-execution"]
+            c["outputs"] = [{"output_type": "execute_result", "execution_count": 1, "metadata": {}, "data": {"text/plain": "9.0"}}]
+    submit(fresh, "eve", edited)
+    with fresh.gradebook() as book:
+        for s in fresh.roster():
+            book.remove_submission("ch04", s)
+    nbgrader("autograde", "ch04", cwd=fresh.path)
+    for s, cells in scores(fresh).items():
+        assert sum(p or 0 for p in cells.values()) == 0, (s, cells)
+
+
+@pytest.mark.slow
+def test_the_same_notebooks_get_the_same_points_from_nbgrader(fresh):
+    for name in ("personal/ch04", "submitted"):
+        shutil.rmtree(fresh.path / name)
+    with fresh.gradebook() as book:
+        for n in range(len(NOTEBOOKS)):
+            book.add_student(f"dan{n}")
+    expected = {}
+    for n, (change, right, *_) in enumerate(NOTEBOOKS.values()):
+        student = f"dan{n}"
+        write_json(fresh.personal_path("ch04", student), master_notebook(fresh, "ch04", student))
+        submit(fresh, student, change(Named(fresh, student)))
+        expected[student] = right
+    assert {r.student: r.points for r in grade(fresh, "ch04")} == expected
+    ours = points(fresh)
+    code, out = nbgrader("autograde", "ch04", "--force", cwd=fresh.path)
+    assert code == 0, out
+    theirs = points(fresh)
+    assert {s: theirs[s] for s in expected} == {s: ours[s] for s in expected}
+
+
+@pytest.mark.slow
+def test_nbgrader_reports_a_damaged_notebook_and_somebody_unknown_and_grades_the_rest(fresh):
+    submit(fresh, "nobody", work(fresh, "dan"))
+    submit(fresh, "ben", DAMAGED["truncated"][0])
+    with fresh.gradebook() as book:
+        book.remove_submission("ch04", "ada")
+        book.remove_submission("ch04", "eve")
+    code, out = nbgrader("autograde", "ch04", cwd=fresh.path)
+    assert code != 0
+    assert "error processing assignment 'ch04' for student 'ben'" in out
+    assert "No student with ID 'nobody' exists" in out
+    everybody = {s: total(c) for s, c in points(fresh).items()}
+    assert (everybody["ada"], everybody["eve"]) == (11, 9)
+    assert everybody["ben"] == 8  # as before
+    assert "nobody" not in everybody
+
+
+@pytest.mark.parametrize("student", ["ada", "ben", "mallory"])
+def test_the_feedback_page_holds_no_key_that_the_student_did_not_write(course, student):
+    page = (course.path / "feedback" / student / "ch04/ch04.html").read_text()
+    written = "".join(c["source"] for c in read(course.path / "submitted" / student / "ch04/ch04.ipynb")["cells"])
+    secret = {n for n in keys(course, student) if n not in written and n not in re.sub(r"\d+\.\d{8,}", lambda m: f"{float(m[0]):.6g}", written)}
+    plain_page = re.sub(r"[A-Za-z0-9+/=]{200,}", "", page)
+    assert not [n for n in secret if n in plain_page]
+    for words in ("def solve", "prove(", course.secret.hex(), "<script", "http://", "https://"):
+        assert words not in plain_page

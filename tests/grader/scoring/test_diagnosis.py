@@ -1,0 +1,223 @@
+"""Which wrong model gives a wrong answer: told if one alone fits, never for a right answer."""
+
+import importlib
+import math
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from exercises.catalogue import problem, problems
+from exercises.variants import SEPARATION, distance, draw, evaluate, flat
+from grader.scoring import score as scoring
+from grader.scoring import score_receipt
+from grader.scoring.diagnosis import term_text
+from newton_euler.answers import record
+from newton_euler.forms import Form
+from newton_euler.vectors import Vector
+
+CH04 = problems("ch04")
+DATA = ("book", "variant")
+
+
+def values(p, data):
+    return p.book_values if data == "book" else draw(p, b"tests of diagnosis")
+
+
+def trees(p, answers):
+    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers}
+    read, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
+    assert not faults, faults
+    return {k: v for k, v in read.items() if v is not None}
+
+
+def listed(p, given):
+    """[(mistake, key, the student's tree)] of every mistake that a problem's YAML names, computed as a student would: with symbols."""
+    wrong = p.code.mistakes(p.base({**p.sympy_symbols(), **given}))
+    return [(name, key, trees(p, p.in_units({key: v}))[key]) for name, answers in wrong.items() for key, v in answers.items()]
+
+
+def part_of(p, given, key, tree):
+    return {x.key: x for x in score_receipt(p, given, {"answers": {key: tree}}).parts}[key]
+
+
+def numbers_of(p, given):
+    """Key and mistakes as arrays (components, points), to see which mistakes give the same."""
+    right, wrong = evaluate(p, scoring._sample(p, given))
+
+    def rows(answer):
+        return np.stack(np.broadcast_arrays(*map(np.asarray, answer))).astype(float).reshape(len(answer), -1)
+
+    return {k: rows(v) for k, v in right.items()}, {m: {k: rows(v) for k, v in w.items()} for m, w in wrong.items()}
+
+
+def twins(wrong, name, key, tolerance):
+    """Other listed mistakes that give the same numbers, within what a student may round."""
+    mine = wrong[name][key]
+    return [m for m, w in wrong.items() if m != name and key in w and np.linalg.norm(w[key] - mine) <= 2 * tolerance * np.linalg.norm(mine)]
+
+
+CASES = [(p, data) for p in CH04 for data in DATA]
+IDS = [f"{p.id} {data}" for p, data in CASES]
+
+
+@pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
+def test_every_listed_mistake_earns_nothing_and_is_told_by_its_own_text_if_no_other_gives_the_same(p, data):
+    given = values(p, data)
+    _, wrong = numbers_of(p, given)
+    for name, key, tree in listed(p, given):
+        part = part_of(p, given, key, tree)
+        assert (part.points, part.verdict) == (0, "wrong"), (name, key)
+        same = twins(wrong, name, key, scoring.FORMULA_RTOL if p.answer(key).kind.endswith("expression") else scoring.RTOL)
+        if not same:
+            assert part.diagnosis == p.mistakes[name], (name, key)
+            assert part.message == f"not right; it fits a solution that {part.diagnosis}"
+        else:  # several fit: nothing is better than the wrong one
+            assert part.diagnosis in (None, *(p.mistakes[m] for m in (name, *same))), (name, key)
+
+
+def test_at_least_19_of_20_listed_mistakes_are_told():
+    told = Counter()
+    for p, data in CASES:
+        given = values(p, data)
+        for name, key, tree in listed(p, given):
+            told[part_of(p, given, key, tree).diagnosis == p.mistakes[name]] += 1
+    share = told[True] / sum(told.values())
+    print(f"\n{told[True]} of {sum(told.values())} listed mistakes are told: {share:.1%}")
+    assert share >= 0.95
+
+
+@pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
+def test_a_right_answer_never_gets_a_diagnosis_also_when_rounded(p, data):
+    given = values(p, data)
+    right = trees(p, p.solve({**p.sympy_symbols(), **given}))
+    for part in score_receipt(p, given, {"answers": right}).parts:
+        assert (part.verdict, part.diagnosis) == ("right", None)
+    if not p.symbolic:
+        rounded = {k: [float(f"{x:.3g}") for x in v] if isinstance(v, list) else float(f"{v:.3g}") for k, v in right.items()}
+        assert all(part.diagnosis is None and part.points for part in score_receipt(p, given, {"answers": rounded}).parts)
+
+
+@pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
+def test_every_listed_mistake_is_well_away_from_the_key(p, data):
+    right, wrong = numbers_of(p, values(p, data))
+    for name, answers in wrong.items():
+        for key, w in answers.items():
+            gaps = [distance(tuple(w[:, n]), tuple(right[key][:, n])) for n in range(w.shape[1])]
+            assert np.median(gaps) >= SEPARATION, (name, key)
+
+
+def vectors(kind="vector"):
+    return [(p, a) for p in CH04 for a in p.answers if a.kind == kind]
+
+
+def told(p, a, given, value):
+    """The diagnosis of a Vector or numbers handed in for answer ``a``."""
+    return part_of(p, given, a.key, trees(p, {a.key: list(flat(value))})[a.key])
+
+
+@pytest.mark.parametrize(("p", "a"), vectors(), ids=[f"{p.id} {a.key}" for p, a in vectors()])
+def test_a_term_left_out_or_turned_is_told_from_the_ledger_or_a_listed_mistake(p, a):
+    given = values(p, "variant")
+    right = p.solve(given)[a.key]
+    if not isinstance(right, Vector) or not right.terms:
+        pytest.skip("no named terms")
+    whole = math.hypot(*flat(right))
+    candidates, (_, wrong) = {}, numbers_of(p, given)
+    for m, answers in wrong.items():
+        if a.key in answers:
+            candidates[m, "listed"] = tuple(answers[a.key][:, 0])
+    for name, factor in [(n, f) for n in right.terms for f in (0, -1)]:
+        candidates[name, factor] = tuple(map(float, flat(right.reweighted(**{name: factor}))))
+    for (name, factor), numbers in candidates.items():
+        if factor == "listed" or math.dist(numbers, flat(right)) < 1.1 * SEPARATION * max(whole, math.hypot(*numbers)):
+            continue  # this term is too small to be missed
+        part = told(p, a, given, numbers)
+        assert part.points == 0
+        others = [n for n, w in candidates.items() if n != (name, factor) and math.dist(w, numbers) <= 2 * scoring.RTOL * math.hypot(*numbers)]
+        assert part.diagnosis or others, (name, factor)
+
+
+@pytest.mark.parametrize(
+    ("number", "key", "change", "words"),
+    [
+        ("4/16", "a_D", lambda a: a.without("coriolis"), "Coriolis"),
+        ("4/16", "a_D", lambda a: a.reweighted(coriolis=0.5), "factor 2"),
+        ("4/16", "a_D", lambda a: a.reweighted(coriolis=-1), "other way round"),
+        ("4/16", "a_D", lambda a: a * -1, "sign"),
+        ("4/16", "a_D", lambda a: a / 1000, "mm"),
+        ("4/16", "a_D", lambda a: a * 1000, "mm"),
+        ("4/16", "a_D", lambda a: a * 2, "factor of 2"),
+        ("4/3", "a", lambda a: a.without("centripetal"), "centripetal"),
+    ],
+)
+def test_the_common_slips_are_told_in_words(number, key, change, words):
+    p = problem(number)
+    given = values(p, "variant")
+    part = told(p, p.answer(key), given, tuple(map(float, flat(change(p.solve(given)[key])))))
+    assert part.diagnosis
+    assert words in part.diagnosis
+
+
+@pytest.mark.parametrize("number", ["4/3", "4/4", "4/6", "4/9", "4/15", "4/16", "4/20"])
+def test_angles_and_rates_used_in_degrees_are_told(number):
+    p = problem(number)
+    given = values(p, "variant")
+    found = 0
+    for name, quantity in p.givens.items():
+        if quantity.unit.startswith(("deg", "rev")):
+            g = p.base(given)
+            wrong = p.in_units(p.code.solve(g.but(**{name: g.stated(name)})))
+            for a in p.answers:
+                part = part_of(p, given, a.key, trees(p, {a.key: list(flat(wrong[a.key])) if a.kind == "vector" else wrong[a.key]})[a.key])
+                if not part.points:
+                    found += part.diagnosis is not None
+    if any(q.unit.startswith(("deg", "rev")) for q in p.givens.values()):
+        assert found
+
+
+def test_the_components_in_another_frame_and_a_transposed_rotation_are_told():
+    found = Counter()
+    for p, a in vectors():
+        given = values(p, "variant")
+        right = p.solve(given)[a.key]
+        if not isinstance(right, Vector):
+            continue
+        for frame in right.frame.tree:
+            here, there = flat(right), tuple(map(float, right.components(frame)))
+            back = tuple(map(float, Vector(right.c, frame).components(right.frame)))
+            for numbers in (there, back):
+                if math.dist(here, numbers) > 1.1 * SEPARATION * math.hypot(*here):
+                    part = told(p, a, given, numbers)
+                    assert part.points == 0
+                    found[part.diagnosis is not None] += 1
+    assert found[True] >= 0.95 * sum(found.values()) > 0
+
+
+def test_nonsense_is_not_explained():
+    rng = np.random.default_rng(4)
+    explained = 0
+    for p, a in vectors():
+        given = values(p, "variant")
+        size = math.hypot(*map(float, flat(p.solve(given)[a.key])))
+        for _ in range(5):
+            explained += told(p, a, given, tuple(map(float, size * rng.uniform(-1, 1, 3)))).diagnosis is not None
+    assert explained == 0
+
+
+def test_a_diagnosis_never_holds_a_number_of_the_key():
+    for p, data in CASES:
+        given = values(p, data)
+        right, _ = numbers_of(p, given)
+        numbers = {f"{abs(x):.4g}" for v in right.values() for x in v.flat}
+        for _, key, tree in listed(p, given):
+            text = part_of(p, given, key, tree).diagnosis or ""
+            assert not [n for n in numbers if len(n) > 4 and n in text], (p.id, text)
+
+
+def test_terms_are_named_for_what_they_are():
+    assert term_text("coriolis", "acceleration") == "the coriolis term 2 omega x v_r"
+    assert term_text("arm", "angular acceleration") == "the turning of arm"
+    assert term_text("arm x rod", "angular acceleration") == "the term arm x rod"
+    importlib.import_module("newton_euler.coordinates")
+    assert term_text("u''", "curvilinear acceleration") == "the term u''"

@@ -1,0 +1,53 @@
+"""From the answer cells to messages for the student."""
+
+from grader.grading import grade
+from tests.grader.courses import points, submit, total
+from tests.grader.submissions import RIGHT, work
+
+
+def graded(course, student, **options):
+    """The Result of one student, and everybody's points."""
+    (result,) = (r for r in grade(course, "ch04", **options) if r.student == student)
+    return result, {s: total(c) for s, c in points(course).items()}
+
+
+ANSWERS = {  # the cell of 4/16 (alpha_CD, v_D, a_D) or 4/1: what is said of it
+    "wrong shape": ("v_D = [1, 2]", "v_D", "expected a vector, three numbers as in [1.0, 0, -2.5], in mm/s; got 2 numbers: [1, 2]"),
+    "wrong kind": (
+        "v_D = 'fast'",
+        "v_D",
+        "expected a vector, three numbers as in [1.0, 0, -2.5], in mm/s; got the text 'fast'; write it without quotation marks",
+    ),
+    "nan": (
+        "import numpy as np\nv_D = np.array([1, 0, 2]) * np.nan",
+        "v_D",
+        "got nan, which comes from a division by zero or the root of a negative number",
+    ),
+    "still a symbol": ("import sympy\nv_D = [sympy.Symbol('q'), 0, 0]", "v_D", "q still contains q; put in the numbers"),
+    "a dict": ("v_D = {'x': 1}", "v_D", "got a dict, which has no order"),
+    "a lambda": ("v_D = lambda t: t", "v_D", "expected a vector"),
+}
+
+
+def test_answers_that_cannot_be_read_are_told_with_what_was_expected_and_the_rest_counts(fresh):
+    for n, (name, (text, key, words)) in enumerate(ANSWERS.items()):
+        answers = work(fresh, "dan")
+        submit(fresh, "dan", work(fresh, "dan", p4_16=next(c["source"] for c in answers["cells"] if c["id"] == "answer-4-16") + "\n" + text))
+        result, everybody = graded(fresh, "dan", workers=1) if n == 0 else (grade(fresh, "ch04", ["dan"], workers=1)[0], None)
+        part = next(p for p in result.scores["4/16"].parts if p.key == key)
+        assert part.verdict == "unreadable", name
+        assert words in part.message
+        assert result.points == 10
+        assert everybody is None or everybody == {**RIGHT, "dan": 10}
+
+
+def test_the_right_vector_in_another_frame_is_told(fresh):
+    from exercises.catalogue import problem
+
+    values = fresh.values("ch04", "dan", [problem("4/16")])["4/16"]
+    a_D = problem("4/16").solve(values)["a_D"]
+    rod = next(f for f in a_D.frame.tree if f.name == "rod")
+    cell = f"a_D = {[float(x) for x in a_D.components(rod)]}"
+    submit(fresh, "dan", work(fresh, "dan", p4_16=cell))
+    result = grade(fresh, "ch04", ["dan"], workers=1)[0]
+    assert "components along the axes of the rod" in result.scores["4/16"].parts[2].message

@@ -1,0 +1,115 @@
+"""Submissions for the tests: right ones, changed ones, damaged ones."""
+
+import json
+
+from grader.assignment import problems_of
+from grader.demo import sample_students as sample
+from tests.grader.courses import read
+
+RIGHT = {"ada": 11, "ben": 8, "cleo": 4, "eve": 9, "mallory": 0}  # what the course's students have, besides dan, whose notebook the tests change
+
+
+def work(course, student, **changed):
+    """A right notebook of this student; ``changed`` replaces the text of answer cells, as p4_16="...")."""
+    own = read(course.personal_path("ch04", student))
+    problems = problems_of(own)
+    values = course.values("ch04", student, problems)
+    texts = {p.id: sample.cell_text(p, sample.right_answers(p, values[p.id])) for p in problems}
+    return sample.fill_in(own, {**texts, **{k[1:].replace("_", "/"): v for k, v in changed.items()}})
+
+
+def without(notebook, *cell_ids):
+    return {**notebook, "cells": [c for c in notebook["cells"] if c["id"] not in cell_ids]}
+
+
+def copied(notebook, cell_id, text):
+    cell = next(c for c in notebook["cells"] if c["id"] == cell_id)
+    return {**notebook, "cells": [*notebook["cells"], {**cell, "id": "copied", "source": text}]}
+
+
+def untouched(course, student):
+    return read(course.personal_path("ch04", student))
+
+
+NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
+    "no receipt cell": (lambda c: without(work(c, "dan"), "receipt-4-16"), 11, None, ""),
+    "no statement and no numbers": (lambda c: without(work(c, "dan"), "statement-4-16", "givens-4-16", "setup"), 11, None, ""),
+    "no answer cell": (
+        lambda c: without(work(c, "dan"), "answer-4-16"),
+        8,
+        "4/16",
+        "the answer cell of 4/16 is missing from the notebook; fetch the assignment again",
+    ),
+    "a copied answer cell": (
+        lambda c: copied(work(c, "dan"), "answer-4-16", "v_D = 1"),
+        11,
+        "4/16",
+        "2 copies of the answer cell; the first one that was filled in was graded",
+    ),
+    "worked in the copy": (
+        lambda c: copied(without(untouched(c, "dan")), "answer-4-16", next(x["source"] for x in work(c, "dan")["cells"] if x["id"] == "answer-4-16")),
+        3,
+        "4/16",
+        "2 copies of the answer cell; the first one that was filled in was graded",
+    ),
+    "a copied receipt cell": (lambda c: copied(work(c, "dan"), "receipt-4-16", "receipt('4/16')"), 11, None, ""),
+    "cells in another order": (lambda c: {**work(c, "dan"), "cells": work(c, "dan")["cells"][::-1]}, 11, None, ""),
+    "no metadata of ours": (lambda c: {**work(c, "dan"), "metadata": {}}, 11, None, ""),
+    "no nbgrader metadata": (
+        lambda c: json.loads(json.dumps(work(c, "dan")).replace('"nbgrader"', '"gone"')),
+        0,
+        "4/16",
+        "the answer cell of 4/16 is missing",
+    ),
+    "metadata of an old schema": (
+        lambda c: json.loads(json.dumps(work(c, "dan")).replace('"schema_version": 3', '"schema_version": 1')),
+        11,
+        None,
+        "",
+    ),
+    "text as a list of lines": (
+        lambda c: {**work(c, "dan"), "cells": [{**x, "source": x["source"].splitlines(True)} for x in work(c, "dan")["cells"]]},
+        11,
+        None,
+        "",
+    ),
+    "half a character": (lambda c: work(c, "dan", p4_1="speed = '\ud800'"), 9, None, ""),
+    "markup in an error": (
+        lambda c: work(c, "dan", p4_1="raise ValueError('[/red] [bold] <script>alert(1)</script> ' + chr(27))"),
+        9,
+        "4/1",
+        "[/red] [bold] <script>",
+    ),
+    "a magic and a shell command": (lambda c: work(c, "dan", p4_1="%matplotlib inline\n!ls\nspeed = 1"), 9, None, ""),
+    "ends the process": (
+        lambda c: work(c, "dan", p4_31="import os; os._exit(0)"),
+        9,
+        "4/31",
+        "the end of its process: the cell ended Python, crashed it",
+    ),
+}
+
+
+class Named:
+    """A course in which whoever is asked for is this student."""
+
+    def __init__(self, course, student):
+        self.course, self.student = course, student
+
+    def personal_path(self, assignment, _):
+        return self.course.personal_path(assignment, self.student)
+
+    def values(self, assignment, _, problems):
+        return self.course.values(assignment, self.student, problems)
+
+
+DAMAGED = {
+    "truncated": ('{"cells": [{"cell_type": "co', "is damaged and cannot be read as a notebook"),
+    "empty": ("", "ch04.ipynb is empty"),
+    "not json": ("# my homework\n", "is damaged and cannot be read as a notebook"),
+    "a list": ("[1, 2, 3]", "is not a notebook of format 4: it has no list of cells"),
+    "no cells": ('{"nbformat": 4}', "it has no list of cells"),
+    "cells of another kind": ('{"cells": 3, "nbformat": 4, "nbformat_minor": 5, "metadata": {}}', "it has no list of cells"),
+    "format 3": ('{"worksheets": [], "nbformat": 3, "nbformat_minor": 0, "metadata": {}}', "it has no list of cells"),
+    "nested deep": ("[" * 100_000, "is damaged and cannot be read as a notebook"),
+}
