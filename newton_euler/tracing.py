@@ -117,21 +117,21 @@ class Compiled:
         return self._rebuild(self._run[library.__name__](*args))
 
     def _own(self, args):
-        """On the kinds of this engine; pi comes from the most exact number among them."""
-        run = self._run.get("own") or self._run.setdefault("own", self._on(sys.modules[_Own.__module__]))
-        traced = [a for a in args if isinstance(a, Step)]
-        inside = [a for a in map(_value, args) if not isinstance(a, _Own) and _root(type(a)) != "builtins"]
-        run.__globals__["pi"] = pi((traced or inside or [0.0])[0])
-        return self._rebuild(run(*args))
+        """The value on the kinds of number defined in this package; pi has the kind and the digits of the most exact number among them."""
+        run = self._run.get("own") or self._run.setdefault("own", self._on(sys.modules[_Own.__module__], "pi, "))
+        values = [_value(a) for a in args]
+        traced = [v for v in values if isinstance(v, Step)]
+        others = [v for v in values if not isinstance(v, _Own) and _root(type(v)) != "builtins"]
+        return self._rebuild(run(pi((traced or others or [0.0])[0]), *args))
 
-    def _on(self, library):
-        """The text as a function over one library."""
+    def _on(self, library, first=""):
+        """The text as a function over one library; ``first`` is an argument before the others, for what differs from call to call."""
         space = {name: getattr(library, name) for name in (*FUNCTIONS, "atan2", "pi") if hasattr(library, name)}
         rounded = library.__name__ in ("math", "numpy", "heyoka")
         space.update(choices(library))
         space.update({name: _float(c) if rounded else c for name, c in self._constants.items()})
-        one = library.__name__ in ("math", "mpmath")  # number at a time
-        exec(compile(self._lazy if one else self.source, f"<compiled {self.name}>", "exec"), space)
+        text = self._lazy if library.__name__ in ("math", "mpmath") else self.source  # these take one number at a time
+        exec(compile(text.replace("(", f"({first}", 1), f"<compiled {self.name}>", "exec"), space)
         return space["formula"]
 
     def _arrays(self, np, args):

@@ -2,6 +2,8 @@
 
 import importlib.util
 import math
+import threading
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 
 import mpmath
@@ -38,6 +40,7 @@ from newton_euler import (
     tanh,
 )
 from newton_euler.scalars import Moving
+from newton_euler.steps import Step
 from newton_euler.tracing import BLOCK
 from tests.kinds import KINDS, close, numbers
 
@@ -521,3 +524,57 @@ def test_results_through_heyoka_are_not_touched_by_the_next_call_nor_by_other_le
     for x, (product, total) in zip(inputs, results, strict=True):
         assert np.array_equal(product, 2.0 * x)
         assert np.array_equal(total, x + 2.0)
+
+
+# -- several threads, and one formula on several kinds of number
+
+
+class Paused(Moving):
+    """A moving number whose products wait until the other thread is as far."""
+
+    barrier = threading.Barrier(2, timeout=10)
+
+    def __mul__(self, other):
+        self.barrier.wait()
+        return super().__mul__(other)
+
+
+def in_two_threads(*calls):
+    with ThreadPoolExecutor(2) as pool:
+        return [future.result() for future in [pool.submit(call) for call in calls]]
+
+
+def test_two_threads_have_each_their_own_pi():
+    f = compiled(lambda x: x * x + pi(x))
+    precise, rounded = in_two_threads(lambda: f(Paused(mpmath.mpf(1))).value, lambda: f(Paused(1.0)).value)
+    assert abs(precise - 1 - mpmath.pi) < 1e-28
+    assert type(rounded) is float
+
+
+def test_two_threads_trace_one_formula_inside_others(monkeypatch):
+    barrier, multiply = threading.Barrier(2, timeout=10), Step.__mul__
+
+    def paused(self, other):
+        barrier.wait()
+        return multiply(self, other)
+
+    inner = compiled(lambda x: x * x * pi(x))
+    monkeypatch.setattr(Step, "__mul__", paused)
+    two, three = in_two_threads(lambda: compiled(lambda y: inner(2.0 + y)), lambda: compiled(lambda y: inner(3.0 + y)))
+    assert two(0.0) == inner(2.0)
+    assert three(0.0) == inner(3.0)
+
+
+@pytest.mark.parametrize("kind", [moving(0.4, 1.0), moving(mpmath.mpf(2)), Dimension()])
+def test_a_call_leaves_the_globals_of_the_text_as_they_were(kind):
+    f = compiled(lambda x: x * x + pi(x))
+    f(moving(1.0))
+    before = {library: dict(run.__globals__) for library, run in f._run.items()}
+    f(kind)
+    assert {library: run.__globals__ for library, run in f._run.items()} == before
+
+
+def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
+    inner = compiled(lambda x: pi(x) * x)
+    outer = compiled(lambda y: inner(moving(y, 1.0)).value)
+    assert abs(outer(mpmath.mpf(1)) - mpmath.pi) < 1e-28
