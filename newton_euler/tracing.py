@@ -12,7 +12,7 @@ import math
 import sys
 
 from .scalars import FUNCTIONS, Moving, ScalarError, Scaled, _library, _Own, _root, _value, pi, scalar
-from .steps import Step, Trace
+from .steps import NO_VALUE, Step, Trace
 from .straight_line import COMPARISONS, choices, written
 
 BLOCK = 8192  # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768 measured)
@@ -70,7 +70,12 @@ class Compiled:
         trace = Trace()
         values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
         by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
-        leaves, self._rebuild = _leaves(f(*by_place, **values))
+        try:
+            leaves, self._rebuild = _leaves(f(*by_place, **values))
+        except TypeError as error:
+            if "ufunc" not in str(error):
+                raise
+            raise TypeError(NO_VALUE) from error  # a function of NumPy, which has only words of its own for a number that it does not know
         self.parameters, self.backend, self.name = parameters, backend, getattr(f, "__name__", "formula")
         self._defaults = {n: signature[n].default for n in parameters if signature[n].default is not inspect.Parameter.empty}
         self.source, self._constants, self.operations, self._results = written(trace, names, leaves, lazy=False)
