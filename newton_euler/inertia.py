@@ -257,12 +257,12 @@ def place(where, what):
 
 def axes_at(point):
     """The frame that a point is fixed in; :class:`MassError` if it is also the origin of another, whose axes may be the ones meant."""
-    others = [f.name for f in point.frame.tree if f._origin is point and f is not point.frame]
-    if point.name.startswith("origin of ") and point.name != f"origin of {point.frame.name}":
-        others.append(point.name[len("origin of ") :])
-    if others:
+    other = point.origin_of
+    if not other and point.name.startswith("origin of ") and point.name != f"origin of {point.frame.name}":
+        other = point.name[len("origin of ") :]
+    if other:
         raise MassError(
-            f"{point.name} is a point of {point.frame.name}, and the origin of {others[0]}: along whose axes? For {others[0]}, which the body turns "
+            f"{point.name} is a point of {point.frame.name}, and the origin of {other}: along whose axes? For {other}, which the body turns "
             f"with, give the frame in place of the point; for {point.frame.name} say frame=..., or make another point there"
         )
     return point.frame
