@@ -5,7 +5,6 @@ Models that share a right-hand side (the same scene with other parameters) share
 
 import ast
 import math
-from collections import OrderedDict
 from functools import cached_property
 from inspect import Parameter, Signature
 
@@ -14,8 +13,8 @@ from .models import Model, ModelError, is_law
 from .scalars import ZERO, ScalarError, is_numeric, plain, scalar
 from .tracing import compiled
 
-KEPT = 64  # right-hand sides
-_known = OrderedDict()
+KEPT = 64  # right-hand sides, and functions of the states for each: those made at each call, as a lambda is, would pile up
+_known = {}
 
 
 class Traced:
@@ -70,7 +69,7 @@ class System:
         self.p = tuple(_number(model, n, model.parameters[n]) for n in self.free)
         self.trusted = False  # its exact solution, once that has been tried
         self.many = any(getattr(x, "shape", ()) for x in model.parameters.values())
-        self.traced = _traced(model, self.free, fixed)
+        self.traced = _cached(_known, (model.rhs, model.states, self.free, fixed), lambda: Traced(model, self.free))
         self.f = self.traced.f
 
     @cached_property
@@ -144,13 +143,14 @@ class System:
 
     def _text(self, formula_):
         """The traced text of a function ``(s, p, t)``; None if it branches on values, as is allowed for events."""
-        known = self.traced.functions
-        if formula_ not in known:
+
+        def made():
             try:
-                known[formula_] = formula(self.model, self.free, formula_)
+                return formula(self.model, self.free, formula_)
             except (TypeError, ModelError):
-                known[formula_] = None
-        return known[formula_]
+                return None
+
+        return _cached(self.traced.functions, formula_, made)
 
 
 def formula(model, free, f):
@@ -169,12 +169,12 @@ def _plain(result):
     return tuple(map(plain, result)) if isinstance(result, tuple) else plain(result)
 
 
-def _traced(model, free, fixed):
-    key = (model.rhs, model.states, free, fixed)
-    found = _known.pop(key, None) or Traced(model, free)
-    _known[key] = found
-    if len(_known) > KEPT:
-        _known.popitem(last=False)
+def _cached(cache, key, make):
+    """The value of a key in the cache, made if it is not there; of all values the ``KEPT`` that were used last stay."""
+    found = cache.pop(key, cache)  # the cache itself stands for what is not in it
+    cache[key] = found = make() if found is cache else found
+    if len(cache) > KEPT:
+        cache.pop(next(iter(cache)), None)
     return found
 
 

@@ -1,9 +1,12 @@
 """Integration of models: orders of convergence, honest errors, events and switches, dense output, many at once, and refusals in words."""
 
+import gc
 import math
 import statistics
 import subprocess
 import sys
+import weakref
+from dataclasses import replace
 
 import mpmath
 import numpy as np
@@ -16,7 +19,7 @@ from newton_euler.scenes import top
 from newton_euler.scenes.physical_pendulum import physical_pendulum
 from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
 from newton_euler.scenes.space_station import free_body as station_body
-from newton_euler.systems import prepared
+from newton_euler.systems import KEPT, prepared
 from tests.motions import SCENES, SPIN, forced, free_body, kepler, oscillator, reference, top_start, true_error
 
 ADAPTIVE = ("taylor", "dop853", "scipy DOP853", "scipy RK45", "scipy LSODA")
@@ -457,6 +460,20 @@ def test_what_a_prepared_run_cannot_do_is_said_as_by_integrate(method, t, start,
     with pytest.raises(ModelError, match=words):
         run(t, start)
     assert run(3.0, (1.0, 0.0))[0] == pytest.approx(math.cos(6.0), abs=3e-7)
+
+
+def test_functions_made_at_each_call_do_not_pile_up():
+    """An event and an invariant that are new each time, as lambdas are: those used last are kept."""
+    model, first = oscillator(), []
+    for n in range(3 * KEPT):
+        event, energy = (lambda s, p, t, n=n: s.x - n), (lambda s, p, t: s.dx**2 + p.k * s.x**2)
+        first = first or [weakref.ref(event), weakref.ref(energy)]
+        found = integrate(replace(model, invariants={"energy": energy}), 0.1, (0.3, 0.0), events=Event(event))
+        assert found.drift["energy"] < 1e-12
+        del found
+    gc.collect()
+    assert len(prepared(model).traced.functions) <= KEPT
+    assert [seen() for seen in first] == [None, None]
 
 
 def test_only_one_model_is_prepared_at_a_time():
