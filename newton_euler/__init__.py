@@ -15,7 +15,8 @@ __version__ = "0.1.0"
 
 # room: the names that it gives to the public, in the order of the book
 ROOMS = {
-    "scalars": """ZERO Dimension DimensionError ScalarError acos asin at atan atan2 cos cosh exp log moving pi radians sin sinh sqrt tan tanh""",
+    "scalars": """ZERO Dimension DimensionError ScalarError acos asin at atan atan2 cos cosh exp log moving pi radians sin sinh sqrt tan tanh
+        where""",
     "tracing": "compiled",
     "units": "UnitError unit",
     "vectors": "Explanation FrameError Vector cross dot same",

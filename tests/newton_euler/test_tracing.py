@@ -38,6 +38,7 @@ from newton_euler import (
     sqrt,
     tan,
     tanh,
+    where,
 )
 from newton_euler.scalars import FUNCTIONS, Moving
 from newton_euler.steps import Step
@@ -456,6 +457,11 @@ def of_argument(f, *others):
 def test_a_formula_must_not_branch_on_values_nor_use_math_or_numpy(branching):
     with pytest.raises(TypeError, match=r"must not branch on them .*, and takes sin, cos, sqrt \.\.\. from newton_euler, not from math or numpy"):
         compiled(branching)
+
+
+def test_what_the_refusal_recommends_is_public():
+    f = compiled(lambda x: where(x < 0, -x, sqrt(abs(x))))
+    assert (f(-2.0), f(9.0)) == (2.0, 3.0)
 
 
 def test_pi_of_math_and_numpy_in_a_formula_is_a_number():
