@@ -8,7 +8,6 @@ from itertools import pairwise
 
 SMALL = 1e-6  # a state that stays smaller than this, in its unit, is accurate relative to this
 PATIENCE, CREEPING = 2000, 1e-5  # so many steps, each on average less than this part of the longest one, lead nowhere
-PIECES = 8  # of an exact solution, in which events are sought
 
 
 def instants(samples, begin, end):
@@ -26,22 +25,20 @@ class StepError(ArithmeticError):
 
 
 class Course:
-    """From the state ``x`` at ``t`` towards ``goal``.
+    """From the state ``x`` at ``t`` towards the goal of the ``journey``, which also has the ``tolerance``, a fixed ``step`` for methods that have an
+    order, and the ``samples`` that will be asked for.
 
     t, x : reached so far; ``bounds`` : ends of the pieces (steps) behind it; ``sizes`` : the largest size of each state; ``calls`` of the
-    right-hand side; ``samples`` : the times, or how many, at which states will be asked for. A subclass has ``advance(limit)`` and
-    ``on_piece(at, times)``.
+    right-hand side. A subclass has ``advance(limit)`` and ``on_piece(at, times)``.
     """
 
-    samples = None
-
-    def __init__(self, system, t, x, goal, tolerance, sizes=None):
-        self.system, self.t, self.x, self.goal, self.tolerance = system, t, tuple(x), goal, tolerance
+    def __init__(self, system, t, x, journey):
+        self.system, self.t, self.x, self.goal, self.tolerance = system, t, tuple(x), journey.goal, journey.tolerance
         self.bounds, self.calls, self.start = [t], 0, (t, tuple(x))
         self.creep, self.longest = 0, 0.0
         self.sizes = tuple([v if v > SMALL else SMALL for v in map(abs, x)])
-        if sizes:  # from an earlier run, for those that start with nothing
-            self.sizes = tuple(max(s, 1e-6 * known) for s, known in zip(self.sizes, sizes, strict=True))
+        if journey.known_sizes:
+            self.sizes = tuple(max(s, 1e-6 * known) for s, known in zip(self.sizes, journey.known_sizes, strict=True))
 
     @property
     def places(self):
@@ -85,83 +82,6 @@ class Course:
         self.sizes = tuple(map(max, self.sizes, map(abs, self.x)))
 
 
-class Exact(Course):
-    """The exact solution of the model; it takes no steps, and its pieces only serve to look for events."""
-
-    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
-        super().__init__(system, t, x, goal, tolerance, sizes)
-        self.at = system.solution
-
-    def advance(self, limit=1 << 62):
-        """To the goal, or with a limit by as many eighths of the way."""
-        left = PIECES - (len(self.bounds) - 1)
-        whole, count = (self.goal - self.t) / left, min(limit, left)
-        ends = [self.t + whole * n for n in range(1, count)] if limit < PIECES else []
-        for end in [*ends, self.goal if count == left else self.t + whole * count]:
-            self.x = self.at(end - self.start[0], self.start[1])
-            self.bounds.append(end)
-        self.t, self.calls = end, self.calls + 1 + len(ends)
-
-    @staticmethod
-    def prepared(system, tolerance, slowly):
-        """See :func:`newton_euler.motion.prepare`."""
-        return system.solution
-
-    def on_piece(self, at, times):
-        """The solution itself."""
-        start, x = self.start
-        self.calls += len(times)
-        return self.system.solutions(times - start, x)
-
-
-class SciPy(Course):
-    """One of SciPy's methods on the traced right-hand side, which takes Python's floats."""
-
-    kind = "DOP853"
-
-    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
-        super().__init__(system, t, x, goal, tolerance, sizes)
-        from scipy import integrate
-
-        f, p = system.fast, system.numbers
-        fixed = {"max_step": step, "first_step": min(step, goal - t)} if step else {}
-        atol = [1e300] * len(x) if step else [tolerance * s for s in self.sizes]
-        self.solver = getattr(integrate, self.kind)(
-            lambda t, y: f(t, *y.tolist(), *p), t, x, goal, rtol=0.5 if step else max(tolerance, 2.3e-14), atol=atol, **fixed
-        )
-        self.pieces, self.passed = [], []
-
-    def advance(self, limit=1 << 62):
-        """Go on by at most so many steps."""
-        solver = self.solver
-        while limit > 0 and solver.status == "running":
-            trouble = solver.step()
-            if solver.status == "failed":
-                raise StepError(trouble)
-            self.pieces.append(solver.dense_output())
-            self.bounds.append(solver.t)
-            self.x = tuple(solver.y.tolist())
-            self.passed.append(self.x)
-            self.grown()
-            self.t, limit = float(solver.t), limit - 1
-            self.creeps()
-        self.t, self.calls = float(solver.t), solver.nfev
-
-    @property
-    def places(self):
-        """See :class:`Course`."""
-        return [(self.bounds[n + 1], self.passed[n]) for n in chosen(len(self.passed))]
-
-    def on_piece(self, at, times):
-        """SciPy's dense output."""
-        return self.pieces[at](times)
-
-
 def chosen(count):
     """Two numbers below ``count``, in the second half."""
     return sorted({3 * count // 5, 4 * count // 5}) if count > 4 else []
-
-
-def scipy_course(kind):
-    """The class of one of SciPy's methods, by its name there."""
-    return type(kind, (SciPy,), {"kind": kind, "__doc__": f"SciPy's {kind}."})

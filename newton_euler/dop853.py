@@ -113,8 +113,9 @@ def _indent(lines, width):
 class Dop853(Course):
     """The course of a motion by this method; see :class:`newton_euler.courses.Course`."""
 
-    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
-        super().__init__(system, t, x, goal, tolerance, sizes)
+    def __init__(self, system, t, x, journey):
+        super().__init__(system, t, x, journey)
+        step, goal = journey.step, self.goal
         self.code = stepper(len(x), len(system.numbers))
         self.steps, self._polynomial = [], (None, None)
         self.rates = self.system.rates(t, x)
@@ -128,7 +129,7 @@ class Dop853(Course):
         rate = max((abs(k) / s for k, s in zip(self.rates, self.sizes, strict=True) if abs(k) < 1e3 * s), default=0.0)
         return 0.5 * self.tolerance**0.125 / rate if rate else 1e-3 * (self.goal - self.t)
 
-    def advance(self, limit=1 << 62):
+    def advance(self, limit=inf):
         """Go on by at most so many steps."""
         while limit > 0 and self.t < self.goal:
             self._some(min(limit, PATIENCE))
@@ -172,4 +173,3 @@ class Dop853(Course):
         for power, row in zip((u, 1 - u, u, 1 - u, u, 1 - u, u), self._polynomial[1][::-1], strict=True):
             out = (out + row) * power
         return out + np.array(x)[:, None]
-

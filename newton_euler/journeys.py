@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from .courses import SMALL, StepError
+from .courses import SMALL, Course, StepError
 from .events import Occurrence, Watch
 from .methods import METHODS
 from .models import ModelError
@@ -28,45 +28,38 @@ class Leg(NamedTuple):
 class Journey:
     """Legs, occurrences and how it ended; ``trouble`` is True if that was in a place where the method could not go on."""
 
-    def __init__(self, method, system, t, x, goal, tolerance, events, progress, sizes, step, course=None, samples=None):
-        self.method, self.goal, self.tolerance, self.progress, self.step = method, goal, tolerance, progress, step
-        self.course, self.origin, self.samples = course or method.course, t, None if events or progress else samples
+    def __init__(self, run, method, tolerance, sizes=None):
+        self.method, self.tolerance, self.known_sizes = method, tolerance, sizes
+        self.origin, self.goal, self.step, self.progress = run.t0, run.t1, run.step, run.progress
+        self.samples = None if run.events or run.progress else run.samples
         self.legs, self.occurrences, self.ended, self.trouble = [], [], "", False
-        began = None
-        while system is not None:
-            system, t, x, events, began = self._leg(system, t, x, events, began, sizes)
-            sizes = None
-        self.calls = self.legs[0].course.calls if len(self.legs) == 1 else sum(leg.course.calls for leg in self.legs)
+        start = run.system, run.t0, run.state, run.events, None
+        while start:
+            start = self._leg(*start)
+        self.calls = sum([leg.course.calls for leg in self.legs])
 
     @property
     def sizes(self):
         """The largest sizes of the states of the first leg, for the next run; None if it led where they grow without bounds."""
         return None if self.trouble else self.legs[0].course.sizes
 
-    def _leg(self, system, t, x, events, began, sizes):
-        """One leg; returns what the next one starts from, its system None at the end."""
+    def _leg(self, system, t, x, events, began):
+        """One leg; returns what the next one starts from, None at the end."""
         course, hit = None, None
         try:
-            course = self._made(system, t, x, sizes)
+            known = not self.legs or not self.method.cannot(system)  # another model than the first: by the method that can do all
+            course = (self.method if known else METHODS["dop853"]).course(system, t, x, self)
             hit = self._follow(course, events, began)
         except ArithmeticError as error:
-            course = course or _Standing(system, t, x)
+            course = course or Course(system, t, x, self)
             self._stopped(system, course, error)
-        end, x1 = (hit[0], hit[2]) if hit else (course.t, course.x)
+        end, event, x1 = hit or (course.t, None, course.x)
         self.legs.append(Leg(system, course, t, end, x1))
-        if hit is None:
-            self.ended = self.ended or f"reached t = {end:.6g}"
-            return None, None, None, None, None
-        return self._after(hit, system, events)
-
-    def _made(self, system, t, x, sizes):
-        kind = self.course
-        if self.legs and self.method.cannot(system):  # another model than the first: by the method that can do all
-            kind = METHODS["dop853"].course
-        course = kind(system, t, x, self.goal, self.tolerance, sizes, self.step)
-        if self.samples is not None:
-            course.samples = self.samples
-        return course
+        self.known_sizes = None  # they are of the states of the first leg
+        if event:
+            return self._after(end, event, x1, system, events)
+        self.ended = self.ended or f"reached t = {end:.6g}"
+        return None
 
     def _follow(self, course, events, began):
         """Go on to the end or the first event that ends the leg; that is returned as (t, event, state)."""
@@ -97,27 +90,23 @@ class Journey:
                 return t, event, x
         return None
 
-    def _after(self, hit, system, events):
-        t, event, x = hit
+    def _after(self, t, event, x, system, events):
         name = self.occurrences[-1].name
         self.ended = f"{name} at t = {t:.6g}"
-        if event.then is None:
-            return None, None, None, None, None
-        following = system.model._call(event.then, dict(zip(system.model.states, x, strict=True)), system.model.parameters, t)
+        following = event.then and system.model._call(event.then, dict(zip(system.model.states, x, strict=True)), system.model.parameters, t)
         if following is None:
-            return None, None, None, None, None
+            return None
         if not isinstance(following, tuple) or len(following) not in (2, 3):
             raise ModelError(f"then= of {name!r} returns (model, start) or (model, start, events), not {following!r}")
         if len(self.legs) >= LEGS or (len(self.legs) > 1 and self.legs[-1].t1 - self.legs[-1].t0 < SHORTEST * (self.goal - self.origin)):
             self.ended = f"{ENDLESS}: {name} at t = {t:.9g}; give then= a rule for what comes after"
-            return None, None, None, None, None
-        model, start = following[:2]
-        same = model.rhs is system.model.rhs
-        following_events = following[2] if len(following) == 3 else tuple(e for e in events if same or e is not event)
+            return None
         if t >= self.goal:
-            return None, None, None, None, None
+            return None
+        model, start, *given = following
+        events = given[0] if given else [e for e in events if e is not event or model.rhs is system.model.rhs]
         self.ended = ""
-        return prepared(model), t, start_state(model, start), tuple(following_events), event
+        return prepared(model), t, start_state(model, start), tuple(events), event
 
     def _stopped(self, system, course, error):
         self.trouble = True
@@ -151,24 +140,10 @@ class Journey:
         for leg in self.legs:
             x, half = leg.course.start[1], (leg.t1 - leg.t0) / 2
             try:
-                middle = leg.course.at(half, x) if leg.system.autonomous else None
-                again = leg.course.at(half, middle) if middle else leg.x1
+                middle = leg.system.solution(half, x) if leg.system.autonomous else None
+                again = leg.system.solution(half, middle) if middle else leg.x1
             except (ArithmeticError, ModelError):
                 return 1.0
             differences = [abs(u - v) / max(abs(v), abs(w), SMALL) for u, v, w in zip(again, leg.x1, x, strict=True)]
             worst = max([worst, *differences])
         return worst + 2e-16 if math.isfinite(worst) else 1.0
-
-
-class _Standing:
-    """The course of a motion that could not start."""
-
-    def __init__(self, system, t, x):
-        self.system, self.t, self.x, self.bounds, self.calls = system, t, tuple(x), [t], 1
-        self.sizes = tuple(max(abs(v), SMALL) for v in x)
-
-    def states(self, times):
-        """The start."""
-        import numpy as np
-
-        return np.array(self.x)[:, None] + 0 * np.asarray(times, dtype=float)

@@ -10,10 +10,11 @@ import importlib.util
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from .courses import Exact, scipy_course
 from .dop853 import Dop853
+from .exact import Exact
+from .scipy_methods import scipy_course
 from .splitting import groups, moments, splitting
-from .taylor import Taylor, installed
+from .taylor import TAYLOR_MARGIN, Taylor, installed
 
 DECADES = 1e3  # between the two runs
 EASY = 30.0  # the first tolerance is so much below the accuracy asked for: errors are up to 100 tolerances, seldom less than one
@@ -76,7 +77,7 @@ LEAST = {2: 1e-7, 4: 1e-9, 6: 1e-10, 8: 1e-10}  # by order: round-off of many st
 
 def _table():
     yield Method("exact", "exact solution", Exact, least=1e-15, cannot=_no_exact, calibrated=False)
-    yield Method("taylor", "Taylor series of heyoka", Taylor, least=1e-15, cannot=_no_heyoka, calibrated=False)
+    yield Method("taylor", "Taylor series of heyoka", Taylor, least=1e-15, cannot=_no_heyoka, calibrated=False, easy=TAYLOR_MARGIN)
     yield Method("dop853", "Runge-Kutta of order 8 in straight-line Python", Dop853, 8)
     for name, order, least in SCIPY:
         easy, loosest = (1.0, 1e-4) if name == "Radau" else (EASY, 3e-6)  # whose errors are smaller than its tolerance

@@ -134,16 +134,16 @@ class Splitting(Course):
     order = 2
     body = False
 
-    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
-        super().__init__(system, t, x, goal, tolerance, sizes)
+    def __init__(self, system, t, x, journey):
+        super().__init__(system, t, x, journey)
         self.weights = COMPOSITIONS[self.order]
         self._prepare()
-        span = goal - t
-        count = span / (step or self._time_scale() * tolerance ** (1 / self.order))
+        span = self.goal - t
+        count = span / (journey.step or self._time_scale() * journey.tolerance ** (1 / self.order))
         if count > MOST_STEPS:
             raise ModelError(f"{count:.2g} steps of order {self.order} would be needed; take a higher order, another method, or a coarser rtol")
-        self.h = span / max(1, math.ceil(count * (1 - 1e-12)))
-        self.steps, self.count = [self.x], max(1, math.ceil(count * (1 - 1e-12)))
+        self.count = max(1, math.ceil(count * (1 - 1e-12)))  # a span of whole steps is not cut once more by round-off
+        self.h, self.steps = span / self.count, [self.x]
 
     def _prepare(self):
         if self.body:
@@ -165,7 +165,7 @@ class Splitting(Course):
         scales = [math.sqrt(max(s, abs(v) * d) / a) for s, v, a in zip(self.sizes, k, second, strict=True) if a > 1e-12 * s and s > 1e-3]
         return min([*scales, (self.goal - self.t) / 4])
 
-    def advance(self, limit=1 << 62):
+    def advance(self, limit=math.inf):
         """Go on by at most so many steps."""
         start, done = self.start[0], len(self.steps) - 1
         x, move, h = self.x, self.move, self.h

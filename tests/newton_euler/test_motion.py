@@ -372,7 +372,6 @@ def test_a_parameter_without_a_number_is_named():
 
 
 def test_heyoka_that_is_missing_is_said(monkeypatch):
-    monkeypatch.setattr("newton_euler.motion.installed", lambda: False)
     monkeypatch.setattr("newton_euler.methods.installed", lambda: False)
     with pytest.raises(ModelError, match=r"heyoka is not installed: pip install 'newton-euler\[fast\]'"):
         swing(method="taylor")
