@@ -8,10 +8,10 @@ from .methods import METHODS
 from .models import ModelError
 from .records import Cost
 from .run import Run
-from .systems import System, prepared
-from .taylor import LARGE, installed, integrator
+from .systems import PreparedModel, prepared
+from .taylor import ABSOLUTE_SCALE, installed, integrator
 
-ENOUGH = 64  # motions, from which heyoka's batches are worth their compilation
+MIN_HEYOKA_BATCH = 64  # motions, from which heyoka's batches are worth their compilation
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,11 +52,11 @@ def integrate_batch(model, t0, t1, state, rtol, method, events, samples):
     if not all(np.isfinite(a).all() for a in (starts, *parameters.values())):
         raise ModelError(f"the starts and parameters of {model.name!r} must all be finite numbers")
     times = np.array([t0, t1]) if samples is None else np.linspace(t0, t1, samples) if isinstance(samples, int) else np.asarray(samples, dtype=float)
-    system = System(model)
+    system = PreparedModel(model)
     exact = model.exact is not None and method in ("auto", "exact") and (t0 == 0 or system.autonomous)
     if exact:
         found, error, taken, calls = _exact(system, starts, parameters, times - t0), None, METHODS["exact"], len(times)
-    elif method == "taylor" or (method == "auto" and installed() and starts.shape[1] >= ENOUGH):
+    elif method == "taylor" or (method == "auto" and installed() and starts.shape[1] >= MIN_HEYOKA_BATCH):
         found, calls = _taylor(system, starts, parameters, t0, times, rtol)
         error, taken = None, METHODS["taylor"]
     else:
@@ -69,7 +69,7 @@ def _exact(system, starts, parameters, times):
     import numpy as np
 
     model = replace(system.model, parameters={**system.model.parameters, **{n: x[:, None] for n, x in parameters.items()}})
-    found = System(model).function(model.exact)(times[None, :], *(x[:, None] for x in starts))
+    found = PreparedModel(model).function(model.exact)(times[None, :], *(x[:, None] for x in starts))
     return [np.broadcast_to(row, (starts.shape[1], len(times))) for row in found]
 
 
@@ -83,8 +83,8 @@ def _taylor(system, starts, parameters, t0, times, rtol):
 
     width, count = heyoka.recommended_simd_size(), starts.shape[1]
     least = abs(starts).max(axis=0).min()  # of the smallest motion: see taylor._scale
-    ta = integrator(system, rtol / METHODS["taylor"].easy * (least if 0 < least < LARGE else 1.0), width)
-    early = system.traced.hoisted[1]._on(np)
+    ta = integrator(system, rtol / METHODS["taylor"].tolerance_ratio * (least if 0 < least < ABSOLUTE_SCALE else 1.0), width)
+    early = system.traced.folded[1]._on(np)
     p = np.array([np.broadcast_to(x, count) for x in early(*(parameters.get(n, v) for n, v in zip(system.free, system.p, strict=True)))], dtype=float)
     if np.any(np.diff(times) <= 0) or times[0] < t0:
         raise ModelError(f"the samples of many motions are times that grow, from t = {t0:g} on")

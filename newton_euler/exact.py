@@ -2,28 +2,28 @@
 
 import math
 
-from .courses import Course
+from .courses import Stepper
 
-PIECES = 8  # of the solution, in which events are sought
+EVENT_INTERVALS = 8  # of the solution, in which events are sought
 
 
-class Exact(Course):
+class Exact(Stepper):
     """The exact solution of the model, which takes no steps: what is in between is the solution too."""
 
-    def advance(self, limit=math.inf):
+    def step(self, limit=math.inf):
         """To the goal; with a limit, as events are sought, in pieces."""
         (t, x), goal = self.start, self.goal
         self.x, self.t, self.calls = self.system.solution(goal - t, x), goal, 1
         if limit < math.inf:
-            self.bounds += [t + (goal - t) * n / PIECES for n in range(1, PIECES)]
-        self.bounds.append(goal)
+            self.step_times += [t + (goal - t) * n / EVENT_INTERVALS for n in range(1, EVENT_INTERVALS)]
+        self.step_times.append(goal)
 
     @staticmethod
-    def prepared(system, tolerance, slowly):
+    def prepared(system, tolerance, fallback):
         """See :func:`newton_euler.motion.prepare`."""
         return system.solution
 
-    def on_piece(self, at, times):
+    def interpolate(self, at, times):
         """The solution itself."""
         start, x = self.start
         self.calls += len(times)

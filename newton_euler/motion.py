@@ -65,21 +65,21 @@ def prepare(model, rtol=1e-9, method="auto"):
         raise ModelError(f"prepare takes a model with numbers, but parameters of {model.name!r} are arrays; integrate runs many motions at once")
     check(rtol, method)
     if method == "auto":
-        method = "exact" if model.exact else "dop853" if METHODS["taylor"].cannot(system) else "taylor"
+        method = "exact" if model.exact else "dop853" if METHODS["taylor"].unusable_because(system) else "taylor"
     taken = usable(method, system)
 
-    def slowly(t, start):
+    def fallback(t, start):
         return tuple(integrate(model, t, start, rtol, method).end.values())
 
-    if not hasattr(taken.course, "prepared"):
-        return slowly
-    quickly = taken.course.prepared(system, rtol / taken.easy, slowly)
+    if not hasattr(taken.stepper, "prepared"):
+        return fallback
+    fast = taken.stepper.prepared(system, rtol / taken.tolerance_ratio, fallback)
 
     def run(t, start):
         try:
-            return quickly(t, start)
+            return fast(t, start)
         except (TypeError, ValueError):
-            return slowly(t, start)  # which says what is wrong
+            return fallback(t, start)  # which says what is wrong
 
     return run
 

@@ -6,17 +6,17 @@ from dataclasses import replace
 from time import perf_counter
 
 from .events import Event
-from .journeys import Journey
-from .methods import COARSEST, DECADES, METHODS
+from .journeys import Trajectory
+from .methods import COARSENING, MAX_COARSE_TOLERANCE, METHODS
 from .models import ModelError
 from .records import Cost, Motion, MotionError
 from .taylor import ShortSteps
 
-HEYOKA_PAYS = 0.5  # seconds of integrating one right-hand side, after which heyoka's import and compilation would have been earned
-RUNS = 5
-CAUTION = 4.0  # times the error that the difference foretells
-ROUND_OFF = 2e-14  # no estimate is smaller
-SHORT_TAYLOR = replace(METHODS["taylor"], course=ShortSteps)
+HEYOKA_BREAK_EVEN = 0.5  # seconds of integrating one right-hand side, after which heyoka's import and compilation would have been earned
+MAX_REFINEMENTS = 5
+SAFETY_FACTOR = 4.0  # times the error that the difference foretells
+MIN_ERROR_ESTIMATE = 2e-14  # no estimate is smaller
+SHORT_TAYLOR = replace(METHODS["taylor"], stepper=ShortSteps)
 
 
 def span(t):
@@ -36,9 +36,11 @@ def check(rtol, method, events=(), step=None):
     """Raise :class:`ModelError` for what no model could be integrated with."""
     if method != "auto" and method not in METHODS:
         raise ModelError(f"there is no method {method!r}; take 'auto' or one of {', '.join(METHODS)}")
-    least = 1e-15 if method == "auto" else METHODS[method].least
-    if step is None and not (isinstance(rtol, (int, float)) and least <= rtol < 1):
-        what = f"method {method!r} cannot reach it, the least is {least:g}" if isinstance(rtol, (int, float)) and 0 < rtol < 1 else "it lies below 1"
+    min_rtol = 1e-15 if method == "auto" else METHODS[method].min_rtol
+    if step is None and not (isinstance(rtol, (int, float)) and min_rtol <= rtol < 1):
+        what = (
+            f"method {method!r} cannot reach it, the least is {min_rtol:g}" if isinstance(rtol, (int, float)) and 0 < rtol < 1 else "it lies below 1"
+        )
         raise ModelError(f"rtol is the error asked for, got {rtol!r}: {what}")
     for event in events:
         if not isinstance(event, Event):
@@ -51,21 +53,21 @@ def usable(name, system, t0=0.0):
     """The method of this name, if it can be used for the model from this time on."""
     if name == "auto":
         raise ModelError("a fixed step needs a method by name")
-    trouble = METHODS[name].cannot(system)
+    failed = METHODS[name].unusable_because(system)
     if name == "exact" and t0 and not system.autonomous:
-        trouble = f"the rates of {system.model.name!r} depend on time, so its exact solution starts at t = 0"
-    if trouble:
-        raise ModelError(f"method {name!r} cannot be used: {trouble}")
+        failed = f"the rates of {system.model.name!r} depend on time, so its exact solution starts at t = 0"
+    if failed:
+        raise ModelError(f"method {name!r} cannot be used: {failed}")
     return METHODS[name]
 
 
 def cheapest(system, rtol):
     """The name of the method without a closed form that costs least: heyoka's, once its compilation has been or will be earned back."""
-    taylor, least = METHODS["taylor"], METHODS["dop853"].least
-    if not taylor.cannot(system) and (system.traced.integrators or system.traced.seconds > HEYOKA_PAYS or rtol < least):
+    taylor, min_rtol = METHODS["taylor"], METHODS["dop853"].min_rtol
+    if not taylor.unusable_because(system) and (system.traced.integrators or system.traced.seconds > HEYOKA_BREAK_EVEN or rtol < min_rtol):
         return "taylor"
-    if rtol < least:
-        raise ModelError(f"rtol = {rtol:g} needs heyoka, which is not installed; without it the least is {least:g}")
+    if rtol < min_rtol:
+        raise ModelError(f"rtol = {rtol:g} needs heyoka, which is not installed; without it the least is {min_rtol:g}")
     return "dop853"
 
 
@@ -84,35 +86,35 @@ class Run:
             return self.fixed(usable(name, self.system))
         return self.auto() if name == "auto" else self.by(usable(name, self.system, self.t0))
 
-    def go(self, method, tolerance, sizes=None):
+    def go(self, method, tolerance, scales=None):
         """One run; SciPy or heyoka are imported and compiled on the way, which is not counted as integrating."""
-        journey = Journey(self, method, tolerance, sizes)
-        self.calls += journey.calls
-        return journey
+        trajectory = Trajectory(self, method, tolerance, scales)
+        self.calls += trajectory.calls
+        return trajectory
 
-    def record(self, journey, method, error):
+    def record(self, trajectory, method, error):
         cost = Cost(perf_counter() - self.prepared, self.preparing, self.calls)
-        legs, occurrences = tuple(journey.legs), tuple(journey.occurrences)
-        motion = Motion(self.system.model, legs, occurrences, method, self.rtol, journey.ended, cost, self.samples, error)
-        if journey.trouble:
-            raise MotionError(f"{journey.ended}; what was reached is in the error's .reached", motion)
+        segments, occurrences = tuple(trajectory.segments), tuple(trajectory.occurrences)
+        motion = Motion(self.system.model, segments, occurrences, method, self.rtol, trajectory.ended, cost, self.samples, error)
+        if trajectory.failed:
+            raise MotionError(f"{trajectory.ended}; what was reached is in the error's .reached", motion)
         return motion
 
     # -- by method
 
     def auto(self):
         exact, taylor, dop853 = METHODS["exact"], METHODS["taylor"], METHODS["dop853"]
-        if exact.cannot(self.system) is None and (self.t0 == 0 or self.system.autonomous):
+        if exact.unusable_because(self.system) is None and (self.t0 == 0 or self.system.autonomous):
             try:
                 return self.by(exact)
             except ModelError:  # it refuses this start in words, or is not accurate: there are other methods
                 pass
-        heyoka = not taylor.cannot(self.system)
+        heyoka = not taylor.unusable_because(self.system)
         if cheapest(self.system, self.rtol) == "taylor":
             try:
                 return self.by(taylor)
             except MotionError:  # as where the rates are not analytic: |v| v at rest; Runge-Kutta methods do not mind
-                if self.rtol < dop853.least:
+                if self.rtol < dop853.min_rtol:
                     raise
                 heyoka = False
         return self.calibrated(dop853, heyoka)
@@ -120,27 +122,27 @@ class Run:
     def by(self, method):
         if method.calibrated:
             return self.calibrated(method)
-        journey = self.go(method, self.rtol / method.easy)
+        trajectory = self.go(method, self.rtol / method.tolerance_ratio)
         if method.name == "exact":
-            self.check_exact(journey)
-            return self.record(journey, method, journey.exact_error)
+            self.check_exact(trajectory)
+            return self.record(trajectory, method, trajectory.exact_error)
 
         def error():
             self.progress = None
-            return 2 * journey.difference(self.go(SHORT_TAYLOR, journey.tolerance)) + 2e-15
+            return 2 * trajectory.difference(self.go(SHORT_TAYLOR, trajectory.tolerance)) + 2e-15
 
-        return self.record(journey, method, error)
+        return self.record(trajectory, method, error)
 
-    def check_exact(self, journey):
+    def check_exact(self, trajectory):
         """Raise :class:`ModelError` where an exact solution is none: the first of a model is tried by going half of the way twice, and then trusted.
 
         Of every motion this is its ``error``, when that is asked for.
         """
-        if len(journey.legs) == 1 and self.system.trusted:
+        if len(trajectory.segments) == 1 and self.system.exact_verified:
             return
-        error = journey.exact_error()
-        self.system.trusted = error is not None and error <= self.rtol
-        if not self.system.trusted:
+        error = trajectory.exact_error()
+        self.system.exact_verified = error is not None and error <= self.rtol
+        if not self.system.exact_verified:
             why = "it becomes a model without one" if error is None else f"it is not accurate here: its error is about {error:.1g}"
             raise ModelError(f"the closed form of {self.system.model.name!r} does not do: {why}; take method='auto'")
 
@@ -152,27 +154,27 @@ class Run:
     def calibrated(self, method, heyoka=False):
         """Two runs or more, as :mod:`.methods` says."""
         begun = perf_counter()
-        tolerance = max(min(self.rtol / method.easy, method.loosest), method.tightest)
-        coarse = min(tolerance * DECADES, COARSEST)
+        tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), method.min_tolerance)
+        coarse = min(tolerance * COARSENING, MAX_COARSE_TOLERANCE)
         before = self.go(method, coarse)
-        if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_PAYS:
+        if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
                 return self.by(METHODS["taylor"])
-        for _ in range(RUNS + 1):
-            journey = self.go(method, tolerance, before.sizes)
-            error = foretold(before, journey)
-            if error <= self.rtol or tolerance <= method.tightest or journey.trouble:
+        for _ in range(MAX_REFINEMENTS + 1):
+            trajectory = self.go(method, tolerance, before.scales)
+            error = predicted_error(before, trajectory)
+            if error <= self.rtol or tolerance <= method.min_tolerance or trajectory.failed:
                 break
-            finer = max(tolerance * max(1 / DECADES, self.rtol / error / 3), method.tightest)
-            before, tolerance = journey, min(finer, tolerance / 4)
+            finer = max(tolerance * max(1 / COARSENING, self.rtol / error / 3), method.min_tolerance)
+            before, tolerance = trajectory, min(finer, tolerance / 4)
         self.system.traced.seconds += perf_counter() - begun
-        return self.record(journey, method, error)
+        return self.record(trajectory, method, error)
 
 
-def foretold(before, journey):
+def predicted_error(before, trajectory):
     """The error of a run from its difference to one of coarser tolerance."""
-    difference = before.difference(journey)
+    difference = before.difference(trajectory)
     if difference > 0.05:
         return difference  # the coarse one is too far off to foretell anything
-    steps = sum(len(leg.course.bounds) for leg in journey.legs)
-    return CAUTION * difference * journey.tolerance / before.tolerance + ROUND_OFF * math.sqrt(1 + steps / 100)
+    steps = sum(len(segment.stepper.step_times) for segment in trajectory.segments)
+    return SAFETY_FACTOR * difference * trajectory.tolerance / before.tolerance + MIN_ERROR_ESTIMATE * math.sqrt(1 + steps / 100)

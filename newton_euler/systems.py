@@ -8,7 +8,7 @@ import math
 from functools import cached_property
 from inspect import Parameter, Signature
 
-from .hoisting import hoisted
+from .hoisting import folded
 from .models import Model, ModelError, is_law
 from .scalars import ZERO, ScalarError, is_numeric, plain, scalar
 from .tracing import compiled
@@ -32,28 +32,28 @@ class Traced:
         return _dependencies(self.rhs.source)
 
     @cached_property
-    def hoisted(self):
+    def folded(self):
         """The right-hand side with single numbers in place of what depends on parameters alone, and the formula that gives these."""
-        return hoisted(self.rhs, 1 + self.states)
+        return folded(self.rhs, 1 + self.states)
 
     @cached_property
-    def hoisted_on_floats(self):
+    def folded_on_floats(self):
         """Both as functions of floats."""
-        return tuple(text._on(math) for text in self.hoisted)
+        return tuple(text._on(math) for text in self.folded)
 
 
 def prepared(model):
     """The :class:`System` of a model, which keeps it."""
     if not isinstance(model, Model):
         raise ModelError(f"integrate takes a Model, got {model!r}")
-    found = vars(model).get("_system")
+    found = vars(model).get("_prepared")
     if found is None:
-        found = System(model)
-        object.__setattr__(model, "_system", found)
+        found = PreparedModel(model)
+        object.__setattr__(model, "_prepared", found)
     return found
 
 
-class System:
+class PreparedModel:
     """A model with the numbers of its parameters.
 
     f : the right-hand side on floats, ``f(t, *states, *p)``; p : the values of the parameters that are arguments of it
@@ -67,7 +67,7 @@ class System:
         names = [n for n, _ in fixed]
         self.free = tuple(n for n in model.parameters if n not in names)
         self.p = tuple(_number(model, n, model.parameters[n]) for n in self.free)
-        self.trusted = False  # its exact solution, once that has been tried
+        self.exact_verified = False  # its exact solution, once that has been tried
         self.many = any(getattr(x, "shape", ()) for x in model.parameters.values())
         self.traced = _cached(_known, (model.rhs, model.states, self.free, fixed), lambda: Traced(model, self.free))
         self.f = self.traced.f
@@ -78,18 +78,18 @@ class System:
         return all("t" not in needs for needs in self.traced.needs)
 
     @cached_property
-    def numbers(self):
+    def constants(self):
         """What the rates need of the parameters, for the first of ``traced.hoisted``; nan if the parameters give no numbers."""
-        rest, early = self.traced.hoisted_on_floats
+        rest, early = self.traced.folded_on_floats
         try:
             return early(*self.p)
         except (ArithmeticError, ValueError):
             return (math.nan,) * (rest.__code__.co_argcount - 1 - self.traced.states)
 
     @property
-    def fast(self):
+    def folded_rates(self):
         """The right-hand side on floats, ``fast(t, *states, *numbers)``."""
-        return self.traced.hoisted_on_floats[0]
+        return self.traced.folded_on_floats[0]
 
     def rates(self, t, x):
         """The rates of the states."""

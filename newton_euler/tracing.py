@@ -17,7 +17,7 @@ from .straight_line import COMPARISONS, choices, written
 
 BLOCK = 8192  # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768 measured)
 HEYOKA_BLOCK = 1 << 15  # the same for heyoka, whose inputs are copied together (measured: 4096 costs half as much again)
-HEYOKA_PAYS = {True: 60_000, False: 1_500_000}  # instants until its compilation (and, if not yet loaded, import) is earned back
+HEYOKA_BREAK_EVEN = {True: 60_000, False: 1_500_000}  # instants until its compilation (and, if not yet loaded, import) is earned back
 
 
 def _leaves(result):
@@ -173,7 +173,7 @@ class Compiled:
         if self.backend == "numpy":
             return False
         if self._heyoka is None:
-            if self.backend == "auto" and self._seen < HEYOKA_PAYS["heyoka" in sys.modules]:
+            if self.backend == "auto" and self._seen < HEYOKA_BREAK_EVEN["heyoka" in sys.modules]:
                 return False
             if importlib.util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":
