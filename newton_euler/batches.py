@@ -7,10 +7,11 @@ from types import MappingProxyType
 from .methods import METHODS
 from .models import ModelError
 from .records import Cost
-from .systems import System
-from .taylor import LARGE, TAYLOR_MARGIN, installed, integrator
+from .run import Run
+from .systems import PreparedModel, prepared
+from .taylor import ABSOLUTE_SCALE, installed, integrator
 
-ENOUGH = 64  # motions, from which heyoka's batches are worth their compilation
+MIN_HEYOKA_BATCH = 64  # motions, from which heyoka's batches are worth their compilation
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +33,7 @@ class Motions:
         return len(next(iter(self.states.values())))
 
 
-def integrate_batch(model, t0, t1, state, rtol, method, events, samples, integrate):
+def integrate_batch(model, t0, t1, state, rtol, method, events, samples):
     """What :func:`newton_euler.motion.integrate` does where the start or the parameters are arrays."""
     import numpy as np
 
@@ -51,15 +52,15 @@ def integrate_batch(model, t0, t1, state, rtol, method, events, samples, integra
     if not all(np.isfinite(a).all() for a in (starts, *parameters.values())):
         raise ModelError(f"the starts and parameters of {model.name!r} must all be finite numbers")
     times = np.array([t0, t1]) if samples is None else np.linspace(t0, t1, samples) if isinstance(samples, int) else np.asarray(samples, dtype=float)
-    system = System(model)
+    system = PreparedModel(model)
     exact = model.exact is not None and method in ("auto", "exact") and (t0 == 0 or system.autonomous)
     if exact:
         found, error, taken, calls = _exact(system, starts, parameters, times - t0), None, METHODS["exact"], len(times)
-    elif method == "taylor" or (method == "auto" and installed() and starts.shape[1] >= ENOUGH):
+    elif method == "taylor" or (method == "auto" and installed() and starts.shape[1] >= MIN_HEYOKA_BATCH):
         found, calls = _taylor(system, starts, parameters, t0, times, rtol)
         error, taken = None, METHODS["taylor"]
     else:
-        found, error, taken, calls = _each(model, starts, parameters, (t0, t1), rtol, method, times, integrate)
+        found, error, taken, calls = _each(model, starts, parameters, (t0, t1), rtol, method, times)
     states = MappingProxyType(dict(zip(model.states, found, strict=True)))
     return Motions(model, times, states, taken, rtol, error, Cost(perf_counter() - begun, 0.0, calls))
 
@@ -68,7 +69,7 @@ def _exact(system, starts, parameters, times):
     import numpy as np
 
     model = replace(system.model, parameters={**system.model.parameters, **{n: x[:, None] for n, x in parameters.items()}})
-    found = System(model).function(model.exact)(times[None, :], *(x[:, None] for x in starts))
+    found = PreparedModel(model).function(model.exact)(times[None, :], *(x[:, None] for x in starts))
     return [np.broadcast_to(row, (starts.shape[1], len(times))) for row in found]
 
 
@@ -82,8 +83,8 @@ def _taylor(system, starts, parameters, t0, times, rtol):
 
     width, count = heyoka.recommended_simd_size(), starts.shape[1]
     least = abs(starts).max(axis=0).min()  # of the smallest motion: see taylor._scale
-    ta = integrator(system, TAYLOR_MARGIN * rtol * (least if 0 < least < LARGE else 1.0), width)
-    early = system.traced.hoisted[1]._on(np)
+    ta = integrator(system, rtol / METHODS["taylor"].tolerance_ratio * (least if 0 < least < ABSOLUTE_SCALE else 1.0), width)
+    early = system.traced.folded[1]._on(np)
     p = np.array([np.broadcast_to(x, count) for x in early(*(parameters.get(n, v) for n, v in zip(system.free, system.p, strict=True)))], dtype=float)
     if np.any(np.diff(times) <= 0) or times[0] < t0:
         raise ModelError(f"the samples of many motions are times that grow, from t = {t0:g} on")
@@ -107,13 +108,13 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     return out, steps * ta.order
 
 
-def _each(model, starts, parameters, span, rtol, method, times, integrate):
+def _each(model, starts, parameters, span, rtol, method, times):
     import numpy as np
 
     motions = []
     for n, start in enumerate(starts.T.tolist()):
         one = replace(model, parameters={**model.parameters, **{name: float(x[n]) for name, x in parameters.items()}})
-        motions.append(integrate(one, span, start, rtol, method, samples=times))
+        motions.append(Run(prepared(one), *span, tuple(start), rtol, samples=times).by_name(method))
     found = [np.array([m.states[name] for m in motions]) for name in model.states]
     error = np.array([m.error for m in motions])
     return found, error, motions[0].method, sum(m.cost.calls for m in motions)

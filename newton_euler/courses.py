@@ -6,12 +6,11 @@ Here are the frame that they share, the exact solution as a course, and SciPy's 
 from bisect import bisect_right
 from itertools import pairwise
 
-SMALL = 1e-6  # a state that stays smaller than this, in its unit, is accurate relative to this
-PATIENCE, CREEPING = 2000, 1e-5  # so many steps, each on average less than this part of the longest one, lead nowhere
-PIECES = 8  # of an exact solution, in which events are sought
+SMALLEST_SCALE = 1e-6  # a state that stays smaller than this, in its unit, is accurate relative to this
+MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5  # so many steps, each on average less than this part of the longest one, lead nowhere
 
 
-def instants(samples, begin, end):
+def sample_times(samples, begin, end):
     """The times of samples, an array: those given that lie between begin and end, or so many at equal distances."""
     import numpy as np
 
@@ -25,38 +24,36 @@ class StepError(ArithmeticError):
     """The method cannot go on from the place that its course has reached."""
 
 
-class Course:
-    """From the state ``x`` at ``t`` towards ``goal``.
+class Stepper:
+    """From the state ``x`` at ``t`` towards the goal of the ``journey``, which also has the ``tolerance``, a fixed ``step`` for methods that have an
+    order, and the ``samples`` that will be asked for.
 
     t, x : reached so far; ``bounds`` : ends of the pieces (steps) behind it; ``sizes`` : the largest size of each state; ``calls`` of the
-    right-hand side; ``samples`` : the times, or how many, at which states will be asked for. A subclass has ``advance(limit)`` and
-    ``on_piece(at, times)``.
+    right-hand side. A subclass has ``advance(limit)`` and ``on_piece(at, times)``.
     """
 
-    samples = None
-
-    def __init__(self, system, t, x, goal, tolerance, sizes=None):
-        self.system, self.t, self.x, self.goal, self.tolerance = system, t, tuple(x), goal, tolerance
-        self.bounds, self.calls, self.start = [t], 0, (t, tuple(x))
-        self.creep, self.longest = 0, 0.0
-        self.sizes = tuple([v if v > SMALL else SMALL for v in map(abs, x)])
-        if sizes:  # from an earlier run, for those that start with nothing
-            self.sizes = tuple(max(s, 1e-6 * known) for s, known in zip(self.sizes, sizes, strict=True))
+    def __init__(self, system, t, x, trajectory):
+        self.system, self.t, self.x, self.goal, self.tolerance = system, t, tuple(x), trajectory.goal, trajectory.tolerance
+        self.step_times, self.calls, self.start = [t], 0, (t, tuple(x))
+        self.checked, self.longest = 0, 0.0
+        self.scales = tuple([v if v > SMALLEST_SCALE else SMALLEST_SCALE for v in map(abs, x)])
+        if trajectory.initial_scales:
+            self.scales = tuple(max(s, 1e-6 * known) for s, known in zip(self.scales, trajectory.initial_scales, strict=True))
 
     @property
-    def places(self):
+    def checkpoints(self):
         """The states at some of the ends of pieces, as pairs of time and state: for another run to be compared with."""
         return []
 
-    def piece(self, t):
+    def step_index(self, t):
         """The number of the piece in which t lies."""
-        return min(max(bisect_right(self.bounds, t) - 1, 0), len(self.bounds) - 2)
+        return min(max(bisect_right(self.step_times, t) - 1, 0), len(self.step_times) - 2)
 
-    def restep(self, t):
+    def state_at(self, t):
         """The state at t, as accurate as the method can."""
         import numpy as np
 
-        return tuple(self.on_piece(self.piece(t), np.array([t]))[:, 0].tolist())
+        return tuple(self.interpolate(self.step_index(t), np.array([t]))[:, 0].tolist())
 
     def states(self, times):
         """The states at an array of times already behind, as an array (states, times)."""
@@ -64,104 +61,27 @@ class Course:
 
         times = np.asarray(times, dtype=float)
         out = np.empty((len(self.x), len(times)))
-        at = np.clip(np.searchsorted(self.bounds, times, side="right") - 1, 0, max(len(self.bounds) - 2, 0))
-        for piece in np.unique(at):
-            chosen = at == piece
-            out[:, chosen] = self.on_piece(int(piece), times[chosen]) if len(self.bounds) > 1 else np.array(self.x)[:, None]
+        at = np.clip(np.searchsorted(self.step_times, times, side="right") - 1, 0, max(len(self.step_times) - 2, 0))
+        for step_index in np.unique(at):
+            chosen = at == step_index
+            out[:, chosen] = self.interpolate(int(step_index), times[chosen]) if len(self.step_times) > 1 else np.array(self.x)[:, None]
         return out
 
-    def creeps(self):
+    def check_progress(self):
         """Raise :class:`StepError` if the last steps have hardly led on, as where the rates jump between plus and minus infinity."""
-        n = len(self.bounds)
-        if n > self.creep + PATIENCE:
-            done = self.bounds[self.creep :]
+        n = len(self.step_times)
+        if n > self.checked + MAX_STALLED_STEPS:
+            done = self.step_times[self.checked :]
             self.longest = max(self.longest, *(b - a for a, b in pairwise(done)))
-            if self.t - done[0] < CREEPING * (len(done) - 1) * self.longest:
+            if self.t - done[0] < STALLED_RATIO * (len(done) - 1) * self.longest:
                 raise StepError(f"{len(done) - 1} steps have led on by {self.t - done[0]:.1g} only")
-            self.creep = n - 1
+            self.checked = n - 1
 
-    def grown(self):
+    def update_scales(self):
         """Keep the largest sizes."""
-        self.sizes = tuple(map(max, self.sizes, map(abs, self.x)))
+        self.scales = tuple(map(max, self.scales, map(abs, self.x)))
 
 
-class Exact(Course):
-    """The exact solution of the model; it takes no steps, and its pieces only serve to look for events."""
-
-    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
-        super().__init__(system, t, x, goal, tolerance, sizes)
-        self.at = system.solution
-
-    def advance(self, limit=1 << 62):
-        """To the goal, or with a limit by as many eighths of the way."""
-        left = PIECES - (len(self.bounds) - 1)
-        whole, count = (self.goal - self.t) / left, min(limit, left)
-        ends = [self.t + whole * n for n in range(1, count)] if limit < PIECES else []
-        for end in [*ends, self.goal if count == left else self.t + whole * count]:
-            self.x = self.at(end - self.start[0], self.start[1])
-            self.bounds.append(end)
-        self.t, self.calls = end, self.calls + 1 + len(ends)
-
-    @staticmethod
-    def prepared(system, tolerance, slowly):
-        """See :func:`newton_euler.motion.prepare`."""
-        return system.solution
-
-    def on_piece(self, at, times):
-        """The solution itself."""
-        start, x = self.start
-        self.calls += len(times)
-        return self.system.solutions(times - start, x)
-
-
-class SciPy(Course):
-    """One of SciPy's methods on the traced right-hand side, which takes Python's floats."""
-
-    kind = "DOP853"
-
-    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
-        super().__init__(system, t, x, goal, tolerance, sizes)
-        from scipy import integrate
-
-        f, p = system.fast, system.numbers
-        fixed = {"max_step": step, "first_step": min(step, goal - t)} if step else {}
-        atol = [1e300] * len(x) if step else [tolerance * s for s in self.sizes]
-        self.solver = getattr(integrate, self.kind)(
-            lambda t, y: f(t, *y.tolist(), *p), t, x, goal, rtol=0.5 if step else max(tolerance, 2.3e-14), atol=atol, **fixed
-        )
-        self.pieces, self.passed = [], []
-
-    def advance(self, limit=1 << 62):
-        """Go on by at most so many steps."""
-        solver = self.solver
-        while limit > 0 and solver.status == "running":
-            trouble = solver.step()
-            if solver.status == "failed":
-                raise StepError(trouble)
-            self.pieces.append(solver.dense_output())
-            self.bounds.append(solver.t)
-            self.x = tuple(solver.y.tolist())
-            self.passed.append(self.x)
-            self.grown()
-            self.t, limit = float(solver.t), limit - 1
-            self.creeps()
-        self.t, self.calls = float(solver.t), solver.nfev
-
-    @property
-    def places(self):
-        """See :class:`Course`."""
-        return [(self.bounds[n + 1], self.passed[n]) for n in chosen(len(self.passed))]
-
-    def on_piece(self, at, times):
-        """SciPy's dense output."""
-        return self.pieces[at](times)
-
-
-def chosen(count):
+def checkpoint_indices(count):
     """Two numbers below ``count``, in the second half."""
     return sorted({3 * count // 5, 4 * count // 5}) if count > 4 else []
-
-
-def scipy_course(kind):
-    """The class of one of SciPy's methods, by its name there."""
-    return type(kind, (SciPy,), {"kind": kind, "__doc__": f"SciPy's {kind}."})

@@ -7,7 +7,7 @@ same right-hand side, and a fresh interpreter starts at once. Coefficients: :mod
 from functools import lru_cache
 from math import inf, isfinite, sqrt
 
-from .courses import PATIENCE, Course, StepError, chosen
+from .courses import MAX_STALLED_STEPS, StepError, Stepper, checkpoint_indices
 from .dop853_table import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0  # of the next step
@@ -41,7 +41,7 @@ def run(f, p, t, goal, x, s, k, h, tol, hmax, least, limit, keep):
         {x}, = {y},
         {a}, = {n},
         limit -= 1
-{sizes}
+{scales}
         h *= min({grow}, {safety}*e**-0.125) if e > 1e-12 else {grow}
     return t, ({x},), ({s},), ({a},), h, tried
 
@@ -79,12 +79,12 @@ def _text(n, free):
     body = [_stage(row, n, args) for row in range(1, 12)]
     new = [f"y{i} = x{i} + h*({_sum(WEIGHTS, i)})" for i in range(n)]
     errors = [f"c = tol*max(s{i}, abs(y{i})) + q; u{i} = ({_sum(ERROR_5, i)})/c; v{i} = ({_sum(ERROR_3, i)})/c" for i in range(n)]
-    sizes = [f"if abs(x{i}) > s{i}: s{i} = abs(x{i})" for i in range(n)]
+    scales = [f"if abs(x{i}) > s{i}: s{i} = abs(x{i})" for i in range(n)]
     return _STEP.format(
         x=names("x"), y=names("y"), s=names("s"), a=names("k0_"), n=names("k12_"), args=args, p=f"{args[2:]}, = p" if free else "",
         one=", 0.0" if n == 1 else "", noise=NOISE, count=n, shrink=SHRINK, safety=SAFETY, grow=GROW,
         stages=_indent(body, 12), stages1=_indent(body, 4), new=_indent(new, 12), new1=_indent(new, 4),
-        errors=_indent(errors, 12), sizes=_indent(sizes, 8),
+        errors=_indent(errors, 12), scales=_indent(scales, 8),
         e5=" + ".join(f"u{i}*u{i}" for i in range(n)), e3=" + ".join(f"v{i}*v{i}" for i in range(n)),
         more=_indent([_stage(row, n, args) for row in (13, 14, 15)], 4), rows=", ".join(_row(i) for i in range(n)),
     )  # fmt: skip
@@ -110,12 +110,13 @@ def _indent(lines, width):
     return "\n".join(" " * width + line for line in lines)
 
 
-class Dop853(Course):
+class Dop853(Stepper):
     """The course of a motion by this method; see :class:`newton_euler.courses.Course`."""
 
-    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
-        super().__init__(system, t, x, goal, tolerance, sizes)
-        self.code = stepper(len(x), len(system.numbers))
+    def __init__(self, system, t, x, trajectory):
+        super().__init__(system, t, x, trajectory)
+        step, goal = trajectory.step, self.goal
+        self.code = stepper(len(x), len(system.constants))
         self.steps, self._polynomial = [], (None, None)
         self.rates = self.system.rates(t, x)
         self.calls, self.hmax = 1, step or goal - t
@@ -125,47 +126,47 @@ class Dop853(Course):
 
     def _first_step(self):
         """So long that the states, or their rates, change by a hundredth, and less for a tight tolerance."""
-        rate = max((abs(k) / s for k, s in zip(self.rates, self.sizes, strict=True) if abs(k) < 1e3 * s), default=0.0)
+        rate = max((abs(k) / s for k, s in zip(self.rates, self.scales, strict=True) if abs(k) < 1e3 * s), default=0.0)
         return 0.5 * self.tolerance**0.125 / rate if rate else 1e-3 * (self.goal - self.t)
 
-    def advance(self, limit=1 << 62):
+    def step(self, limit=inf):
         """Go on by at most so many steps."""
         while limit > 0 and self.t < self.goal:
-            self._some(min(limit, PATIENCE))
-            limit -= PATIENCE
-            self.creeps()
+            self._some(min(limit, MAX_STALLED_STEPS))
+            limit -= MAX_STALLED_STEPS
+            self.check_progress()
 
     def _some(self, limit):
         before, least = len(self.steps), 4e-16 * max(abs(self.t), abs(self.goal))
-        self.t, self.x, self.sizes, self.rates, self.h, tried = self.code["run"](
-            self.system.fast, self.system.numbers, self.t, self.goal, self.x, self.sizes, self.rates, self.h,
+        self.t, self.x, self.scales, self.rates, self.h, tried = self.code["run"](
+            self.system.folded_rates, self.system.constants, self.t, self.goal, self.x, self.scales, self.rates, self.h,
             self.tolerance, self.hmax, least, limit, self.steps.append,
         )  # fmt: skip
         self.calls += 12 * tried
-        self.bounds += [step[0] + step[1] for step in self.steps[before:]]
-        self.bounds[-1] = self.t
+        self.step_times += [step[0] + step[1] for step in self.steps[before:]]
+        self.step_times[-1] = self.t
         if self.h == 0.0:
             raise StepError("the step became too small to go on")
 
     @property
-    def places(self):
+    def checkpoints(self):
         """See :class:`newton_euler.courses.Course`."""
-        return [(self.steps[n][0], self.steps[n][2:]) for n in chosen(len(self.steps))]
+        return [(self.steps[n][0], self.steps[n][2:]) for n in checkpoint_indices(len(self.steps))]
 
-    def restep(self, t):
+    def state_at(self, t):
         """The state at t by a step of the method itself from the last place before it."""
-        at = self.piece(t)
+        at = self.step_index(t)
         start, _, *x = self.steps[at]
         self.calls += 12
-        return self.code["one_step"](self.system.fast, self.system.numbers, start, t - start, x)
+        return self.code["one_step"](self.system.folded_rates, self.system.constants, start, t - start, x)
 
-    def on_piece(self, at, times):
+    def interpolate(self, at, times):
         """The states at times inside the piece number ``at``, by the interpolation of order 7."""
         import numpy as np
 
         start, h, *x = self.steps[at]
         if self._polynomial[0] != at:
-            self._polynomial = at, np.array(self.code["polynomial"](self.system.fast, self.system.numbers, start, h, x)).T[:, :, None]
+            self._polynomial = at, np.array(self.code["polynomial"](self.system.folded_rates, self.system.constants, start, h, x)).T[:, :, None]
             self.calls += 15
         u = (times - start) / h
         out = 0.0

@@ -8,9 +8,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
-POINTS = 12
-RESOLVED = 1e-7  # the last coefficients over the largest
-DEEPEST = 8  # halvings
+CHEBYSHEV_POINTS = 12
+RESOLUTION = 1e-7  # the last coefficients over the largest
+MAX_HALVINGS = 8  # halvings
 
 
 @dataclass(frozen=True)
@@ -48,38 +48,38 @@ class Occurrence:
     state: dict
 
 
-class Watch:
+class EventLocator:
     """Looks for one event along a course, piece by piece.
 
     began : True if the leg starts with this very event, whose function is zero there: it is divided by the time since then
     """
 
-    def __init__(self, event, course, began):
-        self.event, self.course, self.began = event, course, began
-        self.g = course.system.function(event.function)
-        self.sign = 0 if began else _sign(self.g(course.t, *course.x))
+    def __init__(self, event, stepper, initial_event):
+        self.event, self.stepper, self.initial_event = event, stepper, initial_event
+        self.g = stepper.system.function(event.function)
+        self.sign = 0 if initial_event else _sign(self.g(stepper.t, *stepper.x))
 
     def found(self, at):
         """The instants in the piece number ``at``, in order."""
         import numpy as np
 
-        a, b = self.course.bounds[at], self.course.bounds[at + 1]
-        start = self.course.start[0]
+        a, b = self.stepper.step_times[at], self.stepper.step_times[at + 1]
+        start = self.stepper.start[0]
         nearest = start + max(1e-13 * (b - a), 4e-16 * abs(start))  # so much after the event it is positive or negative
 
         def g(times):
-            times = np.maximum(np.atleast_1d(times), nearest) if self.began else np.atleast_1d(times)
-            x = self.course.on_piece(at, times)
+            times = np.maximum(np.atleast_1d(times), nearest) if self.initial_event else np.atleast_1d(times)
+            x = self.stepper.interpolate(at, times)
             try:
                 values = np.broadcast_to(np.asarray(self.g(times, *x), dtype=float), times.shape)
             except ValueError:  # it branches on values
                 values = np.array([float(self.g(t, *column)) for t, column in zip(times.tolist(), x.T.tolist(), strict=True)])
-            return values / (times - start) if self.began else values
+            return values / (times - start) if self.initial_event else values
 
         out = []
         for left, right in self._brackets(g, a, b):
             t = self._refined(_root(lambda t: float(g(t)[0]), left, right), g, b - a, at)
-            if a <= t <= b * (1 + 1e-15) + 1e-300 and (not self.began or t > self.course.start[0]):
+            if a <= t <= b * (1 + 1e-15) + 1e-300 and (not self.initial_event or t > self.stepper.start[0]):
                 out.append(min(t, b))
         return out
 
@@ -91,7 +91,7 @@ class Watch:
         values = g(a + (b - a) * nodes)
         coefficients = to_coefficients @ values
         largest = np.abs(coefficients).max()
-        if depth < DEEPEST and largest > 0 and np.abs(coefficients[-2:]).max() > RESOLVED * largest and not _far(coefficients):
+        if depth < MAX_HALVINGS and largest > 0 and np.abs(coefficients[-2:]).max() > RESOLUTION * largest and not _far(coefficients):
             middle = (a + b) / 2
             return self._brackets(g, a, middle, depth + 1) + self._brackets(g, middle, b, depth + 1)
         points = [*(a + (b - a) * x for x in _between(coefficients)), b]
@@ -107,17 +107,17 @@ class Watch:
 
     def _refined(self, t, g, length, at):
         """The interpolation between two steps is less accurate than a step: go there by a step, and correct the time."""
-        course, d = self.course, 1e-4 * length
-        low, high = max(course.bounds[at], t - d), min(course.bounds[at + 1], t + d)
-        if self.began:  # g is divided by the time; its slope at a root is that of the function over the time
-            scale = t - course.start[0]
-        slope = float((g(high) - g(low))[0]) / (high - low) * (scale if self.began else 1.0)
+        stepper, d = self.stepper, 1e-4 * length
+        low, high = max(stepper.step_times[at], t - d), min(stepper.step_times[at + 1], t + d)
+        if self.initial_event:  # g is divided by the time; its slope at a root is that of the function over the time
+            scale = t - stepper.start[0]
+        slope = float((g(high) - g(low))[0]) / (high - low) * (scale if self.initial_event else 1.0)
         for _ in range(2):
-            value = float(self.g(t, *course.restep(t)))
+            value = float(self.g(t, *stepper.state_at(t)))
             move = value / slope if slope else 0.0
             if not abs(move) < 1e-3 * length:
                 break
-            t = min(max(t - move, course.bounds[at]), course.bounds[at + 1])
+            t = min(max(t - move, stepper.step_times[at]), stepper.step_times[at + 1])
         return t
 
 
@@ -135,8 +135,8 @@ def _chebyshev():
     """The points in (0, 1), from left to right, and the matrix that turns values there into coefficients of Chebyshev polynomials."""
     import numpy as np
 
-    angles = np.pi * (np.arange(POINTS)[::-1] + 0.5) / POINTS
-    matrix = 2 / POINTS * np.cos(np.outer(np.arange(POINTS), angles))
+    angles = np.pi * (np.arange(CHEBYSHEV_POINTS)[::-1] + 0.5) / CHEBYSHEV_POINTS
+    matrix = 2 / CHEBYSHEV_POINTS * np.cos(np.outer(np.arange(CHEBYSHEV_POINTS), angles))
     matrix[0] /= 2
     return (1 + np.cos(angles)) / 2, matrix
 

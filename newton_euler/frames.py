@@ -5,6 +5,8 @@ angular velocity and acceleration (4.20), (4.25), velocity (4.17), (4.28) and ac
 Rates are passed up the chain in the frame at hand and never differentiated out, which is what keeps it fast and its formulas short.
 """
 
+from weakref import ref
+
 from .jets import Moving, moving
 from .scalars import ZERO, ScalarError, cos, is_finite, is_zero, plain, scalar, sin, sqrt, whole
 from .vectors import NO_THIRD_RATE, ZERO3, FrameError, Ledger, Vector, add3, cross3, dot3, scale3, sub3
@@ -27,16 +29,23 @@ class Frame:
         self.name, self.parent, self.axis = name, parent, axis
         self.angle = angle if angle is not None else _STILL
         self._origin = origin
-        self._chain = (self, *parent._chain) if parent else (self,)
-        self.tree = parent.tree if parent else []  # all frames that grew from one ground, this one included
-        self.tree.append(self)
-        self._seat = parent._seat if parent and origin is None else self  # the highest frame with the same origin
+        self._above = (parent, *parent._above) if parent else ()  # without itself, or it would not be freed as soon as nothing refers to it
+        self._relatives = parent._relatives if parent else {}  # weak references: a frame keeps those above it alive, not those below
+        self._relatives[ref(self, self._relatives.pop)] = None
+        self._same_origin = parent._seat if parent and origin is None else None
+        if origin is not None:
+            origin.origin_of = origin.origin_of or name
         self._memo = {}
         if self.angle.value is not ZERO:
             self._c, self._s = cos(self.angle.value), sin(self.angle.value)
 
     def __repr__(self):
-        return f"Frame({' < '.join(f.name for f in self._chain)})"
+        return f"Frame({' < '.join(f.name for f in (self, *self._above))})"
+
+    @property
+    def tree(self):
+        """All frames that descend from the same ground and are still in use, in the order in which they were made: a list, the ground first."""
+        return [f for f in (r() for r in list(self._relatives)) if f is not None]
 
     # -- making frames, points and vectors
 
@@ -115,8 +124,10 @@ class Frame:
         """The nearest frame from which both this one and ``other`` descend; :class:`FrameError` if there is none."""
         if not isinstance(other, Frame):
             raise FrameError(f"expected a frame, as in {self.name}.rotate('arm', 'z'), got {other!r}")
-        for f in self._chain:
-            if f in other._chain:
+        if other is self or other in self._above:
+            return other
+        for f in (self, *self._above):
+            if f in other._above:
                 return f
         raise FrameError(f"{self.name} and {other.name} share no frame: {self!r}, {other!r}. Build both from one ground, as in ground.rotate(...)")
 
@@ -125,11 +136,20 @@ class Frame:
         top = self.common(frame)
         if c is ZERO3:
             return c
-        for f in self._chain[: self._chain.index(top)]:
+        for f in self._below(top):
             c = f._turn(c, 1)
-        for f in reversed(frame._chain[: frame._chain.index(top)]):
+        for f in reversed(frame._below(top)):
             c = f._turn(c, -1)
         return c
+
+    def _below(self, top):
+        """The frames from this one up to that below ``top``."""
+        return () if top is self else (self, *self._above[: self._above.index(top)])
+
+    @property
+    def _seat(self):
+        """The highest frame with the same origin."""
+        return self._same_origin or self
 
     def _turn(self, c, sense):
         """Between this frame and its parent: sense 1 from here up to the parent, -1 down."""
@@ -174,15 +194,21 @@ class Frame:
         return Vector(self._alpha(observer), self, None, ledger)
 
     def _omega(self, observer):
-        return self._remembered("omega", observer, self._new_omega)
+        return ZERO3 if observer is self else self._remembered("omega", observer, self._new_omega)
 
     def _alpha(self, observer):
-        return self._remembered("alpha", observer, self._new_alpha)
+        return ZERO3 if observer is self else self._remembered("alpha", observer, self._new_alpha)
 
     def _remembered(self, what, observer, compute):
-        found = self._memo.get((what, observer))
+        memo, key = self._memo, (what, observer)
+        found = memo.get(key)
+        if found is None and observer not in self._above:  # else this frame would keep it alive
+            memo, key = memo.get(ref(observer)), what
+            if memo is None:
+                memo = self._memo[ref(observer, self._memo.pop)] = {}
+            found = memo.get(what)
         if found is None:
-            found = self._memo[what, observer] = compute(observer)
+            found = memo[key] = compute(observer)
         return found
 
     def _along_axis(self, s):
@@ -196,17 +222,13 @@ class Frame:
         return self._turn(self.parent._omega(observer), -1)
 
     def _new_omega(self, observer):
-        if observer is self:
-            return ZERO3
-        if observer in self._chain:
+        if observer in self._above:
             return add3(self._remembered("carried", observer, self._carried), self._along_axis(self.angle.rate))
         top = self.common(observer)
         return sub3(self._omega(top), observer.transform(observer._omega(top), self))
 
     def _new_alpha(self, observer):
-        if observer is self:
-            return ZERO3
-        if observer in self._chain:
+        if observer in self._above:
             crossed = cross3(self._remembered("carried", observer, self._carried), self._along_axis(self.angle.rate))
             own = add3(self._along_axis(self.angle.acceleration), crossed)
             return add3(self._turn(self.parent._alpha(observer), -1), own)
@@ -218,8 +240,8 @@ class Frame:
     def _steps(self, observer):
         """The turns that lead from ``observer`` to here: (name, frame, sense)."""
         top = self.common(observer)
-        down = [(f, -1) for f in observer._chain[: observer._chain.index(top)]]
-        up = [(f, 1) for f in reversed(self._chain[: self._chain.index(top)])]
+        down = [(f, -1) for f in observer._below(top)]
+        up = [(f, 1) for f in reversed(self._below(top))]
         return [(f, s) for f, s in down + up if f.axis is not None]
 
     def _omega_terms(self, observer):
@@ -236,12 +258,15 @@ class Frame:
 
 
 class Point:
-    """A point given by its coordinates in a frame; fixed there, or moving if they are. Make one with ``frame.point(...)``."""
+    """A point given by its coordinates in a frame; fixed there, or moving if they are. Make one with ``frame.point(...)``.
 
-    __slots__ = ("_c", "frame", "name", "x")
+    ``origin_of`` is the name of the first frame that was given the point for its origin, or None.
+    """
+
+    __slots__ = ("_c", "frame", "name", "origin_of", "x")
 
     def __init__(self, name, frame, x):
-        self.name, self.frame, self.x = name, frame, x
+        self.name, self.frame, self.x, self.origin_of = name, frame, x, None
         self._c = _triple(v.value for v in x)
 
     def __repr__(self):
@@ -352,7 +377,7 @@ def _origin_velocity(via, observer):
     seat, observers = via._seat, observer._seat
     if seat is observers:
         return Vector(ZERO3, via)
-    if seat not in observer._chain:
+    if seat is not observer and seat not in observer._above:
         return seat.origin.velocity(observer)
     rho, carried = _origin(observer)._from(seat), observer.transform(observer._omega(seat), seat)
     return Vector(sub3(cross3(carried, rho), observers.origin.velocity(seat).expressed_in(seat).c), seat)
@@ -363,7 +388,7 @@ def _origin_acceleration(via, observer):
     seat, observers = via._seat, observer._seat
     if seat is observers:
         return Vector(ZERO3, via)
-    if seat not in observer._chain:
+    if seat is not observer and seat not in observer._above:
         return seat.origin.acceleration(observer)
     rho = _origin(observer)._from(seat)
     carried, turning = (observer.transform(w, seat) for w in (observer._omega(seat), observer._alpha(seat)))
@@ -377,7 +402,7 @@ def _moving_vector(x, frame, order=0):
 
     def own_rate():
         if all(v.rests() for v in x):
-            return Vector(ZERO3, frame, own_rate)
+            return _moving_vector((_STILL,) * 3, frame)
         if order == 2:
             raise FrameError(NO_THIRD_RATE)
         return _moving_vector(x, frame, order + 1)
@@ -411,12 +436,12 @@ def place(where, what):
 
 def axes_at(point):
     """The frame that a point is fixed in; :class:`FrameError` if it is also the origin of another, whose axes may be the ones meant."""
-    others = [f.name for f in point.frame.tree if f._origin is point and f is not point.frame]
-    if point.name.startswith("origin of ") and point.name != f"origin of {point.frame.name}":
-        others.append(point.name[len("origin of ") :])
-    if others:
+    other = point.origin_of
+    if not other and point.name.startswith("origin of ") and point.name != f"origin of {point.frame.name}":
+        other = point.name[len("origin of ") :]
+    if other:
         raise FrameError(
-            f"{point.name} is a point of {point.frame.name}, and the origin of {others[0]}: along whose axes? For {others[0]}, which the body turns "
+            f"{point.name} is a point of {point.frame.name}, and the origin of {other}: along whose axes? For {other}, which the body turns "
             f"with, give the frame in place of the point; for {point.frame.name} say frame=..., or make another point there"
         )
     return point.frame

@@ -11,7 +11,7 @@ from copy import copy
 from .straight_line import unused
 
 
-def hoisted(text, count):
+def folded(text, count):
     """A :class:`~newton_euler.tracing.Compiled` formula in two: the rest, which takes numbers, and the formula of the parameters that gives these.
 
     count : the first so many of its arguments are no parameters

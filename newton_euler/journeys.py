@@ -3,172 +3,149 @@
 import math
 from typing import NamedTuple
 
-from .courses import SMALL, StepError
-from .events import Occurrence, Watch
+from .courses import SMALLEST_SCALE, StepError, Stepper
+from .events import EventLocator, Occurrence
 from .methods import METHODS
 from .models import ModelError
 from .systems import prepared, start_state
 
 FIRST, MOST = 8, 128  # pieces between two looks for events
-LEGS = 20_000
-SHORTEST = 1e-9  # leg, in parts of the whole time
-ENDLESS = "events follow each other without end"
+MAX_SEGMENTS = 20_000
+MIN_SEGMENT = 1e-9  # leg, in parts of the whole time
+ACCUMULATION = "events follow each other without end"
 
 
-class Leg(NamedTuple):
+class Segment(NamedTuple):
     """A part of a motion under one model: ``system``, ``course``, from ``t0`` to ``t1``, where the state is ``x1``."""
 
     system: object
-    course: object
+    stepper: object
     t0: float
     t1: float
     x1: tuple
 
 
-class Journey:
+class Trajectory:
     """Legs, occurrences and how it ended; ``trouble`` is True if that was in a place where the method could not go on."""
 
-    def __init__(self, method, system, t, x, goal, tolerance, events, progress, sizes, step, course=None, samples=None):
-        self.method, self.goal, self.tolerance, self.progress, self.step = method, goal, tolerance, progress, step
-        self.course, self.origin, self.samples = course or method.course, t, None if events or progress else samples
-        self.legs, self.occurrences, self.ended, self.trouble = [], [], "", False
-        began = None
-        while system is not None:
-            system, t, x, events, began = self._leg(system, t, x, events, began, sizes)
-            sizes = None
-        self.calls = self.legs[0].course.calls if len(self.legs) == 1 else sum(leg.course.calls for leg in self.legs)
+    def __init__(self, run, method, tolerance, scales=None):
+        self.method, self.tolerance, self.initial_scales = method, tolerance, scales
+        self.origin, self.goal, self.step, self.progress = run.t0, run.t1, run.step, run.progress
+        self.samples = None if run.events or run.progress else run.samples
+        self.segments, self.occurrences, self.ended, self.failed = [], [], "", False
+        start = run.system, run.t0, run.state, run.events, None
+        while start:
+            start = self._leg(*start)
+        self.calls = sum([segment.stepper.calls for segment in self.segments])
 
     @property
-    def sizes(self):
+    def scales(self):
         """The largest sizes of the states of the first leg, for the next run; None if it led where they grow without bounds."""
-        return None if self.trouble else self.legs[0].course.sizes
+        return None if self.failed else self.segments[0].stepper.scales
 
-    def _leg(self, system, t, x, events, began, sizes):
-        """One leg; returns what the next one starts from, its system None at the end."""
-        course, hit = None, None
+    def _leg(self, system, t, x, events, initial_event):
+        """One leg; returns what the next one starts from, None at the end."""
+        stepper, hit = None, None
         try:
-            course = self._made(system, t, x, sizes)
-            hit = self._follow(course, events, began)
+            known = not self.segments or not self.method.unusable_because(system)  # another model than the first: by the method that can do all
+            stepper = (self.method if known else METHODS["dop853"]).stepper(system, t, x, self)
+            hit = self._follow(stepper, events, initial_event)
         except ArithmeticError as error:
-            course = course or _Standing(system, t, x)
-            self._stopped(system, course, error)
-        end, x1 = (hit[0], hit[2]) if hit else (course.t, course.x)
-        self.legs.append(Leg(system, course, t, end, x1))
-        if hit is None:
-            self.ended = self.ended or f"reached t = {end:.6g}"
-            return None, None, None, None, None
-        return self._after(hit, system, events)
-
-    def _made(self, system, t, x, sizes):
-        kind = self.course
-        if self.legs and self.method.cannot(system):  # another model than the first: by the method that can do all
-            kind = METHODS["dop853"].course
-        course = kind(system, t, x, self.goal, self.tolerance, sizes, self.step)
-        if self.samples is not None:
-            course.samples = self.samples
-        return course
-
-    def _follow(self, course, events, began):
-        """Go on to the end or the first event that ends the leg; that is returned as (t, event, state)."""
-        if not events and not self.progress:
-            course.advance()
-            return None
-        watches = [Watch(event, course, event is began) for event in events]
-        limit, done = FIRST, 0
-        while course.t < self.goal:
-            course.advance(limit)
-            for at in range(done, len(course.bounds) - 1):
-                hit = self._happened(watches, course, at)
-                if hit:
-                    return hit
-            done, limit = len(course.bounds) - 1, min(2 * limit, MOST)
-            if self.progress:
-                self.progress((course.t - self.origin) / (self.goal - self.origin))
+            stepper = stepper or Stepper(system, t, x, self)
+            self._stopped(system, stepper, error)
+        end, event, x1 = hit or (stepper.t, None, stepper.x)
+        self.segments.append(Segment(system, stepper, t, end, x1))
+        self.initial_scales = None  # they are of the states of the first leg
+        if event:
+            return self._after(end, event, x1, system, events)
+        self.ended = self.ended or f"reached t = {end:.6g}"
         return None
 
-    def _happened(self, watches, course, at):
+    def _follow(self, stepper, events, initial_event):
+        """Go on to the end or the first event that ends the leg; that is returned as (t, event, state)."""
+        if not events and not self.progress:
+            stepper.step()
+            return None
+        watches = [EventLocator(event, stepper, event is initial_event) for event in events]
+        limit, done = FIRST, 0
+        while stepper.t < self.goal:
+            stepper.step(limit)
+            for at in range(done, len(stepper.step_times) - 1):
+                hit = self._happened(watches, stepper, at)
+                if hit:
+                    return hit
+            done, limit = len(stepper.step_times) - 1, min(2 * limit, MOST)
+            if self.progress:
+                self.progress((stepper.t - self.origin) / (self.goal - self.origin))
+        return None
+
+    def _happened(self, watches, stepper, at):
         found = sorted(((t, n) for n, watch in enumerate(watches) for t in watch.found(at)))
         for t, n in found:
             event = watches[n].event
-            x = course.restep(t)
+            x = stepper.state_at(t)
             name = event.name or f"event {n + 1}"
-            self.occurrences.append(Occurrence(name, t, dict(zip(course.system.model.states, x, strict=True))))
+            self.occurrences.append(Occurrence(name, t, dict(zip(stepper.system.model.states, x, strict=True))))
             if event.ends:
                 return t, event, x
         return None
 
-    def _after(self, hit, system, events):
-        t, event, x = hit
+    def _after(self, t, event, x, system, events):
         name = self.occurrences[-1].name
         self.ended = f"{name} at t = {t:.6g}"
-        if event.then is None:
-            return None, None, None, None, None
-        following = system.model._call(event.then, dict(zip(system.model.states, x, strict=True)), system.model.parameters, t)
+        following = event.then and system.model._call(event.then, dict(zip(system.model.states, x, strict=True)), system.model.parameters, t)
         if following is None:
-            return None, None, None, None, None
+            return None
         if not isinstance(following, tuple) or len(following) not in (2, 3):
             raise ModelError(f"then= of {name!r} returns (model, start) or (model, start, events), not {following!r}")
-        if len(self.legs) >= LEGS or (len(self.legs) > 1 and self.legs[-1].t1 - self.legs[-1].t0 < SHORTEST * (self.goal - self.origin)):
-            self.ended = f"{ENDLESS}: {name} at t = {t:.9g}; give then= a rule for what comes after"
-            return None, None, None, None, None
-        model, start = following[:2]
-        same = model.rhs is system.model.rhs
-        following_events = following[2] if len(following) == 3 else tuple(e for e in events if same or e is not event)
+        if len(self.segments) >= MAX_SEGMENTS or (
+            len(self.segments) > 1 and self.segments[-1].t1 - self.segments[-1].t0 < MIN_SEGMENT * (self.goal - self.origin)
+        ):
+            self.ended = f"{ACCUMULATION}: {name} at t = {t:.9g}; give then= a rule for what comes after"
+            return None
         if t >= self.goal:
-            return None, None, None, None, None
+            return None
+        model, start, *given = following
+        events = given[0] if given else [e for e in events if e is not event or model.rhs is system.model.rhs]
         self.ended = ""
-        return prepared(model), t, start_state(model, start), tuple(following_events), event
+        return prepared(model), t, start_state(model, start), tuple(events), event
 
-    def _stopped(self, system, course, error):
-        self.trouble = True
-        place = ", ".join(f"{n} = {v:.6g}" for n, v in zip(system.model.states, course.x, strict=True))
+    def _stopped(self, system, stepper, error):
+        self.failed = True
+        place = ", ".join(f"{n} = {v:.6g}" for n, v in zip(system.model.states, stepper.x, strict=True))
         why = "the coordinates are singular there"
         if isinstance(error, StepError):
             why = "the coordinates may be singular there, or the motion leaves the model"
-        self.ended = f"{system.model.name} could not be followed beyond t = {course.t:.6g}, at {place}: {error}; {why}"
+        self.ended = f"{system.model.name} could not be followed beyond t = {stepper.t:.6g}, at {place}: {error}; {why}"
 
     # -- errors
 
     def difference(self, other):
         """How far two runs end from each other: the largest difference of a state over its size, and of the time if events ended them."""
-        if self.ended.startswith(ENDLESS) and other.ended.startswith(ENDLESS):
-            return abs(self.legs[-1].t1 - other.legs[-1].t1) / (self.goal - self.origin)
-        if len(self.legs) != len(other.legs) or self.legs[-1].system.model.states != other.legs[-1].system.model.states:
+        if self.ended.startswith(ACCUMULATION) and other.ended.startswith(ACCUMULATION):
+            return abs(self.segments[-1].t1 - other.segments[-1].t1) / (self.goal - self.origin)
+        if len(self.segments) != len(other.segments) or self.segments[-1].system.model.states != other.segments[-1].system.model.states:
             return 1.0
-        a, b = self.legs[-1], other.legs[-1]
+        a, b = self.segments[-1], other.segments[-1]
         shift = abs(a.t1 - b.t1) / (self.goal - self.origin)
-        sizes = [max(s) for s in zip(a.course.sizes, b.course.sizes, strict=True)]
+        scales = [max(s) for s in zip(a.stepper.scales, b.stepper.scales, strict=True)]
         pairs = [(a.x1, b.x1)]
-        if len(self.legs) == 1 and not self.trouble and not other.trouble:  # at some earlier instants too: it may be right by chance
-            pairs += [(x, b.course.restep(t)) for t, x in a.course.places if t <= b.t1]
-        return max(shift, *(abs(u - v) / s for one, two in pairs for u, v, s in zip(one, two, sizes, strict=True)))
+        if len(self.segments) == 1 and not self.failed and not other.failed:  # at some earlier instants too: it may be right by chance
+            pairs += [(x, b.stepper.state_at(t)) for t, x in a.stepper.checkpoints if t <= b.t1]
+        return max(shift, *(abs(u - v) / s for one, two in pairs for u, v, s in zip(one, two, scales, strict=True)))
 
     def exact_error(self):
         """Of an exact solution: how far half of the way, taken twice, leads from the whole one. None if some leg is not exact."""
-        if any(leg.course.__class__ is not METHODS["exact"].course for leg in self.legs):
+        if any(segment.stepper.__class__ is not METHODS["exact"].stepper for segment in self.segments):
             return None
         worst = 0.0
-        for leg in self.legs:
-            x, half = leg.course.start[1], (leg.t1 - leg.t0) / 2
+        for segment in self.segments:
+            x, half = segment.stepper.start[1], (segment.t1 - segment.t0) / 2
             try:
-                middle = leg.course.at(half, x) if leg.system.autonomous else None
-                again = leg.course.at(half, middle) if middle else leg.x1
+                middle = segment.system.solution(half, x) if segment.system.autonomous else None
+                again = segment.system.solution(half, middle) if middle else segment.x1
             except (ArithmeticError, ModelError):
                 return 1.0
-            differences = [abs(u - v) / max(abs(v), abs(w), SMALL) for u, v, w in zip(again, leg.x1, x, strict=True)]
+            differences = [abs(u - v) / max(abs(v), abs(w), SMALLEST_SCALE) for u, v, w in zip(again, segment.x1, x, strict=True)]
             worst = max([worst, *differences])
         return worst + 2e-16 if math.isfinite(worst) else 1.0
-
-
-class _Standing:
-    """The course of a motion that could not start."""
-
-    def __init__(self, system, t, x):
-        self.system, self.t, self.x, self.bounds, self.calls = system, t, tuple(x), [t], 1
-        self.sizes = tuple(max(abs(v), SMALL) for v in x)
-
-    def states(self, times):
-        """The start."""
-        import numpy as np
-
-        return np.array(self.x)[:, None] + 0 * np.asarray(times, dtype=float)

@@ -10,14 +10,15 @@ import importlib.util
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from .courses import Exact, scipy_course
 from .dop853 import Dop853
-from .splitting import groups, moments, splitting
-from .taylor import Taylor, installed
+from .exact import Exact
+from .scipy_methods import scipy_method
+from .splitting import partition, principal_moments, splitting
+from .taylor import TAYLOR_MARGIN, Taylor, installed
 
-DECADES = 1e3  # between the two runs
-EASY = 30.0  # the first tolerance is so much below the accuracy asked for: errors are up to 100 tolerances, seldom less than one
-COARSEST = 1e-2
+COARSENING = 1e3  # between the two runs
+TOLERANCE_RATIO = 30.0  # the first tolerance is so much below the accuracy asked for: errors are up to 100 tolerances, seldom less than one
+MAX_COARSE_TOLERANCE = 1e-2
 
 
 @dataclass(frozen=True)
@@ -35,15 +36,15 @@ class Method:
     """
 
     name: str
-    words: str
-    course: Callable
+    description: str
+    stepper: Callable
     order: int | None = None
-    least: float = 1e-13
-    cannot: Callable = lambda system: None
+    min_rtol: float = 1e-13
+    unusable_because: Callable = lambda system: None
     calibrated: bool = True
-    easy: float = EASY
-    loosest: float = 3e-6
-    tightest: float = 1e-14
+    tolerance_ratio: float = TOLERANCE_RATIO
+    max_tolerance: float = 3e-6
+    min_tolerance: float = 1e-14
 
 
 def _no_exact(system):
@@ -61,33 +62,41 @@ def _no_scipy(system):
 
 
 def _no_groups(system):
-    if groups(system) is None:
+    if partition(system) is None:
         return f"the states of {system.model.name!r} do not split into two groups, as places and velocities, with no rate that needs its own group"
     return None
 
 
 def _no_body(system):
-    return None if moments(system) else f"{system.model.name!r} is not Euler's equations of a free body, three rates like a product of the two others"
+    return (
+        None
+        if principal_moments(system)
+        else f"{system.model.name!r} is not Euler's equations of a free body, three rates like a product of the two others"
+    )
 
 
 SCIPY = (("DOP853", 8, 1e-11), ("RK45", 5, 1e-12), ("LSODA", None, 1e-8), ("Radau", 5, 1e-10))
-LEAST = {2: 1e-7, 4: 1e-9, 6: 1e-10, 8: 1e-10}  # by order: round-off of many steps
+MIN_RTOL = {2: 1e-7, 4: 1e-9, 6: 1e-10, 8: 1e-10}  # by order: round-off of many steps
 
 
 def _table():
-    yield Method("exact", "exact solution", Exact, least=1e-15, cannot=_no_exact, calibrated=False)
-    yield Method("taylor", "Taylor series of heyoka", Taylor, least=1e-15, cannot=_no_heyoka, calibrated=False)
+    yield Method("exact", "exact solution", Exact, min_rtol=1e-15, unusable_because=_no_exact, calibrated=False)
+    yield Method(
+        "taylor", "Taylor series of heyoka", Taylor, min_rtol=1e-15, unusable_because=_no_heyoka, calibrated=False, tolerance_ratio=TAYLOR_MARGIN
+    )
     yield Method("dop853", "Runge-Kutta of order 8 in straight-line Python", Dop853, 8)
-    for name, order, least in SCIPY:
-        easy, loosest = (1.0, 1e-4) if name == "Radau" else (EASY, 3e-6)  # whose errors are smaller than its tolerance
-        words = f"SciPy's {name} on traced straight-line code"
-        yield Method(f"scipy {name}", words, scipy_course(name), order, least, _no_scipy, easy=easy, loosest=loosest)
+    for name, order, min_rtol in SCIPY:
+        tolerance_ratio, max_tolerance = (1.0, 1e-4) if name == "Radau" else (TOLERANCE_RATIO, 3e-6)  # whose errors are smaller than its tolerance
+        description = f"SciPy's {name} on traced straight-line code"
+        yield Method(
+            f"scipy {name}", description, scipy_method(name), order, min_rtol, _no_scipy, tolerance_ratio=tolerance_ratio, max_tolerance=max_tolerance
+        )
     for order in (2, 4, 6, 8):
         name = "verlet" if order == 2 else f"yoshida{order}"
-        words = "Verlet's method" if order == 2 else f"Yoshida's composition of order {order}"
-        yield Method(name, f"{words}, symplectic", splitting(order), order, LEAST[order], _no_groups, tightest=1e-40)
-        words = f"Lie-Poisson splitting of order {order}, keeps the angular momentum"
-        yield Method(f"lie-poisson{order}", words, splitting(order, body=True), order, LEAST[order], _no_body, tightest=1e-40)
+        description = "Verlet's method" if order == 2 else f"Yoshida's composition of order {order}"
+        yield Method(name, f"{description}, symplectic", splitting(order), order, MIN_RTOL[order], _no_groups, min_tolerance=1e-40)
+        description = f"Lie-Poisson splitting of order {order}, keeps the angular momentum"
+        yield Method(f"lie-poisson{order}", description, splitting(order, body=True), order, MIN_RTOL[order], _no_body, min_tolerance=1e-40)
 
 
 METHODS = {m.name: m for m in _table()}

@@ -6,10 +6,10 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import NamedTuple
 
-from .courses import instants
+from .courses import sample_times
 from .models import ModelError
 
-EVEN = 101  # samples of a motion without steps
+DEFAULT_SAMPLES = 101  # samples of a motion without steps
 
 
 class MotionError(ModelError):
@@ -48,7 +48,7 @@ class Motion:
     """
 
     model: object
-    legs: tuple
+    segments: tuple
     events: tuple
     method: object
     rtol: float
@@ -60,13 +60,13 @@ class Motion:
     @property
     def t_end(self):
         """The time at which it ended."""
-        return self.legs[-1].t1
+        return self.segments[-1].t1
 
     @cached_property
     def end(self):
         """The last state, by name."""
-        leg = self.legs[-1]
-        return dict(zip(leg.system.model.states, leg.x1, strict=True))
+        segment = self.segments[-1]
+        return dict(zip(segment.system.model.states, segment.x1, strict=True))
 
     @cached_property
     def error(self):
@@ -78,11 +78,13 @@ class Motion:
         """The instants of the samples, an array."""
         import numpy as np
 
-        begin, end, samples = self.legs[0].t0, self.t_end, self.samples
+        begin, end, samples = self.segments[0].t0, self.t_end, self.samples
         if samples is None:
-            ends = [b for leg in self.legs for b in leg.course.bounds[1:] if b < leg.t1] + [leg.t1 for leg in self.legs]
-            return np.array([begin, *sorted(ends)]) if len(ends) > len(self.legs) else np.linspace(begin, end, EVEN)
-        return instants(samples, begin, end)
+            ends = [b for segment in self.segments for b in segment.stepper.step_times[1:] if b < segment.t1] + [
+                segment.t1 for segment in self.segments
+            ]
+            return np.array([begin, *sorted(ends)]) if len(ends) > len(self.segments) else np.linspace(begin, end, DEFAULT_SAMPLES)
+        return sample_times(samples, begin, end)
 
     @cached_property
     def states(self):
@@ -97,7 +99,7 @@ class Motion:
         import numpy as np
 
         times = np.atleast_1d(np.asarray(t, dtype=float))
-        begin, end = self.legs[0].t0, self.t_end
+        begin, end = self.segments[0].t0, self.t_end
         if not np.all((times >= begin) & (times <= end)):
             raise ModelError(f"the motion goes from t = {begin:g} to {end:g}; it says nothing about t = {t!r}")
         found = self._at(times)
@@ -106,19 +108,19 @@ class Motion:
     def _at(self, times):
         import numpy as np
 
-        if len(self.legs) == 1:
-            rows = self.legs[0].course.states(times)
-            rows[:, times == self.t_end] = np.array(self.legs[0].x1)[:, None]
+        if len(self.segments) == 1:
+            rows = self.segments[0].stepper.states(times)
+            rows[:, times == self.t_end] = np.array(self.segments[0].x1)[:, None]
             return dict(zip(self.model.states, rows, strict=True))
-        names = dict.fromkeys(n for leg in self.legs for n in leg.system.model.states)
+        names = dict.fromkeys(n for segment in self.segments for n in segment.system.model.states)
         out = {n: np.full(len(times), math.nan) for n in names}
-        starts = [leg.t0 for leg in self.legs]
+        starts = [segment.t0 for segment in self.segments]
         which = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
         for n in np.unique(which):
-            leg, chosen = self.legs[n], which == n
-            for name, row in zip(leg.system.model.states, leg.course.states(times[chosen]), strict=True):
+            segment, chosen = self.segments[n], which == n
+            for name, row in zip(segment.system.model.states, segment.stepper.states(times[chosen]), strict=True):
                 out[name][chosen] = row
-        last = (times == self.t_end) & (which == len(self.legs) - 1)
+        last = (times == self.t_end) & (which == len(self.segments) - 1)
         for name, x in self.end.items():
             out[name][last] = x
         return out
@@ -127,28 +129,28 @@ class Motion:
     def drift(self):
         """See the class; within each leg, of which the worst counts."""
         worst = {}
-        for leg in self.legs:
-            for name, values in self._invariants(leg).items():
+        for segment in self.segments:
+            for name, values in self._invariants(segment).items():
                 size = abs(values).max()
                 change = abs(values - values[0]).max()
                 worst[name] = max(worst.get(name, 0.0), float(change / size) if size else 0.0)
         return worst
 
-    def _invariants(self, leg):
+    def _invariants(self, segment):
         import numpy as np
 
-        if not leg.system.model.invariants:
+        if not segment.system.model.invariants:
             return {}
-        times = self.times[(self.times >= leg.t0) & (self.times <= leg.t1)]
-        times = np.unique([leg.t0, *times])
-        x = leg.course.states(times)
-        functions = leg.system.model.invariants.items()
-        return {name: np.broadcast_to(leg.system.function(f)(times, *x), times.shape) for name, f in functions}
+        times = self.times[(self.times >= segment.t0) & (self.times <= segment.t1)]
+        times = np.unique([segment.t0, *times])
+        x = segment.stepper.states(times)
+        functions = segment.system.model.invariants.items()
+        return {name: np.broadcast_to(segment.system.function(f)(times, *x), times.shape) for name, f in functions}
 
     def explain(self):
         """All of it in words, one fact a line."""
-        lines = [f"{self.model.name}, from t = {self.legs[0].t0:g} to {self.t_end:.9g}: {self.ended}"]
-        lines.append(f"method: {self.method.name} ({self.method.words})")
+        lines = [f"{self.model.name}, from t = {self.segments[0].t0:g} to {self.t_end:.9g}: {self.ended}"]
+        lines.append(f"method: {self.method.name} ({self.method.description})")
         kept = "" if not self.error > self.rtol else ", not reached" if self.error == self.error else ""
         lines.append(f"error of the last state: about {self.error:.1g}, asked for {self.rtol:.1g}{kept}")
         lines += [f"drift of {name}: {value:.1g}" for name, value in self.drift.items()]

@@ -11,11 +11,11 @@ and the Euler equations, Phys. Rev. Lett. 71 (1993) 3043.
 import math
 from functools import lru_cache
 
-from .courses import Course, StepError, chosen
+from .courses import StepError, Stepper, checkpoint_indices
 from .models import ModelError
 from .vectors import cross3, dot3
 
-MOST_STEPS = 3_000_000
+MAX_STEPS = 3_000_000
 _W6 = (-1.17767998417887, 0.235573213359357, 0.784513610477560)  # Yoshida's solution A for order 6, outside to middle reversed
 _W8 = (-1.61582374150097, -2.44699182370524, -0.00716989419708120, 2.44002732616735, 0.157739928123617, 1.82020630970714, 1.04242620869991)
 
@@ -38,7 +38,7 @@ COMPOSITIONS = {2: (1.0,), 4: _triple(4), 6: _symmetric(_W6), 8: _symmetric(_W8)
 # -- which models have the structure
 
 
-def groups(system):
+def partition(system):
     """The states in two groups, no rate of which depends on its own group, as two tuples of numbers; None if there are none."""
     states, needs = system.model.states, system.traced.needs
     if any("t" in need for need in needs):
@@ -59,7 +59,7 @@ def groups(system):
     return tuple(i for i in side if not side[i]), tuple(i for i in side if side[i])
 
 
-def moments(system):
+def principal_moments(system):
     """The principal moments of inertia, to a factor, of a model that is Euler's equations without moments; None for any other.
 
     Three rates, each a number times the product of the two other states; the numbers must belong to moments.
@@ -102,9 +102,9 @@ def _verlet(n, first, second, free):
     return space["move"]
 
 
-def _turn(moments_, x, h, weights):
+def _turn(moments, x, h, weights):
     """A step of the splitting of the energy into that about each axis: each part turns the angular momentum about its axis."""
-    I1, I2, I3 = moments_
+    I1, I2, I3 = moments
     a, b, c = x[0] * I1, x[1] * I2, x[2] * I3
     cos, sin = math.cos, math.sin
     for w in weights:
@@ -128,29 +128,29 @@ def _turn(moments_, x, h, weights):
 # -- the course
 
 
-class Splitting(Course):
+class Splitting(Stepper):
     """A course of equal steps; ``tolerance`` sets them, to be calibrated by the difference of two runs, or ``step`` does."""
 
     order = 2
     body = False
 
-    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
-        super().__init__(system, t, x, goal, tolerance, sizes)
+    def __init__(self, system, t, x, trajectory):
+        super().__init__(system, t, x, trajectory)
         self.weights = COMPOSITIONS[self.order]
         self._prepare()
-        span = goal - t
-        count = span / (step or self._time_scale() * tolerance ** (1 / self.order))
-        if count > MOST_STEPS:
+        span = self.goal - t
+        count = span / (trajectory.step or self._time_scale() * trajectory.tolerance ** (1 / self.order))
+        if count > MAX_STEPS:
             raise ModelError(f"{count:.2g} steps of order {self.order} would be needed; take a higher order, another method, or a coarser rtol")
-        self.h = span / max(1, math.ceil(count * (1 - 1e-12)))
-        self.steps, self.count = [self.x], max(1, math.ceil(count * (1 - 1e-12)))
+        self.count = max(1, math.ceil(count * (1 - 1e-12)))  # a span of whole steps is not cut once more by round-off
+        self.h, self.steps = span / self.count, [self.x]
 
     def _prepare(self):
         if self.body:
-            self.moments = moments(self.system)
-            self.move = lambda x, h: _turn(self.moments, x, h, self.weights)
+            self.principal_moments = principal_moments(self.system)
+            self.move = lambda x, h: _turn(self.principal_moments, x, h, self.weights)
             return
-        first, second = groups(self.system)
+        first, second = partition(self.system)
         step, f, p = _verlet(len(self.x), first, second, len(self.system.p)), self.system.f, self.system.p
         self.move = lambda x, h: step(f, p, 0.0, x, h, self.weights)
 
@@ -159,13 +159,13 @@ class Splitting(Course):
         x = self.x
         k = self.system.rates(self.t, x)
         d = 1e-3 * (self.goal - self.t)
-        d = min([d] + [1e-3 * s / abs(v) for s, v in zip(self.sizes, k, strict=True) if abs(v) > 1e-3 * s])
+        d = min([d] + [1e-3 * s / abs(v) for s, v in zip(self.scales, k, strict=True) if abs(v) > 1e-3 * s])
         later = self.system.rates(self.t, tuple(a + d * v for a, v in zip(x, k, strict=True)))
         second = [abs(b - a) / d for a, b in zip(k, later, strict=True)]
-        scales = [math.sqrt(max(s, abs(v) * d) / a) for s, v, a in zip(self.sizes, k, second, strict=True) if a > 1e-12 * s and s > 1e-3]
+        scales = [math.sqrt(max(s, abs(v) * d) / a) for s, v, a in zip(self.scales, k, second, strict=True) if a > 1e-12 * s and s > 1e-3]
         return min([*scales, (self.goal - self.t) / 4])
 
-    def advance(self, limit=1 << 62):
+    def step(self, limit=math.inf):
         """Go on by at most so many steps."""
         start, done = self.start[0], len(self.steps) - 1
         x, move, h = self.x, self.move, self.h
@@ -174,28 +174,28 @@ class Splitting(Course):
             if not math.isfinite(sum(x)):
                 raise StepError("the states have grown beyond all bounds")
             self.steps.append(x)
-            self.bounds.append(start + n * h)
-        self.x, self.t = x, self.bounds[-1]
+            self.step_times.append(start + n * h)
+        self.x, self.t = x, self.step_times[-1]
         if len(self.steps) > self.count:
-            self.t = self.bounds[-1] = self.goal
-        self.sizes = tuple(max(s, max(map(abs, column))) for s, column in zip(self.sizes, zip(*self.steps[done:], strict=True), strict=True))
+            self.t = self.step_times[-1] = self.goal
+        self.scales = tuple(max(s, max(map(abs, column))) for s, column in zip(self.scales, zip(*self.steps[done:], strict=True), strict=True))
         self.calls += 3 * len(self.weights) * (len(self.steps) - 1 - done)
 
     @property
-    def places(self):
+    def checkpoints(self):
         """See :class:`newton_euler.courses.Course`."""
-        return [(self.bounds[n], self.steps[n]) for n in chosen(len(self.steps))]
+        return [(self.step_times[n], self.steps[n]) for n in checkpoint_indices(len(self.steps))]
 
-    def restep(self, t):
+    def state_at(self, t):
         """By a shorter step from the last place before."""
-        at = self.piece(t)
-        return self.move(self.steps[at], t - self.bounds[at])
+        at = self.step_index(t)
+        return self.move(self.steps[at], t - self.step_times[at])
 
-    def on_piece(self, at, times):
+    def interpolate(self, at, times):
         """By a shorter step of the method from the last place before."""
         import numpy as np
 
-        return np.array([self.move(self.steps[at], t - self.bounds[at]) for t in times.tolist()]).T
+        return np.array([self.move(self.steps[at], t - self.step_times[at]) for t in times.tolist()]).T
 
 
 def splitting(order, body=False):

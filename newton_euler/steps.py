@@ -5,6 +5,11 @@ Nothing here has a value, so a formula that is traced cannot branch on one; it c
 
 from .scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, plain, scalar
 
+NO_VALUE = (
+    "a formula is traced without values: it must not branch on them (if, max, ==), but chooses by where(x < y, a, b), "
+    "and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
+)
+
 
 class Step(_Own):
     """One traced scalar: an operation on earlier steps, numbers or the arguments."""
@@ -105,10 +110,7 @@ class Step(_Own):
         return a if a is b else self.trace.step("where", self, plain(a), plain(b))
 
     def _no_value(self, *_):
-        raise TypeError(
-            "a formula is traced without values: it must not branch on them (if, max, ==), but chooses by where(x < y, a, b), "
-            "and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
-        )
+        raise TypeError(NO_VALUE)
 
     __bool__ = __float__ = _no_value
 

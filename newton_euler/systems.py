@@ -5,17 +5,16 @@ Models that share a right-hand side (the same scene with other parameters) share
 
 import ast
 import math
-from collections import OrderedDict
 from functools import cached_property
 from inspect import Parameter, Signature
 
-from .hoisting import hoisted
+from .hoisting import folded
 from .models import Model, ModelError, is_law
 from .scalars import ZERO, ScalarError, is_numeric, plain, scalar
 from .tracing import compiled
 
-KEPT = 64  # right-hand sides
-_known = OrderedDict()
+KEPT = 64  # right-hand sides, and functions of the states for each: those made at each call, as a lambda is, would pile up
+_known = {}
 
 
 class Traced:
@@ -33,28 +32,28 @@ class Traced:
         return _dependencies(self.rhs.source)
 
     @cached_property
-    def hoisted(self):
+    def folded(self):
         """The right-hand side with single numbers in place of what depends on parameters alone, and the formula that gives these."""
-        return hoisted(self.rhs, 1 + self.states)
+        return folded(self.rhs, 1 + self.states)
 
     @cached_property
-    def hoisted_on_floats(self):
+    def folded_on_floats(self):
         """Both as functions of floats."""
-        return tuple(text._on(math) for text in self.hoisted)
+        return tuple(text._on(math) for text in self.folded)
 
 
 def prepared(model):
     """The :class:`System` of a model, which keeps it."""
     if not isinstance(model, Model):
         raise ModelError(f"integrate takes a Model, got {model!r}")
-    found = vars(model).get("_system")
+    found = vars(model).get("_prepared")
     if found is None:
-        found = System(model)
-        object.__setattr__(model, "_system", found)
+        found = PreparedModel(model)
+        object.__setattr__(model, "_prepared", found)
     return found
 
 
-class System:
+class PreparedModel:
     """A model with the numbers of its parameters.
 
     f : the right-hand side on floats, ``f(t, *states, *p)``; p : the values of the parameters that are arguments of it
@@ -68,9 +67,9 @@ class System:
         names = [n for n, _ in fixed]
         self.free = tuple(n for n in model.parameters if n not in names)
         self.p = tuple(_number(model, n, model.parameters[n]) for n in self.free)
-        self.trusted = False  # its exact solution, once that has been tried
+        self.exact_verified = False  # its exact solution, once that has been tried
         self.many = any(getattr(x, "shape", ()) for x in model.parameters.values())
-        self.traced = _traced(model, self.free, fixed)
+        self.traced = _cached(_known, (model.rhs, model.states, self.free, fixed), lambda: Traced(model, self.free))
         self.f = self.traced.f
 
     @cached_property
@@ -79,18 +78,18 @@ class System:
         return all("t" not in needs for needs in self.traced.needs)
 
     @cached_property
-    def numbers(self):
+    def constants(self):
         """What the rates need of the parameters, for the first of ``traced.hoisted``; nan if the parameters give no numbers."""
-        rest, early = self.traced.hoisted_on_floats
+        rest, early = self.traced.folded_on_floats
         try:
             return early(*self.p)
         except (ArithmeticError, ValueError):
             return (math.nan,) * (rest.__code__.co_argcount - 1 - self.traced.states)
 
     @property
-    def fast(self):
+    def folded_rates(self):
         """The right-hand side on floats, ``fast(t, *states, *numbers)``."""
-        return self.traced.hoisted_on_floats[0]
+        return self.traced.folded_on_floats[0]
 
     def rates(self, t, x):
         """The rates of the states."""
@@ -144,13 +143,14 @@ class System:
 
     def _text(self, formula_):
         """The traced text of a function ``(s, p, t)``; None if it branches on values, as is allowed for events."""
-        known = self.traced.functions
-        if formula_ not in known:
+
+        def made():
             try:
-                known[formula_] = formula(self.model, self.free, formula_)
+                return formula(self.model, self.free, formula_)
             except (TypeError, ModelError):
-                known[formula_] = None
-        return known[formula_]
+                return None
+
+        return _cached(self.traced.functions, formula_, made)
 
 
 def formula(model, free, f):
@@ -169,12 +169,12 @@ def _plain(result):
     return tuple(map(plain, result)) if isinstance(result, tuple) else plain(result)
 
 
-def _traced(model, free, fixed):
-    key = (model.rhs, model.states, free, fixed)
-    found = _known.pop(key, None) or Traced(model, free)
-    _known[key] = found
-    if len(_known) > KEPT:
-        _known.popitem(last=False)
+def _cached(cache, key, make):
+    """The value of a key in the cache, made if it is not there; of all values the ``KEPT`` that were used last stay."""
+    found = cache.pop(key, cache)  # the cache itself stands for what is not in it
+    cache[key] = found = make() if found is cache else found
+    if len(cache) > KEPT:
+        cache.pop(next(iter(cache)), None)
     return found
 
 

@@ -8,11 +8,11 @@ import importlib.util
 import math
 from functools import cache
 
-from .courses import CREEPING, PATIENCE, Course, StepError, instants
+from .courses import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_times
 
 LEVELS = (*(10.0 ** (-n / 2) for n in range(8, 31)), 2.3e-16)  # of heyoka's tolerance: each one is compiled by itself
-TAYLOR_MARGIN = 10.0**-1.5  # heyoka's tolerance over the error asked for: of 310 runs 3 are then worse than asked for, at 0.1 14
-LARGE = 0.1  # states of this size are accurate enough with the tolerance as it is
+TAYLOR_MARGIN = 10.0**1.5  # the error asked for over heyoka's tolerance: of 310 runs 3 are then worse than asked for, at 10 14
+ABSOLUTE_SCALE = 0.1  # states of this size are accurate enough with the tolerance as it is
 SHORT = 0.6  # of a natural step: at the orders used (8 to 20) the error is then a hundredth or less
 
 
@@ -29,8 +29,8 @@ def integrator(system, tolerance, batch=None):
     if (level, batch) not in known:
         hy = importlib.import_module("heyoka")
         variables = [hy.expression(n) for n in system.model.states]
-        rest, _ = system.traced.hoisted
-        outputs = rest._on(hy)(hy.time, *variables, *(hy.par[i] for i in range(len(system.numbers))))
+        rest, _ = system.traced.folded
+        outputs = rest._on(hy)(hy.time, *variables, *(hy.par[i] for i in range(len(system.constants))))
         equations = [(v, o + hy.expression(0.0)) for v, o in zip(variables, outputs, strict=True)]
         n = len(variables)
         if batch is None:
@@ -47,91 +47,91 @@ def _scale(system, t, x, goal):
     largest = max(map(abs, x))
     if largest == 0.0:  # what they may become
         largest = max(abs(rate) for rate in system.rates(t, x)) * (goal - t)
-    return 1.0 if largest >= LARGE or not largest > 0.0 else largest
+    return 1.0 if largest >= ABSOLUTE_SCALE or not largest > 0.0 else largest
 
 
-class Taylor(Course):
+class Taylor(Stepper):
     """The course of a motion by Taylor series. Without events it is one call; what lies between is worked out when it is asked for."""
 
     natural = True
 
-    def __init__(self, system, t, x, goal, tolerance, sizes=None, step=None):
-        super().__init__(system, t, x, goal, tolerance, sizes)
-        self.ta = integrator(system, tolerance * _scale(system, t, self.x, goal))
-        self.series, self.kept, self.step = [], None, step or math.inf
+    def __init__(self, system, t, x, trajectory):
+        super().__init__(system, t, x, trajectory)
+        self.ta = integrator(system, trajectory.tolerance * _scale(system, t, self.x, self.goal))
+        self.series, self.kept, self.samples = [], None, trajectory.samples
 
     def _put(self, t, x):
         pars = self.ta.pars
-        pars[:] = self.system.numbers[: len(pars)]
+        pars[:] = self.system.constants[: len(pars)]
         self.ta.time = t
         self.ta.state[:] = x
 
     @staticmethod
-    def prepared(system, tolerance, slowly):
+    def prepared(system, tolerance, fallback):
         """See :func:`newton_euler.motion.prepare`; where it does not go smoothly, ``slowly(t, start)`` does, or says why not."""
         ta = integrator(system, tolerance)
         state, pars, propagate = ta.state, ta.pars, ta.propagate_until
         p, count = pars.copy(), len(state)
-        p[:] = system.numbers[: len(pars)]
+        p[:] = system.constants[: len(pars)]
 
         def run(t, start):
-            if len(start) != count or max(map(abs, start)) < LARGE:
-                return slowly(t, start)
+            if len(start) != count or max(map(abs, start)) < ABSOLUTE_SCALE:
+                return fallback(t, start)
             pars[:] = p
             ta.time = 0.0
             state[:] = start
-            propagate(t, max_steps=100 * PATIENCE)
+            propagate(t, max_steps=100 * MAX_STALLED_STEPS)
             x = tuple(state.tolist())
-            return x if ta.time == t and math.isfinite(sum(x)) else slowly(t, start)
+            return x if ta.time == t and math.isfinite(sum(x)) else fallback(t, start)
 
         return run
 
-    def advance(self, limit=1 << 62):
+    def step(self, limit=math.inf):
         """Go on by at most so many steps."""
-        if limit < 1 << 62 or not self.natural:
+        if limit < math.inf or not self.natural:
             return self._by_steps(self.goal, limit)
         ta = self.ta
         self._put(self.t, self.x)
         if self.samples is not None and self._by_grid():
             return None
         while self.t < self.goal:
-            _, _, longest, steps, *_ = ta.propagate_until(self.goal, max_delta_t=self.step, max_steps=PATIENCE)
+            _, _, longest, steps, *_ = ta.propagate_until(self.goal, max_steps=MAX_STALLED_STEPS)
             before, self.t, self.calls = self.t, ta.time, self.calls + steps * ta.order
             self.x, self.longest = tuple(ta.state.tolist()), max(self.longest, longest)
-            if (self.t < self.goal and self.t - before < CREEPING * steps * self.longest) or not math.isfinite(sum(self.x)):
+            if (self.t < self.goal and self.t - before < STALLED_RATIO * steps * self.longest) or not math.isfinite(sum(self.x)):
                 return self._again()
-        self.bounds.append(self.t)
-        return self.grown()
+        self.step_times.append(self.t)
+        return self.update_scales()
 
     def _by_grid(self):
         """All the way by heyoka's grid, with the samples that are wanted; False if it does not go smoothly."""
         import numpy as np
 
-        times = instants(self.samples, self.t, self.goal)
+        times = sample_times(self.samples, self.t, self.goal)
         if len(times) < 2 or times[0] < self.t or np.any(np.diff(times) <= 0) or times[-1] > self.goal:
             return False
         before, after = int(times[0] > self.t), int(times[-1] < self.goal)
         grid = np.concatenate(([self.t] * before, times, [self.goal] * after)) if before or after else times
-        _, _, _, steps, *_, found = self.ta.propagate_grid(grid, max_steps=100 * PATIENCE)
+        _, _, _, steps, *_, found = self.ta.propagate_grid(grid, max_steps=100 * MAX_STALLED_STEPS)
         if len(found) < len(grid) or not math.isfinite(sum(found[-1].tolist())):
             self._put(self.t, self.x)
             return False
         self.kept = times, found[before : len(grid) - after].T
         self.t, self.x, self.calls = self.goal, tuple(found[-1].tolist()), self.calls + steps * self.ta.order
-        self.bounds.append(self.t)
-        self.grown()
+        self.step_times.append(self.t)
+        self.update_scales()
         return True
 
     def _again(self):
         """By single steps, to see where it fails."""
         self.t, self.x = self.start
-        self._by_steps(self.goal, 1 << 62)
+        self._by_steps(self.goal, math.inf)
 
     def _by_steps(self, goal, limit):
         ta = self.ta
         self._put(self.t, self.x)
         while limit > 0 and self.t < goal:
-            h = min(self.step, goal - self.t)
+            h = goal - self.t
             if not self.natural:
                 ta.step(max_delta_t=h)
                 h = min(h, SHORT * ta.last_h)
@@ -142,9 +142,9 @@ class Taylor(Course):
                 raise StepError("the series has no finite terms here, or the step became too small to go on")
             self.series.append(ta.tc.copy())
             self.t, self.x, self.calls, limit = float(ta.time), x, self.calls + ta.order, limit - 1
-            self.bounds.append(self.t)
-            self.grown()
-            self.creeps()
+            self.step_times.append(self.t)
+            self.update_scales()
+            self.check_progress()
 
     def states(self, times):
         """On many times by heyoka's own grid, if the steps are not known yet."""
@@ -153,26 +153,26 @@ class Taylor(Course):
         times = np.asarray(times, dtype=float)
         if self.kept and np.array_equal(times, self.kept[0]):
             return self.kept[1]
-        if self.series or len(self.bounds) < 2 or len(times) < 2 or np.any(np.diff(times) <= 0):
+        if self.series or len(self.step_times) < 2 or len(times) < 2 or np.any(np.diff(times) <= 0):
             return super().states(times)
         self._put(*self.start)
         begun = times[0] == self.start[0]
         found = self.ta.propagate_grid(times if begun else np.concatenate(([self.start[0]], times)))[-1]
         return found[0 if begun else 1 :].T
 
-    def on_piece(self, at, times):
+    def interpolate(self, at, times):
         """The Taylor polynomial of the step."""
         from numpy.polynomial.polynomial import polyval
 
         if not self.series:  # one call has led here: go the same way by steps
-            ends = self.bounds[1:]
+            ends = self.step_times[1:]
             self.t, self.x = self.start
-            self.bounds = [self.t]
-            self._by_steps(ends[-1], 1 << 62)
+            self.step_times = [self.t]
+            self._by_steps(ends[-1], math.inf)
             return super().states(times)
-        return polyval(times - self.bounds[at], self.series[at].T)
+        return polyval(times - self.step_times[at], self.series[at].T)
 
-    def restep(self, t):
+    def state_at(self, t):
         """The Taylor polynomial is as accurate as the step."""
         import numpy as np
 

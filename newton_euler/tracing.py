@@ -13,12 +13,12 @@ import sys
 
 from .jets import Moving
 from .scalars import FUNCTIONS, ScalarError, Scaled, _Own, _root, library_of, pi, scalar, without_rates
-from .steps import Step, Trace
+from .steps import NO_VALUE, Step, Trace
 from .straight_line import COMPARISONS, choices, written
 
 BLOCK = 8192  # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768 measured)
 HEYOKA_BLOCK = 1 << 15  # the same for heyoka, whose inputs are copied together (measured: 4096 costs half as much again)
-HEYOKA_PAYS = {True: 60_000, False: 1_500_000}  # instants until its compilation (and, if not yet loaded, import) is earned back
+HEYOKA_BREAK_EVEN = {True: 60_000, False: 1_500_000}  # instants until its compilation (and, if not yet loaded, import) is earned back
 
 
 def _leaves(result):
@@ -71,7 +71,12 @@ class Compiled:
         trace = Trace()
         values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
         by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
-        leaves, self._rebuild = _leaves(f(*by_place, **values))
+        try:
+            leaves, self._rebuild = _leaves(f(*by_place, **values))
+        except TypeError as error:
+            if "ufunc" not in str(error):
+                raise
+            raise TypeError(NO_VALUE) from error  # a function of NumPy, which has only words of its own for a number that it does not know
         self.parameters, self.backend, self.name = parameters, backend, getattr(f, "__name__", "formula")
         self._defaults = {n: signature[n].default for n in parameters if signature[n].default is not inspect.Parameter.empty}
         self.source, self._constants, self.operations, self._results = written(trace, names, leaves, lazy=False)
@@ -118,21 +123,21 @@ class Compiled:
         return self._rebuild(self._run[library.__name__](*args))
 
     def _own(self, args):
-        """On the kinds of this engine; pi comes from the most exact number among them."""
-        run = self._run.get("own") or self._run.setdefault("own", self._on(sys.modules[_Own.__module__]))
-        traced = [a for a in args if isinstance(a, Step)]
-        inside = [a for a in map(without_rates, args) if not isinstance(a, _Own) and _root(type(a)) != "builtins"]
-        run.__globals__["pi"] = pi((traced or inside or [0.0])[0])
-        return self._rebuild(run(*args))
+        """The value on the kinds of number defined in this package; pi has the kind and the digits of the most exact number among them."""
+        run = self._run.get("own") or self._run.setdefault("own", self._on(sys.modules[_Own.__module__], "pi, "))
+        values = [without_rates(a) for a in args]
+        traced = [v for v in values if isinstance(v, Step)]
+        others = [v for v in values if not isinstance(v, _Own) and _root(type(v)) != "builtins"]
+        return self._rebuild(run(pi((traced or others or [0.0])[0]), *args))
 
-    def _on(self, library):
-        """The text as a function over one library."""
+    def _on(self, library, first=""):
+        """The text as a function over one library; ``first`` is an argument before the others, for what differs from call to call."""
         space = {name: getattr(library, name) for name in (*FUNCTIONS, "atan2", "pi") if hasattr(library, name)}
         rounded = library.__name__ in ("math", "numpy", "heyoka")
         space.update(choices(library))
         space.update({name: _float(c) if rounded else c for name, c in self._constants.items()})
-        one = library.__name__ in ("math", "mpmath")  # number at a time
-        exec(compile(self._lazy if one else self.source, f"<compiled {self.name}>", "exec"), space)
+        text = self._lazy if library.__name__ in ("math", "mpmath") else self.source  # these take one number at a time
+        exec(compile(text.replace("(", f"({first}", 1), f"<compiled {self.name}>", "exec"), space)
         return space["formula"]
 
     def _arrays(self, np, args):
@@ -169,7 +174,7 @@ class Compiled:
         if self.backend == "numpy":
             return False
         if self._heyoka is None:
-            if self.backend == "auto" and self._seen < HEYOKA_PAYS["heyoka" in sys.modules]:
+            if self.backend == "auto" and self._seen < HEYOKA_BREAK_EVEN["heyoka" in sys.modules]:
                 return False
             if importlib.util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":

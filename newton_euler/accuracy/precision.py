@@ -12,13 +12,13 @@ from functools import cache
 from importlib import import_module
 from time import perf_counter
 
-from ..courses import SMALL
+from ..courses import SMALLEST_SCALE
 from ..methods import METHODS
 from ..models import ModelError
 from ..motion import integrate
 from ..scenes import scene as scene_named
 from ..scenes.catalogue import Scene
-from ..systems import System
+from ..systems import PreparedModel
 from .measure import Measured, timed
 from .reference import reference
 
@@ -71,7 +71,7 @@ def work_precision(name, tolerances=TOLERANCES, methods=NAMES, longest=LONGEST, 
     reference = Reference(scene)
     points, preparing, left_out = [], {}, {}
     for n, method in enumerate(methods):
-        if method != "auto" and METHODS[method].cannot(System(reference.model)):
+        if method != "auto" and METHODS[method].unusable_because(PreparedModel(reference.model)):
             continue
         for m, rtol in enumerate(tolerances):
             progress((n + m / len(tolerances)) / len(methods), f"{method}, {rtol:.0e}")
@@ -124,7 +124,7 @@ class Reference:
 
 def worst_drift(motion):
     """The largest drift of an invariant at about a hundred ends of steps; None if no invariant is known."""
-    ends = motion.legs[0].course.bounds
+    ends = motion.segments[0].stepper.step_times
     sampled = replace(motion, samples=ends[:: len(ends) // 100 + 1]) if len(ends) > 100 else motion
     return max(sampled.drift.values(), default=None)
 
@@ -150,4 +150,4 @@ def state_sizes(scene):
     """The largest size of each state during the motion, at least 1e-6: what errors are relative to."""
     model, t, start = scene.motion
     motion = integrate(replace(model, exact=None), t, start, 1e-6, "dop853")
-    return tuple(max(float(abs(x).max()), SMALL) for x in motion.states.values())
+    return tuple(max(float(abs(x).max()), SMALLEST_SCALE) for x in motion.states.values())

@@ -8,7 +8,7 @@ removes one of them. None of the methods that are measured works in this way, an
 import importlib
 
 from ..models import ModelError
-from ..systems import System, start_state
+from ..systems import PreparedModel, start_state
 from ..taylor import installed
 
 RUNS = 14  # of the midpoint rule over one step, which makes the order 28
@@ -36,7 +36,7 @@ def by_heyoka(model, t, start):
     """
     import mpmath as mp
 
-    hy, system = importlib.import_module("heyoka"), System(model)
+    hy, system = importlib.import_module("heyoka"), PreparedModel(model)
     variables, one = [hy.expression(n) for n in model.states], hy.real(1, BITS)
     outputs = system.traced.rhs(hy.time, *variables, *(hy.par[i] for i in range(len(system.free))))
     equations = [(v, o + hy.expression(0.0)) for v, o in zip(variables, outputs, strict=True)]
@@ -53,7 +53,7 @@ def by_extrapolation(model, t, start, digits=30):
     import mpmath as mp
 
     with mp.workdps(digits + GUARD):
-        system = System(model)
+        system = PreparedModel(model)
         p = [mp.mpf(x) for x in system.p]
 
         def rates(t, x):

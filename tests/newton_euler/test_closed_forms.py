@@ -22,7 +22,7 @@ from newton_euler.scenes import top
 from newton_euler.scenes.free_body import free_body
 from newton_euler.scenes.orbit import from_farthest, orbit
 from newton_euler.scenes.pendulum import physical_pendulum
-from newton_euler.systems import System
+from newton_euler.systems import PreparedModel
 from tests.kinds import close
 from tests.motions import reference
 
@@ -34,7 +34,7 @@ SEPARATRIX = 2 * math.sqrt(10.0)  # rad/s at the bottom, from which this pendulu
 
 def text(model):
     """The exact solution as its traced text on floats."""
-    return System(model).function(model.exact)
+    return PreparedModel(model).function(model.exact)
 
 
 def precisely(model, t, start):

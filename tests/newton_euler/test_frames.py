@@ -4,7 +4,9 @@ The oracle knows no Coriolis term, no law of composition and no engine: it has t
 :mod:`exercises.proofs` to differentiate them.
 """
 
+import gc
 import random
+import weakref
 
 import mpmath
 import numpy as np
@@ -960,3 +962,62 @@ def test_points_and_frames_show_what_they_are():
     assert "P at (1.0, 0, 0)" in repr(arm.point("P", 1.0, 0, 0)) or "moving" in repr(arm.point("P", 1.0, 0, 0))
     assert arm.origin.name == "origin of arm"
     assert ground.origin.position(ground).components() == (0, 0, 0)
+
+
+# -- memory
+
+
+@pytest.fixture
+def without_collector():
+    """What is freed here is freed at once, as soon as nothing refers to it."""
+    gc.collect()
+    gc.disable()
+    yield
+    gc.enable()
+
+
+USES = {
+    "made": lambda arm, P, ground: arm,
+    "position": lambda arm, P, ground: P.position(ground),
+    "velocity": lambda arm, P, ground: P.velocity(ground).explain(),
+    "acceleration": lambda arm, P, ground: P.acceleration(ground).explain(),
+    "seen from the arm": lambda arm, P, ground: (ground.angular_acceleration(arm), ground.point("Q", 1.0, 0, 0).acceleration(arm).c),
+    "seen from a sibling": lambda arm, P, ground: P.acceleration(ground.rotate("other", "x", rate=2.0)).c,
+    "unit vectors": lambda arm, P, ground: (arm.i.rate(ground), ground.k.expressed_in(arm), P.velocity(arm).rate(arm)),
+    "origin": lambda arm, P, ground: arm.rotate("hand", "x", 0.3, origin=P).origin.velocity(ground).c,
+    "tree": lambda arm, P, ground: ground.tree,
+}
+
+
+@pytest.mark.parametrize("use", USES)
+def test_a_frame_is_forgotten_when_nothing_refers_to_it(use, without_collector):
+    ground = Frame("ground")
+    arm = ground.rotate("arm", "z", 0.2, 0.6, origin=ground.point("O", 1.0, 0, 0))
+    seen = weakref.ref(arm)
+    USES[use](arm, arm.point("P", 0, moving(1.0, 0.5), 0), ground)
+    del arm
+    assert seen() is None
+    assert ground.tree == [ground]
+
+
+def test_a_frame_keeps_those_above_it_and_those_of_a_result_are_in_its_tree():
+    rod = Frame("ground").rotate("arm", "z", rate=0.6).rotate("rod", "x", 0.3, 2.0)
+    assert [f.name for f in rod.tree] == ["ground", "arm", "rod"]
+    ground, arm, _ = rod.tree
+    a = rod.point("P", 0, 1.0, 0).acceleration(ground).expressed_in(arm)
+    assert a.frame.tree[0].tree == [ground, arm, rod]
+    twig = rod.rotate("twig", "z")
+    assert arm.tree == [ground, arm, rod, twig]
+    del rod, twig
+    gc.collect()
+    assert [f.name for f in a.frame.tree] == ["ground", "arm", "rod"]  # of which the terms of the acceleration know
+
+
+def test_ten_thousand_frames_leave_nothing_behind():
+    ground = Frame("ground")
+    P = ground.point("P", 1.0, 0, 0)
+    for _ in range(10_000):
+        ground.angular_velocity(ground.rotate("rod", "z", 0.1, 0.2, origin=P))
+    gc.collect()
+    assert len(ground.tree) == len(ground._relatives) == 1
+    assert len(ground._memo) <= 1

@@ -176,6 +176,7 @@ def rhs(s, p, t):
         (("fall", {"g": 9.81}, ("h", "w"), rhs), "fails when it is tried: there is no state 'v'; there are h, w"),
         (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g if s.h > 0 else 0)), "a formula is traced without values: it must not branch"),
         (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, math.sin(s.h))), "a formula is traced without values"),
+        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, np.sin(s.h))), "a formula is traced without values"),
         (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, "down")), "returns scalars, Vectors, or tuples"),
         (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: None), "fails when it is tried"),
         (("fall", {"g": "9.81"}, ("h", "v"), rhs), r"the parameter g of 'fall' is a number or a function \(s, p, t\), not '9.81'"),

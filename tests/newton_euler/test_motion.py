@@ -1,9 +1,12 @@
 """Integration of models: orders of convergence, honest errors, events and switches, dense output, many at once, and refusals in words."""
 
+import gc
 import math
 import statistics
 import subprocess
 import sys
+import weakref
+from dataclasses import replace
 
 import mpmath
 import numpy as np
@@ -18,7 +21,7 @@ from newton_euler.scenes import top
 from newton_euler.scenes.pendulum import physical_pendulum
 from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
 from newton_euler.scenes.space_station import free_body as station_body
-from newton_euler.systems import prepared
+from newton_euler.systems import KEPT, prepared
 from tests.motions import SCENES, SPIN, forced, free_body, kepler, oscillator, reference, top_start, true_error
 
 ADAPTIVE = ("taylor", "dop853", "scipy DOP853", "scipy RK45", "scipy LSODA")
@@ -51,7 +54,7 @@ def test_methods_converge_with_their_order(method):
 @pytest.mark.parametrize("method", ["dop853", "lie-poisson2", "lie-poisson4", "lie-poisson6", "lie-poisson8"])
 def test_on_a_free_body_methods_converge_with_their_order(method):
     start = (1.0, 0.1, 0.4)
-    exact = integrate(free_body(), 6.0, start, 1e-12, "taylor" if METHODS["taylor"].cannot(None) is None else "dop853").end
+    exact = integrate(free_body(), 6.0, start, 1e-12, "taylor" if METHODS["taylor"].unusable_because(None) is None else "dop853").end
     first = {"dop853": 1.2, "lie-poisson2": 0.1, "lie-poisson4": 0.1, "lie-poisson6": 0.2, "lie-poisson8": 0.3}[method]
     steps = [first / 1.5**k for k in range(4)]
     ends = [integrate(free_body(), 6.0, start, method=method, step=h).end for h in steps]
@@ -102,7 +105,7 @@ def honesty(method, scenes, tolerances):
     for scene in scenes:
         model, t, start = SCENES[scene]
         for rtol in tolerances:
-            if rtol < METHODS[method].least or METHODS[method].cannot(_system(model)):
+            if rtol < METHODS[method].min_rtol or METHODS[method].unusable_because(_system(model)):
                 continue
             motion = integrate(model, t, start, rtol, method)
             error = true_error(scene, motion)
@@ -112,9 +115,9 @@ def honesty(method, scenes, tolerances):
 
 
 def _system(model):
-    from newton_euler.systems import System
+    from newton_euler.systems import PreparedModel
 
-    return System(model)
+    return PreparedModel(model)
 
 
 def within(ratios):
@@ -230,7 +233,7 @@ def test_an_exact_solution_that_ends_in_another_model_is_no_exact_motion():
 def test_where_heyoka_fails_because_rates_are_not_analytic_auto_goes_on():
     """A fall in air, from rest, against the closed form; |v| has a corner at rest."""
     model = second_order("fall in air", {"g": 10.0, "c": 0.1}, ("y",), lambda s, p, t: (-p.g - p.c * sqrt(s.dy * s.dy) * s.dy,))
-    if METHODS["taylor"].cannot(None) is None:
+    if METHODS["taylor"].unusable_because(None) is None:
         with pytest.raises(MotionError):
             integrate(model, 2.0, (0.0, 0.0), 1e-9, "taylor")  # and now it is compiled, and preferred
     motion = integrate(model, 2.0, (0.0, 0.0))
@@ -255,7 +258,7 @@ def test_a_sphere_slides_and_then_rolls(method):
     motion = integrate(sliding(0.2, 10.0, 0.5), 3.0, (0.0, 7.0, 0.0), 1e-8, method, begins)
     exact = rolling_begins(7.0, 0.2, 10.0, 0.5)
     assert motion.events[0].t == pytest.approx(exact.t, abs=1e-12)
-    assert [len(leg.course.bounds) < 60 for leg in motion.legs] == [True, True]
+    assert [len(segment.stepper.step_times) < 60 for segment in motion.segments] == [True, True]
     assert motion.end["x"] == pytest.approx(sphere_at(3.0, 7.0, 0.2, 10.0, 0.5)[0], abs=1e-11)
     assert motion.at(0.5)["x"] == pytest.approx(sphere_at(0.5, 7.0, 0.2, 10.0, 0.5)[0], abs=1e-9)
 
@@ -371,7 +374,6 @@ def test_a_parameter_without_a_number_is_named():
 
 
 def test_heyoka_that_is_missing_is_said(monkeypatch):
-    monkeypatch.setattr("newton_euler.motion.installed", lambda: False)
     monkeypatch.setattr("newton_euler.methods.installed", lambda: False)
     with pytest.raises(ModelError, match=r"heyoka is not installed: pip install 'newton-euler\[fast\]'"):
         swing(method="taylor")
@@ -436,9 +438,9 @@ def test_what_parameters_alone_give_is_computed_once(scene):
     """The rest has other arguments than the parameters, fewer operations, and the same rates within round-off."""
     model, _, start = SCENES[scene]
     system = prepared(model)
-    rest, _ = system.traced.hoisted
+    rest, _ = system.traced.folded
     states = [x + 0.01 * n for n, x in enumerate(start, 1)]
-    whole, rates = system.rates(0.3, states), system.fast(0.3, *states, *system.numbers)
+    whole, rates = system.rates(0.3, states), system.folded_rates(0.3, *states, *system.constants)
     scale = max(map(abs, whole))
     assert max(abs(a - b) for a, b in zip(whole, rates, strict=True)) <= 4e-15 * scale
     count = lambda source: sum(source.count(f" {op} ") for op in "*/+-")  # noqa: E731
@@ -459,6 +461,20 @@ def test_what_a_prepared_run_cannot_do_is_said_as_by_integrate(method, t, start,
     with pytest.raises(ModelError, match=words):
         run(t, start)
     assert run(3.0, (1.0, 0.0))[0] == pytest.approx(math.cos(6.0), abs=3e-7)
+
+
+def test_functions_made_at_each_call_do_not_pile_up():
+    """An event and an invariant that are new each time, as lambdas are: those used last are kept."""
+    model, first = oscillator(), []
+    for n in range(3 * KEPT):
+        event, energy = (lambda s, p, t, n=n: s.x - n), (lambda s, p, t: s.dx**2 + p.k * s.x**2)
+        first = first or [weakref.ref(event), weakref.ref(energy)]
+        found = integrate(replace(model, invariants={"energy": energy}), 0.1, (0.3, 0.0), events=Event(event))
+        assert found.drift["energy"] < 1e-12
+        del found
+    gc.collect()
+    assert len(prepared(model).traced.functions) <= KEPT
+    assert [seen() for seen in first] == [None, None]
 
 
 def test_only_one_model_is_prepared_at_a_time():

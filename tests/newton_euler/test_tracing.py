@@ -2,6 +2,8 @@
 
 import importlib.util
 import math
+import threading
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 
 import mpmath
@@ -36,8 +38,11 @@ from newton_euler import (
     sqrt,
     tan,
     tanh,
+    where,
 )
 from newton_euler.jets import Moving
+from newton_euler.scalars import FUNCTIONS
+from newton_euler.steps import Step
 from newton_euler.tracing import BLOCK
 from tests.kinds import KINDS, close, numbers
 
@@ -160,7 +165,7 @@ def test_backends_agree_on_the_acceleration_of_a_chain(backend):
 def test_auto_turns_to_heyoka_only_when_it_pays(monkeypatch):
     pytest.importorskip("heyoka")
     f = compiled(lambda x: sin(x) + x, backend="auto")
-    monkeypatch.setattr("newton_euler.tracing.HEYOKA_PAYS", {True: 3000, False: 3000})
+    monkeypatch.setattr("newton_euler.tracing.HEYOKA_BREAK_EVEN", {True: 3000, False: 3000})
     x = np.linspace(0, 1, 1000)
     first = f(x)
     assert f._heyoka is None
@@ -428,6 +433,10 @@ def test_arrays_of_other_than_real_numbers_are_refused(bad):
         compiled(lambda x: x + 1.0)(bad)
 
 
+def of_argument(f, *others):
+    return lambda x: f(x, *others)
+
+
 @pytest.mark.parametrize(
     "branching",
     [
@@ -439,18 +448,26 @@ def test_arrays_of_other_than_real_numbers_are_refused(bad):
         lambda x: min(0.0, x),
         lambda x: x and 1.0,
         lambda x: 0.0 if x in (0.0, 1.0) else x,
-        lambda x: math.sin(x),
         lambda x: float(x),
+        *(of_argument(f) for f in (*(getattr(math, n) for n in FUNCTIONS), *(getattr(np, n) for n in FUNCTIONS), np.abs, np.sign)),
+        *(of_argument(f, 1.0) for f in (math.atan2, np.atan2, np.maximum, np.hypot, np.add)),
+        lambda x: np.where(x > 0, x, 0.0),
+        lambda x: np.sqrt(np.array([x, 1.0])),
     ],
 )
-def test_a_formula_must_not_branch_on_values_nor_use_math(branching):
+def test_a_formula_must_not_branch_on_values_nor_use_math_or_numpy(branching):
     with pytest.raises(TypeError, match=r"must not branch on them .*, and takes sin, cos, sqrt \.\.\. from newton_euler, not from math or numpy"):
         compiled(branching)
 
 
-def test_numpy_functions_in_a_formula_are_refused():
-    with pytest.raises(TypeError, match="Step"):
-        compiled(lambda x: np.sin(x))
+def test_what_the_refusal_recommends_is_public():
+    f = compiled(lambda x: where(x < 0, -x, sqrt(abs(x))))
+    assert (f(-2.0), f(9.0)) == (2.0, 3.0)
+
+
+def test_pi_of_math_and_numpy_in_a_formula_is_a_number():
+    f = compiled(lambda x: np.pi * x + x / math.pi - np.float64(np.pi))
+    assert f(2.0) == math.pi * 2.0 + 2.0 / math.pi - math.pi
 
 
 @pytest.mark.parametrize(
@@ -497,7 +514,7 @@ def test_an_unknown_backend_is_refused():
 
 def test_without_heyoka_the_backend_says_how_to_get_it_and_auto_goes_on(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None)
-    monkeypatch.setattr("newton_euler.tracing.HEYOKA_PAYS", {True: 0, False: 0})
+    monkeypatch.setattr("newton_euler.tracing.HEYOKA_BREAK_EVEN", {True: 0, False: 0})
     x = np.array([1.0, 2.0])
     with pytest.raises(ImportError, match=r"backend='heyoka' needs heyoka: pip install 'newton-euler\[fast\]', or use backend='auto'"):
         compiled(lambda x: x + 1, backend="heyoka")(x)
@@ -521,3 +538,57 @@ def test_results_through_heyoka_are_not_touched_by_the_next_call_nor_by_other_le
     for x, (product, total) in zip(inputs, results, strict=True):
         assert np.array_equal(product, 2.0 * x)
         assert np.array_equal(total, x + 2.0)
+
+
+# -- several threads, and one formula on several kinds of number
+
+
+class Paused(Moving):
+    """A moving number whose products wait until the other thread is as far."""
+
+    barrier = threading.Barrier(2, timeout=10)
+
+    def __mul__(self, other):
+        self.barrier.wait()
+        return super().__mul__(other)
+
+
+def in_two_threads(*calls):
+    with ThreadPoolExecutor(2) as pool:
+        return [future.result() for future in [pool.submit(call) for call in calls]]
+
+
+def test_two_threads_have_each_their_own_pi():
+    f = compiled(lambda x: x * x + pi(x))
+    precise, rounded = in_two_threads(lambda: f(Paused(mpmath.mpf(1))).value, lambda: f(Paused(1.0)).value)
+    assert abs(precise - 1 - mpmath.pi) < 1e-28
+    assert type(rounded) is float
+
+
+def test_two_threads_trace_one_formula_inside_others(monkeypatch):
+    barrier, multiply = threading.Barrier(2, timeout=10), Step.__mul__
+
+    def paused(self, other):
+        barrier.wait()
+        return multiply(self, other)
+
+    inner = compiled(lambda x: x * x * pi(x))
+    monkeypatch.setattr(Step, "__mul__", paused)
+    two, three = in_two_threads(lambda: compiled(lambda y: inner(2.0 + y)), lambda: compiled(lambda y: inner(3.0 + y)))
+    assert two(0.0) == inner(2.0)
+    assert three(0.0) == inner(3.0)
+
+
+@pytest.mark.parametrize("kind", [moving(0.4, 1.0), moving(mpmath.mpf(2)), Dimension()])
+def test_a_call_leaves_the_globals_of_the_text_as_they_were(kind):
+    f = compiled(lambda x: x * x + pi(x))
+    f(moving(1.0))
+    before = {library: dict(run.__globals__) for library, run in f._run.items()}
+    f(kind)
+    assert {library: run.__globals__ for library, run in f._run.items()} == before
+
+
+def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
+    inner = compiled(lambda x: pi(x) * x)
+    outer = compiled(lambda y: inner(moving(y, 1.0)).value)
+    assert abs(outer(mpmath.mpf(1)) - mpmath.pi) < 1e-28

@@ -94,7 +94,7 @@ def test_an_event_and_another_model_let_it_go_and_land_where_the_closed_form_say
     left, landed = motion.events
     assert left.state["theta"] == pytest.approx(leaving(v0), abs=1e-9)
     assert landed.state["x"] == pytest.approx(landing(v0), abs=1e-8)
-    assert [leg.system.model.name for leg in motion.legs] == ["on the sphere", "free flight"]
+    assert [segment.system.model.name for segment in motion.segments] == ["on the sphere", "free flight"]
     assert motion.error < 1e-9
 
 
