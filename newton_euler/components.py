@@ -12,10 +12,11 @@ components (3.1)-(3.3) are those of an ordinary point: ``ground.point("P", x, y,
 
 from .frames import Frame, Point
 from .jets import Moving, moving
+from .ledger import Ledger, equations
 from .rotations import product
 from .scalars import ZERO, SingularError, atan2, cos, epsilon, least, plain, scalar, sin, size, sqrt
 from .triads import drowned, norm3, numeric3
-from .vectors import EQUATIONS, Ledger, Vector
+from .vectors import Vector
 
 _RADIAL = ("r' e_r", r"\dot{r}\,\hat{e}_r"), ("r'' e_r", r"\ddot{r}\,\hat{e}_r")
 _PLANE_VELOCITY = {
@@ -28,7 +29,7 @@ _PLANE_ACCELERATION = {
     "euler": ("r theta'' e_theta", r"r\ddot{\theta}\,\hat{e}_\theta"),
     "coriolis": ("2 r' theta' e_theta", r"2\dot{r}\dot{\theta}\,\hat{e}_\theta"),
 }
-EQUATIONS.update({
+EQUATIONS = equations({
     "polar velocity": ("2.17", r"\mathbf{v}", _PLANE_VELOCITY),
     "polar acceleration": ("2.18", r"\mathbf{a}", _PLANE_ACCELERATION),
     "cylindrical velocity": ("3.22", r"\mathbf{v}", _PLANE_VELOCITY | {"axial": ("z' k", r"\dot{z}\,\hat{k}")}),
@@ -83,6 +84,10 @@ def spherical_frame(ground, theta, phi, name="e_R, e_theta, e_phi"):
 # -- points by their coordinates
 
 
+def _equations(system):
+    return {what: EQUATIONS[f"{system} {what}"] for what in ("velocity", "acceleration")}
+
+
 class CoordinatePoint(Point):
     """A point given by curvilinear coordinates: ask it ``P.velocity(ground)``, in its local axes, term by term as the book writes it.
 
@@ -92,12 +97,12 @@ class CoordinatePoint(Point):
     Seen from another observer, or with ``via=``, velocity and acceleration are those of any :class:`Point`.
     """
 
-    __slots__ = ("_system", "_terms", "coordinates", "ground", "local", "scale_factors")
+    __slots__ = ("_equations", "_terms", "coordinates", "ground", "local", "scale_factors")
 
-    def __init__(self, name, frame, x, ground, local, coordinates, scale_factors, system, terms):
+    def __init__(self, name, frame, x, ground, local, coordinates, scale_factors, equations, terms):
         super().__init__(name, frame, tuple(moving(v) for v in x))
         self.ground, self.local, self.coordinates, self.scale_factors = ground, local, coordinates, scale_factors
-        self._system, self._terms = system, terms
+        self._equations, self._terms = equations, terms
 
     def velocity(self, observer=None, via=None):
         return self._told("velocity", super().velocity(observer, via), observer, via)
@@ -113,7 +118,7 @@ class CoordinatePoint(Point):
         def terms():
             return {name: v.expressed_in(self.local) for name, v in self._terms[what](self).items()}
 
-        ledger = Ledger(f"{self._system} {what}", f"of {self.name} in {observer.name}", terms)
+        ledger = Ledger(self._equations[what], f"of {self.name} in {observer.name}", terms)
         return Vector(here.c, here.frame, here._own_rate, ledger)
 
 
@@ -130,7 +135,7 @@ def polar(ground, name, r, theta):
     """
     local = cylindrical_frame(ground, theta, f"polar axes of {name}")
     r = moving(r)
-    return CoordinatePoint(name, local, (r, ZERO, ZERO), ground, local, (r, local.angle), (1, plain(r.value)), "polar", _PLANE)
+    return CoordinatePoint(name, local, (r, ZERO, ZERO), ground, local, (r, local.angle), (1, plain(r.value)), _equations("polar"), _PLANE)
 
 
 def cylindrical(ground, name, r, theta, z):
@@ -146,7 +151,7 @@ def cylindrical(ground, name, r, theta, z):
     """
     local = cylindrical_frame(ground, theta, f"cylindrical axes of {name}")
     r, z = moving(r), moving(z)
-    return CoordinatePoint(name, local, (r, ZERO, z), ground, local, (r, local.angle, z), (1, plain(r.value), 1), "cylindrical", _SPACE)
+    return CoordinatePoint(name, local, (r, ZERO, z), ground, local, (r, local.angle, z), (1, plain(r.value), 1), _equations("cylindrical"), _SPACE)
 
 
 def spherical(ground, name, R, theta, phi):
@@ -165,7 +170,7 @@ def spherical(ground, name, R, theta, phi):
     local = spherical_frame(ground, theta, phi, f"spherical axes of {name}")
     R, theta, phi = moving(R), local.parent.angle, moving(phi)
     factors = 1, plain(R.value * cos(phi.value)), plain(R.value)
-    return CoordinatePoint(name, local, (R, ZERO, ZERO), ground, local, (R, theta, phi), factors, "spherical", _SPHERE)
+    return CoordinatePoint(name, local, (R, ZERO, ZERO), ground, local, (R, theta, phi), factors, _equations("spherical"), _SPHERE)
 
 
 def _plane_velocity(P):

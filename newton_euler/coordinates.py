@@ -7,16 +7,16 @@ with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the c
 
 from .components import CoordinatePoint, with_rates
 from .jets import Moving, as_moving, at, moving
+from .ledger import equations
 from .scalars import ZERO, SingularError, is_numeric, plain, scalar, whole
 from .triads import Triad, drowned, norm3, numeric3, shaken, turning_of
-from .vectors import EQUATIONS, Vector, cross3, dot3, scale3
+from .vectors import Vector, cross3, dot3, scale3
 
-EQUATIONS.update(
-    {
-        "curvilinear velocity": ("3.14", r"\mathbf{v}", {}),
-        "curvilinear acceleration": ("3.15", r"\mathbf{a}", {}),
-    }
-)
+EQUATIONS = equations({
+    "curvilinear velocity": ("3.14", r"\mathbf{v}", {}),
+    "curvilinear acceleration": ("3.15", r"\mathbf{a}", {}),
+})  # fmt: skip
+_EQUATIONS = {what: EQUATIONS[f"curvilinear {what}"] for what in ("velocity", "acceleration")}
 
 
 def curvilinear(ground, name, position, q1, q2, q3, names=("u", "v", "w")):
@@ -47,7 +47,7 @@ def curvilinear(ground, name, position, q1, q2, q3, names=("u", "v", "w")):
     axes = [tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)]
     local = Triad(f"e_1, e_2, e_3 of {name}", ground, axes, lambda: turning_of(_moving_axes(position, q)))
     terms = {"velocity": lambda P: _velocity_terms(P, columns, names), "acceleration": lambda P: _acceleration_terms(P, position, columns, names)}
-    return CoordinatePoint(name, ground, position(*q), ground, local, q, tuple(map(plain, factors)), "curvilinear", terms)
+    return CoordinatePoint(name, ground, position(*q), ground, local, q, tuple(map(plain, factors)), _EQUATIONS, terms)
 
 
 def tangents(position, q):

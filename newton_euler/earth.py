@@ -13,8 +13,9 @@ functions that take a vector ``gravity`` may be given the :func:`effective_gravi
 
 from itertools import accumulate, pairwise
 
+from .ledger import equations
 from .scalars import ZERO, cos, is_numeric, is_positive, least, plain, scalar, sin, size, sqrt
-from .vectors import EQUATIONS, ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
+from .vectors import ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
 
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
 EARTH_RADIUS = 6.371e6  # m: of the sphere of equal volume (IUGG)
@@ -22,7 +23,7 @@ EARTH_GM = 3.986004418e14  # m^3/s^2: gravitational constant times mass (WGS 84)
 EARTH_ORBIT_RATE = 1.990987e-7  # rad/s: one turn in a sidereal year of 365.25636 d
 EARTH_ORBIT_RADIUS = 1.495979e11  # m: astronomical unit (IAU 2012)
 
-EQUATIONS.update({
+EQUATIONS = equations({
     "apparent acceleration": ("6.16", r"\mathbf{a}_r", {
         "gravity": ("g", r"\mathbf{g}"),
         "coriolis": ("-2 omega x v_r", r"\left(-2\boldsymbol{\omega}_e\times\mathbf{v}_r\right)"),
@@ -147,7 +148,7 @@ def effective_gravity(g, ground):
     [0, -0.00239041, -9.81983] in ground
     """
     parts = {"attraction": scalar(g) * -ground.k, "centrifugal": -ground_acceleration(ground)}
-    return named_sum("effective gravity", f"in {ground.name}", parts, ground)
+    return named_sum(EQUATIONS["effective gravity"], f"in {ground.name}", parts, ground)
 
 
 def support_force(m, g, ground):
@@ -156,7 +157,7 @@ def support_force(m, g, ground):
     Terms: ``weight``, and ``rotation``, which keeps the body on its circle.
     """
     parts = {"weight": scalar(m) * scalar(g) * ground.k, "rotation": scalar(m) * ground_acceleration(ground)}
-    return named_sum("support force", f"in {ground.name}", parts, ground)
+    return named_sum(EQUATIONS["support force"], f"in {ground.name}", parts, ground)
 
 
 def rotation_error(g, radius=EARTH_RADIUS, rate=EARTH_RATE):
@@ -186,7 +187,9 @@ def apparent_acceleration(v, gravity, omega):
 
     All three are Vectors; terms: ``gravity``, ``coriolis``. Terms in omega^2 are left out, unless ``gravity`` is the effective one.
     """
-    return named_sum("apparent acceleration", f"in {v.frame.name}", {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)}, v.frame)
+    return named_sum(
+        EQUATIONS["apparent acceleration"], f"in {v.frame.name}", {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)}, v.frame
+    )
 
 
 def force_near_earth(m, v, a, omega):
@@ -201,7 +204,7 @@ def force_near_earth(m, v, a, omega):
     [3.13863, 0, 0] in ground
     """
     parts = {"relative": scalar(m) * a, "coriolis": -scalar(m) * coriolis_acceleration(omega, v)}
-    return named_sum("force near the earth", f"in {v.frame.name}", parts, v.frame)
+    return named_sum(EQUATIONS["force near the earth"], f"in {v.frame.name}", parts, v.frame)
 
 
 def launch_direction(azimuth, elevation):
@@ -231,7 +234,7 @@ def projectile_position(t, launch, gravity, omega):
     v, g, w = _along(frame, launch, gravity, omega)
     terms = {"launch": scale3(t, v), "fall": scale3(t * t / 2, g)}
     terms |= {"launch turned": scale3(-t * t, cross3(w, v)), "fall turned": scale3(-t * t * t / 3, cross3(w, g))}
-    return named_sum("projectile", f"in {frame.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)
+    return named_sum(EQUATIONS["projectile"], f"in {frame.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)
 
 
 def _along(frame, *vectors):

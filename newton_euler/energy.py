@@ -10,9 +10,10 @@ translation and rotation, or of each body; the audit of a motion every potential
 
 from dataclasses import dataclass
 
+from .ledger import summed, value_of
 from .mass import Body
 from .scalars import anywhere, cos, is_numeric, plain, sampled, scalar, short, sin, size, sqrt
-from .work import power, summed, value_of, work_integral
+from .work import power, work_integral
 
 
 class EnergyError(ValueError):

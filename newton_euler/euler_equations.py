@@ -7,26 +7,29 @@ Units: in SI kg m^2, rad/s, rad/s^2, N m.
 
 from .admissibility import AXES, MassError
 from .inertia import axis_index
+from .ledger import equations
 from .linear import LinearError, solve_regular
 from .scalars import ZERO, is_numeric, is_zero, plain, scalar, size
-from .vectors import EQUATIONS, ZERO3, Vector, cross3, named_sum, scale3, sub3
+from .vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
 
-EQUATIONS["Euler's moment"] = ("8.12", r"\mathbf{M}_B", {
-    "relative": ("dH/dt", r"[I]\frac{d\boldsymbol{\omega}}{dt}"),
-    "rotation": ("omega x H", r"\boldsymbol{\Omega}\times[I]\boldsymbol{\omega}"),
-})  # fmt: skip
-EQUATIONS["Euler's moment, principal axes"] = ("8.13", r"\mathbf{M}_B", {
-    "relative": ("I_x alpha_x, ...", r"I_{xx}\dot\omega_x,\ldots"),
-    "rotation": ("-(I_y - I_z) omega_y omega_z, ...", r"-(I_{yy}-I_{zz})\omega_y\omega_z,\ldots"),
-})  # fmt: skip
-EQUATIONS["moment of a body on a fixed line"] = ("8.18", r"\mathbf{M}_B", {
-    "relative": ("[I] alpha e", r"[I]\dot\omega\,\hat{e}"),
-    "rotation": ("omega^2 e x [I] e", r"\omega^2\,\hat{e}\times[I]\hat{e}"),
-})  # fmt: skip
-EQUATIONS["Euler's angular acceleration"] = ("8.12", r"\boldsymbol{\alpha}", {
-    "moment": ("M/I", r"[I]^{-1}\mathbf{M}"),
-    "gyroscopic": ("-(omega x H)/I", r"-[I]^{-1}(\boldsymbol{\Omega}\times[I]\boldsymbol{\omega})"),
-    "turning": ("Omega x omega", r"\boldsymbol{\Omega}\times\boldsymbol{\omega}"),
+EQUATIONS = equations({
+    "Euler's moment": ("8.12", r"\mathbf{M}_B", {
+        "relative": ("dH/dt", r"[I]\frac{d\boldsymbol{\omega}}{dt}"),
+        "rotation": ("omega x H", r"\boldsymbol{\Omega}\times[I]\boldsymbol{\omega}"),
+    }),
+    "Euler's moment, principal axes": ("8.13", r"\mathbf{M}_B", {
+        "relative": ("I_x alpha_x, ...", r"I_{xx}\dot\omega_x,\ldots"),
+        "rotation": ("-(I_y - I_z) omega_y omega_z, ...", r"-(I_{yy}-I_{zz})\omega_y\omega_z,\ldots"),
+    }),
+    "moment of a body on a fixed line": ("8.18", r"\mathbf{M}_B", {
+        "relative": ("[I] alpha e", r"[I]\dot\omega\,\hat{e}"),
+        "rotation": ("omega^2 e x [I] e", r"\omega^2\,\hat{e}\times[I]\hat{e}"),
+    }),
+    "Euler's angular acceleration": ("8.12", r"\boldsymbol{\alpha}", {
+        "moment": ("M/I", r"[I]^{-1}\mathbf{M}"),
+        "gyroscopic": ("-(omega x H)/I", r"-[I]^{-1}(\boldsymbol{\Omega}\times[I]\boldsymbol{\omega})"),
+        "turning": ("Omega x omega", r"\boldsymbol{\Omega}\times\boldsymbol{\omega}"),
+    }),
 })  # fmt: skip
 
 
@@ -179,4 +182,4 @@ def _unit(axis):
 
 
 def _summed(frame, kind, inertia, **terms):
-    return named_sum(kind, f"about {inertia.point.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)
+    return named_sum(EQUATIONS[kind], f"about {inertia.point.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)

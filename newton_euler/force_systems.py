@@ -15,11 +15,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from .frames import place
+from .ledger import equations
 from .scalars import is_numeric, least, plain, scalar, short, size
-from .vectors import EQUATIONS, FrameError, Vector, add3, named_sum
+from .vectors import FrameError, Vector, add3, named_sum
 
-EQUATIONS["resultant"] = ("8.21", r"\mathbf{F}^e", {})
-EQUATIONS["moment of the forces"] = ("8.7", r"\mathbf{M}", {})
+EQUATIONS = equations({
+    "resultant": ("8.21", r"\mathbf{F}^e", {}),
+    "moment of the forces": ("8.7", r"\mathbf{M}", {}),
+})  # fmt: skip
 ROUND_OFF = 1e-12  # of the sum of the magnitudes: a resultant below it is none
 
 
@@ -93,12 +96,12 @@ class ForceSystem:
     @property
     def force(self):
         """The resultant force, the sum of all (8.21). terms : the forces by name."""
-        return named_sum("resultant", "", {p.name: p.vector for p in self._forces()}, self.frame)
+        return named_sum(EQUATIONS["resultant"], "", {p.name: p.vector for p in self._forces()}, self.frame)
 
     def moment(self, about):
         """The moment about a Point (or the origin of a Frame) of all forces and couples (8.7). terms : their moments by name."""
         about = place(about, "the point that the moment is about")
-        return named_sum("moment of the forces", f"about {about.name}", {p.name: p.moment(about) for p in self.parts}, self.frame)
+        return named_sum(EQUATIONS["moment of the forces"], f"about {about.name}", {p.name: p.moment(about) for p in self.parts}, self.frame)
 
     def at(self, point):
         """The equivalent system of one force at ``point`` and one couple, the moment about it (8.7)."""

@@ -8,9 +8,26 @@ Rates are passed up the chain in the frame at hand and never differentiated out,
 from weakref import ref
 
 from .jets import Moving, moving
+from .ledger import Ledger, equations
 from .scalars import ZERO, ScalarError, cos, is_finite, is_zero, plain, scalar, sin, sqrt, whole
-from .vectors import NO_THIRD_RATE, ZERO3, FrameError, Ledger, Vector, add3, cross3, dot3, scale3, sub3
+from .vectors import NO_THIRD_RATE, ZERO3, FrameError, Vector, add3, cross3, dot3, scale3, sub3
 
+EQUATIONS = equations({
+    "velocity": ("4.17", r"\mathbf{v}", {
+        "origin": ("v_B", r"\mathbf{v}_B"),
+        "relative": ("v_r", r"\mathbf{v}_r"),
+        "rotation": ("omega x r", r"\boldsymbol{\omega}\times\mathbf{r}"),
+    }),
+    "acceleration": ("4.18", r"\mathbf{a}", {
+        "origin": ("a_B", r"\mathbf{a}_B"),
+        "relative": ("a_r", r"\mathbf{a}_r"),
+        "coriolis": ("2 omega x v_r", r"2\boldsymbol{\omega}\times\mathbf{v}_r"),
+        "euler": ("omega' x r", r"\dot{\boldsymbol{\omega}}\times\mathbf{r}"),
+        "centripetal": ("omega x (omega x r)", r"\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r})"),
+    }),
+    "angular velocity": ("4.22", r"\boldsymbol{\omega}", {}),
+    "angular acceleration": ("4.25", r"\boldsymbol{\alpha}", {}),
+})  # fmt: skip
 _AXES = {"x": 0, "y": 1, "z": 2}
 _STILL = Moving(ZERO)
 
@@ -181,7 +198,7 @@ class Frame:
         terms: one for each frame in between, named after it: its turning in its parent.
         """
         self.common(observer)
-        ledger = Ledger("angular velocity", f"of {self.name} in {observer.name}", lambda: self._omega_terms(observer))
+        ledger = Ledger(EQUATIONS["angular velocity"], f"of {self.name} in {observer.name}", lambda: self._omega_terms(observer))
         return Vector(self._omega(observer), self, lambda: self.angular_acceleration(observer), ledger)
 
     def angular_acceleration(self, observer):
@@ -190,7 +207,7 @@ class Frame:
         terms: one for each frame in between, and ``"arm x rod"`` for each cross product omega_arm x omega_rod of two of them.
         """
         self.common(observer)
-        ledger = Ledger("angular acceleration", f"of {self.name} in {observer.name}", lambda: self._alpha_terms(observer))
+        ledger = Ledger(EQUATIONS["angular acceleration"], f"of {self.name} in {observer.name}", lambda: self._alpha_terms(observer))
         return Vector(self._alpha(observer), self, None, ledger)
 
     def _omega(self, observer):
@@ -324,7 +341,7 @@ class Point:
         def terms():
             return {"origin": origin, "relative": relative, "rotation": Vector(rotation, via)}
 
-        return Vector(total, via, own_rate, Ledger("velocity", self._subject(observer, via), terms))
+        return Vector(total, via, own_rate, Ledger(EQUATIONS["velocity"], self._subject(observer, via), terms))
 
     def acceleration(self, observer=None, via=None):
         """a of the point seen from ``observer`` (4.18), (4.29), in components of the frame ``via``.
@@ -353,7 +370,7 @@ class Point:
             computed = {"coriolis": coriolis, "euler": euler, "centripetal": centripetal}
             return {"origin": origin, "relative": relative, **{name: Vector(c, via) for name, c in computed.items()}}
 
-        return Vector(total, via, None, Ledger("acceleration", self._subject(observer, via), terms))
+        return Vector(total, via, None, Ledger(EQUATIONS["acceleration"], self._subject(observer, via), terms))
 
     def _subject(self, observer, via):
         return f"of {self.name} in {observer.name}, by way of {via.name}"

@@ -19,8 +19,9 @@ import math
 from dataclasses import dataclass
 
 from .inertia import Inertia
+from .ledger import equations
 from .scalars import ZERO, anywhere, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, short, sin, sqrt, tan, where
-from .vectors import EQUATIONS, FrameError, Vector, named_sum
+from .vectors import FrameError, Vector, named_sum
 
 
 class GyroError(ValueError):
@@ -67,10 +68,12 @@ def instantaneous_axis(body, observer):
 
 # -- moment from motion
 
-EQUATIONS["gyroscopic moment"] = ("10.23", r"\mathbf{M}", {
-    "acceleration": ("dH/dt in {i, j, k}", r"\frac{d\mathbf{H}}{dt}"),
-    "precession": ("Omega x [I] Omega", r"\boldsymbol{\Omega}\times[I]\boldsymbol{\Omega}"),
-    "gyroscopic": ("Omega x I phi' k", r"\boldsymbol{\Omega}\times I\dot\phi\hat{k}"),
+EQUATIONS = equations({
+    "gyroscopic moment": ("10.23", r"\mathbf{M}", {
+        "acceleration": ("dH/dt in {i, j, k}", r"\frac{d\mathbf{H}}{dt}"),
+        "precession": ("Omega x [I] Omega", r"\boldsymbol{\Omega}\times[I]\boldsymbol{\Omega}"),
+        "gyroscopic": ("Omega x I phi' k", r"\boldsymbol{\Omega}\times I\dot\phi\hat{k}"),
+    }),
 })  # fmt: skip
 
 
@@ -111,7 +114,7 @@ def gyro_moment(body, ground, I0, I):
         "precession": Omega.cross(inertia.times(Omega)),
         "gyroscopic": Omega.cross(inertia.times(spin)),
     }
-    return named_sum("gyroscopic moment", f"on {body.name}", terms, f)
+    return named_sum(EQUATIONS["gyroscopic moment"], f"on {body.name}", terms, f)
 
 
 def _inertia(body, I0, I):

@@ -16,9 +16,10 @@ An :class:`Inertia` is that matrix about one point, along the axes of one frame;
 from .admissibility import AXES, MassError, check
 from .frames import axes_at, place
 from .jets import Moving
+from .ledger import NamedTerms, latex_number
 from .principal import principal, symmetry
 from .scalars import ZERO, Scaled, is_numeric, is_positive, is_zero, plain, scalar, sqrt
-from .vectors import ZERO3, NamedTerms, Vector, _latex_number, add3, dot3, scale3, sum3
+from .vectors import ZERO3, Vector, add3, dot3, scale3, sum3
 
 
 class Inertia(Scaled, NamedTerms):
@@ -81,7 +82,7 @@ class Inertia(Scaled, NamedTerms):
         return f"Inertia({self.matrix} about {self.point.name} in {self.frame.name})"
 
     def _repr_latex_(self):
-        rows = r" \\ ".join(" & ".join(_latex_number(x, 5) for x in row) for row in self.matrix)
+        rows = r" \\ ".join(" & ".join(latex_number(x, 5) for x in row) for row in self.matrix)
         return rf"$\begin{{bmatrix}}{rows}\end{{bmatrix}}$"
 
     # -- what it is for

@@ -10,20 +10,24 @@
 Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises :class:`~newton_euler.admissibility.MassError`.
 """
 
-from . import components, paths  # noqa: F401  their equations of acceleration become equations of force below
+from . import components, frames, paths
 from .admissibility import MassError
+from .ledger import Ledger, equations
 from .scalars import SingularError, is_finite, is_numeric, is_positive, least, plain, scalar
-from .vectors import EQUATIONS, FrameError, Ledger, Vector, named_sum
-
-
-def _times_m(written):
-    return {name: (f"m ({text})", rf"m\left({latex}\right)") for name, (text, latex) in written.items()}
-
+from .vectors import FrameError, Vector, named_sum
 
 _FORCES = {"acceleration": "6.10", "intrinsic acceleration": "6.5", "polar acceleration": "6.6", "cylindrical acceleration": "6.8",
            "spherical acceleration": "6.9"}  # fmt: skip
-EQUATIONS.update({kind.replace("acceleration", "force"): (number, r"\mathbf{F}^e", _times_m(EQUATIONS[kind][2])) for kind, number in _FORCES.items()})
-EQUATIONS.update({
+_ACCELERATIONS = frames.EQUATIONS | paths.EQUATIONS | components.EQUATIONS
+
+
+def _times_m(kind, number):
+    """The equation of force m a for the acceleration of this kind."""
+    terms = {name: (f"m ({text})", rf"m\left({latex}\right)") for name, (text, latex) in _ACCELERATIONS[kind].terms.items()}
+    return kind.replace("acceleration", "force"), (number, r"\mathbf{F}^e", terms)
+
+
+EQUATIONS = equations(dict(_times_m(*item) for item in _FORCES.items()) | {
     "acceleration by forces": ("6.1", r"\frac{1}{m}\mathbf{F}", {}),
     "reaction": ("6.1", r"\mathbf{R}", {"inertia": ("m a", r"m\bar{\mathbf{a}}")}),
     "relative acceleration": ("6.10", r"\mathbf{a}_2", {
@@ -59,8 +63,8 @@ def resultant_force(m, a):
     [-72, 12, 0] in polar axes of P [0, 12, 0] in polar axes of P
     """
     F = _mass(m) * _vector(a, "the acceleration")
-    kind = F._ledger.kind.replace("acceleration", "force") if F._ledger else None
-    return Vector(F.c, F.frame, F._own_rate, Ledger(kind, F._ledger.subject, lambda: F.terms)) if kind in EQUATIONS else F
+    kind = F.equation and F.equation.kind.replace("acceleration", "force")
+    return Vector(F.c, F.frame, F._own_rate, Ledger(EQUATIONS[kind], F._ledger.subject, lambda: F.terms)) if kind in EQUATIONS else F
 
 
 def reaction(m, a, **known):
@@ -74,7 +78,7 @@ def reaction(m, a, **known):
     [0, 0, 21.62] in ground
     """
     parts = {"inertia": _mass(m) * _vector(a, "the acceleration"), **{name: -_vector(F, f"the {name}") for name, F in known.items()}}
-    return named_sum("reaction", f"to {', '.join(known) or 'no other force'}", parts, a.frame)
+    return named_sum(EQUATIONS["reaction"], f"to {', '.join(known) or 'no other force'}", parts, a.frame)
 
 
 def path_force(m, speed, speed_rate, flexure):
@@ -106,7 +110,7 @@ def acceleration_by(m, **forces):
     if not forces:
         raise FrameError("no force is given; name each of them, as in acceleration_by(m, weight=W, thrust=T)")
     parts = _per_mass(m, forces)
-    return named_sum("acceleration by forces", "of the mass centre", parts, next(iter(parts.values())).frame)
+    return named_sum(EQUATIONS["acceleration by forces"], "of the mass centre", parts, next(iter(parts.values())).frame)
 
 
 def path_rates(m, F_t, F_n, speed):
@@ -139,7 +143,7 @@ def coordinate_accelerations(m, P, **forces):
     (0.0, 0.0)
     """
     forces = {name: P.local.vector(*_three(F, name)) if isinstance(F, (tuple, list)) else F for name, F in forces.items()}
-    total = named_sum("acceleration by forces", f"of {P.name}", _per_mass(m, forces), P.local)
+    total = named_sum(EQUATIONS["acceleration by forces"], f"of {P.name}", _per_mass(m, forces), P.local)
     left = (total - P.acceleration(P.ground)).expressed_in(P.local).c
     if any(is_numeric(h) and least(h) == 0 for h in P.scale_factors):
         raise SingularError(
@@ -168,7 +172,7 @@ def relative_acceleration(m, P, observer, **forces):
     if taken:
         raise FrameError(f"{taken[0]!r} is a term of the moving frame; give the force another name")
     parts = _per_mass(m, forces) | {name: -seen.terms[term] for name, term in names.items() if seen.terms}
-    return named_sum("relative acceleration", f"of {P.name} in {frame.name}", parts, frame)
+    return named_sum(EQUATIONS["relative acceleration"], f"of {P.name} in {frame.name}", parts, frame)
 
 
 def _per_mass(m, forces):

@@ -13,8 +13,9 @@ Units: any consistent ones; in SI kg, m, kg m^2.
 from .admissibility import MassError, positive, round_off
 from .frames import axes_at, place
 from .inertia import Inertia, together
+from .ledger import Ledger, equations
 from .scalars import is_numeric, plain, scalar, size
-from .vectors import EQUATIONS, ZERO3, Ledger, Vector, add3
+from .vectors import ZERO3, Vector, add3
 
 
 class Body:
@@ -94,12 +95,14 @@ class Body:
         orbital = (self.centre - about).expressed_in(self.frame).cross(v * self.mass)
         total = orbital + own
         subject = f"of {self.name} about {about.name}, seen from {observer.name}"
-        return Vector(total.c, total.frame, total._own_rate, Ledger("angular momentum", subject, lambda: {"orbital": orbital, "own": own}))
+        return Vector(total.c, total.frame, total._own_rate, Ledger(EQUATIONS["angular momentum"], subject, lambda: {"orbital": orbital, "own": own}))
 
 
-EQUATIONS["angular momentum"] = ("7.23", r"\mathbf{H}_B", {
-    "orbital": ("d x m dd/dt", r"\mathbf{d}\times m\frac{D\mathbf{d}}{Dt}"),
-    "own": ("H of G", r"\bar{\mathbf{H}}"),
+EQUATIONS = equations({
+    "angular momentum": ("7.23", r"\mathbf{H}_B", {
+        "orbital": ("d x m dd/dt", r"\mathbf{d}\times m\frac{D\mathbf{d}}{Dt}"),
+        "own": ("H of G", r"\bar{\mathbf{H}}"),
+    }),
 })  # fmt: skip
 
 

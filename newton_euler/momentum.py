@@ -15,15 +15,18 @@ is (8.12) for the frame of the body. The last term vanishes for B = G (8.10), fo
 from .force_systems import ForceSystem
 from .frames import place
 from .kinetics import resultant_force
-from .vectors import EQUATIONS, ZERO3, Ledger, Vector
+from .ledger import Ledger, equations
+from .vectors import ZERO3, Vector
 
 _MOMENT = {
     "relative": ("dH/dt", r"\frac{d\mathbf{H}}{dt}"),
     "rotation": ("omega x H", r"\boldsymbol{\omega}\times\mathbf{H}"),
     "reference": ("d x m a_B", r"\bar{\mathbf{d}}\times m\mathbf{a}_B"),
 }
-EQUATIONS["moment"] = ("8.9", r"\mathbf{M}_B", _MOMENT)
-EQUATIONS["moment about the mass centre"] = ("8.10", r"\bar{\mathbf{M}}", _MOMENT)
+EQUATIONS = equations({
+    "moment": ("8.9", r"\mathbf{M}_B", _MOMENT),
+    "moment about the mass centre": ("8.10", r"\bar{\mathbf{M}}", _MOMENT),
+})  # fmt: skip
 
 
 def angular_momentum(body, observer, about=None):
@@ -82,10 +85,10 @@ def resultant_moment(body, observer, about=None, via=None):
     seen = f"seen from {observer.name}, by way of {via.name}"
     if about is body.centre:
         rate = angular_momentum(body, observer).expressed_in(via).rate(observer)
-        ledger = Ledger("moment about the mass centre", f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
+        ledger = Ledger(EQUATIONS["moment about the mass centre"], f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
         return Vector(rate.c, via, rate._own_rate, ledger)
     total, terms = (_about_point_of_body if _rides(about, body) else _about_any_point)(body, observer, about, via)
-    return Vector(total.c, via, None, Ledger("moment", f"of {body.name} about {about.name}, {seen}", terms))
+    return Vector(total.c, via, None, Ledger(EQUATIONS["moment"], f"of {body.name} about {about.name}, {seen}", terms))
 
 
 def _about_point_of_body(body, observer, B, via):

@@ -13,11 +13,12 @@ exact; no step size enters.
 from dataclasses import dataclass, field
 
 from .jets import Moving, as_moving, moving
+from .ledger import Ledger, equations
 from .scalars import ZERO, SingularError, epsilon, is_numeric, is_zero, plain, scalar, whole
 from .triads import Triad, drowned, norm3, numeric3, shaken
-from .vectors import EQUATIONS, FrameError, Ledger, Vector, add3, cross3, dot3, scale3
+from .vectors import FrameError, Vector, add3, cross3, dot3, scale3
 
-EQUATIONS.update({
+EQUATIONS = equations({
     "intrinsic velocity": ("3.12", r"\mathbf{v}", {"tangential": ("nu e_t", r"\nu\,\hat{e}_t")}),
     "intrinsic acceleration": ("3.13", r"\mathbf{a}", {
         "tangential": ("nu' e_t", r"\dot{\nu}\,\hat{e}_t"),
@@ -136,7 +137,7 @@ class Frenet:
         return Vector(add3(t.c, n.c), self.frame, None, self._ledger("acceleration", tangential=t, normal=n))
 
     def _ledger(self, what, **terms):
-        return Ledger(f"intrinsic {what}", f"in {self.frame.parent.name}", lambda: terms)
+        return Ledger(EQUATIONS[f"intrinsic {what}"], f"in {self.frame.parent.name}", lambda: terms)
 
 
 def speed_rate(v, a):

@@ -22,9 +22,10 @@ which are (9.3), (9.6) and (9.9), (9.10) for a shaft in any direction. Forces ac
 from dataclasses import dataclass
 
 from .frames import Point
+from .ledger import equations
 from .mass import Body
 from .scalars import anywhere, is_numeric, is_zero, plain, scalar, size, sqrt, where
-from .vectors import EQUATIONS, Vector, add3, dot3, named_sum, scale3, sum3
+from .vectors import Vector, add3, dot3, named_sum, scale3, sum3
 
 
 class RotorError(ValueError):
@@ -49,12 +50,14 @@ class Reactions:
     axis: Vector
 
 
-EQUATIONS["bearing force"] = ("9.9", r"\mathbf{A}", {
-    "weight": ("dead weight", r"\mathbf{A}_{mg}"),
-    "static": ("m omega^2 d", r"\mathbf{A}_{m\omega^2 d}"),
-    "dynamic": ("omega^2 I_xz", r"\mathbf{A}_{\omega^2 I}"),
-    "static_euler": ("m omega' d", r"\mathbf{A}_{m\dot\omega d}"),
-    "dynamic_euler": ("omega' I_xz", r"\mathbf{A}_{\dot\omega I}"),
+EQUATIONS = equations({
+    "bearing force": ("9.9", r"\mathbf{A}", {
+        "weight": ("dead weight", r"\mathbf{A}_{mg}"),
+        "static": ("m omega^2 d", r"\mathbf{A}_{m\omega^2 d}"),
+        "dynamic": ("omega^2 I_xz", r"\mathbf{A}_{\omega^2 I}"),
+        "static_euler": ("m omega' d", r"\mathbf{A}_{m\dot\omega d}"),
+        "dynamic_euler": ("omega' I_xz", r"\mathbf{A}_{\dot\omega I}"),
+    }),
 })  # fmt: skip
 
 
@@ -86,7 +89,7 @@ def reactions(body, A, B, ground, gravity=None, about=None):
     at_A = {name: e.cross(N - e.cross(F) * b) / length for name, (F, N) in pairs.items()}
     at_B = {name: -e.cross(N + e.cross(F) * a) / length for name, (F, N) in pairs.items()}
     F, N = (Vector(sum3(v.c for v in part), body.frame) for part in zip(*pairs.values(), strict=True))
-    at_A, at_B = (named_sum("bearing force", f"of {name} on {body.name}", at, body.frame) for name, at in (("A", at_A), ("B", at_B)))
+    at_A, at_B = (named_sum(EQUATIONS["bearing force"], f"of {name} on {body.name}", at, body.frame) for name, at in (("A", at_A), ("B", at_B)))
     return Reactions(at_A, at_B, F.dot(e), N.dot(e), e)
 
 

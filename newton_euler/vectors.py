@@ -8,6 +8,7 @@ how it changes in time where that follows from how it was made (``a.rate(observe
 from functools import reduce
 
 from .jets import Moving, moving
+from .ledger import Explanation, Ledger, NamedTerms, equations, latex_number
 from .scalars import ZERO, ScalarError, Scaled, atan2, is_numeric, is_zero, least, plain, sampled, scalar, short, size, sqrt
 
 NO_THIRD_RATE = "the third time derivative of a moving quantity is not known; give coordinates with two rates only"
@@ -57,21 +58,12 @@ def scale3(s, a):
     return ZERO3 if a is ZERO3 else (s * a[0], s * a[1], s * a[2])
 
 
-class NamedTerms:
-    """What is a sum whose ``terms`` are known by name."""
-
-    __slots__ = ()
-
-    def without(self, *names):
-        """The sum without the terms named: ``a.without("coriolis")``."""
-        return self.reweighted(**dict.fromkeys(names, 0))
-
-    def _weighted(self, factors, error):
-        """Pairs of the factor named for a term (1 for others) and the term; an ``error`` if there is none of that name."""
-        unknown = [n for n in factors if n not in self.terms]
-        if unknown:
-            raise error(f"no term {unknown[0]!r}; the terms are {', '.join(self.terms) or 'none'}")
-        return [(scalar(factors.get(name, 1)), term) for name, term in self.terms.items()]
+EQUATIONS = equations({
+    "rate": ("4.15", r"\frac{D\mathbf{Q}}{Dt}", {
+        "relative": ("dQ/dt", r"\frac{d\mathbf{Q}}{dt}"),
+        "rotation": ("omega x Q", r"\boldsymbol{\omega}\times\mathbf{Q}"),
+    }),
+})  # fmt: skip
 
 
 class Vector(Scaled, NamedTerms):
@@ -136,6 +128,10 @@ class Vector(Scaled, NamedTerms):
         own = self._own_rate and (lambda: self.rate(frame))
         return Vector(c, frame, own, self._ledger and self._ledger.mapped(lambda v: v.expressed_in(frame)))
 
+    def rounded(self, noise):
+        """The vector with components of at most ``noise``, round-off beside others, set to 0."""
+        return Vector(tuple(ZERO if is_numeric(x) and size(x) <= noise else x for x in self.c), self.frame)
+
     def to_array(self):
         """The components as a NumPy array of shape (3,), or (3, N) where they are arrays of N instants."""
         import numpy as np
@@ -154,7 +150,7 @@ class Vector(Scaled, NamedTerms):
     def latex(self, digits=5):
         """The vector as a LaTeX formula, in the unit vectors of its frame."""
         hats = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")
-        parts = [f"{_latex_number(x, digits)}\\,{hat}" for x, hat in zip(self, hats, strict=True) if not is_zero(x)]
+        parts = [f"{latex_number(x, digits)}\\,{hat}" for x, hat in zip(self, hats, strict=True) if not is_zero(x)]
         text = parts[0] if parts else r"\mathbf{0}"
         for part in parts[1:]:
             text += part if part.startswith("-") else "+" + part
@@ -283,10 +279,15 @@ class Vector(Scaled, NamedTerms):
         omega = self.frame.angular_velocity(observer).expressed_in(self.frame)
         turned = omega.cross(self)
         f = self.frame
-        ledger = Ledger("rate", f"{f.name}/{observer.name}", lambda: {"relative": seen, "rotation": turned})
+        ledger = Ledger(EQUATIONS["rate"], f"{f.name}/{observer.name}", lambda: {"relative": seen, "rotation": turned})
         return Vector(add3(seen.c, turned.c), f, lambda: seen.rate(f) + turned.rate(f), ledger)
 
     # -- the term ledger
+
+    @property
+    def equation(self):
+        """The :class:`~newton_euler.ledger.Equation` of its named terms; None for a vector that is not known as a sum."""
+        return self._ledger and self._ledger.equation
 
     @property
     def terms(self):
@@ -324,122 +325,10 @@ def cross(a, b):
     return a.cross(b)
 
 
-class Ledger:
-    """The named terms of a sum. ``kind`` selects the equation in :data:`EQUATIONS`; ``subject`` says what of what."""
-
-    __slots__ = ("_make", "_terms", "kind", "subject")
-
-    def __init__(self, kind, subject, make):
-        self.kind, self.subject, self._make, self._terms = kind, subject, make, None
-
-    @property
-    def terms(self):
-        """The vectors by name, computed when first asked for."""
-        if self._terms is None:
-            self._terms = self._make()
-        return self._terms
-
-    def mapped(self, change):
-        """The ledger with every term changed in the same way."""
-        return Ledger(self.kind, self.subject, lambda: {name: change(v) for name, v in self.terms.items()})
-
-
-def named_sum(kind, subject, terms, frame):
+def named_sum(equation, subject, terms, frame):
     """The Vector in ``frame`` that is the sum of these, and keeps them by name."""
     total = sum3(v.expressed_in(frame).c for v in terms.values())
-    return Vector(total, frame, None, Ledger(kind, subject, lambda: {name: v.expressed_in(frame) for name, v in terms.items()}))
-
-
-# kind of sum -> number in the book, symbol of the sum, and each term as text and as LaTeX ("" where the name says it)
-EQUATIONS = {
-    "rate": ("4.15", r"\frac{D\mathbf{Q}}{Dt}", {
-        "relative": ("dQ/dt", r"\frac{d\mathbf{Q}}{dt}"),
-        "rotation": ("omega x Q", r"\boldsymbol{\omega}\times\mathbf{Q}"),
-    }),
-    "velocity": ("4.17", r"\mathbf{v}", {
-        "origin": ("v_B", r"\mathbf{v}_B"),
-        "relative": ("v_r", r"\mathbf{v}_r"),
-        "rotation": ("omega x r", r"\boldsymbol{\omega}\times\mathbf{r}"),
-    }),
-    "acceleration": ("4.18", r"\mathbf{a}", {
-        "origin": ("a_B", r"\mathbf{a}_B"),
-        "relative": ("a_r", r"\mathbf{a}_r"),
-        "coriolis": ("2 omega x v_r", r"2\boldsymbol{\omega}\times\mathbf{v}_r"),
-        "euler": ("omega' x r", r"\dot{\boldsymbol{\omega}}\times\mathbf{r}"),
-        "centripetal": ("omega x (omega x r)", r"\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r})"),
-    }),
-    "angular velocity": ("4.22", r"\boldsymbol{\omega}", {}),
-    "angular acceleration": ("4.25", r"\boldsymbol{\alpha}", {}),
-}  # fmt: skip
-
-
-class Explanation:
-    """A vector written out as the sum it is. ``str()`` gives text, ``latex`` the formulas; Jupyter shows the latter."""
-
-    def __init__(self, vector, ledger, unit=""):
-        self.ledger, self.unit = ledger, unit
-        self.number, self.symbol, self.written = EQUATIONS[ledger.kind]
-        terms = {n: t.expressed_in(vector.frame) for n, t in vector.terms.items()}
-        noise = 1e-14 * max((size(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)), default=0.0)
-        self.vector, self.terms = _without_noise(vector, noise), {n: _without_noise(t, noise) for n, t in terms.items()}
-
-    def __str__(self):
-        unit = f" {self.unit}" if self.unit else ""
-        terms = self.terms
-        names = [f"{n}  {self.written.get(n, ('',))[0]}".rstrip() for n in terms]
-        width = max(map(len, [*names, "sum"]))
-        lines = [f"{self.ledger.kind} {self.ledger.subject}, equation ({self.number}), components in {self.vector.frame.name}"]
-        for name, term in zip(names, terms.values(), strict=True):
-            lines.append(f"  {name:<{width}}  [{', '.join(short(x) for x in term)}]{unit}")
-        lines.append(f"  {'sum':<{width}}  [{', '.join(short(x) for x in self.vector)}]{unit}")
-        return "\n".join(lines)
-
-    __repr__ = __str__
-
-    @property
-    def latex(self):
-        """The formula and the value of each term, as an align* environment."""
-        subject = r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
-        unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
-        terms = self.terms
-        formulas = [self.written[n][1] if n in self.written else _product(n, self.symbol) for n in terms]
-        rows = [rf"{self.symbol}{subject} &= {' + '.join(formulas)} \tag{{{self.number}}}"]
-        for (name, term), formula in zip(terms.items(), formulas, strict=True):
-            rows.append(rf"{formula} &= {term.latex()}{unit} && \text{{{name}}}")
-        rows.append(rf"{self.symbol}{subject} &= {self.vector.latex()}{unit} && \text{{sum}}")
-        return r"\begin{align*}" + r" \\ ".join(rows) + r"\end{align*}"
-
-    def _repr_latex_(self):
-        return self.latex
-
-    def _repr_mimebundle_(self, **_):
-        return {"text/plain": str(self), "text/latex": self.latex}
-
-
-def _without_noise(v, noise):
-    """For the reader: components that are rounding beside the other terms, shown as 0."""
-    return Vector(tuple(ZERO if is_numeric(x) and size(x) <= noise else x for x in v.c), v.frame)
-
-
-def _product(name, symbol):
-    """LaTeX for a term named after frames: "arm" is the symbol's, "arm x rod" the cross product of two rates."""
-    if " x " in name:
-        return r"\times".join(rf"\boldsymbol{{\omega}}_{{\text{{{part}}}}}" for part in name.split(" x "))
-    return rf"{symbol}_{{\text{{{name}}}}}"
-
-
-def _latex_number(x, digits):
-    if is_numeric(x) and not (hasattr(x, "shape") and x.shape):
-        text = f"{float(x):.{digits}g}"
-        mantissa, e, power = text.partition("e")
-        return rf"{mantissa}\times10^{{{int(power)}}}" if e else mantissa
-    try:
-        import sympy
-
-        body = sympy.latex(sympy.sympify(x))
-    except Exception:  # heyoka, traced and array components have no LaTeX of their own
-        body = r"\text{" + str(x)[:40].replace("_", r"\_") + "}"
-    return body if body.replace("\\", "").isalnum() else rf"\left({body}\right)"
+    return Vector(total, frame, None, Ledger(equation, subject, lambda: {name: v.expressed_in(frame) for name, v in terms.items()}))
 
 
 def same(a, b, tolerance=1e-12):

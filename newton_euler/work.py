@@ -13,81 +13,11 @@ A force at right angles to the velocity of its point of application does no work
 in an inertial frame.
 """
 
-from dataclasses import dataclass, field
-
+from .ledger import Amount, summed
 from .paths import along
-from .quadrature import WorkError, quadrature
-from .scalars import ZERO, plain, scalar, short
-from .vectors import FrameError, NamedTerms, Vector
-
-
-@dataclass(frozen=True, eq=False)
-class Amount(NamedTerms):
-    """An amount of work, energy or power with its terms by name: ``U.value``, ``T.terms["rotation"]``, ``T.explain()``.
-
-    what, number : what it is, and its equation in the book
-    error : estimated error of ``value`` where it comes from an integral, in the same unit
-    It stands for its value in sums and products with numbers and with its like: ``float(U)``, ``T + V``, ``2*U``.
-    """
-
-    value: object
-    terms: dict = field(default_factory=dict)
-    what: str = "work"
-    number: str = "11.1"
-    error: float = 0.0
-
-    __array_ufunc__ = None
-
-    def __float__(self):
-        return float(self.value)
-
-    def __add__(self, other):
-        return plain(scalar(self.value) + value_of(other))
-
-    __radd__ = __add__
-
-    def __neg__(self):
-        return -self.value
-
-    def __sub__(self, other):
-        return plain(scalar(self.value) - value_of(other))
-
-    def __rsub__(self, other):
-        return plain(value_of(other) - scalar(self.value))
-
-    def __mul__(self, other):
-        return plain(scalar(self.value) * value_of(other))
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other):
-        return plain(scalar(self.value) / value_of(other))
-
-    def explain(self, unit="J"):
-        """The sum in words: its equation in the book, each term, and their sum."""
-        rows = [*self.terms.items(), ("sum", self.value)]
-        width = max(len(name) for name, _ in rows)
-        return "\n".join([f"{self.what}, equation ({self.number})", *(f"  {name:<{width}}  {short(x)} {unit}" for name, x in rows)])
-
-    def reweighted(self, **factors):
-        """The sum of its terms, each times the factor named for it (others once): what a wrong model would give.
-
-        >>> Amount(7.0, {"translation": 5.0, "rotation": 2.0}).reweighted(rotation=0)
-        5.0
-        """
-        return plain(sum((factor * x for factor, x in self._weighted(factors, WorkError)), ZERO))
-
-
-def value_of(x):
-    """The scalar that ``x``, an :class:`Amount` or a number, stands for."""
-    return scalar(x.value if isinstance(x, Amount) else x)
-
-
-def summed(terms, what="work", number="11.1", error=0.0):
-    """The :class:`Amount` that is the sum of these terms, numbers by name."""
-    terms = {n: value_of(x) for n, x in terms.items()}
-    return Amount(plain(sum(terms.values(), ZERO)), {n: plain(x) for n, x in terms.items()}, what, number, error)
-
+from .quadrature import quadrature
+from .scalars import ZERO, plain, scalar
+from .vectors import FrameError, Vector
 
 # -- the integral
 
@@ -149,14 +79,17 @@ def work_in_time(force, velocity, start, end, rtol=1e-10, exact=False, breaks=()
 def constant_force_work(force, start, end):
     """The work of a constant force between two Points, by whatever path: F.(r_1 - r_0) (11.6); that of a weight is m g (z_0 - z_1) (11.7).
 
+    An :class:`Amount` with the ``terms`` x, y, z along the axes of the force.
+
     force : a Vector; start, end : Points of related frames, that do not move relative to each other
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
-    >>> constant_force_work(-9.81*ground.k, ground.point("A", 0, 0, 2.0), ground.point("B", 5.0, 1.0, 0))
+    >>> constant_force_work(-9.81*ground.k, ground.point("A", 0, 0, 2.0), ground.point("B", 5.0, 1.0, 0)).value
     19.62
     """
-    return force.dot(end - start)
+    path = (end - start).expressed_in(force.frame)
+    return summed({name: f * d for name, f, d in zip("xyz", force.c, path.c, strict=True)}, number="11.6")
 
 
 # -- power

@@ -3,7 +3,7 @@
 import numpy as np
 
 from exercises.variants import SEPARATION, flat
-from newton_euler.vectors import EQUATIONS, Vector
+from newton_euler.vectors import Vector
 
 FACTORS = {
     "rad/s against rev/min": 60 / (2 * np.pi), "rad against degrees": 180 / np.pi, "m against mm": 1000.0,
@@ -65,7 +65,7 @@ def _term_mistakes(problem, answer, sample):
     if not isinstance(right, Vector) or not right.terms:
         return
     for name in right.terms:
-        term = term_text(name, right._ledger.kind)
+        term = term_text(name, right.equation)
         yield f"leaves out {term}", _numbers(right.reweighted(**{name: 0}), sample)
         yield f"has {term} with the opposite sign", _numbers(right.reweighted(**{name: -1}), sample)
     halved = {name: 0.5 for name in right.terms if name.startswith("coriolis")}  # spherical components have three of them
@@ -73,12 +73,11 @@ def _term_mistakes(problem, answer, sample):
         yield "writes the Coriolis term without the factor 2", _numbers(right.reweighted(**halved), sample)
 
 
-def term_text(name, kind):
+def term_text(name, equation):
     """The name of a term for the student, with its formula if it has one."""
-    formulas = EQUATIONS[kind][2]
-    if name in formulas:
-        return f"the {name} term {formulas[name][0]}"
-    turning = kind.startswith("angular") and " x " not in name
+    if name in equation.terms:
+        return f"the {name} term {equation.terms[name][0]}"
+    turning = equation.kind.startswith("angular") and " x " not in name
     return f"the turning of {name}" if turning else f"the term {name}"
 
 

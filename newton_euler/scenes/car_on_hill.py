@@ -9,9 +9,9 @@ from math import inf
 
 from ..harmonic import integrated_square, uniform_acceleration
 from ..ladders import Ladder
+from ..ledger import summed
 from ..models import Model, ModelError, Named, Neglected
 from ..scalars import atan, plain, scalar, sin, sqrt
-from ..work import summed
 from .catalogue import scene
 
 WAY = "distance up the hill, m"

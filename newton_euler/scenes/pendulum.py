@@ -13,10 +13,10 @@ from ..elliptic import counted, coupled
 from ..energy import plane_kinetic_energy, speed_after
 from ..harmonic import growth, oscillation
 from ..ladders import Ladder
+from ..ledger import summed
 from ..models import Model, Neglected, comparable
 from ..potential import weight_potential
 from ..scalars import asin, cos, scalar, sin, sqrt, where
-from ..work import summed
 from .catalogue import scene
 
 ANGLE = "angle, rad"

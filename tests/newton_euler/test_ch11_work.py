@@ -14,8 +14,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, DimensionError, Frame, FrameError, ScalarError, at, compiled, cos, frenet_along, moving, sin, sqrt
+from newton_euler.ledger import Amount, summed
 from newton_euler.quadrature import WorkError
-from newton_euler.work import Amount, constant_force_work, pair_power, power, summed, work_along, work_in_time, work_integral
+from newton_euler.work import constant_force_work, pair_power, power, work_along, work_in_time, work_integral
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
