@@ -18,7 +18,7 @@ def folded(text, count):
     Returns the rest, with these arguments and then the numbers, and the formula of the others, whose result is a tuple of numbers.
 
     >>> from newton_euler import compiled
-    >>> rest, numbers = hoisted(compiled(lambda x, m, g, l: -m*g*l*x/(m*l*l)), 1)
+    >>> rest, numbers = folded(compiled(lambda x, m, g, l: -m*g*l*x/(m*l*l)), 1)
     >>> print(rest.source, numbers.source, sep="", end="")
     def formula(x, h0, h1):
         s0 = -(h0 * x * h1)
