@@ -1,7 +1,8 @@
-"""Events: the instants at which a function of the state goes through zero, found on the course of a motion.
+"""Events: the times at which a function of the state goes through zero, found between the steps of a trajectory.
 
-On each piece (step) the function is sampled at Chebyshev points. If it is resolved, all roots of its polynomial are at hand, also two of them in one
-step, which a comparison of signs at both ends misses; if not, the piece is halved.
+In each step the function is sampled at Chebyshev points. If these resolve it, all roots of the interpolating polynomial are known, also two in one
+step, which a comparison of signs at both ends misses; if not, the interval is halved. J. P. Boyd, Computing zeros on a real interval through Chebyshev
+expansion and polynomial rootfinding, SIAM J. Numer. Anal. 40 (2002) 1666.
 """
 
 from collections.abc import Callable
@@ -9,8 +10,8 @@ from dataclasses import dataclass
 from functools import cache
 
 CHEBYSHEV_POINTS = 12
-RESOLUTION = 1e-7  # the last coefficients over the largest
-MAX_HALVINGS = 8  # halvings
+RESOLUTION = 1e-7  # the function is resolved if its last two coefficients are smaller than this part of the largest
+MAX_HALVINGS = 8
 
 
 @dataclass(frozen=True)
@@ -18,7 +19,7 @@ class Event:
     """Something that happens when ``function(s, p, t)`` goes through zero: impact, loss of contact, end of sliding, a turning point.
 
     function : of the states, the parameters and the time, as in a :class:`Model`; smooth
-    direction : 1 if only where it grows counts, -1 where it falls, 0 both
+    direction : 1 if only zeros count where it grows, -1 where it falls, 0 both
     terminal : True ends the motion there
     then : a function ``(s, p, t)`` that returns the model and the start with which the motion goes on, ``(model, start)`` or, to change the
         events as well, ``(model, start, events)``; None ends it. If the right-hand side becomes another, this event is no longer looked for.
@@ -35,13 +36,13 @@ class Event:
 
     @property
     def ends(self):
-        """True if the leg of the motion ends with it."""
+        """True if it ends the segment of the trajectory."""
         return self.terminal or self.then is not None
 
 
 @dataclass(frozen=True)
 class Occurrence:
-    """An event that happened: its ``name``, the time ``t``, the ``state`` by name before any switch."""
+    """An event that happened: its ``name``, the time ``t``, and the ``state`` by name, before ``then`` changed it."""
 
     name: str
     t: float
@@ -49,75 +50,73 @@ class Occurrence:
 
 
 class EventLocator:
-    """Looks for one event along a course, piece by piece.
+    """Finds one event in the steps of a stepper, in their order.
 
-    began : True if the leg starts with this very event, whose function is zero there: it is divided by the time since then
+    at_start : True if the segment starts with this very event, at a zero of the function, which is then divided by the time since the start
     """
 
-    def __init__(self, event, stepper, initial_event):
-        self.event, self.stepper, self.initial_event = event, stepper, initial_event
+    def __init__(self, event, stepper, at_start):
+        self.event, self.stepper, self.at_start = event, stepper, at_start
         self.g = stepper.system.function(event.function)
-        self.sign = 0 if initial_event else _sign(self.g(stepper.t, *stepper.x))
+        self.sign = 0 if at_start else _sign(self.g(stepper.t, *stepper.x))
 
-    def found(self, at):
-        """The instants in the piece number ``at``, in order."""
+    def roots(self, n):
+        """The times of the event in step ``n``, in order."""
         import numpy as np
 
-        a, b = self.stepper.step_times[at], self.stepper.step_times[at + 1]
+        a, b = self.stepper.step_times[n : n + 2]
         start = self.stepper.start[0]
-        nearest = start + max(1e-13 * (b - a), 4e-16 * abs(start))  # so much after the event it is positive or negative
+        nearest = start + max(1e-13 * (b - a), 4e-16 * abs(start))  # a time that differs from the start
 
         def g(times):
-            times = np.maximum(np.atleast_1d(times), nearest) if self.initial_event else np.atleast_1d(times)
-            x = self.stepper.interpolate(at, times)
+            times = np.maximum(np.atleast_1d(times), nearest) if self.at_start else np.atleast_1d(times)
+            x = self.stepper.interpolate(n, times)
             try:
                 values = np.broadcast_to(np.asarray(self.g(times, *x), dtype=float), times.shape)
             except ValueError:  # it branches on values
                 values = np.array([float(self.g(t, *column)) for t, column in zip(times.tolist(), x.T.tolist(), strict=True)])
-            return values / (times - start) if self.initial_event else values
+            return values / (times - start) if self.at_start else values
 
         out = []
         for left, right in self._brackets(g, a, b):
-            t = self._refined(_root(lambda t: float(g(t)[0]), left, right), g, b - a, at)
-            if a <= t <= b * (1 + 1e-15) + 1e-300 and (not self.initial_event or t > self.stepper.start[0]):
+            t = self._refined(_root(lambda t: float(g(t)[0]), left, right), g, a, b)
+            if a <= t <= b * (1 + 1e-15) + 1e-300 and (not self.at_start or t > start):
                 out.append(min(t, b))
         return out
 
     def _brackets(self, g, a, b, depth=0):
-        """Intervals over which the sign changes in the direction asked for."""
+        """Intervals over which the sign changes in the direction that counts."""
         import numpy as np
 
         nodes, to_coefficients = _chebyshev()
         values = g(a + (b - a) * nodes)
         coefficients = to_coefficients @ values
         largest = np.abs(coefficients).max()
-        if depth < MAX_HALVINGS and largest > 0 and np.abs(coefficients[-2:]).max() > RESOLUTION * largest and not _far(coefficients):
+        if depth < MAX_HALVINGS and np.abs(coefficients[-2:]).max() > RESOLUTION * largest > 0 and not _has_no_root(coefficients):
             middle = (a + b) / 2
             return self._brackets(g, a, middle, depth + 1) + self._brackets(g, middle, b, depth + 1)
-        points = [*(a + (b - a) * x for x in _between(coefficients)), b]
-        out, before = [], a
         if self.sign == 0:
             self.sign = _sign(g(a)[0]) or _sign(values[0])
-        for t, value in zip(points, g(np.array(points)), strict=True):
-            sign = _sign(value)
+        ends = np.array([*(a + (b - a) * x for x in _between_roots(coefficients)), b])
+        out, before = [], a
+        for t, sign in zip(ends.tolist(), map(_sign, g(ends)), strict=True):
             if sign and self.sign and sign != self.sign and self.event.direction in (0, sign):
                 out.append((before, t))
             self.sign, before = sign or self.sign, t
         return out
 
-    def _refined(self, t, g, length, at):
-        """The interpolation between two steps is less accurate than a step: go there by a step, and correct the time."""
-        stepper, d = self.stepper, 1e-4 * length
-        low, high = max(stepper.step_times[at], t - d), min(stepper.step_times[at + 1], t + d)
-        if self.initial_event:  # g is divided by the time; its slope at a root is that of the function over the time
-            scale = t - stepper.start[0]
-        slope = float((g(high) - g(low))[0]) / (high - low) * (scale if self.initial_event else 1.0)
+    def _refined(self, t, g, a, b):
+        """The root near ``t`` by Newton's method with the state of a step of the method, since the interpolation is less accurate than a step."""
+        length = b - a
+        low, high = max(a, t - 1e-4 * length), min(b, t + 1e-4 * length)
+        slope = float((g(high) - g(low))[0]) / (high - low)
+        if self.at_start:  # g is divided by the time: at a root the slope of the function is larger by that
+            slope *= t - self.stepper.start[0]
         for _ in range(2):
-            value = float(self.g(t, *stepper.state_at(t)))
-            move = value / slope if slope else 0.0
+            move = float(self.g(t, *self.stepper.state_at(t))) / slope if slope else 0.0
             if not abs(move) < 1e-3 * length:
                 break
-            t = min(max(t - move, stepper.step_times[at]), stepper.step_times[at + 1])
+            t = min(max(t - move, a), b)
         return t
 
 
@@ -125,14 +124,14 @@ def _sign(x):
     return int(x > 0) - int(x < 0)
 
 
-def _far(coefficients):
-    """True if the constant term is larger than all that is added to it: no root."""
+def _has_no_root(coefficients):
+    """True if the constant term is larger than all others together, as no Chebyshev polynomial exceeds 1."""
     return abs(coefficients[0]) > 1.5 * abs(coefficients[1:]).sum()
 
 
 @cache
 def _chebyshev():
-    """The points in (0, 1), from left to right, and the matrix that turns values there into coefficients of Chebyshev polynomials."""
+    """The points in (0, 1), from left to right, and the matrix from values there to coefficients of Chebyshev polynomials."""
     import numpy as np
 
     angles = np.pi * (np.arange(CHEBYSHEV_POINTS)[::-1] + 0.5) / CHEBYSHEV_POINTS
@@ -141,21 +140,20 @@ def _chebyshev():
     return (1 + np.cos(angles)) / 2, matrix
 
 
-def _between(coefficients):
+def _between_roots(coefficients):
     """Points of (0, 1) that separate the roots of the polynomial."""
     import numpy as np
 
-    if _far(coefficients) or not np.isfinite(coefficients).all():
+    if _has_no_root(coefficients) or not np.isfinite(coefficients).all():
         return []
-    size = np.abs(coefficients).max()
-    kept = coefficients[: int(np.flatnonzero(np.abs(coefficients) > 1e-15 * size)[-1]) + 1] if size else coefficients[:1]
-    roots = np.polynomial.chebyshev.chebroots(kept)
+    significant = np.flatnonzero(np.abs(coefficients) > 1e-15 * np.abs(coefficients).max())
+    roots = np.polynomial.chebyshev.chebroots(coefficients[: max(significant, default=0) + 1])
     roots = np.sort(roots.real[(np.abs(roots.imag) < 1e-6) & (np.abs(roots.real) <= 1 + 1e-6)])
     return (1 + (roots[:-1] + roots[1:]) / 2) / 2
 
 
 def _root(g, a, b):
-    """The root between a and b, where the signs differ, to round-off: false position with halving (the Illinois rule), then bisection."""
+    """The root between a and b, where the signs differ, to round-off: regula falsi by the Illinois rule, and every fourth time bisection."""
     ga, gb, side = g(a), g(b), 0
     for n in range(200):
         if abs(b - a) <= 2.0**-52 * max(abs(a), abs(b)) or ga == 0:

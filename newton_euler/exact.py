@@ -1,30 +1,25 @@
 """The exact solution of a model as a method of integration."""
 
-import math
+from math import inf
 
 from .courses import Stepper
 
-EVENT_INTERVALS = 8  # of the solution, in which events are sought
-
 
 class Exact(Stepper):
-    """The exact solution of the model, which takes no steps: what is in between is the solution too."""
+    """The exact solution of the model: a single step, and what lies inside is the solution too."""
 
-    def step(self, limit=math.inf):
-        """To the goal; with a limit, as events are sought, in pieces."""
-        (t, x), goal = self.start, self.goal
-        self.x, self.t, self.calls = self.system.solution(goal - t, x), goal, 1
-        if limit < math.inf:
-            self.step_times += [t + (goal - t) * n / EVENT_INTERVALS for n in range(1, EVENT_INTERVALS)]
-        self.step_times.append(goal)
+    def step(self, limit=inf):
+        """See :class:`~newton_euler.courses.Stepper`."""
+        self.x, self.t, self.calls = self.system.solution(self.goal - self.t, self.x), self.goal, 1
+        self.step_times.append(self.t)
 
     @staticmethod
     def prepared(system, tolerance, fallback):
-        """See :func:`newton_euler.motion.prepare`."""
+        """The function of :func:`newton_euler.motion.prepare`."""
         return system.solution
 
-    def interpolate(self, at, times):
-        """The solution itself."""
+    def interpolate(self, n, times):
+        """See :class:`~newton_euler.courses.Stepper`."""
         start, x = self.start
         self.calls += len(times)
         return self.system.solutions(times - start, x)

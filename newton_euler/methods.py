@@ -1,9 +1,9 @@
-"""The methods of integration as values in one table, and how each is made to reach the accuracy asked for.
+"""The methods of integration as values in one table, and how the tolerance of each is found that gives the error asked for.
 
-What is asked for is the error of the motion, not that of a step. An adaptive method therefore runs twice, once at a tolerance a thousand times
-as coarse; the difference is the error of the coarse run, and as the error is proportional to the tolerance it foretells that of the fine one.
-Where that is too large the tolerance is tightened by what is missing, and the new run measures the one before. Runs of heyoka cost so little that
-its tolerance is a hundredth of what is asked for from the start.
+What is asked for is the error of the motion, not that of a step. A calibrated method therefore runs at least twice, first at a tolerance a thousand
+times as coarse; the difference is the error of the coarse run, and since the error is proportional to the tolerance it predicts that of the fine one.
+If that is too large, the tolerance is reduced accordingly, and the new run measures the one before. Runs of heyoka cost so little that its tolerance
+is far below what is asked for from the start.
 """
 
 import importlib.util
@@ -16,87 +16,75 @@ from .scipy_methods import scipy_method
 from .splitting import partition, principal_moments, splitting
 from .taylor import TAYLOR_MARGIN, Taylor, installed
 
-COARSENING = 1e3  # between the two runs
-TOLERANCE_RATIO = 30.0  # the first tolerance is so much below the accuracy asked for: errors are up to 100 tolerances, seldom less than one
-MAX_COARSE_TOLERANCE = 1e-2
+COARSENING, MAX_COARSE_TOLERANCE = 1e3, 1e-2  # the tolerance of the first run over that of the second, and its largest value
 
 
 @dataclass(frozen=True)
 class Method:
-    """One method.
+    """One method of integration.
 
-    name, words : its name in ``integrate(method=...)`` and what it is
-    course : the class that follows a motion by it
-    order : of convergence of a run with a fixed step; None where there is none
-    least : the smallest error, relative to each state, that it can be asked for
-    cannot : a function of the prepared model that says why it cannot be used for it, or None
-    calibrated : True if its tolerance is set by two runs
-    easy, loosest : the first tolerance is so much below the accuracy asked for, and not above this: coarse runs foretell little
-    tightest : the least tolerance that it is given; steps that are set by it know no least
+    name, description : its name in ``integrate(method=...)`` and what it is
+    stepper : the class of its runs
+    unusable_because : a function of the prepared model and the start time that says why it cannot be used, or returns None
+    order : of convergence with a fixed step; None if it has no fixed step
+    min_rtol : the smallest error, relative to each state, that it can be asked for
+    calibrated : True if its tolerance is found by two runs
+    tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are up to 100 tolerances, seldom less than one
+    max_tolerance : of the first fine run, since much coarser ones predict little; ``min_tolerance`` : the smallest that it is given
     """
 
     name: str
     description: str
     stepper: Callable
+    unusable_because: Callable = lambda system, t0=0.0: None
     order: int | None = None
     min_rtol: float = 1e-13
-    unusable_because: Callable = lambda system: None
     calibrated: bool = True
-    tolerance_ratio: float = TOLERANCE_RATIO
+    tolerance_ratio: float = 30.0
     max_tolerance: float = 3e-6
     min_tolerance: float = 1e-14
 
 
-def _no_exact(system):
+def _no_exact(system, t0=0.0):
     if system.model.exact is None:
         return f"no exact solution of {system.model.name!r} is known"
+    if t0 and not system.autonomous:
+        return f"the rates of {system.model.name!r} depend on time, so its exact solution starts at t = 0"
     return None
 
 
-def _no_heyoka(system):
+def _no_heyoka(system, t0=0.0):
     return None if installed() else "heyoka is not installed: pip install 'newton-euler[fast]' (Linux)"
 
 
-def _no_scipy(system):
+def _no_scipy(system, t0=0.0):
     return None if importlib.util.find_spec("scipy") else "SciPy is not installed: pip install scipy"
 
 
-def _no_groups(system):
-    if partition(system) is None:
-        return f"the states of {system.model.name!r} do not split into two groups, as places and velocities, with no rate that needs its own group"
-    return None
+def _no_groups(system, t0=0.0):
+    why = f"the states of {system.model.name!r} do not split into two groups, as places and velocities, with no rate that needs its own group"
+    return None if partition(system) else why
 
 
-def _no_body(system):
-    return (
-        None
-        if principal_moments(system)
-        else f"{system.model.name!r} is not Euler's equations of a free body, three rates like a product of the two others"
-    )
-
-
-SCIPY = (("DOP853", 8, 1e-11), ("RK45", 5, 1e-12), ("LSODA", None, 1e-8), ("Radau", 5, 1e-10))
-MIN_RTOL = {2: 1e-7, 4: 1e-9, 6: 1e-10, 8: 1e-10}  # by order: round-off of many steps
+def _no_body(system, t0=0.0):
+    why = f"{system.model.name!r} is not Euler's equations of a free body, three rates like a product of the two others"
+    return None if principal_moments(system) else why
 
 
 def _table():
-    yield Method("exact", "exact solution", Exact, min_rtol=1e-15, unusable_because=_no_exact, calibrated=False)
-    yield Method(
-        "taylor", "Taylor series of heyoka", Taylor, min_rtol=1e-15, unusable_because=_no_heyoka, calibrated=False, tolerance_ratio=TAYLOR_MARGIN
-    )
-    yield Method("dop853", "Runge-Kutta of order 8 in straight-line Python", Dop853, 8)
-    for name, order, min_rtol in SCIPY:
-        tolerance_ratio, max_tolerance = (1.0, 1e-4) if name == "Radau" else (TOLERANCE_RATIO, 3e-6)  # whose errors are smaller than its tolerance
+    yield Method("exact", "exact solution", Exact, _no_exact, min_rtol=1e-15, calibrated=False)
+    yield Method("taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, False, TAYLOR_MARGIN)
+    yield Method("dop853", "Runge-Kutta of order 8 in straight-line Python", Dop853, order=8)
+    # min_rtol is what they reached in measurements; the errors of Radau are smaller than its tolerance
+    for name, order, min_rtol, *tolerances in (("DOP853", 8, 1e-11), ("RK45", 5, 1e-12), ("LSODA", None, 1e-8), ("Radau", 5, 1e-10, 1.0, 1e-4)):
         description = f"SciPy's {name} on traced straight-line code"
-        yield Method(
-            f"scipy {name}", description, scipy_method(name), order, min_rtol, _no_scipy, tolerance_ratio=tolerance_ratio, max_tolerance=max_tolerance
-        )
-    for order in (2, 4, 6, 8):
-        name = "verlet" if order == 2 else f"yoshida{order}"
-        description = "Verlet's method" if order == 2 else f"Yoshida's composition of order {order}"
-        yield Method(name, f"{description}, symplectic", splitting(order), order, MIN_RTOL[order], _no_groups, min_tolerance=1e-40)
-        description = f"Lie-Poisson splitting of order {order}, keeps the angular momentum"
-        yield Method(f"lie-poisson{order}", description, splitting(order, body=True), order, MIN_RTOL[order], _no_body, min_tolerance=1e-40)
+        yield Method(f"scipy {name}", description, scipy_method(name), _no_scipy, order, min_rtol, True, *tolerances)
+    # the round-off of many small steps limits these; their tolerance only sets the step, so that it may be tiny
+    for order, min_rtol in ((2, 1e-7), (4, 1e-9), (6, 1e-10), (8, 1e-10)):
+        name, description = ("verlet", "Verlet's method") if order == 2 else (f"yoshida{order}", f"Yoshida's composition of order {order}")
+        yield Method(name, f"{description}, symplectic", splitting(order), _no_groups, order, min_rtol, min_tolerance=1e-40)
+        name, description = f"lie-poisson{order}", f"Lie-Poisson splitting of order {order}, keeps the angular momentum"
+        yield Method(name, description, splitting(order, body=True), _no_body, order, min_rtol, min_tolerance=1e-40)
 
 
-METHODS = {m.name: m for m in _table()}
+METHODS = {method.name: method for method in _table()}

@@ -14,8 +14,8 @@ from types import MappingProxyType
 from .scalars import ScalarError, is_comparable, is_zero, of_one_kind, plain, scalar
 from .tracing import compiled
 
-KEPT = 256  # right-hand sides, of which functions made at each call would else pile up
-_TRIED = set()  # right-hand sides that were found right: other numbers need no other trial
+KEPT = 64  # values in a cache by function: functions that are made at each call, as lambdas are, would pile up
+_CHECKED = {}  # the right-hand sides that were found right: other numbers need no other check
 
 
 class ModelError(ValueError):
@@ -26,8 +26,7 @@ class Named:
     """Values by name, as ``s.v``; a name that does not exist raises an AttributeError that lists those that do."""
 
     def __init__(self, what, values):
-        self.__dict__.update(values)
-        self.__dict__["_what"] = what
+        self.__dict__.update(values, _what=what)
 
     def __getattr__(self, name):
         if name.startswith("__"):
@@ -88,7 +87,9 @@ class Model:
             value = of(getattr(self, name))
             object.__setattr__(self, name, MappingProxyType(value) if of is dict else value)
         self._check_names()
-        self._check_rhs()
+        laws = tuple((n, x) for n, x in self.parameters.items() if is_law(x))
+        numbers = tuple(n for n in self.parameters if n not in dict(laws))
+        cached(_CHECKED, (self.rhs, self.states, numbers, laws), lambda: self._check_rhs(numbers))
 
     def __repr__(self):
         return f"Model({self.name!r}: {', '.join(self.states)}; {', '.join(self.parameters)})"
@@ -98,7 +99,7 @@ class Model:
     def derivative(self, state, t=0):
         """The rates of the states, a tuple in their order; ``state`` is a sequence in that order or a mapping by name, of scalars of any kind."""
         try:
-            return self._rates(self._state(state), self.parameters, t)
+            return tuple(map(plain, self._call(self.rhs, self._state(state), self.parameters, t)))
         except ZeroDivisionError as error:
             raise ModelError(f"{self.name} has no rates at {self._state(state)}: {error}; the coordinates are singular there") from error
 
@@ -108,26 +109,28 @@ class Model:
         free : names of parameters that stay arguments; the others are fixed now. For SciPy write
         ``lambda t, y: rhs(t, *y.tolist())``: Python's floats run three times faster than NumPy's.
         """
-        self._check_known(free)
+        self._expect("parameter", free, self.parameters)
+        return self._compiled(lambda s, p, t: tuple(self.rhs(s, p, t)), free)
 
-        def rates(**values):
-            parameters = {**self.parameters, **{n: values[n] for n in free}}
-            return self._rates({n: values[n] for n in self.states}, parameters, values["t"])
+    def _compiled(self, f, free):
+        """A function ``f(s, p, t)`` of this model as straight-line text, a function ``(t, *states, *free)``."""
 
-        rates.__name__ = self.name
-        rates.__signature__ = Signature([Parameter(n, Parameter.POSITIONAL_OR_KEYWORD) for n in ("t", *self.states, *free)])
-        return compiled(rates)
+        def values(**named):
+            return self._call(f, {n: named[n] for n in self.states}, {**self.parameters, **{n: named[n] for n in free}}, named["t"])
+
+        values.__name__ = self.name
+        values.__signature__ = Signature([Parameter(n, Parameter.POSITIONAL_OR_KEYWORD) for n in ("t", *self.states, *free)])
+        return compiled(values)
 
     def solution(self, t, start):
         """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple. Raises :class:`ModelError` where no exact solution is known."""
         if self.exact is None:
             raise ModelError(f"no exact solution of {self.name!r} is known; integrate it with newton_euler.motion")
-        return tuple(plain(x) for x in self._call(self.exact, self._state(start), self.parameters, t))
+        return tuple(map(plain, self._call(self.exact, self._state(start), self.parameters, t)))
 
     def invariant(self, name, state, t=0):
         """The value of one invariant at a state."""
-        if name not in self.invariants:
-            raise ModelError(f"{self.name} has no invariant {name!r}; it has {', '.join(self.invariants) or 'none'}")
+        self._expect("invariant", [name], self.invariants)
         return plain(self._call(self.invariants[name], self._state(state), self.parameters, t))
 
     def neglected(self, t, start):
@@ -137,10 +140,15 @@ class Model:
 
     def changed(self, **parameters):
         """The same model with some parameters changed."""
-        self._check_known(parameters)
+        self._expect("parameter", parameters, self.parameters)
         return replace(self, parameters={**self.parameters, **parameters})
 
     # -- how
+
+    def _expect(self, what, names, known):
+        for name in names:
+            if name not in known:
+                raise ModelError(f"{self.name} has no {what} {name!r}; it has {', '.join(known) or 'none'}")
 
     def _state(self, state):
         if isinstance(state, Mapping):
@@ -155,18 +163,11 @@ class Model:
 
     def _call(self, f, state, parameters, t):
         """``f(s, p, t)``, with the value of each law at this state in p."""
-        s, fixed = Named("state", {n: scalar(x) for n, x in state.items()}), {n: x for n, x in parameters.items() if not is_law(x)}
-        p = Named("parameter", {n: scalar(x) for n, x in fixed.items()})
-        laws = {n: scalar(law(s, p, t)) for n, law in parameters.items() if n not in fixed}
-        return f(s, Named("parameter", {**vars(p), **laws}) if laws else p, t)
-
-    def _rates(self, state, parameters, t):
-        return tuple(plain(x) for x in self._call(self.rhs, state, parameters, t))
-
-    def _check_known(self, names):
-        unknown = [n for n in names if n not in self.parameters]
-        if unknown:
-            raise ModelError(f"{self.name} has no parameter {unknown[0]!r}; it has {', '.join(self.parameters) or 'none'}")
+        s = Named("state", {n: scalar(x) for n, x in state.items()})
+        p = Named("parameter", {n: scalar(x) for n, x in parameters.items() if not is_law(x)})
+        laws = {n: scalar(law(s, p, t)) for n, law in parameters.items() if is_law(law)}  # all of them see numbers only
+        vars(p).update(laws)
+        return f(s, p, t)
 
     def _check_names(self):
         names = [*self.states, *self.parameters]
@@ -177,36 +178,39 @@ class Model:
         if twice:
             raise ModelError(f"{twice[0]!r} names two things in {self.name!r}; each state and parameter needs a name of its own")
         for name, value in self.parameters.items():
-            try:
-                scalar(value)
-            except ScalarError as error:
-                if not callable(value):
-                    raise ModelError(f"the parameter {name} of {self.name!r} is a number or a function (s, p, t), not {value!r}") from error
+            if not callable(value) and not _is_scalar(value):
+                raise ModelError(f"the parameter {name} of {self.name!r} is a number or a function (s, p, t), not {value!r}")
 
-    def _check_rhs(self):
+    def _check_rhs(self, numbers):
         """One call without values: it meets every name, and no branch can hide from it."""
-        numbers = tuple(n for n, x in self.parameters.items() if not is_law(x))
-        key = (self.rhs, self.states, numbers, tuple((n, x) for n, x in self.parameters.items() if n not in numbers))
-        if key in _TRIED:
-            return
         try:
-            count = len(self.compiled_rhs(*numbers)._results)
+            count = self.compiled_rhs(*numbers).count
         except (AttributeError, TypeError, ZeroDivisionError) as error:
             raise ModelError(f"the right-hand side of {self.name!r} fails when it is tried: {error}") from error
         if count != len(self.states):
             raise ModelError(f"the right-hand side of {self.name!r} returns {count} rates for the {len(self.states)} states {', '.join(self.states)}")
-        if len(_TRIED) > KEPT:
-            _TRIED.clear()
-        _TRIED.add(key)
 
 
-def is_law(x):
-    """True for a function that gives a parameter; expressions can be called too, but are numbers."""
+def cached(cache, key, make):
+    """The value of a key in the cache, made if it is not there; of all values the ``KEPT`` that were used last stay."""
+    found = cache.pop(key, cache)  # the cache itself stands for what is not in it
+    cache[key] = found = make() if found is cache else found
+    if len(cache) > KEPT:
+        cache.pop(next(iter(cache)), None)
+    return found
+
+
+def _is_scalar(x):
     try:
         scalar(x)
     except ScalarError:
-        return callable(x)
-    return False
+        return False
+    return True
+
+
+def is_law(x):
+    """True for a function that gives a parameter; an expression can be called too, but is a number."""
+    return callable(x) and not _is_scalar(x)
 
 
 def is_absent(x):

@@ -1,6 +1,6 @@
-"""Integrate the motion of a model: states at any time, an honest error, the drift of invariants, what it cost, and what happened on the way.
+"""Integration of the motion of a model: states at any time, the estimated error, the drift of invariants, the cost, and the events on the way.
 
-:func:`integrate` is the public face; the methods are in :mod:`.methods`, events in :mod:`.events`, the record in :mod:`.records`.
+The methods are in :mod:`.methods`, how one is chosen and its error controlled in :mod:`.run`, events in :mod:`.events`, the record in :mod:`.records`.
 """
 
 from time import perf_counter
@@ -19,16 +19,16 @@ def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None
 
     t : the time at which to end, from 0, or a pair (from, to)
     start : the states, in their order or by name; arrays of one length are many starts at once, as are arrays among the parameters of the model
-    rtol : the error that the states may have at the end, each relative to its largest size on the way (never below 1e-6 in its unit)
-    method : one of :data:`~newton_euler.methods.METHODS`; "auto" takes the exact solution where there is one, and else the straight-line DOP853 until
-        heyoka, if it is installed, pays or is needed
-    events : :class:`~newton_euler.events.Event`, several in a tuple
-    samples : times, or how many at equal distances; default: the ends of the steps
-    progress : a function of the fraction of time done, called now and then
-    step : a fixed step for methods that have an order; then no accuracy is controlled
+    rtol : the error that each state may have at the end, relative to its largest absolute value on the way (at least 1e-6 in its unit)
+    method : one of :data:`~newton_euler.methods.METHODS`; "auto" takes the exact solution if there is one, else the straight-line DOP853 until
+        heyoka, if it is installed, is worth its compilation or is needed
+    events : an :class:`~newton_euler.events.Event`, or several
+    samples : times, or the number of times at equal distances; default: the ends of the steps
+    progress : a function of the fraction of the time that is done, called now and then
+    step : a fixed step, for methods that have an order; the error is then not controlled
 
     Raises :class:`ModelError` for what cannot be done, and :class:`~newton_euler.records.MotionError`, with what was ``reached``, if the motion
-    runs into a singular place.
+    comes to a singular place.
 
     >>> from newton_euler.scenes.pendulum import physical_pendulum
     >>> motion = integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0))
@@ -49,11 +49,10 @@ def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None
 
 
 def prepare(model, rtol=1e-9, method="auto"):
-    """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0, a tuple: one model for many runs, as under a slider.
+    """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0 as a tuple: one model for many runs, as under a slider.
 
-    t, start : a float, and a tuple of floats in the order of the states. What is asked for, and raised, is as in :func:`integrate`, but there is no
-    record, so no error estimate and no drift: look at those of one run. Where there is no exact solution, "auto" compiles with heyoka at once, if
-    it is installed.
+    t, start : a float, and a tuple of floats in the order of the states. Arguments and errors are as in :func:`integrate`, but there is no record, so
+    no error estimate and no drift: look at those of one run. If there is no exact solution, "auto" compiles with heyoka at once, if it is installed.
 
     >>> from newton_euler.scenes.pendulum import physical_pendulum
     >>> swing = prepare(physical_pendulum(2.0, 0.5, 0.5, 10.0))
@@ -66,14 +65,14 @@ def prepare(model, rtol=1e-9, method="auto"):
     check(rtol, method)
     if method == "auto":
         method = "exact" if model.exact else "dop853" if METHODS["taylor"].unusable_because(system) else "taylor"
-    taken = usable(method, system)
+    used = usable(method, system)
 
     def fallback(t, start):
         return tuple(integrate(model, t, start, rtol, method).end.values())
 
-    if not hasattr(taken.stepper, "prepared"):
+    if not hasattr(used.stepper, "prepared"):
         return fallback
-    fast = taken.stepper.prepared(system, rtol / taken.tolerance_ratio, fallback)
+    fast = used.stepper.prepared(system, rtol / used.tolerance_ratio, fallback)
 
     def run(t, start):
         try:

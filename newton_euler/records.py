@@ -9,11 +9,11 @@ from typing import NamedTuple
 from .courses import sample_times
 from .models import ModelError
 
-DEFAULT_SAMPLES = 101  # samples of a motion without steps
+DEFAULT_SAMPLES = 101  # of a motion without steps
 
 
 class MotionError(ModelError):
-    """A motion that could not be followed to its end; ``reached`` is the :class:`Motion` up to there."""
+    """Raised where a motion could not be followed to its end; ``reached`` is the :class:`Motion` up to there."""
 
     def __init__(self, message, reached):
         super().__init__(message)
@@ -21,7 +21,7 @@ class MotionError(ModelError):
 
 
 class Cost(NamedTuple):
-    """``seconds`` of integrating, all runs, with imports and compilations they need; ``preparing`` the model; ``calls`` of the right-hand side."""
+    """``seconds`` of all runs, with the imports and compilations that they need; ``preparing`` the model; ``calls`` of the right-hand side."""
 
     seconds: float
     preparing: float
@@ -32,12 +32,12 @@ class Cost(NamedTuple):
 class Motion:
     """The motion of a model.
 
-    model, method, rtol : what was asked for, the method being the one that was taken
-    legs : the parts between events at which it became another; ``events`` : what happened, each with ``name``, ``t`` and ``state``
-    ended : in words; ``cost`` : a :class:`Cost`
-    times, states : of the samples; ``states["theta"]`` is an array; nan where a leg has no such state
-    error : the estimated error at the end, of the worst state relative to its largest size (at least 1e-6 in its unit)
-    drift : by the name of each invariant its largest change over the samples, relative to its largest size
+    model, method, rtol : what was asked for; the method is the one that was used
+    segments : the parts between events at which the model changed; ``events`` : what happened, each with ``name``, ``t`` and ``state``
+    ended : how it ended, in words; ``cost`` : a :class:`Cost`
+    times, states : of the samples; ``states["theta"]`` is an array; nan in a segment that has no such state
+    error : the estimated error at the end, of the worst state relative to its largest value (at least 1e-6 in its unit)
+    drift : for each invariant, by name, its largest change over the samples, relative to its largest value
 
     >>> from newton_euler import Model
     >>> fall = Model("fall", {"g": 10.0}, ("h", "v"), lambda s, p, t: (s.v, -p.g), exact=lambda s, p, t: (s.h + s.v*t - p.g*t*t/2, s.v - p.g*t))
@@ -65,8 +65,8 @@ class Motion:
     @cached_property
     def end(self):
         """The last state, by name."""
-        segment = self.segments[-1]
-        return dict(zip(segment.system.model.states, segment.x1, strict=True))
+        last = self.segments[-1]
+        return last.system.model._state(last.x1)
 
     @cached_property
     def error(self):
@@ -75,16 +75,14 @@ class Motion:
 
     @cached_property
     def times(self):
-        """The instants of the samples, an array."""
+        """The times of the samples, an array."""
         import numpy as np
 
-        begin, end, samples = self.segments[0].t0, self.t_end, self.samples
-        if samples is None:
-            ends = [b for segment in self.segments for b in segment.stepper.step_times[1:] if b < segment.t1] + [
-                segment.t1 for segment in self.segments
-            ]
-            return np.array([begin, *sorted(ends)]) if len(ends) > len(self.segments) else np.linspace(begin, end, DEFAULT_SAMPLES)
-        return sample_times(samples, begin, end)
+        begin, end, segments = self.segments[0].t0, self.t_end, self.segments
+        if self.samples is not None:
+            return sample_times(self.samples, begin, end)
+        steps = [t for segment in segments for t in segment.stepper.step_times[1:] if t < segment.t1]
+        return np.array([begin, *sorted([*steps, *(segment.t1 for segment in segments)])]) if steps else np.linspace(begin, end, DEFAULT_SAMPLES)
 
     @cached_property
     def states(self):
@@ -94,7 +92,7 @@ class Motion:
     def at(self, t):
         """The states at any time of the motion, by name: numbers, or arrays for an array of times. Raises :class:`ModelError` outside.
 
-        As accurate as the steps, or for the Runge-Kutta methods up to ten times less: their interpolation has one order less.
+        As accurate as the steps, or up to ten times less for the Runge-Kutta methods, whose interpolation has one order less.
         """
         import numpy as np
 
@@ -110,55 +108,47 @@ class Motion:
 
         if len(self.segments) == 1:
             rows = self.segments[0].stepper.states(times)
-            rows[:, times == self.t_end] = np.array(self.segments[0].x1)[:, None]
+            rows[:, times == self.t_end] = np.array(self.segments[0].x1)[:, None]  # to the last bit, where the stepper interpolates
             return dict(zip(self.model.states, rows, strict=True))
         names = dict.fromkeys(n for segment in self.segments for n in segment.system.model.states)
         out = {n: np.full(len(times), math.nan) for n in names}
-        starts = [segment.t0 for segment in self.segments]
-        which = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
-        for n in np.unique(which):
-            segment, chosen = self.segments[n], which == n
-            for name, row in zip(segment.system.model.states, segment.stepper.states(times[chosen]), strict=True):
-                out[name][chosen] = row
-        last = (times == self.t_end) & (which == len(self.segments) - 1)
+        index = np.maximum(np.searchsorted([segment.t0 for segment in self.segments], times, side="right") - 1, 0)
+        for n in np.unique(index):
+            segment, inside = self.segments[n], index == n
+            for name, row in zip(segment.system.model.states, segment.stepper.states(times[inside]), strict=True):
+                out[name][inside] = row
         for name, x in self.end.items():
-            out[name][last] = x
+            out[name][times == self.t_end] = x
         return out
 
     @cached_property
     def drift(self):
-        """See the class; within each leg, of which the worst counts."""
-        worst = {}
-        for segment in self.segments:
-            for name, values in self._invariants(segment).items():
-                size = abs(values).max()
-                change = abs(values - values[0]).max()
-                worst[name] = max(worst.get(name, 0.0), float(change / size) if size else 0.0)
-        return worst
-
-    def _invariants(self, segment):
+        """See the class; of several segments the largest, each compared with its own start."""
         import numpy as np
 
-        if not segment.system.model.invariants:
-            return {}
-        times = self.times[(self.times >= segment.t0) & (self.times <= segment.t1)]
-        times = np.unique([segment.t0, *times])
-        x = segment.stepper.states(times)
-        functions = segment.system.model.invariants.items()
-        return {name: np.broadcast_to(segment.system.function(f)(times, *x), times.shape) for name, f in functions}
+        worst = {}
+        for system, stepper, t0, t1, _ in self.segments:
+            times = np.unique([t0, *self.times[(self.times >= t0) & (self.times <= t1)]])
+            x = stepper.states(times) if system.model.invariants else ()
+            for name, f in system.model.invariants.items():
+                values = np.broadcast_to(system.function(f)(times, *x), times.shape)
+                largest = abs(values).max()
+                worst[name] = max(worst.get(name, 0.0), float(abs(values - values[0]).max() / largest) if largest else 0.0)
+        return worst
 
     def explain(self):
-        """All of it in words, one fact a line."""
-        lines = [f"{self.model.name}, from t = {self.segments[0].t0:g} to {self.t_end:.9g}: {self.ended}"]
-        lines.append(f"method: {self.method.name} ({self.method.description})")
-        kept = "" if not self.error > self.rtol else ", not reached" if self.error == self.error else ""
-        lines.append(f"error of the last state: about {self.error:.1g}, asked for {self.rtol:.1g}{kept}")
-        lines += [f"drift of {name}: {value:.1g}" for name, value in self.drift.items()]
-        lines += [f"{event.name} at t = {event.t:.9g}" for event in self.events[:10]]
+        """All of it as text, one fact a line."""
+        missed = ", not reached" if self.error > self.rtol else ""
+        lines = [
+            f"{self.model.name}, from t = {self.segments[0].t0:g} to {self.t_end:.9g}: {self.ended}",
+            f"method: {self.method.name} ({self.method.description})",
+            f"error of the last state: about {self.error:.1g}, asked for {self.rtol:.1g}{missed}",
+            *(f"drift of {name}: {value:.1g}" for name, value in self.drift.items()),
+            *(f"{event.name} at t = {event.t:.9g}" for event in self.events[:10]),
+        ]
         if len(self.events) > 10:
             lines.append(f"... and {len(self.events) - 10} more events")
-        seconds, calls = self.cost.seconds, self.cost.calls
-        lines.append(f"cost: {1e3 * seconds:.3g} ms, {calls} calls of the right-hand side, {1e3 * self.cost.preparing:.3g} ms to prepare")
-        return "\n".join(lines)
+        seconds, preparing, calls = self.cost
+        return "\n".join([*lines, f"cost: {1e3 * seconds:.3g} ms, {calls} calls of the right-hand side, {1e3 * preparing:.3g} ms to prepare"])
 
     __str__ = explain

@@ -1,68 +1,58 @@
 """Methods of fixed step that keep the structure of a motion: its reversibility, its area in phase space, its angular momentum.
 
-``verlet`` and its compositions are for models that split into two groups of states, as coordinates and velocities, in which no rate depends on
-its own group; they are symplectic if the forces have a potential. ``lie_poisson`` is for Euler's equations of a free body: it turns the angular
-momentum about one principal axis after the other, so that its size is kept to round-off. That a model is of such a form is read from its text.
+Verlet's method and its compositions are for models whose states form two groups, as coordinates and velocities, such that no rate depends on its own
+group; they are symplectic if the forces have a potential. The Lie-Poisson methods are for Euler's equations of a free body: they turn the angular
+momentum about one principal axis after the other, so that its magnitude is kept to round-off. Whether a model has such a form is read from its text.
 
 H. Yoshida, Construction of higher order symplectic integrators, Phys. Lett. A 150 (1990) 262; R. I. McLachlan, Explicit Lie-Poisson integration
 and the Euler equations, Phys. Rev. Lett. 71 (1993) 3043.
 """
 
-import math
 from functools import lru_cache
+from math import ceil, cos, inf, isclose, isfinite, sin, sqrt
 
-from .courses import StepError, Stepper, checkpoint_indices
+from .courses import StepError, Stepper
 from .models import ModelError
 from .vectors import cross3, dot3
 
 MAX_STEPS = 3_000_000
-_W6 = (-1.17767998417887, 0.235573213359357, 0.784513610477560)  # Yoshida's solution A for order 6, outside to middle reversed
+_W6 = (-1.17767998417887, 0.235573213359357, 0.784513610477560)  # w1, w2, w3 of Yoshida's solution A for order 6 (his table 1)
 _W8 = (-1.61582374150097, -2.44699182370524, -0.00716989419708120, 2.44002732616735, 0.157739928123617, 1.82020630970714, 1.04242620869991)
 
 
-def _triple(order):
-    """The triple jump that raises a symmetric method by two orders."""
-    outer = 1 / (2 - 2 ** (1 / (order - 1)))
-    return outer, 1 - 2 * outer, outer
-
-
 def _symmetric(weights):
-    """The weights w_m ... w_1 w_0 w_1 ... w_m from w_1 ... w_m."""
-    outer = weights[::-1]
-    return *outer, 1 - 2 * sum(weights), *outer[::-1]
+    """The weights w_m ... w_1 w_0 w_1 ... w_m from w_1 ... w_m; their sum is 1."""
+    return *weights[::-1], 1 - 2 * sum(weights), *weights
 
 
-COMPOSITIONS = {2: (1.0,), 4: _triple(4), 6: _symmetric(_W6), 8: _symmetric(_W8)}
+COMPOSITIONS = {2: (1.0,), 4: _symmetric((1 / (2 - 2 ** (1 / 3)),)), 6: _symmetric(_W6), 8: _symmetric(_W8)}
 
 
 # -- which models have the structure
 
 
 def partition(system):
-    """The states in two groups, no rate of which depends on its own group, as two tuples of numbers; None if there are none."""
+    """The numbers of the states in two groups, such that no rate depends on its own group: two tuples, or None if there are no such groups."""
     states, needs = system.model.states, system.traced.needs
     if any("t" in need for need in needs):
         return None
-    joined = {i: {j for j, n in enumerate(states) if n in needs[i] or states[i] in needs[j]} for i in range(len(states))}
-    side = {}
-    for first in joined:
-        side.setdefault(first, 0)
-        waiting = [first]
+    group = {}
+    for first in range(len(states)):
+        waiting = [(first, group.get(first, 0))]
         while waiting:
-            i = waiting.pop()
-            for j in joined[i]:
-                if j not in side:
-                    side[j] = 1 - side[i]
-                    waiting.append(j)
-                elif side[j] == side[i]:
-                    return None
-    return tuple(i for i in side if not side[i]), tuple(i for i in side if side[i])
+            i, side = waiting.pop()
+            if i not in group:
+                group[i] = side
+                waiting += [(j, 1 - side) for j, n in enumerate(states) if n in needs[i] or states[i] in needs[j]]
+            elif group[i] != side:
+                return None
+    return tuple(i for i in group if not group[i]), tuple(i for i in group if group[i])
 
 
 def principal_moments(system):
-    """The principal moments of inertia, to a factor, of a model that is Euler's equations without moments; None for any other.
+    """The principal moments of inertia, to a factor, of a model that is Euler's equations without moments of force; None for any other.
 
-    Three rates, each a number times the product of the two other states; the numbers must belong to moments.
+    Three rates, each a constant times the product of the two other states, with constants that belong to moments.
     """
     states, needs = system.model.states, system.traced.needs
     if len(states) != 3 or any(states[i] in needs[i] or "t" in needs[i] for i in range(3)):
@@ -72,9 +62,9 @@ def principal_moments(system):
         probe = system.rates(0.0, (2.0, 3.0, -5.0))
     except ArithmeticError:
         return None
-    if not all(math.isclose(x, k * v, rel_tol=1e-12, abs_tol=1e-14) for x, k, v in zip(probe, (a, b, c), (-15.0, -10.0, 6.0), strict=True)):
+    if not all(isclose(x, k * v, rel_tol=1e-12, abs_tol=1e-14) for x, k, v in zip(probe, (a, b, c), (-15.0, -10.0, 6.0), strict=True)):
         return None
-    rows = (a, -1.0, 1.0), (1.0, b, -1.0), (-1.0, 1.0, c)  # a I1 = I2 - I3, ...: three equations, two of which are enough
+    rows = (a, -1.0, 1.0), (1.0, b, -1.0), (-1.0, 1.0, c)  # a I1 = I2 - I3, ...: three equations, of which two are enough
     found = max((cross3(rows[i], rows[i - 1]) for i in range(3)), key=lambda v: sum(map(abs, v)))
     size = sum(found)
     if not size or min(x / size for x in found) <= 0:
@@ -83,121 +73,96 @@ def principal_moments(system):
     return found if all(abs(dot3(row, found)) < 1e-12 for row in rows) else None
 
 
-# -- one step
+# -- one step: for each weight the flow of one part of the equations, of the others, and back again
+
+
+def _generated(setup, flows, result):
+    """A function ``move(f, p, x, h, weights)`` that returns the state after a step h."""
+    lines = [*setup, "for w in weights:", "    e = w*h; d = 0.5*e", *("    " + flow for flow in flows), f"return {result},"]
+    space = {"cos": cos, "sin": sin}
+    exec("def move(f, p, x, h, weights):\n" + "".join(f"    {line}\n" for line in lines), space)
+    return space["move"]
 
 
 @lru_cache(maxsize=64)
 def _verlet(n, first, second, free):
-    """A step ``move(f, p, t, x, h, weights)``: half of the first group, the second, half of the first, for each weight."""
+    """Half a step of the first group, a step of the second, half a step of the first."""
     x, p = ", ".join(f"x{i}" for i in range(n)), "".join(f", p{j}" for j in range(free))
 
-    def flow(group, name):
+    def flow(group, time):
         k = ", ".join(f"k{i}" if i in group else "_" for i in range(n))
-        return [f"{k}, = f(t, {x}{p})"] + [f"x{i} += {name}*k{i}" for i in group]
+        return [f"{k}, = f(0.0, {x}{p})", *(f"x{i} += {time}*k{i}" for i in group)]
 
-    loop = ["e = w*h", "d = 0.5*e", *flow(first, "d"), *flow(second, "e"), *flow(first, "d")]
-    lines = [f"{x}, = x", *([f"{p[2:]}, = p"] if free else []), "for w in weights:", *("    " + line for line in loop), f"return {x},"]
-    space = {}
-    exec("def move(f, p, t, x, h, weights):\n" + "".join(f"    {line}\n" for line in lines), space)
-    return space["move"]
+    setup = [f"{x}, = x", *([f"{p[2:]}, = p"] if free else [])]
+    return _generated(setup, [*flow(first, "d"), *flow(second, "e"), *flow(first, "d")], x)
 
 
-def _turn(moments, x, h, weights):
-    """A step of the splitting of the energy into that about each axis: each part turns the angular momentum about its axis."""
-    I1, I2, I3 = moments
-    a, b, c = x[0] * I1, x[1] * I2, x[2] * I3
-    cos, sin = math.cos, math.sin
-    for w in weights:
-        e = w * h
-        for axis, d in ((1, 0.5 * e), (2, 0.5 * e), (3, e), (2, 0.5 * e), (1, 0.5 * e)):
-            if axis == 1:
-                u = a * d / I1
-                k, s = cos(u), sin(u)
-                b, c = k * b + s * c, k * c - s * b
-            elif axis == 2:
-                u = b * d / I2
-                k, s = cos(u), sin(u)
-                c, a = k * c + s * a, k * a - s * c
-            else:
-                u = c * d / I3
-                k, s = cos(u), sin(u)
-                a, b = k * a + s * b, k * b - s * a
-    return a / I1, b / I2, c / I3
+@lru_cache(maxsize=1)
+def _lie_poisson():
+    """The angular momentum, turned about each principal axis by the kinetic energy about that axis; p are the principal moments."""
 
+    def turn(i, time):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        return f"u = x{i}*{time}/I{i}; c = cos(u); s = sin(u); x{j}, x{k} = c*x{j} + s*x{k}, c*x{k} - s*x{j}"
 
-# -- the course
+    setup = ["I0, I1, I2 = p", "x0, x1, x2 = x[0]*I0, x[1]*I1, x[2]*I2"]
+    return _generated(setup, [turn(0, "d"), turn(1, "d"), turn(2, "e"), turn(1, "d"), turn(0, "d")], "x0/I0, x1/I1, x2/I2")
 
 
 class Splitting(Stepper):
-    """A course of equal steps; ``tolerance`` sets them, to be calibrated by the difference of two runs, or ``step`` does."""
+    """A run of equal steps, which follow from the tolerance, to be calibrated by the difference of two runs, if they are not given."""
 
-    order = 2
-    body = False
+    order, body = 2, False
 
     def __init__(self, system, t, x, trajectory):
         super().__init__(system, t, x, trajectory)
         self.weights = COMPOSITIONS[self.order]
-        self._prepare()
+        if self.body:
+            self.f, self.p, self.move = None, principal_moments(system), _lie_poisson()
+        else:
+            self.f, self.p, self.move = system.f, system.p, _verlet(len(x), *partition(system), len(system.p))
         span = self.goal - t
-        count = span / (trajectory.step or self._time_scale() * trajectory.tolerance ** (1 / self.order))
+        count = span / (trajectory.step or self._time_scale() * self.tolerance ** (1 / self.order))
         if count > MAX_STEPS:
             raise ModelError(f"{count:.2g} steps of order {self.order} would be needed; take a higher order, another method, or a coarser rtol")
-        self.count = max(1, math.ceil(count * (1 - 1e-12)))  # a span of whole steps is not cut once more by round-off
+        self.count = max(1, ceil(count * (1 - 1e-12)))  # round-off must not add a step
         self.h, self.steps = span / self.count, [self.x]
 
-    def _prepare(self):
-        if self.body:
-            self.principal_moments = principal_moments(self.system)
-            self.move = lambda x, h: _turn(self.principal_moments, x, h, self.weights)
-            return
-        first, second = partition(self.system)
-        step, f, p = _verlet(len(self.x), first, second, len(self.system.p)), self.system.f, self.system.p
-        self.move = lambda x, h: step(f, p, 0.0, x, h, self.weights)
-
     def _time_scale(self):
-        """The shortest time in which a rate changes by as much as it is or has been: about a radian of the fastest swing."""
-        x = self.x
-        k = self.system.rates(self.t, x)
-        d = 1e-3 * (self.goal - self.t)
-        d = min([d] + [1e-3 * s / abs(v) for s, v in zip(self.scales, k, strict=True) if abs(v) > 1e-3 * s])
-        later = self.system.rates(self.t, tuple(a + d * v for a, v in zip(x, k, strict=True)))
-        second = [abs(b - a) / d for a, b in zip(k, later, strict=True)]
-        scales = [math.sqrt(max(s, abs(v) * d) / a) for s, v, a in zip(self.scales, k, second, strict=True) if a > 1e-12 * s and s > 1e-3]
-        return min([*scales, (self.goal - self.t) / 4])
+        """The shortest time in which a rate changes by as much as it is or has been: about a radian of the fastest oscillation."""
+        span, k = self.goal - self.t, self.system.rates(self.t, self.x)
+        d = min([1e-3 * span] + [1e-3 * s / abs(v) for s, v in zip(self.scales, k, strict=True) if abs(v) > 1e-3 * s])
+        later = self.system.rates(self.t, tuple(x + d * v for x, v in zip(self.x, k, strict=True)))
+        changes = [(s, abs(v), abs(w - v) / d) for s, v, w in zip(self.scales, k, later, strict=True) if s > 1e-3]
+        return min([span / 4] + [sqrt(max(s, v * d) / a) for s, v, a in changes if a > 1e-12 * s])
 
-    def step(self, limit=math.inf):
-        """Go on by at most so many steps."""
-        start, done = self.start[0], len(self.steps) - 1
-        x, move, h = self.x, self.move, self.h
-        for n in range(done + 1, min(done + limit, self.count) + 1):
-            x = move(x, h)
-            if not math.isfinite(sum(x)):
+    def step(self, limit=inf):
+        """See :class:`~newton_euler.courses.Stepper`."""
+        done = len(self.steps)
+        for n in range(done, min(done + limit, self.count + 1)):
+            x = self.move(self.f, self.p, self.steps[-1], self.h, self.weights)
+            if not isfinite(sum(x)):
                 raise StepError("the states have grown beyond all bounds")
             self.steps.append(x)
-            self.step_times.append(start + n * h)
-        self.x, self.t = x, self.step_times[-1]
+            self.step_times.append(self.start[0] + n * self.h)
         if len(self.steps) > self.count:
-            self.t = self.step_times[-1] = self.goal
-        self.scales = tuple(max(s, max(map(abs, column))) for s, column in zip(self.scales, zip(*self.steps[done:], strict=True), strict=True))
-        self.calls += 3 * len(self.weights) * (len(self.steps) - 1 - done)
-
-    @property
-    def checkpoints(self):
-        """See :class:`newton_euler.courses.Course`."""
-        return [(self.step_times[n], self.steps[n]) for n in checkpoint_indices(len(self.steps))]
+            self.step_times[-1] = self.goal
+        self.x, self.t = self.steps[-1], self.step_times[-1]
+        self.scales = tuple(max(s, *map(abs, column)) for s, column in zip(self.scales, zip(*self.steps[done - 1 :], strict=True), strict=True))
+        self.calls += 3 * len(self.weights) * (len(self.steps) - done)
 
     def state_at(self, t):
-        """By a shorter step from the last place before."""
-        at = self.step_index(t)
-        return self.move(self.steps[at], t - self.step_times[at])
+        """The state at ``t`` by a shorter step from the last step before."""
+        n = self.step_index(t)
+        return self.move(self.f, self.p, self.steps[n], t - self.step_times[n], self.weights)
 
-    def interpolate(self, at, times):
-        """By a shorter step of the method from the last place before."""
+    def interpolate(self, n, times):
+        """See :class:`~newton_euler.courses.Stepper`."""
         import numpy as np
 
-        return np.array([self.move(self.steps[at], t - self.step_times[at]) for t in times.tolist()]).T
+        return np.array([self.state_at(t) for t in times.tolist()]).T
 
 
 def splitting(order, body=False):
-    """The class of the method of this order; ``body`` for the free rigid body."""
+    """The stepper of this order; ``body`` for the free rigid body."""
     return type("LiePoisson" if body else "Verlet", (Splitting,), {"order": order, "body": body, "__doc__": Splitting.__doc__})

@@ -1,18 +1,23 @@
-"""What tracing records: each operation on a traced scalar is a step; equal steps are one, so that common subexpressions are shared.
+"""Traced scalars: each operation on them is recorded as a step; equal steps are one, so that common subexpressions are shared.
 
-Nothing here has a value, so a formula that is traced cannot branch on one; it chooses by :func:`newton_euler.scalars.where`, which is a step too.
+A step has no value, so a formula that is traced cannot branch on one; it chooses by :func:`newton_euler.scalars.where`, which is a step too.
 """
 
 from .scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, plain, scalar
 
+COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 NO_VALUE = (
     "a formula is traced without values: it must not branch on them (if, max, ==), but chooses by where(x < y, a, b), "
     "and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
 )
 
 
+def _comparison(name):
+    return lambda self, other: self.trace.step(name, self, plain(other))
+
+
 class Step(_Own):
-    """One traced scalar: an operation on earlier steps, numbers or the arguments."""
+    """One traced scalar: the operation ``op`` on ``args``, which are earlier steps or numbers; its ``number`` counts the steps of the trace."""
 
     __slots__ = ("args", "number", "op", "trace")
     rank = 3
@@ -20,7 +25,7 @@ class Step(_Own):
     def __init__(self, trace, op, args, number):
         self.trace, self.op, self.args, self.number = trace, op, args, number
 
-    # A minus sign moves outward until it is a subtraction or is gone; in floating point none of these moves changes a bit.
+    # A minus sign moves outward until it becomes a subtraction or cancels; rounding is symmetric, so none of these moves changes a bit.
 
     def __add__(self, other):
         if _is(other, 0):
@@ -77,7 +82,7 @@ class Step(_Own):
         return self.args[0] if self.op == "neg" else self.trace.step("neg", self)
 
     def function(self, name, *args):
-        """A step that is this function of earlier ones."""
+        """The step of this function, of this step or of the arguments."""
         if self.op == "neg" and name in ("cos", "cosh"):
             return function(name, self.args[0])
         if self.op == "neg" and name in ("sin", "tan", "asin", "atan", "sinh", "tanh"):
@@ -85,7 +90,7 @@ class Step(_Own):
         return self.trace.step(name, *(args or (self,)))
 
     def pi(self):
-        """A step that is pi in the kind of number that comes to run."""
+        """The step that is pi in the kind of number on which the text will run."""
         return self.trace.step("pi")
 
     def __abs__(self):
@@ -93,20 +98,10 @@ class Step(_Own):
 
     # A comparison is a step too, for `where` to choose by; it has no value that an `if` could ask for.
 
-    def __lt__(self, other):
-        return self.trace.step("lt", self, plain(other))
-
-    def __le__(self, other):
-        return self.trace.step("le", self, plain(other))
-
-    def __gt__(self, other):
-        return self.trace.step("gt", self, plain(other))
-
-    def __ge__(self, other):
-        return self.trace.step("ge", self, plain(other))
+    __lt__, __le__, __gt__, __ge__ = map(_comparison, COMPARISONS)
 
     def where(self, a, b):
-        """A step that is ``a`` where this comparison holds, else ``b``, for :func:`newton_euler.scalars.where`."""
+        """The step of :func:`newton_euler.scalars.where` with this comparison."""
         return a if a is b else self.trace.step("where", self, plain(a), plain(b))
 
     def _no_value(self, *_):
@@ -129,21 +124,23 @@ def _is(x, number):
 
 
 class Trace:
+    """The steps of one formula, in order; ``known`` finds equal ones."""
+
     def __init__(self):
         self.steps, self.known = [], {}
 
     def step(self, op, *args):
+        """The step of this operation, a new one if there is none yet."""
         if any(isinstance(a, Scaled) or outranks(a, Step) for a in args):
             return NotImplemented  # the moving number or vector takes over and calls back with its parts
-        key = tuple(self._key(a) for a in args)
-        if op in "+*":
-            key = tuple(sorted(key, key=repr))
-        found = self.known.get((op, key))
-        if found is None:
-            found = self.known[op, key] = self.new(op, *args)
-        return found
+        keys = [self._key(a) for a in args]
+        key = op, *(sorted(keys, key=repr) if op in "+*" else keys)  # sums and products commute
+        if key not in self.known:
+            self.known[key] = self.new(op, *args)
+        return self.known[key]
 
     def new(self, op, *args):
+        """A new step."""
         self.steps.append(Step(self, op, args, len(self.steps)))
         return self.steps[-1]
 

@@ -1,28 +1,27 @@
-"""Traced steps as text: lines of Python in order, each step that is used only once written inside its user.
+"""Traced steps as Python source: lines in order, each step that is used only once written inside its user.
 
-On floats what only one side of a choice needs stands under an ``if``; arrays and heyoka take both sides.
+On floats, what only one side of a choice needs stands under an ``if``; arrays and heyoka compute both sides.
 """
 
 import math
 import operator
 from itertools import takewhile
 
-from .scalars import _root, plain, where
-from .steps import Step
+from .scalars import FUNCTIONS, _root, plain, where
+from .steps import COMPARISONS, Step
 
-COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
+RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where"}  # names in the text that no argument can have
 
 
-def _text(trace, names, outputs, lazy):
-    """The needed steps as lines of Python, each step used only once written inside its user.
-
-    Returns the lines, the results, the constants that have no plain spelling by name, and the number of operations. Lazy text computes what only one
-    side of a choice needs under an ``if``; arrays and heyoka take both sides.
+def generate(trace, names, outputs, lazy):
+    """The text of a function ``formula`` of the arguments ``names`` that returns the outputs; its constants that have no literal, by name; and the
+    number of its operations. A lazy text computes what only one side of a choice needs under an ``if``.
     """
-    used = {}
-    needed, stack = set(), [o for o in outputs if isinstance(o, Step)]
+    used = {}  # how often each step is, by its number
+    stack = [o for o in outputs if isinstance(o, Step)]
     for o in stack:
-        used[o.number] = used.get(o.number, 0) + 2  # an output keeps its own line
+        used[o.number] = 2  # an output has a line of its own
+    needed = set()
     while stack:
         s = stack.pop()
         if s.number in needed:
@@ -33,9 +32,9 @@ def _text(trace, names, outputs, lazy):
                 used[a.number] = used.get(a.number, 0) + (2 if s.op == "where" and a is s.args[0] else 1)  # a condition is asked again
                 stack.append(a)
     steps = [s for s in trace.steps if s.number in needed]
-    places = _places(steps, outputs) if lazy else {}
+    branches = _branches(steps, outputs) if lazy else {}
     text, lines, constants, operations = {}, [], {}, 0
-    mark = unused("s", names)
+    line_letter, constant_letter = unused("s", names), unused("c", names)
 
     def spelled(a):
         if isinstance(a, Step):
@@ -43,7 +42,7 @@ def _text(trace, names, outputs, lazy):
         a = a.item() if _root(type(a)) == "numpy" else plain(a)
         if type(a) in (int, float, bool) and abs(a) < math.inf:
             return f"({a!r})"
-        name = f"{unused('c', names)}{len(constants)}"  # mpf, Fraction, inf, nan, symbols
+        name = f"{constant_letter}{len(constants)}"  # mpf, Fraction, inf, nan, symbols
         constants[name] = a
         return name
 
@@ -52,26 +51,27 @@ def _text(trace, names, outputs, lazy):
             text[s.number] = names[s.args[0]]
             continue
         operations += s.op not in ("neg", "pi")
-        written = _write(s.op, [spelled(a) for a in s.args], lazy)
+        written = _written(s.op, [spelled(a) for a in s.args], lazy)
         if used[s.number] == 1 and len(written) < 120:
             text[s.number] = f"({written})"
         else:
-            text[s.number] = f"{mark}{len(lines)}"
-            lines.append((places.get(s.number, ()), f"{text[s.number]} = {written}"))
-    return _indented(lines, text), [spelled(o) for o in outputs], constants, operations
+            text[s.number] = f"{line_letter}{len(lines)}"
+            lines.append((branches.get(s.number, ()), f"{text[s.number]} = {written}"))
+    body = "".join(f"    {line}\n" for line in [*_indented(lines, text), f"return {', '.join(map(spelled, outputs))},"])
+    return f"def formula({', '.join(names.values())}):\n{body}", constants, operations
 
 
-def _places(steps, outputs):
+def _branches(steps, outputs):
     """For each step the sides of choices that alone need it, outermost first: pairs of the number of a condition known by then, and True or False."""
-    places = {o.number: () for o in outputs if isinstance(o, Step)}
+    branches = {o.number: () for o in outputs if isinstance(o, Step)}
     for s in reversed(steps):
-        own = places[s.number]
+        own = branches[s.number]
         for i, a in enumerate(s.args):
             if isinstance(a, Step):
                 path = (*own, (s.args[0].number, i == 1)) if s.op == "where" and i else own
                 path = tuple(takewhile(lambda choice, n=a.number: choice[0] < n, path))
-                places[a.number] = _shared(places[a.number], path) if a.number in places else path
-    return places
+                branches[a.number] = _shared(branches.get(a.number, path), path)
+    return branches
 
 
 def _shared(a, b):
@@ -80,25 +80,24 @@ def _shared(a, b):
 
 
 def _indented(lines, text):
-    """The lines, each under the conditions of its place."""
-    out, before = [], ()
-    for place, line in lines:
-        for depth in range(len(_shared(before, place)), len(place)):
-            number, side = place[depth]
-            out.append(f"{depth * '    '}if {'' if side else 'not '}{text[number]}:")
-        out.append(len(place) * "    " + line)
-        before = place
-    return out
+    """The lines, each under the conditions of its branch."""
+    before = ()
+    for branch, line in lines:
+        for depth in range(len(_shared(before, branch)), len(branch)):
+            number, side = branch[depth]
+            yield f"{depth * '    '}if {'' if side else 'not '}{text[number]}:"
+        yield len(branch) * "    " + line
+        before = branch
 
 
 def unused(letter, names):
-    """The letter, behind as many underscores as keep letter and digits apart from the names of the arguments."""
+    """The letter, after as many underscores as distinguish it with digits from the names of the arguments."""
     while any(n.startswith(letter) and n[len(letter) :].isdigit() for n in names.values()):
         letter = "_" + letter
     return letter
 
 
-def _write(op, args, lazy):
+def _written(op, args, lazy):
     if op in ("+", "-", "*", "/", "**"):
         return f"{args[0]} {op} {args[1]}"
     if op == "neg":
@@ -110,23 +109,15 @@ def _write(op, args, lazy):
     return op if op == "pi" else f"{op}({', '.join(args)})"
 
 
-def written(trace, names, leaves, lazy):
-    """The text of the function, its constants, the number of its operations, and the results as they stand in it."""
-    lines, results, constants, operations = _text(trace, names, leaves, lazy)
-    body = "".join(f"    {line}\n" for line in lines)
-    return f"def formula({', '.join(names.values())}):\n{body}    return {', '.join(results)},\n", constants, operations, results
-
-
-def choices(library):
-    """What the text calls ``where``, ``lt`` … over this library, and the powers of a number in heyoka."""
+def runtime_names(library):
+    """What a text calls ``where``, ``lt`` … over this library, by name; for heyoka also absolute values and powers of a number."""
     if library.__name__ != "heyoka":
-        chosen = library.where if library.__name__ == "numpy" else where
-        return {"where": chosen, **{name: getattr(operator, name) for name in COMPARISONS}}
+        return {"where": library.where if library.__name__ == "numpy" else where, **{name: getattr(operator, name) for name in COMPARISONS}}
     hy = library
 
     def over(f):
         return lambda *args: f(*(a if isinstance(a, hy.expression) else hy.expression(float(a)) for a in args))
 
-    names = {"where": over(hy.select), "lt": over(hy.lt), "le": over(hy.lte), "gt": over(hy.gt), "ge": over(hy.gte)}
+    comparisons = {"lt": over(hy.lt), "le": over(hy.lte), "gt": over(hy.gt), "ge": over(hy.gte)}
     size = over(lambda x: hy.select(hy.lt(x, hy.expression(0.0)), -x, x))
-    return {**names, "abs": size, "pow": lambda base, x: hy.expression(float(base)) ** x}
+    return {**comparisons, "where": over(hy.select), "abs": size, "pow": lambda base, x: hy.expression(float(base)) ** x}

@@ -1,4 +1,4 @@
-"""A model made ready to run: its formulas traced once and kept, with its parameters as numbers beside them.
+"""A model made ready to run: its formulas traced once and kept, with the numbers of its parameters.
 
 Models that share a right-hand side (the same scene with other parameters) share the traced text, and what heyoka has compiled from it.
 """
@@ -6,44 +6,46 @@ Models that share a right-hand side (the same scene with other parameters) share
 import ast
 import math
 from functools import cached_property
-from inspect import Parameter, Signature
 
 from .hoisting import folded
-from .models import Model, ModelError, is_law
-from .scalars import ZERO, ScalarError, is_numeric, plain, scalar
-from .tracing import compiled
+from .models import Model, ModelError, cached, is_law
+from .scalars import ZERO, plain, scalar
 
-KEPT = 64  # right-hand sides, and functions of the states for each: those made at each call, as a lambda is, would pile up
 _known = {}
 
 
 class Traced:
-    """The text of one right-hand side: ``f(t, *states, *free)`` on floats, its ``rhs`` for all other kinds, and which states each rate needs."""
+    """The text ``rhs`` of one right-hand side, a function ``(t, *states, *free)``, and what was made from it.
+
+    functions : the texts of other functions of the states, or None, by function; ``integrators`` of heyoka
+    seconds : spent on integrating it, to decide whether heyoka's compilation pays
+    """
 
     def __init__(self, model, free):
-        self.rhs, self.states = formula(model, free, model.rhs), len(model.states)
-        self.f = self.rhs._run["math"]
-        self.functions, self.integrators = {}, {}
-        self.seconds = 0.0  # spent in integrating it, to decide whether heyoka's compilation pays
+        self.rhs, self.arguments = model.compiled_rhs(*free), 1 + len(model.states)
+        self.functions, self.integrators, self.seconds = {}, {}, 0.0
 
     @cached_property
     def needs(self):
-        """For each rate the names of the arguments that it depends on."""
-        return _dependencies(self.rhs.source)
+        """For each rate the names of the arguments that it depends on, a list of sets."""
+        function = ast.parse(self.rhs.source).body[0]
+        known = {a.arg: {a.arg} for a in function.args.args}
+
+        def of(node):
+            return set().union(*(known.get(n.id, ()) for n in ast.walk(node) if isinstance(n, ast.Name)))
+
+        for line in function.body[:-1]:
+            known[line.targets[0].id] = of(line.value)
+        return [of(rate) for rate in function.body[-1].value.elts]
 
     @cached_property
     def folded(self):
-        """The right-hand side with single numbers in place of what depends on parameters alone, and the formula that gives these."""
-        return folded(self.rhs, 1 + self.states)
-
-    @cached_property
-    def folded_on_floats(self):
-        """Both as functions of floats."""
-        return tuple(text._on(math) for text in self.folded)
+        """The right-hand side with constants in the places of what depends on parameters alone, and the formula that gives these."""
+        return folded(self.rhs, self.arguments)
 
 
 def prepared(model):
-    """The :class:`System` of a model, which keeps it."""
+    """The :class:`PreparedModel` of a model, which keeps it."""
     if not isinstance(model, Model):
         raise ModelError(f"integrate takes a Model, got {model!r}")
     found = vars(model).get("_prepared")
@@ -56,21 +58,20 @@ def prepared(model):
 class PreparedModel:
     """A model with the numbers of its parameters.
 
-    f : the right-hand side on floats, ``f(t, *states, *p)``; p : the values of the parameters that are arguments of it
+    f : the right-hand side on floats, ``f(t, *states, *p)``; ``p`` : the values of the parameters that are ``free``, arguments of it
     many : True if some parameter is an array
     Raises :class:`ModelError` for a parameter that has no number.
     """
 
     def __init__(self, model):
         self.model = model
-        fixed = tuple((n, x) for n, x in model.parameters.items() if is_law(x) or scalar(x) is ZERO)
-        names = [n for n, _ in fixed]
-        self.free = tuple(n for n in model.parameters if n not in names)
-        self.p = tuple(_number(model, n, model.parameters[n]) for n in self.free)
-        self.exact_verified = False  # its exact solution, once that has been tried
-        self.many = any(getattr(x, "shape", ()) for x in model.parameters.values())
-        self.traced = _cached(_known, (model.rhs, model.states, self.free, fixed), lambda: Traced(model, self.free))
-        self.f = self.traced.f
+        fixed = {n: x for n, x in model.parameters.items() if is_law(x) or scalar(x) is ZERO}
+        self.free = tuple(n for n in model.parameters if n not in fixed)
+        self.p = tuple(_parameter(model, n, model.parameters[n]) for n in self.free)
+        self.exact_verified = False  # its exact solution, once that has been compared with itself
+        self.many = any(getattr(x, "shape", ()) for x in self.p)
+        self.traced = cached(_known, (model.rhs, model.states, self.free, *fixed.items()), lambda: Traced(model, self.free))
+        self.f = self.traced.rhs.on_floats
 
     @cached_property
     def autonomous(self):
@@ -79,40 +80,57 @@ class PreparedModel:
 
     @cached_property
     def constants(self):
-        """What the rates need of the parameters, for the first of ``traced.hoisted``; nan if the parameters give no numbers."""
-        rest, early = self.traced.folded_on_floats
+        """What the folded right-hand side needs of the parameters, a tuple; nan where they give no numbers."""
+        rest, early = self.traced.folded
         try:
-            return early(*self.p)
+            return early.on_floats(*self.p)
         except (ArithmeticError, ValueError):
-            return (math.nan,) * (rest.__code__.co_argcount - 1 - self.traced.states)
+            return (math.nan,) * (rest.on_floats.__code__.co_argcount - self.traced.arguments)
 
     @property
     def folded_rates(self):
-        """The right-hand side on floats, ``fast(t, *states, *numbers)``."""
-        return self.traced.folded_on_floats[0]
+        """The right-hand side on floats, ``folded_rates(t, *states, *constants)``."""
+        return self.traced.folded[0].on_floats
 
     def rates(self, t, x):
         """The rates of the states."""
         return self.f(t, *x, *self.p)
 
-    def function(self, formula_):
-        """A function ``(s, p, t)`` as one of ``(t, *states)``; traced where it can be, else called as it is."""
-        text, p = self._text(formula_), self.p
-        return self._called(formula_) if text is None else lambda t, *x: text(t, *x, *p)
+    def function(self, f):
+        """A function ``f(s, p, t)`` as one of ``(t, *states)``; traced if it can be."""
+        text, p = self._text(f), self.p
+        return (lambda t, *x: text(t, *x, *p)) if text else self.untraced(f)
 
-    def _called(self, formula_):
+    def untraced(self, f):
+        """The same without tracing."""
         model = self.model
-        return lambda t, *x: _plain(model._call(formula_, dict(zip(model.states, x, strict=True)), model.parameters, t))
+
+        def value(t, *x):
+            result = model._call(f, model._state(x), model.parameters, t)
+            return tuple(map(plain, result)) if isinstance(result, tuple) else plain(result)
+
+        return value
+
+    def _text(self, f):
+        """The traced text of a function ``f(s, p, t)``; None if it branches on values, as an event may."""
+
+        def traced():
+            try:
+                return self.model._compiled(f, self.free)
+            except (TypeError, ModelError):
+                return None
+
+        return cached(self.traced.functions, f, traced)
 
     @cached_property
     def solution(self):
         """The exact solution as a function of ``(t, states)`` on floats alone, which returns a tuple of floats.
 
-        Where the traced text has no value, as for an orbit that is no ellipse, the formula is called, which says why: a :class:`ModelError`.
+        Where the traced text has no value, as for an orbit that is no ellipse, the formula is called as it is; :class:`ModelError` if it has none.
         """
-        formula_, p, model = self.model.exact, self.p, self.model
-        text, called = self._text(formula_), self._called(formula_)
-        run = (lambda *_: (math.nan,)) if text is None else text._run["math"]
+        f, p, model = self.model.exact, self.p, self.model
+        text, untraced = self._text(f), self.untraced(f)
+        run = text.on_floats if text else lambda *_: (math.nan,)
 
         def at(t, x):
             try:
@@ -121,80 +139,33 @@ class PreparedModel:
                     return found
             except (ArithmeticError, ValueError):
                 pass  # as below
+            error = ""
             try:
-                found = tuple(map(float, called(t, *x)))
-            except ArithmeticError as error:
-                raise ModelError(f"the exact solution of {model.name!r} has no value at t = {t:.6g} after {x}: {error}") from error
-            if not math.isfinite(sum(found)):
-                raise ModelError(f"the exact solution of {model.name!r} has no value at t = {t:.6g} after {x}")
-            return found
+                found = tuple(map(float, untraced(t, *x)))
+                if math.isfinite(sum(found)):
+                    return found
+            except ArithmeticError as raised:
+                error = f": {raised}"
+            raise ModelError(f"the exact solution of {model.name!r} has no value at t = {t:.6g} after {x}{error}")
 
         return at
 
     def solutions(self, times, x):
-        """The same at an array of times: an array (states, times)."""
+        """The exact solution at an array of times, an array (states, times)."""
         import numpy as np
 
-        for run in (self.function(self.model.exact), self._called(self.model.exact)):
+        for run in (self.function(self.model.exact), self.untraced(self.model.exact)):
             found = np.array([np.broadcast_to(row, times.shape) for row in run(times, *x)])
             if np.isfinite(found).all():
                 break
         return found
-
-    def _text(self, formula_):
-        """The traced text of a function ``(s, p, t)``; None if it branches on values, as is allowed for events."""
-
-        def made():
-            try:
-                return formula(self.model, self.free, formula_)
-            except (TypeError, ModelError):
-                return None
-
-        return _cached(self.traced.functions, formula_, made)
-
-
-def formula(model, free, f):
-    """A function ``(s, p, t)`` of the model as traced text with the arguments ``t, *states, *free``."""
-
-    def values(**named):
-        parameters = {**model.parameters, **{n: named[n] for n in free}}
-        return _plain(model._call(f, {n: named[n] for n in model.states}, parameters, named["t"]))
-
-    values.__name__ = model.name
-    values.__signature__ = Signature([Parameter(n, Parameter.POSITIONAL_OR_KEYWORD) for n in ("t", *model.states, *free)])
-    return compiled(values)
-
-
-def _plain(result):
-    return tuple(map(plain, result)) if isinstance(result, tuple) else plain(result)
-
-
-def _cached(cache, key, make):
-    """The value of a key in the cache, made if it is not there; of all values the ``KEPT`` that were used last stay."""
-    found = cache.pop(key, cache)  # the cache itself stands for what is not in it
-    cache[key] = found = make() if found is cache else found
-    if len(cache) > KEPT:
-        cache.pop(next(iter(cache)), None)
-    return found
-
-
-def _number(model, name, value):
-    try:
-        if getattr(value, "shape", ()):
-            return value
-        value = float(value)
-    except (TypeError, ValueError, ScalarError) as error:
-        raise ModelError(f"the parameter {name} of {model.name!r} has no number: {value!r}; put one in with changed({name}=...)") from error
-    if not math.isfinite(value):
-        raise ModelError(f"the parameter {name} of {model.name!r} is {value!r}; a motion needs finite numbers")
-    return value
 
 
 def start_state(model, start):
     """The start as a tuple of floats (or arrays) in the order of the states; :class:`ModelError` says what is wrong with it."""
     if type(start) in (tuple, list) and len(start) == len(model.states) and set(map(type, start)) == {float} and math.isfinite(sum(start)):
         return tuple(start)
-    if not isinstance(start, dict) and not hasattr(start, "keys") and not hasattr(start, "__iter__"):
+    if not hasattr(start, "__iter__"):
         raise ModelError(f"the start of {model.name!r} is a value for each of {', '.join(model.states)}, not {start!r}")
     unknown = [n for n in start if n not in model.states] if hasattr(start, "keys") else []
     if unknown:
@@ -204,26 +175,26 @@ def start_state(model, start):
 
 def _state(model, name, x):
     try:
-        if getattr(x, "shape", ()):
-            return x
-        if isinstance(x, (str, bool)) or not is_numeric(scalar(x)):
+        if isinstance(x, (str, bool)):
             raise TypeError
-        x = float(x)
-    except TypeError as error:
+        return _finite(x, f"the start of {model.name!r} has {name} =")
+    except (TypeError, RuntimeError) as error:  # RuntimeError: of SymEngine
         raise ModelError(f"the start of {model.name!r} needs a number for {name}, got {x!r}") from error
+
+
+def _parameter(model, name, x):
+    if type(x) is float and -math.inf < x < math.inf:
+        return x
+    try:
+        return _finite(x, f"the parameter {name} of {model.name!r} is")
+    except (TypeError, RuntimeError) as error:  # RuntimeError: of SymEngine
+        raise ModelError(f"the parameter {name} of {model.name!r} has no number: {x!r}; put one in with changed({name}=...)") from error
+
+
+def _finite(x, what):
+    if getattr(x, "shape", ()):
+        return x
+    x = float(x)
     if not math.isfinite(x):
-        raise ModelError(f"the start of {model.name!r} has {name} = {x!r}; a motion needs finite numbers")
+        raise ModelError(f"{what} {x!r}; a motion needs finite numbers")
     return x
-
-
-def _dependencies(source):
-    """Which arguments each result of a straight-line text depends on."""
-    function = ast.parse(source).body[0]
-    known = {a.arg: {a.arg} for a in function.args.args}
-
-    def of(node):
-        return set().union(*(known.get(n.id, set()) for n in ast.walk(node) if isinstance(n, ast.Name)))
-
-    for line in function.body[:-1]:
-        known[line.targets[0].id] = of(line.value)
-    return [of(node) for node in function.body[-1].value.elts]

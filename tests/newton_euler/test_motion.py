@@ -15,13 +15,14 @@ import pytest
 from newton_euler import Model, ModelError, second_order, sqrt
 from newton_euler.events import Event
 from newton_euler.methods import METHODS
+from newton_euler.models import KEPT
 from newton_euler.motion import integrate, prepare
 from newton_euler.records import MotionError
 from newton_euler.scenes import top
 from newton_euler.scenes.pendulum import physical_pendulum
 from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
 from newton_euler.scenes.space_station import free_body as station_body
-from newton_euler.systems import KEPT, prepared
+from newton_euler.systems import prepared
 from tests.motions import SCENES, SPIN, forced, free_body, kepler, oscillator, reference, top_start, true_error
 
 ADAPTIVE = ("taylor", "dop853", "scipy DOP853", "scipy RK45", "scipy LSODA")

@@ -583,9 +583,9 @@ def test_two_threads_trace_one_formula_inside_others(monkeypatch):
 def test_a_call_leaves_the_globals_of_the_text_as_they_were(kind):
     f = compiled(lambda x: x * x + pi(x))
     f(moving(1.0))
-    before = {library: dict(run.__globals__) for library, run in f._run.items()}
+    before = {library: dict(run.__globals__) for library, run in f._functions.items()}
     f(kind)
-    assert {library: run.__globals__ for library, run in f._run.items()} == before
+    assert {library: run.__globals__ for library, run in f._functions.items()} == before
 
 
 def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
