@@ -15,6 +15,7 @@ __version__ = "0.1.0"
 
 # room: the names that it gives to the public, in the order of the book
 ROOMS = {
+    "errors": "NewtonEulerError",
     "scalars": """ZERO ScalarError SingularError acos asin atan atan2 cos cosh exp log pi radians sin sinh sqrt tan tanh where""",
     "jets": "at moving",
     "tracing": "compiled",

@@ -1,12 +1,13 @@
 """Which masses and inertia matrices a body can have: positive masses, the triangle inequality, Schwarz's inequality for the products."""
 
+from .errors import NewtonEulerError
 from .scalars import epsilon, is_finite, is_numeric, is_positive, plain, size
 
 AXES = "xyz"
 PRODUCTS = ("xy", "yz", "zx")
 
 
-class MassError(ValueError):
+class MassError(NewtonEulerError, ValueError):
     """Masses, dimensions or moments of inertia that no body has, or a question that needs a mass or centre not given."""
 
 

@@ -26,6 +26,7 @@ from itertools import pairwise
 from pathlib import Path
 from string import Template
 
+from .errors import NewtonEulerError
 from .recording import share_window, sketches_on
 
 MAX_PICTURES = 600
@@ -33,7 +34,7 @@ MAX_PIXELS = 300e6  # of all pictures together: some ten megabytes of HTML
 COLOURS = 128  # of a picture: drawings have few; the files are a third as large, without a difference that can be seen
 
 
-class AnimationError(ValueError):
+class AnimationError(NewtonEulerError, ValueError):
     """An animation that cannot be made or saved."""
 
 

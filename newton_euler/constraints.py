@@ -7,6 +7,7 @@ not seen from their number but from the rank of their Jacobian at a general conf
 import inspect
 from dataclasses import dataclass
 
+from .errors import NewtonEulerError
 from .jets import Moving
 from .scalars import is_finite, is_numeric, scalar
 from .vectors import Vector
@@ -21,7 +22,7 @@ KINDS = {
 }
 
 
-class ConstraintError(ValueError):
+class ConstraintError(NewtonEulerError, ValueError):
     """Constraints that cannot all hold, or that are not functions of the coordinates."""
 
 

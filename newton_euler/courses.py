@@ -6,6 +6,8 @@ The methods: :mod:`.exact`, :mod:`.taylor`, :mod:`.dop853`, :mod:`.splitting`, :
 from bisect import bisect_right
 from itertools import pairwise
 
+from .errors import NewtonEulerError
+
 SMALLEST_SCALE = 1e-6  # a state that stays smaller than this, in its unit, has errors relative to this
 MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5  # this many steps that are on average so much shorter than the longest one lead nowhere
 
@@ -20,7 +22,7 @@ def sample_times(samples, begin, end):
     return times if len(times) and times[0] >= begin and times[-1] <= end else times[(times >= begin) & (times <= end)]
 
 
-class StepError(ArithmeticError):
+class StepError(NewtonEulerError, ArithmeticError):
     """Raised where a method cannot continue from the state that it has reached."""
 
 

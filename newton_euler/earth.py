@@ -13,6 +13,7 @@ functions that take a vector ``gravity`` may be given the :func:`effective_gravi
 
 from itertools import accumulate, pairwise
 
+from .errors import NewtonEulerError
 from .ledger import equations
 from .scalars import ZERO, cos, is_numeric, is_positive, least, plain, scalar, sin, size, sqrt
 from .vectors import ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
@@ -49,7 +50,7 @@ EQUATIONS = equations({
 })  # fmt: skip
 
 
-class EarthError(ValueError):
+class EarthError(NewtonEulerError, ValueError):
     """A latitude that is none, or a motion that does not exist on the rotating Earth."""
 
 

@@ -10,13 +10,14 @@ translation and rotation, or of each body; the audit of a motion every potential
 
 from dataclasses import dataclass
 
+from .errors import NewtonEulerError
 from .ledger import summed, value_of
 from .mass import Body
 from .scalars import anywhere, cos, is_numeric, plain, sampled, scalar, short, sin, size, sqrt
 from .work import power, work_integral
 
 
-class EnergyError(ValueError):
+class EnergyError(NewtonEulerError, ValueError):
     """Energies or works that cannot be added up, or an audit that is asked what it cannot tell."""
 
 

@@ -3,6 +3,8 @@
 import math
 from dataclasses import dataclass
 
+from .errors import NewtonEulerError
+
 SHAPES = {"number": 1, "vector": 3, "matrix": 9, "interval": 2, "expression": 1, "vector_expression": 3, "matrix_expression": 9}
 _WORDS = {
     "number": "one number",
@@ -17,7 +19,7 @@ _WORDS = {
 }
 
 
-class AnswerError(ValueError):
+class AnswerError(NewtonEulerError, ValueError):
     """An answer that cannot be read: what was expected, what came, what to do."""
 
 

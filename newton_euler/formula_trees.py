@@ -3,6 +3,7 @@
 from functools import reduce
 from operator import add, mul
 
+from .errors import NewtonEulerError
 from .forms import SHAPES, read_number
 from .scalars import FUNCTIONS, function, pi
 from .units import Dimension, DimensionError, UnitError, unit
@@ -36,7 +37,7 @@ def read_formula(x, form, symbols, budget):
     return [name, *(read_formula(a, form, symbols, budget) for a in x.args)]
 
 
-class TreeError(ValueError):
+class TreeError(NewtonEulerError, ValueError):
     """A tree that is not one: an unknown operator or symbol, or too deep."""
 
 

@@ -18,13 +18,14 @@ as (I0 - I) cos(theta) vanishes, where the fast precession goes to infinity and 
 import math
 from dataclasses import dataclass
 
+from .errors import NewtonEulerError
 from .inertia import Inertia
 from .ledger import equations
 from .scalars import ZERO, anywhere, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, short, sin, sqrt, tan, where
 from .vectors import FrameError, Vector, named_sum
 
 
-class GyroError(ValueError):
+class GyroError(NewtonEulerError, ValueError):
     """A motion that this gyroscope cannot have, or data that determine none."""
 
 

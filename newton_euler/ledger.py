@@ -7,10 +7,11 @@ out or weighted (``a.without("coriolis")``), which is what a wrong model would g
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from .errors import NewtonEulerError
 from .scalars import ZERO, is_numeric, plain, scalar, short, size
 
 
-class TermError(ValueError):
+class TermError(NewtonEulerError, ValueError):
     """A term that a sum does not have."""
 
 

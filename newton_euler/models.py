@@ -11,6 +11,7 @@ from inspect import Parameter, Signature
 from keyword import iskeyword
 from types import MappingProxyType
 
+from .errors import NewtonEulerError
 from .scalars import ScalarError, is_comparable, is_zero, of_one_kind, plain, scalar
 from .tracing import compiled
 
@@ -18,7 +19,7 @@ KEPT = 64  # values in a cache by function: functions that are made at each call
 _CHECKED = {}  # the right-hand sides that were found right: other numbers need no other check
 
 
-class ModelError(ValueError):
+class ModelError(NewtonEulerError, ValueError):
     """A model whose parts do not fit together, or a question that it cannot answer."""
 
 

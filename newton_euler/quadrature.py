@@ -2,6 +2,7 @@
 
 from itertools import count, pairwise
 
+from .errors import NewtonEulerError
 from .scalars import ScalarError, SingularError, cosh, epsilon, exp, is_finite, is_numeric, pi, plain, scalar, short, sinh, size, sqrt
 
 INTERVALS = 400  # of an adaptive integral, at most; each takes 21 values
@@ -9,7 +10,7 @@ BOXES = {1: 4000, 2: 400, 3: 40}  # divisions of an adaptive cubature by dimensi
 _NUMBERS = count()  # so that the variables of nested integrals have names of their own
 
 
-class WorkError(ValueError):
+class WorkError(NewtonEulerError, ValueError):
     """An integral that does not converge, or a force or path that has no value where it is needed."""
 
 

@@ -21,6 +21,7 @@ which are (9.3), (9.6) and (9.9), (9.10) for a shaft in any direction. Forces ac
 
 from dataclasses import dataclass
 
+from .errors import NewtonEulerError
 from .frames import Point
 from .ledger import equations
 from .mass import Body
@@ -28,7 +29,7 @@ from .scalars import anywhere, is_numeric, is_zero, plain, scalar, size, sqrt, w
 from .vectors import Vector, add3, dot3, named_sum, scale3, sum3
 
 
-class RotorError(ValueError):
+class RotorError(NewtonEulerError, ValueError):
     """Bearings, planes or weights that determine nothing, or an axis that does not stay at rest."""
 
 

@@ -18,15 +18,17 @@ import math
 import zlib
 from fractions import Fraction
 
+from .errors import NewtonEulerError
+
 FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt")
 _LIBRARIES = {"numpy", "mpmath", "sympy", "symengine", "heyoka"}
 
 
-class ScalarError(TypeError):
+class ScalarError(NewtonEulerError, TypeError):
     """Something that is not a number of any known kind, or an operation that a kind of number does not have."""
 
 
-class SingularError(ValueError):
+class SingularError(NewtonEulerError, ValueError):
     """A direction, a radius, a rate or an integral that does not exist at this place: on an axis, at a pole, at an inflection, on a straight line."""
 
 

@@ -8,6 +8,7 @@ import re
 from fractions import Fraction
 from functools import cache
 
+from .errors import NewtonEulerError
 from .scalars import ZERO, ScalarError, Scaled, _Own, exp, outranks, pi, scalar
 
 
@@ -120,7 +121,7 @@ UNITS = {
 }  # fmt: skip
 
 
-class UnitError(ValueError):
+class UnitError(NewtonEulerError, ValueError):
     """A unit that is not known, or not written as names joined by ``*`` and ``/``."""
 
 

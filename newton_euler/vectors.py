@@ -7,6 +7,7 @@ how it changes in time where that follows from how it was made (``a.rate(observe
 
 from functools import reduce
 
+from .errors import NewtonEulerError
 from .jets import Moving, moving
 from .ledger import Explanation, Ledger, NamedTerms, equations, latex_number
 from .scalars import ZERO, ScalarError, Scaled, atan2, is_numeric, is_zero, least, plain, sampled, scalar, short, size, sqrt
@@ -14,7 +15,7 @@ from .scalars import ZERO, ScalarError, Scaled, atan2, is_numeric, is_zero, leas
 NO_THIRD_RATE = "the third time derivative of a moving quantity is not known; give coordinates with two rates only"
 
 
-class FrameError(ValueError):
+class FrameError(NewtonEulerError, ValueError):
     """Frames or vectors that do not belong together, or a question that leaves out the frame it is asked in."""
 
 

@@ -7,11 +7,12 @@ along x (all that turn the body come in ``moment``, about the centre), ``surface
 
 from dataclasses import dataclass
 
+from ..errors import NewtonEulerError
 from ..linear import solve_linear
 from ..scalars import is_numeric, plain, scalar, size, where
 
 
-class ContactError(ValueError):
+class ContactError(NewtonEulerError, ValueError):
     """A body that leaves the surface, or a question that only numbers can decide."""
 
 
