@@ -4,8 +4,8 @@ import random
 
 from mpmath import mp, mpf
 
-from newton_euler.scalars import size
-from newton_euler.units import Dimension, DimensionError, unit
+from newton_euler.algebra.scalars import size
+from newton_euler.algebra.units import Dimension, DimensionError, unit
 
 from .catalogue import CatalogueError
 from .proofs import DIGITS

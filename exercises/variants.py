@@ -7,8 +7,8 @@ import math
 import random
 from functools import cache
 
-from newton_euler.tracing import compiled
-from newton_euler.vectors import Vector
+from newton_euler.algebra.codegen.compiled import compiled
+from newton_euler.algebra.vectors import Vector
 
 from .catalogue import CatalogueError, problem
 

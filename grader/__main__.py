@@ -22,7 +22,7 @@ class _Commands(click.Group):
 
     def invoke(self, context):
         from exercises.catalogue import CatalogueError
-        from newton_euler.units import UnitError
+        from newton_euler.algebra.units import UnitError
 
         from .course import CourseError
         from .sandbox import HarvestError

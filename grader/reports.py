@@ -7,8 +7,8 @@ from rich.table import Table
 
 from exercises import variants
 from exercises.catalogue import SYMBOLIC
-from newton_euler.scalars import is_numeric, plain
-from newton_euler.vectors import Vector
+from newton_euler.algebra.scalars import is_numeric, plain
+from newton_euler.algebra.vectors import Vector
 
 # -- answers
 

@@ -15,14 +15,14 @@ __version__ = "0.1.0"
 
 # room: the names that it gives to the public, in the order of the book
 ROOMS = {
-    "errors": "NewtonEulerError",
-    "scalars": """ZERO ScalarError SingularError acos asin atan atan2 cos cosh exp log pi radians sin sinh sqrt tan tanh where""",
-    "jets": "at moving",
-    "tracing": "compiled",
-    "units": "Dimension DimensionError UnitError unit",
-    "vectors": "FrameError Vector cross dot same",
-    "quadrature": "WorkError",
-    "ledger": "Amount Explanation TermError",
+    "algebra.errors": "NewtonEulerError",
+    "algebra.scalars": """ZERO ScalarError SingularError acos asin atan atan2 cos cosh exp log pi radians sin sinh sqrt tan tanh where""",
+    "algebra.jets": "at moving",
+    "algebra.codegen.compiled": "compiled",
+    "algebra.units": "Dimension DimensionError UnitError unit",
+    "algebra.vectors": "FrameError Vector cross dot same",
+    "algebra.quadrature": "WorkError",
+    "algebra.ledger": "Amount Explanation TermError",
     "triads": "Triad",
     "rectilinear": "from_place from_speed from_time",
     "paths": "Frenet along at_speed flexure frenet frenet_along speed_rate",
@@ -30,7 +30,7 @@ ROOMS = {
         spherical spherical_coordinates spherical_frame""",
     "coordinates": "curvilinear curvilinear_rates gradient",
     "frames": "Frame Point",
-    "linear": "LinearError solve_linear solve_rates",
+    "algebra.linear": "LinearError solve_linear solve_rates",
     "rotations": """RotationError axis_angle direction_cosines euler_angles euler_body_rates euler_frame euler_from_quaternion
         euler_matrix euler_rates in_sequence matrix_from_quaternion normalised quaternion quaternion_from_euler quaternion_from_matrix
         quaternion_product quaternion_rate rotation_matrix unwound""",

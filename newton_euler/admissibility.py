@@ -1,7 +1,7 @@
 """Which masses and inertia matrices a body can have: positive masses, the triangle inequality, Schwarz's inequality for the products."""
 
-from .errors import NewtonEulerError
-from .scalars import epsilon, is_finite, is_numeric, is_positive, plain, size
+from .algebra.errors import NewtonEulerError
+from .algebra.scalars import epsilon, is_finite, is_numeric, is_positive, plain, size
 
 AXES = "xyz"
 PRODUCTS = ("xy", "yz", "zx")

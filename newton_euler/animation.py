@@ -26,7 +26,7 @@ from itertools import pairwise
 from pathlib import Path
 from string import Template
 
-from .errors import NewtonEulerError
+from .algebra.errors import NewtonEulerError
 from .recording import share_window, sketches_on
 
 MAX_PICTURES = 600

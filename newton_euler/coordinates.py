@@ -5,12 +5,12 @@ differentiate; substitute. The unit vector of a coordinate points where the poin
 with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the coordinate.
 """
 
+from .algebra.jets import Moving, as_moving, at, moving
+from .algebra.ledger import equations
+from .algebra.scalars import ZERO, SingularError, is_numeric, plain, scalar, whole
+from .algebra.vectors import Vector, cross3, dot3, scale3
 from .components import CoordinatePoint, with_rates
-from .jets import Moving, as_moving, at, moving
-from .ledger import equations
-from .scalars import ZERO, SingularError, is_numeric, plain, scalar, whole
 from .triads import Triad, drowned, norm3, numeric3, shaken, turning_of
-from .vectors import Vector, cross3, dot3, scale3
 
 EQUATIONS = equations({
     "curvilinear velocity": ("3.14", r"\mathbf{v}", {}),

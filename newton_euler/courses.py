@@ -6,7 +6,7 @@ The methods: :mod:`.exact`, :mod:`.taylor`, :mod:`.dop853`, :mod:`.splitting`, :
 from bisect import bisect_right
 from itertools import pairwise
 
-from .errors import NewtonEulerError
+from .algebra.errors import NewtonEulerError
 
 SMALLEST_SCALE = 1e-6  # a state that stays smaller than this, in its unit, has errors relative to this
 MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5  # this many steps that are on average so much shorter than the longest one lead nowhere

@@ -4,9 +4,9 @@ import math
 from dataclasses import replace
 from itertools import pairwise
 
+from .algebra.vectors import dot3, sub3
 from .primitives import BODY
 from .projection import between, mean, norm3
-from .vectors import dot3, sub3
 
 
 def painters_order(canvas):

@@ -10,10 +10,10 @@ translation and rotation, or of each body; the audit of a motion every potential
 
 from dataclasses import dataclass
 
-from .errors import NewtonEulerError
-from .ledger import summed, value_of
+from .algebra.errors import NewtonEulerError
+from .algebra.ledger import summed, value_of
+from .algebra.scalars import anywhere, cos, is_numeric, plain, sampled, scalar, short, sin, size, sqrt
 from .mass import Body
-from .scalars import anywhere, cos, is_numeric, plain, sampled, scalar, short, sin, size, sqrt
 from .work import power, work_integral
 
 

@@ -6,11 +6,11 @@ Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
 from .admissibility import AXES, MassError
+from .algebra.ledger import equations
+from .algebra.linear import LinearError, solve_regular
+from .algebra.scalars import ZERO, is_numeric, is_zero, plain, scalar, size
+from .algebra.vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
 from .inertia import axis_index
-from .ledger import equations
-from .linear import LinearError, solve_regular
-from .scalars import ZERO, is_numeric, is_zero, plain, scalar, size
-from .vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
 
 EQUATIONS = equations({
     "Euler's moment": ("8.12", r"\mathbf{M}_B", {

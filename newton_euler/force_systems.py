@@ -1,7 +1,7 @@
 """Force systems (8.1, 8.7): forces at points and couples, their resultant, their moment about any point, the wrench.
 
 A rigid body feels of all its forces only the resultant force and the moment about one point: systems that agree in both are equivalent, and a
-force may be moved if the couple of its moment goes with it (8.20). Forces may hold unknowns of :func:`newton_euler.linear.solve_linear`.
+force may be moved if the couple of its moment goes with it (8.20). Forces may hold unknowns of :func:`newton_euler.algebra.linear.solve_linear`.
 
 >>> from newton_euler import Frame
 >>> ground = Frame("ground")
@@ -14,10 +14,10 @@ force may be moved if the couple of its moment goes with it (8.20). Forces may h
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from .algebra.ledger import equations
+from .algebra.scalars import is_numeric, least, plain, scalar, short, size
+from .algebra.vectors import FrameError, Vector, add3, named_sum
 from .frames import place
-from .ledger import equations
-from .scalars import is_numeric, least, plain, scalar, short, size
-from .vectors import FrameError, Vector, add3, named_sum
 
 EQUATIONS = equations({
     "resultant": ("8.21", r"\mathbf{F}^e", {}),

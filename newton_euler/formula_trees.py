@@ -3,10 +3,10 @@
 from functools import reduce
 from operator import add, mul
 
-from .errors import NewtonEulerError
+from .algebra.errors import NewtonEulerError
+from .algebra.scalars import FUNCTIONS, function, pi
+from .algebra.units import Dimension, DimensionError, UnitError, unit
 from .forms import SHAPES, read_number
-from .scalars import FUNCTIONS, function, pi
-from .units import Dimension, DimensionError, UnitError, unit
 
 NODES = 4000  # the largest formula that is read, in operations
 DEPTH = 200  # the deepest formula that is evaluated

@@ -14,12 +14,12 @@ An :class:`Inertia` is that matrix about one point, along the axes of one frame;
 """
 
 from .admissibility import AXES, MassError, check
+from .algebra.jets import Moving
+from .algebra.ledger import NamedTerms, latex_number
+from .algebra.scalars import ZERO, Scaled, is_numeric, is_positive, is_zero, plain, scalar, sqrt
+from .algebra.vectors import ZERO3, Vector, add3, dot3, scale3, sum3
 from .frames import axes_at, place
-from .jets import Moving
-from .ledger import NamedTerms, latex_number
 from .principal import principal, symmetry
-from .scalars import ZERO, Scaled, is_numeric, is_positive, is_zero, plain, scalar, sqrt
-from .vectors import ZERO3, Vector, add3, dot3, scale3, sum3
 
 
 class Inertia(Scaled, NamedTerms):

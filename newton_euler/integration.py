@@ -10,12 +10,12 @@ Numbers are integrated by SciPy's adaptive cubature, with an error estimate and 
 from itertools import product
 
 from .admissibility import MassError
+from .algebra.jets import Moving, as_moving
+from .algebra.quadrature import cubature
+from .algebra.scalars import ZERO, is_numeric, is_positive, plain, scalar, size, sqrt
+from .algebra.vectors import cross3, dot3
 from .inertia import SECOND_MOMENTS, Inertia, from_second_moments
-from .jets import Moving, as_moving
 from .mass import Body
-from .quadrature import cubature
-from .scalars import ZERO, is_numeric, is_positive, plain, scalar, size, sqrt
-from .vectors import cross3, dot3
 
 
 class IntegratedBody(Body):

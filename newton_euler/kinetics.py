@@ -12,9 +12,9 @@ Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raise
 
 from . import components, frames, paths
 from .admissibility import MassError
-from .ledger import Ledger, equations
-from .scalars import SingularError, is_finite, is_numeric, is_positive, least, plain, scalar
-from .vectors import FrameError, Vector, named_sum
+from .algebra.ledger import Ledger, equations
+from .algebra.scalars import SingularError, is_finite, is_numeric, is_positive, least, plain, scalar
+from .algebra.vectors import FrameError, Vector, named_sum
 
 _FORCES = {"acceleration": "6.10", "intrinsic acceleration": "6.5", "polar acceleration": "6.6", "cylindrical acceleration": "6.8",
            "spherical acceleration": "6.9"}  # fmt: skip

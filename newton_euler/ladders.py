@@ -16,8 +16,8 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from types import MappingProxyType
 
+from .algebra.scalars import is_numeric, size
 from .models import Model, ModelError
-from .scalars import is_numeric, size
 
 INSTANTS = 257  # at which rungs are compared
 FINER = 1e-3  # of the tolerance may be due to integration

@@ -11,11 +11,11 @@ Units: any consistent ones; in SI kg, m, kg m^2.
 """
 
 from .admissibility import MassError, positive, round_off
+from .algebra.ledger import Ledger, equations
+from .algebra.scalars import is_numeric, plain, scalar, size
+from .algebra.vectors import ZERO3, Vector, add3
 from .frames import axes_at, place
 from .inertia import Inertia, together
-from .ledger import Ledger, equations
-from .scalars import is_numeric, plain, scalar, size
-from .vectors import ZERO3, Vector, add3
 
 
 class Body:

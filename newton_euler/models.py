@@ -11,9 +11,9 @@ from inspect import Parameter, Signature
 from keyword import iskeyword
 from types import MappingProxyType
 
-from .errors import NewtonEulerError
-from .scalars import ScalarError, is_comparable, is_zero, of_one_kind, plain, scalar
-from .tracing import compiled
+from .algebra.codegen.compiled import compiled
+from .algebra.errors import NewtonEulerError
+from .algebra.scalars import ScalarError, is_comparable, is_zero, of_one_kind, plain, scalar
 
 KEPT = 64  # values in a cache by function: functions that are made at each call, as lambdas are, would pile up
 _CHECKED = {}  # the right-hand sides that were found right: other numbers need no other check
@@ -220,7 +220,7 @@ def is_absent(x):
 
 
 def comparable(what, *values):
-    """The values as :func:`~newton_euler.scalars.of_one_kind` returns them, for an exact solution whose branches compare them.
+    """The values as :func:`~newton_euler.algebra.scalars.of_one_kind` returns them, for an exact solution whose branches compare them.
 
     ``what`` : the body, for the message; :class:`ModelError` for expressions.
     """

@@ -8,15 +8,15 @@ D/Dt is the rate seen from an inertial frame, the ``observer`` here; by way of a
 is (8.12) for the frame of the body. The last term vanishes for B = G (8.10), for B at rest or at constant velocity (8.11), and for d along a_B.
 
 *Motion given, which forces?* :func:`newton_euler.kinetics.resultant_force` and :func:`resultant_moment`. *Forces given, or some of them?*
-:func:`equations_of_motion` writes (8.21) for :func:`newton_euler.linear.solve_linear`. Euler's and the planar equations are in
+:func:`equations_of_motion` writes (8.21) for :func:`newton_euler.algebra.linear.solve_linear`. Euler's and the planar equations are in
 :mod:`newton_euler.euler_equations`. Units: any consistent ones; in SI kg, m, s, N.
 """
 
+from .algebra.ledger import Ledger, equations
+from .algebra.vectors import ZERO3, Vector
 from .force_systems import ForceSystem
 from .frames import place
 from .kinetics import resultant_force
-from .ledger import Ledger, equations
-from .vectors import ZERO3, Vector
 
 _MOMENT = {
     "relative": ("dH/dt", r"\frac{d\mathbf{H}}{dt}"),
@@ -123,7 +123,7 @@ def _rate_terms(rate, observer):
 
 
 def equations_of_motion(body, forces, observer, about=None):
-    """The Newton-Euler equations (8.21) of one body, as what must vanish: for :func:`newton_euler.linear.solve_linear`.
+    """The Newton-Euler equations (8.21) of one body, as what must vanish: for :func:`newton_euler.algebra.linear.solve_linear`.
 
     forces : all external forces, a :class:`newton_euler.force_systems.ForceSystem` or what makes one, as {"pin": (R, P)}; they and the motion of
         the body may hold unknowns, the accelerations and reactions asked for
@@ -132,7 +132,7 @@ def equations_of_motion(body, forces, observer, about=None):
     the motion; the equations of several bodies join as {**first, **second}.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.linear import solve_linear
+    >>> from newton_euler.algebra.linear import solve_linear
     >>> from newton_euler.solids import rod
     >>> ground = Frame("ground")
     >>> def beam_let_go(R, alpha):  # a beam of 6 kg and 2 m, pinned at its end, at the instant when it is let go

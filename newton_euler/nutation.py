@@ -12,8 +12,8 @@ the third root is taken, which is far from both, and the limits from it: their d
 import math
 from dataclasses import dataclass
 
+from .algebra.scalars import acos, atan2, cos, is_numeric, of_one_kind, pi, scalar, sin, sqrt, where
 from .gyros import GyroError, check_top
-from .scalars import acos, atan2, cos, is_numeric, of_one_kind, pi, scalar, sin, sqrt, where
 
 
 @dataclass(frozen=True)

@@ -12,11 +12,11 @@ exact; no step size enters.
 
 from dataclasses import dataclass, field
 
-from .jets import Moving, as_moving, moving
-from .ledger import Ledger, equations
-from .scalars import ZERO, SingularError, epsilon, is_numeric, is_zero, plain, scalar, whole
+from .algebra.jets import Moving, as_moving, moving
+from .algebra.ledger import Ledger, equations
+from .algebra.scalars import ZERO, SingularError, epsilon, is_numeric, is_zero, plain, scalar, whole
+from .algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3
 from .triads import Triad, drowned, norm3, numeric3, shaken
-from .vectors import FrameError, Vector, add3, cross3, dot3, scale3
 
 EQUATIONS = equations({
     "intrinsic velocity": ("3.12", r"\mathbf{v}", {"tangential": ("nu e_t", r"\nu\,\hat{e}_t")}),

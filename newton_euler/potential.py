@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from itertools import pairwise, product
 
 from .admissibility import positive
+from .algebra.jets import Moving
+from .algebra.quadrature import WorkError, quadrature
+from .algebra.scalars import ZERO, ScalarError, is_finite, is_numeric, plain, sampled, scalar, short, size
 from .coordinates import gradient, tangents
 from .forces import G_STANDARD, K
 from .frames import Point
-from .jets import Moving
-from .quadrature import WorkError, quadrature
-from .scalars import ZERO, ScalarError, is_finite, is_numeric, plain, sampled, scalar, short, size
 from .triads import norm3
 from .work import work_along
 

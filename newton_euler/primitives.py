@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from .algebra.vectors import add3, cross3, scale3, sub3
 from .projection import View, circle, convex_hull, mean, perpendiculars, unit3
-from .vectors import add3, cross3, scale3, sub3
 
 # colours that colour-blind readers tell apart (Okabe and Ito); bodies are grey
 KINDS = {"velocity": "#0072B2", "acceleration": "#D55E00", "rate": "#008060", "force": "#B0408A", "plain": "#000000"}

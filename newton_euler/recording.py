@@ -7,12 +7,12 @@ length with which everything fits on the page, or takes that of a :class:`Window
 import math
 from dataclasses import dataclass, field
 
+from .algebra.vectors import FrameError, Vector
 from .covering import painters_order
 from .frames import Frame, Point
 from .labels import place_labels
 from .primitives import Canvas
 from .projection import mean, norm3, plane_view, space_view, unit3
-from .vectors import FrameError, Vector
 
 
 @dataclass(frozen=True)

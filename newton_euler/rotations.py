@@ -13,9 +13,25 @@ values: it takes floats, mpf, arrays (each entry of shape (N,), one for each ins
 words; of moving numbers it reads the values.
 """
 
-from .errors import NewtonEulerError
-from .scalars import ZERO, ScalarError, atan2, cos, epsilon, is_finite, is_numeric, least, plain, scalar, sin, size, sqrt, where, without_rates
-from .vectors import cross3, dot3, scale3
+from .algebra.errors import NewtonEulerError
+from .algebra.scalars import (
+    ZERO,
+    ScalarError,
+    atan2,
+    cos,
+    epsilon,
+    is_finite,
+    is_numeric,
+    least,
+    plain,
+    scalar,
+    sin,
+    size,
+    sqrt,
+    where,
+    without_rates,
+)
+from .algebra.vectors import cross3, dot3, scale3
 
 
 class RotationError(NewtonEulerError, ValueError):

@@ -2,12 +2,12 @@
 
 import math
 
+from .algebra.vectors import FrameError, add3, scale3, sub3
 from .frames import Frame
 from .primitives import DASHES
 from .projection import between, circle, norm3, normal_of, on_circle, perpendiculars, silhouette
 from .recording import Recorder
 from .tangents import Pulley, route
-from .vectors import FrameError, add3, scale3, sub3
 
 
 class Bodies(Recorder):

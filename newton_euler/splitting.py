@@ -11,9 +11,9 @@ and the Euler equations, Phys. Rev. Lett. 71 (1993) 3043.
 from functools import lru_cache
 from math import ceil, cos, inf, isclose, isfinite, sin, sqrt
 
+from .algebra.vectors import cross3, dot3
 from .courses import StepError, Stepper
 from .models import ModelError
-from .vectors import cross3, dot3
 
 MAX_STEPS = 3_000_000
 _W6 = (-1.17767998417887, 0.235573213359357, 0.784513610477560)  # w1, w2, w3 of Yoshida's solution A for order 6 (his table 1)

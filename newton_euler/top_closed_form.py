@@ -5,10 +5,10 @@ v - v1, v2 - v and zeta + mgr v change at rates that are products of the two oth
 below.
 """
 
+from .algebra.scalars import cos, sin, sqrt, where, whole
 from .elliptic import counted, coupled
 from .models import comparable
 from .nutation import exchanged, turning_points
-from .scalars import cos, sin, sqrt, where, whole
 
 
 def nutation_exact(s, p, t):

@@ -4,10 +4,10 @@ A :class:`Triad` is a :class:`~newton_euler.frames.Frame` made from its three ax
 it like in any other. Where a direction is only rounding noise, :class:`SingularError` says so instead of normalising the noise.
 """
 
+from .algebra.jets import Moving, as_moving
+from .algebra.scalars import anywhere, epsilon, is_numeric, plain, scalar, sqrt
+from .algebra.vectors import ZERO3, FrameError, add3, dot3, scale3
 from .frames import Frame
-from .jets import Moving, as_moving
-from .scalars import anywhere, epsilon, is_numeric, plain, scalar, sqrt
-from .vectors import ZERO3, FrameError, add3, dot3, scale3
 
 
 class Triad(Frame):

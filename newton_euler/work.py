@@ -13,11 +13,11 @@ A force at right angles to the velocity of its point of application does no work
 in an inertial frame.
 """
 
-from .ledger import Amount, summed
+from .algebra.ledger import Amount, summed
+from .algebra.quadrature import quadrature
+from .algebra.scalars import ZERO, plain, scalar
+from .algebra.vectors import FrameError, Vector
 from .paths import along
-from .quadrature import quadrature
-from .scalars import ZERO, plain, scalar
-from .vectors import FrameError, Vector
 
 # -- the integral
 

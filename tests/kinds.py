@@ -16,7 +16,7 @@ import mpmath
 import numpy as np
 import sympy
 
-from newton_euler.scalars import plain
+from newton_euler.algebra.scalars import plain
 
 mpmath.mp.dps = 30  # every mpf of the tests has 30 digits
 

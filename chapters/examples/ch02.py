@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from newton_euler import Frame, cos, moving, polar, sin, sqrt, tan
+from newton_euler.algebra.scalars import SingularError, is_numeric, size, where
 from newton_euler.paths import along, frenet
-from newton_euler.scalars import SingularError, is_numeric, size, where
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Nozzle:
 def speed_in_curve(rho, speed_rate, acceleration):
     """The speed in a curve of radius ``rho`` at which the magnitude of the total acceleration is ``acceleration`` (2.5), from (2.14).
 
-    speed_rate : rate of change of the speed. Any consistent units. Raises :class:`~newton_euler.scalars.SingularError` if ``speed_rate`` alone
+    speed_rate : rate of change of the speed. Any consistent units. Raises :class:`~newton_euler.algebra.scalars.SingularError` if ``speed_rate`` alone
     exceeds the total: then no speed exists.
 
     >>> round(speed_in_curve(rho=250.0, speed_rate=2.0, acceleration=3.0), 2)  # m, s

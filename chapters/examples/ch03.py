@@ -84,7 +84,7 @@ def cable_load(path, tension, q, ground=None):
     """The force per length that holds a cable at rest (3.3), a Vector along e_t, e_n, e_b: R1 = -dT/ds, R2 = -T f, R3 = 0.
 
     path : function of a parameter that returns (x, y, z) of the cable; tension : T as a function of the same parameter; q : its value here
-    Raises :class:`~newton_euler.scalars.SingularError` where the cable is straight.
+    Raises :class:`~newton_euler.algebra.scalars.SingularError` where the cable is straight.
 
     >>> print(cable_load(lambda q: (2.0*cos(q), 2.0*sin(q), 0), lambda q: 100.0, 0.3))  # a smooth post pushes outwards with T/r
     [0, -50, 0] in e_t, e_n, e_b of the cable

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from newton_euler import Frame, cos, sin
-from newton_euler.scalars import plain
+from newton_euler.algebra.scalars import plain
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,8 @@
 """Worked examples of chapter 6, Newton's law: a mass on a guide, the forces on the ball of a screw-jack."""
 
+from newton_euler.algebra.scalars import plain
 from newton_euler.chapters.examples.ch03 import screw_jack_ball
 from newton_euler.kinetics import path_force, reaction, resultant_force
-from newton_euler.scalars import plain
 
 
 def guide_force(m, v, radius, g):

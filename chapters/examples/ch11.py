@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 
 from newton_euler import cos, pi, sin, sqrt
+from newton_euler.algebra.ledger import summed
+from newton_euler.algebra.scalars import plain, scalar
 from newton_euler.energy import speed_after
-from newton_euler.ledger import summed
 from newton_euler.potential import weight_potential
-from newton_euler.scalars import plain, scalar
 from newton_euler.work import work_integral
 
 

@@ -2,7 +2,7 @@
 
 from reprlib import repr as short
 
-from newton_euler.units import unit
+from newton_euler.algebra.units import unit
 
 from .model import KINDS, Answer, CatalogueError, Chapter, Given, Problem, Symbol, place
 

@@ -8,8 +8,8 @@ import re
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from newton_euler.scalars import scalar
-from newton_euler.units import unit
+from newton_euler.algebra.scalars import scalar
+from newton_euler.algebra.units import unit
 
 from .units import in_unit
 

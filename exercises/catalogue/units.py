@@ -1,8 +1,8 @@
 """From what the code of a problem computes to what the text asks for: units and axes of answers."""
 
-from newton_euler.scalars import ZERO, scalar
-from newton_euler.units import unit
-from newton_euler.vectors import Vector
+from newton_euler.algebra.scalars import ZERO, scalar
+from newton_euler.algebra.units import unit
+from newton_euler.algebra.vectors import Vector
 
 
 def in_unit(value, answer):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from exercises.variants import SEPARATION, flat
-from newton_euler.vectors import Vector
+from newton_euler.algebra.vectors import Vector
 
 FACTORS = {
     "rad/s against rev/min": 60 / (2 * np.pi), "rad against degrees": 180 / np.pi, "m against mm": 1000.0,

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from operator import attrgetter
 from timeit import Timer
 
-from ..scalars import sqrt
-from ..vectors import dot3, sub3
+from ..algebra.scalars import sqrt
+from ..algebra.vectors import dot3, sub3
 
 # colours that colour-blind readers tell apart (Okabe and Ito, without their yellow), and shapes for those who see none
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")

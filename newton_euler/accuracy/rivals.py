@@ -9,14 +9,14 @@ from functools import cache, reduce
 from itertools import repeat
 
 from .. import rotations
+from ..algebra.codegen.compiled import compiled
+from ..algebra.jets import moving
+from ..algebra.scalars import cos, sin, sqrt
 from ..frames import Frame
 from ..gyros import steady_precession
 from ..integration import integrated
-from ..jets import moving
 from ..mass import composite
-from ..scalars import cos, sin, sqrt
 from ..solids import half_disk, simplex
-from ..tracing import compiled
 from .measure import relative_error
 
 DIGITS = 40

@@ -9,12 +9,12 @@ Each force, and the bank, is a number or a law ``(s, p, t)`` of the states, the 
 
 from typing import NamedTuple
 
+from ..algebra.jets import moving
+from ..algebra.scalars import atan2, cos, plain, sin, sqrt, tan
 from ..frames import Frame
-from ..jets import moving
 from ..kinetics import reaction
 from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, Neglected, is_absent
-from ..scalars import atan2, cos, plain, sin, sqrt, tan
 from .catalogue import scene
 
 POSITION = "position, m"

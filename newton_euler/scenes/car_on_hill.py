@@ -7,11 +7,11 @@ no less calculation than the car on wheels, but less to be known.
 from dataclasses import dataclass
 from math import inf
 
+from ..algebra.ledger import summed
+from ..algebra.scalars import atan, plain, scalar, sin, sqrt
 from ..harmonic import integrated_square, uniform_acceleration
 from ..ladders import Ladder
-from ..ledger import summed
 from ..models import Model, ModelError, Named, Neglected
-from ..scalars import atan, plain, scalar, sin, sqrt
 from .catalogue import scene
 
 WAY = "distance up the hill, m"

@@ -7,11 +7,11 @@ acceleration of the bob is G - r (v.v + G.r)/length^2, where G is that of a free
 
 from dataclasses import replace
 
+from ..algebra.scalars import ZERO, sqrt
+from ..algebra.vectors import add3, cross3, dot3, scale3
 from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, earth_rate3
 from ..ladders import Ladder
 from ..models import Model, Neglected
-from ..scalars import ZERO, sqrt
-from ..vectors import add3, cross3, dot3, scale3
 from .catalogue import scene
 from .low import STATES, air_near_low
 

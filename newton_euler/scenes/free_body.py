@@ -9,14 +9,14 @@ cancel, and the state from that of the start by the addition theorem, :func:`new
 about z is constant, w_x and w_y go around an ellipse (a circle for the symmetric body), or run away where z is the axis of the intermediate moment.
 """
 
+from ..algebra.scalars import is_finite, is_numeric, plain, size, sqrt, where
+from ..algebra.vectors import dot3
 from ..doubled import doubled
 from ..elliptic import coupled
 from ..gyros import GyroError
 from ..harmonic import circular_or_hyperbolic, turned
 from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, ModelError, Neglected, comparable
-from ..scalars import is_finite, is_numeric, plain, size, sqrt, where
-from ..vectors import dot3
 from .catalogue import scene
 
 AXES = "xyz"

@@ -6,11 +6,11 @@ centre, and ``pressure_gradient`` is its gradient over density and distance. The
 :func:`ladder` has three models of it: the Earth at rest, the Earth turning, and friction as well.
 """
 
+from ..algebra.scalars import radians, sqrt
 from ..earth import EARTH_RATE, coriolis_parameter
 from ..harmonic import oscillation, plane_oscillation, turned
 from ..ladders import Ladder
 from ..models import Model, Neglected, is_absent
-from ..scalars import radians, sqrt
 from .catalogue import scene
 
 POSITION = "position, m"

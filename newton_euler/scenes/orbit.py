@@ -12,12 +12,12 @@ is constant. ``oblateness`` is J2 R^2, in m^2.
 import math
 from dataclasses import replace
 
+from ..algebra.scalars import atan2, cos, epsilon, is_comparable, is_finite, is_numeric, of_one_kind, plain, sin, size, sqrt, where
 from ..doubled import doubled
 from ..earth import EARTH_GM
 from ..harmonic import stumpff
 from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, ModelError, Neglected
-from ..scalars import atan2, cos, epsilon, is_comparable, is_finite, is_numeric, of_one_kind, plain, sin, size, sqrt, where
 from .catalogue import scene
 
 POSITION = "position, m"

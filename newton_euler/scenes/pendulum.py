@@ -9,14 +9,14 @@ not need I.
 import math
 from dataclasses import replace
 
+from ..algebra.ledger import summed
+from ..algebra.scalars import asin, cos, scalar, sin, sqrt, where
 from ..elliptic import counted, coupled
 from ..energy import plane_kinetic_energy, speed_after
 from ..harmonic import growth, oscillation
 from ..ladders import Ladder
-from ..ledger import summed
 from ..models import Model, Neglected, comparable
 from ..potential import weight_potential
-from ..scalars import asin, cos, scalar, sin, sqrt, where
 from .catalogue import scene
 
 ANGLE = "angle, rad"

@@ -14,12 +14,12 @@ projectile, full
 projectile, full in air
 """
 
+from ..algebra.scalars import ZERO, cos, sqrt
+from ..algebra.vectors import ZERO3, add3, cross3, dot3, scale3, sub3
 from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, coriolis_series, earth_rate3, position3
 from ..harmonic import growth, stumpff
 from ..ladders import Ladder
 from ..models import Model, Neglected
-from ..scalars import ZERO, cos, sqrt
-from ..vectors import ZERO3, add3, cross3, dot3, scale3, sub3
 from .catalogue import scene
 
 POSITION = "position, m"

@@ -7,9 +7,9 @@ along x (all that turn the body come in ``moment``, about the centre), ``surface
 
 from dataclasses import dataclass
 
-from ..errors import NewtonEulerError
-from ..linear import solve_linear
-from ..scalars import is_numeric, plain, scalar, size, where
+from ..algebra.errors import NewtonEulerError
+from ..algebra.linear import solve_linear
+from ..algebra.scalars import is_numeric, plain, scalar, size, where
 
 
 class ContactError(NewtonEulerError, ValueError):
@@ -40,7 +40,7 @@ class Contact:
 
 
 def rolling(mass, radius, inertia, force=0, moment=0, surface=0):
-    """Rolling without slip: a, alpha and the friction it needs, a :class:`newton_euler.linear.Solution`. Over scalars of every kind.
+    """Rolling without slip: a, alpha and the friction it needs, a :class:`newton_euler.algebra.linear.Solution`. Over scalars of every kind.
 
     inertia : about the centre, which is the mass centre
 

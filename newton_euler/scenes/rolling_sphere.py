@@ -6,12 +6,12 @@
 calculation than the sphere, but no moment of inertia.
 """
 
+from ..algebra.ledger import summed
+from ..algebra.scalars import plain, radians, scalar, sin, tan, whole
 from ..energy import speed_after
 from ..harmonic import integrated_square, uniform_acceleration
 from ..ladders import Ladder
-from ..ledger import summed
 from ..models import Model, ModelError, Neglected
-from ..scalars import plain, radians, scalar, sin, tan, whole
 from .catalogue import scene
 
 WAY = "distance down the incline, m"

@@ -8,6 +8,7 @@ to bearing B, at -a and b from O, the origin of the body's axes.
 
 from dataclasses import dataclass
 
+from ..algebra.scalars import cos, sin, sqrt
 from ..frames import Frame, Point
 from ..harmonic import uniform_acceleration
 from ..inertia import Inertia
@@ -15,7 +16,6 @@ from ..ladders import Ladder, Rung, observed_states
 from ..mass import Body
 from ..models import Model, Neglected
 from ..rotors import reactions
-from ..scalars import cos, sin, sqrt
 from .catalogue import scene
 
 ANGLE = "angle psi, rad"

@@ -7,11 +7,11 @@ the book names.
 :func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the Earth, as it does in the station, and with the air.
 """
 
+from ..algebra.scalars import ZERO, sqrt
+from ..algebra.vectors import add3, cross3, scale3
 from ..harmonic import growth, turned, uniform_acceleration
 from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
-from ..scalars import ZERO, sqrt
-from ..vectors import add3, cross3, scale3
 from .catalogue import scene
 
 POSITION = "position, m"

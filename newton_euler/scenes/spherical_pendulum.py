@@ -10,14 +10,14 @@ any, with friction in the joint or without. The bar swings like a simple pendulu
 
 from dataclasses import replace
 
+from ..algebra.scalars import ZERO, cos, sin
+from ..algebra.vectors import add3, scale3
 from ..frames import Frame
 from ..harmonic import plane_oscillation
 from ..inertia import Inertia
 from ..ladders import Ladder
 from ..models import Model, Neglected
 from ..rotations import euler_frame
-from ..scalars import ZERO, cos, sin
-from ..vectors import add3, scale3
 from .catalogue import scene
 from .foucault import any_swing as on_cord
 from .foucault import below, held

@@ -7,14 +7,14 @@ turn by turn, :func:`euler` where psi and phi are wanted and the axis stays off 
 
 from dataclasses import replace
 
+from ..algebra.ledger import summed
+from ..algebra.scalars import cos, plain, scalar, sin, sqrt, tan
+from ..algebra.vectors import dot3
 from ..energy import gyroscope_energy
 from ..harmonic import turned
-from ..ledger import summed
 from ..models import Model
 from ..rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
-from ..scalars import cos, plain, scalar, sin, sqrt, tan
 from ..top_closed_form import nutation_exact
-from ..vectors import dot3
 from .catalogue import scene
 
 SPIN = 8.0  # rad/s

@@ -7,11 +7,11 @@ where the axis is vertical, and by the quaternion, which is not.
 
 from contextlib import suppress
 
+from ..algebra.scalars import cos, sin
 from ..gyros import GyroError, steady_precession
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
 from ..rotations import euler_matrix, euler_rates, matrix_from_quaternion, quaternion_from_euler, quaternion_rate
-from ..scalars import cos, sin
 from .catalogue import scene
 from .top import _nutation_rates, _sides, momentum_difference, nutation
 

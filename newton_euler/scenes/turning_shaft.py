@@ -9,11 +9,11 @@ theta is the angle from the *downward* vertical to the rod. ``weight_moment`` is
 
 from math import copysign
 
+from ..algebra.scalars import acos, cos, is_numeric, plain, sin, size, sqrt
 from ..gyros import GyroError
 from ..harmonic import growth, oscillation
 from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
-from ..scalars import acos, cos, is_numeric, plain, sin, size, sqrt
 from .catalogue import scene
 
 ANGLE = "angle theta, rad"

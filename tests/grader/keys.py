@@ -3,8 +3,8 @@
 import re
 
 from grader.assignment import problems_of
-from newton_euler.scalars import plain
-from newton_euler.vectors import Vector
+from newton_euler.algebra.scalars import plain
+from newton_euler.algebra.vectors import Vector
 
 
 def numbers_of_key(p, values):

@@ -7,7 +7,7 @@ import pytest
 import sympy
 
 from exercises.catalogue import SYMBOLIC, problems
-from newton_euler.vectors import Vector
+from newton_euler.algebra.vectors import Vector
 from tests.grader.courses import command, submit
 
 

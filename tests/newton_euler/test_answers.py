@@ -11,10 +11,10 @@ import pytest
 import sympy
 
 from newton_euler import Frame
+from newton_euler.algebra.units import Dimension
 from newton_euler.answers import expect, receipt, receipts, record
 from newton_euler.forms import AnswerError, Form
 from newton_euler.formula_trees import NODES, TreeError, dimension_hints, evaluate
-from newton_euler.units import Dimension
 
 ground = Frame("ground")
 SYMBOLS = {"r": "m", "omega": "rad/s", "theta": "rad"}

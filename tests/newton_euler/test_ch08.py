@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, at, compiled, cos, moving, sin
 from newton_euler.admissibility import MassError
+from newton_euler.algebra.linear import solve_linear
 from newton_euler.euler_equations import (
     angular_acceleration,
     euler_moment,
@@ -22,7 +23,6 @@ from newton_euler.euler_equations import (
 from newton_euler.force_systems import ForceSystem
 from newton_euler.inertia import Inertia
 from newton_euler.kinetics import resultant_force
-from newton_euler.linear import solve_linear
 from newton_euler.mass import composite, particle
 from newton_euler.momentum import angular_momentum, equations_of_motion, resultant_moment
 from newton_euler.rotations import rotation_matrix

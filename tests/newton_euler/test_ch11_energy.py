@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, at, compiled, composite, cos, exp, moving, particle, radians, sin, sqrt
+from newton_euler.algebra.ledger import Amount
 from newton_euler.energy import (
     Audit,
     EnergyError,
@@ -27,7 +28,6 @@ from newton_euler.energy import (
     speed_after,
 )
 from newton_euler.inertia import Inertia
-from newton_euler.ledger import Amount
 from newton_euler.mass import Body
 from newton_euler.potential import conservative_force, spring_potential, weight_potential
 from newton_euler.rotations import apply, euler_frame, in_sequence, rotation_matrix

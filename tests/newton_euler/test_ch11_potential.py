@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, MassError, at, atan2, compiled, cos, exp, gradient, moving, sin, spherical, sqrt
+from newton_euler.algebra.quadrature import WorkError
 from newton_euler.potential import (
     NoPotential,
     conservative_force,
@@ -24,7 +25,6 @@ from newton_euler.potential import (
     spring_potential,
     weight_potential,
 )
-from newton_euler.quadrature import WorkError
 from newton_euler.work import power, work_along
 from tests.kinds import KINDS, close, numbers
 

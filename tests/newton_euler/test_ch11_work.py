@@ -14,8 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, DimensionError, Frame, FrameError, ScalarError, at, compiled, cos, frenet_along, moving, sin, sqrt
-from newton_euler.ledger import Amount, TermError, summed
-from newton_euler.quadrature import WorkError
+from newton_euler.algebra.ledger import Amount, TermError, summed
+from newton_euler.algebra.quadrature import WorkError
 from newton_euler.work import constant_force_work, pair_power, power, work_along, work_in_time, work_integral
 from tests.kinds import KINDS, close, number, numbers
 

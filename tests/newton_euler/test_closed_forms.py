@@ -13,11 +13,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import compiled, sqrt
+from newton_euler.algebra.scalars import where
 from newton_euler.doubled import doubled
 from newton_euler.elliptic import counted, coupled, jacobi
 from newton_euler.models import ModelError
 from newton_euler.motion import integrate
-from newton_euler.scalars import where
 from newton_euler.scenes import top
 from newton_euler.scenes.free_body import free_body
 from newton_euler.scenes.orbit import from_farthest, orbit

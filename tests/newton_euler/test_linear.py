@@ -11,10 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, compiled, cos, sin
-from newton_euler.linear import LinearError, solve_linear, solve_rates
-from newton_euler.scalars import ScalarError, coarseness, sampled
-from newton_euler.units import DimensionError
-from newton_euler.vectors import FrameError
+from newton_euler.algebra.linear import LinearError, solve_linear, solve_rates
+from newton_euler.algebra.scalars import ScalarError, coarseness, sampled
+from newton_euler.algebra.units import DimensionError
+from newton_euler.algebra.vectors import FrameError
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -8,7 +8,7 @@ import pytest
 import sympy
 
 from newton_euler import ScalarError, SingularError, cos, exp, from_place, from_speed, from_time, log, sqrt
-from newton_euler.quadrature import integral
+from newton_euler.algebra.quadrature import integral
 from tests.kinds import close, numbers
 
 three_kinds = pytest.mark.parametrize("kind", ["float", "array", "mpmath"])

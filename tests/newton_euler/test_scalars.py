@@ -13,9 +13,10 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import Frame, scalars
-from newton_euler.jets import Moving, at, moving
-from newton_euler.scalars import (
+from newton_euler import Frame
+from newton_euler.algebra import scalars
+from newton_euler.algebra.jets import Moving, at, moving
+from newton_euler.algebra.scalars import (
     FUNCTIONS,
     ZERO,
     ScalarError,
@@ -32,7 +33,7 @@ from newton_euler.scalars import (
     size,
     whole,
 )
-from newton_euler.units import Dimension, DimensionError
+from newton_euler.algebra.units import Dimension, DimensionError
 from tests.kinds import KINDS, close, numbers
 
 

@@ -40,10 +40,10 @@ from newton_euler import (
     tanh,
     where,
 )
-from newton_euler.jets import Moving
-from newton_euler.scalars import FUNCTIONS
-from newton_euler.steps import Step
-from newton_euler.tracing import BLOCK
+from newton_euler.algebra.codegen.compiled import BLOCK
+from newton_euler.algebra.codegen.trace import Step
+from newton_euler.algebra.jets import Moving
+from newton_euler.algebra.scalars import FUNCTIONS
 from tests.kinds import KINDS, close, numbers
 
 FORMULAS = {
@@ -165,7 +165,7 @@ def test_backends_agree_on_the_acceleration_of_a_chain(backend):
 def test_auto_turns_to_heyoka_only_when_it_pays(monkeypatch):
     pytest.importorskip("heyoka")
     f = compiled(lambda x: sin(x) + x, backend="auto")
-    monkeypatch.setattr("newton_euler.tracing.HEYOKA_BREAK_EVEN", {True: 3000, False: 3000})
+    monkeypatch.setattr("newton_euler.algebra.codegen.compiled.HEYOKA_BREAK_EVEN", {True: 3000, False: 3000})
     x = np.linspace(0, 1, 1000)
     first = f(x)
     assert f._heyoka is None
@@ -514,7 +514,7 @@ def test_an_unknown_backend_is_refused():
 
 def test_without_heyoka_the_backend_says_how_to_get_it_and_auto_goes_on(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None)
-    monkeypatch.setattr("newton_euler.tracing.HEYOKA_BREAK_EVEN", {True: 0, False: 0})
+    monkeypatch.setattr("newton_euler.algebra.codegen.compiled.HEYOKA_BREAK_EVEN", {True: 0, False: 0})
     x = np.array([1.0, 2.0])
     with pytest.raises(ImportError, match=r"backend='heyoka' needs heyoka: pip install 'newton-euler\[fast\]', or use backend='auto'"):
         compiled(lambda x: x + 1, backend="heyoka")(x)

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame
-from newton_euler.units import UNITS, Unit, UnitError, unit
+from newton_euler.algebra.units import UNITS, Unit, UnitError, unit
 from tests.kinds import KINDS, close, numbers
 
 PINT = {"lb": "lbf", "oz": "ozf", "rev": "turn", "rpm": "turn/min", "%": "percent", "in": "inch", "mi": "mile", "g": "gram", "h": "hour"}

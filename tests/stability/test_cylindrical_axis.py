@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from newton_euler import Frame, at
+from newton_euler.algebra.scalars import SingularError, cos, sin
 from newton_euler.components import cylindrical_coordinates, polar_coordinates
 from newton_euler.coordinates import curvilinear
-from newton_euler.scalars import SingularError, cos, sin
 
 ground = Frame("ground")
 

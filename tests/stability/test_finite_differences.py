@@ -9,7 +9,7 @@ import pytest
 
 from newton_euler import at
 from newton_euler.accuracy.rivals import CENTRAL, CENTRAL_SECOND, difference
-from newton_euler.scalars import exp, sin
+from newton_euler.algebra.scalars import exp, sin
 
 T = 1.3
 

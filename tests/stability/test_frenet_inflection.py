@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from newton_euler import Frame
+from newton_euler.algebra.scalars import SingularError
 from newton_euler.paths import flexure, frenet, frenet_along, speed_rate
-from newton_euler.scalars import SingularError
 
 ground = Frame("ground")
 

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from newton_euler import Frame, at
+from newton_euler.algebra.scalars import SingularError
 from newton_euler.paths import frenet, frenet_along
-from newton_euler.scalars import SingularError
 
 ground = Frame("ground")
 LINE = (0.1, 0.7, 0.3)  # its direction

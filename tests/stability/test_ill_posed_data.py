@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from newton_euler import Frame, Inertia, MassError, solve_linear, solve_rates
+from newton_euler.algebra.linear import LinearError
 from newton_euler.euler_equations import angular_acceleration
-from newton_euler.linear import LinearError
 
 body = Frame("body")
 

@@ -12,9 +12,9 @@ from grader.scoring import score as scoring
 from grader.scoring import score_receipt
 from grader.scoring.diagnosis import term_text
 from newton_euler import coordinates, frames
+from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import record
 from newton_euler.forms import Form
-from newton_euler.vectors import Vector
 
 CH04 = problems("ch04")
 DATA = ("book", "variant")

@@ -4,10 +4,10 @@ Every formula of the engine is written once, in plain arithmetic, over *scalars*
 array (many instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka expression, or one of the engine's own kinds:
 
 ``ZERO``        a zero known from the structure of a formula; it vanishes from sums and products
-``Moving``      a value with its first and second rate in time (:mod:`newton_euler.jets`)
-``Dimension``   no value at all, only powers of mass, length and time: a formula that runs on it has consistent units (:mod:`newton_euler.units`)
-``LinearForm``  a sum of unknowns with coefficients (:mod:`newton_euler.linear`)
-``Step``        a value being traced by :func:`newton_euler.tracing.compiled`
+``Moving``      a value with its first and second rate in time (:mod:`newton_euler.algebra.jets`)
+``Dimension``   no value at all, only powers of mass, length and time: a formula that runs on it has consistent units (:mod:`newton_euler.algebra.units`)
+``LinearForm``  a sum of unknowns with coefficients (:mod:`newton_euler.algebra.linear`)
+``Step``        a value being traced by :func:`newton_euler.algebra.codegen.compiled.compiled`
 
 This is the only module that tells numbers apart. The others call ``sin``, ``sqrt`` … from here and otherwise use ``+ - * /``.
 None of the heavy libraries is imported here: a number brings its own library along.

@@ -7,8 +7,8 @@ import math
 import operator
 from itertools import takewhile
 
-from .scalars import FUNCTIONS, _root, plain, where
-from .steps import COMPARISONS, Step
+from ..scalars import FUNCTIONS, _root, plain, where
+from .trace import COMPARISONS, Step
 
 RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where"}  # names in the text that no argument can have
 

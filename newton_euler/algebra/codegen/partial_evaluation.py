@@ -7,11 +7,11 @@ own, where a product by the inverse is not.
 import ast
 import math
 
-from .straight_line import unused
+from .source import unused
 
 
 def folded(text, count):
-    """A :class:`~newton_euler.tracing.Compiled` formula in two: one that takes constants, and the formula of the parameters that returns these.
+    """A :class:`~newton_euler.algebra.codegen.compiled.Compiled` formula in two: one that takes constants, and the formula of the parameters that returns these.
 
     count : the number of its first arguments that are no parameters; the first of the two takes these and then the constants
 

@@ -1,7 +1,7 @@
 """``compiled(f)`` runs a formula once on traced scalars and keeps what it did as straight-line text, which is fast on every kind of number.
 
-Every operation is a step (:mod:`.steps`); equal steps are one, so that common subexpressions are computed once, and steps that no result needs are
-left out. The text of the steps is Python (:mod:`.straight_line`). It runs on floats with ``math``, on arrays with NumPy in blocks that stay in the
+Every operation is a step (:mod:`newton_euler.algebra.codegen.trace`); equal steps are one, so that common subexpressions are computed once, and steps that no result needs are
+left out. The text of the steps is Python (:mod:`newton_euler.algebra.codegen.source`). It runs on floats with ``math``, on arrays with NumPy in blocks that stay in the
 cache, or through heyoka, and on the numbers of mpmath, on symbols and on this package's own kinds.
 """
 
@@ -13,11 +13,11 @@ import sys
 from copy import copy
 from operator import itemgetter
 
-from . import scalars
-from .jets import Moving
-from .scalars import FUNCTIONS, ScalarError, Scaled, _Own, _root, library_of, pi, scalar, without_rates
-from .steps import NO_VALUE, Step, Trace
-from .straight_line import RESERVED, generate, runtime_names
+from .. import scalars
+from ..jets import Moving
+from ..scalars import FUNCTIONS, ScalarError, Scaled, _Own, _root, library_of, pi, scalar, without_rates
+from .source import RESERVED, generate, runtime_names
+from .trace import NO_VALUE, Step, Trace
 
 BLOCK = 8192  # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768 measured)
 HEYOKA_BLOCK = 1 << 15  # the same for heyoka, whose inputs are copied together (measured: 4096 costs half as much again)

@@ -287,7 +287,7 @@ class Vector(Scaled, NamedTerms):
 
     @property
     def equation(self):
-        """The :class:`~newton_euler.ledger.Equation` of its named terms; None for a vector that is not known as a sum."""
+        """The :class:`~newton_euler.algebra.ledger.Equation` of its named terms; None for a vector that is not known as a sum."""
         return self._ledger and self._ledger.equation
 
     @property

@@ -1,9 +1,9 @@
 """Traced scalars: each operation on them is recorded as a step; equal steps are one, so that common subexpressions are shared.
 
-A step has no value, so a formula that is traced cannot branch on one; it chooses by :func:`newton_euler.scalars.where`, which is a step too.
+A step has no value, so a formula that is traced cannot branch on one; it chooses by :func:`newton_euler.algebra.scalars.where`, which is a step too.
 """
 
-from .scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, plain, scalar
+from ..scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, plain, scalar
 
 COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 NO_VALUE = (
@@ -101,7 +101,7 @@ class Step(_Own):
     __lt__, __le__, __gt__, __ge__ = map(_comparison, COMPARISONS)
 
     def where(self, a, b):
-        """The step of :func:`newton_euler.scalars.where` with this comparison."""
+        """The step of :func:`newton_euler.algebra.scalars.where` with this comparison."""
         return a if a is b else self.trace.step("where", self, plain(a), plain(b))
 
     def _no_value(self, *_):

@@ -1,0 +1,1 @@
+"""A formula traced once into straight-line code for floats, arrays and heyoka."""
