@@ -23,15 +23,15 @@ ROOMS = {
     "algebra.vectors": "FrameError Vector cross dot same",
     "algebra.quadrature": "WorkError",
     "algebra.ledger": "Amount Explanation TermError",
-    "triads": "Triad",
-    "rectilinear": "from_place from_speed from_time",
-    "paths": "Frenet along at_speed flexure frenet frenet_along speed_rate",
-    "components": """T_phi T_theta T_theta_phi cylindrical cylindrical_coordinates cylindrical_frame polar polar_coordinates
+    "kinematics.triads": "Triad",
+    "kinematics.rectilinear": "from_place from_speed from_time",
+    "kinematics.paths": "Frenet along at_speed flexure frenet frenet_along speed_rate",
+    "kinematics.coordinates": """T_phi T_theta T_theta_phi cylindrical cylindrical_coordinates cylindrical_frame polar polar_coordinates
         spherical spherical_coordinates spherical_frame""",
-    "coordinates": "curvilinear curvilinear_rates gradient",
-    "frames": "Frame Point",
+    "kinematics.curvilinear": "curvilinear curvilinear_rates gradient",
+    "kinematics.frames": "Frame Point",
     "algebra.linear": "LinearError solve_linear solve_rates",
-    "rotations": """RotationError axis_angle direction_cosines euler_angles euler_body_rates euler_frame euler_from_quaternion
+    "kinematics.rotations": """RotationError axis_angle direction_cosines euler_angles euler_body_rates euler_frame euler_from_quaternion
         euler_matrix euler_rates in_sequence matrix_from_quaternion normalised quaternion quaternion_from_euler quaternion_from_matrix
         quaternion_product quaternion_rate rotation_matrix unwound""",
     "admissibility": "MassError",

@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 from .algebra.ledger import equations
 from .algebra.scalars import is_numeric, least, plain, scalar, short, size
 from .algebra.vectors import FrameError, Vector, add3, named_sum
-from .frames import place
+from .kinematics.frames import place
 
 EQUATIONS = equations({
     "resultant": ("8.21", r"\mathbf{F}^e", {}),

@@ -81,10 +81,10 @@ EQUATIONS = equations({
 def gyro_momentum(body, ground, I0, I):
     """H about the fixed point or G, in the frame {i, j, k} that precesses and nutates without spinning (10.21); it knows its rate.
 
-    body : the frame of the body, made by :func:`newton_euler.rotations.euler_frame`, so that {i, j, k} is ``body.parent``
+    body : the frame of the body, made by :func:`newton_euler.kinematics.rotations.euler_frame`, so that {i, j, k} is ``body.parent``
 
     >>> from newton_euler import Frame, moving
-    >>> from newton_euler.rotations import euler_frame
+    >>> from newton_euler.kinematics.rotations import euler_frame
     >>> ground = Frame("ground")
     >>> top = euler_frame(ground, "top", 0.0, 0.0, moving(0.0, rate=100.0))
     >>> gyro_momentum(top, ground, 0.02, 0.01).z
@@ -98,11 +98,11 @@ def gyro_momentum(body, ground, I0, I):
 def gyro_moment(body, ground, I0, I):
     """The moment that a motion needs, about the fixed point or G (10.20)-(10.25), (10.27): a Vector in {i, j, k}, the frame ``body.parent``.
 
-    body : made by :func:`newton_euler.rotations.euler_frame` of angles that are :func:`newton_euler.moving`, with both rates
+    body : made by :func:`newton_euler.kinematics.rotations.euler_frame` of angles that are :func:`newton_euler.moving`, with both rates
     terms : ``acceleration``, the rate of H seen in {i, j, k}; ``precession`` Omega x [I] Omega; ``gyroscopic`` Omega x I phi' k
 
     >>> from newton_euler import Frame, moving, pi
-    >>> from newton_euler.rotations import euler_frame
+    >>> from newton_euler.kinematics.rotations import euler_frame
     >>> ground = Frame("ground")
     >>> level = euler_frame(ground, "rotor", moving(0.0, rate=2.0), pi()/2, moving(0.0, rate=100.0))
     >>> round(gyro_moment(level, ground, 0.02, 0.01).x, 12)  # I psi' phi' (10.37)

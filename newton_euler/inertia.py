@@ -18,7 +18,7 @@ from .algebra.jets import Moving
 from .algebra.ledger import NamedTerms, latex_number
 from .algebra.scalars import ZERO, Scaled, is_numeric, is_positive, is_zero, plain, scalar, sqrt
 from .algebra.vectors import ZERO3, Vector, add3, dot3, scale3, sum3
-from .frames import axes_at, place
+from .kinematics.frames import axes_at, place
 from .principal import principal, symmetry
 
 

@@ -10,11 +10,12 @@
 Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises :class:`~newton_euler.admissibility.MassError`.
 """
 
-from . import components, frames, paths
 from .admissibility import MassError
 from .algebra.ledger import Ledger, equations
 from .algebra.scalars import SingularError, is_finite, is_numeric, is_positive, least, plain, scalar
 from .algebra.vectors import FrameError, Vector, named_sum
+from .kinematics import coordinates as components
+from .kinematics import frames, paths
 
 _FORCES = {"acceleration": "6.10", "intrinsic acceleration": "6.5", "polar acceleration": "6.6", "cylindrical acceleration": "6.8",
            "spherical acceleration": "6.9"}  # fmt: skip
@@ -55,7 +56,7 @@ def resultant_force(m, a):
         or, for an acceleration by way of a moving frame, (6.10).
 
     >>> from newton_euler import Frame, moving
-    >>> from newton_euler.components import polar
+    >>> from newton_euler.kinematics.coordinates import polar
     >>> ground = Frame("ground")
     >>> P = polar(ground, "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
     >>> F = resultant_force(4.0, P.acceleration(ground))
@@ -130,14 +131,14 @@ def path_rates(m, F_t, F_n, speed):
 def coordinate_accelerations(m, P, **forces):
     """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved for r'', theta'', …
 
-    P : a point by :func:`~newton_euler.components.polar`, ``cylindrical``, ``spherical`` or ``curvilinear``, with the values and the first rates
+    P : a point by :func:`~newton_euler.kinematics.coordinates.polar`, ``cylindrical``, ``spherical`` or ``curvilinear``, with the values and the first rates
         of its coordinates; second rates that it has are replaced
     forces : Vectors, or components along the local axes of P (as F_r, F_theta, F_z)
     Returns a tuple, one for each coordinate. Raises :class:`SingularError` where a coordinate moves nothing (r = 0, the pole), so that a finite
     force may need it to change at an infinite rate.
 
     >>> from newton_euler import Frame, moving
-    >>> from newton_euler.components import polar
+    >>> from newton_euler.kinematics.coordinates import polar
     >>> P = polar(Frame("ground"), "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
     >>> coordinate_accelerations(4.0, P, cord=(-72.0, 12.0, 0.0))
     (0.0, 0.0)

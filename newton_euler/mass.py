@@ -14,8 +14,8 @@ from .admissibility import MassError, positive, round_off
 from .algebra.ledger import Ledger, equations
 from .algebra.scalars import is_numeric, plain, scalar, size
 from .algebra.vectors import ZERO3, Vector, add3
-from .frames import axes_at, place
 from .inertia import Inertia, together
+from .kinematics.frames import axes_at, place
 
 
 class Body:

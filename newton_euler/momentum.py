@@ -15,7 +15,7 @@ is (8.12) for the frame of the body. The last term vanishes for B = G (8.10), fo
 from .algebra.ledger import Ledger, equations
 from .algebra.vectors import ZERO3, Vector
 from .force_systems import ForceSystem
-from .frames import place
+from .kinematics.frames import place
 from .kinetics import resultant_force
 
 _MOMENT = {

@@ -12,10 +12,10 @@ from .admissibility import positive
 from .algebra.jets import Moving
 from .algebra.quadrature import WorkError, quadrature
 from .algebra.scalars import ZERO, ScalarError, is_finite, is_numeric, plain, sampled, scalar, short, size
-from .coordinates import gradient, tangents
 from .forces import G_STANDARD, K
-from .frames import Point
-from .triads import norm3
+from .kinematics.curvilinear import gradient, tangents
+from .kinematics.frames import Point
+from .kinematics.triads import norm3
 from .work import work_along
 
 
@@ -77,7 +77,7 @@ def gravitational_potential(m1, m2, distance, K=K):
 def conservative_force(V, P):
     """The force F = -grad V (11.16)-(11.18) of the potential ``V`` at the Point ``P``, a Vector.
 
-    V : function of the coordinates by which P is given, rectangular or others, as for :func:`newton_euler.coordinates.gradient`; a formula of these,
+    V : function of the coordinates by which P is given, rectangular or others, as for :func:`newton_euler.kinematics.curvilinear.gradient`; a formula of these,
         since what goes by way of Points forgets their rates and would have no slope
 
     >>> from newton_euler import Frame

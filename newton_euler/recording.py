@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from .algebra.vectors import FrameError, Vector
 from .covering import painters_order
-from .frames import Frame, Point
+from .kinematics.frames import Frame, Point
 from .labels import place_labels
 from .primitives import Canvas
 from .projection import mean, norm3, plane_view, space_view, unit3

@@ -25,7 +25,7 @@ from .algebra.errors import NewtonEulerError
 from .algebra.ledger import equations
 from .algebra.scalars import anywhere, is_numeric, is_zero, plain, scalar, size, sqrt, where
 from .algebra.vectors import Vector, add3, dot3, named_sum, scale3, sum3
-from .frames import Point
+from .kinematics.frames import Point
 from .mass import Body
 
 

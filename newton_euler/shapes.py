@@ -3,7 +3,7 @@
 import math
 
 from .algebra.vectors import FrameError, add3, scale3, sub3
-from .frames import Frame
+from .kinematics.frames import Frame
 from .primitives import DASHES
 from .projection import between, circle, norm3, normal_of, on_circle, perpendiculars, silhouette
 from .recording import Recorder

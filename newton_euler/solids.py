@@ -15,8 +15,8 @@ of a solid.
 from .admissibility import AXES, MassError, positive
 from .algebra.scalars import ZERO, pi, scalar, sin, sqrt
 from .algebra.vectors import add3, cross3, dot3, scale3, sub3, sum3
-from .frames import Point, axes_at, place
 from .inertia import SECOND_MOMENTS, Inertia, axis_index, from_second_moments
+from .kinematics.frames import Point, axes_at, place
 from .mass import Body
 
 # -- along lines

@@ -17,7 +17,7 @@ from .algebra.ledger import Amount, summed
 from .algebra.quadrature import quadrature
 from .algebra.scalars import ZERO, plain, scalar
 from .algebra.vectors import FrameError, Vector
-from .paths import along
+from .kinematics.paths import along
 
 # -- the integral
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from newton_euler import Frame, cos, moving, polar, sin, sqrt, tan
 from newton_euler.algebra.scalars import SingularError, is_numeric, size, where
-from newton_euler.paths import along, frenet
+from newton_euler.kinematics.paths import along, frenet
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Nozzle:
         return x * slope - self.g * x * x / (2 * self.speed**2) * (1 + slope * slope)
 
     def intrinsic(self, t, ground=None):
-        """Speed, its rate, curvature and unit vectors at the time t: a :class:`~newton_euler.paths.Frenet`."""
+        """Speed, its rate, curvature and unit vectors at the time t: a :class:`~newton_euler.kinematics.paths.Frenet`."""
         ground = ground or Frame("ground")
         P = self.water(ground, t)
         return frenet(P.velocity(ground), P.acceleration(ground), name="the jet")

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 from newton_euler import Frame, Vector, at, cos, cylindrical, exp, pi, sin, sqrt
-from newton_euler.components import T_phi, T_theta
-from newton_euler.paths import along, at_speed, frenet_along
-from newton_euler.rotations import apply
+from newton_euler.kinematics.coordinates import T_phi, T_theta
+from newton_euler.kinematics.paths import along, at_speed, frenet_along
+from newton_euler.kinematics.rotations import apply
 
 
 def exponential_curve(q):

@@ -8,13 +8,13 @@ import operator
 from functools import cache, reduce
 from itertools import repeat
 
-from .. import rotations
 from ..algebra.codegen.compiled import compiled
 from ..algebra.jets import moving
 from ..algebra.scalars import cos, sin, sqrt
-from ..frames import Frame
 from ..gyros import steady_precession
 from ..integration import integrated
+from ..kinematics import rotations
+from ..kinematics.frames import Frame
 from ..mass import composite
 from ..solids import half_disk, simplex
 from .measure import relative_error

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from ..algebra.jets import moving
 from ..algebra.scalars import atan2, cos, plain, sin, sqrt, tan
-from ..frames import Frame
+from ..kinematics.frames import Frame
 from ..kinetics import reaction
 from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, Neglected, is_absent

@@ -9,9 +9,9 @@ to bearing B, at -a and b from O, the origin of the body's axes.
 from dataclasses import dataclass
 
 from ..algebra.scalars import cos, sin, sqrt
-from ..frames import Frame, Point
 from ..harmonic import uniform_acceleration
 from ..inertia import Inertia
+from ..kinematics.frames import Frame, Point
 from ..ladders import Ladder, Rung, observed_states
 from ..mass import Body
 from ..models import Model, Neglected

@@ -12,12 +12,12 @@ from dataclasses import replace
 
 from ..algebra.scalars import ZERO, cos, sin
 from ..algebra.vectors import add3, scale3
-from ..frames import Frame
 from ..harmonic import plane_oscillation
 from ..inertia import Inertia
+from ..kinematics.frames import Frame
+from ..kinematics.rotations import euler_frame
 from ..ladders import Ladder
 from ..models import Model, Neglected
-from ..rotations import euler_frame
 from .catalogue import scene
 from .foucault import any_swing as on_cord
 from .foucault import below, held

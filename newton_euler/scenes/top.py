@@ -12,8 +12,8 @@ from ..algebra.scalars import cos, plain, scalar, sin, sqrt, tan
 from ..algebra.vectors import dot3
 from ..energy import gyroscope_energy
 from ..harmonic import turned
+from ..kinematics.rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
 from ..models import Model
-from ..rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
 from ..top_closed_form import nutation_exact
 from .catalogue import scene
 

@@ -9,9 +9,9 @@ from contextlib import suppress
 
 from ..algebra.scalars import cos, sin
 from ..gyros import GyroError, steady_precession
+from ..kinematics.rotations import euler_matrix, euler_rates, matrix_from_quaternion, quaternion_from_euler, quaternion_rate
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
-from ..rotations import euler_matrix, euler_rates, matrix_from_quaternion, quaternion_from_euler, quaternion_rate
 from .catalogue import scene
 from .top import _nutation_rates, _sides, momentum_difference, nutation
 

@@ -23,8 +23,8 @@ from newton_euler import (
     spherical_frame,
     sqrt,
 )
-from newton_euler.paths import derivatives
-from newton_euler.rotations import apply, direction_cosines, product, transpose
+from newton_euler.kinematics.paths import derivatives
+from newton_euler.kinematics.rotations import apply, direction_cosines, product, transpose
 from tests.explicit import explicit, polar_position, spherical_position
 from tests.kinds import KINDS, close, numbers
 

@@ -22,10 +22,10 @@ from newton_euler.euler_equations import (
 )
 from newton_euler.force_systems import ForceSystem
 from newton_euler.inertia import Inertia
+from newton_euler.kinematics.rotations import rotation_matrix
 from newton_euler.kinetics import resultant_force
 from newton_euler.mass import composite, particle
 from newton_euler.momentum import angular_momentum, equations_of_motion, resultant_moment
-from newton_euler.rotations import rotation_matrix
 from newton_euler.scenes import rolling_contact, sliding_sphere
 from newton_euler.solids import box, cylinder, disk, rod, sphere
 from tests import kinds

@@ -28,9 +28,9 @@ from newton_euler.energy import (
     speed_after,
 )
 from newton_euler.inertia import Inertia
+from newton_euler.kinematics.rotations import apply, euler_frame, in_sequence, rotation_matrix
 from newton_euler.mass import Body
 from newton_euler.potential import conservative_force, spring_potential, weight_potential
-from newton_euler.rotations import apply, euler_frame, in_sequence, rotation_matrix
 from newton_euler.solids import box, cylinder, disk, rod, sphere
 from newton_euler.work import power, work_integral
 from tests.kinds import KINDS, close, number, numbers

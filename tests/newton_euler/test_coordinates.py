@@ -24,7 +24,7 @@ from newton_euler import (
     sinh,
     spherical,
 )
-from newton_euler.coordinates import tangents
+from newton_euler.kinematics.curvilinear import tangents
 from tests.explicit import explicit
 from tests.kinds import KINDS, close, numbers
 

@@ -30,9 +30,17 @@ from newton_euler.gyros import (
     steady_spin,
 )
 from newton_euler.inertia import Inertia
+from newton_euler.kinematics.rotations import (
+    apply,
+    euler_frame,
+    euler_from_quaternion,
+    euler_matrix,
+    in_sequence,
+    quaternion_from_euler,
+    rotation_matrix,
+)
 from newton_euler.models import ModelError
 from newton_euler.nutation import nutation
-from newton_euler.rotations import apply, euler_frame, euler_from_quaternion, euler_matrix, in_sequence, quaternion_from_euler, rotation_matrix
 from newton_euler.scenes import top
 from newton_euler.scenes.gyrocompass import compass_period, gyrocompass
 from newton_euler.scenes.spherical_pendulum import momentum, nodding, pendulum

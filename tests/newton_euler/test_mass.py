@@ -31,7 +31,7 @@ from newton_euler import (
     particle,
     sin,
 )
-from newton_euler.rotations import product, transpose
+from newton_euler.kinematics.rotations import product, transpose
 from newton_euler.solids import disk, plate, rod, sphere
 from tests.kinds import KINDS, close, number, numbers
 

@@ -31,7 +31,7 @@ from newton_euler import (
     speed_rate,
     sqrt,
 )
-from newton_euler.paths import derivatives
+from newton_euler.kinematics.paths import derivatives
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -11,7 +11,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, ScalarError, at, atan2, compiled, cos, cross, moving, pi, sin, solve_rates, sqrt
-from newton_euler.rotations import (
+from newton_euler.kinematics.rotations import (
     RotationError,
     apply,
     axis_angle,

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from newton_euler.accuracy.rivals import by_arc_cosine
-from newton_euler.rotations import axis_angle, in_sequence, rotation_matrix
+from newton_euler.kinematics.rotations import axis_angle, in_sequence, rotation_matrix
 from tests.kinds import close
 
 AXIS = (0.36, 0.48, 0.8)

@@ -8,8 +8,8 @@ import pytest
 
 from newton_euler import Frame, at
 from newton_euler.algebra.scalars import SingularError, cos, sin
-from newton_euler.components import cylindrical_coordinates, polar_coordinates
-from newton_euler.coordinates import curvilinear
+from newton_euler.kinematics.coordinates import cylindrical_coordinates, polar_coordinates
+from newton_euler.kinematics.curvilinear import curvilinear
 
 ground = Frame("ground")
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from newton_euler import Frame, Inertia
-from newton_euler.rotations import determinant
+from newton_euler.kinematics.rotations import determinant
 from tests.kinds import close
 
 body = Frame("body")

@@ -7,8 +7,16 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from newton_euler.kinematics.rotations import (
+    RotationError,
+    apply,
+    euler_angles,
+    euler_from_quaternion,
+    euler_matrix,
+    euler_rates,
+    matrix_from_quaternion,
+)
 from newton_euler.models import ModelError
-from newton_euler.rotations import RotationError, apply, euler_angles, euler_from_quaternion, euler_matrix, euler_rates, matrix_from_quaternion
 from newton_euler.scenes import top
 from tests.kinds import close
 

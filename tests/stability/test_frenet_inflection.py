@@ -6,7 +6,7 @@ import pytest
 
 from newton_euler import Frame
 from newton_euler.algebra.scalars import SingularError
-from newton_euler.paths import flexure, frenet, frenet_along, speed_rate
+from newton_euler.kinematics.paths import flexure, frenet, frenet_along, speed_rate
 
 ground = Frame("ground")
 

@@ -6,7 +6,7 @@ import pytest
 
 from newton_euler import Frame, at
 from newton_euler.algebra.scalars import SingularError
-from newton_euler.paths import frenet, frenet_along
+from newton_euler.kinematics.paths import frenet, frenet_along
 
 ground = Frame("ground")
 LINE = (0.1, 0.7, 0.3)  # its direction

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from newton_euler.rotations import (
+from newton_euler.kinematics.rotations import (
     RotationError,
     checked_rotation,
     determinant,

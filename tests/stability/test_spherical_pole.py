@@ -7,7 +7,7 @@ from scipy.integrate import solve_ivp
 
 from newton_euler import Frame
 from newton_euler.algebra.scalars import SingularError
-from newton_euler.components import spherical, spherical_coordinates
+from newton_euler.kinematics.coordinates import spherical, spherical_coordinates
 from tests.kinds import close
 
 ground = Frame("ground")

@@ -13,7 +13,7 @@ from newton_euler.chapters.examples.ch03 import (
     screw_jack_time,
     three_systems,
 )
-from newton_euler.rotations import apply, transpose
+from newton_euler.kinematics.rotations import apply, transpose
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

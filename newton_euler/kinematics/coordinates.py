@@ -10,10 +10,10 @@ So the one formula for relative motion (4.18) gives all of their accelerations, 
 components (3.1)-(3.3) are those of an ordinary point: ``ground.point("P", x, y, z).acceleration(ground)``.
 """
 
-from .algebra.jets import Moving, moving
-from .algebra.ledger import Ledger, equations
-from .algebra.scalars import ZERO, SingularError, atan2, cos, epsilon, least, plain, scalar, sin, size, sqrt
-from .algebra.vectors import Vector
+from ..algebra.jets import Moving, moving
+from ..algebra.ledger import Ledger, equations
+from ..algebra.scalars import ZERO, SingularError, atan2, cos, epsilon, least, plain, scalar, sin, size, sqrt
+from ..algebra.vectors import Vector
 from .frames import Frame, Point
 from .rotations import product
 from .triads import drowned, norm3, numeric3

@@ -5,11 +5,11 @@ differentiate; substitute. The unit vector of a coordinate points where the poin
 with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the coordinate.
 """
 
-from .algebra.jets import Moving, as_moving, at, moving
-from .algebra.ledger import equations
-from .algebra.scalars import ZERO, SingularError, is_numeric, plain, scalar, whole
-from .algebra.vectors import Vector, cross3, dot3, scale3
-from .components import CoordinatePoint, with_rates
+from ..algebra.jets import Moving, as_moving, at, moving
+from ..algebra.ledger import equations
+from ..algebra.scalars import ZERO, SingularError, is_numeric, plain, scalar, whole
+from ..algebra.vectors import Vector, cross3, dot3, scale3
+from .coordinates import CoordinatePoint, with_rates
 from .triads import Triad, drowned, norm3, numeric3, shaken, turning_of
 
 EQUATIONS = equations({
@@ -25,7 +25,7 @@ def curvilinear(ground, name, position, q1, q2, q3, names=("u", "v", "w")):
     position : function of three scalars that returns (x, y, z) along the axes of ``ground``, written with the functions of this package
     q1, q2, q3 : the coordinates, numbers or moving; in the order that makes e_1, e_2, e_3 right-handed
     names : of the coordinates, for the ledger
-    Returns a :class:`~newton_euler.components.CoordinatePoint`: velocity and acceleration in ``ground`` come along e_1, e_2, e_3 (``P.local``),
+    Returns a :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`: velocity and acceleration in ``ground`` come along e_1, e_2, e_3 (``P.local``),
     with one term for each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form
     of ``position`` or of the rates are left out.
 
@@ -146,7 +146,7 @@ def gradient(f, P):
     """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, exact and without a step size.
 
     f : function of the coordinates by which P is given, written with the functions of this package: x, y, z along the axes of its frame, or
-        polar, cylindrical, spherical or other orthogonal coordinates for a :class:`~newton_euler.components.CoordinatePoint`
+        polar, cylindrical, spherical or other orthogonal coordinates for a :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`
     Returns a Vector along the axes of P's frame, or P's local axes e_i: there it is the sum of (df/dq_i)/h_i e_i. Its unit is that of f per length.
 
     >>> from newton_euler import Frame

@@ -7,10 +7,10 @@ Rates are passed up the chain in the frame at hand and never differentiated out,
 
 from weakref import ref
 
-from .algebra.jets import Moving, moving
-from .algebra.ledger import Ledger, equations
-from .algebra.scalars import ZERO, ScalarError, cos, is_finite, is_zero, plain, scalar, sin, sqrt, whole
-from .algebra.vectors import NO_THIRD_RATE, ZERO3, FrameError, Vector, add3, cross3, dot3, scale3, sub3
+from ..algebra.jets import Moving, moving
+from ..algebra.ledger import Ledger, equations
+from ..algebra.scalars import ZERO, ScalarError, cos, is_finite, is_zero, plain, scalar, sin, sqrt, whole
+from ..algebra.vectors import NO_THIRD_RATE, ZERO3, FrameError, Vector, add3, cross3, dot3, scale3, sub3
 
 EQUATIONS = equations({
     "velocity": ("4.17", r"\mathbf{v}", {

@@ -4,8 +4,8 @@ The acceleration is dv/dt, and v = dx/dt, so that also a = v dv/dx. Each functio
 accuracy of the numbers it gets (floats, arrays, mpf). For formulas integrate by hand or with SymPy.
 """
 
-from .algebra.quadrature import integral
-from .algebra.scalars import SingularError, anywhere, scalar, size, sqrt, where
+from ..algebra.quadrature import integral
+from ..algebra.scalars import SingularError, anywhere, scalar, size, sqrt, where
 
 
 def from_time(a, t, x0=0.0, v0=0.0):

@@ -12,10 +12,10 @@ exact; no step size enters.
 
 from dataclasses import dataclass, field
 
-from .algebra.jets import Moving, as_moving, moving
-from .algebra.ledger import Ledger, equations
-from .algebra.scalars import ZERO, SingularError, epsilon, is_numeric, is_zero, plain, scalar, whole
-from .algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3
+from ..algebra.jets import Moving, as_moving, moving
+from ..algebra.ledger import Ledger, equations
+from ..algebra.scalars import ZERO, SingularError, epsilon, is_numeric, is_zero, plain, scalar, whole
+from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3
 from .triads import Triad, drowned, norm3, numeric3, shaken
 
 EQUATIONS = equations({

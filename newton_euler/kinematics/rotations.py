@@ -13,8 +13,8 @@ values: it takes floats, mpf, arrays (each entry of shape (N,), one for each ins
 words; of moving numbers it reads the values.
 """
 
-from .algebra.errors import NewtonEulerError
-from .algebra.scalars import (
+from ..algebra.errors import NewtonEulerError
+from ..algebra.scalars import (
     ZERO,
     ScalarError,
     atan2,
@@ -31,7 +31,7 @@ from .algebra.scalars import (
     where,
     without_rates,
 )
-from .algebra.vectors import cross3, dot3, scale3
+from ..algebra.vectors import cross3, dot3, scale3
 
 
 class RotationError(NewtonEulerError, ValueError):

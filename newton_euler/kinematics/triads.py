@@ -1,12 +1,12 @@
 """Frames given by their axes: unit vectors that follow a path or a coordinate system, and where they cease to exist.
 
-A :class:`Triad` is a :class:`~newton_euler.frames.Frame` made from its three axes instead of a turn about one; vectors can be expressed in
+A :class:`Triad` is a :class:`~newton_euler.kinematics.frames.Frame` made from its three axes instead of a turn about one; vectors can be expressed in
 it like in any other. Where a direction is only rounding noise, :class:`SingularError` says so instead of normalising the noise.
 """
 
-from .algebra.jets import Moving, as_moving
-from .algebra.scalars import anywhere, epsilon, is_numeric, plain, scalar, sqrt
-from .algebra.vectors import ZERO3, FrameError, add3, dot3, scale3
+from ..algebra.jets import Moving, as_moving
+from ..algebra.scalars import anywhere, epsilon, is_numeric, plain, scalar, sqrt
+from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3
 from .frames import Frame
 
 

@@ -1,0 +1,1 @@
+"""Frames and points, rotations, coordinates, paths (chapters 2 to 4)."""
