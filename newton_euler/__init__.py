@@ -34,11 +34,11 @@ ROOMS = {
     "kinematics.rotations": """RotationError axis_angle direction_cosines euler_angles euler_body_rates euler_frame euler_from_quaternion
         euler_matrix euler_rates in_sequence matrix_from_quaternion normalised quaternion quaternion_from_euler quaternion_from_matrix
         quaternion_product quaternion_rate rotation_matrix unwound""",
-    "admissibility": "MassError",
-    "inertia": "Inertia",
-    "mass": "Body centre_of_mass composite particle",
-    "principal": "Principal Symmetry",
-    "integration": "integrated",
+    "bodies.admissibility": "MassError",
+    "bodies.inertia": "Inertia",
+    "bodies.body": "Body centre_of_mass composite particle",
+    "bodies.principal_axes": "Principal Symmetry",
+    "bodies.parametric": "integrated",
     "forces": "attraction gravitation gravitational_field gravity_at_height gravity_at_surface mass_from_weight weight",
     "constraints": "ConstraintError degrees_of_freedom",
     "kinetics": "acceleration_by coordinate_accelerations path_force path_rates reaction relative_acceleration resultant_force",

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from .algebra.errors import NewtonEulerError
 from .algebra.ledger import summed, value_of
 from .algebra.scalars import anywhere, cos, is_numeric, plain, sampled, scalar, short, sin, size, sqrt
-from .mass import Body
+from .bodies.body import Body
 from .work import power, work_integral
 
 
@@ -27,10 +27,10 @@ class EnergyError(NewtonEulerError, ValueError):
 def kinetic_energy(bodies, observer):
     """T = m v.v/2 + omega.H/2 of a body (11.45), or of bodies together (11.42), seen from the inertial frame ``observer``; an Amount.
 
-    bodies : a :class:`~newton_euler.mass.Body` (a particle too, (11.13)): terms ``translation`` and ``rotation``; or several: a term for each
+    bodies : a :class:`~newton_euler.bodies.body.Body` (a particle too, (11.13)): terms ``translation`` and ``rotation``; or several: a term for each
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.solids import sphere
+    >>> from newton_euler.bodies.solids import sphere
     >>> ground = Frame("ground")
     >>> ball = ground.rotate("ball", "y", rate=10.0)
     >>> T = kinetic_energy(sphere(0.5, ball, mass=2.0), ground)

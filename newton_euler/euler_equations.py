@@ -5,12 +5,12 @@ an inertial frame. For a point that moves in any way, and by way of any frame, s
 Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
-from .admissibility import AXES, MassError
 from .algebra.ledger import equations
 from .algebra.linear import LinearError, solve_regular
 from .algebra.scalars import ZERO, is_numeric, is_zero, plain, scalar, size
 from .algebra.vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
-from .inertia import axis_index
+from .bodies.admissibility import AXES, MassError
+from .bodies.inertia import axis_index
 
 EQUATIONS = equations({
     "Euler's moment": ("8.12", r"\mathbf{M}_B", {
@@ -42,7 +42,7 @@ def euler_moment(inertia, omega, alpha, turning=None):
     terms : ``relative``, I times the rate of omega seen in that frame; ``rotation``, Omega x H
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.inertia import Inertia
+    >>> from newton_euler.bodies.inertia import Inertia
     >>> frame = Frame("frame")
     >>> wheel = Inertia(frame, (2.0, 2.0, 3.0))
     >>> omega, Omega = frame.vector(0, 0, 10.0), frame.vector(0.5, 0, 0)  # omega stays along z of a frame that turns about x
@@ -64,7 +64,7 @@ def euler_moments(inertia, omega, alpha):
     Raises :class:`MassError` if the axes of the matrix are not principal: then the equations do not apply.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.inertia import Inertia
+    >>> from newton_euler.bodies.inertia import Inertia
     >>> body = Frame("body")
     >>> euler_moments(Inertia(body, (1.0, 2.0, 2.5)), body.vector(1.0, 2.0, 3.0), body.vector(0, 0, 4.0))
     Vector(3.0, -4.5, 12.0 in body)
@@ -87,7 +87,7 @@ def angular_acceleration(inertia, omega, moment, turning=None):
     Raises :class:`MassError` if the body has no moment of inertia about some axis, as a thin rod about its own.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.inertia import Inertia
+    >>> from newton_euler.bodies.inertia import Inertia
     >>> body = Frame("body")
     >>> angular_acceleration(Inertia(body, (1.0, 2.0, 2.5)), body.vector(1.0, 2.0, 3.0), body.vector(3.0, -4.5, 12.0))
     Vector(0.0, 0.0, 4.0 in body)
@@ -111,7 +111,7 @@ def fixed_line_momentum(inertia, rate, axis="z"):
     rate : omega, about ``axis`` ("x", "y", "z", or "-z" ...) of the frame of the matrix
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.inertia import Inertia
+    >>> from newton_euler.bodies.inertia import Inertia
     >>> fixed_line_momentum(Inertia(Frame("body"), (3.0, 3.0, 4.0), (0, 0.5, 1.0)), 10.0)
     Vector(-10.0, -5.0, 40.0 in body)
     """
@@ -126,7 +126,7 @@ def fixed_line_moment(inertia, rate, acceleration, axis="z"):
     terms : ``relative`` with alpha, ``rotation`` with omega^2
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.inertia import Inertia
+    >>> from newton_euler.bodies.inertia import Inertia
     >>> fixed_line_moment(Inertia(Frame("body"), (3.0, 3.0, 4.0), (0, 0.5, 1.0)), 2.0, 3.0)
     Vector(-1.0, -5.5, 12.0 in body)
     """
@@ -142,7 +142,7 @@ def planar_moment(inertia, acceleration, axis="z"):
     Raises :class:`MassError` if a product of inertia with the axis is left: then moments across the axis are needed too.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.inertia import Inertia
+    >>> from newton_euler.bodies.inertia import Inertia
     >>> planar_moment(Inertia(Frame("body"), (2.0, 3.0, 5.0), (1.0, 0, 0)), 2.0)
     10.0
     """

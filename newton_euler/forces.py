@@ -4,9 +4,9 @@ Chapter 5 takes K for the constant of gravitation; its value and g are arguments
 need nothing new. Springs and dampers, friction, moments and force systems belong to later chapters.
 """
 
-from .admissibility import MassError, positive
 from .algebra.scalars import plain, scalar, sqrt, whole
 from .algebra.vectors import FrameError, Vector
+from .bodies.admissibility import MassError, positive
 from .kinematics.frames import place
 
 K = 6.673e-11  # m^3/(kg s^2), as in the book; CODATA 2018 has 6.67430e-11
@@ -27,7 +27,7 @@ def attraction(m1, m2, distance, K=K):
 def gravitation(on, by, K=K, frame=None):
     """The force on one body by the attraction of the other, a Vector toward the other (5.20), (5.22); the reverse has the opposite force.
 
-    on, by : bodies (see :func:`newton_euler.mass.particle`), taken as particles in their centres of mass: exact for radially symmetric ones
+    on, by : bodies (see :func:`newton_euler.bodies.body.particle`), taken as particles in their centres of mass: exact for radially symmetric ones
     frame : in whose components; default: that of the first body
 
     >>> from newton_euler import Frame, particle

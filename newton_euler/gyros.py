@@ -22,7 +22,7 @@ from .algebra.errors import NewtonEulerError
 from .algebra.ledger import equations
 from .algebra.scalars import ZERO, anywhere, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, short, sin, sqrt, tan, where
 from .algebra.vectors import FrameError, Vector, named_sum
-from .inertia import Inertia
+from .bodies.inertia import Inertia
 
 
 class GyroError(NewtonEulerError, ValueError):

@@ -7,13 +7,13 @@
 :func:`path_rates` along the path, :func:`relative_acceleration` in a frame that moves. What they return is the right-hand side of a
 :class:`~newton_euler.models.Model`.
 
-Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises :class:`~newton_euler.admissibility.MassError`.
+Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises :class:`~newton_euler.bodies.admissibility.MassError`.
 """
 
-from .admissibility import MassError
 from .algebra.ledger import Ledger, equations
 from .algebra.scalars import SingularError, is_finite, is_numeric, is_positive, least, plain, scalar
 from .algebra.vectors import FrameError, Vector, named_sum
+from .bodies.admissibility import MassError
 from .kinematics import coordinates as components
 from .kinematics import frames, paths
 

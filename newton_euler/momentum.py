@@ -34,10 +34,10 @@ def angular_momentum(body, observer, about=None):
 
     about : G (default), a Point fixed in the body, in the ground, or moving in any way, or a Frame for its origin
     About a point of the body it is I omega with the matrix about that point (7.12); about another point H_G + d x m Dd/Dt (7.23).
-    See also :meth:`newton_euler.mass.Body.angular_momentum`, which has the latter as terms for every point.
+    See also :meth:`newton_euler.bodies.body.Body.angular_momentum`, which has the latter as terms for every point.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.solids import rod
+    >>> from newton_euler.bodies.solids import rod
     >>> ground = Frame("ground")
     >>> turning = ground.rotate("turning", "z", rate=2.0)
     >>> bar = rod(2.0, turning.point("G", 1.0, 0, 0), "x", mass=3.0)
@@ -69,7 +69,7 @@ def resultant_moment(body, observer, about=None, via=None):
     terms : ``relative``, the rate of H seen in ``via``; ``rotation``, omega x H with the omega of ``via``; unless about G, ``reference``, d x m a_B
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.solids import rod
+    >>> from newton_euler.bodies.solids import rod
     >>> ground = Frame("ground")
     >>> turning = ground.rotate("turning", "z", rate=2.0, acceleration=5.0)
     >>> bar = rod(2.0, turning.point("G", 1.0, 0, 0), "x", mass=3.0)
@@ -133,7 +133,7 @@ def equations_of_motion(body, forces, observer, about=None):
 
     >>> from newton_euler import Frame
     >>> from newton_euler.algebra.linear import solve_linear
-    >>> from newton_euler.solids import rod
+    >>> from newton_euler.bodies.solids import rod
     >>> ground = Frame("ground")
     >>> def beam_let_go(R, alpha):  # a beam of 6 kg and 2 m, pinned at its end, at the instant when it is let go
     ...     beam = rod(2.0, ground.rotate("beam", "z", acceleration=alpha).point("G", 1.0, 0, 0), "x", mass=6.0)

@@ -1,6 +1,6 @@
 """Rotation about a fixed axis (chapter 9): what the two bearings of a rotor carry, and how it is balanced.
 
-A rotor is a :class:`~newton_euler.mass.Body` that turns about the line AB of two bearings, Points that it does not move. The unit vector e
+A rotor is a :class:`~newton_euler.bodies.body.Body` that turns about the line AB of two bearings, Points that it does not move. The unit vector e
 points from A to B, and every rate and moment about the shaft is positive in the right-hand sense about e. O is a point of the axis, the
 bearings lie at -a and b from it, l = a + b. With F the rate of momentum less the weight, and N the rate of angular momentum about O less the
 moment of the weight, both bearings follow at once:
@@ -10,7 +10,7 @@ moment of the weight, both bearings follow at once:
 which are (9.3), (9.6) and (9.9), (9.10) for a shaft in any direction. Forces act ON the shaft.
 
 >>> from newton_euler import Frame
->>> from newton_euler.solids import disk
+>>> from newton_euler.bodies.solids import disk
 >>> ground = Frame("ground")
 >>> shaft = ground.rotate("shaft", "x", rate=10.0)
 >>> A, B = shaft.point("A", -0.2, 0, 0), shaft.point("B", 0.3, 0, 0)
@@ -25,8 +25,8 @@ from .algebra.errors import NewtonEulerError
 from .algebra.ledger import equations
 from .algebra.scalars import anywhere, is_numeric, is_zero, plain, scalar, size, sqrt, where
 from .algebra.vectors import Vector, add3, dot3, named_sum, scale3, sum3
+from .bodies.body import Body
 from .kinematics.frames import Point
-from .mass import Body
 
 
 class RotorError(NewtonEulerError, ValueError):
@@ -74,7 +74,7 @@ def reactions(body, A, B, ground, gravity=None, about=None):
     Raises :class:`RotorError` if the bearings coincide, if ``about`` is off the axis, or if body and bearings move otherwise than about AB.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.mass import particle
+    >>> from newton_euler.bodies.body import particle
     >>> ground = Frame("ground")
     >>> shaft = ground.rotate("shaft", "z", rate=2.0, acceleration=3.0)
     >>> A, B = shaft.point("A", 0, 0, -1.0), shaft.point("B", 0, 0, 1.0)
@@ -189,7 +189,7 @@ def imbalance(body, A, B, about=None):
     about : the point O of the axis for the products of inertia; default: the foot of G, where they are those about G
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.mass import particle
+    >>> from newton_euler.bodies.body import particle
     >>> shaft = Frame("shaft")
     >>> A, B = shaft.origin, shaft.point("B", 0, 0, 1.0)
     >>> found = imbalance(particle(2.0, shaft.point("P", 0.1, 0, 0.4)), A, B, about=A)
@@ -246,7 +246,7 @@ def balance(body, A, B, about=None, tolerance=1e-9):
     Of an array every instant must be balanced. Raises :class:`RotorError` for expressions, which have no size: look at :func:`imbalance` there.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.solids import disk
+    >>> from newton_euler.bodies.solids import disk
     >>> shaft = Frame("shaft")
     >>> A, B = shaft.point("A", -1.0, 0, 0), shaft.point("B", 1.0, 0, 0)
     >>> balance(disk(0.5, shaft.point("G", 0, 0.1, 0), "x", mass=3.0), A, B).state
@@ -277,7 +277,7 @@ def corrections(body, A, B, planes):
     Raises :class:`RotorError` if the planes coincide.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.mass import particle
+    >>> from newton_euler.bodies.body import particle
     >>> shaft = Frame("shaft")
     >>> A, B = shaft.origin, shaft.point("B", 0, 0, 4.0)
     >>> [U.x for U in corrections(particle(2.0, shaft.point("P", 0.5, 0, 1.0)), A, B, (2.0, 3.0))]
@@ -302,7 +302,7 @@ def balancing_masses(body, A, B, planes, radius=None, mass=None):
     mass on the opposite side does the same. Raises :class:`RotorError` for a radius or mass that is not positive.
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.mass import particle
+    >>> from newton_euler.bodies.body import particle
     >>> shaft = Frame("shaft")
     >>> A, B = shaft.origin, shaft.point("B", 0, 0, 4.0)
     >>> weights = balancing_masses(particle(2.0, shaft.point("P", 0.5, 0, 1.0)), A, B, (2.0, 3.0), radius=0.5)

@@ -1,14 +1,14 @@
 """Worked examples of chapters 5 and 7, rigid bodies: a thin rod, three rods, a machine part of sheet."""
 
 from newton_euler import Frame, composite
-from newton_euler.integration import integrated
-from newton_euler.solids import disk, half_disk, plate, rod
+from newton_euler.bodies.parametric import integrated
+from newton_euler.bodies.solids import disk, half_disk, plate, rod
 
 
 def thin_rod(m, length, exact=False, frame=None):
     """A thin uniform rod from the origin to x = ``length``, a Body, by integration of its mass over x (5.5, 7.3), from (5.13), (7.10).
 
-    exact : True for SymPy's integrals. Any consistent units. For a rod without integration see :func:`newton_euler.solids.rod`.
+    exact : True for SymPy's integrals. Any consistent units. For a rod without integration see :func:`newton_euler.bodies.solids.rod`.
 
     >>> body = thin_rod(3.0, 2.0)
     >>> round(body.centre.position(body.frame).x, 12), [round(x, 12) for x in body.about(body.frame).moments]

@@ -3,8 +3,8 @@
 The shaft lies along X of the ground, bearing A at -a and bearing B at b from the centre plane of the disk; psi is counted from Y to y of the shaft.
 """
 
+from newton_euler.bodies.solids import disk
 from newton_euler.scenes.rotor import on_shaft
-from newton_euler.solids import disk
 
 
 def off_centre_disk(mass, radius, d, a, b, psi, omega):

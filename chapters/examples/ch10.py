@@ -1,7 +1,7 @@
 """Worked examples of chapter 10, gyroscopic motion: bodies free of moments (10.8), a rotor in a car (10.10), gyroscopic instruments (10.11)."""
 
+from newton_euler.bodies.solids import cylinder
 from newton_euler.gyros import free_precession
-from newton_euler.solids import cylinder
 
 # -- 10.8: symmetric bodies on which no moment acts. The precession of the Earth's axis in about 26 000 years is not among them: the Sun and the Moon
 #    force it by their moments on the equatorial bulge. What is free is the wobble, with a period of about 10 months if the Earth were rigid.

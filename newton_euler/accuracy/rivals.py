@@ -11,12 +11,12 @@ from itertools import repeat
 from ..algebra.codegen.compiled import compiled
 from ..algebra.jets import moving
 from ..algebra.scalars import cos, sin, sqrt
+from ..bodies.body import composite
+from ..bodies.parametric import integrated
+from ..bodies.solids import half_disk, simplex
 from ..gyros import steady_precession
-from ..integration import integrated
 from ..kinematics import rotations
 from ..kinematics.frames import Frame
-from ..mass import composite
-from ..solids import half_disk, simplex
 from .measure import relative_error
 
 DIGITS = 40

@@ -9,11 +9,11 @@ to bearing B, at -a and b from O, the origin of the body's axes.
 from dataclasses import dataclass
 
 from ..algebra.scalars import cos, sin, sqrt
+from ..bodies.body import Body
+from ..bodies.inertia import Inertia
 from ..harmonic import uniform_acceleration
-from ..inertia import Inertia
 from ..kinematics.frames import Frame, Point
 from ..ladders import Ladder, Rung, observed_states
-from ..mass import Body
 from ..models import Model, Neglected
 from ..rotors import reactions
 from .catalogue import scene
@@ -42,7 +42,7 @@ def on_shaft(axis, a, b, psi, omega, alpha=0):
 
     Returns the frame of the shaft, and a function that makes the :class:`RotorScene` of a body in it.
 
-    >>> from newton_euler.solids import disk
+    >>> from newton_euler.bodies.solids import disk
     >>> shaft, scene = on_shaft("x", 0.2, 0.3, 0.0, 10.0)
     >>> scene(disk(0.1, shaft, "x", mass=1.0)).reactions().A.norm()
     0

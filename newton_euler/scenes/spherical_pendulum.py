@@ -12,8 +12,8 @@ from dataclasses import replace
 
 from ..algebra.scalars import ZERO, cos, sin
 from ..algebra.vectors import add3, scale3
+from ..bodies.inertia import Inertia
 from ..harmonic import plane_oscillation
-from ..inertia import Inertia
 from ..kinematics.frames import Frame
 from ..kinematics.rotations import euler_frame
 from ..ladders import Ladder

@@ -10,8 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, at, compiled, cos, moving, sin
-from newton_euler.admissibility import MassError
 from newton_euler.algebra.linear import solve_linear
+from newton_euler.bodies.admissibility import MassError
+from newton_euler.bodies.body import composite, particle
+from newton_euler.bodies.inertia import Inertia
+from newton_euler.bodies.solids import box, cylinder, disk, rod, sphere
 from newton_euler.euler_equations import (
     angular_acceleration,
     euler_moment,
@@ -21,13 +24,10 @@ from newton_euler.euler_equations import (
     planar_moment,
 )
 from newton_euler.force_systems import ForceSystem
-from newton_euler.inertia import Inertia
 from newton_euler.kinematics.rotations import rotation_matrix
 from newton_euler.kinetics import resultant_force
-from newton_euler.mass import composite, particle
 from newton_euler.momentum import angular_momentum, equations_of_motion, resultant_moment
 from newton_euler.scenes import rolling_contact, sliding_sphere
-from newton_euler.solids import box, cylinder, disk, rod, sphere
 from tests import kinds
 from tests.kinds import KINDS, number, numbers
 
@@ -558,7 +558,7 @@ def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
 
 def box_like_rod(L, frame, m, c, s):
     """A thin rod along (sin, -cos) of the frame, by its matrix about G."""
-    from newton_euler.mass import Body
+    from newton_euler.bodies.body import Body
 
     k = m * L * L / 12
     G = frame.point("G", 0, 0, 0)

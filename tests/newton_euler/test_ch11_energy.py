@@ -15,6 +15,9 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, at, compiled, composite, cos, exp, moving, particle, radians, sin, sqrt
 from newton_euler.algebra.ledger import Amount
+from newton_euler.bodies.body import Body
+from newton_euler.bodies.inertia import Inertia
+from newton_euler.bodies.solids import box, cylinder, disk, rod, sphere
 from newton_euler.energy import (
     Audit,
     EnergyError,
@@ -27,11 +30,8 @@ from newton_euler.energy import (
     rigid_power,
     speed_after,
 )
-from newton_euler.inertia import Inertia
 from newton_euler.kinematics.rotations import apply, euler_frame, in_sequence, rotation_matrix
-from newton_euler.mass import Body
 from newton_euler.potential import conservative_force, spring_potential, weight_potential
-from newton_euler.solids import box, cylinder, disk, rod, sphere
 from newton_euler.work import power, work_integral
 from tests.kinds import KINDS, close, number, numbers
 

@@ -14,6 +14,8 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension, Frame, FrameError, at, compiled, cos, cross, moving, pi, sin, sqrt
+from newton_euler.bodies.inertia import Inertia
+from newton_euler.bodies.solids import cylinder
 from newton_euler.gyros import (
     GyroError,
     fast_spin,
@@ -29,7 +31,6 @@ from newton_euler.gyros import (
     steady_precession,
     steady_spin,
 )
-from newton_euler.inertia import Inertia
 from newton_euler.kinematics.rotations import (
     apply,
     euler_frame,
@@ -45,7 +46,6 @@ from newton_euler.scenes import top
 from newton_euler.scenes.gyrocompass import compass_period, gyrocompass
 from newton_euler.scenes.spherical_pendulum import momentum, nodding, pendulum
 from newton_euler.scenes.turning_shaft import hinged, least_rate, rod, stiffness, swing_out
-from newton_euler.solids import cylinder
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -8,7 +8,7 @@ import pytest
 import sympy
 
 from newton_euler import Frame, MassError, cos, integrated, sin, sqrt
-from newton_euler import solids as B
+from newton_euler.bodies import solids as B
 from tests.kinds import close
 
 R, H = 0.7, 1.6

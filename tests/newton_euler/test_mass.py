@@ -31,8 +31,8 @@ from newton_euler import (
     particle,
     sin,
 )
+from newton_euler.bodies.solids import disk, plate, rod, sphere
 from newton_euler.kinematics.rotations import product, transpose
-from newton_euler.solids import disk, plate, rod, sphere
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Frame, Inertia, MassError, compiled, composite, particle
+from newton_euler.bodies.solids import box, cylinder, disk, sphere
 from newton_euler.kinematics.rotations import determinant, rotation_matrix
-from newton_euler.solids import box, cylinder, disk, sphere
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

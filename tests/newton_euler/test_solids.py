@@ -7,7 +7,7 @@ import pytest
 import sympy
 
 from newton_euler import Frame, FrameError, MassError, composite, pi
-from newton_euler import solids as B
+from newton_euler.bodies import solids as B
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -5,8 +5,8 @@ import pytest
 import sympy
 
 from newton_euler import Frame
+from newton_euler.bodies.solids import rod
 from newton_euler.chapters.examples.ch07 import machine_part, thin_rod, three_rods
-from newton_euler.solids import rod
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

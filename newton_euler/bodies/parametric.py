@@ -9,17 +9,17 @@ Numbers are integrated by SciPy's adaptive cubature, with an error estimate and 
 
 from itertools import product
 
+from ..algebra.jets import Moving, as_moving
+from ..algebra.quadrature import cubature
+from ..algebra.scalars import ZERO, is_numeric, is_positive, plain, scalar, size, sqrt
+from ..algebra.vectors import cross3, dot3
 from .admissibility import MassError
-from .algebra.jets import Moving, as_moving
-from .algebra.quadrature import cubature
-from .algebra.scalars import ZERO, is_numeric, is_positive, plain, scalar, size, sqrt
-from .algebra.vectors import cross3, dot3
+from .body import Body
 from .inertia import SECOND_MOMENTS, Inertia, from_second_moments
-from .mass import Body
 
 
 class IntegratedBody(Body):
-    """A :class:`newton_euler.mass.Body` found by integration.
+    """A :class:`newton_euler.bodies.body.Body` found by integration.
 
     content : its length, area or volume
     error : estimated error of mass, first and second moments, relative to the mass and size of the body; 0 if exact

@@ -1,8 +1,8 @@
 """Mass, centre of mass, rigid bodies (chapters 5 and 7): what a body is, as far as its motion is concerned.
 
 A :class:`Body` has a name, a mass, a centre of mass and an inertia matrix, or is composed of others; ``body.about(P)`` is its
-:class:`newton_euler.inertia.Inertia` about any point, where the sign convention of the products is told. The solids of Appendix B are in
-:mod:`newton_euler.solids`, bodies given by a formula in :mod:`newton_euler.integration`, principal axes in :mod:`newton_euler.principal`.
+:class:`newton_euler.bodies.inertia.Inertia` about any point, where the sign convention of the products is told. The solids of Appendix B are in
+:mod:`newton_euler.bodies.solids`, bodies given by a formula in :mod:`newton_euler.bodies.parametric`, principal axes in :mod:`newton_euler.bodies.principal_axes`.
 Units: any consistent ones; in SI kg, m, kg m^2.
 
     L = m v_G, F = dL/dt        body.momentum(ground), .rate(ground)             (5.2), (5.8), (7.5)
@@ -10,12 +10,12 @@ Units: any consistent ones; in SI kg, m, kg m^2.
     H_B = d x m dd/dt + H_G     body.angular_momentum(ground, about=B)           (7.23)
 """
 
+from ..algebra.ledger import Ledger, equations
+from ..algebra.scalars import is_numeric, plain, scalar, size
+from ..algebra.vectors import ZERO3, Vector, add3
+from ..kinematics.frames import axes_at, place
 from .admissibility import MassError, positive, round_off
-from .algebra.ledger import Ledger, equations
-from .algebra.scalars import is_numeric, plain, scalar, size
-from .algebra.vectors import ZERO3, Vector, add3
 from .inertia import Inertia, together
-from .kinematics.frames import axes_at, place
 
 
 class Body:
@@ -147,7 +147,7 @@ def composite(name, parts, removed=(), frame=None):
     Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole outside of the body).
 
     >>> from newton_euler import Frame
-    >>> from newton_euler.solids import disk
+    >>> from newton_euler.bodies.solids import disk
     >>> sheet = Frame("sheet")
     >>> hole = disk(0.1, sheet.point("C", 0.2, 0, 0), "z", density=10.0, name="hole")
     >>> part = composite("washer", [disk(0.5, sheet, "z", density=10.0)], removed=[hole])

@@ -1,7 +1,7 @@
 """Which masses and inertia matrices a body can have: positive masses, the triangle inequality, Schwarz's inequality for the products."""
 
-from .algebra.errors import NewtonEulerError
-from .algebra.scalars import epsilon, is_finite, is_numeric, is_positive, plain, size
+from ..algebra.errors import NewtonEulerError
+from ..algebra.scalars import epsilon, is_finite, is_numeric, is_positive, plain, size
 
 AXES = "xyz"
 PRODUCTS = ("xy", "yz", "zx")
@@ -18,7 +18,7 @@ def positive(x, what):
 
 
 def check(I, tolerance, slack):
-    """Raises :class:`MassError` in words if no body can have the inertia ``I``, see :meth:`newton_euler.inertia.Inertia.check`."""
+    """Raises :class:`MassError` in words if no body can have the inertia ``I``, see :meth:`newton_euler.bodies.inertia.Inertia.check`."""
     if I.mass is not None and is_numeric(I.mass) and not is_positive(I.mass):
         raise MassError(f"the mass is {plain(I.mass)}; it must be positive (a removed part is subtracted: composite(..., removed=[hole]))")
     if all(is_numeric(x) for x in I.moments + I.products):

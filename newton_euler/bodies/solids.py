@@ -1,6 +1,6 @@
 """The table of Appendix B and its relatives: homogeneous rods, wires, plates, shells and solids as bodies.
 
-Each function returns a :class:`newton_euler.mass.Body`. The last point given places it: its centre, apex, or circle's centre; the frame of that
+Each function returns a :class:`newton_euler.bodies.body.Body`. The last point given places it: its centre, apex, or circle's centre; the frame of that
 point is the frame of the body, and a Frame may stand for its origin. ``axis`` says along which axis of that frame its own axis or normal
 lies: "x" as in the book's table, "y", "z", or with a minus sign where it has a sense. A slanting body gets a frame of its own,
 ``ground.rotate(...)``. Either ``mass=`` is given, or ``density=``: mass per length of a rod or wire, per area of a sheet or shell, per volume
@@ -12,12 +12,12 @@ of a solid.
 (0.010000000000000002, 0.065, 0.065)
 """
 
+from ..algebra.scalars import ZERO, pi, scalar, sin, sqrt
+from ..algebra.vectors import add3, cross3, dot3, scale3, sub3, sum3
+from ..kinematics.frames import Point, axes_at, place
 from .admissibility import AXES, MassError, positive
-from .algebra.scalars import ZERO, pi, scalar, sin, sqrt
-from .algebra.vectors import add3, cross3, dot3, scale3, sub3, sum3
+from .body import Body
 from .inertia import SECOND_MOMENTS, Inertia, axis_index, from_second_moments
-from .kinematics.frames import Point, axes_at, place
-from .mass import Body
 
 # -- along lines
 

@@ -11,10 +11,10 @@ real formulas with an arc cosine, ascending.
 
 from dataclasses import dataclass
 
+from ..algebra.scalars import ZERO, acos, atan2, cos, epsilon, is_numeric, is_zero, library_of, pi, plain, scalar, short, sin, size, sqrt
+from ..algebra.vectors import Vector, cross3, dot3, scale3
+from ..kinematics.rotations import axis_angle
 from .admissibility import AXES, PRODUCTS, MassError
-from .algebra.scalars import ZERO, acos, atan2, cos, epsilon, is_numeric, is_zero, library_of, pi, plain, scalar, short, sin, size, sqrt
-from .algebra.vectors import Vector, cross3, dot3, scale3
-from .kinematics.rotations import axis_angle
 
 PAIRS = ((0, 1), (1, 2), (2, 0))  # the axes u, v of the products xy, yz, zx
 ROUND_OFF = 256  # moments nearer than so many round-offs of the largest are equal

@@ -13,13 +13,13 @@ and carry their minus sign in the *inertia matrix* (7.13) only:
 An :class:`Inertia` is that matrix about one point, along the axes of one frame; ``I.times(omega)`` is the angular momentum.
 """
 
+from ..algebra.jets import Moving
+from ..algebra.ledger import NamedTerms, latex_number
+from ..algebra.scalars import ZERO, Scaled, is_numeric, is_positive, is_zero, plain, scalar, sqrt
+from ..algebra.vectors import ZERO3, Vector, add3, dot3, scale3, sum3
+from ..kinematics.frames import axes_at, place
 from .admissibility import AXES, MassError, check
-from .algebra.jets import Moving
-from .algebra.ledger import NamedTerms, latex_number
-from .algebra.scalars import ZERO, Scaled, is_numeric, is_positive, is_zero, plain, scalar, sqrt
-from .algebra.vectors import ZERO3, Vector, add3, dot3, scale3, sum3
-from .kinematics.frames import axes_at, place
-from .principal import principal, symmetry
+from .principal_axes import principal, symmetry
 
 
 class Inertia(Scaled, NamedTerms):
@@ -177,11 +177,11 @@ class Inertia(Scaled, NamedTerms):
         return self._like(moments, (-turned[1][0], -turned[2][1], -turned[2][0]), frame=frame)
 
     def principal(self, noise=None):
-        """Principal moments and axes (7.18)-(7.20): a :class:`newton_euler.principal.Principal`, with a report of what is determined."""
+        """Principal moments and axes (7.18)-(7.20): a :class:`newton_euler.bodies.principal_axes.Principal`, with a report of what is determined."""
         return principal(self, noise)
 
     def symmetry(self, tolerance=1e-9):
-        """The symmetries that the matrix shows: a :class:`newton_euler.principal.Symmetry`."""
+        """The symmetries that the matrix shows: a :class:`newton_euler.bodies.principal_axes.Symmetry`."""
         return symmetry(self, tolerance)
 
     # -- sums

@@ -1,0 +1,1 @@
+"""Bodies, their inertia and principal axes, solids (chapters 5 and 7)."""
