@@ -39,9 +39,9 @@ ROOMS = {
     "bodies.body": "Body centre_of_mass composite particle",
     "bodies.principal_axes": "Principal Symmetry",
     "bodies.parametric": "integrated",
-    "forces": "attraction gravitation gravitational_field gravity_at_height gravity_at_surface mass_from_weight weight",
-    "constraints": "ConstraintError degrees_of_freedom",
-    "kinetics": "acceleration_by coordinate_accelerations path_force path_rates reaction relative_acceleration resultant_force",
+    "dynamics.gravitation": "attraction gravitation gravitational_field gravity_at_height gravity_at_surface mass_from_weight weight",
+    "dynamics.constraints": "ConstraintError degrees_of_freedom",
+    "dynamics.newton": "acceleration_by coordinate_accelerations path_force path_rates reaction relative_acceleration resultant_force",
     "models": "Model ModelError Neglected second_order",
     "ladders": "Ladder Rung smallest",
     "scenes": "ladder",
@@ -52,16 +52,16 @@ ROOMS = {
         coriolis_parameter drop_deflection earth_frame earth_rate effective_gravity flight_time force_near_earth geostrophic_wind gradient_wind
         ground_acceleration ground_frame inertial_circle launch_velocity projectile projectile_position projectile_to_order projectile_velocity
         range_east range_error rotation_error shot_range support_force weightless_speed wind_acceleration""",
-    "momentum": "angular_momentum equations_of_motion resultant_moment",
-    "euler_equations": "angular_acceleration euler_moment euler_moments fixed_line_moment fixed_line_momentum planar_moment",
-    "force_systems": "Couple Force ForceError ForceSystem Wrench",
+    "dynamics.angular_momentum": "angular_momentum equations_of_motion resultant_moment",
+    "dynamics.euler": "angular_acceleration euler_moment euler_moments fixed_line_moment fixed_line_momentum planar_moment",
+    "dynamics.force_systems": "Couple Force ForceError ForceSystem Wrench",
     "rotors": "RotorError balance balancing_masses corrections imbalance reactions shaft_axis",
     "gyros": """GyroError fast_spin free_precession gyro_moment gyro_momentum instantaneous_axis least_spin normal_moment nutation_stiffness
         sleeping_top steady_moment steady_precession steady_spin""",
-    "work": "Amount constant_force_work pair_power power work_along work_in_time work_integral",
-    "potential": """NoPotential Potential conservative_force curl find_potential gravitational_potential jacobian spring_between
+    "dynamics.work": "Amount constant_force_work pair_power power work_along work_in_time work_integral",
+    "dynamics.potential": """NoPotential Potential conservative_force curl find_potential gravitational_potential jacobian spring_between
         spring_potential weight_potential""",
-    "energy": """Audit EnergyError audit gyroscope_energy kinetic_energy kinetic_energy_about kinetic_energy_rate plane_kinetic_energy
+    "dynamics.energy": """Audit EnergyError audit gyroscope_energy kinetic_energy kinetic_energy_about kinetic_energy_rate plane_kinetic_energy
         rigid_power speed_after""",
 }
 _ROOM_OF = {name: room for room, names in ROOMS.items() for name in names.split()}

@@ -2,7 +2,7 @@
 
 from newton_euler.algebra.scalars import plain
 from newton_euler.chapters.examples.ch03 import screw_jack_ball
-from newton_euler.kinetics import path_force, reaction, resultant_force
+from newton_euler.dynamics.newton import path_force, reaction, resultant_force
 
 
 def guide_force(m, v, radius, g):

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from newton_euler import cos, pi, sin, sqrt
 from newton_euler.algebra.ledger import summed
 from newton_euler.algebra.scalars import plain, scalar
-from newton_euler.energy import speed_after
-from newton_euler.potential import weight_potential
-from newton_euler.work import work_integral
+from newton_euler.dynamics.energy import speed_after
+from newton_euler.dynamics.potential import weight_potential
+from newton_euler.dynamics.work import work_integral
 
 
 @dataclass(frozen=True)
@@ -50,14 +50,14 @@ class PendulumWithPin:
         return self.speed_at(self.length)
 
     def speed_at_pin(self):
-        """The speed at C, straight up. :class:`~newton_euler.energy.EnergyError` if the ball does not get there."""
+        """The speed at C, straight up. :class:`~newton_euler.dynamics.energy.EnergyError` if the ball does not get there."""
         return self.speed_at(self.pin)
 
 
 def attraction_field(K, M, m):
     """The force of a mass M at the origin on m at (x, y, z) (11.10), by (11.22), (11.23): a function of x, y, z; N if in SI.
 
-    Its potential is :func:`newton_euler.potential.gravitational_potential` (11.24); :func:`newton_euler.potential.find_potential` finds it.
+    Its potential is :func:`newton_euler.dynamics.potential.gravitational_potential` (11.24); :func:`newton_euler.dynamics.potential.find_potential` finds it.
     Neither exists at the origin.
 
     >>> attraction_field(1.0, 125.0, 2.0)(3.0, 4.0, 0)
@@ -76,7 +76,7 @@ def attraction_field(K, M, m):
 def speed_at_distance(r, r0, v0, K, M):
     """The speed at the distance ``r`` from a mass M, from the speed ``v0`` at ``r0``, on any path (11.10): v^2 = v0^2 + 2 K M (1/r - 1/r0).
 
-    m/s if in SI; without cancellation as r -> r0. Raises :class:`~newton_euler.energy.EnergyError` if the particle does not get so far.
+    m/s if in SI; without cancellation as r -> r0. Raises :class:`~newton_euler.dynamics.energy.EnergyError` if the particle does not get so far.
 
     >>> round(speed_at_distance(4.0, 2.0, 3.0, 1.0, 14.0), 12)
     1.414213562373

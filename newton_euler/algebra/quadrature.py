@@ -15,7 +15,7 @@ class WorkError(NewtonEulerError, ValueError):
 
 
 def quadrature(f, start, end, rtol=1e-10, exact=False, breaks=()):
-    """(value, estimated error) of the integral of ``f`` from ``start`` to ``end``; arguments as for :func:`newton_euler.work.work_integral`."""
+    """(value, estimated error) of the integral of ``f`` from ``start`` to ``end``; arguments as for :func:`newton_euler.dynamics.work.work_integral`."""
     pieces = [_piece(f, a, b, rtol, exact) for a, b in pairwise((start, *breaks, end))]
     return sum(value for value, _ in pieces), sum(error for _, error in pieces)
 

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 from ..algebra.jets import moving
 from ..algebra.scalars import atan2, cos, plain, sin, sqrt, tan
+from ..dynamics.newton import reaction
 from ..kinematics.frames import Frame
-from ..kinetics import reaction
 from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, Neglected, is_absent
 from .catalogue import scene

@@ -11,12 +11,12 @@ from dataclasses import replace
 
 from ..algebra.ledger import summed
 from ..algebra.scalars import asin, cos, scalar, sin, sqrt, where
+from ..dynamics.energy import plane_kinetic_energy, speed_after
+from ..dynamics.potential import weight_potential
 from ..elliptic import counted, coupled
-from ..energy import plane_kinetic_energy, speed_after
 from ..harmonic import growth, oscillation
 from ..ladders import Ladder
 from ..models import Model, Neglected, comparable
-from ..potential import weight_potential
 from .catalogue import scene
 
 ANGLE = "angle, rad"
@@ -79,7 +79,7 @@ def pendulum_energy(m, I, l, g, theta, omega):
 def swing_rate(m, I, l, g, theta, theta0, omega0=0):
     """The absolute value of omega at the angle theta, from that at theta0, without cancellation as theta -> theta0.
 
-    Raises :class:`~newton_euler.energy.EnergyError` if the pendulum does not reach theta.
+    Raises :class:`~newton_euler.dynamics.energy.EnergyError` if the pendulum does not reach theta.
 
     >>> round(swing_rate(2.0, 0.5, 0.5, 10.0, 0.0, 1.5707963267948966), 6)
     4.472136

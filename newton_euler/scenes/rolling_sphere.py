@@ -8,7 +8,7 @@ calculation than the sphere, but no moment of inertia.
 
 from ..algebra.ledger import summed
 from ..algebra.scalars import plain, radians, scalar, sin, tan, whole
-from ..energy import speed_after
+from ..dynamics.energy import speed_after
 from ..harmonic import integrated_square, uniform_acceleration
 from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected

@@ -10,7 +10,7 @@ from dataclasses import replace
 from ..algebra.ledger import summed
 from ..algebra.scalars import cos, plain, scalar, sin, sqrt, tan
 from ..algebra.vectors import dot3
-from ..energy import gyroscope_energy
+from ..dynamics.energy import gyroscope_energy
 from ..harmonic import turned
 from ..kinematics.rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
 from ..models import Model

@@ -33,7 +33,7 @@ from newton_euler import (
     spherical,
     sqrt,
 )
-from newton_euler.kinetics import (
+from newton_euler.dynamics.newton import (
     acceleration_by,
     coordinate_accelerations,
     path_force,

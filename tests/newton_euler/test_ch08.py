@@ -15,18 +15,11 @@ from newton_euler.bodies.admissibility import MassError
 from newton_euler.bodies.body import composite, particle
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import box, cylinder, disk, rod, sphere
-from newton_euler.euler_equations import (
-    angular_acceleration,
-    euler_moment,
-    euler_moments,
-    fixed_line_moment,
-    fixed_line_momentum,
-    planar_moment,
-)
-from newton_euler.force_systems import ForceSystem
+from newton_euler.dynamics.angular_momentum import angular_momentum, equations_of_motion, resultant_moment
+from newton_euler.dynamics.euler import angular_acceleration, euler_moment, euler_moments, fixed_line_moment, fixed_line_momentum, planar_moment
+from newton_euler.dynamics.force_systems import ForceSystem
+from newton_euler.dynamics.newton import resultant_force
 from newton_euler.kinematics.rotations import rotation_matrix
-from newton_euler.kinetics import resultant_force
-from newton_euler.momentum import angular_momentum, equations_of_motion, resultant_moment
 from newton_euler.scenes import rolling_contact, sliding_sphere
 from tests import kinds
 from tests.kinds import KINDS, number, numbers

@@ -18,7 +18,7 @@ from newton_euler.algebra.ledger import Amount
 from newton_euler.bodies.body import Body
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import box, cylinder, disk, rod, sphere
-from newton_euler.energy import (
+from newton_euler.dynamics.energy import (
     Audit,
     EnergyError,
     audit,
@@ -30,9 +30,9 @@ from newton_euler.energy import (
     rigid_power,
     speed_after,
 )
+from newton_euler.dynamics.potential import conservative_force, spring_potential, weight_potential
+from newton_euler.dynamics.work import power, work_integral
 from newton_euler.kinematics.rotations import apply, euler_frame, in_sequence, rotation_matrix
-from newton_euler.potential import conservative_force, spring_potential, weight_potential
-from newton_euler.work import power, work_integral
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

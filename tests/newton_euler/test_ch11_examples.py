@@ -14,7 +14,8 @@ from scipy.integrate import solve_ivp
 from newton_euler import Dimension, Frame, MassError, at, cos, moving, sin
 from newton_euler.bodies.body import Body
 from newton_euler.bodies.solids import sphere
-from newton_euler.energy import EnergyError, audit, kinetic_energy, kinetic_energy_about, plane_kinetic_energy
+from newton_euler.dynamics.energy import EnergyError, audit, kinetic_energy, kinetic_energy_about, plane_kinetic_energy
+from newton_euler.dynamics.work import power
 from newton_euler.kinematics.rotations import euler_frame
 from newton_euler.models import ModelError
 from newton_euler.scenes.car_on_hill import Car
@@ -22,7 +23,6 @@ from newton_euler.scenes.pendulum import pendulum_energy, physical_pendulum, swi
 from newton_euler.scenes.rolling_sphere import friction_needed, rolling_down, rolling_energy, rolling_speed
 from newton_euler.scenes.sliding_sphere import rolling_begins, sphere_at
 from newton_euler.scenes.top import euler, top_energy
-from newton_euler.work import power
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

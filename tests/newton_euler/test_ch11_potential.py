@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, MassError, at, atan2, compiled, cos, exp, gradient, moving, sin, spherical, sqrt
 from newton_euler.algebra.quadrature import WorkError
-from newton_euler.potential import (
+from newton_euler.dynamics.potential import (
     NoPotential,
     conservative_force,
     curl,
@@ -25,7 +25,7 @@ from newton_euler.potential import (
     spring_potential,
     weight_potential,
 )
-from newton_euler.work import power, work_along
+from newton_euler.dynamics.work import power, work_along
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -4,7 +4,7 @@ import pytest
 import sympy
 
 from newton_euler import ConstraintError, cos, degrees_of_freedom, sin, sqrt
-from newton_euler.constraints import KINDS
+from newton_euler.dynamics.constraints import KINDS
 
 
 def squared(P, Q):

@@ -17,8 +17,8 @@ from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension, Frame, at, compiled, cos, moving, radians, sin, sqrt
 from newton_euler import earth as e
-from newton_euler.forces import K, gravitational_field
-from newton_euler.kinetics import relative_acceleration
+from newton_euler.dynamics.gravitation import K, gravitational_field
+from newton_euler.dynamics.newton import relative_acceleration
 from newton_euler.ladders import Ladder, smallest
 from newton_euler.models import ModelError
 from newton_euler.scenes import projectile as shots

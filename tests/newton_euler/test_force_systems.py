@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, FrameError, compiled
 from newton_euler.algebra.linear import solve_linear
-from newton_euler.force_systems import Couple, Force, ForceError, ForceSystem
+from newton_euler.dynamics.force_systems import Couple, Force, ForceError, ForceSystem
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -21,7 +21,7 @@ from newton_euler import (
     particle,
     weight,
 )
-from newton_euler.forces import K
+from newton_euler.dynamics.gravitation import K
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from newton_euler.constraints import degrees_of_freedom
+from newton_euler.dynamics.constraints import degrees_of_freedom
 from newton_euler.scenes import top
 from newton_euler.scenes.free_body import free_body
 from newton_euler.scenes.orbit import orbit

@@ -8,7 +8,7 @@ import pytest
 
 from newton_euler import Frame, Inertia, MassError, solve_linear, solve_rates
 from newton_euler.algebra.linear import LinearError
-from newton_euler.euler_equations import angular_acceleration
+from newton_euler.dynamics.euler import angular_acceleration
 
 body = Frame("body")
 

@@ -8,7 +8,7 @@ import pytest
 from newton_euler import Frame, moving, polar
 from newton_euler.chapters.examples.ch03 import screw_jack_ball, screw_jack_time
 from newton_euler.chapters.examples.ch06 import guide_force, screw_jack_arm_force, screw_jack_force
-from newton_euler.kinetics import reaction
+from newton_euler.dynamics.newton import reaction
 from tests.kinds import KINDS, close, first, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

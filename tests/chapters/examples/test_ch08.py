@@ -6,7 +6,7 @@ import pytest
 
 from newton_euler import MassError
 from newton_euler.chapters.examples.ch08 import bars_about_mass_centre, bars_about_principal_axis, bars_about_x
-from newton_euler.euler_equations import euler_moments, fixed_line_moment
+from newton_euler.dynamics.euler import euler_moments, fixed_line_moment
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -1,16 +1,16 @@
 """Euler's equations, rotation about a fixed line and planar motion (8.2, 8.3, 8.5): moments from rates and back, by an inertia matrix.
 
 The matrix is about the mass centre, or about a point at rest or at constant velocity (8.11); ``body.about(P)`` gives it. Rates are those seen from
-an inertial frame. For a point that moves in any way, and by way of any frame, see :func:`newton_euler.momentum.resultant_moment`.
+an inertial frame. For a point that moves in any way, and by way of any frame, see :func:`newton_euler.dynamics.angular_momentum.resultant_moment`.
 Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
-from .algebra.ledger import equations
-from .algebra.linear import LinearError, solve_regular
-from .algebra.scalars import ZERO, is_numeric, is_zero, plain, scalar, size
-from .algebra.vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
-from .bodies.admissibility import AXES, MassError
-from .bodies.inertia import axis_index
+from ..algebra.ledger import equations
+from ..algebra.linear import LinearError, solve_regular
+from ..algebra.scalars import ZERO, is_numeric, is_zero, plain, scalar, size
+from ..algebra.vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
+from ..bodies.admissibility import AXES, MassError
+from ..bodies.inertia import axis_index
 
 EQUATIONS = equations({
     "Euler's moment": ("8.12", r"\mathbf{M}_B", {

@@ -10,12 +10,12 @@
 Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises :class:`~newton_euler.bodies.admissibility.MassError`.
 """
 
-from .algebra.ledger import Ledger, equations
-from .algebra.scalars import SingularError, is_finite, is_numeric, is_positive, least, plain, scalar
-from .algebra.vectors import FrameError, Vector, named_sum
-from .bodies.admissibility import MassError
-from .kinematics import coordinates as components
-from .kinematics import frames, paths
+from ..algebra.ledger import Ledger, equations
+from ..algebra.scalars import SingularError, is_finite, is_numeric, is_positive, least, plain, scalar
+from ..algebra.vectors import FrameError, Vector, named_sum
+from ..bodies.admissibility import MassError
+from ..kinematics import coordinates as components
+from ..kinematics import frames, paths
 
 _FORCES = {"acceleration": "6.10", "intrinsic acceleration": "6.5", "polar acceleration": "6.6", "cylindrical acceleration": "6.8",
            "spherical acceleration": "6.9"}  # fmt: skip

@@ -7,10 +7,10 @@ not seen from their number but from the rank of their Jacobian at a general conf
 import inspect
 from dataclasses import dataclass
 
-from .algebra.errors import NewtonEulerError
-from .algebra.jets import Moving
-from .algebra.scalars import is_finite, is_numeric, scalar
-from .algebra.vectors import Vector
+from ..algebra.errors import NewtonEulerError
+from ..algebra.jets import Moving
+from ..algebra.scalars import is_finite, is_numeric, scalar
+from ..algebra.vectors import Vector
 
 # Table 5-1, and the coordinates that a constraint gets
 KINDS = {

@@ -4,10 +4,10 @@ Chapter 5 takes K for the constant of gravitation; its value and g are arguments
 need nothing new. Springs and dampers, friction, moments and force systems belong to later chapters.
 """
 
-from .algebra.scalars import plain, scalar, sqrt, whole
-from .algebra.vectors import FrameError, Vector
-from .bodies.admissibility import MassError, positive
-from .kinematics.frames import place
+from ..algebra.scalars import plain, scalar, sqrt, whole
+from ..algebra.vectors import FrameError, Vector
+from ..bodies.admissibility import MassError, positive
+from ..kinematics.frames import place
 
 K = 6.673e-11  # m^3/(kg s^2), as in the book; CODATA 2018 has 6.67430e-11
 G_STANDARD = 9.81  # m/s^2, the book's flat earth

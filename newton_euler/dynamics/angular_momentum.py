@@ -7,16 +7,16 @@ For every point B, however it moves, with the *relative* angular momentum H_B of
 D/Dt is the rate seen from an inertial frame, the ``observer`` here; by way of any frame that turns with Omega it is dH/dt + Omega x H, which
 is (8.12) for the frame of the body. The last term vanishes for B = G (8.10), for B at rest or at constant velocity (8.11), and for d along a_B.
 
-*Motion given, which forces?* :func:`newton_euler.kinetics.resultant_force` and :func:`resultant_moment`. *Forces given, or some of them?*
+*Motion given, which forces?* :func:`newton_euler.dynamics.newton.resultant_force` and :func:`resultant_moment`. *Forces given, or some of them?*
 :func:`equations_of_motion` writes (8.21) for :func:`newton_euler.algebra.linear.solve_linear`. Euler's and the planar equations are in
-:mod:`newton_euler.euler_equations`. Units: any consistent ones; in SI kg, m, s, N.
+:mod:`newton_euler.dynamics.euler`. Units: any consistent ones; in SI kg, m, s, N.
 """
 
-from .algebra.ledger import Ledger, equations
-from .algebra.vectors import ZERO3, Vector
+from ..algebra.ledger import Ledger, equations
+from ..algebra.vectors import ZERO3, Vector
+from ..kinematics.frames import place
 from .force_systems import ForceSystem
-from .kinematics.frames import place
-from .kinetics import resultant_force
+from .newton import resultant_force
 
 _MOMENT = {
     "relative": ("dH/dt", r"\frac{d\mathbf{H}}{dt}"),
@@ -125,7 +125,7 @@ def _rate_terms(rate, observer):
 def equations_of_motion(body, forces, observer, about=None):
     """The Newton-Euler equations (8.21) of one body, as what must vanish: for :func:`newton_euler.algebra.linear.solve_linear`.
 
-    forces : all external forces, a :class:`newton_euler.force_systems.ForceSystem` or what makes one, as {"pin": (R, P)}; they and the motion of
+    forces : all external forces, a :class:`newton_euler.dynamics.force_systems.ForceSystem` or what makes one, as {"pin": (R, P)}; they and the motion of
         the body may hold unknowns, the accelerations and reactions asked for
     about : G (default), or any Point; a point where unknown forces act keeps them out of the moment equation
     Returns a dict of two Vectors in the frame of ``observer``, "force on beam" and "moment on beam about G", each the forces' part less that of

@@ -13,11 +13,11 @@ A force at right angles to the velocity of its point of application does no work
 in an inertial frame.
 """
 
-from .algebra.ledger import Amount, summed
-from .algebra.quadrature import quadrature
-from .algebra.scalars import ZERO, plain, scalar
-from .algebra.vectors import FrameError, Vector
-from .kinematics.paths import along
+from ..algebra.ledger import Amount, summed
+from ..algebra.quadrature import quadrature
+from ..algebra.scalars import ZERO, plain, scalar
+from ..algebra.vectors import FrameError, Vector
+from ..kinematics.paths import along
 
 # -- the integral
 

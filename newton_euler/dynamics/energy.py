@@ -1,6 +1,6 @@
 """Kinetic energy and the energy equation (11.12)-(11.14), (11.26)-(11.33), (11.36)-(11.53): the books of a motion must balance.
 
-Velocities are those in an inertial frame. A sum keeps its terms by name, in an :class:`~newton_euler.work.Amount`: kinetic energy those of
+Velocities are those in an inertial frame. A sum keeps its terms by name, in an :class:`~newton_euler.dynamics.work.Amount`: kinetic energy those of
 translation and rotation, or of each body; the audit of a motion every potential and every work. Units: any consistent ones; in SI J and W.
 
     change of T = U                            speed_after(v0, U, m)                       (11.14)
@@ -10,10 +10,10 @@ translation and rotation, or of each body; the audit of a motion every potential
 
 from dataclasses import dataclass
 
-from .algebra.errors import NewtonEulerError
-from .algebra.ledger import summed, value_of
-from .algebra.scalars import anywhere, cos, is_numeric, plain, sampled, scalar, short, sin, size, sqrt
-from .bodies.body import Body
+from ..algebra.errors import NewtonEulerError
+from ..algebra.ledger import summed, value_of
+from ..algebra.scalars import anywhere, cos, is_numeric, plain, sampled, scalar, short, sin, size, sqrt
+from ..bodies.body import Body
 from .work import power, work_integral
 
 
@@ -177,7 +177,7 @@ def audit(kinetic, start, end, potentials=None, powers=None, rtol=1e-10, exact=F
     potentials : by name, functions of time: V of each conservative force along the motion (11.26), (11.28)
     powers : by name, functions of time: the power F.v or M.omega of each force or couple that has no potential (11.27), friction between
         two bodies at the velocity of the one relative to the other. Forces without work may be left out
-    rtol, exact, breaks : of the works, see :func:`newton_euler.work.work_integral`; ``breaks`` where the motion changes its regime
+    rtol, exact, breaks : of the works, see :func:`newton_euler.dynamics.work.work_integral`; ``breaks`` where the motion changes its regime
 
     >>> fall = audit(lambda t: 0.5*2.0*(9.81*t)**2, 0.0, 1.0, potentials={"weight": lambda t: -2.0*9.81*(9.81*t*t/2)})
     >>> fall.balances(), round(fall.kinetic, 4)

@@ -14,10 +14,10 @@ force may be moved if the couple of its moment goes with it (8.20). Forces may h
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from .algebra.ledger import equations
-from .algebra.scalars import is_numeric, least, plain, scalar, short, size
-from .algebra.vectors import FrameError, Vector, add3, named_sum
-from .kinematics.frames import place
+from ..algebra.ledger import equations
+from ..algebra.scalars import is_numeric, least, plain, scalar, short, size
+from ..algebra.vectors import FrameError, Vector, add3, named_sum
+from ..kinematics.frames import place
 
 EQUATIONS = equations({
     "resultant": ("8.21", r"\mathbf{F}^e", {}),

@@ -8,14 +8,14 @@ does not say. Units: any consistent ones; in SI J.
 from dataclasses import dataclass
 from itertools import pairwise, product
 
-from .algebra.jets import Moving
-from .algebra.quadrature import WorkError, quadrature
-from .algebra.scalars import ZERO, ScalarError, is_finite, is_numeric, plain, sampled, scalar, short, size
-from .bodies.admissibility import positive
-from .forces import G_STANDARD, K
-from .kinematics.curvilinear import gradient, tangents
-from .kinematics.frames import Point
-from .kinematics.triads import norm3
+from ..algebra.jets import Moving
+from ..algebra.quadrature import WorkError, quadrature
+from ..algebra.scalars import ZERO, ScalarError, is_finite, is_numeric, plain, sampled, scalar, short, size
+from ..bodies.admissibility import positive
+from ..kinematics.curvilinear import gradient, tangents
+from ..kinematics.frames import Point
+from ..kinematics.triads import norm3
+from .gravitation import G_STANDARD, K
 from .work import work_along
 
 
