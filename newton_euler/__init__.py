@@ -48,15 +48,15 @@ ROOMS = {
     "motion": "integrate prepare",
     "events": "Event",
     "records": "Motion MotionError",
-    "earth": """EARTH_GM EARTH_ORBIT_RADIUS EARTH_ORBIT_RATE EARTH_RADIUS EARTH_RATE EarthError apparent_acceleration buoyancy coriolis_acceleration
+    "applications.earth": """EARTH_GM EARTH_ORBIT_RADIUS EARTH_ORBIT_RATE EARTH_RADIUS EARTH_RATE EarthError apparent_acceleration buoyancy coriolis_acceleration
         coriolis_parameter drop_deflection earth_frame earth_rate effective_gravity flight_time force_near_earth geostrophic_wind gradient_wind
         ground_acceleration ground_frame inertial_circle launch_velocity projectile projectile_position projectile_to_order projectile_velocity
         range_east range_error rotation_error shot_range support_force weightless_speed wind_acceleration""",
     "dynamics.angular_momentum": "angular_momentum equations_of_motion resultant_moment",
     "dynamics.euler": "angular_acceleration euler_moment euler_moments fixed_line_moment fixed_line_momentum planar_moment",
     "dynamics.force_systems": "Couple Force ForceError ForceSystem Wrench",
-    "rotors": "RotorError balance balancing_masses corrections imbalance reactions shaft_axis",
-    "gyros": """GyroError fast_spin free_precession gyro_moment gyro_momentum instantaneous_axis least_spin normal_moment nutation_stiffness
+    "applications.rotors": "RotorError balance balancing_masses corrections imbalance reactions shaft_axis",
+    "applications.gyroscopes": """GyroError fast_spin free_precession gyro_moment gyro_momentum instantaneous_axis least_spin normal_moment nutation_stiffness
         sleeping_top steady_moment steady_precession steady_spin""",
     "dynamics.work": "Amount constant_force_work pair_power power work_along work_in_time work_integral",
     "dynamics.potential": """NoPotential Potential conservative_force curl find_potential gravitational_potential jacobian spring_between

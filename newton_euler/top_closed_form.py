@@ -6,9 +6,9 @@ below.
 """
 
 from .algebra.scalars import cos, sin, sqrt, where, whole
+from .applications.nutation import exchanged, turning_points
 from .elliptic import counted, coupled
 from .models import comparable
-from .nutation import exchanged, turning_points
 
 
 def nutation_exact(s, p, t):

@@ -6,8 +6,8 @@ A draw is a function of a ``random.Random`` that returns a Ladder and a toleranc
 import math
 from typing import NamedTuple
 
-from newton_euler.earth import EARTH_GM, EARTH_RATE
-from newton_euler.gyros import GyroError, steady_precession
+from newton_euler.applications.earth import EARTH_GM, EARTH_RATE
+from newton_euler.applications.gyroscopes import GyroError, steady_precession
 from newton_euler.scenes import ladder
 from newton_euler.scenes.orbit import EARTH_OBLATENESS
 from tests import ladders_b

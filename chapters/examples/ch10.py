@@ -1,7 +1,7 @@
 """Worked examples of chapter 10, gyroscopic motion: bodies free of moments (10.8), a rotor in a car (10.10), gyroscopic instruments (10.11)."""
 
+from newton_euler.applications.gyroscopes import free_precession
 from newton_euler.bodies.solids import cylinder
-from newton_euler.gyros import free_precession
 
 # -- 10.8: symmetric bodies on which no moment acts. The precession of the Earth's axis in about 26 000 years is not among them: the Sun and the Moon
 #    force it by their moments on the equatorial bulge. What is free is the wobble, with a period of about 10 months if the Earth were rigid.
@@ -11,7 +11,7 @@ def football(theta, spin):
     """The free precession of a football with I0 = 3 I (10.8): direct, at psi' = phi'/(2 cos(theta)).
 
     theta : rad, between the axis of symmetry and the angular momentum; spin : phi' in rad/s.
-    Returns the record of :func:`newton_euler.gyros.free_precession`.
+    Returns the record of :func:`newton_euler.applications.gyroscopes.free_precession`.
 
     >>> football(0.0, 10.0).rate
     5.0

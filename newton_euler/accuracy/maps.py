@@ -14,9 +14,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
 
-from ..earth import EARTH_RADIUS, EARTH_RATE
+from ..applications.earth import EARTH_RADIUS, EARTH_RATE
+from ..applications.gyroscopes import GyroError, least_spin, sleeping_top, steady_precession
 from ..events import Event
-from ..gyros import GyroError, least_spin, sleeping_top, steady_precession
 from ..motion import integrate
 from ..scenes import projectile, top, top_ladder
 from ..scenes.free_body import free_body

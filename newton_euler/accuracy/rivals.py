@@ -11,10 +11,10 @@ from itertools import repeat
 from ..algebra.codegen.compiled import compiled
 from ..algebra.jets import moving
 from ..algebra.scalars import cos, sin, sqrt
+from ..applications.gyroscopes import steady_precession
 from ..bodies.body import composite
 from ..bodies.parametric import integrated
 from ..bodies.solids import half_disk, simplex
-from ..gyros import steady_precession
 from ..kinematics import rotations
 from ..kinematics.frames import Frame
 from .measure import relative_error

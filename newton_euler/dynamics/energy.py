@@ -80,7 +80,7 @@ def plane_kinetic_energy(m, speed, moment_of_inertia, rate):
 def gyroscope_energy(I0, I, theta, nutation_rate, precession, spin):
     """T of a symmetric body about its fixed point (11.53), (11.16): [I0 (theta'^2 + psi'^2 sin^2 theta) + I (phi' + psi' cos theta)^2]/2; an Amount.
 
-    Moments of inertia, angles and rates as in :mod:`newton_euler.gyros`; terms ``transverse`` and ``axial``
+    Moments of inertia, angles and rates as in :mod:`newton_euler.applications.gyroscopes`; terms ``transverse`` and ``axial``
 
     >>> gyroscope_energy(1.5, 1.0, 0.0, 0.0, 2.0, 3.0).value  # upright, all about one line
     12.5

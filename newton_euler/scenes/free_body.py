@@ -11,9 +11,9 @@ about z is constant, w_x and w_y go around an ellipse (a circle for the symmetri
 
 from ..algebra.scalars import is_finite, is_numeric, plain, size, sqrt, where
 from ..algebra.vectors import dot3
+from ..applications.gyroscopes import GyroError
 from ..doubled import doubled
 from ..elliptic import coupled
-from ..gyros import GyroError
 from ..harmonic import circular_or_hyperbolic, turned
 from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, ModelError, Neglected, comparable

@@ -7,7 +7,7 @@ centre, and ``pressure_gradient`` is its gradient over density and distance. The
 """
 
 from ..algebra.scalars import radians, sqrt
-from ..earth import EARTH_RATE, coriolis_parameter
+from ..applications.earth import EARTH_RATE, coriolis_parameter
 from ..harmonic import oscillation, plane_oscillation, turned
 from ..ladders import Ladder
 from ..models import Model, Neglected, is_absent

@@ -13,8 +13,8 @@ import math
 from dataclasses import replace
 
 from ..algebra.scalars import atan2, cos, epsilon, is_comparable, is_finite, is_numeric, of_one_kind, plain, sin, size, sqrt, where
+from ..applications.earth import EARTH_GM
 from ..doubled import doubled
-from ..earth import EARTH_GM
 from ..harmonic import stumpff
 from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, ModelError, Neglected

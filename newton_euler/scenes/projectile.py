@@ -16,7 +16,7 @@ projectile, full in air
 
 from ..algebra.scalars import ZERO, cos, sqrt
 from ..algebra.vectors import ZERO3, add3, cross3, dot3, scale3, sub3
-from ..earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, coriolis_series, earth_rate3, position3
+from ..applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, coriolis_series, earth_rate3, position3
 from ..harmonic import growth, stumpff
 from ..ladders import Ladder
 from ..models import Model, Neglected
@@ -133,7 +133,7 @@ def _plumb_line(p):
 
 
 def _uniform_exact(s, p, t):
-    """The series of :func:`newton_euler.earth.position3`, all of it: three times across 2 omega is once across it, times -(2 omega)^2."""
+    """The series of :func:`newton_euler.applications.earth.position3`, all of it: three times across 2 omega is once across it, times -(2 omega)^2."""
     v, g, w = _v(s), _plumb_line(p), _omega(p)
     z = 4 * dot3(w, w) * t * t
     c3, c4 = stumpff(3, z, LARGEST) / 6, stumpff(4, z, LARGEST) / 24

@@ -9,13 +9,13 @@ to bearing B, at -a and b from O, the origin of the body's axes.
 from dataclasses import dataclass
 
 from ..algebra.scalars import cos, sin, sqrt
+from ..applications.rotors import reactions
 from ..bodies.body import Body
 from ..bodies.inertia import Inertia
 from ..harmonic import uniform_acceleration
 from ..kinematics.frames import Frame, Point
 from ..ladders import Ladder, Rung, observed_states
 from ..models import Model, Neglected
-from ..rotors import reactions
 from .catalogue import scene
 
 ANGLE = "angle psi, rad"
@@ -33,7 +33,7 @@ class RotorScene:
     O: Point
 
     def reactions(self, gravity=None):
-        """The :class:`newton_euler.rotors.Reactions`; ``gravity`` a Vector, or None to leave the weight out."""
+        """The :class:`newton_euler.applications.rotors.Reactions`; ``gravity`` a Vector, or None to leave the weight out."""
         return reactions(self.body, self.A, self.B, self.ground, gravity, self.O)
 
 

@@ -1,6 +1,6 @@
 """The symmetric top with a fixed point under gravity (10.5, 10.6) as models of three kinds, and the free symmetric body (10.8).
 
-All take I0, I, ``mgr`` and angles as in :mod:`newton_euler.gyros`; ``omega_z``, the whole rate about the axis, is constant and so a parameter.
+All take I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`; ``omega_z``, the whole rate about the axis, is constant and so a parameter.
 Which one: :func:`nutation` for nutation alone, :func:`attitude` for pictures, :func:`nonspinning_frame` for a top that spins too fast to be followed
 turn by turn, :func:`euler` where psi and phi are wanted and the axis stays off the vertical.
 """
@@ -52,7 +52,7 @@ def precession_rate(I0, I, theta, omega_z, momentum_difference):
 def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
     """T + V of a top about its fixed point, an Amount with the terms ``transverse``, ``axial`` and ``weight``; constant during the motion.
 
-    I0, I, ``mgr`` and angles as in :mod:`newton_euler.gyros`. V = + mgr cos(theta), since theta is counted from the *upward* vertical and the moment
+    I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`. V = + mgr cos(theta), since theta is counted from the *upward* vertical and the moment
     of the weight, + mgr sin(theta) (10.30), makes it grow. The book prints a minus sign here, with which the sum is not constant.
 
     >>> top_energy(1.5, 1.0, 10.0, 0.0, 0.0, 2.0, 3.0).terms

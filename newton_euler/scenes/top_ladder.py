@@ -8,7 +8,7 @@ where the axis is vertical, and by the quaternion, which is not.
 from contextlib import suppress
 
 from ..algebra.scalars import cos, sin
-from ..gyros import GyroError, steady_precession
+from ..applications.gyroscopes import GyroError, steady_precession
 from ..kinematics.rotations import euler_matrix, euler_rates, matrix_from_quaternion, quaternion_from_euler, quaternion_rate
 from ..ladders import Ladder, Rung
 from ..models import Model, Neglected
@@ -28,7 +28,7 @@ def top_slow_precession(I, mgr, omega_z, theta):
 
 
 def top_steady_precession(I0, I, mgr, omega_z, theta):
-    """Steady precession (10.33) at the slow one of its two rates. :class:`~newton_euler.gyros.GyroError` where there is none.
+    """Steady precession (10.33) at the slow one of its two rates. :class:`~newton_euler.applications.gyroscopes.GyroError` where there is none.
 
     >>> round(top_steady_precession(0.02, 0.01, 0.5, 100.0, 0.0).parameters["rate"], 6)
     0.505103

@@ -10,7 +10,7 @@ theta is the angle from the *downward* vertical to the rod. ``weight_moment`` is
 from math import copysign
 
 from ..algebra.scalars import acos, cos, is_numeric, plain, sin, size, sqrt
-from ..gyros import GyroError
+from ..applications.gyroscopes import GyroError
 from ..harmonic import growth, oscillation
 from ..ladders import Ladder
 from ..models import Model, ModelError, Neglected
@@ -41,7 +41,7 @@ def least_rate(weight_moment, inertia_difference, **_):
 def swing_out(weight_moment, inertia_difference, omega, **_):
     """The angle theta (rad) of relative equilibrium, for a rate above :func:`least_rate`: acos(m g d/((I_n - I_r) omega^2)), (10.31) with I = 0.
 
-    weight_moment : m g d. Raises :class:`~newton_euler.gyros.GyroError` for a rate that is too low: then it hangs straight down.
+    weight_moment : m g d. Raises :class:`~newton_euler.applications.gyroscopes.GyroError` for a rate that is too low: then it hangs straight down.
 
     >>> round(swing_out(**rod(3.0, 2.0, 4.0, 9.81)), 6)
     1.092977

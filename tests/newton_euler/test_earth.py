@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension, Frame, at, compiled, cos, moving, radians, sin, sqrt
-from newton_euler import earth as e
+from newton_euler.applications import earth as e
 from newton_euler.dynamics.gravitation import K, gravitational_field
 from newton_euler.dynamics.newton import relative_acceleration
 from newton_euler.ladders import Ladder, smallest

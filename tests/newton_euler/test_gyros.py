@@ -14,9 +14,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension, Frame, FrameError, at, compiled, cos, cross, moving, pi, sin, sqrt
-from newton_euler.bodies.inertia import Inertia
-from newton_euler.bodies.solids import cylinder
-from newton_euler.gyros import (
+from newton_euler.applications.gyroscopes import (
     GyroError,
     fast_spin,
     free_precession,
@@ -31,6 +29,9 @@ from newton_euler.gyros import (
     steady_precession,
     steady_spin,
 )
+from newton_euler.applications.nutation import nutation
+from newton_euler.bodies.inertia import Inertia
+from newton_euler.bodies.solids import cylinder
 from newton_euler.kinematics.rotations import (
     apply,
     euler_frame,
@@ -41,7 +42,6 @@ from newton_euler.kinematics.rotations import (
     rotation_matrix,
 )
 from newton_euler.models import ModelError
-from newton_euler.nutation import nutation
 from newton_euler.scenes import top
 from newton_euler.scenes.gyrocompass import compass_period, gyrocompass
 from newton_euler.scenes.spherical_pendulum import momentum, nodding, pendulum

@@ -160,7 +160,7 @@ def test_steady_precession_ends_at_the_double_root(omega_z):
 
 def test_where_the_map_says_that_it_precesses_steadily_a_run_stays_at_its_angle():
     """Independent of the quadratic: theta of the reduced top after a second, from rest at the rate found."""
-    from newton_euler.gyros import steady_precession
+    from newton_euler.applications.gyroscopes import steady_precession
 
     for omega_z, degrees in ((19.0, 40.0), (40.0, 60.0), (30.0, 140.0)):
         theta = math.radians(degrees)

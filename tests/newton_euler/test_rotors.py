@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension, Frame, compiled, cos, pi, radians, sin
+from newton_euler.applications.rotors import RotorError, balance, balancing_masses, corrections, imbalance, reactions, shaft_axis
 from newton_euler.bodies.body import Body, composite, particle
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import cylinder, disk, plate, rod
 from newton_euler.dynamics.angular_momentum import resultant_moment
-from newton_euler.rotors import RotorError, balance, balancing_masses, corrections, imbalance, reactions, shaft_axis
 from newton_euler.scenes.rotor import turning_rotor, unbalanced_rotor
 from tests.kinds import KINDS, close, numbers
 

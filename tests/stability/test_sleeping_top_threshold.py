@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from newton_euler.gyros import sleeping_top
-from newton_euler.nutation import nutation
+from newton_euler.applications.gyroscopes import sleeping_top
+from newton_euler.applications.nutation import nutation
 from newton_euler.scenes import top
 
 I0, I, MGR = 1.5, 1.0, 5.0

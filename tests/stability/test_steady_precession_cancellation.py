@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from newton_euler.accuracy.rivals import printed_roots
-from newton_euler.gyros import fast_spin, steady_precession
+from newton_euler.applications.gyroscopes import fast_spin, steady_precession
 
 I0, SPIN, MGR = 0.02, 100.0, 0.5
 

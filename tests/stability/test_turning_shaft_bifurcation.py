@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler.gyros import GyroError
+from newton_euler.applications.gyroscopes import GyroError
 from newton_euler.motion import integrate
 from newton_euler.scenes.turning_shaft import hinged, least_rate, rod, stiffness, swing_out
 

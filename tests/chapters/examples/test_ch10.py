@@ -5,6 +5,7 @@ import math
 import pytest
 
 from newton_euler import Frame
+from newton_euler.applications.gyroscopes import free_precession, normal_moment, steady_precession, steady_spin
 from newton_euler.chapters.examples.ch10 import (
     football,
     platform_drift,
@@ -16,7 +17,6 @@ from newton_euler.chapters.examples.ch10 import (
     wheel_loads,
     wobble_period,
 )
-from newton_euler.gyros import free_precession, normal_moment, steady_precession, steady_spin
 from newton_euler.scenes import top
 
 

@@ -13,10 +13,10 @@ functions that take a vector ``gravity`` may be given the :func:`effective_gravi
 
 from itertools import accumulate, pairwise
 
-from .algebra.errors import NewtonEulerError
-from .algebra.ledger import equations
-from .algebra.scalars import ZERO, cos, is_numeric, is_positive, least, plain, scalar, sin, size, sqrt
-from .algebra.vectors import ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
+from ..algebra.errors import NewtonEulerError
+from ..algebra.ledger import equations
+from ..algebra.scalars import ZERO, cos, is_numeric, is_positive, least, plain, scalar, sin, size, sqrt
+from ..algebra.vectors import ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
 
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
 EARTH_RADIUS = 6.371e6  # m: of the sphere of equal volume (IUGG)

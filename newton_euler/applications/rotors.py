@@ -21,12 +21,12 @@ which are (9.3), (9.6) and (9.9), (9.10) for a shaft in any direction. Forces ac
 
 from dataclasses import dataclass
 
-from .algebra.errors import NewtonEulerError
-from .algebra.ledger import equations
-from .algebra.scalars import anywhere, is_numeric, is_zero, plain, scalar, size, sqrt, where
-from .algebra.vectors import Vector, add3, dot3, named_sum, scale3, sum3
-from .bodies.body import Body
-from .kinematics.frames import Point
+from ..algebra.errors import NewtonEulerError
+from ..algebra.ledger import equations
+from ..algebra.scalars import anywhere, is_numeric, is_zero, plain, scalar, size, sqrt, where
+from ..algebra.vectors import Vector, add3, dot3, named_sum, scale3, sum3
+from ..bodies.body import Body
+from ..kinematics.frames import Point
 
 
 class RotorError(NewtonEulerError, ValueError):

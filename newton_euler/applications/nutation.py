@@ -12,8 +12,8 @@ the third root is taken, which is far from both, and the limits from it: their d
 import math
 from dataclasses import dataclass
 
-from .algebra.scalars import acos, atan2, cos, is_numeric, of_one_kind, pi, scalar, sin, sqrt, where
-from .gyros import GyroError, check_top
+from ..algebra.scalars import acos, atan2, cos, is_numeric, of_one_kind, pi, scalar, sin, sqrt, where
+from .gyroscopes import GyroError, check_top
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Nutation:
 
 
 def nutation(I0, I, mgr, theta, theta_rate, precession, spin=None, omega_z=None, tolerance=1e-9):
-    """The limits of nutation of a top with this state, to round-off: a :class:`Nutation`. Angles and rates as in :mod:`newton_euler.gyros`.
+    """The limits of nutation of a top with this state, to round-off: a :class:`Nutation`. Angles and rates as in :mod:`newton_euler.applications.gyroscopes`.
 
     spin or omega_z : phi', or the whole rate about the axis; give one of them
     tolerance : relative, when a limit counts as a cusp, and in rad, when the motion counts as steady or as reaching the vertical; the numbers are not

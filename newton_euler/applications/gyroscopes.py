@@ -18,11 +18,11 @@ as (I0 - I) cos(theta) vanishes, where the fast precession goes to infinity and 
 import math
 from dataclasses import dataclass
 
-from .algebra.errors import NewtonEulerError
-from .algebra.ledger import equations
-from .algebra.scalars import ZERO, anywhere, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, short, sin, sqrt, tan, where
-from .algebra.vectors import FrameError, Vector, named_sum
-from .bodies.inertia import Inertia
+from ..algebra.errors import NewtonEulerError
+from ..algebra.ledger import equations
+from ..algebra.scalars import ZERO, anywhere, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, short, sin, sqrt, tan, where
+from ..algebra.vectors import FrameError, Vector, named_sum
+from ..bodies.inertia import Inertia
 
 
 class GyroError(NewtonEulerError, ValueError):
