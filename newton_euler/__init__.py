@@ -42,12 +42,12 @@ ROOMS = {
     "dynamics.gravitation": "attraction gravitation gravitational_field gravity_at_height gravity_at_surface mass_from_weight weight",
     "dynamics.constraints": "ConstraintError degrees_of_freedom",
     "dynamics.newton": "acceleration_by coordinate_accelerations path_force path_rates reaction relative_acceleration resultant_force",
-    "models": "Model ModelError Neglected second_order",
+    "motion.model": "Model ModelError Neglected second_order",
     "ladders": "Ladder Rung smallest",
     "scenes": "ladder",
-    "motion": "integrate prepare",
-    "events": "Event",
-    "records": "Motion MotionError",
+    "motion.integration": "integrate prepare",
+    "motion.events": "Event",
+    "motion.solution": "Motion MotionError",
     "applications.earth": """EARTH_GM EARTH_ORBIT_RADIUS EARTH_ORBIT_RATE EARTH_RADIUS EARTH_RATE EarthError apparent_acceleration buoyancy coriolis_acceleration
         coriolis_parameter drop_deflection earth_frame earth_rate effective_gravity flight_time force_near_earth geostrophic_wind gradient_wind
         ground_acceleration ground_frame inertial_circle launch_velocity projectile projectile_position projectile_to_order projectile_velocity

@@ -17,7 +17,7 @@ from functools import cache, cached_property
 from types import MappingProxyType
 
 from .algebra.scalars import is_numeric, size
-from .models import Model, ModelError
+from .motion.model import Model, ModelError
 
 INSTANTS = 257  # at which rungs are compared
 FINER = 1e-3  # of the tolerance may be due to integration
@@ -28,7 +28,7 @@ ROUGH, FINEST = 1e-9, 1e-12  # relative errors of the states: the second is trie
 class Rung:
     """One model of a ladder.
 
-    model : the :class:`~newton_euler.models.Model`; it ``neglects`` what the fuller rungs contain, with bounds of the error against the fullest
+    model : the :class:`~newton_euler.motion.model.Model`; it ``neglects`` what the fuller rungs contain, with bounds of the error against the fullest
     start : its states at t = 0
     observed : a function ``(s, p, t)`` of its states that returns what is observed, a tuple, in the unit of the ladder
     """
@@ -100,8 +100,8 @@ class Ladder:
         """What is observed of a rung, an array (components, instants) over the time of the ladder; its states are within ``rtol``."""
         import numpy as np
 
-        from .motion import integrate
-        from .systems import prepared
+        from .motion.integration import integrate
+        from .motion.prepared import prepared
 
         times = np.linspace(0.0, self.t, INSTANTS)
         motion = integrate(rung.model, self.t, rung.start, rtol, samples=times)

@@ -8,7 +8,7 @@ below.
 from .algebra.scalars import cos, sin, sqrt, where, whole
 from .applications.nutation import exchanged, turning_points
 from .elliptic import counted, coupled
-from .models import comparable
+from .motion.model import comparable
 
 
 def nutation_exact(s, p, t):

@@ -3,7 +3,7 @@
 import math
 from dataclasses import replace
 
-from ..motion import prepare
+from ..motion.integration import prepare
 from .measure import Measured, chart, log_log, marker_style, timed
 from .precision import NAMES
 

@@ -16,11 +16,11 @@ from functools import cache
 
 from ..applications.earth import EARTH_RADIUS, EARTH_RATE
 from ..applications.gyroscopes import GyroError, least_spin, sleeping_top, steady_precession
-from ..events import Event
-from ..motion import integrate
+from ..motion.events import Event
+from ..motion.integration import integrate
+from ..motion.methods.taylor import installed
 from ..scenes import projectile, top, top_ladder
 from ..scenes.free_body import free_body
-from ..taylor import installed
 from .measure import COLOURS
 
 

@@ -12,13 +12,13 @@ from functools import cache
 from importlib import import_module
 from time import perf_counter
 
-from ..courses import SMALLEST_SCALE
-from ..methods import METHODS
-from ..models import ModelError
-from ..motion import integrate
+from ..motion.integration import integrate
+from ..motion.methods.base import SMALLEST_SCALE
+from ..motion.methods.table import METHODS
+from ..motion.model import ModelError
+from ..motion.prepared import PreparedModel
 from ..scenes import scene as scene_named
 from ..scenes.catalogue import Scene
-from ..systems import PreparedModel
 from .measure import Measured, timed
 from .reference import reference
 
@@ -63,7 +63,7 @@ def work_precision(name, tolerances=TOLERANCES, methods=NAMES, longest=LONGEST, 
     """The :class:`WorkPrecision` of a scene: every method that it can use, measured at every tolerance.
 
     The cost is the time of one call of ``integrate`` after its model is prepared and its code compiled. The error is that of the worst state
-    at the end, relative to the largest size of this state during the motion, as in :class:`~newton_euler.records.Motion`.
+    at the end, relative to the largest size of this state during the motion, as in :class:`~newton_euler.motion.solution.Motion`.
 
     longest : a method whose run takes more seconds is not asked for more digits
     """

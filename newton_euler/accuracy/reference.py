@@ -7,9 +7,9 @@ removes one of them. None of the methods that are measured works in this way, an
 
 import importlib
 
-from ..models import ModelError
-from ..systems import PreparedModel, start_state
-from ..taylor import installed
+from ..motion.methods.taylor import installed
+from ..motion.model import ModelError
+from ..motion.prepared import PreparedModel, start_state
 
 RUNS = 14  # of the midpoint rule over one step, which makes the order 28
 GUARD = 10  # digits beyond those asked for

@@ -5,7 +5,7 @@
 
 *Forces given, which motion?* :func:`acceleration_by` in an inertial frame, :func:`coordinate_accelerations` in curvilinear coordinates,
 :func:`path_rates` along the path, :func:`relative_acceleration` in a frame that moves. What they return is the right-hand side of a
-:class:`~newton_euler.models.Model`.
+:class:`~newton_euler.motion.model.Model`.
 
 Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises :class:`~newton_euler.bodies.admissibility.MassError`.
 """

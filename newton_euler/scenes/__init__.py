@@ -11,7 +11,7 @@ from functools import cache
 from importlib import import_module
 from pkgutil import walk_packages
 
-from ..models import ModelError
+from ..motion.model import ModelError
 from . import catalogue
 
 
@@ -31,7 +31,7 @@ def __getattr__(name):
 
 
 def scene(name):
-    """The scene of this name; :class:`~newton_euler.models.ModelError` lists those that there are."""
+    """The scene of this name; :class:`~newton_euler.motion.model.ModelError` lists those that there are."""
     return _found("SCENES", name)
 
 

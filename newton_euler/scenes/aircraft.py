@@ -14,7 +14,7 @@ from ..algebra.scalars import atan2, cos, plain, sin, sqrt, tan
 from ..dynamics.newton import reaction
 from ..kinematics.frames import Frame
 from ..ladders import Ladder, Rung, observed_states
-from ..models import Model, Neglected, is_absent
+from ..motion.model import Model, Neglected, is_absent
 from .catalogue import scene
 
 POSITION = "position, m"

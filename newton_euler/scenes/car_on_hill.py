@@ -11,7 +11,7 @@ from ..algebra.ledger import summed
 from ..algebra.scalars import atan, plain, scalar, sin, sqrt
 from ..harmonic import integrated_square, uniform_acceleration
 from ..ladders import Ladder
-from ..models import Model, ModelError, Named, Neglected
+from ..motion.model import Model, ModelError, Named, Neglected
 from .catalogue import scene
 
 WAY = "distance up the hill, m"
@@ -85,7 +85,7 @@ def ladder(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81
     """The models of one start, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the distance, in m, until ``t``.
 
     force : at the wheels, the power over the speed, as one gear gives it; air : rho C_D A/2, kg/m; start : s, v; the rest as in :class:`Car`.
-    Raises :class:`~newton_euler.models.ModelError` for a car that comes to rest before ``t``. The fullest model has no closed form that would hold
+    Raises :class:`~newton_euler.motion.model.ModelError` for a car that comes to rest before ``t``. The fullest model has no closed form that would hold
     whether the force is larger or smaller than the weight's part.
 
     >>> from newton_euler import smallest

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
-from ..models import ModelError
+from ..motion.model import ModelError
 
 SCENES, LADDERS = {}, {}  # of the modules imported so far; all are in newton_euler.scenes
 

@@ -11,7 +11,7 @@ from ..algebra.scalars import ZERO, sqrt
 from ..algebra.vectors import add3, cross3, dot3, scale3
 from ..applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, earth_rate3
 from ..ladders import Ladder
-from ..models import Model, Neglected
+from ..motion.model import Model, Neglected
 from .catalogue import scene
 from .low import STATES, air_near_low
 

@@ -16,7 +16,7 @@ from ..doubled import doubled
 from ..elliptic import coupled
 from ..harmonic import circular_or_hyperbolic, turned
 from ..ladders import Ladder, Rung, observed_states
-from ..models import Model, ModelError, Neglected, comparable
+from ..motion.model import Model, ModelError, Neglected, comparable
 from .catalogue import scene
 
 AXES = "xyz"

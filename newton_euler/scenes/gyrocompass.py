@@ -1,7 +1,7 @@
 """The gyrocompass (10.11): a gyroscope whose axis is kept level swings about north."""
 
 from ..algebra.scalars import cos, pi, sin, sqrt
-from ..models import Model
+from ..motion.model import Model
 from .catalogue import scene
 
 

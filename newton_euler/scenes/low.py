@@ -10,7 +10,7 @@ from ..algebra.scalars import radians, sqrt
 from ..applications.earth import EARTH_RATE, coriolis_parameter
 from ..harmonic import oscillation, plane_oscillation, turned
 from ..ladders import Ladder
-from ..models import Model, Neglected, is_absent
+from ..motion.model import Model, Neglected, is_absent
 from .catalogue import scene
 
 POSITION = "position, m"

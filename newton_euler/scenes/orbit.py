@@ -17,7 +17,7 @@ from ..applications.earth import EARTH_GM
 from ..doubled import doubled
 from ..harmonic import stumpff
 from ..ladders import Ladder, Rung, observed_states
-from ..models import Model, ModelError, Neglected
+from ..motion.model import Model, ModelError, Neglected
 from .catalogue import scene
 
 POSITION = "position, m"
@@ -34,7 +34,7 @@ def orbit(mu):
     mu : the constant of the attraction mu/r^2, m^3/s^2. The Laplace vector has the size of the eccentricity and points to the closest approach.
     The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at most 7 times the round-off of the distance from
     the centre plus t times the speed there (measured on 2000 random ellipses, two thirds of them almost parabolas).
-    It raises :class:`~newton_euler.models.ModelError` for parabolas, hyperbolas, straight lines through the centre, and expressions.
+    It raises :class:`~newton_euler.motion.model.ModelError` for parabolas, hyperbolas, straight lines through the centre, and expressions.
 
     >>> import math
     >>> [round(x, 9) for x in orbit(1.0).solution(math.pi/2, (1.0, 0.0, 0.0, 1.0))]

@@ -16,7 +16,7 @@ from ..dynamics.potential import weight_potential
 from ..elliptic import counted, coupled
 from ..harmonic import growth, oscillation
 from ..ladders import Ladder
-from ..models import Model, Neglected, comparable
+from ..motion.model import Model, Neglected, comparable
 from .catalogue import scene
 
 ANGLE = "angle, rad"

@@ -19,7 +19,7 @@ from ..algebra.vectors import ZERO3, add3, cross3, dot3, scale3, sub3
 from ..applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, coriolis_series, earth_rate3, position3
 from ..harmonic import growth, stumpff
 from ..ladders import Ladder
-from ..models import Model, Neglected
+from ..motion.model import Model, Neglected
 from .catalogue import scene
 
 POSITION = "position, m"

@@ -11,7 +11,7 @@ from ..algebra.scalars import plain, radians, scalar, sin, tan, whole
 from ..dynamics.energy import speed_after
 from ..harmonic import integrated_square, uniform_acceleration
 from ..ladders import Ladder
-from ..models import Model, ModelError, Neglected
+from ..motion.model import Model, ModelError, Neglected
 from .catalogue import scene
 
 WAY = "distance down the incline, m"
@@ -72,7 +72,7 @@ def rolling_in_air(slope, g, air, k=None):
 def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
     """The models of one run, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the distance, in m, until ``t``.
 
-    air : not negative; start : x, v. Raises :class:`~newton_euler.models.ModelError` for a sphere that goes uphill.
+    air : not negative; start : x, v. Raises :class:`~newton_euler.motion.model.ModelError` for a sphere that goes uphill.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (20.0, 1.0, 0.01)]

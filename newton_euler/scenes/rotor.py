@@ -15,7 +15,7 @@ from ..bodies.inertia import Inertia
 from ..harmonic import uniform_acceleration
 from ..kinematics.frames import Frame, Point
 from ..ladders import Ladder, Rung, observed_states
-from ..models import Model, Neglected
+from ..motion.model import Model, Neglected
 from .catalogue import scene
 
 ANGLE = "angle psi, rad"

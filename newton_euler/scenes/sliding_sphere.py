@@ -8,7 +8,7 @@ known in closed form, where an integrator of one right-hand side with sign(slip)
 from dataclasses import dataclass
 
 from ..algebra.scalars import plain, scalar, where, whole
-from ..models import Model
+from ..motion.model import Model
 from .catalogue import scene
 
 

@@ -11,7 +11,7 @@ from ..algebra.scalars import ZERO, sqrt
 from ..algebra.vectors import add3, cross3, scale3
 from ..harmonic import growth, turned, uniform_acceleration
 from ..ladders import Ladder
-from ..models import Model, ModelError, Neglected
+from ..motion.model import Model, ModelError, Neglected
 from .catalogue import scene
 
 POSITION = "position, m"

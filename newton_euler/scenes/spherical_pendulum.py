@@ -17,7 +17,7 @@ from ..harmonic import plane_oscillation
 from ..kinematics.frames import Frame
 from ..kinematics.rotations import euler_frame
 from ..ladders import Ladder
-from ..models import Model, Neglected
+from ..motion.model import Model, Neglected
 from .catalogue import scene
 from .foucault import any_swing as on_cord
 from .foucault import below, held

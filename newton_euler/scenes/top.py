@@ -13,7 +13,7 @@ from ..algebra.vectors import dot3
 from ..dynamics.energy import gyroscope_energy
 from ..harmonic import turned
 from ..kinematics.rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
-from ..models import Model
+from ..motion.model import Model
 from ..top_closed_form import nutation_exact
 from .catalogue import scene
 

@@ -11,7 +11,7 @@ from ..algebra.scalars import cos, sin
 from ..applications.gyroscopes import GyroError, steady_precession
 from ..kinematics.rotations import euler_matrix, euler_rates, matrix_from_quaternion, quaternion_from_euler, quaternion_rate
 from ..ladders import Ladder, Rung
-from ..models import Model, Neglected
+from ..motion.model import Model, Neglected
 from .catalogue import scene
 from .top import _nutation_rates, _sides, momentum_difference, nutation
 

@@ -13,7 +13,7 @@ from ..algebra.scalars import acos, cos, is_numeric, plain, sin, size, sqrt
 from ..applications.gyroscopes import GyroError
 from ..harmonic import growth, oscillation
 from ..ladders import Ladder
-from ..models import Model, ModelError, Neglected
+from ..motion.model import Model, ModelError, Neglected
 from .catalogue import scene
 
 ANGLE = "angle theta, rad"
@@ -99,7 +99,7 @@ def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0
     """The models of the thin rod on a shaft, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for theta, in rad, until ``t``.
 
     omega : rate of the shaft at the start; shaft : its moment of inertia; start : theta, theta_rate
-    Raises :class:`~newton_euler.models.ModelError` at :func:`least_rate` itself, where small swings are not harmonic.
+    Raises :class:`~newton_euler.motion.model.ModelError` at :func:`least_rate` itself, where small swings are not harmonic.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), radians).model.name for radians in (0.1, 0.03, 1e-3)]

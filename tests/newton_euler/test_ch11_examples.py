@@ -17,7 +17,7 @@ from newton_euler.bodies.solids import sphere
 from newton_euler.dynamics.energy import EnergyError, audit, kinetic_energy, kinetic_energy_about, plane_kinetic_energy
 from newton_euler.dynamics.work import power
 from newton_euler.kinematics.rotations import euler_frame
-from newton_euler.models import ModelError
+from newton_euler.motion.model import ModelError
 from newton_euler.scenes.car_on_hill import Car
 from newton_euler.scenes.pendulum import pendulum_energy, physical_pendulum, swing_rate
 from newton_euler.scenes.rolling_sphere import friction_needed, rolling_down, rolling_energy, rolling_speed

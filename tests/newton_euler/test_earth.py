@@ -20,7 +20,7 @@ from newton_euler.applications import earth as e
 from newton_euler.dynamics.gravitation import K, gravitational_field
 from newton_euler.dynamics.newton import relative_acceleration
 from newton_euler.ladders import Ladder, smallest
-from newton_euler.models import ModelError
+from newton_euler.motion.model import ModelError
 from newton_euler.scenes import projectile as shots
 from newton_euler.scenes.low import air_near_low
 from tests.kinds import KINDS, close, first, numbers

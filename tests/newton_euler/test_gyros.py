@@ -41,7 +41,7 @@ from newton_euler.kinematics.rotations import (
     quaternion_from_euler,
     rotation_matrix,
 )
-from newton_euler.models import ModelError
+from newton_euler.motion.model import ModelError
 from newton_euler.scenes import top
 from newton_euler.scenes.gyrocompass import compass_period, gyrocompass
 from newton_euler.scenes.spherical_pendulum import momentum, nodding, pendulum

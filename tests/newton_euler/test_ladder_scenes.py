@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension
-from newton_euler.models import ModelError, Named, is_law
-from newton_euler.motion import integrate
+from newton_euler.motion.integration import integrate
+from newton_euler.motion.model import ModelError, Named, is_law
 from newton_euler.scenes import ladder, space_station
 from newton_euler.scenes.car_on_hill import Car
 from newton_euler.scenes.rolling_sphere import rolling_in_air

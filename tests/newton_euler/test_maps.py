@@ -10,7 +10,7 @@ import pytest
 from newton_euler.accuracy import maps
 from newton_euler.accuracy.maps import MAPS, draw_map
 from newton_euler.accuracy.measure import COLOURS
-from newton_euler.motion import integrate
+from newton_euler.motion.integration import integrate
 from newton_euler.scenes import top
 
 matplotlib.use("Agg")

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import ZERO, Dimension, Frame, at, coordinate_accelerations, cos, moving, polar, sin
-from newton_euler.models import Model, ModelError, second_order
+from newton_euler.motion.model import Model, ModelError, second_order
 from newton_euler.scenes.aircraft import vertical_flight
 from newton_euler.scenes.low import air_near_low
 from newton_euler.scenes.projectile import flat

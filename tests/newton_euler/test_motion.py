@@ -13,16 +13,16 @@ import numpy as np
 import pytest
 
 from newton_euler import Model, ModelError, second_order, sqrt
-from newton_euler.events import Event
-from newton_euler.methods import METHODS
-from newton_euler.models import KEPT
-from newton_euler.motion import integrate, prepare
-from newton_euler.records import MotionError
+from newton_euler.motion.events import Event
+from newton_euler.motion.integration import integrate, prepare
+from newton_euler.motion.methods.table import METHODS
+from newton_euler.motion.model import KEPT
+from newton_euler.motion.prepared import prepared
+from newton_euler.motion.solution import MotionError
 from newton_euler.scenes import top
 from newton_euler.scenes.pendulum import physical_pendulum
 from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
 from newton_euler.scenes.space_station import free_body as station_body
-from newton_euler.systems import prepared
 from tests.motions import SCENES, SPIN, forced, free_body, kepler, oscillator, reference, top_start, true_error
 
 ADAPTIVE = ("taylor", "dop853", "scipy DOP853", "scipy RK45", "scipy LSODA")
@@ -116,7 +116,7 @@ def honesty(method, scenes, tolerances):
 
 
 def _system(model):
-    from newton_euler.systems import PreparedModel
+    from newton_euler.motion.prepared import PreparedModel
 
     return PreparedModel(model)
 
@@ -375,7 +375,7 @@ def test_a_parameter_without_a_number_is_named():
 
 
 def test_heyoka_that_is_missing_is_said(monkeypatch):
-    monkeypatch.setattr("newton_euler.methods.installed", lambda: False)
+    monkeypatch.setattr("newton_euler.motion.methods.table.installed", lambda: False)
     with pytest.raises(ModelError, match=r"heyoka is not installed: pip install 'newton-euler\[fast\]'"):
         swing(method="taylor")
     with pytest.raises(ModelError, match="needs heyoka, which is not installed; without it the least is"):
@@ -405,7 +405,7 @@ def test_parameters_with_which_the_rates_have_no_value_end_it_in_words(method):
 
 def test_nothing_heavy_is_imported():
     code = (
-        "import sys; from newton_euler.motion import integrate; from newton_euler.scenes.pendulum import physical_pendulum as p;"
+        "import sys; from newton_euler.motion.integration import integrate; from newton_euler.scenes.pendulum import physical_pendulum as p;"
         "assert integrate(p(2., .5, .5, 10.), 1., (1., 0.)).error < 1e-9;"
         "print([m for m in ('numpy', 'scipy', 'sympy', 'heyoka', 'mpmath', 'matplotlib') if m in sys.modules])"
     )

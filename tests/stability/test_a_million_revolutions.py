@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from newton_euler.motion import integrate
+from newton_euler.motion.integration import integrate
 from newton_euler.scenes.free_body import free_body
 
 BODY, START = free_body(1.0, 2.0, 3.0), (0.3, 0.4, 1.0)  # about the axis of the largest moment, wobbling

@@ -8,8 +8,8 @@ import pytest
 import sympy
 from scipy.integrate import solve_ivp
 
-from newton_euler.models import ModelError
-from newton_euler.motion import integrate
+from newton_euler.motion.integration import integrate
+from newton_euler.motion.model import ModelError
 from newton_euler.scenes.orbit import from_farthest, orbit
 
 ORBIT = orbit(1.0)

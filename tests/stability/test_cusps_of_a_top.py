@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler.applications.nutation import nutation
-from newton_euler.motion import integrate
+from newton_euler.motion.integration import integrate
 from newton_euler.scenes import top
 
 I0, I, MGR = 0.02, 0.01, 0.5

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler import second_order
-from newton_euler.motion import integrate
+from newton_euler.motion.integration import integrate
 from newton_euler.scenes.pendulum import physical_pendulum
 
 G = 9.81

@@ -5,8 +5,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler import Model
-from newton_euler.events import Event
-from newton_euler.motion import integrate
+from newton_euler.motion.events import Event
+from newton_euler.motion.integration import integrate
 
 G, E, HEIGHT, T = 10.0, 0.9, 5.0, 30.0
 FIRST = (2 * HEIGHT / G) ** 0.5  # 1 s

@@ -16,7 +16,7 @@ from newton_euler.kinematics.rotations import (
     euler_rates,
     matrix_from_quaternion,
 )
-from newton_euler.models import ModelError
+from newton_euler.motion.model import ModelError
 from newton_euler.scenes import top
 from tests.kinds import close
 

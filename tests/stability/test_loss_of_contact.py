@@ -7,8 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler import Model, cos, sin
-from newton_euler.events import Event
-from newton_euler.motion import integrate
+from newton_euler.motion.events import Event
+from newton_euler.motion.integration import integrate
 from newton_euler.scenes.rolling_contact import ContactError, contact
 
 R, G = 2.0, 10.0

@@ -7,8 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler import Model, cos, sin
-from newton_euler.events import Event
-from newton_euler.motion import integrate
+from newton_euler.motion.events import Event
+from newton_euler.motion.integration import integrate
 
 G, V0 = 10.0, 10.0  # thrown upwards: 5 m high at 1 s
 TOP = V0 * V0 / (2 * G)

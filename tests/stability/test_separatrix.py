@@ -9,7 +9,7 @@ import sympy
 from scipy import special
 
 from newton_euler.elliptic import jacobi
-from newton_euler.models import ModelError
+from newton_euler.motion.model import ModelError
 from newton_euler.scenes.free_body import free_body
 from tests.kinds import close
 

@@ -6,8 +6,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler import Model, exp
-from newton_euler.events import Event
-from newton_euler.motion import integrate
+from newton_euler.motion.events import Event
+from newton_euler.motion.integration import integrate
 
 BEGINS, LASTS, FORCE = 5.0, 0.01, 100.0  # s, s, N on 1 kg: it changes the speed by 1 m/s
 

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler.applications.gyroscopes import GyroError
-from newton_euler.motion import integrate
+from newton_euler.motion.integration import integrate
 from newton_euler.scenes.turning_shaft import hinged, least_rate, rod, stiffness, swing_out
 
 G, LENGTH, MASS = 9.81, 2.0, 3.0

@@ -1,33 +1,33 @@
 """Integration of the motion of a model: states at any time, the estimated error, the drift of invariants, the cost, and the events on the way.
 
-The methods are in :mod:`.methods`, how one is chosen and its error controlled in :mod:`.run`, events in :mod:`.events`, the record in :mod:`.records`.
+The methods are in :mod:`newton_euler.motion.methods.table`, how one is chosen and its error controlled in :mod:`newton_euler.motion.run`, events in :mod:`newton_euler.motion.events`, the record in :mod:`newton_euler.motion.solution`.
 """
 
 from time import perf_counter
 
-from .batches import integrate_batch
+from .batch import integrate_batch
 from .events import Event
-from .methods import METHODS
-from .models import ModelError
-from .records import Motion, MotionError
+from .methods.table import METHODS
+from .model import ModelError
+from .prepared import prepared, start_state
 from .run import Run, check, span, usable
-from .systems import prepared, start_state
+from .solution import Motion, MotionError
 
 
 def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None, progress=None, step=None):
-    """The motion of a model from its start: a :class:`~newton_euler.records.Motion`.
+    """The motion of a model from its start: a :class:`~newton_euler.motion.solution.Motion`.
 
     t : the time at which to end, from 0, or a pair (from, to)
     start : the states, in their order or by name; arrays of one length are many starts at once, as are arrays among the parameters of the model
     rtol : the error that each state may have at the end, relative to its largest absolute value on the way (at least 1e-6 in its unit)
-    method : one of :data:`~newton_euler.methods.METHODS`; "auto" takes the exact solution if there is one, else the straight-line DOP853 until
+    method : one of :data:`~newton_euler.motion.methods.table.METHODS`; "auto" takes the exact solution if there is one, else the straight-line DOP853 until
         heyoka, if it is installed, is worth its compilation or is needed
-    events : an :class:`~newton_euler.events.Event`, or several
+    events : an :class:`~newton_euler.motion.events.Event`, or several
     samples : times, or the number of times at equal distances; default: the ends of the steps
     progress : a function of the fraction of the time that is done, called now and then
     step : a fixed step, for methods that have an order; the error is then not controlled
 
-    Raises :class:`ModelError` for what cannot be done, and :class:`~newton_euler.records.MotionError`, with what was ``reached``, if the motion
+    Raises :class:`ModelError` for what cannot be done, and :class:`~newton_euler.motion.solution.MotionError`, with what was ``reached``, if the motion
     comes to a singular place.
 
     >>> from newton_euler.scenes.pendulum import physical_pendulum

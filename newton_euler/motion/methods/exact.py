@@ -2,24 +2,24 @@
 
 from math import inf
 
-from .courses import Stepper
+from .base import Stepper
 
 
 class Exact(Stepper):
     """The exact solution of the model: a single step, and what lies inside is the solution too."""
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.courses.Stepper`."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         self.x, self.t, self.calls = self.system.solution(self.goal - self.t, self.x), self.goal, 1
         self.step_times.append(self.t)
 
     @staticmethod
     def prepared(system, tolerance, fallback):
-        """The function of :func:`newton_euler.motion.prepare`."""
+        """The function of :func:`newton_euler.motion.integration.prepare`."""
         return system.solution
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.courses.Stepper`."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         start, x = self.start
         self.calls += len(times)
         return self.system.solutions(times - start, x)

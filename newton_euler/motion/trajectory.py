@@ -3,11 +3,11 @@
 import math
 from typing import NamedTuple
 
-from .courses import SMALLEST_SCALE, StepError, Stepper
 from .events import EventLocator, Occurrence
-from .methods import METHODS
-from .models import ModelError
-from .systems import prepared, start_state
+from .methods.base import SMALLEST_SCALE, StepError, Stepper
+from .methods.table import METHODS
+from .model import ModelError
+from .prepared import prepared, start_state
 
 FIRST_STEPS, MAX_STEPS = 8, 128  # between two searches for events: few at first, as an event may come soon, then more, as a search has a fixed cost
 MAX_SEGMENTS = 20_000
@@ -28,7 +28,7 @@ class Segment(NamedTuple):
 class Trajectory:
     """Segments, occurrences of events and, in words, how it ended; ``failed`` if that was where the method could not continue.
 
-    run : the :class:`~newton_euler.run.Run` that it belongs to; ``scales`` : of an earlier trajectory of this run
+    run : the :class:`~newton_euler.motion.run.Run` that it belongs to; ``scales`` : of an earlier trajectory of this run
     """
 
     def __init__(self, run, method, tolerance, scales=None):

@@ -2,7 +2,7 @@
 
 from math import inf
 
-from .courses import StepError, Stepper
+from .base import StepError, Stepper
 
 
 class SciPy(Stepper):
@@ -20,7 +20,7 @@ class SciPy(Stepper):
         self.polynomials = []
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.courses.Stepper`."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         solver = self.solver
         while limit > 0 and solver.status == "running":
             message = solver.step()
@@ -35,7 +35,7 @@ class SciPy(Stepper):
         self.calls = solver.nfev
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.courses.Stepper`."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         return self.polynomials[n](times)
 
 

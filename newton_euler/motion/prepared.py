@@ -7,9 +7,9 @@ import ast
 import math
 from functools import cached_property
 
-from .algebra.codegen.partial_evaluation import folded
-from .algebra.scalars import ZERO, plain, scalar
-from .models import Model, ModelError, cached, is_law
+from ..algebra.codegen.partial_evaluation import folded
+from ..algebra.scalars import ZERO, plain, scalar
+from .model import Model, ModelError, cached, is_law
 
 _known = {}
 

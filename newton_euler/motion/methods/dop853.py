@@ -1,7 +1,7 @@
 """The Runge-Kutta method DOP853 of Hairer, Norsett and Wanner as straight-line Python, generated for the number of states.
 
 No arrays and no library to import: between two steps nothing is called but the right-hand side. On a top with six states it is three to four times
-faster than SciPy's DOP853 with the same right-hand side. Coefficients: :mod:`.dop853_table`. E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary
+faster than SciPy's DOP853 with the same right-hand side. Coefficients: :mod:`newton_euler.motion.methods.dop853_coefficients`. E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary
 Differential Equations I, 2nd edition (1993), sections II.4 to II.6 and II.10.
 """
 
@@ -9,8 +9,8 @@ from functools import lru_cache
 from math import inf, isfinite, sqrt
 from textwrap import indent
 
-from .courses import MAX_STALLED_STEPS, StepError, Stepper
-from .dop853_table import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
+from .base import MAX_STALLED_STEPS, StepError, Stepper
+from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
 # The new step is the old one times SAFETY*error**(-1/8), since the error estimate is of order 8 in h, and between these bounds (II.4).
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0
@@ -123,7 +123,7 @@ class Dop853(Stepper):
         self.hmax, self.h = step or span, min(step or self.h, span)
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.courses.Stepper`."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         while limit > 0 and self.t < self.goal:
             done, least = len(self.steps), 4e-16 * max(abs(self.t), abs(self.goal))  # a shorter step would not change the time
             self.t, self.x, self.scales, self.rates, self.h, tried = self.code["run"](
@@ -145,7 +145,7 @@ class Dop853(Stepper):
         return self.code["one_step"](*self.f, start, t - start, x)
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.courses.Stepper`; of order 7."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`; of order 7."""
         import numpy as np
 
         start, h, *x = self.steps[n]

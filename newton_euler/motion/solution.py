@@ -6,8 +6,8 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import NamedTuple
 
-from .courses import sample_times
-from .models import ModelError
+from .methods.base import sample_times
+from .model import ModelError
 
 DEFAULT_SAMPLES = 101  # of a motion without steps
 
@@ -41,7 +41,7 @@ class Motion:
 
     >>> from newton_euler import Model
     >>> fall = Model("fall", {"g": 10.0}, ("h", "v"), lambda s, p, t: (s.v, -p.g), exact=lambda s, p, t: (s.h + s.v*t - p.g*t*t/2, s.v - p.g*t))
-    >>> from newton_euler.motion import integrate
+    >>> from newton_euler.motion.integration import integrate
     >>> motion = integrate(fall, 2.0, (100.0, 0.0), samples=3)
     >>> motion.states["h"].tolist(), motion.end["v"], motion.method.name
     ([100.0, 95.0, 80.0], -20.0, 'exact')

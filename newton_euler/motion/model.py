@@ -11,9 +11,9 @@ from inspect import Parameter, Signature
 from keyword import iskeyword
 from types import MappingProxyType
 
-from .algebra.codegen.compiled import compiled
-from .algebra.errors import NewtonEulerError
-from .algebra.scalars import ScalarError, is_comparable, is_zero, of_one_kind, plain, scalar
+from ..algebra.codegen.compiled import compiled
+from ..algebra.errors import NewtonEulerError
+from ..algebra.scalars import ScalarError, is_comparable, is_zero, of_one_kind, plain, scalar
 
 KEPT = 64  # values in a cache by function: functions that are made at each call, as lambdas are, would pile up
 _CHECKED = {}  # the right-hand sides that were found right: other numbers need no other check
@@ -126,7 +126,7 @@ class Model:
     def solution(self, t, start):
         """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple. Raises :class:`ModelError` where no exact solution is known."""
         if self.exact is None:
-            raise ModelError(f"no exact solution of {self.name!r} is known; integrate it with newton_euler.motion")
+            raise ModelError(f"no exact solution of {self.name!r} is known; integrate it with newton_euler.motion.integration")
         return tuple(map(plain, self._call(self.exact, self._state(start), self.parameters, t)))
 
     def invariant(self, name, state, t=0):

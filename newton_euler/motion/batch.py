@@ -4,12 +4,12 @@ from dataclasses import dataclass
 from time import perf_counter
 from types import MappingProxyType
 
-from .methods import METHODS
-from .models import ModelError
-from .records import Cost
+from .methods.table import METHODS
+from .methods.taylor import ABSOLUTE_SCALE, integrator
+from .model import ModelError
+from .prepared import PreparedModel, prepared
 from .run import Run, usable
-from .systems import PreparedModel, prepared
-from .taylor import ABSOLUTE_SCALE, integrator
+from .solution import Cost
 
 MIN_HEYOKA_BATCH = 64  # motions, from which on heyoka's batches are worth their compilation
 
@@ -34,7 +34,7 @@ class Motions:
 
 
 def integrate_batch(model, t0, t1, state, rtol, method, events, samples):
-    """The :class:`Motions` of :func:`newton_euler.motion.integrate` where the start or the parameters are arrays."""
+    """The :class:`Motions` of :func:`newton_euler.motion.integration.integrate` where the start or the parameters are arrays."""
     import numpy as np
 
     if events:

@@ -1,12 +1,12 @@
 """The base class of all methods of integration: a stepper goes on from one state step by step and gives the states in between.
 
-The methods: :mod:`.exact`, :mod:`.taylor`, :mod:`.dop853`, :mod:`.splitting`, :mod:`.scipy_methods`; their table is :mod:`.methods`.
+The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion.methods.taylor`, :mod:`newton_euler.motion.methods.dop853`, :mod:`newton_euler.motion.methods.splitting`, :mod:`newton_euler.motion.methods.scipy`; their table is :mod:`newton_euler.motion.methods.table`.
 """
 
 from bisect import bisect_right
 from itertools import pairwise
 
-from .algebra.errors import NewtonEulerError
+from ...algebra.errors import NewtonEulerError
 
 SMALLEST_SCALE = 1e-6  # a state that stays smaller than this, in its unit, has errors relative to this
 MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5  # this many steps that are on average so much shorter than the longest one lead nowhere

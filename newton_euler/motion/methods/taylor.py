@@ -9,7 +9,7 @@ import importlib.util
 from functools import cache
 from math import inf, isfinite
 
-from .courses import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_times
+from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_times
 
 LEVELS = (*(10.0 ** (-n / 2) for n in range(8, 31)), 2.3e-16)  # of heyoka's tolerance, which is fixed when it compiles; the last is a float's epsilon
 TAYLOR_MARGIN = 10.0**1.5  # rtol over heyoka's tolerance: of 310 measured runs 3 then have an error above rtol, with a margin of 10 it is 14
@@ -65,7 +65,7 @@ class Taylor(Stepper):
 
     @staticmethod
     def prepared(system, tolerance, fallback):
-        """The function of :func:`newton_euler.motion.prepare`; what it cannot do smoothly, ``fallback(t, start)`` does or refuses in words."""
+        """The function of :func:`newton_euler.motion.integration.prepare`; what it cannot do smoothly, ``fallback(t, start)`` does or refuses in words."""
         ta = integrator(system, tolerance)
         state, pars, propagate = ta.state, ta.pars, ta.propagate_until
         p, count = pars.copy(), len(state)
@@ -84,7 +84,7 @@ class Taylor(Stepper):
         return run
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.courses.Stepper`."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         if limit < inf or not self.natural:
             self._by_steps(limit)
         elif self.samples is None or not self._by_samples():
@@ -154,7 +154,7 @@ class Taylor(Stepper):
             self.check_progress()
 
     def states(self, times):
-        """See :class:`~newton_euler.courses.Stepper`."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         import numpy as np
 
         times = np.asarray(times, dtype=float)
@@ -169,7 +169,7 @@ class Taylor(Stepper):
         return super().states(times)
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.courses.Stepper`; the Taylor polynomial is as accurate as the step."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`; the Taylor polynomial is as accurate as the step."""
         from numpy.polynomial.polynomial import polyval
 
         return polyval(times - self.step_times[n], self.series[n].T)

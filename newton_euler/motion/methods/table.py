@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from .dop853 import Dop853
 from .exact import Exact
-from .scipy_methods import scipy_method
+from .scipy import scipy_method
 from .splitting import partition, principal_moments, splitting
 from .taylor import TAYLOR_MARGIN, Taylor, installed
 

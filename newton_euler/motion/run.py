@@ -6,11 +6,11 @@ from dataclasses import replace
 from time import perf_counter
 
 from .events import Event
-from .journeys import Trajectory
-from .methods import COARSENING, MAX_COARSE_TOLERANCE, METHODS
-from .models import ModelError
-from .records import Cost, Motion, MotionError
-from .taylor import ShortSteps
+from .methods.table import COARSENING, MAX_COARSE_TOLERANCE, METHODS
+from .methods.taylor import ShortSteps
+from .model import ModelError
+from .solution import Cost, Motion, MotionError
+from .trajectory import Trajectory
 
 HEYOKA_BREAK_EVEN = 0.5  # seconds of integrating one right-hand side, after which heyoka's import and compilation would have been earned back
 MAX_REFINEMENTS = 5  # of the tolerance
@@ -57,7 +57,7 @@ def usable(name, system, t0=0.0):
 
 
 class Run:
-    """What is asked of one integration; :meth:`by_name` returns the :class:`~newton_euler.records.Motion`."""
+    """What is asked of one integration; :meth:`by_name` returns the :class:`~newton_euler.motion.solution.Motion`."""
 
     def __init__(self, system, t0, t1, state, rtol, events=(), samples=None, progress=None, step=None, begun=None):
         self.system, self.t0, self.t1, self.state, self.rtol = system, t0, t1, state, rtol
@@ -85,7 +85,7 @@ class Run:
         return trajectory
 
     def motion(self, trajectory, method, error):
-        """The record; :class:`~newton_euler.records.MotionError` if the trajectory failed."""
+        """The record; :class:`~newton_euler.motion.solution.MotionError` if the trajectory failed."""
         cost = Cost(perf_counter() - self.prepared, self.preparing, self.calls)
         segments, occurrences = tuple(trajectory.segments), tuple(trajectory.occurrences)
         motion = Motion(self.system.model, segments, occurrences, method, self.rtol, trajectory.ended, cost, self.samples, error)
@@ -143,7 +143,7 @@ class Run:
             raise ModelError(f"the closed form of {self.system.model.name!r} does not do: {why}; take method='auto'")
 
     def calibrated(self, method, heyoka=False):
-        """The motion by two runs or more, see :mod:`.methods`; with ``heyoka`` by that if the first run shows that the second would take long."""
+        """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`; with ``heyoka`` by that if the first run shows that the second would take long."""
         begun = perf_counter()
         tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), method.min_tolerance)
         coarse = min(tolerance * COARSENING, MAX_COARSE_TOLERANCE)

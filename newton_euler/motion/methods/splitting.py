@@ -11,9 +11,9 @@ and the Euler equations, Phys. Rev. Lett. 71 (1993) 3043.
 from functools import lru_cache
 from math import ceil, cos, inf, isclose, isfinite, sin, sqrt
 
-from .algebra.vectors import cross3, dot3
-from .courses import StepError, Stepper
-from .models import ModelError
+from ...algebra.vectors import cross3, dot3
+from ..model import ModelError
+from .base import StepError, Stepper
 
 MAX_STEPS = 3_000_000
 _W6 = (-1.17767998417887, 0.235573213359357, 0.784513610477560)  # w1, w2, w3 of Yoshida's solution A for order 6 (his table 1)
@@ -137,7 +137,7 @@ class Splitting(Stepper):
         return min([span / 4] + [sqrt(max(s, v * d) / a) for s, v, a in changes if a > 1e-12 * s])
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.courses.Stepper`."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         done = len(self.steps)
         for n in range(done, min(done + limit, self.count + 1)):
             x = self.move(self.f, self.p, self.steps[-1], self.h, self.weights)
@@ -157,7 +157,7 @@ class Splitting(Stepper):
         return self.move(self.f, self.p, self.steps[n], t - self.step_times[n], self.weights)
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.courses.Stepper`."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         import numpy as np
 
         return np.array([self.state_at(t) for t in times.tolist()]).T

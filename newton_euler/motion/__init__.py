@@ -1,0 +1,1 @@
+"""Models and the integration of their motion."""

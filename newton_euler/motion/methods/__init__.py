@@ -1,0 +1,1 @@
+"""Methods of integration: steppers, and the table that lists them."""
