@@ -43,7 +43,7 @@ ROOMS = {
     "dynamics.constraints": "ConstraintError degrees_of_freedom",
     "dynamics.newton": "acceleration_by coordinate_accelerations path_force path_rates reaction relative_acceleration resultant_force",
     "motion.model": "Model ModelError Neglected second_order",
-    "ladders": "Ladder Rung smallest",
+    "scenes.ladders": "Ladder Rung smallest",
     "scenes": "ladder",
     "motion.integration": "integrate prepare",
     "motion.events": "Event",

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from newton_euler.applications.earth import EARTH_GM, EARTH_RATE
 from newton_euler.applications.gyroscopes import GyroError, steady_precession
 from newton_euler.scenes import ladder
-from newton_euler.scenes.orbit import EARTH_OBLATENESS
+from newton_euler.scenes.particles.orbit import EARTH_OBLATENESS
 from tests import ladders_b
 from tests.ladders_b import any_size, either
 

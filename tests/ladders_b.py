@@ -3,7 +3,7 @@
 import math
 
 from newton_euler.scenes import ladder
-from newton_euler.scenes.turning_shaft import least_rate, rod, swing_out
+from newton_euler.scenes.planar.hinged_rod import least_rate, rod, swing_out
 
 
 def any_size(r, low, high):

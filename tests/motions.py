@@ -3,8 +3,8 @@
 from newton_euler import Model, cos, scenes, second_order, sin, sqrt
 from newton_euler.accuracy import precision
 from newton_euler.scenes.catalogue import Scene
-from newton_euler.scenes.top import SPIN
-from newton_euler.scenes.top import tilted as top_start
+from newton_euler.scenes.spatial.top import SPIN
+from newton_euler.scenes.spatial.top import tilted as top_start
 
 __all__ = ["ALL", "SCENES", "SPIN", "free_body", "kepler", "oscillator", "reference", "sizes", "top_start", "true_error"]
 

@@ -4,11 +4,11 @@ The shaft lies along X of the ground, bearing A at -a and bearing B at b from th
 """
 
 from newton_euler.bodies.solids import disk
-from newton_euler.scenes.rotor import on_shaft
+from newton_euler.scenes.planar.rotor import on_shaft
 
 
 def off_centre_disk(mass, radius, d, a, b, psi, omega):
-    """A thin disk at right angles to its shaft, with its centre off the axis (9.2): a :class:`~newton_euler.scenes.rotor.RotorScene`.
+    """A thin disk at right angles to its shaft, with its centre off the axis (9.2): a :class:`~newton_euler.scenes.planar.rotor.RotorScene`.
 
     d : distance of the centre from the axis, along y of the shaft; psi in rad, omega in rad/s. Any consistent units of mass and length.
     Its ``reactions()`` are (9.1)-(9.3).

@@ -57,7 +57,7 @@ def _draw_drift(methods, auto, ax):
 
 
 def measured_models(ladder, progress=lambda fraction, words: None):
-    """A :class:`~newton_euler.accuracy.Measured` for each rung of a :class:`~newton_euler.ladders.Ladder`: the time of its motion, and its error.
+    """A :class:`~newton_euler.accuracy.Measured` for each rung of a :class:`~newton_euler.scenes.ladders.Ladder`: the time of its motion, and its error.
 
     The time is that of a prepared run (:func:`newton_euler.prepare`) to 1e-9; the error is in the ladder's unit, that of the fullest rung 0.
     """

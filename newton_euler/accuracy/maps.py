@@ -19,8 +19,9 @@ from ..applications.gyroscopes import GyroError, least_spin, sleeping_top, stead
 from ..motion.events import Event
 from ..motion.integration import integrate
 from ..motion.methods.taylor import installed
-from ..scenes import projectile, top, top_ladder
-from ..scenes.free_body import free_body
+from ..scenes.particles import projectile
+from ..scenes.spatial import top, top_ladder
+from ..scenes.spatial.free_body import free_body
 from .measure import COLOURS
 
 

@@ -21,7 +21,7 @@ def reference(model, t, start):
 
     Parameters and start are taken as exact numbers.
 
-    >>> from newton_euler.scenes.pendulum import physical_pendulum
+    >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> theta, omega = reference(physical_pendulum(2.0, 0.5, 0.5, 10.0), 1.0, (1.0, 0.0))
     >>> round(float(theta), 15), round(float(omega), 15)
     (-0.985198951317957, -0.497895914005568)

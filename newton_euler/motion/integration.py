@@ -30,7 +30,7 @@ def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None
     Raises :class:`ModelError` for what cannot be done, and :class:`~newton_euler.motion.solution.MotionError`, with what was ``reached``, if the motion
     comes to a singular place.
 
-    >>> from newton_euler.scenes.pendulum import physical_pendulum
+    >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> motion = integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0))
     >>> motion.error < 1e-9, motion.drift["energy"] < 1e-9
     (True, True)
@@ -54,7 +54,7 @@ def prepare(model, rtol=1e-9, method="auto"):
     t, start : a float, and a tuple of floats in the order of the states. Arguments and errors are as in :func:`integrate`, but there is no record, so
     no error estimate and no drift: look at those of one run. If there is no exact solution, "auto" compiles with heyoka at once, if it is installed.
 
-    >>> from newton_euler.scenes.pendulum import physical_pendulum
+    >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> swing = prepare(physical_pendulum(2.0, 0.5, 0.5, 10.0))
     >>> [round(swing(10.0, (amplitude, 0.0))[0], 6) for amplitude in (0.1, 1.0)]
     [0.098256, -0.192477]

@@ -36,7 +36,7 @@ def scene(name):
 
 
 def ladder(name, **given):
-    """The :class:`~newton_euler.ladders.Ladder` of this name, for its own values, or those ``given``: parameters, start and t by name."""
+    """The :class:`~newton_euler.scenes.ladders.Ladder` of this name, for its own values, or those ``given``: parameters, start and t by name."""
     return _found("LADDERS", name).make(**given)
 
 

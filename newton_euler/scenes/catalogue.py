@@ -30,7 +30,7 @@ class Scene:
 def scene(section, name, description, t=None, start=None, ladder=False, **values):
     """A decorator that registers the model which a function makes of these ``values``, with the time ``t`` at which to end, and the ``start``.
 
-    With ``ladder=True`` the function makes a :class:`~newton_euler.ladders.Ladder`, and all of its parameters have values.
+    With ``ladder=True`` the function makes a :class:`~newton_euler.scenes.ladders.Ladder`, and all of its parameters have values.
     """
     table = LADDERS if ladder else SCENES
     if name in table:

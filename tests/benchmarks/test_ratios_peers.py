@@ -20,8 +20,8 @@ import pytest
 from newton_euler.accuracy.measure import timed
 from newton_euler.motion.integration import integrate, prepare
 from newton_euler.motion.model import ModelError
-from newton_euler.scenes import top
-from newton_euler.scenes.free_body import free_body
+from newton_euler.scenes.spatial import top
+from newton_euler.scenes.spatial.free_body import free_body
 from tests.benchmarks import peers
 from tests.benchmarks.peers import FREE, FREE_TIME, SPIN, THETA, TOP, TOP_TIME
 from tests.motions import SCENES, reference, sizes, true_error
@@ -338,7 +338,7 @@ def test_a_sweep_of_1000_tops_is_faster_than_by_scipy(wanted):
 @pytest.mark.benchmark
 def test_a_first_top_from_a_fresh_interpreter():
     ours = (
-        "from newton_euler.motion.integration import integrate; from newton_euler.scenes.top import nonspinning_frame;"
+        "from newton_euler.motion.integration import integrate; from newton_euler.scenes.spatial.top import nonspinning_frame;"
         "integrate(nonspinning_frame(1., 1.5, 5., 8.), 10., (.955, .2955, 0., 0., 0., 0.), 1e-6)"
     )
     theirs = "from tests.benchmarks.peers import first_top_by_sympy; first_top_by_sympy()"

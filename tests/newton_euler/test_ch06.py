@@ -42,8 +42,8 @@ from newton_euler.dynamics.newton import (
     relative_acceleration,
     resultant_force,
 )
-from newton_euler.scenes.aircraft import flight, flight_forces, vertical_flight
-from newton_euler.scenes.space_station import free_body, rim_speed, station_rate
+from newton_euler.scenes.particles.aircraft import flight, flight_forces, vertical_flight
+from newton_euler.scenes.particles.space_station import free_body, rim_speed, station_rate
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -20,7 +20,7 @@ from newton_euler.dynamics.euler import angular_acceleration, euler_moment, eule
 from newton_euler.dynamics.force_systems import ForceSystem
 from newton_euler.dynamics.newton import resultant_force
 from newton_euler.kinematics.rotations import rotation_matrix
-from newton_euler.scenes import rolling_contact, sliding_sphere
+from newton_euler.scenes.planar import rolling_contact, sliding_sphere
 from tests import kinds
 from tests.kinds import KINDS, number, numbers
 

@@ -18,11 +18,11 @@ from newton_euler.dynamics.energy import EnergyError, audit, kinetic_energy, kin
 from newton_euler.dynamics.work import power
 from newton_euler.kinematics.rotations import euler_frame
 from newton_euler.motion.model import ModelError
-from newton_euler.scenes.car_on_hill import Car
-from newton_euler.scenes.pendulum import pendulum_energy, physical_pendulum, swing_rate
-from newton_euler.scenes.rolling_sphere import friction_needed, rolling_down, rolling_energy, rolling_speed
-from newton_euler.scenes.sliding_sphere import rolling_begins, sphere_at
-from newton_euler.scenes.top import euler, top_energy
+from newton_euler.scenes.particles.car_on_hill import Car
+from newton_euler.scenes.planar.pendulum import pendulum_energy, physical_pendulum, swing_rate
+from newton_euler.scenes.planar.rolling_sphere import friction_needed, rolling_down, rolling_energy, rolling_speed
+from newton_euler.scenes.planar.sliding_sphere import rolling_begins, sphere_at
+from newton_euler.scenes.spatial.top import euler, top_energy
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -14,15 +14,15 @@ from hypothesis import strategies as st
 
 from newton_euler import compiled, sqrt
 from newton_euler.algebra.scalars import where
-from newton_euler.doubled import doubled
-from newton_euler.elliptic import counted, coupled, jacobi
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.model import ModelError
 from newton_euler.motion.prepared import PreparedModel
-from newton_euler.scenes import top
-from newton_euler.scenes.free_body import free_body
-from newton_euler.scenes.orbit import from_farthest, orbit
-from newton_euler.scenes.pendulum import physical_pendulum
+from newton_euler.scenes.closed_forms.double_double import doubled
+from newton_euler.scenes.closed_forms.elliptic import counted, coupled, jacobi
+from newton_euler.scenes.particles.orbit import from_farthest, orbit
+from newton_euler.scenes.planar.pendulum import physical_pendulum
+from newton_euler.scenes.spatial import top
+from newton_euler.scenes.spatial.free_body import free_body
 from tests.kinds import close
 from tests.motions import reference
 

@@ -19,10 +19,10 @@ from newton_euler import Dimension, Frame, at, compiled, cos, moving, radians, s
 from newton_euler.applications import earth as e
 from newton_euler.dynamics.gravitation import K, gravitational_field
 from newton_euler.dynamics.newton import relative_acceleration
-from newton_euler.ladders import Ladder, smallest
 from newton_euler.motion.model import ModelError
-from newton_euler.scenes import projectile as shots
-from newton_euler.scenes.low import air_near_low
+from newton_euler.scenes.ladders import Ladder, smallest
+from newton_euler.scenes.particles import projectile as shots
+from newton_euler.scenes.particles.low_pressure import air_near_low
 from tests.kinds import KINDS, close, first, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

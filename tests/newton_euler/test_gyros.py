@@ -42,10 +42,10 @@ from newton_euler.kinematics.rotations import (
     rotation_matrix,
 )
 from newton_euler.motion.model import ModelError
-from newton_euler.scenes import top
-from newton_euler.scenes.gyrocompass import compass_period, gyrocompass
-from newton_euler.scenes.spherical_pendulum import momentum, nodding, pendulum
-from newton_euler.scenes.turning_shaft import hinged, least_rate, rod, stiffness, swing_out
+from newton_euler.scenes.planar.hinged_rod import hinged, least_rate, rod, stiffness, swing_out
+from newton_euler.scenes.spatial import top
+from newton_euler.scenes.spatial.gyrocompass import compass_period, gyrocompass
+from newton_euler.scenes.spatial.spherical_pendulum import momentum, nodding, pendulum
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -33,7 +33,7 @@ def test_scenes_are_loaded_when_one_is_asked_for():
         from newton_euler import Ladder, Model, ladder, smallest
         print([name for name in sys.modules if name.startswith("newton_euler.scenes.")])
         ladder("top")
-        print("newton_euler.scenes.top" in sys.modules)
+        print("newton_euler.scenes.spatial.top" in sys.modules)
     """
     told = subprocess.run([sys.executable, "-c", program], cwd=ENGINE.parent, check=True, capture_output=True, text=True).stdout
     assert told.splitlines() == ["['newton_euler.scenes.catalogue']", "True"]

@@ -15,11 +15,12 @@ from scipy.integrate import solve_ivp
 from newton_euler import Dimension
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.model import ModelError, Named, is_law
-from newton_euler.scenes import ladder, space_station
-from newton_euler.scenes.car_on_hill import Car
-from newton_euler.scenes.rolling_sphere import rolling_in_air
-from newton_euler.scenes.space_station import body_in_air
-from newton_euler.scenes.turning_shaft import hinged, least_rate, on_free_shaft, rod
+from newton_euler.scenes import ladder
+from newton_euler.scenes.particles import space_station
+from newton_euler.scenes.particles.car_on_hill import Car
+from newton_euler.scenes.particles.space_station import body_in_air
+from newton_euler.scenes.planar.hinged_rod import hinged, least_rate, on_free_shaft, rod
+from newton_euler.scenes.planar.rolling_sphere import rolling_in_air
 from tests.ladders_b import DRAWS
 
 PURE, MASS, LENGTH, TIME = Dimension(), Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)

@@ -16,11 +16,13 @@ import pytest
 import sympy
 from scipy.integrate import solve_ivp
 
-from newton_euler import Model, ModelError, Neglected, at, ladders, moving, second_order
+from newton_euler import Model, ModelError, Neglected, at, moving, second_order
 from newton_euler.kinematics.rotations import euler_matrix, matrix_from_quaternion, quaternion_from_euler
-from newton_euler.ladders import Ladder, Rung, smallest
 from newton_euler.motion.integration import integrate, prepare
-from newton_euler.scenes import LADDERS, free_body, ladder, orbit, spherical_pendulum, top_ladder
+from newton_euler.scenes import LADDERS, ladder, ladders
+from newton_euler.scenes.ladders import Ladder, Rung, smallest
+from newton_euler.scenes.particles import orbit
+from newton_euler.scenes.spatial import free_body, spherical_pendulum, top_ladder
 from tests.ladders import DRAWS, FREEDOM
 
 DRAWN, BORDER = 40, 1.001

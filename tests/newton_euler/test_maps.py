@@ -11,7 +11,7 @@ from newton_euler.accuracy import maps
 from newton_euler.accuracy.maps import MAPS, draw_map
 from newton_euler.accuracy.measure import COLOURS
 from newton_euler.motion.integration import integrate
-from newton_euler.scenes import top
+from newton_euler.scenes.spatial import top
 
 matplotlib.use("Agg")
 

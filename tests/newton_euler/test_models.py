@@ -14,10 +14,10 @@ from scipy.integrate import solve_ivp
 
 from newton_euler import ZERO, Dimension, Frame, at, coordinate_accelerations, cos, moving, polar, sin
 from newton_euler.motion.model import Model, ModelError, second_order
-from newton_euler.scenes.aircraft import vertical_flight
-from newton_euler.scenes.low import air_near_low
-from newton_euler.scenes.projectile import flat
-from newton_euler.scenes.space_station import free_body
+from newton_euler.scenes.particles.aircraft import vertical_flight
+from newton_euler.scenes.particles.low_pressure import air_near_low
+from newton_euler.scenes.particles.projectile import flat
+from newton_euler.scenes.particles.space_station import free_body
 from tests.kinds import KINDS, close, numbers
 
 

@@ -19,10 +19,10 @@ from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.model import KEPT
 from newton_euler.motion.prepared import prepared
 from newton_euler.motion.solution import MotionError
-from newton_euler.scenes import top
-from newton_euler.scenes.pendulum import physical_pendulum
-from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
-from newton_euler.scenes.space_station import free_body as station_body
+from newton_euler.scenes.particles.space_station import free_body as station_body
+from newton_euler.scenes.planar.pendulum import physical_pendulum
+from newton_euler.scenes.planar.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
+from newton_euler.scenes.spatial import top
 from tests.motions import SCENES, SPIN, forced, free_body, kepler, oscillator, reference, top_start, true_error
 
 ADAPTIVE = ("taylor", "dop853", "scipy DOP853", "scipy RK45", "scipy LSODA")
@@ -405,7 +405,7 @@ def test_parameters_with_which_the_rates_have_no_value_end_it_in_words(method):
 
 def test_nothing_heavy_is_imported():
     code = (
-        "import sys; from newton_euler.motion.integration import integrate; from newton_euler.scenes.pendulum import physical_pendulum as p;"
+        "import sys; from newton_euler.motion.integration import integrate; from newton_euler.scenes.planar.pendulum import physical_pendulum as p;"
         "assert integrate(p(2., .5, .5, 10.), 1., (1., 0.)).error < 1e-9;"
         "print([m for m in ('numpy', 'scipy', 'sympy', 'heyoka', 'mpmath', 'matplotlib') if m in sys.modules])"
     )

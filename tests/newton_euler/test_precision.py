@@ -23,11 +23,12 @@ from newton_euler.accuracy.maps import MAPS
 from newton_euler.accuracy.measure import Measured, front, marker_style
 from newton_euler.accuracy.precision import NAMES, WorkPrecision, work_precision
 from newton_euler.accuracy.reference import by_extrapolation, by_heyoka, reference
-from newton_euler.ladders import Ladder, Rung
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.methods.table import METHODS
-from newton_euler.scenes import LADDERS, SCENES, projectile, scene
+from newton_euler.scenes import LADDERS, SCENES, scene
 from newton_euler.scenes.catalogue import Scene
+from newton_euler.scenes.ladders import Ladder, Rung
+from newton_euler.scenes.particles import projectile
 
 matplotlib.use("Agg")
 ROOT = Path(__file__).parents[2]

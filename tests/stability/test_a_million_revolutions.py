@@ -14,7 +14,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler.motion.integration import integrate
-from newton_euler.scenes.free_body import free_body
+from newton_euler.scenes.spatial.free_body import free_body
 
 BODY, START = free_body(1.0, 2.0, 3.0), (0.3, 0.4, 1.0)  # about the axis of the largest moment, wobbling
 REVOLUTION = 2 * math.pi / math.hypot(*START)  # s

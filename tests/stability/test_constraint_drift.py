@@ -7,12 +7,12 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler.dynamics.constraints import degrees_of_freedom
-from newton_euler.scenes import top
-from newton_euler.scenes.free_body import free_body
-from newton_euler.scenes.orbit import orbit
-from newton_euler.scenes.pendulum import physical_pendulum
-from newton_euler.scenes.rolling_sphere import rolling_down
-from newton_euler.scenes.spherical_pendulum import nodding
+from newton_euler.scenes.particles.orbit import orbit
+from newton_euler.scenes.planar.pendulum import physical_pendulum
+from newton_euler.scenes.planar.rolling_sphere import rolling_down
+from newton_euler.scenes.spatial import top
+from newton_euler.scenes.spatial.free_body import free_body
+from newton_euler.scenes.spatial.spherical_pendulum import nodding
 
 L, G, THETA0 = 1.0, 9.81, 1.0
 

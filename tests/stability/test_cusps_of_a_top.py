@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from newton_euler.applications.nutation import nutation
 from newton_euler.motion.integration import integrate
-from newton_euler.scenes import top
+from newton_euler.scenes.spatial import top
 
 I0, I, MGR = 0.02, 0.01, 0.5
 

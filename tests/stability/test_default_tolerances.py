@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 from newton_euler import second_order
 from newton_euler.motion.integration import integrate
-from newton_euler.scenes.pendulum import physical_pendulum
+from newton_euler.scenes.planar.pendulum import physical_pendulum
 
 G = 9.81
 PENDULUM = physical_pendulum(1.0, 0.0, 1.0, G)  # of 1 kg on 1 m; theta from the lowest place

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from newton_euler.scenes.free_body import free_body
-from newton_euler.scenes.pendulum import physical_pendulum
+from newton_euler.scenes.planar.pendulum import physical_pendulum
+from newton_euler.scenes.spatial.free_body import free_body
 from tests.kinds import close
 
 BODY, START = free_body(1.0, 2.0, 3.0), (0.01, 1.0, 0.01)

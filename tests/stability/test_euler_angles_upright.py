@@ -17,7 +17,7 @@ from newton_euler.kinematics.rotations import (
     matrix_from_quaternion,
 )
 from newton_euler.motion.model import ModelError
-from newton_euler.scenes import top
+from newton_euler.scenes.spatial import top
 from tests.kinds import close
 
 I0, I, OMEGA_Z, W = 1.5, 1.0, 2.0, 0.7  # W: transverse angular velocity at the closest approach to the vertical, rad/s

@@ -7,7 +7,7 @@ import pytest
 
 from newton_euler.kinematics.rotations import apply, matrix_from_quaternion
 from newton_euler.motion.integration import integrate
-from newton_euler.scenes import top
+from newton_euler.scenes.spatial import top
 
 I0, I, MGR, OMEGA_Z = 1.5, 1.0, 5.0, 8.0
 TURNS = 2 * math.pi * 1e9  # rad

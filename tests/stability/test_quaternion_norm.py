@@ -18,7 +18,7 @@ from newton_euler.kinematics.rotations import (
     quaternion_rate,
     transpose,
 )
-from newton_euler.scenes import top
+from newton_euler.scenes.spatial import top
 from tests.kinds import close
 
 OMEGA = (0.3, 4.0, 8.0)  # rad/s in the body, about 9 in size

@@ -8,9 +8,9 @@ import pytest
 import sympy
 from scipy import special
 
-from newton_euler.elliptic import jacobi
 from newton_euler.motion.model import ModelError
-from newton_euler.scenes.free_body import free_body
+from newton_euler.scenes.closed_forms.elliptic import jacobi
+from newton_euler.scenes.spatial.free_body import free_body
 from tests.kinds import close
 
 BODY = free_body(1.0, 2.0, 3.0)

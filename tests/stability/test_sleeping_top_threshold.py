@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 from newton_euler.applications.gyroscopes import sleeping_top
 from newton_euler.applications.nutation import nutation
-from newton_euler.scenes import top
+from newton_euler.scenes.spatial import top
 
 I0, I, MGR = 1.5, 1.0, 5.0
 CRITICAL = 2 * math.sqrt(I0 * MGR) / I

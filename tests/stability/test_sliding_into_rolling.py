@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 from newton_euler.motion.events import Event
 from newton_euler.motion.integration import integrate
-from newton_euler.scenes.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
+from newton_euler.scenes.planar.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
 
 V0, MU, G, R, T = 7.0, 0.2, 10.0, 0.5, 3.0
 BEGINS = rolling_begins(V0, MU, G, R)  # at 1 s

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from newton_euler.applications.gyroscopes import GyroError
 from newton_euler.motion.integration import integrate
-from newton_euler.scenes.turning_shaft import hinged, least_rate, rod, stiffness, swing_out
+from newton_euler.scenes.planar.hinged_rod import hinged, least_rate, rod, stiffness, swing_out
 
 G, LENGTH, MASS = 9.81, 2.0, 3.0
 CRITICAL = least_rate(**rod(MASS, LENGTH, 1.0, G))  # sqrt(3 g/(2 L)), 2.71 rad/s

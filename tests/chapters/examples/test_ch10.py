@@ -17,7 +17,7 @@ from newton_euler.chapters.examples.ch10 import (
     wheel_loads,
     wobble_period,
 )
-from newton_euler.scenes import top
+from newton_euler.scenes.spatial import top
 
 
 def test_section_10_8_football_and_space_station():

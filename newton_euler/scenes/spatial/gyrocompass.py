@@ -1,8 +1,8 @@
 """The gyrocompass (10.11): a gyroscope whose axis is kept level swings about north."""
 
-from ..algebra.scalars import cos, pi, sin, sqrt
-from ..motion.model import Model
-from .catalogue import scene
+from ...algebra.scalars import cos, pi, sin, sqrt
+from ...motion.model import Model
+from ..catalogue import scene
 
 
 @scene(

@@ -5,14 +5,14 @@ v - v1, v2 - v and zeta + mgr v change at rates that are products of the two oth
 below.
 """
 
-from .algebra.scalars import cos, sin, sqrt, where, whole
-from .applications.nutation import exchanged, turning_points
+from ...algebra.scalars import cos, sin, sqrt, where, whole
+from ...applications.nutation import exchanged, turning_points
+from ...motion.model import comparable
 from .elliptic import counted, coupled
-from .motion.model import comparable
 
 
 def nutation_exact(s, p, t):
-    """theta and its rate at the time t after the state ``s`` of :func:`newton_euler.scenes.top.nutation`, whose parameters are ``p``."""
+    """theta and its rate at the time t after the state ``s`` of :func:`newton_euler.scenes.spatial.top.nutation`, whose parameters are ``p``."""
     given = s.theta, s.theta_rate, p.I0, p.I, p.mgr, p.omega_z, p.momentum_difference, t
     theta, rate, I0, I, mgr, omega_z, q, t = comparable("top", *given)
     whole, below, start = 2 * (I * omega_z) + q, mgr < 0, (cos(theta / 2), sin(theta / 2))

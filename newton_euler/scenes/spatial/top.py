@@ -7,15 +7,15 @@ turn by turn, :func:`euler` where psi and phi are wanted and the axis stays off 
 
 from dataclasses import replace
 
-from ..algebra.ledger import summed
-from ..algebra.scalars import cos, plain, scalar, sin, sqrt, tan
-from ..algebra.vectors import dot3
-from ..dynamics.energy import gyroscope_energy
-from ..harmonic import turned
-from ..kinematics.rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
-from ..motion.model import Model
-from ..top_closed_form import nutation_exact
-from .catalogue import scene
+from ...algebra.ledger import summed
+from ...algebra.scalars import cos, plain, scalar, sin, sqrt, tan
+from ...algebra.vectors import dot3
+from ...dynamics.energy import gyroscope_energy
+from ...kinematics.rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
+from ...motion.model import Model
+from ..catalogue import scene
+from ..closed_forms.harmonic import turned
+from ..closed_forms.top import nutation_exact
 
 SPIN = 8.0  # rad/s
 TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}  # the top of the scenes, let go at 0.6 rad from the vertical, which nutates

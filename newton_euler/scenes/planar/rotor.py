@@ -8,15 +8,15 @@ to bearing B, at -a and b from O, the origin of the body's axes.
 
 from dataclasses import dataclass
 
-from ..algebra.scalars import cos, sin, sqrt
-from ..applications.rotors import reactions
-from ..bodies.body import Body
-from ..bodies.inertia import Inertia
-from ..harmonic import uniform_acceleration
-from ..kinematics.frames import Frame, Point
+from ...algebra.scalars import cos, sin, sqrt
+from ...applications.rotors import reactions
+from ...bodies.body import Body
+from ...bodies.inertia import Inertia
+from ...kinematics.frames import Frame, Point
+from ...motion.model import Model, Neglected
+from ..catalogue import scene
+from ..closed_forms.harmonic import uniform_acceleration
 from ..ladders import Ladder, Rung, observed_states
-from ..motion.model import Model, Neglected
-from .catalogue import scene
 
 ANGLE = "angle psi, rad"
 
@@ -85,7 +85,7 @@ def turning_rotor(mass, x, y, I, g, moment=0):
 
 @scene("9.5", "rotor", "constant rate, no weight, dead weight", ladder=True)
 def ladder(mass=20.0, x=2e-4, y=0.0, I=0.5, g=9.81, moment=0.5, start=(0.0, 10.0), t=20.0):
-    """The models of a rotor that a constant moment turns, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for psi, in rad, until ``t``.
+    """The models of a rotor that a constant moment turns, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for psi, in rad, until ``t``.
 
     start : psi, omega; the rest as in :func:`turning_rotor`
 

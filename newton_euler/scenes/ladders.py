@@ -16,8 +16,8 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from types import MappingProxyType
 
-from .algebra.scalars import is_numeric, size
-from .motion.model import Model, ModelError
+from ..algebra.scalars import is_numeric, size
+from ..motion.model import Model, ModelError
 
 INSTANTS = 257  # at which rungs are compared
 FINER = 1e-3  # of the tolerance may be due to integration
@@ -100,8 +100,8 @@ class Ladder:
         """What is observed of a rung, an array (components, instants) over the time of the ladder; its states are within ``rtol``."""
         import numpy as np
 
-        from .motion.integration import integrate
-        from .motion.prepared import prepared
+        from ..motion.integration import integrate
+        from ..motion.prepared import prepared
 
         times = np.linspace(0.0, self.t, INSTANTS)
         motion = integrate(rung.model, self.t, rung.start, rtol, samples=times)

@@ -7,12 +7,12 @@ the book names.
 :func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the Earth, as it does in the station, and with the air.
 """
 
-from ..algebra.scalars import ZERO, sqrt
-from ..algebra.vectors import add3, cross3, scale3
-from ..harmonic import growth, turned, uniform_acceleration
+from ...algebra.scalars import ZERO, sqrt
+from ...algebra.vectors import add3, cross3, scale3
+from ...motion.model import Model, ModelError, Neglected
+from ..catalogue import scene
+from ..closed_forms.harmonic import growth, turned, uniform_acceleration
 from ..ladders import Ladder
-from ..motion.model import Model, ModelError, Neglected
-from .catalogue import scene
 
 POSITION = "position, m"
 STATES = ("x", "y", "dx", "dy")
@@ -59,7 +59,7 @@ def body_in_air(omega, air, creep=CREEP):
 
 @scene("6.7", "space station", "uniform gravity, the turning station, air", ladder=True)
 def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=1.0):
-    """The models of a throw near (radius, 0) at the rim, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the position in m until t.
+    """The models of a throw near (radius, 0) at the rim, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for the position in m until t.
 
     omega : not zero; start : x, y, dx, dy in m and m/s. The floor is not modelled: choose t before the body reaches it.
 

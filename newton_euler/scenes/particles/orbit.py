@@ -12,13 +12,13 @@ is constant. ``oblateness`` is J2 R^2, in m^2.
 import math
 from dataclasses import replace
 
-from ..algebra.scalars import atan2, cos, epsilon, is_comparable, is_finite, is_numeric, of_one_kind, plain, sin, size, sqrt, where
-from ..applications.earth import EARTH_GM
-from ..doubled import doubled
-from ..harmonic import stumpff
+from ...algebra.scalars import atan2, cos, epsilon, is_comparable, is_finite, is_numeric, of_one_kind, plain, sin, size, sqrt, where
+from ...applications.earth import EARTH_GM
+from ...motion.model import Model, ModelError, Neglected
+from ..catalogue import scene
+from ..closed_forms.double_double import doubled
+from ..closed_forms.harmonic import stumpff
 from ..ladders import Ladder, Rung, observed_states
-from ..motion.model import Model, ModelError, Neglected
-from .catalogue import scene
 
 POSITION = "position, m"
 EARTH_J2 = 1.082627e-3  # of the Earth's field, without unit (WGS 84)
@@ -183,9 +183,9 @@ def over_equator(mu, oblateness, swept):
 
 @scene("5.10", "satellite", "circle, Kepler's ellipse, ellipse that the Earth's bulge turns", ladder=True)
 def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3), t=30_000.0):
-    """Circle, ellipse, oblate Earth: a :class:`~newton_euler.ladders.Ladder` for the position in the plane, from the ``start`` x, y, v_x, v_y.
+    """Circle, ellipse, oblate Earth: a :class:`~newton_euler.scenes.ladders.Ladder` for the position in the plane, from the ``start`` x, y, v_x, v_y.
 
-    >>> from newton_euler.ladders import smallest
+    >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (5e6, 1e6, 1e3)]
     ['satellite, circle', 'satellite, ellipse', 'satellite, over an oblate Earth']
     """

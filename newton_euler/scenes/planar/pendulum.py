@@ -9,15 +9,15 @@ not need I.
 import math
 from dataclasses import replace
 
-from ..algebra.ledger import summed
-from ..algebra.scalars import asin, cos, scalar, sin, sqrt, where
-from ..dynamics.energy import plane_kinetic_energy, speed_after
-from ..dynamics.potential import weight_potential
-from ..elliptic import counted, coupled
-from ..harmonic import growth, oscillation
+from ...algebra.ledger import summed
+from ...algebra.scalars import asin, cos, scalar, sin, sqrt, where
+from ...dynamics.energy import plane_kinetic_energy, speed_after
+from ...dynamics.potential import weight_potential
+from ...motion.model import Model, Neglected, comparable
+from ..catalogue import scene
+from ..closed_forms.elliptic import counted, coupled
+from ..closed_forms.harmonic import growth, oscillation
 from ..ladders import Ladder
-from ..motion.model import Model, Neglected, comparable
-from .catalogue import scene
 
 ANGLE = "angle, rad"
 
@@ -108,9 +108,9 @@ def particle(m, l, g, I=0):
 
 @scene("11.17", "physical pendulum", "small swings, a particle, a rigid body", ladder=True)
 def ladder(m=1.0, I=0.002, l=1.0, g=9.81, start=(0.3, 0.0), t=10.0):
-    """Small swings, a particle, a body: a :class:`~newton_euler.ladders.Ladder` for theta in rad, until ``t`` after the start (theta, omega).
+    """Small swings, a particle, a body: a :class:`~newton_euler.scenes.ladders.Ladder` for theta in rad, until ``t`` after the start (theta, omega).
 
-    >>> from newton_euler.ladders import smallest
+    >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), angle).model.name for angle in (0.1, 0.01, 0.001)]
     ['pendulum, small swings', 'pendulum, a particle', 'physical pendulum']
     """

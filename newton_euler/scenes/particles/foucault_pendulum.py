@@ -7,13 +7,13 @@ acceleration of the bob is G - r (v.v + G.r)/length^2, where G is that of a free
 
 from dataclasses import replace
 
-from ..algebra.scalars import ZERO, sqrt
-from ..algebra.vectors import add3, cross3, dot3, scale3
-from ..applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, earth_rate3
+from ...algebra.scalars import ZERO, sqrt
+from ...algebra.vectors import add3, cross3, dot3, scale3
+from ...applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, earth_rate3
+from ...motion.model import Model, Neglected
+from ..catalogue import scene
 from ..ladders import Ladder
-from ..motion.model import Model, Neglected
-from .catalogue import scene
-from .low import STATES, air_near_low
+from .low_pressure import STATES, air_near_low
 
 PLACE = "place in plan, m"
 
@@ -34,9 +34,9 @@ def full(length, g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
 
 @scene("6.11", "Foucault's pendulum", "small swings and any, on an Earth at rest and turning", ladder=True)
 def ladder(length=67.0, g=9.81, latitude=0.8526, rate=EARTH_RATE, radius=EARTH_RADIUS, start=(1.5, 0.0, 0.0, 0.0), t=100.0):
-    """Four models: a :class:`~newton_euler.ladders.Ladder` for the place in plan, m. Length and latitude are the Panthéon's; start is x, y, dx, dy.
+    """Four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the place in plan, m. Length and latitude are the Panthéon's; start is x, y, dx, dy.
 
-    >>> from newton_euler.ladders import smallest
+    >>> from newton_euler.scenes.ladders import smallest
     >>> for metres in (0.01, 0.005, 1e-4):
     ...     print(smallest(ladder(), metres).model.name)
     Foucault's pendulum, small swings, Earth at rest

@@ -1,4 +1,4 @@
-"""A sphere, or another round body, that rolls down an incline without slipping (11.15). One that slides first: :mod:`.sliding_sphere`.
+"""A sphere, or another round body, that rolls down an incline without slipping (11.15). One that slides first: :mod:`newton_euler.scenes.planar.sliding_sphere`.
 
 ``k`` is the moment of inertia about the centre over m R^2: 2/5 for a solid sphere (the default), 2/3 for a shell, 1/2 for a cylinder.
 
@@ -6,13 +6,13 @@
 calculation than the sphere, but no moment of inertia.
 """
 
-from ..algebra.ledger import summed
-from ..algebra.scalars import plain, radians, scalar, sin, tan, whole
-from ..dynamics.energy import speed_after
-from ..harmonic import integrated_square, uniform_acceleration
+from ...algebra.ledger import summed
+from ...algebra.scalars import plain, radians, scalar, sin, tan, whole
+from ...dynamics.energy import speed_after
+from ...motion.model import Model, ModelError, Neglected
+from ..catalogue import scene
+from ..closed_forms.harmonic import integrated_square, uniform_acceleration
 from ..ladders import Ladder
-from ..motion.model import Model, ModelError, Neglected
-from .catalogue import scene
 
 WAY = "distance down the incline, m"
 STATES = ("x", "v")
@@ -70,7 +70,7 @@ def rolling_in_air(slope, g, air, k=None):
 
 @scene("11.15", "sphere on an incline", "a block that slides without friction, rolling, rolling in air", ladder=True)
 def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
-    """The models of one run, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the distance, in m, until ``t``.
+    """The models of one run, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for the distance, in m, until ``t``.
 
     air : not negative; start : x, v. Raises :class:`~newton_euler.motion.model.ModelError` for a sphere that goes uphill.
 

@@ -9,12 +9,12 @@ theta is the angle from the *downward* vertical to the rod. ``weight_moment`` is
 
 from math import copysign
 
-from ..algebra.scalars import acos, cos, is_numeric, plain, sin, size, sqrt
-from ..applications.gyroscopes import GyroError
-from ..harmonic import growth, oscillation
+from ...algebra.scalars import acos, cos, is_numeric, plain, sin, size, sqrt
+from ...applications.gyroscopes import GyroError
+from ...motion.model import Model, ModelError, Neglected
+from ..catalogue import scene
+from ..closed_forms.harmonic import growth, oscillation
 from ..ladders import Ladder
-from ..motion.model import Model, ModelError, Neglected
-from .catalogue import scene
 
 ANGLE = "angle theta, rad"
 STATES = ("theta", "theta_rate")
@@ -96,7 +96,7 @@ def on_free_shaft(weight_moment, inertia_difference, omega, shaft, theta, about_
 
 @scene("10.7", "turning shaft", "small swings, any swings, a shaft that is let go", ladder=True)
 def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0), t=4.0):
-    """The models of the thin rod on a shaft, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for theta, in rad, until ``t``.
+    """The models of the thin rod on a shaft, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for theta, in rad, until ``t``.
 
     omega : rate of the shaft at the start; shaft : its moment of inertia; start : theta, theta_rate
     Raises :class:`~newton_euler.motion.model.ModelError` at :func:`least_rate` itself, where small swings are not harmonic.

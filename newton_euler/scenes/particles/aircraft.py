@@ -9,13 +9,13 @@ Each force, and the bank, is a number or a law ``(s, p, t)`` of the states, the 
 
 from typing import NamedTuple
 
-from ..algebra.jets import moving
-from ..algebra.scalars import atan2, cos, plain, sin, sqrt, tan
-from ..dynamics.newton import reaction
-from ..kinematics.frames import Frame
+from ...algebra.jets import moving
+from ...algebra.scalars import atan2, cos, plain, sin, sqrt, tan
+from ...dynamics.newton import reaction
+from ...kinematics.frames import Frame
+from ...motion.model import Model, Neglected, is_absent
+from ..catalogue import scene
 from ..ladders import Ladder, Rung, observed_states
-from ..motion.model import Model, Neglected, is_absent
-from .catalogue import scene
 
 POSITION = "position, m"
 PLANE, SPACE = ("v", "gamma", "x", "y"), ("v", "chi", "gamma", "x", "y", "h")
@@ -62,7 +62,7 @@ def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
 
 @scene("6.12", "aircraft", "straight, in a level turn, in a vertical plane, in space", ladder=True)
 def ladder(m=1000.0, g=9.81, thrust=1000.0, lift=2.8, drag=0.27, bank=0.05, start=(60.0, 0.5, 0.0, 0.0, 0.0, 1000.0), t=20.0):
-    """The models of a flight at fixed controls, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the position, in m, until ``t``.
+    """The models of a flight at fixed controls, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for the position, in m, until ``t``.
 
     lift, drag : the forces over the square of the speed, kg/m; start : v, chi, gamma, x, y, h. All are numbers. Without bank there is no turn, and
     the ladder has three rungs.

@@ -7,9 +7,9 @@ along x (all that turn the body come in ``moment``, about the centre), ``surface
 
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError
-from ..algebra.linear import solve_linear
-from ..algebra.scalars import is_numeric, plain, scalar, size, where
+from ...algebra.errors import NewtonEulerError
+from ...algebra.linear import solve_linear
+from ...algebra.scalars import is_numeric, plain, scalar, size, where
 
 
 class ContactError(NewtonEulerError, ValueError):

@@ -3,21 +3,21 @@
 Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is Jacobi's: with b the intermediate axis and a the
 one that the motion circles, w_a is a dn, w_b a sn, w_c a cn. Near the separatrix, the motions that leave the intermediate axis and come back to it,
 k^2 is 1 within round-off, and formulas in k^2 lose all digits. Here 1 - k^2 comes from a difference of two squares, in twice the digits where these
-cancel, and the state from that of the start by the addition theorem, :func:`newton_euler.elliptic.coupled`.
+cancel, and the state from that of the start by the addition theorem, :func:`newton_euler.scenes.closed_forms.elliptic.coupled`.
 
 :func:`ladder` has three models of a body that spins about z, more or less: symmetric, nearly steady, or as it is. In both approximations the rate
 about z is constant, w_x and w_y go around an ellipse (a circle for the symmetric body), or run away where z is the axis of the intermediate moment.
 """
 
-from ..algebra.scalars import is_finite, is_numeric, plain, size, sqrt, where
-from ..algebra.vectors import dot3
-from ..applications.gyroscopes import GyroError
-from ..doubled import doubled
-from ..elliptic import coupled
-from ..harmonic import circular_or_hyperbolic, turned
+from ...algebra.scalars import is_finite, is_numeric, plain, size, sqrt, where
+from ...algebra.vectors import dot3
+from ...applications.gyroscopes import GyroError
+from ...motion.model import Model, ModelError, Neglected, comparable
+from ..catalogue import scene
+from ..closed_forms.double_double import doubled
+from ..closed_forms.elliptic import coupled
+from ..closed_forms.harmonic import circular_or_hyperbolic, turned
 from ..ladders import Ladder, Rung, observed_states
-from ..motion.model import Model, ModelError, Neglected, comparable
-from .catalogue import scene
 
 AXES = "xyz"
 RATES = "angular velocity, rad/s"
@@ -134,9 +134,9 @@ def small_wobble(I_x, I_y, I_z, spin):
 
 @scene("10.8", "free body", "a symmetric body, a small wobble, any motion", ladder=True)
 def ladder(I_x=1.0, I_y=1.02, I_z=1.5, start=(0.1, 0.0, 5.0), t=10.0):
-    """Symmetric body, small wobble, free body: a :class:`~newton_euler.ladders.Ladder` for the body rates w_x, w_y, w_z, which are the start.
+    """Symmetric body, small wobble, free body: a :class:`~newton_euler.scenes.ladders.Ladder` for the body rates w_x, w_y, w_z, which are the start.
 
-    >>> from newton_euler.ladders import smallest
+    >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), rate).model.name for rate in (0.01, 1e-4, 1e-5)]
     ['wobble of a symmetric body', 'small wobble', 'free body']
     """

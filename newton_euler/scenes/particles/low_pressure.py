@@ -6,12 +6,12 @@ centre, and ``pressure_gradient`` is its gradient over density and distance. The
 :func:`ladder` has three models of it: the Earth at rest, the Earth turning, and friction as well.
 """
 
-from ..algebra.scalars import radians, sqrt
-from ..applications.earth import EARTH_RATE, coriolis_parameter
-from ..harmonic import oscillation, plane_oscillation, turned
+from ...algebra.scalars import radians, sqrt
+from ...applications.earth import EARTH_RATE, coriolis_parameter
+from ...motion.model import Model, Neglected, is_absent
+from ..catalogue import scene
+from ..closed_forms.harmonic import oscillation, plane_oscillation, turned
 from ..ladders import Ladder
-from ..motion.model import Model, Neglected, is_absent
-from .catalogue import scene
 
 POSITION = "position, m"
 STATES = ("x", "y", "dx", "dy")
@@ -46,7 +46,7 @@ def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
 
 @scene("6.11", "air near a low", "Earth at rest, Earth turning, friction", ladder=True)
 def ladder(latitude=0.8, pressure_gradient=2e-9, friction=1e-5, rate=EARTH_RATE, start=(0.0, -4e5, 8.0, 0.0), t=10_800.0):
-    """The models of one parcel of air, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for its position in m until ``t`` in s.
+    """The models of one parcel of air, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for its position in m until ``t`` in s.
 
     pressure_gradient : a number above 0; friction : a number, not negative; start : x, y, dx, dy in m and m/s
 

@@ -10,18 +10,18 @@ any, with friction in the joint or without. The bar swings like a simple pendulu
 
 from dataclasses import replace
 
-from ..algebra.scalars import ZERO, cos, sin
-from ..algebra.vectors import add3, scale3
-from ..bodies.inertia import Inertia
-from ..harmonic import plane_oscillation
-from ..kinematics.frames import Frame
-from ..kinematics.rotations import euler_frame
+from ...algebra.scalars import ZERO, cos, sin
+from ...algebra.vectors import add3, scale3
+from ...bodies.inertia import Inertia
+from ...kinematics.frames import Frame
+from ...kinematics.rotations import euler_frame
+from ...motion.model import Model, Neglected
+from ..catalogue import scene
+from ..closed_forms.harmonic import plane_oscillation
 from ..ladders import Ladder
-from ..motion.model import Model, Neglected
-from .catalogue import scene
-from .foucault import any_swing as on_cord
-from .foucault import below, held
-from .low import STATES
+from ..particles.foucault_pendulum import any_swing as on_cord
+from ..particles.foucault_pendulum import below, held
+from ..particles.low_pressure import STATES
 from .top import momentum_difference, nonspinning_frame, nutation
 
 PLACE = "place of the tip in plan, m"
@@ -50,7 +50,7 @@ def momentum(mass, length, psi, theta, phi):
     mass=3.0, length=2.0, g=9.81,
 )  # fmt: skip
 def pendulum(mass, length, g):
-    """The pendulum as a Model without a singular position: :func:`newton_euler.scenes.top.nonspinning_frame`.
+    """The pendulum as a Model without a singular position: :func:`newton_euler.scenes.spatial.top.nonspinning_frame`.
 
     >>> pendulum(3.0, 2.0, 9.81).parameters["I0"]
     4.0
@@ -63,7 +63,7 @@ def pendulum(mass, length, g):
     mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
 )  # fmt: skip
 def nodding(mass, length, g, theta, precession):
-    """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this rate psi': :func:`newton_euler.scenes.top.nutation`.
+    """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this rate psi': :func:`newton_euler.scenes.spatial.top.nutation`.
 
     >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)  # falls towards theta = pi
     1.03829
@@ -101,9 +101,9 @@ def any_swing_with_friction(length, g, friction):
 
 @scene("10.4", "spherical pendulum", "small swings and any, with friction in the joint or without", ladder=True)
 def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0):
-    """Four models: a :class:`~newton_euler.ladders.Ladder` for the place of the tip in plan, m, from the ``start`` x, y, dx, dy.
+    """Four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the place of the tip in plan, m, from the ``start`` x, y, dx, dy.
 
-    >>> from newton_euler.ladders import smallest
+    >>> from newton_euler.scenes.ladders import smallest
     >>> for metres in (0.01, 0.001, 1e-5):
     ...     print(smallest(ladder(), metres).model.name)
     bar, small swings

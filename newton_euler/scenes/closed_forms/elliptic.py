@@ -5,7 +5,7 @@ last digit. Over floats, arrays and mpf, and traced. Accuracy: a few round-offs 
 (hyperbolic ones).
 """
 
-from .algebra.scalars import atan2, cos, epsilon, exp, is_numeric, of_one_kind, sin, size, sqrt, tanh, where
+from ...algebra.scalars import atan2, cos, epsilon, exp, is_numeric, of_one_kind, sin, size, sqrt, tanh, where
 
 FEW, WIDE = 6, 1e-4  # levels that are enough for doubles m1 from 1e-4 to 1
 MANY = 12  # and for every double; a traced formula cannot see how many it needs

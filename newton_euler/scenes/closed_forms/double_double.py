@@ -4,7 +4,7 @@ A :class:`Doubled` is the sum of two numbers, the second within the round-off of
 no branches, so that it runs on floats and arrays, traced, and through heyoka; an mpf instead takes more digits of its own.
 """
 
-from .algebra.scalars import ZERO, unrounded
+from ...algebra.scalars import ZERO, unrounded
 
 SPLITTER = 2.0**27 + 1  # cuts the 53 digits of a double in two halves
 

@@ -7,9 +7,9 @@ known in closed form, where an integrator of one right-hand side with sign(slip)
 
 from dataclasses import dataclass
 
-from ..algebra.scalars import plain, scalar, where, whole
-from ..motion.model import Model
-from .catalogue import scene
+from ...algebra.scalars import plain, scalar, where, whole
+from ...motion.model import Model
+from ..catalogue import scene
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,12 @@ no less calculation than the car on wheels, but less to be known.
 from dataclasses import dataclass
 from math import inf
 
-from ..algebra.ledger import summed
-from ..algebra.scalars import atan, plain, scalar, sin, sqrt
-from ..harmonic import integrated_square, uniform_acceleration
+from ...algebra.ledger import summed
+from ...algebra.scalars import atan, plain, scalar, sin, sqrt
+from ...motion.model import Model, ModelError, Named, Neglected
+from ..catalogue import scene
+from ..closed_forms.harmonic import integrated_square, uniform_acceleration
 from ..ladders import Ladder
-from ..motion.model import Model, ModelError, Named, Neglected
-from .catalogue import scene
 
 WAY = "distance up the hill, m"
 STATES = ("s", "v")
@@ -82,7 +82,7 @@ def _wheels(p):
 
 @scene("11.19", "car on a hill", "a particle, a car on wheels, air", ladder=True)
 def ladder(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.4, g=9.81, force=2500.0, slope=0.08, start=(0.0, 10.0), t=10.0):
-    """The models of one start, the coarsest first: a :class:`~newton_euler.ladders.Ladder` for the distance, in m, until ``t``.
+    """The models of one start, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for the distance, in m, until ``t``.
 
     force : at the wheels, the power over the speed, as one gear gives it; air : rho C_D A/2, kg/m; start : s, v; the rest as in :class:`Car`.
     Raises :class:`~newton_euler.motion.model.ModelError` for a car that comes to rest before ``t``. The fullest model has no closed form that would hold

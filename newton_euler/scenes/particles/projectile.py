@@ -4,7 +4,7 @@ All have the states x, y, z along ground axes (east, north, up) from a place on 
 error of the position, as long as the shot is above the ground. Air of uniform density decelerates it by ``drag`` times the square of its speed;
 drag = density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the ground, 1e-8 at a height of 70 km.
 
->>> from newton_euler.ladders import smallest
+>>> from newton_euler.scenes.ladders import smallest
 >>> for metres in (5.0, 2.0, 1.0, 0.1, 0.01):
 ...     print(smallest(ladder(), metres).model.name)
 projectile, flat
@@ -14,13 +14,13 @@ projectile, full
 projectile, full in air
 """
 
-from ..algebra.scalars import ZERO, cos, sqrt
-from ..algebra.vectors import ZERO3, add3, cross3, dot3, scale3, sub3
-from ..applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, coriolis_series, earth_rate3, position3
-from ..harmonic import growth, stumpff
+from ...algebra.scalars import ZERO, cos, sqrt
+from ...algebra.vectors import ZERO3, add3, cross3, dot3, scale3, sub3
+from ...applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, coriolis_series, earth_rate3, position3
+from ...motion.model import Model, Neglected
+from ..catalogue import scene
+from ..closed_forms.harmonic import growth, stumpff
 from ..ladders import Ladder
-from ..motion.model import Model, Neglected
-from .catalogue import scene
 
 POSITION = "position, m"
 STATES = ("x", "y", "z", "vx", "vy", "vz")
@@ -62,7 +62,7 @@ def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
 
 @scene("6.10", "projectile", "flat Earth, Coriolis, effective gravity, attraction of a sphere, air", ladder=True)
 def ladder(g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8, start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t=10.0):
-    """The models of one shot, in the order of their cost: a :class:`~newton_euler.ladders.Ladder` for its position until ``t``.
+    """The models of one shot, in the order of their cost: a :class:`~newton_euler.scenes.ladders.Ladder` for its position until ``t``.
 
     Six, or four if ``drag`` is 0.
     """

@@ -1,6 +1,6 @@
 """Motion under an acceleration that is constant, or proportional to the distance from a point, towards it or away; and Stumpff's series."""
 
-from .algebra.scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
+from ...algebra.scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
 
 
 def uniform_acceleration(x, v, a, t):

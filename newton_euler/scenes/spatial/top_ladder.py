@@ -1,18 +1,18 @@
 """The top as a ladder: from steady precession, slow or exact, to nutation, and to a body whose two transverse moments are not quite equal.
 
 What is observed is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward vertical; I0, I, ``mgr``, omega_z as in
-:mod:`.top`. The fullest models are of a body with the moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, twice: in Euler's angles, which are singular
+:mod:`newton_euler.scenes.spatial.top`. The fullest models are of a body with the moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, twice: in Euler's angles, which are singular
 where the axis is vertical, and by the quaternion, which is not.
 """
 
 from contextlib import suppress
 
-from ..algebra.scalars import cos, sin
-from ..applications.gyroscopes import GyroError, steady_precession
-from ..kinematics.rotations import euler_matrix, euler_rates, matrix_from_quaternion, quaternion_from_euler, quaternion_rate
+from ...algebra.scalars import cos, sin
+from ...applications.gyroscopes import GyroError, steady_precession
+from ...kinematics.rotations import euler_matrix, euler_rates, matrix_from_quaternion, quaternion_from_euler, quaternion_rate
+from ...motion.model import Model, Neglected
+from ..catalogue import scene
 from ..ladders import Ladder, Rung
-from ..motion.model import Model, Neglected
-from .catalogue import scene
 from .top import _nutation_rates, _sides, momentum_difference, nutation
 
 DIRECTION = "direction of the axis, rad"
@@ -38,7 +38,7 @@ def top_steady_precession(I0, I, mgr, omega_z, theta):
 
 
 def top_precession_and_nutation(I0, I, mgr, omega_z, momentum_difference):
-    """Nutation (10.24), and the precession that goes with it: states theta, theta_rate, psi; parameters as for :func:`.top.nutation`."""
+    """Nutation (10.24), and the precession that goes with it: states theta, theta_rate, psi; parameters as for :func:`newton_euler.scenes.spatial.top.nutation`."""
     base = nutation(I0, I, mgr, omega_z, momentum_difference)
     return Model("top, nutation and precession", base.parameters, (*base.states, "psi"), _axis_rates, base.invariants, neglects=(ASYMMETRY,))
 
@@ -55,12 +55,12 @@ def asymmetric_top_quaternion(I0, I, mgr, asymmetry):
 
 @scene("10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True)
 def ladder(I0=0.02, I=0.01, mgr=0.5, omega_z=150.0, theta=0.6, theta_rate=0.0, precession=0.34, asymmetry=1e-3, t=1.0):
-    """Five models: a :class:`~newton_euler.ladders.Ladder` for the direction of the axis, a unit vector, so its errors are angles.
+    """Five models: a :class:`~newton_euler.scenes.ladders.Ladder` for the direction of the axis, a unit vector, so its errors are angles.
 
     theta, theta_rate, precession : at the start, where psi = phi = 0; omega_z is not zero. A top that is too slow has no steady precession, and its
     ladder no such rung.
 
-    >>> from newton_euler.ladders import smallest
+    >>> from newton_euler.scenes.ladders import smallest
     >>> for angle in (0.01, 5e-4, 5e-5, 1e-7):
     ...     print(smallest(ladder(), angle).model.name)
     top, slow precession
