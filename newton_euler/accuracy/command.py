@@ -8,10 +8,10 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
 
 from ..scenes import LADDERS, SCENES, ladder
-from .charts import draw_methods, draw_models, measured_models
 from .comparisons import COMPARISONS
-from .maps import MAPS, draw_map
-from .precision import LONGEST, QUICK, TOLERANCES, work_precision
+from .plots import draw_methods, draw_models, measured_models
+from .regime_maps import MAPS, draw_map
+from .work_precision import LONGEST, QUICK, TOLERANCES, work_precision
 
 MODELS, MAP = "models of ", "map of "
 

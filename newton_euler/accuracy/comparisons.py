@@ -1,13 +1,13 @@
 """Charts of speed against accuracy where nothing is integrated: derivatives, rotations, inertia, angles, steady precession.
 
 A comparison asks one or more questions; each is answered in several ways over a range of settings, and the error is drawn against the setting and
-against the cost. The ways of textbooks and their errors, against references of 40 digits, are in :mod:`newton_euler.accuracy.rivals`.
+against the cost. The ways of textbooks and their errors, against references of 40 digits, are in :mod:`newton_euler.accuracy.baselines`.
 """
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from . import rivals
+from . import baselines as rivals
 from .measure import COLOURS, MARKERS, Measured, chart, log_log, timed
 
 ROUND_OFF = 2.0**-52  # smaller errors are luck, and are drawn there

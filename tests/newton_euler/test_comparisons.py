@@ -8,7 +8,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from newton_euler.accuracy import rivals
+from newton_euler.accuracy import baselines as rivals
 from newton_euler.accuracy.comparisons import COMPARISONS, ROUND_OFF
 from newton_euler.accuracy.measure import Measured
 

@@ -7,9 +7,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler.accuracy import maps
-from newton_euler.accuracy.maps import MAPS, draw_map
+from newton_euler.accuracy import regime_maps as maps
 from newton_euler.accuracy.measure import COLOURS
+from newton_euler.accuracy.regime_maps import MAPS, draw_map
 from newton_euler.motion.integration import integrate
 from newton_euler.scenes.spatial import top
 

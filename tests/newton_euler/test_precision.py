@@ -15,14 +15,14 @@ import pytest
 from matplotlib.figure import Figure
 
 from newton_euler import ModelError
-from newton_euler.accuracy import precision
-from newton_euler.accuracy.charts import draw_methods, draw_models, measured_models
+from newton_euler.accuracy import work_precision as precision
 from newton_euler.accuracy.command import every_name, main
 from newton_euler.accuracy.comparisons import COMPARISONS
-from newton_euler.accuracy.maps import MAPS
 from newton_euler.accuracy.measure import Measured, front, marker_style
-from newton_euler.accuracy.precision import NAMES, WorkPrecision, work_precision
+from newton_euler.accuracy.plots import draw_methods, draw_models, measured_models
 from newton_euler.accuracy.reference import by_extrapolation, by_heyoka, reference
+from newton_euler.accuracy.regime_maps import MAPS
+from newton_euler.accuracy.work_precision import NAMES, WorkPrecision, work_precision
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.scenes import LADDERS, SCENES, scene

@@ -1,11 +1,11 @@
-"""Charts of what was just measured: the methods on one scene (:mod:`.precision`), and the models of one (:func:`measured_models`)."""
+"""Charts of what was just measured: the methods on one scene (:mod:`newton_euler.accuracy.work_precision`), and the models of one (:func:`measured_models`)."""
 
 import math
 from dataclasses import replace
 
 from ..motion.integration import prepare
 from .measure import Measured, chart, log_log, marker_style, timed
-from .precision import NAMES
+from .work_precision import NAMES
 
 FLOOR = 1e-17  # smaller errors are drawn there: a float cannot have them
 AUTO = {"color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6, "zorder": 4, "label": "auto"}
@@ -14,7 +14,7 @@ AUTO = {"color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6, "zo
 def draw_methods(found, figure):
     """The front of the methods by time, after drawing three charts: error against time, error against calls, drift of invariants against tolerance.
 
-    found : a :class:`~newton_euler.accuracy.precision.WorkPrecision`
+    found : a :class:`~newton_euler.accuracy.work_precision.WorkPrecision`
     "auto", which only chooses one of the methods, is drawn over them.
     """
     figure.set(layout_engine="constrained", size_inches=(13.0, 4.9))
