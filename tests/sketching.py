@@ -6,8 +6,8 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
-from newton_euler.primitives import DARK
+from newton_euler.drawing.primitives import DARK
+from newton_euler.drawing.sketch import Sketch
 
 ground = Frame("ground")
 O = ground.point("O", 0, 0, 0)

@@ -1,8 +1,8 @@
 """covering.py: the near over the far, what lies on a face over the face, and lines through a face cut."""
 
-from newton_euler.covering import painters_order
-from newton_euler.primitives import BODY, MARK, Canvas
-from newton_euler.projection import plane_view, space_view
+from newton_euler.drawing.occlusion import painters_order
+from newton_euler.drawing.primitives import BODY, MARK, Canvas
+from newton_euler.drawing.projection import plane_view, space_view
 from tests.sketching import sketch
 
 

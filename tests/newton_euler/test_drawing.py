@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from newton_euler import Frame, FrameError
-from newton_euler.drawing import Sketch
-from newton_euler.primitives import KINDS
+from newton_euler.drawing.primitives import KINDS
+from newton_euler.drawing.sketch import Sketch
 from tests.sketching import O, ground, png, sketch, texts, vertices
 
 # -- places and the page
@@ -222,7 +222,7 @@ def test_a_scene_of_one_place_and_an_empty_scene_are_drawn(place):
 
 def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
     program = (
-        "import sys, newton_euler.animation, newton_euler.drawing as d; from newton_euler import Frame\n"
+        "import sys, newton_euler.drawing.animation, newton_euler.drawing.sketch as d; from newton_euler import Frame\n"
         "assert not {'matplotlib', 'numpy', 'PIL'} & set(sys.modules), sorted(sys.modules)\n"
         "from matplotlib.figure import Figure; import io\n"
         "s = d.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1, 2, 3)); s.label((0, 0, 0), 'O')\n"

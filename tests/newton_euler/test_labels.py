@@ -6,7 +6,7 @@ import matplotlib
 import pytest
 from matplotlib.backends.backend_agg import RendererAgg
 
-from newton_euler.labels import place_labels
+from newton_euler.drawing.label_placement import place_labels
 from tests.sketching import O, ground, png, sketch, texts
 
 

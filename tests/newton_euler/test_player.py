@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 import pytest
 from PIL import Image
 
-from newton_euler.animation import Animation, AnimationError
+from newton_euler.drawing.animation import Animation, AnimationError
 
 
 def picture(grey):

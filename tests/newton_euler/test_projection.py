@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler.projection import plane_view, space_view
+from newton_euler.drawing.projection import plane_view, space_view
 from tests.sketching import sketch, vertices
 
 

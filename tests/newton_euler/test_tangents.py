@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from newton_euler import FrameError
-from newton_euler.tangents import Pulley, route
+from newton_euler.drawing.cables import Pulley, route
 from tests.sketching import ground, sketch, vertices
 
 Z = (0.0, 0.0, 1.0)

@@ -2,12 +2,12 @@
 
 import math
 
-from .algebra.vectors import FrameError, add3, scale3, sub3
-from .kinematics.frames import Frame
+from ..algebra.vectors import FrameError, add3, scale3, sub3
+from ..kinematics.frames import Frame
+from .cables import Pulley, route
 from .primitives import DASHES
 from .projection import between, circle, norm3, normal_of, on_circle, perpendiculars, silhouette
-from .recording import Recorder
-from .tangents import Pulley, route
+from .recorder import Recorder
 
 
 class Bodies(Recorder):
@@ -170,7 +170,7 @@ class Bodies(Recorder):
 
         >>> from matplotlib.figure import Figure
         >>> from newton_euler import Frame
-        >>> from newton_euler.drawing import Sketch
+        >>> from newton_euler.drawing.sketch import Sketch
         >>> ground = Frame("ground")
         >>> s = Sketch(Figure().add_subplot(), ground, plane="yz")
         >>> s.cable((0, -0.2, 0), s.pulley((0, 0, 2), ground.i, 0.2), (0, 0.2, 1))  # two weights hang on it

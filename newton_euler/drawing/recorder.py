@@ -1,16 +1,16 @@
 """The recorder behind a sketch: it reads places and directions as triples, records commands, and draws them when the figure is finished.
 
-A command draws on a :class:`~newton_euler.primitives.Canvas`, on which a point of the page has a certain length in metres. Finishing finds the
+A command draws on a :class:`~newton_euler.drawing.primitives.Canvas`, on which a point of the page has a certain length in metres. Finishing finds the
 length with which everything fits on the page, or takes that of a :class:`Window`, which the pictures of a film share so that nothing jumps.
 """
 
 import math
 from dataclasses import dataclass, field
 
-from .algebra.vectors import FrameError, Vector
-from .covering import painters_order
-from .kinematics.frames import Frame, Point
-from .labels import place_labels
+from ..algebra.vectors import FrameError, Vector
+from ..kinematics.frames import Frame, Point
+from .label_placement import place_labels
+from .occlusion import painters_order
 from .primitives import Canvas
 from .projection import mean, norm3, plane_view, space_view, unit3
 

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from itertools import pairwise, product
 
-from .algebra.vectors import FrameError, cross3, dot3, scale3, sub3
+from ..algebra.vectors import FrameError, cross3, dot3, scale3, sub3
 from .projection import norm3, on_circle
 
 

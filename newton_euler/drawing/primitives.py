@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from .algebra.vectors import add3, cross3, scale3, sub3
+from ..algebra.vectors import add3, cross3, scale3, sub3
 from .projection import View, circle, convex_hull, mean, perpendiculars, unit3
 
 # colours that colour-blind readers tell apart (Okabe and Ito); bodies are grey

@@ -10,8 +10,8 @@ Here are frames, vectors, supports and measures; ``shapes`` has the bodies, ``re
 
 import math
 
-from .algebra.vectors import FrameError, add3, cross3, dot3, scale3, sub3
-from .kinematics.frames import Frame
+from ..algebra.vectors import FrameError, add3, cross3, dot3, scale3, sub3
+from ..kinematics.frames import Frame
 from .primitives import ARROW, BODY, KINDS, MARK
 from .projection import between, circle, norm3, on_circle, perpendicular_towards, unit3
 from .shapes import Bodies

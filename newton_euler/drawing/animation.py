@@ -2,8 +2,8 @@
 
 >>> from math import sin
 >>> from newton_euler import Frame
->>> from newton_euler.animation import animate
->>> from newton_euler.drawing import Sketch
+>>> from newton_euler.drawing.animation import animate
+>>> from newton_euler.drawing.sketch import Sketch
 >>> def swinging(t, ax):
 ...     ground = Frame("ground")
 ...     bob = ground.rotate("rod", "x", angle=0.4*sin(3*t)).point("B", 0, 0, -1)
@@ -26,8 +26,8 @@ from itertools import pairwise
 from pathlib import Path
 from string import Template
 
-from .algebra.errors import NewtonEulerError
-from .recording import share_window, sketches_on
+from ..algebra.errors import NewtonEulerError
+from .recorder import share_window, sketches_on
 
 MAX_PICTURES = 600
 MAX_PIXELS = 300e6  # of all pictures together: some ten megabytes of HTML

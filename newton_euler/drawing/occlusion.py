@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 from itertools import pairwise
 
-from .algebra.vectors import dot3, sub3
+from ..algebra.vectors import dot3, sub3
 from .primitives import BODY
 from .projection import between, mean, norm3
 

@@ -2,7 +2,7 @@
 
 import math
 
-from .algebra.vectors import FrameError, add3, cross3, dot3, scale3, sub3
+from ..algebra.vectors import FrameError, add3, cross3, dot3, scale3, sub3
 
 
 class View:
