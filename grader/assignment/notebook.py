@@ -12,7 +12,7 @@ import base64
 import re
 
 from exercises.catalogue import problem as find_problem
-from newton_euler.forms import Form
+from newton_euler.classroom.forms import Form
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ",
@@ -26,7 +26,7 @@ import numpy as np
 from sympy import symbols
 
 from newton_euler import Frame, at, atan2, cos, cross, dot, moving, radians, sin, solve_rates, sqrt, tan
-from newton_euler.answers import expect, receipt
+from newton_euler.classroom.answers import expect, receipt
 """
 MASTER_COPY = (
     "> **This copy has the numbers of the book.** Yours has numbers of its own: "

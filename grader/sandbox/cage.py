@@ -34,7 +34,7 @@ CLONE = {"mount": 0x20000, "uts": 0x4000000, "ipc": 0x8000000, "user": 0x1000000
 MS_RDONLY, MS_NOSUID, MS_NODEV, MS_REMOUNT, MS_BIND, MS_REC, MS_PRIVATE = 1, 2, 4, 32, 4096, 16384, 1 << 18
 PIVOT_ROOT = {"x86_64": 155, "aarch64": 41}
 NOBODY = 65534
-PRELOAD = ("numpy", "sympy", "mpmath", "scipy.linalg", "scipy.optimize", "scipy.integrate", "newton_euler", "newton_euler.answers")
+PRELOAD = ("numpy", "sympy", "mpmath", "scipy.linalg", "scipy.optimize", "scipy.integrate", "newton_euler", "newton_euler.classroom.answers")
 
 
 class Refused(OSError):
@@ -233,7 +233,7 @@ class _TooLong(Exception):
 
 def run_cells(job, send):
     """Run the answer cells in order, with common variables, and send the receipt of each problem as a line of JSON."""
-    answers = importlib.import_module("newton_euler.answers")
+    answers = importlib.import_module("newton_euler.classroom.answers")
     space = {"__name__": "__main__", "__builtins__": __builtins__}
     _run(job.get("setup", ""), space, job["cell_seconds"])
     for problem in job["problems"]:

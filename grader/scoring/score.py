@@ -14,9 +14,9 @@ import numpy as np
 from exercises.variants import evaluate, symbol_values
 from newton_euler.algebra.scalars import ScalarError
 from newton_euler.algebra.units import DimensionError
-from newton_euler.forms import SHAPES, Form
-from newton_euler.formula_trees import TreeError
-from newton_euler.formula_trees import evaluate as tree_value
+from newton_euler.classroom.forms import SHAPES, Form
+from newton_euler.classroom.formula_trees import TreeError
+from newton_euler.classroom.formula_trees import evaluate as tree_value
 
 from .diagnosis import diagnose
 

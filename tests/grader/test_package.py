@@ -18,7 +18,7 @@ def test_the_wheel_holds_the_engine_and_no_exercise(tmp_path):
     with zipfile.ZipFile(io.BytesIO(wheel.read_bytes())) as z:
         names = z.namelist()
         everything = "".join(z.read(n).decode("utf-8", "replace") for n in names if n.endswith((".py", ".yaml", ".json", ".ipynb")))
-    assert "newton_euler/answers.py" in names
+    assert "newton_euler/classroom/answers.py" in names
     assert not [n for n in names if n.startswith(("exercises", "grader", "tests", "problems", "book"))]
     assert not [n for n in names if n.endswith((".yaml", "p16.py"))]
     assert "no_coriolis:" not in everything

@@ -12,9 +12,9 @@ import sympy
 
 from newton_euler import Frame
 from newton_euler.algebra.units import Dimension
-from newton_euler.answers import expect, receipt, receipts, record
-from newton_euler.forms import AnswerError, Form
-from newton_euler.formula_trees import NODES, TreeError, dimension_hints, evaluate
+from newton_euler.classroom.answers import expect, receipt, receipts, record
+from newton_euler.classroom.forms import AnswerError, Form
+from newton_euler.classroom.formula_trees import NODES, TreeError, dimension_hints, evaluate
 
 ground = Frame("ground")
 SYMBOLS = {"r": "m", "omega": "rad/s", "theta": "rad"}

@@ -6,7 +6,7 @@ import matplotlib
 import pytest
 
 from newton_euler import Frame
-from newton_euler.notebook import error_message, interactive_figure
+from newton_euler.classroom.widgets import error_message, interactive_figure
 
 matplotlib.use("Agg")
 

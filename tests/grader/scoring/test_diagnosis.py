@@ -12,8 +12,8 @@ from grader.scoring import score as scoring
 from grader.scoring import score_receipt
 from grader.scoring.diagnosis import term_text
 from newton_euler.algebra.vectors import Vector
-from newton_euler.answers import record
-from newton_euler.forms import Form
+from newton_euler.classroom.answers import record
+from newton_euler.classroom.forms import Form
 from newton_euler.kinematics import curvilinear as coordinates
 from newton_euler.kinematics import frames
 

@@ -12,8 +12,8 @@ from exercises.catalogue import Answer, problem, problems
 from exercises.variants import draw, evaluate
 from grader.scoring import score as scoring
 from grader.scoring.score import FORMULA_RTOL, RTOL, Score, close, read, score_receipt
-from newton_euler.answers import record
-from newton_euler.forms import Form
+from newton_euler.classroom.answers import record
+from newton_euler.classroom.forms import Form
 
 CH04 = problems("ch04")
 VALUES = {p.id: draw(p, b"tests of score") for p in CH04}

@@ -3,9 +3,9 @@
 from functools import reduce
 from operator import add, mul
 
-from .algebra.errors import NewtonEulerError
-from .algebra.scalars import FUNCTIONS, function, pi
-from .algebra.units import Dimension, DimensionError, UnitError, unit
+from ..algebra.errors import NewtonEulerError
+from ..algebra.scalars import FUNCTIONS, function, pi
+from ..algebra.units import Dimension, DimensionError, UnitError, unit
 from .forms import SHAPES, read_number
 
 NODES = 4000  # the largest formula that is read, in operations

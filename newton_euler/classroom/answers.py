@@ -7,8 +7,8 @@ Neither function holds or needs the key.
 import json
 import os
 
-from .algebra.units import pint_name
-from .algebra.vectors import Vector
+from ..algebra.units import pint_name
+from ..algebra.vectors import Vector
 from .forms import SHAPES, AnswerError, Form, clipped, read_number
 from .formula_trees import NODES, dimension_hints, in_words, read_formula
 

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from .algebra.errors import NewtonEulerError
+from ..algebra.errors import NewtonEulerError
 
 SHAPES = {"number": 1, "vector": 3, "matrix": 9, "interval": 2, "expression": 1, "vector_expression": 3, "matrix_expression": 9}
 _WORDS = {

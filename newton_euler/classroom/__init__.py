@@ -1,0 +1,1 @@
+"""Answers, receipts and widgets of a student's notebook."""
