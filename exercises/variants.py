@@ -7,7 +7,7 @@ import math
 import random
 from functools import cache
 
-from newton_euler.algebra.codegen.compiled import compiled
+from newton_euler import compiled
 from newton_euler.algebra.vectors import Vector
 
 from .catalogue import CatalogueError, problem

@@ -1,7 +1,8 @@
 """Motions for tests: all scenes of the catalogue and a few that only tests need, with their final states to 30 digits."""
 
-from newton_euler import Model, cos, scenes, second_order, sin, sqrt
+from newton_euler import Model, cos, scenes, sin, sqrt
 from newton_euler.accuracy import work_precision as precision
+from newton_euler.motion import second_order
 from newton_euler.scenes.catalogue import Scene
 from newton_euler.scenes.spatial.top import SPIN
 from newton_euler.scenes.spatial.top import tilted as top_start

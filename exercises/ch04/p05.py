@@ -3,8 +3,8 @@
 from exercises.catalogue import in_frame
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
 from exercises.proofs import angular_velocity
-from newton_euler import ZERO
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.algebra import ZERO
+from newton_euler.drawing import Sketch
 
 AXIS = "z"  # A is the first gear, above, B the second; C is the pinion
 

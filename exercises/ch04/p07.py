@@ -5,7 +5,7 @@ from mpmath import mp
 from exercises.catalogue import in_frame
 from exercises.proofs import rate, rot, second_rate, times, transposed
 from newton_euler import Frame, at, cos, moving, sin
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def flapping(g):

@@ -3,7 +3,7 @@
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_velocity, cross, minus, plus, rot, scaled, second_rate, size, times, transposed
 from newton_euler import Frame, moving
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def line_AB(g):

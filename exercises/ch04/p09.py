@@ -5,7 +5,7 @@ from mpmath import mp
 from exercises.catalogue import in_frame
 from exercises.proofs import rate
 from newton_euler import Frame, cos, moving, pi, sin, solve_rates, sqrt
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def lower_end(g):

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
 from exercises.proofs import angular_velocity, minus, times, transposed
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 AXIS = "x"  # the gear of BB is the first, that of CC the second
 

@@ -5,7 +5,7 @@ from mpmath import mp
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_velocity, rot, times
 from newton_euler import Frame, cos, sin, solve_rates
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def cones(g, rate_of_B):

@@ -3,7 +3,7 @@
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_velocity, rot, times
 from newton_euler import Frame, solve_rates
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def axle_and_disk(g):

@@ -3,7 +3,7 @@
 from exercises.catalogue import in_frame
 from exercises.proofs import rate, rot, second_rate, times
 from newton_euler import Frame, cos
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def shaft_and_rod(g):

@@ -5,7 +5,7 @@ from mpmath import mp
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, spun
 from newton_euler import Frame, cos, sin
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def fuselage_and_rotor(g):

@@ -3,7 +3,7 @@
 from exercises.catalogue import in_frame
 from exercises.devices.disk_in_two_brackets import prove_turning
 from newton_euler import Frame
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def drums(g):

@@ -4,7 +4,7 @@ from mpmath import mp
 
 from exercises.proofs import angular_acceleration, rot, spun, times
 from newton_euler import Frame, pi
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def simulator(g):

@@ -5,7 +5,7 @@ from mpmath import mp
 from exercises.catalogue import in_frame
 from exercises.proofs import plus, rate, rot, second_rate, times
 from newton_euler import Frame
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def bracket_and_disk(g):

@@ -5,7 +5,7 @@ from mpmath import mp
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate, times
 from newton_euler import Frame, pi
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def spacecraft_and_panel(g):

@@ -2,7 +2,7 @@
 
 from exercises.proofs import rate, rot, size, times
 from newton_euler import Frame, sqrt
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def velocity(g):

@@ -5,7 +5,7 @@ from mpmath import mp
 from exercises.catalogue import in_frame
 from exercises.proofs import minus, rate, rot, size, times
 from newton_euler import Frame, solve_rates
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def assembly(g, omega_y, omega_z):

@@ -3,7 +3,7 @@
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, angular_velocity, rot, times
 from newton_euler import Frame, atan, cos, sin, solve_rates
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def gears(n, n_C, tan_gamma):

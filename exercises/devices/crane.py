@@ -5,7 +5,7 @@ from mpmath import mp
 from exercises.devices.boom import turning_boom
 from exercises.proofs import rot, times
 from newton_euler import moving
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def crane(g):

@@ -9,7 +9,7 @@ from mpmath import mp
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, angular_velocity, cross, plus, rate, scaled, second_rate, spun
 from newton_euler import Frame
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 PLACES = {"C": (0, 0, 1), "D": (1, 0, 0)}
 

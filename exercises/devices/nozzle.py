@@ -4,7 +4,7 @@ from mpmath import mp
 
 from exercises.proofs import rot, times
 from newton_euler import Frame, moving
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def nozzle_and_particle(g):

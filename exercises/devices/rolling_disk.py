@@ -4,7 +4,7 @@ from mpmath import mp
 
 from exercises.proofs import plus, rot, scaled, times
 from newton_euler import Frame, pi, solve_rates
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def turning(g):

@@ -3,7 +3,7 @@
 from mpmath import mp
 
 from newton_euler import Frame, cos, moving, pi, sin
-from newton_euler.drawing.sketch import Sketch
+from newton_euler.drawing import Sketch
 
 
 def rise(g):

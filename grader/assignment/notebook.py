@@ -26,7 +26,7 @@ import numpy as np
 from sympy import symbols
 
 from newton_euler import Frame, at, atan2, cos, cross, dot, moving, radians, sin, solve_rates, sqrt, tan
-from newton_euler.classroom.answers import expect, receipt
+from newton_euler.classroom import expect, receipt
 """
 MASTER_COPY = (
     "> **This copy has the numbers of the book.** Yours has numbers of its own: "

@@ -1,1 +1,33 @@
 """Scalars of every kind, vectors, sums with named terms, linear equations, quadrature, generated code."""
+
+from .codegen.compiled import compiled
+from .errors import NewtonEulerError
+from .jets import Moving, at, moving
+from .ledger import Amount, Equation, Explanation, TermError
+from .linear import LinearError, LinearForm, Solution, solve_linear, solve_rates
+from .quadrature import WorkError
+from .scalars import (
+    ZERO,
+    ScalarError,
+    SingularError,
+    acos,
+    asin,
+    atan,
+    atan2,
+    cos,
+    cosh,
+    exp,
+    is_numeric,
+    is_zero,
+    log,
+    pi,
+    radians,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+    tanh,
+    where,
+)
+from .units import Dimension, DimensionError, Unit, UnitError, unit
+from .vectors import FrameError, Vector, cross, dot, same

@@ -1,1 +1,32 @@
 """Bodies, their inertia and principal axes, solids (chapters 5 and 7)."""
+
+from .admissibility import MassError
+from .body import Body, centre_of_mass, composite, particle
+from .inertia import Inertia
+from .parametric import integrated
+from .principal_axes import Principal, Symmetry
+from .solids import (
+    annulus,
+    arc,
+    box,
+    cone,
+    conical_shell,
+    cylinder,
+    cylindrical_shell,
+    disk,
+    ellipsoid,
+    half_disk,
+    half_ring,
+    hemisphere,
+    hemispherical_shell,
+    hollow_sphere,
+    plate,
+    ring,
+    rod,
+    sector,
+    simplex,
+    sphere,
+    spherical_shell,
+    tube,
+    wedge,
+)

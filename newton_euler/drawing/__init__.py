@@ -1,1 +1,4 @@
 """Figures to scale and animations."""
+
+from .animation import Animation, AnimationError, animate
+from .sketch import Sketch

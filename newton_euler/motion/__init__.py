@@ -1,1 +1,7 @@
 """Models and the integration of their motion."""
+
+from .events import Event
+from .integration import integrate, prepare
+from .methods.table import METHODS
+from .model import Model, ModelError, Neglected, second_order
+from .solution import Motion, MotionError

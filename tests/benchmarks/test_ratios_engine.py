@@ -17,7 +17,8 @@ ROUNDS = 5
 
 def top_by_engine(symbols):
     """psi'', theta'', phi'' of the heavy top from M = mgr sin(theta) i, in symbols of the library given."""
-    from newton_euler import Frame, euler_frame, gyro_moment, moving, sin, solve_rates
+    from newton_euler import Frame, euler_frame, moving, sin, solve_rates
+    from newton_euler.applications import gyro_moment
 
     I0, I, mgr, psi, theta, phi, dpsi, dtheta, dphi = symbols("I0 I mgr psi theta phi dpsi dtheta dphi")
 

@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Frame, FrameError, at, cos, cross, dot, gradient, sin
+from newton_euler import Frame, at, cos, cross, dot, sin
+from newton_euler.algebra import FrameError
+from newton_euler.kinematics import gradient
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -4,7 +4,8 @@ import mpmath as mp
 import pytest
 import sympy
 
-from newton_euler import Frame, along, at, cos, frenet, frenet_along, moving, polar, sin
+from newton_euler import Frame, at, cos, frenet, moving, polar, sin
+from newton_euler.kinematics import along, frenet_along
 from tests.explicit import explicit, polar_position
 from tests.kinds import KINDS, close, numbers
 

@@ -4,25 +4,8 @@ import mpmath as mp
 import pytest
 import sympy
 
-from newton_euler import (
-    Frame,
-    T_phi,
-    T_theta,
-    T_theta_phi,
-    along,
-    at,
-    cos,
-    curvilinear,
-    cylindrical,
-    cylindrical_frame,
-    frenet,
-    frenet_along,
-    moving,
-    sin,
-    spherical,
-    spherical_frame,
-    sqrt,
-)
+from newton_euler import Frame, at, cos, cylindrical, frenet, moving, sin, spherical, sqrt
+from newton_euler.kinematics import T_phi, T_theta, T_theta_phi, along, curvilinear, cylindrical_frame, frenet_along, spherical_frame
 from newton_euler.kinematics.paths import derivatives
 from newton_euler.kinematics.rotations import apply, direction_cosines, product, transpose
 from tests.explicit import explicit, polar_position, spherical_position

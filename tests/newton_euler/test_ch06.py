@@ -15,24 +15,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    FrameError,
-    MassError,
-    SingularError,
-    at,
-    atan2,
-    compiled,
-    cos,
-    cylindrical,
-    frenet,
-    moving,
-    polar,
-    sin,
-    spherical,
-    sqrt,
-)
+from newton_euler import Dimension, Frame, at, atan2, compiled, cos, cylindrical, frenet, moving, polar, sin, spherical, sqrt
+from newton_euler.algebra import FrameError, SingularError
+from newton_euler.bodies import MassError
 from newton_euler.dynamics.newton import (
     acceleration_by,
     coordinate_accelerations,

@@ -11,7 +11,8 @@ import pytest
 import sympy
 from scipy.integrate import solve_ivp
 
-from newton_euler import Dimension, Frame, MassError, at, cos, moving, sin
+from newton_euler import Dimension, Frame, at, cos, moving, sin
+from newton_euler.bodies import MassError
 from newton_euler.bodies.body import Body
 from newton_euler.bodies.solids import sphere
 from newton_euler.dynamics.energy import EnergyError, audit, kinetic_energy, kinetic_energy_about, plane_kinetic_energy

@@ -12,8 +12,9 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Dimension, Frame, MassError, at, atan2, compiled, cos, exp, gradient, moving, sin, spherical, sqrt
+from newton_euler import Dimension, Frame, at, atan2, compiled, cos, exp, moving, sin, spherical, sqrt
 from newton_euler.algebra.quadrature import WorkError
+from newton_euler.bodies import MassError
 from newton_euler.dynamics.potential import (
     NoPotential,
     conservative_force,
@@ -26,6 +27,7 @@ from newton_euler.dynamics.potential import (
     weight_potential,
 )
 from newton_euler.dynamics.work import power, work_along
+from newton_euler.kinematics import gradient
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -13,10 +13,12 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Dimension, DimensionError, Frame, FrameError, ScalarError, at, compiled, cos, frenet_along, moving, sin, sqrt
+from newton_euler import Dimension, Frame, at, compiled, cos, moving, sin, sqrt
+from newton_euler.algebra import DimensionError, FrameError, ScalarError
 from newton_euler.algebra.ledger import Amount, TermError, summed
 from newton_euler.algebra.quadrature import WorkError
 from newton_euler.dynamics.work import constant_force_work, pair_power, power, work_along, work_in_time, work_integral
+from newton_euler.kinematics import frenet_along
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

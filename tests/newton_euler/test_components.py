@@ -9,19 +9,9 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    SingularError,
-    compiled,
-    cylindrical,
-    cylindrical_coordinates,
-    moving,
-    polar,
-    polar_coordinates,
-    spherical,
-    spherical_coordinates,
-)
+from newton_euler import Dimension, Frame, compiled, cylindrical, moving, polar, spherical
+from newton_euler.algebra import SingularError
+from newton_euler.kinematics import cylindrical_coordinates, polar_coordinates, spherical_coordinates
 from tests.explicit import explicit, polar_position, spherical_position
 from tests.kinds import KINDS, close, number, numbers
 

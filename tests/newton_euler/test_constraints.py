@@ -3,7 +3,8 @@
 import pytest
 import sympy
 
-from newton_euler import ConstraintError, cos, degrees_of_freedom, sin, sqrt
+from newton_euler import cos, sin, sqrt
+from newton_euler.dynamics import ConstraintError, degrees_of_freedom
 from newton_euler.dynamics.constraints import KINDS
 
 

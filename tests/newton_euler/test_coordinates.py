@@ -7,23 +7,9 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    SingularError,
-    at,
-    compiled,
-    cos,
-    cosh,
-    curvilinear,
-    curvilinear_rates,
-    cylindrical,
-    gradient,
-    moving,
-    sin,
-    sinh,
-    spherical,
-)
+from newton_euler import Dimension, Frame, at, compiled, cos, cosh, cylindrical, moving, sin, sinh, spherical
+from newton_euler.algebra import SingularError
+from newton_euler.kinematics import curvilinear, curvilinear_rates, gradient
 from newton_euler.kinematics.curvilinear import tangents
 from tests.explicit import explicit
 from tests.kinds import KINDS, close, numbers

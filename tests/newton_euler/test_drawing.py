@@ -8,7 +8,8 @@ import sys
 import numpy as np
 import pytest
 
-from newton_euler import Frame, FrameError
+from newton_euler import Frame
+from newton_euler.algebra import FrameError
 from newton_euler.drawing.primitives import KINDS
 from newton_euler.drawing.sketch import Sketch
 from tests.sketching import O, ground, png, sketch, texts, vertices

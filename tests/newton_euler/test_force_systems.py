@@ -7,7 +7,8 @@ import sympy
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Dimension, Frame, FrameError, compiled
+from newton_euler import Dimension, Frame, compiled
+from newton_euler.algebra import FrameError
 from newton_euler.algebra.linear import solve_linear
 from newton_euler.dynamics.force_systems import Couple, Force, ForceError, ForceSystem
 from tests.kinds import KINDS, close, numbers

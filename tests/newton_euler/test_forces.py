@@ -6,21 +6,10 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    FrameError,
-    MassError,
-    attraction,
-    compiled,
-    gravitation,
-    gravitational_field,
-    gravity_at_height,
-    gravity_at_surface,
-    mass_from_weight,
-    particle,
-    weight,
-)
+from newton_euler import Dimension, Frame, compiled, particle
+from newton_euler.algebra import FrameError
+from newton_euler.bodies import MassError
+from newton_euler.dynamics import attraction, gravitation, gravitational_field, gravity_at_height, gravity_at_surface, mass_from_weight, weight
 from newton_euler.dynamics.gravitation import K
 from tests.kinds import KINDS, close, number, numbers
 

@@ -17,25 +17,8 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from exercises.proofs import DIGITS, angular_acceleration, angular_velocity, minus, plus, rate, rot, second_rate, times, transposed
-from newton_euler import (
-    Dimension,
-    Frame,
-    FrameError,
-    Point,
-    ScalarError,
-    Vector,
-    at,
-    atan2,
-    compiled,
-    cos,
-    cross,
-    moving,
-    pi,
-    same,
-    sin,
-    solve_rates,
-    sqrt,
-)
+from newton_euler import Dimension, Frame, Point, Vector, at, atan2, compiled, cos, cross, moving, pi, sin, solve_rates, sqrt
+from newton_euler.algebra import FrameError, ScalarError, same
 from tests.kinds import KINDS, close, first, number, numbers
 
 SCALES = {"float": (1.0,), "array": (1.0, 1.0625, 0.875), "mpmath": (1,), "sympy": (1,)}  # what tests.kinds does to a number, instant by instant

@@ -13,7 +13,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from newton_euler import Dimension, Frame, FrameError, at, compiled, cos, cross, moving, pi, sin, sqrt
+from newton_euler import Dimension, Frame, at, compiled, cos, cross, moving, pi, sin, sqrt
+from newton_euler.algebra import FrameError
 from newton_euler.applications.gyroscopes import (
     GyroError,
     fast_spin,

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Frame, MassError, cos, integrated, sin, sqrt
+from newton_euler import Frame, cos, sin, sqrt
+from newton_euler.bodies import MassError, integrated
 from newton_euler.bodies import solids as B
 from tests.kinds import close
 

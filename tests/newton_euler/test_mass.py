@@ -13,24 +13,9 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import (
-    ZERO,
-    Body,
-    Dimension,
-    Frame,
-    FrameError,
-    Inertia,
-    MassError,
-    Vector,
-    at,
-    centre_of_mass,
-    compiled,
-    composite,
-    cos,
-    moving,
-    particle,
-    sin,
-)
+from newton_euler import Body, Dimension, Frame, Inertia, Vector, at, centre_of_mass, compiled, composite, cos, moving, particle, sin
+from newton_euler.algebra import ZERO, FrameError
+from newton_euler.bodies import MassError
 from newton_euler.bodies.solids import disk, plate, rod, sphere
 from newton_euler.kinematics.rotations import product, transpose
 from tests.kinds import KINDS, close, number, numbers

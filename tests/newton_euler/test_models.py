@@ -12,7 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from newton_euler import ZERO, Dimension, Frame, at, coordinate_accelerations, cos, moving, polar, sin
+from newton_euler import Dimension, Frame, at, cos, moving, polar, sin
+from newton_euler.algebra import ZERO
+from newton_euler.dynamics import coordinate_accelerations
 from newton_euler.motion.model import Model, ModelError, second_order
 from newton_euler.scenes.particles.aircraft import vertical_flight
 from newton_euler.scenes.particles.low_pressure import air_near_low

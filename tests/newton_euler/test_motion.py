@@ -12,7 +12,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler import Model, ModelError, second_order, sqrt
+from newton_euler import Model, sqrt
+from newton_euler.motion import ModelError, second_order
 from newton_euler.motion.events import Event
 from newton_euler.motion.integration import integrate, prepare
 from newton_euler.motion.methods.table import METHODS

@@ -10,27 +10,9 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    FrameError,
-    SingularError,
-    along,
-    at_speed,
-    compiled,
-    cos,
-    exp,
-    flexure,
-    frenet,
-    frenet_along,
-    log,
-    moving,
-    polar,
-    polar_coordinates,
-    sin,
-    speed_rate,
-    sqrt,
-)
+from newton_euler import Dimension, Frame, compiled, cos, exp, frenet, log, moving, polar, sin, sqrt
+from newton_euler.algebra import FrameError, SingularError
+from newton_euler.kinematics import along, at_speed, flexure, frenet_along, polar_coordinates, speed_rate
 from newton_euler.kinematics.paths import derivatives
 from tests.kinds import KINDS, close, numbers
 

@@ -14,7 +14,6 @@ import mpmath as mp
 import pytest
 from matplotlib.figure import Figure
 
-from newton_euler import ModelError
 from newton_euler.accuracy import work_precision as precision
 from newton_euler.accuracy.command import every_name, main
 from newton_euler.accuracy.comparisons import COMPARISONS
@@ -23,6 +22,7 @@ from newton_euler.accuracy.plots import draw_methods, draw_models, measured_mode
 from newton_euler.accuracy.reference import by_extrapolation, by_heyoka, reference
 from newton_euler.accuracy.regime_maps import MAPS
 from newton_euler.accuracy.work_precision import NAMES, WorkPrecision, work_precision
+from newton_euler.motion import ModelError
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.scenes import LADDERS, SCENES, scene

@@ -8,7 +8,8 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Frame, Inertia, MassError, compiled, composite, particle
+from newton_euler import Frame, Inertia, compiled, composite, particle
+from newton_euler.bodies import MassError
 from newton_euler.bodies.solids import box, cylinder, disk, sphere
 from newton_euler.kinematics.rotations import determinant, rotation_matrix
 from tests.kinds import KINDS, close, number, numbers

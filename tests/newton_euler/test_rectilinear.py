@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import ScalarError, SingularError, cos, exp, from_place, from_speed, from_time, log, sqrt
+from newton_euler import cos, exp, log, sqrt
+from newton_euler.algebra import ScalarError, SingularError
 from newton_euler.algebra.quadrature import integral
+from newton_euler.kinematics import from_place, from_speed, from_time
 from tests.kinds import close, numbers
 
 three_kinds = pytest.mark.parametrize("kind", ["float", "array", "mpmath"])

@@ -10,7 +10,8 @@ import sympy
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Dimension, Frame, ScalarError, at, atan2, compiled, cos, cross, moving, pi, sin, solve_rates, sqrt
+from newton_euler import Dimension, Frame, at, atan2, compiled, cos, cross, moving, pi, sin, solve_rates, sqrt
+from newton_euler.algebra import ScalarError
 from newton_euler.kinematics.rotations import (
     RotationError,
     apply,

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Frame, FrameError, MassError, composite, pi
+from newton_euler import Frame, composite, pi
+from newton_euler.algebra import FrameError
+from newton_euler.bodies import MassError
 from newton_euler.bodies import solids as B
 from tests.kinds import KINDS, close, number, numbers
 

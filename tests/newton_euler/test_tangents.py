@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from newton_euler import FrameError
+from newton_euler.algebra import FrameError
 from newton_euler.drawing.cables import Pulley, route
 from tests.sketching import ground, sketch, vertices
 

@@ -14,11 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import (
-    ZERO,
     Dimension,
-    DimensionError,
     Frame,
-    ScalarError,
     acos,
     asin,
     at,
@@ -40,6 +37,7 @@ from newton_euler import (
     tanh,
     where,
 )
+from newton_euler.algebra import ZERO, DimensionError, ScalarError
 from newton_euler.algebra.codegen.compiled import BLOCK
 from newton_euler.algebra.codegen.trace import Step
 from newton_euler.algebra.jets import Moving

@@ -9,7 +9,8 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import Dimension, Explanation, Frame, FrameError, ScalarError, Vector, compiled, cross, dot, moving, same
+from newton_euler import Dimension, Frame, Vector, compiled, cross, dot, moving
+from newton_euler.algebra import Explanation, FrameError, ScalarError, same
 from tests.kinds import KINDS, close, numbers
 
 ground = Frame("ground")

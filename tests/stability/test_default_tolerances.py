@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from newton_euler import second_order
+from newton_euler.motion import second_order
 from newton_euler.motion.integration import integrate
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 

@@ -6,8 +6,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler import Frame, Inertia, MassError, solve_linear, solve_rates
+from newton_euler import Frame, Inertia, solve_linear, solve_rates
 from newton_euler.algebra.linear import LinearError
+from newton_euler.bodies import MassError
 from newton_euler.dynamics.euler import angular_acceleration
 
 body = Frame("body")

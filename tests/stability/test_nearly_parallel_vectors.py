@@ -6,7 +6,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler import Frame, FrameError, Inertia
+from newton_euler import Frame, Inertia
+from newton_euler.algebra import FrameError
 
 ground = Frame("ground")
 A = (1.0, 2.0, 3.0)

@@ -3,7 +3,8 @@
 import mpmath as mp
 import pytest
 
-from newton_euler import Frame, SingularError, cos, sin, sqrt
+from newton_euler import Frame, cos, sin, sqrt
+from newton_euler.algebra import SingularError
 from newton_euler.chapters.examples.appA import plane, triangle, turning_unit_vector
 from tests.kinds import KINDS, close, numbers
 

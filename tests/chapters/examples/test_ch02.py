@@ -6,7 +6,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from newton_euler import Frame, SingularError, cos, moving, sin, tan
+from newton_euler import Frame, cos, moving, sin, tan
+from newton_euler.algebra import SingularError
 from newton_euler.chapters.examples.ch02 import Nozzle, TelescopingBoom, TwoCars, acceleration_in_curve, speed_in_curve
 from tests.kinds import KINDS, close, number, numbers
 

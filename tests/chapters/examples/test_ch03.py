@@ -3,7 +3,8 @@
 import mpmath as mp
 import pytest
 
-from newton_euler import Frame, SingularError, T_theta, at, cos, exp, frenet_along, pi, sin, sqrt
+from newton_euler import Frame, at, cos, exp, pi, sin, sqrt
+from newton_euler.algebra import SingularError
 from newton_euler.chapters.examples.ch03 import (
     Spring,
     cable_load,
@@ -13,6 +14,7 @@ from newton_euler.chapters.examples.ch03 import (
     screw_jack_time,
     three_systems,
 )
+from newton_euler.kinematics import T_theta, frenet_along
 from newton_euler.kinematics.rotations import apply, transpose
 from tests.kinds import KINDS, close, numbers
 

@@ -5,7 +5,7 @@ from concurrent.futures import ProcessPoolExecutor
 
 from exercises import problem
 from grader.assignment import figure_png
-from newton_euler.drawing.sketch import label_placement as labels
+from newton_euler.drawing import label_placement as labels
 
 DRAWN = ["4/16", "4/10", "4/28", "4/7"]
 

@@ -1,0 +1,142 @@
+"""The rooms of the engine: who may import whom, and what a stranger finds in the listing."""
+
+import ast
+import importlib
+import subprocess
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+import pytest
+
+ENGINE = Path(__file__).parents[2] / "newton_euler"
+MECHANICS = ("algebra", "kinematics", "bodies", "dynamics", "applications")
+BELOW = {room: set(MECHANICS[:n]) for n, room in enumerate(MECHANICS)} | {
+    "motion": {"algebra"},
+    "classroom": {"algebra"},
+    "drawing": {"algebra", "kinematics"},
+    "scenes": {*MECHANICS, "motion"},
+    "accuracy": {*MECHANICS, "motion", "scenes"},
+}
+FILES = {".".join(("newton_euler", *path.relative_to(ENGINE).with_suffix("").parts)).removesuffix(".__init__"): path for path in ENGINE.rglob("*.py")}
+
+
+def room_of(module):
+    """The room of a module, "" for the files beside the rooms."""
+    parts = module.split(".")
+    return parts[1] if len(parts) > 1 and parts[1] in BELOW else ""
+
+
+def imports(module, source=None):
+    """[(module, name or None)] of the engine that a module imports, wherever in its text."""
+    path = FILES[module]
+    package = module if path.name == "__init__.py" else module.rpartition(".")[0]
+    found = []
+    for node in ast.walk(ast.parse(source or path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found += [(alias.name, None) for alias in node.names if alias.name.split(".")[0] == "newton_euler"]
+        elif isinstance(node, ast.ImportFrom):
+            base = package.split(".")[: len(package.split(".")) - node.level + 1] if node.level else []
+            target = ".".join([*base, *([node.module] if node.module else [])])
+            if target.split(".")[0] == "newton_euler":
+                found += [(f"{target}.{a.name}", None) if f"{target}.{a.name}" in FILES else (target, a.name) for a in node.names]
+    return found
+
+
+def climbing(module, source=None):
+    """The imports of a module that its room may not make."""
+    room = room_of(module)
+    if not room:
+        return []
+    return [target for target, _ in imports(module, source) if room_of(target) not in {room, *BELOW[room]}]
+
+
+def taken_privately(module, source=None):
+    """The private names that a module takes from another room."""
+    return [f"{t}.{n}" for t, n in imports(module, source) if n and n.startswith("_") and not n.startswith("__") and room_of(t) != room_of(module)]
+
+
+def circle(graph):
+    """A list of modules that import each other in a circle, or None."""
+    done, trail = set(), []
+
+    def visit(module):
+        if module in trail:
+            return trail[trail.index(module) :]
+        if module in done:
+            return None
+        trail.append(module)
+        found = next((c for c in map(visit, sorted(graph[module])) if c), None)
+        trail.pop()
+        done.add(module)
+        return found
+
+    return next((c for c in map(visit, sorted(graph)) if c), None)
+
+
+def test_the_rooms_are_those_of_the_plan():
+    found = {path.name for path in ENGINE.iterdir() if path.is_dir() and path.name != "__pycache__"}
+    assert found == set(BELOW)
+
+
+@pytest.mark.parametrize("module", sorted(FILES))
+def test_imports_go_down_only(module):
+    assert climbing(module) == []
+
+
+@pytest.mark.parametrize("module", sorted(FILES))
+def test_no_private_name_is_taken_from_another_room(module):
+    assert taken_privately(module) == []
+
+
+def test_an_import_that_climbs_and_a_private_name_are_seen():
+    assert climbing("newton_euler.algebra.vectors", "from ..kinematics.frames import Frame") == ["newton_euler.kinematics.frames"]
+    assert climbing("newton_euler.motion.run", "def f():\n    from newton_euler.scenes import catalogue") == ["newton_euler.scenes.catalogue"]
+    assert taken_privately("newton_euler.bodies.body", "from ..algebra.vectors import _short, dot3") == ["newton_euler.algebra.vectors._short"]
+
+
+def test_no_modules_import_each_other_in_a_circle():
+    graph = defaultdict(set)
+    for module in FILES:
+        graph[module] |= {target for target, _ in imports(module) if target != module and FILES[target].name != "__init__.py"}
+    assert circle(graph) is None
+    assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c"]
+
+
+@pytest.mark.parametrize("room", ["", *sorted(BELOW)])
+def test_a_room_shows_at_most_ten_names(room):
+    listing = [p.name for p in (ENGINE / room).iterdir() if not p.name.startswith("__") and (p.suffix == ".py" or p.is_dir())]
+    assert len(listing) <= (11 if not room else 9), sorted(listing)
+
+
+@pytest.mark.parametrize("module", [m for m in sorted(FILES) if m not in ("newton_euler.__main__", "newton_euler.accuracy.__main__")])
+def test_every_module_can_be_imported_first(module):
+    subprocess.run([sys.executable, "-W", "error", "-c", f"import {module}"], check=True, cwd=ENGINE.parent, timeout=120)
+
+
+@pytest.mark.parametrize("package", ["newton_euler", *(m for m in sorted(FILES) if FILES[m].name == "__init__.py" and m != "newton_euler")])
+def test_public_names_exist_and_none_is_also_a_module(package):
+    loaded = importlib.import_module(package)
+    names = getattr(loaded, "__all__", ())
+    assert len(set(names)) == len(names)
+    for name in names:
+        assert getattr(loaded, name) is not None
+        assert not (FILES[package].parent / f"{name}.py").exists(), f"{name} is a module and a public name of {package}"
+
+
+def defined(body):
+    """The names that the statements of one block define as functions or classes."""
+    return [node.name for node in body if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not overloaded(node)]
+
+
+def overloaded(node):
+    """True for setters and the like, which share a name on purpose."""
+    return any(isinstance(d, ast.Attribute) and d.attr in ("setter", "deleter", "register") for d in getattr(node, "decorator_list", []))
+
+
+@pytest.mark.parametrize("module", sorted(FILES))
+def test_nothing_is_defined_twice(module):
+    tree = ast.parse(FILES[module].read_text(encoding="utf-8"))
+    for block in [tree, *(n for n in ast.walk(tree) if isinstance(n, ast.ClassDef))]:
+        names = defined(block.body)
+        assert sorted(set(names)) == sorted(names)
