@@ -33,7 +33,14 @@ def top_by_engine(symbols):
 
 def top_by_kane(_):
     import sympy
-    from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, RigidBody, dynamicsymbols, inertia
+    from sympy.physics.mechanics import (
+        KanesMethod,
+        Point,
+        ReferenceFrame,
+        RigidBody,
+        dynamicsymbols,
+        inertia,
+    )
 
     I0, I, m, g, r = sympy.symbols("I0 I m g r")
     q, u = dynamicsymbols("psi theta phi"), dynamicsymbols("u1:4")

@@ -9,7 +9,12 @@ import pytest
 from newton_euler import Frame, at
 from newton_euler.algebra.scalars import atan2, cos, sin
 from newton_euler.kinematics.coordinates import polar_coordinates
-from newton_euler.kinematics.rotations import RotationError, euler_from_quaternion, quaternion_from_euler, unwound
+from newton_euler.kinematics.rotations import (
+    RotationError,
+    euler_from_quaternion,
+    quaternion_from_euler,
+    unwound,
+)
 from newton_euler.scenes.spatial import top
 
 RATE = 3.0  # rad/s

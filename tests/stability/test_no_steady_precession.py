@@ -6,7 +6,12 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler.applications.gyroscopes import GyroError, least_spin, steady_moment, steady_precession
+from newton_euler.applications.gyroscopes import (
+    GyroError,
+    least_spin,
+    steady_moment,
+    steady_precession,
+)
 
 I0, I, THETA, MGR = 0.02, 0.01, 0.5, 0.5
 LEAST = least_spin(I0, I, THETA, mgr=MGR)

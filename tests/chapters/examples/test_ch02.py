@@ -8,7 +8,13 @@ import pytest
 
 from newton_euler import Frame, cos, moving, sin, tan
 from newton_euler.algebra import SingularError
-from newton_euler.chapters.examples.ch02 import Nozzle, TelescopingBoom, TwoCars, acceleration_in_curve, speed_in_curve
+from newton_euler.chapters.examples.ch02 import (
+    Nozzle,
+    TelescopingBoom,
+    TwoCars,
+    acceleration_in_curve,
+    speed_in_curve,
+)
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

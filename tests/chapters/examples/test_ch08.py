@@ -5,7 +5,11 @@ import numpy as np
 import pytest
 
 from newton_euler.bodies import MassError
-from newton_euler.chapters.examples.ch08 import bars_about_mass_centre, bars_about_principal_axis, bars_about_x
+from newton_euler.chapters.examples.ch08 import (
+    bars_about_mass_centre,
+    bars_about_principal_axis,
+    bars_about_x,
+)
 from newton_euler.dynamics.euler import euler_moments, fixed_line_moment
 from tests.kinds import KINDS, close, number, numbers
 

@@ -7,10 +7,19 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler import Frame, cos, particle, radians, sqrt
-from newton_euler.chapters.examples.ch11 import PendulumWithPin, attraction_field, escape_speed, speed_at_distance
+from newton_euler.chapters.examples.ch11 import (
+    PendulumWithPin,
+    attraction_field,
+    escape_speed,
+    speed_at_distance,
+)
 from newton_euler.dynamics import gravitation
 from newton_euler.dynamics.energy import EnergyError
-from newton_euler.dynamics.potential import conservative_force, find_potential, gravitational_potential
+from newton_euler.dynamics.potential import (
+    conservative_force,
+    find_potential,
+    gravitational_potential,
+)
 from newton_euler.dynamics.work import work_along
 from tests.kinds import KINDS, close, numbers
 

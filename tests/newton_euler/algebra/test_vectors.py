@@ -1,0 +1,414 @@
+"""Appendix A in components, and the ledger that a vector keeps of its terms."""
+
+import math
+
+import mpmath
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from newton_euler import Dimension, Frame, Vector, at, compiled, cos, cross, dot, moving, sin
+from newton_euler.algebra import Explanation, FrameError, ScalarError, same
+from tests.kinds import KINDS, close, number, numbers
+
+ground = Frame("ground")
+
+
+turned = ground.rotate("turned", (1, 2, 2), 0.7)
+
+
+reals = st.floats(-1e3, 1e3)
+
+
+triples = st.tuples(reals, reals, reals)
+
+
+def vectors(kind):
+    a, b = numbers(kind, 1, "-2/3", "1/2"), numbers(kind, 2, "1/4", -3)
+    return ground.vector(*a), ground.vector(*b), a, b
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_eqn_A_11_scalar_product_and_A_12_magnitude(kind):
+    a, b, x, y = vectors(kind)
+    assert close(a.dot(b), x[0] * y[0] + x[1] * y[1] + x[2] * y[2])
+    assert close(dot(a, b), a.dot(b))
+    assert close(a.norm() ** 2, a.dot(a))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_eqn_A_13_vector_product_is_right_handed(kind):
+    a, b, x, y = vectors(kind)
+    assert close(a.cross(b), (x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]))
+    assert close(cross(a, b), -b.cross(a))
+    assert close(ground.i.cross(ground.j), ground.k)
+    assert close(ground.j.cross(ground.k), ground.i)
+    assert close(ground.k.cross(ground.i), ground.j)
+
+
+@given(triples, triples, triples)
+def test_products_obey_the_identities_of_lagrange_and_grassmann(a, b, c):
+    a, b, c = (ground.vector(*v) for v in (a, b, c))
+    scale = 1 + a.norm() * b.norm() * c.norm()
+    assert close(a.cross(b.cross(c)), b * a.dot(c) - c * a.dot(b), 1e-12 * scale)
+    assert abs(a.dot(b.cross(c)) - c.dot(a.cross(b))) <= 1e-12 * scale
+    assert abs(a.cross(b).norm() ** 2 + a.dot(b) ** 2 - (a.norm() * b.norm()) ** 2) <= 1e-11 * (a.norm() * b.norm() + 1) ** 2
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_sums_multiples_and_quotients(kind):
+    a, b, x, y = vectors(kind)
+    (s,) = (numbers(kind, "3/7"),)
+    assert close(a + b, tuple(p + q for p, q in zip(x, y, strict=True)))
+    assert close(a - b, tuple(p - q for p, q in zip(x, y, strict=True)))
+    assert close(s * a, tuple(s * p for p in x))
+    assert close(a * s, s * a)
+    assert close(a / s, tuple(p / s for p in x), 1e-14)
+    assert close(-a, 0 * a - a)
+    assert close(sum([a, b, b]), a + 2 * b)
+
+
+def test_dividing_keeps_the_digits_of_the_dividend():
+    third = ground.vector(mpmath.mpf(1), 0, 0) / 3
+    assert abs(third.x - mpmath.mpf(1) / 3) < 1e-30
+    assert (ground.vector(sympy.Symbol("x"), 0, 0) / 3).x == sympy.Symbol("x") / 3
+
+
+def test_rates_of_quotients_and_multiples_stay_exact():
+    v = ground.vector(moving(sympy.Integer(1), rate=1), 0, 0)
+    assert (v / 3).rate(ground).x == sympy.Rational(1, 3)
+    assert (2 * v / 3).rate(ground).x == sympy.Rational(2, 3)
+
+
+def test_vectors_of_two_frames_combine_in_the_frame_of_the_left_one():
+    a, b = ground.vector(1.0, 2.0, 3.0), turned.vector(-1.0, 0.5, 2.0)
+    assert (a + b).frame is ground
+    assert (b + a).frame is turned
+    assert close(a + b, (b + a).expressed_in(ground))
+    assert a.dot(b) == pytest.approx(b.dot(a))
+    assert close(a.cross(b), -(b.cross(a)).expressed_in(ground))
+
+
+def test_direction_and_angle():
+    assert close(ground.vector(3.0, 0, 4.0).direction(), (0.6, 0, 0.8))
+    assert ground.i.angle_to(ground.j) == pytest.approx(math.pi / 2)
+    for tiny in (1e-9, 1e-14):  # where an arc cosine gives 0
+        assert ground.i.angle_to(ground.vector(1.0, tiny, 0)) == pytest.approx(tiny, rel=1e-12)
+        assert math.pi - ground.i.angle_to(ground.vector(-1.0, tiny, 0)) == pytest.approx(tiny, rel=0.05, abs=5e-16)
+    assert ground.i.angle_to(-ground.i) == math.pi
+    assert ground.i.angle_to(2.0 * ground.i) == 0
+    with pytest.raises(FrameError, match="a zero vector has no direction"):
+        ground.vector(0, 0.0, 0).direction()
+
+
+@given(triples, triples)
+def test_the_angle_between_vectors_lies_in_0_to_pi_and_does_not_depend_on_order(a, b):
+    a, b = ground.vector(*a), ground.vector(*b)
+    if a.norm() < 1e-100 or b.norm() < 1e-100:
+        return
+    assert 0 <= a.angle_to(b) <= math.pi
+    assert a.angle_to(b) == pytest.approx(b.angle_to(a), abs=1e-15)
+
+
+def test_components_are_what_a_user_expects_to_see():
+    v = ground.vector(1.0, 0, sympy.Symbol("q"))
+    assert (v.x, v.y, v.z) == tuple(v) == v.components() == (1.0, 0, sympy.Symbol("q"))
+    assert type(v.y) is int
+    assert v.components(ground) == v.components()
+    x, _, _ = ground.vector(1.0, 2.0, 3.0)
+    assert x == 1.0
+
+
+def test_to_array_has_shape_3_or_3_by_n():
+    assert ground.vector(1, 2.0, 0).to_array().tolist() == [1.0, 2.0, 0.0]
+    rows = ground.vector(np.array([1.0, 2.0]), 0, 5.0).to_array()
+    assert rows.tolist() == [[1.0, 2.0], [0.0, 0.0], [5.0, 5.0]]
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        (lambda a: a * a, r"two vectors have two products: write a.dot\(b\) or a.cross\(b\)"),
+        (lambda a: a / a, "a vector cannot be divided by a vector"),
+        (lambda a: 1 / a, "nothing can be divided by a vector: 1"),
+        (lambda a: a + 1, "cannot add the vector .* and 1: both must be vectors"),
+        (lambda a: 1 + a, "cannot add the vector .* and 1: both must be vectors"),
+        (lambda a: a - "b", "cannot subtract the vector .* and 'b': both must be vectors"),
+        (lambda a: a.dot((1, 2, 3)), r"cannot take the dot product of the vector .* and \(1, 2, 3\)"),
+        (lambda a: a.cross(3), "cannot take the cross product of the vector .* and 3"),
+        (lambda a: np.zeros(3) + a, "both must be vectors"),
+        (lambda a: a.explain(), "was not computed as a named sum"),
+        (lambda a: a.without("coriolis"), "no term 'coriolis'; the terms are none"),
+    ],
+)
+def test_mistakes_with_vectors_are_told_in_words(wrong, message):
+    with pytest.raises(FrameError, match=message):
+        wrong(ground.vector(1.0, 2.0, 3.0))
+
+
+def test_a_vector_times_what_is_no_number_is_refused():
+    for bad in ("2", None, [1.0]):
+        with pytest.raises(ScalarError, match="expected a number"):
+            ground.i * bad
+
+
+def test_equal_vectors_are_equal_and_others_are_not():
+    ground, elsewhere = Frame("ground"), Frame("elsewhere")
+    turned = ground.rotate("turned", "z", angle=0.3)
+    a = ground.vector(1.0, 2.0, 2.0)
+    assert a == ground.vector(1, 2, 2)
+    assert a != ground.vector(1.0, 2.0, 2.0 + 1e-15)  # in one frame to the last digit
+    assert a == a.expressed_in(turned)  # in two up to round-off
+    assert a != ground.vector(1.0, 2.0, 2.001).expressed_in(turned)
+    assert a != elsewhere.vector(1.0, 2.0, 2.0)
+    assert (a == 3.0, a == (1.0, 2.0, 2.0)) == (False, False)
+    many = ground.vector(np.array([1.0, 2.0]), 0, 0)
+    assert many == ground.vector(np.array([1.0, 2.0]), 0, 0)
+    assert many != ground.vector(np.array([1.0, 3.0]), 0, 0)
+    x, angle = sympy.symbols("x angle")
+    symbolic = ground.vector(x, 0, 0)
+    assert symbolic == symbolic.expressed_in(ground.rotate("by angle", "z", angle=angle))
+    assert symbolic != ground.vector(2 * x, 0, 0)
+    with pytest.raises(TypeError, match="unhashable"):
+        hash(a)
+
+
+def test_a_vector_is_indexed_measured_and_converted_like_a_sequence_of_three():
+    a = Frame("ground").vector(2.0, 0, -1.0)
+    assert (a[0], a[-1], a[:2], len(a), abs(Frame("other").vector(3.0, 0, 4.0))) == (2.0, -1.0, (2.0, 0), 3, 5.0)
+    assert np.array(a).tolist() == [2.0, 0.0, -1.0]
+    with pytest.raises(IndexError):
+        a[3]
+
+
+def test_same_compares_relative_to_the_larger():
+    a = ground.vector(1e6, 0, 0)
+    assert same(a, a + ground.vector(0, 1e-7, 0))
+    assert not same(a, a + ground.vector(0, 1e-3, 0))
+    assert same(a, a.expressed_in(turned))
+    assert same(ground.vector(0, 0, 0), turned.vector(0, 0, 0))
+
+
+def moving_arm():
+    arm = ground.rotate("arm", "z", angle=0.3, rate=2.0, acceleration=0.5)
+    return arm, arm.point("P", moving(1.0, rate=3.0), 0.2, 0).acceleration(ground)
+
+
+def test_a_factor_a_quotient_and_another_frame_carry_the_terms_along():
+    _, a = moving_arm()
+    for changed, factor in ((2 * a, 2), (a / 4, 0.25), (-a, -1), (a.expressed_in(turned), 1)):
+        assert list(changed.terms) == list(a.terms)
+        for name, term in changed.terms.items():
+            assert close(term, (factor * a.terms[name]).expressed_in(term.frame), 1e-14)
+            assert term.frame is changed.frame
+        assert close(sum(changed.terms.values()), changed, 1e-13)
+
+
+def test_reweighted_and_without_are_sums_of_changed_terms():
+    _, a = moving_arm()
+    assert close(a.reweighted(), a)
+    assert close(a.without("coriolis"), a - a.terms["coriolis"])
+    assert close(a.reweighted(coriolis=0.5, euler=-1), a - 0.5 * a.terms["coriolis"] - 2 * a.terms["euler"])
+    assert close(a.without(*a.terms), (0, 0, 0))
+    with pytest.raises(FrameError, match="no term 'corolis'; the terms are origin, relative, coriolis, euler, centripetal"):
+        a.without("corolis")
+
+
+def test_a_sum_of_vectors_has_no_terms_of_its_own():
+    _, a = moving_arm()
+    assert (a + a).terms == {}
+    assert ground.i.terms == {}
+
+
+def test_explain_prints_the_equation_its_number_and_every_term():
+    _, a = moving_arm()
+    text = str(a.explain("m/s^2"))
+    assert text.splitlines()[0] == "acceleration of P in ground, by way of arm, equation (4.18), components in arm"
+    assert any(line.split() == ["coriolis", "2", "omega", "x", "v_r", "[0,", "12,", "0]", "m/s^2"] for line in text.splitlines())
+    assert text.splitlines()[-1].split() == ["sum", "[-4.1,", "11.7,", "0]", "m/s^2"]
+    assert isinstance(a.explain(), Explanation)
+    assert repr(a.explain()) == str(a.explain())
+
+
+def test_explain_shows_latex_in_jupyter():
+    arm, a = moving_arm()
+    shown = a.explain("m/s^2")._repr_mimebundle_()
+    assert set(shown) == {"text/plain", "text/latex"}
+    latex = a.explain().latex
+    assert latex.count("{") == latex.count("}")
+    assert r"\tag{4.18}" in latex
+    rod = arm.rotate("rod", "x", rate=1.0)
+    assert r"\boldsymbol{\omega}_{\text{arm}}\times\boldsymbol{\omega}_{\text{rod}}" in rod.angular_acceleration(ground).explain().latex
+    assert r"\tag{4.22}" in rod.angular_velocity(ground).explain().latex
+    assert "equation (4.15)" in str(arm.i.rate(ground).explain())
+    assert "equation (4.17)" in str(rod.point("Q", 1.0, 0, 0).velocity(ground).explain())
+
+
+@pytest.mark.parametrize("kind", [*KINDS, "traced", "dimension"])
+def test_every_kind_of_component_can_be_shown(kind):
+    if kind == "traced":
+        compiled(lambda x: (str(ground.vector(x, 1.0, 0)), ground.vector(x, 1.0, 0).latex()) and x)
+        return
+    x = Dimension(length=1) if kind == "dimension" else numbers(kind, "1/3")
+    v = ground.vector(x, 0, -2 * x)
+    assert str(v).endswith("in ground")
+    assert repr(v).startswith("Vector(")
+    assert v.latex().count("{") == v.latex().count("}")
+    assert v._repr_latex_() == f"${v.latex()}$"
+
+
+def test_latex_writes_signs_and_powers_of_ten():
+    assert ground.vector(1.5, -2e-7, 0).latex() == r"\left(1.5\,\hat{\imath}-2\times10^{-7}\,\hat{\jmath}\right)_{\text{ground}}"
+    assert ground.vector(0, 0, 0).latex() == r"\mathbf{0}"
+    assert ground.vector(0, sympy.Symbol("a") + 1, 0).latex() == r"\left(\left(a + 1\right)\,\hat{\jmath}\right)_{\text{ground}}"
+
+
+def test_numpy_does_not_take_vectors_apart():
+    v = ground.vector(1.0, 2.0, 3.0)
+    assert isinstance(np.float64(2.0) * v, Vector)
+    assert isinstance(np.array([1.0, 2.0]) * v, Vector)
+    assert (np.array([1.0, 2.0]) * v).z.tolist() == [3.0, 6.0]
+
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def tolerance(kind):
+    return 1e-14 if kind in ("float", "array") else mp.mpf(10) ** -27
+
+
+def three_vectors(kind):
+    return (
+        ground.vector(*numbers(kind, "1.5", "-0.7", "0.4")),
+        ground.vector(*numbers(kind, "-0.3", "1.2", "0.9")),
+        ground.vector(*numbers(kind, "0.8", "0.6", "-1.1")),
+    )
+
+
+def functions(kind):
+    """P(t), Q(t) as lists of functions, u(t), and the instant."""
+    a, b = numbers(kind, "0.4", "1.7")
+    P = [lambda t: a * t**2, lambda t: sin(b * t), lambda t: 1 + a * t]
+    Q = [lambda t: cos(t), lambda t: b * t**3, lambda t: a - t]
+    return P, Q, (lambda t: 2 + sin(a * t)), numbers(kind, "0.6")
+
+
+def vector_at(components, t):
+    return ground.vector(*(at(f, t) for f in components))
+
+
+@every_kind
+def test_eqn_A_1_a_vector_is_its_magnitude_times_its_direction(kind):
+    P, _, _ = three_vectors(kind)
+    assert close(P.norm() * P.direction(), P, tolerance(kind))
+    assert close(P.direction().norm(), 1, tolerance(kind))
+    with pytest.raises(FrameError, match="zero vector has no direction"):
+        (P - P).direction()
+
+
+@every_kind
+def test_eqn_A_2_dot_product_is_magnitudes_times_cosine(kind):
+    P, Q, _ = three_vectors(kind)
+    assert close(dot(P, Q), P.norm() * Q.norm() * cos(P.angle_to(Q)), 10 * tolerance(kind))
+
+
+@every_kind
+def test_eqn_A_3_and_A_5_products_of_the_unit_vectors(kind):
+    one = numbers(kind, 1) if kind != "array" else np.ones(3)
+    i, j, k = ground.vector(one, 0, 0), ground.vector(0, one, 0), ground.vector(0, 0, one)
+    assert close([[e.dot(f) for f in (i, j, k)] for e in (i, j, k)], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), 0)
+    for e, f, g in ((i, j, k), (j, k, i), (k, i, j)):
+        assert close(e.cross(f), g, 0)
+        assert close(f.cross(e), -g, 0)
+        assert close(e.cross(e), (0, 0, 0), 0)
+
+
+@every_kind
+def test_eqn_A_4_cross_product_is_normal_to_both_and_measures_the_area(kind):
+    P, Q, _ = three_vectors(kind)
+    product = cross(P, Q)
+    assert close((product.dot(P), product.dot(Q)), (0, 0), tolerance(kind))
+    assert close(product.norm(), P.norm() * Q.norm() * sin(P.angle_to(Q)), 10 * tolerance(kind))
+    assert close(product, -cross(Q, P), 0)
+
+
+@every_kind
+def test_eqn_A_6_to_A_10_components_are_projections_and_add(kind):
+    P, Q, _ = three_vectors(kind)
+    i, j, k = ground.i, ground.j, ground.k
+    assert close((P.dot(i), P.dot(j), P.dot(k)), P.components(), 0)  # A.7
+    assert close(P.x * i + P.y * j + P.z * k, P, 0)  # A.6, A.8
+    assert close(P + Q, (P.x + Q.x, P.y + Q.y, P.z + Q.z), 0)  # A.9, A.10
+
+
+@every_kind
+def test_eqn_A_11_and_A_12_dot_product_and_magnitude_in_components(kind):
+    P, Q, _ = three_vectors(kind)
+    tilted = ground.rotate("tilted", numbers(kind, 1, 2, 2), numbers(kind, "0.8"))  # the same in any frame
+    assert close(P.dot(Q), sum(p * q for p, q in zip(P.components(tilted), Q.components(tilted), strict=True)), tolerance(kind))
+    assert close(P.dot(P), P.norm() ** 2, tolerance(kind))
+
+
+@every_kind
+def test_eqn_A_13_and_A_14_cross_product_is_the_determinant(kind):
+    P, Q, _ = three_vectors(kind)
+    (a, b, c), (d, e, f) = P, Q
+    assert close(P.cross(Q), (b * f - c * e, -(a * f - c * d), a * e - b * d), 0)
+    tilted = ground.rotate("tilted 2", "y", numbers(kind, "0.8"))
+    assert close(P.expressed_in(tilted).cross(Q.expressed_in(tilted)), P.cross(Q).expressed_in(tilted), tolerance(kind))
+
+
+@every_kind
+def test_eqn_A_15_triple_scalar_product_is_cyclic(kind):
+    P, Q, R = three_vectors(kind)
+    assert close(P.dot(Q.cross(R)), Q.dot(R.cross(P)), tolerance(kind))
+    assert close(P.dot(Q.cross(R)), R.dot(P.cross(Q)), tolerance(kind))
+
+
+@every_kind
+def test_eqn_A_16_triple_vector_product(kind):
+    P, Q, R = three_vectors(kind)
+    assert close(P.cross(Q).cross(R), R.dot(P) * Q - R.dot(Q) * P, tolerance(kind))
+    assert not close(P.cross(Q).cross(R), P.cross(Q.cross(R)), 1e-3)
+
+
+@every_kind
+def test_eqn_A_17_rate_is_the_limit_of_differences(kind):
+    P, _, _, t = functions(kind)
+    rate = vector_at(P, t).rate(ground)
+    errors = []
+    for dt in (mp.mpf(10) ** -4, mp.mpf(10) ** -4 / 2):
+        dt = float(dt) if kind in ("float", "array") else dt if kind == "mpmath" else sympy.Rational(str(float(dt)))
+        difference = (vector_at(P, t + dt) - vector_at(P, t)) / dt
+        errors.append(number((difference - rate).norm()))
+    ratio = errors[0] / errors[1]
+    assert close(ratio, 2 + 0 * ratio, 1e-3)  # first order in dt
+
+
+@every_kind
+def test_eqn_A_18_to_A_21_product_rules(kind):
+    P, Q, u, t = functions(kind)
+    p, q, v = vector_at(P, t), vector_at(Q, t), at(u, t)
+    dp, dq = p.rate(ground), q.rate(ground)
+
+    def written_out(components):
+        return tuple(at(f, t).rate for f in components)
+
+    assert close((p + q).rate(ground), written_out([lambda s, n=n: P[n](s) + Q[n](s) for n in range(3)]), tolerance(kind))
+    assert close((v * p).rate(ground), written_out([lambda s, n=n: u(s) * P[n](s) for n in range(3)]), tolerance(kind))
+    assert close((v * p).rate(ground), v.value * dp + v.rate * p, tolerance(kind))
+    product = at(lambda s: P[0](s) * Q[0](s) + P[1](s) * Q[1](s) + P[2](s) * Q[2](s), t)
+    assert close(p.dot(dq) + q.dot(dp), product.rate, tolerance(kind))
+    crossed = [lambda s, n=n, m=(n + 1) % 3, k=(n + 2) % 3: P[m](s) * Q[k](s) - P[k](s) * Q[m](s) for n in range(3)]
+    assert close(p.cross(q).rate(ground), written_out(crossed), tolerance(kind))
+    assert close(p.cross(q).rate(ground), p.cross(dq) + dp.cross(q), tolerance(kind))
+
+
+def test_angle_between_nearly_parallel_vectors_keeps_its_digits():
+    small = 1e-9
+    P, Q = ground.vector(1.0, 0, 0), ground.vector(math.cos(small), math.sin(small), 0)
+    assert abs(P.angle_to(Q) / small - 1) < 1e-15
+    assert math.acos(P.dot(Q)) == 0.0  # the textbook formula loses it

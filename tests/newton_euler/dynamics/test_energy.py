@@ -1,0 +1,620 @@
+"""Chapter 11, (11.12)-(11.14), (11.26)-(11.33), (11.36)-(11.53): kinetic energy, its rate, and the energy equation as an audit.
+
+The oracle of a rigid body is a handful of mass points in explicit motion: rotation matrices as functions of time, differentiated by the product
+rule. No omega x r, no inertia matrix, no Euler equation.
+"""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+
+from newton_euler import (
+    Dimension,
+    Frame,
+    at,
+    compiled,
+    composite,
+    cos,
+    exp,
+    moving,
+    particle,
+    radians,
+    sin,
+    sqrt,
+)
+from newton_euler.algebra.ledger import Amount
+from newton_euler.bodies import MassError
+from newton_euler.bodies.body import Body
+from newton_euler.bodies.inertia import Inertia
+from newton_euler.bodies.solids import box, cylinder, disk, rod, sphere
+from newton_euler.dynamics.energy import (
+    Audit,
+    EnergyError,
+    audit,
+    gyroscope_energy,
+    kinetic_energy,
+    kinetic_energy_about,
+    kinetic_energy_rate,
+    plane_kinetic_energy,
+    rigid_power,
+    speed_after,
+)
+from newton_euler.dynamics.potential import conservative_force, spring_potential, weight_potential
+from newton_euler.dynamics.work import power, work_integral
+from newton_euler.kinematics.rotations import apply, euler_frame, in_sequence, rotation_matrix
+from tests.kinds import KINDS, close, number, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
+
+
+ENERGY = MASS * LENGTH**2 / TIME**2
+
+
+POINTS = ((2, (1, "0.5", 0)), (1, ("-0.5", 1, "0.25")), (3, (0, "-0.75", 1)), ("1.5", ("0.25", 0, "-1.25")))  # mass and place in the body
+
+
+def small(kind):
+    """Absolute, for quantities of order 10: a few round-offs of the kind."""
+    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -25
+
+
+class Tumbling:
+    """Four mass points on a rigid frame that turns about two axes while its origin moves, at the instant t: as points, and as a Body."""
+
+    def __init__(self, kind, t=None, fixed=False):
+        self.a, self.b, self.v = numbers(kind, "0.7", "-1.2", 0 if fixed else 2)
+        self.t = numbers(kind, "0.5") if t is None else t
+        self.masses = [numbers(kind, m) for m, _ in POINTS]
+        self.places = [numbers(kind, *r) for _, r in POINTS]
+        self.ground, self.frame = Frame("ground"), None
+
+    def yaw(self, t):
+        return self.b * t
+
+    def pitch(self, t):
+        return self.a + self.b * t * t
+
+    def origin(self, t):
+        return self.v * t, self.v * t * t, -self.v * t
+
+    def place(self, n):
+        """Rectangular coordinates of point n in the ground, moving."""
+
+        def where(t):
+            turned = apply(in_sequence(rotation_matrix((1, 0, 0), self.pitch(t)), rotation_matrix((0, 0, 1), self.yaw(t))), self.places[n])
+            return tuple(x + y for x, y in zip(turned, self.origin(t), strict=True))
+
+        return [at(lambda t, m=m: where(t)[m], self.t) for m in range(3)]
+
+    def sum(self, f):
+        """The sum over the points of the mass times f of their moving coordinates."""
+        return sum(m * f(self.place(n)) for n, m in enumerate(self.masses))
+
+    def kinetic(self):
+        """T with its rate: sum of m (x'^2 + y'^2 + z'^2)/2."""
+        return self.sum(lambda c: sum(moving(x.rate, x.acceleration) ** 2 for x in c)) / 2
+
+    def centre(self):
+        """G in the ground, moving."""
+        total = sum(self.masses)
+        return [sum(m * self.place(n)[k] for n, m in enumerate(self.masses)) / total for k in range(3)]
+
+    def loads(self):
+        """Resultant force and moment about G that the motion of the points needs, in ground components."""
+        G = self.centre()
+        force, moment = self.ground.vector(0, 0, 0), self.ground.vector(0, 0, 0)
+        for n, m in enumerate(self.masses):
+            c = self.place(n)
+            f = self.ground.vector(*(m * x.acceleration for x in c))
+            force, moment = force + f, moment + self.ground.vector(*(x.value - g.value for x, g in zip(c, G, strict=True))).cross(f)
+        return force, moment
+
+    def body(self):
+        O = self.ground.point("O", *(at(lambda t, n=n: self.origin(t)[n], self.t) for n in range(3)))
+        frame = self.ground.rotate("yaw", "z", at(self.yaw, self.t), origin=O).rotate("body", "x", at(self.pitch, self.t))
+        points = [particle(m, frame.point(f"P{n}", *r), f"P{n}") for n, (m, r) in enumerate(zip(self.masses, self.places, strict=True))]
+        return composite("body", points)
+
+
+@every_kind
+def test_eqn_11_12_the_work_of_the_resultant_is_the_gain_of_m_v2_over_2(kind):
+    m, t = numbers(kind, 2, "0.75")
+    v = lambda t: (t * t, 3 * t, 1 - t)  # noqa: E731
+    F = lambda t: (2 * m * t, 3 * m, -m)  # noqa: E731
+    U = work_integral(lambda s: power(F(s), v(s)), 0, t, exact=kind == "sympy")
+    speeds = [sum(x * x for x in v(s)) for s in (0 * t, t)]
+    assert close(U.value, m * (speeds[1] - speeds[0]) / 2, small(kind))
+
+
+@every_kind
+def test_eqn_11_13_kinetic_energy_of_a_particle(kind):
+    m, x, y, z = numbers(kind, 2, 1, "-0.5", 3)
+    ground = Frame("ground")
+    T = kinetic_energy(particle(m, ground.point("P", moving(0 * x, x), moving(0 * y, y), moving(0 * z, z))), ground)
+    assert close(T.value, m * (x * x + y * y + z * z) / 2, small(kind))
+    assert close(T.terms["rotation"], 0, 0)
+
+
+@every_kind
+def test_eqn_11_14_speed_after_work(kind):
+    v0, U, m = numbers(kind, 3, 8, 2)
+    v1 = speed_after(v0, U, m)
+    assert close(m * (v1 * v1 - v0 * v0) / 2, U, small(kind))
+    assert close(speed_after(v0, Amount(U), m), v1, 0)
+
+
+def test_eqn_11_14_it_just_gets_there_or_not():
+    assert speed_after(3.0, -9.0, 2.0) == 0
+    with pytest.raises(EnergyError, match=r"does not get there: the work -9\.0001 takes more than the kinetic energy 9, so it stops before"):
+        speed_after(3.0, -9.0001, 2.0)
+    with pytest.raises(EnergyError, match="does not get there"):
+        speed_after(np.array([3.0, 1.0]), -9.0, 2.0)
+
+
+@every_kind
+def test_eqn_11_42_the_mass_points_one_by_one(kind):
+    scene = Tumbling(kind)
+    points = [particle(m, scene.ground.point(f"P{n}", *scene.place(n)), f"P{n}") for n, m in enumerate(scene.masses)]
+    T = kinetic_energy(points, scene.ground)
+    assert list(T.terms) == ["P0", "P1", "P2", "P3"]
+    assert close(T.value, scene.kinetic().value, small(kind))
+
+
+@every_kind
+def test_eqn_11_43_44_the_mixed_term_vanishes_about_the_mass_centre(kind):
+    scene = Tumbling(kind)
+    G = scene.centre()
+    rho = [[x - g for x, g in zip(scene.place(n), G, strict=True)] for n in range(4)]
+    mixed = [sum(m * r[k].rate for m, r in zip(scene.masses, rho, strict=True)) for k in range(3)]
+    assert close(mixed, (0, 0, 0), small(kind))
+    T = kinetic_energy(scene.body(), scene.ground)
+    about = sum(m * sum(x.rate**2 for x in r) for m, r in zip(scene.masses, rho, strict=True)) / 2
+    assert close(T.terms["translation"], sum(scene.masses) * sum(g.rate**2 for g in G) / 2, small(kind))
+    assert close(T.terms["rotation"], about, small(kind))
+
+
+@every_kind
+def test_eqn_11_45_of_the_body_is_that_of_its_points(kind):
+    scene = Tumbling(kind)
+    body, ground = scene.body(), scene.ground
+    T = kinetic_energy(body, ground)
+    assert close(T.value, scene.kinetic().value, small(kind))
+    v, omega = body.centre.velocity(ground), body.frame.angular_velocity(ground)
+    assert close(v.dot(body.momentum(ground)) / 2 + omega.dot(body.angular_momentum(ground)) / 2, T.value, small(kind))
+    assert T.number == "11.45"
+
+
+@settings(deadline=None, max_examples=30)
+@given(st.lists(st.tuples(st.floats(0.1, 5), *(st.floats(-2, 2),) * 3), min_size=1, max_size=5), st.lists(st.floats(-3, 3), min_size=9, max_size=9))
+def test_eqn_11_45_for_any_mass_points_in_any_motion(points, c):
+    ground = Frame("ground")
+    frame = ground.rotate("first", (1, c[0], 2), moving(c[1], c[2]), origin=ground.point("O", moving(0.0, c[3]), moving(0.0, c[4]), 0.0))
+    frame = frame.rotate("second", (c[5], 1, 0), moving(c[6], c[7])).rotate("third", "y", moving(c[8], c[0]))
+    parts = [particle(m, frame.point(f"P{n}", *r), f"P{n}") for n, (m, *r) in enumerate(points)]
+    of_body, of_points = kinetic_energy(composite("body", parts), ground).value, kinetic_energy(parts, ground).value
+    assert of_body == pytest.approx(of_points, rel=1e-12, abs=1e-12)
+    assert of_body >= 0
+
+
+@every_kind
+def test_eqn_11_50_angular_momentum_in_plane_motion_leans_with_the_products(kind):
+    Ixx, Iyy, Izz, Ixz, Iyz, w = numbers(kind, 2, 3, 4, "0.5", "-0.25", 6)
+    ground = Frame("ground")
+    frame = ground.rotate("plate", "z", rate=w)
+    body = Body("plate", w, frame, Inertia(frame, (Ixx, Iyy, Izz), (0, Iyz, Ixz), tolerance=None))
+    assert close(body.angular_momentum(ground), (-Ixz * w, -Iyz * w, Izz * w), small(kind))
+    assert close(kinetic_energy(body, ground).value, Izz * w * w / 2, 10 * small(kind))  # the products drop out
+
+
+@every_kind
+def test_eqn_11_51_plane_motion(kind):
+    m, a, v, w = numbers(kind, 2, "0.5", 3, 4)
+    ground = Frame("ground")
+    G = ground.point("G", moving(0 * v, v), moving(0 * v, -v), 0)
+    wheel = disk(a, ground.rotate("wheel", "z", rate=w, origin=G), "z", mass=m)
+    T = plane_kinetic_energy(m, v * sqrt(2 + 0 * v), m * a * a / 2, w)
+    assert close(kinetic_energy(wheel, ground).value, T.value, small(kind))
+    assert close([kinetic_energy(wheel, ground).terms[n] for n in T.terms], list(T.terms.values()), small(kind))
+
+
+@every_kind
+def test_eqn_11_52_about_a_fixed_point(kind):
+    scene = Tumbling(kind, fixed=True)
+    body, ground = scene.body(), scene.ground
+    expected = scene.kinetic().value
+    for B in (body.frame.point("B", 0, 0, 0), ground.origin):  # as a point of the body, and as one of the ground
+        T = kinetic_energy_about(body, B, ground)
+        assert close(T.value, expected, small(kind))
+    assert close(kinetic_energy(body, ground).value, expected, small(kind))
+    assert T.number == "11.52"
+
+
+def test_eqn_11_52_about_the_contact_of_a_rolling_wheel():
+    """At rest at the instant is enough."""
+    ground = Frame("ground")
+    frame = ground.rotate("wheel", "-z", rate=4.0, origin=ground.point("C", moving(0.0, 2.0), 0.5, 0.0))
+    wheel = disk(0.5, frame, "z", mass=3.0)
+    T = kinetic_energy_about(wheel, ground.point("contact", 0, 0, 0), ground)
+    assert T.value == pytest.approx(0.75 * 3.0 * 2.0**2, rel=1e-14)
+    assert kinetic_energy(wheel, ground).value == pytest.approx(T.value, rel=1e-14)
+
+
+def test_eqn_11_52_refuses_a_point_that_moves():
+    ground = Frame("ground")
+    frame = ground.rotate("wheel", "-z", rate=4.0, origin=ground.point("C", moving(0.0, 2.0), 0.5, 0.0))
+    wheel = disk(0.5, frame, "z", mass=3.0)
+    with pytest.raises(EnergyError, match=r"the point of disk at top moves, at 4: \(11\.52\) needs a point .* at rest in ground"):
+        kinetic_energy_about(wheel, ground.point("top", 0, 1.0, 0), ground)
+    near = [kinetic_energy_about(wheel, ground.point("contact", 0, 0.5e-9, 0), ground).value]  # within the tolerance
+    assert near[0] == pytest.approx(9.0, rel=1e-8)
+    with pytest.raises(EnergyError, match="moves, at 4e-08"):
+        kinetic_energy_about(wheel, ground.point("beside", 0, 1e-8, 0), ground)
+
+
+@every_kind
+def test_eqn_11_53_principal_axes_at_the_fixed_point(kind):
+    a, b, c, m, w1, w2 = numbers(kind, 1, 2, "0.5", 6, "1.5", -2)
+    ground = Frame("ground")
+    frame = ground.rotate("one", "z", a, rate=w1).rotate("body", "x", b, rate=w2)
+    brick = box(a, b, c, frame, mass=m)
+    omega = frame.angular_velocity(ground).components(frame)
+    I = brick.about(frame.point("B", 0, 0, 0)).moments
+    expected = sum(i * w * w for i, w in zip(I, omega, strict=True)) / 2
+    assert close(kinetic_energy_about(brick, frame.point("B", 0, 0, 0), ground).value, expected, small(kind))
+
+
+@every_kind
+def test_section_11_16_of_a_gyroscope_by_eulers_angles(kind):
+    I0, I, theta, nod, precession, spin = numbers(kind, "1.5", 1, "0.8", "0.4", 2, 9)
+    ground = Frame("ground")
+    rotor = euler_frame(ground, "rotor", moving(theta, precession), moving(theta, nod), moving(theta, spin))
+    body = Body("rotor", I, rotor, (I0, I0, I))
+    T = gyroscope_energy(I0, I, theta, nod, precession, spin)
+    assert close(T.value, kinetic_energy(body, ground).value, 10 * small(kind))
+    assert close(T.terms["axial"], I * (spin + precession * cos(theta)) ** 2 / 2, 10 * small(kind))
+
+
+def test_kinetic_energy_of_several_bodies_keeps_one_term_each():
+    ground = Frame("ground")
+    shaft = ground.rotate("shaft", "z", rate=2.0)
+    bar, ball = rod(1.0, shaft, "x", mass=3.0), particle(2.0, shaft.point("P", 0.5, 0, 0), "ball")
+    T = kinetic_energy([bar, ball], ground)
+    assert T.terms == {"rod": pytest.approx(0.5), "ball": pytest.approx(1.0)}
+    assert "kinetic energy, equation (11.42)" in T.explain()
+    with pytest.raises(EnergyError, match="two bodies have the name 'rod'"):
+        kinetic_energy([bar, bar], ground)
+
+
+@every_kind
+def test_eqn_11_36_the_force_drives_the_translation(kind):
+    scene = Tumbling(kind)
+    F, _ = scene.loads()
+    G = scene.centre()
+    body = scene.body()
+    half = sum(scene.masses) * sum(moving(g.rate, g.acceleration) ** 2 for g in G) / 2
+    assert close(power(F, body.centre, scene.ground), half.rate, small(kind))
+    assert close(kinetic_energy_rate(body, scene.ground).terms["translation"], half.rate, small(kind))
+
+
+@every_kind
+def test_eqn_11_37_integrated_the_force_gives_the_gain_of_v_dot_L_over_2(kind):
+    """A body whose mass centre goes along (t^3, t, -t^2) under the force m (6 t, 0, -2)."""
+    m, t = numbers(kind, 2, "0.75")
+    ground = Frame("ground")
+
+    def body(t):
+        return particle(m, ground.point("G", *(at(f, t) for f in (lambda t: t**3, lambda t: t, lambda t: -t * t))))
+
+    U = work_integral(lambda t: power(ground.vector(6 * m * t, 0, -2 * m), body(t).centre, ground), 0, t, exact=kind == "sympy")
+    kept = [body(s).centre.velocity(ground).dot(body(s).momentum(ground)) / 2 for s in (0 * t, t)]
+    assert close(U.value, kept[1] - kept[0], small(kind))
+
+
+@every_kind
+def test_eqn_11_38_only_the_change_of_H_in_the_body_works(kind):
+    scene = Tumbling(kind)
+    body, ground = scene.body(), scene.ground
+    _, M = scene.loads()
+    omega, H = body.frame.angular_velocity(ground), body.angular_momentum(ground)
+    assert close(M.dot(omega), H.rate(body.frame).dot(omega), small(kind))
+    assert close(omega.cross(H).dot(omega), 0, small(kind))
+
+
+@every_kind
+def test_eqn_11_39_moment_of_omega_and_H_of_alpha_are_one(kind):
+    scene = Tumbling(kind)
+    body, ground = scene.body(), scene.ground
+    _, M = scene.loads()
+    omega, alpha = body.frame.angular_velocity(ground), body.frame.angular_acceleration(ground)
+    assert close(body.inertia.times(alpha).dot(omega), M.dot(omega), small(kind))
+    assert close(body.angular_momentum(ground).dot(alpha), M.dot(omega), small(kind))
+
+
+@every_kind
+def test_eqn_11_40_the_moment_drives_the_rotation(kind):
+    scene = Tumbling(kind)
+    body, ground = scene.body(), scene.ground
+    F, M = scene.loads()
+    rate = scene.kinetic().rate
+    found = kinetic_energy_rate(body, ground)
+    assert close(found.value, rate, small(kind))
+    assert close(found.terms["rotation"], M.dot(body.frame.angular_velocity(ground)), small(kind))
+    given_loads = rigid_power(body, ground, F, M)
+    assert close(given_loads.value, rate, small(kind))
+    assert close([given_loads.terms[n] for n in found.terms], list(found.terms.values()), small(kind))
+
+
+def test_eqn_11_41_46_47_integrated_forces_and_moments_give_the_gain_of_kinetic_energy():
+    def power_at(t, name=None):
+        scene = Tumbling("float", t)
+        P = rigid_power(scene.body(), scene.ground, *scene.loads())
+        return P.value if name is None else P.terms[name]
+
+    ends = [kinetic_energy((s := Tumbling("float", t)).body(), s.ground) for t in (0.0, 0.5)]
+    for name in ("translation", "rotation"):
+        U = work_integral(lambda t, name=name: power_at(t, name), 0.0, 0.5, rtol=1e-8)
+        assert U.value == pytest.approx(ends[1].terms[name] - ends[0].terms[name], rel=1e-8)
+    points = Tumbling("float", 0.5).kinetic().value - Tumbling("float", 0.0).kinetic().value
+    assert work_integral(power_at, 0.0, 0.5, rtol=1e-8).value == pytest.approx(points, rel=1e-8)
+
+
+@every_kind
+def test_eqn_11_41_46_47_in_the_plane_by_formula_too(kind):
+    """A disk of which the centre goes x = t^3 while it turns by t^2."""
+    m, a, t = numbers(kind, 2, "0.5", "0.75")
+    ground = Frame("ground")
+
+    def wheel(t):
+        G = ground.point("G", at(lambda s: s**3, t), 0, 0)
+        return disk(a, ground.rotate("wheel", "z", at(lambda s: s * s, t), origin=G), "z", mass=m)
+
+    def driven(t):
+        return rigid_power(wheel(t), ground, 6 * m * t * ground.i, m * a * a * ground.k).value
+
+    U = work_integral(driven, 0, t, exact=kind == "sympy")
+    assert close(U.value, kinetic_energy(wheel(t), ground).value, small(kind))
+
+
+class Driven:
+    """A mass in a prescribed plane motion under its weight and a spring; what else drives it follows from m a."""
+
+    def __init__(self, kind):
+        self.m, self.g, self.K, self.end = numbers(kind, 2, "9.81", 20, "0.75")
+
+    def place(self, t):
+        return t * t, 1 - t**3
+
+    def velocity(self, t):
+        return 2 * t, -3 * t * t
+
+    def kinetic(self, t):
+        return self.m * sum(v * v for v in self.velocity(t)) / 2
+
+    def weight(self, t):
+        return weight_potential(self.m, self.place(t)[1], self.g)
+
+    def spring(self, t):
+        return spring_potential(self.K, self.place(t)[0])
+
+    def other(self, t):
+        """F^n = m a - weight - spring, in x and y."""
+        x, _ = self.place(t)
+        return 2 * self.m + self.K * x, -6 * self.m * t + self.m * self.g
+
+    def power(self, t):
+        return power(self.other(t), self.velocity(t))
+
+    def audit(self, kind, **changed):
+        potentials = {"weight": self.weight, "spring": self.spring}
+        forces = {"potentials": potentials, "powers": {"motor": self.power}, **changed}
+        return audit(self.kinetic, 0 * self.end, self.end, **forces, exact=kind == "sympy")
+
+
+@every_kind
+def test_eqn_11_26_27_each_conservative_force_is_minus_a_gradient(kind):
+    d = Driven(kind)
+    P = Frame("ground").point("P", *d.place(d.end), 0)
+    weight = conservative_force(lambda x, y, z: weight_potential(d.m, y, d.g), P)
+    spring = conservative_force(lambda x, y, z: spring_potential(d.K, x), P)
+    assert close(weight, (0, -d.m * d.g, 0), small(kind))
+    assert close(spring, (-d.K * P.x[0].value, 0, 0), small(kind))
+    total = weight + spring + P.frame.vector(*d.other(d.end), 0)
+    assert close(total, (2 * d.m, -6 * d.m * d.end, 0), 10 * small(kind))  # m a
+
+
+@every_kind
+def test_eqn_11_28_29_the_change_of_T_is_potential_lost_and_work_done(kind):
+    d = Driven(kind)
+    books = d.audit(kind)
+    lost = -sum(books.potentials.values())
+    assert close(books.kinetic, lost + books.works["motor"], 10 * small(kind))
+    assert close(books.missing, 0, 10 * small(kind))
+    assert books.balances()
+    by_hand = d.kinetic(d.end) + d.weight(d.end) - d.weight(0 * d.end) + d.spring(d.end)
+    assert close(books.works["motor"], by_hand, 10 * small(kind))
+
+
+@every_kind
+def test_eqn_11_30_31_48_the_change_of_E_is_the_work_of_the_other_forces(kind):
+    books = Driven(kind).audit(kind)
+    assert close(books.energy, books.works["motor"], 10 * small(kind))
+
+
+@every_kind
+def test_eqn_11_32_49_without_them_E_is_constant(kind):
+    """A mass on a spring, hung up: x = a cos(n t) about rest, n^2 = K/m."""
+    m, g, a, t = numbers(kind, 2, "9.81", "0.5", "1.5")
+    n = 0 * m + 3
+    K = m * n * n
+    rest = m * g / K
+    x, v = (lambda t: rest + a * cos(n * t)), (lambda t: -n * a * sin(n * t))
+    potentials = {"weight": lambda t: weight_potential(m, -x(t), g), "spring": lambda t: spring_potential(K, x(t))}
+    books = audit(lambda t: m * v(t) ** 2 / 2, 0 * t, t, potentials)
+    assert close(books.energy, 0, 10 * small(kind))
+    assert books.balances()
+    assert not close(books.kinetic, 0, 0.1)
+
+
+@every_kind
+def test_eqn_11_33_friction_becomes_internal_energy(kind):
+    """A block thrown along a level surface: v = v0 - mu g t until it stops; all its kinetic energy becomes heat."""
+    m, mu, g, v0 = numbers(kind, 2, "0.25", 10, 3)
+    stop = v0 / (mu * g)
+    v = lambda t: v0 - mu * g * t  # noqa: E731
+    books = audit(lambda t: m * v(t) ** 2 / 2, 0 * stop, stop, powers={"friction": lambda t: -mu * m * g * v(t)}, exact=kind == "sympy")
+    assert close(books.heat("friction"), m * v0 * v0 / 2, 10 * small(kind))
+    assert close(books.energy + books.heat(), 0, 10 * small(kind))
+    with pytest.raises(EnergyError, match="no work of 'drag' is in this audit; there are friction"):
+        books.heat("drag")
+
+
+@every_kind
+@pytest.mark.parametrize("left_out", ["weight", "spring"])
+def test_a_force_left_out_is_missing_in_the_books(kind, left_out):
+    d = Driven(kind)
+    all_of_them = {"weight": d.weight, "spring": d.spring}
+    books = d.audit(kind, potentials={n: f for n, f in all_of_them.items() if n != left_out})
+    change = all_of_them[left_out](d.end) - all_of_them[left_out](0 * d.end)
+    assert not books.balances()
+    assert close(books.missing, -change, 10 * small(kind))
+
+
+def test_the_motor_left_out_is_missing_in_the_books():
+    d = Driven("float")
+    books = d.audit("float", powers={})
+    assert not books.balances()
+    assert books.missing == pytest.approx(d.audit("float").works["motor"], rel=1e-12)
+    assert str(books).splitlines()[-1] == f"  not accounted for    {books.missing:.6g}"
+
+
+def test_an_audit_in_symbols():
+    m, g, t = sympy.symbols("m g t", positive=True)
+    fall = audit(lambda s: m * (g * s) ** 2 / 2, sympy.Integer(0), t, powers={"weight": lambda s: m * g * g * s}, exact=True)
+    assert fall.balances()
+    assert sympy.expand(fall.works["weight"] - m * g**2 * t**2 / 2) == 0
+    wrong = audit(lambda s: m * (g * s) ** 2, sympy.Integer(0), t, powers={"weight": lambda s: m * g * g * s}, exact=True)
+    assert not wrong.balances()
+
+
+def test_an_audit_prints_its_books():
+    text = str(Driven("float").audit("float")).splitlines()
+    assert text[0] == "energy equation (11.29), J"
+    names = ["change of T", "change of V, weight", "change of V, spring", "less work, motor", "not accounted for"]
+    assert [row.split("  ")[1].strip() for row in text[1:]] == names
+    assert isinstance(Driven("float").audit("float"), Audit)
+
+
+def test_both_sides_of_the_tolerance_of_the_books():
+    drop = lambda extra: audit(lambda t: 50.0 * t * t + extra * t, 0.0, 1.0, powers={"push": lambda t: 100.0 * t})  # noqa: E731
+    assert drop(1e-8).balances()
+    assert not drop(1e-5).balances()
+    assert drop(1e-5).balances(rtol=1e-6)
+
+
+@settings(deadline=None, max_examples=20)
+@given(st.floats(0.5, 5), st.floats(0.5, 3), st.floats(0, 0.9), st.floats(-1, 1), st.floats(-2, 2))
+def test_the_books_of_any_damped_oscillator_close(m, n, zeta, x0, v0):
+    """Its exact solution, with the damper's heat: x = exp(-zeta n t)(a cos(d t) + b sin(d t))."""
+    d = n * math.sqrt(1 - zeta * zeta)
+    b = (v0 + zeta * n * x0) / d
+    x = lambda t: exp(-zeta * n * t) * (x0 * cos(d * t) + b * sin(d * t))  # noqa: E731
+    v = lambda t: at(x, t).rate  # noqa: E731
+    powers = {"damper": lambda t: -2 * zeta * n * m * v(t) ** 2}
+    books = audit(lambda t: m * v(t) ** 2 / 2, 0.0, 2.0, {"spring": lambda t: spring_potential(m * n * n, x(t))}, powers)
+    assert books.balances()
+    assert books.heat("damper") >= 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"kinetic": 3.0}, "the kinetic energy must be a function of time, as in lambda t"),
+        ({"powers": {"drag": 3.0}}, "the power of drag must be a function of time"),
+        ({"potentials": {"g": lambda t: t}, "powers": {"g": lambda t: t}}, "'g' is given a potential and a power; its work would be counted twice"),
+        ({"kinetic": lambda t: ENERGY}, r"an energy is Dimension\(.*\); an audit needs numbers, or SymPy expressions"),
+    ],
+)
+def test_an_audit_that_cannot_be_kept_is_refused_in_words(arguments, message):
+    with pytest.raises(EnergyError, match=message):
+        audit(**{"kinetic": lambda t: t, "start": 0.0, "end": 1.0, **arguments})
+
+
+def test_energies_have_the_units_of_energy():
+    ground = Frame("ground")
+    G = ground.point("G", moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2), 0, 0)
+    frame = ground.rotate("body", "z", rate=1 / TIME, acceleration=1 / TIME**2, origin=G)
+    ball = cylinder(LENGTH, LENGTH, frame, "x", mass=MASS)
+    assert kinetic_energy(ball, ground).value == ENERGY
+    assert kinetic_energy_about(ball, ground.point("B", LENGTH, LENGTH, 0), ground).value == ENERGY
+    assert kinetic_energy_rate(ball, ground).value == ENERGY / TIME
+    assert plane_kinetic_energy(MASS, LENGTH / TIME, MASS * LENGTH**2, 1 / TIME).value == ENERGY
+    assert gyroscope_energy(MASS * LENGTH**2, MASS * LENGTH**2, Dimension(), 1 / TIME, 1 / TIME, 1 / TIME).value == ENERGY
+    assert speed_after(LENGTH / TIME, ENERGY, MASS) == LENGTH / TIME
+
+
+def test_kinetic_energy_can_be_traced_and_is_the_same():
+    def T(m, R, v, w):
+        ground = Frame("ground")
+        frame = ground.rotate("ball", "y", rate=w, origin=ground.point("G", moving(0.0, v), 0, R))
+        return kinetic_energy(sphere(R, frame, mass=m), ground).value
+
+    assert compiled(T)(2.0, 0.5, 3.0, 6.0) == pytest.approx(T(2.0, 0.5, 3.0, 6.0), rel=1e-15)
+    symengine = pytest.importorskip("symengine")
+    m, v = symengine.symbols("m v")
+    rolled = T(m, symengine.Rational(1, 2), v, 2 * v)
+    assert float((rolled / (m * v**2)).subs({m: 3, v: 5})) == pytest.approx(0.7, rel=1e-15)
+    assert number(T(2.0, 0.5, 3.0, radians(0.0))) == 9
+
+
+@pytest.fixture(scope="module")
+def damped_driven():
+    """A pendulum with a damper c omega and a driving moment M cos(n t), integrated from rest at 1 rad for 6 s; its powers."""
+    m, l, g, c, M, n = 1.5, 0.8, 9.81, 0.3, 2.5, 2.0
+    rates = lambda t, y: (y[1], (-m * g * l * math.sin(y[0]) - c * y[1] + M * math.cos(n * t)) / (m * l * l))  # noqa: E731
+    sol = solve_ivp(rates, (0, 6), (1.0, 0.0), "DOP853", rtol=1e-12, atol=1e-13, max_step=0.05, dense_output=True).sol
+    return {
+        "kinetic": lambda t: m * (l * sol(t)[1]) ** 2 / 2,
+        "weight": lambda t: -m * g * l * math.cos(sol(t)[0]),
+        "damper": lambda t: -c * sol(t)[1] ** 2,
+        "drive": lambda t: M * math.cos(n * t) * sol(t)[1],
+    }
+
+
+def books_of(p, *powers, weight=1.0):
+    return audit(p["kinetic"], 0.0, 6.0, {"weight": lambda t: weight * p["weight"](t)}, {n: p[n] for n in powers}, rtol=1e-8)
+
+
+def test_the_books_of_a_damped_driven_pendulum_close(damped_driven):
+    books = books_of(damped_driven, "damper", "drive")
+    assert books.balances(rtol=1e-8)
+    assert books.heat("damper") > 1  # J
+    assert books.energy == pytest.approx(books.works["drive"] - books.heat("damper"), abs=1e-7)
+
+
+@pytest.mark.parametrize("left", ["damper", "drive"])
+def test_what_is_left_out_is_what_is_missing(damped_driven, left):
+    whole = books_of(damped_driven, "damper", "drive")
+    books = books_of(damped_driven, *({"damper", "drive"} - {left}))
+    assert not books.balances(rtol=1e-8)
+    assert books.missing == pytest.approx(whole.works[left], abs=1e-7)
+
+
+def test_a_wrong_sign_of_the_potential_is_missing_twice(damped_driven):
+    books = books_of(damped_driven, "damper", "drive", weight=-1.0)
+    assert not books.balances(rtol=1e-8)
+    right = books_of(damped_driven, "damper", "drive")
+    assert books.missing == pytest.approx(-2 * right.potentials["weight"], abs=1e-7)
+
+
+def test_a_body_without_mass_is_refused():
+    with pytest.raises(MassError, match="must be positive"):
+        sphere(0.5, Frame("ball"), mass=-1.0)

@@ -1,0 +1,144 @@
+"""Gravitation and weight (5.20)-(5.27); the oracle of the attraction of a planet is the sum over its mass points."""
+
+import math
+
+import numpy as np
+import pytest
+import sympy
+
+from newton_euler import Dimension, Frame, compiled, particle
+from newton_euler.algebra import FrameError
+from newton_euler.bodies import MassError
+from newton_euler.dynamics import (
+    attraction,
+    gravitation,
+    gravitational_field,
+    gravity_at_height,
+    gravity_at_surface,
+    mass_from_weight,
+    weight,
+)
+from newton_euler.dynamics.gravitation import K
+from tests.kinds import KINDS, close, number, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def small(kind, scale=1.0):
+    return scale * (1e-14 if kind in ("float", "array") else 1e-27)
+
+
+@every_kind
+def test_eqn_5_20_and_5_21_two_particles_attract_each_other_with_opposite_forces(kind):
+    m1, m2, k, x, y = numbers(kind, 3, 2, "0.5", 2, "1.5")
+    space = Frame("space")
+    a, b = particle(m1, space.point("A", x, 0, 0), "A"), particle(m2, space.point("B", 0, y, 0), "B")
+    on_a, on_b = gravitation(a, b, K=k), gravitation(b, a, K=k)
+    assert close(on_a, -on_b, small(kind))
+    assert close(on_a.cross(b.centre - a.centre), (0, 0, 0), small(kind))  # along the line that joins them
+    assert number(on_a.dot(b.centre - a.centre)).min() > 0 if kind == "array" else number(on_a.dot(b.centre - a.centre)) > 0  # toward it
+    square = x * x + y * y
+    force = on_a.norm()
+    assert close(force * square, k * m1 * m2, small(kind, 10))
+    assert close(force * force, attraction(m1, m2, 1, k) ** 2 / (square * square), small(kind, 10))
+
+
+@every_kind
+def test_eqn_5_22_and_5_23_the_field_of_a_planet_is_the_force_on_a_unit_mass(kind):
+    M, m, k, x, y, z = numbers(kind, 30, 2, "0.5", 1, 2, -2)
+    space = Frame("space")
+    planet = particle(M, space.origin, "planet")
+    P = space.point("P", x, y, z)
+    g = gravitational_field(P, M, space, k)
+    assert close(m * g, gravitation(particle(m, P), planet, K=k), small(kind, 10))
+    distance = 3 * x  # (1, 2, 2)
+    assert close(distance**3 * g, [-k * M * c for c in (x, y, z)], small(kind, 1000))
+
+
+def test_a_radially_symmetric_planet_attracts_like_a_particle():
+    """(5.22) against the sum over the mass points of a ball of density falling outward."""
+    nodes, w = np.polynomial.legendre.leggauss(40)
+    r, wr = (nodes + 1) / 2, w / 2
+    mu, wm = nodes, w  # cosine of the angle from the direction of P
+    rho = 2.0 - r
+    masses = 2 * np.pi * (wr * rho * r**2)[:, None] * wm[None, :]
+    x, across = r[:, None] * mu, r[:, None] * np.sqrt(1 - mu**2)
+    for d in (1.5, 3.0):
+        pull = (masses * (d - x) / ((d - x) ** 2 + across**2) ** 1.5).sum()
+        assert abs(pull - attraction(masses.sum(), 1.0, d, 1.0)) < 1e-11
+
+
+@every_kind
+def test_eqn_5_24_gravity_from_mass_and_radius(kind):
+    M, R, k = numbers(kind, 30, 3, "0.5")
+    assert close(gravity_at_surface(M, R, k) * R * R, k * M, small(kind, 20))
+
+
+def test_eqn_5_24_gives_the_book_s_gravity_of_the_earth():
+    """By attraction alone g is 9.81 to 9.83 m/s^2 between the largest and the smallest radius: within what the book tells."""
+    assert 9.79 < gravity_at_surface(5.972e24, 6378.137e3) < gravity_at_surface(5.972e24, 6371e3) < 9.833
+    assert abs(gravity_at_surface(5.972e24, 6371e3) - 9.818) < 1e-3
+    assert K == 6.673e-11
+
+
+@every_kind
+def test_gravity_at_height_falls_with_the_square_of_the_distance(kind):
+    M, R, k, h = numbers(kind, 30, 3, "0.5", "0.75")
+    at_surface = gravity_at_surface(M, R, k)
+    assert close(gravity_at_height(h, R, at_surface), gravity_at_surface(M, R + h, k), small(kind, 10))
+
+
+def test_problems_5_17_and_5_18():
+    assert round(gravity_at_height(500.0, 3960.0, g=150.0), 1) == 118.3  # lb
+    moon = 150.0 * gravity_at_surface(1 / 81, 3 / 11, K=1.0) / gravity_at_surface(1.0, 1.0, K=1.0)
+    assert round(moon, 1) == 24.9
+
+
+@every_kind
+def test_eqn_5_25_to_5_27_weight(kind):
+    m, g = numbers(kind, "2.5", "9.81")
+    ground = Frame("ground")
+    assert close(weight(m, ground.k, g), (0, 0, -m * g), small(kind, 10))  # (5.27)
+    assert close(weight(particle(m, ground.origin), 7 * ground.j, g), (0, -m * g, 0), small(kind, 10))
+    assert close(mass_from_weight(m * g, g), m, small(kind))  # (5.26)
+    assert close(weight(m, ground.k, g).norm(), m * g, small(kind, 10))
+
+
+def test_the_flat_earth_is_the_round_one_from_near():
+    """(5.27) errs by 2 h/R: 3e-5 at 100 m."""
+    R = 6.371e6
+    space = Frame("space")
+    P = space.point("P", 0, 0, R + 100.0)
+    flat = weight(1.0, space.k, gravity_at_surface(5.972e24, R))
+    exact = gravitational_field(P, 5.972e24, space)
+    assert math.isclose((flat - exact).norm() / flat.norm(), 200.0 / R, rel_tol=1e-3)
+
+
+def test_dimensions_and_compiling():
+    mass, length, k = Dimension(1), Dimension(0, 1), Dimension(-1, 3, -2)
+    assert attraction(mass, mass, length, k) == Dimension(1, 1, -2)
+    assert gravity_at_height(length, length, Dimension(0, 1, -2)) == Dimension(0, 1, -2)
+
+    def force(m, x, k):
+        space = Frame("space")
+        return gravitation(particle(m, space.origin), particle(2 * m, space.point("P", x, x, 0)), K=k)
+
+    assert close(compiled(force)(1.5, 0.3, 2.0), tuple(force(1.5, 0.3, 2.0)), 1e-13)
+    assert force(mass, length, k).x == Dimension(1, 1, -2)
+    r = sympy.Symbol("r", positive=True)
+    assert sympy.diff(attraction(1, 1, r, 1), r) == -2 / r**3
+
+
+def test_what_is_refused():
+    ground = Frame("ground")
+    P = particle(1.0, ground.origin, "P")
+    with pytest.raises(MassError, match=r"the distance of P and P must be positive, got 0"):
+        gravitation(P, P)
+    with pytest.raises(MassError, match=r"distance of the two bodies must be positive, got -1.0"):
+        attraction(1.0, 1.0, -1.0)
+    with pytest.raises(FrameError, match=r"upward direction as a Vector, as ground\.k; got 'up'"):
+        weight(1.0, "up")
+    with pytest.raises(MassError, match="weight needs a body or a mass, got 'heavy'"):
+        weight("heavy", ground.k)
+    with pytest.raises(MassError, match="radius of the planet must be positive"):
+        gravity_at_height(1.0, 0.0)

@@ -1,0 +1,298 @@
+"""Chapter 6, (6.1)-(6.10) and the examples of 6.3, 6.7, 6.12: forces from motions, motions from forces. The rotating Earth: test_earth.py.
+
+The oracle of every component equation is m times the second rates of the rectangular coordinates, differentiated by the product rule and projected
+on the local unit vectors: no formula of polar, spherical or relative motion.
+"""
+
+import importlib.util
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from newton_euler import (
+    Dimension,
+    Frame,
+    at,
+    atan2,
+    compiled,
+    cos,
+    cylindrical,
+    frenet,
+    moving,
+    polar,
+    sin,
+    spherical,
+    sqrt,
+)
+from newton_euler.algebra import FrameError, SingularError
+from newton_euler.bodies import MassError
+from newton_euler.dynamics.newton import (
+    acceleration_by,
+    coordinate_accelerations,
+    path_force,
+    path_rates,
+    reaction,
+    relative_acceleration,
+    resultant_force,
+)
+from tests.kinds import KINDS, close, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
+
+
+FORCE = MASS * LENGTH / TIME**2
+
+
+def small(kind):
+    """Absolute, for quantities of order 10."""
+    return 1e-13 if kind in ("float", "array") else mp.mpf(10) ** -26
+
+
+def coordinates(kind):
+    """Mass, instant, and three functions of time that never vanish together with their rates."""
+    m, t, a, b, c = numbers(kind, "2.5", "0.5", "1.5", "-0.4", "0.7")
+    return m, t, (lambda t: a + b * t + t * t), (lambda t: c + a * t - b * t * t), (lambda t: b + c * t + c * t * t * t)
+
+
+def by_rectangular(m, t, xyz):
+    """m times the second rates of the rectangular coordinates ``xyz(t)``."""
+    return tuple(m * at(lambda time, n=n: xyz(time)[n] + 0 * time, t).acceleration for n in range(3))
+
+
+def along(F, axes):
+    return tuple(sum(a * b for a, b in zip(F, axis, strict=True)) for axis in axes)
+
+
+@every_kind
+def test_eqn_6_1_force_is_mass_times_acceleration_both_ways(kind):
+    m, x, y, z = numbers(kind, 2, 5, 6, -3)
+    ground = Frame("ground")
+    a = acceleration_by(m, push=ground.vector(x, y, z))
+    assert close(a, (x / m, y / m, z / m), small(kind))
+    assert close(resultant_force(m, a), (x, y, z), small(kind))
+
+
+@every_kind
+def test_eqns_6_2_to_6_4_plane_rectangular_components(kind):
+    m, t, x, y, _ = coordinates(kind)
+    ground = Frame("ground")
+    F = resultant_force(m, ground.point("P", at(x, t), at(y, t), 0).acceleration(ground))
+    assert close(F, (2 * m, -2 * numbers(kind, "-0.4") * m, 0), small(kind))
+    assert close(F, by_rectangular(m, t, lambda t: (x(t), y(t), 0)), small(kind))
+
+
+@every_kind
+def test_eqn_6_5_tangential_and_normal_components(kind):
+    """Against the rates of speed and direction, differentiated from the velocity as functions of time."""
+    m, t, u, w, _ = coordinates(kind)
+    v = at(lambda t: sqrt(u(t) ** 2 + w(t) ** 2), t)
+    theta = at(lambda t: atan2(w(t), u(t)), t)
+    ground = Frame("ground")
+    velocity, acceleration = ground.vector(u(t), w(t), 0), ground.vector(at(u, t).rate, at(w, t).rate, 0)
+    motion = frenet(velocity, acceleration)
+    F = resultant_force(m, motion.acceleration)
+    F_t, F_n = m * v.rate, m * v.value * theta.rate
+    assert close((F.x, F.y), (F_t, F_n), small(kind))
+    assert close(F, m * acceleration, small(kind))
+    assert close((F.terms["tangential"].x, F.terms["normal"].y), (F_t, F_n), small(kind))
+    assert close(path_force(m, v.value, v.rate, motion.flexure), (F_t, F_n), small(kind))
+    assert close(path_rates(m, F_t, F_n, v.value), (v.rate, theta.rate), small(kind))
+
+
+@every_kind
+def test_eqn_6_6_polar_components(kind):
+    m, t, r, theta, _ = coordinates(kind)
+    ground = Frame("ground")
+    P = polar(ground, "P", at(r, t), at(theta, t))
+    F = resultant_force(m, P.acceleration(ground))
+    c, s = cos(theta(t)), sin(theta(t))
+    wanted = along(by_rectangular(m, t, lambda t: (r(t) * cos(theta(t)), r(t) * sin(theta(t)), 0)), ((c, s, 0), (-s, c, 0), (0, 0, 1)))
+    assert close(F, wanted, 10 * small(kind))
+    R, T = at(r, t), at(theta, t)
+    assert close(F.terms["coriolis"], (0, 2 * m * R.rate * T.rate, 0), small(kind))
+    assert close(F.terms["centripetal"], (-m * R.value * T.rate**2, 0, 0), 10 * small(kind))
+    assert close(coordinate_accelerations(m, P, push=F), (R.acceleration, T.acceleration), 10 * small(kind))
+
+
+@every_kind
+def test_eqn_6_7_rectangular_components_in_space(kind):
+    m, t, x, y, z = coordinates(kind)
+    ground = Frame("ground")
+    F = resultant_force(m, ground.point("P", at(x, t), at(y, t), at(z, t)).acceleration(ground))
+    assert close(F, by_rectangular(m, t, lambda t: (x(t), y(t), z(t))), small(kind))
+
+
+@every_kind
+def test_eqn_6_8_cylindrical_components(kind):
+    m, t, r, theta, z = coordinates(kind)
+    ground = Frame("ground")
+    P = cylindrical(ground, "P", at(r, t), at(theta, t), at(z, t))
+    F = resultant_force(m, P.acceleration(ground))
+    c, s = cos(theta(t)), sin(theta(t))
+    wanted = along(by_rectangular(m, t, lambda t: (r(t) * cos(theta(t)), r(t) * sin(theta(t)), z(t))), ((c, s, 0), (-s, c, 0), (0, 0, 1)))
+    assert close(F, wanted, 10 * small(kind))
+    assert close(coordinate_accelerations(m, P, push=F), [at(q, t).acceleration for q in (r, theta, z)], 10 * small(kind))
+
+
+@every_kind
+def test_eqn_6_9_spherical_components(kind):
+    m, t, R, theta, phi = coordinates(kind)
+    ground = Frame("ground")
+    P = spherical(ground, "P", at(R, t), at(theta, t), at(phi, t))
+    F = resultant_force(m, P.acceleration(ground))
+
+    def place(t):
+        level = R(t) * cos(phi(t))
+        return level * cos(theta(t)), level * sin(theta(t)), R(t) * sin(phi(t))
+
+    c, s, cf, sf = cos(theta(t)), sin(theta(t)), cos(phi(t)), sin(phi(t))
+    e_R, e_theta, e_phi = (cf * c, cf * s, sf), (-s, c, 0), (-sf * c, -sf * s, cf)
+    assert close(F, along(by_rectangular(m, t, place), (e_R, e_theta, e_phi)), 20 * small(kind))
+    assert close(coordinate_accelerations(m, P, push=F), [at(q, t).acceleration for q in (R, theta, phi)], 50 * small(kind))
+    total = [sum(part) for part in zip(*(tuple(term.expressed_in(P.local)) for term in F.terms.values()), strict=True)]
+    assert close(tuple(F), total, 20 * small(kind))
+
+
+def test_forces_along_curved_coordinates_may_come_as_components_or_as_vectors():
+    ground = Frame("ground")
+    P = polar(ground, "bob", moving(2.0, rate=0.0), moving(0.3, rate=1.5))
+    m, g, T = 2.0, 9.81, 30.0
+    weight = m * g * ground.i  # x down, theta from the vertical: the pendulum
+    ddr, ddtheta = coordinate_accelerations(m, P, weight=weight, cord=(-T, 0))
+    assert close(ddr, (m * g * math.cos(0.3) - T) / m + 2.0 * 1.5**2, 1e-14)
+    assert close(ddtheta, -g * math.sin(0.3) / 2.0, 1e-14)
+
+
+@every_kind
+def test_eqn_6_10_force_by_way_of_a_moving_frame_and_what_is_seen_there(kind):
+    """Against the rectangular coordinates in the inertial frame as functions of time: origin, turn, and relative motion all accelerate."""
+    m, t, x, angle, y = coordinates(kind)
+    ground = Frame("ground")
+    disk = ground.rotate("disk", "z", at(angle, t), origin=ground.point("O", at(y, t), at(x, t), at(angle, t)))
+    P = disk.point("P", at(x, t), at(y, t), at(x, t))
+
+    def place(t):
+        c, s = cos(angle(t)), sin(angle(t))
+        return y(t) + x(t) * c - y(t) * s, x(t) + x(t) * s + y(t) * c, angle(t) + x(t)
+
+    wanted = by_rectangular(m, t, place)
+    F = resultant_force(m, P.acceleration(ground, via=disk))
+    assert close(F.components(ground), wanted, 20 * small(kind))
+    assert set(F.terms) == {"origin", "relative", "coriolis", "euler", "centripetal"}
+    assert close(sum(F.terms.values()).components(ground), wanted, 20 * small(kind))
+    seen = relative_acceleration(m, P, ground, push=ground.vector(*wanted))
+    assert close(seen, [at(q, t).acceleration for q in (x, y, x)], 20 * small(kind))
+    v = P.velocity(disk)
+    assert close(seen.terms["coriolis"], -2 * disk.angular_velocity(ground).cross(v), small(kind))
+
+
+def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
+    ground = Frame("ground")
+    P = polar(ground, "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
+    told = str(resultant_force(4.0, P.acceleration(ground)).explain("N"))
+    assert told.startswith("polar force of P in ground, equation (6.6)")
+    assert "coriolis  m (2 r' theta' e_theta)" in told
+    disk = ground.rotate("disk", "z", rate=2.0)
+    seen = relative_acceleration(1.0, disk.point("Q", moving(3.0, rate=1.0), 0, 0), ground, spring=-5.0 * disk.i)
+    assert "equation (6.10)" in str(seen.explain())
+    assert r"\tag{6.10}" in seen.explain().latex
+    assert "(6.10)" in str(resultant_force(2.0, disk.point("Q", 3.0, 0, 0).acceleration(ground)).explain())
+    assert "(6.1)" in str(reaction(2.0, ground.vector(0, 0, 1.0), weight=-19.62 * ground.k).explain())
+    assert list(acceleration_by(2.0, weight=ground.k, wind=ground.i).without("wind")) == [0, 0, 0.5]
+
+
+@given(st.floats(0.1, 100), st.lists(st.floats(-10, 10), min_size=9, max_size=9))
+def test_any_force_comes_back_from_the_accelerations_that_it_makes(m, x):
+    """r = 2 + x, elevation within 60 degrees of the equator: forces to second rates to forces again."""
+    ground = Frame("ground")
+    q = (12.0 + x[0], x[1]), (x[2], x[3]), (0.1 * x[4], x[5])
+    F = tuple(x[6:])
+    P = spherical(ground, "P", *(moving(a, rate=b) for a, b in q))
+    second = coordinate_accelerations(m, P, push=F)
+    again = spherical(ground, "P", *(moving(a, rate=b, acceleration=c) for (a, b), c in zip(q, second, strict=True)))
+    scale = 10 + m * (abs(x[1]) + 22 * max(abs(v) for v in (1, *x[1:6:2])) ** 2) + sum(map(abs, second)) * m
+    assert close(tuple(resultant_force(m, again.acceleration(ground))), F, 1e-13 * 22 * scale)
+
+
+@given(st.floats(0.1, 10), st.floats(-3, 3), st.floats(-5, 5), st.floats(-5, 5), st.floats(-20, 20))
+def test_an_inertial_frame_at_constant_velocity_sees_the_same_force(m, angle, u, w, a):
+    """6.6: a frame that translates uniformly in an inertial frame is inertial too."""
+    ground = Frame("ground")
+    train = ground.translate("train", ground.point("O", moving(0.0, rate=u), moving(0.0, rate=w), 0))
+    P = train.point("P", moving(math.cos(angle), acceleration=a), moving(math.sin(angle), rate=w), 0)
+    assert close(resultant_force(m, P.acceleration(ground)).components(train), resultant_force(m, P.acceleration(train)).components(train), 1e-12)
+
+
+@pytest.mark.parametrize("m", [0, 0.0, -1.0, float("nan"), float("inf"), np.array([1.0, -2.0]), sympy.Integer(-3)])
+def test_a_mass_must_be_positive(m):
+    ground = Frame("ground")
+    for call in (lambda: resultant_force(m, ground.i), lambda: acceleration_by(m, F=ground.i), lambda: path_rates(m, 1.0, 1.0, 1.0)):
+        with pytest.raises(MassError, match="the mass must be positive and finite, got m = "):
+            call()
+
+
+def test_a_symbolic_mass_is_taken_as_it_is():
+    m = sympy.Symbol("m")
+    assert resultant_force(m, Frame("ground").vector(0, 0, 2)).z == 2 * m
+
+
+def test_singular_coordinates_are_refused_in_words():
+    ground = Frame("ground")
+    with pytest.raises(SingularError, match=r"P is where one of its coordinates moves nothing.*turn the axes"):
+        coordinate_accelerations(1.0, polar(ground, "P", moving(0.0, rate=1.0), moving(0.0, rate=1.0)), push=(1.0, 1.0))
+    with pytest.raises(SingularError, match="moves nothing"):
+        coordinate_accelerations(1.0, spherical(ground, "P", moving(np.array([1.0, 0.0])), moving(0.0), moving(0.0)), push=(1.0, 1.0, 0.0))
+    with pytest.raises(SingularError, match="at rest the velocity has no direction"):
+        path_rates(1.0, 1.0, 1.0, 0.0)
+
+
+def test_what_is_no_force_is_refused_in_words():
+    ground = Frame("ground")
+    with pytest.raises(FrameError, match=r"the force push must be a Vector, as in ground.vector\(1.0, 0, 0\)"):
+        acceleration_by(1.0, push=3.0)
+    with pytest.raises(FrameError, match="no force is given; name each of them"):
+        acceleration_by(1.0)
+    with pytest.raises(FrameError, match="the force push has 4 components"):
+        coordinate_accelerations(1.0, polar(ground, "P", 1.0, 0.0), push=(1, 2, 3, 4))
+    with pytest.raises(FrameError, match="'coriolis' is a term of the moving frame"):
+        relative_acceleration(1.0, ground.rotate("disk", "z", rate=1.0).point("P", 1.0, 0, 0), ground, coriolis=ground.i)
+    with pytest.raises(FrameError, match="the acceleration must be a Vector"):
+        resultant_force(1.0, (1.0, 2.0, 3.0))
+
+
+def test_units_of_forces_and_accelerations():
+    ground = Frame("ground")
+    angle = moving(Dimension(), Dimension(time=-1), Dimension(time=-2))
+    length = moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2)
+    P = spherical(ground, "P", length, angle, angle)
+    assert list(resultant_force(MASS, P.acceleration(ground))) == [FORCE] * 3
+    assert coordinate_accelerations(MASS, P, push=(FORCE, FORCE, FORCE)) == (LENGTH / TIME**2, 1 / TIME**2, 1 / TIME**2)
+    assert path_rates(MASS, FORCE, FORCE, LENGTH / TIME) == (LENGTH / TIME**2, 1 / TIME)
+
+
+def _polar_force(m, r, dr, ddr, theta, dtheta, ddtheta):
+    ground = Frame("ground")
+    return resultant_force(m, polar(ground, "P", moving(r, dr, ddr), moving(theta, dtheta, ddtheta)).acceleration(ground))
+
+
+def test_forces_compile():
+    x = (2.0, 1.5, -0.3, 0.2, 0.7, 1.1, -0.4)
+    assert close(compiled(_polar_force)(*x), _polar_force(*x), 1e-15)
+
+
+@pytest.mark.skipif(importlib.util.find_spec("symengine") is None, reason="symengine is not installed")
+def test_forces_of_symengine_expressions():
+    import symengine
+
+    m, r, dr, dtheta = symengine.symbols("m r dr dtheta")
+    F = _polar_force(m, r, dr, 0, 0, dtheta, 0)
+    assert symengine.expand(F.x + m * r * dtheta**2) == 0
+    assert symengine.expand(F.y - 2 * m * dr * dtheta) == 0

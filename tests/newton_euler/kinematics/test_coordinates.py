@@ -1,0 +1,354 @@
+"""Polar, cylindrical and spherical components: laws, the way back, and the neighbourhood of axis and pole. Equations: test_ch02, test_ch03."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from newton_euler import (
+    Dimension,
+    Frame,
+    compiled,
+    cos,
+    cylindrical,
+    moving,
+    polar,
+    sin,
+    spherical,
+)
+from newton_euler.algebra import SingularError
+from newton_euler.kinematics import (
+    T_phi,
+    T_theta,
+    T_theta_phi,
+    cylindrical_coordinates,
+    cylindrical_frame,
+    polar_coordinates,
+    spherical_coordinates,
+    spherical_frame,
+)
+from newton_euler.kinematics.rotations import apply, direction_cosines, product, transpose
+from tests.explicit import explicit, polar_position, spherical_position
+from tests.kinds import KINDS, close, number, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+SYSTEMS = {"cylindrical": (cylindrical, cylindrical_coordinates, polar_position), "spherical": (spherical, spherical_coordinates, spherical_position)}
+
+
+every_system = pytest.mark.parametrize("system", SYSTEMS)
+
+
+EPS = 2.0**-52
+
+
+moderate = st.floats(-3, 3)
+
+
+def tolerance(kind):
+    return 2e-14 if kind in ("float", "array") else mp.mpf(10) ** -26
+
+
+def motion(kind):
+    """Coordinates, rates and second rates, all of them different and none of them small."""
+    return numbers(kind, "1.3", "0.7", "0.4"), numbers(kind, "0.5", "-0.9", "1.1"), numbers(kind, "0.3", "0.8", "-0.6")
+
+
+def made(make, q, rates, second):
+    ground = Frame("ground")
+    return ground, make(ground, "P", *(moving(*x) for x in zip(q, rates, second, strict=True)))
+
+
+@every_kind
+@every_system
+def test_velocity_and_acceleration_are_those_of_the_motion_written_out(kind, system):
+    make, _, position = SYSTEMS[system]
+    ground, P = made(make, *motion(kind))
+    assert close(P.position(ground), explicit(position, 0)(kind, *motion(kind)), tolerance(kind))
+    assert close(P.velocity(ground).components(ground), explicit(position, 1)(kind, *motion(kind)), tolerance(kind))
+    assert close(P.acceleration(ground).components(ground), explicit(position, 2)(kind, *motion(kind)), tolerance(kind))
+
+
+@every_kind
+@every_system
+def test_the_terms_add_up_and_the_velocity_changes_at_the_rate_of_the_acceleration(kind, system):
+    ground, P = made(SYSTEMS[system][0], *motion(kind))
+    v, a = P.velocity(ground), P.acceleration(ground)
+    assert close(v.without(), v, tolerance(kind))
+    assert close(a.without(), a, tolerance(kind))
+    assert close(v.rate(ground), a, tolerance(kind))
+
+
+@every_kind
+@every_system
+def test_coordinates_and_rates_come_back_from_position_velocity_and_acceleration(kind, system):
+    make, back, _ = SYSTEMS[system]
+    q, rates, second = motion(kind)
+    ground, P = made(make, q, rates, second)
+    found = back(P.position(ground), P.velocity(ground), P.acceleration(ground))
+    for part, given_ in (("value", q), ("rate", rates), ("acceleration", second)):
+        assert close(tuple(getattr(x, part) for x in found), given_, 10 * tolerance(kind))
+
+
+@settings(deadline=None, max_examples=60)
+@given(st.lists(moderate, min_size=9, max_size=9))
+def test_magnitudes_are_the_same_in_rectangular_cylindrical_and_spherical_components(x):
+    """(3.16), (3.17); and the ways from rectangular to either system and back end where they began."""
+    ground = Frame("ground")
+    P = ground.point("P", *(moving(*x[n::3]) for n in range(3)))
+    r, v, a = P.position(ground), P.velocity(ground), P.acceleration(ground)
+    if math.hypot(r.x, r.y) < 1e-2:
+        return
+    for make, back, _ in SYSTEMS.values():
+        Q = make(ground, "Q", *back(r, v, a))
+        scale = max(a.norm(), (1 + v.norm()) ** 2 / math.hypot(r.x, r.y))
+        assert close(Q.position(ground), r, 50 * EPS * r.norm())
+        assert close(Q.velocity(ground).norm(), v.norm(), 50 * EPS * v.norm())
+        assert close(Q.acceleration(ground).norm(), a.norm(), 100 * EPS * scale)
+        assert close(Q.acceleration(ground).expressed_in(ground), a, 100 * EPS * scale)
+
+
+def test_polar_terms_are_those_the_book_writes_out():
+    ground = Frame("ground")
+    r, d, dd, w, al = 2.0, 0.5, 0.25, -3.0, 1.5
+    P = polar(ground, "P", moving(r, d, dd), moving(0.3, w, al))
+    assert {n: t.components() for n, t in P.velocity(ground).terms.items()} == {"radial": (d, 0, 0), "transverse": (0, r * w, 0)}
+    assert {n: t.components() for n, t in P.acceleration(ground).terms.items()} == {
+        "radial": (dd, 0, 0), "centripetal": (-r * w * w, 0, 0), "euler": (0, r * al, 0), "coriolis": (0, 2 * d * w, 0),
+    }  # fmt: skip
+    assert "coriolis  2 r' theta' e_theta" in str(P.acceleration(ground).explain())
+    assert "equation (2.18)" in str(P.acceleration(ground).explain())
+
+
+@every_kind
+def test_cylindrical_and_spherical_terms_are_those_the_book_writes_out(kind):
+    q, d, e = motion(kind)
+    ground, P = made(cylindrical, q, d, e)
+    r = q[0]
+    expected = {
+        "radial": (e[0], 0, 0), "centripetal": (-r * d[1] ** 2, 0, 0), "euler": (0, r * e[1], 0),
+        "coriolis": (0, 2 * d[0] * d[1], 0), "axial": (0, 0, e[2]),
+    }  # fmt: skip
+    assert_terms(P.acceleration(ground), expected, kind)
+    ground, P = made(spherical, q, d, e)
+    module = {"float": np, "array": np, "mpmath": mp, "sympy": sympy}[kind]
+    c, s = module.cos(q[2]), module.sin(q[2])
+    expected = {
+        "radial": (e[0], 0, 0), "centripetal_theta": (-r * (d[1] * c) ** 2, 0, r * d[1] ** 2 * s * c), "centripetal_phi": (-r * d[2] ** 2, 0, 0),
+        "euler_theta": (0, r * e[1] * c, 0), "euler_phi": (0, 0, r * e[2]), "coriolis_theta": (0, 2 * d[0] * d[1] * c, 0),
+        "coriolis_phi": (0, 0, 2 * d[0] * d[2]), "coriolis_theta_phi": (0, -2 * r * d[1] * d[2] * s, 0),
+    }  # fmt: skip
+    assert_terms(P.acceleration(ground), expected, kind)
+    assert_terms(P.velocity(ground), {"radial": (d[0], 0, 0), "theta": (0, r * d[1] * c, 0), "phi": (0, 0, r * d[2])}, kind)
+
+
+def assert_terms(vector, expected, kind):
+    assert list(vector.terms) == list(expected)
+    for name, components in expected.items():
+        assert close(vector.terms[name].components(), components, tolerance(kind)), name
+
+
+def test_from_another_observer_the_point_is_like_any_other():
+    ground = Frame("ground")
+    deck = ground.rotate("deck", "z", rate=0.5)
+    P = polar(ground, "P", moving(2.0, 1.0), moving(0.0, 0.5))
+    assert close(P.velocity(deck).components(P.local), (1.0, 0, 0), EPS)
+    assert set(P.acceleration(ground, via=P.local).terms) == {"origin", "relative", "coriolis", "euler", "centripetal"}
+    assert P.scale_factors == (1, 2.0)
+
+
+def test_units_follow_and_a_traced_formula_is_short():
+    L, T = Dimension(0, 1, 0), Dimension(0, 0, 1)
+    _, P = made(spherical, (L, Dimension(), Dimension()), (L / T, 1 / T, 1 / T), (L / T**2, 1 / T**2, 1 / T**2))
+    assert set(P.acceleration(P.ground)) == {L / T**2}
+    q = spherical_coordinates(P.position(P.ground), P.velocity(P.ground), P.acceleration(P.ground))
+    assert q[1].acceleration == 1 / T**2
+
+    def a(R, theta, phi, dR, dtheta, dphi):
+        ground = Frame("ground")
+        return spherical(ground, "P", moving(R, dR), moving(theta, dtheta), moving(phi, dphi)).acceleration(ground)
+
+    assert compiled(a).operations <= 20
+
+
+def test_components_of_a_symbolic_motion_follow_the_symbols():
+    t, b, w = sympy.symbols("t b w")
+    ground = Frame("ground")
+    P = polar(ground, "P", b * t**2, w * t)
+    assert sympy.simplify(P.acceleration(ground).x - (2 * b - b * t**2 * w**2)) == 0
+    assert sympy.simplify(P.acceleration(ground).y - 4 * b * t * w) == 0
+
+
+@pytest.mark.parametrize("back", [cylindrical_coordinates, spherical_coordinates])
+def test_on_the_axis_the_way_back_is_refused_in_words(back):
+    ground = Frame("ground")
+    for x in (0.0, 1e-17, mp.mpf(0)):
+        with pytest.raises(SingularError, match=r"on (the|a) .*z axis.*theta and its rates do not exist.*rectangular components"):
+            back(ground.vector(x, 0 * x, 1 + 0 * x), v=ground.vector(1.0, 0, 0))
+    with pytest.raises(SingularError):
+        back(ground.vector(np.array([1.0, 0.0]), np.array([0.5, 0.0]), 1.0))
+    with pytest.raises(SingularError, match="polar components are for motion in the x, y plane"):
+        polar_coordinates(ground.vector(1.0, 1.0, 0.5))
+    with pytest.raises(SingularError):
+        polar_coordinates(ground.vector(0.0, 0.0, 0))
+
+
+@pytest.mark.parametrize("distance", [1e-1, 1e-4, 1e-8, 1e-12])
+@every_system
+def test_beside_the_axis_rates_are_large_and_right_to_the_last_digits(system, distance):
+    """A straight line that misses the axis by the distance: theta' = v/distance; against 30 digits on the same numbers."""
+    make, back, _ = SYSTEMS[system]
+    x = distance, 0.3 * distance, 1.0
+    ground = Frame("ground")
+    for v, a in (((0.2, 1.0, 0.1), (0.0, 0.0, 0.0)), ((0.2, 1.0, 0.1), (1.0, -2.0, 0.5))):
+        float_ = back(ground.vector(*x), ground.vector(*v), ground.vector(*a))
+        exact = back(*(ground.vector(*map(mp.mpf, c)) for c in (x, v, a)))
+        for f, m in zip(float_, exact, strict=True):
+            assert abs(f.rate - m.rate) <= 20 * EPS * abs(m.rate)
+            largest = max(abs(y.acceleration) for y in exact) if m is exact[0] else abs(m.acceleration)
+            assert abs(f.acceleration - m.acceleration) <= 100 * EPS * largest
+        again = make(ground, "P", *float_).acceleration(ground).components(ground)
+        # terms of order v^2/distance cancel; in spherical coordinates cos phi has lost digits besides, because phi is a float near pi/2
+        assert close(again, a, 50 * EPS * (1 + distance ** (-2 if system == "spherical" else -1)))
+
+
+def test_naively_the_rates_beside_the_pole_would_be_lost():
+    """phi from arcsin(z/R) and its rate by the chain rule lose half of the digits 1e-8 off the pole; the engine keeps them."""
+    ground = Frame("ground")
+    x, v = (1e-8, 0.0, 1.0), (1.0, 0.0, 0.0)
+    _, _, phi = spherical_coordinates(ground.vector(*x), ground.vector(*v))
+    assert abs(phi.rate + 1) < 2 * EPS
+    R = math.sqrt(x[0] ** 2 + x[2] ** 2)
+    assert x[2] / R == 1.0  # so asin(z/R) is exactly pi/2, and its derivative 1/sqrt(1 - 1)
+    with pytest.raises(ZeroDivisionError):
+        _ = 1 / math.sqrt(1 - (x[2] / R) ** 2)
+
+
+def test_at_the_pole_itself_velocity_and_acceleration_still_follow_from_the_coordinates():
+    ground = Frame("ground")
+    P = spherical(ground, "P", 2.0, moving(0.3, 5.0), moving(math.pi / 2, 1.5))
+    assert close(P.velocity(ground).norm(), 3.0, 1e-15)
+    assert number(abs(P.acceleration(ground).y)) - 2 * 2.0 * 5.0 * 1.5 < 1e-14
+
+
+ground = Frame("ground")
+
+
+@every_kind
+def test_eqn_2_15_to_2_18_polar_components(kind):
+    (r, theta), (dr, w), (ddr, al) = numbers(kind, "1.3", "0.7"), numbers(kind, "0.5", "-0.9"), numbers(kind, "0.3", "0.8")
+    P = polar(ground, "P", moving(r, dr, ddr), moving(theta, w, al))
+    e_r, e_theta = P.local.i, P.local.j
+    assert close(P.position(ground), (r * e_r).expressed_in(ground), tolerance(kind))  # 2.15
+    assert close(e_r.rate(ground), w * e_theta, 0)  # 2.16
+    assert close(e_theta.rate(ground), -w * e_r, 0)
+    assert close(P.velocity(ground), (dr, r * w, 0), tolerance(kind))  # 2.17
+    assert close(P.acceleration(ground), (ddr - r * w**2, 2 * dr * w + r * al, 0), tolerance(kind))  # 2.18
+    zero = 0 * r
+    for order, vector in ((1, P.velocity(ground)), (2, P.acceleration(ground))):
+        known = explicit(polar_position, order)(kind, (r, theta, zero), (dr, w, zero), (ddr, al, zero))
+        assert close(vector.components(ground), known, tolerance(kind))
+
+
+UNIT = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+
+
+def motion_in_space(kind):
+    return numbers(kind, "1.3", "0.7", "0.4"), numbers(kind, "0.5", "-0.9", "1.1"), numbers(kind, "0.3", "0.8", "-0.6")
+
+
+@every_kind
+def test_eqn_3_18_to_3_21_cylindrical_coordinates_in_rectangular_components(kind):
+    q, d, e = motion_in_space(kind)
+    (r, theta, z), (dr, w, dz), (ddr, al, ddz) = q, d, e
+    P = cylindrical(ground, "P", *(moving(*x) for x in zip(q, d, e, strict=True)))
+    c, s = cos(theta), sin(theta)
+    assert close(P.position(ground), (r * c, r * s, z), tolerance(kind))  # 3.18
+    for unit_vector, known in ((ground.i, (c, -s, 0)), (ground.j, (s, c, 0)), (ground.k, (0, 0, 1))):  # 3.19
+        assert close(unit_vector.components(P.local), known, tolerance(kind))
+    assert close(P.velocity(ground).components(ground), (dr * c - r * w * s, dr * s + r * w * c, dz), tolerance(kind))  # 3.20
+    x = ddr * c - 2 * dr * w * s - r * al * s - r * w**2 * c
+    y = ddr * s + 2 * dr * w * c + r * al * c - r * w**2 * s
+    assert close(P.acceleration(ground).components(ground), (x, y, ddz), tolerance(kind))  # 3.21
+
+
+@every_kind
+def test_eqn_3_22_and_3_23_cylindrical_components(kind):
+    q, d, e = motion_in_space(kind)
+    (r, _, _), (dr, w, dz), (ddr, al, ddz) = q, d, e
+    P = cylindrical(ground, "P", *(moving(*x) for x in zip(q, d, e, strict=True)))
+    assert close(P.velocity(ground), (dr, r * w, dz), tolerance(kind))
+    assert close(P.acceleration(ground), (ddr - r * w**2, r * al + 2 * dr * w, ddz), tolerance(kind))
+    assert close(P.acceleration(ground).components(ground), explicit(polar_position, 2)(kind, q, d, e), tolerance(kind))
+
+
+@every_kind
+def test_eqn_3_24_and_3_25_spherical_coordinates_with_the_elevation(kind):
+    R, theta, phi = motion_in_space(kind)[0]
+    P = spherical(ground, "P", R, theta, phi)
+    c, s, cp, sp = cos(theta), sin(theta), cos(phi), sin(phi)
+    assert close(P.position(ground), (R * cp * c, R * cp * s, R * sp), tolerance(kind))
+    axes = ((cp * c, -s, -sp * c), (cp * s, c, -sp * s), (sp, 0, cp))
+    for unit_vector, known in zip((ground.i, ground.j, ground.k), axes, strict=True):
+        assert close(unit_vector.components(P.local), known, tolerance(kind))
+
+
+@every_kind
+def test_eqn_3_26_and_3_27_spherical_components(kind):
+    q, d, e = motion_in_space(kind)
+    (R, _, phi), (dR, w, p), (ddR, al, be) = q, d, e
+    P = spherical(ground, "P", *(moving(*x) for x in zip(q, d, e, strict=True)))
+    c, s = cos(phi), sin(phi)
+    assert close(P.velocity(ground), (dR, R * w * c, R * p), tolerance(kind))
+    a_R = ddR - R * p**2 - R * w**2 * c**2
+    a_phi = (2 * R * dR * p + R**2 * be) / R + R * w**2 * s * c
+    a_theta = c / R * (2 * R * dR * w + R**2 * al) - 2 * R * w * p * s
+    assert close(P.acceleration(ground), (a_R, a_theta, a_phi), tolerance(kind))
+    assert close(P.acceleration(ground).components(ground), explicit(spherical_position, 2)(kind, q, d, e), tolerance(kind))
+
+
+@every_kind
+def test_section_3_7_rates_of_the_spherical_unit_vectors(kind):
+    (_, theta, phi), (_, w, p) = motion_in_space(kind)[0], motion_in_space(kind)[1]
+    axes = spherical_frame(ground, moving(theta, w), moving(phi, p))
+    c, s = cos(phi), sin(phi)
+    rates = ((0, w * c, p), (-w * c, 0, w * s), (-p, -w * s, 0))
+    for e, known in zip((axes.i, axes.j, axes.k), rates, strict=True):
+        assert close(e.rate(ground), known, tolerance(kind))
+    assert close(axes.angular_velocity(ground), (w * s, -p, w * c), tolerance(kind))
+
+
+@every_kind
+def test_eqn_3_28_to_3_33_components_of_one_vector_in_three_systems(kind):
+    theta, phi, *Q = numbers(kind, "0.7", "0.4", "1.5", "-0.6", "0.9")
+    vector, local, sphere = ground.vector(*Q), cylindrical_frame(ground, theta), spherical_frame(ground, theta, phi)
+    x, y, z = Q
+    c, s = cos(theta), sin(theta)
+    assert close(vector.components(local), (x * c + y * s, -x * s + y * c, z), tolerance(kind))  # 3.31
+    assert close(apply(T_theta(theta), Q), vector.components(local), tolerance(kind))  # 3.32
+    assert close(apply(transpose(T_theta(theta)), vector.components(local)), Q, tolerance(kind))  # 3.33
+    for frame in (local, sphere):  # 3.28, 3.29, 3.30
+        a, b, d = vector.components(frame)
+        assert close((a * frame.i + b * frame.j + d * frame.k).components(ground), Q, tolerance(kind))
+
+
+@every_kind
+def test_eqn_3_34_to_3_38_the_matrices(kind):
+    theta, phi, *Q = numbers(kind, "0.7", "0.4", "1.5", "-0.6", "0.9")
+    c, s, cp, sp = cos(theta), sin(theta), cos(phi), sin(phi)
+    both = T_theta_phi(theta, phi)
+    for T in (T_theta(theta), T_phi(phi), both):
+        assert close(product(T, transpose(T)), UNIT, tolerance(kind))  # 3.34: the inverse is the transpose
+    assert close(T_theta(theta), direction_cosines(cylindrical_frame(ground, theta), ground), tolerance(kind))  # 3.34
+    assert close(both, direction_cosines(spherical_frame(ground, theta, phi), ground), tolerance(kind))  # 3.36
+    assert close(both, ((c * cp, s * cp, sp), (-s, c, 0), (-c * sp, -s * sp, cp)), tolerance(kind))
+    assert close(product(both, transpose(T_theta(theta))), T_phi(phi), tolerance(kind))  # 3.37
+    assert close(T_phi(phi), ((cp, 0, sp), (0, 1, 0), (-sp, 0, cp)), 0)
+    spherical_components = apply(both, Q)  # 3.35
+    assert close(spherical_components, ground.vector(*Q).components(spherical_frame(ground, theta, phi)), tolerance(kind))
+    assert close(apply(T_phi(phi), apply(T_theta(theta), Q)), spherical_components, tolerance(kind))  # 3.38

@@ -1,0 +1,726 @@
+"""Chapter 4, (4.1)-(4.14) and the example of 4.5; (10.1)-(10.12); quaternions; how accurate reading a rotation is."""
+
+import itertools
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from newton_euler import (
+    Dimension,
+    Frame,
+    at,
+    atan2,
+    compiled,
+    cos,
+    cross,
+    moving,
+    pi,
+    sin,
+    solve_rates,
+    sqrt,
+)
+from newton_euler.algebra import ScalarError
+from newton_euler.kinematics.rotations import (
+    RotationError,
+    apply,
+    axis_angle,
+    checked_rotation,
+    determinant,
+    direction_cosines,
+    euler_angles,
+    euler_body_rates,
+    euler_frame,
+    euler_from_quaternion,
+    euler_matrix,
+    euler_rates,
+    in_sequence,
+    matrix_from_quaternion,
+    normalised,
+    product,
+    quaternion,
+    quaternion_from_euler,
+    quaternion_from_matrix,
+    quaternion_product,
+    quaternion_rate,
+    rotation_matrix,
+    transpose,
+)
+from tests.kinds import KINDS, close, number, numbers
+
+EPS = 2.0**-52
+UNIT = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+I, J, K = UNIT
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def tolerance(kind):
+    """Absolute, for quantities of order 1: a few round-offs of the kind."""
+    return 1e-14 if kind in ("float", "array") else mp.mpf(10) ** -27
+
+
+def spinning(kind, origin=None):
+    """Ground, a body turned three ways and moving in all of them, and its matrix as a function of time, with the instant t.
+
+    The matrix is made of Rodrigues' formula and the product rule alone: no composition of rates, no omega x r.
+    origin : velocity of the body's origin in the ground; default: at rest
+    """
+    a, b, c, t = numbers(kind, "0.4", "-0.7", "1.1", "0.5")
+    axes = K, I, tuple(x + 0 * t for x in (0, 3, 4))
+    angles = (lambda t: a + b * t), (lambda t: c + a * t * t), (lambda t: b + c * t + t * t)
+    ground = frame = Frame("ground")
+    place = origin and ground.point("B", *(moving(0 * v, v) for v in origin))
+    for name, axis, angle in zip("zxs", ("z", "x", axes[2]), angles, strict=True):
+        frame = frame.rotate(name, axis, at(angle, t), origin=place)
+        place = None
+    return ground, frame, lambda t: in_sequence(*(rotation_matrix(e, f(t)) for e, f in zip(axes, angles, strict=True)), axes="moving"), t
+
+
+def with_rates(matrix, t):
+    """The entries of the matrix at t, their rates, and their second rates, by the product rule."""
+    entries = [[at(lambda time, n=n, m=m: matrix(time)[n][m], t) for m in range(3)] for n in range(3)]
+    return ([[getattr(x, part) for x in row] for row in entries] for part in ("value", "rate", "acceleration"))
+
+
+def axial(W):
+    """The vector of an antisymmetric matrix."""
+    return (W[2][1] - W[1][2]) / 2, (W[0][2] - W[2][0]) / 2, (W[1][0] - W[0][1]) / 2
+
+
+# -- direction cosines (4.1)-(4.8)
+
+
+@every_kind
+def test_eqn_4_1_direction_cosines_have_the_moving_axes_as_rows(kind):
+    ground, body, _, _ = spinning(kind)
+    A = direction_cosines(body, ground)
+    for row, moved in zip(A, (body.i, body.j, body.k), strict=True):
+        for entry, fixed in zip(row, (ground.i, ground.j, ground.k), strict=True):
+            assert close(entry, moved.dot(fixed), tolerance(kind))
+    assert close(A, transpose(body.rotation(ground)), 0)
+
+
+@every_kind
+def test_eqn_4_2_the_transpose_is_the_inverse_on_the_left(kind):
+    A = euler_matrix(*numbers(kind, "0.3", "1.2", "-2.5"))
+    assert close(product(transpose(A), A), UNIT, tolerance(kind))
+
+
+@every_kind
+def test_eqn_4_3_the_transpose_is_the_inverse_on_the_right(kind):
+    A = euler_matrix(*numbers(kind, "0.3", "1.2", "-2.5"))
+    assert close(product(A, transpose(A)), UNIT, tolerance(kind))
+
+
+@every_kind
+def test_eqn_4_4_the_determinant_is_1(kind):
+    assert close(determinant(rotation_matrix(numbers(kind, 1, -2, 3), numbers(kind, "0.8"))), 1, tolerance(kind))
+
+
+@every_kind
+def test_eqn_4_5_before_the_rotation_components_are_the_same_in_both_frames(kind):
+    ground = Frame("ground")
+    same = ground.rotate("body", numbers(kind, 1, 2, 2), numbers(kind, 0))
+    r = numbers(kind, "0.5", "-1.5", 2)
+    assert close(ground.vector(*r), same.vector(*r), tolerance(kind))
+
+
+@every_kind
+def test_eqn_4_6_after_it_the_turned_vector_keeps_its_components_in_the_body(kind):
+    ground, body, _, _ = spinning(kind)
+    r = numbers(kind, "0.5", "-1.5", 2)
+    turned = ground.vector(*apply(body.rotation(ground), r))
+    assert close(turned.components(body), r, 10 * tolerance(kind))
+    assert close(turned, r[0] * body.i + r[1] * body.j + r[2] * body.k, 10 * tolerance(kind))
+
+
+@every_kind
+def test_eqn_4_7_direction_cosines_take_ground_components_to_body_components(kind):
+    ground, body, _, _ = spinning(kind)
+    r = numbers(kind, "0.5", "-1.5", 2)
+    after = body.vector(*r).components(ground)
+    assert close(apply(direction_cosines(body, ground), after), r, 10 * tolerance(kind))
+
+
+@every_kind
+def test_eqn_4_8_eulers_theorem_every_rotation_keeps_one_line(kind):
+    """A r = r for r along the axis, and |A - 1| = 0, for three successive rotations about different axes."""
+    ground, body, _, _ = spinning(kind)
+    A = [[number(x) for x in row] for row in direction_cosines(body, ground)]
+    axis, angle = axis_angle(transpose(A))
+    assert close(apply(A, axis), axis, 10 * tolerance(kind))
+    assert close(determinant([[x - int(n == m) for m, x in enumerate(row)] for n, row in enumerate(A)]), 0, tolerance(kind))
+    assert close(rotation_matrix(axis, angle), transpose(A), 10 * tolerance(kind))
+
+
+# -- finite rotations (4.2, 4.3)
+
+
+@every_kind
+@pytest.mark.parametrize(
+    ("order", "columns", "axis"),
+    [("IJ", ((0, 0, -1), (1, 0, 0), (0, -1, 0)), (1, 1, -1)), ("JI", ((0, 1, 0), (0, 0, 1), (1, 0, 0)), (1, 1, 1))],
+)
+def test_section_4_3_quarter_turns_about_two_fixed_axes_do_not_commute(kind, order, columns, axis):
+    """First I then J: i = -K, j = I, k = -J; first J then I: i = J, j = K, k = I; each is one turn of 120 degrees."""
+    quarter = pi(numbers(kind, 1)) / 2 + 0 * numbers(kind, 1)
+    R = in_sequence(*(rotation_matrix({"I": I, "J": J}[name], quarter) for name in order))
+    assert close(transpose(R), columns, tolerance(kind))
+    found, angle = axis_angle(R)
+    third = 1 / sqrt(mp.mpf(3))
+    small = tolerance(kind)
+    assert close(found, tuple(x * (float(third) if kind == "array" else third) for x in axis), small)
+    assert close(angle, 4 * quarter / 3, small)
+
+
+def test_section_4_2_the_arm_forward_up_and_back_has_turned_the_palm():
+    """x forward, y left, z up; the arm points right, its palm forward. Net: 90 degrees about the arm, the palm now up."""
+    quarter = math.pi / 2
+    forward, up, back = rotation_matrix(K, quarter), rotation_matrix((0, -1, 0), quarter), rotation_matrix(I, quarter)
+    arm, palm = (0, -1, 0), (1, 0, 0)
+    assert close(apply(forward, arm), (1, 0, 0))
+    assert close(apply(in_sequence(forward, up), arm), (0, 0, 1))
+    net = in_sequence(forward, up, back)
+    assert close(apply(net, arm), arm)
+    assert close(apply(net, palm), (0, 0, 1))
+    axis, angle = axis_angle(net)
+    assert close(axis, arm, 1e-15)
+    assert close(angle, quarter, 1e-15)
+
+
+def test_turns_about_moving_axes_are_turns_about_fixed_axes_in_reverse_order():
+    turns = [rotation_matrix(I, 0.3), rotation_matrix(J, -1.1), rotation_matrix((1, 1, 0), 2.0)]
+    ground = Frame("ground")
+    body = ground.rotate("a", "x", 0.3).rotate("b", "y", -1.1).rotate("c", (1, 1, 0), 2.0)
+    assert close(in_sequence(*turns, axes="moving"), body.rotation(ground), 4 * EPS)
+    assert close(in_sequence(*turns, axes="moving"), in_sequence(*reversed(turns)), 0)
+    with pytest.raises(ValueError, match=r"'fixed'.*or 'moving'.*got 'body'"):
+        in_sequence(*turns, axes="body")
+
+
+# -- infinitesimal rotations, angular velocity and acceleration (4.9)-(4.14)
+
+
+@every_kind
+def test_eqn_4_9_angular_velocity_is_the_limit_of_small_rotations(kind):
+    """The rotation during dt, axis times angle over dt, differs from omega in proportion to dt."""
+    ground, body, matrix, t = spinning(kind)
+    omega = [number(x) for x in body.angular_velocity(ground).components(ground)]
+    error = []
+    for dt in (1e-4, 5e-5):
+        before, after = ([[number(x) for x in row] for row in matrix(time)] for time in (t, t + numbers(kind, dt)))
+        axis, angle = axis_angle(product(after, transpose(before)))
+        step = number(numbers(kind, dt))
+        error.append(max(np.max(abs(e * angle / step - w)) for e, w in zip(axis, omega, strict=True)))
+    assert error[0] < 1e-3  # rad/s
+    assert 1.99 < error[0] / error[1] < 2.01
+
+
+@every_kind
+def test_eqn_4_10_small_displacements_of_two_points_of_a_body(kind):
+    """dr_A = dr_B + dtheta e x r up to terms of second order."""
+    ground, _, matrix, t = spinning(kind)
+    r_A, r_B = (1, 2, -1), (0.5, -1, 2)
+    before = [[number(x) for x in row] for row in matrix(t)]
+    error = []
+    for dt in (1e-4, 5e-5):
+        after = [[number(x) for x in row] for row in matrix(t + numbers(kind, dt))]
+        axis, angle = axis_angle(product(after, transpose(before)))
+        dr_A, dr_B = ([y - x for x, y in zip(apply(before, r), apply(after, r), strict=True)] for r in (r_A, r_B))
+        r = ground.vector(*apply(before, [a - b for a, b in zip(r_A, r_B, strict=True)]))
+        turned = (angle * ground.vector(*axis)).cross(r)
+        error.append(max(np.max(abs(a - b - c)) for a, b, c in zip(dr_A, dr_B, turned, strict=True)))
+    assert error[0] < 1e-6
+    assert 3.96 < error[0] / error[1] < 4.04
+
+
+@every_kind
+def test_eqn_4_11_velocity_of_a_point_of_a_moving_body(kind):
+    """v_A = v_B + omega x r against the product rule on r_B(t) + R(t) r; with B fixed, v_A = omega x r_A."""
+    v_B, r = numbers(kind, 2, 3, "-1"), numbers(kind, 1, "-0.5", "0.25")
+    ground, body, matrix, t = spinning(kind, v_B)
+    _, rate, _ = with_rates(matrix, t)
+    turning = apply(rate, r)
+    v = body.point("A", *r).velocity(ground)
+    assert close(v.components(ground), [a + b for a, b in zip(v_B, turning, strict=True)], 20 * tolerance(kind))
+    assert close(ground.vector(*v_B) + body.angular_velocity(ground).cross(body.vector(*r)), v, 20 * tolerance(kind))
+    ground, body, _, _ = spinning(kind)
+    A = body.point("A", *r)
+    assert close(A.velocity(ground).components(ground), turning, 20 * tolerance(kind))
+    assert close((A - body.origin).components(body), r, tolerance(kind))
+    assert close(A.velocity(ground), body.angular_velocity(ground).cross(body.vector(*r)), 20 * tolerance(kind))
+
+
+@every_kind
+def test_eqn_4_12_angular_acceleration_is_the_rate_of_the_angular_velocity(kind):
+    """alpha = D omega/Dt against the antisymmetric part of d(R' R^T)/dt, and against the rate of the vector omega."""
+    ground, body, matrix, t = spinning(kind)
+    value, rate, second = with_rates(matrix, t)
+    omega = axial(product(rate, transpose(value)))
+    one, two = product(second, transpose(value)), product(rate, transpose(rate))
+    alpha = axial([[a + b for a, b in zip(*rows, strict=True)] for rows in zip(one, two, strict=True)])
+    assert close(body.angular_velocity(ground).components(ground), omega, 20 * tolerance(kind))
+    assert close(body.angular_acceleration(ground).components(ground), alpha, 20 * tolerance(kind))
+    assert close(body.angular_velocity(ground).rate(ground), body.angular_acceleration(ground), 20 * tolerance(kind))
+
+
+@every_kind
+def test_eqn_4_13_rate_of_a_vector_fixed_in_the_body(kind):
+    ground, body, matrix, t = spinning(kind)
+    _, rate, _ = with_rates(matrix, t)
+    eta = body.vector(*numbers(kind, "0.5", 2, "-1"))
+    assert close(eta.rate(ground).components(ground), apply(rate, eta), 20 * tolerance(kind))
+    assert close(eta.rate(ground), body.angular_velocity(ground).cross(eta), 20 * tolerance(kind))
+    assert close(eta.rate(body), (0, 0, 0), 0)
+
+
+@every_kind
+def test_eqn_4_14_rates_of_the_unit_vectors_are_the_columns_of_the_rate_of_the_matrix(kind):
+    ground, body, matrix, t = spinning(kind)
+    _, rate, _ = with_rates(matrix, t)
+    omega = body.angular_velocity(ground)
+    for axis, column in zip((body.i, body.j, body.k), transpose(rate), strict=True):
+        assert close(axis.rate(ground).components(ground), column, 20 * tolerance(kind))
+        assert close(cross(omega, axis).components(ground), column, 20 * tolerance(kind))
+
+
+def rolling_cone(h, r, nu):
+    """The cone of 4.5 at the instant its line of contact is along I: (ground, cone, P the highest point of the base, rate of the line of contact)."""
+    ground = Frame("ground")
+
+    def placed(line_rate, spin):
+        line = ground.rotate("line of contact", "z", rate=line_rate)
+        axis = line.rotate("axis", "-y", atan2(r, h))
+        return axis.rotate("cone", "x", rate=spin)
+
+    def conditions(line_rate, spin):
+        cone = placed(line_rate, spin)
+        contact, B = cone.point("contact", h, 0, -r), cone.point("B", h, 0, 0)
+        return contact.velocity(ground), B.velocity(ground).dot(ground.j) + nu
+
+    rates = solve_rates(conditions, 2)
+    cone = placed(*rates)
+    return ground, cone, cone.point("P", h, 0, r), rates[0]
+
+
+@every_kind
+def test_example_4_5_cone_rolling(kind):
+    h, r, nu = numbers(kind, 3, "1.25", "0.8")
+    ground, cone, P, line_rate = rolling_cone(h, r, nu)
+    slant = sqrt(h * h + r * r)
+    small = 20 * tolerance(kind)
+    assert close(cone.k.components(ground), (-r / slant, 0, h / slant), small)
+    assert close(cone.angular_velocity(ground).components(ground), (nu * sqrt(1 / r**2 + 1 / h**2), 0, 0), small)
+    assert close(P.velocity(ground).components(ground), (0, -2 * nu, 0), small)
+    assert close(cone.angular_acceleration(ground).components(ground), (0, -(nu**2) / h**2 * (h / r + r / h), 0), small)
+    assert close(line_rate, -nu * slant / h**2, small)
+    assert close(cone.point("on the line of contact", h / 2, 0, -r / 2).velocity(ground), (0, 0, 0), small)
+
+
+def test_example_4_5_cone_rolling_as_a_formula():
+    """Over symbols the engine gives the book's three formulas."""
+    h, r, nu = sympy.symbols("h r nu", positive=True)
+    ground, cone, P, _ = rolling_cone(h, r, nu)
+    omega = cone.angular_velocity(ground).components(ground)
+    alpha = cone.angular_acceleration(ground).components(ground)
+    wanted = (nu * sympy.sqrt(1 / r**2 + 1 / h**2), -2 * nu, -(nu**2) * (h**2 + r**2) / (r * h**3))
+    for found, formula in zip((omega[0], P.velocity(ground).components(ground)[1], alpha[1]), wanted, strict=True):
+        assert sympy.simplify(found - formula) == 0
+
+
+# -- reading axis and angle
+
+
+@every_kind
+def test_axis_and_angle_come_back(kind):
+    axis, angle = numbers(kind, "0.48", "-0.6", "0.64"), numbers(kind, "1.3")
+    axis = axis if kind != "array" else tuple(x / x * y for x, y in zip(axis, (0.48, -0.6, 0.64), strict=True))
+    R = rotation_matrix(axis, angle)
+    if kind == "sympy":
+        R = [[number(x) for x in row] for row in R]
+    found, turned = axis_angle(R)
+    assert close(found, axis, tolerance(kind))
+    assert close(turned, angle, tolerance(kind))
+
+
+def test_axis_and_angle_of_exact_numbers_are_exact():
+    third = sympy.pi / 3
+    assert axis_angle(rotation_matrix((1, 2, 3), third)) == (tuple(n / sympy.sqrt(14) for n in (1, 2, 3)), third)
+
+
+def true_matrix(axis, angle):
+    """The rotation matrix in 60 digits by the exponential series of the antisymmetric matrix of axis x: it shares no formula with the engine."""
+    x, y, z = axis
+    with mp.workdps(60):
+        spin = mp.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * (angle / mp.sqrt(x * x + y * y + z * z))
+        return mp.expm(spin, method="taylor")
+
+
+AXES = [(1, 2, 3), (-2, 1, 0.5), (0.1, -3, 0.2), (1e-3, 1, -1), (0, 0, 1), (3, -0.01, 0)]
+
+
+@pytest.mark.parametrize("distance", [1, 1e-1, 1e-3, 1e-6, 1e-8, 1e-10, 1e-13, 4e-15])
+@pytest.mark.parametrize("end", [0, 1], ids=["near 0", "near pi"])
+def test_axis_and_angle_are_accurate_to_round_off_near_0_and_pi(end, distance):
+    """Against 60 digits: angle within 4 round-offs of itself, axis within 4 of its length 1, from a matrix rounded to floats."""
+    for axis in AXES:
+        with mp.workdps(60):
+            angle = end * mp.pi + (-1) ** end * mp.mpf(distance)
+            true = true_matrix([mp.mpf(x) for x in axis], angle)
+            R = [[float(true[n, m]) for m in range(3)] for n in range(3)]
+            unit = [mp.mpf(x) / mp.sqrt(sum(mp.mpf(y) ** 2 for y in axis)) for x in axis]
+            found, turned = axis_angle(R)
+            assert abs(turned - angle) < 4 * EPS * angle  # rad
+            assert max(abs(x - y) for x, y in zip(found, unit, strict=True)) < 4 * EPS
+
+
+def test_the_arc_cosine_and_the_skew_part_fail_where_axis_angle_does_not():
+    """The naive ways: the arc cosine loses an angle of 1e-9 rad altogether, the skew part the axis near pi."""
+    R = rotation_matrix((1.0, 2.0, 2.0), 1e-9)
+    naive = math.acos(min(1.0, (R[0][0] + R[1][1] + R[2][2] - 1) / 2))
+    assert abs(naive - 1e-9) > 0.9e-9
+    assert abs(axis_angle(R)[1] - 1e-9) < 1e-24
+    R = rotation_matrix((1.0, 2.0, 2.0), math.pi - 1e-13)
+    skew = np.array(axial(R))
+    assert max(abs(skew / np.linalg.norm(skew) - np.array([1, 2, 2]) / 3)) > 1e-5
+    assert close(axis_angle(R)[0], (1 / 3, 2 / 3, 2 / 3), 4 * EPS)
+
+
+def test_tiny_angles_keep_their_axis():
+    for angle in (1e-30, 1e-200, 1e-300):
+        axis, found = axis_angle(rotation_matrix((0.0, 0.6, -0.8), angle))
+        assert close(axis, (0, 0.6, -0.8), 2 * EPS)
+        assert abs(found - angle) <= 4 * EPS * angle
+
+
+def test_thirty_digits_stay_thirty_digits():
+    for angle in (mp.mpf("1e-12"), mp.mpf("0.7"), mp.pi - mp.mpf("1e-14")):
+        axis, found = axis_angle(rotation_matrix((mp.mpf(2), mp.mpf(-1), mp.mpf(2)), angle))
+        assert abs(found - angle) < 1e-28
+        assert close(axis, (mp.mpf(2) / 3, -mp.mpf(1) / 3, mp.mpf(2) / 3), mp.mpf(10) ** -28)
+
+
+@pytest.mark.parametrize("axis", [v for v in itertools.product((-1, 0, 1), repeat=3) if any(v)])
+def test_at_pi_the_first_component_of_the_axis_is_positive(axis):
+    """Whatever round-off does to the matrix."""
+    first = next(x for x in axis if x)
+    wanted = [x * first / math.sqrt(sum(map(abs, axis))) for x in axis]
+    noise = np.random.default_rng(7).uniform(-2 * EPS, 2 * EPS, (20, 3, 3))
+    for matrix in np.array(rotation_matrix(axis, math.pi)) + noise:
+        found, angle = axis_angle(matrix)
+        assert close(found, wanted, 8 * EPS)
+        assert abs(angle - math.pi) < 8 * EPS
+
+
+def test_without_rotation_the_z_axis_stands_for_the_axis():
+    assert axis_angle(UNIT) == ((0, 0, 1), 0)
+    assert axis_angle(rotation_matrix((1.0, 1.0, 0.0), 0.0)) == ((0, 0, 1), 0)
+
+
+def test_arrays_are_read_instant_by_instant():
+    """Angles from 0 to 2 pi in one array: every one of the four ways to the quaternion, both signs, and no angle at all."""
+    rng = np.random.default_rng(1)
+    angle = np.concatenate([[0.0, math.pi, 1e-9, math.pi - 1e-9], rng.uniform(0, 2 * math.pi, 200)])
+    axis = rng.normal(size=(3, angle.size))
+    R = rotation_matrix(axis, angle)
+    found, turned = axis_angle(R)
+    for n in range(angle.size):
+        one, alone = axis_angle([[x[n] for x in row] for row in R])
+        assert close([x[n] for x in found], one, 2 * EPS)
+        assert close(turned[n], alone, 4 * EPS)
+    assert (found[0][0], found[1][0], found[2][0], turned[0]) == (0, 0, 1, 0)
+
+
+@pytest.mark.parametrize(
+    ("matrix", "error", "words"),
+    [
+        (3.0, RotationError, "three rows of three entries.*got 3.0"),
+        ([[1, 2], [3, 4]], RotationError, r"rows of lengths \[2, 2\]"),
+        (np.zeros((5, 3, 3)), RotationError, r"shows the shape \(3, 3, N\); got shape \(5, 3, 3\)"),
+        (np.diag([1, 1, -1]), RotationError, "a reflection: determinant -1.*reverse one axis"),
+        (np.diag([1, 1, 1.1]), RotationError, "differs from the unit matrix by 0.21, and 1e-09 is allowed.*tolerance="),
+        (np.full((3, 3), np.nan), RotationError, "differs from the unit matrix by nan"),
+        (rotation_matrix((1, 2, 3), sympy.Symbol("q")), ScalarError, "entries must have values.*cos.*Put in numbers first"),
+        (rotation_matrix((1.0, 2.0, 3.0), Dimension()), ScalarError, "entries must have values.*Dimension"),
+    ],
+    ids=["number", "2 x 2", "instants first", "reflection", "stretched", "nan", "symbols", "dimensions"],
+)
+def test_what_is_no_rotation_is_refused_in_words(matrix, error, words):
+    for read in (axis_angle, quaternion_from_matrix, euler_angles):
+        with pytest.raises(error, match=words):
+            read(matrix)
+
+
+def test_one_bad_instant_among_many_is_refused():
+    R = np.array(rotation_matrix((1.0, 2.0, 3.0), np.linspace(0, 3, 7)))
+    R[:, 0, 4] *= -1
+    with pytest.raises(RotationError, match="a reflection"):
+        axis_angle(R)
+
+
+def test_rounded_entries_are_accepted_if_their_tolerance_is_said():
+    R = [[round(x, 3) for x in row] for row in rotation_matrix((1.0, 2.0, 3.0), 0.8)]
+    with pytest.raises(RotationError, match="tolerance="):
+        axis_angle(R)
+    _, angle = axis_angle(R, tolerance=5e-3)
+    assert abs(angle - 0.8) < 1e-3  # rad
+    assert checked_rotation(R, 5e-3) == tuple(map(tuple, R))
+
+
+def test_an_axis_without_direction_is_refused():
+    for make in (rotation_matrix, quaternion):
+        with pytest.raises(RotationError, match=r"no direction: its length is 0.0"):
+            make((0, 0, 0), 1.0)
+        with pytest.raises(RotationError, match="no direction"):
+            make((np.array([1.0, 0.0]), 0, 0), 1.0)
+        with pytest.raises(RotationError, match=r"three components.*got 'z'"):
+            make("z", 1.0)
+
+
+# -- laws
+
+angles = st.floats(-10, 10)
+triples = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: sum(x * x for x in v) > 1e-6)
+matrices = st.builds(rotation_matrix, triples, angles)
+laws = settings(max_examples=100, deadline=None)
+
+
+@laws
+@given(triples, angles)
+def test_a_rotation_matrix_is_orthogonal_turns_right_handed_and_keeps_its_axis(axis, angle):
+    R = rotation_matrix(axis, angle)
+    assert close(product(transpose(R), R), UNIT, 8 * EPS)
+    assert abs(determinant(R) - 1) < 8 * EPS
+    assert close(apply(R, axis), axis, 8 * EPS)
+    ground = Frame("ground")
+    assert close(R, ground.rotate("body", axis, angle).rotation(ground), 8 * EPS)
+
+
+@laws
+@given(matrices)
+def test_axis_and_angle_rebuild_the_matrix(R):
+    axis, angle = axis_angle(R)
+    assert 0 <= angle <= math.pi
+    assert abs(math.hypot(*axis) - 1) < 4 * EPS
+    assert close(rotation_matrix(axis, angle), R, 16 * EPS)
+
+
+@laws
+@given(matrices)
+def test_quaternion_rebuilds_the_matrix(R):
+    q = quaternion_from_matrix(R)
+    assert q[0] >= -4 * EPS
+    assert close(matrix_from_quaternion(q), R, 16 * EPS)
+
+
+@laws
+@given(matrices)
+def test_euler_angles_rebuild_the_matrix(R):
+    psi, theta, phi = euler_angles(R)
+    assert -math.pi <= psi <= math.pi
+    assert 0 <= theta <= math.pi
+    assert -math.pi <= phi <= math.pi
+    assert close(euler_matrix(psi, theta, phi), R, 32 * EPS)
+
+
+@laws
+@given(matrices, matrices, matrices)
+def test_composition_is_associative_and_its_inverse_runs_backwards(R, S, T):
+    assert close(in_sequence(in_sequence(R, S), T), in_sequence(R, in_sequence(S, T)), 16 * EPS)
+    backwards = in_sequence(*(transpose(M) for M in (T, S, R)))
+    assert close(product(backwards, in_sequence(R, S, T)), UNIT, 48 * EPS)
+
+
+@laws
+@given(triples, angles, triples, angles)
+def test_quaternions_compose_as_matrices_do(e, a, f, b):
+    p, q = quaternion(e, a), quaternion(f, b)
+    product_matrix = product(rotation_matrix(e, a), rotation_matrix(f, b))
+    assert close(matrix_from_quaternion(quaternion_product(p, q)), product_matrix, 16 * EPS)
+    assert abs(math.hypot(*quaternion_product(p, q)) - 1) < 8 * EPS
+
+
+@laws
+@given(st.tuples(*[st.floats(-100, 100)] * 4).filter(lambda q: sum(x * x for x in q) > 1e-3))
+def test_a_quaternion_of_any_length_gives_a_true_rotation(q):
+    R = matrix_from_quaternion(q)
+    assert close(product(transpose(R), R), UNIT, 16 * EPS)
+    assert close(R, matrix_from_quaternion(normalised(q)), 16 * EPS)
+    assert close(R, matrix_from_quaternion([-x for x in q]), 0)
+
+
+@laws
+@given(st.floats(-3, 3), st.floats(0.01, 3.13), st.floats(-3, 3), st.tuples(*[st.floats(-5, 5)] * 3))
+def test_euler_rates_come_back(psi, theta, phi, omega):
+    rates = euler_rates(psi, theta, phi, omega)
+    assume(max(map(abs, rates)) < 1e3)
+    assert close(euler_body_rates(psi, theta, phi, rates), omega, 1e-12)
+
+
+# -- quaternions
+
+
+@every_kind
+def test_quaternion_and_matrix_are_the_same_rotation(kind):
+    axis, angle = numbers(kind, 2, -1, 2), numbers(kind, "2.4")
+    q = quaternion(axis, angle)
+    assert close(matrix_from_quaternion(q), rotation_matrix(axis, angle), tolerance(kind))
+    assert close(sum(x * x for x in q), 1, tolerance(kind))
+
+
+@every_kind
+def test_quaternion_rate_takes_body_components_of_omega(kind):
+    """q' = q omega/2 against the derivative of the quaternion of three successive moving turns."""
+    a, b, t = numbers(kind, "0.4", "-0.7", "0.5")
+
+    def q(time):
+        turns = quaternion(K, a + b * time), quaternion(I, b + time), quaternion((0, 3, 4), a * time * time)
+        return quaternion_product(quaternion_product(*turns[:2]), turns[2])
+
+    moved = [at(lambda time, n=n: q(time)[n], t) for n in range(4)]
+    body = Frame("ground")
+    ground = body
+    for n, (axis, angle) in enumerate([(K, lambda s: a + b * s), (I, lambda s: b + s), ((0, 3, 4), lambda s: a * s * s)]):
+        body = body.rotate(f"{n}", tuple(x + 0 * t for x in axis), at(angle, t))
+    rate = quaternion_rate([x.value for x in moved], body.angular_velocity(ground))
+    assert close(rate, [x.rate for x in moved], 20 * tolerance(kind))
+    assert close(sum(x.value * y for x, y in zip(moved, rate, strict=True)), 0, 20 * tolerance(kind))  # the length stays
+    assert close(matrix_from_quaternion([x.value for x in moved]), body.rotation(ground), 20 * tolerance(kind))
+
+
+def test_quaternions_that_are_no_rotation_are_refused():
+    with pytest.raises(RotationError, match="length must be finite and not zero"):
+        normalised((0.0, 0.0, 0.0, 0.0))
+    with pytest.raises(RotationError, match="length must be finite and not zero, at every instant"):
+        matrix_from_quaternion((np.array([1.0, 0.0]), 0, 0, 0))
+    with pytest.raises(RotationError, match="length must be finite"):
+        normalised((math.nan, 0.0, 0.0, 1.0))
+    with pytest.raises(RotationError, match="four components, the scalar part first; got 3"):
+        normalised((1.0, 0.0, 0.0))
+
+
+# -- Euler angles 3-1-3 (10.1)-(10.12)
+
+
+@every_kind
+def test_eqn_10_3_and_10_4_angular_velocity_of_the_precessing_frame_and_of_the_body(kind):
+    psi, theta, phi, dpsi, dtheta, dphi = numbers(kind, "0.3", "1.1", "-0.8", 2, "-0.5", 7)
+    ground = Frame("ground")
+    body = euler_frame(ground, "top", moving(psi, dpsi), moving(theta, dtheta), moving(phi, dphi))
+    in_between = body.parent
+    small = 20 * tolerance(kind)
+    across, along = dpsi * sin(theta), dpsi * cos(theta)
+    assert close(in_between.angular_velocity(ground), (dtheta, across, along), small)
+    assert close(body.angular_velocity(ground).components(in_between), (dtheta, across, dphi + along), small)
+
+
+@every_kind
+def test_eqn_10_5_to_10_10_the_matrix_of_the_angles_is_that_of_the_frames(kind):
+    angles = numbers(kind, "0.3", "1.1", "-0.8")
+    ground = Frame("ground")
+    body = euler_frame(ground, "body", *angles)
+    R = euler_matrix(*angles)
+    assert close(R, body.rotation(ground), tolerance(kind))
+    psi, theta, phi = angles
+    turns = [rotation_matrix(K, psi), rotation_matrix(I, theta), rotation_matrix(K, phi)]
+    assert close(R, in_sequence(*turns, axes="moving"), tolerance(kind))
+    q = ground.vector(*numbers(kind, 1, 2, 3))
+    assert close(apply(transpose(R), q), q.components(body), 10 * tolerance(kind))
+    assert close(matrix_from_quaternion(quaternion_from_euler(*angles)), R, tolerance(kind))
+
+
+@every_kind
+def test_eqn_10_12_body_rates_from_the_rates_of_the_angles_and_back(kind):
+    psi, theta, phi, *rates = numbers(kind, "0.3", "1.1", "-0.8", 2, "-0.5", 7)
+    ground = Frame("ground")
+    body = euler_frame(ground, "body", *(moving(a, r) for a, r in zip((psi, theta, phi), rates, strict=True)))
+    omega = euler_body_rates(psi, theta, phi, rates)
+    assert close(omega, body.angular_velocity(ground), 20 * tolerance(kind))
+    assert close(euler_rates(psi, theta, phi, omega), rates, 50 * tolerance(kind))
+
+
+@every_kind
+def test_euler_angles_come_back(kind):
+    angles = numbers(kind, "2.9", "1.1", "-0.8")
+    R = euler_matrix(*angles)
+    if kind == "sympy":
+        R = [[number(x) for x in row] for row in R]
+    found = euler_angles(R)
+    assert np.min(found[1]) >= 0
+    whole = 2 * math.pi if kind == "array" else 2 * mp.pi  # an array holds an angle beyond pi, which comes back in (-pi, pi]
+    turns = [(f - number(a)) / whole for f, a in zip(found, angles, strict=True)]
+    assert all(np.max(abs(x - (np.round(x) if kind == "array" else mp.nint(x)))) <= tolerance(kind) for x in turns)
+
+
+@pytest.mark.parametrize(("end", "sign"), [(0.0, 1), (math.pi, -1)], ids=["theta = 0", "theta = pi"])
+def test_at_the_poles_psi_has_all_and_phi_is_zero(end, sign):
+    for psi, phi in [(0.3, 0.4), (-2.0, 1.1), (3.0, 0.1), (1.0, -1.0)]:
+        found = euler_angles(euler_matrix(psi, end, phi))
+        assert close(found, (psi + sign * phi, end, 0), 8 * EPS)
+        assert close(euler_from_quaternion(quaternion_from_euler(psi, end, phi)), found, 8 * EPS)
+    many = euler_angles(euler_matrix(np.array([0.3, 0.3]), np.array([end, 1.0]), np.array([0.4, 0.4])))
+    assert close(many, (np.array([0.3 + sign * 0.4, 0.3]), np.array([end, 1.0]), np.array([0.0, 0.4])), 8 * EPS)
+
+
+@pytest.mark.parametrize("theta", [1e-3, 1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("end", [0, 1], ids=["near 0", "near pi"])
+def test_near_the_poles_theta_and_the_sum_of_the_angles_stay_accurate(theta, end):
+    """Against 60 digits: theta within 4 round-offs of itself, psi + phi (psi - phi near pi) within 8 round-offs of 1 rad."""
+    for psi, phi in [(0.3, 0.4), (-1.0, 2.5), (1.7, 0.1)]:
+        with mp.workdps(60):
+            true = end * mp.pi + (-1) ** end * mp.mpf(theta)
+            R = [[float(x) for x in row] for row in euler_matrix(mp.mpf(psi), true, mp.mpf(phi))]
+            found = euler_angles(R)
+            assert abs(found[1] - true) < 4 * EPS * true
+            sense = 1 - 2 * end
+            assert abs(found[0] + sense * found[2] - psi - sense * phi) < 8 * EPS
+
+
+def test_theta_from_the_arc_cosine_fails_where_euler_angles_does_not():
+    R = euler_matrix(0.3, 1e-9, 0.4)
+    assert math.acos(R[2][2]) == 0
+    assert abs(euler_angles(R)[1] - 1e-9) < 1e-24
+
+
+@pytest.mark.parametrize("theta", [0.0, math.pi, sympy.pi, np.array([1.0, 0.0, 2.0])], ids=["0", "pi", "exact pi", "one instant"])
+def test_euler_rates_are_refused_at_the_poles(theta):
+    with pytest.raises(RotationError, match=r"theta = .*axes of precession and spin coincide.*use quaternion_rate"):
+        euler_rates(0.3, theta, 0.4, (1.0, 2.0, 3.0))
+
+
+def test_euler_frame_may_have_its_origin_anywhere():
+    ground = Frame("ground")
+    pivot = ground.point("O", 1.0, 2.0, 3.0)
+    tip = euler_frame(ground, "top", 0.4, math.pi / 2, 0.0, origin=pivot).point("tip", 0, 0, 2.0)
+    assert close(tip.position(ground), (1 + 2 * math.sin(0.4), 2 - 2 * math.cos(0.4), 3))
+
+
+# -- the other kinds of number
+
+
+def test_what_builds_rotations_can_be_compiled_and_has_pure_dimension():
+    formulas = [
+        (lambda a, b, c: rotation_matrix((a, b, 2 + c), a), (0.3, 0.2, 0.1)),
+        (lambda a, b, c: matrix_from_quaternion(quaternion((a, b, c), b)), (0.3, 0.2, 0.1)),
+        (lambda a, b, c: euler_matrix(a, b, c), (0.3, 0.2, 0.1)),
+        (lambda a, b, c: euler_rates(a, b, c, euler_body_rates(a, b, c, (b, c, a))), (0.3, 0.2, 0.1)),
+        (lambda a, b, c: quaternion_rate(quaternion_from_euler(a, b, c), (c, a, b)), (0.3, 0.2, 0.1)),
+    ]
+    for f, x in formulas:
+        fast, slow = compiled(f)(*x), f(*x)
+        assert close(fast, slow, 8 * EPS)
+        leaves = f(*[Dimension()] * 3)
+        leaves = [y for part in leaves for y in (part if isinstance(part, tuple) else (part,))]
+        assert all(y == Dimension() for y in leaves)
+    rate = Dimension(time=-1)
+    assert euler_rates(*[Dimension()] * 3, (rate, rate, rate)) == (rate, rate, rate)
+
+
+def test_symbols_stay_exact():
+    q = sympy.Symbol("q")
+    assert rotation_matrix((0, 0, 1), q) == ((sympy.cos(q), -sympy.sin(q), 0), (sympy.sin(q), sympy.cos(q), 0), (0, 0, 1))
+    assert not any(x.has(sympy.Float) for row in rotation_matrix((1, 2, 3), q) for x in row)

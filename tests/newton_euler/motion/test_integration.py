@@ -1,0 +1,494 @@
+"""Integration of models: orders of convergence, honest errors, events and switches, dense output, many at once, and refusals in words."""
+
+import gc
+import math
+import statistics
+import subprocess
+import sys
+import weakref
+from dataclasses import replace
+
+import mpmath
+import numpy as np
+import pytest
+
+from newton_euler import Model, sqrt
+from newton_euler.motion import ModelError, second_order
+from newton_euler.motion.events import Event
+from newton_euler.motion.integration import integrate, prepare
+from newton_euler.motion.methods.table import METHODS
+from newton_euler.motion.model import KEPT
+from newton_euler.motion.prepared import prepared
+from newton_euler.motion.solution import MotionError
+from newton_euler.scenes.particles.space_station import free_body as station_body
+from newton_euler.scenes.planar.pendulum import physical_pendulum
+from newton_euler.scenes.planar.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
+from newton_euler.scenes.spatial import top
+from tests.motions import (
+    SCENES,
+    SPIN,
+    forced,
+    free_body,
+    kepler,
+    oscillator,
+    reference,
+    top_start,
+    true_error,
+)
+
+ADAPTIVE = ("taylor", "dop853", "scipy DOP853", "scipy RK45", "scipy LSODA")
+TOLERANCES = tuple(10.0**-n for n in range(3, 13))
+
+
+def swing(**more):
+    return integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0), **more)
+
+
+def needs(method):
+    if method == "taylor":
+        pytest.importorskip("heyoka")
+
+
+# -- orders and accuracy
+
+
+@pytest.mark.parametrize("method", ["scipy RK45", "verlet", "yoshida4", "yoshida6", "yoshida8"])
+def test_methods_converge_with_their_order(method):
+    """The slope of log error over log step, on a pendulum in its closed form to 30 digits."""
+    order = METHODS[method].order
+    first = {"verlet": 0.1, "yoshida4": 0.05, "scipy RK45": 0.1, "yoshida6": 0.12, "yoshida8": 0.06}
+    steps = [first[method] / 1.5**k for k in range(4)]
+    exact = reference_of_the_pendulum()
+    errors = [abs(swing(method=method, step=h).end["theta"] - exact) for h in steps]
+    assert slope(steps, errors) == pytest.approx(order, abs=0.45), errors
+
+
+@pytest.mark.parametrize("method", ["dop853", "lie-poisson2", "lie-poisson4", "lie-poisson6", "lie-poisson8"])
+def test_on_a_free_body_methods_converge_with_their_order(method):
+    start = (1.0, 0.1, 0.4)
+    exact = integrate(free_body(), 6.0, start, 1e-12, "taylor" if METHODS["taylor"].unusable_because(None) is None else "dop853").end
+    first = {"dop853": 1.2, "lie-poisson2": 0.1, "lie-poisson4": 0.1, "lie-poisson6": 0.2, "lie-poisson8": 0.3}[method]
+    steps = [first / 1.5**k for k in range(4)]
+    ends = [integrate(free_body(), 6.0, start, method=method, step=h).end for h in steps]
+    errors = [max(abs(end[n] - exact[n]) for n in "xyz") for end in ends]
+    assert slope(steps, errors) == pytest.approx(METHODS[method].order, abs=0.45), errors
+
+
+def slope(steps, errors):
+    return np.polyfit(np.log(steps), np.log(errors), 1)[0]
+
+
+def reference_of_the_pendulum(t=10.0, amplitude=1.0):
+    """By Jacobi's elliptic functions: sin(theta/2) = k cd(w t)."""
+    with mpmath.workdps(30):
+        w = mpmath.sqrt(2 * 10 * mpmath.mpf("0.5") / (mpmath.mpf("0.5") + 2 * mpmath.mpf("0.25")))
+        k = mpmath.sin(mpmath.mpf(amplitude) / 2)
+        return float(2 * mpmath.asin(k * mpmath.ellipfun("cd", w * t, m=k * k)))
+
+
+def test_the_references_of_these_tests_agree_with_another_program():
+    """mpmath's own Taylor series, 25 digits, and the closed form of the pendulum."""
+    pytest.importorskip("heyoka")
+    assert abs(reference("pendulum")[0] - reference_of_the_pendulum()) < 1e-15
+    model, _, start = SCENES["free body, calm"]
+    with mpmath.workdps(25):
+        motion = mpmath.odefun(lambda t, y: list(model.derivative(y)), 0, [mpmath.mpf(x) for x in start], tol=mpmath.mpf("1e-20"))
+        found = [float(x) for x in motion(2)]
+    ours = integrate(model, 2.0, start, 1e-12)
+    assert max(abs(a - b) for a, b in zip(found, ours.end.values(), strict=True)) < 1e-12
+
+
+@pytest.mark.parametrize("method", ["exact", *ADAPTIVE])
+def test_agreement_with_an_exact_solution(method):
+    needs(method)
+    model, start = station_body(0.5), (2.0, 0.0, 1.0, 1.0)
+    rtol = 1e-8 if method == "scipy LSODA" else 1e-9
+    motion = integrate(model, 20.0, start, rtol, method)
+    for name, x in zip(model.states, model.solution(20.0, start), strict=True):
+        assert abs(motion.end[name] - x) <= rtol * max(abs(motion.states[name]))
+
+
+# -- honesty
+
+
+def honesty(method, scenes, tolerances):
+    """True error over the error asked for, and over the one reported."""
+    asked, told = [], []
+    for scene in scenes:
+        model, t, start = SCENES[scene]
+        for rtol in tolerances:
+            if rtol < METHODS[method].min_rtol or METHODS[method].unusable_because(_system(model)):
+                continue
+            motion = integrate(model, t, start, rtol, method)
+            error = true_error(scene, motion)
+            asked.append(error / rtol)
+            told.append(error / motion.error)
+    return asked, told
+
+
+def _system(model):
+    from newton_euler.motion.prepared import PreparedModel
+
+    return PreparedModel(model)
+
+
+def within(ratios):
+    return sum(x <= 1 for x in ratios) / len(ratios)
+
+
+@pytest.mark.parametrize("method", ["dop853", "taylor"])
+def test_errors_are_what_was_asked_for(method):
+    """In the median a heyoka run is more accurate: its error falls by steps, and its cost hardly depends on it."""
+    pytest.importorskip("heyoka")
+    scenes = ("top", "free body", "pendulum", "turning shaft", "planet", "forced", "aircraft")
+    asked, told = honesty(method, scenes, (1e-3, 1e-5, 1e-7, 1e-9, 1e-11))
+    assert within(asked) >= 0.95
+    assert within(told) >= 0.85
+    assert statistics.median(asked) >= (1e-2 if method == "dop853" else 1e-4)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("method", "least"),
+    [("taylor", 1e-4), ("dop853", 1e-2), ("scipy DOP853", 1e-2), ("scipy RK45", 1e-2), ("scipy LSODA", 1e-2), ("scipy Radau", 1e-3),
+     ("yoshida4", 1e-2), ("yoshida6", 1e-3), ("yoshida8", 1e-3), ("lie-poisson4", 1e-2), ("lie-poisson6", 1e-3)],
+)  # fmt: skip
+def test_errors_are_what_was_asked_for_everywhere(method, least):
+    pytest.importorskip("heyoka")
+    tolerances = [x for x in TOLERANCES if method != "scipy Radau" or x >= 1e-8]
+    asked, told = honesty(method, SCENES, tolerances)
+    print(f"\n{method}: {len(asked)} runs, within {within(asked):.3f}, median {statistics.median(asked):.2g}, told {within(told):.3f}")
+    assert within(asked) >= 0.95
+    assert statistics.median(asked) >= least
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize("size", [1e-6, 1e-3, 1.0, 1e6])
+def test_small_motions_are_as_accurate_as_large_ones(method, size):
+    """Relative to their size, in the closed form; to heyoka a tolerance is absolute below 1."""
+    needs(method)
+    for rtol in (1e-6, 1e-9):
+        motion = integrate(oscillator(exact=False), 20.0, (size, 0.0), rtol, method)
+        assert abs(motion.end["x"] / size - math.cos(40.0)) < 3 * rtol
+        assert prepare(oscillator(exact=False), rtol, method)(20.0, (size, 0.0))[0] / size == pytest.approx(math.cos(40.0), abs=3 * rtol)
+
+
+def test_an_error_that_cannot_be_reached_is_told():
+    """Swinging over the top, the last digits of a float are not enough for 1e-12 without heyoka's care."""
+    model, t, start = SCENES["pendulum, over the top"]
+    motion = integrate(model, 3 * t, start, 1e-12, "dop853")
+    assert motion.error > 1e-12
+    assert "not reached" in str(motion)
+
+
+# -- dense output, drift, cost
+
+
+@pytest.mark.parametrize("method", ADAPTIVE)
+def test_dense_output_is_nearly_as_accurate_as_the_steps(method):
+    needs(method)
+    motion = integrate(oscillator(), 10.0, (1.0, 0.3), 1e-8, method)
+    t = np.linspace(0, 10, 301)
+    exact = oscillator().solution(t, (1.0, 0.3))
+    found = motion.at(t)
+    assert max(abs(found["x"] - exact[0])) < 1e-7
+    assert max(abs(found["dx"] - exact[1])) < 2e-7
+    assert motion.at(10.0) == motion.end
+
+
+def test_samples_are_where_they_were_asked_for():
+    motion = integrate(oscillator(), (1.0, 3.0), (1.0, 0.0), samples=[1.0, 1.5, 3.0])
+    assert motion.times.tolist() == [1.0, 1.5, 3.0]
+    assert motion.states["x"] == pytest.approx([1.0, math.cos(1.0), math.cos(4.0)], abs=1e-12)
+    assert len(swing(samples=7).states["theta"]) == 7
+
+
+def test_the_grid_of_heyoka_is_the_same_motion():
+    pytest.importorskip("heyoka")
+    grid, dense = swing(method="taylor", samples=50), swing(method="taylor").at(np.linspace(0, 10, 50))
+    assert max(abs(grid.states["theta"] - dense["theta"])) < 1e-10
+
+
+def test_the_structure_is_kept_over_a_long_time():
+    """Lie-Poisson: the angular momentum to round-off, the energy without drift; Verlet: the energy swings and does not grow."""
+    body = integrate(free_body(), 400.0, (0.01, 1.0, 0.01), method="lie-poisson4", step=0.05)
+    assert body.drift["momentum"] < 1e-13
+    assert body.drift["energy"] < 1e-6
+    short, long = (integrate(kepler(), t, (1.0, 0.0, 0.0, 1.1), method="verlet", step=0.02).drift["energy"] for t in (30.0, 600.0))
+    assert long < 1.5 * short
+
+
+def test_the_record_tells_what_it_cost_and_how_it_ended():
+    motion = swing(method="dop853")
+    assert motion.cost.calls > 100
+    assert motion.ended == "reached t = 10"
+    told = motion.explain()
+    for words in ("physical pendulum", "method: ", "error of the last state", "drift of energy", "calls of the right-hand side"):
+        assert words in told
+
+
+def test_auto_takes_the_exact_solution_and_guards_it():
+    assert integrate(oscillator(), 5.0, (1.0, 0.0)).method.name == "exact"
+    wrong = Model("wrong", {}, ("x",), lambda s, p, t: (-s.x,), exact=lambda s, p, t: (s.x * (1 - t),))
+    assert integrate(wrong, 1.0, (1.0,)).method.name != "exact"
+    with pytest.raises(ModelError, match="the closed form of 'wrong' does not do: it is not accurate here"):
+        integrate(wrong, 1.0, (1.0,), method="exact")
+
+
+def test_an_exact_solution_that_ends_in_another_model_is_no_exact_motion():
+    switch = Event(lambda s, p, t: s.x, then=lambda s, p, t: (forced(), (0.0, 1.0)))
+    with pytest.raises(ModelError, match="it becomes a model without one; take method='auto'"):
+        integrate(oscillator(), 5.0, (1.0, 0.0), events=switch, method="exact")
+    assert integrate(oscillator(), 5.0, (1.0, 0.0), events=switch).error < 1e-9
+
+
+def test_where_heyoka_fails_because_rates_are_not_analytic_auto_goes_on():
+    """A fall in air, from rest, against the closed form; |v| has a corner at rest."""
+    model = second_order("fall in air", {"g": 10.0, "c": 0.1}, ("y",), lambda s, p, t: (-p.g - p.c * sqrt(s.dy * s.dy) * s.dy,))
+    if METHODS["taylor"].unusable_because(None) is None:
+        with pytest.raises(MotionError):
+            integrate(model, 2.0, (0.0, 0.0), 1e-9, "taylor")  # and now it is compiled, and preferred
+    motion = integrate(model, 2.0, (0.0, 0.0))
+    assert motion.method.name == "dop853"
+    assert motion.end["dy"] == pytest.approx(-10 * math.tanh(2.0), abs=1e-7)
+
+
+def test_progress_is_told():
+    told = []
+    integrate(free_body(), 50.0, (0.01, 1.0, 0.01), method="dop853", progress=told.append)
+    assert told[-1] == 1.0
+    assert len(told) > 3
+
+
+# -- events
+
+
+@pytest.mark.parametrize("method", ["auto", *ADAPTIVE])
+def test_a_sphere_slides_and_then_rolls(method):
+    needs(method)
+    begins = Event(lambda s, p, t: s.v + s.omega * p.r, then=lambda s, p, t: (rolling(p.r), (s.x, s.v, s.omega)), name="rolling begins")
+    motion = integrate(sliding(0.2, 10.0, 0.5), 3.0, (0.0, 7.0, 0.0), 1e-8, method, begins)
+    exact = rolling_begins(7.0, 0.2, 10.0, 0.5)
+    assert motion.events[0].t == pytest.approx(exact.t, abs=1e-12)
+    assert [len(segment.stepper.step_times) < 60 for segment in motion.segments] == [True, True]
+    assert motion.end["x"] == pytest.approx(sphere_at(3.0, 7.0, 0.2, 10.0, 0.5)[0], abs=1e-11)
+    assert motion.at(0.5)["x"] == pytest.approx(sphere_at(0.5, 7.0, 0.2, 10.0, 0.5)[0], abs=1e-9)
+
+
+def ball():
+    def solution(s, p, t):
+        return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
+
+    return Model("ball", {"g": 10.0, "e": 0.9}, ("h", "v"), lambda s, p, t: (s.v, -p.g), exact=solution)
+
+
+@pytest.mark.parametrize("method", ["auto", "dop853", "taylor"])
+def test_a_ball_bounces_many_times(method):
+    """It comes to rest at t = 19, after bounces without end."""
+    needs(method)
+    model = ball()
+    again = Event(lambda s, p, t: s.h, -1, then=lambda s, p, t: (model, (0.0, -p.e * s.v)), name="bounce")
+    motion = integrate(model, 18.0, (5.0, 0.0), 1e-9, method, again)
+    times = [1 + 2 * sum(0.9**k for k in range(1, n + 1)) for n in range(len(motion.events))]
+    assert len(motion.events) == 28
+    assert max(abs(e.t - t) for e, t in zip(motion.events, times, strict=True)) < 1e-12
+    endless = integrate(model, 30.0, (5.0, 0.0), 1e-9, method, again)
+    assert endless.ended.startswith("events follow each other without end: bounce at t = 18.99999")
+    assert endless.t_end == pytest.approx(19.0, abs=1e-5)
+
+
+@pytest.mark.parametrize("method", ["dop853", "taylor", "scipy DOP853", "yoshida6"])
+def test_a_pendulum_turns_where_it_should(method):
+    needs(method)
+    motion = swing(method=method, events=Event(lambda s, p, t: s.omega, name="turns"))
+    assert len(motion.events) == 9
+    for event in motion.events:
+        assert abs(event.state["theta"]) == pytest.approx(1.0, abs=2e-9)
+        assert abs(event.state["theta"] - reference_of_the_pendulum(event.t)) < 1e-8
+    down = swing(method=method, events=Event(lambda s, p, t: s.omega, 1, terminal=True))
+    assert down.t_end == pytest.approx(motion.events[0].t, abs=1e-9)
+    assert down.ended.startswith("event 1 at t = ")
+
+
+@pytest.mark.parametrize("method", ["exact", "dop853", "taylor", "scipy DOP853"])
+def test_two_roots_in_one_step_are_found(method):
+    """A top of a parabola that is 1e-4 s above a line; SciPy finds neither root."""
+    needs(method)
+    model = ball()
+    motion = integrate(model, 3.0, (0.0, 10.0), 1e-9, method, Event(lambda s, p, t: s.h - (5.0 - 5 * 0.5e-4**2)))
+    assert [e.t for e in motion.events] == pytest.approx([1 - 0.5e-4, 1 + 0.5e-4], abs=1e-9)
+
+
+def test_an_event_may_branch_on_values():
+    motion = swing(events=Event(lambda s, p, t: s.omega if t > 2 else 1.0, name="turns, later"))
+    assert motion.events[0].t > 2
+
+
+# -- many at once
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+def test_many_tops_are_what_each_is(method):
+    needs(method)
+    spins = np.linspace(6.0, 9.0, 5)
+    motions = integrate(top.nonspinning_frame(1.0, 1.5, 5.0, spins), 3.0, top_start(0.6), 1e-9, method, samples=4)
+    assert len(motions) == 5
+    for n, spin in enumerate(spins.tolist()):
+        one = integrate(top.nonspinning_frame(1.0, 1.5, 5.0, spin), 3.0, top_start(0.6), 1e-10, "dop853", samples=4)
+        for name in one.states:
+            assert max(abs(motions.states[name][n] - one.states[name])) < 2e-9
+
+
+def test_many_starts_by_an_exact_solution():
+    x = np.linspace(-1.0, 1.0, 7)
+    motions = integrate(oscillator(), 2.0, (x, 0.0), samples=[0.0, 1.0, 2.0])
+    assert motions.method.name == "exact"
+    assert motions.states["x"] == pytest.approx(np.outer(x, np.cos([0.0, 2.0, 4.0])), abs=1e-14)
+
+
+# -- refusals
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"start": (1.0,)}, "has the 2 states theta, omega; got 1 values"),
+        ({"start": {"theta": 1.0}}, "lacks omega"),
+        ({"start": {"theta": 1.0, "omega": 0.0, "phi": 2.0}}, "has no state 'phi'; its states are theta, omega"),
+        ({"start": (1.0, math.nan)}, "has omega = nan; a motion needs finite numbers"),
+        ({"start": (1.0, "fast")}, "needs a number for omega, got 'fast'"),
+        ({"start": 1.0}, "is a value for each of theta, omega"),
+        ({"t": -1.0}, "time runs forward"),
+        ({"t": (2.0, 2.0)}, "time runs forward"),
+        ({"t": "soon"}, "t is the time at which to end"),
+        ({"rtol": 1e-13, "method": "scipy RK45"}, "cannot reach it, the least is 1e-12"),
+        ({"rtol": 0.0}, "it lies below 1"),
+        ({"method": "magic"}, "there is no method 'magic'; take 'auto' or one of exact, taylor"),
+        ({"model": forced(), "method": "exact"}, "no exact solution of 'forced' is known"),
+        ({"method": "lie-poisson2", "rtol": 1e-3}, "is not Euler's equations of a free body"),
+        ({"method": "scipy LSODA", "step": 0.1}, "has no fixed step"),
+        ({"events": (3,)}, "events are made by Event"),
+        ({"start": (np.ones(3), np.ones(2))}, "lengths that do not fit together: theta (3,), omega (2,)"),
+    ],
+)
+def test_what_cannot_be_done_is_said(given, words):
+    asked = {"model": physical_pendulum(2.0, 0.5, 0.5, 10.0), "t": 1.0, "start": (1.0, 0.0), "rtol": 1e-6, **given}
+    with pytest.raises(ModelError) as told:
+        integrate(**asked)
+    assert words in str(told.value)
+
+
+def test_a_parameter_without_a_number_is_named():
+    import sympy
+
+    with pytest.raises(ModelError, match="the parameter m of 'physical pendulum' has no number"):
+        integrate(physical_pendulum(sympy.Symbol("m"), 0.5, 0.5, 10.0), 1.0, (1.0, 0.0))
+
+
+def test_heyoka_that_is_missing_is_said(monkeypatch):
+    monkeypatch.setattr("newton_euler.motion.methods.table.installed", lambda: False)
+    with pytest.raises(ModelError, match=r"heyoka is not installed: pip install 'newton-euler\[fast\]'"):
+        swing(method="taylor")
+    with pytest.raises(ModelError, match="needs heyoka, which is not installed; without it the least is"):
+        integrate(forced(), 1.0, (1.0, 0.0), 1e-14)
+
+
+@pytest.mark.parametrize("method", ["dop853", "taylor", "scipy RK45"])
+def test_a_singular_place_ends_it_with_what_was_reached(method):
+    needs(method)
+    model = Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,))  # r = sqrt(1 - 2 t)
+    with pytest.raises(MotionError, match=r"falls into the centre could not be followed beyond t = 0\.[45].*singular") as told:
+        integrate(model, 2.0, (1.0,), 1e-6, method)
+    reached = told.value.reached
+    assert 0.49 < reached.t_end <= 0.5 + 1e-6
+    assert reached.at(0.3)["r"] == pytest.approx(math.sqrt(0.4), rel=1e-5)
+    with pytest.raises(MotionError, match="t = 0, at psi = 0, theta = 0"):
+        integrate(top.euler(1.0, 1.5, 5.0, SPIN), 1.0, (0.0,) * 5, method=method, rtol=1e-6)
+
+
+@pytest.mark.parametrize("method", ["dop853", "taylor", "auto"])
+def test_parameters_with_which_the_rates_have_no_value_end_it_in_words(method):
+    needs(method)
+    model = Model("divided by nothing", {"k": 0.0}, ("x",), lambda s, p, t: (s.x / p.k,))
+    with pytest.raises(MotionError, match="divided by nothing could not be followed beyond t = 0, at x = 1"):
+        integrate(model, 1.0, (1.0,), 1e-6, method)
+
+
+def test_nothing_heavy_is_imported():
+    code = (
+        "import sys; from newton_euler.motion.integration import integrate; from newton_euler.scenes.planar.pendulum import physical_pendulum as p;"
+        "assert integrate(p(2., .5, .5, 10.), 1., (1., 0.)).error < 1e-9;"
+        "print([m for m in ('numpy', 'scipy', 'sympy', 'heyoka', 'mpmath', 'matplotlib') if m in sys.modules])"
+    )
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+
+
+# -- runs that are prepared
+
+
+@pytest.mark.parametrize("method", ["auto", "exact", "taylor", "dop853", "verlet"])
+def test_a_prepared_run_is_that_of_integrate(method):
+    needs(method)
+    run = prepare(oscillator(), 1e-7, method)
+    for t, start in ((3.0, (1.0, 0.0)), (7.5, (0.2, -2.0))):
+        whole = integrate(oscillator(), t, start, 1e-7, "dop853")
+        assert run(t, start) == pytest.approx(tuple(whole.end.values()), abs=5e-7)
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+def test_a_prepared_run_into_a_singular_place_says_so(method):
+    needs(method)
+    run = prepare(Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,)), 1e-6, method)
+    assert run(0.4, (1.0,))[0] == pytest.approx(math.sqrt(0.2), rel=1e-5)
+    with pytest.raises(MotionError, match="could not be followed beyond t = 0"):
+        run(2.0, (1.0,))
+    assert run(0.4, (1.0,))[0] == pytest.approx(math.sqrt(0.2), rel=1e-5)  # and it is as good as before
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_what_parameters_alone_give_is_computed_once(scene):
+    """The rest has other arguments than the parameters, fewer operations, and the same rates within round-off."""
+    model, _, start = SCENES[scene]
+    system = prepared(model)
+    rest, _ = system.traced.folded
+    states = [x + 0.01 * n for n, x in enumerate(start, 1)]
+    whole, rates = system.rates(0.3, states), system.folded_rates(0.3, *states, *system.constants)
+    scale = max(map(abs, whole))
+    assert max(abs(a - b) for a, b in zip(whole, rates, strict=True)) <= 4e-15 * scale
+    count = lambda source: sum(source.count(f" {op} ") for op in "*/+-")  # noqa: E731
+    assert count(rest.source) <= count(system.traced.rhs.source)
+    arguments = rest.source.split("(", 1)[1].split(")")[0].split(", ")
+    assert not set(arguments) & set(model.parameters)
+
+
+@pytest.mark.parametrize("method", ["exact", "taylor", "dop853"])
+@pytest.mark.parametrize(
+    ("t", "start", "words"),
+    [(1.0, (1.0,), "has the 2 states x, dx; got 1 values"), (1.0, (1.0, "fast"), "needs a number for dx"), ("soon", (1.0, 0.0), "t is the time"),
+     (math.nan, (1.0, 0.0), "time runs forward"), (1.0, (math.nan, 0.0), "needs finite numbers")],
+)  # fmt: skip
+def test_what_a_prepared_run_cannot_do_is_said_as_by_integrate(method, t, start, words):
+    needs(method)
+    run = prepare(oscillator(), 1e-7, method)
+    with pytest.raises(ModelError, match=words):
+        run(t, start)
+    assert run(3.0, (1.0, 0.0))[0] == pytest.approx(math.cos(6.0), abs=3e-7)
+
+
+def test_functions_made_at_each_call_do_not_pile_up():
+    """An event and an invariant that are new each time, as lambdas are: those used last are kept."""
+    model, first = oscillator(), []
+    for n in range(3 * KEPT):
+        event, energy = (lambda s, p, t, n=n: s.x - n), (lambda s, p, t: s.dx**2 + p.k * s.x**2)
+        first = first or [weakref.ref(event), weakref.ref(energy)]
+        found = integrate(replace(model, invariants={"energy": energy}), 0.1, (0.3, 0.0), events=Event(event))
+        assert found.drift["energy"] < 1e-12
+        del found
+    gc.collect()
+    assert len(prepared(model).traced.functions) <= KEPT
+    assert [seen() for seen in first] == [None, None]
+
+
+def test_only_one_model_is_prepared_at_a_time():
+    with pytest.raises(ModelError, match="prepare takes a model with numbers, but parameters of 'oscillator' are arrays"):
+        prepare(oscillator().changed(k=np.ones(3)))

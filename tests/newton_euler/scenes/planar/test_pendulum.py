@@ -1,0 +1,75 @@
+"""The physical pendulum (11.17)."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler import Frame, at, cos, moving
+from newton_euler.bodies.body import Body
+from newton_euler.dynamics.energy import (
+    EnergyError,
+    kinetic_energy,
+    kinetic_energy_about,
+)
+from newton_euler.scenes.planar.pendulum import pendulum_energy, physical_pendulum, swing_rate
+from tests.kinds import KINDS, close, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def small(kind):
+    """Absolute, for quantities of order 10: a few round-offs of the kind."""
+    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -25
+
+
+def integrated(model, start, end):
+    """States by name as functions of time, by SciPy in short steps."""
+    rhs = model.compiled_rhs()
+    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, end), start, "DOP853", rtol=1e-12, atol=1e-13, max_step=0.05, dense_output=True)
+    return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
+
+
+@every_kind
+def test_example_11_17_about_the_mass_centre_and_about_the_pivot(kind):
+    m, I, l, g, theta, omega = numbers(kind, 2, "0.5", "0.75", "9.81", "0.6", 3)
+    E = pendulum_energy(m, I, l, g, theta, omega)
+    assert close(E.value, (I + m * l * l) * omega * omega / 2 - m * g * l * cos(theta), small(kind))
+    ground = Frame("ground")  # x down, z along the axis
+    frame = ground.rotate("body", "z", moving(theta, omega))
+    body = Body("body", m, frame.point("G", l, 0, 0), (I, I, I))
+    assert close(kinetic_energy_about(body, ground.origin, ground).value, E.terms["translation"] + E.terms["rotation"], small(kind))
+    assert close(kinetic_energy(body, ground).terms["translation"], E.terms["translation"], small(kind))
+    assert close(-m * g * body.centre.position(ground).x, E.terms["weight"], small(kind))
+
+
+@every_kind
+def test_example_11_17_its_equation_of_motion_follows_from_the_energy(kind):
+    """dE/dt = 0 with theta' = omega, omega' from the Model."""
+    m, I, l, g, theta, omega = numbers(kind, 2, "0.5", "0.75", "9.81", "0.6", 3)
+    model = physical_pendulum(m, I, l, g)
+    rates = model.derivative((theta, omega))
+    E = at(lambda t: pendulum_energy(m, I, l, g, theta + omega * t, omega + rates[1] * t).value, 0 * m)
+    assert close(E.rate, 0, 10 * small(kind))
+
+
+def test_example_11_17_along_the_motion_and_how_far_it_swings():
+    model = physical_pendulum(2.0, 0.5, 0.75, 9.81)
+    states = integrated(model, (1.2, 0.0), 2.0)
+    E = [model.invariant("energy", states(t)) for t in np.linspace(0, 2, 9)]
+    assert np.ptp(E) < 1e-9 * abs(E[0])
+    for t in (0.3, 0.9, 1.4):
+        s = states(t)
+        assert swing_rate(2.0, 0.5, 0.75, 9.81, s["theta"], 1.2) == pytest.approx(abs(s["omega"]), rel=1e-8)
+    with pytest.raises(EnergyError, match="does not get there"):
+        swing_rate(2.0, 0.5, 0.75, 9.81, 1.3, 1.2)
+
+
+def test_example_11_17_near_the_turning_point_nothing_cancels():
+    near = swing_rate(1.0, 0.0, 1.0, 9.81, 1.0 - 1e-12, 1.0)
+    step = 1.0 - (1.0 - 1e-12)
+    assert near == pytest.approx(math.sqrt(2 * 9.81 * step * math.sin(1.0)), rel=1e-11)
+    naive = 2 * 9.81 * (math.cos(1.0 - 1e-12) - math.cos(1.0))
+    assert not math.isclose(math.sqrt(naive), near, rel_tol=1e-6)

@@ -1,0 +1,125 @@
+"""Chapter 11, the worked examples of 11.15, 11.16, 11.17, 11.19, and audits of motions that an integrator made.
+
+(11.4 is in test_ch11_work.py.) Oracles: SciPy on second-order equations of motion, energy by bodies in frames.
+"""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy
+from scipy.integrate import solve_ivp
+
+from newton_euler import Frame, moving
+from newton_euler.bodies.solids import sphere
+from newton_euler.dynamics.energy import (
+    audit,
+    kinetic_energy,
+    kinetic_energy_about,
+)
+from newton_euler.dynamics.work import power
+from newton_euler.scenes.planar.rolling_sphere import (
+    friction_needed,
+    rolling_down,
+    rolling_energy,
+    rolling_speed,
+)
+from newton_euler.scenes.planar.sliding_sphere import rolling_begins, sphere_at
+from tests.kinds import KINDS, close, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def small(kind):
+    """Absolute, for quantities of order 10: a few round-offs of the kind."""
+    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -25
+
+
+def integrated(model, start, end):
+    """States by name as functions of time, by SciPy in short steps."""
+    rhs = model.compiled_rhs()
+    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, end), start, "DOP853", rtol=1e-12, atol=1e-13, max_step=0.05, dense_output=True)
+    return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
+
+
+@every_kind
+def test_example_11_15_seven_tenths_of_m_v2(kind):
+    m, R, v = numbers(kind, 3, "0.2", 2)
+    T = rolling_energy(m, R, v)
+    assert close(T.value, 7 * m * v * v / 10, small(kind))
+    assert close(T.terms["translation"] / T.value, 0 * m + 5 * v / (7 * v), small(kind))
+    assert close(T.terms["rolling"] / T.value, 0 * m + 2 * v / (7 * v), small(kind))
+
+
+@every_kind
+def test_example_11_15_by_a_body_in_a_frame_and_about_the_contact(kind):
+    m, R, v, pivoting = numbers(kind, 3, "0.25", 2, 5)
+    ground = Frame("ground")
+    G = ground.point("G", moving(0 * v, v), 0, R)
+    frame = ground.rotate("pivot", "z", rate=pivoting, origin=G).rotate("ball", "y", rate=v / R)
+    ball = sphere(R, frame, mass=m)
+    T = rolling_energy(m, R, v, pivoting)
+    assert close(kinetic_energy(ball, ground).value, T.value, small(kind))
+    assert close(kinetic_energy_about(ball, ground.point("C", 0, 0, 0), ground).value, T.value, small(kind))
+    assert close(T.terms["pivoting"], m * R * R * pivoting**2 / 5, small(kind))  # the component that the book leaves out
+
+
+@every_kind
+def test_example_11_15_speed_after_a_drop(kind):
+    h, g = numbers(kind, "0.7", 10)
+    assert close(rolling_speed(h, g) ** 2, 10 * g * h / 7, 10 * small(kind))
+    assert close(rolling_speed(h, g, k=0) ** 2, 2 * g * h, 10 * small(kind))  # in free fall
+
+
+def test_example_11_15_the_motion_down_the_plane():
+    model = rolling_down(0.5, 9.81)
+    x, v = model.solution(1.5, (0.0, 0.0))
+    assert v == pytest.approx(rolling_speed(x * math.sin(0.5), 9.81), rel=1e-14)
+    run = integrated(model, (0.0, 0.0), 1.5)(1.5)
+    assert run["v"] == pytest.approx(v, rel=1e-11)
+    assert model.invariant("energy over mass", (x, v)) == pytest.approx(0, abs=1e-13)
+
+
+def test_example_11_15_the_vertical_plane_is_only_a_limit():
+    """The friction needed over the normal force grows beyond bounds, which the book does not say."""
+    assert friction_needed(math.pi / 4) == pytest.approx(2 / 7)
+    assert friction_needed(math.pi / 2 - 1e-6) > 1e5
+
+
+@pytest.mark.parametrize("v0", [7.0, np.array([2.0, 5.0, 7.0])])
+def test_the_books_of_a_sphere_that_slides_and_then_rolls(v0):
+    """Friction mu m g at the slip v + omega r: 1/7 m v0^2 becomes heat, and what stays is that of rolling."""
+    m, mu, g, r = 2.0, 0.2, 10.0, 0.5
+    begins = rolling_begins(v0, mu, g, r)
+    ground = Frame("ground")
+
+    def motion(t):
+        _, v, omega = sphere_at(t, v0, mu, g, r)
+        G = ground.point("G", moving(0.0 * v, v), r, 0)
+        return sphere(r, ground.rotate("ball", "z", rate=omega, origin=G), mass=m)
+
+    def friction(t):
+        """Only while there is slip; at the contact point of the ball, which slides on the ground."""
+        ball = motion(t)
+        contact = ball.centre.velocity(ground) + ball.frame.angular_velocity(ground).cross(-r * ground.j)
+        return power(-mu * m * g * ground.i, contact)
+
+    breaks = np.unique(begins.t).tolist()
+    books = audit(lambda t: kinetic_energy(motion(t), ground), 0.0, 2.0, powers={"friction": friction}, breaks=breaks)
+    assert books.balances()
+    assert np.allclose(books.heat("friction"), m * v0**2 / 7, rtol=1e-12)
+    assert np.allclose(kinetic_energy(motion(2.0), ground).value, 7 / 10 * m * (5 / 7 * v0) ** 2, rtol=1e-14)
+    naive = audit(lambda t: kinetic_energy(motion(t), ground), 0.0, 2.0)  # as if it rolled all the time
+    assert not naive.balances()
+    assert np.allclose(naive.missing, -m * v0**2 / 7, rtol=1e-12)
+
+
+def test_a_formula_of_the_heat_of_the_sphere():
+    m, v0, mu, g, r = sympy.symbols("m v_0 mu g r", positive=True)
+    begins = rolling_begins(v0, mu, g, r)
+    slip = lambda t: v0 - mu * g * t - 5 * mu * g * t / 2  # noqa: E731
+    T = lambda t: m * (v0 - mu * g * t) ** 2 / 2 + m * (5 * mu * g * t / 2) ** 2 / 5  # noqa: E731
+    books = audit(T, sympy.Integer(0), begins.t, powers={"friction": lambda t: -mu * m * g * slip(t)}, exact=True)
+    assert books.balances()
+    assert sympy.simplify(books.heat() - m * v0**2 / 7) == 0

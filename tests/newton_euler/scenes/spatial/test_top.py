@@ -1,0 +1,55 @@
+"""The energy of a top (11.16)."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from newton_euler import Frame, moving
+from newton_euler.bodies.body import Body
+from newton_euler.dynamics.energy import (
+    kinetic_energy,
+)
+from newton_euler.kinematics.rotations import euler_frame
+from newton_euler.scenes.spatial.top import euler, top_energy
+from tests.kinds import KINDS, close, numbers
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def small(kind):
+    """Absolute, for quantities of order 10: a few round-offs of the kind."""
+    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -25
+
+
+def integrated(model, start, end):
+    """States by name as functions of time, by SciPy in short steps."""
+    rhs = model.compiled_rhs()
+    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, end), start, "DOP853", rtol=1e-12, atol=1e-13, max_step=0.05, dense_output=True)
+    return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
+
+
+@every_kind
+def test_example_11_16_energy_of_the_top_by_a_body_in_frames(kind):
+    I0, I, mgr, theta, nod, precession, spin = numbers(kind, "1.5", 1, 10, "0.8", "0.4", 2, 9)
+    ground = Frame("ground")
+    frame = euler_frame(ground, "top", moving(theta, precession), moving(theta, nod), moving(theta, spin))
+    T = kinetic_energy(Body("top", I, frame, (I0, I0, I)), ground).value
+    height = frame.point("G", 0, 0, 1).position(ground).z
+    assert close(top_energy(I0, I, mgr, theta, nod, precession, spin).value, T + mgr * height, 10 * small(kind))
+
+
+def test_example_11_16_with_the_books_sign_the_sum_is_not_constant():
+    """Against the integrated motion of a nodding top: plus stays, minus (as printed) does not."""
+    I0, I, mgr, omega_z = 0.02, 0.01, 0.5, 60.0
+    states = integrated(euler(I0, I, mgr, omega_z), (0.0, 0.6, 0.0, 0.0, 0.0), 0.5)
+    right, printed = [], []
+    for t in np.linspace(0.0, 0.5, 11):
+        s = states(t)
+        E = top_energy(I0, I, mgr, s["theta"], s["theta_rate"], s["psi_rate"], omega_z - s["psi_rate"] * math.cos(s["theta"]))
+        right.append(E.value)
+        printed.append(E.reweighted(weight=-1))
+    assert np.ptp(right) < 1e-9 * abs(right[0])
+    assert np.ptp(printed) > 1e-2 * mgr
