@@ -1,4 +1,6 @@
-"""The textbook's problems: text and data in ``chNN/pMM.yaml``, what they compute in ``pMM.py`` beside it. Stays with the instructor."""
+"""The textbook's problems: text and data in ``chNN/pMM.yaml``, what they compute in ``pMM.py``
+beside it. Stays with the instructor.
+"""
 
 from .catalogue import Problem, chapters, problem, problems
 

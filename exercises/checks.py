@@ -1,4 +1,6 @@
-"""Checks of a problem: its two ways to the key against each other, its units, and its mistakes against the key."""
+"""Checks of a problem: its two ways to the key against each other, its units, and its mistakes
+against the key.
+"""
 
 import random
 
@@ -11,15 +13,17 @@ from .catalogue import CatalogueError
 from .proofs import DIGITS
 from .variants import SEPARATION, distance, draw, evaluate, flat, symbol_values
 
-AGREEMENT = 1e-9  # relative, solve in floats against prove; in 50 digits they must agree to the square of it
+# relative, solve in floats against prove; in 50 digits they must agree to the square of it
+AGREEMENT = 1e-9
 _SEED = b"check"
 
 
 def check(p, seeds=1):
     """Everything that is wrong with problem ``p``, as sentences; an empty list if it holds.
 
-    Checks the book's numbers (seed 0) and ``seeds - 1`` drawn variants: solve against prove in floats and in 50 digits, every mistake
-    away from the key, and once the units of every answer by running ``solve`` on dimensions.
+    Checks the book's numbers (seed 0) and ``seeds - 1`` drawn variants: solve against prove in
+    floats and in 50 digits, every mistake away from the key, and once the units of every answer by
+    running ``solve`` on dimensions.
     """
     faults = _fit(p) or _dimensions(p)
     for n in range(seeds):
@@ -37,27 +41,50 @@ def _fit(p):
     """Names in the text against names in the code."""
     try:
         g = p.base(values(p, 0))
-        named, solved, proved = p.code.mistakes(g), p.code.solve(g), p.code.prove(_precise(p, values(p, 0)))
+        named, solved, proved = (
+            p.code.mistakes(g),
+            p.code.solve(g),
+            p.code.prove(_precise(p, values(p, 0))),
+        )
     except CatalogueError as error:
         return [str(error)]
     missing = [m for m in p.mistakes if m not in named]
-    faults = [f"the mistake {m} is in {p.name}.yaml but not computed; compute it, or move it to struck: with a reason" for m in missing]
-    faults += [f"the mistake {m} is computed but not in {p.name}.yaml" for m in named if m not in p.mistakes]
+    faults = [
+        f"the mistake {m} is in {p.name}.yaml but not computed; compute it, or move it to "
+        "struck: with a reason"
+        for m in missing
+    ]
+    faults += [
+        f"the mistake {m} is computed but not in {p.name}.yaml"
+        for m in named
+        if m not in p.mistakes
+    ]
     asked = [a.key for a in p.answers]
     for what, got in (("solve", solved), ("prove", proved)):
         if list(got) != asked:
             return [*faults, f"{what} returns {list(got)} but the problem asks for {asked}"]
     for name, answers in named.items():
         if not answers or not set(answers) <= set(asked):
-            faults.append(f"the mistake {name} must give some of {asked}, and gives {list(answers)}")
+            faults.append(
+                f"the mistake {name} must give some of {asked}, and gives {list(answers)}"
+            )
         for key, answer in answers.items():
-            if key in solved and hasattr(answer, "frame") and answer.frame.name != solved[key].frame.name:
-                faults.append(f"{key} is in {solved[key].frame.name}, but the mistake {name} has it in {answer.frame.name}: use in_frame")
+            if (
+                key in solved
+                and hasattr(answer, "frame")
+                and answer.frame.name != solved[key].frame.name
+            ):
+                faults.append(
+                    f"{key} is in {solved[key].frame.name}, but the mistake {name} has it in "
+                    f"{answer.frame.name}: use in_frame"
+                )
     return faults
 
 
 def _dimensions(p):
-    """Run solve on dimensions: a sum of unlike quantities raises, and each answer must have the dimension of its unit."""
+    """Run solve on dimensions: a sum of unlike quantities raises, and each answer must have the
+    dimension of its unit.
+    """
     pure = p.base(dict.fromkeys(p.units, 1.0))
     g = pure.but(**{n: unit(u).dimension for n, u in p.units.items()})
     try:
@@ -77,7 +104,9 @@ def _dimensions(p):
 
 
 def _exchanged(p, g):
-    """Mistakes whose answer has the dimension of another answer: stored under the wrong key. Other dimensions may be what is wrong about them."""
+    """Mistakes whose answer has the dimension of another answer: stored under the wrong key. Other
+    dimensions may be what is wrong about them.
+    """
     try:
         named = p.code.mistakes(g)
     except DimensionError:  # a wrong model may add unlike quantities
@@ -87,7 +116,11 @@ def _exchanged(p, g):
     for name, answers in named.items():
         for key, answer in answers.items():
             found = {x for x in flat(answer) if isinstance(x, Dimension)} - {asked.get(key)}
-            faults += [f"the mistake {name} gives {key} the dimension of {k}" for k, d in asked.items() if key in asked and d in found]
+            faults += [
+                f"the mistake {name} gives {key} the dimension of {k}"
+                for k, d in asked.items()
+                if key in asked and d in found
+            ]
     return faults
 
 
@@ -112,14 +145,23 @@ def _agreement(p, seed):
             if proved[key] != right[key][0]:
                 faults.append(f"{key}: solve says {right[key][0]}, prove says {proved[key]}")
             continue
-        for numbers, tolerance, how in ((right[key], AGREEMENT, "floats"), (flat(precise[key]), AGREEMENT**2, "50 digits")):
+        for numbers, tolerance, how in (
+            (right[key], AGREEMENT, "floats"),
+            (flat(precise[key]), AGREEMENT**2, "50 digits"),
+        ):
             by_proof = flat(proved[key])
             gap = _gap(numbers, by_proof)
             if not gap <= tolerance:
-                faults.append(f"{key}: solve in {how} and prove differ by {gap:.1e} of its size: {_shown(numbers)} against {_shown(by_proof)}")
+                faults.append(
+                    f"{key}: solve in {how} and prove differ by {gap:.1e} of its size: "
+                    f"{_shown(numbers)} against {_shown(by_proof)}"
+                )
     for name, answers in wrong.items():
         for key, answer in answers.items():
-            if p.answer(key).kind not in ("count", "choice") and distance(answer, right[key]) < SEPARATION:
+            if (
+                p.answer(key).kind not in ("count", "choice")
+                and distance(answer, right[key]) < SEPARATION
+            ):
                 faults.append(f"the mistake {name} gives nearly the right {key}: {_shown(answer)}")
     return faults
 
@@ -129,7 +171,9 @@ def _gap(a, b):
         if len(a) != len(b):
             return float("inf")
         whole = mp.sqrt(sum(mpf(y) ** 2 for y in b))
-        return float(mp.sqrt(sum((mpf(x) - y) ** 2 for x, y in zip(a, b, strict=True))) / (whole or 1))
+        return float(
+            mp.sqrt(sum((mpf(x) - y) ** 2 for x, y in zip(a, b, strict=True))) / (whole or 1)
+        )
 
 
 def _shown(numbers):

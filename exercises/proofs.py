@@ -1,24 +1,34 @@
 """Tools for ``prove``: explicit motions in time, differentiated numerically at 50 digits.
 
-Nothing here comes from the engine. A proof writes the position of a point as a function of time, with rotation matrices multiplied
-out, and differentiates that; it knows of no Coriolis term and no law of composition, so it can only agree with ``solve`` if both are right.
-Vectors are lists of three mpmath numbers, matrices lists of rows.
+Nothing here comes from the engine. A proof writes the position of a point as a function of time,
+with rotation matrices multiplied out, and differentiates that; it knows of no Coriolis term and no
+law of composition, so it can only agree with ``solve`` if both are right. Vectors are lists of
+three mpmath numbers, matrices lists of rows.
 """
 
 from mpmath import mp, mpf
 
 DIGITS = 50
-STEP = "1e-9"  # five-point rules at 50 digits: truncation 1e-36 times the fifth derivative, rounding 1e-32
+# five-point rules at 50 digits: truncation 1e-36 times the fifth derivative, rounding 1e-32
+STEP = "1e-9"
 
 
 def rot(axis, angle):
-    """The matrix that turns vectors by ``angle`` about ``axis`` ("x", "y", "z" or three components), right-handed: Rodrigues' formula."""
-    e = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.get(axis, axis) if isinstance(axis, str) else axis
+    """The matrix that turns vectors by ``angle`` about ``axis`` ("x", "y", "z" or three
+    components), right-handed: Rodrigues' formula.
+    """
+    e = (
+        {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.get(axis, axis)
+        if isinstance(axis, str)
+        else axis
+    )
     length = mp.sqrt(sum(mpf(x) ** 2 for x in e))
     e = [mpf(x) / length for x in e]
     c, s = mp.cos(angle), mp.sin(angle)
     skew = [[0, -e[2], e[1]], [e[2], 0, -e[0]], [-e[1], e[0], 0]]
-    return [[c * (n == m) + s * skew[n][m] + (1 - c) * e[n] * e[m] for m in range(3)] for n in range(3)]
+    return [
+        [c * (n == m) + s * skew[n][m] + (1 - c) * e[n] * e[m] for m in range(3)] for n in range(3)
+    ]
 
 
 def times(*factors):
@@ -33,7 +43,9 @@ def times(*factors):
 
 
 def transposed(a):
-    """The transpose; for a rotation, its inverse: ``times(transposed(R), v)`` are the components of v in the turned axes."""
+    """The transpose; for a rotation, its inverse: ``times(transposed(R), v)`` are the components of
+    v in the turned axes.
+    """
     return [list(row) for row in zip(*a, strict=True)]
 
 
@@ -63,10 +75,11 @@ def cross(a, b):
 
 
 def spun(axis, across, angle):
-    """The orientation of a body that has turned on its ``axis`` by ``angle``, right-handed, starting from the direction ``across``.
+    """The orientation of a body that has turned on its ``axis`` by ``angle``, right-handed,
+    starting from the direction ``across``.
 
-    Both are unit vectors, square to each other. The columns are the axis and two directions that turn about it with the body: for
-    :func:`angular_velocity` it does not matter which.
+    Both are unit vectors, square to each other. The columns are the axis and two directions that
+    turn about it with the body: for :func:`angular_velocity` it does not matter which.
     """
     turned = plus(scaled(mp.cos(angle), across), scaled(mp.sin(angle), cross(axis, across)))
     return transposed([axis, turned, cross(axis, turned)])
@@ -95,14 +108,18 @@ def second_rate(f, t=0):
 
 
 def angular_velocity(R, t=0):
-    """omega of a body whose orientation matrix is R(t) (body components to ground components): the vector of the skew matrix R' R^T."""
+    """omega of a body whose orientation matrix is R(t) (body components to ground components): the
+    vector of the skew matrix R' R^T.
+    """
     with mp.workdps(DIGITS):
         W = times(rate(R, t), transposed(R(mpf(t))))
         return [(W[2][1] - W[1][2]) / 2, (W[0][2] - W[2][0]) / 2, (W[1][0] - W[0][1]) / 2]
 
 
 def angular_acceleration(R, t=0):
-    """alpha of the same body: the skew part of R'' R^T (its symmetric part, -|omega|^2 and so on, drops out)."""
+    """alpha of the same body: the skew part of R'' R^T (its symmetric part, -|omega|^2 and so on,
+    drops out).
+    """
     with mp.workdps(DIGITS):
         W = times(second_rate(R, t), transposed(R(mpf(t))))
         return [(W[2][1] - W[1][2]) / 2, (W[0][2] - W[2][0]) / 2, (W[1][0] - W[0][1]) / 2]

@@ -14,7 +14,9 @@ from newton_euler.algebra.vectors import Vector
 
 
 def given_values(p, seed, changes):
-    """The numbers of the book, or with a ``seed`` those of a drawn variant, with some replaced by ``changes``."""
+    """The numbers of the book, or with a ``seed`` those of a drawn variant, with some replaced by
+    ``changes``.
+    """
     values = p.book_values if seed is None else variants.draw(p, f"seed {seed}".encode())
     return {**values, **changes}
 
@@ -25,14 +27,20 @@ def solve_problem(p, seed, changes):
 
 
 def answers_json(p, results):
-    """The answers for JSON: {key: {"kind", "value" or "expr", "unit"}}; formulas as text that SymPy can read."""
+    """The answers for JSON: {key: {"kind", "value" or "expr", "unit"}}; formulas as text that SymPy
+    can read.
+    """
     out = {}
     for a in p.answers:
         value = results[a.key]
         if a.kind in SYMBOLIC:
             out[a.key] = {"kind": a.kind, "expr": nested(value, str), "unit": a.unit}
         else:
-            out[a.key] = {"kind": a.kind, "value": nested(value, _number if a.kind != "choice" else str), "unit": a.unit}
+            out[a.key] = {
+                "kind": a.kind,
+                "value": nested(value, _number if a.kind != "choice" else str),
+                "unit": a.unit,
+            }
     return out
 
 
@@ -59,12 +67,20 @@ def answers_text(p, results):
 def _formatted(value):
     if isinstance(value, (Vector, tuple, list)):
         return "[" + ", ".join(_formatted(v) for v in value) + "]"
-    return f"{float(value):.6g}" if is_numeric(value) and not isinstance(value, (int, str)) else str(value)
+    return (
+        f"{float(value):.6g}"
+        if is_numeric(value) and not isinstance(value, (int, str))
+        else str(value)
+    )
 
 
 def terms_text(p, results):
     """The terms of the answers that are sums of named terms, as text with rich's markup."""
-    texts = [str(results[a.key].explain(a.unit)) for a in p.answers if isinstance(results[a.key], Vector) and results[a.key].terms]
+    texts = [
+        str(results[a.key].explain(a.unit))
+        for a in p.answers
+        if isinstance(results[a.key], Vector) and results[a.key].terms
+    ]
     return "\n".join(text.replace("[", r"\[") for text in texts)
 
 
@@ -72,7 +88,9 @@ def terms_text(p, results):
 
 
 def gradebook_table(results):
-    """A table with one row per student: points, number of answers by verdict, and the most frequent diagnosis."""
+    """A table with one row per student: points, number of answers by verdict, and the most frequent
+    diagnosis.
+    """
     table = Table(title="Gradebook", title_justify="left")
     for name, justify in (
         ("student", "left"),
@@ -87,7 +105,9 @@ def gradebook_table(results):
         table.add_column(name, justify=justify, overflow="fold")
     for r in results:
         if r.problem:
-            table.add_row(escape(r.student), "–", "–", "", "", "", "", "[red]not graded, see below[/]")
+            table.add_row(
+                escape(r.student), "–", "–", "", "", "", "", "[red]not graded, see below[/]"
+            )
             continue
         verdicts = Counter(p.verdict for s in r.scores.values() for p in s.parts)
         share = f"{100 * r.points / r.out_of:.0f}" if r.out_of else "–"

@@ -1,4 +1,5 @@
-"""Newton-Euler dynamics of particles and rigid bodies in three dimensions: a small engine for teaching and for work.
+"""Newton-Euler dynamics of particles and rigid bodies in three dimensions: a small engine for
+teaching and for work.
 
 >>> from newton_euler import Frame
 >>> ground = Frame("ground")
@@ -6,14 +7,16 @@
 >>> print(shaft.point("P", 2.0, 0, 0).acceleration(ground))
 [-0.72, 0, 0] in shaft
 
-A name is imported from its room when it is first asked for, so that ``import newton_euler`` costs next to nothing.
+A name is imported from its room when it is first asked for, so that ``import newton_euler`` costs
+next to nothing.
 """
 
 from importlib import import_module
 
 __version__ = "0.2.0"
 
-# The names at the top, by the room that they come from; __init__.pyi says the same to type checkers.
+# The names at the top, by the room that they come from; __init__.pyi says the same to type
+# checkers.
 # All other public names are imported from their room: from newton_euler.dynamics import weight
 _NAMES = {
     "algebra": """Dimension NewtonEulerError Vector acos asin at atan atan2 compiled cos cosh cross dot exp
@@ -35,7 +38,8 @@ def __getattr__(name):
         return import_module(f"{__name__}.{name}")
     if name not in _ROOM_OF:
         raise AttributeError(
-            f"newton_euler has no {name!r} at its top; look in its rooms: {', '.join(sorted(_ROOMS))}"
+            f"newton_euler has no {name!r} at its top; look in its rooms: "
+            f"{', '.join(sorted(_ROOMS))}"
         )
     value = globals()[name] = getattr(import_module(f"{__name__}.{_ROOM_OF[name]}"), name)
     return value

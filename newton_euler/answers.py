@@ -1,4 +1,6 @@
-"""Where notebooks of courses released before version 0.2 import ``expect`` and ``receipt`` from; today: :mod:`newton_euler.classroom`."""
+"""Where notebooks of courses released before version 0.2 import ``expect`` and ``receipt`` from;
+today: :mod:`newton_euler.classroom`.
+"""
 
 from .classroom import expect, receipt
 

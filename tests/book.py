@@ -1,13 +1,16 @@
-"""The book against the engine: which room and which tests belong to each section. ``python -m tests.book`` prints the table.
+"""The book against the engine: which room and which tests belong to each section.
+``python -m tests.book`` prints the table.
 
-A test says in its name what it is for: ``test_eqn_4_18_…``, ``test_eqn_2_15_to_2_18_…``, ``test_example_4_11_…``, ``test_section_6_3_…``.
+A test says in its name what it is for: ``test_eqn_4_18_…``, ``test_eqn_2_15_to_2_18_…``,
+``test_example_4_11_…``, ``test_section_6_3_…``.
 """
 
 import re
 from collections import defaultdict
 from pathlib import Path
 
-# section | rooms of newton_euler/, and its worked examples in chapters/examples/ | first and last numbered equation | E: a worked example
+# section | rooms of newton_euler/, and its worked examples in chapters/examples/ | first and last
+# numbered equation | E: a worked example
 SECTIONS = """
 A algebra/vectors, kinematics/curvilinear, chapters/examples/appA | 1-22 | E
 1.2 kinematics/paths, kinematics/frames | 1-3 |
@@ -115,12 +118,16 @@ def sections():
         left, numbers, marks = (part.strip() for part in line.split("|"))
         section, _, rooms = left.partition(" ")
         first, _, last = numbers.partition("-")
-        rows.append((section, rooms, range(int(first), int(last) + 1) if numbers else range(0), marks))
+        rows.append(
+            (section, rooms, range(int(first), int(last) + 1) if numbers else range(0), marks)
+        )
     return rows
 
 
 def numbers_in(name):
-    """The numbered equations that a test's name names, as {(chapter, number)}: ``test_eqn_2_15_to_2_18_…``, ``test_eqn_11_41_46_…``."""
+    """The numbered equations that a test's name names, as {(chapter, number)}:
+    ``test_eqn_2_15_to_2_18_…``, ``test_eqn_11_41_46_…``.
+    """
     match = re.match(r"test_eqns?_((?:A|\d+)_\d+(?:_(?:and|to|A|\d+)(?=_|$))*)", name)
     if not match:
         return set()
@@ -151,7 +158,9 @@ def tests():
 
 
 def table():
-    """[(section, rooms, equations, files, missing)]: what of each section is tested where, and what is not."""
+    """[(section, rooms, equations, files, missing)]: what of each section is tested where, and what
+    is not.
+    """
     names = tests()
     of_equation = defaultdict(set)
     for name, file in names.items():
@@ -164,11 +173,21 @@ def table():
         missing = [f"({chapter}.{n})" for n in numbers if not of_equation[chapter, n]]
         if marks:
             kind = "section" if marks == "S" else "examples?"
-            pattern = re.compile(rf"test_{kind}_(?:[\dA]+_\d+(?:_\d)?_and_)?{section.replace('.', '_')}(?!\d)")
+            pattern = re.compile(
+                rf"test_{kind}_(?:[\dA]+_\d+(?:_\d)?_and_)?{section.replace('.', '_')}(?!\d)"
+            )
             hits = {f for n, f in names.items() if pattern.match(n)}
             files |= hits
             missing += [] if hits else [f"example {section}"]
-        rows.append((section, rooms, f"({chapter}.{numbers[0]})-({chapter}.{numbers[-1]})" if numbers else "", sorted(files), missing))
+        rows.append(
+            (
+                section,
+                rooms,
+                f"({chapter}.{numbers[0]})-({chapter}.{numbers[-1]})" if numbers else "",
+                sorted(files),
+                missing,
+            )
+        )
     return rows
 
 

@@ -1,4 +1,5 @@
-"""An oracle: a motion written out in rectangular coordinates, differentiated by SymPy, and evaluated in any kind of number.
+"""An oracle: a motion written out in rectangular coordinates, differentiated by SymPy, and
+evaluated in any kind of number.
 
 v = explicit(lambda r, theta, z: (r*sympy.cos(theta), r*sympy.sin(theta), z), 1)
 v(kind, (r, theta, z), (r', theta', z'), (r'', theta'', z''))  # the three rectangular components
@@ -17,13 +18,22 @@ def _formulas(position, order):
     q, rates, second = (sympy.symbols(f"{letter}1:4") for letter in "qde")
     at_t = [x + d * t + e * t**2 / 2 for x, d, e in zip(q, rates, second, strict=True)]
     derivatives = [sympy.diff(sympy.sympify(x), t, order).subs(t, 0) for x in position(*at_t)]
-    formulas = {kind: sympy.lambdify([q, rates, second], derivatives, module, cse=True) for kind, module in _MODULES.items()}
+    formulas = {
+        kind: sympy.lambdify([q, rates, second], derivatives, module, cse=True)
+        for kind, module in _MODULES.items()
+    }
     symbols = (*q, *rates, *second)
-    return formulas | {"sympy": lambda *x: [d.subs(dict(zip(symbols, (*x[0], *x[1], *x[2]), strict=True))) for d in derivatives]}
+    return formulas | {
+        "sympy": lambda *x: [
+            d.subs(dict(zip(symbols, (*x[0], *x[1], *x[2]), strict=True))) for d in derivatives
+        ]
+    }
 
 
 def explicit(position, order):
-    """The derivative of that order of the position, as a function of kind, coordinates, rates, and second rates."""
+    """The derivative of that order of the position, as a function of kind, coordinates, rates, and
+    second rates.
+    """
 
     def evaluated(kind, q, rates, second):
         return tuple(_formulas(position, order)[kind](q, rates, second))
@@ -36,4 +46,8 @@ def polar_position(r, theta, z):
 
 
 def spherical_position(R, theta, phi):
-    return R * sympy.cos(phi) * sympy.cos(theta), R * sympy.cos(phi) * sympy.sin(theta), R * sympy.sin(phi)
+    return (
+        R * sympy.cos(phi) * sympy.cos(theta),
+        R * sympy.cos(phi) * sympy.sin(theta),
+        R * sympy.sin(phi),
+    )

@@ -7,7 +7,8 @@
         x, y = numbers(kind, 0.3, "1/3")
         assert close(sin(x)**2 + cos(x)**2, 1)
 
-A test that looks at values converts its results with :func:`number`; one that must not branch on them stays as it is.
+A test that looks at values converts its results with :func:`number`; one that must not branch on
+them stays as it is.
 """
 
 from fractions import Fraction
@@ -22,7 +23,9 @@ mpmath.mp.dps = 30  # every mpf of the tests has 30 digits
 
 
 def _array(x):
-    """Three instants: the value itself, and two near it, so that a formula which mixes up instants is seen."""
+    """Three instants: the value itself, and two near it, so that a formula which mixes up instants
+    is seen.
+    """
     return float(x) * np.array([1.0, 1.0625, 0.875])
 
 
@@ -34,11 +37,13 @@ def _rational(x):
     return sympy.Rational(x.numerator, x.denominator)
 
 
-KINDS = {"float": float, "array": _array, "mpmath": _mpf, "sympy": _rational}  # each makes its number from a Fraction
+# each makes its number from a Fraction
+KINDS = {"float": float, "array": _array, "mpmath": _mpf, "sympy": _rational}
 
 
 def numbers(kind, *values):
-    """The values (int, float, Fraction, or text as "1/3") as numbers of this kind; a single one not in a tuple.
+    """The values (int, float, Fraction, or text as "1/3") as numbers of this kind; a single one not
+    in a tuple.
 
     A float is taken for the decimal number it is written as: 0.1 becomes 1/10 in mpmath and SymPy.
     """
@@ -47,7 +52,9 @@ def numbers(kind, *values):
 
 
 def number(x):
-    """A scalar of any kind as something to compare: a 30 digit mpf, or an array of floats for an array."""
+    """A scalar of any kind as something to compare: a 30 digit mpf, or an array of floats for an
+    array.
+    """
     x = plain(x)
     if isinstance(x, np.ndarray):
         return x
@@ -58,9 +65,11 @@ def number(x):
 
 
 def close(a, b, tolerance=1e-12):
-    """True if a and b (scalars of any kind, vectors, or nested tuples of them) differ by at most ``tolerance``, absolute, everywhere.
+    """True if a and b (scalars of any kind, vectors, or nested tuples of them) differ by at most
+    ``tolerance``, absolute, everywhere.
 
-    Vectors of two frames are compared in the frame of ``a``; a vector may be compared with a triple of components.
+    Vectors of two frames are compared in the frame of ``a``; a vector may be compared with a triple
+    of components.
     """
     if hasattr(a, "frame") and hasattr(b, "frame"):
         b = b.expressed_in(a.frame)

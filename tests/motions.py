@@ -1,4 +1,6 @@
-"""Motions for tests: all scenes of the catalogue and a few that only tests need, with their final states to 30 digits."""
+"""Motions for tests: all scenes of the catalogue and a few that only tests need, with their final
+states to 30 digits.
+"""
 
 from newton_euler import Model, cos, scenes, sin, sqrt
 from newton_euler.accuracy import work_precision as precision
@@ -7,14 +9,29 @@ from newton_euler.scenes.catalogue import Scene
 from newton_euler.scenes.spatial.top import SPIN
 from newton_euler.scenes.spatial.top import tilted as top_start
 
-__all__ = ["ALL", "SCENES", "SPIN", "free_body", "kepler", "oscillator", "reference", "sizes", "top_start", "true_error"]
+__all__ = [
+    "ALL",
+    "SCENES",
+    "SPIN",
+    "free_body",
+    "kepler",
+    "oscillator",
+    "reference",
+    "sizes",
+    "top_start",
+    "true_error",
+]
 
 
 def free_body(A=1.0, B=2.0, C=3.0):
     """Euler's equations without moments."""
 
     def rates(s, p, t):
-        return (p.B - p.C) / p.A * (s.y * s.z), (p.C - p.A) / p.B * (s.z * s.x), (p.A - p.B) / p.C * (s.x * s.y)
+        return (
+            (p.B - p.C) / p.A * (s.y * s.z),
+            (p.C - p.A) / p.B * (s.z * s.x),
+            (p.A - p.B) / p.C * (s.x * s.y),
+        )
 
     invariants = {
         "energy": lambda s, p, t: (p.A * s.x**2 + p.B * s.y**2 + p.C * s.z**2) / 2,
@@ -49,12 +66,22 @@ def oscillator(exact=True):
 
 def forced():
     """Driven, damped: its rates depend on time."""
-    return second_order("forced", {"c": 0.2, "k": 1.0}, ("x",), lambda s, p, t: (cos(1.3 * t) - p.c * s.dx - p.k * s.x - 0.3 * s.x**3,))
+    return second_order(
+        "forced",
+        {"c": 0.2, "k": 1.0},
+        ("x",),
+        lambda s, p, t: (cos(1.3 * t) - p.c * s.dx - p.k * s.x - 0.3 * s.x**3,),
+    )
 
 
 ONLY_HERE = {
     "forced": Scene("forced", "0", "driven and damped", lambda: (forced(), 25.0, (0.3, 0.0))),
-    "oscillator": Scene("oscillator", "0", "its exact solution kept back", lambda: (oscillator(exact=False), 20.0, (1.0, 0.3))),
+    "oscillator": Scene(
+        "oscillator",
+        "0",
+        "its exact solution kept back",
+        lambda: (oscillator(exact=False), 20.0, (1.0, 0.3)),
+    ),
 }
 ALL = scenes.SCENES | ONLY_HERE
 SCENES = {name: scene.motion for name, scene in ALL.items()}

@@ -25,7 +25,9 @@ def png(s):
 
 def vertices(s, colour=DARK):
     """The coordinates on the page of each line and outline of one colour, in the order of drawing."""
-    return [p.get_path().vertices for p in s.ax.patches if to_hex(p.get_edgecolor()) == colour.lower()]
+    return [
+        p.get_path().vertices for p in s.ax.patches if to_hex(p.get_edgecolor()) == colour.lower()
+    ]
 
 
 def texts(s):

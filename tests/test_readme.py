@@ -19,4 +19,6 @@ def test_the_example_prints_what_the_readme_says():
 def test_the_two_commands_are_there_and_ci_calls_the_second():
     assert "pip install -e '.[fast,course]' && python -m grader demo" in README
     assert "pip install -e '.[dev]' && python -m pytest" in README
-    assert "python -m pytest" in (Path(__file__).parent.parent / ".ci" / "run").read_text(encoding="utf-8")
+    assert "python -m pytest" in (Path(__file__).parent.parent / ".ci" / "run").read_text(
+        encoding="utf-8"
+    )

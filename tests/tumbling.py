@@ -1,4 +1,6 @@
-"""A body of mass points that tumbles, with its momentum by differences: oracle of tests in dynamics/ and scenes/."""
+"""A body of mass points that tumbles, with its momentum by differences: oracle of tests in
+dynamics/ and scenes/.
+"""
 
 import mpmath as mp
 import sympy
@@ -8,16 +10,26 @@ from newton_euler.bodies.body import composite, particle
 from tests import kinds
 from tests.kinds import numbers
 
-MASSES = [(2, (1, "1/2", 0)), (1, (-1, 0, "1/3")), (3, (0, "-2/3", 1)), ("1/2", ("1/4", 1, -1)), (1, ("1/5", "1/5", "1/7"))]
+MASSES = [
+    (2, (1, "1/2", 0)),
+    (1, (-1, 0, "1/3")),
+    (3, (0, "-2/3", 1)),
+    ("1/2", ("1/4", 1, -1)),
+    (1, ("1/5", "1/5", "1/7")),
+]
 
 
 def tolerance(kind):
-    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical differentiation leaves of 50 digits."""
+    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical
+    differentiation leaves of 50 digits.
+    """
     return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
 
 
 def close(a, b, tolerance):
-    """As in tests.kinds, with SymPy's numbers evaluated from the inside out to 60 digits: evalf takes forever on nested sums."""
+    """As in tests.kinds, with SymPy's numbers evaluated from the inside out to 60 digits: evalf
+    takes forever on nested sums.
+    """
     if hasattr(a, "frame") and hasattr(b, "frame"):
         b = b.expressed_in(a.frame)
     return kinds.close(valued(a), valued(b), tolerance)
@@ -47,19 +59,34 @@ def path(a, b, c):
 
 
 def free_body(kind):
-    """ground, body, points to take moments about by name, and the numbers (a, b, c, t) of the motion."""
+    """ground, body, points to take moments about by name, and the numbers (a, b, c, t) of the
+    motion.
+    """
     a, b, c, t = q = numbers(kind, "0.4", "-0.7", "1.1", "0.5")
     ground = Frame("ground")
-    frame = ground.rotate("1", "z", at(turns(a, b, c)[0], t), origin=ground.point("O", *(at(f, t) for f in path(a, b, c))))
+    frame = ground.rotate(
+        "1",
+        "z",
+        at(turns(a, b, c)[0], t),
+        origin=ground.point("O", *(at(f, t) for f in path(a, b, c))),
+    )
     frame = frame.rotate("2", "x", at(turns(a, b, c)[1], t))
     carrier = frame
     frame = frame.rotate("body", (0, 3 + 0 * t, 4 + 0 * t), at(turns(a, b, c)[2], t))
-    parts = [particle(numbers(kind, m), frame.point(f"P{n}", *numbers(kind, *x)), f"P{n}") for n, (m, x) in enumerate(MASSES)]
+    parts = [
+        particle(numbers(kind, m), frame.point(f"P{n}", *numbers(kind, *x)), f"P{n}")
+        for n, (m, x) in enumerate(MASSES)
+    ]
     body = composite("body", parts, frame=frame)
     points = {
         "body": frame.point("B", *numbers(kind, "1/2", -1, "1/3")),
         "rest": ground.point("C", *numbers(kind, 1, 2, -1)),
         "drift": ground.point("D", *(moving(x, x) for x in numbers(kind, 2, "1/3", -1))),
-        "any": carrier.point("E", at(lambda s: b + s * s, t), at(lambda s: c * s * s * s, t), at(lambda s: sin(a * s), t)),
+        "any": carrier.point(
+            "E",
+            at(lambda s: b + s * s, t),
+            at(lambda s: c * s * s * s, t),
+            at(lambda s: sin(a * s), t),
+        ),
     }
     return ground, carrier, body, points, q

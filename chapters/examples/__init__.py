@@ -1,1 +1,3 @@
-"""The worked examples of the book, one module a chapter: ``from newton_euler.chapters.examples.ch02 import Nozzle``."""
+"""The worked examples of the book, one module a chapter:
+``from newton_euler.chapters.examples.ch02 import Nozzle``.
+"""

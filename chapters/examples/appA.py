@@ -1,11 +1,14 @@
-"""Worked examples of Appendix A: the rate of a unit vector, the normal of a triangle, the plane through three points."""
+"""Worked examples of Appendix A: the rate of a unit vector, the normal of a triangle, the plane
+through three points.
+"""
 
 from newton_euler import Frame, moving
 from newton_euler.algebra.scalars import SingularError, is_zero, scalar
 
 
 def turning_unit_vector(theta, rate):
-    """The unit vector e = cos theta i + sin theta j and its rate theta' e_theta, Vectors of the ground (App. A, example 1).
+    """The unit vector e = cos theta i + sin theta j and its rate theta' e_theta, Vectors of the
+    ground (App. A, example 1).
 
     theta : rad, from i towards j; rate : theta' in rad/s
 
@@ -19,9 +22,11 @@ def turning_unit_vector(theta, rate):
 
 
 def triangle(A, B, C):
-    """The unit vectors along AB and AC, and the unit normal in the direction of AB x AC, of three Points of one frame (App. A, example 2).
+    """The unit vectors along AB and AC, and the unit normal in the direction of AB x AC, of three
+    Points of one frame (App. A, example 2).
 
-    Raises :class:`~newton_euler.algebra.scalars.SingularError` if the points lie exactly on one line.
+    Raises :class:`~newton_euler.algebra.scalars.SingularError` if the points lie exactly on one
+    line.
 
     >>> ground = Frame("ground")
     >>> A, B, C = ground.point("A", 0, 0, 0), ground.point("B", 2.0, 0, 0), ground.point("C", 0, 5.0, 0)
@@ -33,9 +38,11 @@ def triangle(A, B, C):
 
 
 def plane(A, B, C):
-    """(a, b, c, d) of the plane a x + b y + c z + d = 0 through three Points of one frame (App. A, example 3); (a, b, c) is AB x AC.
+    """(a, b, c, d) of the plane a x + b y + c z + d = 0 through three Points of one frame (App. A,
+    example 3); (a, b, c) is AB x AC.
 
-    Units: with coordinates in m, a, b, c are in m^2 and d in m^3. Raises :class:`~newton_euler.algebra.scalars.SingularError` as :func:`triangle` does.
+    Units: with coordinates in m, a, b, c are in m^2 and d in m^3. Raises
+        :class:`~newton_euler.algebra.scalars.SingularError` as :func:`triangle` does.
 
     >>> ground = Frame("ground")
     >>> plane(ground.point("A", 1, 1, 1), ground.point("B", 4, 5, 6), ground.point("C", 2, 3, 7))
@@ -48,5 +55,8 @@ def plane(A, B, C):
 def _normal(A, B, C):
     normal = (B - A).cross(C - A)
     if is_zero(scalar(normal.norm())):
-        raise SingularError(f"{A.name}, {B.name} and {C.name} lie on one line: they have no normal, and many planes pass through them")
+        raise SingularError(
+            f"{A.name}, {B.name} and {C.name} lie on one line: they have no normal, and many "
+            "planes pass through them"
+        )
     return normal

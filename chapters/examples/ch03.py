@@ -1,4 +1,6 @@
-"""Worked examples of chapter 3, motion in space: a space curve, a coil spring, a cable, a screw-jack, one vector in three systems."""
+"""Worked examples of chapter 3, motion in space: a space curve, a coil spring, a cable, a
+screw-jack, one vector in three systems.
+"""
 
 from dataclasses import dataclass
 
@@ -18,7 +20,8 @@ def exponential_curve(q):
 
 
 def point_on_exponential_curve(ground, q, speed, speed_rate=0):
-    """The point that passes q on :func:`exponential_curve` with this speed, towards larger q (3.1): a moving Point of ``ground``.
+    """The point that passes q on :func:`exponential_curve` with this speed, towards larger q (3.1):
+    a moving Point of ``ground``.
 
     speed, speed_rate : in units of x, y, z per unit of time
 
@@ -26,12 +29,15 @@ def point_on_exponential_curve(ground, q, speed, speed_rate=0):
     >>> print(point_on_exponential_curve(ground, 0.0, 2.0).velocity(ground))
     [1.41421, 1.41421, 0] in ground
     """
-    return ground.point("P", *along(exponential_curve, at_speed(exponential_curve, q, speed, speed_rate)))
+    return ground.point(
+        "P", *along(exponential_curve, at_speed(exponential_curve, q, speed, speed_rate))
+    )
 
 
 @dataclass(frozen=True)
 class Spring:
-    """The wire of a coil spring (3.2): a right-handed helix of ``radius`` about z that rises by ``rise`` per radian (the pitch over 2 pi).
+    """The wire of a coil spring (3.2): a right-handed helix of ``radius`` about z that rises by
+    ``rise`` per radian (the pitch over 2 pi).
 
     Any consistent units.
 
@@ -47,20 +53,30 @@ class Spring:
         """(x, y, z) at the azimuth theta (rad)."""
         return self.radius * cos(theta), self.radius * sin(theta), self.rise * theta
 
-    wire = property(lambda self: sqrt(self.radius**2 + self.rise**2), doc="length of wire per radian")
-    flexure = property(lambda self: self.radius / (self.radius**2 + self.rise**2), doc="f, constant along the wire")
-    torsion = property(lambda self: -self.rise / (self.radius**2 + self.rise**2), doc="tau with the book's sign: negative for a right-handed helix")
+    wire = property(
+        lambda self: sqrt(self.radius**2 + self.rise**2), doc="length of wire per radian"
+    )
+    flexure = property(
+        lambda self: self.radius / (self.radius**2 + self.rise**2), doc="f, constant along the wire"
+    )
+    torsion = property(
+        lambda self: -self.rise / (self.radius**2 + self.rise**2),
+        doc="tau with the book's sign: negative for a right-handed helix",
+    )
 
     def intrinsic(self, theta, ground=None):
-        """The Frenet triad and components of a point that climbs at 1 rad/s, at the azimuth theta (rad, a plain number or moving)."""
+        """The Frenet triad and components of a point that climbs at 1 rad/s, at the azimuth theta
+        (rad, a plain number or moving).
+        """
         return frenet_along(self.path, theta, ground or Frame("ground"), name="the wire")
 
     @staticmethod
     def drawn_out(wire, slope):
-        """The spring with ``wire`` of length per radian whose wire rises at the angle ``slope`` (rad): 0 is flat, a right angle is straight.
+        """The spring with ``wire`` of length per radian whose wire rises at the angle ``slope``
+        (rad): 0 is flat, a right angle is straight.
 
-        As the spring is drawn straight, f tends to 0 and the torsion to -1/wire, which is finite (the book says infinite). The straight wire
-        itself has no e_n and so no torsion.
+        As the spring is drawn straight, f tends to 0 and the torsion to -1/wire, which is finite
+        (the book says infinite). The straight wire itself has no e_n and so no torsion.
 
         >>> round(Spring.drawn_out(5.0, 1.57).torsion, 6)
         -0.2
@@ -69,9 +85,11 @@ class Spring:
 
 
 def cable_residuals(tension, tension_rate, flexure, load):
-    """The three sums that vanish for a cable at rest in a horizontal plane (3.3): (dT/ds + R1, T f + R2, R3), force per length.
+    """The three sums that vanish for a cable at rest in a horizontal plane (3.3): (dT/ds + R1, T f
+    + R2, R3), force per length.
 
-    tension, tension_rate : T and dT/ds; flexure : f of the cable; load : (R1, R2, R3), the force per length on the cable along e_t, e_n, e_b
+    tension, tension_rate : T and dT/ds; flexure : f of the cable; load : (R1, R2, R3), the force
+        per length on the cable along e_t, e_n, e_b
 
     >>> cable_residuals(100.0, -2.0, 0.5, (2.0, -50.0, 0.0))
     (0.0, 0.0, 0.0)
@@ -81,9 +99,11 @@ def cable_residuals(tension, tension_rate, flexure, load):
 
 
 def cable_load(path, tension, q, ground=None):
-    """The force per length that holds a cable at rest (3.3), a Vector along e_t, e_n, e_b: R1 = -dT/ds, R2 = -T f, R3 = 0.
+    """The force per length that holds a cable at rest (3.3), a Vector along e_t, e_n, e_b: R1 =
+    -dT/ds, R2 = -T f, R3 = 0.
 
-    path : function of a parameter that returns (x, y, z) of the cable; tension : T as a function of the same parameter; q : its value here
+    path : function of a parameter that returns (x, y, z) of the cable; tension : T as a function of
+        the same parameter; q : its value here
     Raises :class:`~newton_euler.algebra.scalars.SingularError` where the cable is straight.
 
     >>> print(cable_load(lambda q: (2.0*cos(q), 2.0*sin(q), 0), lambda q: 100.0, 0.3))  # a smooth post pushes outwards with T/r
@@ -95,9 +115,11 @@ def cable_load(path, tension, q, ground=None):
 
 
 def screw_jack_ball(ground, a, K, lead, t):
-    """The ball on the arm of a screw-jack at the time ``t`` (3.6), a Point of ``ground`` in cylindrical coordinates.
+    """The ball on the arm of a screw-jack at the time ``t`` (3.6), a Point of ``ground`` in
+    cylindrical coordinates.
 
-    It starts from rest at theta = 0, turns with a constant angular acceleration about the vertical z axis and rises by the lead each turn.
+    It starts from rest at theta = 0, turns with a constant angular acceleration about the vertical
+    z axis and rises by the lead each turn.
     a : length of the arm; K : angular acceleration, rad/s^2; lead : rise in one turn
 
     >>> ground = Frame("ground")
@@ -118,9 +140,11 @@ def screw_jack_time(turns, K):
 
 
 def three_systems(Q, theta, phi):
-    """The rectangular, cylindrical and spherical components of a vector (3.8, 3.9 example 2), from its rectangular components ``Q``.
+    """The rectangular, cylindrical and spherical components of a vector (3.8, 3.9 example 2), from
+    its rectangular components ``Q``.
 
-    theta, phi : azimuth and elevation in rad; the spherical components are in the order R, theta, phi (3.32), (3.38). Any unit.
+    theta, phi : azimuth and elevation in rad; the spherical components are in the order R, theta,
+        phi (3.32), (3.38). Any unit.
 
     >>> three_systems((5.0, 0, 0), 0.0, 0.0)
     ((5.0, 0, 0), (5.0, -0.0, 0.0), (5.0, 0.0, 0.0))

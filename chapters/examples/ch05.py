@@ -1,4 +1,6 @@
-"""Worked example of chapter 5, systems of particles: a projectile that bursts. (The bodies of 5.5 and 5.6 stand in ch07.)"""
+"""Worked example of chapter 5, systems of particles: a projectile that bursts. (The bodies of 5.5
+and 5.6 stand in ch07.)
+"""
 
 from dataclasses import dataclass
 
@@ -10,10 +12,14 @@ from newton_euler.algebra.scalars import plain
 class BurstingProjectile:
     """A projectile that bursts at the top of its path into three pieces (5.3).
 
-    It is launched in the (x, z) plane, z up. After the burst A flies straight up, B horizontally, and C has the rest of the momentum.
-    v_x, v_z : launch velocity; m_A, m_B, m_C : masses, or weights, since only their ratios matter; v_A : speed of A after the burst
-    angle_B, range_B : direction of B from x in the horizontal plane (rad), and the horizontal distance from the burst to where B lands
-    g : gravity. Any consistent units. Neglected: air resistance, and the impulse of the weight during the burst.
+    It is launched in the (x, z) plane, z up. After the burst A flies straight up, B horizontally,
+    and C has the rest of the momentum.
+    v_x, v_z : launch velocity; m_A, m_B, m_C : masses, or weights, since only their ratios matter;
+        v_A : speed of A after the burst
+    angle_B, range_B : direction of B from x in the horizontal plane (rad), and the horizontal
+        distance from the burst to where B lands
+    g : gravity. Any consistent units. Neglected: air resistance, and the impulse of the weight
+        during the burst.
 
     >>> import math
     >>> shell = BurstingProjectile(180.0, 240.0, 5.0, 9.0, 6.0, 179.0, math.pi/4, 4000.0, 32.2)  # ft, s
@@ -37,18 +43,28 @@ class BurstingProjectile:
         return time, self.v_z * time / 2
 
     def v_B(self, ground=None):
-        """Velocity of B after the burst: it falls for as long as the projectile rose, and meanwhile travels ``range_B``."""
+        """Velocity of B after the burst: it falls for as long as the projectile rose, and meanwhile
+        travels ``range_B``.
+        """
         speed = self.range_B / self.top()[0]
-        return (ground or Frame("ground")).vector(plain(speed * cos(self.angle_B)), plain(speed * sin(self.angle_B)), 0)
+        return (ground or Frame("ground")).vector(
+            plain(speed * cos(self.angle_B)), plain(speed * sin(self.angle_B)), 0
+        )
 
     def v_C(self, ground=None):
         """Velocity of C after the burst: the momentum of the three is that before the burst (5.8)."""
         ground = ground or Frame("ground")
         before = (self.m_A + self.m_B + self.m_C) * ground.vector(self.v_x, 0, 0)
-        return (before - self.m_A * ground.vector(0, 0, self.v_A) - self.m_B * self.v_B(ground)) / self.m_C
+        return (
+            before - self.m_A * ground.vector(0, 0, self.v_A) - self.m_B * self.v_B(ground)
+        ) / self.m_C
 
     def v_G(self, ground=None):
         """Velocity of the common centre of mass after the burst (5.4): that before the burst."""
         ground = ground or Frame("ground")
-        momentum = self.m_A * ground.vector(0, 0, self.v_A) + self.m_B * self.v_B(ground) + self.m_C * self.v_C(ground)
+        momentum = (
+            self.m_A * ground.vector(0, 0, self.v_A)
+            + self.m_B * self.v_B(ground)
+            + self.m_C * self.v_C(ground)
+        )
         return momentum / (self.m_A + self.m_B + self.m_C)

@@ -1,4 +1,6 @@
-"""Worked examples of chapter 8, Euler's equations: the three rods of ch07 turning about three axes, one after the other (8.4)."""
+"""Worked examples of chapter 8, Euler's equations: the three rods of ch07 turning about three axes,
+one after the other (8.4).
+"""
 
 from dataclasses import dataclass
 
@@ -9,7 +11,9 @@ from newton_euler.dynamics.angular_momentum import angular_momentum, resultant_m
 
 @dataclass(frozen=True)
 class Turning:
-    """A turning body, with its angular momentum ``H`` and the resultant moment ``M`` of the external forces about ``about``, seen from ``ground``."""
+    """A turning body, with its angular momentum ``H`` and the resultant moment ``M`` of the
+    external forces about ``about``, seen from ``ground``.
+    """
 
     body: object
     ground: Frame
@@ -19,10 +23,13 @@ class Turning:
 
 
 def bars_about_x(m, length, rate, acceleration):
-    """The three rods turning about x (8.4, example 1), a :class:`Turning`: x is not principal, so that Euler's equations do not apply.
+    """The three rods turning about x (8.4, example 1), a :class:`Turning`: x is not principal, so
+    that Euler's equations do not apply.
 
-    m : mass of one rod; rate, acceleration : omega in rad/s, alpha in rad/s^2. Any consistent units of mass and length.
-    M = (2/3 alpha, -(alpha + omega^2)/4, (alpha - omega^2)/4) m L^2 about the origin of the rods' axes.
+    m : mass of one rod; rate, acceleration : omega in rad/s, alpha in rad/s^2. Any consistent units
+        of mass and length.
+    M = (2/3 alpha, -(alpha + omega^2)/4, (alpha - omega^2)/4) m L^2 about the origin of the rods'
+    axes.
 
     >>> bars_about_x(12.0, 1.0, 2.0, 1.0).M
     Vector(8.0, -15.0, -9.0 in bars)
@@ -33,7 +40,8 @@ def bars_about_x(m, length, rate, acceleration):
 
 
 def bars_about_principal_axis(m, length, rate, acceleration):
-    """The three rods turning about (2, 1, -1) (8.4, example 2), a :class:`Turning`: a principal axis, with H and M along it.
+    """The three rods turning about (2, 1, -1) (8.4, example 2), a :class:`Turning`: a principal
+    axis, with H and M along it.
 
     The principal moment is 5/12 m L^2; the arguments are those of :func:`bars_about_x`.
 
@@ -47,20 +55,28 @@ def bars_about_principal_axis(m, length, rate, acceleration):
 
 
 def bars_about_mass_centre(m, length, rate, acceleration):
-    """The three rods turning about the axis through G parallel to z (8.4, example 3), a :class:`Turning`.
+    """The three rods turning about the axis through G parallel to z (8.4, example 3), a
+    :class:`Turning`.
 
-    The arguments are those of :func:`bars_about_x`. M = (3 alpha - omega^2, alpha + 3 omega^2, 10 alpha) m L^2/12 about G, with the whole mass
-    3 m; the book takes the mass of one rod.
+    The arguments are those of :func:`bars_about_x`. M = (3 alpha - omega^2, alpha + 3 omega^2, 10
+    alpha) m L^2/12 about G, with the whole mass 3 m; the book takes the mass of one rod.
 
     >>> print(bars_about_mass_centre(12.0, 1.0, 2.0, 1.0).M)
     [-1, 13, 10] in bars
     """
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "z", rate=rate, acceleration=acceleration)
-    frame = shaft.translate("bars", shaft.point("middle of rod 2", 0, -length / 6, -length / 6))  # G is at the origin of the shaft
+    # G is at the origin of the shaft
+    frame = shaft.translate("bars", shaft.point("middle of rod 2", 0, -length / 6, -length / 6))
     body = three_rods(m, length, frame)
     return _turning(body, ground, body.centre)
 
 
 def _turning(body, ground, about):
-    return Turning(body, ground, about, angular_momentum(body, ground, about), resultant_moment(body, ground, about))
+    return Turning(
+        body,
+        ground,
+        about,
+        angular_momentum(body, ground, about),
+        resultant_moment(body, ground, about),
+    )

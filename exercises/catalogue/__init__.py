@@ -1,4 +1,6 @@
-"""The catalogue: every problem's text, data and code, checked when it is read: ``problem("4/16")`` is a :class:`Problem`."""
+"""The catalogue: every problem's text, data and code, checked when it is read: ``problem("4/16")``
+is a :class:`Problem`.
+"""
 
 from .model import SYMBOLIC, Answer, CatalogueError, Chapter, Given, Givens, Problem, Symbol
 from .reading import chapter, chapters, problem, problems, select

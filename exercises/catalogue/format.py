@@ -1,4 +1,6 @@
-"""The format of the YAML files: chapters and problems from what they hold, and a sentence about whatever does not fit."""
+"""The format of the YAML files: chapters and problems from what they hold, and a sentence about
+whatever does not fit.
+"""
 
 from reprlib import repr as short
 
@@ -6,7 +8,8 @@ from newton_euler.algebra.units import unit
 
 from .model import KINDS, Answer, CatalogueError, Chapter, Given, Problem, Symbol, place
 
-SYMBOL_RANGES = {"rad": (0.25, 1.1), "deg": (15, 65)}  # angles away from 0 and 90 degrees, where formulas that differ may agree
+# angles away from 0 and 90 degrees, where formulas that differ may agree
+SYMBOL_RANGES = {"rad": (0.25, 1.1), "deg": (15, 65)}
 OTHER_RANGE = (0.6, 1.9)
 
 
@@ -18,7 +21,10 @@ def read_chapter(entry, path):
 
 def read_problem(entry, path):
     """The problem that a file such as ``p16.yaml`` describes."""
-    needed, optional = ("id", "title", "section", "text", "figure", "answers"), ("givens", "symbols", "frame", "mistakes", "struck", "checked")
+    needed, optional = (
+        ("id", "title", "section", "text", "figure", "answers"),
+        ("givens", "symbols", "frame", "mistakes", "struck", "checked"),
+    )
     _check_keys(entry, "a problem", needed, optional)
     _check_place(entry["id"], path)
     if not entry["answers"] or not isinstance(entry["answers"], list):
@@ -46,21 +52,32 @@ def _check_place(problem_id, path):
         return
     home = f"{folder}/{stem}.yaml"
     if (path.parents[1] / home).exists():
-        raise CatalogueError(f"the id {problem_id} is that of {home}, too; give one of them the id that its name says, or delete it")
-    raise CatalogueError(f"the id {problem_id} belongs in {home}; rename this file, or correct the id")
+        raise CatalogueError(
+            f"the id {problem_id} is that of {home}, too; give one of them the id that its "
+            "name says, or delete it"
+        )
+    raise CatalogueError(
+        f"the id {problem_id} belongs in {home}; rename this file, or correct the id"
+    )
 
 
 def _given(name, g):
     _check_keys(g, name, ("value", "unit", "means"), ("vary", "figure"))
     if not _is_number(g["value"]):
-        raise CatalogueError(f"{name}: value must be a number, as in 8 or 0.6, and is {short(g['value'])}")
-    return Given(name, g["value"], _unit(name, g), _text(g, "means"), _range(name, g), g.get("figure", False))
+        raise CatalogueError(
+            f"{name}: value must be a number, as in 8 or 0.6, and is {short(g['value'])}"
+        )
+    return Given(
+        name, g["value"], _unit(name, g), _text(g, "means"), _range(name, g), g.get("figure", False)
+    )
 
 
 def _symbol(name, s):
     s = s if isinstance(s, dict) else {"unit": s}
     _check_keys(s, name, ("unit",), ("vary",))
-    return Symbol(name, _unit(name, s), _range(name, s) or SYMBOL_RANGES.get(s["unit"], OTHER_RANGE))
+    return Symbol(
+        name, _unit(name, s), _range(name, s) or SYMBOL_RANGES.get(s["unit"], OTHER_RANGE)
+    )
 
 
 def _answer(a):
@@ -69,7 +86,9 @@ def _answer(a):
     if kind not in KINDS:
         raise CatalogueError(f"{key}: kind {kind!r} is none of {', '.join(sorted(KINDS))}")
     if not isinstance(of, list):
-        raise CatalogueError(f"{key}: of must be the list of words to choose from, and is {short(of)}")
+        raise CatalogueError(
+            f"{key}: of must be the list of words to choose from, and is {short(of)}"
+        )
     if not _is_number(atol):
         raise CatalogueError(f"{key}: atol must be a number, as in 1e-6, and is {short(atol)}")
     return Answer(key, kind, _unit(key, a), _text(a, "means"), tuple(of), float(atol))
@@ -78,9 +97,14 @@ def _answer(a):
 def _checked(found, asked):
     for key, value in found.items():
         if key not in asked:
-            raise CatalogueError(f"checked has {key}, which is not asked for; asked for are {', '.join(asked)}")
+            raise CatalogueError(
+                f"checked has {key}, which is not asked for; asked for are {', '.join(asked)}"
+            )
         if value is None or isinstance(value, dict):
-            raise CatalogueError(f"checked: {key} must be a number, a formula, or a list of them, and is {short(value)}")
+            raise CatalogueError(
+                f"checked: {key} must be a number, a formula, or a list of them, and is "
+                f"{short(value)}"
+            )
     return found
 
 
@@ -88,7 +112,9 @@ def _checked(found, asked):
 
 
 def _check_keys(entry, what, needed, optional):
-    """Refuses an entry that is not a mapping with all the ``needed`` keys and no others than these and the ``optional`` ones."""
+    """Refuses an entry that is not a mapping with all the ``needed`` keys and no others than these
+    and the ``optional`` ones.
+    """
     keys = f"its keys are {', '.join(needed)} and, where wanted, {', '.join(optional)}"
     if not isinstance(entry, dict):
         raise CatalogueError(f"{what} must be written as key: value, and is {short(entry)}; {keys}")
@@ -104,7 +130,9 @@ def _text(entry, key):
     """The text under a key, on one line; empty where an optional one is not there."""
     text = entry.get(key, "")
     if not isinstance(text, str):
-        raise CatalogueError(f"{key} must be a text, and is {short(text)}; put it in quotation marks")
+        raise CatalogueError(
+            f"{key} must be a text, and is {short(text)}; put it in quotation marks"
+        )
     return " ".join(text.split())
 
 
@@ -115,7 +143,10 @@ def _named(entry, key):
         raise CatalogueError(f"{key} must be written as name: value, and is {short(named)}")
     for name in named:
         if not (isinstance(name, str) and name.isidentifier()):
-            raise CatalogueError(f"{key}: {name!r} is not a name: write letters, digits and _, in quotation marks if YAML reads another thing")
+            raise CatalogueError(
+                f"{key}: {name!r} is not a name: write letters, digits and _, in quotation "
+                "marks if YAML reads another thing"
+            )
     return named
 
 
@@ -127,7 +158,9 @@ def _texts(entry, key):
 def _unit(name, entry):
     text = entry.get("unit", "1")
     if not isinstance(text, str):
-        raise CatalogueError(f'{name}: unit must be a text, as in mm/s or "1", and is {short(text)}')
+        raise CatalogueError(
+            f'{name}: unit must be a text, as in mm/s or "1", and is {short(text)}'
+        )
     unit(text)
     return text
 
@@ -141,6 +174,14 @@ def _range(name, entry):
     vary = entry.get("vary")
     if vary is None:
         return None
-    if not (isinstance(vary, list) and len(vary) == 2 and all(map(_is_number, vary)) and vary[0] < vary[1]):
-        raise CatalogueError(f"{name}: vary must be [low, high], two numbers with the lower one first, and is {short(vary)}")
+    if not (
+        isinstance(vary, list)
+        and len(vary) == 2
+        and all(map(_is_number, vary))
+        and vary[0] < vary[1]
+    ):
+        raise CatalogueError(
+            f"{name}: vary must be [low, high], two numbers with the lower one first, and is "
+            f"{short(vary)}"
+        )
     return tuple(vary)

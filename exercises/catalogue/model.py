@@ -1,6 +1,7 @@
 """A problem: what it gives, what it asks for, and the code that computes it.
 
-Its numbers go in and out in the units of its text; the code of ``p16.py`` sees them in kg, m, s and rad.
+Its numbers go in and out in the units of its text; the code of ``p16.py`` sees them in kg, m, s and
+rad.
 """
 
 import importlib
@@ -24,10 +25,14 @@ class CatalogueError(ValueError):
 
 
 def place(problem_id):
-    """The folder of a problem number and the name of its files there: "4/16" is ("ch04", "p16"), "A/3" is ("appA", "p03")."""
+    """The folder of a problem number and the name of its files there: "4/16" is ("ch04", "p16"),
+    "A/3" is ("appA", "p03").
+    """
     found = re.fullmatch(r"([1-9][0-9]*|[AB])/([1-9][0-9]*)", str(problem_id))
     if not found:
-        raise CatalogueError(f"{problem_id!r} is not a problem number; write chapter and problem, as in 4/16")
+        raise CatalogueError(
+            f"{problem_id!r} is not a problem number; write chapter and problem, as in 4/16"
+        )
     chapter, number = found.groups()
     return f"app{chapter}" if chapter.isalpha() else f"ch{int(chapter):02d}", f"p{int(number):02d}"
 
@@ -43,7 +48,9 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Given:
-    """A number that a problem gives: its value in the book, its unit, and the range that it may be drawn from."""
+    """A number that a problem gives: its value in the book, its unit, and the range that it may be
+    drawn from.
+    """
 
     name: str
     value: float
@@ -55,7 +62,9 @@ class Given:
 
 @dataclass(frozen=True)
 class Symbol:
-    """A quantity that a problem names without a number; ``vary`` is where formulas are compared, ``unit`` its unit."""
+    """A quantity that a problem names without a number; ``vary`` is where formulas are compared,
+    ``unit`` its unit.
+    """
 
     name: str
     unit: str
@@ -64,7 +73,9 @@ class Symbol:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a problem asks for. ``atol`` is the absolute tolerance, in ``unit``, for a key that is zero."""
+    """What a problem asks for. ``atol`` is the absolute tolerance, in ``unit``, for a key that is
+    zero.
+    """
 
     key: str
     kind: str
@@ -75,7 +86,9 @@ class Answer:
 
 
 class Givens:
-    """The numbers of a problem as attributes, in kg, m, s and rad, scalars of any kind: ``g.omega``."""
+    """The numbers of a problem as attributes, in kg, m, s and rad, scalars of any kind:
+    ``g.omega``.
+    """
 
     def __init__(self, values, units):
         self.__dict__.update(values)
@@ -85,10 +98,14 @@ class Givens:
         return f"Givens({self._values!r})"
 
     def but(self, **changes):
-        """The same with some quantities changed (in base units): what a wrong reading of the problem uses."""
+        """The same with some quantities changed (in base units): what a wrong reading of the
+        problem uses.
+        """
         unknown = set(changes) - set(self._values)
         if unknown:
-            raise CatalogueError(f"no given {sorted(unknown)[0]!r}; there are {', '.join(self._values)}")
+            raise CatalogueError(
+                f"no given {sorted(unknown)[0]!r}; there are {', '.join(self._values)}"
+            )
         return Givens({**self._values, **changes}, self._units)
 
     def stated(self, name):
@@ -100,7 +117,8 @@ class Givens:
 class Problem:
     """One problem of the book: its text, its data, and through ``code`` what it computes.
 
-    ``checked`` is what was found by hand for the numbers of the book: {key: number, formula as a text, or list of them}.
+    ``checked`` is what was found by hand for the numbers of the book: {key: number, formula as a
+    text, or list of them}.
     """
 
     id: str
@@ -135,10 +153,18 @@ class Problem:
         except ModuleNotFoundError as error:
             if error.name not in (name, name.rpartition(".")[0]):
                 raise
-            raise CatalogueError(f"problem {self.id} has a text but no code: write {name.replace('.', '/')}.py") from None
-        missing = [f for f in ("solve", "prove", "mistakes", "draw") if not callable(getattr(module, f, None))]
+            raise CatalogueError(
+                f"problem {self.id} has a text but no code: write {name.replace('.', '/')}.py"
+            ) from None
+        missing = [
+            f
+            for f in ("solve", "prove", "mistakes", "draw")
+            if not callable(getattr(module, f, None))
+        ]
         if missing:
-            raise CatalogueError(f"{name.replace('.', '/')}.py does not define {', '.join(missing)}")
+            raise CatalogueError(
+                f"{name.replace('.', '/')}.py does not define {', '.join(missing)}"
+            )
         return module
 
     @property
@@ -151,7 +177,9 @@ class Problem:
         for a in self.answers:
             if a.key == key:
                 return a
-        raise CatalogueError(f"problem {self.id} asks for {', '.join(a.key for a in self.answers)}, not for {key!r}")
+        raise CatalogueError(
+            f"problem {self.id} asks for {', '.join(a.key for a in self.answers)}, not for {key!r}"
+        )
 
     # -- numbers
 
@@ -166,25 +194,38 @@ class Problem:
         return {n: g.value for n, g in self.givens.items()}
 
     def base(self, values):
-        """Givens for the code, from ``values`` in the units of the text; it must name every given and symbol."""
+        """Givens for the code, from ``values`` in the units of the text; it must name every given
+        and symbol.
+        """
         units = self.units
         missing = [n for n in units if n not in values]
         unknown = [n for n in values if n not in units]
         if missing or unknown:
-            what = f"lacks {', '.join(missing)}" if missing else f"has no {', '.join(unknown)}; it has {', '.join(units) or 'no numbers'}"
+            what = (
+                f"lacks {', '.join(missing)}"
+                if missing
+                else f"has no {', '.join(unknown)}; it has {', '.join(units) or 'no numbers'}"
+            )
             raise CatalogueError(f"problem {self.id} {what}")
         return Givens({n: unit(u).to_base(scalar(values[n])) for n, u in units.items()}, units)
 
     def in_units(self, results):
-        """Results of the code (in base units) in the units of the answers; a Vector stays a Vector with its terms."""
+        """Results of the code (in base units) in the units of the answers; a Vector stays a Vector
+        with its terms.
+        """
         return {key: in_unit(value, self.answer(key)) for key, value in results.items()}
 
     def solve(self, values):
-        """The answers, by the engine, for ``values`` in the units of the text: {key: number, Vector, matrix, pair or word}."""
+        """The answers, by the engine, for ``values`` in the units of the text: {key: number,
+        Vector, matrix, pair or word}.
+        """
         results = self.code.solve(self.base(values))
         asked = [a.key for a in self.answers]
         if list(results) != asked:
-            raise CatalogueError(f"solve of {self.id} returns {', '.join(results)}; the problem asks for {', '.join(asked)}")
+            raise CatalogueError(
+                f"solve of {self.id} returns {', '.join(results)}; the problem asks for "
+                f"{', '.join(asked)}"
+            )
         return self.in_units(results)
 
     def formulas(self):

@@ -15,7 +15,9 @@ EXERCISES = Path(__file__).parents[1]
 @cache
 def chapters():
     """The names of the chapters that have problems here."""
-    return tuple(sorted(folder.name for folder in EXERCISES.iterdir() if any(folder.glob("p*.yaml"))))
+    return tuple(
+        sorted(folder.name for folder in EXERCISES.iterdir() if any(folder.glob("p*.yaml")))
+    )
 
 
 @cache
@@ -23,7 +25,10 @@ def chapter(name):
     """The chapter of this name: ``chapter("ch04").title``."""
     path = EXERCISES / name / "chapter.yaml"
     if not path.exists():
-        raise CatalogueError(f'{name}/chapter.yaml is missing; write it with the title of the chapter, as in title: "Chapter 4: relative motion"')
+        raise CatalogueError(
+            f"{name}/chapter.yaml is missing; write it with the title of the chapter, as in "
+            'title: "Chapter 4: relative motion"'
+        )
     return _read(path, read_chapter)
 
 
@@ -35,7 +40,10 @@ def problems(name):
     paths = [path for path in (EXERCISES / name).glob("[!.]*.y*ml") if path.name != "chapter.yaml"]
     for path in paths:
         if not re.fullmatch(r"p\d+\.yaml", path.name):
-            raise CatalogueError(f"{name}/{path.name} is not named like a problem: rename it as in p01.yaml, or move it out of the folder")
+            raise CatalogueError(
+                f"{name}/{path.name} is not named like a problem: rename it as in p01.yaml, or "
+                "move it out of the folder"
+            )
     return tuple(_problem_at(path) for path in sorted(paths, key=lambda path: int(path.stem[1:])))
 
 
@@ -47,8 +55,13 @@ def problem(problem_id):
     if path.exists():
         return _problem_at(path)
     if name in chapters():
-        raise CatalogueError(f"there is no problem {problem_id}; {name} has {problems(name)[0].id} to {problems(name)[-1].id}")
-    raise CatalogueError(f"there is no problem {problem_id}: the chapters with problems are {', '.join(chapters())}")
+        raise CatalogueError(
+            f"there is no problem {problem_id}; {name} has {problems(name)[0].id} to "
+            f"{problems(name)[-1].id}"
+        )
+    raise CatalogueError(
+        f"there is no problem {problem_id}: the chapters with problems are {', '.join(chapters())}"
+    )
 
 
 def select(names):
@@ -67,19 +80,26 @@ def select(names):
 # -- files
 
 
-class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # the C parser reads a chapter 10 times faster
-    """The safe loader, which also refuses a key that is there twice: YAML itself would drop the first without a word."""
+# the C parser reads a chapter 10 times faster
+class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):
+    """The safe loader, which also refuses a key that is there twice: YAML itself would drop the
+    first without a word.
+    """
 
     def construct_mapping(self, node, deep=False):
         keys = [key.value for key, _ in node.value]
         for key, _ in node.value:
             if keys.count(key.value) > 1:
-                raise yaml.constructor.ConstructorError(None, None, f"the key {key.value} is there twice", key.start_mark)
+                raise yaml.constructor.ConstructorError(
+                    None, None, f"the key {key.value} is there twice", key.start_mark
+                )
         return super().construct_mapping(node, deep)
 
 
 # 1e-3 is a number too; YAML 1.1 wants 1.0e-3
-_Loader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"[-+]?[0-9]+[eE][-+]?[0-9]+$"), list("-+0123456789"))
+_Loader.add_implicit_resolver(
+    "tag:yaml.org,2002:float", re.compile(r"[-+]?[0-9]+[eE][-+]?[0-9]+$"), list("-+0123456789")
+)
 
 
 @cache
@@ -94,10 +114,16 @@ def _read(path, build):
         return build(yaml.load(path.read_bytes().decode("utf-8"), _Loader), path)
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
-        told = f"{name} is not in UTF-8: line {line} has the byte {error.object[error.start]:#04x}; save the file as UTF-8"
+        told = (
+            f"{name} is not in UTF-8: line {line} has the byte "
+            f"{error.object[error.start]:#04x}; save the file as UTF-8"
+        )
         raise CatalogueError(told) from error
     except yaml.YAMLError as error:
         told = " ".join(str(error).replace('"<unicode string>", ', "").split())
-        raise CatalogueError(f"{name} is not YAML: {told}; a text with a colon, a # or quotation marks in it wants quotes around it") from error
+        raise CatalogueError(
+            f"{name} is not YAML: {told}; a text with a colon, a # or quotation marks in it "
+            "wants quotes around it"
+        ) from error
     except ValueError as error:
         raise CatalogueError(f"{name}: {error}") from error

@@ -6,7 +6,9 @@ from newton_euler.algebra.vectors import Vector
 
 
 def in_unit(value, answer):
-    """A result in base units, in the unit of its ``answer``; a Vector stays a Vector with its terms."""
+    """A result in base units, in the unit of its ``answer``; a Vector stays a Vector with its
+    terms.
+    """
     if answer.kind in ("count", "choice"):
         return value
     if isinstance(value, (tuple, list)):
@@ -18,7 +20,9 @@ def in_unit(value, answer):
 
 
 def in_frame(frame, answers):
-    """The answers, or whole mistakes of answers, with every Vector expressed in ``frame`` (or in the frame of that name in its own tree)."""
+    """The answers, or whole mistakes of answers, with every Vector expressed in ``frame`` (or in
+    the frame of that name in its own tree).
+    """
     if isinstance(answers, dict):
         return {name: in_frame(frame, answer) for name, answer in answers.items()}
     if not isinstance(answers, Vector):

@@ -5,7 +5,10 @@ from exercises.proofs import rate, second_rate, size
 
 
 def speed_and_acceleration(ground, rising, A):
-    return {"speed": A.velocity(ground, via=rising).norm(), "acc_mag": A.acceleration(ground, via=rising).norm()}
+    return {
+        "speed": A.velocity(ground, via=rising).norm(),
+        "acc_mag": A.acceleration(ground, via=rising).norm(),
+    }
 
 
 def solve(g):
@@ -23,7 +26,9 @@ def mistakes(g):
     coriolis = 2 * g.n * rise(g)
     return {
         "n_as_rad_per_s": speed_and_acceleration(*screw_in_nut(g, rise(g), g.stated("n"))),
-        "lead_per_radian": {"speed": speed_and_acceleration(*screw_in_nut(g, g.lead * g.n, g.n))["speed"]},
+        "lead_per_radian": {
+            "speed": speed_and_acceleration(*screw_in_nut(g, g.lead * g.n, g.n))["speed"]
+        },
         "speeds_added": {"speed": v["origin"].norm() + v["relative"].norm()},
         "extra_coriolis": {"acc_mag": A.acceleration(ground).norm() + coriolis},
     }

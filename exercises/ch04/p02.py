@@ -25,7 +25,10 @@ def mistakes(g):
     too_far = 1 / sin(g.tilt)
     return {
         "no_coriolis": {"acc_mag": a.without("coriolis").norm()},
-        "d_from_the_axis": {"speed": v.reweighted(rotation=too_far).norm(), "acc_mag": a.reweighted(centripetal=too_far).norm()},
+        "d_from_the_axis": {
+            "speed": v.reweighted(rotation=too_far).norm(),
+            "acc_mag": a.reweighted(centripetal=too_far).norm(),
+        },
         "single_coriolis": {"acc_mag": a.reweighted(coriolis=0.5).norm()},
         "coriolis_of_horizontal_nozzle": {"acc_mag": a.reweighted(coriolis=too_far).norm()},
     }

@@ -23,7 +23,9 @@ def prove(g):
 def mistakes(g):
     ground, base, P = robot(g)
     wrong = {
-        "rates_in_degrees": solve(g.but(omega=g.stated("omega"), b_dot=g.stated("b_dot"), b_ddot=g.stated("b_ddot"))),
+        "rates_in_degrees": solve(
+            g.but(omega=g.stated("omega"), b_dot=g.stated("b_dot"), b_ddot=g.stated("b_ddot"))
+        ),
         "no_coriolis": with_size(P.acceleration(ground, via=base).without("coriolis")),
         "no_tangential": solve(g.but(b_ddot=0)),
         "beta_the_other_way": solve(g.but(b_dot=-g.b_dot, b_ddot=-g.b_ddot)),

@@ -8,7 +8,10 @@ from newton_euler import pi
 
 def solve(g):
     ground, house, P = crane(g)
-    return {"speed": P.velocity(ground, via=house).norm(), "acc_mag": P.acceleration(ground, via=house).norm()}
+    return {
+        "speed": P.velocity(ground, via=house).norm(),
+        "acc_mag": P.acceleration(ground, via=house).norm(),
+    }
 
 
 def prove(g):

@@ -9,9 +9,13 @@ from newton_euler.drawing import Sketch
 
 
 def roller_and_rod(g):
-    """Ground with x downhill and Z up; axes that move with O and keep their directions; the rod turning about Z in them."""
+    """Ground with x downhill and Z up; axes that move with O and keep their directions; the rod
+    turning about Z in them.
+    """
     ground = Frame("ground")
-    O = ground.point("O", moving(0, rate=g.u * cos(g.incline)), 0, moving(0, rate=-g.u * sin(g.incline)))
+    O = ground.point(
+        "O", moving(0, rate=g.u * cos(g.incline)), 0, moving(0, rate=-g.u * sin(g.incline))
+    )
     rod = ground.translate("carried", O).rotate("rod", "z", rate=g.omega)
     return ground, rod, rod.point("P", g.b, 0, height(g))
 

@@ -14,7 +14,9 @@ def flapping(g):
 
 
 def shaft_and_tip(g, theta):
-    """Ground with Z up; the shaft's frame at the hinge O, x in the plane of the blade; the tip in it."""
+    """Ground with Z up; the shaft's frame at the hinge O, x in the plane of the blade; the tip in
+    it.
+    """
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "z", rate=g.omega)
     return ground, shaft, shaft.point("tip", g.L * cos(theta), 0, g.L * sin(theta))
@@ -35,7 +37,10 @@ def prove(g):
         return times(rot("z", g.omega * t), [g.L * mp.cos(theta), 0, g.L * mp.sin(theta)])
 
     turned_back = transposed(rot("z", g.omega * g.t))
-    return {"v_tip": times(turned_back, rate(tip, g.t)), "a_tip": times(turned_back, second_rate(tip, g.t))}
+    return {
+        "v_tip": times(turned_back, rate(tip, g.t)),
+        "a_tip": times(turned_back, second_rate(tip, g.t)),
+    }
 
 
 def mistakes(g):
@@ -44,10 +49,18 @@ def mistakes(g):
     too_wide = 1 / cos(theta.value)
     return {
         "no_coriolis": {"a_tip": a.without("coriolis")},
-        "no_turning": {"v_tip": v.without("rotation"), "a_tip": a.without("coriolis", "centripetal")},
+        "no_turning": {
+            "v_tip": v.without("rotation"),
+            "a_tip": a.without("coriolis", "centripetal"),
+        },
         "constant_flapping_rate": motion(g, moving(theta.value, rate=g.n * g.theta_A)),
-        "radius_L": {"v_tip": v.reweighted(rotation=too_wide), "a_tip": a.reweighted(centripetal=too_wide)},
-        "no_second_rate": {"a_tip": motion(g, moving(theta.value, rate=theta.rate, acceleration=0))["a_tip"]},
+        "radius_L": {
+            "v_tip": v.reweighted(rotation=too_wide),
+            "a_tip": a.reweighted(centripetal=too_wide),
+        },
+        "no_second_rate": {
+            "a_tip": motion(g, moving(theta.value, rate=theta.rate, acceleration=0))["a_tip"]
+        },
     }
 
 

@@ -1,7 +1,18 @@
 """4/8: two points that stay a fixed distance apart, and the frame that follows them."""
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_velocity, cross, minus, plus, rot, scaled, second_rate, size, times, transposed
+from exercises.proofs import (
+    angular_velocity,
+    cross,
+    minus,
+    plus,
+    rot,
+    scaled,
+    second_rate,
+    size,
+    times,
+    transposed,
+)
 from newton_euler import Frame, moving
 from newton_euler.drawing import Sketch
 
@@ -9,7 +20,9 @@ from newton_euler.drawing import Sketch
 def line_AB(g):
     """Ground with the axes of the frame at the instant; A in it; the frame of AB at A; B in that."""
     ground = Frame("ground")
-    A = ground.point("A", moving(0, g.v_x, g.a_Ax), moving(0, g.v_Ay, g.a_Ay), moving(0, g.v_Az, g.a_Az))
+    A = ground.point(
+        "A", moving(0, g.v_x, g.a_Ax), moving(0, g.v_Ay, g.a_Ay), moving(0, g.v_Az, g.a_Az)
+    )
     AB, change = ground.vector(g.L, 0, 0), ground.vector(0, g.v_By - g.v_Ay, g.v_Bz - g.v_Az)
     omega = ground.i * g.omega_x + AB.cross(change) / g.L**2
     frame = turning(ground, A, omega, ground.vector(g.wd_x, g.wd_y, g.wd_z))
@@ -17,7 +30,9 @@ def line_AB(g):
 
 
 def turning(ground, origin, omega, omega_dot):
-    """A frame with this angular velocity and its rate: turns about x, y and z, from zero, one after the other."""
+    """A frame with this angular velocity and its rate: turns about x, y and z, from zero, one after
+    the other.
+    """
 
     def frame(accelerations):
         f = ground.translate("A", origin)
@@ -25,20 +40,24 @@ def turning(ground, origin, omega, omega_dot):
             f = f.rotate(axis, axis, rate=rate, acceleration=acceleration)
         return f
 
-    cross_products = frame((0, 0, 0)).angular_acceleration(ground)  # they belong to omega_dot, but to no second rate of a turn
+    # they belong to omega_dot, but to no second rate of a turn
+    cross_products = frame((0, 0, 0)).angular_acceleration(ground)
     return frame(omega_dot - cross_products)
 
 
 def solve(g):
     ground, frame, B = line_AB(g)
-    return in_frame(ground, {"omega": frame.angular_velocity(ground), "a_B": B.acceleration(ground)})
+    return in_frame(
+        ground, {"omega": frame.angular_velocity(ground), "a_B": B.acceleration(ground)}
+    )
 
 
 def prove(g):
     v_A, v_B = [g.v_x, g.v_Ay, g.v_Az], [g.v_x, g.v_By, g.v_Bz]
     a_A, omega_dot = [g.a_Ax, g.a_Ay, g.a_Az], [g.wd_x, g.wd_y, g.wd_z]
 
-    def directions(t):  # i from A to B, and j, which turns about AB at omega_x, made perpendicular to it
+    # i from A to B, and j, which turns about AB at omega_x, made perpendicular to it
+    def directions(t):
         i = plus([g.L, 0, 0], scaled(t, minus(v_B, v_A)))
         i = scaled(1 / size(i), i)
         j = [0, 1, g.omega_x * t]
@@ -50,7 +69,8 @@ def prove(g):
 
     def B(t):
         A = plus(scaled(t, v_A), scaled(t**2 / 2, a_A))
-        mean = plus(omega, scaled(t / 2, omega_dot))  # of omega from 0 to t: exact to t^2 in the angle
+        # of omega from 0 to t: exact to t^2 in the angle
+        mean = plus(omega, scaled(t / 2, omega_dot))
         return plus(A, times(rot(mean, t * size(mean)), [g.L, 0, 0]))
 
     return {"omega": omega, "a_B": second_rate(B)}

@@ -9,7 +9,9 @@ from newton_euler.drawing import Sketch
 
 
 def lower_end(g):
-    """x and y of the lower end: on the ellipse, and at the distance that the rod leaves, rho^2 = L^2 - z^2, from the centre."""
+    """x and y of the lower end: on the ellipse, and at the distance that the rod leaves, rho^2 =
+    L^2 - z^2, from the centre.
+    """
     rho_squared = g.L**2 - g.z_1**2
     across = g.b**2 - g.a**2
     return g.a * sqrt((g.b**2 - rho_squared) / across), g.b * sqrt((rho_squared - g.a**2) / across)
@@ -26,7 +28,8 @@ def ends(g, x_dot, y_dot):
 def rod(g):
     """Ground, the ends A on the z axis and B on the ellipse, and the middle M."""
 
-    def violated(x_dot, y_dot):  # the rod keeps its length, and B goes along the tangent of the ellipse
+    # the rod keeps its length, and B goes along the tangent of the ellipse
+    def violated(x_dot, y_dot):
         ground, A, B = ends(g, x_dot, y_dot)
         v_A, v_B = A.velocity(ground), B.velocity(ground)
         x, y, _ = B.position(ground)

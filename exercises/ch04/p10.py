@@ -10,7 +10,9 @@ AXIS = "x"  # the gear of BB is the first, that of CC the second
 
 
 def solve(g):
-    return dict(zip(("Omega", "omega_A"), meshing_rates(g, AXIS, g.omega_1, g.omega_2), strict=True))
+    return dict(
+        zip(("Omega", "omega_A"), meshing_rates(g, AXIS, g.omega_1, g.omega_2), strict=True)
+    )
 
 
 def prove(g):
@@ -36,7 +38,12 @@ def draw(g, ax):
     s = Sketch(ax, ground, plane="xy")
     for sign in (1, -1):
         s.shaft((sign * g.r, 0, 0), (sign * end, 0, 0))
-        cage = [(0, sign * 0.8 * g.R, 0), (0, sign * out, 0), (side, sign * out, 0), (side, sign * 0.12 * g.R, 0)]
+        cage = [
+            (0, sign * 0.8 * g.R, 0),
+            (0, sign * out, 0),
+            (side, sign * out, 0),
+            (side, sign * 0.12 * g.R, 0),
+        ]
         for a, b in pairwise(cage):
             s.rod(a, b)
     section(s, g, AXIS, pinion_sides=(1, -1))

@@ -9,14 +9,24 @@ from newton_euler.drawing import Sketch
 
 
 def cones(g, rate_of_B):
-    """Ground; cones A and B on the x axis; and the unit vectors from the apex along the lines where C touches them."""
+    """Ground; cones A and B on the x axis; and the unit vectors from the apex along the lines where
+    C touches them.
+    """
     ground = Frame("ground")
     A, B = ground.rotate("A", "x", rate=g.omega), ground.rotate("B", "x", rate=rate_of_B)
-    return ground, A, B, ground.vector(cos(g.beta_A), sin(g.beta_A), 0), ground.vector(-cos(g.beta_B), sin(g.beta_B), 0)
+    return (
+        ground,
+        A,
+        B,
+        ground.vector(cos(g.beta_A), sin(g.beta_A), 0),
+        ground.vector(-cos(g.beta_B), sin(g.beta_B), 0),
+    )
 
 
 def rolling(g, rate_of_B):
-    """omega of C. It lies in the plane of the axes, since the points of contact move square to that plane; C slides neither on A nor on B."""
+    """omega of C. It lies in the plane of the axes, since the points of contact move square to that
+    plane; C slides neither on A nor on B.
+    """
     ground, A, B, on_A, on_B = cones(g, rate_of_B)
 
     def cone_C(omega_x, omega_y):
@@ -38,12 +48,17 @@ def solve(g):
 
 
 def prove(g):
-    """C's axis goes round x while C turns on it; equal arcs are laid off on C and on A, and on C and on B."""
+    """C's axis goes round x while C turns on it; equal arcs are laid off on C and on A, and on C
+    and on B.
+    """
     half_gap = (mp.pi - g.beta_A - g.beta_B) / 2
     tilt = g.beta_A + half_gap  # of the axis of C from x
-    a, b, c = mp.sin(g.beta_A), mp.sin(g.beta_B), mp.sin(half_gap)  # pitch radii at the distance 1 from the apex
-    round_x = g.omega * (a - b) / (a + b)  # so that (omega - round_x) a = (omega + round_x) b, the arcs laid off in unit time on A and B
-    spin = -(g.omega - round_x) * a / c  # like two gears in outer mesh, C turns against A, each about its axis away from the apex
+    # pitch radii at the distance 1 from the apex
+    a, b, c = mp.sin(g.beta_A), mp.sin(g.beta_B), mp.sin(half_gap)
+    # so that (omega - round_x) a = (omega + round_x) b, the arcs laid off in unit time on A and B
+    round_x = g.omega * (a - b) / (a + b)
+    # like two gears in outer mesh, C turns against A, each about its axis away from the apex
+    spin = -(g.omega - round_x) * a / c
 
     def C(t):
         return times(rot("x", round_x * t), rot("z", tilt), rot("x", spin * t))
@@ -69,7 +84,11 @@ def draw(g, ax):
     ground, _, _, on_A, on_B = cones(g, -g.omega)
     O, half_gap, x = ground.point("O", 0, 0, 0), on_A.angle_to(on_B) / 2, ground.i
     s = Sketch(ax, ground, azimuth=20, elevation=15, up="y")
-    for name, axis, half_angle in (("A", x, g.beta_A), ("B", -x, g.beta_B), ("C", (on_A + on_B).direction(), half_gap)):
+    for name, axis, half_angle in (
+        ("A", x, g.beta_A),
+        ("B", -x, g.beta_B),
+        ("C", (on_A + on_B).direction(), half_gap),
+    ):
         s.cone(O, axis, cos(half_angle), sin(half_angle))
         s.label(axis * (0.8 * cos(half_angle)), name, offset=(-14, 0) if name == "C" else (0, -14))
     s.line(x * -1.35, x * 1.35, style="centre")

@@ -8,4 +8,7 @@ solve, prove, draw = bar_on_ball_joint.solve, bar_on_ball_joint.prove, bar_on_ba
 
 def mistakes(g):
     ground, _, A, _ = bar_on_ball_joint.joint_motion(g)
-    return {**bar_on_ball_joint.mistakes(g), "B_at_rest": in_frame(ground, {"v_D": -A.velocity(ground) / 2})}
+    return {
+        **bar_on_ball_joint.mistakes(g),
+        "B_at_rest": in_frame(ground, {"v_D": -A.velocity(ground) / 2}),
+    }

@@ -7,4 +7,7 @@ solve, prove, draw = bar_on_ball_joint.solve, bar_on_ball_joint.prove, bar_on_ba
 
 def mistakes(g):
     other = solve(g.but(omega_x=-g.omega_x))
-    return {**bar_on_ball_joint.mistakes(g), "whole_omega_reversed": {key: -v for key, v in other.items()}}
+    return {
+        **bar_on_ball_joint.mistakes(g),
+        "whole_omega_reversed": {key: -v for key, v in other.items()},
+    }

@@ -7,14 +7,18 @@ from newton_euler.drawing import Sketch
 
 
 def axle_and_disk(g):
-    """The axle turns about z at the height r; disk A turns on it about x, as fast as its lowest point needs to be at rest."""
+    """The axle turns about z at the height r; disk A turns on it about x, as fast as its lowest
+    point needs to be at rest.
+    """
     ground = Frame("ground")
     axle = ground.rotate("axle", "z", rate=g.omega, origin=ground.point("M", 0, 0, g.r))
 
     def disk(spin):
         return axle.rotate("disk", "x", rate=spin, origin=axle.point("A", g.R, 0, 0))
 
-    (spin,) = solve_rates(lambda spin: disk(spin).point("contact", 0, 0, -g.r).velocity(ground).y, 1)
+    (spin,) = solve_rates(
+        lambda spin: disk(spin).point("contact", 0, 0, -g.r).velocity(ground).y, 1
+    )
     return ground, axle, disk(spin)
 
 
@@ -24,11 +28,14 @@ def solve(g):
 
 
 def prove(g):
-    """The arc that the disk has rolled along its path of radius R is as long as the arc laid off on its rim."""
+    """The arc that the disk has rolled along its path of radius R is as long as the arc laid off on
+    its rim.
+    """
 
     def disk(t):
         rolled = g.R * g.omega * t
-        return times(rot("z", g.omega * t), rot("x", -rolled / g.r))  # going toward +y, its top leads
+        # going toward +y, its top leads
+        return times(rot("z", g.omega * t), rot("x", -rolled / g.r))
 
     return {"omega_A": angular_velocity(disk)}
 
@@ -47,8 +54,16 @@ def mistakes(g):
 
 def draw(g, ax):
     ground, axle, _ = axle_and_disk(g)
-    O, M, top = ground.point("O", 0, 0, 0), ground.point("", 0, 0, g.r), ground.point("", 0, 0, g.r + 0.7 * g.R)
-    A, other, contact = axle.point("A", g.R, 0, 0), axle.point("", -g.R, 0, 0), axle.point("", g.R, 0, -g.r)
+    O, M, top = (
+        ground.point("O", 0, 0, 0),
+        ground.point("", 0, 0, g.r),
+        ground.point("", 0, 0, g.r + 0.7 * g.R),
+    )
+    A, other, contact = (
+        axle.point("A", g.R, 0, 0),
+        axle.point("", -g.R, 0, 0),
+        axle.point("", g.R, 0, -g.r),
+    )
     s = Sketch(ax, ground, azimuth=-60, elevation=20)
     s.ground(O, normal=ground.k)
     s.ring(O, ground.k, g.R)

@@ -7,7 +7,9 @@ from newton_euler.drawing import Sketch
 
 
 def shaft_and_rod(g):
-    """Ground with y up; the shaft turns about y; the rod, along its own x, turns about the shaft's z in the hinge at the origin B."""
+    """Ground with y up; the shaft turns about y; the rod, along its own x, turns about the shaft's
+    z in the hinge at the origin B.
+    """
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "y", rate=g.omega_1)
     rod = shaft.rotate("rod", "z", angle=g.beta_1, rate=g.omega_2, acceleration=g.omega_2_dot)
@@ -16,7 +18,9 @@ def shaft_and_rod(g):
 
 def solve(g):
     ground, shaft, _, C = shaft_and_rod(g)
-    return in_frame(ground, {"v_C": C.velocity(ground, via=shaft), "a_C": C.acceleration(ground, via=shaft)})
+    return in_frame(
+        ground, {"v_C": C.velocity(ground, via=shaft), "a_C": C.acceleration(ground, via=shaft)}
+    )
 
 
 def prove(g):
@@ -35,15 +39,24 @@ def mistakes(g):
         "no_cross_in_alpha": {"a_C": a - gyroscopic.cross(C.position(rod))},
         "no_coriolis": {"a_C": a.without("coriolis")},
         "no_omega_2_dot": {"a_C": solve(g.but(omega_2_dot=0))["a_C"]},
-        "L_from_the_shaft": {"v_C": v.reweighted(rotation=1 / cos(g.beta_1)), "a_C": a.reweighted(centripetal=1 / cos(g.beta_1))},
-        "two_centripetal_only": {"a_C": shaft.i * (-(g.omega_1**2) * g.L) - rod.i * (g.omega_2**2 * g.L)},
+        "L_from_the_shaft": {
+            "v_C": v.reweighted(rotation=1 / cos(g.beta_1)),
+            "a_C": a.reweighted(centripetal=1 / cos(g.beta_1)),
+        },
+        "two_centripetal_only": {
+            "a_C": shaft.i * (-(g.omega_1**2) * g.L) - rod.i * (g.omega_2**2 * g.L)
+        },
     }
     return in_frame(ground, wrong)
 
 
 def draw(g, ax):
     ground, shaft, _, C = shaft_and_rod(g)
-    A, B, level = ground.point("A", 0, -0.8 * g.L, 0), ground.point("B", 0, 0, 0), ground.point("", 0.8 * g.L, 0, 0)
+    A, B, level = (
+        ground.point("A", 0, -0.8 * g.L, 0),
+        ground.point("B", 0, 0, 0),
+        ground.point("", 0.8 * g.L, 0, 0),
+    )
     s = Sketch(ax, ground, azimuth=25, elevation=15, up="y")
     s.ground(A, normal=ground.j)
     s.shaft(A, B)

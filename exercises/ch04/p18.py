@@ -1,7 +1,13 @@
 """4/18: the outer tip A of a bracket on a turning arm."""
 
 from exercises.catalogue import in_frame
-from exercises.devices.bracket_on_arm import arm_and_bracket, common_mistakes, motion_by_way_of_arm, motion_in_time, sketch
+from exercises.devices.bracket_on_arm import (
+    arm_and_bracket,
+    common_mistakes,
+    motion_by_way_of_arm,
+    motion_in_time,
+    sketch,
+)
 
 
 def tip(g):
@@ -21,7 +27,8 @@ def prove(g):
 def mistakes(g):
     ground, arm, A = tip(g)
     return common_mistakes(A, ground) | in_frame(ground, {
-        "no_cross_product": {"a_A": A.acceleration(ground).without("euler")},  # all of alpha is omega_2 x omega_1
+        # all of alpha is omega_2 x omega_1
+        "no_cross_product": {"a_A": A.acceleration(ground).without("euler")},
         "no_coriolis": {"a_A": A.acceleration(ground, via=arm).without("coriolis")},
     })  # fmt: skip
 

@@ -1,6 +1,12 @@
 """4/19: the corner B of the bracket of 4/18."""
 
-from exercises.devices.bracket_on_arm import arm_and_bracket, common_mistakes, motion_by_way_of_arm, motion_in_time, sketch
+from exercises.devices.bracket_on_arm import (
+    arm_and_bracket,
+    common_mistakes,
+    motion_by_way_of_arm,
+    motion_in_time,
+    sketch,
+)
 
 
 def solve(g):

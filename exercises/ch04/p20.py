@@ -9,7 +9,9 @@ from newton_euler.drawing import Sketch
 
 
 def arm_bracket_tip(g):
-    """Ground with y up; DEG turns about x; the bracket about y, from E to D, with its origin at D; A on its z axis, the cylinder."""
+    """Ground with y up; DEG turns about x; the bracket about y, from E to D, with its origin at D;
+    A on its z axis, the cylinder.
+    """
     ground = Frame("ground")
     arm = ground.rotate("DEG", "x", rate=g.omega_1)
     bracket = arm.rotate("bracket", "y", rate=g.omega_2, origin=arm.point("D", 0, g.h, 0))
@@ -22,12 +24,18 @@ def solve(g):
 
 
 def prove(g):
-    """The cylinder points along z at first and turns toward x about ED; ED turns from y toward z about x."""
+    """The cylinder points along z at first and turns toward x about ED; ED turns from y toward z
+    about x.
+    """
 
     def A(t):
         out, phi, theta = g.s + g.u * t, g.omega_2 * t, g.omega_1 * t
         along_x, across = out * mp.sin(phi), out * mp.cos(phi)
-        return [along_x, g.h * mp.cos(theta) - across * mp.sin(theta), g.h * mp.sin(theta) + across * mp.cos(theta)]
+        return [
+            along_x,
+            g.h * mp.cos(theta) - across * mp.sin(theta),
+            g.h * mp.sin(theta) + across * mp.cos(theta),
+        ]
 
     return {"v_A": rate(A), "a_A": second_rate(A)}
 

@@ -21,7 +21,9 @@ def solve(g):
 
 
 def prove(g):
-    """As the nose sinks, the mast leans forward; the blade that starts to the right goes round it, toward the nose."""
+    """As the nose sinks, the mast leans forward; the blade that starts to the right goes round it,
+    toward the nose.
+    """
 
     def rotor(t):
         sunk, right = g.omega * t, [1, 0, 0]
@@ -47,7 +49,8 @@ def draw(g, ax):
     s = Sketch(ax, ground, azimuth=25, elevation=20)
     s.rod((0, -0.6, -0.7), (0, -1.9, -0.55))  # tail
     s.rod((0, -1.9, -0.55), (0, -2, -0.2))
-    s.plate([(0, 0.1 + 0.8 * cos(u), -0.75 + 0.38 * sin(u)) for u in (0.1 * n for n in range(63))])  # cabin
+    # cabin
+    s.plate([(0, 0.1 + 0.8 * cos(u), -0.75 + 0.38 * sin(u)) for u in (0.1 * n for n in range(63))])
     s.plate([(0, 0.45, -0.7), (0, 0.87, -0.7), (0, 0.7, -0.52), (0, 0.45, -0.42)])  # its window
     for y in (-0.25, 0.45):
         s.rod((0, y, -1.08), (0, y, -1.3))

@@ -16,7 +16,9 @@ def drums(g):
 
 def solve(g):
     ground, _, _, C = drums(g)
-    return in_frame(ground, {"omega_C": C.angular_velocity(ground), "alpha_C": C.angular_acceleration(ground)})
+    return in_frame(
+        ground, {"omega_C": C.angular_velocity(ground), "alpha_C": C.angular_acceleration(ground)}
+    )
 
 
 def prove(g):

@@ -8,7 +8,9 @@ from newton_euler.drawing import Sketch
 
 
 def simulator(g):
-    """Ground with z up; the fork turns about z, in it the mounting about x by theta, in that the drum about y, which is e."""
+    """Ground with z up; the fork turns about z, in it the mounting about x by theta, in that the
+    drum about y, which is e.
+    """
     ground = Frame("ground")
     fork = ground.rotate("fork", "z", rate=g.Omega)
     mounting = fork.rotate("mounting", "x", angle=g.theta, rate=g.theta_dot)
@@ -18,7 +20,11 @@ def simulator(g):
 def turns(g):
     """Omega, theta_dot and P as vectors along the axes of the fork; each knows how it changes."""
     ground, fork, mounting, drum = simulator(g)
-    found = fork.angular_velocity(ground), mounting.angular_velocity(fork), drum.angular_velocity(mounting)
+    found = (
+        fork.angular_velocity(ground),
+        mounting.angular_velocity(fork),
+        drum.angular_velocity(mounting),
+    )
     return ground, *(turn.expressed_in(fork) for turn in found)
 
 
@@ -27,7 +33,8 @@ def alpha_of(ground, *turns):
 
 
 def solve(g):
-    return {"alpha_drum": alpha_of(*turns(g))}  # by (4.12) in components of the fork, where the formula is short
+    # by (4.12) in components of the fork, where the formula is short
+    return {"alpha_drum": alpha_of(*turns(g))}
 
 
 def prove(g):

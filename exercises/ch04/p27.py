@@ -9,7 +9,9 @@ from newton_euler.drawing import Sketch
 
 
 def bracket_and_disk(g):
-    """Ground with x along the fixed axis; the bracket turns about x, and in it the disk about the bracket's z through B."""
+    """Ground with x along the fixed axis; the bracket turns about x, and in it the disk about the
+    bracket's z through B.
+    """
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "x", rate=g.Omega)
     B = bracket.point("B", 0, g.a, g.h)
@@ -18,7 +20,9 @@ def bracket_and_disk(g):
 
 
 def answers(ground, bracket, _, A):
-    return in_frame(ground, {"v_A": A.velocity(ground, via=bracket), "a_A": A.acceleration(ground, via=bracket)})
+    return in_frame(
+        ground, {"v_A": A.velocity(ground, via=bracket), "a_A": A.acceleration(ground, via=bracket)}
+    )
 
 
 def solve(g):

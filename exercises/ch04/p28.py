@@ -9,7 +9,9 @@ from newton_euler.drawing import Sketch
 
 
 def spacecraft_and_panel(g):
-    """Space; the spacecraft spins about z; the panels turn in it about -y, which is how theta grows."""
+    """Space; the spacecraft spins about z; the panels turn in it about -y, which is how theta
+    grows.
+    """
     space = Frame("space")
     craft = space.rotate("spacecraft", "z", rate=g.omega)
     panel = craft.rotate("panel", "-y", angle=g.theta_1, rate=g.theta_dot)
@@ -33,14 +35,20 @@ def prove(g):
     def tilt(t):
         return g.theta_1 + g.theta_dot * t
 
-    def panel(t):  # columns: normal to the panel, along y, and from the y axis to A, from +z toward -x
+    # columns: normal to the panel, along y, and from the y axis to A, from +z toward -x
+    def panel(t):
         c, s = mp.cos(tilt(t)), mp.sin(tilt(t))
         return times(rot("z", g.omega * t), [[c, 0, -s], [0, 1, 0], [s, 0, c]])
 
     def A(t):
         return times(rot("z", g.omega * t), [-g.d * mp.sin(tilt(t)), g.L, g.d * mp.cos(tilt(t))])
 
-    return {"omega_panel": angular_velocity(panel), "alpha_panel": angular_acceleration(panel), "v_A": rate(A), "a_A": second_rate(A)}
+    return {
+        "omega_panel": angular_velocity(panel),
+        "alpha_panel": angular_acceleration(panel),
+        "v_A": rate(A),
+        "a_A": second_rate(A),
+    }
 
 
 def mistakes(g):
@@ -62,8 +70,17 @@ def draw(g, ax):
     body = 0.35 * g.L
     s.box(craft.point("", 0, 0, 0), craft, (body, body, 1.4 * body))
     for near, far in ((body / 2, g.L), (-body / 2, -g.L)):
-        s.plate([panel.point("", 0, y, z) for y, z in ((near, g.d), (far, g.d), (far, -g.d), (near, -g.d))])
-    O, end, up = craft.point("", 0, 0, 0), craft.point("", 0, g.L, 0), craft.point("", 0, g.L, 0.45 * g.L)
+        s.plate(
+            [
+                panel.point("", 0, y, z)
+                for y, z in ((near, g.d), (far, g.d), (far, -g.d), (near, -g.d))
+            ]
+        )
+    O, end, up = (
+        craft.point("", 0, 0, 0),
+        craft.point("", 0, g.L, 0),
+        craft.point("", 0, g.L, 0.45 * g.L),
+    )
     s.axes(O, craft, length=0.7 * g.L)
     s.turn(craft.point("", 0, 0, body), craft.k, label=r"$\omega$")
     s.turn(craft.point("", 0, -1.15 * g.L, 0), -craft.j, label=r"$\dot\theta$")

@@ -1,13 +1,24 @@
-"""4/30: the angular acceleration of a disk rolling in a circle, and the acceleration of a rim point."""
+"""4/30: the angular acceleration of a disk rolling in a circle, and the acceleration of a rim
+point.
+"""
 
 from exercises.catalogue import in_frame
-from exercises.devices.rolling_disk import axle_and_disk, orientation, rim_point, rolling_spin, sketch
+from exercises.devices.rolling_disk import (
+    axle_and_disk,
+    orientation,
+    rim_point,
+    rolling_spin,
+    sketch,
+)
 from exercises.proofs import angular_acceleration, second_rate
 
 
 def answers(g, spin):
     ground, axle, disk, A = axle_and_disk(g, spin)
-    return in_frame(axle, {"alpha_disk": disk.angular_acceleration(ground), "a_A": A.acceleration(ground, via=axle)})
+    return in_frame(
+        axle,
+        {"alpha_disk": disk.angular_acceleration(ground), "a_A": A.acceleration(ground, via=axle)},
+    )
 
 
 def solve(g):

@@ -15,7 +15,9 @@ def solve(g):
 
 
 def prove(g):
-    """The speed grows with the distance from the axis: that at the distance 1, as a numerical derivative, gives r."""
+    """The speed grows with the distance from the axis: that at the distance 1, as a numerical
+    derivative, gives r.
+    """
     speed = size([g.v_x, 0, g.v_z])
     at_one = size(rate(lambda t: times(rot("y", g.n * t), [1, 0, 0])))
     return {"speed": speed, "r": speed / at_one}
@@ -34,7 +36,8 @@ def mistakes(g):
 def draw(g, ax):
     r, v = solve(g)["r"], velocity(g)
     ground = v.frame
-    axis = ground.vector(-g.v_z, v.norm() / 2, g.v_x).direction()  # any direction square to v would do
+    # any direction square to v would do
+    axis = ground.vector(-g.v_z, v.norm() / 2, g.v_x).direction()
     O, A, end = ground.point("O", 0, 0, 0), axis * (6.5 * r), axis * (4.5 * r)
     P = end + v.cross(axis).direction() * r
     s = Sketch(ax, ground, azimuth=-25, elevation=12)

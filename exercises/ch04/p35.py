@@ -1,6 +1,12 @@
 """4/35: the top of a disk in a turning bracket, constant rates."""
 
-from exercises.devices.disk_in_bracket import disk_in_bracket, figure, prove_rim, rim_motion, rim_point
+from exercises.devices.disk_in_bracket import (
+    disk_in_bracket,
+    figure,
+    prove_rim,
+    rim_motion,
+    rim_point,
+)
 
 
 def solve(g):

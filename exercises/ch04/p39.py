@@ -1,6 +1,12 @@
 """4/39: the side of a disk in a turning bracket, growing rates."""
 
-from exercises.devices.disk_in_bracket import disk_in_bracket, figure, prove_rim, rim_motion, wrong_accelerations_of_B
+from exercises.devices.disk_in_bracket import (
+    disk_in_bracket,
+    figure,
+    prove_rim,
+    rim_motion,
+    wrong_accelerations_of_B,
+)
 
 
 def solve(g):

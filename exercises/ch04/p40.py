@@ -1,6 +1,14 @@
 """4/40: the top of a disk on an axle that sticks out of its turning bracket."""
 
-from exercises.devices.disk_in_bracket import disk_in_bracket, figure, prove_rim, prove_turning, rim_motion, rim_point, turning
+from exercises.devices.disk_in_bracket import (
+    disk_in_bracket,
+    figure,
+    prove_rim,
+    prove_turning,
+    rim_motion,
+    rim_point,
+    turning,
+)
 
 
 def answers(frames, r):

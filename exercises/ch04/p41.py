@@ -1,6 +1,14 @@
 """4/41: the side of a disk on an axle that sticks out of its turning bracket."""
 
-from exercises.devices.disk_in_bracket import disk_in_bracket, figure, prove_rim, prove_turning, rim_motion, turning, wrong_accelerations_of_B
+from exercises.devices.disk_in_bracket import (
+    disk_in_bracket,
+    figure,
+    prove_rim,
+    prove_turning,
+    rim_motion,
+    turning,
+    wrong_accelerations_of_B,
+)
 
 
 def answers(frames, r):

@@ -1,6 +1,12 @@
 """4/42: the top of a disk in two brackets."""
 
-from exercises.devices.disk_in_two_brackets import answers, draw_two_brackets, frames_and_point, prove_rim, wrong_alphas
+from exercises.devices.disk_in_two_brackets import (
+    answers,
+    draw_two_brackets,
+    frames_and_point,
+    prove_rim,
+    wrong_alphas,
+)
 
 
 def solve(g):
@@ -15,7 +21,10 @@ def mistakes(g):
     frames, C = frames_and_point(g, "C")
     (ground, B, A, _), solved = frames, answers(frames, C)
     alpha, a = solved["alpha_disk"], solved["a_C"]
-    coriolis = [C.acceleration(observer, via=frame).terms["coriolis"] for observer, frame in ((B, A), (ground, B))]
+    coriolis = [
+        C.acceleration(observer, via=frame).terms["coriolis"]
+        for observer, frame in ((B, A), (ground, B))
+    ]
     return {
         **wrong_alphas(alpha),
         "no_B_x_A": {"alpha_disk": alpha.without("B x A")},

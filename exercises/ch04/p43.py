@@ -1,6 +1,12 @@
 """4/43: the side of a disk in two brackets."""
 
-from exercises.devices.disk_in_two_brackets import answers, draw_two_brackets, frames_and_point, prove_rim, wrong_alphas
+from exercises.devices.disk_in_two_brackets import (
+    answers,
+    draw_two_brackets,
+    frames_and_point,
+    prove_rim,
+    wrong_alphas,
+)
 
 
 def solve(g):

@@ -9,10 +9,21 @@ from newton_euler.drawing import Sketch
 
 
 def assembly(g, omega_y, omega_z):
-    """Ground with y up, the body with its three rates about the axes at the instant, and its points A and D."""
+    """Ground with y up, the body with its three rates about the axes at the instant, and its points
+    A and D.
+    """
     ground = Frame("ground")
-    body = ground.rotate("about x", "x", rate=g.omega_x).rotate("about y", "y", rate=omega_y).rotate("about z", "z", rate=omega_z)
-    return ground, body, body.point("A", g.x_A, g.h, g.z_A), body.point("D", -g.x_A / 2, g.h, -g.z_A / 2)
+    body = (
+        ground.rotate("about x", "x", rate=g.omega_x)
+        .rotate("about y", "y", rate=omega_y)
+        .rotate("about z", "z", rate=omega_z)
+    )
+    return (
+        ground,
+        body,
+        body.point("A", g.x_A, g.h, g.z_A),
+        body.point("D", -g.x_A / 2, g.h, -g.z_A / 2),
+    )
 
 
 def moving_so_that(g, conditions):
@@ -41,7 +52,9 @@ def solve(g):
 
 
 def prove(g):
-    """The body turns steadily about one axis; the two rates are found from velocities that are numerical derivatives."""
+    """The body turns steadily about one axis; the two rates are found from velocities that are
+    numerical derivatives.
+    """
     A, D = [g.x_A, g.h, g.z_A], [-g.x_A / 2, g.h, -g.z_A / 2]
 
     def velocity(r, y, z):
@@ -49,8 +62,12 @@ def prove(g):
         return rate(lambda t: times(rot(omega, size(omega) * t), r))
 
     start = velocity(A, 0, 0)
-    by_y, by_z = minus(velocity(A, 1, 0), start), minus(velocity(A, 0, 1), start)  # velocities are linear in the rates
-    y, z = mp.lu_solve(mp.matrix([[by_y[0], by_z[0]], [by_y[1], by_z[1]]]), mp.matrix([g.v_Ax - start[0], g.v_Ay - start[1]]))
+    # velocities are linear in the rates
+    by_y, by_z = minus(velocity(A, 1, 0), start), minus(velocity(A, 0, 1), start)
+    y, z = mp.lu_solve(
+        mp.matrix([[by_y[0], by_z[0]], [by_y[1], by_z[1]]]),
+        mp.matrix([g.v_Ax - start[0], g.v_Ay - start[1]]),
+    )
     return {"omega": [g.omega_x, y, z], "v_D": velocity(D, y, z)}
 
 

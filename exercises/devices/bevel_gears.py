@@ -1,4 +1,6 @@
-"""The bevel gears of 4/32 and 4/33: B on a turning arm, in mesh with C below it, which is fixed or turns."""
+"""The bevel gears of 4/32 and 4/33: B on a turning arm, in mesh with C below it, which is fixed or
+turns.
+"""
 
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, angular_velocity, rot, times
@@ -7,13 +9,19 @@ from newton_euler.drawing import Sketch
 
 
 def gears(n, n_C, tan_gamma):
-    """Ground, the arm turning about z with OA along its y, and gear B, turning on OA so that it does not slide on C."""
+    """Ground, the arm turning about z with OA along its y, and gear B, turning on OA so that it
+    does not slide on C.
+    """
     ground = Frame("ground")
     arm, C = ground.rotate("arm", "z", rate=n), ground.rotate("C", "z", rate=n_C)
-    contact = (0, tan_gamma, -1)  # on the common line of the pitch cones, from O; the length does not matter
+    # on the common line of the pitch cones, from O; the length does not matter
+    contact = (0, tan_gamma, -1)
 
     def slip(spin):
-        tooth, gap = arm.rotate("B", "y", rate=spin).point("tooth", *contact), C.point("gap", *contact)
+        tooth, gap = (
+            arm.rotate("B", "y", rate=spin).point("tooth", *contact),
+            C.point("gap", *contact),
+        )
         return (tooth.velocity(ground) - gap.velocity(ground)).x  # square to the plane of DE and OA
 
     (spin,) = solve_rates(slip, 1)
@@ -23,25 +31,44 @@ def gears(n, n_C, tan_gamma):
 def answers(n, n_C, tan_gamma):
     """The answers of both problems, along the axes of the arm."""
     ground, arm, B = gears(n, n_C, tan_gamma)
-    return in_frame(arm, {"omega_B": B.angular_velocity(ground), "alpha_B": B.angular_acceleration(ground)})
+    return in_frame(
+        arm, {"omega_B": B.angular_velocity(ground), "alpha_B": B.angular_acceleration(ground)}
+    )
 
 
 def proved(n, n_C, tan_gamma):
-    """Equal arcs pass through the contact on the pitch circles of B and C, whose radii are as 1 to tan(gamma)."""
+    """Equal arcs pass through the contact on the pitch circles of B and C, whose radii are as 1 to
+    tan(gamma).
+    """
 
     def gear_B(t):
         overtaken = (n - n_C) * t  # the angle by which the arm has gone round on C
-        return times(rot("z", n * t), rot("y", -overtaken * tan_gamma))  # rolling toward -x: the top of B goes ahead
+        # rolling toward -x: the top of B goes ahead
+        return times(rot("z", n * t), rot("y", -overtaken * tan_gamma))
 
     return {"omega_B": angular_velocity(gear_B), "alpha_B": angular_acceleration(gear_B)}
 
 
 def figure(ax, tan_gamma, C_turns):
-    """The gears with a line of contact of length 1, seen nearly square to the plane of DE and OA; C is on a sleeve round DE."""
+    """The gears with a line of contact of length 1, seen nearly square to the plane of DE and OA; C
+    is on a sleeve round DE.
+    """
     gamma = atan(tan_gamma)
     ground = Frame("ground")
-    O, A, D, E = (ground.point(*place) for place in (("O", 0, 0, 0), ("A", 0, sin(gamma) + 0.4, 0), ("D", 0, 0, -2), ("E", 0, 0, 0.8)))
-    B, C, contact = ground.j * sin(gamma), ground.k * -cos(gamma), ground.vector(0, sin(gamma), -cos(gamma))
+    O, A, D, E = (
+        ground.point(*place)
+        for place in (
+            ("O", 0, 0, 0),
+            ("A", 0, sin(gamma) + 0.4, 0),
+            ("D", 0, 0, -2),
+            ("E", 0, 0, 0.8),
+        )
+    )
+    B, C, contact = (
+        ground.j * sin(gamma),
+        ground.k * -cos(gamma),
+        ground.vector(0, sin(gamma), -cos(gamma)),
+    )
     foot = C - ground.k * 0.65
     s = Sketch(ax, ground, azimuth=20, elevation=15)
     s.shaft(D, E)

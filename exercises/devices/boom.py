@@ -1,16 +1,22 @@
-"""An arm in a vertical plane that turns about the vertical Z; its angle beta from the upward vertical grows (robot arm, crane)."""
+"""An arm in a vertical plane that turns about the vertical Z; its angle beta from the upward
+vertical grows (robot arm, crane).
+"""
 
 from newton_euler import Frame
 
 
 def turning_boom(omega, beta):
-    """Ground; the house, which turns, with x outward in the plane of the boom; the boom, with z along it."""
+    """Ground; the house, which turns, with x outward in the plane of the boom; the boom, with z
+    along it.
+    """
     ground = Frame("ground")
     house = ground.rotate("house", "z", rate=omega)
     return ground, house, house.rotate("boom", "y", angle=beta)
 
 
 def acceleration_without_cross_product(P, ground):
-    """The acceleration of P, fixed in the boom, by way of the boom, if omega_house x omega_boom is missing in the boom's alpha."""
+    """The acceleration of P, fixed in the boom, by way of the boom, if omega_house x omega_boom is
+    missing in the boom's alpha.
+    """
     alpha = P.frame.angular_acceleration(ground).without("house x boom")
     return P.acceleration(ground).without("euler") + alpha.cross(P.position(P.frame))

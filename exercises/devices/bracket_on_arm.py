@@ -1,4 +1,6 @@
-"""The bracket of 4/18 and 4/19: it turns about the horizontal arm EG, which turns about the vertical."""
+"""The bracket of 4/18 and 4/19: it turns about the horizontal arm EG, which turns about the
+vertical.
+"""
 
 from mpmath import mp
 
@@ -9,7 +11,9 @@ from newton_euler.drawing import Sketch
 
 
 def arm_and_bracket(g):
-    """Ground with y up; DEG turns about y; the bracket about x, the arm's axis from E to G, with its origin at C."""
+    """Ground with y up; DEG turns about y; the bracket about x, the arm's axis from E to G, with
+    its origin at C.
+    """
     ground = Frame("ground")
     arm = ground.rotate("DEG", "y", rate=g.omega_2)
     bracket = arm.rotate("bracket", "x", rate=g.omega_1, origin=arm.point("C", g.c, 0, 0))
@@ -18,20 +22,31 @@ def arm_and_bracket(g):
 
 def motion_by_way_of_arm(P, ground, arm):
     """The answers for the point P of the bracket."""
-    return in_frame(ground, {f"v_{P.name}": P.velocity(ground, via=arm), f"a_{P.name}": P.acceleration(ground, via=arm)})
+    return in_frame(
+        ground,
+        {
+            f"v_{P.name}": P.velocity(ground, via=arm),
+            f"a_{P.name}": P.acceleration(ground, via=arm),
+        },
+    )
 
 
 def common_mistakes(P, ground):
-    """Those of both problems: P is a point of the bracket, so that its own frame's formula has the terms origin and euler = alpha x r."""
+    """Those of both problems: P is a point of the bracket, so that its own frame's formula has the
+    terms origin and euler = alpha x r.
+    """
     v, a = P.velocity(ground), P.acceleration(ground)
     return in_frame(ground, {
         "C_at_rest": {f"v_{P.name}": v.without("origin"), f"a_{P.name}": a.without("origin")},
-        "coriolis_and_alpha_x_r": {f"a_{P.name}": a.reweighted(euler=2)},  # the euler term again, on top of an acceleration that has it
+        # the euler term again, on top of an acceleration that has it
+        "coriolis_and_alpha_x_r": {f"a_{P.name}": a.reweighted(euler=2)},
     })  # fmt: skip
 
 
 def motion_in_time(g, name, up, out):
-    """Proof for a point that is at t = 0 ``up`` along y and ``out`` along z from C: cylinder coordinates about the arm, then about y."""
+    """Proof for a point that is at t = 0 ``up`` along y and ``out`` along z from C: cylinder
+    coordinates about the arm, then about y.
+    """
 
     def place(t):
         theta, phi = g.omega_2 * t, g.omega_1 * t
@@ -44,7 +59,10 @@ def motion_in_time(g, name, up, out):
 def sketch(g, ax, a):
     """The figure of both, with the length ``a`` of BA."""
     ground, arm, bracket = arm_and_bracket(g)
-    E, C, G, D = (arm.point(n, x, y, 0) for n, x, y in (("E", 0, 0), ("C", g.c, 0), ("G", 1.3 * g.c, 0), ("D", 0, -0.7 * g.c)))
+    E, C, G, D = (
+        arm.point(n, x, y, 0)
+        for n, x, y in (("E", 0, 0), ("C", g.c, 0), ("G", 1.3 * g.c, 0), ("D", 0, -0.7 * g.c))
+    )
     B, A = bracket.point("B", 0, g.b, 0), bracket.point("A", 0, g.b, a)
     s = Sketch(ax, ground, azimuth=35, elevation=14, up="y")
     s.ground(D, normal=ground.j)

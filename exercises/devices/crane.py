@@ -9,7 +9,9 @@ from newton_euler.drawing import Sketch
 
 
 def crane(g):
-    """Ground with Z up; the house, which turns, with x outward in the plane of the boom; P in the boom's frame, z along it."""
+    """Ground with Z up; the house, which turns, with x outward in the plane of the boom; P in the
+    boom's frame, z along it.
+    """
     ground, house, boom = turning_boom(g.n, moving(g.beta_1, g.b_dot))
     return ground, house, boom.point("P", 0, 0, g.R)
 

@@ -1,6 +1,8 @@
-"""The bevel pinion of 4/5 and 4/10, carried round by a cage between two equal bevel gears that face each other on one axis.
+"""The bevel pinion of 4/5 and 4/10, carried round by a cage between two equal bevel gears that face
+each other on one axis.
 
-The axis of the gears and the axis of the pinion are two of x, y, z that follow each other. The first gear is on the positive side.
+The axis of the gears and the axis of the pinion are two of x, y, z that follow each other. The
+first gear is on the positive side.
 """
 
 from mpmath import matrix, mp
@@ -31,17 +33,29 @@ def train(axis, cage_rate, spin):
 
 
 def slip(g, axis, cage_rate, spin, gear_rate, side):
-    """Velocity of the pinion's tooth against that of the gear on that side (1 or -1) where they touch: its component square to both axes."""
+    """Velocity of the pinion's tooth against that of the gear on that side (1 or -1) where they
+    touch: its component square to both axes.
+    """
     ground, _, pinion = train(axis, cage_rate, spin)
     gear = ground.rotate("gear", axis, rate=gear_rate)
     here = coordinates(axis, side * g.r, g.R)
-    difference = pinion.point("tooth", *here).velocity(ground) - gear.point("tooth", *here).velocity(ground)
+    difference = pinion.point("tooth", *here).velocity(ground) - gear.point(
+        "tooth", *here
+    ).velocity(ground)
     return getattr(difference, next_axis(next_axis(axis)))
 
 
 def meshing_rates(g, axis, first, second):
-    """Rates of the cage, and of the pinion in the cage, that let the pinion run on both gears, which turn at ``first`` and ``second``."""
-    return solve_rates(lambda cage, spin: (slip(g, axis, cage, spin, first, 1), slip(g, axis, cage, spin, second, -1)), 2)
+    """Rates of the cage, and of the pinion in the cage, that let the pinion run on both gears,
+    which turn at ``first`` and ``second``.
+    """
+    return solve_rates(
+        lambda cage, spin: (
+            slip(g, axis, cage, spin, first, 1),
+            slip(g, axis, cage, spin, second, -1),
+        ),
+        2,
+    )
 
 
 def spin_against(g, axis, cage_rate, gear_rate, side):
@@ -51,10 +65,13 @@ def spin_against(g, axis, cage_rate, gear_rate, side):
 
 
 def rolled(g, axis, first, second):
-    """Orientations of cage and pinion in time, by the arcs that pass the two contacts: in the cage, equal on both wheels."""
+    """Orientations of cage and pinion in time, by the arcs that pass the two contacts: in the cage,
+    equal on both wheels.
+    """
 
     def angles(t):
-        arcs = matrix([[-g.R, g.r], [-g.R, -g.r]])  # R (phi - cage) = -r spin on the first side, +r spin on the second
+        # R (phi - cage) = -r spin on the first side, +r spin on the second
+        arcs = matrix([[-g.R, g.r], [-g.R, -g.r]])
         return mp.lu_solve(arcs, matrix([-g.R * first * t, -g.R * second * t]))
 
     def cage(t):
@@ -67,10 +84,18 @@ def rolled(g, axis, first, second):
 
 
 def section(s, g, axis, pinion_sides):
-    """Draw gears and pinions in the plane of their axes: parts of their pitch cones, which touch along lines through the apex."""
+    """Draw gears and pinions in the plane of their axes: parts of their pitch cones, which touch
+    along lines through the apex.
+    """
 
     def wheel(corners):
-        s.plate([coordinates(axis, t * along, t * across) for t, half in ((1, corners), (0.7, corners[::-1])) for along, across in half])
+        s.plate(
+            [
+                coordinates(axis, t * along, t * across)
+                for t, half in ((1, corners), (0.7, corners[::-1]))
+                for along, across in half
+            ]
+        )
 
     for side in (1, -1):
         wheel([(side * g.r, g.R), (side * g.r, -g.R)])

@@ -1,13 +1,22 @@
 """The disk of 4/34 to 4/41, on a horizontal axle in a bracket that turns about the vertical.
 
-Axes of the bracket: z up along its shaft, y along the axle. The disk turns in the bracket at P about +y, the bracket at omega about +z;
-the disk's centre is on the axle at the distance b from the shaft. On the rim, A is at the top and B at the side on +x.
+Axes of the bracket: z up along its shaft, y along the axle. The disk turns in the bracket at P
+about +y, the bracket at omega about +z; the disk's centre is on the axle at the distance b from the
+shaft. On the rim, A is at the top and B at the side on +x.
 """
 
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_acceleration, angular_velocity, plus, rate, scaled, second_rate, spun
+from exercises.proofs import (
+    angular_acceleration,
+    angular_velocity,
+    plus,
+    rate,
+    scaled,
+    second_rate,
+    spun,
+)
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -15,7 +24,9 @@ PLACES = {"A": (0, 0, 1), "B": (1, 0, 0)}
 
 
 def data(g):
-    """(rate, growth) of the bracket and of the disk, and the offset b; zero for what a problem does not have."""
+    """(rate, growth) of the bracket and of the disk, and the offset b; zero for what a problem does
+    not have.
+    """
     omega = g.omega_b if hasattr(g, "omega_b") else g.omega
     return (omega, getattr(g, "omega_dot", 0)), (g.P, getattr(g, "P_dot", 0)), getattr(g, "b", 0)
 
@@ -25,7 +36,11 @@ def disk_in_bracket(g):
     (omega, omega_dot), (P, P_dot), b = data(g)
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "z", rate=omega, acceleration=omega_dot)
-    return ground, bracket, bracket.rotate("disk", "y", rate=P, acceleration=P_dot, origin=bracket.point("C", 0, b, 0))
+    return (
+        ground,
+        bracket,
+        bracket.rotate("disk", "y", rate=P, acceleration=P_dot, origin=bracket.point("C", 0, b, 0)),
+    )
 
 
 def rim_point(disk, name, r):
@@ -34,16 +49,29 @@ def rim_point(disk, name, r):
 
 
 def turning(frames):
-    """Angular velocity and angular acceleration of the disk in the ground, along the bracket's axes."""
+    """Angular velocity and angular acceleration of the disk in the ground, along the bracket's
+    axes.
+    """
     ground, bracket, disk = frames
-    return in_frame(bracket, {"omega_disk": disk.angular_velocity(ground), "alpha_disk": disk.angular_acceleration(ground)})
+    return in_frame(
+        bracket,
+        {
+            "omega_disk": disk.angular_velocity(ground),
+            "alpha_disk": disk.angular_acceleration(ground),
+        },
+    )
 
 
 def rim_motion(frames, name, r):
-    """Velocity and acceleration of A or B in the ground, along the bracket's axes and with the terms that the bracket gives."""
+    """Velocity and acceleration of A or B in the ground, along the bracket's axes and with the
+    terms that the bracket gives.
+    """
     ground, bracket, disk = frames
     S = rim_point(disk, name, r)
-    return {f"v_{name}": S.velocity(ground, via=bracket), f"a_{name}": S.acceleration(ground, via=bracket)}
+    return {
+        f"v_{name}": S.velocity(ground, via=bracket),
+        f"a_{name}": S.acceleration(ground, via=bracket),
+    }
 
 
 def wrong_accelerations_of_B(g, a):
@@ -74,7 +102,9 @@ def prove_turning(g):
 
 
 def prove_rim(g, name):
-    """The same motion of A or B, from its place in the ground as a function of time: its angle on the rim grows from +z toward +x."""
+    """The same motion of A or B, from its place in the ground as a function of time: its angle on
+    the rim grows from +z toward +x.
+    """
     start = {"A": 0, "B": mp.pi / 2}[name]
 
     def place(t):
@@ -86,10 +116,15 @@ def prove_rim(g, name):
 
 
 def figure(g, ax, rim="AB", omega_name=r"\omega"):
-    """The figure; ``rim`` names the points of the rim to show. Rates that grow are shown with their rate of growth."""
+    """The figure; ``rim`` names the points of the rim to show. Rates that grow are shown with their
+    rate of growth.
+    """
     ground, bracket, disk = disk_in_bracket(g)
     s = Sketch(ax, ground, azimuth=50, elevation=18)
-    letters = [rf"${name},\ \dot{{{name}}}$" if hasattr(g, "P_dot") else f"${name}$" for name in (omega_name, "P")]
+    letters = [
+        rf"${name},\ \dot{{{name}}}$" if hasattr(g, "P_dot") else f"${name}$"
+        for name in (omega_name, "P")
+    ]
     r = getattr(g, "r", 1.0)
     s.disk(disk.origin, bracket.j, r)
     (_draw_axle if hasattr(g, "b") else _draw_fork)(s, bracket, disk, r, *letters)
@@ -103,7 +138,11 @@ def figure(g, ax, rim="AB", omega_name=r"\omega"):
 
 def _draw_fork(s, bracket, disk, r, omega, P):
     """The disk between the arms of a fork, its centre above the shaft."""
-    C, middle, foot = disk.origin, bracket.point("", 0, 0, -1.4 * r), bracket.point("", 0, 0, -2.2 * r)
+    C, middle, foot = (
+        disk.origin,
+        bracket.point("", 0, 0, -1.4 * r),
+        bracket.point("", 0, 0, -2.2 * r),
+    )
     for y in (-0.7 * r, 0.7 * r):
         end, corner = bracket.point("", 0, y, 0), bracket.point("", 0, y, -1.4 * r)
         s.rod(C, end)

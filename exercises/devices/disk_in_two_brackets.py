@@ -1,13 +1,24 @@
-"""The disk of 4/42 and 4/43 (the drum of 4/25 turns alike) in the bracket A, which turns in the bracket B, which turns about the vertical.
+"""The disk of 4/42 and 4/43 (the drum of 4/25 turns alike) in the bracket A, which turns in the
+bracket B, which turns about the vertical.
 
-At the instant all axes are parallel: z up along the shaft of B, x along the axis of A in B, y along the axis of the disk in A.
-The three axes meet at the disk's centre. On the rim, C is at the top and D at the side on +x.
+At the instant all axes are parallel: z up along the shaft of B, x along the axis of A in B, y along
+the axis of the disk in A. The three axes meet at the disk's centre. On the rim, C is at the top and
+D at the side on +x.
 """
 
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_acceleration, angular_velocity, cross, plus, rate, scaled, second_rate, spun
+from exercises.proofs import (
+    angular_acceleration,
+    angular_velocity,
+    cross,
+    plus,
+    rate,
+    scaled,
+    second_rate,
+    spun,
+)
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -34,7 +45,9 @@ def frames_and_point(g, name):
 
 
 def answers(frames, S):
-    """The answers for the rim point S, along the axes of B; the acceleration has the terms that the disk gives."""
+    """The answers for the rim point S, along the axes of B; the acceleration has the terms that the
+    disk gives.
+    """
     ground, B, _, disk = frames
     return in_frame(B, {
         "omega_disk": disk.angular_velocity(ground),
@@ -45,13 +58,20 @@ def answers(frames, S):
 
 
 def pin_and_axis(gone_round, risen):
-    """Proof, directions in the ground: of the horizontal pin of A in B, which has gone round, and of the disk's axis, which has risen from +y."""
-    pin, level = [mp.cos(gone_round), mp.sin(gone_round), 0], [-mp.sin(gone_round), mp.cos(gone_round), 0]
+    """Proof, directions in the ground: of the horizontal pin of A in B, which has gone round, and
+    of the disk's axis, which has risen from +y.
+    """
+    pin, level = (
+        [mp.cos(gone_round), mp.sin(gone_round), 0],
+        [-mp.sin(gone_round), mp.cos(gone_round), 0],
+    )
     return pin, plus(scaled(mp.cos(risen), level), [0, 0, mp.sin(risen)])
 
 
 def prove_turning(omega_1, omega_2, omega_3):
-    """Proof: angular velocity and acceleration of the disk, from its orientation as a function of time."""
+    """Proof: angular velocity and acceleration of the disk, from its orientation as a function of
+    time.
+    """
 
     def disk(t):
         pin, axis = pin_and_axis(omega_1 * t, omega_2 * t)
@@ -66,10 +86,18 @@ def prove_rim(g, name):
     def place(t):
         pin, axis = pin_and_axis(g.omega_1 * t, g.omega_2 * t)
         c, s, up = g.r * mp.cos(g.omega_3 * t), g.r * mp.sin(g.omega_3 * t), cross(pin, axis)
-        return {"C": plus(scaled(c, up), scaled(s, pin)), "D": plus(scaled(c, pin), scaled(-s, up))}[name]
+        return {
+            "C": plus(scaled(c, up), scaled(s, pin)),
+            "D": plus(scaled(c, pin), scaled(-s, up)),
+        }[name]
 
     omega, alpha = prove_turning(g.omega_1, g.omega_2, g.omega_3)
-    return {"omega_disk": omega, "alpha_disk": alpha, f"v_{name}": rate(place), f"a_{name}": second_rate(place)}
+    return {
+        "omega_disk": omega,
+        "alpha_disk": alpha,
+        f"v_{name}": rate(place),
+        f"a_{name}": second_rate(place),
+    }
 
 
 def wrong_alphas(alpha):

@@ -1,4 +1,6 @@
-"""The elbow arm of 4/16 and 4/17: the rod CD, hinged at C to an arm BC that turns about the vertical."""
+"""The elbow arm of 4/16 and 4/17: the rod CD, hinged at C to an arm BC that turns about the
+vertical.
+"""
 
 from mpmath import mp
 
@@ -9,7 +11,9 @@ from newton_euler.drawing import Sketch
 
 
 def arm_and_rod(g):
-    """Ground with Z up; the arm turns about Z; the rod about the arm's -x axis, which is how beta grows."""
+    """Ground with Z up; the arm turns about Z; the rod about the arm's -x axis, which is how beta
+    grows.
+    """
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", rate=g.omega)
     C = arm.point("C", 0, g.b, 0)
@@ -28,11 +32,14 @@ def solve(g):
 
 
 def prove(g):
-    """The direction of CD in the turning vertical plane, from CB (back to the shaft) upward by beta."""
+    """The direction of CD in the turning vertical plane, from CB (back to the shaft) upward by
+    beta.
+    """
 
     def rod(t):
         c, s = mp.cos(g.beta_1 + g.b_dot * t), mp.sin(g.beta_1 + g.b_dot * t)
-        return times(rot("z", g.omega * t), transposed([[1, 0, 0], [0, -c, s], [0, -s, -c]]))  # columns: x, along CD, x cross that
+        # columns: x, along CD, x cross that
+        return times(rot("z", g.omega * t), transposed([[1, 0, 0], [0, -c, s], [0, -s, -c]]))
 
     def D(t):
         beta = g.beta_1 + g.b_dot * t

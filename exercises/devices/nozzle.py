@@ -1,4 +1,6 @@
-"""The nozzle of 4/2 (and 3/14): it turns about the vertical through O, and water flows outward in it."""
+"""The nozzle of 4/2 (and 3/14): it turns about the vertical through O, and water flows outward in
+it.
+"""
 
 from mpmath import mp
 
@@ -8,7 +10,9 @@ from newton_euler.drawing import Sketch
 
 
 def nozzle_and_particle(g):
-    """Ground with Z up; a frame that turns with the nozzle, x outward; the particle in a frame with z along the nozzle."""
+    """Ground with Z up; a frame that turns with the nozzle, x outward; the particle in a frame with
+    z along the nozzle.
+    """
     ground = Frame("ground")
     turning = ground.rotate("turning", "z", rate=g.omega)
     nozzle = turning.rotate("nozzle", "y", angle=g.tilt)

@@ -1,4 +1,6 @@
-"""The robot arm of 4/3 (and 3/25): two perpendicular links OA and AP in a vertical plane that turns with the base."""
+"""The robot arm of 4/3 (and 3/25): two perpendicular links OA and AP in a vertical plane that turns
+with the base.
+"""
 
 from mpmath import mp
 
@@ -9,7 +11,9 @@ from newton_euler.drawing import Sketch
 
 
 def robot(g):
-    """Ground with Z up; the base, which turns, with x outward in the plane of the arms; P in their frame: OA along z, AP along x."""
+    """Ground with Z up; the base, which turns, with x outward in the plane of the arms; P in their
+    frame: OA along z, AP along x.
+    """
     ground, base, arms = turning_boom(g.omega, moving(g.beta_1, g.b_dot, g.b_ddot))
     return ground, base, arms.point("P", g.l_AP, 0, g.l_OA)
 

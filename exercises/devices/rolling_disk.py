@@ -1,4 +1,6 @@
-"""The disk of 4/22, 4/23 and 4/30: it rolls upright round a circle, its axle pointing to the vertical y axis."""
+"""The disk of 4/22, 4/23 and 4/30: it rolls upright round a circle, its axle pointing to the
+vertical y axis.
+"""
 
 from mpmath import mp
 
@@ -13,7 +15,9 @@ def turning(g):
 
 
 def axle_and_disk(g, spin):
-    """Axes that turn about y with the axle, at the disk's centre; in them the disk turns about z, outward; the point A of its rim."""
+    """Axes that turn about y with the axle, at the disk's centre; in them the disk turns about z,
+    outward; the point A of its rim.
+    """
     ground = Frame("ground")
     arm = ground.rotate("arm", "y", rate=turning(g))
     axle = arm.translate("axle", arm.point("C", 0, 0, g.R))
@@ -26,14 +30,17 @@ def rolling_spin(g):
 
     def slip(spin):
         ground, _, disk, _ = axle_and_disk(g, spin)
-        return disk.point("contact", 0, -g.r, 0).velocity(ground).x  # along the way that the centre moves
+        # along the way that the centre moves
+        return disk.point("contact", 0, -g.r, 0).velocity(ground).x
 
     (spin,) = solve_rates(slip, 1)
     return spin
 
 
 def orientation(g):
-    """Proof, the disk's orientation in time: the centre goes the arc R theta and the rim unrolls as much, A going down at first."""
+    """Proof, the disk's orientation in time: the centre goes the arc R theta and the rim unrolls as
+    much, A going down at first.
+    """
 
     def disk(t):
         theta = 2 * mp.pi * t / g.T
@@ -50,7 +57,11 @@ def rim_point(g):
         theta = 2 * mp.pi * t / g.T
         unrolled = g.R * theta / g.r
         outward, forward = [mp.sin(theta), 0, mp.cos(theta)], [mp.cos(theta), 0, -mp.sin(theta)]
-        return plus(scaled(g.R, outward), scaled(g.r * mp.cos(unrolled), forward), [0, -g.r * mp.sin(unrolled), 0])
+        return plus(
+            scaled(g.R, outward),
+            scaled(g.r * mp.cos(unrolled), forward),
+            [0, -g.r * mp.sin(unrolled), 0],
+        )
 
     return A
 
@@ -58,7 +69,11 @@ def rim_point(g):
 def sketch(g, ax, with_A=True):
     """The figure of all three; the point A is in it where it is asked for."""
     ground, axle, _, A = axle_and_disk(g, rolling_spin(g))
-    C, origin, foot = axle.point("C", 0, 0, 0), ground.point("origin", 0, 0, 0), ground.point("foot", 0, -g.r, 0)
+    C, origin, foot = (
+        axle.point("C", 0, 0, 0),
+        ground.point("origin", 0, 0, 0),
+        ground.point("foot", 0, -g.r, 0),
+    )
     top, contact = ground.point("top", 0, 1.2 * g.r, 0), axle.point("contact", 0, -g.r, 0)
     s = Sketch(ax, ground, azimuth=38, elevation=18, up="y")
     s.ground(foot, normal=ground.j)

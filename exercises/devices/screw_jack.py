@@ -1,4 +1,6 @@
-"""The screw-jack of 4/1 (and 3/12): its screw rises in the fixed nut by one lead in each turn; A is the end of its handle."""
+"""The screw-jack of 4/1 (and 3/12): its screw rises in the fixed nut by one lead in each turn; A is
+the end of its handle.
+"""
 
 from mpmath import mp
 
@@ -12,7 +14,9 @@ def rise(g):
 
 
 def screw_in_nut(g, rise, n):
-    """Ground with Z up along the screw; a frame at B that rises with it; the point A of the screw, which turns in that frame."""
+    """Ground with Z up along the screw; a frame at B that rises with it; the point A of the screw,
+    which turns in that frame.
+    """
     ground = Frame("ground")
     rising = ground.translate("rising", ground.point("B", 0, 0, moving(0, rate=rise)))
     screw = rising.rotate("screw", "z", rate=n)
@@ -35,9 +39,16 @@ def figure(g, ax, ground, rising, A):
     s = Sketch(ax, ground, azimuth=-110, elevation=18)
     s.box((0, 0, low), ground, (0.9 * g.a, 0.7 * g.a, 0.3 * g.a))
     s.cylinder((0, 0, low + 0.15 * g.a), B, thick)
-    left, lowest, nearer = -200 * pi() / 180, -0.1 * g.a - 2.4 * g.lead, [2 * thick * x for x in s.view.eye]
-    for n in range(3):  # the near half of each turn, moved toward the eye so that it is not lost in the cylinder
-        turn = [(w, lowest + g.lead * (n + w / (2 * pi()))) for w in (k * pi() / 24 for k in range(25))]
+    left, lowest, nearer = (
+        -200 * pi() / 180,
+        -0.1 * g.a - 2.4 * g.lead,
+        [2 * thick * x for x in s.view.eye],
+    )
+    # the near half of each turn, moved toward the eye so that it is not lost in the cylinder
+    for n in range(3):
+        turn = [
+            (w, lowest + g.lead * (n + w / (2 * pi()))) for w in (k * pi() / 24 for k in range(25))
+        ]
         thread = [(thick * cos(left + w), thick * sin(left + w), z) for w, z in turn]
         s.path([[x + dx for x, dx in zip(P, nearer, strict=True)] for P in thread])
         ends = (thread[-1], (*thread[-1][:2], thread[-1][2] - g.lead))

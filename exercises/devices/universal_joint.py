@@ -1,4 +1,6 @@
-"""The universal joint of 4/21 and 4/29: a shaft that spins in a block, which tilts in a fork, which turns about the vertical."""
+"""The universal joint of 4/21 and 4/29: a shaft that spins in a block, which tilts in a fork, which
+turns about the vertical.
+"""
 
 from mpmath import mp
 
@@ -9,7 +11,9 @@ from newton_euler.drawing import Sketch
 
 
 def fork_and_shaft(g):
-    """Ground with z up; the fork turns about z; the block about the fork's -x axis, as gamma grows; the shaft about the block's z axis, e."""
+    """Ground with z up; the fork turns about z; the block about the fork's -x axis, as gamma grows;
+    the shaft about the block's z axis, e.
+    """
     ground = Frame("ground")
     fork = ground.rotate("fork", "z", rate=g.Omega)
     block = fork.rotate("block", "-x", angle=g.gamma_1, rate=-g.gamma_rate)
@@ -29,11 +33,15 @@ def angular_acceleration(g):
 
 
 def orientation(g):
-    """Proof: the shaft's orientation in time, turned about e from the pin on; then all goes round with the fork."""
+    """Proof: the shaft's orientation in time, turned about e from the pin on; then all goes round
+    with the fork.
+    """
 
     def shaft(t):
         gamma, pin = g.gamma_1 - g.gamma_rate * t, [1, 0, 0]
-        return times(rot("z", g.Omega * t), spun([0, mp.sin(gamma), mp.cos(gamma)], pin, g.omega * t))
+        return times(
+            rot("z", g.Omega * t), spun([0, mp.sin(gamma), mp.cos(gamma)], pin, g.omega * t)
+        )
 
     return shaft
 

@@ -1,4 +1,5 @@
-"""Builds the notebook of an assignment, and each student's copy of it with their own numbers and figures.
+"""Builds the notebook of an assignment, and each student's copy of it with their own numbers and
+figures.
 
 ``fetch`` is not imported here: it imports nbgrader, which takes two seconds.
 """

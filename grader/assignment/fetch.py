@@ -1,7 +1,8 @@
 """Replaces nbgrader's fetch for students, so that each gets the copy with their own numbers.
 
-This file is copied into COURSE/student/ and runs on the students' side, where grader and exercises are not installed; it imports neither and
-holds no secret. The copies are made at release, in folders that can be entered but not listed, under names derived from the student ids.
+This file is copied into COURSE/student/ and runs on the students' side, where grader and exercises
+are not installed; it imports neither and holds no secret. The copies are made at release, in
+folders that can be entered but not listed, under names derived from the student ids.
 """
 
 import hashlib
@@ -19,7 +20,9 @@ def personal_name(course_id, assignment, student):
 
 
 class PersonalFetch(ExchangeFetchAssignment):
-    """Copies the released assignment, then the student's own notebooks over it; never over a file that the student already has."""
+    """Copies the released assignment, then the student's own notebooks over it; never over a file
+    that the student already has.
+    """
 
     def copy_files(self):
         student = self.coursedir.student_id
@@ -29,10 +32,14 @@ class PersonalFetch(ExchangeFetchAssignment):
         own = os.path.join(self.outbound_path, FOLDER, self.coursedir.assignment_id, name)
         if not os.path.isdir(own):
             self.fail(
-                f"{self.coursedir.assignment_id} has no copy for {student!r}. Ask the instructor to put you on the roster and to run: "
-                f"python -m grader personal {self.coursedir.assignment_id} --course COURSE --exchange"
+                f"{self.coursedir.assignment_id} has no copy for {student!r}. Ask the "
+                "instructor to put you on the roster and to run: "
+                f"python -m grader personal {self.coursedir.assignment_id} --course COURSE "
+                "--exchange"
             )
-        missing = [f for f in os.listdir(own) if not os.path.exists(os.path.join(self.dest_path, f))]
+        missing = [
+            f for f in os.listdir(own) if not os.path.exists(os.path.join(self.dest_path, f))
+        ]
         self.log.info("Source: %s", self.src_path)
         self.do_copy(self.src_path, self.dest_path)
         for name in missing:

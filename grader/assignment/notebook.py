@@ -1,11 +1,15 @@
-"""Builds the notebook of an assignment from the catalogue, and a student's copy of it with other numbers.
+"""Builds the notebook of an assignment from the catalogue, and a student's copy of it with other
+numbers.
 
-Notebooks are plain dicts here (the JSON of the format), because nbformat validates at every step and a class has hundreds. Each problem has four
-cells: the statement and the givens (with a student's own numbers, without an nbgrader id), the answer (editable; of a submission, the only text
+Notebooks are plain dicts here (the JSON of the format), because nbformat validates at every step
+and a class has hundreds. Each problem has four
+cells: the statement and the givens (with a student's own numbers, without an nbgrader id), the
+    answer (editable; of a submission, the only text
 that is used) and the receipt (locked, no points, checks the form of the answer).
 
-Courses keep what is written here: a change of cell ids, of grade ids, of MASTER_COPY or of the numbers and units in :func:`givens` makes assignments
-that are already handed out impossible to grade.
+Courses keep what is written here: a change of cell ids, of grade ids, of MASTER_COPY or of the
+numbers and units in :func:`givens` makes assignments that are already handed out impossible to
+grade.
 """
 
 import base64
@@ -65,7 +69,9 @@ def number(x):
 
 
 def statement(p, values, figure=True):
-    """The text of a problem with the student's numbers, as Markdown; the figure is the attachment ``figure.png``."""
+    """The text of a problem with the student's numbers, as Markdown; the figure is the attachment
+    ``figure.png``.
+    """
     mentioned = set()
 
     def substitute(match):
@@ -82,7 +88,12 @@ def statement(p, values, figure=True):
     if others:
         lines += [
             "",
-            "Given: " + ", ".join(f"{pretty(n)} = {number(values[n])}{_unit(p.givens[n].unit)} ({p.givens[n].means})" for n in others) + ".",
+            "Given: "
+            + ", ".join(
+                f"{pretty(n)} = {number(values[n])}{_unit(p.givens[n].unit)} ({p.givens[n].means})"
+                for n in others
+            )
+            + ".",
         ]
     if figure:
         lines += ["", f"![Figure: {_alt(p.figure)}](attachment:figure.png)"]
@@ -105,10 +116,17 @@ def givens(p, values):
     """The source of the cell that defines a student's numbers, and the symbols of a formula."""
     lines = [f"# {p.id}: what is given"]
     width = max((len(f"{n} = {number(values[n])}") for n in p.givens), default=0)
-    lines += [f"{f'{n} = {number(values[n])}':<{width}}  # {g.unit if g.unit != '1' else 'a ratio'}: {g.means}" for n, g in p.givens.items()]
+    lines += [
+        f"{f'{n} = {number(values[n])}':<{width}}  # {g.unit if g.unit != '1' else 'a ratio'}: "
+        f"{g.means}"
+        for n, g in p.givens.items()
+    ]
     if p.symbols:
         names = list(p.symbols)
-        lines.append(f'{", ".join(names)} = symbols("{" ".join(names)}", real=True)  # {", ".join(s.unit for s in p.symbols.values())}')
+        lines.append(
+            f'{", ".join(names)} = symbols("{" ".join(names)}", real=True)  # '
+            f"{', '.join(s.unit for s in p.symbols.values())}"
+        )
     return "\n".join(lines)
 
 
@@ -147,10 +165,21 @@ def answer_id(problem_id):
 
 
 def build_notebook(problems, title, seconds, figures=None):
-    """The source notebook of an assignment with the numbers of the book; ``figures``: {problem id: PNG}; ``seconds``: the time limit of a cell."""
+    """The source notebook of an assignment with the numbers of the book; ``figures``: {problem id:
+    PNG}; ``seconds``: the time limit of a cell.
+    """
     cells = [
-        _markdown("introduction", INTRODUCTION.format(title=title, seconds=seconds, whose=MASTER_COPY), {"role": "introduction"}),
-        _code("setup", SETUP.strip(), {"role": "setup"}, {"grade": False, "solution": False, "locked": True, "grade_id": "setup"}),
+        _markdown(
+            "introduction",
+            INTRODUCTION.format(title=title, seconds=seconds, whose=MASTER_COPY),
+            {"role": "introduction"},
+        ),
+        _code(
+            "setup",
+            SETUP.strip(),
+            {"role": "setup"},
+            {"grade": False, "solution": False, "locked": True, "grade_id": "setup"},
+        ),
     ]
     for p in problems:
         cells += _problem_cells(p, p.book_values, (figures or {}).get(p.id))
@@ -168,10 +197,23 @@ def build_notebook(problems, title, seconds, figures=None):
 
 def _problem_cells(p, values, figure):
     n, points = slug(p.id), len(p.answers)
-    # generate_assignment replaces the (empty) solution region by ClearSolutions.code_stub; a cell without one would lose its text
+    # generate_assignment replaces the (empty) solution region by ClearSolutions.code_stub; a cell
+    # without one would lose its text
     answer = starter(p).replace("\n", "\n### BEGIN SOLUTION\n### END SOLUTION\n", 1)
-    graded = {"grade": True, "solution": True, "locked": False, "grade_id": answer_id(p.id), "points": points}
-    locked = {"grade": True, "solution": False, "locked": True, "grade_id": f"receipt-{n}", "points": 0}
+    graded = {
+        "grade": True,
+        "solution": True,
+        "locked": False,
+        "grade_id": answer_id(p.id),
+        "points": points,
+    }
+    locked = {
+        "grade": True,
+        "solution": False,
+        "locked": True,
+        "grade_id": f"receipt-{n}",
+        "points": 0,
+    }
     return [
         _statement_cell(p, values, figure),
         _code(f"givens-{n}", givens(p, values), {"role": "givens", "problem": p.id}),
@@ -181,33 +223,59 @@ def _problem_cells(p, values, figure):
 
 
 def _statement_cell(p, values, figure):
-    cell = _markdown(f"statement-{slug(p.id)}", statement(p, values, figure is not None), {"role": "statement", "problem": p.id})
+    cell = _markdown(
+        f"statement-{slug(p.id)}",
+        statement(p, values, figure is not None),
+        {"role": "statement", "problem": p.id},
+    )
     if figure is not None:
         cell["attachments"] = {"figure.png": {"image/png": base64.b64encode(figure).decode()}}
     return cell
 
 
 def _markdown(cell_id, text, own):
-    return {"cell_type": "markdown", "id": cell_id, "metadata": {"newton_euler": own}, "source": text}
+    return {
+        "cell_type": "markdown",
+        "id": cell_id,
+        "metadata": {"newton_euler": own},
+        "source": text,
+    }
 
 
 def _code(cell_id, text, own, nbgrader=None):
     metadata = {"newton_euler": own}
     if nbgrader:
         metadata["nbgrader"] = {"schema_version": 3, "task": False, "cell_type": "code", **nbgrader}
-    return {"cell_type": "code", "id": cell_id, "metadata": metadata, "source": text, "outputs": [], "execution_count": None}
+    return {
+        "cell_type": "code",
+        "id": cell_id,
+        "metadata": metadata,
+        "source": text,
+        "outputs": [],
+        "execution_count": None,
+    }
 
 
 def personal_notebook(released, student, values, figures):
-    """The released notebook with a student's own numbers and figures; ``values`` and ``figures`` by problem."""
+    """The released notebook with a student's own numbers and figures; ``values`` and ``figures`` by
+    problem.
+    """
     cells = []
     for cell in released["cells"]:
         own = own_metadata(cell)
         role, number_of = own.get("role"), own.get("problem")
         if role == "statement":
-            cell = {**_statement_cell(find_problem(number_of), values[number_of], figures.get(number_of)), "metadata": cell["metadata"]}
+            cell = {
+                **_statement_cell(
+                    find_problem(number_of), values[number_of], figures.get(number_of)
+                ),
+                "metadata": cell["metadata"],
+            }
         elif role == "introduction":
-            cell = {**cell, "source": cell["source"].replace(MASTER_COPY, f"The copy of **{student}**.")}
+            cell = {
+                **cell,
+                "source": cell["source"].replace(MASTER_COPY, f"The copy of **{student}**."),
+            }
         elif role == "givens":
             cell = {**cell, "source": givens(find_problem(number_of), values[number_of])}
         cells.append(cell)
@@ -215,7 +283,9 @@ def personal_notebook(released, student, values, figures):
 
 
 def first_differing_problem(notebook, values):
-    """The first problem whose numbers or units in a personal notebook are not those of ``values``, or None."""
+    """The first problem whose numbers or units in a personal notebook are not those of ``values``,
+    or None.
+    """
     for cell in notebook["cells"]:
         own = own_metadata(cell)
         if own.get("role") == "givens":
@@ -226,7 +296,9 @@ def first_differing_problem(notebook, values):
 
 
 def _without_meanings(source):
-    """A givens cell without the explanation behind each unit, which may be reworded while a course runs."""
+    """A givens cell without the explanation behind each unit, which may be reworded while a course
+    runs.
+    """
     return re.sub(r"(#[^:\n]*):.*", r"\1", source)
 
 

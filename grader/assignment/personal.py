@@ -13,15 +13,23 @@ from .notebook import personal_notebook, problems_of
 
 
 def make_personal_copies(course, assignment, students=None, progress=None, workers=None):
-    """Write the personal copies of an assignment for ``students`` (default: the roster); returns {student: path}.
+    """Write the personal copies of an assignment for ``students`` (default: the roster); returns
+    {student: path}.
 
-    Figures depend on the numbers, so they are drawn for each student, on ``workers`` processes (default: one per processor).
+    Figures depend on the numbers, so they are drawn for each student, on ``workers`` processes
+    (default: one per processor).
     """
     students = list(students) if students is not None else course.roster()
     if unknown := sorted(set(students) - set(course.roster())):
-        raise CourseError(f"{', '.join(unknown)}: not on the roster; add the student first: nbgrader db student add {unknown[0]}")
+        raise CourseError(
+            f"{', '.join(unknown)}: not on the roster; add the student first: nbgrader db "
+            f"student add {unknown[0]}"
+        )
     if not students:
-        raise CourseError("nobody is on the roster; add students with: nbgrader db student add ID, or build --students roster.csv")
+        raise CourseError(
+            "nobody is on the roster; add students with: nbgrader db student add ID, or build "
+            "--students roster.csv"
+        )
     released = course.released(assignment)
     problems = problems_of(released)
     values = {s: course.values(assignment, s, problems) for s in students}
@@ -49,14 +57,18 @@ def _draw(figure):
 
 
 def master_notebook(course, assignment, student):
-    """The trusted notebook of a student: the personal copy if there is one, otherwise one made now, without figures."""
+    """The trusted notebook of a student: the personal copy if there is one, otherwise one made now,
+    without figures.
+    """
     path = course.personal_path(assignment, student)
     released = course.released(assignment)
     if path.exists():
         own = read_json(path)
         if [c["id"] for c in own["cells"]] == [c["id"] for c in released["cells"]]:
             return own
-    return personal_notebook(released, student, course.values(assignment, student, problems_of(released)), {})
+    return personal_notebook(
+        released, student, course.values(assignment, student, problems_of(released)), {}
+    )
 
 
 def master_bytes(course, assignment, student):
@@ -69,19 +81,25 @@ def master_bytes(course, assignment, student):
 
 
 def exchange_outbound(course, assignment):
-    """The folder of a released assignment in the exchange that the course's nbgrader_config.py names."""
+    """The folder of a released assignment in the exchange that the course's nbgrader_config.py
+    names.
+    """
     from nbgrader.exchange.default import Exchange
 
     outbound = Path(Exchange(config=course.config()).root) / course.name / "outbound" / assignment
     if not outbound.is_dir():
-        raise CourseError(f"{outbound} does not exist; release first: nbgrader release_assignment {assignment}")
+        raise CourseError(
+            f"{outbound} does not exist; release first: nbgrader release_assignment {assignment}"
+        )
     return outbound
 
 
 def copy_to_exchange(course, assignment, outbound, paths):
-    """Copy personal notebooks ({student: path}) beside ``outbound``, the exchange's folder of the released assignment.
+    """Copy personal notebooks ({student: path}) beside ``outbound``, the exchange's folder of the
+    released assignment.
 
-    Beside and not in it, so that a fetch without the course's configuration gets the released notebook and nobody's numbers.
+    Beside and not in it, so that a fetch without the course's configuration gets the released
+    notebook and nobody's numbers.
     """
     from .fetch import FOLDER, personal_name
 
@@ -100,7 +118,9 @@ def copy_to_exchange(course, assignment, outbound, paths):
 
 
 def _restrict_to_user(student, target):
-    """Make the copy readable by the student only, if this process may (root, as on most hubs) and the student is a user of the machine."""
+    """Make the copy readable by the student only, if this process may (root, as on most hubs) and
+    the student is a user of the machine.
+    """
     if os.geteuid() != 0:
         return
     try:

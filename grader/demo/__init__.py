@@ -1,4 +1,6 @@
-"""An example course with six students, from the build to the feedback pages: ``python -m grader demo``."""
+"""An example course with six students, from the build to the feedback pages:
+``python -m grader demo``.
+"""
 
 from .run import run_demo
 

@@ -1,4 +1,6 @@
-"""Runs the demo: builds and releases an assignment, plays six students, grades them, and writes their feedback pages."""
+"""Runs the demo: builds and releases an assignment, plays six students, grades them, and writes
+their feedback pages.
+"""
 
 import contextlib
 import logging
@@ -21,11 +23,15 @@ STUDENTS = {
     "eve": "has a syntax error in one cell",
     "mallory": "hostile: cell tags, forged outputs, a patched checker",
 }
-DEMO_CONFIG = "\nfrom pathlib import Path\n\nc.Exchange.root = str(Path(__file__).resolve().parent / 'exchange')  # an exchange of the demo's own\n"
+DEMO_CONFIG = (
+    "\nfrom pathlib import Path\n\nc.Exchange.root = str(Path(__file__).resolve().parent / "
+    "'exchange')  # an exchange of the demo's own\n"
+)
 
 
 def run_demo(folder, only, console, bar):
-    """Make a course in ``folder`` and take it through all steps; exits with 1 if a student's points are not as expected.
+    """Make a course in ``folder`` and take it through all steps; exits with 1 if a student's points
+    are not as expected.
 
     only : numbers of the problems to include; default: all. bar : makes a ``rich`` progress bar.
     """
@@ -33,23 +39,34 @@ def run_demo(folder, only, console, bar):
     console.print(f"[bold]A course in {folder}[/]")
     with bar() as progress:
         course, _ = build_assignment(folder, CHAPTER, None, only, False, progress)
-    course.enrol([{"id": s, "first_name": s.capitalize(), "last_name": what} for s, what in STUDENTS.items()])
+    course.enrol(
+        [{"id": s, "first_name": s.capitalize(), "last_name": what} for s, what in STUDENTS.items()]
+    )
     exchange = course.path / "exchange"
     exchange.mkdir(mode=0o777)
     with open(course.path / "nbgrader_config.py", "a", encoding="utf-8") as f:
         f.write(DEMO_CONFIG)
-    console.print("[bold]Release:[/] nbgrader generate_assignment and release_assignment, and each student's own numbers and figures")
+    console.print(
+        "[bold]Release:[/] nbgrader generate_assignment and release_assignment, and each "
+        "student's own numbers and figures"
+    )
     api = nbgrader_api(course)
     require_success(api.generate_assignment(CHAPTER))
     with bar() as progress:
         task = progress.add_task("personal copies", total=1.0)
-        paths = make_personal_copies(course, CHAPTER, progress=lambda share: progress.advance(task, share))
-    _exchange_step(course, "release_assignment")  # nbgrader's own step, which does not draw the personal copies again
+        paths = make_personal_copies(
+            course, CHAPTER, progress=lambda share: progress.advance(task, share)
+        )
+    # nbgrader's own step, which does not draw the personal copies again
+    _exchange_step(course, "release_assignment")
     copy_to_exchange(course, CHAPTER, exchange / course.name / "outbound" / CHAPTER, paths)
     console.print("[bold]Fetch, work, submit:[/] six students")
     expected = _fetch_and_submit(course, console)
     _exchange_step(course, "collect")
-    console.print("[bold]Grade:[/] rebuild each notebook, run its answers in the sandbox, score them in a process that runs no student code")
+    console.print(
+        "[bold]Grade:[/] rebuild each notebook, run its answers in the sandbox, score them in "
+        "a process that runs no student code"
+    )
     with bar() as progress:
         task = progress.add_task("grading", total=len(STUDENTS))
         results = grade(course, CHAPTER, progress=lambda r: progress.advance(task))
@@ -63,14 +80,19 @@ def run_demo(folder, only, console, bar):
     console.print(diagnosis_table([r for r in results if r.student == "ben"], most=8))
     unexpected = [r for r in results if r.problem or r.points != expected[r.student]]
     for r in unexpected:
-        console.print(f"[red]{r.student}: expected {expected[r.student]:g} points, got {r.points:g}. {r.problem}[/]")
+        console.print(
+            f"[red]{r.student}: expected {expected[r.student]:g} points, got {r.points:g}. "
+            f"{r.problem}[/]"
+        )
     _print_paths(course, console, time.perf_counter() - start)
     if unexpected or len(results) != len(STUDENTS):
         sys.exit(1)
 
 
 def _fetch_and_submit(course, console):
-    """Fetch, fill in and submit the assignment for every student; returns {student: the expected points}."""
+    """Fetch, fill in and submit the assignment for every student; returns {student: the expected
+    points}.
+    """
     expected = {}
     for student, what in STUDENTS.items():
         home = course.path / "homes" / student
@@ -79,7 +101,8 @@ def _fetch_and_submit(course, console):
         path = home / CHAPTER / f"{CHAPTER}.ipynb"
         fetched = read_json(path)
         problems = problems_of(fetched)
-        values = course.values(CHAPTER, student, problems)  # a real student reads them in the notebook
+        # a real student reads them in the notebook
+        values = course.values(CHAPTER, student, problems)
         notebook, expected[student] = _filled_in(student, fetched, problems, values)
         path.chmod(0o644)
         write_json(path, notebook)
@@ -103,7 +126,9 @@ def _filled_in(student, fetched, problems, values):
         return sample.fill_in(fetched, texts), total - wrong
     if student == "cleo":
         half = problems[: len(problems) // 2]
-        return sample.fill_in(fetched, {p.id: texts[p.id] for p in half}), sum(len(p.answers) for p in half)
+        return sample.fill_in(fetched, {p.id: texts[p.id] for p in half}), sum(
+            len(p.answers) for p in half
+        )
     if student == "dan":
         return fetched, 0
     if student == "eve":
@@ -129,7 +154,9 @@ def require_success(result):
 
 
 def _exchange_step(course, step, student="*", home=None):
-    """Run one step of nbgrader's exchange in this process, since its command line takes 2.4 s to start."""
+    """Run one step of nbgrader's exchange in this process, since its command line takes 2.4 s to
+    start.
+    """
     from nbgrader.auth import Authenticator
     from nbgrader.coursedir import CourseDirectory
     from nbgrader.exchange import default
@@ -154,7 +181,9 @@ def _exchange_step(course, step, student="*", home=None):
         os.environ.update(dict.fromkeys(before, student) if home else {})
         try:
             coursedir = CourseDirectory(config=config)
-            steps[step](coursedir=coursedir, authenticator=Authenticator(config=config), config=config).start()
+            steps[step](
+                coursedir=coursedir, authenticator=Authenticator(config=config), config=config
+            ).start()
         finally:
             for k, v in before.items():
                 os.environ.pop(k, None) if v is None else os.environ.__setitem__(k, v)
@@ -162,9 +191,18 @@ def _exchange_step(course, step, student="*", home=None):
 
 def _print_paths(course, console, seconds):
     console.print(f"\nDone in {seconds:.0f} s. Look at")
-    console.print(f"  what a student fetches   {course.path / 'homes/dan' / CHAPTER / (CHAPTER + '.ipynb')}", soft_wrap=True)
-    console.print(f"  a feedback page          {course.path / 'feedback/ben' / CHAPTER / (CHAPTER + '.html')}", soft_wrap=True)
     console.print(
-        f"  the gradebook            {course.path / 'gradebook.db'}: cd {course.path} && jupyter lab, then Nbgrader > Formgrader", soft_wrap=True
+        f"  what a student fetches   {course.path / 'homes/dan' / CHAPTER / (CHAPTER + '.ipynb')}",
+        soft_wrap=True,
+    )
+    console.print(
+        "  a feedback page          "
+        f"{course.path / 'feedback/ben' / CHAPTER / (CHAPTER + '.html')}",
+        soft_wrap=True,
+    )
+    console.print(
+        f"  the gradebook            {course.path / 'gradebook.db'}: cd {course.path} && "
+        "jupyter lab, then Nbgrader > Formgrader",
+        soft_wrap=True,
     )
     console.print("Next: python -m grader build --help says how to make a course of your own.")

@@ -1,4 +1,6 @@
-"""Sample students for the demo and the tests: the texts of their answer cells, and what a hostile one changes in the notebook."""
+"""Sample students for the demo and the tests: the texts of their answer cells, and what a hostile
+one changes in the notebook.
+"""
 
 import copy
 
@@ -26,16 +28,25 @@ def _source(nested):
 
 
 def answers_without_a_term(p, values):
-    """(answers, wrong keys) of a student who makes the first listed mistake that leaves out a term; without one, the right answers."""
-    name = next((m for m, text in p.mistakes.items() if "leaves out" in text or "leaving out" in text), None)
+    """(answers, wrong keys) of a student who makes the first listed mistake that leaves out a term;
+    without one, the right answers.
+    """
+    name = next(
+        (m for m, text in p.mistakes.items() if "leaves out" in text or "leaving out" in text), None
+    )
     if name is None:
         return right_answers(p, values), []
     wrong = p.in_units(p.code.mistakes(p.base({**p.sympy_symbols(), **values}))[name])
-    return {**right_answers(p, values), **{key: literal(p.answer(key), v) for key, v in wrong.items()}}, list(wrong)
+    return {
+        **right_answers(p, values),
+        **{key: literal(p.answer(key), v) for key, v in wrong.items()},
+    }, list(wrong)
 
 
 def cell_text(p, answers):
-    """The text of an answer cell with these literals, and for formulas the functions that they need."""
+    """The text of an answer cell with these literals, and for formulas the functions that they
+    need.
+    """
     head = "from sympy import Abs, cos, pi, sin, sqrt, tan\n" if p.symbolic else ""
     return head + "\n".join(f"{key} = {text}" for key, text in answers.items())
 
@@ -74,14 +85,23 @@ for fd in range(3, 64):                                                       # 
 
 
 def hostile(notebook, problems):
-    """A notebook without an answer that tries all that earns full points in plain nbgrader: tags, forged outputs, points, copied and edited tests."""
+    """A notebook without an answer that tries all that earns full points in plain nbgrader: tags,
+    forged outputs, points, copied and edited tests.
+    """
     forged = fill_in(notebook, {p.id: HOSTILE for p in problems})
     copies = []
     for c in forged["cells"]:
         c["metadata"]["tags"] = ["skip-execution", "raises-exception"]
         if own_metadata(c).get("role") in ("receipt", "answer"):
             c["metadata"]["nbgrader"]["points"] = 1000
-            c["outputs"] = [{"output_type": "execute_result", "execution_count": 1, "metadata": {}, "data": {"text/plain": "1000.0"}}]
+            c["outputs"] = [
+                {
+                    "output_type": "execute_result",
+                    "execution_count": 1,
+                    "metadata": {},
+                    "data": {"text/plain": "1000.0"},
+                }
+            ]
             c["metadata"]["nbgrader"]["locked"] = False
         if own_metadata(c).get("role") == "receipt":
             c["source"] = "1000.0"

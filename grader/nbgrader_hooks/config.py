@@ -1,4 +1,6 @@
-"""nbgrader's configuration for a course: replaces three of its steps, the exchange's fetch and release, and the feedback page."""
+"""nbgrader's configuration for a course: replaces three of its steps, the exchange's fetch and
+release, and the feedback page.
+"""
 
 import warnings
 from pathlib import Path
@@ -10,8 +12,11 @@ PREPROCESSORS = "grader.nbgrader_hooks.preprocessors"
 
 
 def configure(c, course):
-    """Set nbgrader's configuration object ``c`` for the course whose ``nbgrader_config.py`` has the path ``course``."""
-    warnings.filterwarnings("ignore", module="sqlalchemy")  # nbgrader 0.9 on SQLAlchemy 2.1: three warnings without effect
+    """Set nbgrader's configuration object ``c`` for the course whose ``nbgrader_config.py`` has the
+    path ``course``.
+    """
+    # nbgrader 0.9 on SQLAlchemy 2.1: three warnings without effect
+    warnings.filterwarnings("ignore", module="sqlalchemy")
     root = Path(course).resolve().parent
     c.CourseDirectory.root = str(root)
     c.CourseDirectory.db_url = f"sqlite:///{root / 'gradebook.db'}"
@@ -34,7 +39,8 @@ def configure(c, course):
     for name in ("RebuildFromSource", "HarvestExecute"):
         c[name].course_path = str(root)
 
-    # the feedback page has the name of nbgrader's own, which the formgrader asks for; the formgrader's other templates stay reachable
+    # the feedback page has the name of nbgrader's own, which the formgrader asks for; the
+    # formgrader's other templates stay reachable
     c.HTMLExporter.extra_template_basedirs = [
         str(Path(__file__).with_name("templates")),
         str(Path(nbgrader.__file__).parent / "server_extensions/formgrader/templates"),

@@ -15,7 +15,9 @@ class ReleaseWithPersonal(ExchangeReleaseAssignment):
         students = course.roster()
         if not students:
             self.log.warning(
-                "Nobody is on the roster: no personal copies. Add students, then: python -m grader personal %s --course . --exchange", assignment
+                "Nobody is on the roster: no personal copies. Add students, then: python "
+                "-m grader personal %s --course . --exchange",
+                assignment,
             )
             return
         paths = make_personal_copies(course, assignment, students)

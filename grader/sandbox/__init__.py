@@ -1,4 +1,6 @@
-"""Runs student code in a process that reaches no key, no other submission, no file of the instructor and no network."""
+"""Runs student code in a process that reaches no key, no other submission, no file of the
+instructor and no network.
+"""
 
 from .harvester import CELL_SECONDS, Harvester, HarvestError
 

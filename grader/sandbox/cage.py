@@ -1,13 +1,16 @@
-"""Runs student code in a sandboxed child process. This file is a script of its own: it does not import the exercises and holds no key.
+"""Runs student code in a sandboxed child process. This file is a script of its own: it does not
+import the exercises and holds no key.
 
-``python -I cage.py`` imports what student code may use, then waits for jobs (JSON: cells, givens, forms, limits). For each job it forks a child,
-isolates it, and lets it run the cells; the child sends one line of JSON per problem through a pipe, which is read as data, up to a limit and until a
+``python -I cage.py`` imports what student code may use, then waits for jobs (JSON: cells, givens,
+forms, limits). For each job it forks a child, isolates it, and lets it run the cells; the child
+sends one line of JSON per problem through a pipe, which is read as data, up to a limit and until a
 deadline. Only the parent, which runs no student code, writes to stdout: one reply per job.
 
-The isolation (the "cage"): Linux namespaces (user, mount, pid, network, ipc, uts), a read-only root with nothing but the interpreter and its
-libraries, resource limits, an unprivileged user, no capabilities, no new privileges. Where the kernel refuses namespaces, the child has the resource
-limits only and the result says "unsandboxed". Processes that the child leaves running become children of the parent, which kills them before the next
-job.
+The isolation (the "cage"): Linux namespaces (user, mount, pid, network, ipc, uts), a read-only root
+with nothing but the interpreter and its libraries, resource limits, an unprivileged user, no
+capabilities, no new privileges. Where the kernel refuses namespaces, the child has the resource
+limits only and the result says "unsandboxed". Processes that the child leaves running become
+children of the parent, which kills them before the next job.
 """
 
 import contextlib
@@ -28,13 +31,38 @@ import time
 
 OUTPUT_LIMIT = 2**20  # bytes of the receipts of one submission
 LINE_LIMIT = 2**16  # bytes of the receipt of one problem
-DEPTH = 400  # of nested lists in a receipt; writing JSON that is nested deeper would exceed the recursion limit
+# of nested lists in a receipt; writing JSON that is nested deeper would exceed the recursion limit
+DEPTH = 400
 MEMORY = 3 * 2**30
-CLONE = {"mount": 0x20000, "uts": 0x4000000, "ipc": 0x8000000, "user": 0x10000000, "pid": 0x20000000, "net": 0x40000000}
-MS_RDONLY, MS_NOSUID, MS_NODEV, MS_REMOUNT, MS_BIND, MS_REC, MS_PRIVATE = 1, 2, 4, 32, 4096, 16384, 1 << 18
+CLONE = {
+    "mount": 0x20000,
+    "uts": 0x4000000,
+    "ipc": 0x8000000,
+    "user": 0x10000000,
+    "pid": 0x20000000,
+    "net": 0x40000000,
+}
+MS_RDONLY, MS_NOSUID, MS_NODEV, MS_REMOUNT, MS_BIND, MS_REC, MS_PRIVATE = (
+    1,
+    2,
+    4,
+    32,
+    4096,
+    16384,
+    1 << 18,
+)
 PIVOT_ROOT = {"x86_64": 155, "aarch64": 41}
 NOBODY = 65534
-PRELOAD = ("numpy", "sympy", "mpmath", "scipy.linalg", "scipy.optimize", "scipy.integrate", "newton_euler", "newton_euler.classroom.answers")
+PRELOAD = (
+    "numpy",
+    "sympy",
+    "mpmath",
+    "scipy.linalg",
+    "scipy.optimize",
+    "scipy.integrate",
+    "newton_euler",
+    "newton_euler.classroom.answers",
+)
 
 
 class Refused(OSError):
@@ -60,16 +88,35 @@ def _mount(libc, source, target, kind, flags, data=None):
 
 
 def readable_places():
-    """(folders, links) that student code may read: interpreter, installed libraries, engine, chapters; never the course or the exercises."""
+    """(folders, links) that student code may read: interpreter, installed libraries, engine,
+    chapters; never the course or the exercises.
+    """
     engine = os.path.dirname(os.path.abspath(importlib.import_module("newton_euler").__file__))
-    chapters = importlib.import_module("newton_euler.chapters").__path__  # in a checkout they are beside the engine
-    wanted = [engine, *chapters, "/usr/lib", "/usr/lib64", "/usr/local/lib", "/lib", "/lib64", "/etc/ld.so.cache", "/usr/share/zoneinfo"]
+    # in a checkout they are beside the engine
+    chapters = importlib.import_module("newton_euler.chapters").__path__
+    wanted = [
+        engine,
+        *chapters,
+        "/usr/lib",
+        "/usr/lib64",
+        "/usr/local/lib",
+        "/lib",
+        "/lib64",
+        "/etc/ld.so.cache",
+        "/usr/share/zoneinfo",
+    ]
     # not the whole prefixes: /usr and /usr/local also contain /usr/local/share/nbgrader/exchange
     wanted += [
-        os.path.join(prefix, lib) for prefix in (sys.base_prefix, sys.prefix, sys.base_exec_prefix, sys.exec_prefix) for lib in ("lib", "lib64")
+        os.path.join(prefix, lib)
+        for prefix in (sys.base_prefix, sys.prefix, sys.base_exec_prefix, sys.exec_prefix)
+        for lib in ("lib", "lib64")
     ]
     wanted += [sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")]
-    wanted += [p for p in sys.path if os.path.isdir(p) and os.path.basename(p) in ("site-packages", "dist-packages")]
+    wanted += [
+        p
+        for p in sys.path
+        if os.path.isdir(p) and os.path.basename(p) in ("site-packages", "dist-packages")
+    ]
     found = []
     for place in sorted({os.path.realpath(p) for p in wanted if os.path.exists(p)}, key=len):
         if place != "/" and not any(place == f or place.startswith(f + "/") for f in found):
@@ -84,13 +131,19 @@ def _enter_namespaces(libc):
     kinds = [k for k in CLONE if k != "user" or not root]
     _call(libc.unshare, sum(CLONE[k] for k in kinds))
     if not root:
-        for path, text in (("setgroups", "deny"), ("uid_map", f"{uid} {uid} 1"), ("gid_map", f"{gid} {gid} 1")):
+        for path, text in (
+            ("setgroups", "deny"),
+            ("uid_map", f"{uid} {uid} 1"),
+            ("gid_map", f"{gid} {gid} 1"),
+        ):
             with open(f"/proc/self/{path}", "w") as f:
                 f.write(text)
 
 
 def _build_root(libc):
-    """Make a new root on tmpfs that contains the readable places and nothing else, and change to it."""
+    """Make a new root on tmpfs that contains the readable places and nothing else, and change to
+    it.
+    """
     places, links = readable_places()
     _mount(libc, None, "/", None, MS_REC | MS_PRIVATE)
     root = _mount_point(places)
@@ -105,7 +158,13 @@ def _build_root(libc):
             os.makedirs(os.path.dirname(target), exist_ok=True)
             open(target, "w").close()
         _mount(libc, place, target, None, MS_BIND | MS_REC)
-        _mount(libc, None, target, None, MS_BIND | MS_REMOUNT | MS_RDONLY | MS_NOSUID | _kept_flags(place))
+        _mount(
+            libc,
+            None,
+            target,
+            None,
+            MS_BIND | MS_REMOUNT | MS_RDONLY | MS_NOSUID | _kept_flags(place),
+        )
     for link, real in links:
         with contextlib.suppress(FileExistsError):
             os.makedirs(os.path.dirname(root + link), exist_ok=True)
@@ -124,17 +183,30 @@ def _build_root(libc):
 
 
 def _mount_point(places):
-    """An existing folder to mount the new root on; it contains none of the places that the new root must show."""
+    """An existing folder to mount the new root on; it contains none of the places that the new root
+    must show.
+    """
     for folder in ("/mnt", "/srv", "/media", "/opt", "/var/tmp", "/tmp"):
-        if os.path.isdir(folder) and not any(p == folder or p.startswith(folder + "/") for p in places):
+        if os.path.isdir(folder) and not any(
+            p == folder or p.startswith(folder + "/") for p in places
+        ):
             return folder
-    raise Refused(2, "no folder to mount the cage on: all of /mnt, /srv, /media, /opt, /var/tmp and /tmp hold parts of Python")
+    raise Refused(
+        2,
+        "no folder to mount the cage on: all of /mnt, /srv, /media, /opt, /var/tmp and /tmp "
+        "hold parts of Python",
+    )
 
 
 def _kept_flags(place):
     """The flags of the mount that a remount in a user namespace must keep."""
     flags = os.statvfs(place).f_flag
-    return (flags & os.ST_NODEV and MS_NODEV) | (flags & os.ST_NOEXEC and 8) | (flags & os.ST_NOATIME and 1024) | (flags & os.ST_RELATIME and 1 << 21)
+    return (
+        (flags & os.ST_NODEV and MS_NODEV)
+        | (flags & os.ST_NOEXEC and 8)
+        | (flags & os.ST_NOATIME and 1024)
+        | (flags & os.ST_RELATIME and 1 << 21)
+    )
 
 
 def _memory_in_use():
@@ -172,7 +244,8 @@ def _drop_privileges(libc, uid):
             os.setresgid(NOBODY, NOBODY, NOBODY)
             os.setresuid(NOBODY, NOBODY, NOBODY)
     if linux:
-        # the creator of a user namespace has all capabilities in it and could make the mounts writable again
+        # the creator of a user namespace has all capabilities in it and could make the mounts
+        # writable again
         _call(libc.capset, (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)())
         libc.prctl(38, 1, 0, 0, 0)  # PR_SET_NO_NEW_PRIVS
         libc.prctl(1, signal.SIGKILL, 0, 0, 0)  # PR_SET_PDEATHSIG: die with the parent
@@ -199,7 +272,8 @@ def _caged(job, out, mode_out):
             _enter_namespaces(libc)
         except (OSError, AttributeError) as error:
             caged, job["refused"] = False, str(error)
-    inner = os.fork() if caged else 0  # the first child of a new pid namespace is its init: when it dies, the kernel kills all others
+    # the first child of a new pid namespace is its init: when it dies, the kernel kills all others
+    inner = os.fork() if caged else 0
     if inner:
         libc.prctl(1, signal.SIGKILL, 0, 0, 0)
         os.close(out)
@@ -216,7 +290,12 @@ def _caged(job, out, mode_out):
     # after the namespaces, since making them would count against the limits
     _limit(job["seconds"], used)
     _drop_privileges(libc, job.get("uid", NOBODY))
-    os.write(mode_out, b"namespaces" if caged else b"unsandboxed: " + str(job.get("refused", "asked for")).encode()[:200])
+    os.write(
+        mode_out,
+        b"namespaces"
+        if caged
+        else b"unsandboxed: " + str(job.get("refused", "asked for")).encode()[:200],
+    )
     os.close(mode_out)
     try:
         run_cells(job, lambda line: os.write(out, line))
@@ -232,7 +311,9 @@ class _TooLong(Exception):
 
 
 def run_cells(job, send):
-    """Run the answer cells in order, with common variables, and send the receipt of each problem as a line of JSON."""
+    """Run the answer cells in order, with common variables, and send the receipt of each problem as
+    a line of JSON.
+    """
     answers = importlib.import_module("newton_euler.classroom.answers")
     space = {"__name__": "__main__", "__builtins__": __builtins__}
     _run(job.get("setup", ""), space, job["cell_seconds"])
@@ -240,17 +321,28 @@ def run_cells(job, send):
         forms = {key: answers.Form.read(text) for key, text in problem["forms"].items()}
         for key in forms:
             space.pop(key, None)
-        error = _run(problem["givens"], space, job["cell_seconds"]) or _run(problem["cell"], space, job["cell_seconds"])
+        error = _run(problem["givens"], space, job["cell_seconds"]) or _run(
+            problem["cell"], space, job["cell_seconds"]
+        )
         try:
             signal.setitimer(signal.ITIMER_REAL, job["cell_seconds"])
-            read, faults = answers.record(forms, problem["symbols"], {key: space.get(key) for key in forms})
+            read, faults = answers.record(
+                forms, problem["symbols"], {key: space.get(key) for key in forms}
+            )
         except BaseException as fault:
             read, faults = {}, {key: f"{type(fault).__name__}: {fault}"[:300] for key in forms}
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
         line = json.dumps({"id": problem["id"], "answers": read, "faults": faults, "error": error})
         if len(line) > LINE_LIMIT:
-            line = json.dumps({"id": problem["id"], "answers": {}, "faults": {}, "error": "the answers are too long to be read"})
+            line = json.dumps(
+                {
+                    "id": problem["id"],
+                    "answers": {},
+                    "faults": {},
+                    "error": "the answers are too long to be read",
+                }
+            )
         send(line.encode() + b"\n")
 
 
@@ -258,7 +350,10 @@ def _run(text, space, seconds):
     """Run one cell; returns the error as a sentence, or None."""
 
     def too_long(*_):
-        raise _TooLong(f"the cell ran longer than {seconds:g} s; look for a loop that does not end, or a simplify on a long formula")
+        raise _TooLong(
+            f"the cell ran longer than {seconds:g} s; look for a loop that does not end, or a "
+            "simplify on a long formula"
+        )
 
     magics = re.sub(r"(?m)^(\s*)[%!].*$", r"\1pass", text)
     signal.signal(signal.SIGALRM, too_long)
@@ -288,7 +383,9 @@ def _line_of(error):
 
 
 def _watch(pid, out, mode, seconds):
-    """Read what the child sends, up to the limits and the deadline, then kill it and all its descendants; returns (data, sandbox, how it ended)."""
+    """Read what the child sends, up to the limits and the deadline, then kill it and all its
+    descendants; returns (data, sandbox, how it ended).
+    """
     deadline, data, how, ended = time.monotonic() + seconds, bytearray(), b"", "done"
     open_ends = [out, mode]
     while open_ends:
@@ -335,7 +432,9 @@ def _end(pid):
 
 
 def _freeze():
-    """Stop all descendants until none runs that could start another; killing the processes of a fork bomb one by one only makes room for more."""
+    """Stop all descendants until none runs that could start another; killing the processes of a
+    fork bomb one by one only makes room for more.
+    """
     quiet = 0
     while quiet < 3:
         running = [p for p, state in _descendants().items() if state not in "TtZX"]
@@ -369,7 +468,9 @@ def _descendants():
 
 
 def _receipts(data):
-    """The lines of ``data`` that are receipts. Ids are not checked here but by the grader, which knows the problems."""
+    """The lines of ``data`` that are receipts. Ids are not checked here but by the grader, which
+    knows the problems.
+    """
     found = []
     for line in data.split(b"\n"):
         try:
@@ -384,15 +485,23 @@ def _receipts(data):
 def _is_shallow(value):
     level = [value]
     for _ in range(DEPTH):
-        level = [x for v in level if isinstance(v, (list, dict)) for x in (v.values() if isinstance(v, dict) else v)]
+        level = [
+            x
+            for v in level
+            if isinstance(v, (list, dict))
+            for x in (v.values() if isinstance(v, dict) else v)
+        ]
         if not level:
             return True
     return False
 
 
 def run_job(job):
-    """Run a job in a sandboxed child; returns {"receipts": [...], "sandbox": how, "ended": how, "seconds": elapsed}."""
-    job = {"uid": 2**20 + os.getpid(), **job}  # a separate user for each worker, so that limits counted by user do not affect other workers
+    """Run a job in a sandboxed child; returns {"receipts": [...], "sandbox": how, "ended": how,
+    "seconds": elapsed}.
+    """
+    # a separate user for each worker, so that limits counted by user do not affect other workers
+    job = {"uid": 2**20 + os.getpid(), **job}
     out, out_end = os.pipe()
     mode, mode_end = os.pipe()
     start = time.perf_counter()
@@ -409,15 +518,23 @@ def run_job(job):
     data, how, ended = _watch(pid, out, mode, job["seconds"])
     os.close(out)
     os.close(mode)
-    return {"receipts": _receipts(data), "sandbox": how or "failed", "ended": ended, "seconds": round(time.perf_counter() - start, 4)}
+    return {
+        "receipts": _receipts(data),
+        "sandbox": how or "failed",
+        "ended": ended,
+        "seconds": round(time.perf_counter() - start, 4),
+    }
 
 
 def main():
-    """Import the libraries, then serve jobs: length-prefixed JSON on stdin, length-prefixed JSON on stdout."""
+    """Import the libraries, then serve jobs: length-prefixed JSON on stdin, length-prefixed JSON on
+    stdout.
+    """
     for name in PRELOAD:
         importlib.import_module(name)
     sympy = sys.modules["sympy"]
-    # what every submission would have to repeat: the first sum imports sympy.tensor, which takes as long as all cells of a notebook together
+    # what every submission would have to repeat: the first sum imports sympy.tensor, which takes as
+    # long as all cells of a notebook together
     x, y = sympy.symbols("x y", real=True)
     str(
         sympy.sqrt(sympy.sin(x) ** 2 / 3 + y * sympy.tan(x) - sympy.Abs(y))

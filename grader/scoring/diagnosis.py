@@ -1,4 +1,6 @@
-"""Finds the mistake that explains a wrong answer. A mistake is reported only if it alone fits the answer and differs clearly from the key."""
+"""Finds the mistake that explains a wrong answer. A mistake is reported only if it alone fits the
+answer and differs clearly from the key.
+"""
 
 import numpy as np
 
@@ -15,7 +17,8 @@ FACTORS = {
 def diagnose(problem, answer, given, key, sample, mistakes, rtol):
     """The mistake that gives the wrong answer ``given``, as a sentence for the student, or None.
 
-    Arrays have the shape (components, points); ``mistakes`` maps the names of the problem's listed mistakes to the answers that they give.
+    Arrays have the shape (components, points); ``mistakes`` maps the names of the problem's listed
+    mistakes to the answers that they give.
     """
     listed = [(problem.mistakes[name], numbers) for name, numbers in mistakes.items()]
     for candidates in (
@@ -43,7 +46,11 @@ def _only_fit(candidates, given, key, rtol):
         far = np.sqrt(((numbers - key) ** 2).sum(axis=0)) >= SEPARATION * np.maximum(size, own)
         gap = np.sqrt(((numbers - given) ** 2).sum(axis=0))
         exists = np.isfinite(own) & np.isfinite(size)
-        if exists.any() and far[exists].mean() >= 0.5 and (gap <= np.maximum(rtol * own, 1e-9 * size))[exists].all():
+        if (
+            exists.any()
+            and far[exists].mean() >= 0.5
+            and (gap <= np.maximum(rtol * own, 1e-9 * size))[exists].all()
+        ):
             fits.append((text, numbers))
     texts = list(dict.fromkeys(text for text, _ in fits))
     return None if not texts else texts[0] if len(texts) == 1 else ""
@@ -51,7 +58,9 @@ def _only_fit(candidates, given, key, rtol):
 
 def _key_with(problem, answer, sample, **changes):
     g = problem.base(sample)
-    return problem.in_units({answer.key: problem.code.solve(g.but(**changes))[answer.key]})[answer.key]
+    return problem.in_units({answer.key: problem.code.solve(g.but(**changes))[answer.key]})[
+        answer.key
+    ]
 
 
 def _numbers(value, sample):
@@ -60,7 +69,9 @@ def _numbers(value, sample):
 
 
 def _term_mistakes(problem, answer, sample):
-    """Mistakes in the named terms of the key: a term left out, a term with the opposite sign, the Coriolis term without its factor 2."""
+    """Mistakes in the named terms of the key: a term left out, a term with the opposite sign, the
+    Coriolis term without its factor 2.
+    """
     right = _key_with(problem, answer, sample)
     if not isinstance(right, Vector) or not right.terms:
         return
@@ -68,9 +79,13 @@ def _term_mistakes(problem, answer, sample):
         term = term_text(name, right.equation)
         yield f"leaves out {term}", _numbers(right.reweighted(**{name: 0}), sample)
         yield f"has {term} with the opposite sign", _numbers(right.reweighted(**{name: -1}), sample)
-    halved = {name: 0.5 for name in right.terms if name.startswith("coriolis")}  # spherical components have three of them
+    # spherical components have three of them
+    halved = {name: 0.5 for name in right.terms if name.startswith("coriolis")}
     if halved:
-        yield "writes the Coriolis term without the factor 2", _numbers(right.reweighted(**halved), sample)
+        yield (
+            "writes the Coriolis term without the factor 2",
+            _numbers(right.reweighted(**halved), sample),
+        )
 
 
 def term_text(name, equation):
@@ -82,16 +97,23 @@ def term_text(name, equation):
 
 
 def _unit_mistakes(problem, answer, sample):
-    """Mistakes in units: a given used with its number in degrees or revolutions, without conversion to radians or seconds."""
+    """Mistakes in units: a given used with its number in degrees or revolutions, without conversion
+    to radians or seconds.
+    """
     g = problem.base(sample)
     for name, quantity in problem.givens.items():
         if any(unit in quantity.unit for unit in ("deg", "rev", "rpm")):
             wrong = _key_with(problem, answer, sample, **{name: g.stated(name)})
-            yield f"uses {name} in {quantity.unit} as if it were in radians (and seconds)", _numbers(wrong, sample)
+            yield (
+                f"uses {name} in {quantity.unit} as if it were in radians (and seconds)",
+                _numbers(wrong, sample),
+            )
 
 
 def _whole_answer_mistakes(problem, answer, key, sample):
-    """Mistakes in the answer as a whole: its sign, a factor of units, components in another frame, a transposed rotation matrix."""
+    """Mistakes in the answer as a whole: its sign, a factor of units, components in another frame,
+    a transposed rotation matrix.
+    """
     yield "has the opposite sign in every component: check the direction", -key
     for name, factor in FACTORS.items():
         yield f"is {factor:.4g} times too large ({name})", factor * key
@@ -105,7 +127,16 @@ def _whole_answer_mistakes(problem, answer, key, sample):
         if any(np.abs(numbers - other).max() <= 1e-9 * np.abs(numbers).max() for other in seen):
             continue  # its axes are parallel to those of a frame already tried
         seen.append(numbers)
-        yield f"has the right vector, but its components along the axes of the {frame.name}, not those asked for", numbers
+        yield (
+            (
+                f"has the right vector, but its components along the axes of the {frame.name}, not "
+                "those asked for"
+            ),
+            numbers,
+        )
         turned = Vector(right.c, frame).components(right.frame)
-        wrong_way = f"turns the components the wrong way between the {frame.name} and the axes asked for (a transposed matrix)"
+        wrong_way = (
+            f"turns the components the wrong way between the {frame.name} and the axes asked "
+            "for (a transposed matrix)"
+        )
         yield wrong_way, _numbers(turned, sample)

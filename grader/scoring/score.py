@@ -1,7 +1,8 @@
 """Computes the points of a receipt: pure functions over data.
 
-``score_receipt(problem, values, receipt)`` compares numbers with the key that the engine computes for the same values, and formulas at seeded points
-of their domain. Nothing that a student wrote is run, evaluated as code or simplified here.
+``score_receipt(problem, values, receipt)`` compares numbers with the key that the engine computes
+for the same values, and formulas at seeded points of their domain. Nothing that a student wrote is
+run, evaluated as code or simplified here.
 """
 
 import json
@@ -28,7 +29,9 @@ NO_ANSWER = "no answer"
 
 @dataclass(frozen=True)
 class Part:
-    """The score of one answer: ``verdict`` is right, wrong, unreadable or blank; ``message`` is for the student and never contains the key."""
+    """The score of one answer: ``verdict`` is right, wrong, unreadable or blank; ``message`` is for
+    the student and never contains the key.
+    """
 
     key: str
     points: float
@@ -40,7 +43,9 @@ class Part:
 
 @dataclass(frozen=True)
 class Score:
-    """The score of one problem: its parts, and a note on the cell as a whole (an error in it, a copy of it, a missing cell)."""
+    """The score of one problem: its parts, and a note on the cell as a whole (an error in it, a
+    copy of it, a missing cell).
+    """
 
     problem: str
     parts: tuple
@@ -62,9 +67,11 @@ class Score:
 
 
 def score_receipt(problem, values, receipt, note=""):
-    """The :class:`Score` of a receipt ({"answers", "faults", "error"}, or None) for ``problem`` with a student's ``values``.
+    """The :class:`Score` of a receipt ({"answers", "faults", "error"}, or None) for ``problem``
+    with a student's ``values``.
 
-    A receipt comes from a student's process: anything that JSON can hold is accepted, and what cannot be read gets no points.
+    A receipt comes from a student's process: anything that JSON can hold is accepted, and what
+    cannot be read gets no points.
     """
     receipt = receipt if isinstance(receipt, dict) else {}
     answers = receipt.get("answers") if isinstance(receipt.get("answers"), dict) else {}
@@ -89,7 +96,9 @@ def score_receipt(problem, values, receipt, note=""):
 
 
 def _sample(problem, values):
-    """Values of all givens and symbols; symbols as arrays of seeded points, the same for all students."""
+    """Values of all givens and symbols; symbols as arrays of seeded points, the same for all
+    students.
+    """
     if not problem.symbols:
         return dict(values)
     rng = random.Random(f"points of {problem.id}")
@@ -99,7 +108,9 @@ def _sample(problem, values):
 
 @cache
 def _symbolic_key(problem):
-    """Sample and key of a problem without givens, which are the same for all students; the result must not be modified."""
+    """Sample and key of a problem without givens, which are the same for all students; the result
+    must not be modified.
+    """
     sample = _sample(problem, {})
     return sample, _key(problem, sample)
 
@@ -115,24 +126,51 @@ def _score_part(problem, a, tree, sample, key, wrong):
         return Part(a.key, float(ok), 1, "right" if ok else "wrong", "right" if ok else "not right")
     try:
         given = read(a, tree, sample)
-    except (TreeError, ScalarError, DimensionError, ArithmeticError, ValueError, TypeError, RecursionError, MemoryError) as error:
+    except (
+        TreeError,
+        ScalarError,
+        DimensionError,
+        ArithmeticError,
+        ValueError,
+        TypeError,
+        RecursionError,
+        MemoryError,
+    ) as error:
         return Part(a.key, 0, 1, "unreadable", f"cannot be read: {_clipped(error)}")
     key = _rows(key, given.shape[1])
     tolerance = FORMULA_RTOL if a.kind.endswith("expression") else RTOL
     if _right(a, given, key, tolerance):
         return Part(a.key, 1, 1, "right", "right")
-    diagnosis = diagnose(problem, a, given, key, sample, {m: _rows(w[a.key], given.shape[1]) for m, w in wrong.items() if a.key in w}, tolerance)
-    return Part(a.key, 0, 1, "wrong", f"not right; it fits a solution that {diagnosis}" if diagnosis else "not right", diagnosis)
+    diagnosis = diagnose(
+        problem,
+        a,
+        given,
+        key,
+        sample,
+        {m: _rows(w[a.key], given.shape[1]) for m, w in wrong.items() if a.key in w},
+        tolerance,
+    )
+    return Part(
+        a.key,
+        0,
+        1,
+        "wrong",
+        f"not right; it fits a solution that {diagnosis}" if diagnosis else "not right",
+        diagnosis,
+    )
 
 
 def _right(a, given, key, tolerance):
-    if a.kind == "interval":  # each bound separately: relative to a wide interval, an error of its lower bound would be small
+    # each bound separately: relative to a wide interval, an error of its lower bound would be small
+    if a.kind == "interval":
         return all(close(given[[n]], key[[n]], tolerance, a.atol) for n in range(2))
     return close(given, key, tolerance, a.atol)
 
 
 def read(a, tree, sample):
-    """A student's answer (a number, a formula tree, or a list of them) as an array of shape (components, points); otherwise :class:`TreeError`."""
+    """A student's answer (a number, a formula tree, or a list of them) as an array of shape
+    (components, points); otherwise :class:`TreeError`.
+    """
     count = SHAPES[a.kind]
     trees = tree if count > 1 else [tree]
     if not isinstance(trees, list) or len(trees) != count:
@@ -163,7 +201,9 @@ def _real(x):
 
 
 def close(given, key, rtol, atol):
-    """True if at every point where the key is finite the answer is within ``rtol`` of the size of the key, or ``atol`` where the key is zero."""
+    """True if at every point where the key is finite the answer is within ``rtol`` of the size of
+    the key, or ``atol`` where the key is zero.
+    """
     with np.errstate(all="ignore"):
         size = np.sqrt((key**2).sum(axis=0))
         gap = np.sqrt(((given - key) ** 2).sum(axis=0))
@@ -173,6 +213,8 @@ def close(given, key, rtol, atol):
 
 
 def _clipped(text):
-    """Any value as one printable line: students control the text of error messages, which are written to files, tables and pages."""
+    """Any value as one printable line: students control the text of error messages, which are
+    written to files, tables and pages.
+    """
     line = " ".join(str(text).split())[:400]
     return "".join(c if c.isprintable() else "\ufffd" for c in line)

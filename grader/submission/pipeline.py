@@ -1,4 +1,6 @@
-"""The steps from a student's answers to scores and an annotated notebook, shared by ``python -m grader grade`` and ``nbgrader autograde``."""
+"""The steps from a student's answers to scores and an annotated notebook, shared by
+``python -m grader grade`` and ``nbgrader autograde``.
+"""
 
 import html
 from dataclasses import dataclass
@@ -23,20 +25,26 @@ class StudentAssignment:
 
 
 def student_assignment(course, assignment, student):
-    """The :class:`StudentAssignment` of a student, from the course alone; raises :class:`CourseError` if the fetched copy has other numbers."""
+    """The :class:`StudentAssignment` of a student, from the course alone; raises
+    :class:`CourseError` if the fetched copy has other numbers.
+    """
     master = master_notebook(course, assignment, student)
     problems = nb.problems_of(master)
     values = course.values(assignment, student, problems)
     if differing := nb.first_differing_problem(master, values):
         raise CourseError(
-            f"the copy that {student} fetched ({course.personal_path(assignment, student)}) has other numbers for {differing} than are derived now: "
-            "the exercises or the course's secret have changed since. Grade with the version and the secret that it was made with"
+            f"the copy that {student} fetched "
+            f"({course.personal_path(assignment, student)}) has other numbers for "
+            f"{differing} than are derived now: "
+            "the exercises or the course's secret have changed since. Grade with the "
+            "version and the secret that it was made with"
         )
     return StudentAssignment(student, master, problems, values)
 
 
 def run_answers(harvester, own, answers):
-    """Run the answers of a :class:`StudentAssignment` in the sandbox; returns ({problem id: receipt}, note).
+    """Run the answers of a :class:`StudentAssignment` in the sandbox; returns ({problem id:
+    receipt}, note).
 
     The note says how the run differed from a complete one in the sandbox; it is "" if it did not.
     """
@@ -60,14 +68,26 @@ def run_answers(harvester, own, answers):
     if result["ended"] != "done":
         notes.append(f"the notebook was {result['ended']}; answers that came later were not read")
     elif unread := [c["id"] for c in cells if c["id"] not in receipts]:
-        notes.append(f"the notebook ended by itself in the cell of {unread[0]}; answers that came later were not read")
-        receipts = {**receipts, unread[0]: {"error": "the end of its process: the cell ended Python, crashed it, or closed its files"}}
+        notes.append(
+            f"the notebook ended by itself in the cell of {unread[0]}; answers that came later "
+            "were not read"
+        )
+        receipts = {
+            **receipts,
+            unread[0]: {
+                "error": "the end of its process: the cell ended Python, crashed it, or closed its "
+                "files"
+            },
+        }
     return receipts, "; ".join(notes)
 
 
 def score_answers(own, answers, receipts):
     """The :class:`~grader.scoring.Score` of every problem: {problem id: score}."""
-    return {p.id: score_receipt(p, own.values[p.id], receipts.get(p.id), answers[p.id].note) for p in own.problems}
+    return {
+        p.id: score_receipt(p, own.values[p.id], receipts.get(p.id), answers[p.id].note)
+        for p in own.problems
+    }
 
 
 def feedback_comment(score):
@@ -79,7 +99,9 @@ def feedback_comment(score):
 
 
 def annotate(notebook, scores, note=""):
-    """The rebuilt notebook with the verdicts as output of the receipt cells, and ``note`` above the introduction."""
+    """The rebuilt notebook with the verdicts as output of the receipt cells, and ``note`` above the
+    introduction.
+    """
     cells = []
     for cell in notebook["cells"]:
         own = nb.own_metadata(cell)
@@ -93,13 +115,19 @@ def annotate(notebook, scores, note=""):
 
 def _output(score):
     rows = "".join(
-        f"<tr><td>{MARK[p.verdict]}</td><td><code>{p.key}</code></td><td>{p.points:g} / {p.out_of:g}</td><td>{html.escape(p.message)}</td></tr>"
+        f"<tr><td>{MARK[p.verdict]}</td><td><code>{p.key}</code></td><td>{p.points:g} / "
+        f"{p.out_of:g}</td><td>{html.escape(p.message)}</td></tr>"
         for p in score.parts
     )
     note = f"<p>{html.escape(score.note)}</p>" if score.note else ""
-    text = "\n".join(f"{MARK[p.verdict]} {p.key}: {p.points:g} / {p.out_of:g}  {p.message}" for p in score.parts)
+    text = "\n".join(
+        f"{MARK[p.verdict]} {p.key}: {p.points:g} / {p.out_of:g}  {p.message}" for p in score.parts
+    )
     return {
         "output_type": "display_data",
         "metadata": {},
-        "data": {"text/plain": f"{score.note}\n{text}".strip(), "text/html": f"{note}<table>{rows}</table>"},
+        "data": {
+            "text/plain": f"{score.note}\n{text}".strip(),
+            "text/html": f"{note}<table>{rows}</table>",
+        },
     }

@@ -18,7 +18,9 @@ class SubmittedAnswer:
 
 
 def read_answers(submitted, problems):
-    """The answers in a submitted notebook: {problem id: :class:`SubmittedAnswer`}, one for each of ``problems``."""
+    """The answers in a submitted notebook: {problem id: :class:`SubmittedAnswer`}, one for each of
+    ``problems``.
+    """
     found = {}
     for cell in submitted.get("cells", []):
         if not isinstance(cell, dict):
@@ -32,12 +34,18 @@ def read_answers(submitted, problems):
 def _chosen(p, texts):
     """The first text that was filled in, of all cells with the id of the answer cell."""
     if not texts:
-        return SubmittedAnswer("", f"the answer cell of {p.id} is missing from the notebook; fetch the assignment again and paste your work into it")
+        return SubmittedAnswer(
+            "",
+            f"the answer cell of {p.id} is missing from the notebook; fetch the assignment "
+            "again and paste your work into it",
+        )
     changed = [t for t in dict.fromkeys(texts) if _code_only(t) != _code_only(starter(p))]
     chosen = changed[0] if changed else texts[0]
     if len(texts) > 1:
         which = "the first one that was filled in" if changed else "the first one"
-        return SubmittedAnswer(chosen, f"the notebook holds {len(texts)} copies of the answer cell; {which} was graded")
+        return SubmittedAnswer(
+            chosen, f"the notebook holds {len(texts)} copies of the answer cell; {which} was graded"
+        )
     return SubmittedAnswer(chosen)
 
 
@@ -60,16 +68,24 @@ def _grade_id(cell):
 def _text(cell):
     source = cell.get("source", "")
     text = "".join(map(str, source)) if isinstance(source, list) else str(source)
-    return text.encode("utf-8", "replace").decode()  # JSON can hold lone surrogates, which no file can
+    # JSON can hold lone surrogates, which no file can
+    return text.encode("utf-8", "replace").decode()
 
 
 def rebuild_notebook(master, answers):
-    """The trusted notebook ``master`` with the texts of the answers in it, and nothing else of the submission."""
+    """The trusted notebook ``master`` with the texts of the answers in it, and nothing else of the
+    submission.
+    """
     cells = []
     for cell in master["cells"]:
         own = own_metadata(cell)
         if own.get("role") == "answer":
-            cell = {**cell, "source": answers[own["problem"]].text, "outputs": [], "execution_count": None}
+            cell = {
+                **cell,
+                "source": answers[own["problem"]].text,
+                "outputs": [],
+                "execution_count": None,
+            }
         elif cell["cell_type"] == "code":
             cell = {**cell, "outputs": [], "execution_count": None}
         cells.append(cell)

@@ -6,6 +6,9 @@ except ModuleNotFoundError as error:
     missing = error.name.partition(".")[0]
     if missing not in ("click", "rich"):
         raise
-    raise SystemExit(f"python -m newton_euler.accuracy needs the package {missing}: pip install 'newton-euler[course]'") from None
+    raise SystemExit(
+        f"python -m newton_euler.accuracy needs the package {missing}: pip install "
+        "'newton-euler[course]'"
+    ) from None
 
 main(prog_name="python -m newton_euler.accuracy")

@@ -1,6 +1,8 @@
-"""Baselines for :mod:`newton_euler.accuracy.comparisons`: the same numbers by methods of textbooks and by the engine, with errors against 40 digits.
+"""Baselines for :mod:`newton_euler.accuracy.comparisons`: the same numbers by methods of textbooks
+and by the engine, with errors against 40 digits.
 
-Nothing else in the engine uses this module, since most of its methods are numerically poor on purpose.
+Nothing else in the engine uses this module, since most of its methods are numerically poor on
+purpose.
 """
 
 import math
@@ -24,18 +26,27 @@ DIGITS = 40
 # -- derivatives
 
 INSTANT = 1.3  # s
-FORWARD, CENTRAL = ((0, -1), (1, 1)), ((-1, -0.5), (1, 0.5))  # first differences: (steps away, weight)
+# first differences: (steps away, weight)
+FORWARD, CENTRAL = ((0, -1), (1, 1)), ((-1, -0.5), (1, 0.5))
 FORWARD_SECOND, CENTRAL_SECOND = ((0, 1), (1, -2), (2, 1)), ((-1, 1), (0, -2), (1, 1))
 
 
 def boom_end(t):
-    """The position (x, y, z), in m, of the end of a boom that turns, rises and lengthens, at the time t (s)."""
+    """The position (x, y, z), in m, of the end of a boom that turns, rises and lengthens, at the
+    time t (s).
+    """
     length, elevation, turned = 20 + 3 * sin(2 * t), 0.5 + 0.3 * cos(3 * t), 0.4 * t * t
-    return length * cos(elevation) * cos(turned), length * cos(elevation) * sin(turned), length * sin(elevation)
+    return (
+        length * cos(elevation) * cos(turned),
+        length * cos(elevation) * sin(turned),
+        length * sin(elevation),
+    )
 
 
 def difference(f, t, h, weights, order):
-    """The difference quotient of f, a function of time that returns several numbers: sums of weight f(t + n h), divided by h^order."""
+    """The difference quotient of f, a function of time that returns several numbers: sums of weight
+    f(t + n h), divided by h^order.
+    """
     values = [[weight * x for x in f(t + n * h)] for n, weight in weights]
     return tuple(sum(column) / h**order for column in zip(*values, strict=True))
 
@@ -51,7 +62,9 @@ def complex_step_second(f, t, h):
 
 
 def velocity(t):
-    """The velocity of the boom's end by the engine, m/s: the position of a time that carries its rates."""
+    """The velocity of the boom's end by the engine, m/s: the position of a time that carries its
+    rates.
+    """
     return tuple(x.rate for x in boom_end(moving(t, rate=1.0)))
 
 
@@ -72,7 +85,9 @@ def _derivatives(order, forward, central, by_complex_step, engine):
 
 
 FIRST_DERIVATIVES = _derivatives(1, FORWARD, CENTRAL, complex_step, velocity)
-SECOND_DERIVATIVES = _derivatives(2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_second, acceleration)
+SECOND_DERIVATIVES = _derivatives(
+    2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_second, acceleration
+)
 
 
 @cache
@@ -80,7 +95,9 @@ def _derivative(order):
     import mpmath
 
     with mpmath.workdps(DIGITS):
-        return tuple(mpmath.diff(lambda t, n=n: boom_end(t)[n], mpmath.mpf(INSTANT), order) for n in range(3))
+        return tuple(
+            mpmath.diff(lambda t, n=n: boom_end(t)[n], mpmath.mpf(INSTANT), order) for n in range(3)
+        )
 
 
 def velocity_error(found, h):
@@ -105,7 +122,9 @@ def _rotation(axis, angle, times=1):
 
     with mpmath.workdps(DIGITS):
         x, y, z = (mpmath.mpf(c) / mpmath.norm(list(axis)) for c in axis)
-        return mpmath.expm(mpmath.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * mpmath.mpf(angle) * times)
+        return mpmath.expm(
+            mpmath.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * mpmath.mpf(angle) * times
+        )
 
 
 def _matrix_error(R, exact):
@@ -127,7 +146,9 @@ def by_numpy(n):
 
 def by_quaternions(n):
     """The same as a product of quaternions, normalised at the end."""
-    return rotations.matrix_from_quaternion(reduce(rotations.quaternion_product, repeat(rotations.quaternion(AXIS, SMALL), n)))
+    return rotations.matrix_from_quaternion(
+        reduce(rotations.quaternion_product, repeat(rotations.quaternion(AXIS, SMALL), n))
+    )
 
 
 def by_scipy(n):
@@ -143,7 +164,9 @@ def by_euler_angles(n):
     q = rotations.quaternion(AXIS, SMALL)
     angles = rotations.euler_from_quaternion(q)
     for _ in range(n - 1):
-        angles = rotations.euler_from_quaternion(rotations.quaternion_product(rotations.quaternion_from_euler(*angles), q))
+        angles = rotations.euler_from_quaternion(
+            rotations.quaternion_product(rotations.quaternion_from_euler(*angles), q)
+        )
     return rotations.euler_matrix(*angles)
 
 
@@ -167,13 +190,16 @@ def drift(R, n=None):
     return max(abs(float(gram[n][m]) - (n == m)) for n in range(3) for m in range(3))
 
 
-# -- near the singularity of Euler's angles: a body turns about the x axis at 1 rad/s; at t = 0 its z axis has its least angle to the vertical
+# -- near the singularity of Euler's angles: a body turns about the x axis at 1 rad/s; at t = 0 its
+# z axis has its least angle to the vertical
 
 STEPS, BEFORE, AFTER = 200, -0.9, 1.1  # s; a step ends at t = 0
 
 
 def runge_kutta(rate, s, step, steps):
-    """The state after so many steps of the classical Runge-Kutta method of fourth order, for ds/dt = rate(s), s a tuple."""
+    """The state after so many steps of the classical Runge-Kutta method of fourth order, for ds/dt
+    = rate(s), s a tuple.
+    """
 
     def moved(by, k):
         return tuple(x + by * d for x, d in zip(s, k, strict=True))
@@ -183,12 +209,16 @@ def runge_kutta(rate, s, step, steps):
         b = rate(moved(step / 2, a))
         c = rate(moved(step / 2, b))
         d = rate(moved(step, c))
-        s = moved(step / 6, tuple(w + 2 * x + 2 * y + z for w, x, y, z in zip(a, b, c, d, strict=True)))
+        s = moved(
+            step / 6, tuple(w + 2 * x + 2 * y + z for w, x, y, z in zip(a, b, c, d, strict=True))
+        )
     return s
 
 
 def _tilted(least, t):
-    return rotations.product(rotations.rotation_matrix((1, 0, 0), t), rotations.rotation_matrix((0, 1, 0), least))
+    return rotations.product(
+        rotations.rotation_matrix((1, 0, 0), t), rotations.rotation_matrix((0, 1, 0), least)
+    )
 
 
 def _body_rates(least):
@@ -199,17 +229,28 @@ def pass_by_euler_rates(least):
     """The final attitude by the rates of Euler's angles (10.12)."""
     omega = _body_rates(least)
     start = rotations.euler_angles(_tilted(least, BEFORE))
-    return rotations.euler_matrix(*runge_kutta(lambda s: rotations.euler_rates(*s, omega), start, (AFTER - BEFORE) / STEPS, STEPS))
+    return rotations.euler_matrix(
+        *runge_kutta(
+            lambda s: rotations.euler_rates(*s, omega), start, (AFTER - BEFORE) / STEPS, STEPS
+        )
+    )
 
 
 def pass_by_quaternion_rate(least):
     """The final attitude by the rate of a quaternion."""
     omega = _body_rates(least)
     start = rotations.quaternion_from_matrix(_tilted(least, BEFORE))
-    return rotations.matrix_from_quaternion(runge_kutta(lambda q: rotations.quaternion_rate(q, omega), start, (AFTER - BEFORE) / STEPS, STEPS))
+    return rotations.matrix_from_quaternion(
+        runge_kutta(
+            lambda q: rotations.quaternion_rate(q, omega), start, (AFTER - BEFORE) / STEPS, STEPS
+        )
+    )
 
 
-PASSES = {"rates of Euler's angles": pass_by_euler_rates, "rate of a quaternion": pass_by_quaternion_rate}
+PASSES = {
+    "rates of Euler's angles": pass_by_euler_rates,
+    "rate of a quaternion": pass_by_quaternion_rate,
+}
 
 
 def pass_error(R, least):
@@ -217,16 +258,21 @@ def pass_error(R, least):
     return _matrix_error(R, _rotation((1, 0, 0), AFTER) * _rotation((0, 1, 0), least))
 
 
-# -- inertia: a flat sheet, a triangle with a half disk on its base, about the apex; x is its axis of symmetry, z normal to it
+# -- inertia: a flat sheet, a triangle with a half disk on its base, about the apex; x is its axis
+# of symmetry, z normal to it
 
 RADIUS, HEIGHT, DENSITY = 0.3, 0.8, 5.0  # m, m, kg/m^2
 
 
 def _of_points(u, v):
-    """The moments of equal mass points at the (u, v) in the unit square, which is mapped to the rectangle around the sheet; others are left out."""
+    """The moments of equal mass points at the (u, v) in the unit square, which is mapped to the
+    rectangle around the sheet; others are left out.
+    """
     cell = DENSITY * (HEIGHT + RADIUS) * 2 * RADIUS / len(u)
     x, y = u * (HEIGHT + RADIUS), (2 * v - 1) * RADIUS
-    inside = ((x <= HEIGHT) & (abs(y) <= RADIUS * x / HEIGHT)) | ((x > HEIGHT) & (y * y + (x - HEIGHT) ** 2 <= RADIUS**2))
+    inside = ((x <= HEIGHT) & (abs(y) <= RADIUS * x / HEIGHT)) | (
+        (x > HEIGHT) & (y * y + (x - HEIGHT) ** 2 <= RADIUS**2)
+    )
     xx, yy = (float(cell * (c[inside] ** 2).sum()) for c in (x, y))
     return yy, xx, xx + yy
 
@@ -258,8 +304,12 @@ def by_quadrature(n=None):
     """The moments by the engine's integrals, in coordinates that follow the edges."""
     sheet, slope, right = Frame("sheet"), RADIUS / HEIGHT, math.pi / 2
     parts = (
-        integrated(_triangle, (0, HEIGHT), (-slope, slope), frame=sheet, density=DENSITY, name="triangle"),
-        integrated(_half_disk, (0, RADIUS), (-right, right), frame=sheet, density=DENSITY, name="half disk"),
+        integrated(
+            _triangle, (0, HEIGHT), (-slope, slope), frame=sheet, density=DENSITY, name="triangle"
+        ),
+        integrated(
+            _half_disk, (0, RADIUS), (-right, right), frame=sheet, density=DENSITY, name="half disk"
+        ),
     )
     return composite("sheet", parts).about(sheet.origin).moments
 
@@ -267,8 +317,15 @@ def by_quadrature(n=None):
 def by_composition(n=None):
     """The moments by the engine's closed forms of the two parts."""
     sheet = Frame("sheet")
-    corners = sheet.origin, sheet.point("A", HEIGHT, RADIUS, 0), sheet.point("B", HEIGHT, -RADIUS, 0)
-    parts = simplex(*corners, density=DENSITY), half_disk(RADIUS, sheet.point("M", HEIGHT, 0, 0), "z", "x", density=DENSITY)
+    corners = (
+        sheet.origin,
+        sheet.point("A", HEIGHT, RADIUS, 0),
+        sheet.point("B", HEIGHT, -RADIUS, 0),
+    )
+    parts = (
+        simplex(*corners, density=DENSITY),
+        half_disk(RADIUS, sheet.point("M", HEIGHT, 0, 0), "z", "x", density=DENSITY),
+    )
     return composite("sheet", parts).about(sheet.origin).moments
 
 
@@ -282,7 +339,9 @@ INERTIAS = {
 
 @cache
 def _inertia():
-    """The moments in 40 digits, by integrals over strips of half the breadth b(x) and mass 2 rho b dx."""
+    """The moments in 40 digits, by integrals over strips of half the breadth b(x) and mass 2 rho b
+    dx.
+    """
     import mpmath
 
     with mpmath.workdps(DIGITS):
@@ -290,7 +349,10 @@ def _inertia():
 
         def total(f):
             sloping = mpmath.quad(lambda x: f(x, radius * x / height), [0, height])
-            round_part = mpmath.quad(lambda x: f(x, mpmath.sqrt(radius**2 - (x - height) ** 2)), [height, height + radius])
+            round_part = mpmath.quad(
+                lambda x: f(x, mpmath.sqrt(radius**2 - (x - height) ** 2)),
+                [height, height + radius],
+            )
             return 2 * DENSITY * (sloping + round_part)
 
         xx, yy = total(lambda x, b: b * x * x), total(lambda x, b: b**3 / 3)
@@ -324,7 +386,9 @@ def by_engine(R):
 
 @cache
 def _rounded_rotation(angle, from_pi):
-    """The matrix of the rotation by ``angle``, or by pi less that, right to the last digit of each entry."""
+    """The matrix of the rotation by ``angle``, or by pi less that, right to the last digit of each
+    entry.
+    """
     import mpmath
 
     with mpmath.workdps(DIGITS):
@@ -333,8 +397,15 @@ def _rounded_rotation(angle, from_pi):
 
 
 def _from_matrices(from_pi):
-    ways = {"arc cosine of the trace": by_arc_cosine, "SciPy's Rotation": by_scipy_magnitude, "engine, atan2": by_engine}
-    return {name: lambda angle, way=way: way(_rounded_rotation(angle, from_pi)) for name, way in ways.items()}
+    ways = {
+        "arc cosine of the trace": by_arc_cosine,
+        "SciPy's Rotation": by_scipy_magnitude,
+        "engine, atan2": by_engine,
+    }
+    return {
+        name: lambda angle, way=way: way(_rounded_rotation(angle, from_pi))
+        for name, way in ways.items()
+    }
 
 
 ANGLES, ANGLES_NEAR_PI = _from_matrices(False), _from_matrices(True)
@@ -360,7 +431,9 @@ I0, I, SPIN, MGR = 0.02, 0.01, 100.0, 0.5  # kg m^2, kg m^2, rad/s, N m
 
 
 def printed_roots(a, h, c):
-    """Both roots of a x^2 - h x + c = 0, the smaller one first, by the formula as the book prints it (10.33)."""
+    """Both roots of a x^2 - h x + c = 0, the smaller one first, by the formula as the book prints
+    it (10.33).
+    """
     root = sqrt(h * h - 4 * a * c)
     return (h - root) / (2 * a), (h + root) / (2 * a)
 
@@ -395,7 +468,9 @@ def _precessions(a):
     import mpmath
 
     with mpmath.workdps(2 * DIGITS):
-        return printed_roots((mpmath.mpf(I0) - I) * mpmath.cos(_theta(a)), mpmath.mpf(I) * SPIN, MGR)
+        return printed_roots(
+            (mpmath.mpf(I0) - I) * mpmath.cos(_theta(a)), mpmath.mpf(I) * SPIN, MGR
+        )
 
 
 def precession_error(found, a):

@@ -1,7 +1,9 @@
-"""Charts of speed against accuracy where nothing is integrated: derivatives, rotations, inertia, angles, steady precession.
+"""Charts of speed against accuracy where nothing is integrated: derivatives, rotations, inertia,
+angles, steady precession.
 
-A comparison asks one or more questions; each is answered in several ways over a range of settings, and the error is drawn against the setting and
-against the cost. The ways of textbooks and their errors, against references of 40 digits, are in :mod:`newton_euler.accuracy.baselines`.
+A comparison asks one or more questions; each is answered in several ways over a range of settings,
+and the error is drawn against the setting and against the cost. The ways of textbooks and their
+errors, against references of 40 digits, are in :mod:`newton_euler.accuracy.baselines`.
 """
 
 from collections.abc import Callable, Mapping
@@ -31,8 +33,10 @@ class Question:
     settings : numbers
     ways : from the name of a way to a function of the setting
     error : a function of what a way found and of the setting
-    worst_only : the setting belongs to the question (an angle), not to the way (a step): only the worst error of each way is charted against its cost
-    timed_each : the setting changes the cost, so that the time is taken at each one, not only at the first
+    worst_only : the setting belongs to the question (an angle), not to the way (a step): only the
+        worst error of each way is charted against its cost
+    timed_each : the setting changes the cost, so that the time is taken at each one, not only at
+        the first
     """
 
     what: str
@@ -47,12 +51,25 @@ class Question:
         """The points, one after the other, setting by setting."""
         for n, x in enumerate(self.settings):
             if n == 0 or self.timed_each:
-                costs = timed(*(lambda way=way: way(x) for way in self.ways.values()), runs=3, shortest=1e-3)  # noqa: B023 (called at once)
+                costs = timed(
+                    *(lambda way=way: way(x) for way in self.ways.values()),
+                    runs=3,
+                    shortest=1e-3,  # noqa: B023
+                )
             for (method, way), cost in zip(self.ways.items(), costs, strict=True):
-                yield ComparisonPoint(method, cost, float(self.error(way(x), x)), f"{self.across[0]} = {x:.3g}", question=self.what, x=x)
+                yield ComparisonPoint(
+                    method,
+                    cost,
+                    float(self.error(way(x), x)),
+                    f"{self.across[0]} = {x:.3g}",
+                    question=self.what,
+                    x=x,
+                )
 
     def draw(self, points, left, right):
-        """The front of the points, after drawing their errors against the setting (``left``) and against the cost (``right``)."""
+        """The front of the points, after drawing their errors against the setting (``left``) and
+        against the cost (``right``).
+        """
         from matplotlib.ticker import LogLocator
 
         points = [replace(p, error=max(p.error, ROUND_OFF)) for p in points]
@@ -60,12 +77,27 @@ class Question:
         log_log(left, self.across[1], "relative error")
         left.set_title(self.what, **TITLES)
         for n, own in enumerate(by_way):  # those drawn first are larger, to be seen behind others
-            left.plot([p.x for p in own], [p.error for p in own], marker=MARKERS[n], color=COLOURS[n], ms=9 - 1.3 * n, lw=1)
-        best = chart([max(own, key=lambda p: p.error) for own in by_way] if self.worst_only else points, right)
+            left.plot(
+                [p.x for p in own],
+                [p.error for p in own],
+                marker=MARKERS[n],
+                color=COLOURS[n],
+                ms=9 - 1.3 * n,
+                lw=1,
+            )
+        best = chart(
+            [max(own, key=lambda p: p.error) for own in by_way] if self.worst_only else points,
+            right,
+        )
         costs = [p.cost for p in points]
         right.set(ylabel="", xlim=(min(costs) / 2, 2 * max(costs)))
-        right.set_title("the worst of each, against its cost" if self.worst_only else "against the cost", **TITLES)
-        right.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if max(costs) < 10 * min(costs) else (1,)))
+        right.set_title(
+            "the worst of each, against its cost" if self.worst_only else "against the cost",
+            **TITLES,
+        )
+        right.xaxis.set_major_locator(
+            LogLocator(subs=(1, 2, 5) if max(costs) < 10 * min(costs) else (1,))
+        )
         return best
 
 
@@ -78,7 +110,8 @@ class Comparison:
     questions: tuple
 
     def measure(self, progress=lambda fraction, words: None):
-        """All answers to all questions: a list of :class:`~newton_euler.accuracy.Measured`, in a few seconds.
+        """All answers to all questions: a list of :class:`~newton_euler.accuracy.Measured`, in a
+        few seconds.
 
         progress : is called for each point
         """
@@ -89,12 +122,18 @@ class Comparison:
         return points
 
     def draw(self, points, figure):
-        """The fronts of all questions as one list, after drawing two charts in a row for each question."""
+        """The fronts of all questions as one list, after drawing two charts in a row for each
+        question.
+        """
         rows = len(self.questions)
         figure.set(layout_engine="constrained", size_inches=(11.5, 0.6 + 3.6 * rows))
         figure.suptitle(self.title)
         pairs = zip(self.questions, figure.subplots(rows, 2, squeeze=False), strict=True)
-        return [best for q, axes in pairs for best in q.draw([p for p in points if p.question == q.what], *axes)]
+        return [
+            best
+            for q, axes in pairs
+            for best in q.draw([p for p in points if p.question == q.what], *axes)
+        ]
 
 
 def _decades(first, last):
@@ -114,43 +153,101 @@ COMPARISONS = {
     for c in (
         Comparison(
             "derivatives",
-            "Velocity and acceleration of the end of a boom, from its position as a function of time",
-            # Differences truncate at long steps and cancel at short ones; a complex step cancels in second derivatives only; jets have no step.
+            "Velocity and acceleration of the end of a boom, from its position as a "
+            "function of time",
+            # Differences truncate at long steps and cancel at short ones; a complex step cancels in
+            # second derivatives only; jets have no step.
             (
-                Question(f"velocity at t = {rivals.INSTANT} s", *STEPS, rivals.FIRST_DERIVATIVES, rivals.velocity_error),
-                Question(f"acceleration at t = {rivals.INSTANT} s", *STEPS, rivals.SECOND_DERIVATIVES, rivals.acceleration_error),
+                Question(
+                    f"velocity at t = {rivals.INSTANT} s",
+                    *STEPS,
+                    rivals.FIRST_DERIVATIVES,
+                    rivals.velocity_error,
+                ),
+                Question(
+                    f"acceleration at t = {rivals.INSTANT} s",
+                    *STEPS,
+                    rivals.SECOND_DERIVATIVES,
+                    rivals.acceleration_error,
+                ),
             ),
         ),
         Comparison(
             "rotations",
             "Turns by matrices, Euler angles and quaternions",
-            # A product of many matrices drifts away from a rotation; the rates of Euler's angles are unbounded where the axis passes the vertical.
+            # A product of many matrices drifts away from a rotation; the rates of Euler's angles
+            # are unbounded where the axis passes the vertical.
             (
-                Question("attitude after n turns of 0.01 rad", *TURNS, rivals.turn_error, worst_only=True),
-                Question("distance from any rotation, after the same", *TURNS, rivals.drift, worst_only=True),
-                Question("attitude after 200 Runge-Kutta steps of 0.01 rad", *LEAST_ANGLES, rivals.PASSES, rivals.pass_error, worst_only=True),
+                Question(
+                    "attitude after n turns of 0.01 rad", *TURNS, rivals.turn_error, worst_only=True
+                ),
+                Question(
+                    "distance from any rotation, after the same",
+                    *TURNS,
+                    rivals.drift,
+                    worst_only=True,
+                ),
+                Question(
+                    "attitude after 200 Runge-Kutta steps of 0.01 rad",
+                    *LEAST_ANGLES,
+                    rivals.PASSES,
+                    rivals.pass_error,
+                    worst_only=True,
+                ),
             ),
         ),
         Comparison(
             "inertia",
-            "Moments of inertia of a sheet, a triangle with a half disk on its base, about the apex",
-            # One more digit takes 100 times as many points at random and 20 times in a grid, whose cells do not follow the edge.
-            (Question("I_xx, I_yy, I_zz", *POINTS, rivals.INERTIAS, rivals.inertia_error, timed_each=True),),
+            "Moments of inertia of a sheet, a triangle with a half disk on its base, about "
+            "the apex",
+            # One more digit takes 100 times as many points at random and 20 times in a grid, whose
+            # cells do not follow the edge.
+            (
+                Question(
+                    "I_xx, I_yy, I_zz",
+                    *POINTS,
+                    rivals.INERTIAS,
+                    rivals.inertia_error,
+                    timed_each=True,
+                ),
+            ),
         ),
         Comparison(
             "angle",
             "The angle of a rotation matrix",
-            # The arc cosine of the trace loses half of the digits at 0 and at pi; the quaternion with atan2 loses none.
+            # The arc cosine of the trace loses half of the digits at 0 and at pi; the quaternion
+            # with atan2 loses none.
             (
-                Question("a small angle", *SMALL_ANGLES, rivals.ANGLES, rivals.small_angle_error, worst_only=True),
-                Question("an angle near pi", *ANGLES_NEAR_PI, rivals.ANGLES_NEAR_PI, rivals.angle_near_pi_error, worst_only=True),
+                Question(
+                    "a small angle",
+                    *SMALL_ANGLES,
+                    rivals.ANGLES,
+                    rivals.small_angle_error,
+                    worst_only=True,
+                ),
+                Question(
+                    "an angle near pi",
+                    *ANGLES_NEAR_PI,
+                    rivals.ANGLES_NEAR_PI,
+                    rivals.angle_near_pi_error,
+                    worst_only=True,
+                ),
             ),
         ),
         Comparison(
             "steady precession",
             "Both rates of steady precession, where the quadratic (10.33) becomes linear",
-            # The printed root is a difference of nearly equal numbers as (I0 - I) cos(theta) goes to zero.
-            (Question("psi', slow and fast", *COEFFICIENTS, rivals.PRECESSIONS, rivals.precession_error, worst_only=True),),
+            # The printed root is a difference of nearly equal numbers as (I0 - I) cos(theta) goes
+            # to zero.
+            (
+                Question(
+                    "psi', slow and fast",
+                    *COEFFICIENTS,
+                    rivals.PRECESSIONS,
+                    rivals.precession_error,
+                    worst_only=True,
+                ),
+            ),
         ),
     )
 }

@@ -1,7 +1,8 @@
 """What all charts of accuracy share: the time of a call, the error of a result, and their chart.
 
-The *front* of a set of points (the Pareto front) are those that no other beats: for every other point one is cheaper and no less accurate. The
-reference of an error is an exact solution or one of more digits, never the method under test.
+The *front* of a set of points (the Pareto front) are those that no other beats: for every other
+point one is cheaper and no less accurate. The reference of an error is an exact solution or one of
+more digits, never the method under test.
 """
 
 import math
@@ -12,17 +13,21 @@ from timeit import Timer
 from ..algebra.scalars import sqrt
 from ..algebra.vectors import dot3, sub3
 
-# colours that colour-blind readers tell apart (Okabe and Ito, without their yellow), and shapes for those who see none
+# colours that colour-blind readers tell apart (Okabe and Ito, without their yellow), and shapes for
+# those who see none
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 MARKERS = ("o", "s", "^", "D", "P", "X", "*", "h", "p")
-EQUAL_WITHIN = 2.0  # errors that differ by less than this factor count as equal: round-off is not known better
+# errors that differ by less than this factor count as equal: round-off is not known better
+EQUAL_WITHIN = 2.0
 
 
 @dataclass(frozen=True)
 class Measured:
-    """A point of a chart: ``method`` (points of one method are joined), ``cost`` in seconds, relative ``error``, and the ``setting``, as "h = 1e-3".
+    """A point of a chart: ``method`` (points of one method are joined), ``cost`` in seconds,
+    relative ``error``, and the ``setting``, as "h = 1e-3".
 
-    asked, calls, drift : of an integration, the tolerance, the calls of the right-hand side, and the largest drift of an invariant; else None
+    asked, calls, drift : of an integration, the tolerance, the calls of the right-hand side, and
+        the largest drift of an invariant; else None
     """
 
     method: str
@@ -35,10 +40,12 @@ class Measured:
 
 
 def timed(*calls, runs=9, shortest=2e-3):
-    """The time in seconds that one call ``f()`` takes; of several functions, a tuple of their times.
+    """The time in seconds that one call ``f()`` takes; of several functions, a tuple of their
+    times.
 
-    It is the fastest of ``runs`` runs, each of so many calls that it lasts ``shortest`` seconds, since other work of the machine can only add
-    to a time (on a busy machine medians of two measurements differed by up to a factor of four, minima by a tenth). The functions take turns.
+    It is the fastest of ``runs`` runs, each of so many calls that it lasts ``shortest`` seconds,
+    since other work of the machine can only add to a time (on a busy machine medians of two
+    measurements differed by up to a factor of four, minima by a tenth). The functions take turns.
     One call is made before and does not count: it may import or compile.
 
     >>> fast, slow = timed(lambda: sum(range(10)), lambda: sum(range(1000)))
@@ -72,7 +79,8 @@ def relative_error(a, exact):
 
 
 def front(points, cost="cost"):
-    """The points that no other beats, from the cheapest to the most accurate. Errors within a factor of two count as equal.
+    """The points that no other beats, from the cheapest to the most accurate. Errors within a
+    factor of two count as equal.
 
     cost : "cost", the time, or "calls"
 
@@ -90,7 +98,11 @@ def front(points, cost="cost"):
 def marker_style(n):
     """Arguments of ``plot`` for method number n; beyond the colours the markers are hollow."""
     colour = COLOURS[n % len(COLOURS)]
-    return {"color": colour, "marker": MARKERS[n % len(MARKERS)], "mfc": colour if n < len(COLOURS) else "white"}
+    return {
+        "color": colour,
+        "marker": MARKERS[n % len(MARKERS)],
+        "mfc": colour if n < len(COLOURS) else "white",
+    }
 
 
 def log_log(ax, xlabel, ylabel):
@@ -100,10 +112,12 @@ def log_log(ax, xlabel, ylabel):
 
 
 def chart(points, ax, floor=1e-17, cost="cost", order=(), legend=True):
-    """The front of the points, which are drawn on ``ax``: cost to the right, error upwards, the front with rings and joined by steps.
+    """The front of the points, which are drawn on ``ax``: cost to the right, error upwards, the
+    front with rings and joined by steps.
 
     floor : smaller errors, which a float cannot have, are drawn there with an arrow down
-    cost : "cost", the time, or "calls"; order : names of methods, so that these have the same colours on several charts
+    cost : "cost", the time, or "calls"; order : names of methods, so that these have the same
+        colours on several charts
     """
     from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
 
@@ -117,12 +131,25 @@ def chart(points, ax, floor=1e-17, cost="cost", order=(), legend=True):
             ax.plot(*coordinates(own), ms=7, lw=0.8, label=method, **marker_style(n))
     best = front(points, cost)
     ax.step(*coordinates(best), where="post", color="#999999", lw=1.4, ls="--", zorder=1)
-    ax.plot(*coordinates(best), "o", ms=14, mfc="none", mec="#333333", mew=1.2, ls="none", label="front")
+    ax.plot(
+        *coordinates(best), "o", ms=14, mfc="none", mec="#333333", mew=1.2, ls="none", label="front"
+    )
     costs, _ = coordinates(points)
     for x, p in zip(costs, points, strict=True):
         if p.error < floor:
-            text, arrow = f"{p.error:.0e}" if p.error else "0", {"arrowstyle": "<-", "color": "#333333"}
-            ax.annotate(text, (x, floor), (0, -34), textcoords="offset points", ha="center", fontsize=8, arrowprops=arrow)
+            text, arrow = (
+                f"{p.error:.0e}" if p.error else "0",
+                {"arrowstyle": "<-", "color": "#333333"},
+            )
+            ax.annotate(
+                text,
+                (x, floor),
+                (0, -34),
+                textcoords="offset points",
+                ha="center",
+                fontsize=8,
+                arrowprops=arrow,
+            )
             ax.set_ylim(bottom=floor / 1000)
     if costs and max(costs) < 50 * min(costs):
         ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))

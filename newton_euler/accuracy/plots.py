@@ -1,4 +1,6 @@
-"""Charts of what was just measured: the methods on one scene (:mod:`newton_euler.accuracy.work_precision`), and the models of one (:func:`measured_models`)."""
+"""Charts of what was just measured: the methods on one scene
+(:mod:`newton_euler.accuracy.work_precision`), and the models of one (:func:`measured_models`).
+"""
 
 import math
 from dataclasses import replace
@@ -8,20 +10,34 @@ from .measure import Measured, chart, log_log, marker_style, timed
 from .work_precision import NAMES
 
 FLOOR = 1e-17  # smaller errors are drawn there: a float cannot have them
-AUTO = {"color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6, "zorder": 4, "label": "auto"}
+AUTO = {
+    "color": "black",
+    "marker": "*",
+    "mfc": "none",
+    "ms": 12,
+    "lw": 1.6,
+    "zorder": 4,
+    "label": "auto",
+}
 
 
 def draw_methods(found, figure):
-    """The front of the methods by time, after drawing three charts: error against time, error against calls, drift of invariants against tolerance.
+    """The front of the methods by time, after drawing three charts: error against time, error
+    against calls, drift of invariants against tolerance.
 
     found : a :class:`~newton_euler.accuracy.work_precision.WorkPrecision`
     "auto", which only chooses one of the methods, is drawn over them.
     """
     figure.set(layout_engine="constrained", size_inches=(13.0, 4.9))
-    figure.suptitle(f"{found.scene.name}, section {found.scene.section}: {found.scene.description}", fontsize=12)
+    figure.suptitle(
+        f"{found.scene.name}, section {found.scene.section}: {found.scene.description}", fontsize=12
+    )
     left, middle, right = figure.subplots(1, 3)
     points = [replace(p, error=max(p.error, FLOOR)) for p in found.points]
-    methods, auto = [p for p in points if p.method != "auto"], [p for p in points if p.method == "auto"]
+    methods, auto = (
+        [p for p in points if p.method != "auto"],
+        [p for p in points if p.method == "auto"],
+    )
     best = chart(methods, left, order=NAMES, legend=False)
     chart([p for p in methods if p.calls], middle, cost="calls", order=NAMES, legend=False)
     left.plot([p.cost for p in auto], [p.error for p in auto], **AUTO)
@@ -30,14 +46,28 @@ def draw_methods(found, figure):
     middle.set(xlabel="calls of the right-hand side", ylabel="")
     _draw_drift(methods, auto, right)
     handles, names = left.get_legend_handles_labels()
-    figure.legend(handles, [_entry(name, found) for name in names], loc="outside right center", frameon=False, fontsize=9, labelspacing=0.8)
+    figure.legend(
+        handles,
+        [_entry(name, found) for name in names],
+        loc="outside right center",
+        frameon=False,
+        fontsize=9,
+        labelspacing=0.8,
+    )
     return best
 
 
 def _entry(name, found):
     """The method in the legend, with the time to prepare its first run if that is more than noise."""
-    seconds, costs = found.preparing.get(name, 0.0), [p.cost for p in found.points if p.method == name]
-    return f"{name}\n  {1e3 * seconds:.0f} ms to prepare" if seconds > max([2e-3, *costs[:1]]) else name
+    seconds, costs = (
+        found.preparing.get(name, 0.0),
+        [p.cost for p in found.points if p.method == name],
+    )
+    return (
+        f"{name}\n  {1e3 * seconds:.0f} ms to prepare"
+        if seconds > max([2e-3, *costs[:1]])
+        else name
+    )
 
 
 def _draw_drift(methods, auto, ax):
@@ -47,7 +77,9 @@ def _draw_drift(methods, auto, ax):
         ax.set_axis_off()
         return
     log_log(ax, "error asked for, rtol", "worst drift of an invariant, relative")
-    styles = {name: {"ms": 7, "lw": 0.8, **marker_style(n)} for n, name in enumerate(NAMES)} | {"auto": AUTO}
+    styles = {name: {"ms": 7, "lw": 0.8, **marker_style(n)} for n, name in enumerate(NAMES)} | {
+        "auto": AUTO
+    }
     for method, style in styles.items():
         own = [p for p in [*known, *auto] if p.method == method]
         ax.plot([p.asked for p in own], [max(p.drift, FLOOR) for p in own], **style)
@@ -57,25 +89,28 @@ def _draw_drift(methods, auto, ax):
 
 
 def measured_models(ladder, progress=lambda fraction, words: None):
-    """A :class:`~newton_euler.accuracy.Measured` for each rung of a :class:`~newton_euler.scenes.ladders.Ladder`: the time of its motion, and its error.
+    """A :class:`~newton_euler.accuracy.Measured` for each rung of a
+    :class:`~newton_euler.scenes.ladders.Ladder`: the time of its motion, and its error.
 
-    The time is that of a prepared run (:func:`newton_euler.prepare`) to 1e-9; the error is in the ladder's unit, that of the fullest rung 0.
+    The time is that of a prepared run (:func:`newton_euler.prepare`) to 1e-9; the error is in the
+    ladder's unit, that of the fullest rung 0.
     """
     points = []
     for n, rung in enumerate(ladder.rungs):
         progress(n / len(ladder.rungs), rung.name)
         error = ladder.error(rung)
         run, start = prepare(rung.model, 1e-9), tuple(map(float, rung.start))
-        cost = timed(lambda: run(ladder.t, start), runs=5)  # noqa: B023 (called at once)
+        cost = timed(lambda: run(ladder.t, start), runs=5)
         points.append(Measured(rung.name, cost, error, asked=1e-9))
     return points
 
 
 def draw_models(points, ladder, figure):
-    """The front of the rungs, after drawing their errors, in the ladder's unit, against the times of their motions.
+    """The front of the rungs, after drawing their errors, in the ladder's unit, against the times
+    of their motions.
 
-    A bar above a point ends at the bound of the error that the model itself gives. The fullest rung, which the others are measured against,
-    stands below at the arrow.
+    A bar above a point ends at the bound of the error that the model itself gives. The fullest
+    rung, which the others are measured against, stands below at the arrow.
     """
     figure.set(layout_engine="constrained", size_inches=(9.0, 5.6))
     ax = figure.subplots()
@@ -85,12 +120,26 @@ def draw_models(points, ladder, figure):
     for n, p in enumerate(points):
         height, bound = max(p.error, floor), ladder.rung(p.method).bound(ladder.t)
         if p.error and bound < math.inf:
-            ax.plot([p.cost] * 2, [height, bound], color="#999999", lw=1, marker="_", ms=10, zorder=1)
+            ax.plot(
+                [p.cost] * 2, [height, bound], color="#999999", lw=1, marker="_", ms=10, zorder=1
+            )
         place = {"xytext": (-12, -14), "ha": "right"} if p.cost > middle else {"xytext": (12, 6)}
-        if p.cost <= middle and any(q.error and abs(math.log(q.cost / p.cost)) < 0.3 and q.error < 3 * p.error < 9 * q.error for q in points[:n]):
+        if p.cost <= middle and any(
+            q.error and abs(math.log(q.cost / p.cost)) < 0.3 and q.error < 3 * p.error < 9 * q.error
+            for q in points[:n]
+        ):
             place = {"xytext": (12, -16)}  # another label is in the usual place
-        ax.annotate(p.method.removeprefix(f"{ladder.name}, "), (p.cost, height), textcoords="offset points", fontsize=9, **place)
-    ax.set_title(f"models of {ladder.name}, until t = {ladder.t:g}: what they cost, and what they leave out", fontsize=11)
+        ax.annotate(
+            p.method.removeprefix(f"{ladder.name}, "),
+            (p.cost, height),
+            textcoords="offset points",
+            fontsize=9,
+            **place,
+        )
+    ax.set_title(
+        f"models of {ladder.name}, until t = {ladder.t:g}: what they cost, and what they leave out",
+        fontsize=11,
+    )
     ax.set(xlabel="time of a run to 1e-9", ylabel=f"error of {ladder.of}")
     ax.margins(x=0.2)
     ax.set_ylim(floor / 12, 30 * (max(p.error for p in points) or 1.0))  # bounds may be far beyond

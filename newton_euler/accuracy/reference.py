@@ -1,8 +1,10 @@
 """The final state of a motion to 30 digits: the reference for the errors of all methods.
 
-Heyoka in multiple precision takes milliseconds. Where it is not installed, and to check it, the right-hand side is integrated in mpmath's numbers
-by extrapolation (W. B. Gragg 1965): the error of the midpoint rule has even powers of the step only, and each further run, with 2, 4, 6, … steps,
-removes one of them. None of the methods that are measured works in this way, and none of their code is used.
+Heyoka in multiple precision takes milliseconds. Where it is not installed, and to check it, the
+right-hand side is integrated in mpmath's numbers by extrapolation (W. B. Gragg 1965): the error of
+the midpoint rule has even powers of the step only, and each further run, with 2, 4, 6, … steps,
+removes one of them. None of the methods that are measured works in this way, and none of their code
+is used.
 """
 
 import importlib
@@ -17,7 +19,8 @@ BITS = 140  # of heyoka's numbers, which are 42 digits
 
 
 def reference(model, t, start):
-    """The states at ``t`` after ``start`` at t = 0, a tuple of mpf with about 30 digits, counted from the largest size of each.
+    """The states at ``t`` after ``start`` at t = 0, a tuple of mpf with about 30 digits, counted
+    from the largest size of each.
 
     Parameters and start are taken as exact numbers.
 
@@ -30,9 +33,11 @@ def reference(model, t, start):
 
 
 def by_heyoka(model, t, start):
-    """The same states by Taylor series in heyoka's numbers of 42 digits; arithmetic and order differ from those of its method in floats.
+    """The same states by Taylor series in heyoka's numbers of 42 digits; arithmetic and order
+    differ from those of its method in floats.
 
-    Where a formula divides by a number, heyoka multiplies by the inverse rounded to a float: dividing by 60 leaves 17 digits, by 64 all.
+    Where a formula divides by a number, heyoka multiplies by the inverse rounded to a float:
+    dividing by 60 leaves 17 digits, by 64 all.
     """
     import mpmath as mp
 
@@ -40,7 +45,13 @@ def by_heyoka(model, t, start):
     variables, one = [hy.expression(n) for n in model.states], hy.real(1, BITS)
     outputs = system.traced.rhs(hy.time, *variables, *(hy.par[i] for i in range(len(system.free))))
     equations = [(v, o + hy.expression(0.0)) for v, o in zip(variables, outputs, strict=True)]
-    ta = hy.taylor_adaptive(equations, [one * x for x in start_state(model, start)], fp_type=hy.real, prec=BITS, compact_mode=True)
+    ta = hy.taylor_adaptive(
+        equations,
+        [one * x for x in start_state(model, start)],
+        fp_type=hy.real,
+        prec=BITS,
+        compact_mode=True,
+    )
     for i in range(len(ta.pars)):
         ta.pars[i] = one * system.p[i]
     ta.propagate_until(one * t)
@@ -71,18 +82,24 @@ def by_extrapolation(model, t, start, digits=30):
                 now, x = now + h, new
                 sizes = [max(a, abs(b)) for a, b in zip(sizes, x, strict=True)]
             elif h < end * mp.mpf(10) ** -8:
-                raise ModelError(f"the motion of {model.name!r} could not be integrated beyond t = {float(now):.6g}")
+                raise ModelError(
+                    f"the motion of {model.name!r} could not be integrated beyond t = "
+                    f"{float(now):.6g}"
+                )
             h = h * mp.mpf(min(4.0, max(0.2, 0.9 * factor)))
         return tuple(+v for v in x)
 
 
 def _step(rates, t, x, h, sizes):
-    """The state after a step h, and its error relative to the largest state: the last entries of the extrapolation table."""
+    """The state after a step h, and its error relative to the largest state: the last entries of
+    the extrapolation table.
+    """
     first, table = rates(t, x), []
     for run in range(1, RUNS + 1):
         row = [_midpoint(rates, t, x, first, h, 2 * run)]
         for back, column in enumerate(table[-1] if table else [], start=1):
-            weight = 1 / ((row[0][0] * 0 + run) ** 2 / (run - back) ** 2 - 1)  # + 0 x: in the digits of the states
+            # + 0 x: in the digits of the states
+            weight = 1 / ((row[0][0] * 0 + run) ** 2 / (run - back) ** 2 - 1)
             row.append([a + (a - b) * weight for a, b in zip(row[-1], column, strict=True)])
         table.append(row)
     best, before = table[-1][-1], table[-1][-2]

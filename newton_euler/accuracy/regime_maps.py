@@ -1,6 +1,8 @@
-"""Maps of parameter space, coloured by the method or the model that holds there, with the theoretical borders drawn over them.
+"""Maps of parameter space, coloured by the method or the model that holds there, with the
+theoretical borders drawn over them.
 
-Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices, ``draw_map(name, ax)`` draws them.
+Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices,
+``draw_map(name, ax)`` draws them.
 
 >>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees from the vertical
 >>> found[0].tolist()
@@ -27,7 +29,9 @@ from .measure import COLOURS
 
 @dataclass(frozen=True)
 class Axis:
-    """An axis of a map: its ``label`` with the unit, from ``low`` to ``high``, in powers of ten if ``log``."""
+    """An axis of a map: its ``label`` with the unit, from ``low`` to ``high``, in powers of ten if
+    ``log``.
+    """
 
     label: str
     low: float
@@ -48,7 +52,9 @@ class Axis:
 
 @dataclass(frozen=True)
 class Curve:
-    """A theoretical border: ``label``, and y as a function of an array of x (nan where there is none); or x if the border is upright."""
+    """A theoretical border: ``label``, and y as a function of an array of x (nan where there is
+    none); or x if the border is upright.
+    """
 
     label: str
     y: Callable | None = None
@@ -93,7 +99,9 @@ class Map:
 
 
 def draw_map(name, ax, resolution=None, progress=lambda fraction: None):
-    """The choices of the map of this name, measured and drawn on ``ax`` with a legend of the colours and of the theoretical borders."""
+    """The choices of the map of this name, measured and drawn on ``ax`` with a legend of the
+    colours and of the theoretical borders.
+    """
     import numpy as np
     from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
@@ -103,22 +111,44 @@ def draw_map(name, ax, resolution=None, progress=lambda fraction: None):
     numbers = np.vectorize(chart.choices.index)(found)
     colours = COLOURS[: len(chart.choices)]
     edges = chart.x.edges(found.shape[1]), chart.y.edges(found.shape[0])
-    ax.pcolormesh(*edges, numbers, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(colours) - 0.5, alpha=0.75, linewidth=0, rasterized=True)
-    handles = [Patch(color=c, alpha=0.75, label=choice) for c, choice in zip(colours, chart.choices, strict=True) if (found == choice).any()]
+    ax.pcolormesh(
+        *edges,
+        numbers,
+        cmap=ListedColormap(colours),
+        vmin=-0.5,
+        vmax=len(colours) - 0.5,
+        alpha=0.75,
+        linewidth=0,
+        rasterized=True,
+    )
+    handles = [
+        Patch(color=c, alpha=0.75, label=choice)
+        for c, choice in zip(colours, chart.choices, strict=True)
+        if (found == choice).any()
+    ]
     x = chart.x.centres(800)
     for curve, dashes in zip(chart.curves, ("-", "--", ":"), strict=False):
         style = {"color": "black", "lw": 1.8, "ls": dashes, "label": curve.label}
         handles += ax.plot(x, curve.y(x), **style) if curve.y else [ax.axvline(curve.x, **style)]
-    ax.set(xlabel=chart.x.label, ylabel=chart.y.label, title=chart.title, xscale="log" if chart.x.log else "linear", xlim=edges[0][[0, -1]])
+    ax.set(
+        xlabel=chart.x.label,
+        ylabel=chart.y.label,
+        title=chart.title,
+        xscale="log" if chart.x.log else "linear",
+        xlim=edges[0][[0, -1]],
+    )
     ax.set(yscale="log" if chart.y.log else "linear", ylim=edges[1][[0, -1]])
-    ax.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9)
+    ax.legend(
+        handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9
+    )
     return found
 
 
 # -- methods: the free body
 
 
-BODY, GROWTH = free_body(1.0, 2.0, 3.0), 1 / math.sqrt(3)  # of a tilt from the intermediate axis, 1/s at 1 rad/s
+# of a tilt from the intermediate axis, 1/s at 1 rad/s
+BODY, GROWTH = free_body(1.0, 2.0, 3.0), 1 / math.sqrt(3)
 WANTED = 1e-9  # of the rates at any time, relative to 1 rad/s
 DENSE = 100  # instants in a cell at which errors are looked for
 DOP853, TAYLOR = "dop853, nothing to compile", "taylor, compilation counted"
@@ -132,12 +162,15 @@ def start_at(tilt):
 
 @cache
 def compile_time():
-    """The seconds that heyoka takes to compile a right-hand side of this kind; infinite if it is not installed."""
+    """The seconds that heyoka takes to compile a right-hand side of this kind; infinite if it is
+    not installed.
+    """
     integrate(BODY, 1.0, start_at(0.1), 1e-9, "dop853")  # tracing does not count for any method
     if not installed():
         return math.inf
     integrate(BODY, 1.0, start_at(0.1), 1e-9, "taylor")  # imports do not count
-    fresh = replace(BODY, rhs=lambda s, p, t: BODY.rhs(s, p, t))  # a new function, which is not compiled yet
+    # a new function, which is not compiled yet
+    fresh = replace(BODY, rhs=lambda s, p, t: BODY.rhs(s, p, t))
     return integrate(fresh, 1.0, start_at(0.1), 1e-9, "taylor").cost.seconds
 
 
@@ -146,12 +179,16 @@ def errors_until(times, motion, start):
     import numpy as np
 
     exact = BODY.solution(motion.times, start)
-    worst = np.maximum.accumulate(np.max([abs(x - w) for x, w in zip(exact, motion.states.values(), strict=True)], axis=0))
+    worst = np.maximum.accumulate(
+        np.max([abs(x - w) for x, w in zip(exact, motion.states.values(), strict=True)], axis=0)
+    )
     return worst[np.searchsorted(motion.times, times, side="right") - 1]
 
 
 def _taylor_seconds(times, start):
-    """For each of the times the seconds of a Taylor series to round-off, with its compilation; infinite where its error is above WANTED."""
+    """For each of the times the seconds of a Taylor series to round-off, with its compilation;
+    infinite where its error is above WANTED.
+    """
     import numpy as np
 
     if not installed():
@@ -159,11 +196,16 @@ def _taylor_seconds(times, start):
     instants = np.union1d(times, np.geomspace(times[0], times[-1], DENSE * len(times)))
     motion = integrate(BODY, times[-1], start, 1e-15, "taylor", samples=instants)
     right = errors_until(times, motion, start) <= WANTED
-    return [compile_time() + motion.cost.seconds * t / times[-1] if fine else math.inf for t, fine in zip(times, right.tolist(), strict=True)]
+    return [
+        compile_time() + motion.cost.seconds * t / times[-1] if fine else math.inf
+        for t, fine in zip(times, right.tolist(), strict=True)
+    ]
 
 
 def _dop853_seconds(t, start):
-    """The seconds of DOP853 with the first tolerance that leaves an error below WANTED; infinite if none does."""
+    """The seconds of DOP853 with the first tolerance that leaves an error below WANTED; infinite if
+    none does.
+    """
     for rtol in (1e-10, 1e-12):
         motion = integrate(BODY, t, start, rtol, "dop853", samples=DENSE)
         if errors_until([t], motion, start)[0] <= WANTED:
@@ -194,7 +236,9 @@ def _free_body(tilt, times):
 
 
 def _first_turnover(tilt):
-    """A small tilt a, half growing and half decaying, reaches a right angle after the quarter period ln(4 sqrt(2)/a)/GROWTH."""
+    """A small tilt a, half growing and half decaying, reaches a right angle after the quarter
+    period ln(4 sqrt(2)/a)/GROWTH.
+    """
     import numpy as np
 
     return np.log(4 * math.sqrt(2) / tilt) / GROWTH
@@ -203,8 +247,8 @@ def _first_turnover(tilt):
 def _roundoff_time(tilt):
     """The time until which an integration has errors below WANTED even where the motion is fastest.
 
-    A round-off e of the energy changes the period by 4 e/(GROWTH a^2); after a random walk of n periods the time of a turnover has changed
-    by n^(3/2) times that.
+    A round-off e of the energy changes the period by 4 e/(GROWTH a^2); after a random walk of n
+    periods the time of a turnover has changed by n^(3/2) times that.
     """
     periods = (WANTED * tilt**2 / (4 * 2.0**-53)) ** (2 / 3)
     return _first_turnover(tilt) * (2 + 4 * periods)  # the first turnover is not yet affected
@@ -218,7 +262,9 @@ I0, I, MGR, THETA = 0.02, 0.01, 0.5, 0.6
 
 def shot(flight):
     """The ladder of a vertical shot without drag that is in the air for so many seconds."""
-    return projectile.ladder(G, LATITUDE, drag=0.0, start=(0.0, 0.0, 0.0, 0.0, 0.0, G * flight / 2), t=flight)
+    return projectile.ladder(
+        G, LATITUDE, drag=0.0, start=(0.0, 0.0, 0.0, 0.0, 0.0, G * flight / 2), t=flight
+    )
 
 
 def released_top(omega_z):
@@ -227,12 +273,17 @@ def released_top(omega_z):
 
 
 def _smallest_rung(ladder_at):
-    """The column of a map: for one x, the first rung of ``ladder_at(x)`` whose error is within each tolerance."""
+    """The column of a map: for one x, the first rung of ``ladder_at(x)`` whose error is within each
+    tolerance.
+    """
 
     def column(x, tolerances):
         ladder = ladder_at(x)
         errors = {rung.name: ladder.error(rung, min(tolerances) / 1000) for rung in ladder.rungs}
-        return [next(name for name, error in errors.items() if error <= tolerance) for tolerance in tolerances]
+        return [
+            next(name for name, error in errors.items() if error <= tolerance)
+            for tolerance in tolerances
+        ]
 
     return column
 
@@ -248,7 +299,9 @@ def _centrifugal_error(flight):
 
 
 def _uniform_field_error(flight):
-    """The distance that the gravity deficit 2 g z/R at the height z = g t (T - t)/2 moves a body in the time of flight T."""
+    """The distance that the gravity deficit 2 g z/R at the height z = g t (T - t)/2 moves a body in
+    the time of flight T.
+    """
     return G**2 * flight**4 / (12 * EARTH_RADIUS)
 
 
@@ -260,7 +313,11 @@ def _nutation(omega_z):
 # -- what a run can tell: the sleeping top
 
 CRITICAL, TILT, FALLEN = sleeping_top(I0, I, MGR, 1.0).critical, 1e-6, 0.1  # rad/s, rad, rad
-FALLS, UNDECIDED, STANDS = "falls, and a run shows it", "falls, but a run does not show it yet", "stands, as the criterion says"
+FALLS, UNDECIDED, STANDS = (
+    "falls, and a run shows it",
+    "falls, but a run does not show it yet",
+    "stands, as the criterion says",
+)
 LONGEST = 100.0  # s
 
 
@@ -272,9 +329,13 @@ FALL = Event(_beyond_fallen, 1, terminal=True, name="falls")
 
 
 def falling_time(ratio):
-    """The seconds in which a top at ``ratio`` times the critical rate gets from a tilt of 1e-6 to 0.1 rad; infinite if not within 100 s."""
+    """The seconds in which a top at ``ratio`` times the critical rate gets from a tilt of 1e-6 to
+    0.1 rad; infinite if not within 100 s.
+    """
     start = (math.cos(TILT / 2), math.sin(TILT / 2), 0.0, 0.0, 0.0, 0.0)
-    motion = integrate(top.nonspinning_frame(I0, I, MGR, ratio * CRITICAL), LONGEST, start, 1e-9, events=FALL)
+    motion = integrate(
+        top.nonspinning_frame(I0, I, MGR, ratio * CRITICAL), LONGEST, start, 1e-9, events=FALL
+    )
     return motion.events[0].t if motion.events else math.inf
 
 
@@ -293,7 +354,11 @@ def _theoretical_falling_time(ratio):
 
 # -- where there is a motion at all: steady precession
 
-NONE, BOTH, OPPOSED = "none: it nods", "slow and fast, of one sense", "slow and fast, of opposite sense"
+NONE, BOTH, OPPOSED = (
+    "none: it nods",
+    "slow and fast, of one sense",
+    "slow and fast, of opposite sense",
+)
 
 
 def _steady(omega_z, angles):
@@ -317,20 +382,23 @@ def _limit_angle(omega_z):
 _MAPS = (
     Map(
         "free body", "Free body near its intermediate axis: the cheapest integration to 1e-9",
-        "Moments 1, 2, 3, at 1 rad/s. The exact solution costs least and is the reference. Next to the separatrix each turnover multiplies the "
+        "Moments 1, 2, 3, at 1 rad/s. The exact solution costs least and is the reference. "
+"Next to the separatrix each turnover multiplies the "
         "round-off, so that no integration in floats stays right to 1e-9 for long.",
         Axis("tilt from the intermediate axis, rad", 1e-8, 1.0), Axis("time, s", 1.0, 3e4), (DOP853, TAYLOR, EXACT, EXACT_30), _free_body,
         (Curve("first turnover", _first_turnover), Curve("round-off grown to 1e-9", _roundoff_time)), (24, 24),
     ),
     Map(
         "projectile", "Shot straight up at 45° north: the smallest model",
-        "In vacuum, the position over the whole flight, against the inverse square of an Earth that turns.",
+        "In vacuum, the position over the whole flight, against the inverse square of an "
+"Earth that turns.",
         Axis("time of flight, s", 1.0, 1000.0), Axis("error allowed, m", 1e-6, 1e5), rung_names(shot(1.0)), _smallest_rung(shot),
         (Curve("centrifugal: ω² R T² cos λ/2", _centrifugal_error), Curve("less weight above: g² T⁴/(12 R)", _uniform_field_error)), (40, 60),
     ),
     Map(
         "top", "Top let go at 0.6 rad for 5 s: the smallest model",
-        "I0 = 0.02, I = 0.01, mgr = 0.5, transverse moments 0.1 % above and below I0; the direction of the axis against the body in three angles.",
+        "I0 = 0.02, I = 0.01, mgr = 0.5, transverse moments 0.1 % above and below I0; the "
+"direction of the axis against the body in three angles.",
         Axis("rate about its axis, rad/s", 10.0, 1000.0), Axis("error allowed, rad", 1e-6, 3.0),
         rung_names(released_top(200.0)), _smallest_rung(released_top),
         (Curve("nutation 2 I₀ mgr sin θ/(I ω)²", _nutation),
@@ -338,7 +406,8 @@ _MAPS = (
     ),
     Map(
         "sleeping top", "Top set upright, tilted by 1e-6 rad: what a run can tell",
-        "A tilt of 0.1 rad counts as fallen. Just below the critical rate no run is long enough, and the criterion alone decides.",
+        "A tilt of 0.1 rad counts as fallen. Just below the critical rate no run is long "
+"enough, and the criterion alone decides.",
         Axis("rate over the critical one, 2 √(I₀ mgr)/I", 0.8, 1.1, log=False), Axis("length of the run, s", 1.0, LONGEST),
         (FALLS, UNDECIDED, STANDS), _sleeping,
         (Curve("by its rate of growth", _theoretical_falling_time), Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40),

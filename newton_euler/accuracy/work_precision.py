@@ -1,4 +1,5 @@
-"""Work-precision data of the methods of integration on a scene: what each costs, and its error against 30 digits.
+"""Work-precision data of the methods of integration on a scene: what each costs, and its error
+against 30 digits.
 
 >>> found = work_precision("sphere on an incline", tolerances=(1e-3, 1e-9), methods=("exact", "dop853", "auto"))
 >>> [p.error < 1e-13 for p in found.points if p.method == "exact"]
@@ -34,11 +35,15 @@ class WorkPrecision:
     """What was measured on one scene.
 
     scene : a :class:`~newton_euler.scenes.catalogue.Scene`
-    points : :class:`~newton_euler.accuracy.Measured`, method by method, each with the tolerance ``asked`` for
-    ratios : {tolerance: (time of "auto" / time of the best other method, name of that method)}, measured in turns; the best method is the
-        cheapest that was asked for the same tolerance and reached it
-    preparing : {method: seconds that its first run took more than the next, to write and compile code}; all imports were made before
-    left_out : {method: why it was not asked for the smallest tolerances}; methods that the scene cannot use have no points
+    points : :class:`~newton_euler.accuracy.Measured`, method by method, each with the tolerance
+        ``asked`` for
+    ratios : {tolerance: (time of "auto" / time of the best other method, name of that method)},
+        measured in turns; the best method is the cheapest that was asked for the same tolerance and
+        reached it
+    preparing : {method: seconds that its first run took more than the next, to write and compile
+        code}; all imports were made before
+    left_out : {method: why it was not asked for the smallest tolerances}; methods that the scene
+        cannot use have no points
     """
 
     scene: Scene
@@ -52,18 +57,32 @@ class WorkPrecision:
         lines = [f"  {'method':13} {'rtol':>6} {'time':>11} {'calls':>8} {'error':>8} {'drift':>8}"]
         for p in self.points:
             drift = "" if p.drift is None else f"{p.drift:.1e}"
-            lines.append(f"  {p.method:13} {p.asked:6.0e} {1e6 * p.cost:8.1f} us {p.calls:8} {p.error:8.1e} {drift:>8}")
-        lines += [f"  auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}" for rtol, (ratio, best) in self.ratios.items()]
+            lines.append(
+                f"  {p.method:13} {p.asked:6.0e} {1e6 * p.cost:8.1f} us {p.calls:8} "
+                f"{p.error:8.1e} {drift:>8}"
+            )
+        lines += [
+            f"  auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}"
+            for rtol, (ratio, best) in self.ratios.items()
+        ]
         return "\n".join(lines + [f"  {method}: {why}" for method, why in self.left_out.items()])
 
     __str__ = explain
 
 
-def work_precision(name, tolerances=TOLERANCES, methods=NAMES, longest=LONGEST, progress=lambda fraction, words: None):
-    """The :class:`WorkPrecision` of a scene: every method that it can use, measured at every tolerance.
+def work_precision(
+    name,
+    tolerances=TOLERANCES,
+    methods=NAMES,
+    longest=LONGEST,
+    progress=lambda fraction, words: None,
+):
+    """The :class:`WorkPrecision` of a scene: every method that it can use, measured at every
+    tolerance.
 
-    The cost is the time of one call of ``integrate`` after its model is prepared and its code compiled. The error is that of the worst state
-    at the end, relative to the largest size of this state during the motion, as in :class:`~newton_euler.motion.solution.Motion`.
+    The cost is the time of one call of ``integrate`` after its model is prepared and its code
+    compiled. The error is that of the worst state at the end, relative to the largest size of this
+    state during the motion, as in :class:`~newton_euler.motion.solution.Motion`.
 
     longest : a method whose run takes more seconds is not asked for more digits
     """
@@ -77,15 +96,20 @@ def work_precision(name, tolerances=TOLERANCES, methods=NAMES, longest=LONGEST, 
             progress((n + m / len(tolerances)) / len(methods), f"{method}, {rtol:.0e}")
             try:
                 point, first = reference.measured(method, rtol)
-            except ModelError as error:  # the method cannot reach this tolerance, or not on this scene
+            # the method cannot reach this tolerance, or not on this scene
+            except ModelError as error:
                 left_out[method] = f"{rtol:.0e}: {error}"
                 break
             points.append(point)
             preparing.setdefault(method, max(first - point.cost, 0.0))
             if point.cost > longest and m + 1 < len(tolerances):
-                left_out[method] = f"not asked for less than {rtol:.0e}, which took {point.cost:.2g} s"
+                left_out[method] = (
+                    f"not asked for less than {rtol:.0e}, which took {point.cost:.2g} s"
+                )
                 break
-    return WorkPrecision(scene, tuple(points), dict(_ratios(reference, points)), preparing, left_out)
+    return WorkPrecision(
+        scene, tuple(points), dict(_ratios(reference, points)), preparing, left_out
+    )
 
 
 def _ratios(reference, points):
@@ -93,7 +117,11 @@ def _ratios(reference, points):
         reached = [p for p in points if p.asked == rtol and p.error <= rtol and p.method != "auto"]
         if reached:
             best = min(reached, key=lambda p: p.cost).method
-            auto, other = timed(*(lambda m=m: reference.run(m, rtol) for m in ("auto", best)), runs=15, shortest=5e-4)  # noqa: B023
+            auto, other = timed(
+                *(lambda m=m: reference.run(m, rtol) for m in ("auto", best)),  # noqa: B023
+                runs=15,
+                shortest=5e-4,
+            )
             yield rtol, (auto / other, best)
 
 
@@ -112,18 +140,33 @@ class Reference:
 
     def error(self, motion):
         """The true error of the last state, as ``Motion.error`` counts it."""
-        return max(abs(motion.end[n] - x) / size for n, x, size in zip(self.model.states, self.end, self.sizes, strict=True))
+        return max(
+            abs(motion.end[n] - x) / size
+            for n, x, size in zip(self.model.states, self.end, self.sizes, strict=True)
+        )
 
     def measured(self, method, rtol):
         """The point of one method at one tolerance, and the seconds that its first run took."""
         motion, first = _stopwatch(lambda: self.run(method, rtol))
         compiles = method == "auto" or not METHODS[method].calibrated
-        cost = first if first > LONGEST and not compiles else _seconds(lambda: self.run(method, rtol))
-        return Measured(method, cost, self.error(motion), f"rtol = {rtol:.0e}", rtol, motion.cost.calls, worst_drift(motion)), first
+        cost = (
+            first if first > LONGEST and not compiles else _seconds(lambda: self.run(method, rtol))
+        )
+        return Measured(
+            method,
+            cost,
+            self.error(motion),
+            f"rtol = {rtol:.0e}",
+            rtol,
+            motion.cost.calls,
+            worst_drift(motion),
+        ), first
 
 
 def worst_drift(motion):
-    """The largest drift of an invariant at about a hundred ends of steps; None if no invariant is known."""
+    """The largest drift of an invariant at about a hundred ends of steps; None if no invariant is
+    known.
+    """
     ends = motion.segments[0].stepper.step_times
     sampled = replace(motion, samples=ends[:: len(ends) // 100 + 1]) if len(ends) > 100 else motion
     return max(sampled.drift.values(), default=None)

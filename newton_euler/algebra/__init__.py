@@ -1,4 +1,6 @@
-"""Scalars of every kind, vectors, sums with named terms, linear equations, quadrature, generated code."""
+"""Scalars of every kind, vectors, sums with named terms, linear equations, quadrature, generated
+code.
+"""
 
 from .codegen.compiled import compiled
 from .errors import NewtonEulerError

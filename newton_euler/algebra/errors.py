@@ -2,7 +2,8 @@
 
 
 class NewtonEulerError(Exception):
-    """Base of the engine's errors; each is also the built-in error that fits it, as ValueError or TypeError.
+    """Base of the engine's errors; each is also the built-in error that fits it, as ValueError or
+    TypeError.
 
     >>> from newton_euler import Frame, NewtonEulerError
     >>> try:

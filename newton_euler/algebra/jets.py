@@ -1,4 +1,6 @@
-"""Scalars that carry their first and second rate in time: exact derivatives of any formula, without a step size."""
+"""Scalars that carry their first and second rate in time: exact derivatives of any formula, without
+a step size.
+"""
 
 from .scalars import (
     _LIBRARIES,
@@ -33,8 +35,8 @@ from .scalars import (
 class Moving(_Own):
     """A scalar at one instant together with its first and second time rate (a jet of order two).
 
-    Arithmetic and functions carry the rates along by the product and chain rules, so no step size enters.
-    Make one with :func:`moving` or :func:`at`.
+    Arithmetic and functions carry the rates along by the product and chain rules, so no step size
+    enters. Make one with :func:`moving` or :func:`at`.
     """
 
     __slots__ = ("acceleration", "rate", "value")
@@ -52,7 +54,10 @@ class Moving(_Own):
         self.value, self.rate, self.acceleration = value, rate, acceleration
 
     def __repr__(self):
-        return f"moving({plain(self.value)!r}, rate={plain(self.rate)!r}, acceleration={plain(self.acceleration)!r})"
+        return (
+            f"moving({plain(self.value)!r}, rate={plain(self.rate)!r}, "
+            f"acceleration={plain(self.acceleration)!r})"
+        )
 
     def __add__(self, other):
         o = as_moving(other)
@@ -94,20 +99,26 @@ class Moving(_Own):
 
     def __pow__(self, power):
         if isinstance(power, Moving):
-            raise ScalarError("a moving number can be raised to a constant power only; for others write exp(power*log(x))")
+            raise ScalarError(
+                "a moving number can be raised to a constant power only; for others write "
+                "exp(power*log(x))"
+            )
         if power is ZERO or (type(power) in (int, float) and power in (0, 1)):
             return self if power else 1
         u = self.value
         if self.rests():
             return Moving(u**power)
-        return self._chain(u**power, power * u ** (power - 1), power * (power - 1) * u ** (power - 2))
+        return self._chain(
+            u**power, power * u ** (power - 1), power * (power - 1) * u ** (power - 2)
+        )
 
     def rests(self):
         """Known to be constant: then a function may have no derivative here, as a square root at 0."""
         return self.rate is ZERO and self.acceleration is ZERO
 
     def __rpow__(self, base):
-        return exp(self * log(self.value * 0 + base))  # the logarithm in the kind of the value, with all its digits
+        # the logarithm in the kind of the value, with all its digits
+        return exp(self * log(self.value * 0 + base))
 
     def _chain(self, f, df, ddf):
         """The number f(self), given f and its first two derivatives at the value."""
@@ -120,7 +131,11 @@ class Moving(_Own):
             square = x.value * x.value + y.value * y.value
             rate = (x.value * y.rate - y.value * x.rate) / square
             growth = 2 * (x.value * x.rate + y.value * y.rate)
-            return Moving(atan2(y.value, x.value), rate, (x.value * y.acceleration - y.value * x.acceleration - rate * growth) / square)
+            return Moving(
+                atan2(y.value, x.value),
+                rate,
+                (x.value * y.acceleration - y.value * x.acceleration - rate * growth) / square,
+            )
         if self.rests():
             return Moving(function(name, self.value))
         return self._chain(*_DERIVATIVES[name](self.value))
@@ -159,8 +174,9 @@ def as_moving(x):
 def moving(value, rate=None, acceleration=None):
     """A scalar with its rates at the instant, for angles and coordinates that change.
 
-    ``rate`` and ``acceleration`` are d/dt and d2/dt2 of ``value``, in its unit per second and per second squared. One that is left
-    out is derived if what precedes it is a SymPy or SymEngine expression in the symbol ``t``, and zero otherwise.
+    ``rate`` and ``acceleration`` are d/dt and d2/dt2 of ``value``, in its unit per second and per
+    second squared. One that is left out is derived if what precedes it is a SymPy or SymEngine
+    expression in the symbol ``t``, and zero otherwise.
 
     >>> moving(2.0, rate=3.0)**2
     moving(4.0, rate=12.0, acceleration=18.0)
@@ -169,32 +185,45 @@ def moving(value, rate=None, acceleration=None):
         return Moving(value)
     if isinstance(value, Moving):
         if rate is not None or acceleration is not None:
-            raise ScalarError(f"{value!r} already has its rates; leave out rate= and acceleration=, or pass its value alone")
+            raise ScalarError(
+                f"{value!r} already has its rates; leave out rate= and acceleration=, or pass "
+                "its value alone"
+            )
         return value
     if callable(value) and _root(type(value)) not in _LIBRARIES:
         raise ScalarError("a function of time needs an instant: pass at(f, t) instead of f")
     value = scalar(value)
     rate = _derived(value) if rate is None else whole(scalar(rate), value)
-    return Moving(value, rate, _derived(rate) if acceleration is None else whole(scalar(acceleration), value))
+    return Moving(
+        value, rate, _derived(rate) if acceleration is None else whole(scalar(acceleration), value)
+    )
 
 
 def _derived(x):
-    """dx/dt of a symbolic expression in ``t``, whatever the assumptions that ``t`` was made with; zero for any other number."""
+    """dx/dt of a symbolic expression in ``t``, whatever the assumptions that ``t`` was made with;
+    zero for any other number.
+    """
     if x is ZERO or type(x) is float or _root(type(x)) not in ("sympy", "symengine"):
         return ZERO
     times = [s for s in x.free_symbols if str(s) == "t"]
     if len(times) > 1:
-        raise ScalarError(f"{x} holds {len(times)} different symbols named t; make one t = Symbol('t') and use it throughout")
+        raise ScalarError(
+            f"{x} holds {len(times)} different symbols named t; make one t = Symbol('t') and "
+            "use it throughout"
+        )
     derivative = x.diff(times[0]) if times else ZERO
     return ZERO if derivative == 0 else derivative
 
 
 def at(f, t):
-    """The function of time ``f`` at the instant ``t`` (s), with its first and second rate, exactly and without a step size.
+    """The function of time ``f`` at the instant ``t`` (s), with its first and second rate, exactly
+    and without a step size.
 
-    ``f`` uses the functions of this module (``from newton_euler import sin, sqrt …``); ``t`` may be of any kind.
+    ``f`` uses the functions of this module (``from newton_euler import sin, sqrt …``); ``t`` may be
+    of any kind.
 
     >>> at(lambda t: t**3, 2.0)
     moving(8.0, rate=12.0, acceleration=12.0)
     """
-    return as_moving(f(Moving(t, whole(1, t))))  # a rate of the kind of t, or constants of 16 digits are multiplied before they meet it
+    # a rate of the kind of t, or constants of 16 digits are multiplied before they meet it
+    return as_moving(f(Moving(t, whole(1, t))))

@@ -1,7 +1,9 @@
-"""Sums that keep their terms by name: the equation they come from, the ledger of a vector, amounts of work and energy.
+"""Sums that keep their terms by name: the equation they come from, the ledger of a vector, amounts
+of work and energy.
 
-A result that theory writes as a sum knows its terms (``a.terms``), can be written out (``a.explain()``) and summed again with some of them left
-out or weighted (``a.without("coriolis")``), which is what a wrong model would give.
+A result that theory writes as a sum knows its terms (``a.terms``), can be written out
+(``a.explain()``) and summed again with some of them left out or weighted
+(``a.without("coriolis")``), which is what a wrong model would give.
 """
 
 from dataclasses import dataclass, field
@@ -48,7 +50,9 @@ class NamedTerms:
         return self.reweighted(**dict.fromkeys(names, 0))
 
     def _weighted(self, factors, error):
-        """Pairs of the factor named for a term (1 for others) and the term; an ``error`` if there is none of that name."""
+        """Pairs of the factor named for a term (1 for others) and the term; an ``error`` if there
+        is none of that name.
+        """
         unknown = [n for n in factors if n not in self.terms]
         if unknown:
             raise error(f"no term {unknown[0]!r}; the terms are {', '.join(self.terms) or 'none'}")
@@ -72,25 +76,37 @@ class Ledger:
 
     def mapped(self, change):
         """The ledger with every term changed in the same way."""
-        return Ledger(self.equation, self.subject, lambda: {name: change(v) for name, v in self.terms.items()})
+        return Ledger(
+            self.equation, self.subject, lambda: {name: change(v) for name, v in self.terms.items()}
+        )
 
 
 class Explanation:
-    """A vector written out as the sum it is. ``str()`` gives text, ``latex`` the formulas; Jupyter shows the latter."""
+    """A vector written out as the sum it is. ``str()`` gives text, ``latex`` the formulas; Jupyter
+    shows the latter.
+    """
 
     def __init__(self, vector, ledger, unit=""):
         self.ledger, self.unit = ledger, unit
         self.equation = ledger.equation
         terms = {n: t.expressed_in(vector.frame) for n, t in vector.terms.items()}
-        noise = 1e-14 * max((size(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)), default=0.0)
-        self.vector, self.terms = vector.rounded(noise), {n: t.rounded(noise) for n, t in terms.items()}
+        noise = 1e-14 * max(
+            (size(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)), default=0.0
+        )
+        self.vector, self.terms = (
+            vector.rounded(noise),
+            {n: t.rounded(noise) for n, t in terms.items()},
+        )
 
     def __str__(self):
         unit = f" {self.unit}" if self.unit else ""
         terms = self.terms
         names = [f"{n}  {self.equation.terms.get(n, ('',))[0]}".rstrip() for n in terms]
         width = max(map(len, [*names, "sum"]))
-        lines = [f"{self.equation.kind} {self.ledger.subject}, equation ({self.equation.number}), components in {self.vector.frame.name}"]
+        lines = [
+            f"{self.equation.kind} {self.ledger.subject}, equation ({self.equation.number}), "
+            f"components in {self.vector.frame.name}"
+        ]
         for name, term in zip(names, terms.values(), strict=True):
             lines.append(f"  {name:<{width}}  [{', '.join(short(x) for x in term)}]{unit}")
         lines.append(f"  {'sum':<{width}}  [{', '.join(short(x) for x in self.vector)}]{unit}")
@@ -104,11 +120,21 @@ class Explanation:
         subject = r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
         terms = self.terms
-        formulas = [self.equation.terms[n][1] if n in self.equation.terms else _product(n, self.equation.symbol) for n in terms]
-        rows = [rf"{self.equation.symbol}{subject} &= {' + '.join(formulas)} \tag{{{self.equation.number}}}"]
+        formulas = [
+            self.equation.terms[n][1]
+            if n in self.equation.terms
+            else _product(n, self.equation.symbol)
+            for n in terms
+        ]
+        rows = [
+            rf"{self.equation.symbol}{subject} &= {' + '.join(formulas)} "
+            rf"\tag{{{self.equation.number}}}"
+        ]
         for (name, term), formula in zip(terms.items(), formulas, strict=True):
             rows.append(rf"{formula} &= {term.latex()}{unit} && \text{{{name}}}")
-        rows.append(rf"{self.equation.symbol}{subject} &= {self.vector.latex()}{unit} && \text{{sum}}")
+        rows.append(
+            rf"{self.equation.symbol}{subject} &= {self.vector.latex()}{unit} && \text{{sum}}"
+        )
         return r"\begin{align*}" + r" \\ ".join(rows) + r"\end{align*}"
 
     def _repr_latex_(self):
@@ -119,9 +145,13 @@ class Explanation:
 
 
 def _product(name, symbol):
-    """LaTeX for a term named after frames: "arm" is the symbol's, "arm x rod" the cross product of two rates."""
+    """LaTeX for a term named after frames: "arm" is the symbol's, "arm x rod" the cross product of
+    two rates.
+    """
     if " x " in name:
-        return r"\times".join(rf"\boldsymbol{{\omega}}_{{\text{{{part}}}}}" for part in name.split(" x "))
+        return r"\times".join(
+            rf"\boldsymbol{{\omega}}_{{\text{{{part}}}}}" for part in name.split(" x ")
+        )
     return rf"{symbol}_{{\text{{{name}}}}}"
 
 
@@ -142,11 +172,13 @@ def latex_number(x, digits):
 
 @dataclass(frozen=True, eq=False)
 class Amount(NamedTerms):
-    """An amount of work, energy or power with its terms by name: ``U.value``, ``T.terms["rotation"]``, ``T.explain()``.
+    """An amount of work, energy or power with its terms by name: ``U.value``,
+    ``T.terms["rotation"]``, ``T.explain()``.
 
     what, number : what it is, and its equation in the book
     error : estimated error of ``value`` where it comes from an integral, in the same unit
-    It stands for its value in sums and products with numbers and with its like: ``float(U)``, ``T + V``, ``2*U``.
+    It stands for its value in sums and products with numbers and with its like: ``float(U)``,
+    ``T + V``, ``2*U``.
     """
 
     value: object
@@ -186,10 +218,16 @@ class Amount(NamedTerms):
         """The sum in words: its equation in the book, each term, and their sum."""
         rows = [*self.terms.items(), ("sum", self.value)]
         width = max(len(name) for name, _ in rows)
-        return "\n".join([f"{self.what}, equation ({self.number})", *(f"  {name:<{width}}  {short(x)} {unit}" for name, x in rows)])
+        return "\n".join(
+            [
+                f"{self.what}, equation ({self.number})",
+                *(f"  {name:<{width}}  {short(x)} {unit}" for name, x in rows),
+            ]
+        )
 
     def reweighted(self, **factors):
-        """The sum of its terms, each times the factor named for it (others once): what a wrong model would give.
+        """The sum of its terms, each times the factor named for it (others once): what a wrong
+        model would give.
 
         >>> Amount(7.0, {"translation": 5.0, "rotation": 2.0}).reweighted(rotation=0)
         5.0
@@ -205,4 +243,10 @@ def value_of(x):
 def summed(terms, what="work", number="11.1", error=0.0):
     """The :class:`Amount` that is the sum of these terms, numbers by name."""
     terms = {n: value_of(x) for n, x in terms.items()}
-    return Amount(plain(sum(terms.values(), ZERO)), {n: plain(x) for n, x in terms.items()}, what, number, error)
+    return Amount(
+        plain(sum(terms.values(), ZERO)),
+        {n: plain(x) for n, x in terms.items()},
+        what,
+        number,
+        error,
+    )

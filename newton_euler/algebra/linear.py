@@ -1,8 +1,11 @@
-"""Linear equations for unknown rates, accelerations and reactions, over scalars of every kind, and what they leave open.
+"""Linear equations for unknown rates, accelerations and reactions, over scalars of every kind, and
+what they leave open.
 
-Velocities are linear in rates, the Newton-Euler equations (8.21) in accelerations and forces. The equations are written as what must vanish and
-run on :class:`LinearForm` unknowns, which read off the coefficients, each in its own unit. :func:`solve_rates` is for the few rates
-of a rolling contact or a joint; :func:`solve_linear` for whole sets of equations with names, and it reports what they leave open.
+Velocities are linear in rates, the Newton-Euler equations (8.21) in accelerations and forces. The
+equations are written as what must vanish and run on :class:`LinearForm` unknowns, which read off
+the coefficients, each in its own unit. :func:`solve_rates` is for the few rates of a rolling
+contact or a joint; :func:`solve_linear` for whole sets of equations with names, and it reports what
+they leave open.
 """
 
 from collections import Counter
@@ -13,23 +16,51 @@ from inspect import signature
 from math import prod
 from types import MappingProxyType
 
-from .scalars import ZERO, ScalarError, Scaled, _Own, coarseness, is_numeric, is_zero, least, outranks, pi, plain, sampled, scalar, short, size
+from .scalars import (
+    ZERO,
+    ScalarError,
+    Scaled,
+    _Own,
+    coarseness,
+    is_numeric,
+    is_zero,
+    least,
+    outranks,
+    pi,
+    plain,
+    sampled,
+    scalar,
+    short,
+    size,
+)
 from .vectors import FrameError, Vector
 
-LARGEST_CORE = 6  # unknowns that are solved together by Cramer's rule; of more, one after the other is eliminated
+# unknowns that are solved together by Cramer's rule; of more, one after the other is eliminated
+LARGEST_CORE = 6
 
-# Thresholds of the elimination, in round-offs of the coarsest number. Measured on 3000 surplus equations of systems with 2 to 12 random unknowns and
-# condition numbers up to 1e4: what should vanish is at most 2**2 of them in a row, and 2**4 in a right side; what should not, at least 2**37.
-LEFT_OVER = 16  # beside the largest coefficient of a condition: what is left of a sum of a few terms that cancel, as of a turned vector's components
-NO_PIVOT = 2**12  # beside the largest coefficient that was subtracted: a thousand times what is measured, for longer chains of equations
-ABSENT = 2**19  # beside the pivot, or the largest part of a sum: halfway between both measured sizes
-CONTRADICTION = 2**22  # beside the terms of the equation: 1e-9, so that data that agree in nine digits agree
+# Thresholds of the elimination, in round-offs of the coarsest number. Measured on 3000 surplus
+# equations of systems with 2 to 12 random unknowns and
+# condition numbers up to 1e4: what should vanish is at most 2**2 of them in a row, and 2**4 in a
+# right side; what should not, at least 2**37.
+# beside the largest coefficient of a condition: what is left of a sum of a few terms that cancel,
+# as of a turned vector's components
+LEFT_OVER = 16
+# beside the largest coefficient that was subtracted: a thousand times what is measured, for longer
+# chains of equations
+NO_PIVOT = 2**12
+# beside the pivot, or the largest part of a sum: halfway between both measured sizes
+ABSENT = 2**19
+# beside the terms of the equation: 1e-9, so that data that agree in nine digits agree
+CONTRADICTION = 2**22
 AGREEMENT = 1e-9  # the same for the surplus conditions of solve_rates
-RATE_NOISE = 1e-13  # of solve_rates, for every kind of number: 450 round-offs of a float beside the largest coefficient, or the product of the rows
+# of solve_rates, for every kind of number: 450 round-offs of a float beside the largest
+# coefficient, or the product of the rows
+RATE_NOISE = 1e-13
 
 
 class LinearError(FrameError):
-    """Linear equations that contradict each other, or a question for an unknown that they leave open.
+    """Linear equations that contradict each other, or a question for an unknown that they leave
+    open.
 
     equations : the names of the equations that are to blame
     """
@@ -42,8 +73,8 @@ class LinearError(FrameError):
 class LinearForm(_Own):
     """``value + c[0]*u[0] + c[1]*u[1] + …``: a scalar that is linear in unknowns.
 
-    Running conditions on it reads off their coefficients, each in its own unit. A product of unknowns, or a function of one, raises
-    :class:`ScalarError`.
+    Running conditions on it reads off their coefficients, each in its own unit. A product of
+    unknowns, or a function of one, raises :class:`ScalarError`.
 
     >>> 3.0 * LinearForm(2.0, (1, ZERO)) - LinearForm(ZERO, (ZERO, 1))
     LinearForm(6.0, (3.0, -1))
@@ -60,14 +91,19 @@ class LinearForm(_Own):
 
     @staticmethod
     def _refuse(what):
-        raise ScalarError(f"{what}; the conditions must be linear in the unknowns, as velocities are in rates")
+        raise ScalarError(
+            f"{what}; the conditions must be linear in the unknowns, as velocities are in rates"
+        )
 
     def _each(self, change):
         return LinearForm(change(self.value), map(change, self.coefficients))
 
     def __add__(self, other):
         if isinstance(other, LinearForm):
-            return LinearForm(self.value + other.value, (a + b for a, b in zip(self.coefficients, other.coefficients, strict=True)))
+            return LinearForm(
+                self.value + other.value,
+                (a + b for a, b in zip(self.coefficients, other.coefficients, strict=True)),
+            )
         if outranks(other, self):
             return NotImplemented
         return LinearForm(self.value + scalar(other), self.coefficients)
@@ -118,13 +154,15 @@ class LinearForm(_Own):
 
 
 def solve_rates(conditions, count):
-    """The unknown rates that make ``conditions`` vanish: rolling without slip, meshing gears, joints (4.4, 4.9).
+    """The unknown rates that make ``conditions`` vanish: rolling without slip, meshing gears,
+    joints (4.4, 4.9).
 
-    conditions : a function of ``count`` rates that returns what must be zero (scalars, Vectors, or a tuple of them), linear in the
-        rates, as every velocity is
-    Returns a tuple of ``count`` scalars, of the kind of the conditions. There may be more conditions than rates if they agree. Raises
-    :class:`FrameError` if the conditions leave a rate open or contradict each other, and :class:`ScalarError`
-    if they are not linear in the rates. For equations with names, and a report, see :func:`solve_linear`.
+    conditions : a function of ``count`` rates that returns what must be zero (scalars, Vectors, or
+        a tuple of them), linear in the rates, as every velocity is
+    Returns a tuple of ``count`` scalars, of the kind of the conditions. There may be more
+    conditions than rates if they agree. Raises :class:`FrameError` if the conditions leave a rate
+    open or contradict each other, and :class:`ScalarError` if they are not linear in the rates. For
+    equations with names, and a report, see :func:`solve_linear`.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")
@@ -136,12 +174,24 @@ def solve_rates(conditions, count):
     """
     equations = _equations(conditions(*_unknowns(count)), count)
     largest = _largest(c for e in equations for c in e.coefficients)
-    used = [e for e in equations if any(not is_numeric(c) or size(c) > RATE_NOISE * largest for c in e.coefficients)]  # others are rounding
+    # others are rounding
+    used = [
+        e
+        for e in equations
+        if any(not is_numeric(c) or size(c) > RATE_NOISE * largest for c in e.coefficients)
+    ]
     if len(used) < count:
-        raise LinearError(f"{len(used)} conditions contain the rates, but {count} rates are unknown: {count - len(used)} more are needed")
+        raise LinearError(
+            f"{len(used)} conditions contain the rates, but {count} rates are unknown: "
+            f"{count - len(used)} more are needed"
+        )
     rows = [e.parts() for e in used]
-    if len(used) > count:  # agreeing surplus conditions: the normal equations, which any kind of scalar can solve
-        rows = [[sum((row[a] * row[b] for row in rows), ZERO) for b in range(count + 1)] for a in range(count)]
+    # agreeing surplus conditions: the normal equations, which any kind of scalar can solve
+    if len(used) > count:
+        rows = [
+            [sum((row[a] * row[b] for row in rows), ZERO) for b in range(count + 1)]
+            for a in range(count)
+        ]
     rates = _cramer([row[:count] for row in rows], [row[count] for row in rows])
     _check_solution(equations, rates)
     return tuple(plain(r) for r in rates)
@@ -156,7 +206,9 @@ def _largest(values):
 
 
 def _cramer(matrix, right):
-    """Linear equations over scalars of any kind: Cramer's rule, which needs neither a pivot nor a comparison."""
+    """Linear equations over scalars of any kind: Cramer's rule, which needs neither a pivot nor a
+    comparison.
+    """
     everything = tuple(range(len(matrix)))
 
     @cache
@@ -171,20 +223,38 @@ def _cramer(matrix, right):
         return out
 
     def cofactor(n, k):
-        return (-1) ** (n + k) * minor(everything[:n] + everything[n + 1 :], everything[:k] + everything[k + 1 :])
+        return (-1) ** (n + k) * minor(
+            everything[:n] + everything[n + 1 :], everything[:k] + everything[k + 1 :]
+        )
 
     determinant = minor(everything, everything)
-    if determinant is ZERO or (is_numeric(determinant) and least(determinant) <= RATE_NOISE * prod(_largest(row) or 1 for row in matrix)):
-        raise LinearError("the conditions do not determine the rates: some of them say the same, or a rate does not occur in them")
-    # cofactor by determinant first: what is common to both cancels in a formula without being simplified
-    return [sum((cofactor(n, k) / determinant * right[n] for n in everything), ZERO) for k in everything]
+    if determinant is ZERO or (
+        is_numeric(determinant)
+        and least(determinant) <= RATE_NOISE * prod(_largest(row) or 1 for row in matrix)
+    ):
+        raise LinearError(
+            "the conditions do not determine the rates: some of them say the same, or a rate "
+            "does not occur in them"
+        )
+    # cofactor by determinant first: what is common to both cancels in a formula without being
+    # simplified
+    return [
+        sum((cofactor(n, k) / determinant * right[n] for n in everything), ZERO) for k in everything
+    ]
 
 
 def _check_solution(equations, rates):
-    rows = [[*(c * r for c, r in zip(e.coefficients, rates, strict=True)), -e.right] for e in equations]
+    rows = [
+        [*(c * r for c, r in zip(e.coefficients, rates, strict=True)), -e.right] for e in equations
+    ]
     parts = [x for row in rows for x in row]
-    if all(map(is_numeric, parts)) and (worst := _largest(sum(row, ZERO) for row in rows)) > AGREEMENT * _largest(parts):
-        raise LinearError(f"the conditions contradict each other: with the rates that fit best, one of them is {worst:.3g} instead of 0")
+    if all(map(is_numeric, parts)) and (
+        worst := _largest(sum(row, ZERO) for row in rows)
+    ) > AGREEMENT * _largest(parts):
+        raise LinearError(
+            "the conditions contradict each other: with the rates that fit best, one of them "
+            f"is {worst:.3g} instead of 0"
+        )
 
 
 # -- many unknowns, equations with names
@@ -194,8 +264,8 @@ def _check_solution(equations, rates):
 class Solution:
     """What :func:`solve_linear` found; ``print`` it for a report in words.
 
-    ``s.alpha`` or ``s["alpha"]`` is an unknown's value; asking for one that the equations leave open raises :class:`LinearError`. Iterating
-    gives the values in the order of the unknowns.
+    ``s.alpha`` or ``s["alpha"]`` is an unknown's value; asking for one that the equations leave
+    open raises :class:`LinearError`. Iterating gives the values in the order of the unknowns.
 
     names : the unknowns
     values : those that are determined, by name
@@ -233,27 +303,42 @@ class Solution:
         said = []
         if self.undetermined:
             known = f": only {' and '.join(self.relations)} is known" if self.relations else ""
-            said.append(f"Not determined: {', '.join(self.undetermined)}{known}; more equations are needed, or fewer unknowns")
+            said.append(
+                f"Not determined: {', '.join(self.undetermined)}{known}; more equations are "
+                "needed, or fewer unknowns"
+            )
         for name, others in self.redundant.items():
-            said.append(f"The equation {name!r} says nothing new: it follows from {_quoted(others)}")
-        return ". ".join(said) or "The equations determine every unknown, and each of them is needed"
+            said.append(
+                f"The equation {name!r} says nothing new: it follows from {_quoted(others)}"
+            )
+        return (
+            ". ".join(said) or "The equations determine every unknown, and each of them is needed"
+        )
 
     def __str__(self):
-        lines = [f"{name} = {short(self.values[name]) if name in self.values else 'not determined'}" for name in self.names]
+        lines = [
+            f"{name} = {short(self.values[name]) if name in self.values else 'not determined'}"
+            for name in self.names
+        ]
         return "\n".join([*lines, self.report()])
 
 
 def solve_linear(conditions, names=None):
-    """The unknown accelerations, forces and rates that make named equations vanish, with a report: a :class:`Solution`.
+    """The unknown accelerations, forces and rates that make named equations vanish, with a report:
+    a :class:`Solution`.
 
-    conditions : a function of the unknowns that returns what must be zero, linear in them: best a dict of scalars and Vectors by the name of the
-        equation (a Vector is three equations, as "force.x"); or a tuple, or one of them. Each equation may have its own unit
-    names : of the unknowns, in the order of the arguments, as "a N alpha" or a tuple; default: the names of the arguments
+    conditions : a function of the unknowns that returns what must be zero, linear in them: best a
+        dict of scalars and Vectors by the name of the equation (a Vector is three equations, as
+        "force.x"); or a tuple, or one of them. Each equation may have its own unit
+    names : of the unknowns, in the order of the arguments, as "a N alpha" or a tuple; default: the
+        names of the arguments
 
-    Numbers are eliminated equation by equation, with a choice of pivots: what follows from the equations before it is named in ``redundant``, what
-    contradicts them raises :class:`LinearError` with the names of those concerned, and what is left open is in ``undetermined``. Arrays are solved
-    for all instants. Expressions give formulas, without simplification: unknowns that stand alone first, the rest by Cramer's rule. Whether
-    SymPy's vanish is seen at a point, with numbers in the place of the symbols; traced and heyoka expressions and dimensions are taken to vanish
+    Numbers are eliminated equation by equation, with a choice of pivots: what follows from the
+    equations before it is named in ``redundant``, what contradicts them raises :class:`LinearError`
+    with the names of those concerned, and what is left open is in ``undetermined``. Arrays are
+    solved for all instants. Expressions give formulas, without simplification: unknowns that stand
+    alone first, the rest by Cramer's rule. Whether SymPy's vanish is seen at a point, with numbers
+    in the place of the symbols; traced and heyoka expressions and dimensions are taken to vanish
     only where they do by their form, and of those surplus equations are not compared.
 
     >>> def laws(N, F, a):  # a block of 2 kg on a slope of 0.3 rad that slides: along it, across it, friction
@@ -274,7 +359,11 @@ def solve_linear(conditions, names=None):
 
 def _solved(equations, names):
     samples, faithful = _samples(equations)
-    numbers = all(a is b for e, s in zip(equations, samples, strict=True) for a, b in zip(e.parts(), s.parts(), strict=True))
+    numbers = all(
+        a is b
+        for e, s in zip(equations, samples, strict=True)
+        for a, b in zip(e.parts(), s.parts(), strict=True)
+    )
     try:
         found = _Elimination(samples, len(names), faithful, numbers)
     except _Varies:
@@ -292,18 +381,28 @@ def _solved(equations, names):
 def _names(conditions, names):
     if names is None:
         parameters = signature(conditions).parameters.values()
-        names = [p.name for p in parameters if p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)]
+        names = [
+            p.name
+            for p in parameters
+            if p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
+        ]
     names = names.replace(",", " ").split() if isinstance(names, str) else list(names)
     twice = [n for n in names if names.count(n) > 1]
     if twice or not names:
-        why = f"the unknown {twice[0]!r} is named twice" if twice else "there are no unknowns: name them, as in solve_linear(laws, 'a N alpha')"
+        why = (
+            f"the unknown {twice[0]!r} is named twice"
+            if twice
+            else "there are no unknowns: name them, as in solve_linear(laws, 'a N alpha')"
+        )
         raise LinearError(why)
     return names
 
 
 @dataclass(frozen=True)
 class _Equation:
-    """The sum of coefficient times unknown is ``right``. ``group`` numbers the condition, of which a Vector makes three equations."""
+    """The sum of coefficient times unknown is ``right``. ``group`` numbers the condition, of which
+    a Vector makes three equations.
+    """
 
     name: str
     coefficients: tuple
@@ -314,16 +413,29 @@ class _Equation:
         return (*self.coefficients, self.right)
 
     def each(self, change):
-        return _Equation(self.name, tuple(map(change, self.coefficients)), change(self.right), self.group)
+        return _Equation(
+            self.name, tuple(map(change, self.coefficients)), change(self.right), self.group
+        )
 
 
 def _equations(conditions, count):
-    """The conditions as equations with names: "force" of a scalar, "force.x" of a Vector, numbers for those without a name."""
+    """The conditions as equations with names: "force" of a scalar, "force.x" of a Vector, numbers
+    for those without a name.
+    """
     if isinstance(conditions, Mapping):
         named = list(conditions.items())
     else:
-        named = [(f"equation {n + 1}", x) for n, x in enumerate(conditions if isinstance(conditions, (tuple, list)) else (conditions,))]
-    return [_equation(name, x, group, count) for group, (title, value) in enumerate(named) for name, x in _spread(title, value)]
+        named = [
+            (f"equation {n + 1}", x)
+            for n, x in enumerate(
+                conditions if isinstance(conditions, (tuple, list)) else (conditions,)
+            )
+        ]
+    return [
+        _equation(name, x, group, count)
+        for group, (title, value) in enumerate(named)
+        for name, x in _spread(title, value)
+    ]
 
 
 def _spread(name, value):
@@ -335,16 +447,26 @@ def _spread(name, value):
 
 
 def _equation(name, x, group, count):
-    return _Equation(name, x.coefficients, -x.value, group) if isinstance(x, LinearForm) else _Equation(name, (ZERO,) * count, -x, group)
+    return (
+        _Equation(name, x.coefficients, -x.value, group)
+        if isinstance(x, LinearForm)
+        else _Equation(name, (ZERO,) * count, -x, group)
+    )
 
 
 def _samples(equations):
-    """The equations with numbers in the place of expressions, and whether they stand for their values (else: for any value)."""
+    """The equations with numbers in the place of expressions, and whether they stand for their
+    values (else: for any value).
+    """
     made_up = {}
 
     def number(x):
         known = sampled(x)
-        return made_up.setdefault(id(x), (0.37 + 0.6180339887 * len(made_up)) % 1 + 0.5) if known is None else known
+        return (
+            made_up.setdefault(id(x), (0.37 + 0.6180339887 * len(made_up)) % 1 + 0.5)
+            if known is None
+            else known
+        )
 
     return [e.each(number) for e in equations], not made_up
 
@@ -364,11 +486,14 @@ def _less(row, factor, other, pivot):
 
 
 class _Elimination:
-    """Equations of numbers, taken one after the other: what is new gives a pivot, what is not must agree.
+    """Equations of numbers, taken one after the other: what is new gives a pivot, what is not must
+    agree.
 
-    A row is a sum of equations: its coefficients, its right side, and how much of each equation is in it. ``rows`` has them by the unknown
-    that is their pivot, with 1 there, ``dependent`` those without by the number of the last equation. Sizes are compared unknown by unknown
-    (in ``scale``) and within a condition (``usual``, for each equation), so that units do not matter; a few round-offs count as nothing.
+    A row is a sum of equations: its coefficients, its right side, and how much of each equation is
+    in it. ``rows`` has them by the unknown that is their pivot, with 1 there, ``dependent`` those
+    without by the number of the last equation. Sizes are compared unknown by unknown (in ``scale``)
+    and within a condition (``usual``, for each equation), so that units do not matter; a few
+    round-offs count as nothing.
     """
 
     def __init__(self, equations, count, faithful, numbers):
@@ -380,7 +505,9 @@ class _Elimination:
         for n in range(len(equations)):
             self._take(n)
         self.free = {pivot: self._free(pivot, row) for pivot, row in self.rows.items()}
-        self.values = {pivot: row[count] for pivot, row in self.rows.items() if not self.free[pivot]}
+        self.values = {
+            pivot: row[count] for pivot, row in self.rows.items() if not self.free[pivot]
+        }
         self.open = [k for k in range(count) if k not in self.values]
         for row in self.dependent.values() if faithful else ():
             self._check(row)
@@ -394,16 +521,33 @@ class _Elimination:
 
     def _scales(self):
         """The size of the coefficients of each unknown; 0 if there are none but rounding errors."""
-        noise = [LEFT_OVER * self.round_off * x for x in self._by_group([e.coefficients for e in self.equations])]
+        noise = [
+            LEFT_OVER * self.round_off * x
+            for x in self._by_group([e.coefficients for e in self.equations])
+        ]
         columns = zip(*(e.coefficients for e in self.equations), strict=True)
-        return [max((size(x) for x, small in zip(c, noise, strict=True) if size(x) > small), default=0.0) for c in columns] or [0.0] * self.count
+        return [
+            max(
+                (size(x) for x, small in zip(c, noise, strict=True) if size(x) > small), default=0.0
+            )
+            for c in columns
+        ] or [0.0] * self.count
 
     def _relative(self, row, measure=size):
         """The size of the coefficients of a row, each relative to what is usual for its unknown."""
-        return [measure(x) / s if s and x is not ZERO else 0.0 for x, s in zip(row, self.scale, strict=False)]
+        return [
+            measure(x) / s if s and x is not ZERO else 0.0
+            for x, s in zip(row, self.scale, strict=False)
+        ]
 
     def _take(self, n):
-        row, usual = [*self.equations[n].parts(), *(int(n == m) or ZERO for m in range(len(self.equations)))], self.usual[n]
+        row, usual = (
+            [
+                *self.equations[n].parts(),
+                *(int(n == m) or ZERO for m in range(len(self.equations))),
+            ],
+            self.usual[n],
+        )
         for pivot, other in self.rows.items():
             if (factor := row[pivot]) is not ZERO:
                 row = _less(row, factor, other, pivot)
@@ -414,10 +558,15 @@ class _Elimination:
             return
         row = [x / row[pivot] for x in row]
         row[pivot] = 1
-        self.rows = {k: r if r[pivot] is ZERO else _less(r, r[pivot], row, pivot) for k, r in self.rows.items()} | {pivot: row}
+        self.rows = {
+            k: r if r[pivot] is ZERO else _less(r, r[pivot], row, pivot)
+            for k, r in self.rows.items()
+        } | {pivot: row}
 
     def _pivot(self, row, noise):
-        """The unknown with the largest coefficient at every instant; None if all are rounding errors."""
+        """The unknown with the largest coefficient at every instant; None if all are rounding
+        errors.
+        """
         smallest = self._relative(row, least)
         best = max(range(self.count), key=smallest.__getitem__)
         if smallest[best] > noise:
@@ -429,37 +578,59 @@ class _Elimination:
     def _free(self, pivot, row):
         """The unknowns beside the pivot in a row."""
         allowed = ABSENT * self.round_off / self.scale[pivot]
-        return [k for k, s in enumerate(self.scale) if k != pivot and s and size(row[k]) / s > allowed]
+        return [
+            k for k, s in enumerate(self.scale) if k != pivot and s and size(row[k]) / s > allowed
+        ]
 
     def _check(self, row):
         involved = self._involved(row)
-        terms = [[e.right, *(c * self.values[k] for k, c in enumerate(e.coefficients) if k in self.values)] for e in self.equations]
+        terms = [
+            [
+                e.right,
+                *(c * self.values[k] for k, c in enumerate(e.coefficients) if k in self.values),
+            ]
+            for e in self.equations
+        ]
         sizes = self._by_group(terms)
         own = max(size(row[self.count + 1 + n]) * sizes[n] for n in involved)
         difference = size(row[self.count])
-        if difference <= CONTRADICTION * self.round_off * own + NO_PIVOT * self.round_off * max(sizes):
+        if difference <= CONTRADICTION * self.round_off * own + NO_PIVOT * self.round_off * max(
+            sizes
+        ):
             return
         *others, name = names = [self.equations[n].name for n in involved]
         off = f"is off by {difference:.3g}" if self.numbers else "does not hold"
         if not others:
             raise LinearError(f"the equation {name!r} {off}: no unknown occurs in it", names)
-        raise LinearError(f"the equations contradict each other: {name!r} {off} if {_quoted(others)} hold{'s' * (len(others) == 1)}", names)
+        raise LinearError(
+            f"the equations contradict each other: {name!r} {off} if {_quoted(others)} "
+            f"hold{'s' * (len(others) == 1)}",
+            names,
+        )
 
     def _involved(self, row):
         """The equations of which a row is the sum, in their order."""
-        weights = {n: size(w) * self.usual[n] for n, w in enumerate(row[self.count + 1 :]) if w is not ZERO}
-        return [n for n, w in weights.items() if w >= ABSENT * self.round_off * max(weights.values())]
+        weights = {
+            n: size(w) * self.usual[n] for n, w in enumerate(row[self.count + 1 :]) if w is not ZERO
+        }
+        return [
+            n for n, w in weights.items() if w >= ABSENT * self.round_off * max(weights.values())
+        ]
 
     def relations(self, names):
         """What is known of the unknowns that are not determined, in words."""
         for pivot, free in self.free.items():
             row = self.rows[pivot][: self.count + 1]
             if free and not any(getattr(x, "shape", ()) for x in row):
-                yield f"{names[pivot]} = {short(row[self.count])}" + "".join(_term(row[k], names[k]) for k in free)
+                yield f"{names[pivot]} = {short(row[self.count])}" + "".join(
+                    _term(row[k], names[k]) for k in free
+                )
 
     def redundant(self):
         """By name, the equations that follow from others."""
-        found = ([self.equations[n].name for n in self._involved(row)] for row in self.dependent.values())
+        found = (
+            [self.equations[n].name for n in self._involved(row)] for row in self.dependent.values()
+        )
         return {last: tuple(others) for *others, last in found if others}
 
 
@@ -473,23 +644,53 @@ def _instant_by_instant(equations, names):
     import numpy as np
 
     shape = np.broadcast_shapes(*(np.shape(x) for e in equations for x in e.parts()))
-    every = [_solved([e.each(lambda x: np.broadcast_to(x, shape)[n] if np.shape(x) else x) for e in equations], names) for n in np.ndindex(shape)]  # noqa: B023
+    every = [
+        _solved(
+            [
+                e.each(lambda x: np.broadcast_to(x, shape)[n] if np.shape(x) else x)  # noqa: B023
+                for e in equations
+            ],
+            names,
+        )
+        for n in np.ndindex(shape)
+    ]
     kinds = {s.undetermined for s in every}
     if len(kinds) > 1:
         left = sorted({name for kind in kinds for name in kind})
-        raise LinearError(f"the equations determine {', '.join(left)} at some instants and not at others; solve these instants apart")
-    values = {name: np.array([float(s.values[name]) for s in every]).reshape(shape) for name in every[0].values}
+        raise LinearError(
+            f"the equations determine {', '.join(left)} at some instants and not at others; "
+            "solve these instants apart"
+        )
+    values = {
+        name: np.array([float(s.values[name]) for s in every]).reshape(shape)
+        for name in every[0].values
+    }
     redundant = {name: others for s in every for name, others in s.redundant.items()}
-    return Solution(tuple(names), MappingProxyType(values), every[0].undetermined, (), MappingProxyType(redundant))
+    return Solution(
+        tuple(names),
+        MappingProxyType(values),
+        every[0].undetermined,
+        (),
+        MappingProxyType(redundant),
+    )
 
 
 # -- expressions: what stands alone first, the rest by Cramer's rule
 
 
 def _of_expressions(equations, found):
-    """The determined unknowns as formulas, from the equations that the elimination of numbers in their place found to be independent."""
+    """The determined unknowns as formulas, from the equations that the elimination of numbers in
+    their place found to be independent.
+    """
     rows = [
-        ({k: c for k, c in enumerate(e.coefficients) if k in found.rows and c is not ZERO and size(_sample_or_one(c))}, e.right)
+        (
+            {
+                k: c
+                for k, c in enumerate(e.coefficients)
+                if k in found.rows and c is not ZERO and size(_sample_or_one(c))
+            },
+            e.right,
+        )
         for n, e in enumerate(equations)
         if n not in found.dependent
     ]
@@ -503,10 +704,12 @@ def _sample_or_one(x):
 
 
 def solve_regular(rows):
-    """The unknowns by number, from as many independent equations, each a pair (coefficients by unknown, right side).
+    """The unknowns by number, from as many independent equations, each a pair (coefficients by
+    unknown, right side).
 
-    One unknown after the other is taken from the place that touches the fewest other places: best one that is known at once, or that occurs nowhere
-    else and follows when the others are known. Where there is none of these and few unknowns are left, they are found by Cramer's rule.
+    One unknown after the other is taken from the place that touches the fewest other places: best
+    one that is known at once, or that occurs nowhere else and follows when the others are known.
+    Where there is none of these and few unknowns are left, they are found by Cramer's rule.
     """
     if not rows:
         return {}
@@ -523,18 +726,32 @@ def solve_regular(rows):
     coefficients, right = rows[n]
     if min(len(coefficients), occurring[k]) > 1 and len(rows) <= LARGEST_CORE:
         unknowns = sorted(occurring)
-        return dict(zip(unknowns, _cramer([[c.get(k, ZERO) for k in unknowns] for c, _ in rows], [b for _, b in rows]), strict=True))
+        return dict(
+            zip(
+                unknowns,
+                _cramer(
+                    [[c.get(k, ZERO) for k in unknowns] for c, _ in rows], [b for _, b in rows]
+                ),
+                strict=True,
+            )
+        )
     p, rest = coefficients[k], []
     others = {j: c for j, c in coefficients.items() if j != k}
     for c, b in rows[:n] + rows[n + 1 :]:
         if k in c:
             factor = c[k] / p
             b = b - (factor * right if others else c[k] * (right / p))
-            c = {j: c.get(j, ZERO) - factor * others[j] if j in others else c[j] for j in {**c, **others} if j != k}
+            c = {
+                j: c.get(j, ZERO) - factor * others[j] if j in others else c[j]
+                for j in {**c, **others}
+                if j != k
+            }
         rest.append((c, b))
     values = solve_regular(rest)
     return {**values, k: (right - sum((c * values[j] for j, c in others.items()), ZERO)) / p}
 
 
 def _quoted(names):
-    return " and ".join([", ".join(map(repr, names[:-1])), repr(names[-1])] if len(names) > 1 else map(repr, names))
+    return " and ".join(
+        [", ".join(map(repr, names[:-1])), repr(names[-1])] if len(names) > 1 else map(repr, names)
+    )

@@ -1,12 +1,30 @@
-"""Integrals of a function of numbers: adaptively for floats, by the tanh-sinh rule for arrays and mpf, by SymPy for formulas."""
+"""Integrals of a function of numbers: adaptively for floats, by the tanh-sinh rule for arrays and
+mpf, by SymPy for formulas.
+"""
 
 from itertools import count, pairwise
 
 from .errors import NewtonEulerError
-from .scalars import ScalarError, SingularError, cosh, epsilon, exp, is_finite, is_numeric, pi, plain, scalar, short, sinh, size, sqrt
+from .scalars import (
+    ScalarError,
+    SingularError,
+    cosh,
+    epsilon,
+    exp,
+    is_finite,
+    is_numeric,
+    pi,
+    plain,
+    scalar,
+    short,
+    sinh,
+    size,
+    sqrt,
+)
 
 INTERVALS = 400  # of an adaptive integral, at most; each takes 21 values
-BOXES = {1: 4000, 2: 400, 3: 40}  # divisions of an adaptive cubature by dimension; each one makes 2, 4 or 8 boxes of 21^n places
+# divisions of an adaptive cubature by dimension; each one makes 2, 4 or 8 boxes of 21^n places
+BOXES = {1: 4000, 2: 400, 3: 40}
 _NUMBERS = count()  # so that the variables of nested integrals have names of their own
 
 
@@ -15,7 +33,9 @@ class WorkError(NewtonEulerError, ValueError):
 
 
 def quadrature(f, start, end, rtol=1e-10, exact=False, breaks=()):
-    """(value, estimated error) of the integral of ``f`` from ``start`` to ``end``; arguments as for :func:`newton_euler.dynamics.work.work_integral`."""
+    """(value, estimated error) of the integral of ``f`` from ``start`` to ``end``; arguments as for
+    :func:`newton_euler.dynamics.work.work_integral`.
+    """
     pieces = [_piece(f, a, b, rtol, exact) for a, b in pairwise((start, *breaks, end))]
     return sum(value for value, _ in pieces), sum(error for _, error in pieces)
 
@@ -25,18 +45,27 @@ def _piece(f, start, end, rtol, exact):
     if exact:
         return _by_formula(f, start, end), 0.0
     if not (is_numeric(scalar(start)) and is_numeric(scalar(end))):
-        raise WorkError(f"the limits {start!r} and {end!r} are no numbers: pass exact=True to integrate by formulas, or put numbers in")
+        raise WorkError(
+            f"the limits {start!r} and {end!r} are no numbers: pass exact=True to integrate by "
+            "formulas, or put numbers in"
+        )
     width = end - start
     samples = [_finite(f, start + width * (n + 0.5) / 16) for n in range(16)]
     scale = size(scalar(width)) * sum(map(size, samples)) / 16
     one = samples[0] + width  # an array, or an mpf of more digits than a float?
     if getattr(one, "shape", ()) or epsilon(one) < 2.0**-53:
         try:
-            value = integral(lambda s: _finite(f, start + width * s), 0 * width, 0 * width + 1) * width
+            value = (
+                integral(lambda s: _finite(f, start + width * s), 0 * width, 0 * width + 1) * width
+            )
         except SingularError:
-            told = f"the integral from {start!r} to {end!r} does not settle; divide it with breaks=(...) where the force has a corner"
+            told = (
+                f"the integral from {start!r} to {end!r} does not settle; divide it with "
+                "breaks=(...) where the force has a corner"
+            )
             raise WorkError(told) from None
-        return plain(value), 1e-3 * scale * float(sqrt(epsilon(value)))  # guaranteed is half of the digits; mostly it has them nearly all
+        # guaranteed is half of the digits; mostly it has them nearly all
+        return plain(value), 1e-3 * scale * float(sqrt(epsilon(value)))
     return _adaptive(f, float(start), float(end), rtol, scale)
 
 
@@ -46,9 +75,14 @@ def _finite(f, x):
     except (ArithmeticError, ValueError) as problem:
         raise WorkError(f"the integrand has no value at {short(x)}: {problem}") from problem
     if not is_numeric(value):
-        raise WorkError(f"the integrand is {plain(value)!r} at {short(x)}: pass exact=True to integrate formulas, or put numbers in")
+        raise WorkError(
+            f"the integrand is {plain(value)!r} at {short(x)}: pass exact=True to integrate "
+            "formulas, or put numbers in"
+        )
     if not is_finite(value):
-        raise WorkError(f"the integrand is {plain(value)} at {short(x)}; look at divisions and roots there")
+        raise WorkError(
+            f"the integrand is {plain(value)} at {short(x)}; look at divisions and roots there"
+        )
     return value
 
 
@@ -60,10 +94,18 @@ def _adaptive(f, start, end, rtol, scale):
     with warnings.catch_warnings():
         warnings.simplefilter("error", IntegrationWarning)
         try:
-            return quad(lambda x: float(_finite(f, x)), start, end, epsabs=rtol * scale, epsrel=rtol, limit=INTERVALS)
+            return quad(
+                lambda x: float(_finite(f, x)),
+                start,
+                end,
+                epsabs=rtol * scale,
+                epsrel=rtol,
+                limit=INTERVALS,
+            )
         except IntegrationWarning as problem:
             raise WorkError(
-                f"the integral from {start:.6g} to {end:.6g} did not converge to {rtol:.1g}: {str(problem).split('.')[0].strip()}. Divide it with "
+                f"the integral from {start:.6g} to {end:.6g} did not converge to "
+                f"{rtol:.1g}: {str(problem).split('.')[0].strip()}. Divide it with "
                 "breaks=(...) where the force has a corner or a jump, or ask for less with rtol="
             ) from None
 
@@ -71,34 +113,49 @@ def _adaptive(f, start, end, rtol, scale):
 def _by_formula(f, start, end):
     import sympy
 
-    name, q = sympy.Symbol(f"_q{next(_NUMBERS)}"), sympy.Dummy("q", real=True)  # SymEngine would lose a Dummy, and what is assumed of a symbol
+    # SymEngine would lose a Dummy, and what is assumed of a symbol
+    name, q = sympy.Symbol(f"_q{next(_NUMBERS)}"), sympy.Dummy("q", real=True)
     try:
         start, end = (sympy.sympify(plain(scalar(x))) for x in (start, end))
-        value = sympy.integrate(sympy.sympify(plain(scalar(f(name)))).xreplace({name: q}), (q, start, end))
+        value = sympy.integrate(
+            sympy.sympify(plain(scalar(f(name)))).xreplace({name: q}), (q, start, end)
+        )
     except (sympy.SympifyError, ScalarError) as problem:
-        raise WorkError(f"SymPy cannot read the integrand or the limits {start!r} and {end!r}: {problem}") from None
+        raise WorkError(
+            f"SymPy cannot read the integrand or the limits {start!r} and {end!r}: {problem}"
+        ) from None
     if value.has(sympy.Integral):
-        raise WorkError("SymPy finds no formula for this integral; put numbers in, without exact=True")
+        raise WorkError(
+            "SymPy finds no formula for this integral; put numbers in, without exact=True"
+        )
     return value
 
 
 def integral(f, start, end):
-    """The integral of ``f`` from ``start`` to ``end``, by the tanh-sinh rule, to nearly the accuracy of the numbers.
+    """The integral of ``f`` from ``start`` to ``end``, by the tanh-sinh rule, to nearly the
+    accuracy of the numbers.
 
-    f may be infinite at ``start`` = 0 if integrable, as x**-0.5, but at no other end. Arrays are many integrals at once.
-    Raises :class:`SingularError` if the rule does not settle (f jumps, or oscillates too fast), and :class:`ScalarError` for expressions.
+    f may be infinite at ``start`` = 0 if integrable, as x**-0.5, but at no other end. Arrays are
+    many integrals at once. Raises :class:`SingularError` if the rule does not settle (f jumps, or
+    oscillates too fast), and :class:`ScalarError` for expressions.
 
-    The places of f are a fraction 1/(1 + exp(pi sinh t)) of the way from either end, at equal steps of t (H. Takahasi and M. Mori, Publ. RIMS 9,
-    721, 1974); halving the step squares the error of a smooth f.
+    The places of f are a fraction 1/(1 + exp(pi sinh t)) of the way from either end, at equal steps
+    of t (H. Takahasi and M. Mori, Publ. RIMS 9, 721, 1974); halving the step squares the error of a
+    smooth f.
 
     >>> integral(lambda x: x**-0.5, 0.0, 4.0) - 4 < 1e-14
     True
     """
     if not (is_numeric(start) and is_numeric(end)):
-        raise ScalarError(f"an integral from {start!r} to {end!r} needs numbers; of an expression take the integral by hand or with SymPy")
+        raise ScalarError(
+            f"an integral from {start!r} to {end!r} needs numbers; of an expression take the "
+            "integral by hand or with SymPy"
+        )
     width, small = end - start, epsilon(end - start)
-    # A place nearer to an end than a round-off of the way is rounded to the end itself, where f may be infinite. Next to 0 places are told apart to
-    # the last, and of x**-0.5 the part up to the fraction p is sqrt(p): up to the square of the round-off it is one round-off.
+    # A place nearer to an end than a round-off of the way is rounded to the end itself, where f may
+    # be infinite. Next to 0 places are told apart to
+    # the last, and of x**-0.5 the part up to the fraction p is sqrt(p): up to the square of the
+    # round-off it is one round-off.
     nearest = small * small if size(start) == 0 else small
 
     def total(f, t, step):
@@ -117,32 +174,45 @@ def integral(f, start, end):
 
     step = small / small  # 1, with all digits
     found, value = first(f), None
-    allowed = 1e-3 * sqrt(small) * size(width * first(lambda x: abs(f(x))))  # of the last but one value: its square is less than a round-off
+    # of the last but one value: its square is less than a round-off
+    allowed = 1e-3 * sqrt(small) * size(width * first(lambda x: abs(f(x))))
     for _ in range(9):
         found, step, before = found + total(f, step / 2, step), step / 2, value
         value = found * step * width
         if before is not None and size(value - before) <= allowed:
             return value
-    raise SingularError(f"the integral from {start!r} to {end!r} does not settle; is the function smooth in between? Split it where it is not")
+    raise SingularError(
+        f"the integral from {start!r} to {end!r} does not settle; is the function smooth in "
+        "between? Split it where it is not"
+    )
 
 
 def cubature(f, n, rtol, name, error=WorkError):
-    """The integrals of the components of ``f`` over the unit cube of ``n`` dimensions, to ``rtol``, and their largest error, as estimated.
+    """The integrals of the components of ``f`` over the unit cube of ``n`` dimensions, to ``rtol``,
+    and their largest error, as estimated.
 
     f : function of an array of places, one a row, that returns an array with their values as rows
-    name, error : what is integrated, for the words, and the class of what is raised where the integrals do not converge
+    name, error : what is integrated, for the words, and the class of what is raised where the
+        integrals do not converge
     """
     import numpy as np
     from scipy.integrate import cubature
 
-    found = cubature(f, [0.0] * n, [1.0] * n, rule="gk21", rtol=rtol, atol=rtol, max_subdivisions=BOXES[n])
+    found = cubature(
+        f, [0.0] * n, [1.0] * n, rule="gk21", rtol=rtol, atol=rtol, max_subdivisions=BOXES[n]
+    )
     off = float(np.max(found.error))
     if not np.isfinite(found.estimate).all():
-        raise error(f"the integrals over {name} are not finite: the formula or the density grows without bound within the limits")
+        raise error(
+            f"the integrals over {name} are not finite: the formula or the density grows "
+            "without bound within the limits"
+        )
     if found.status != "converged":
         raise error(
-            f"the integrals over {name} did not converge: after {found.subdivisions} subdivisions their relative error is about {off:.1g}, and "
-            f"{rtol:.1g} was asked for. Split the body where the formula has a corner or a jump, choose coordinates that follow its edges, or "
+            f"the integrals over {name} did not converge: after {found.subdivisions} "
+            f"subdivisions their relative error is about {off:.1g}, and "
+            f"{rtol:.1g} was asked for. Split the body where the formula has a corner or a "
+            "jump, choose coordinates that follow its edges, or "
             "ask for less with rtol="
         )
     return found.estimate, off

@@ -1,16 +1,19 @@
 """Numbers of every kind behind one set of functions.
 
-Every formula of the engine is written once, in plain arithmetic, over *scalars*. A scalar is a Python float, a NumPy
-array (many instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka expression, or one of the engine's own kinds:
+Every formula of the engine is written once, in plain arithmetic, over *scalars*. A scalar is a
+Python float, a NumPy array (many instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka
+expression, or one of the engine's own kinds:
 
 ``ZERO``        a zero known from the structure of a formula; it vanishes from sums and products
 ``Moving``      a value with its first and second rate in time (:mod:`newton_euler.algebra.jets`)
-``Dimension``   no value at all, only powers of mass, length and time: a formula that runs on it has consistent units (:mod:`newton_euler.algebra.units`)
+``Dimension``   no value at all, only powers of mass, length and time: a formula that runs on it has
+    consistent units (:mod:`newton_euler.algebra.units`)
 ``LinearForm``  a sum of unknowns with coefficients (:mod:`newton_euler.algebra.linear`)
 ``Step``        a value being traced by :func:`newton_euler.algebra.codegen.compiled.compiled`
 
-This is the only module that tells numbers apart. The others call ``sin``, ``sqrt`` … from here and otherwise use ``+ - * /``.
-None of the heavy libraries is imported here: a number brings its own library along.
+This is the only module that tells numbers apart. The others call ``sin``, ``sqrt`` … from here and
+otherwise use ``+ - * /``. None of the heavy libraries is imported here: a number brings its own
+library along.
 """
 
 import importlib
@@ -20,20 +23,39 @@ from fractions import Fraction
 
 from .errors import NewtonEulerError
 
-FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt")
+FUNCTIONS = (
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "sinh",
+    "cosh",
+    "tanh",
+    "exp",
+    "log",
+    "sqrt",
+)
 _LIBRARIES = {"numpy", "mpmath", "sympy", "symengine", "heyoka"}
 
 
 class ScalarError(NewtonEulerError, TypeError):
-    """Something that is not a number of any known kind, or an operation that a kind of number does not have."""
+    """Something that is not a number of any known kind, or an operation that a kind of number does
+    not have.
+    """
 
 
 class SingularError(NewtonEulerError, ValueError):
-    """A direction, a radius, a rate or an integral that does not exist at this place: on an axis, at a pole, at an inflection, on a straight line."""
+    """A direction, a radius, a rate or an integral that does not exist at this place: on an axis,
+    at a pole, at an inflection, on a straight line.
+    """
 
 
 class _Own:
-    """Base of the kinds of number defined here. NumPy must hand operations over instead of looping over them."""
+    """Base of the kinds of number defined here. NumPy must hand operations over instead of looping
+    over them.
+    """
 
     __slots__ = ()
     __array_ufunc__ = None
@@ -56,19 +78,25 @@ class _Own:
 
 
 def outranks(x, kind):
-    """Whether ``x`` is a number of the engine that wraps those of ``kind``, and so carries out an operation with one of them."""
+    """Whether ``x`` is a number of the engine that wraps those of ``kind``, and so carries out an
+    operation with one of them.
+    """
     return isinstance(x, _Own) and x.rank > kind.rank
 
 
 class Scaled:
-    """Base of what is no scalar but can be multiplied by one (vectors): the numbers defined here leave the product to it."""
+    """Base of what is no scalar but can be multiplied by one (vectors): the numbers defined here
+    leave the product to it.
+    """
 
     __slots__ = ()
     __array_ufunc__ = None
 
 
 class _Zero(_Own):
-    """The structural zero; there is one, :data:`ZERO`. Adding it costs nothing and leaves nothing behind."""
+    """The structural zero; there is one, :data:`ZERO`. Adding it costs nothing and leaves nothing
+    behind.
+    """
 
     __slots__ = ()
 
@@ -102,7 +130,9 @@ class _Zero(_Own):
         return self
 
     def __rtruediv__(self, other):
-        raise ZeroDivisionError(f"{other!r} is divided by a quantity that is zero by the structure of the formula")
+        raise ZeroDivisionError(
+            f"{other!r} is divided by a quantity that is zero by the structure of the formula"
+        )
 
     def __pow__(self, power):
         power = without_rates(power)
@@ -156,7 +186,8 @@ ZERO = _Zero()
 
 
 def scalar(x):
-    """``x`` as the engine keeps it: a literal ``0`` becomes the structural zero, anything else stays what it is.
+    """``x`` as the engine keeps it: a literal ``0`` becomes the structural zero, anything else
+    stays what it is.
 
     Raises :class:`ScalarError` for what is not a number (text, None, lists).
 
@@ -167,18 +198,28 @@ def scalar(x):
         return x
     if type(x) is int or (type(x) is bool):
         return x or ZERO
-    if isinstance(x, (float, int, Fraction, complex)) or (_root(type(x)) in _LIBRARIES and _dtype(x) in "biufcO"):
+    if isinstance(x, (float, int, Fraction, complex)) or (
+        _root(type(x)) in _LIBRARIES and _dtype(x) in "biufcO"
+    ):
         return x
-    raise ScalarError(f"expected a number (float, array, mpf, SymPy, SymEngine or heyoka expression), got {x!r} of type {type(x).__name__}")
+    raise ScalarError(
+        "expected a number (float, array, mpf, SymPy, SymEngine or heyoka expression), got "
+        f"{x!r} of type {type(x).__name__}"
+    )
 
 
 def whole(x, like):
-    """A whole number in the kind of ``like``, so that its root and its quotients are as exact as ``like`` is; others unchanged.
+    """A whole number in the kind of ``like``, so that its root and its quotients are as exact as
+    ``like`` is; others unchanged.
 
     >>> whole(2, 1.5)
     2
     """
-    return like * 0 + x if type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine") else x
+    return (
+        like * 0 + x
+        if type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine")
+        else x
+    )
 
 
 def plain(x):
@@ -210,13 +251,16 @@ _roots = {}
 def _root(kind):
     root = _roots.get(kind)
     if root is None:
-        module = next(k.__module__ for k in kind.__mro__ if k.__module__)  # SymPy's q(t) has a class without a module
+        # SymPy's q(t) has a class without a module
+        module = next(k.__module__ for k in kind.__mro__ if k.__module__)
         root = _roots[kind] = module.partition(".")[0]
     return root
 
 
 def library_of(values):
-    """The library that has functions for these values; of several, an expression decides before mpmath before NumPy."""
+    """The library that has functions for these values; of several, an expression decides before
+    mpmath before NumPy.
+    """
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
         if name in roots:
@@ -246,7 +290,9 @@ def _define(name):
     return f
 
 
-sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = (_define(name) for name in FUNCTIONS)
+sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = (
+    _define(name) for name in FUNCTIONS
+)
 
 
 def atan2(y, x):
@@ -267,7 +313,8 @@ def atan2(y, x):
 
 
 def pi(like=0.0):
-    """The number pi in the kind of ``like``: to 30 digits for an mpf, as a symbol for an expression.
+    """The number pi in the kind of ``like``: to 30 digits for an mpf, as a symbol for an
+    expression.
 
     >>> pi(1.0)
     3.141592653589793
@@ -288,15 +335,20 @@ def radians(degrees):
 
 
 def is_numeric(x):
-    """True where ``x`` has a value that can be compared: float, array, mpf, but not an expression or a dimension."""
+    """True where ``x`` has a value that can be compared: float, array, mpf, but not an expression
+    or a dimension.
+    """
     if isinstance(x, _Own):
         return x.is_numeric()
     root = _root(type(x))
-    return root in ("builtins", "numpy", "mpmath", "fractions") or (root in ("sympy", "symengine") and bool(x.is_Number))
+    return root in ("builtins", "numpy", "mpmath", "fractions") or (
+        root in ("sympy", "symengine") and bool(x.is_Number)
+    )
 
 
 def of_one_kind(*values):
-    """The values, each with all the digits and instants of the others: if one is an mpf or an array, all are. What is traced stays as it is.
+    """The values, each with all the digits and instants of the others: if one is an mpf or an
+    array, all are. What is traced stays as it is.
 
     >>> of_one_kind(1, 2.5)
     (1.0, 2.5)
@@ -309,7 +361,8 @@ def of_one_kind(*values):
 
 
 def is_comparable(x):
-    """True where ``x`` may stand in the comparison of a :func:`where`: numbers, and values that are being traced.
+    """True where ``x`` may stand in the comparison of a :func:`where`: numbers, and values that are
+    being traced.
 
     >>> from newton_euler import Dimension
     >>> is_comparable(1.0), is_comparable(Dimension(1))
@@ -319,7 +372,9 @@ def is_comparable(x):
 
 
 def is_zero(x):
-    """True where ``x`` is certainly zero: structurally, or a number equal to 0 (an array only if all of it is)."""
+    """True where ``x`` is certainly zero: structurally, or a number equal to 0 (an array only if
+    all of it is).
+    """
     if not is_numeric(x):
         return False
     equal = without_rates(x) == 0
@@ -327,19 +382,24 @@ def is_zero(x):
 
 
 def is_positive(x):
-    """True if the number ``x`` (every one of an array) is larger than zero; an expression is not looked at."""
+    """True if the number ``x`` (every one of an array) is larger than zero; an expression is not
+    looked at.
+    """
     return not is_numeric(x) or (least(x) > 0 and size(x - abs(x)) == 0)
 
 
 def is_finite(x):
-    """True unless ``x`` is a number (or has an element) that is nan or infinite; expressions count as finite."""
+    """True unless ``x`` is a number (or has an element) that is nan or infinite; expressions count
+    as finite.
+    """
     if not is_numeric(x):
         return True
     x = without_rates(x)
     root = _root(type(x))
     if root == "numpy":
         return bool(importlib.import_module("numpy").isfinite(x).all())
-    if root in ("sympy", "symengine"):  # SymEngine does not know of its own floats whether they are finite
+    # SymEngine does not know of its own floats whether they are finite
+    if root in ("sympy", "symengine"):
         return bool(importlib.import_module("sympy").sympify(x).is_finite)
     return abs(x) < float("inf")
 
@@ -356,10 +416,12 @@ def size(x):
 
 
 def where(condition, a, b):
-    """``a`` where the condition holds, else ``b``; instant by instant if it is an array of conditions.
+    """``a`` where the condition holds, else ``b``; instant by instant if it is an array of
+    conditions.
 
-    For numbers and traced values, which can be compared; expressions and dimensions cannot. Both are computed before one is chosen: a divisor that
-    is zero where the quotient is not wanted must be replaced first.
+    For numbers and traced values, which can be compared; expressions and dimensions cannot. Both
+    are computed before one is chosen: a divisor that is zero where the quotient is not wanted must
+    be replaced first.
 
     >>> where(2.0 > 1.0, "larger", "smaller")
     'larger'
@@ -377,7 +439,8 @@ def anywhere(condition):
 
 
 def epsilon(like=0.0):
-    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or for an mpf what its working precision gives.
+    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or for an mpf what its
+    working precision gives.
 
     >>> epsilon(1.0) == 2.0**-52
     True
@@ -387,17 +450,25 @@ def epsilon(like=0.0):
 
 
 def coarseness(values):
-    """The largest relative round-off among numbers of several kinds; whole numbers and fractions have none.
+    """The largest relative round-off among numbers of several kinds; whole numbers and fractions
+    have none.
 
     >>> coarseness([1, 2.0]) == 2.0**-52
     True
     """
-    return max((epsilon(x) for x in values if x is not ZERO and _root(type(x)) != "fractions" and type(x) is not int), default=epsilon())
+    return max(
+        (
+            epsilon(x)
+            for x in values
+            if x is not ZERO and _root(type(x)) != "fractions" and type(x) is not int
+        ),
+        default=epsilon(),
+    )
 
 
 def unrounded(f, *values):
-    """``f(*values)`` of numbers taken as exact, computed with four times their digits or more and rounded once: for differences in which the digits
-    cancel.
+    """``f(*values)`` of numbers taken as exact, computed with four times their digits or more and
+    rounded once: for differences in which the digits cancel.
 
     >>> (1 + 1e-20) - 1, unrounded(lambda x: (1 + x) - 1, 1e-20)
     (0.0, 1e-20)
@@ -416,8 +487,9 @@ def unrounded(f, *values):
 
 
 def sampled(x):
-    """A number for ``x``, to see whether it vanishes without simplifying it: a float, array or mpf itself; of a SymPy or SymEngine expression its
-    value where every symbol (and function, and derivative) has a number of its own between 0.2 and 0.9; None where no value can be had.
+    """A number for ``x``, to see whether it vanishes without simplifying it: a float, array or mpf
+    itself; of a SymPy or SymEngine expression its value where every symbol (and function, and
+    derivative) has a number of its own between 0.2 and 0.9; None where no value can be had.
 
     >>> sampled(2.0), sampled(ZERO)
     (2.0, 0)
@@ -436,7 +508,9 @@ def sampled(x):
 
 
 def _inside_out(x, known):
-    """The value of a SymPy expression to 40 digits, each part computed once; evalf takes a time exponential in the depth where sums cancel."""
+    """The value of a SymPy expression to 40 digits, each part computed once; evalf takes a time
+    exponential in the depth where sums cancel.
+    """
     if x not in known:
         value = x.func(*(_inside_out(a, known) for a in x.args)) if x.args else x
         known[x] = value if value.is_Rational else value.evalf(40)
@@ -444,6 +518,8 @@ def _inside_out(x, known):
 
 
 def least(x):
-    """The smallest absolute value in ``x``, as a float: the instant of an array at which a divisor is nearest to zero."""
+    """The smallest absolute value in ``x``, as a float: the instant of an array at which a divisor
+    is nearest to zero.
+    """
     smallest = abs(without_rates(x))
     return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)

@@ -1,7 +1,8 @@
 """Dimensions, and units by name with exact factors to the coherent base kg, m, s, rad.
 
-``Unit("rev/min")`` or ``Unit("slug*ft^2")``: names joined by ``*`` and ``/``, powers by ``^``. ``lb`` is the pound of force, ``slug`` the mass that
-it accelerates at 1 ft/s^2; angles are pure numbers.
+``Unit("rev/min")`` or ``Unit("slug*ft^2")``: names joined by ``*`` and ``/``, powers by ``^``.
+``lb`` is the pound of force, ``slug`` the mass that it accelerates at 1 ft/s^2; angles are pure
+numbers.
 """
 
 import re
@@ -13,14 +14,16 @@ from .scalars import ZERO, ScalarError, Scaled, _Own, exp, outranks, pi, scalar
 
 
 class DimensionError(ScalarError):
-    """Quantities of different dimension were added, or a function was taken of one that is not a pure number."""
+    """Quantities of different dimension were added, or a function was taken of one that is not a
+    pure number.
+    """
 
 
 class Dimension(_Own):
     """What remains of a quantity without its value: its powers of mass, length and time.
 
-    Angles, and numbers written in a formula, are pure. Adding unlike dimensions raises :class:`DimensionError`, so
-    one run of a formula on dimensions proves its units.
+    Angles, and numbers written in a formula, are pure. Adding unlike dimensions raises
+    :class:`DimensionError`, so one run of a formula on dimensions proves its units.
 
     >>> length, time = Dimension(0, 1, 0), Dimension(0, 0, 1)
     >>> length/time**2 + 2*length/time**2
@@ -49,7 +52,9 @@ class Dimension(_Own):
         if outranks(other, self):
             return NotImplemented
         if _as_dimension(other) != self:
-            raise DimensionError(f"cannot add {_as_dimension(other)} to {self}: look at the units of the two terms")
+            raise DimensionError(
+                f"cannot add {_as_dimension(other)} to {self}: look at the units of the two terms"
+            )
         return self
 
     __radd__ = __sub__ = __rsub__ = __add__
@@ -64,14 +69,18 @@ class Dimension(_Own):
             return ZERO
         if isinstance(other, Scaled) or outranks(other, self):
             return NotImplemented
-        return Dimension(*(a + b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True)))
+        return Dimension(
+            *(a + b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True))
+        )
 
     __rmul__ = __mul__
 
     def __truediv__(self, other):
         if other is ZERO or outranks(other, self):
             return NotImplemented
-        return Dimension(*(a - b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True)))
+        return Dimension(
+            *(a - b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True))
+        )
 
     def __rtruediv__(self, other):
         return _as_dimension(other) / self
@@ -79,9 +88,14 @@ class Dimension(_Own):
     def __pow__(self, power):
         if isinstance(power, Dimension) or outranks(power, self):
             if any(self.powers):
-                raise DimensionError(f"{self} is raised to a power that varies: its dimension would vary too")
+                raise DimensionError(
+                    f"{self} is raised to a power that varies: its dimension would vary too"
+                )
             return exp(power) if isinstance(power, Dimension) else NotImplemented
-        power = Fraction(power if isinstance(power, Fraction) else float(power)).limit_denominator(1000)  # 1/3 is not a float
+        # 1/3 is not a float
+        power = Fraction(power if isinstance(power, Fraction) else float(power)).limit_denominator(
+            1000
+        )
         return Dimension(*(a * power for a in self.powers))
 
     def function(self, name, *args):
@@ -91,7 +105,10 @@ class Dimension(_Own):
         if name == "atan2":
             _ = args[0] + args[1] if args[0] is not ZERO and args[1] is not ZERO else None
         elif any(self.powers):
-            raise DimensionError(f"{name} of a quantity with {self}: its argument must be a pure number (an angle, a ratio)")
+            raise DimensionError(
+                f"{name} of a quantity with {self}: its argument must be a pure number (an "
+                "angle, a ratio)"
+            )
         return Dimension()
 
 
@@ -102,7 +119,11 @@ def _as_dimension(x):
     return Dimension()
 
 
-_INCH, _POUND_MASS, _STANDARD_G = Fraction(254, 10000), Fraction(45359237, 10**8), Fraction(980665, 10**5)
+_INCH, _POUND_MASS, _STANDARD_G = (
+    Fraction(254, 10000),
+    Fraction(45359237, 10**8),
+    Fraction(980665, 10**5),
+)
 _POUND = _POUND_MASS * _STANDARD_G
 _LENGTH, _TIME, _MASS = Dimension(0, 1, 0), Dimension(0, 0, 1), Dimension(1, 0, 0)
 _PURE = Dimension()
@@ -150,11 +171,15 @@ class Unit:
         return f"Unit({self.text!r})"
 
     def to_base(self, x):
-        """The quantity of ``x`` such units, in kg, m, s and rad; ``x`` a scalar of any kind or a Vector."""
+        """The quantity of ``x`` such units, in kg, m, s and rad; ``x`` a scalar of any kind or a
+        Vector.
+        """
         return self._scaled(x, self.factor, self.pi_power)
 
     def from_base(self, x):
-        """How many such units the quantity ``x``, in kg, m, s and rad, is; ``x`` a scalar of any kind or a Vector."""
+        """How many such units the quantity ``x``, in kg, m, s and rad, is; ``x`` a scalar of any
+        kind or a Vector.
+        """
         return self._scaled(x, 1 / self.factor, -self.pi_power)
 
     @staticmethod
@@ -182,13 +207,23 @@ def unit(text):
 
 def pint_name(unit_text):
     """A unit of the problems as pint writes it; pint's lb and oz are masses."""
-    names = {"rev": "revolution", "lb": "lbf", "oz": "force_ounce", "1": "dimensionless", "%": "percent"}
-    return re.sub(r"[A-Za-z%]+|(?<!\^)\b1\b", lambda m: names.get(m[0], m[0]), unit_text).replace("^", "**")
+    names = {
+        "rev": "revolution",
+        "lb": "lbf",
+        "oz": "force_ounce",
+        "1": "dimensionless",
+        "%": "percent",
+    }
+    return re.sub(r"[A-Za-z%]+|(?<!\^)\b1\b", lambda m: names.get(m[0], m[0]), unit_text).replace(
+        "^", "**"
+    )
 
 
 def _parts(text):
     if not isinstance(text, str):
-        raise UnitError(f"cannot read the unit {text!r}; write it as text, as in 'kg*m^2/s' or 'rev/min'")
+        raise UnitError(
+            f"cannot read the unit {text!r}; write it as text, as in 'kg*m^2/s' or 'rev/min'"
+        )
     sign, parts = 1, []
     for token in re.split(r"([*/])", text.replace(" ", "")):
         if token == "*":
@@ -198,7 +233,10 @@ def _parts(text):
             continue
         match = re.fullmatch(r"([A-Za-z%]+|1)(?:\^(-?\d+))?", token)
         if not match:
-            raise UnitError(f"cannot read the unit {text!r} at {token!r}; write it as in 'kg*m^2/s' or 'rev/min'")
+            raise UnitError(
+                f"cannot read the unit {text!r} at {token!r}; write it as in 'kg*m^2/s' or "
+                "'rev/min'"
+            )
         parts.append((sign, match[1], int(match[2] or 1)))
         sign = 1
     return parts

@@ -1,8 +1,9 @@
 """Vectors: three components in a frame (Appendix A of the book).
 
-A :class:`Vector` belongs to a frame but to no origin. Vectors of two frames combine as they are: the result is expressed in the
-frame of the left one. A vector that theory writes as a sum keeps its terms by name (``a.terms``, ``a.explain()``), and knows
-how it changes in time where that follows from how it was made (``a.rate(observer)``).
+A :class:`Vector` belongs to a frame but to no origin. Vectors of two frames combine as they are:
+the result is expressed in the frame of the left one. A vector that theory writes as a sum keeps its
+terms by name (``a.terms``, ``a.explain()``), and knows how it changes in time where that follows
+from how it was made (``a.rate(observer)``).
 """
 
 from functools import reduce
@@ -10,18 +11,38 @@ from functools import reduce
 from .errors import NewtonEulerError
 from .jets import Moving, moving
 from .ledger import Explanation, Ledger, NamedTerms, equations, latex_number
-from .scalars import ZERO, ScalarError, Scaled, atan2, is_numeric, is_zero, least, plain, sampled, scalar, short, size, sqrt
+from .scalars import (
+    ZERO,
+    ScalarError,
+    Scaled,
+    atan2,
+    is_numeric,
+    is_zero,
+    least,
+    plain,
+    sampled,
+    scalar,
+    short,
+    size,
+    sqrt,
+)
 
-NO_THIRD_RATE = "the third time derivative of a moving quantity is not known; give coordinates with two rates only"
+NO_THIRD_RATE = (
+    "the third time derivative of a moving quantity is not known; give coordinates with two "
+    "rates only"
+)
 
 
 class FrameError(NewtonEulerError, ValueError):
-    """Frames or vectors that do not belong together, or a question that leaves out the frame it is asked in."""
+    """Frames or vectors that do not belong together, or a question that leaves out the frame it is
+    asked in.
+    """
 
 
 # -- triples: the arithmetic behind vectors, on bare components of one frame
 
-ZERO3 = (ZERO, ZERO, ZERO)  # the zero vector known from the structure of a formula; sums and products look for this one
+# the zero vector known from the structure of a formula; sums and products look for this one
+ZERO3 = (ZERO, ZERO, ZERO)
 
 
 def cross3(a, b):
@@ -68,9 +89,11 @@ EQUATIONS = equations({
 
 
 class Vector(Scaled, NamedTerms):
-    """A vector with components (x, y, z) along the axes of ``frame``. Make one with ``frame.vector(x, y, z)``.
+    """A vector with components (x, y, z) along the axes of ``frame``. Make one with
+    ``frame.vector(x, y, z)``.
 
-    ``a + b, a - b, 2*a, a/2, -a`` and the methods :meth:`dot` (A.11), :meth:`cross` (A.13) work over scalars of every kind.
+    ``a + b, a - b, 2*a, a/2, -a`` and the methods :meth:`dot` (A.11), :meth:`cross` (A.13) work
+    over scalars of every kind.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -86,9 +109,15 @@ class Vector(Scaled, NamedTerms):
 
     # -- components
 
-    x = property(lambda self: plain(self.c[0]), doc="component along the first axis of its frame (A.7)")
-    y = property(lambda self: plain(self.c[1]), doc="component along the second axis of its frame (A.7)")
-    z = property(lambda self: plain(self.c[2]), doc="component along the third axis of its frame (A.7)")
+    x = property(
+        lambda self: plain(self.c[0]), doc="component along the first axis of its frame (A.7)"
+    )
+    y = property(
+        lambda self: plain(self.c[1]), doc="component along the second axis of its frame (A.7)"
+    )
+    z = property(
+        lambda self: plain(self.c[2]), doc="component along the third axis of its frame (A.7)"
+    )
 
     def __iter__(self):
         return iter(self.components())
@@ -100,7 +129,9 @@ class Vector(Scaled, NamedTerms):
         return self.components()[n]
 
     def __eq__(self, other):
-        """True for a vector with the same components; of another frame, up to round-off, as :func:`same` says; False where no frame is common."""
+        """True for a vector with the same components; of another frame, up to round-off, as
+        :func:`same` says; False where no frame is common.
+        """
         if not isinstance(other, Vector):
             return NotImplemented
         if other.frame is self.frame:
@@ -117,24 +148,34 @@ class Vector(Scaled, NamedTerms):
         return self.norm()
 
     def components(self, frame=None):
-        """The three components along the axes of ``frame`` (default: the frame it is expressed in), as a tuple."""
+        """The three components along the axes of ``frame`` (default: the frame it is expressed in),
+        as a tuple.
+        """
         c = self.c if frame is None else self.expressed_in(frame).c
         return tuple(plain(x) for x in c)
 
     def expressed_in(self, frame):
-        """The same vector with its components along the axes of ``frame``; its terms and its rate go with it."""
+        """The same vector with its components along the axes of ``frame``; its terms and its rate
+        go with it.
+        """
         if frame is self.frame:
             return self
         c = self.frame.transform(self.c, frame)
         own = self._own_rate and (lambda: self.rate(frame))
-        return Vector(c, frame, own, self._ledger and self._ledger.mapped(lambda v: v.expressed_in(frame)))
+        return Vector(
+            c, frame, own, self._ledger and self._ledger.mapped(lambda v: v.expressed_in(frame))
+        )
 
     def rounded(self, noise):
         """The vector with components of at most ``noise``, round-off beside others, set to 0."""
-        return Vector(tuple(ZERO if is_numeric(x) and size(x) <= noise else x for x in self.c), self.frame)
+        return Vector(
+            tuple(ZERO if is_numeric(x) and size(x) <= noise else x for x in self.c), self.frame
+        )
 
     def to_array(self):
-        """The components as a NumPy array of shape (3,), or (3, N) where they are arrays of N instants."""
+        """The components as a NumPy array of shape (3,), or (3, N) where they are arrays of N
+        instants.
+        """
         import numpy as np
 
         return np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in self)))
@@ -151,7 +192,11 @@ class Vector(Scaled, NamedTerms):
     def latex(self, digits=5):
         """The vector as a LaTeX formula, in the unit vectors of its frame."""
         hats = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")
-        parts = [f"{latex_number(x, digits)}\\,{hat}" for x, hat in zip(self, hats, strict=True) if not is_zero(x)]
+        parts = [
+            f"{latex_number(x, digits)}\\,{hat}"
+            for x, hat in zip(self, hats, strict=True)
+            if not is_zero(x)
+        ]
         text = parts[0] if parts else r"\mathbf{0}"
         for part in parts[1:]:
             text += part if part.startswith("-") else "+" + part
@@ -161,12 +206,16 @@ class Vector(Scaled, NamedTerms):
 
     def _other(self, other, doing):
         if not isinstance(other, Vector):
-            raise FrameError(f"cannot {doing} the vector {self} and {other!r}: both must be vectors")
+            raise FrameError(
+                f"cannot {doing} the vector {self} and {other!r}: both must be vectors"
+            )
         return other.c if other.frame is self.frame else other.expressed_in(self.frame).c
 
     def __add__(self, other):
         f = self.frame
-        return Vector(add3(self.c, self._other(other, "add")), f, lambda: self.rate(f) + other.rate(f))
+        return Vector(
+            add3(self.c, self._other(other, "add")), f, lambda: self.rate(f) + other.rate(f)
+        )
 
     def __radd__(self, other):
         if type(other) is int and other == 0:  # where sum() begins
@@ -175,7 +224,9 @@ class Vector(Scaled, NamedTerms):
 
     def __sub__(self, other):
         f = self.frame
-        return Vector(sub3(self.c, self._other(other, "subtract")), f, lambda: self.rate(f) - other.rate(f))
+        return Vector(
+            sub3(self.c, self._other(other, "subtract")), f, lambda: self.rate(f) - other.rate(f)
+        )
 
     def __neg__(self):
         return -1 * self
@@ -185,7 +236,11 @@ class Vector(Scaled, NamedTerms):
             raise FrameError("two vectors have two products: write a.dot(b) or a.cross(b)")
         s = scalar(s)
         if isinstance(s, Moving):
-            return Vector(scale3(s.value, self.c), self.frame, self._own_rate and (lambda: self._product_rate(s)))
+            return Vector(
+                scale3(s.value, self.c),
+                self.frame,
+                self._own_rate and (lambda: self._product_rate(s)),
+            )
         return self._each(lambda x: s * x, lambda v: v * s, lambda: self._product_rate(moving(s)))
 
     def _product_rate(self, s):
@@ -200,7 +255,9 @@ class Vector(Scaled, NamedTerms):
     def _each(self, change, whole, rate):
         """The vector with every component changed by a factor, and its terms with it."""
         c = ZERO3 if self.c is ZERO3 else tuple(change(x) for x in self.c)
-        return Vector(c, self.frame, self._own_rate and rate, self._ledger and self._ledger.mapped(whole))
+        return Vector(
+            c, self.frame, self._own_rate and rate, self._ledger and self._ledger.mapped(whole)
+        )
 
     __rmul__ = __mul__
 
@@ -210,8 +267,11 @@ class Vector(Scaled, NamedTerms):
         s = scalar(s)
         rate = self._own_rate and (lambda: self._quotient_rate(moving(s)))
         if isinstance(s, Moving):
-            return Vector(ZERO3 if self.c is ZERO3 else tuple(x / s.value for x in self.c), self.frame, rate)
-        return self._each(lambda x: x / s, lambda v: v / s, rate)  # not times 1/s: that rounds before an mpf or a fraction comes in
+            return Vector(
+                ZERO3 if self.c is ZERO3 else tuple(x / s.value for x in self.c), self.frame, rate
+            )
+        # not times 1/s: that rounds before an mpf or a fraction comes in
+        return self._each(lambda x: x / s, lambda v: v / s, rate)
 
     def _quotient_rate(self, s):
         """The rate of this vector divided by s, in its own frame; ``s`` is moving."""
@@ -247,18 +307,25 @@ class Vector(Scaled, NamedTerms):
         return self / length
 
     def angle_to(self, other):
-        """The angle between two vectors in rad, in [0, pi]; accurate at both ends, where an arc cosine is not. FrameError for zero vectors."""
+        """The angle between two vectors in rad, in [0, pi]; accurate at both ends, where an arc
+        cosine is not. FrameError for zero vectors.
+        """
         across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
         if is_numeric(across) and is_numeric(along) and least(abs(across) + abs(along)) == 0:
-            raise FrameError(f"a zero vector makes no angle with another, but one of {self} and {other} is zero, or too small to be squared")
+            raise FrameError(
+                f"a zero vector makes no angle with another, but one of {self} and {other} is "
+                "zero, or too small to be squared"
+            )
         return atan2(across, along)
 
     # -- change in time
 
     def rate(self, observer=None):
-        """Its time derivative seen from the frame ``observer``: the basic kinematic equation (4.15), (4.27).
+        """Its time derivative seen from the frame ``observer``: the basic kinematic equation
+        (4.15), (4.27).
 
-        terms: ``relative``, the rate seen in its own frame, and ``rotation``, omega x Q. Raises :class:`FrameError` without an
+        terms: ``relative``, the rate seen in its own frame, and ``rotation``, omega x Q. Raises
+            :class:`FrameError` without an
         observer (a vector has no rate as such), or where the vector is known at the instant only.
 
         >>> from newton_euler import Frame
@@ -267,12 +334,16 @@ class Vector(Scaled, NamedTerms):
         Vector(0, 2.0, 0 in arm)
         """
         if observer is None:
-            raise FrameError("a vector changes differently in different frames: say which, as in Q.rate(ground)")
+            raise FrameError(
+                "a vector changes differently in different frames: say which, as in Q.rate(ground)"
+            )
         self.frame.common(observer)
         if self._own_rate is None:
             raise FrameError(
-                f"the rate of {self} is not known: it was computed for one instant. Build it from moving quantities, "
-                "as in frame.vector(moving(x, rate=...), y, z), or ask a Point for its velocity and acceleration"
+                f"the rate of {self} is not known: it was computed for one instant. Build "
+                "it from moving quantities, "
+                "as in frame.vector(moving(x, rate=...), y, z), or ask a Point for its "
+                "velocity and acceleration"
             )
         seen = self._own_rate().expressed_in(self.frame)
         if observer is self.frame:
@@ -280,14 +351,20 @@ class Vector(Scaled, NamedTerms):
         omega = self.frame.angular_velocity(observer).expressed_in(self.frame)
         turned = omega.cross(self)
         f = self.frame
-        ledger = Ledger(EQUATIONS["rate"], f"{f.name}/{observer.name}", lambda: {"relative": seen, "rotation": turned})
+        ledger = Ledger(
+            EQUATIONS["rate"],
+            f"{f.name}/{observer.name}",
+            lambda: {"relative": seen, "rotation": turned},
+        )
         return Vector(add3(seen.c, turned.c), f, lambda: seen.rate(f) + turned.rate(f), ledger)
 
     # -- the term ledger
 
     @property
     def equation(self):
-        """The :class:`~newton_euler.algebra.ledger.Equation` of its named terms; None for a vector that is not known as a sum."""
+        """The :class:`~newton_euler.algebra.ledger.Equation` of its named terms; None for a vector
+        that is not known as a sum.
+        """
         return self._ledger and self._ledger.equation
 
     @property
@@ -298,14 +375,19 @@ class Vector(Scaled, NamedTerms):
     def explain(self, unit=""):
         """How it is made up: the equation with its number in the book, and the value of each term.
 
-        Returns an :class:`Explanation`; it prints as text and shows as a formula in Jupyter. ``unit`` is written behind the values.
+        Returns an :class:`Explanation`; it prints as text and shows as a formula in Jupyter.
+        ``unit`` is written behind the values.
         """
         if not self._ledger:
-            raise FrameError(f"{self} was not computed as a named sum; velocities, accelerations and rates of points and frames are")
+            raise FrameError(
+                f"{self} was not computed as a named sum; velocities, accelerations and rates "
+                "of points and frames are"
+            )
         return Explanation(self, self._ledger, unit)
 
     def reweighted(self, **factors):
-        """The sum of its terms, each times the factor named for it (others once): what a wrong model would give.
+        """The sum of its terms, each times the factor named for it (others once): what a wrong
+        model would give.
 
         >>> from newton_euler import Frame, moving
         >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -313,7 +395,13 @@ class Vector(Scaled, NamedTerms):
         >>> a, a.reweighted(coriolis=0)
         (Vector(-4.0, 12.0, 0 in arm), Vector(-4.0, 0, 0 in arm))
         """
-        return Vector(sum3(scale3(f, term.expressed_in(self.frame).c) for f, term in self._weighted(factors, FrameError)), self.frame)
+        return Vector(
+            sum3(
+                scale3(f, term.expressed_in(self.frame).c)
+                for f, term in self._weighted(factors, FrameError)
+            ),
+            self.frame,
+        )
 
 
 def dot(a, b):
@@ -329,11 +417,19 @@ def cross(a, b):
 def named_sum(equation, subject, terms, frame):
     """The Vector in ``frame`` that is the sum of these, and keeps them by name."""
     total = sum3(v.expressed_in(frame).c for v in terms.values())
-    return Vector(total, frame, None, Ledger(equation, subject, lambda: {name: v.expressed_in(frame) for name, v in terms.items()}))
+    return Vector(
+        total,
+        frame,
+        None,
+        Ledger(
+            equation, subject, lambda: {name: v.expressed_in(frame) for name, v in terms.items()}
+        ),
+    )
 
 
 def same(a, b, tolerance=1e-12):
-    """True if two vectors differ by at most ``tolerance`` times the larger of their magnitudes; of symbols, where these are given numbers.
+    """True if two vectors differ by at most ``tolerance`` times the larger of their magnitudes; of
+    symbols, where these are given numbers.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground"); turned = ground.rotate("turned", "z", angle=0.3)

@@ -50,4 +50,12 @@ from .gyroscopes import (
     steady_precession,
     steady_spin,
 )
-from .rotors import RotorError, balance, balancing_masses, corrections, imbalance, reactions, shaft_axis
+from .rotors import (
+    RotorError,
+    balance,
+    balancing_masses,
+    corrections,
+    imbalance,
+    reactions,
+    shaft_axis,
+)

@@ -1,9 +1,12 @@
-"""Motion as seen from the rotating Earth (6.8)-(6.11): ground frames, apparent weight, projectiles, weather.
+"""Motion as seen from the rotating Earth (6.8)-(6.11): ground frames, apparent weight, projectiles,
+weather.
 
-*Ground axes* at a place: i to the east, j to the north, k up, away from the Earth's centre; the Earth is a uniform sphere. Latitude is in rad,
-north positive; an azimuth runs from east toward north, an elevation upward from the horizontal. ``rate`` is the Earth's, in rad/s;
-lengths and ``g`` are in any one unit of length, only the constants below are in metres. ``g`` is the acceleration by attraction alone, down;
-functions that take a vector ``gravity`` may be given the :func:`effective_gravity`, which contains the centrifugal part.
+*Ground axes* at a place: i to the east, j to the north, k up, away from the Earth's centre; the
+Earth is a uniform sphere. Latitude is in rad, north positive; an azimuth runs from east toward
+north, an elevation upward from the horizontal. ``rate`` is the Earth's, in rad/s; lengths and ``g``
+are in any one unit of length, only the constants below are in metres. ``g`` is the acceleration by
+attraction alone, down; functions that take a vector ``gravity`` may be given the
+:func:`effective_gravity`, which contains the centrifugal part.
 
 >>> from newton_euler import Frame, radians
 >>> ground = ground_frame(earth_frame(Frame("stars")), radians(45.0))
@@ -15,7 +18,18 @@ from itertools import accumulate, pairwise
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.ledger import equations
-from ..algebra.scalars import ZERO, cos, is_numeric, is_positive, least, plain, scalar, sin, size, sqrt
+from ..algebra.scalars import (
+    ZERO,
+    cos,
+    is_numeric,
+    is_positive,
+    least,
+    plain,
+    scalar,
+    sin,
+    size,
+    sqrt,
+)
 from ..algebra.vectors import ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
 
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
@@ -58,9 +72,11 @@ class EarthError(NewtonEulerError, ValueError):
 
 
 def earth_frame(stars, rate=EARTH_RATE, turned=0, name="earth"):
-    """The frame of the Earth in ``stars``, a frame that does not turn; both have their origin in its centre.
+    """The frame of the Earth in ``stars``, a frame that does not turn; both have their origin in
+    its centre.
 
-    Axes at longitude 0 on the equator: i to the east, j to the north (the axis of rotation), k up. ``turned`` : the angle turned so far, rad.
+    Axes at longitude 0 on the equator: i to the east, j to the north (the axis of rotation), k up.
+    ``turned`` : the angle turned so far, rad.
     """
     return stars.rotate(name, "y", turned, rate)
 
@@ -68,8 +84,8 @@ def earth_frame(stars, rate=EARTH_RATE, turned=0, name="earth"):
 def ground_frame(earth, latitude, longitude=0, radius=EARTH_RADIUS, name="ground"):
     """The ground axes at a place, as a frame with its origin there: i east, j north, k up.
 
-    ``earth`` is from :func:`earth_frame`; ``latitude`` in rad, north positive, ``longitude`` in rad, east positive. Raises :class:`EarthError` for
-    a latitude beyond the poles (degrees?).
+    ``earth`` is from :func:`earth_frame`; ``latitude`` in rad, north positive, ``longitude`` in
+    rad, east positive. Raises :class:`EarthError` for a latitude beyond the poles (degrees?).
 
     >>> from newton_euler import Frame
     >>> ground = ground_frame(earth_frame(Frame("stars"), 7e-5), 0.0, radius=6.4e6)
@@ -78,18 +94,24 @@ def ground_frame(earth, latitude, longitude=0, radius=EARTH_RADIUS, name="ground
     """
     meridian = earth.rotate(f"meridian of {name}", "y", longitude)
     latitude = _checked_latitude(latitude)
-    origin = meridian.point(f"origin of {name}", ZERO, radius * sin(latitude), radius * cos(latitude))
+    origin = meridian.point(
+        f"origin of {name}", ZERO, radius * sin(latitude), radius * cos(latitude)
+    )
     return meridian.rotate(name, "-x", latitude, origin=origin)
 
 
 def _checked_latitude(latitude):
     if is_numeric(latitude) and size(latitude) > 1.5708:
-        raise EarthError(f"a latitude is in radians, between -pi/2 and pi/2; got {plain(latitude)!r}: write radians(45) for 45 degrees north")
+        raise EarthError(
+            f"a latitude is in radians, between -pi/2 and pi/2; got {plain(latitude)!r}: write "
+            "radians(45) for 45 degrees north"
+        )
     return scalar(latitude)
 
 
 def earth_rate(ground):
-    """The angular velocity of the Earth (6.18), rad/s: (0, rate cos(latitude), rate sin(latitude)) along ground axes.
+    """The angular velocity of the Earth (6.18), rad/s: (0, rate cos(latitude), rate sin(latitude))
+    along ground axes.
 
     The first frame of the tree of ``ground`` is taken for inertial.
     """
@@ -107,7 +129,8 @@ def earth_rate3(latitude, rate=EARTH_RATE):
 
 
 def attraction3(r, g, radius):
-    """The acceleration by the attraction of the Earth, as a triple along ground axes, at the triple ``r`` from the ground's origin (5.22).
+    """The acceleration by the attraction of the Earth, as a triple along ground axes, at the triple
+    ``r`` from the ground's origin (5.22).
 
     g : at the distance ``radius`` from the centre
 
@@ -121,7 +144,9 @@ def attraction3(r, g, radius):
 
 
 def centrifugal3(r, omega, radius):
-    """The centrifugal acceleration -omega x (omega x rho), as a triple along ground axes, at the triple ``r`` from the ground's origin."""
+    """The centrifugal acceleration -omega x (omega x rho), as a triple along ground axes, at the
+    triple ``r`` from the ground's origin.
+    """
     return cross3(cross3(omega, _from_centre(r, radius)), omega)
 
 
@@ -139,10 +164,12 @@ def ground_acceleration(ground):
 
 
 def effective_gravity(g, ground):
-    """The acceleration of a body let go at rest, g' = -g k - a_B (6.11), along ground axes: what a plumb line and a balance show.
+    """The acceleration of a body let go at rest, g' = -g k - a_B (6.11), along ground axes: what a
+    plumb line and a balance show.
 
-    Its terms are the ``attraction`` and the ``centrifugal`` part. The book's apparent g, g - R omega^2 cos(latitude)^2, is its component down;
-    ``g'.angle_to(-ground.k)`` is the deflection of the plumb line, toward the equator.
+    Its terms are the ``attraction`` and the ``centrifugal`` part. The book's apparent g, g - R
+    omega^2 cos(latitude)^2, is its component down; ``g'.angle_to(-ground.k)`` is the deflection of
+    the plumb line, toward the equator.
 
     >>> from newton_euler import Frame
     >>> print(effective_gravity(9.82, ground_frame(earth_frame(Frame("stars")), 1.5)))
@@ -153,16 +180,21 @@ def effective_gravity(g, ground):
 
 
 def support_force(m, g, ground):
-    """The force N that the ground must exert on a body of mass ``m`` at rest on it (6.13), along ground axes; without rotation m g k (6.14).
+    """The force N that the ground must exert on a body of mass ``m`` at rest on it (6.13), along
+    ground axes; without rotation m g k (6.14).
 
     Terms: ``weight``, and ``rotation``, which keeps the body on its circle.
     """
-    parts = {"weight": scalar(m) * scalar(g) * ground.k, "rotation": scalar(m) * ground_acceleration(ground)}
+    parts = {
+        "weight": scalar(m) * scalar(g) * ground.k,
+        "rotation": scalar(m) * ground_acceleration(ground),
+    }
     return named_sum(EQUATIONS["support force"], f"in {ground.name}", parts, ground)
 
 
 def rotation_error(g, radius=EARTH_RADIUS, rate=EARTH_RATE):
-    """How much of the weight is left out at most if a body carried round a circle is taken to be in an inertial frame: R omega^2/g (6.8).
+    """How much of the weight is left out at most if a body carried round a circle is taken to be in
+    an inertial frame: R omega^2/g (6.8).
 
     >>> round(rotation_error(9.81), 5)
     0.00345
@@ -171,7 +203,9 @@ def rotation_error(g, radius=EARTH_RADIUS, rate=EARTH_RATE):
 
 
 def weightless_speed(g, radius=EARTH_RADIUS):
-    """The speed along the equator, seen from the stars, at which the ground carries nothing: sqrt(g R), that of a low orbit (6.8)."""
+    """The speed along the equator, seen from the stars, at which the ground carries nothing: sqrt(g
+    R), that of a low orbit (6.8).
+    """
     return sqrt(g * radius)
 
 
@@ -179,24 +213,33 @@ def weightless_speed(g, radius=EARTH_RADIUS):
 
 
 def coriolis_acceleration(omega, v):
-    """-2 omega x v: how a body that moves freely with ``v`` seems to be accelerated in a frame that turns with ``omega``."""
+    """-2 omega x v: how a body that moves freely with ``v`` seems to be accelerated in a frame that
+    turns with ``omega``.
+    """
     return -2 * omega.cross(v)
 
 
 def apparent_acceleration(v, gravity, omega):
-    """The acceleration that is seen from the ground (6.16), of a projectile with the velocity ``v`` seen from there: gravity - 2 omega x v.
+    """The acceleration that is seen from the ground (6.16), of a projectile with the velocity ``v``
+    seen from there: gravity - 2 omega x v.
 
-    All three are Vectors; terms: ``gravity``, ``coriolis``. Terms in omega^2 are left out, unless ``gravity`` is the effective one.
+    All three are Vectors; terms: ``gravity``, ``coriolis``. Terms in omega^2 are left out, unless
+    ``gravity`` is the effective one.
     """
     return named_sum(
-        EQUATIONS["apparent acceleration"], f"in {v.frame.name}", {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)}, v.frame
+        EQUATIONS["apparent acceleration"],
+        f"in {v.frame.name}",
+        {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)},
+        v.frame,
     )
 
 
 def force_near_earth(m, v, a, omega):
-    """The resultant force, weight included, that a motion seen from the ground needs (6.15): m a + 2 m omega x v.
+    """The resultant force, weight included, that a motion seen from the ground needs (6.15): m a +
+    2 m omega x v.
 
-    v, a : Vectors, velocity and acceleration seen from the ground; terms ``relative``, ``coriolis``. Terms in omega^2 are left out: they belong to
+    v, a : Vectors, velocity and acceleration seen from the ground; terms ``relative``,
+        ``coriolis``. Terms in omega^2 are left out: they belong to
     the effective gravity.
 
     >>> from newton_euler import Frame
@@ -209,7 +252,9 @@ def force_near_earth(m, v, a, omega):
 
 
 def launch_direction(azimuth, elevation):
-    """The direction of a shot along ground axes, three components (6.17); azimuth from east toward north."""
+    """The direction of a shot along ground axes, three components (6.17); azimuth from east toward
+    north.
+    """
     return cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation)
 
 
@@ -219,11 +264,14 @@ def launch_velocity(ground, speed, azimuth, elevation):
 
 
 def projectile_position(t, launch, gravity, omega):
-    """Where a projectile is at time ``t`` after it left the origin (6.24), to first order in the rotation.
+    """Where a projectile is at time ``t`` after it left the origin (6.24), to first order in the
+    rotation.
 
-    launch, gravity, omega : Vectors, the velocity of the shot, the acceleration of free fall, the Earth's angular velocity
-    Returns a Vector along the axes of ``launch``, with the terms ``launch``, ``fall``, ``launch turned`` and ``fall turned``. The error is of
-    the second order in the rotation, about (2 omega t)^2/6 of the way; see :func:`projectile_to_order`.
+    launch, gravity, omega : Vectors, the velocity of the shot, the acceleration of free fall, the
+        Earth's angular velocity
+    Returns a Vector along the axes of ``launch``, with the terms ``launch``, ``fall``,
+    ``launch turned`` and ``fall turned``. The error is of the second order in the rotation, about
+    (2 omega t)^2/6 of the way; see :func:`projectile_to_order`.
 
     >>> from newton_euler import Frame, radians
     >>> ground = ground_frame(earth_frame(Frame("stars")), radians(45.0))
@@ -234,8 +282,16 @@ def projectile_position(t, launch, gravity, omega):
     frame = launch.frame
     v, g, w = _along(frame, launch, gravity, omega)
     terms = {"launch": scale3(t, v), "fall": scale3(t * t / 2, g)}
-    terms |= {"launch turned": scale3(-t * t, cross3(w, v)), "fall turned": scale3(-t * t * t / 3, cross3(w, g))}
-    return named_sum(EQUATIONS["projectile"], f"in {frame.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)
+    terms |= {
+        "launch turned": scale3(-t * t, cross3(w, v)),
+        "fall turned": scale3(-t * t * t / 3, cross3(w, g)),
+    }
+    return named_sum(
+        EQUATIONS["projectile"],
+        f"in {frame.name}",
+        {name: Vector(c, frame) for name, c in terms.items()},
+        frame,
+    )
 
 
 def _along(frame, *vectors):
@@ -243,7 +299,9 @@ def _along(frame, *vectors):
 
 
 def coriolis_series(v, g, w, factors):
-    """The sum of (-2 w x)^n (a v + b g) over the pairs (a, b) of ``factors``, n = 0, 1, ..., of triples: by Horner's scheme."""
+    """The sum of (-2 w x)^n (a v + b g) over the pairs (a, b) of ``factors``, n = 0, 1, ..., of
+    triples: by Horner's scheme.
+    """
     *rest, total = (add3(scale3(a, v), scale3(b, g)) for a, b in factors)
     for term in reversed(rest):
         total = add3(term, cross3(scale3(-2, w), total))
@@ -251,13 +309,17 @@ def coriolis_series(v, g, w, factors):
 
 
 def _integrals(t, m, order):
-    """(t^k/k!, t^(k + 1)/(k + 1)!) for k = m ... m + ``order``: each crossing with -2 w is followed by an integration."""
+    """(t^k/k!, t^(k + 1)/(k + 1)!) for k = m ... m + ``order``: each crossing with -2 w is followed
+    by an integration.
+    """
     powers = list(accumulate(range(1, m + order + 2), lambda power, k: power * t / k, initial=1))
     return list(pairwise(powers[m:]))
 
 
 def position3(t, v, g, w, order=1):
-    """The solution of (6.20) to any order in w, of triples: the way from the start. Order 1 is (6.24)."""
+    """The solution of (6.20) to any order in w, of triples: the way from the start. Order 1 is
+    (6.24).
+    """
     return coriolis_series(v, g, w, _integrals(t, 1, order))
 
 
@@ -267,34 +329,46 @@ def velocity3(t, v, g, w, order=1):
 
 
 def projectile_to_order(t, launch, gravity, omega, order):
-    """Like :func:`projectile_position`, to any order in the rotation, for uniform ``gravity``: the solution of (6.20) as a series.
+    """Like :func:`projectile_position`, to any order in the rotation, for uniform ``gravity``: the
+    solution of (6.20) as a series.
 
-    The rest after ``order`` is less than (2 omega t)^(order + 1)/(order + 2)! of the way; 24 orders are exact to round-off within five hours.
+    The rest after ``order`` is less than (2 omega t)^(order + 1)/(order + 2)! of the way; 24 orders
+    are exact to round-off within five hours.
     """
     return Vector(position3(t, *_along(launch.frame, launch, gravity, omega), order), launch.frame)
 
 
 def projectile_velocity(t, launch, gravity, omega, order=1):
-    """The velocity seen from the ground at time ``t``: the rate of :func:`projectile_position`, which is (6.22), or to a higher order."""
+    """The velocity seen from the ground at time ``t``: the rate of :func:`projectile_position`,
+    which is (6.22), or to a higher order.
+    """
     return Vector(velocity3(t, *_along(launch.frame, launch, gravity, omega), order), launch.frame)
 
 
 def projectile(t, speed, azimuth, elevation, latitude, g, rate=EARTH_RATE):
-    """The coordinates (east, north, up) of a shot at time ``t``, with the book's angles (6.25), first order in the rotation.
+    """The coordinates (east, north, up) of a shot at time ``t``, with the book's angles (6.25),
+    first order in the rotation.
 
     >>> [round(x, 3) for x in projectile(10.0, 0.0, 0.0, 0.0, 0.0, 9.81)]  # let go from rest at the equator
     [0.238, 0.0, -490.5]
     """
     v = tuple(speed * e for e in launch_direction(azimuth, elevation))
-    return tuple(plain(x) for x in position3(t, v, (ZERO, ZERO, -scalar(g)), earth_rate3(latitude, rate)))
+    return tuple(
+        plain(x) for x in position3(t, v, (ZERO, ZERO, -scalar(g)), earth_rate3(latitude, rate))
+    )
 
 
 def flight_time(speed, azimuth, elevation, latitude, g, rate=EARTH_RATE):
-    """The time until a shot is back at the level from which it came (6.26), first order in the rotation."""
+    """The time until a shot is back at the level from which it came (6.26), first order in the
+    rotation.
+    """
     e = launch_direction(azimuth, elevation)
     down = g - 2 * speed * e[0] * earth_rate3(latitude, rate)[1]
     if not is_positive(down):
-        raise EarthError("at this speed the Coriolis acceleration outweighs gravity; the first order in the rotation says nothing about such a shot")
+        raise EarthError(
+            "at this speed the Coriolis acceleration outweighs gravity; the first order in the "
+            "rotation says nothing about such a shot"
+        )
     return 2 * speed * e[2] / down
 
 
@@ -306,13 +380,16 @@ def shot_range(speed, azimuth, elevation, latitude, g, rate=EARTH_RATE):
 
 
 def range_east(speed, elevation, g, rate=EARTH_RATE):
-    """The range of a shot to the east on the equator (6.30), :func:`shot_range` to first order; v0^2 sin(2 elevation)/g without rotation."""
+    """The range of a shot to the east on the equator (6.30), :func:`shot_range` to first order;
+    v0^2 sin(2 elevation)/g without rotation.
+    """
     turned = 4 * rate * speed**3 * sin(elevation) * (1 - 4 * cos(elevation) ** 2) / (3 * g**2)
     return speed**2 * sin(2 * elevation) / g - turned
 
 
 def range_error(speed, elevation, g, rate=EARTH_RATE):
-    """The error of leaving the rotation out of the range to the east, (R_0 - R)/R_0 (6.31), a ratio: the book has 100 times this, in per cent.
+    """The error of leaving the rotation out of the range to the east, (R_0 - R)/R_0 (6.31), a
+    ratio: the book has 100 times this, in per cent.
 
     Negative below 60 degrees, where the rotation lengthens the shot.
     """
@@ -320,25 +397,32 @@ def range_error(speed, elevation, g, rate=EARTH_RATE):
 
 
 def drop_deflection(height, latitude, g, rate=EARTH_RATE):
-    """How far to the east of the plumb line a body lands that is let go from rest at ``height``: (6.24) at the time sqrt(2 height/g).
+    """How far to the east of the plumb line a body lands that is let go from rest at ``height``:
+    (6.24) at the time sqrt(2 height/g).
 
     >>> round(drop_deflection(100.0, 0.0, 9.81), 4)
     0.022
     """
-    return plain(position3(sqrt(2 * height / g), ZERO3, (ZERO, ZERO, -scalar(g)), earth_rate3(latitude, rate))[0])
+    return plain(
+        position3(
+            sqrt(2 * height / g), ZERO3, (ZERO, ZERO, -scalar(g)), earth_rate3(latitude, rate)
+        )[0]
+    )
 
 
 # -- weather (6.11)
 
 
 def coriolis_parameter(latitude, rate=EARTH_RATE):
-    """2 omega sin(latitude), rad/s: how fast the direction of a free horizontal motion turns, clockwise where it is positive, in the north."""
+    """2 omega sin(latitude), rad/s: how fast the direction of a free horizontal motion turns,
+    clockwise where it is positive, in the north.
+    """
     return 2 * earth_rate3(latitude, rate)[2]
 
 
 def wind_acceleration(speed, azimuth, latitude, rate=EARTH_RATE):
-    """The acceleration (east, north) of air that moves freely on the level with ``speed`` toward ``azimuth`` (6.33), (6.34): to the right in the
-    north, to the left in the south.
+    """The acceleration (east, north) of air that moves freely on the level with ``speed`` toward
+    ``azimuth`` (6.33), (6.34): to the right in the north, to the left in the south.
 
     >>> [round(x, 6) for x in wind_acceleration(20.0, 0.0, 0.5, 7e-5)]
     [0.0, -0.001342]
@@ -348,19 +432,25 @@ def wind_acceleration(speed, azimuth, latitude, rate=EARTH_RATE):
 
 
 def buoyancy(m, speed, azimuth, latitude, g, rate=EARTH_RATE):
-    """The vertical force that keeps air of mass ``m`` on its level (6.32): its weight, less what the rotation takes off an eastward wind."""
+    """The vertical force that keeps air of mass ``m`` on its level (6.32): its weight, less what
+    the rotation takes off an eastward wind.
+    """
     return m * (g - 2 * earth_rate3(latitude, rate)[1] * speed * cos(azimuth))
 
 
 def inertial_circle(speed, latitude, rate=EARTH_RATE):
-    """The radius of the circle in which free air runs on the level, clockwise in the north: speed/|2 omega sin(latitude)|, by (6.34) and (6.5)."""
+    """The radius of the circle in which free air runs on the level, clockwise in the north:
+    speed/|2 omega sin(latitude)|, by (6.34) and (6.5).
+    """
     return speed / _turning(latitude, rate)
 
 
 def geostrophic_wind(push, latitude, rate=EARTH_RATE):
-    """The speed of a steady wind along straight isobars, whose Coriolis acceleration balances ``push``, the pressure gradient over the density.
+    """The speed of a steady wind along straight isobars, whose Coriolis acceleration balances
+    ``push``, the pressure gradient over the density.
 
-    In the north it has the low pressure to its left. Raises :class:`EarthError` on the equator, where nothing balances the push.
+    In the north it has the low pressure to its left. Raises :class:`EarthError` on the equator,
+    where nothing balances the push.
 
     >>> round(geostrophic_wind(1e-3, 0.8), 2)  # 1.2 hPa in 100 km, air of 1.2 kg/m^3
     9.56
@@ -369,10 +459,12 @@ def geostrophic_wind(push, latitude, rate=EARTH_RATE):
 
 
 def gradient_wind(push, radius, latitude, rate=EARTH_RATE):
-    """The speed of a steady wind on a circle of ``radius`` about a centre of low pressure, push > 0 toward it, or of high pressure, push < 0.
+    """The speed of a steady wind on a circle of ``radius`` about a centre of low pressure, push > 0
+    toward it, or of high pressure, push < 0.
 
-    v^2/radius + 2 omega |sin(latitude)| v = push; positive: a cyclone, counterclockwise seen from above in the north, clockwise in the south.
-    Raises :class:`EarthError` where a high pushes more than any wind can balance. On a large circle it is the geostrophic wind.
+    v^2/radius + 2 omega |sin(latitude)| v = push; positive: a cyclone, counterclockwise seen from
+    above in the north, clockwise in the south. Raises :class:`EarthError` where a high pushes more
+    than any wind can balance. On a large circle it is the geostrophic wind.
 
     >>> round(gradient_wind(1e-3, 500e3, 0.8), 2), round(gradient_wind(-1e-3, 500e3, 0.8), 2)
     (8.26, -12.59)
@@ -381,7 +473,8 @@ def gradient_wind(push, radius, latitude, rate=EARTH_RATE):
     square = f * f + 4 * push / radius
     if is_numeric(square) and size(abs(square) - square) > 0:
         raise EarthError(
-            f"no steady wind: at radius {plain(radius)!r} the Coriolis acceleration balances an outward push of at most "
+            f"no steady wind: at radius {plain(radius)!r} the Coriolis acceleration "
+            "balances an outward push of at most "
             f"{plain(f * f * radius / 4)!r}, not {plain(-push)!r}; a high has a flat middle"
         )
     return 2 * push / (f + sqrt(square))
@@ -391,5 +484,8 @@ def _turning(latitude, rate):
     """|2 omega sin(latitude)|"""
     f = coriolis_parameter(latitude, rate)
     if is_numeric(f) and least(f) == 0:
-        raise EarthError("on the equator (or on an Earth at rest) nothing turns a horizontal wind aside: its Coriolis acceleration is vertical")
+        raise EarthError(
+            "on the equator (or on an Earth at rest) nothing turns a horizontal wind aside: "
+            "its Coriolis acceleration is vertical"
+        )
     return sqrt(f * f)

@@ -1,14 +1,18 @@
-"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a fixed point of its axis, or about its centre of mass.
+"""Tops and gyroscopes (chapter 10): a body of revolution that turns about a fixed point of its
+axis, or about its centre of mass.
 
-Moments of inertia about that point: ``I0`` about a transverse axis, ``I`` about the axis of symmetry k (10.17). Euler angles 3-1-3: the angle
-``theta`` is that from the axis of precession K (upward, where there is gravity) to k; ``precession`` psi' is the rate of the plane of K and k
-about K; ``spin`` phi' is the rate of the body about k relative to that plane; ``omega_z`` = phi' + psi' cos(theta) is its whole rate about k (10.26).
-Moments are about the line of nodes i = K x k/sin(theta). Gravity enters as ``mgr``, weight times distance of G from the fixed point, positive
-if G lies on the side of k; its moment is mgr sin(theta) (10.30). Any other moment M about the line of nodes is given as ``moment``.
-Angles are in rad, rates in rad/s, other units any consistent ones.
+Moments of inertia about that point: ``I0`` about a transverse axis, ``I`` about the axis of
+symmetry k (10.17). Euler angles 3-1-3: the angle ``theta`` is that from the axis of precession K
+(upward, where there is gravity) to k; ``precession`` psi' is the rate of the plane of K and k about
+K; ``spin`` phi' is the rate of the body about k relative to that plane; ``omega_z`` = phi' + psi'
+cos(theta) is its whole rate about k (10.26). Moments are about the line of nodes i = K x
+k/sin(theta). Gravity enters as ``mgr``, weight times distance of G from the fixed point, positive
+if G lies on the side of k; its moment is mgr sin(theta) (10.30). Any other moment M about the line
+of nodes is given as ``moment``. Angles are in rad, rates in rad/s, other units any consistent ones.
 
-The quadratic equation of steady precession (10.33) is solved by a form that does not cancel, so that results stay exact to round-off
-as (I0 - I) cos(theta) vanishes, where the fast precession goes to infinity and the slow one to its limit (10.37).
+The quadratic equation of steady precession (10.33) is solved by a form that does not cancel, so
+that results stay exact to round-off as (I0 - I) cos(theta) vanishes, where the fast precession goes
+to infinity and the slow one to its limit (10.37).
 
 >>> found = steady_precession(I0=0.02, I=0.01, theta=1.0, spin=100.0, mgr=0.5)
 >>> round(found.slow, 6), round(found.fast, 4)
@@ -20,7 +24,23 @@ from dataclasses import dataclass
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.ledger import equations
-from ..algebra.scalars import ZERO, anywhere, atan, cos, epsilon, is_numeric, is_zero, least, plain, scalar, short, sin, sqrt, tan, where
+from ..algebra.scalars import (
+    ZERO,
+    anywhere,
+    atan,
+    cos,
+    epsilon,
+    is_numeric,
+    is_zero,
+    least,
+    plain,
+    scalar,
+    short,
+    sin,
+    sqrt,
+    tan,
+    where,
+)
 from ..algebra.vectors import FrameError, Vector, named_sum
 from ..bodies.inertia import Inertia
 
@@ -34,9 +54,11 @@ class GyroError(NewtonEulerError, ValueError):
 
 @dataclass(frozen=True)
 class InstantaneousAxis:
-    """The points of a body that are at rest, or move along the axis only: the line through ``point`` along the unit vector ``direction`` (10.1).
+    """The points of a body that are at rest, or move along the axis only: the line through
+    ``point`` along the unit vector ``direction`` (10.1).
 
-    slide : the velocity of its points along ``direction``, m/s; zero if a point of the body is at rest
+    slide : the velocity of its points along ``direction``, m/s; zero if a point of the body is at
+        rest
     """
 
     point: object
@@ -45,10 +67,12 @@ class InstantaneousAxis:
 
 
 def instantaneous_axis(body, observer):
-    """The instantaneous axis of a rigid body, the frame ``body``, seen from ``observer``: an :class:`InstantaneousAxis` (10.1).
+    """The instantaneous axis of a rigid body, the frame ``body``, seen from ``observer``: an
+    :class:`InstantaneousAxis` (10.1).
 
-    The point given is that of the axis nearest to the origin of ``body``; if that is at rest, it is the origin itself. In a motion with no point
-    at rest the axis is that of the screw. Raises :class:`GyroError` if the body does not turn.
+    The point given is that of the axis nearest to the origin of ``body``; if that is at rest, it is
+    the origin itself. In a motion with no point at rest the axis is that of the screw. Raises
+    :class:`GyroError` if the body does not turn.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")
@@ -59,7 +83,10 @@ def instantaneous_axis(body, observer):
     w = body.angular_velocity(observer)
     rate = scalar(w.norm())
     if is_zero(rate):
-        raise GyroError(f"{body.name} does not turn in {observer.name} at this instant: it has no instantaneous axis, all its points move alike")
+        raise GyroError(
+            f"{body.name} does not turn in {observer.name} at this instant: it has no "
+            "instantaneous axis, all its points move alike"
+        )
     B = body.point("B", 0, 0, 0)
     v = B.velocity(observer).expressed_in(body)
     arm = w.cross(v) / (rate * rate)
@@ -79,9 +106,11 @@ EQUATIONS = equations({
 
 
 def gyro_momentum(body, ground, I0, I):
-    """H about the fixed point or G, in the frame {i, j, k} that precesses and nutates without spinning (10.21); it knows its rate.
+    """H about the fixed point or G, in the frame {i, j, k} that precesses and nutates without
+    spinning (10.21); it knows its rate.
 
-    body : the frame of the body, made by :func:`newton_euler.kinematics.rotations.euler_frame`, so that {i, j, k} is ``body.parent``
+    body : the frame of the body, made by :func:`newton_euler.kinematics.rotations.euler_frame`, so
+        that {i, j, k} is ``body.parent``
 
     >>> from newton_euler import Frame, moving
     >>> from newton_euler.kinematics.rotations import euler_frame
@@ -91,15 +120,19 @@ def gyro_momentum(body, ground, I0, I):
     1.0
     """
     f = body.parent
-    omega = f.angular_velocity(ground) + body.angular_velocity(f).expressed_in(f)  # (10.18), without a turn into the body by the angle of spin
+    # (10.18), without a turn into the body by the angle of spin
+    omega = f.angular_velocity(ground) + body.angular_velocity(f).expressed_in(f)
     return _inertia(body, I0, I).times(omega)
 
 
 def gyro_moment(body, ground, I0, I):
-    """The moment that a motion needs, about the fixed point or G (10.20)-(10.25), (10.27): a Vector in {i, j, k}, the frame ``body.parent``.
+    """The moment that a motion needs, about the fixed point or G (10.20)-(10.25), (10.27): a Vector
+    in {i, j, k}, the frame ``body.parent``.
 
-    body : made by :func:`newton_euler.kinematics.rotations.euler_frame` of angles that are :func:`newton_euler.moving`, with both rates
-    terms : ``acceleration``, the rate of H seen in {i, j, k}; ``precession`` Omega x [I] Omega; ``gyroscopic`` Omega x I phi' k
+    body : made by :func:`newton_euler.kinematics.rotations.euler_frame` of angles that are
+        :func:`newton_euler.moving`, with both rates
+    terms : ``acceleration``, the rate of H seen in {i, j, k}; ``precession`` Omega x [I] Omega;
+        ``gyroscopic`` Omega x I phi' k
 
     >>> from newton_euler import Frame, moving, pi
     >>> from newton_euler.kinematics.rotations import euler_frame
@@ -121,7 +154,8 @@ def gyro_moment(body, ground, I0, I):
 def _inertia(body, I0, I):
     if body.parent is None or body.axis != 2:
         raise FrameError(
-            f"{body.name} is not spun about the z axis of a frame above it; make it with euler_frame(ground, {body.name!r}, psi, theta, phi)"
+            f"{body.name} is not spun about the z axis of a frame above it; make it with "
+            f"euler_frame(ground, {body.name!r}, psi, theta, phi)"
         )
     _check_moments(I0, I)
     return Inertia(body.parent.origin, (I0, I0, I), frame=body.parent, tolerance=None)
@@ -132,21 +166,35 @@ def _check_moments(I0, I):
     I0, I = scalar(I0), scalar(I)
     if is_numeric(I0) and anywhere(plain(I0) <= 0):
         raise GyroError(f"the transverse moment of inertia I0 must be positive, got {plain(I0)!r}")
-    if is_numeric(I0) and is_numeric(I) and (anywhere(plain(I) < 0) or anywhere(plain(I - 2 * I0) > 1e-9 * plain(I0))):
-        raise GyroError(f"no body of revolution has I = {plain(I)!r} with I0 = {plain(I0)!r}: I lies between 0 and 2 I0; are they exchanged?")
+    if (
+        is_numeric(I0)
+        and is_numeric(I)
+        and (anywhere(plain(I) < 0) or anywhere(plain(I - 2 * I0) > 1e-9 * plain(I0)))
+    ):
+        raise GyroError(
+            f"no body of revolution has I = {plain(I)!r} with I0 = {plain(I0)!r}: I lies "
+            "between 0 and 2 I0; are they exchanged?"
+        )
 
 
 def check_top(I0, I, spin, omega_z):
-    """Raises :class:`GyroError` unless I0 and I are those of a body, and one of its two rates about the axis is given."""
+    """Raises :class:`GyroError` unless I0 and I are those of a body, and one of its two rates about
+    the axis is given.
+    """
     _check_moments(I0, I)
     if (spin is None) == (omega_z is None):
-        raise GyroError("give either spin, the rate phi' about the axis relative to the precessing plane, or omega_z = phi' + psi' cos(theta)")
+        raise GyroError(
+            "give either spin, the rate phi' about the axis relative to the precessing plane, "
+            "or omega_z = phi' + psi' cos(theta)"
+        )
 
 
 def normal_moment(precession, spin, I):
-    """The moment on a body whose axis of spin is turned at right angles to itself: I psi' x phi' (10.38), N m if in SI.
+    """The moment on a body whose axis of spin is turned at right angles to itself: I psi' x phi'
+    (10.38), N m if in SI.
 
-    precession, spin : Vectors, rad/s, along psi' and phi', at right angles (:class:`GyroError` otherwise); I about the spin axis
+    precession, spin : Vectors, rad/s, along psi' and phi', at right angles (:class:`GyroError`
+        otherwise); I about the spin axis
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -154,8 +202,15 @@ def normal_moment(precession, spin, I):
     Vector(2.0, 0, 0 in ground)
     """
     along, product = scalar(precession.dot(spin)), scalar(precession.norm()) * spin.norm()
-    if is_numeric(along) and is_numeric(product) and anywhere(abs(plain(along)) > 1e-9 * plain(product)):
-        raise GyroError(f"precession {precession} and spin {spin} are not at right angles; use gyro_moment or steady_moment(I0, I, theta, ...)")
+    if (
+        is_numeric(along)
+        and is_numeric(product)
+        and anywhere(abs(plain(along)) > 1e-9 * plain(product))
+    ):
+        raise GyroError(
+            f"precession {precession} and spin {spin} are not at right angles; use gyro_moment "
+            "or steady_moment(I0, I, theta, ...)"
+        )
     return precession.cross(spin) * I
 
 
@@ -172,7 +227,8 @@ def steady_moment(I0, I, theta, precession, spin):
 
 
 def steady_spin(I0, I, theta, precession, mgr=None, moment=None):
-    """The spin phi' of a steady precession of given rate, (10.31), (10.32) solved for it. Give ``mgr`` or ``moment``; mgr=0 is torque-free (10.35).
+    """The spin phi' of a steady precession of given rate, (10.31), (10.32) solved for it. Give
+    ``mgr`` or ``moment``; mgr=0 is torque-free (10.35).
 
     Raises :class:`GyroError` if I or the precession is zero: then no spin helps.
 
@@ -190,9 +246,12 @@ def steady_spin(I0, I, theta, precession, mgr=None, moment=None):
 class SteadyPrecession:
     """What :func:`steady_precession` finds.
 
-    slow, fast : the two rates of precession psi', rad/s; ``fast`` is infinite where there is no second one
-    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta); zero where both are one
-    stiffness : for each of the two, the square of the angular frequency of small nutations about it, (rad/s)^2, see :func:`nutation_stiffness`
+    slow, fast : the two rates of precession psi', rad/s; ``fast`` is infinite where there is no
+        second one
+    discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta);
+        zero where both are one
+    stiffness : for each of the two, the square of the angular frequency of small nutations about
+        it, (rad/s)^2, see :func:`nutation_stiffness`
     """
 
     slow: object
@@ -202,14 +261,16 @@ class SteadyPrecession:
 
 
 def steady_precession(I0, I, theta, spin=None, omega_z=None, mgr=None, moment=None):
-    """Both rates of steady precession at the angle theta (10.31)-(10.33): a :class:`SteadyPrecession`.
+    """Both rates of steady precession at the angle theta (10.31)-(10.33): a
+    :class:`SteadyPrecession`.
 
-    Give either ``spin`` phi', relative to the precessing plane, or ``omega_z``, the whole rate about the axis; and either ``mgr`` or ``moment``.
-    With a = (I0 - I) cos(theta), h = I phi' (or a = I0 cos(theta), h = I omega_z) and c = mgr or moment/sin(theta) the rates solve
-    a psi'^2 - h psi' + c = 0. They are taken from q = (h + sgn(h) sqrt(h^2 - 4 a c))/2 as c/q and q/a, sums of equal signs: right to
-    round-off for every a, while the printed root (10.33) loses its digits as a -> 0 and is 0/0 there.
-    An expression for h is taken as different from zero. Raises :class:`GyroError` where no rate is real (arrays: at any instant), with the least
-    spin needed.
+    Give either ``spin`` phi', relative to the precessing plane, or ``omega_z``, the whole rate
+    about the axis; and either ``mgr`` or ``moment``. With a = (I0 - I) cos(theta), h = I phi' (or a
+    = I0 cos(theta), h = I omega_z) and c = mgr or moment/sin(theta) the rates solve a psi'^2 - h
+    psi' + c = 0. They are taken from q = (h + sgn(h) sqrt(h^2 - 4 a c))/2 as c/q and q/a, sums of
+    equal signs: right to round-off for every a, while the printed root (10.33) loses its digits as
+    a -> 0 and is 0/0 there. An expression for h is taken as different from zero. Raises
+    :class:`GyroError` where no rate is real (arrays: at any instant), with the least spin needed.
 
     >>> import math
     >>> level = steady_precession(0.02, 0.01, math.pi/2, spin=100.0, mgr=0.5)
@@ -236,19 +297,29 @@ def _stiffness(I0, I, theta, psi, spin, omega_z):
 def _over_sine(theta, mgr, moment):
     """c: the moment divided by sin(theta), which is finite for gravity at theta = 0."""
     if (mgr is None) == (moment is None):
-        raise GyroError("give one of mgr, weight times distance of G from the fixed point, and moment, the moment about the line of nodes")
+        raise GyroError(
+            "give one of mgr, weight times distance of G from the fixed point, and moment, the "
+            "moment about the line of nodes"
+        )
     if moment is None:
         return scalar(mgr)
     s = sin(theta)
     if is_numeric(s) and least(s) <= 4 * epsilon(s):
-        raise GyroError(f"at theta = {plain(theta)!r} rad there is no line of nodes to have a moment about; give gravity as mgr")
+        raise GyroError(
+            f"at theta = {plain(theta)!r} rad there is no line of nodes to have a moment "
+            "about; give gravity as mgr"
+        )
     return scalar(moment) / s
 
 
 def _quadratic(I0, I, theta, spin, omega_z, c):
     check_top(I0, I, spin, omega_z)
     I0, I = scalar(I0), scalar(I)
-    return ((I0 - I) * cos(theta), I * spin, c) if omega_z is None else (I0 * cos(theta), I * omega_z, c)
+    return (
+        ((I0 - I) * cos(theta), I * spin, c)
+        if omega_z is None
+        else (I0 * cos(theta), I * omega_z, c)
+    )
 
 
 def _discriminant(a, h, c, I, what):
@@ -259,8 +330,15 @@ def _discriminant(a, h, c, I, what):
     small = 8 * epsilon(D) * abs(h * h) + 8 * epsilon(D) * abs(4 * (a * c))
     D = where(plain(D) < 0, where(plain(D + small) >= 0, 0 * D, D), D)
     if anywhere(plain(D) < 0):
-        needed = "without I no spin helps" if is_zero(I) else f"{what} must be at least {short(_least_rate(a, c, I))} rad/s in size"
-        raise GyroError(f"no steady precession is possible at this angle: the discriminant is {short(D)}, negative; {needed}")
+        needed = (
+            "without I no spin helps"
+            if is_zero(I)
+            else f"{what} must be at least {short(_least_rate(a, c, I))} rad/s in size"
+        )
+        raise GyroError(
+            f"no steady precession is possible at this angle: the discriminant is {short(D)}, "
+            f"negative; {needed}"
+        )
     return D
 
 
@@ -270,8 +348,15 @@ def _sense(h):
 
 
 def _check_any_root(q, c):
-    if is_numeric(q) and is_numeric(c) and anywhere(where(plain(q) == 0, where(plain(c) != 0, 1, 0), 0) == 1):
-        raise GyroError("no steady precession is possible: without spin a body at this angle can hold no moment; tilt it or spin it")
+    if (
+        is_numeric(q)
+        and is_numeric(c)
+        and anywhere(where(plain(q) == 0, where(plain(c) != 0, 1, 0), 0) == 1)
+    ):
+        raise GyroError(
+            "no steady precession is possible: without spin a body at this angle can hold no "
+            "moment; tilt it or spin it"
+        )
 
 
 def _quotient(n, d, otherwise):
@@ -283,9 +368,11 @@ def _quotient(n, d, otherwise):
 
 
 def least_spin(I0, I, theta, mgr=None, moment=None, of="spin"):
-    """The least spin phi' (of="spin") or whole rate (of="omega_z") for steady precession at theta, in size: where the discriminant of (10.33) is 0.
+    """The least spin phi' (of="spin") or whole rate (of="omega_z") for steady precession at theta,
+    in size: where the discriminant of (10.33) is 0.
 
-    2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I; zero where every spin will do. An expression is taken to be real.
+    2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I; zero where every spin will do. An
+    expression is taken to be real.
 
     >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5), 4), round(least_spin(0.02, 0.01, 0.0, mgr=0.5, of="omega_z"), 4)
     (14.1421, 20.0)
@@ -295,7 +382,9 @@ def least_spin(I0, I, theta, mgr=None, moment=None, of="spin"):
     if of not in ("spin", "omega_z"):
         raise GyroError(f"of= is 'spin' (phi') or 'omega_z' (phi' + psi' cos theta), got {of!r}")
     given = {of: 1}
-    a, _, c = _quadratic(I0, I, theta, given.get("spin"), given.get("omega_z"), _over_sine(theta, mgr, moment))
+    a, _, c = _quadratic(
+        I0, I, theta, given.get("spin"), given.get("omega_z"), _over_sine(theta, mgr, moment)
+    )
     return plain(_least_rate(a, c, I))
 
 
@@ -307,11 +396,13 @@ def _least_rate(a, c, I):
 
 
 def nutation_stiffness(I0, I, theta, precession, omega_z):
-    """The square of the angular frequency (rad/s)^2 of small nutations about a steady precession under gravity; stable where it is positive.
+    """The square of the angular frequency (rad/s)^2 of small nutations about a steady precession
+    under gravity; stable where it is positive.
 
-    psi'^2 sin^2(theta) + (I omega_z/I0 - 2 psi' cos(theta))^2: the curvature of the effective potential, divided by I0, while I omega_z and the
-    momentum about the vertical stay what they are. It is a sum of squares: every steady precession of a tilted top is stable. Where the moment is
-    not that of gravity, mgr sin(theta), or the precession is enforced, it does not hold.
+    psi'^2 sin^2(theta) + (I omega_z/I0 - 2 psi' cos(theta))^2: the curvature of the effective
+    potential, divided by I0, while I omega_z and the momentum about the vertical stay what they
+    are. It is a sum of squares: every steady precession of a tilted top is stable. Where the moment
+    is not that of gravity, mgr sin(theta), or the precession is enforced, it does not hold.
 
     >>> nutation_stiffness(0.02, 0.01, 0.0, 0.0, 100.0)
     2500.0
@@ -322,7 +413,9 @@ def nutation_stiffness(I0, I, theta, precession, omega_z):
 
 @dataclass(frozen=True)
 class FastSpin:
-    """The leading terms (10.34) for a fast spin, and by which part of the true value each is too large (negative: too small)."""
+    """The leading terms (10.34) for a fast spin, and by which part of the true value each is too
+    large (negative: too small).
+    """
 
     slow: object
     fast: object
@@ -331,10 +424,12 @@ class FastSpin:
 
 
 def fast_spin(I0, I, theta, spin, mgr=None, moment=None):
-    """The precession rates approximately, for a fast spin: mgr/(I phi') and I phi'/((I0 - I) cos(theta)) (10.34). A :class:`FastSpin`.
+    """The precession rates approximately, for a fast spin: mgr/(I phi') and I phi'/((I0 - I)
+    cos(theta)) (10.34). A :class:`FastSpin`.
 
-    With eps = mgr (I0 - I) cos(theta)/(I phi')^2 and s = sqrt(1 - 4 eps) the relative errors are -2 eps/(1 + s) and 4 eps/(1 + s)^2, to leading
-    order -eps and eps, here without approximation; :class:`GyroError` where no precession is real, or the spin is zero.
+    With eps = mgr (I0 - I) cos(theta)/(I phi')^2 and s = sqrt(1 - 4 eps) the relative errors are -2
+    eps/(1 + s) and 4 eps/(1 + s)^2, to leading order -eps and eps, here without approximation;
+    :class:`GyroError` where no precession is real, or the spin is zero.
 
     >>> found = fast_spin(0.02, 0.01, 1.0, 100.0, mgr=0.5)
     >>> round(found.slow, 6), round(found.slow_error, 6)
@@ -342,10 +437,18 @@ def fast_spin(I0, I, theta, spin, mgr=None, moment=None):
     """
     a, h, c = _quadratic(I0, I, theta, spin, None, _over_sine(theta, mgr, moment))
     if is_numeric(h) and least(h) == 0:
-        raise GyroError("these are approximations for a fast spin, but the spin (or I) is zero; use steady_precession")
+        raise GyroError(
+            "these are approximations for a fast spin, but the spin (or I) is zero; use "
+            "steady_precession"
+        )
     eps = c / h * (a / h)
     once = 1 + sqrt(_discriminant(a, h, c, I, "spin")) / sqrt(h * h)
-    return FastSpin(plain(c / h), plain(_quotient(h, a, math.inf)), plain(-2 * eps / once), plain(4 * eps / (once * once)))
+    return FastSpin(
+        plain(c / h),
+        plain(_quotient(h, a, math.inf)),
+        plain(-2 * eps / once),
+        plain(4 * eps / (once * once)),
+    )
 
 
 # -- without a moment
@@ -353,10 +456,13 @@ def fast_spin(I0, I, theta, spin, mgr=None, moment=None):
 
 @dataclass(frozen=True)
 class FreePrecession:
-    """The motion of a symmetric body on which no moment acts, seen from its constant angular momentum H = H K.
+    """The motion of a symmetric body on which no moment acts, seen from its constant angular
+    momentum H = H K.
 
-    rate : psi', rad/s; sense : "direct" or "retrograde" (None for expressions): spin and precession about K in the same sense or not
-    body_cone, space_cone : half-angles (rad) of the cones that the instantaneous axis describes about k in the body, and about K in space
+    rate : psi', rad/s; sense : "direct" or "retrograde" (None for expressions): spin and precession
+        about K in the same sense or not
+    body_cone, space_cone : half-angles (rad) of the cones that the instantaneous axis describes
+        about k in the body, and about K in space
     """
 
     rate: object
@@ -366,10 +472,12 @@ class FreePrecession:
 
 
 def free_precession(I0, I, theta, spin):
-    """Steady precession without moment (10.35), (10.36): psi' = I phi'/((I0 - I) cos(theta)). A :class:`FreePrecession`.
+    """Steady precession without moment (10.35), (10.36): psi' = I phi'/((I0 - I) cos(theta)). A
+    :class:`FreePrecession`.
 
-    Direct if I < I0, retrograde if I > I0. Raises :class:`GyroError` if I = I0 or theta = pi/2: then the body has no spin, and turns about K as a
-    whole. For the approach to this use ``omega_z``: psi' = I omega_z/(I0 cos(theta)), which has a limit.
+    Direct if I < I0, retrograde if I > I0. Raises :class:`GyroError` if I = I0 or theta = pi/2:
+    then the body has no spin, and turns about K as a whole. For the approach to this use
+    ``omega_z``: psi' = I omega_z/(I0 cos(theta)), which has a limit.
 
     >>> football = free_precession(3.0, 1.0, 0.5, 10.0)
     >>> round(football.rate, 4), football.sense
@@ -378,12 +486,22 @@ def free_precession(I0, I, theta, spin):
     _check_moments(I0, I)
     difference, c = scalar(I0) - I, cos(theta)
     if is_numeric(difference) and is_zero(difference):
-        raise GyroError("with I = I0 there is no precession: every axis is a principal one, and the body turns about a fixed axis")
+        raise GyroError(
+            "with I = I0 there is no precession: every axis is a principal one, and the body "
+            "turns about a fixed axis"
+        )
     if is_numeric(c) and least(c) <= 4 * epsilon(c) and not is_zero(spin):
-        raise GyroError(f"theta = {plain(theta)!r} rad is pi/2: H has no component along the axis of symmetry, and the spin must be zero")
-    sense = None if not is_numeric(difference) else where(plain(difference) > 0, "direct", "retrograde")
+        raise GyroError(
+            f"theta = {plain(theta)!r} rad is pi/2: H has no component along the axis of "
+            "symmetry, and the spin must be zero"
+        )
+    sense = (
+        None if not is_numeric(difference) else where(plain(difference) > 0, "direct", "retrograde")
+    )
     tilt = atan(I * tan(theta) / I0)
-    return FreePrecession(plain(I * spin / (difference * c)), sense, plain(tilt), plain(_size(theta - tilt)))
+    return FreePrecession(
+        plain(I * spin / (difference * c)), sense, plain(tilt), plain(_size(theta - tilt))
+    )
 
 
 def _size(x):
@@ -397,10 +515,11 @@ def _size(x):
 class SleepingTop:
     """Whether a top stands upright, see :func:`sleeping_top`.
 
-    critical : the least whole rate omega_z, rad/s; margin : (omega_z/critical)^2, infinite if it stands without spin
+    critical : the least whole rate omega_z, rad/s; margin : (omega_z/critical)^2, infinite if it
+        stands without spin
     stable : True or False, None for expressions
-    growth : rate at which a small tilt grows, 1/s; zero if stable. Over the time T it grows by exp(growth T): near the threshold a finite
-        simulation cannot tell, the criterion can
+    growth : rate at which a small tilt grows, 1/s; zero if stable. Over the time T it grows by
+        exp(growth T): near the threshold a finite simulation cannot tell, the criterion can
     """
 
     critical: object
@@ -410,10 +529,12 @@ class SleepingTop:
 
 
 def sleeping_top(I0, I, mgr, omega_z):
-    """Does a top spinning upright (theta = 0) stay upright? If (I omega_z)^2 >= 4 I0 mgr: a :class:`SleepingTop`.
+    """Does a top spinning upright (theta = 0) stay upright? If (I omega_z)^2 >= 4 I0 mgr: a
+    :class:`SleepingTop`.
 
-    At the threshold itself it does: there the effective potential is of fourth order, with a minimum. A small tilt x + i y obeys
-    I0 z'' - i I omega_z z' - mgr z = 0. For a body that hangs (theta = pi) mgr is negative, and every rate will do.
+    At the threshold itself it does: there the effective potential is of fourth order, with a
+    minimum. A small tilt x + i y obeys I0 z'' - i I omega_z z' - mgr z = 0. For a body that hangs
+    (theta = pi) mgr is negative, and every rate will do.
 
     >>> top = sleeping_top(0.02, 0.01, 0.5, 30.0)
     >>> top.critical, top.margin, top.stable
@@ -426,4 +547,6 @@ def sleeping_top(I0, I, mgr, omega_z):
         return SleepingTop(critical, plain(h * h / (4 * c)), None, plain(sqrt(-D) / (2 * I0)))
     margin = where(plain(c) <= 0, math.inf, h * h / where(plain(c) <= 0, 1, 4 * plain(c)))
     falling = where(plain(D) < 0, -D, 0 * D)
-    return SleepingTop(critical, plain(margin), where(plain(D) >= 0, True, False), plain(sqrt(falling) / (2 * I0)))
+    return SleepingTop(
+        critical, plain(margin), where(plain(D) >= 0, True, False), plain(sqrt(falling) / (2 * I0))
+    )

@@ -1,8 +1,10 @@
 """How far a top nods: the limits of nutation, from its state at one instant (10.24), (10.25).
 
-With I omega_z and the momentum about the vertical constant, the energy makes u = cos(theta) move in a cubic potential: u'^2 = f(u), and the limits
-are the two roots of f in [-1, 1]. Looking for them in f(u) loses half of the digits at small nutations and near the vertical. Here
-the third root is taken, which is far from both, and the limits from it: their distances from the start, and from the vertical, without cancellation.
+With I omega_z and the momentum about the vertical constant, the energy makes u = cos(theta) move in
+a cubic potential: u'^2 = f(u), and the limits are the two roots of f in [-1, 1]. Looking for them
+in f(u) loses half of the digits at small nutations and near the vertical. Here the third root is
+taken, which is far from both, and the limits from it: their distances from the start, and from the
+vertical, without cancellation.
 
 >>> found = nutation(0.02, 0.01, mgr=0.5, theta=1.0, theta_rate=0.0, precession=0.0, spin=100.0)  # released at rest
 >>> found.kind, round(found.theta_max - found.theta_min, 6)
@@ -12,7 +14,18 @@ the third root is taken, which is far from both, and the limits from it: their d
 import math
 from dataclasses import dataclass
 
-from ..algebra.scalars import acos, atan2, cos, is_numeric, of_one_kind, pi, scalar, sin, sqrt, where
+from ..algebra.scalars import (
+    acos,
+    atan2,
+    cos,
+    is_numeric,
+    of_one_kind,
+    pi,
+    scalar,
+    sin,
+    sqrt,
+    where,
+)
 from .gyroscopes import GyroError, check_top
 
 
@@ -22,8 +35,9 @@ class Nutation:
 
     theta_min, theta_max : the limits between which the axis nods
     precession_at_min, precession_at_max : psi' at these; nan at the vertical, where it has none
-    kind : "waves", the precession keeps its sense; "loops", it reverses; "cusps", it stops at one of the limits, as when released from rest;
-        "steady", the limits are one; "through the vertical"; "planar", a pendulum in a plane. For arrays a list of these.
+    kind : "waves", the precession keeps its sense; "loops", it reverses; "cusps", it stops at one
+        of the limits, as when released from rest; "steady", the limits are one; "through the
+        vertical"; "planar", a pendulum in a plane. For arrays a list of these.
     period : of one nod, down and up; infinite for a motion that creeps up to the vertical
     """
 
@@ -36,25 +50,33 @@ class Nutation:
 
 
 def nutation(I0, I, mgr, theta, theta_rate, precession, spin=None, omega_z=None, tolerance=1e-9):
-    """The limits of nutation of a top with this state, to round-off: a :class:`Nutation`. Angles and rates as in :mod:`newton_euler.applications.gyroscopes`.
+    """The limits of nutation of a top with this state, to round-off: a :class:`Nutation`. Angles
+    and rates as in :mod:`newton_euler.applications.gyroscopes`.
 
     spin or omega_z : phi', or the whole rate about the axis; give one of them
-    tolerance : relative, when a limit counts as a cusp, and in rad, when the motion counts as steady or as reaching the vertical; the numbers are not
-        affected by it
-    For floats, mpf and arrays; raises :class:`GyroError` for expressions, whose cubic has no order of its roots.
+    tolerance : relative, when a limit counts as a cusp, and in rad, when the motion counts as
+        steady or as reaching the vertical; the numbers are not affected by it
+    For floats, mpf and arrays; raises :class:`GyroError` for expressions, whose cubic has no order
+    of its roots.
     """
     check_top(I0, I, spin, omega_z)
     b = I * (omega_z if spin is None else spin + precession * cos(theta)) / I0
     given = of_one_kind(*map(scalar, (b, mgr / I0, theta, theta_rate, precession)))
     if not all(map(is_numeric, given)):
-        raise GyroError("the limits of nutation need numbers: the roots of a cubic with expressions have no order; put in values first")
-    b, pull, theta, q, n = given  # from here on all momenta and the pull of gravity are divided by I0
+        raise GyroError(
+            "the limits of nutation need numbers: the roots of a cubic with expressions have "
+            "no order; put in values first"
+        )
+    # from here on all momenta and the pull of gravity are divided by I0
+    b, pull, theta, q, n = given
     S, C = sin(theta / 2), cos(theta / 2)
     sine, cosine = 2 * (S * C), C * C - S * S
     momenta = 2 * (S * S) * (2 * n * (C * C) - b), 2 * (C * C) * (2 * n * (S * S) + b)
     hanging = pull < 0  # a top that is pulled up is one that is pulled down, seen from below
     change = where(hanging, -1, 1) * sine * (n * cosine - b)
-    moved, left, zeta = turning_points(*exchanged(hanging, S, C), q, 1, abs(pull), exchanged(hanging, *momenta), (n * sine, change))
+    moved, left, zeta = turning_points(
+        *exchanged(hanging, S, C), q, 1, abs(pull), exchanged(hanging, *momenta), (n * sine, change)
+    )
     (up, down), (v1, w2) = exchanged(hanging, *moved), exchanged(hanging, *left)
     limits = _angle(v1, 2 - v1), _angle(2 - w2, w2)
     still = n * sine * sine
@@ -62,7 +84,12 @@ def nutation(I0, I, mgr, theta, theta_rate, precession, spin=None, omega_z=None,
     pairs = zip(at_limits, (v1, w2), (limits[0], pi(theta) - limits[1]), strict=True)
     rates = [_rate(momentum, v * (2 - v), angle, tolerance) for momentum, v, angle in pairs]
     kind = _classify(*limits, *at_limits, abs(still) + abs(b) * (up + down), tolerance, pi(theta))
-    return Nutation(*limits, *rates, kind, _period(2 * (zeta + abs(pull) * left[0]), 2 * (zeta + abs(pull) * (2 - left[1]))))
+    return Nutation(
+        *limits,
+        *rates,
+        kind,
+        _period(2 * (zeta + abs(pull) * left[0]), 2 * (zeta + abs(pull) * (2 - left[1]))),
+    )
 
 
 def exchanged(condition, x, y):
@@ -71,11 +98,13 @@ def exchanged(condition, x, y):
 
 
 def turning_points(S, C, rate, I0, mgr, momenta, transverse):
-    """The distances of v = 1 - cos(theta) from its limits, (v - v1, v2 - v), those of the limits from 0 and 2, (v1, 2 - v2), and zeta; mgr >= 0.
+    """The distances of v = 1 - cos(theta) from its limits, (v - v1, v2 - v), those of the limits
+    from 0 and 2, (v1, 2 - v2), and zeta; mgr >= 0.
 
     S, C, rate : sin(theta/2), cos(theta/2) and theta' now
     momenta : the angular momentum about the vertical less that about the axis, q, and their sum
-    transverse : I0 psi' sin(theta), which is q/(2 tan(theta/2)) plus the sum times tan(theta/2)/2, and the difference of these two
+    transverse : I0 psi' sin(theta), which is q/(2 tan(theta/2)) plus the sum times tan(theta/2)/2,
+        and the difference of these two
     The energy gives I0 v'^2/2 = F(v), a cubic with the roots v1, v2 and -zeta/mgr.
     """
     (q, whole), (across, change) = momenta, transverse
@@ -95,9 +124,11 @@ def turning_points(S, C, rate, I0, mgr, momenta, transverse):
 
 
 def _farthest_root(e, spin, cross, rest, mgr):
-    """The root zeta >= 0 of (zeta - e) zeta (zeta + 2 mgr) = spin zeta^2 - cross mgr zeta + rest mgr^2, the others being none.
+    """The root zeta >= 0 of (zeta - e) zeta (zeta + 2 mgr) = spin zeta^2 - cross mgr zeta + rest
+    mgr^2, the others being none.
 
-    By the cosine for the root of the largest size, which is well-conditioned, and the quadratic that is left for the two others, of opposite signs.
+    By the cosine for the root of the largest size, which is well-conditioned, and the quadratic
+    that is left for the two others, of opposite signs.
     """
     a, b, c = 2 * mgr - e - spin, mgr * (cross - 2 * e), -rest * (mgr * mgr)
     square = (a * a - 3 * b) / 9
@@ -133,7 +164,9 @@ def _rate(momentum, s2, angle, tolerance):
 
 def _classify(theta_min, theta_max, at_min, at_max, scale, tolerance, pi):
     if getattr(theta_min, "shape", ()):
-        columns = zip(*(x.tolist() for x in (theta_min, theta_max, at_min, at_max, scale)), strict=True)
+        columns = zip(
+            *(x.tolist() for x in (theta_min, theta_max, at_min, at_max, scale)), strict=True
+        )
         return [_classify(*column, tolerance, pi) for column in columns]
     small, large = sorted((abs(at_min), abs(at_max)))
     if theta_max - theta_min <= tolerance:
@@ -148,7 +181,9 @@ def _classify(theta_min, theta_max, at_min, at_max, scale, tolerance, pi):
 
 
 def _period(x, y):
-    """2 pi over the arithmetic-geometric mean of the square roots of F/((v - v1)(v2 - v)) 2/I0 at both limits; infinite where one is 0."""
+    """2 pi over the arithmetic-geometric mean of the square roots of F/((v - v1)(v2 - v)) 2/I0 at
+    both limits; infinite where one is 0.
+    """
     none = where(x > 0, where(y > 0, 1, 0), 0) == 0
     x, y = (sqrt(where(none, 1, value)) for value in (x, y))
     for _ in range(16):

@@ -1,9 +1,11 @@
-"""Rotation about a fixed axis (chapter 9): what the two bearings of a rotor carry, and how it is balanced.
+"""Rotation about a fixed axis (chapter 9): what the two bearings of a rotor carry, and how it is
+balanced.
 
-A rotor is a :class:`~newton_euler.bodies.body.Body` that turns about the line AB of two bearings, Points that it does not move. The unit vector e
-points from A to B, and every rate and moment about the shaft is positive in the right-hand sense about e. O is a point of the axis, the
-bearings lie at -a and b from it, l = a + b. With F the rate of momentum less the weight, and N the rate of angular momentum about O less the
-moment of the weight, both bearings follow at once:
+A rotor is a :class:`~newton_euler.bodies.body.Body` that turns about the line AB of two bearings,
+Points that it does not move. The unit vector e points from A to B, and every rate and moment about
+the shaft is positive in the right-hand sense about e. O is a point of the axis, the bearings lie at
+-a and b from it, l = a + b. With F the rate of momentum less the weight, and N the rate of angular
+momentum about O less the moment of the weight, both bearings follow at once:
 
     A = e x (N - b e x F)/l,   B = -e x (N + a e x F)/l,   A_e + B_e = e . F,   M = e . N
 
@@ -35,13 +37,16 @@ class RotorError(NewtonEulerError, ValueError):
 
 @dataclass(frozen=True)
 class Reactions:
-    """What :func:`reactions` finds: ``A`` and ``B``, the transverse forces of the bearings on the shaft (N), Vectors in the frame of the body.
+    """What :func:`reactions` finds: ``A`` and ``B``, the transverse forces of the bearings on the
+    shaft (N), Vectors in the frame of the body.
 
-    axial : A_e + B_e (N), the force of both along the axis, from A to B; how they share it no rigid body tells
+    axial : A_e + B_e (N), the force of both along the axis, from A to B; how they share it no rigid
+        body tells
     moment : M (N m), the moment about the axis that drives the shaft (9.10)
     axis : the unit vector e from A to B
 
-    The terms of A and B are those of (9.9), see :func:`reactions`; for other axes ask ``A.expressed_in(ground)``.
+    The terms of A and B are those of (9.9), see :func:`reactions`; for other axes ask
+    ``A.expressed_in(ground)``.
     """
 
     A: Vector
@@ -63,15 +68,21 @@ EQUATIONS = equations({
 
 
 def reactions(body, A, B, ground, gravity=None, about=None):
-    """The forces of two bearings on a turning body, and the moment that drives it: a :class:`Reactions` (9.1)-(9.10).
+    """The forces of two bearings on a turning body, and the moment that drives it: a
+    :class:`Reactions` (9.1)-(9.10).
 
-    body : a Body whose frame turns in ``ground``; its rate, acceleration and angle are those of the frame
+    body : a Body whose frame turns in ``ground``; its rate, acceleration and angle are those of the
+        frame
     A, B : the bearings, Points of the axis, fixed in the body or in a frame of the shaft
-    gravity : the acceleration of gravity, a Vector (m/s^2); None: the dead weight is left out, as in (9.3)
-    about : the point O of the axis for the terms; default: the foot of the centre of mass. It does not matter for the sums.
-    terms of A and B, in the order of (9.9): ``weight``; ``static``, from omega^2 and the distance of G; ``dynamic``, from omega^2 and the
-        products of inertia about O; ``static_euler`` and ``dynamic_euler``, the same from the angular acceleration
-    Raises :class:`RotorError` if the bearings coincide, if ``about`` is off the axis, or if body and bearings move otherwise than about AB.
+    gravity : the acceleration of gravity, a Vector (m/s^2); None: the dead weight is left out, as
+        in (9.3)
+    about : the point O of the axis for the terms; default: the foot of the centre of mass. It does
+        not matter for the sums.
+    terms of A and B, in the order of (9.9): ``weight``; ``static``, from omega^2 and the distance
+        of G; ``dynamic``, from omega^2 and the products of inertia about O; ``static_euler`` and
+        ``dynamic_euler``, the same from the angular acceleration
+    Raises :class:`RotorError` if the bearings coincide, if ``about`` is off the axis, or if body
+    and bearings move otherwise than about AB.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.body import particle
@@ -89,13 +100,20 @@ def reactions(body, A, B, ground, gravity=None, about=None):
     a, b = (O - A).dot(e), (B - O).dot(e)
     at_A = {name: e.cross(N - e.cross(F) * b) / length for name, (F, N) in pairs.items()}
     at_B = {name: -e.cross(N + e.cross(F) * a) / length for name, (F, N) in pairs.items()}
-    F, N = (Vector(sum3(v.c for v in part), body.frame) for part in zip(*pairs.values(), strict=True))
-    at_A, at_B = (named_sum(EQUATIONS["bearing force"], f"of {name} on {body.name}", at, body.frame) for name, at in (("A", at_A), ("B", at_B)))
+    F, N = (
+        Vector(sum3(v.c for v in part), body.frame) for part in zip(*pairs.values(), strict=True)
+    )
+    at_A, at_B = (
+        named_sum(EQUATIONS["bearing force"], f"of {name} on {body.name}", at, body.frame)
+        for name, at in (("A", at_A), ("B", at_B))
+    )
     return Reactions(at_A, at_B, F.dot(e), N.dot(e), e)
 
 
 def _wrench(body, O, ground, gravity):
-    """For each term of (9.9), the force and the moment about O that the supports must give for it, together."""
+    """For each term of (9.9), the force and the moment about O that the supports must give for it,
+    together.
+    """
     zero, f = body.frame.vector(0, 0, 0), body.frame
     I, d, m = body.about(O), (body.centre - O).expressed_in(f), body.mass
     w, turning = f.angular_velocity(ground), f.angular_acceleration(ground)
@@ -110,7 +128,8 @@ def _wrench(body, O, ground, gravity):
 
 
 def shaft_axis(A, B, frame=None):
-    """The unit vector e from bearing A to bearing B, in ``frame`` (default: that of A), and their distance l (m), in that order.
+    """The unit vector e from bearing A to bearing B, in ``frame`` (default: that of A), and their
+    distance l (m), in that order.
 
     Raises :class:`RotorError` if they coincide.
 
@@ -121,11 +140,16 @@ def shaft_axis(A, B, frame=None):
     """
     for P in (A, B):
         if not isinstance(P, Point):
-            raise RotorError(f"a bearing is a Point of the shaft, as in shaft.point('A', 0, 0, -0.2); got {P!r}")
+            raise RotorError(
+                f"a bearing is a Point of the shaft, as in shaft.point('A', 0, 0, -0.2); got {P!r}"
+            )
     AB = (B - A).expressed_in(frame or A.frame)
     length = AB.norm()
     if _small(length, 1e-13 * max(_extent(A), _extent(B))):
-        raise RotorError(f"the bearings {A.name} and {B.name} coincide, and one point is no axis; put them at two places of the shaft")
+        raise RotorError(
+            f"the bearings {A.name} and {B.name} coincide, and one point is no axis; put them "
+            "at two places of the shaft"
+        )
     return Vector(tuple(x / length for x in AB.c), AB.frame), length
 
 
@@ -135,7 +159,9 @@ def _extent(P):
 
 
 def _small(x, limit=0.0):
-    """True if a number (any one of an array) is not larger than ``limit``; an expression is not looked at."""
+    """True if a number (any one of an array) is not larger than ``limit``; an expression is not
+    looked at.
+    """
     return is_numeric(x) and anywhere(abs(plain(x)) <= limit)
 
 
@@ -146,13 +172,20 @@ def _on_axis(body, A, e, length, about):
         return body.frame.point("O", *foot)
     off = e.cross(about - A).norm()
     if is_numeric(off) and is_numeric(length) and size(off) > 1e-9 * size(length):
-        raise RotorError(f"{about.name} lies {size(off):.3g} off the axis of the bearings; take a point of the axis, or leave about= out")
+        raise RotorError(
+            f"{about.name} lies {size(off):.3g} off the axis of the bearings; take a point of "
+            "the axis, or leave about= out"
+        )
     return about
 
 
 def _check_motion(body, A, e, length, ground):
     """Points of the axis must rest, and the body turn about it; seen at numbers only."""
-    w, turning, v = body.frame.angular_velocity(ground), body.frame.angular_acceleration(ground), A.velocity(ground)
+    w, turning, v = (
+        body.frame.angular_velocity(ground),
+        body.frame.angular_acceleration(ground),
+        A.velocity(ground),
+    )
     for name, vector, scale in (
         ("its angular velocity", w.cross(e), w.norm()),
         ("its angular acceleration", turning.cross(e), turning.norm()),
@@ -161,8 +194,10 @@ def _check_motion(body, A, e, length, ground):
         parts = [*vector.c, scalar(scale)]
         if all(map(is_numeric, parts)) and size(vector.norm()) > 1e-9 * size(scale):
             raise RotorError(
-                f"{body.name} does not turn about its bearings as a fixed axis: {name} has {size(vector.norm()):.3g} across it; "
-                f"turn the frame of the body in {ground.name} about the line AB, as in ground.rotate('shaft', 'z', rate=...)"
+                f"{body.name} does not turn about its bearings as a fixed axis: {name} has "
+                f"{size(vector.norm()):.3g} across it; "
+                f"turn the frame of the body in {ground.name} about the line AB, as in "
+                "ground.rotate('shaft', 'z', rate=...)"
             )
 
 
@@ -171,10 +206,12 @@ def _check_motion(body, A, e, length, ground):
 
 @dataclass(frozen=True)
 class Imbalance:
-    """The two things that balancing removes (9.4), Vectors at right angles to the axis, in the frame of the body.
+    """The two things that balancing removes (9.4), Vectors at right angles to the axis, in the
+    frame of the body.
 
     static : m d (kg m), d from the axis to G
-    dynamic : the products of inertia with the axis (kg m^2), the integral of z r dm, z along the axis from O, r from the axis
+    dynamic : the products of inertia with the axis (kg m^2), the integral of z r dm, z along the
+        axis from O, r from the axis
     about : the point O
     """
 
@@ -184,9 +221,11 @@ class Imbalance:
 
 
 def imbalance(body, A, B, about=None):
-    """Static and dynamic imbalance of a body for the axis AB: an :class:`Imbalance`. For scalars of every kind.
+    """Static and dynamic imbalance of a body for the axis AB: an :class:`Imbalance`. For scalars of
+    every kind.
 
-    about : the point O of the axis for the products of inertia; default: the foot of G, where they are those about G
+    about : the point O of the axis for the products of inertia; default: the foot of G, where they
+        are those about G
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.body import particle
@@ -208,10 +247,13 @@ def _across(v, e):
 
 @dataclass(frozen=True)
 class Balance:
-    """The verdict of :func:`balance`: ``static`` and ``dynamic`` are True or False; ``str()`` gives it in words with its evidence.
+    """The verdict of :func:`balance`: ``static`` and ``dynamic`` are True or False; ``str()`` gives
+    it in words with its evidence.
 
-    eccentricity : distance of G from the axis, m; product : size of the products of inertia with the axis about O, kg m^2
-    offset, tilt : the same as pure numbers, as parts of the radius of gyration k about O and of m k^2; they are compared with ``tolerance``
+    eccentricity : distance of G from the axis, m; product : size of the products of inertia with
+        the axis about O, kg m^2
+    offset, tilt : the same as pure numbers, as parts of the radius of gyration k about O and of m
+        k^2; they are compared with ``tolerance``
     """
 
     static: bool
@@ -225,25 +267,35 @@ class Balance:
     @property
     def state(self):
         """One of "both", "static", "dynamic", "neither"."""
-        return {(True, True): "both", (True, False): "static", (False, True): "dynamic", (False, False): "neither"}[self.static, self.dynamic]
+        return {
+            (True, True): "both",
+            (True, False): "static",
+            (False, True): "dynamic",
+            (False, False): "neither",
+        }[self.static, self.dynamic]
 
     def __str__(self):
         words = {True: "balanced", False: "not balanced"}
         return (
-            f"statically {words[self.static]}: G is {self.eccentricity:.3g} off the axis, {self.offset:.3g} of the radius of gyration; "
-            f"dynamically {words[self.dynamic]}: the products of inertia with the axis are {self.product:.3g}, {self.tilt:.3g} of the moment of "
+            f"statically {words[self.static]}: G is {self.eccentricity:.3g} off the axis, "
+            f"{self.offset:.3g} of the radius of gyration; "
+            f"dynamically {words[self.dynamic]}: the products of inertia with the axis are "
+            f"{self.product:.3g}, {self.tilt:.3g} of the moment of "
             f"inertia (tolerance {self.tolerance:.3g})"
         )
 
 
 def balance(body, A, B, about=None, tolerance=1e-9):
-    """Is the rotor balanced (9.4)? A :class:`Balance`: statically, G on the axis; dynamically, the axis a principal one at O.
+    """Is the rotor balanced (9.4)? A :class:`Balance`: statically, G on the axis; dynamically, the
+    axis a principal one at O.
 
-    about : the point O; default: the foot of G, so that the two are independent of each other. About another point a body that is not balanced
-        statically changes its products of inertia: give the O of the exercise.
-    tolerance : relative, of the radius of gyration k about O (the root mean square distance of the mass from it; at least a thousandth of AB), and of
-        m k^2
-    Of an array every instant must be balanced. Raises :class:`RotorError` for expressions, which have no size: look at :func:`imbalance` there.
+    about : the point O; default: the foot of G, so that the two are independent of each other.
+        About another point a body that is not balanced statically changes its products of inertia:
+        give the O of the exercise.
+    tolerance : relative, of the radius of gyration k about O (the root mean square distance of the
+        mass from it; at least a thousandth of AB), and of m k^2
+    Of an array every instant must be balanced. Raises :class:`RotorError` for expressions, which
+    have no size: look at :func:`imbalance` there.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import disk
@@ -253,13 +305,28 @@ def balance(body, A, B, about=None, tolerance=1e-9):
     'dynamic'
     """
     found = imbalance(body, A, B, about)
-    I, e, product = body.about(found.about), scalar(found.static.norm()), scalar(found.dynamic.norm())
+    I, e, product = (
+        body.about(found.about),
+        scalar(found.static.norm()),
+        scalar(found.dynamic.norm()),
+    )
     total = _at_least(sum(I.moments) / 2, body.mass * (shaft_axis(A, B)[1] / 1000) ** 2)  # m k^2
     if not all(map(is_numeric, (e, product, total, body.mass))):
-        raise RotorError(f"whether {body.name} is balanced depends on the values of its expressions; put in numbers, or look at imbalance(...)")
+        raise RotorError(
+            f"whether {body.name} is balanced depends on the values of its expressions; put in "
+            "numbers, or look at imbalance(...)"
+        )
     eccentricity = e / body.mass
     offset, tilt = size(eccentricity / sqrt(total / body.mass)), size(product / total)
-    return Balance(offset <= tolerance, tilt <= tolerance, size(eccentricity), size(product), offset, tilt, tolerance)
+    return Balance(
+        offset <= tolerance,
+        tilt <= tolerance,
+        size(eccentricity),
+        size(product),
+        offset,
+        tilt,
+        tolerance,
+    )
 
 
 def _at_least(x, floor):
@@ -270,11 +337,13 @@ def _at_least(x, floor):
 
 
 def corrections(body, A, B, planes):
-    """What must be added in two planes across the axis to balance a body: two Vectors, mass times radius from the axis (kg m).
+    """What must be added in two planes across the axis to balance a body: two Vectors, mass times
+    radius from the axis (kg m).
 
-    planes : the distances (m) of the two planes from A along the axis, positive towards B; outside of the bearings too
-    With U and P the static imbalance and the products of inertia about A, at z1 and z2: U1 = (P - z2 U)/(z2 - z1), U2 = (z1 U - P)/(z2 - z1).
-    Raises :class:`RotorError` if the planes coincide.
+    planes : the distances (m) of the two planes from A along the axis, positive towards B; outside
+        of the bearings too
+    With U and P the static imbalance and the products of inertia about A, at z1 and z2: U1 = (P -
+    z2 U)/(z2 - z1), U2 = (z1 U - P)/(z2 - z1). Raises :class:`RotorError` if the planes coincide.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.body import particle
@@ -286,20 +355,26 @@ def corrections(body, A, B, planes):
     z1, z2 = (scalar(z) for z in planes)
     apart = z2 - z1
     if _small(apart, 1e-13 * max(size(z) if is_numeric(z) else 0.0 for z in (z1, z2))):
-        raise RotorError(f"the two planes coincide, at {plain(z1)!r} and {plain(z2)!r} from {A.name}; a couple needs two different planes")
+        raise RotorError(
+            f"the two planes coincide, at {plain(z1)!r} and {plain(z2)!r} from {A.name}; a "
+            "couple needs two different planes"
+        )
     found = imbalance(body, A, B, about=A)
     U, P = found.static, found.dynamic
     return (P - U * z2) / apart, (U * z1 - P) / apart
 
 
 def balancing_masses(body, A, B, planes, radius=None, mass=None):
-    """Two small weights that balance a body statically and dynamically, one in each plane: two Bodies, ``weight 1`` and ``weight 2``.
+    """Two small weights that balance a body statically and dynamically, one in each plane: two
+    Bodies, ``weight 1`` and ``weight 2``.
 
     planes : as for :func:`corrections`
     radius : at which distance from the axis they go (m), one number or a pair; their masses follow
-    mass : how heavy they are (kg), one number or a pair; their distances follow. Give one of the two.
-    ``composite("balanced", [body, *weights])`` has no dynamic reactions. Where no weight is needed it has mass (or radius) zero. A hole of the same
-    mass on the opposite side does the same. Raises :class:`RotorError` for a radius or mass that is not positive.
+    mass : how heavy they are (kg), one number or a pair; their distances follow. Give one of the
+        two.
+    ``composite("balanced", [body, *weights])`` has no dynamic reactions. Where no weight is needed
+    it has mass (or radius) zero. A hole of the same mass on the opposite side does the same. Raises
+    :class:`RotorError` for a radius or mass that is not positive.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.body import particle
@@ -310,18 +385,26 @@ def balancing_masses(body, A, B, planes, radius=None, mass=None):
     [(4.0, (-0.5, 0, 2.0)), (2.0, (0.5, 0, 3.0))]
     """
     if (radius is None) == (mass is None):
-        raise RotorError("give either the radius at which the weights go, or their mass: radius=0.1 or mass=(0.02, 0.03)")
+        raise RotorError(
+            "give either the radius at which the weights go, or their mass: radius=0.1 or "
+            "mass=(0.02, 0.03)"
+        )
     what, given = ("radius", radius) if mass is None else ("mass", mass)
     given = given if isinstance(given, (tuple, list)) else (given, given)
     for x in given:
         _check_positive(what, scalar(x))
     e, _ = shaft_axis(A, B, body.frame)
     needed = corrections(body, A, B, planes)
-    return tuple(_weight(n, U, A, e, z, x, mass is None) for n, (U, z, x) in enumerate(zip(needed, planes, given, strict=True), start=1))
+    return tuple(
+        _weight(n, U, A, e, z, x, mass is None)
+        for n, (U, z, x) in enumerate(zip(needed, planes, given, strict=True), start=1)
+    )
 
 
 def _weight(number, U, A, e, z, given, at_radius):
-    """The weight that is ``U`` (kg m), in the plane at ``z`` from A, at a given radius or of a given mass."""
+    """The weight that is ``U`` (kg m), in the plane at ``z`` from A, at a given radius or of a
+    given mass.
+    """
     length = scalar(U.norm())
     none = is_zero(length)
     step = U * 0 if none else U * (given / _nonzero(length)) if at_radius else U / given
@@ -336,5 +419,11 @@ def _nonzero(x):
 
 def _check_positive(what, x):
     if is_numeric(x) and (_small(x) or size(x - abs(x)) > 0):
-        told = "on the axis a weight balances nothing" if what == "radius" else "a weight without mass balances nothing"
-        raise RotorError(f"the {what} of the balancing weights must be positive, got {plain(x)!r}: {told}")
+        told = (
+            "on the axis a weight balances nothing"
+            if what == "radius"
+            else "a weight without mass balances nothing"
+        )
+        raise RotorError(
+            f"the {what} of the balancing weights must be positive, got {plain(x)!r}: {told}"
+        )

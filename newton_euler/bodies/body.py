@@ -1,8 +1,11 @@
-"""Mass, centre of mass, rigid bodies (chapters 5 and 7): what a body is, as far as its motion is concerned.
+"""Mass, centre of mass, rigid bodies (chapters 5 and 7): what a body is, as far as its motion is
+concerned.
 
-A :class:`Body` has a name, a mass, a centre of mass and an inertia matrix, or is composed of others; ``body.about(P)`` is its
-:class:`newton_euler.bodies.inertia.Inertia` about any point, where the sign convention of the products is told. The solids of Appendix B are in
-:mod:`newton_euler.bodies.solids`, bodies given by a formula in :mod:`newton_euler.bodies.parametric`, principal axes in :mod:`newton_euler.bodies.principal_axes`.
+A :class:`Body` has a name, a mass, a centre of mass and an inertia matrix, or is composed of
+others; ``body.about(P)`` is its :class:`newton_euler.bodies.inertia.Inertia` about any point, where
+the sign convention of the products is told. The solids of Appendix B are in
+:mod:`newton_euler.bodies.solids`, bodies given by a formula in
+:mod:`newton_euler.bodies.parametric`, principal axes in :mod:`newton_euler.bodies.principal_axes`.
 Units: any consistent ones; in SI kg, m, kg m^2.
 
     L = m v_G, F = dL/dt        body.momentum(ground), .rate(ground)             (5.2), (5.8), (7.5)
@@ -19,12 +22,15 @@ from .inertia import Inertia, together
 
 
 class Body:
-    """A rigid body: name, mass, centre of mass, inertia matrix; or a composite of others, see :func:`composite`.
+    """A rigid body: name, mass, centre of mass, inertia matrix; or a composite of others, see
+    :func:`composite`.
 
     centre : the centre of mass G, a Point of the body, or a Frame whose origin is G
-    inertia : three principal moments about G along the axes of the frame, or an :class:`Inertia` about any point
-    frame : the frame fixed in the body; default: that of ``inertia``, or the one in which G is given. (``rotor.origin`` is a point of the *parent* of
-        rotor, in which it may move; for a body that turns with rotor give ``rotor`` itself, or ``rotor.point(...)``.)
+    inertia : three principal moments about G along the axes of the frame, or an :class:`Inertia`
+        about any point
+    frame : the frame fixed in the body; default: that of ``inertia``, or the one in which G is
+        given. (``rotor.origin`` is a point of the *parent* of rotor, in which it may move; for a
+        body that turns with rotor give ``rotor`` itself, or ``rotor.point(...)``.)
 
     >>> from newton_euler import Frame
     >>> body = Frame("wheel")
@@ -37,9 +43,13 @@ class Body:
         self.name, self.mass, self.parts = name, scalar(mass), tuple(parts)
         self.centre = centre = place(centre, f"the centre of mass of {name}")
         if not isinstance(inertia, Inertia):
-            inertia = Inertia(centre, inertia, (0, 0, 0), self.mass, centre, frame or axes_at(centre), None)
+            inertia = Inertia(
+                centre, inertia, (0, 0, 0), self.mass, centre, frame or axes_at(centre), None
+            )
         self.frame = frame or inertia.frame
-        self._inertia = inertia._like(inertia.moments, inertia.products, mass=self.mass, centre=centre)
+        self._inertia = inertia._like(
+            inertia.moments, inertia.products, mass=self.mass, centre=centre
+        )
 
     def __repr__(self):
         return f"Body({self.name}, mass {plain(self.mass)!r}, centre {self.centre!r})"
@@ -50,7 +60,8 @@ class Body:
         return self.about(self.centre)
 
     def about(self, point, frame=None):
-        """The :class:`Inertia` about ``point``, along the axes of ``frame`` (default: the body's); of a composite part by part (7.14), (7.26).
+        """The :class:`Inertia` about ``point``, along the axes of ``frame`` (default: the body's);
+        of a composite part by part (7.14), (7.26).
 
         terms : the parts by name, of a composite; else ``own`` and ``transfer``
         """
@@ -69,10 +80,19 @@ class Body:
 
     def __neg__(self):
         """The body as a hole: with negative mass."""
-        return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame, [-part for part in self.parts])
+        return Body(
+            self.name,
+            -self.mass,
+            self.centre,
+            -self._inertia,
+            self.frame,
+            [-part for part in self.parts],
+        )
 
     def check(self, tolerance=1e-9):
-        """Returns the body if mass and inertia are possible; :class:`MassError` otherwise, see :meth:`Inertia.check`."""
+        """Returns the body if mass and inertia are possible; :class:`MassError` otherwise, see
+        :meth:`Inertia.check`.
+        """
         self.inertia.check(tolerance)
         return self
 
@@ -85,8 +105,10 @@ class Body:
     def angular_momentum(self, observer, about=None):
         """H about G, or H_B = d x m Dd/Dt + H_G about any point B, d the vector from B to G (7.23).
 
-        It is the *relative* one of the book (7.6), formed with velocities relative to B. Where B is fixed in ``observer`` it is the absolute one.
-        terms : ``orbital``, ``own``. Its rate follows: ``body.angular_momentum(ground).rate(ground)``.
+        It is the *relative* one of the book (7.6), formed with velocities relative to B. Where B is
+        fixed in ``observer`` it is the absolute one.
+        terms : ``orbital``, ``own``. Its rate follows:
+            ``body.angular_momentum(ground).rate(ground)``.
         """
         own = self.inertia.times(self.frame.angular_velocity(observer))
         if about is None or about is self.centre:
@@ -95,7 +117,14 @@ class Body:
         orbital = (self.centre - about).expressed_in(self.frame).cross(v * self.mass)
         total = orbital + own
         subject = f"of {self.name} about {about.name}, seen from {observer.name}"
-        return Vector(total.c, total.frame, total._own_rate, Ledger(EQUATIONS["angular momentum"], subject, lambda: {"orbital": orbital, "own": own}))
+        return Vector(
+            total.c,
+            total.frame,
+            total._own_rate,
+            Ledger(
+                EQUATIONS["angular momentum"], subject, lambda: {"orbital": orbital, "own": own}
+            ),
+        )
 
 
 EQUATIONS = equations({
@@ -114,7 +143,8 @@ def particle(mass, point, name="particle"):
 
 
 def centre_of_mass(parts, frame=None, name="G"):
-    """The centre of mass of particles and bodies together, a Point of ``frame`` (5.4), (5.9), (5.11).
+    """The centre of mass of particles and bodies together, a Point of ``frame`` (5.4), (5.9),
+    (5.11).
 
     parts : bodies, or pairs (mass, Point); a removed part has negative mass, as in ``-hole``
     frame : default: the frame of the first part
@@ -127,7 +157,9 @@ def centre_of_mass(parts, frame=None, name="G"):
     """
     parts = [p if isinstance(p, Body) else _pair(p) for p in parts]
     if not parts:
-        raise MassError("the centre of mass of nothing: give at least one body or pair (mass, Point)")
+        raise MassError(
+            "the centre of mass of nothing: give at least one body or pair (mass, Point)"
+        )
     return together(parts, frame or parts[0].frame, name)[1]
 
 
@@ -140,11 +172,14 @@ def _pair(p):
 
 
 def composite(name, parts, removed=(), frame=None):
-    """A rigid body of parts, less what is removed from them: holes count with negative mass (5.11), (7.14).
+    """A rigid body of parts, less what is removed from them: holes count with negative mass (5.11),
+    (7.14).
 
-    parts, removed : bodies, with different names, all fixed in one rigid body; names are the terms of ``body.about(P)``
+    parts, removed : bodies, with different names, all fixed in one rigid body; names are the terms
+        of ``body.about(P)``
     frame : the frame of the whole; default: that of the first part
-    Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole outside of the body).
+    Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole
+    outside of the body).
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import disk
@@ -160,7 +195,10 @@ def composite(name, parts, removed=(), frame=None):
     names = [part.name for part in parts]
     twice = {n for n in names if names.count(n) > 1}
     if twice:
-        raise MassError(f"{name} has two parts named {sorted(twice)[0]!r}; give them different names, as in disk(..., name='hole 2')")
+        raise MassError(
+            f"{name} has two parts named {sorted(twice)[0]!r}; give them different names, as "
+            "in disk(..., name='hole 2')"
+        )
     frame = frame or parts[0].frame
     mass, centre = together(parts, frame, f"G of {name}")
     body = Body(name, mass, centre, frame=frame, parts=parts)
@@ -172,4 +210,6 @@ def composite(name, parts, removed=(), frame=None):
         body.inertia.check(slack=slack + 1e-14 * sum(sizes))
         return body
     except MassError as problem:
-        raise MassError(f"{name}: do the removed parts lie inside of it, and only once? {problem}") from None
+        raise MassError(
+            f"{name}: do the removed parts lie inside of it, and only once? {problem}"
+        ) from None

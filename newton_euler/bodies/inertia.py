@@ -1,6 +1,8 @@
-"""The inertia matrix (chapter 7): moments and products of inertia about a point, other points and axes, what is possible.
+"""The inertia matrix (chapter 7): moments and products of inertia about a point, other points and
+axes, what is possible.
 
-**The sign convention** of the book, stated here once: the *products of inertia* are the plain integrals (7.9), (7.10)
+**The sign convention** of the book, stated here once: the *products of inertia* are the plain
+integrals (7.9), (7.10)
 
     I_xy = integral of x y dm,   I_yz = integral of y z dm,   I_zx = integral of z x dm
 
@@ -10,7 +12,8 @@ and carry their minus sign in the *inertia matrix* (7.13) only:
     [I] = [ -I_xy   I_yy  -I_yz ]   so that   {H} = [I] {omega}   (7.12)
           [ -I_zx  -I_yz   I_zz ]
 
-An :class:`Inertia` is that matrix about one point, along the axes of one frame; ``I.times(omega)`` is the angular momentum.
+An :class:`Inertia` is that matrix about one point, along the axes of one frame; ``I.times(omega)``
+is the angular momentum.
 """
 
 from ..algebra.jets import Moving
@@ -26,12 +29,16 @@ class Inertia(Scaled, NamedTerms):
     """The inertia matrix of a body about ``point``, along the axes of ``frame`` (7.9)-(7.13).
 
     point : the Point B that it is about, or a Frame: about its origin, along its axes
-    moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals, without the minus sign of the matrix
-    mass, centre : mass of the body and its centre of mass, a Point; needed to go to another point, otherwise they may be left out
+    moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals, without the
+        minus sign of the matrix
+    mass, centre : mass of the body and its centre of mass, a Point; needed to go to another point,
+        otherwise they may be left out
     frame : whose axes; default: those of the frame in which ``point`` is given
-    tolerance : numbers that no body can have raise :class:`MassError`, see :meth:`check`; None: unchecked
+    tolerance : numbers that no body can have raise :class:`MassError`, see :meth:`check`; None:
+        unchecked
 
-    ``A + B`` is the inertia of two bodies together, about the point and in the frame of A; ``-A`` that of a hole.
+    ``A + B`` is the inertia of two bodies together, about the point and in the frame of A; ``-A``
+    that of a hole.
 
     >>> from newton_euler import Frame
     >>> body = Frame("body")
@@ -44,10 +51,15 @@ class Inertia(Scaled, NamedTerms):
 
     __slots__ = ("_terms", "centre", "frame", "mass", "moments", "point", "products")
 
-    def __init__(self, point, moments, products=(0, 0, 0), mass=None, centre=None, frame=None, tolerance=1e-9):
+    def __init__(
+        self, point, moments, products=(0, 0, 0), mass=None, centre=None, frame=None, tolerance=1e-9
+    ):
         self.point = place(point, "an inertia matrix")
         self.frame = frame or axes_at(self.point)
-        self.moments, self.products = _three(moments, "moments (I_xx, I_yy, I_zz)"), _three(products, "products (I_xy, I_yz, I_zx)")
+        self.moments, self.products = (
+            _three(moments, "moments (I_xx, I_yy, I_zz)"),
+            _three(products, "products (I_xy, I_yz, I_zx)"),
+        )
         self.mass, self.centre, self._terms = None if mass is None else scalar(mass), centre, {}
         if tolerance is not None:
             self.check(tolerance)
@@ -72,10 +84,14 @@ class Inertia(Scaled, NamedTerms):
         return iter(self.matrix)
 
     def to_array(self):
-        """The matrix as a NumPy array of shape (3, 3), or (3, 3, N) where its entries are arrays of N."""
+        """The matrix as a NumPy array of shape (3, 3), or (3, 3, N) where its entries are arrays of
+        N.
+        """
         import numpy as np
 
-        entries = np.broadcast_arrays(*(np.asarray(x, dtype=float) for row in self.matrix for x in row))
+        entries = np.broadcast_arrays(
+            *(np.asarray(x, dtype=float) for row in self.matrix for x in row)
+        )
         return np.stack(entries).reshape(3, 3, *entries[0].shape)
 
     def __repr__(self):
@@ -90,16 +106,25 @@ class Inertia(Scaled, NamedTerms):
     def times(self, omega):
         """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix.
 
-        omega : the angular velocity of the body, a Vector in any related frame. H knows its rate where omega does: the entries are constant in
-        the frame of the matrix, so that ``H.rate(ground)`` is I alpha + omega_frame x H. The frame need not be fixed in the body if the entries
-        stay constant in it, as for a symmetric body in a frame that precesses without spinning.
-        About the centre of mass, or about a point fixed in body and ground, H is the angular momentum of the whole motion; about
-        another point it is :meth:`Body.angular_momentum` that adds the motion of G.
+        omega : the angular velocity of the body, a Vector in any related frame. H knows its rate
+            where omega does: the entries are constant in
+        the frame of the matrix, so that ``H.rate(ground)`` is I alpha + omega_frame x H. The frame
+        need not be fixed in the body if the entries stay constant in it, as for a symmetric body in
+        a frame that precesses without spinning. About the centre of mass, or about a point fixed in
+        body and ground, H is the angular momentum of the whole motion; about another point it is
+        :meth:`Body.angular_momentum` that adds the motion of G.
         """
         if not isinstance(omega, Vector):
-            raise MassError(f"the inertia matrix multiplies an angular velocity, a Vector as from frame.angular_velocity(ground); got {omega!r}")
+            raise MassError(
+                "the inertia matrix multiplies an angular velocity, a Vector as from "
+                f"frame.angular_velocity(ground); got {omega!r}"
+            )
         w = omega.expressed_in(self.frame).c
-        return Vector(self.times3(w), self.frame, omega._own_rate and (lambda: self.times(omega.rate(self.frame))))
+        return Vector(
+            self.times3(w),
+            self.frame,
+            omega._own_rate and (lambda: self.times(omega.rate(self.frame))),
+        )
 
     def times3(self, c):
         """The matrix times a triple of components along its axes."""
@@ -108,7 +133,8 @@ class Inertia(Scaled, NamedTerms):
     def moment(self, axis):
         """The moment of inertia about the axis through ``point``: n . I n.
 
-        axis : "x", "y", "z", or a Vector of any length along it. For an axis through another point ask ``I.about(P).moment(axis)``.
+        axis : "x", "y", "z", or a Vector of any length along it. For an axis through another point
+            ask ``I.about(P).moment(axis)``.
 
         >>> from newton_euler import Frame
         >>> Inertia(Frame("body"), (2.0, 3.0, 4.0)).moment("z")
@@ -122,7 +148,8 @@ class Inertia(Scaled, NamedTerms):
         return plain(scalar(axis.dot(self.times(axis))) / square)
 
     def radius_of_gyration(self, axis):
-        """k = sqrt(moment/mass) about the axis through ``point`` (7.27): where a ring of the same mass has the same moment.
+        """k = sqrt(moment/mass) about the axis through ``point`` (7.27): where a ring of the same
+        mass has the same moment.
 
         >>> from newton_euler import Frame
         >>> G = Frame("rod").origin
@@ -135,10 +162,12 @@ class Inertia(Scaled, NamedTerms):
     # -- other points, other axes
 
     def about(self, point):
-        """The inertia matrix about another point, along the same axes: the parallel axis theorem (7.25), (7.26) between any two points.
+        """The inertia matrix about another point, along the same axes: the parallel axis theorem
+        (7.25), (7.26) between any two points.
 
-        Neither needs to be the centre of mass: with d1, d2 the vectors from them to G, I_xx changes by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and
-        I_xy by m (d2x d2y - d1x d1y); formed from d2 - d1, so that nothing cancels.
+        Neither needs to be the centre of mass: with d1, d2 the vectors from them to G, I_xx changes
+        by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y); formed from d2 - d1,
+        so that nothing cancels.
         terms : ``own``, the matrix before, and ``transfer``, what is added
 
         >>> from newton_euler import Frame
@@ -153,7 +182,11 @@ class Inertia(Scaled, NamedTerms):
         for what in ("mass", "centre"):
             self._needs(what, f"going from {self.point.name} to {point.name}")
         step = (self.point - point).expressed_in(self.frame).c
-        before = ZERO3 if self.centre is self.point else (self.centre - self.point).expressed_in(self.frame).c
+        before = (
+            ZERO3
+            if self.centre is self.point
+            else (self.centre - self.point).expressed_in(self.frame).c
+        )
         moments, products = _transfer(self.mass, step, before)
         added = self._like(moments, products, point=point, mass=ZERO)
         out = self._like(add3(self.moments, moments), add3(self.products, products), point=point)
@@ -161,9 +194,11 @@ class Inertia(Scaled, NamedTerms):
         return out
 
     def expressed_in(self, frame):
-        """The same inertia along the axes of ``frame`` (at this instant, if that frame turns relative to its own): R I R^T.
+        """The same inertia along the axes of ``frame`` (at this instant, if that frame turns
+        relative to its own): R I R^T.
 
-        What is equal in two moments and has no products turns into itself exactly: a body of revolution about its axis, a sphere.
+        What is equal in two moments and has no products turns into itself exactly: a body of
+        revolution about its axis, a sphere.
         """
         if frame is self.frame:
             return self
@@ -177,11 +212,15 @@ class Inertia(Scaled, NamedTerms):
         return self._like(moments, (-turned[1][0], -turned[2][1], -turned[2][0]), frame=frame)
 
     def principal(self, noise=None):
-        """Principal moments and axes (7.18)-(7.20): a :class:`newton_euler.bodies.principal_axes.Principal`, with a report of what is determined."""
+        """Principal moments and axes (7.18)-(7.20): a
+        :class:`newton_euler.bodies.principal_axes.Principal`, with a report of what is determined.
+        """
         return principal(self, noise)
 
     def symmetry(self, tolerance=1e-9):
-        """The symmetries that the matrix shows: a :class:`newton_euler.bodies.principal_axes.Symmetry`."""
+        """The symmetries that the matrix shows: a
+        :class:`newton_euler.bodies.principal_axes.Symmetry`.
+        """
         return symmetry(self, tolerance)
 
     # -- sums
@@ -192,7 +231,12 @@ class Inertia(Scaled, NamedTerms):
         other = other.about(self.point).expressed_in(self.frame)
         known = all(x is not None for x in (self.mass, other.mass, self.centre, other.centre))
         mass, centre = together([self, other], self.frame) if known else (None, None)
-        return self._like(add3(self.moments, other.moments), add3(self.products, other.products), mass=mass, centre=centre)
+        return self._like(
+            add3(self.moments, other.moments),
+            add3(self.products, other.products),
+            mass=mass,
+            centre=centre,
+        )
 
     def __radd__(self, other):
         return self if type(other) is int and other == 0 else self + other  # where sum() begins
@@ -205,27 +249,42 @@ class Inertia(Scaled, NamedTerms):
 
     def __mul__(self, s):
         s = scalar(s)
-        return self._like(scale3(s, self.moments), scale3(s, self.products), mass=None if self.mass is None else s * self.mass)
+        return self._like(
+            scale3(s, self.moments),
+            scale3(s, self.products),
+            mass=None if self.mass is None else s * self.mass,
+        )
 
     __rmul__ = __mul__
 
     @property
     def terms(self):
-        """The matrices whose sum it is, by name: ``own`` and ``transfer``, or the parts of a composite body; empty if it is no sum."""
+        """The matrices whose sum it is, by name: ``own`` and ``transfer``, or the parts of a
+        composite body; empty if it is no sum.
+        """
         return self._terms
 
     def reweighted(self, **factors):
-        """The sum of its terms, each times the factor named for it (others once): what a wrong model would give. Mass and centre stay."""
+        """The sum of its terms, each times the factor named for it (others once): what a wrong
+        model would give. Mass and centre stay.
+        """
         weighted = self._weighted(factors, MassError)
-        return self._like(*(sum3(scale3(factor, getattr(term, of)) for factor, term in weighted) for of in ("moments", "products")))
+        return self._like(
+            *(
+                sum3(scale3(factor, getattr(term, of)) for factor, term in weighted)
+                for of in ("moments", "products")
+            )
+        )
 
     # -- can it be?
 
     def check(self, tolerance=1e-9, slack=0.0):
-        """Returns the inertia if some body can have it; raises :class:`MassError` in words otherwise. Expressions pass unseen.
+        """Returns the inertia if some body can have it; raises :class:`MassError` in words
+        otherwise. Expressions pass unseen.
 
-        Masses are positive, and so the integrals of x^2, y^2, z^2, whence the triangle inequality of the moments in any axes; the products are
-        bounded by Schwarz's inequality; the same must hold about G. Tested to ``tolerance`` times the largest moment (rounded data of a thin plate
+        Masses are positive, and so the integrals of x^2, y^2, z^2, whence the triangle inequality
+        of the moments in any axes; the products are bounded by Schwarz's inequality; the same must
+        hold about G. Tested to ``tolerance`` times the largest moment (rounded data of a thin plate
         may need more), plus ``slack``, the round-off of what was subtracted to get here.
         """
         check(self, tolerance, slack)
@@ -233,8 +292,13 @@ class Inertia(Scaled, NamedTerms):
 
     def _needs(self, what, purpose):
         if getattr(self, what) is None:
-            missing = "the mass of the body" if what == "mass" else "the place of its centre of mass"
-            raise MassError(f"{purpose} needs {missing}; make it Inertia({self.point.name}, moments, products, mass=..., centre=G)")
+            missing = (
+                "the mass of the body" if what == "mass" else "the place of its centre of mass"
+            )
+            raise MassError(
+                f"{purpose} needs {missing}; make it Inertia({self.point.name}, moments, "
+                "products, mass=..., centre=G)"
+            )
 
 
 def _three(values, what):
@@ -255,19 +319,29 @@ def axis_index(name):
     return AXES.index(bare), -1 if name.startswith("-") else 1
 
 
-SECOND_MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))  # the pairs of coordinates, in the order that from_second_moments takes
+# the pairs of coordinates, in the order that from_second_moments takes
+SECOND_MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
 
 def from_second_moments(second):
-    """Moments (7.9) and products (7.10) of inertia from the integrals of x x, y y, z z, x y, y z, z x over the mass."""
+    """Moments (7.9) and products (7.10) of inertia from the integrals of x x, y y, z z, x y, y z, z
+    x over the mass.
+    """
     xx, yy, zz, *products = second
     return (yy + zz, zz + xx, xx + yy), tuple(products)
 
 
 def _transfer(mass, step, before=ZERO3):
-    """Moments and products that are added when the point goes back by ``step``; ``before`` leads from the old point to G."""
+    """Moments and products that are added when the point goes back by ``step``; ``before`` leads
+    from the old point to G.
+    """
     s, p = step, add3(step, scale3(2, before))
-    return from_second_moments([mass * (s[n] * p[n]) if n == m else mass * (s[n] * p[m] + s[m] * p[n]) / 2 for n, m in SECOND_MOMENTS])
+    return from_second_moments(
+        [
+            mass * (s[n] * p[n]) if n == m else mass * (s[n] * p[m] + s[m] * p[n]) / 2
+            for n, m in SECOND_MOMENTS
+        ]
+    )
 
 
 def _difference(a, b):
@@ -286,14 +360,19 @@ def _common(moments):
 
 
 def together(parts, frame, name="G"):
-    """Total mass and centre of parts that have a mass and a centre; the centre moves in ``frame`` as they do."""
+    """Total mass and centre of parts that have a mass and a centre; the centre moves in ``frame``
+    as they do.
+    """
     mass, first = ZERO, ZERO3
     for part in parts:
         mass = mass + part.mass
         if part.mass is not ZERO:
             first = add3(first, scale3(part.mass, _coordinates(part.centre, frame)))
     if is_numeric(mass) and not is_positive(mass):
-        raise MassError(f"the total mass is {plain(mass)}; it must be positive: the removed parts weigh more than what they are cut from")
+        raise MassError(
+            f"the total mass is {plain(mass)}; it must be positive: the removed parts weigh "
+            "more than what they are cut from"
+        )
     return mass, frame.point(name, *(x / mass for x in first))
 
 
@@ -301,5 +380,9 @@ def _coordinates(point, frame):
     """The coordinates of a point in a frame, with their rates there."""
     if point.frame is frame:
         return point.x
-    motion = point.position(frame), point.velocity(frame).expressed_in(frame), point.acceleration(frame).expressed_in(frame)
+    motion = (
+        point.position(frame),
+        point.velocity(frame).expressed_in(frame),
+        point.acceleration(frame).expressed_in(frame),
+    )
     return tuple(Moving(*x) for x in zip(*(v.c for v in motion), strict=True))

@@ -1,10 +1,12 @@
-"""Bodies given by a formula: mass, centre of mass and inertia as integrals over curves, surfaces and volumes (5.12), (5.13), (7.10).
+"""Bodies given by a formula: mass, centre of mass and inertia as integrals over curves, surfaces
+and volumes (5.12), (5.13), (7.10).
 
-A shape is a function ``position`` of one, two or three parameters, with the limits of each. How much length, area or volume belongs to a step of the
-parameters follows from its derivatives, so any coordinates will do: Cartesian, polar, spherical, or made for the body.
+A shape is a function ``position`` of one, two or three parameters, with the limits of each. How
+much length, area or volume belongs to a step of the parameters follows from its derivatives, so any
+coordinates will do: Cartesian, polar, spherical, or made for the body.
 
-Numbers are integrated by SciPy's adaptive cubature, with an error estimate and a refusal where it does not reach the accuracy asked for; with
-``exact=True`` SymPy finds the formulas.
+Numbers are integrated by SciPy's adaptive cubature, with an error estimate and a refusal where it
+does not reach the accuracy asked for; with ``exact=True`` SymPy finds the formulas.
 """
 
 from itertools import product
@@ -22,22 +24,32 @@ class IntegratedBody(Body):
     """A :class:`newton_euler.bodies.body.Body` found by integration.
 
     content : its length, area or volume
-    error : estimated error of mass, first and second moments, relative to the mass and size of the body; 0 if exact
+    error : estimated error of mass, first and second moments, relative to the mass and size of the
+        body; 0 if exact
     """
 
     content = error = None
 
 
-def integrated(position, *limits, frame, mass=None, density=None, exact=False, rtol=1e-10, name="body"):
-    """The body that the points ``position(u)``, ``position(u, v)`` or ``position(u, v, w)`` make up: a wire, a shell or plate, or a solid.
+def integrated(
+    position, *limits, frame, mass=None, density=None, exact=False, rtol=1e-10, name="body"
+):
+    """The body that the points ``position(u)``, ``position(u, v)`` or ``position(u, v, w)`` make
+    up: a wire, a shell or plate, or a solid.
 
-    position : function of the parameters that returns (x, y, z) in ``frame``, with functions of this package (sin, sqrt …)
-    limits : for each parameter a pair (from, to); either may be a function of the parameters before it
-    mass, density : the mass, or the density per length, area or volume, a number or a function of x, y, z; if both are given the density is relative
-    exact : by SymPy; limits and density may hold symbols, which are taken as positive. Lengths and areas are taken with a constant sign of the
+    position : function of the parameters that returns (x, y, z) in ``frame``, with functions of
+        this package (sin, sqrt …)
+    limits : for each parameter a pair (from, to); either may be a function of the parameters before
+        it
+    mass, density : the mass, or the density per length, area or volume, a number or a function of
+        x, y, z; if both are given the density is relative
+    exact : by SymPy; limits and density may hold symbols, which are taken as positive. Lengths and
+        areas are taken with a constant sign of the
         root: a parametrisation that folds back raises an error
-    rtol : accuracy asked for; roots at the limits, as in y = -sqrt(r^2 - x^2) … sqrt(r^2 - x^2), do no harm
-    Returns an :class:`IntegratedBody`. Raises :class:`MassError` if the integrals do not converge to ``rtol``.
+    rtol : accuracy asked for; roots at the limits, as in y = -sqrt(r^2 - x^2) … sqrt(r^2 - x^2), do
+        no harm
+    Returns an :class:`IntegratedBody`. Raises :class:`MassError` if the integrals do not converge
+    to ``rtol``.
 
     >>> from newton_euler import Frame, cos, sin
     >>> import math
@@ -46,7 +58,10 @@ def integrated(position, *limits, frame, mass=None, density=None, exact=False, r
     4.0
     """
     if len(limits) not in (1, 2, 3):
-        raise MassError(f"a curve has one parameter, a surface two, a volume three; {name} has limits for {len(limits)}")
+        raise MassError(
+            f"a curve has one parameter, a surface two, a volume three; {name} has limits for "
+            f"{len(limits)}"
+        )
     if mass is None and density is None:
         raise MassError(f"{name} needs mass=... or density=... (per length, area or volume)")
     weigh = density if callable(density) else lambda x, y, z: 1 if density is None else density
@@ -58,10 +73,15 @@ def integrated(position, *limits, frame, mass=None, density=None, exact=False, r
 
 
 def _body(moments, error, mass, density, frame, name):
-    """The body from (reference, content, mass, three first, six second moments about the reference)."""
+    """The body from (reference, content, mass, three first, six second moments about the
+    reference).
+    """
     reference, content, total, first, second = moments
     if is_numeric(total) and not is_positive(total):
-        raise MassError(f"the mass of {name} comes out as {plain(total)}; it must be positive: look at the limits and the density")
+        raise MassError(
+            f"the mass of {name} comes out as {plain(total)}; it must be positive: look at the "
+            "limits and the density"
+        )
     factor = 1 if mass is None else scalar(mass) / total
     m = total * factor
     d = [x / total for x in first]
@@ -69,7 +89,12 @@ def _body(moments, error, mass, density, frame, name):
     if is_numeric(total):  # about G at once, the transfer being taken off where it is small
         second = [s - total * d[a] * d[b] for s, (a, b) in zip(second, SECOND_MOMENTS, strict=True)]
     about = centre if is_numeric(total) else frame
-    body = IntegratedBody(name, m, centre, Inertia(about, *from_second_moments([factor * s for s in second]), m, centre, frame, None))
+    body = IntegratedBody(
+        name,
+        m,
+        centre,
+        Inertia(about, *from_second_moments([factor * s for s in second]), m, centre, frame, None),
+    )
     body.content, body.error = content, error
     return body
 
@@ -95,7 +120,9 @@ def _tangents(position, parameters):
 
 
 def _spanned(tangents):
-    """The triple product of three tangents, or the vector whose length is the content: the tangent, or the cross product of two."""
+    """The triple product of three tangents, or the vector whose length is the content: the tangent,
+    or the cross product of two.
+    """
     if len(tangents) == 3:
         return dot3(tangents[0], cross3(tangents[1], tangents[2]))
     return tangents[0] if len(tangents) == 1 else cross3(*tangents)
@@ -108,7 +135,10 @@ def _numeric(position, limits, weigh, rtol, name):
     import numpy as np
 
     if any(not is_numeric(x) for pair in limits for x in pair if not callable(x)):
-        raise MassError(f"the limits of {name} hold symbols: pass exact=True to integrate by formulas, or put numbers in")
+        raise MassError(
+            f"the limits of {name} hold symbols: pass exact=True to integrate by formulas, or "
+            "put numbers in"
+        )
     n = len(limits)
     with np.errstate(all="ignore"):  # what is not finite is told below
         middle, _ = _parameters(limits, [np.array([0.5])] * n)
@@ -117,7 +147,10 @@ def _numeric(position, limits, weigh, rtol, name):
     def moments(points):
         with np.errstate(all="ignore"):
             rows = _moments(position, limits, weigh, reference, points.T, np)
-        return np.stack([np.broadcast_to(np.asarray(row, dtype=float), points.shape[:1]) for row in rows], axis=-1)
+        return np.stack(
+            [np.broadcast_to(np.asarray(row, dtype=float), points.shape[:1]) for row in rows],
+            axis=-1,
+        )
 
     coarse = np.array(list(product(np.linspace(0.05, 0.95, 10), repeat=n)))
     scale = _scales(moments(coarse), name, np)
@@ -127,7 +160,9 @@ def _numeric(position, limits, weigh, rtol, name):
 
 
 def _parameters(limits, unit):
-    """The parameters for unit coordinates in (0, 1), and how much of them one step is; 3 t^2 - 2 t^3 smooths roots at the limits."""
+    """The parameters for unit coordinates in (0, 1), and how much of them one step is; 3 t^2 - 2
+    t^3 smooths roots at the limits.
+    """
     parameters, step = [], 1
     for (a, b), t in zip(limits, unit, strict=True):
         a, b = (limit(*parameters) if callable(limit) else limit for limit in (a, b))
@@ -140,19 +175,41 @@ def _moments(position, limits, weigh, reference, unit, np):
     parameters, step = _parameters(limits, list(unit))
     place, tangents = _tangents(position, parameters)
     spanned = _spanned(tangents)
-    dV = step * (abs(spanned) if len(limits) == 3 else sqrt(dot3(spanned, spanned) + np.zeros(len(unit[0]))))
+    dV = step * (
+        abs(spanned) if len(limits) == 3 else sqrt(dot3(spanned, spanned) + np.zeros(len(unit[0])))
+    )
     dm = dV * scalar(weigh(*map(plain, place)))
     x, y, z = (plain(p - r) for p, r in zip(place, reference, strict=True))
-    return dV, dm, dm * x, dm * y, dm * z, dm * x * x, dm * y * y, dm * z * z, dm * x * y, dm * y * z, dm * z * x
+    return (
+        dV,
+        dm,
+        dm * x,
+        dm * y,
+        dm * z,
+        dm * x * x,
+        dm * y * y,
+        dm * z * z,
+        dm * x * y,
+        dm * y * z,
+        dm * z * x,
+    )
 
 
 def _scales(sample, name, np):
-    """Content, mass, mass times length, and mass times length squared, roughly: what errors are compared with."""
+    """Content, mass, mass times length, and mass times length squared, roughly: what errors are
+    compared with.
+    """
     if not np.isfinite(sample).all():
-        raise MassError(f"the formula of {name} has no finite value at some of its points; look at the limits, and at divisions and roots")
+        raise MassError(
+            f"the formula of {name} has no finite value at some of its points; look at the "
+            "limits, and at divisions and roots"
+        )
     content, mass, second = (np.abs(sample[:, columns]).mean() for columns in ([0], [1], [5, 6, 7]))
     if not content > 0 or not mass > 0:
-        raise MassError(f"{name} has no extent: its parameters do not move its points, or the limits coincide, or its density is zero")
+        raise MassError(
+            f"{name} has no extent: its parameters do not move its points, or the limits "
+            "coincide, or its density is zero"
+        )
     length = (second / mass) ** 0.5
     return np.array([content, mass] + [mass * length] * 3 + [mass * length**2] * 6)
 
@@ -164,7 +221,10 @@ def _exact(position, limits, weigh, name):
     import sympy
 
     symbols = sympy.symbols(f"u0:{len(limits)}", real=True, cls=sympy.Dummy)
-    bounds = [tuple(sympy.sympify(x(*symbols[:n]) if callable(x) else x) for x in pair) for n, pair in enumerate(limits)]
+    bounds = [
+        tuple(sympy.sympify(x(*symbols[:n]) if callable(x) else x) for x in pair)
+        for n, pair in enumerate(limits)
+    ]
     place = [sympy.sympify(plain(scalar(x))) for x in position(*symbols)]
     dV = _exact_content([tuple(x.diff(u) for x in place) for u in symbols])
     dV = dV * _sense(dV, symbols, bounds, name)
@@ -174,7 +234,10 @@ def _exact(position, limits, weigh, name):
         for u, (a, b) in reversed(list(zip(symbols, bounds, strict=True))):
             f = sympy.integrate(f, (u, a, b))
         if f.has(sympy.Integral):
-            raise MassError(f"SymPy finds no formula for an integral over {name}; choose other coordinates, or put numbers in without exact=True")
+            raise MassError(
+                f"SymPy finds no formula for an integral over {name}; choose other "
+                "coordinates, or put numbers in without exact=True"
+            )
         return f
 
     x, y, z = place
@@ -198,10 +261,16 @@ def _exact_content(tangents):
 
 
 def _sense(dV, symbols, bounds, name):
-    """+1 or -1, so that the content is positive; looked up at sample points, with sample values for the symbols of the body."""
+    """+1 or -1, so that the content is positive; looked up at sample points, with sample values for
+    the symbols of the body.
+    """
     import sympy
 
-    others = sorted(set().union(dV.free_symbols, *(x.free_symbols for pair in bounds for x in pair)) - set(symbols), key=str)
+    others = sorted(
+        set().union(dV.free_symbols, *(x.free_symbols for pair in bounds for x in pair))
+        - set(symbols),
+        key=str,
+    )
     given = {s: sympy.Rational(7 + 3 * n, 10 + n) for n, s in enumerate(others)}
     signs = set()
     for fractions in product((0.11, 0.37, 0.62, 0.93), repeat=len(symbols)):
@@ -213,5 +282,8 @@ def _sense(dV, symbols, bounds, name):
         if size(value) > 0:
             signs.add(value > 0)
     if len(signs) != 1:
-        raise MassError(f"the points of {name} fold back on themselves, or do not move: divide the body where they do, or integrate numerically")
+        raise MassError(
+            f"the points of {name} fold back on themselves, or do not move: divide the body "
+            "where they do, or integrate numerically"
+        )
     return 1 if signs.pop() else -1

@@ -1,4 +1,6 @@
-"""The chapters in a checkout: a pointer to ``chapters/`` beside the engine, which the wheel holds in this place."""
+"""The chapters in a checkout: a pointer to ``chapters/`` beside the engine, which the wheel holds
+in this place.
+"""
 
 from pathlib import Path
 

@@ -5,7 +5,15 @@ from dataclasses import dataclass
 
 from ..algebra.errors import NewtonEulerError
 
-SHAPES = {"number": 1, "vector": 3, "matrix": 9, "interval": 2, "expression": 1, "vector_expression": 3, "matrix_expression": 9}
+SHAPES = {
+    "number": 1,
+    "vector": 3,
+    "matrix": 9,
+    "interval": 2,
+    "expression": 1,
+    "vector_expression": 3,
+    "matrix_expression": 9,
+}
 _WORDS = {
     "number": "one number",
     "vector": "a vector, three numbers as in [1.0, 0, -2.5]",
@@ -34,20 +42,32 @@ class Form:
     @classmethod
     def read(cls, text):
         """The form that a notebook states as text: "vector, mm/s", "choice: stable | unstable"."""
-        kind, _, rest = (part.strip() for part in text.partition(":" if text.startswith("choice") else ","))
+        kind, _, rest = (
+            part.strip() for part in text.partition(":" if text.startswith("choice") else ",")
+        )
         if kind not in _WORDS:
             raise AnswerError(f"no such kind of answer: {kind!r}; there are {', '.join(_WORDS)}")
-        return cls("choice", "1", tuple(w.strip() for w in rest.split("|"))) if kind == "choice" else cls(kind, rest or "1")
+        return (
+            cls("choice", "1", tuple(w.strip() for w in rest.split("|")))
+            if kind == "choice"
+            else cls(kind, rest or "1")
+        )
 
     def __str__(self):
-        return f"choice: {' | '.join(self.of)}" if self.kind == "choice" else f"{self.kind}, {self.unit}"
+        return (
+            f"choice: {' | '.join(self.of)}"
+            if self.kind == "choice"
+            else f"{self.kind}, {self.unit}"
+        )
 
     @property
     def words(self):
         """The form in words for a reader."""
         if self.kind == "choice":
             return f"one of {', '.join(map(repr, self.of))}"
-        return _WORDS[self.kind] + ("" if self.kind == "count" or self.unit == "1" else f", in {self.unit}")
+        return _WORDS[self.kind] + (
+            "" if self.kind == "count" or self.unit == "1" else f", in {self.unit}"
+        )
 
     def error(self, fault):
         """The :class:`AnswerError` that says what was expected, and then the fault."""
@@ -66,11 +86,15 @@ def read_number(x, form):
         raise form.error(f"got {x!r}")
     free = getattr(x, "free_symbols", None)
     if free:
-        raise form.error(f"{clipped(x)} still contains {', '.join(sorted(map(str, free)))}; put in the numbers")
+        raise form.error(
+            f"{clipped(x)} still contains {', '.join(sorted(map(str, free)))}; put in the numbers"
+        )
     try:
         number = float(x)
     except (TypeError, ValueError):
         raise form.error(f"cannot make a number of {clipped(x)}") from None
     if not math.isfinite(number):
-        raise form.error(f"got {number}, which comes from a division by zero or the root of a negative number")
+        raise form.error(
+            f"got {number}, which comes from a division by zero or the root of a negative number"
+        )
     return number

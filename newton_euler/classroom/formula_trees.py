@@ -1,4 +1,6 @@
-"""Formulas as nested lists of numbers, symbols and a few operators: read from SymPy, evaluated as data, and checked for their dimension."""
+"""Formulas as nested lists of numbers, symbols and a few operators: read from SymPy, evaluated as
+data, and checked for their dimension.
+"""
 
 from functools import reduce
 from operator import add, mul
@@ -13,17 +15,24 @@ DEPTH = 200  # the deepest formula that is evaluated
 
 
 def read_formula(x, form, symbols, budget):
-    """The tree of a SymPy or SymEngine expression: a number, the name of a symbol, or [operator, ...]."""
+    """The tree of a SymPy or SymEngine expression: a number, the name of a symbol, or [operator,
+    ...].
+    """
     budget[0] -= 1
     if budget[0] < 0:
-        raise form.error(f"this one has more than {NODES} operations. Simplify it, or put in fewer intermediate results")
+        raise form.error(
+            f"this one has more than {NODES} operations. Simplify it, or put in fewer "
+            "intermediate results"
+        )
     if not hasattr(x, "args") or isinstance(x, (int, float)):
         return read_number(x, form)
     if str(type(x).__module__).startswith("symengine"):  # SymPy's f(t) has a type without a module
         x = x._sympy_()
     if x.is_Symbol:
         if x.name not in symbols:
-            raise form.error(f"it contains {x.name!r}, but the symbols of the problem are {', '.join(symbols)}")
+            raise form.error(
+                f"it contains {x.name!r}, but the symbols of the problem are {', '.join(symbols)}"
+            )
         return x.name
     if x.is_Integer:
         return int(x) if abs(int(x)) < 2**53 else float(x)
@@ -33,7 +42,9 @@ def read_formula(x, form, symbols, budget):
         return "pi" if str(x) == "pi" else read_number(x, form)
     name = {"Add": "+", "Mul": "*", "Pow": "^"}.get(x.func.__name__, x.func.__name__)
     if name not in ("+", "*", "^", "atan2", "Abs", *FUNCTIONS):
-        raise form.error(f"{name} is not among the functions that are read: {', '.join(FUNCTIONS)}, atan2, Abs")
+        raise form.error(
+            f"{name} is not among the functions that are read: {', '.join(FUNCTIONS)}, atan2, Abs"
+        )
     return [name, *(read_formula(a, form, symbols, budget) for a in x.args)]
 
 
@@ -42,7 +53,9 @@ class TreeError(NewtonEulerError, ValueError):
 
 
 def evaluate(tree, values, depth=0):
-    """The value of a formula tree over scalars of any kind; ``values`` maps symbols to scalars. Reads data, runs nothing of it."""
+    """The value of a formula tree over scalars of any kind; ``values`` maps symbols to scalars.
+    Reads data, runs nothing of it.
+    """
     if depth > DEPTH:
         raise TreeError(f"the formula is nested more than {DEPTH} deep")
     if isinstance(tree, bool) or tree is None:
@@ -71,7 +84,9 @@ def evaluate(tree, values, depth=0):
 def _power(base, exponent):
     if isinstance(exponent, Dimension):
         if isinstance(base, Dimension) and any(base.powers):
-            raise DimensionError(f"a quantity with {base} is raised to a power that is not a number")
+            raise DimensionError(
+                f"a quantity with {base} is raised to a power that is not a number"
+            )
         return Dimension()
     if isinstance(exponent, float) and exponent.is_integer():
         exponent = int(exponent)
@@ -91,9 +106,14 @@ def in_words(tree):
 
 
 def dimension_hints(tree, form, symbols):
-    """What is wrong with the dimension of a formula, as sentences; needs no key, only the units of the symbols."""
+    """What is wrong with the dimension of a formula, as sentences; needs no key, only the units of
+    the symbols.
+    """
     try:
-        asked, dimensions = unit(form.unit).dimension, {n: unit(u).dimension for n, u in symbols.items()}
+        asked, dimensions = (
+            unit(form.unit).dimension,
+            {n: unit(u).dimension for n, u in symbols.items()},
+        )
     except UnitError:
         return []
     hints, parts = [], tree if SHAPES[form.kind] > 1 else [tree]

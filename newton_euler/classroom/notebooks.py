@@ -1,4 +1,6 @@
-"""``python -m newton_euler chapters [FOLDER]``: copy the course's notebooks to a folder, to read and run them there."""
+"""``python -m newton_euler chapters [FOLDER]``: copy the course's notebooks to a folder, to read
+and run them there.
+"""
 
 import argparse
 import shutil
@@ -9,9 +11,17 @@ from .. import chapters
 
 def main(arguments=None):
     """The exit code of the command line."""
-    parser = argparse.ArgumentParser(prog="python -m newton_euler", description="Newton-Euler dynamics: the course's notebooks.")
-    parser.add_argument("command", choices=["chapters"], help="copy the notebooks to a folder; files that are there already are left alone")
-    parser.add_argument("folder", nargs="?", default="chapters", type=Path, help="where to (default: chapters)")
+    parser = argparse.ArgumentParser(
+        prog="python -m newton_euler", description="Newton-Euler dynamics: the course's notebooks."
+    )
+    parser.add_argument(
+        "command",
+        choices=["chapters"],
+        help="copy the notebooks to a folder; files that are there already are left alone",
+    )
+    parser.add_argument(
+        "folder", nargs="?", default="chapters", type=Path, help="where to (default: chapters)"
+    )
     return copy_chapters(parser.parse_args(arguments).folder)
 
 

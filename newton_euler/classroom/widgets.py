@@ -1,14 +1,18 @@
-"""What the notebooks of the chapters need beside mechanics: figures with sliders, and error messages as text."""
+"""What the notebooks of the chapters need beside mechanics: figures with sliders, and error
+messages as text.
+"""
 
 import textwrap
 from io import BytesIO
 
 
 def interactive_figure(draw, **sliders):
-    """Show the figure that ``draw`` returns, and a slider for each of its arguments where ipywidgets is installed.
+    """Show the figure that ``draw`` returns, and a slider for each of its arguments where
+    ipywidgets is installed.
 
     sliders : name=(start, lowest, highest) or (start, lowest, highest, step)
-    The picture is an ordinary output, which stays when the page is printed or has no kernel; a slider draws it anew in its place.
+    The picture is an ordinary output, which stays when the page is printed or has no kernel; a
+    slider draws it anew in its place.
     """
     from IPython.display import display
 
@@ -19,7 +23,14 @@ def interactive_figure(draw, **sliders):
         return
     boxes = {}
     for name, (start, low, high, *step) in sliders.items():
-        boxes[name] = FloatSlider(start, min=low, max=high, step=step[0] if step else (high - low) / 50, description=name, continuous_update=False)
+        boxes[name] = FloatSlider(
+            start,
+            min=low,
+            max=high,
+            step=step[0] if step else (high - low) / 50,
+            description=name,
+            continuous_update=False,
+        )
 
     def redraw(_):
         shown.update(_picture(draw(**{name: box.value for name, box in boxes.items()})))
@@ -41,7 +52,8 @@ def _picture(figure):
 
 
 def error_message(f, width=100):
-    """The error that ``f()`` raises, as text of lines not longer than ``width``; AssertionError if it raises none.
+    """The error that ``f()`` raises, as text of lines not longer than ``width``; AssertionError if
+    it raises none.
 
     >>> print(error_message(lambda: 1/0))
     ZeroDivisionError: division by zero

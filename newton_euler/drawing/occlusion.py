@@ -10,15 +10,19 @@ from .projection import between, mean, norm3
 
 
 def painters_order(canvas):
-    """The strokes in the order of drawing, by the painter's algorithm: what is drawn later hides what was drawn before.
+    """The strokes in the order of drawing, by the painter's algorithm: what is drawn later hides
+    what was drawn before.
 
-    Bodies go from far to near, by the depths of their middles. That alone is wrong beside large faces; therefore what lies beyond the plane of a
-    face is always drawn before the face, what lies on the eye's side after it, and a line through a face is cut in two (Newell, Newell
-    and Sancha 1972). Marks and arrows lie over all bodies.
+    Bodies go from far to near, by the depths of their middles. That alone is wrong beside large
+    faces; therefore what lies beyond the plane of a face is always drawn before the face, what lies
+    on the eye's side after it, and a line through a face is cut in two (Newell, Newell and Sancha
+    1972). Marks and arrows lie over all bodies.
     """
     bodies = [s for s in canvas.strokes if s.layer == BODY]
     faces = [s for s in bodies if _can_hide(canvas, s)]
-    pieces = sorted((piece for s in bodies for piece in _cut(canvas, s, faces)), key=lambda s: s.depth)
+    pieces = sorted(
+        (piece for s in bodies for piece in _cut(canvas, s, faces)), key=lambda s: s.depth
+    )
     marks = sorted((s for s in canvas.strokes if s.layer != BODY), key=lambda s: (s.layer, s.depth))
     return _by_planes(canvas, pieces, 1e-3 * canvas.pt) + marks
 
@@ -29,7 +33,9 @@ def _can_hide(view, stroke):
 
 
 def _cut(view, stroke, faces):
-    """The pieces of a straight line between the faces that it passes through; any other stroke whole."""
+    """The pieces of a straight line between the faces that it passes through; any other stroke
+    whole.
+    """
     if stroke.closed or len(stroke.points) != 2:
         return [stroke]
     A, B = stroke.points
@@ -41,11 +47,15 @@ def _cut(view, stroke, faces):
     if len(cuts) == 2:
         return [stroke]
     pieces = [(between(A, B, s), between(A, B, t)) for s, t in pairwise(sorted(cuts))]
-    return [replace(stroke, points=piece, depth=view.depth(mean(piece)), cut=True) for piece in pieces]
+    return [
+        replace(stroke, points=piece, depth=view.depth(mean(piece)), cut=True) for piece in pieces
+    ]
 
 
 def _inside(view, p, corners):
-    """True if p is seen inside the polygon: a ray to the right crosses its edges an odd number of times."""
+    """True if p is seen inside the polygon: a ray to the right crosses its edges an odd number of
+    times.
+    """
     x, y = view.project(p)
     flat = [view.project(q) for q in corners]
     odd = False
@@ -56,7 +66,9 @@ def _inside(view, p, corners):
 
 
 def _by_planes(view, strokes, eps):
-    """Strokes sorted by depth, reordered so that the planes of the faces are obeyed too, as far as these do not contradict each other."""
+    """Strokes sorted by depth, reordered so that the planes of the faces are obeyed too, as far as
+    these do not contradict each other.
+    """
     import numpy as np
 
     faces = [n for n, s in enumerate(strokes) if _can_hide(view, s)]
@@ -69,7 +81,9 @@ def _by_planes(view, strokes, eps):
     before = [set() for _ in strokes]  # what must be drawn before each
     for f in faces:
         face = strokes[f]
-        normal = np.array(face.normal) * math.copysign(1 / norm3(face.normal), view.depth(face.normal))
+        normal = np.array(face.normal) * math.copysign(
+            1 / norm3(face.normal), view.depth(face.normal)
+        )
         height = (points - points[starts[f]]) @ normal
         least, most = np.minimum.reduceat(height, starts), np.maximum.reduceat(height, starts)
         meets = ((low < high[f] - eps) & (high > low[f] + eps)).all(axis=1)
@@ -82,7 +96,9 @@ def _by_planes(view, strokes, eps):
 
 
 def _topological(items, before):
-    """The items in topological order: each after all in ``before``, else in the given order; of a cycle the first comes first."""
+    """The items in topological order: each after all in ``before``, else in the given order; of a
+    cycle the first comes first.
+    """
     waiting, out = list(range(len(items))), []
     while waiting:
         n = next((n for n in waiting if not before[n].intersection(waiting)), waiting[0])

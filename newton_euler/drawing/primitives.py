@@ -1,4 +1,6 @@
-"""What a figure is made of: strokes (lines and faces), the symbols drawn with them (arrows, supports, solids), labels, and their styles."""
+"""What a figure is made of: strokes (lines and faces), the symbols drawn with them (arrows,
+supports, solids), labels, and their styles.
+"""
 
 import math
 from dataclasses import dataclass
@@ -8,17 +10,45 @@ from ..algebra.vectors import add3, cross3, scale3, sub3
 from .projection import View, circle, convex_hull, mean, perpendiculars, unit3
 
 # colours that colour-blind readers tell apart (Okabe and Ito); bodies are grey
-KINDS = {"velocity": "#0072B2", "acceleration": "#D55E00", "rate": "#008060", "force": "#B0408A", "plain": "#000000"}
-DARK, MIDDLE, LIGHT, PALE, BLACK, WHITE = "#454a50", "#c9ced4", "#dde1e5", "#eef0f2", "#000000", "#ffffff"
-DASHES = {"solid": "-", "dashed": (0, (5, 3)), "dotted": (0, (1, 2)), "centre": (0, (9, 2.5, 2, 2.5))}
+KINDS = {
+    "velocity": "#0072B2",
+    "acceleration": "#D55E00",
+    "rate": "#008060",
+    "force": "#B0408A",
+    "plain": "#000000",
+}
+DARK, MIDDLE, LIGHT, PALE, BLACK, WHITE = (
+    "#454a50",
+    "#c9ced4",
+    "#dde1e5",
+    "#eef0f2",
+    "#000000",
+    "#ffffff",
+)
+DASHES = {
+    "solid": "-",
+    "dashed": (0, (5, 3)),
+    "dotted": (0, (1, 2)),
+    "centre": (0, (9, 2.5, 2, 2.5)),
+}
 FONT = 11  # points
 
-BODY, MARK, ARROW = range(3)  # layers: bodies hide each other by depth; marks and then arrows lie over them
+# layers: bodies hide each other by depth; marks and then arrows lie over them
+BODY, MARK, ARROW = range(3)
 
 
 def _style(edge, width, face="none", dashes="solid", ends="round"):
-    """The arguments of a matplotlib patch; ``width`` in points. Their long names, since matplotlib is slower with the short ones."""
-    return {"edgecolor": edge, "facecolor": face, "linewidth": width, "linestyle": DASHES[dashes], "capstyle": ends, "joinstyle": "round"}
+    """The arguments of a matplotlib patch; ``width`` in points. Their long names, since matplotlib
+    is slower with the short ones.
+    """
+    return {
+        "edgecolor": edge,
+        "facecolor": face,
+        "linewidth": width,
+        "linestyle": DASHES[dashes],
+        "capstyle": ends,
+        "joinstyle": "round",
+    }
 
 
 STYLES = {
@@ -49,7 +79,9 @@ STYLES = {
 
 
 class Note(NamedTuple):
-    """A label of a place on the page, ``gap`` points from it in the direction ``towards`` (an angle) if there is room."""
+    """A label of a place on the page, ``gap`` points from it in the direction ``towards`` (an
+    angle) if there is room.
+    """
 
     place: tuple
     text: str
@@ -73,21 +105,29 @@ class Stroke:
     cut: bool = False  # a piece of a line that a face cuts
 
     def drawn(self, ax, view, clip):
-        """The stroke as patches on ``ax``, one for each style. They are not clipped; ``clip`` only saves matplotlib from making a path for it."""
+        """The stroke as patches on ``ax``, one for each style. They are not clipped; ``clip`` only
+        saves matplotlib from making a path for it.
+        """
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
         xy = [view.project(p) for p in self.points]
         path = Path(xy + xy[:1], closed=True) if self.closed else Path(xy)
-        changed = ({} if self.closed else {"facecolor": "none"}) | ({"capstyle": "butt"} if self.cut else {})
+        changed = ({} if self.closed else {"facecolor": "none"}) | (
+            {"capstyle": "butt"} if self.cut else {}
+        )
         for style in self.styles:
-            patch = PathPatch(path, clip_on=False, zorder=2 + self.layer, **(STYLES[style] | changed))
+            patch = PathPatch(
+                path, clip_on=False, zorder=2 + self.layer, **(STYLES[style] | changed)
+            )
             patch.set_clip_path(clip)
             yield ax.add_artist(patch)
 
 
 class Canvas(View):
-    """A view with the strokes in space and the labels of one picture, for one length ``pt`` of a point of the page."""
+    """A view with the strokes in space and the labels of one picture, for one length ``pt`` of a
+    point of the page.
+    """
 
     def __init__(self, view, pt, extent, centre):
         super().__init__(view.right, view.up)
@@ -95,7 +135,9 @@ class Canvas(View):
         self.spots = [self.project(p) for p in extent] or [(0.0, 0.0)]
 
     def line(self, points, styles, layer=BODY, closed=False, depth=None, normal=None):
-        """Add a stroke. ``depth``: how near it counts as, by default the depth of its middle; ``normal``: of a flat face."""
+        """Add a stroke. ``depth``: how near it counts as, by default the depth of its middle;
+        ``normal``: of a flat face.
+        """
         styles = (styles,) if isinstance(styles, str) else styles
         if depth is None:
             depth = self.depth(mean(points))
@@ -118,7 +160,9 @@ class Canvas(View):
         self.line(convex_hull(self, points), style, layer, True, depth)
 
     def end(self, rim, outwards, style, layer=BODY):
-        """Add the flat end of a body; turned away from the eye it is invisible, but still separates what is inside from what is outside."""
+        """Add the flat end of a body; turned away from the eye it is invisible, but still separates
+        what is inside from what is outside.
+        """
         self.face(rim, style if self.depth(outwards) > 0 else (), outwards, layer)
 
     def cylinder(self, first, last, axis, side, top, layer=BODY):
@@ -140,7 +184,9 @@ class Canvas(View):
         self.line([tip, *wings], ("tip", style), layer, True)
 
     def arrow(self, tail, tip, style, layer):
-        """Add an arrow, or where it points at the eye or away from it, a circle with a dot or a cross."""
+        """Add an arrow, or where it points at the eye or away from it, a circle with a dot or a
+        cross.
+        """
         v = sub3(tip, tail)
         if self.is_seen(v):
             self.line((tail, tip), style, layer)
@@ -173,18 +219,31 @@ class Canvas(View):
             return add3(P, add3(scale3(s, e1), scale3(t, e2)))
 
         back = self.depth(P) - half
-        self.line([corner(s, t) for s, t in ((1, 1), (-1, 1), (-1, -1), (1, -1))], "patch", closed=True, depth=back)
+        self.line(
+            [corner(s, t) for s, t in ((1, 1), (-1, 1), (-1, -1), (1, -1))],
+            "patch",
+            closed=True,
+            depth=back,
+        )
         for k in range(-3, 4):
             s = k / 2
-            self.line((corner(max(-1, s - 1), max(-1, -1 - s)), corner(min(1, s + 1), min(1, 1 - s))), "seam", depth=back)
+            self.line(
+                (corner(max(-1, s - 1), max(-1, -1 - s)), corner(min(1, s + 1), min(1, 1 - s))),
+                "seam",
+                depth=back,
+            )
 
     def note(self, place, text, away_from=None, gap=3, colour=BLACK, weight="normal", fixed=None):
-        """Add the label of a place, preferably on the side away from another place; one letter is italic, as a symbol in print, unless bold."""
+        """Add the label of a place, preferably on the side away from another place; one letter is
+        italic, as a symbol in print, unless bold.
+        """
         if text:
             if len(text) == 1 and text.isalpha() and weight != "bold":
                 text = f"${text}$"
             x, y = self.project(sub3(place, away_from)) if away_from else (0, 0)
-            self.notes.append(Note(self.project(place), text, math.atan2(y, x), gap, colour, weight, fixed))
+            self.notes.append(
+                Note(self.project(place), text, math.atan2(y, x), gap, colour, weight, fixed)
+            )
 
     def box(self):
         """Left, right, bottom and top of everything that was added."""

@@ -6,7 +6,9 @@ from ..algebra.vectors import FrameError, add3, cross3, dot3, scale3, sub3
 
 
 class View:
-    """An orthographic projection, given by unit vectors to the right, up, and to the eye, in the ground."""
+    """An orthographic projection, given by unit vectors to the right, up, and to the eye, in the
+    ground.
+    """
 
     def __init__(self, right, up):
         self.right, self.up, self.eye = right, up, cross3(right, up)
@@ -28,7 +30,9 @@ class View:
         return math.hypot(*self.project(v)) > 0.1 * norm3(v)
 
     def slant(self, v):
-        """A measure of how well a direction serves for hatching: steep, and to the right rather than to the left."""
+        """A measure of how well a direction serves for hatching: steep, and to the right rather
+        than to the left.
+        """
         angle = math.atan2(*reversed(self.project(v)))
         return abs(math.sin(angle)) + 0.2 * math.sin(2 * angle)
 
@@ -39,14 +43,18 @@ class View:
         return self.offset((0, 0, 0), -y / size, x / size) if size else self.up
 
     def tilted(self, axis):
-        """The axis, or if a circle about it is nearly seen edge-on, a direction near it about which a circle looks like an ellipse."""
+        """The axis, or if a circle about it is nearly seen edge-on, a direction near it about which
+        a circle looks like an ellipse.
+        """
         d = self.depth(axis)
         if abs(d) >= 0.3:
             return axis
         return unit3(add3(axis, scale3(math.copysign(0.3, d if abs(d) > 1e-9 else 1), self.eye)))
 
     def perpendiculars(self, axis):
-        """Two unit vectors that form a right-handed triple with ``axis``, the first towards the eye."""
+        """Two unit vectors that form a right-handed triple with ``axis``, the first towards the
+        eye.
+        """
         e1 = perpendicular_towards(axis, self.eye)
         return e1, cross3(axis, e1)
 
@@ -54,7 +62,10 @@ class View:
 def space_view(azimuth, elevation, up):
     """The view from the azimuth and elevation, in degrees, with the axis ``up`` upwards."""
     if up not in ("x", "y", "z"):
-        raise FrameError(f"up is 'x', 'y' or 'z', the axis of the ground that is vertical in the figure; got {up!r}")
+        raise FrameError(
+            "up is 'x', 'y' or 'z', the axis of the ground that is vertical in the figure; "
+            f"got {up!r}"
+        )
     a, h = math.radians(azimuth), math.radians(elevation)
     n = "xyz".index(up)
 
@@ -70,7 +81,9 @@ def space_view(azimuth, elevation, up):
 def plane_view(plane):
     """The view at a right angle to a plane, "xz" for x to the right and z up."""
     if not isinstance(plane, str) or len(plane) != 2 or len(set(plane) & set("xyz")) != 2:
-        raise FrameError(f"a plane is two axes, as in plane='xz' for x to the right and z up; got {plane!r}")
+        raise FrameError(
+            f"a plane is two axes, as in plane='xz' for x to the right and z up; got {plane!r}"
+        )
     return View(*(tuple(float(axis == name) for axis in "xyz") for name in plane))
 
 
@@ -132,15 +145,18 @@ def normal_of(corners):
 def convex_hull(view, points):
     """The points on the convex hull as seen on the page, counter-clockwise.
 
-    By Andrew's monotone chain: points sorted from left to right, from which turns to the right are removed, give the lower half; back, the
-    upper half. This is the outline of a convex body.
+    By Andrew's monotone chain: points sorted from left to right, from which turns to the right are
+    removed, give the lower half; back, the upper half. This is the outline of a convex body.
     """
     ordered = sorted(points, key=view.project)
 
     def half(points):
         out = []
         for p in points:
-            while len(out) > 1 and dot3(cross3(sub3(out[-1], out[-2]), sub3(p, out[-1])), view.eye) <= 0:
+            while (
+                len(out) > 1
+                and dot3(cross3(sub3(out[-1], out[-2]), sub3(p, out[-1])), view.eye) <= 0
+            ):
                 out.pop()
             out.append(p)
         return out[:-1]
@@ -149,7 +165,9 @@ def convex_hull(view, points):
 
 
 def silhouette(view, apex, rim):
-    """The two places of the rim where lines from the apex are seen to be tangent; none if the apex is seen inside."""
+    """The two places of the rim where lines from the apex are seen to be tangent; none if the apex
+    is seen inside.
+    """
     outline = convex_hull(view, [apex, *rim])
     if apex not in outline:
         return ()

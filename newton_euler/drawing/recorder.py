@@ -1,7 +1,9 @@
-"""The recorder behind a sketch: it reads places and directions as triples, records commands, and draws them when the figure is finished.
+"""The recorder behind a sketch: it reads places and directions as triples, records commands, and
+draws them when the figure is finished.
 
-A command draws on a :class:`~newton_euler.drawing.primitives.Canvas`, on which a point of the page has a certain length in metres. Finishing finds the
-length with which everything fits on the page, or takes that of a :class:`Window`, which the pictures of a film share so that nothing jumps.
+A command draws on a :class:`~newton_euler.drawing.primitives.Canvas`, on which a point of the page
+has a certain length in metres. Finishing finds the length with which everything fits on the page,
+or takes that of a :class:`Window`, which the pictures of a film share so that nothing jumps.
 """
 
 import math
@@ -17,8 +19,9 @@ from .projection import mean, norm3, plane_view, space_view, unit3
 
 @dataclass(frozen=True)
 class Window:
-    """What several pictures share: the length of a point in metres, the middle of the page, the middle of the scene, and the places of
-    labels, which each picture updates for the next."""
+    """What several pictures share: the length of a point in metres, the middle of the page, the
+    middle of the scene, and the places of labels, which each picture updates for the next.
+    """
 
     pt: float
     middle: tuple
@@ -31,9 +34,15 @@ class Recorder:
 
     def __init__(self, ax, ground, azimuth=35, elevation=20, up="z", plane=None):
         if not hasattr(ax, "add_patch"):
-            raise FrameError(f"a sketch is drawn on a matplotlib Axes, got {ax!r}; make one with fig, ax = plt.subplots()")
+            raise FrameError(
+                f"a sketch is drawn on a matplotlib Axes, got {ax!r}; make one with fig, ax = "
+                "plt.subplots()"
+            )
         if not isinstance(ground, Frame):
-            raise FrameError(f"a sketch shows a scene from its ground, a Frame; got {ground!r}. Write Sketch(ax, ground)")
+            raise FrameError(
+                f"a sketch shows a scene from its ground, a Frame; got {ground!r}. Write "
+                "Sketch(ax, ground)"
+            )
         self.ax, self.frame = ax, ground
         self.view = plane_view(plane) if plane is not None else space_view(azimuth, elevation, up)
         self._commands, self._extent, self._longest, self._artists = [], [], {}, []
@@ -49,17 +58,25 @@ class Recorder:
 
     def _triple(self, v, what):
         if isinstance(v, Point):
-            raise FrameError(f"a {what} is a Vector or a triple, got the point {v.name}; write B - A for the vector from A to B")
+            raise FrameError(
+                f"a {what} is a Vector or a triple, got the point {v.name}; write B - A for "
+                "the vector from A to B"
+            )
         try:
             v = tuple(v.components(self.frame) if isinstance(v, Vector) else v)
         except TypeError:
             v = (v,)
         if len(v) != 3:
-            raise FrameError(f"a {what} is a {'Point, a ' * (what == 'place')}Vector or three numbers, got {v!r}")
+            raise FrameError(
+                f"a {what} is a {'Point, a ' * (what == 'place')}Vector or three numbers, got {v!r}"
+            )
         try:
             v = tuple(map(float, v))
         except (TypeError, ValueError):
-            raise FrameError(f"a sketch needs numbers, but the {what} is {v!r}; draw with one value for each given") from None
+            raise FrameError(
+                f"a sketch needs numbers, but the {what} is {v!r}; draw with one value for "
+                "each given"
+            ) from None
         if not all(map(math.isfinite, v)):
             raise FrameError(f"the {what} {v!r} is not finite and cannot be drawn")
         return v
@@ -67,7 +84,9 @@ class Recorder:
     def _unit(self, v):
         v = self._triple(v, "direction")
         if not norm3(v):
-            raise FrameError("a direction of length zero points nowhere; give a vector that is not zero")
+            raise FrameError(
+                "a direction of length zero points nowhere; give a vector that is not zero"
+            )
         return unit3(v)
 
     def _length(self, x):
@@ -89,7 +108,8 @@ class Recorder:
         self._commands.append(command)
         if not self._pending:
             self._pending, self._before = True, self.ax.get_axes_locator()
-            self.ax.set_axes_locator(self._locate)  # matplotlib calls it at the start of every drawing
+            # matplotlib calls it at the start of every drawing
+            self.ax.set_axes_locator(self._locate)
 
     def _locate(self, ax, renderer):
         before = self._before
@@ -97,7 +117,9 @@ class Recorder:
         return before(ax, renderer) if before else ax.get_position(original=True)
 
     def finish(self, renderer=None):
-        """Draw what was recorded: limits to fit, equal aspect, no frame. Runs by itself when the figure is drawn; a second call does nothing."""
+        """Draw what was recorded: limits to fit, equal aspect, no frame. Runs by itself when the
+        figure is drawn; a second call does nothing.
+        """
         from matplotlib.path import Path
         from matplotlib.transforms import TransformedPath
 
@@ -111,12 +133,19 @@ class Recorder:
         width, height = self._page()
         window = self._window or _fitted([self], width, height)
         (x, y), pt = window.middle, window.pt
-        self.ax.set(xlim=(x - width / 2 * pt, x + width / 2 * pt), ylim=(y - height / 2 * pt, y + height / 2 * pt))
+        self.ax.set(
+            xlim=(x - width / 2 * pt, x + width / 2 * pt),
+            ylim=(y - height / 2 * pt, y + height / 2 * pt),
+        )
         self.ax.set_aspect("equal", adjustable="datalim")
         self.ax.set_axis_off()
         canvas = self._canvas(pt, window.centre)
         clip = TransformedPath(Path.unit_rectangle(), self.ax.transAxes)
-        self._artists = [patch for stroke in painters_order(canvas) for patch in stroke.drawn(self.ax, self.view, clip)]
+        self._artists = [
+            patch
+            for stroke in painters_order(canvas)
+            for patch in stroke.drawn(self.ax, self.view, clip)
+        ]
         self._artists += place_labels(self.ax, canvas, renderer, window.labels)
 
     def _page(self):
@@ -140,7 +169,9 @@ def sketches_on(ax):
 
 
 def share_window(sketches):
-    """Give one window to the sketches of many pictures of one size: one scale for all, also for arrows of a kind."""
+    """Give one window to the sketches of many pictures of one size: one scale for all, also for
+    arrows of a kind.
+    """
     longest = {}
     for sketch in sketches:
         for kind, size in sketch._longest.items():
@@ -153,7 +184,9 @@ def share_window(sketches):
 
 
 def _fitted(sketches, width, height):
-    """The window that holds all sketches, by fixed-point iteration: symbols have sizes in points, so the length of a point depends on them."""
+    """The window that holds all sketches, by fixed-point iteration: symbols have sizes in points,
+    so the length of a point depends on them.
+    """
     places = [P for sketch in sketches for P in sketch._extent]
     centre = mean(places) if places else (0.0, 0.0, 0.0)
     box = _union(Canvas(sketch.view, 0, sketch._extent, centre).box() for sketch in sketches)
@@ -174,4 +207,7 @@ def _union(boxes):
 def _point(box, width, height, margin=12):
     """The length of a point in metres with which the box fills a page of so many points."""
     left, right, bottom, top = box
-    return max((right - left) / (width - 2 * margin), (top - bottom) / (height - 2 * margin)) or 1 / width
+    return (
+        max((right - left) / (width - 2 * margin), (top - bottom) / (height - 2 * margin))
+        or 1 / width
+    )

@@ -1,4 +1,6 @@
-"""The bodies of a figure, true to scale: rods, disks, solids, plates, pulleys and the cables over them."""
+"""The bodies of a figure, true to scale: rods, disks, solids, plates, pulleys and the cables over
+them.
+"""
 
 import math
 
@@ -38,11 +40,22 @@ class Bodies(Recorder):
         @self._record
         def command(canvas):
             side = canvas.left_of(A, B)
-            swings = [(0, 0), (0.15, 0), *((0.15 + 0.7 * (n + 0.5) / 12, (-1) ** n) for n in range(12)), (0.85, 0), (1, 0)]
-            canvas.line([add3(between(A, B, t), scale3(5 * s * canvas.pt, side)) for t, s in swings], "spring")
+            swings = [
+                (0, 0),
+                (0.15, 0),
+                *((0.15 + 0.7 * (n + 0.5) / 12, (-1) ** n) for n in range(12)),
+                (0.85, 0),
+                (1, 0),
+            ]
+            canvas.line(
+                [add3(between(A, B, t), scale3(5 * s * canvas.pt, side)) for t, s in swings],
+                "spring",
+            )
 
     def disk(self, C, normal, radius, spoke=None):
-        """Draw a thin disk about C. ``spoke``: a place on its rim that is joined to C, which shows how it has turned."""
+        """Draw a thin disk about C. ``spoke``: a place on its rim that is joined to C, which shows
+        how it has turned.
+        """
         C, normal = self._place(C), self._unit(normal)
         rim = self._rim(C, normal, radius)
         spoke = None if spoke is None else self._place(spoke)
@@ -62,7 +75,9 @@ class Bodies(Recorder):
         return self._extend(circle(C, normal, self._length(radius)))
 
     def cone(self, apex, axis, length, radius):
-        """Draw a cone from its apex along ``axis`` to a base of ``radius`` at the distance ``length``."""
+        """Draw a cone from its apex along ``axis`` to a base of ``radius`` at the distance
+        ``length``.
+        """
         apex, axis = self._place(apex), self._unit(axis)
         base = self._rim(add3(apex, scale3(self._length(length), axis)), axis, radius)
 
@@ -72,17 +87,27 @@ class Bodies(Recorder):
             canvas.end(base, axis, "top")
 
     def gear(self, C, normal, radius, cone_apex=None):
-        """Draw a gear wheel about C with the pitch ``radius``; with ``cone_apex`` also the lines of its pitch cone."""
+        """Draw a gear wheel about C with the pitch ``radius``; with ``cone_apex`` also the lines of
+        its pitch cone.
+        """
         C, normal, r = self._place(C), self._unit(normal), self._length(radius)
         apex = None if cone_apex is None else self._place(cone_apex)
         e1, e2 = perpendiculars(normal)
         count, tooth = 28, ((-0.3, 0.95), (-0.15, 1.05), (0.15, 1.05), (0.3, 0.95))
-        rim = self._extend([on_circle(C, e1, e2, r * f, 2 * math.pi * (n + d) / count) for n in range(count) for d, f in tooth])
+        rim = self._extend(
+            [
+                on_circle(C, e1, e2, r * f, 2 * math.pi * (n + d) / count)
+                for n in range(count)
+                for d, f in tooth
+            ]
+        )
 
         @self._record
         def command(canvas):
             canvas.face(rim, "body", normal)
-            canvas.line(circle(C, normal, 0.18 * r, closed=True), "seam", depth=canvas.depth(C) + canvas.pt)
+            canvas.line(
+                circle(C, normal, 0.18 * r, closed=True), "seam", depth=canvas.depth(C) + canvas.pt
+            )
             for end in silhouette(canvas, apex, circle(C, normal, r)) if apex else ():
                 canvas.line((apex, end), "line centre")
 
@@ -114,17 +139,32 @@ class Bodies(Recorder):
         self._record(lambda canvas: canvas.face(corners, "body", normal_of(corners)))
 
     def box(self, centre, frame, sizes):
-        """Draw a box about ``centre`` with its edges, of three ``sizes`` in metres, along the axes of ``frame``."""
+        """Draw a box about ``centre`` with its edges, of three ``sizes`` in metres, along the axes
+        of ``frame``.
+        """
         if not isinstance(frame, Frame):
-            raise FrameError(f"box(centre, frame, sizes) takes the directions of its edges from a Frame, got {frame!r}")
+            raise FrameError(
+                "box(centre, frame, sizes) takes the directions of its edges from a Frame, "
+                f"got {frame!r}"
+            )
         C, sizes = self._place(centre), self._triple(sizes, "sizes")
-        halves = [scale3(s / 2, e.components(self.frame)) for s, e in zip(sizes, (frame.i, frame.j, frame.k), strict=True)]
+        halves = [
+            scale3(s / 2, e.components(self.frame))
+            for s, e in zip(sizes, (frame.i, frame.j, frame.k), strict=True)
+        ]
 
         def corners(outwards, n):
             middle, a, b = add3(C, outwards), halves[(n + 1) % 3], halves[(n + 2) % 3]
-            return [add3(middle, add3(scale3(s, a), scale3(t, b))) for s, t in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
+            return [
+                add3(middle, add3(scale3(s, a), scale3(t, b)))
+                for s, t in ((1, 1), (-1, 1), (-1, -1), (1, -1))
+            ]
 
-        faces = [(n, outwards, self._extend(corners(outwards, n))) for n in range(3) for outwards in (halves[n], scale3(-1, halves[n]))]
+        faces = [
+            (n, outwards, self._extend(corners(outwards, n)))
+            for n in range(3)
+            for outwards in (halves[n], scale3(-1, halves[n]))
+        ]
 
         @self._record
         def command(canvas):
@@ -135,7 +175,8 @@ class Bodies(Recorder):
     # -- pulleys and cables
 
     def pulley(self, C, normal, radius):
-        """Draw a pulley about C with its axle along ``normal``; ``radius`` is that of the bottom of its groove, where a cable runs.
+        """Draw a pulley about C with its axle along ``normal``; ``radius`` is that of the bottom of
+        its groove, where a cable runs.
 
         Returns the pulley, to be named as a stop in :meth:`cable`.
         """
@@ -156,17 +197,28 @@ class Bodies(Recorder):
                 outwards = scale3(sign, normal)
                 canvas.face(flange, "body", outwards)
                 if canvas.depth(outwards) > 0:
-                    canvas.line(circle(add3(C, scale3(half, outwards)), normal, r, closed=True), "seam", depth=depth + canvas.pt)
-                canvas.cylinder(ring(0.16 * r, sign * half), ring(0.16 * r, sign * (half + 0.1 * r)), outwards, "joint", "joint")
+                    canvas.line(
+                        circle(add3(C, scale3(half, outwards)), normal, r, closed=True),
+                        "seam",
+                        depth=depth + canvas.pt,
+                    )
+                canvas.cylinder(
+                    ring(0.16 * r, sign * half),
+                    ring(0.16 * r, sign * (half + 0.1 * r)),
+                    outwards,
+                    "joint",
+                    "joint",
+                )
 
         return wheel
 
     def cable(self, *stops, turns=None):
-        """Draw a cable from place to place. Over a pulley, as :meth:`pulley` returned it, it runs in the groove and is tangent to it; one that
-        ends on the pulley where it began is a closed belt.
+        """Draw a cable from place to place. Over a pulley, as :meth:`pulley` returned it, it runs
+        in the groove and is tangent to it; one that ends on the pulley where it began is a closed
+        belt.
 
-        turns : which way it goes round each pulley, 1 for right-handed about the pulley's normal and -1 for the other; by default the
-            shortest of the ways
+        turns : which way it goes round each pulley, 1 for right-handed about the pulley's normal
+            and -1 for the other; by default the shortest of the ways
 
         >>> from matplotlib.figure import Figure
         >>> from newton_euler import Frame
@@ -177,7 +229,9 @@ class Bodies(Recorder):
         """
         stops = [stop if isinstance(stop, Pulley) else self._place(stop) for stop in stops]
         if len(stops) < 2:
-            raise FrameError(f"a cable runs between two stops or more, places or pulleys; got {len(stops)}")
+            raise FrameError(
+                f"a cable runs between two stops or more, places or pulleys; got {len(stops)}"
+            )
         spans, arcs = route(stops, turns)
         for line in [*spans, *arcs]:
             self._extend(line)
@@ -185,8 +239,12 @@ class Bodies(Recorder):
         @self._record
         def command(canvas):
             for n, (A, B) in enumerate(spans):
-                # the ends that touch a pulley have the depth of their tangent points, so that they lie over its groove or behind it as these do
-                lead, tail = (min(1 / 3, stop.radius / norm3(sub3(B, A))) if isinstance(stop, Pulley) else 0 for stop in stops[n : n + 2])
+                # the ends that touch a pulley have the depth of their tangent points, so that they
+                # lie over its groove or behind it as these do
+                lead, tail = (
+                    min(1 / 3, stop.radius / norm3(sub3(B, A))) if isinstance(stop, Pulley) else 0
+                    for stop in stops[n : n + 2]
+                )
                 first, last = between(A, B, lead), between(A, B, 1 - tail)
                 if lead:
                     canvas.line((A, first), "cable", depth=canvas.depth(A))

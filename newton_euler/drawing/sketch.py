@@ -1,11 +1,14 @@
-"""Figures: scenes of frames, vectors, bodies and dimension lines, true to scale, in an orthographic projection.
+"""Figures: scenes of frames, vectors, bodies and dimension lines, true to scale, in an orthographic
+projection.
 
-A :class:`Sketch` records what it is told to draw. :meth:`Sketch.finish`, which runs by itself when the figure is shown or saved, projects
-everything onto a plain 2-D Axes, draws the far before the near, and puts each label where it covers least. Bodies are to scale; symbols
-(joints, arrows, axes, dimension lines) have sizes in points of the printed page.
+A :class:`Sketch` records what it is told to draw. :meth:`Sketch.finish`, which runs by itself when
+the figure is shown or saved, projects everything onto a plain 2-D Axes, draws the far before the
+near, and puts each label where it covers least. Bodies are to scale; symbols (joints, arrows, axes,
+dimension lines) have sizes in points of the printed page.
 
-Here are frames, vectors, supports and measures; ``shapes`` has the bodies, ``recording`` the order of events, ``projection`` the view,
-``covering`` occlusion, ``labels`` label placement, ``primitives`` lines, faces and their styles. ``animation`` makes films of sketches.
+Here are frames, vectors, supports and measures; ``shapes`` has the bodies, ``recording`` the order
+of events, ``projection`` the view, ``covering`` occlusion, ``labels`` label placement,
+``primitives`` lines, faces and their styles. ``animation`` makes films of sketches.
 """
 
 import math
@@ -18,11 +21,12 @@ from .shapes import Bodies
 
 
 class Sketch(Bodies):
-    """A figure of a scene on ``ax``, a plain 2-D matplotlib Axes. Lengths in metres; a *place* is a Point, or a Vector or triple of
-    coordinates from the origin of ``ground``; a *direction* is a Vector, or a triple along the axes of ``ground``.
+    """A figure of a scene on ``ax``, a plain 2-D matplotlib Axes. Lengths in metres; a *place* is a
+    Point, or a Vector or triple of coordinates from the origin of ``ground``; a *direction* is a
+    Vector, or a triple along the axes of ``ground``.
 
-    azimuth, elevation : the direction from which the scene is seen, in degrees: about the axis ``up``, from the axis after it ("x" if up is "z")
-        towards the next, and above the horizontal
+    azimuth, elevation : the direction from which the scene is seen, in degrees: about the axis
+        ``up``, from the axis after it ("x" if up is "z") towards the next, and above the horizontal
     plane : two axes, as "xz", for a plane figure with the first to the right and the second up
     """
 
@@ -31,13 +35,20 @@ class Sketch(Bodies):
     def axes(self, P, frame, length=None, labels="xyz"):
         """Draw the unit vectors of ``frame`` as arrows at P, ``length`` metres long.
 
-        labels : three, as a string or a list, or "" for arrows without; in a list, an axis with the label "" is left out
+        labels : three, as a string or a list, or "" for arrows without; in a list, an axis with the
+            label "" is left out
         """
         if not isinstance(frame, Frame):
             raise FrameError(f"axes(P, frame) draws the axes of a Frame, got {frame!r}")
         if labels and len(labels) != 3:
-            raise FrameError(f"the axes have three labels, as in labels='XYZ' or labels=['x_1', 'y_1', 'z_1']; got {labels!r}")
-        P, units = self._place(P), [self._triple(e.components(self.frame), "axis") for e in (frame.i, frame.j, frame.k)]
+            raise FrameError(
+                "the axes have three labels, as in labels='XYZ' or labels=['x_1', 'y_1', "
+                f"'z_1']; got {labels!r}"
+            )
+        P, units = (
+            self._place(P),
+            [self._triple(e.components(self.frame), "axis") for e in (frame.i, frame.j, frame.k)],
+        )
         length = length and self._length(length)
 
         @self._record
@@ -49,9 +60,11 @@ class Sketch(Bodies):
                     canvas.note(tip, text.strip(), away_from=P, gap=2)
 
     def vector(self, P, v, label="", kind="velocity"):
-        """Draw an arrow from P along ``v``. ``kind``, which sets the colour: velocity, acceleration, rate, force, plain.
+        """Draw an arrow from P along ``v``. ``kind``, which sets the colour: velocity,
+        acceleration, rate, force, plain.
 
-        The longest arrow of each kind gets a length that suits the figure, the others their share of it.
+        The longest arrow of each kind gets a length that suits the figure, the others their share
+        of it.
         """
         if kind not in KINDS:
             raise FrameError(f"an arrow is of the kind {', '.join(KINDS)}; got {kind!r}")
@@ -63,12 +76,16 @@ class Sketch(Bodies):
         def command(canvas):
             tip = P
             if size:
-                tip = add3(P, scale3(62 * canvas.pt / size * max(size / self._longest[kind], 0.25), v))
+                tip = add3(
+                    P, scale3(62 * canvas.pt / size * max(size / self._longest[kind], 0.25), v)
+                )
                 canvas.arrow(P, tip, kind, ARROW)
             canvas.note(tip, label, away_from=P, colour=KINDS[kind])
 
     def turn(self, P, axis, label="", radius=None):
-        """Draw a curved arrow about ``axis`` through P, right-handed: an angular velocity. ``radius`` in metres."""
+        """Draw a curved arrow about ``axis`` through P, right-handed: an angular velocity.
+        ``radius`` in metres.
+        """
         P, axis = self._place(P), self._unit(axis)
         radius = radius and self._length(radius)
 
@@ -77,7 +94,8 @@ class Sketch(Bodies):
             r = radius or 17 * canvas.pt
             e1, e2 = canvas.perpendiculars(canvas.tilted(axis))
             arc = [on_circle(P, e1, e2, r, math.radians(a)) for a in range(-200, 65, 10)]
-            for n in range(0, len(arc) - 2, 2):  # the rear goes behind the body that turns, the front is never hidden
+            # the rear goes behind the body that turns, the front is never hidden
+            for n in range(0, len(arc) - 2, 2):
                 in_front = canvas.depth(sub3(arc[n + 1], P)) > -1e-9 * r
                 canvas.line(arc[n : n + 3], "rate", MARK if in_front else BODY)
             canvas.head(arc[-4], arc[-1], "rate", MARK)
@@ -104,7 +122,10 @@ class Sketch(Bodies):
             if axis is None or abs(canvas.depth(axis)) > 0.95:
                 canvas.disc(P, 3.6, "joint")
             else:
-                ends = (circle(add3(P, scale3(s * 8 * canvas.pt, axis)), axis, 4 * canvas.pt) for s in (-1, 1))
+                ends = (
+                    circle(add3(P, scale3(s * 8 * canvas.pt, axis)), axis, 4 * canvas.pt)
+                    for s in (-1, 1)
+                )
                 canvas.cylinder(*ends, axis, "joint", "joint", MARK)
 
     def ball_joint(self, P):
@@ -129,7 +150,8 @@ class Sketch(Bodies):
         a, b = unit3(a), unit3(b)
         normal = cross3(a, b)
         angle = math.atan2(norm3(normal), dot3(a, b))
-        if norm3(normal) <= 1e-9:  # at 0 and at 180 degrees any plane will do: the one that faces the eye most
+        # at 0 and at 180 degrees any plane will do: the one that faces the eye most
+        if norm3(normal) <= 1e-9:
             normal = perpendicular_towards(a, self.view.eye)
         side = unit3(cross3(normal, a))
 
@@ -140,9 +162,15 @@ class Sketch(Bodies):
             canvas.note(on_circle(C, a, side, r, angle / 2), label, away_from=C, gap=2)
 
     def dimension(self, A, B, label="", offset=None):
-        """Draw a dimension line beside AB. ``offset``: by how much, in metres: a number, to the left of AB as seen, or a direction."""
+        """Draw a dimension line beside AB. ``offset``: by how much, in metres: a number, to the
+        left of AB as seen, or a direction.
+        """
         A, B = self._place(A), self._place(B)
-        shift = offset if offset is None or isinstance(offset, (int, float)) else self._triple(offset, "offset")
+        shift = (
+            offset
+            if offset is None or isinstance(offset, (int, float))
+            else self._triple(offset, "offset")
+        )
 
         @self._record
         def command(canvas):
@@ -164,16 +192,24 @@ class Sketch(Bodies):
             canvas.note(between(a, b, 0.5), label, away_from=between(A, B, 0.5))
 
     def path(self, points, lift=0):
-        """Draw a curve through many places. ``lift``: how many metres nearer to the eye it counts as, for occlusion: enough of it
-        brings a curve out of the body on whose surface it lies (half the radius of a sphere, the radius of a cylinder)."""
+        """Draw a curve through many places. ``lift``: how many metres nearer to the eye it counts
+        as, for occlusion: enough of it brings a curve out of the body on whose surface it lies
+        (half the radius of a sphere, the radius of a cylinder).
+        """
         points = [self._place(P) for P in points]
         shift = scale3(self._length(lift), self.view.eye) if lift else (0.0, 0.0, 0.0)
         self._record(lambda canvas: canvas.curve([add3(P, shift) for P in points], "path"))
 
     def label(self, P, text, offset=None):
-        """Write the name of a place, bold, beside it. ``offset``: a pair, points to the right and up; or a direction to put it in."""
+        """Write the name of a place, bold, beside it. ``offset``: a pair, points to the right and
+        up; or a direction to put it in.
+        """
         P = self._place(P)
-        pair = tuple(map(float, offset)) if isinstance(offset, (tuple, list)) and len(offset) == 2 else None
+        pair = (
+            tuple(map(float, offset))
+            if isinstance(offset, (tuple, list)) and len(offset) == 2
+            else None
+        )
         towards = None if offset is None or pair else self._triple(offset, "offset")
 
         @self._record

@@ -14,10 +14,33 @@ from .energy import (
     rigid_power,
     speed_after,
 )
-from .euler import angular_acceleration, euler_moment, euler_moments, fixed_line_moment, fixed_line_momentum, planar_moment
+from .euler import (
+    angular_acceleration,
+    euler_moment,
+    euler_moments,
+    fixed_line_moment,
+    fixed_line_momentum,
+    planar_moment,
+)
 from .force_systems import Couple, Force, ForceError, ForceSystem, Wrench
-from .gravitation import attraction, gravitation, gravitational_field, gravity_at_height, gravity_at_surface, mass_from_weight, weight
-from .newton import acceleration_by, coordinate_accelerations, path_force, path_rates, reaction, relative_acceleration, resultant_force
+from .gravitation import (
+    attraction,
+    gravitation,
+    gravitational_field,
+    gravity_at_height,
+    gravity_at_surface,
+    mass_from_weight,
+    weight,
+)
+from .newton import (
+    acceleration_by,
+    coordinate_accelerations,
+    path_force,
+    path_rates,
+    reaction,
+    relative_acceleration,
+    resultant_force,
+)
 from .potential import (
     NoPotential,
     Potential,

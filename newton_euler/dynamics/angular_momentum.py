@@ -1,14 +1,18 @@
-"""Angular momentum and the moment equation (7.1, 8.1-8.3, 8.7): which forces and moments go with a motion, and back.
+"""Angular momentum and the moment equation (7.1, 8.1-8.3, 8.7): which forces and moments go with a
+motion, and back.
 
-For every point B, however it moves, with the *relative* angular momentum H_B of (7.6) and d from B to the mass centre G,
+For every point B, however it moves, with the *relative* angular momentum H_B of (7.6) and d from B
+to the mass centre G,
 
     M_B = DH_B/Dt + d x m a_B                                                    (8.9), (8.21)
 
-D/Dt is the rate seen from an inertial frame, the ``observer`` here; by way of any frame that turns with Omega it is dH/dt + Omega x H, which
-is (8.12) for the frame of the body. The last term vanishes for B = G (8.10), for B at rest or at constant velocity (8.11), and for d along a_B.
+D/Dt is the rate seen from an inertial frame, the ``observer`` here; by way of any frame that turns
+with Omega it is dH/dt + Omega x H, which is (8.12) for the frame of the body. The last term
+vanishes for B = G (8.10), for B at rest or at constant velocity (8.11), and for d along a_B.
 
-*Motion given, which forces?* :func:`newton_euler.dynamics.newton.resultant_force` and :func:`resultant_moment`. *Forces given, or some of them?*
-:func:`equations_of_motion` writes (8.21) for :func:`newton_euler.algebra.linear.solve_linear`. Euler's and the planar equations are in
+*Motion given, which forces?* :func:`newton_euler.dynamics.newton.resultant_force` and
+:func:`resultant_moment`. *Forces given, or some of them?* :func:`equations_of_motion` writes (8.21)
+for :func:`newton_euler.algebra.linear.solve_linear`. Euler's and the planar equations are in
 :mod:`newton_euler.dynamics.euler`. Units: any consistent ones; in SI kg, m, s, N.
 """
 
@@ -32,9 +36,11 @@ EQUATIONS = equations({
 def angular_momentum(body, observer, about=None):
     """H of a body, the relative angular momentum of (7.6), a Vector that knows its rate; kg m^2/s.
 
-    about : G (default), a Point fixed in the body, in the ground, or moving in any way, or a Frame for its origin
-    About a point of the body it is I omega with the matrix about that point (7.12); about another point H_G + d x m Dd/Dt (7.23).
-    See also :meth:`newton_euler.bodies.body.Body.angular_momentum`, which has the latter as terms for every point.
+    about : G (default), a Point fixed in the body, in the ground, or moving in any way, or a Frame
+        for its origin
+    About a point of the body it is I omega with the matrix about that point (7.12); about another
+    point H_G + d x m Dd/Dt (7.23). See also :meth:`newton_euler.bodies.body.Body.angular_momentum`,
+    which has the latter as terms for every point.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import rod
@@ -60,13 +66,16 @@ def _rides(point, body):
 
 
 def resultant_moment(body, observer, about=None, via=None):
-    """The moment of all external forces about a point that goes with the motion of the body: (8.9), (8.10), (8.11), (8.12); N m.
+    """The moment of all external forces about a point that goes with the motion of the body: (8.9),
+    (8.10), (8.11), (8.12); N m.
 
     observer : an inertial frame
     about : G (default), or any Point B, however it moves, or a Frame for its origin
-    via : the frame in which H is differentiated, and whose components the result has; default: that of the body. It may turn differently
-        from the body, as the frame that precesses without spinning
-    terms : ``relative``, the rate of H seen in ``via``; ``rotation``, omega x H with the omega of ``via``; unless about G, ``reference``, d x m a_B
+    via : the frame in which H is differentiated, and whose components the result has; default: that
+        of the body. It may turn differently from the body, as the frame that precesses without
+        spinning
+    terms : ``relative``, the rate of H seen in ``via``; ``rotation``, omega x H with the omega of
+        ``via``; unless about G, ``reference``, d x m a_B
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import rod
@@ -85,10 +94,21 @@ def resultant_moment(body, observer, about=None, via=None):
     seen = f"seen from {observer.name}, by way of {via.name}"
     if about is body.centre:
         rate = angular_momentum(body, observer).expressed_in(via).rate(observer)
-        ledger = Ledger(EQUATIONS["moment about the mass centre"], f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
+        ledger = Ledger(
+            EQUATIONS["moment about the mass centre"],
+            f"of {body.name}, {seen}",
+            lambda: _rate_terms(rate, observer),
+        )
         return Vector(rate.c, via, rate._own_rate, ledger)
-    total, terms = (_about_point_of_body if _rides(about, body) else _about_any_point)(body, observer, about, via)
-    return Vector(total.c, via, None, Ledger(EQUATIONS["moment"], f"of {body.name} about {about.name}, {seen}", terms))
+    total, terms = (_about_point_of_body if _rides(about, body) else _about_any_point)(
+        body, observer, about, via
+    )
+    return Vector(
+        total.c,
+        via,
+        None,
+        Ledger(EQUATIONS["moment"], f"of {body.name} about {about.name}, {seen}", terms),
+    )
 
 
 def _about_point_of_body(body, observer, B, via):
@@ -99,7 +119,9 @@ def _about_point_of_body(body, observer, B, via):
 
 
 def _about_any_point(body, observer, B, via):
-    """The moment and its terms; the motion of B cancels in their sum DH_G/Dt + d x m a_G, which is computed without it."""
+    """The moment and its terms; the motion of B cancels in their sum DH_G/Dt + d x m a_G, which is
+    computed without it.
+    """
     own = angular_momentum(body, observer).expressed_in(via).rate(observer)
     a = body.centre.acceleration(observer)
 
@@ -118,18 +140,28 @@ def _arm_times_mass(body, B, via, a):
 
 
 def _rate_terms(rate, observer):
-    """``relative`` and ``rotation`` of a rate in the frame by way of which it was taken; seen from that frame itself nothing turns."""
-    return {"relative": Vector(rate.c, rate.frame), "rotation": Vector(ZERO3, rate.frame)} if rate.frame is observer else dict(rate.terms)
+    """``relative`` and ``rotation`` of a rate in the frame by way of which it was taken; seen from
+    that frame itself nothing turns.
+    """
+    return (
+        {"relative": Vector(rate.c, rate.frame), "rotation": Vector(ZERO3, rate.frame)}
+        if rate.frame is observer
+        else dict(rate.terms)
+    )
 
 
 def equations_of_motion(body, forces, observer, about=None):
-    """The Newton-Euler equations (8.21) of one body, as what must vanish: for :func:`newton_euler.algebra.linear.solve_linear`.
+    """The Newton-Euler equations (8.21) of one body, as what must vanish: for
+    :func:`newton_euler.algebra.linear.solve_linear`.
 
-    forces : all external forces, a :class:`newton_euler.dynamics.force_systems.ForceSystem` or what makes one, as {"pin": (R, P)}; they and the motion of
-        the body may hold unknowns, the accelerations and reactions asked for
-    about : G (default), or any Point; a point where unknown forces act keeps them out of the moment equation
-    Returns a dict of two Vectors in the frame of ``observer``, "force on beam" and "moment on beam about G", each the forces' part less that of
-    the motion; the equations of several bodies join as {**first, **second}.
+    forces : all external forces, a :class:`newton_euler.dynamics.force_systems.ForceSystem` or what
+        makes one, as {"pin": (R, P)}; they and the motion of the body may hold unknowns, the
+        accelerations and reactions asked for
+    about : G (default), or any Point; a point where unknown forces act keeps them out of the moment
+        equation
+    Returns a dict of two Vectors in the frame of ``observer``, "force on beam" and "moment on beam
+    about G", each the forces' part less that of the motion; the equations of several bodies join as
+    {**first, **second}.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.algebra.linear import solve_linear
@@ -146,6 +178,8 @@ def equations_of_motion(body, forces, observer, about=None):
     if not isinstance(forces, ForceSystem):
         forces = ForceSystem(forces, observer)
     about = _point(body, about)
-    force = forces.force.expressed_in(observer) - resultant_force(body.mass, body.centre.acceleration(observer))
+    force = forces.force.expressed_in(observer) - resultant_force(
+        body.mass, body.centre.acceleration(observer)
+    )
     moment = forces.moment(about).expressed_in(observer) - resultant_moment(body, observer, about)
     return {f"force on {body.name}": force, f"moment on {body.name} about {about.name}": moment}

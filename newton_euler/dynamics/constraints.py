@@ -1,7 +1,9 @@
-"""Degrees of freedom and holonomic constraints (5.11): counted by the rank of the constraints, redundant ones named.
+"""Degrees of freedom and holonomic constraints (5.11): counted by the rank of the constraints,
+redundant ones named.
 
-A body has coordinates of its own (Table 5-1); a constraint is a function of them that must vanish (5.28). Whether constraints are independent is
-not seen from their number but from the rank of their Jacobian at a general configuration; derivatives are exact (no step size).
+A body has coordinates of its own (Table 5-1); a constraint is a function of them that must vanish
+(5.28). Whether constraints are independent is not seen from their number but from the rank of their
+Jacobian at a general configuration; derivatives are exact (no step size).
 """
 
 import inspect
@@ -30,9 +32,11 @@ class ConstraintError(NewtonEulerError, ValueError):
 class Freedom:
     """The degrees of freedom of a system: ``count`` = ``unknowns`` - ``rank``.
 
-    redundant : names of constraints that follow from those before them (at a general configuration), with how many of their equations do
+    redundant : names of constraints that follow from those before them (at a general
+        configuration), with how many of their equations do
     configuration : the coordinates by body at which the rank was taken
-    singular : at the configuration that was asked for, the rank is lower than in its neighbourhood: instantly freer, as a linkage at its dead point
+    singular : at the configuration that was asked for, the rank is lower than in its neighbourhood:
+        instantly freer, as a linkage at its dead point
     """
 
     count: int
@@ -46,20 +50,35 @@ class Freedom:
         return self.count
 
     def __str__(self):
-        lines = [f"{self.count} degrees of freedom: {self.unknowns} coordinates less {self.rank} independent constraints"]
-        lines += [f"  redundant: {name}, {times} of its equations follow from the constraints before it" for name, times in self.redundant.items()]
-        return "\n".join(lines + ["  the configuration is singular: nearby the constraints take away more"] * self.singular)
+        lines = [
+            f"{self.count} degrees of freedom: {self.unknowns} coordinates less {self.rank} "
+            "independent constraints"
+        ]
+        lines += [
+            f"  redundant: {name}, {times} of its equations follow from the constraints before it"
+            for name, times in self.redundant.items()
+        ]
+        return "\n".join(
+            lines
+            + ["  the configuration is singular: nearby the constraints take away more"]
+            * self.singular
+        )
 
 
 def degrees_of_freedom(bodies, constraints=None, at=None, tolerance=1e-9):
-    """The :class:`Freedom` of a system of bodies under holonomic constraints (5.11): DOF = unknowns - rank of the Jacobian.
+    """The :class:`Freedom` of a system of bodies under holonomic constraints (5.11): DOF = unknowns
+    - rank of the Jacobian.
 
     bodies : name -> kind, one of :data:`KINDS`, or a number of coordinates
-    constraints : name -> function that vanishes (5.28), of the bodies it names as its parameters, each a tuple of coordinates (lengths and radians);
-        it returns a scalar or a tuple of them, in arithmetic and with functions of this package
-    at : name -> coordinates: the configuration to look at; default: the one that Newton's method finds from a fixed start in no special position
-    tolerance : a row of the Jacobian, scaled to 1, of which less than this lies outside the span of the others, is dependent on them
-    Raises :class:`ConstraintError` if that configuration does not meet the constraints. Springs, dampers and weights are forces and no constraints.
+    constraints : name -> function that vanishes (5.28), of the bodies it names as its parameters,
+        each a tuple of coordinates (lengths and radians); it returns a scalar or a tuple of them,
+        in arithmetic and with functions of this package
+    at : name -> coordinates: the configuration to look at; default: the one that Newton's method
+        finds from a fixed start in no special position
+    tolerance : a row of the Jacobian, scaled to 1, of which less than this lies outside the span of
+        the others, is dependent on them
+    Raises :class:`ConstraintError` if that configuration does not meet the constraints. Springs,
+    dampers and weights are forces and no constraints.
 
     >>> pendulum = degrees_of_freedom({"P": "particle in plane"}, {"rod": lambda P: P[0]**2 + P[1]**2 - 1})
     >>> pendulum.count
@@ -80,15 +99,22 @@ class _System:
         for name, kind in bodies.items():
             count = KINDS.get(kind, kind)
             if type(count) is not int or count < 1:
-                raise ConstraintError(f"the kind of {name} is one of {', '.join(map(repr, KINDS))}, or a number of coordinates; got {kind!r}")
+                raise ConstraintError(
+                    f"the kind of {name} is one of {', '.join(map(repr, KINDS))}, or a number "
+                    f"of coordinates; got {kind!r}"
+                )
             self.places[name] = slice(self.size, self.size + count)
             self.size += count
         for name, f in constraints.items():
             parameters = inspect.signature(f).parameters
-            names = [n for n, p in parameters.items() if n in self.places or p.default is p.empty]  # lambda P, L=2: ... has one body
+            # lambda P, L=2: ... has one body
+            names = [n for n, p in parameters.items() if n in self.places or p.default is p.empty]
             unknown = [n for n in names if n not in self.places]
             if unknown or not names:
-                raise ConstraintError(f"the constraint {name!r} takes {names or 'nothing'}; its parameters are bodies: {', '.join(self.places)}")
+                raise ConstraintError(
+                    f"the constraint {name!r} takes {names or 'nothing'}; its parameters are "
+                    f"bodies: {', '.join(self.places)}"
+                )
             self.constraints.append((name, names, f))
 
     def by_name(self, q):
@@ -100,7 +126,10 @@ class _System:
             try:
                 value = f(*(tuple(q[self.places[n]]) for n in names))
             except (IndexError, ZeroDivisionError, OverflowError) as problem:
-                raise ConstraintError(f"the constraint {name!r} fails: {problem}; numbers of coordinates: {self._kinds(names)}") from problem
+                raise ConstraintError(
+                    f"the constraint {name!r} fails: {problem}; numbers of coordinates: "
+                    f"{self._kinds(names)}"
+                ) from problem
             for x in value if isinstance(value, (tuple, list, Vector)) else (value,):
                 yield name, scalar(x)
 
@@ -110,24 +139,36 @@ class _System:
     def values(self, q):
         import numpy as np
 
-        return np.array([float(_number(name, x)) for name, x in self.equations(list(map(float, q)))])
+        return np.array(
+            [float(_number(name, x)) for name, x in self.equations(list(map(float, q)))]
+        )
 
     def jacobian(self, q):
-        """Rows of equations, columns of coordinates; each column by one run on numbers that carry their derivative."""
+        """Rows of equations, columns of coordinates; each column by one run on numbers that carry
+        their derivative.
+        """
         import numpy as np
 
         columns = []
         for n in range(self.size):
             moved = [Moving(float(x), 1) if n == m else float(x) for m, x in enumerate(q)]
-            columns.append([float(_number(name, x.rate)) if isinstance(x, Moving) else 0.0 for name, x in self.equations(moved)])
+            columns.append(
+                [
+                    float(_number(name, x.rate)) if isinstance(x, Moving) else 0.0
+                    for name, x in self.equations(moved)
+                ]
+            )
         return np.array(columns).T.reshape(-1, self.size)
 
     def settled(self, near=0.0, spread=1.0):
-        """The configuration that meets the constraints to which Newton's method of least change leads from a place at random, the same each time."""
+        """The configuration that meets the constraints to which Newton's method of least change
+        leads from a place at random, the same each time.
+        """
         import numpy as np
 
         start = q = near + spread * np.random.default_rng(5).normal(size=self.size)
-        for _ in range(80):  # enough also where a gradient vanishes, and each step only halves the distance
+        # enough also where a gradient vanishes, and each step only halves the distance
+        for _ in range(80):
             off = np.abs(values := self.values(q)).max(initial=0.0) / max(1.0, np.abs(q).max())
             if not off > 1e-13:
                 break
@@ -135,21 +176,25 @@ class _System:
         if not off < 1e-9:
             names = ", ".join(name for name, _, _ in self.constraints)
             raise ConstraintError(
-                f"no configuration was found in which all constraints hold ({names}): do two of them contradict each other? "
+                f"no configuration was found in which all constraints hold ({names}): do "
+                "two of them contradict each other? "
                 f"If not, pass one as at={{{', '.join(f'{name!r}: ...' for name in self.places)}}}, the coordinates of every body"
             )
         self._check_gradients(start, q)
         return q
 
     def _check_gradients(self, start, q):
-        """Refuses a constraint whose gradient vanishes wherever it holds, as x**2 + y**2 = 0: it hides how many coordinates it takes away."""
+        """Refuses a constraint whose gradient vanishes wherever it holds, as x**2 + y**2 = 0: it
+        hides how many coordinates it takes away.
+        """
         import numpy as np
 
         before, after = (np.linalg.norm(self.jacobian(p), axis=1) for p in (start, q))
         for (name, _), a, b in zip(self.equations(list(map(float, q))), before, after, strict=True):
             if b < 1e-5 * a:
                 raise ConstraintError(
-                    f"the gradient of the constraint {name!r} vanishes where it holds, so it does not tell how many degrees of freedom it takes; "
+                    f"the gradient of the constraint {name!r} vanishes where it holds, so "
+                    "it does not tell how many degrees of freedom it takes; "
                     "split it: x**2 + y**2 = 0 is x = 0 and y = 0, two constraints"
                 )
 
@@ -158,23 +203,39 @@ class _System:
 
         missing = [name for name in self.places if name not in at]
         if missing or len(at) != len(self.places):
-            raise ConstraintError(f"at= gives the coordinates of every body ({', '.join(self.places)}); it has {', '.join(at)}")
-        q = np.concatenate([np.atleast_1d(np.asarray(at[name], dtype=float)) for name in self.places])
+            raise ConstraintError(
+                f"at= gives the coordinates of every body ({', '.join(self.places)}); it has "
+                f"{', '.join(at)}"
+            )
+        q = np.concatenate(
+            [np.atleast_1d(np.asarray(at[name], dtype=float)) for name in self.places]
+        )
         if len(q) != self.size:
-            raise ConstraintError(f"at= holds {len(q)} numbers; the bodies have {self.size} coordinates")
+            raise ConstraintError(
+                f"at= holds {len(q)} numbers; the bodies have {self.size} coordinates"
+            )
         for name, x in self.equations(list(map(float, q))):
             if abs(float(x)) > 1e-6 * max(1.0, float(abs(q).max())):
-                raise ConstraintError(f"the configuration at= does not meet the constraint {name!r}: it is {float(x):.3g} instead of 0")
+                raise ConstraintError(
+                    f"the configuration at= does not meet the constraint {name!r}: it is "
+                    f"{float(x):.3g} instead of 0"
+                )
         return q
 
     def rank(self, q, tolerance):
-        """The number of independent constraints, and by name how many equations of each lie in the span of those before (Gram and Schmidt)."""
+        """The number of independent constraints, and by name how many equations of each lie in the
+        span of those before (Gram and Schmidt).
+        """
         import numpy as np
 
         basis, redundant = np.zeros((0, self.size)), {}
-        for (name, _), row in zip(self.equations(list(map(float, q))), self.jacobian(q), strict=True):
+        for (name, _), row in zip(
+            self.equations(list(map(float, q))), self.jacobian(q), strict=True
+        ):
             rest = row / (np.linalg.norm(row) or 1.0)
-            for _ in range(2):  # the second time removes what round-off left: twice is enough (Giraud, Langou, Rozloznik 2005)
+            # the second time removes what round-off left: twice is enough (Giraud, Langou,
+            # Rozloznik 2005)
+            for _ in range(2):
                 rest = rest - basis.T @ (basis @ rest)
             length = np.linalg.norm(rest)
             if length > tolerance * len(self.constraints):
@@ -186,7 +247,13 @@ class _System:
 
 def _number(name, x):
     if not is_numeric(x):
-        raise ConstraintError(f"the constraint {name!r} gives {x!r}; degrees of freedom are counted in numbers: put numbers in for its symbols")
+        raise ConstraintError(
+            f"the constraint {name!r} gives {x!r}; degrees of freedom are counted in numbers: "
+            "put numbers in for its symbols"
+        )
     if not is_finite(x):
-        raise ConstraintError(f"the constraint {name!r} is {x} at some place; write it so that it has a value everywhere, as x**2 + y**2 - L**2")
+        raise ConstraintError(
+            f"the constraint {name!r} is {x} at some place; write it so that it has a value "
+            "everywhere, as x**2 + y**2 - L**2"
+        )
     return x

@@ -1,7 +1,10 @@
-"""Euler's equations, rotation about a fixed line and planar motion (8.2, 8.3, 8.5): moments from rates and back, by an inertia matrix.
+"""Euler's equations, rotation about a fixed line and planar motion (8.2, 8.3, 8.5): moments from
+rates and back, by an inertia matrix.
 
-The matrix is about the mass centre, or about a point at rest or at constant velocity (8.11); ``body.about(P)`` gives it. Rates are those seen from
-an inertial frame. For a point that moves in any way, and by way of any frame, see :func:`newton_euler.dynamics.angular_momentum.resultant_moment`.
+The matrix is about the mass centre, or about a point at rest or at constant velocity (8.11);
+``body.about(P)`` gives it. Rates are those seen from an inertial frame. For a point that moves in
+any way, and by way of any frame, see
+:func:`newton_euler.dynamics.angular_momentum.resultant_moment`.
 Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
@@ -34,11 +37,13 @@ EQUATIONS = equations({
 
 
 def euler_moment(inertia, omega, alpha, turning=None):
-    """The moment M = dH/dt + Omega x H of a rotation, H = I omega (8.12), in axes that need not be principal.
+    """The moment M = dH/dt + Omega x H of a rotation, H = I omega (8.12), in axes that need not be
+    principal.
 
     omega, alpha : angular velocity and acceleration of the body, Vectors
-    turning : Omega, the angular velocity of the frame of ``inertia``, where that is not fixed in the body: as for a symmetric body the frame that
-        precesses without spinning, in which the matrix stays the same. Default: omega
+    turning : Omega, the angular velocity of the frame of ``inertia``, where that is not fixed in
+        the body: as for a symmetric body the frame that precesses without spinning, in which the
+        matrix stays the same. Default: omega
     terms : ``relative``, I times the rate of omega seen in that frame; ``rotation``, Omega x H
 
     >>> from newton_euler import Frame
@@ -54,14 +59,23 @@ def euler_moment(inertia, omega, alpha, turning=None):
     Omega = w
     if turning is not None:
         Omega = turning.expressed_in(frame).c
-        rate = sub3(rate, cross3(Omega, w))  # of omega, seen in the frame; in the body it is alpha itself
-    return _summed(frame, "Euler's moment", inertia, relative=inertia.times3(rate), rotation=cross3(Omega, inertia.times3(w)))
+        # of omega, seen in the frame; in the body it is alpha itself
+        rate = sub3(rate, cross3(Omega, w))
+    return _summed(
+        frame,
+        "Euler's moment",
+        inertia,
+        relative=inertia.times3(rate),
+        rotation=cross3(Omega, inertia.times3(w)),
+    )
 
 
 def euler_moments(inertia, omega, alpha):
-    """Euler's equations (8.13), (8.14): M_x = I_xx alpha_x - (I_yy - I_zz) omega_y omega_z and cyclic, in principal axes fixed in the body.
+    """Euler's equations (8.13), (8.14): M_x = I_xx alpha_x - (I_yy - I_zz) omega_y omega_z and
+    cyclic, in principal axes fixed in the body.
 
-    Raises :class:`MassError` if the axes of the matrix are not principal: then the equations do not apply.
+    Raises :class:`MassError` if the axes of the matrix are not principal: then the equations do not
+    apply.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.inertia import Inertia
@@ -69,22 +83,33 @@ def euler_moments(inertia, omega, alpha):
     >>> euler_moments(Inertia(body, (1.0, 2.0, 2.5)), body.vector(1.0, 2.0, 3.0), body.vector(0, 0, 4.0))
     Vector(3.0, -4.5, 12.0 in body)
     """
-    _principal(inertia, AXES, "Euler's equations (8.13) hold along principal axes", "take euler_moment or resultant_moment, or I.principal().frame()")
+    _principal(
+        inertia,
+        AXES,
+        "Euler's equations (8.13) hold along principal axes",
+        "take euler_moment or resultant_moment, or I.principal().frame()",
+    )
     frame, I = inertia.frame, inertia.moments
     w, a = omega.expressed_in(frame).c, alpha.expressed_in(frame).c
     relative = ZERO3 if a is ZERO3 else tuple(I[n] * a[n] for n in range(3))
     around = [((n + 1) % 3, (n + 2) % 3) for n in range(3)]
     rotation = ZERO3 if w is ZERO3 else tuple(-((I[m] - I[k]) * (w[m] * w[k])) for m, k in around)
-    return _summed(frame, "Euler's moment, principal axes", inertia, relative=relative, rotation=rotation)
+    return _summed(
+        frame, "Euler's moment, principal axes", inertia, relative=relative, rotation=rotation
+    )
 
 
 def angular_acceleration(inertia, omega, moment, turning=None):
-    """The angular acceleration that a moment gives: alpha = I^-1 (M - Omega x H) + Omega x omega, (8.12) solved; rad/s^2.
+    """The angular acceleration that a moment gives: alpha = I^-1 (M - Omega x H) + Omega x omega,
+    (8.12) solved; rad/s^2.
 
-    moment : of the external forces about the point of ``inertia``, a Vector; about a point B that accelerates subtract d x m a_B first (8.9)
+    moment : of the external forces about the point of ``inertia``, a Vector; about a point B that
+        accelerates subtract d x m a_B first (8.9)
     turning : Omega as in :func:`euler_moment`; default: omega, where the last term is zero
-    terms : ``moment``, ``gyroscopic``, and with ``turning`` also ``turning``. Returns a Vector in the frame of ``inertia``
-    Raises :class:`MassError` if the body has no moment of inertia about some axis, as a thin rod about its own.
+    terms : ``moment``, ``gyroscopic``, and with ``turning`` also ``turning``. Returns a Vector in
+        the frame of ``inertia``
+    Raises :class:`MassError` if the body has no moment of inertia about some axis, as a thin rod
+    about its own.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.inertia import Inertia
@@ -105,8 +130,8 @@ def angular_acceleration(inertia, omega, moment, turning=None):
 
 
 def fixed_line_momentum(inertia, rate, axis="z"):
-    """H of a body that turns about a line fixed in it and in the ground, through the point of ``inertia`` (8.17), (8.16): for z
-    H = (-I_xz, -I_yz, I_zz) omega.
+    """H of a body that turns about a line fixed in it and in the ground, through the point of
+    ``inertia`` (8.17), (8.16): for z H = (-I_xz, -I_yz, I_zz) omega.
 
     rate : omega, about ``axis`` ("x", "y", "z", or "-z" ...) of the frame of the matrix
 
@@ -119,7 +144,8 @@ def fixed_line_momentum(inertia, rate, axis="z"):
 
 
 def fixed_line_moment(inertia, rate, acceleration, axis="z"):
-    """The moment about the point of ``inertia`` of a rotation about a line fixed in body and ground, or of planar motion (8.18).
+    """The moment about the point of ``inertia`` of a rotation about a line fixed in body and
+    ground, or of planar motion (8.18).
 
     For z: M_x = -I_xz alpha + I_yz omega^2, M_y = -I_yz alpha - I_xz omega^2, M_z = I_zz alpha.
     rate, acceleration : omega (rad/s) and alpha (rad/s^2) about ``axis`` of the frame of the matrix
@@ -132,14 +158,25 @@ def fixed_line_moment(inertia, rate, acceleration, axis="z"):
     """
     e, rate = _unit(axis), scalar(rate)
     column = inertia.times3(e)
-    relative, rotation = scale3(scalar(acceleration), column), scale3(rate * rate, cross3(e, column))
-    return _summed(inertia.frame, "moment of a body on a fixed line", inertia, relative=relative, rotation=rotation)
+    relative, rotation = (
+        scale3(scalar(acceleration), column),
+        scale3(rate * rate, cross3(e, column)),
+    )
+    return _summed(
+        inertia.frame,
+        "moment of a body on a fixed line",
+        inertia,
+        relative=relative,
+        rotation=rotation,
+    )
 
 
 def planar_moment(inertia, acceleration, axis="z"):
-    """M_z = I_zz alpha, all that remains of (8.18) for a body with rotational symmetry about the axis or a thin one in the plane (8.19).
+    """M_z = I_zz alpha, all that remains of (8.18) for a body with rotational symmetry about the
+    axis or a thin one in the plane (8.19).
 
-    Raises :class:`MassError` if a product of inertia with the axis is left: then moments across the axis are needed too.
+    Raises :class:`MassError` if a product of inertia with the axis is left: then moments across the
+    axis are needed too.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.inertia import Inertia
@@ -147,31 +184,47 @@ def planar_moment(inertia, acceleration, axis="z"):
     10.0
     """
     n, _ = axis_index(axis)
-    _principal(inertia, AXES[n], f"M = I alpha alone (8.19) needs a principal axis along {AXES[n]}", "take fixed_line_moment")
+    _principal(
+        inertia,
+        AXES[n],
+        f"M = I alpha alone (8.19) needs a principal axis along {AXES[n]}",
+        "take fixed_line_moment",
+    )
     return plain(inertia.moments[n] * scalar(acceleration))
 
 
 def _principal(inertia, axes, law, instead):
-    """Refuses matrices with products that belong to one of the axes; rounding errors of numbers pass."""
+    """Refuses matrices with products that belong to one of the axes; rounding errors of numbers
+    pass.
+    """
     usual = max((size(x) for x in inertia.moments if is_numeric(x)), default=0.0)
     left = [
         f"I_{name} = {plain(x)}"
         for name, x in zip(("xy", "yz", "zx"), inertia.products, strict=True)
-        if any(a in name for a in axes) and not is_zero(x) and not (is_numeric(x) and size(x) <= 1e-12 * usual)
+        if any(a in name for a in axes)
+        and not is_zero(x)
+        and not (is_numeric(x) and size(x) <= 1e-12 * usual)
     ]
     if left:
-        raise MassError(f"{law}, but the matrix about {inertia.point.name} has {', '.join(left)}; {instead}")
+        raise MassError(
+            f"{law}, but the matrix about {inertia.point.name} has {', '.join(left)}; {instead}"
+        )
 
 
 def _divided(inertia, c):
     """I^-1 c; the rows of a matrix without products are divided one by one."""
-    rows = [({k: x for k, x in enumerate(map(scalar, row)) if x is not ZERO}, b) for row, b in zip(inertia.matrix, c, strict=True)]
+    rows = [
+        ({k: x for k, x in enumerate(map(scalar, row)) if x is not ZERO}, b)
+        for row, b in zip(inertia.matrix, c, strict=True)
+    ]
     try:
         found = solve_regular(rows) if c is not ZERO3 else {}
     except (LinearError, ZeroDivisionError):
         raise MassError(
-            f"the matrix {inertia.matrix} about {inertia.point.name} has no inverse: about some axis the body has no moment of inertia, as a "
-            "thin rod about its own, and no moment can act about it; write equations_of_motion with the other components and solve_linear"
+            f"the matrix {inertia.matrix} about {inertia.point.name} has no inverse: about "
+            "some axis the body has no moment of inertia, as a "
+            "thin rod about its own, and no moment can act about it; write "
+            "equations_of_motion with the other components and solve_linear"
         ) from None
     return tuple(found[k] for k in range(3)) if found else ZERO3
 
@@ -182,4 +235,9 @@ def _unit(axis):
 
 
 def _summed(frame, kind, inertia, **terms):
-    return named_sum(EQUATIONS[kind], f"about {inertia.point.name}", {name: Vector(c, frame) for name, c in terms.items()}, frame)
+    return named_sum(
+        EQUATIONS[kind],
+        f"about {inertia.point.name}",
+        {name: Vector(c, frame) for name, c in terms.items()},
+        frame,
+    )

@@ -1,7 +1,8 @@
 """Forces (chapter 5): gravitation and weight.
 
-Chapter 5 takes K for the constant of gravitation; its value and g are arguments everywhere, so that other units and other planets
-need nothing new. Springs and dampers, friction, moments and force systems belong to later chapters.
+Chapter 5 takes K for the constant of gravitation; its value and g are arguments everywhere, so that
+other units and other planets need nothing new. Springs and dampers, friction, moments and force
+systems belong to later chapters.
 """
 
 from ..algebra.scalars import plain, scalar, sqrt, whole
@@ -15,7 +16,8 @@ G_STANDARD_FT = 32.2  # ft/s^2
 
 
 def attraction(m1, m2, distance, K=K):
-    """The magnitude F = K m1 m2/r^2 of the attraction of two particles, or radially symmetric bodies outside of each other (5.21). Newton in SI.
+    """The magnitude F = K m1 m2/r^2 of the attraction of two particles, or radially symmetric
+    bodies outside of each other (5.21). Newton in SI.
 
     >>> round(attraction(5.97e24, 1.0, 6.371e6), 2)
     9.81
@@ -25,9 +27,11 @@ def attraction(m1, m2, distance, K=K):
 
 
 def gravitation(on, by, K=K, frame=None):
-    """The force on one body by the attraction of the other, a Vector toward the other (5.20), (5.22); the reverse has the opposite force.
+    """The force on one body by the attraction of the other, a Vector toward the other (5.20),
+    (5.22); the reverse has the opposite force.
 
-    on, by : bodies (see :func:`newton_euler.bodies.body.particle`), taken as particles in their centres of mass: exact for radially symmetric ones
+    on, by : bodies (see :func:`newton_euler.bodies.body.particle`), taken as particles in their
+        centres of mass: exact for radially symmetric ones
     frame : in whose components; default: that of the first body
 
     >>> from newton_euler import Frame, particle
@@ -52,7 +56,8 @@ def gravity_at_surface(mass, radius, K=K):
 
 
 def gravity_at_height(height, radius, g=G_STANDARD):
-    """The acceleration of gravity at a height above the surface, g (R/(R + h))^2, from that at the surface: (5.22) against (5.23).
+    """The acceleration of gravity at a height above the surface, g (R/(R + h))^2, from that at the
+    surface: (5.22) against (5.23).
 
     >>> gravity_at_height(6.4e6, 6.4e6, g=8.0)
     2.0
@@ -77,7 +82,8 @@ def weight(body, up, g=G_STANDARD):
     force = _mass_of(body) * g
     square = scalar(up.dot(up))
     positive(square, "the length of the upward direction")
-    return up * -force / sqrt(whole(square, force))  # the root of a whole number is as exact as the force is
+    # the root of a whole number is as exact as the force is
+    return up * -force / sqrt(whole(square, force))
 
 
 def mass_from_weight(weight, g=G_STANDARD):
@@ -86,7 +92,8 @@ def mass_from_weight(weight, g=G_STANDARD):
 
 
 def gravitational_field(position, mass, centre, K=K):
-    """The acceleration of gravity at a Point, toward the ``centre`` of a radially symmetric body of this mass: g = -K M/r^2 e_r (5.22), (5.23).
+    """The acceleration of gravity at a Point, toward the ``centre`` of a radially symmetric body of
+    this mass: g = -K M/r^2 e_r (5.22), (5.23).
 
     centre : a Point or Frame; Returns a Vector in the frame of ``position``.
     """

@@ -1,17 +1,30 @@
-"""Newton's second law for the mass centre of a body (6.1)-(6.10), in every component system, both ways.
+"""Newton's second law for the mass centre of a body (6.1)-(6.10), in every component system, both
+ways.
 
-*Motion given, which forces?* Describe the motion as a point in the system of your choice, ``polar(ground, "P", r, theta)``, ``spherical(…)``,
-``frenet(v, a)``, ``ground.point(…)``, ask it for its acceleration in an inertial frame, and pass this to :func:`resultant_force` or :func:`reaction`.
+*Motion given, which forces?* Describe the motion as a point in the system of your choice,
+``polar(ground, "P", r, theta)``, ``spherical(…)``, ``frenet(v, a)``, ``ground.point(…)``, ask it
+for its acceleration in an inertial frame, and pass this to :func:`resultant_force` or
+:func:`reaction`.
 
-*Forces given, which motion?* :func:`acceleration_by` in an inertial frame, :func:`coordinate_accelerations` in curvilinear coordinates,
-:func:`path_rates` along the path, :func:`relative_acceleration` in a frame that moves. What they return is the right-hand side of a
+*Forces given, which motion?* :func:`acceleration_by` in an inertial frame,
+:func:`coordinate_accelerations` in curvilinear coordinates, :func:`path_rates` along the path,
+:func:`relative_acceleration` in a frame that moves. What they return is the right-hand side of a
 :class:`~newton_euler.motion.model.Model`.
 
-Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises :class:`~newton_euler.bodies.admissibility.MassError`.
+Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises
+    :class:`~newton_euler.bodies.admissibility.MassError`.
 """
 
 from ..algebra.ledger import Ledger, equations
-from ..algebra.scalars import SingularError, is_finite, is_numeric, is_positive, least, plain, scalar
+from ..algebra.scalars import (
+    SingularError,
+    is_finite,
+    is_numeric,
+    is_positive,
+    least,
+    plain,
+    scalar,
+)
 from ..algebra.vectors import FrameError, Vector, named_sum
 from ..bodies.admissibility import MassError
 from ..kinematics import coordinates as components
@@ -24,7 +37,10 @@ _ACCELERATIONS = frames.EQUATIONS | paths.EQUATIONS | components.EQUATIONS
 
 def _times_m(kind, number):
     """The equation of force m a for the acceleration of this kind."""
-    terms = {name: (f"m ({text})", rf"m\left({latex}\right)") for name, (text, latex) in _ACCELERATIONS[kind].terms.items()}
+    terms = {
+        name: (f"m ({text})", rf"m\left({latex}\right)")
+        for name, (text, latex) in _ACCELERATIONS[kind].terms.items()
+    }
     return kind.replace("acceleration", "force"), (number, r"\mathbf{F}^e", terms)
 
 
@@ -50,10 +66,12 @@ def _mass(m):
 
 
 def resultant_force(m, a):
-    """The resultant external force that gives a body of mass ``m`` the acceleration ``a`` of its mass centre: F = m a (6.1).
+    """The resultant external force that gives a body of mass ``m`` the acceleration ``a`` of its
+    mass centre: F = m a (6.1).
 
-    a : a Vector, the acceleration in an inertial frame. Its terms, each times m, are the terms of the force: those of (6.5), (6.6), (6.8), (6.9)
-        or, for an acceleration by way of a moving frame, (6.10).
+    a : a Vector, the acceleration in an inertial frame. Its terms, each times m, are the terms of
+        the force: those of (6.5), (6.6), (6.8), (6.9) or, for an acceleration by way of a moving
+        frame, (6.10).
 
     >>> from newton_euler import Frame, moving
     >>> from newton_euler.kinematics.coordinates import polar
@@ -65,25 +83,39 @@ def resultant_force(m, a):
     """
     F = _mass(m) * _vector(a, "the acceleration")
     kind = F.equation and F.equation.kind.replace("acceleration", "force")
-    return Vector(F.c, F.frame, F._own_rate, Ledger(EQUATIONS[kind], F._ledger.subject, lambda: F.terms)) if kind in EQUATIONS else F
+    return (
+        Vector(
+            F.c, F.frame, F._own_rate, Ledger(EQUATIONS[kind], F._ledger.subject, lambda: F.terms)
+        )
+        if kind in EQUATIONS
+        else F
+    )
 
 
 def reaction(m, a, **known):
-    """The one unknown force, where the motion and all other forces are known by name: R = m a - (the known forces) (6.1).
+    """The one unknown force, where the motion and all other forces are known by name: R = m a -
+    (the known forces) (6.1).
 
-    a, known : Vectors. Terms: ``inertia``, which is m a, and each known force with its sign turned. The result is along the axes of ``a``.
+    a, known : Vectors. Terms: ``inertia``, which is m a, and each known force with its sign turned.
+        The result is along the axes of ``a``.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> print(reaction(2.0, ground.vector(0, 0, 1.0), weight=-2.0*9.81*ground.k))
     [0, 0, 21.62] in ground
     """
-    parts = {"inertia": _mass(m) * _vector(a, "the acceleration"), **{name: -_vector(F, f"the {name}") for name, F in known.items()}}
-    return named_sum(EQUATIONS["reaction"], f"to {', '.join(known) or 'no other force'}", parts, a.frame)
+    parts = {
+        "inertia": _mass(m) * _vector(a, "the acceleration"),
+        **{name: -_vector(F, f"the {name}") for name, F in known.items()},
+    }
+    return named_sum(
+        EQUATIONS["reaction"], f"to {', '.join(known) or 'no other force'}", parts, a.frame
+    )
 
 
 def path_force(m, speed, speed_rate, flexure):
-    """(F_t, F_n) of plane or space motion along the path (6.5): m v' and m v^2/rho, F_n toward the centre of curvature.
+    """(F_t, F_n) of plane or space motion along the path (6.5): m v' and m v^2/rho, F_n toward the
+    centre of curvature.
 
     flexure : 1/rho, zero on a straight path; where the turning rate theta' is known, it is theta'/v
 
@@ -98,7 +130,8 @@ def path_force(m, speed, speed_rate, flexure):
 
 
 def acceleration_by(m, **forces):
-    """The acceleration of the mass centre by the forces named, a = F/m (6.1), with F/m of each force as terms.
+    """The acceleration of the mass centre by the forces named, a = F/m (6.1), with F/m of each
+    force as terms.
 
     forces : Vectors; the result is along the axes of the first
 
@@ -109,13 +142,21 @@ def acceleration_by(m, **forces):
     [1.5, 0, -9.81] in ground [1.5, 0, 0] in ground
     """
     if not forces:
-        raise FrameError("no force is given; name each of them, as in acceleration_by(m, weight=W, thrust=T)")
+        raise FrameError(
+            "no force is given; name each of them, as in acceleration_by(m, weight=W, thrust=T)"
+        )
     parts = _per_mass(m, forces)
-    return named_sum(EQUATIONS["acceleration by forces"], "of the mass centre", parts, next(iter(parts.values())).frame)
+    return named_sum(
+        EQUATIONS["acceleration by forces"],
+        "of the mass centre",
+        parts,
+        next(iter(parts.values())).frame,
+    )
 
 
 def path_rates(m, F_t, F_n, speed):
-    """(v', theta') of motion along a plane path (6.5): F_t/m and F_n/(m v), theta the direction of the velocity, turning toward F_n.
+    """(v', theta') of motion along a plane path (6.5): F_t/m and F_n/(m v), theta the direction of
+    the velocity, turning toward F_n.
 
     Raises :class:`SingularError` at rest, where the velocity has no direction.
 
@@ -124,18 +165,23 @@ def path_rates(m, F_t, F_n, speed):
     """
     m = _mass(m)
     if is_numeric(speed) and least(speed) == 0:
-        raise SingularError("at rest the velocity has no direction, which therefore has no rate; use rectangular components to start from rest")
+        raise SingularError(
+            "at rest the velocity has no direction, which therefore has no rate; use "
+            "rectangular components to start from rest"
+        )
     return plain(F_t / m), plain(F_n / (m * speed))
 
 
 def coordinate_accelerations(m, P, **forces):
-    """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved for r'', theta'', …
+    """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved
+    for r'', theta'', …
 
-    P : a point by :func:`~newton_euler.kinematics.coordinates.polar`, ``cylindrical``, ``spherical`` or ``curvilinear``, with the values and the first rates
-        of its coordinates; second rates that it has are replaced
+    P : a point by :func:`~newton_euler.kinematics.coordinates.polar`, ``cylindrical``,
+        ``spherical`` or ``curvilinear``, with the values and the first rates of its coordinates;
+        second rates that it has are replaced
     forces : Vectors, or components along the local axes of P (as F_r, F_theta, F_z)
-    Returns a tuple, one for each coordinate. Raises :class:`SingularError` where a coordinate moves nothing (r = 0, the pole), so that a finite
-    force may need it to change at an infinite rate.
+    Returns a tuple, one for each coordinate. Raises :class:`SingularError` where a coordinate moves
+    nothing (r = 0, the pole), so that a finite force may need it to change at an infinite rate.
 
     >>> from newton_euler import Frame, moving
     >>> from newton_euler.kinematics.coordinates import polar
@@ -143,23 +189,35 @@ def coordinate_accelerations(m, P, **forces):
     >>> coordinate_accelerations(4.0, P, cord=(-72.0, 12.0, 0.0))
     (0.0, 0.0)
     """
-    forces = {name: P.local.vector(*_three(F, name)) if isinstance(F, (tuple, list)) else F for name, F in forces.items()}
-    total = named_sum(EQUATIONS["acceleration by forces"], f"of {P.name}", _per_mass(m, forces), P.local)
+    forces = {
+        name: P.local.vector(*_three(F, name)) if isinstance(F, (tuple, list)) else F
+        for name, F in forces.items()
+    }
+    total = named_sum(
+        EQUATIONS["acceleration by forces"], f"of {P.name}", _per_mass(m, forces), P.local
+    )
     left = (total - P.acceleration(P.ground)).expressed_in(P.local).c
     if any(is_numeric(h) and least(h) == 0 for h in P.scale_factors):
         raise SingularError(
-            f"{P.name} is where one of its coordinates moves nothing: its scale factors are {P.scale_factors}; "
+            f"{P.name} is where one of its coordinates moves nothing: its scale factors "
+            f"are {P.scale_factors}; "
             "turn the axes, or use rectangular components"
         )
-    return tuple(plain(q.acceleration + d / h) for q, d, h in zip(P.coordinates, left, P.scale_factors, strict=False))
+    return tuple(
+        plain(q.acceleration + d / h)
+        for q, d, h in zip(P.coordinates, left, P.scale_factors, strict=False)
+    )
 
 
 def relative_acceleration(m, P, observer, **forces):
-    """How ``P`` is accelerated as seen in its own moving frame (6.10): the forces over m, and what the motion of the frame seems to add.
+    """How ``P`` is accelerated as seen in its own moving frame (6.10): the forces over m, and what
+    the motion of the frame seems to add.
 
-    P : a point with its coordinates and their rates in the moving frame; second rates that it has are ignored
+    P : a point with its coordinates and their rates in the moving frame; second rates that it has
+        are ignored
     observer : an inertial frame; forces : Vectors, by name
-    Terms: F/m of each force, and ``origin``, ``coriolis``, ``euler``, ``centrifugal`` with their signs as seen, (-2 omega x v_2 …).
+    Terms: F/m of each force, and ``origin``, ``coriolis``, ``euler``, ``centrifugal`` with their
+        signs as seen, (-2 omega x v_2 …).
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground"); disk = ground.rotate("disk", "z", rate=2.0)
@@ -168,12 +226,21 @@ def relative_acceleration(m, P, observer, **forces):
     [7, -4, 0] in disk [0, -4, 0] in disk
     """
     seen, frame = P.acceleration(observer, via=P.frame), P.frame
-    names = {"origin": "origin", "coriolis": "coriolis", "euler": "euler", "centrifugal": "centripetal"}
+    names = {
+        "origin": "origin",
+        "coriolis": "coriolis",
+        "euler": "euler",
+        "centrifugal": "centripetal",
+    }
     taken = sorted(set(names) & set(forces))
     if taken:
         raise FrameError(f"{taken[0]!r} is a term of the moving frame; give the force another name")
-    parts = _per_mass(m, forces) | {name: -seen.terms[term] for name, term in names.items() if seen.terms}
-    return named_sum(EQUATIONS["relative acceleration"], f"of {P.name} in {frame.name}", parts, frame)
+    parts = _per_mass(m, forces) | {
+        name: -seen.terms[term] for name, term in names.items() if seen.terms
+    }
+    return named_sum(
+        EQUATIONS["relative acceleration"], f"of {P.name} in {frame.name}", parts, frame
+    )
 
 
 def _per_mass(m, forces):
@@ -183,11 +250,17 @@ def _per_mass(m, forces):
 
 def _vector(a, what):
     if not isinstance(a, Vector):
-        raise FrameError(f"{what} must be a Vector, as in ground.vector(1.0, 0, 0) or P.acceleration(ground); got {a!r}")
+        raise FrameError(
+            f"{what} must be a Vector, as in ground.vector(1.0, 0, 0) or "
+            f"P.acceleration(ground); got {a!r}"
+        )
     return a
 
 
 def _three(F, name):
     if len(F) > 3:
-        raise FrameError(f"the force {name} has {len(F)} components: {F!r}; give those along the local axes, two in the plane")
+        raise FrameError(
+            f"the force {name} has {len(F)} components: {F!r}; give those along the local "
+            "axes, two in the plane"
+        )
     return (*F, 0, 0, 0)[:3]

@@ -1,16 +1,18 @@
 """Work and power of forces and couples (11.1)-(11.11).
 
-Work belongs to a displacement, between two positions or instants; power belongs to an instant. All forms of the work integral are integrals of one
-function over one variable, by :func:`work_integral`:
+Work belongs to a displacement, between two positions or instants; power belongs to an instant. All
+forms of the work integral are integrals of one function over one variable, by
+:func:`work_integral`:
 
     U = integral of F.v dt       work_in_time(force, velocity, start, end)                    (11.2)
     U = integral of F_t ds       work_integral(F_t, s0, s1), F_t the tangential component     (11.3)
     U = integral of F ds_F       work_integral(F, s0, s1), over the displacement along F      (11.4)
-    U = integral of F.dr         work_along(force, path, start, end)                          (11.1), (11.5)
-    U = integral of M dtheta     work_integral(M, theta0, theta1)                             (11.11)
+    U = integral of F.dr         work_along(force, path, start, end)
+    (11.1), (11.5) U = integral of M dtheta     work_integral(M, theta0, theta1)
+    (11.11)
 
-A force at right angles to the velocity of its point of application does no work. Units: any consistent ones; in SI J and W. Velocities are those
-in an inertial frame.
+A force at right angles to the velocity of its point of application does no work. Units: any
+consistent ones; in SI J and W. Velocities are those in an inertial frame.
 """
 
 from ..algebra.ledger import Amount, summed
@@ -23,12 +25,17 @@ from ..kinematics.paths import along
 
 
 def work_integral(f, start, end, rtol=1e-10, exact=False, breaks=()):
-    """The integral of ``f`` from ``start`` to ``end``, an :class:`Amount` with its estimated error: (11.2), (11.3), (11.4) or (11.11), by what f is.
+    """The integral of ``f`` from ``start`` to ``end``, an :class:`Amount` with its estimated error:
+    (11.2), (11.3), (11.4) or (11.11), by what f is.
 
-    f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the integral of abs(f). Arrays and mpf: to nearly
-        their accuracy, for a smooth f. ``exact=True``: by SymPy, where f is written with functions of this package; it may take long
-    breaks : where f has corners or jumps, or acts for a short while only, in order; the integral is divided there
-    Raises :class:`WorkError` where it does not converge, where f is not finite, or where SymPy finds no formula.
+    f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the
+        integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f.
+        ``exact=True``: by SymPy, where f is written with functions of this package; it may take
+        long
+    breaks : where f has corners or jumps, or acts for a short while only, in order; the integral is
+        divided there
+    Raises :class:`WorkError` where it does not converge, where f is not finite, or where SymPy
+    finds no formula.
 
     >>> work_integral(lambda x: -200.0*x, 0.0, 0.1).value  # a spring, stretched from rest
     -1.0
@@ -41,10 +48,13 @@ def work_integral(f, start, end, rtol=1e-10, exact=False, breaks=()):
 
 
 def work_along(force, path, start, end, rtol=1e-10, exact=False, breaks=()):
-    """The work of a force whose point of application moves along a curve (11.1), with its rectangular ``terms`` x, y, z (11.5).
+    """The work of a force whose point of application moves along a curve (11.1), with its
+    rectangular ``terms`` x, y, z (11.5).
 
-    force : function of x, y, z (of the place, along the axes in which the path is given) that returns (F_x, F_y, F_z)
-    path : function of one parameter that returns (x, y, z), written with functions of this package; ``start``, ``end`` its limits
+    force : function of x, y, z (of the place, along the axes in which the path is given) that
+        returns (F_x, F_y, F_z)
+    path : function of one parameter that returns (x, y, z), written with functions of this package;
+        ``start``, ``end`` its limits
     The others are those of :func:`work_integral`.
 
     >>> from newton_euler import cos, sin
@@ -60,15 +70,19 @@ def work_along(force, path, start, end, rtol=1e-10, exact=False, breaks=()):
 
         return f
 
-    parts = {name: work_integral(component(n), start, end, rtol, exact, breaks) for n, name in enumerate("xyz")}
+    parts = {
+        name: work_integral(component(n), start, end, rtol, exact, breaks)
+        for n, name in enumerate("xyz")
+    }
     return summed(parts, number="11.5", error=sum(p.error for p in parts.values()))
 
 
 def work_in_time(force, velocity, start, end, rtol=1e-10, exact=False, breaks=()):
     """The work of a force from the instant ``start`` to ``end`` (11.2), or of a couple (11.11).
 
-    force, velocity : functions of time that return Vectors or triples: the force and the velocity of its point of application, or the moment of a
-        couple and the angular velocity. The others are those of :func:`work_integral`.
+    force, velocity : functions of time that return Vectors or triples: the force and the velocity
+        of its point of application, or the moment of a couple and the angular velocity. The others
+        are those of :func:`work_integral`.
 
     >>> round(work_in_time(lambda t: (0, 0, -19.62), lambda t: (5.0, 0, 10.0 - 9.81*t), 0.0, 1.0).value, 9)
     -99.9639
@@ -77,7 +91,8 @@ def work_in_time(force, velocity, start, end, rtol=1e-10, exact=False, breaks=()
 
 
 def constant_force_work(force, start, end):
-    """The work of a constant force between two Points, by whatever path: F.(r_1 - r_0) (11.6); that of a weight is m g (z_0 - z_1) (11.7).
+    """The work of a constant force between two Points, by whatever path: F.(r_1 - r_0) (11.6); that
+    of a weight is m g (z_0 - z_1) (11.7).
 
     An :class:`Amount` with the ``terms`` x, y, z along the axes of the force.
 
@@ -89,17 +104,20 @@ def constant_force_work(force, start, end):
     19.62
     """
     path = (end - start).expressed_in(force.frame)
-    return summed({name: f * d for name, f, d in zip("xyz", force.c, path.c, strict=True)}, number="11.6")
+    return summed(
+        {name: f * d for name, f, d in zip("xyz", force.c, path.c, strict=True)}, number="11.6"
+    )
 
 
 # -- power
 
 
 def power(force, velocity, observer=None):
-    """P = F.v of a force (11.8), (11.9), v the velocity of its point of application; P = M.omega of a couple (11.10). Positive: it drives the body.
+    """P = F.v of a force (11.8), (11.9), v the velocity of its point of application; P = M.omega of
+    a couple (11.10). Positive: it drives the body.
 
-    velocity : a Vector, like the force; or triples both, along the same axes. With an ``observer``, an inertial frame: the Point at which the
-        force acts, or the Frame on which the couple acts
+    velocity : a Vector, like the force; or triples both, along the same axes. With an ``observer``,
+        an inertial frame: the Point at which the force acts, or the Frame on which the couple acts
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -112,9 +130,12 @@ def power(force, velocity, observer=None):
     if isinstance(force, Vector) and isinstance(velocity, Vector):
         return force.dot(velocity)
     if isinstance(force, (tuple, list)) and isinstance(velocity, (tuple, list)):
-        return plain(sum((scalar(a) * scalar(b) for a, b in zip(force, velocity, strict=True)), ZERO))
+        return plain(
+            sum((scalar(a) * scalar(b) for a, b in zip(force, velocity, strict=True)), ZERO)
+        )
     raise FrameError(
-        "power needs two Vectors, two triples along the same axes, or a Vector, a Point or Frame, and the observer, as in power(F, P, ground); "
+        "power needs two Vectors, two triples along the same axes, or a Vector, a Point or "
+        "Frame, and the observer, as in power(F, P, ground); "
         f"got {force!r} and {velocity!r}"
     )
 
@@ -123,15 +144,19 @@ def _motion(of, observer):
     """Velocity of a Point, angular velocity of a Frame."""
     seen = getattr(of, "angular_velocity", getattr(of, "velocity", None))
     if seen is None:
-        raise FrameError(f"with an observer, power needs the Point at which the force acts or the Frame on which the couple acts; got {of!r}")
+        raise FrameError(
+            "with an observer, power needs the Point at which the force acts or the Frame on "
+            f"which the couple acts; got {of!r}"
+        )
     return seen(observer)
 
 
 def pair_power(force, first, second, observer):
-    """The power of a pair of opposite forces, ``force`` at the Point ``first`` and its opposite at ``second`` (11.10), (11.13): F.(v_1 - v_2).
+    """The power of a pair of opposite forces, ``force`` at the Point ``first`` and its opposite at
+    ``second`` (11.10), (11.13): F.(v_1 - v_2).
 
-    A couple if both are points of one body; a spring, damper or joint between two bodies; zero for forces along the line between two points
-    of one rigid body, whose internal forces do no work.
+    A couple if both are points of one body; a spring, damper or joint between two bodies; zero for
+    forces along the line between two points of one rigid body, whose internal forces do no work.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground"); body = ground.rotate("body", "z", rate=2.0)

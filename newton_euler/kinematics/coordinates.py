@@ -1,18 +1,33 @@
 """Polar, cylindrical and spherical components of velocity and acceleration (2.6, 3.5-3.8).
 
-Each system is a frame of local unit vectors, turned from the ground by the coordinate angles, and a point in it:
+Each system is a frame of local unit vectors, turned from the ground by the coordinate angles, and a
+point in it:
 
-polar, cylindrical   (e_r, e_theta, k): turned about z by the azimuth theta, from x towards y; the point is at (r, 0, z)
-spherical            (e_R, e_theta, e_phi): turned about z by theta, then up by the **elevation** phi above the x, y plane (not the polar
-                     angle from z); the point is at (R, 0, 0)
+polar, cylindrical   (e_r, e_theta, k): turned about z by the azimuth theta, from x towards y; the
+point is at (r, 0, z) spherical            (e_R, e_theta, e_phi): turned about z by theta, then up
+                     by the **elevation** phi above the x, y plane (not the polar angle from z); the
+                     point is at (R, 0, 0)
 
-So the one formula for relative motion (4.18) gives all of their accelerations, and the ledger has the terms that the book writes out. Rectangular
-components (3.1)-(3.3) are those of an ordinary point: ``ground.point("P", x, y, z).acceleration(ground)``.
+So the one formula for relative motion (4.18) gives all of their accelerations, and the ledger has
+the terms that the book writes out. Rectangular components (3.1)-(3.3) are those of an ordinary
+point: ``ground.point("P", x, y, z).acceleration(ground)``.
 """
 
 from ..algebra.jets import Moving, moving
 from ..algebra.ledger import Ledger, equations
-from ..algebra.scalars import ZERO, SingularError, atan2, cos, epsilon, least, plain, scalar, sin, size, sqrt
+from ..algebra.scalars import (
+    ZERO,
+    SingularError,
+    atan2,
+    cos,
+    epsilon,
+    least,
+    plain,
+    scalar,
+    sin,
+    size,
+    sqrt,
+)
 from ..algebra.vectors import Vector
 from .frames import Frame, Point
 from .rotations import product
@@ -57,7 +72,8 @@ EQUATIONS = equations({
 
 
 def cylindrical_frame(ground, theta, name="e_r, e_theta, k"):
-    """The frame with the axes e_r, e_theta, k at the azimuth ``theta`` (3.19); in the plane the polar one (2.6).
+    """The frame with the axes e_r, e_theta, k at the azimuth ``theta`` (3.19); in the plane the
+    polar one (2.6).
 
     theta : rad, from x towards y; a number or moving
     >>> ground = Frame("ground")
@@ -68,7 +84,8 @@ def cylindrical_frame(ground, theta, name="e_r, e_theta, k"):
 
 
 def spherical_frame(ground, theta, phi, name="e_R, e_theta, e_phi"):
-    """The frame with the axes e_R, e_theta, e_phi at the azimuth ``theta`` and the elevation ``phi`` (3.25).
+    """The frame with the axes e_R, e_theta, e_phi at the azimuth ``theta`` and the elevation
+    ``phi`` (3.25).
 
     theta, phi : rad, from x towards y, and above the x, y plane; numbers or moving
     Its angular velocity is theta' k - phi' e_theta.
@@ -89,19 +106,26 @@ def _equations(system):
 
 
 class CoordinatePoint(Point):
-    """A point given by curvilinear coordinates: ask it ``P.velocity(ground)``, in its local axes, term by term as the book writes it.
+    """A point given by curvilinear coordinates: ask it ``P.velocity(ground)``, in its local axes,
+    term by term as the book writes it.
 
     local : the frame of the local unit vectors
     coordinates : the three (polar: two) coordinates, as moving numbers
     scale_factors : the length of path per unit of each coordinate
-    Seen from another observer, or with ``via=``, velocity and acceleration are those of any :class:`Point`.
+    Seen from another observer, or with ``via=``, velocity and acceleration are those of any
+    :class:`Point`.
     """
 
     __slots__ = ("_equations", "_terms", "coordinates", "ground", "local", "scale_factors")
 
     def __init__(self, name, frame, x, ground, local, coordinates, scale_factors, equations, terms):
         super().__init__(name, frame, tuple(moving(v) for v in x))
-        self.ground, self.local, self.coordinates, self.scale_factors = ground, local, coordinates, scale_factors
+        self.ground, self.local, self.coordinates, self.scale_factors = (
+            ground,
+            local,
+            coordinates,
+            scale_factors,
+        )
         self._equations, self._terms = equations, terms
 
     def velocity(self, observer=None, via=None):
@@ -126,7 +150,8 @@ def polar(ground, name, r, theta):
     """The point of the x, y plane with the polar coordinates ``r`` and ``theta`` (2.17), (2.18).
 
     r, theta : distance from the origin, angle in rad from x towards y; numbers or moving
-    Velocity and acceleration in ``ground`` come along e_r, e_theta; terms ``radial, transverse`` and ``radial, centripetal, euler, coriolis``.
+    Velocity and acceleration in ``ground`` come along e_r, e_theta; terms ``radial, transverse``
+    and ``radial, centripetal, euler, coriolis``.
 
     >>> ground = Frame("ground")
     >>> B = polar(ground, "B", moving(20.0, rate=0.5), moving(0.5, rate=-0.075))
@@ -135,14 +160,26 @@ def polar(ground, name, r, theta):
     """
     local = cylindrical_frame(ground, theta, f"polar axes of {name}")
     r = moving(r)
-    return CoordinatePoint(name, local, (r, ZERO, ZERO), ground, local, (r, local.angle), (1, plain(r.value)), _equations("polar"), _PLANE)
+    return CoordinatePoint(
+        name,
+        local,
+        (r, ZERO, ZERO),
+        ground,
+        local,
+        (r, local.angle),
+        (1, plain(r.value)),
+        _equations("polar"),
+        _PLANE,
+    )
 
 
 def cylindrical(ground, name, r, theta, z):
     """The point with the cylindrical coordinates ``r``, ``theta`` and ``z`` (3.18).
 
-    r, theta, z : distance from the z axis, azimuth in rad from x towards y, height; numbers or moving
-    Velocity (3.22) and acceleration (3.23) in ``ground`` come along e_r, e_theta, k; terms as for :func:`polar`, and ``axial``.
+    r, theta, z : distance from the z axis, azimuth in rad from x towards y, height; numbers or
+        moving
+    Velocity (3.22) and acceleration (3.23) in ``ground`` come along e_r, e_theta, k; terms as for
+    :func:`polar`, and ``axial``.
 
     >>> ground = Frame("ground")
     >>> P = cylindrical(ground, "P", 2.0, moving(0.0, rate=3.0), moving(1.0, rate=4.0))
@@ -151,16 +188,28 @@ def cylindrical(ground, name, r, theta, z):
     """
     local = cylindrical_frame(ground, theta, f"cylindrical axes of {name}")
     r, z = moving(r), moving(z)
-    return CoordinatePoint(name, local, (r, ZERO, z), ground, local, (r, local.angle, z), (1, plain(r.value), 1), _equations("cylindrical"), _SPACE)
+    return CoordinatePoint(
+        name,
+        local,
+        (r, ZERO, z),
+        ground,
+        local,
+        (r, local.angle, z),
+        (1, plain(r.value), 1),
+        _equations("cylindrical"),
+        _SPACE,
+    )
 
 
 def spherical(ground, name, R, theta, phi):
     """The point with the spherical coordinates ``R``, ``theta`` and ``phi`` (3.24).
 
-    R, theta, phi : distance from the origin, azimuth in rad from x towards y, **elevation** in rad above the x, y plane; numbers or moving
-    Velocity (3.26) and acceleration (3.27) in ``ground`` come along e_R, e_theta, e_phi; terms ``radial, theta, phi``, and ``radial`` with the
-    ``centripetal``, ``euler`` and ``coriolis`` terms of either angle: ``centripetal_theta``, … ``coriolis_theta_phi``. Near a pole cos phi is only as
-    good as phi: 1e-8 rad from it, the terms of theta have half of their digits.
+    R, theta, phi : distance from the origin, azimuth in rad from x towards y, **elevation** in rad
+        above the x, y plane; numbers or moving
+    Velocity (3.26) and acceleration (3.27) in ``ground`` come along e_R, e_theta, e_phi; terms
+    ``radial, theta, phi``, and ``radial`` with the ``centripetal``, ``euler`` and ``coriolis``
+    terms of either angle: ``centripetal_theta``, … ``coriolis_theta_phi``. Near a pole cos phi is
+    only as good as phi: 1e-8 rad from it, the terms of theta have half of their digits.
 
     >>> ground = Frame("ground")
     >>> P = spherical(ground, "P", 2.0, moving(0.0, rate=3.0), moving(0.0, rate=4.0))
@@ -170,7 +219,17 @@ def spherical(ground, name, R, theta, phi):
     local = spherical_frame(ground, theta, phi, f"spherical axes of {name}")
     R, theta, phi = moving(R), local.parent.angle, moving(phi)
     factors = 1, plain(R.value * cos(phi.value)), plain(R.value)
-    return CoordinatePoint(name, local, (R, ZERO, ZERO), ground, local, (R, theta, phi), factors, _equations("spherical"), _SPHERE)
+    return CoordinatePoint(
+        name,
+        local,
+        (R, ZERO, ZERO),
+        ground,
+        local,
+        (R, theta, phi),
+        factors,
+        _equations("spherical"),
+        _SPHERE,
+    )
 
 
 def _plane_velocity(P):
@@ -180,7 +239,10 @@ def _plane_velocity(P):
 
 def _plane_acceleration(P):
     terms = Point.acceleration(P, P.ground, P.local).terms
-    return {"radial": _part(terms["relative"], 0), **{name: terms[name] for name in ("centripetal", "euler", "coriolis")}}
+    return {
+        "radial": _part(terms["relative"], 0),
+        **{name: terms[name] for name in ("centripetal", "euler", "coriolis")},
+    }
 
 
 def _space_velocity(P):
@@ -194,13 +256,22 @@ def _space_acceleration(P):
 def _sphere_velocity(P):
     azimuth = P.local.parent
     in_azimuth = Point.velocity(P, azimuth).terms
-    return {"radial": in_azimuth["relative"], "theta": Point.velocity(P, P.ground, azimuth).terms["rotation"], "phi": in_azimuth["rotation"]}
+    return {
+        "radial": in_azimuth["relative"],
+        "theta": Point.velocity(P, P.ground, azimuth).terms["rotation"],
+        "phi": in_azimuth["rotation"],
+    }
 
 
 def _sphere_acceleration(P):
-    """Two moving frames, one in the other: the terms of phi are those seen in the azimuth frame, the terms of theta come with its turning."""
+    """Two moving frames, one in the other: the terms of phi are those seen in the azimuth frame,
+    the terms of theta come with its turning.
+    """
     azimuth = P.local.parent
-    by_phi, by_theta = Point.acceleration(P, azimuth).terms, Point.acceleration(P, P.ground, azimuth).terms
+    by_phi, by_theta = (
+        Point.acceleration(P, azimuth).terms,
+        Point.acceleration(P, P.ground, azimuth).terms,
+    )
     seen, twice = Point.velocity(P, azimuth).terms, 2 * azimuth.angular_velocity(P.ground)
     return {
         "radial": by_phi["relative"],
@@ -227,12 +298,14 @@ _SPHERE = {"velocity": _sphere_velocity, "acceleration": _sphere_acceleration}
 
 
 def polar_coordinates(r, v=None, a=None):
-    """(r, theta) of a point at the position ``r`` in the x, y plane, with their rates if its velocity ``v`` and acceleration ``a`` are given.
+    """(r, theta) of a point at the position ``r`` in the x, y plane, with their rates if its
+    velocity ``v`` and acceleration ``a`` are given.
 
     r, v, a : Vectors; components are taken along the frame of ``r``, in which v and a are seen
-    Returns plain numbers without ``v``; with it moving ones, whose ``.rate`` and ``.acceleration`` are r', r'', … (without ``a`` the second rates
-    are None). theta is in (-pi, pi]. Raises :class:`SingularError` at the origin, where theta and its rates do not exist, and for vectors out of
-    the plane.
+    Returns plain numbers without ``v``; with it moving ones, whose ``.rate`` and ``.acceleration``
+    are r', r'', … (without ``a`` the second rates are None). theta is in (-pi, pi]. Raises
+    :class:`SingularError` at the origin, where theta and its rates do not exist, and for vectors
+    out of the plane.
 
     >>> ground = Frame("ground")
     >>> r, theta = polar_coordinates(ground.vector(2.0, 0, 0), v=ground.vector(0, 6.0, 0), a=ground.vector(0, 0, 0))
@@ -240,15 +313,24 @@ def polar_coordinates(r, v=None, a=None):
     (moving(2.0, rate=0.0, acceleration=18.0), moving(0.0, rate=3.0, acceleration=-0.0))
     """
     for vector in (r, v, a):
-        if vector is not None and numeric3(vector.components(r.frame)) and size(vector.components(r.frame)[2]) > 0:
-            raise SingularError(f"polar components are for motion in the x, y plane, but {vector} has a third one; use cylindrical_coordinates")
+        if (
+            vector is not None
+            and numeric3(vector.components(r.frame))
+            and size(vector.components(r.frame)[2]) > 0
+        ):
+            raise SingularError(
+                f"polar components are for motion in the x, y plane, but {vector} has a third "
+                "one; use cylindrical_coordinates"
+            )
     return cylindrical_coordinates(r, v, a)[:2]
 
 
 def cylindrical_coordinates(r, v=None, a=None):
-    """(r, theta, z) of a point at the position ``r``, with their rates if ``v`` and ``a`` are given: (3.18), (3.22), (3.23) solved for them.
+    """(r, theta, z) of a point at the position ``r``, with their rates if ``v`` and ``a`` are
+    given: (3.18), (3.22), (3.23) solved for them.
 
-    Arguments and result as for :func:`polar_coordinates`. Raises :class:`SingularError` on the z axis.
+    Arguments and result as for :func:`polar_coordinates`. Raises :class:`SingularError` on the z
+    axis.
 
     >>> ground = Frame("ground")
     >>> [x.rate for x in cylindrical_coordinates(ground.vector(2.0, 0, 1.0), v=ground.vector(5.0, 6.0, 7.0))]
@@ -260,10 +342,11 @@ def cylindrical_coordinates(r, v=None, a=None):
 
 
 def spherical_coordinates(r, v=None, a=None):
-    """(R, theta, phi) of a point at the position ``r``, with their rates if ``v`` and ``a`` are given: (3.24), (3.26), (3.27) solved for them.
+    """(R, theta, phi) of a point at the position ``r``, with their rates if ``v`` and ``a`` are
+    given: (3.24), (3.26), (3.27) solved for them.
 
-    Arguments and result as for :func:`polar_coordinates`; phi is the elevation, in (-pi/2, pi/2). Raises :class:`SingularError` at the poles (the z
-    axis) and at the origin.
+    Arguments and result as for :func:`polar_coordinates`; phi is the elevation, in (-pi/2, pi/2).
+    Raises :class:`SingularError` at the poles (the z axis) and at the origin.
 
     >>> ground = Frame("ground")
     >>> [x.rate for x in spherical_coordinates(ground.vector(2.0, 0, 0), v=ground.vector(5.0, 6.0, 7.0))]
@@ -274,7 +357,9 @@ def spherical_coordinates(r, v=None, a=None):
     _refuse(level, r, "at a pole (on the z axis), where theta and its rates do not exist")
 
     def here(frame, name, *q):
-        """Sine and cosine of phi from the position itself: near a pole phi is too coarse a number to hold its cosine."""
+        """Sine and cosine of phi from the position itself: near a pole phi is too coarse a number
+        to hold its cosine.
+        """
         P = spherical(frame, name, *q)
         P.local._c, P.local._s, P.scale_factors = level / R, -z / R, (1, level, R)
         return P
@@ -285,12 +370,15 @@ def spherical_coordinates(r, v=None, a=None):
 def _refuse(level, r, where):
     if numeric3(r.c) and drowned(scalar(level), 4 * epsilon(level) * norm3(r.c)):
         raise SingularError(
-            f"the point is {where} (distance {least(level):.3g}); describe it in rectangular components, or turn the axes so that it is elsewhere"
+            f"the point is {where} (distance {least(level):.3g}); describe it in "
+            "rectangular components, or turn the axes so that it is elsewhere"
         )
 
 
 def with_rates(make, q, frame, v, a):
-    """The coordinates ``q`` with their rates, found with the scale factors: q_i' = v_i / h_i, then q_i'' from what a has beyond the terms of q'."""
+    """The coordinates ``q`` with their rates, found with the scale factors: q_i' = v_i / h_i, then
+    q_i'' from what a has beyond the terms of q'.
+    """
     scratch = Frame("axes")
     v, a = (None if u is None else Vector(u.expressed_in(frame).c, scratch) for u in (v, a))
     if v is None:
@@ -301,14 +389,18 @@ def with_rates(make, q, frame, v, a):
         return tuple(Moving(x, d, None) for x, d in zip(q, rates, strict=True))
     moved = make(scratch, "P", *(Moving(x, d) for x, d in zip(q, rates, strict=True)))
     left = a.expressed_in(moved.local) - moved.acceleration(scratch)
-    return tuple(Moving(x, d, dd / h) for x, d, dd, h in zip(q, rates, left.c, moved.scale_factors, strict=True))
+    return tuple(
+        Moving(x, d, dd / h)
+        for x, d, dd, h in zip(q, rates, left.c, moved.scale_factors, strict=True)
+    )
 
 
 # -- transformation of components (3.8)
 
 
 def T_theta(theta):
-    """[T_theta] (3.34): from rectangular to cylindrical components; three rows. Its inverse is its transpose.
+    """[T_theta] (3.34): from rectangular to cylindrical components; three rows. Its inverse is its
+    transpose.
 
     >>> T_theta(0.0)
     ((1.0, 0.0, 0), (-0.0, 1.0, 0), (0, 0, 1))

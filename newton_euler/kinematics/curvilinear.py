@@ -1,8 +1,10 @@
-"""Components in any orthogonal coordinates, from their position function alone (3.4); gradients (A.22).
+"""Components in any orthogonal coordinates, from their position function alone (3.4); gradients
+(A.22).
 
-The five steps of the book: choose coordinates; write x, y, z in them (that is all that is asked for here); find the unit vectors;
-differentiate; substitute. The unit vector of a coordinate points where the point goes if that coordinate alone grows: e_i = (dr/dq_i)/h_i,
-with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the coordinate.
+The five steps of the book: choose coordinates; write x, y, z in them (that is all that is asked for
+here); find the unit vectors; differentiate; substitute. The unit vector of a coordinate points
+where the point goes if that coordinate alone grows: e_i = (dr/dq_i)/h_i, with the *scale factor*
+h_i = abs(dr/dq_i), the length of path per unit of the coordinate.
 """
 
 from ..algebra.jets import Moving, as_moving, at, moving
@@ -20,17 +22,22 @@ _EQUATIONS = {what: EQUATIONS[f"curvilinear {what}"] for what in ("velocity", "a
 
 
 def curvilinear(ground, name, position, q1, q2, q3, names=("u", "v", "w")):
-    """The point with the coordinates q1, q2, q3 of the system whose position function is ``position``.
+    """The point with the coordinates q1, q2, q3 of the system whose position function is
+    ``position``.
 
-    position : function of three scalars that returns (x, y, z) along the axes of ``ground``, written with the functions of this package
-    q1, q2, q3 : the coordinates, numbers or moving; in the order that makes e_1, e_2, e_3 right-handed
+    position : function of three scalars that returns (x, y, z) along the axes of ``ground``,
+        written with the functions of this package
+    q1, q2, q3 : the coordinates, numbers or moving; in the order that makes e_1, e_2, e_3
+        right-handed
     names : of the coordinates, for the ledger
-    Returns a :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`: velocity and acceleration in ``ground`` come along e_1, e_2, e_3 (``P.local``),
-    with one term for each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form
-    of ``position`` or of the rates are left out.
+    Returns a :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`: velocity and
+    acceleration in ``ground`` come along e_1, e_2, e_3 (``P.local``), with one term for each rate:
+    ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form of ``position``
+    or of the rates are left out.
 
-    Raises :class:`SingularError` where a scale factor is zero (within rounding: a pole, an axis), so that a unit vector does not exist, and for
-    coordinates that are not orthogonal or not right-handed there.
+    Raises :class:`SingularError` where a scale factor is zero (within rounding: a pole, an axis),
+    so that a unit vector does not exist, and for coordinates that are not orthogonal or not
+    right-handed there.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")
@@ -45,19 +52,33 @@ def curvilinear(ground, name, position, q1, q2, q3, names=("u", "v", "w")):
     factors = tuple(norm3(c) for c in columns)
     _check(position, values, columns, factors)
     axes = [tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)]
-    local = Triad(f"e_1, e_2, e_3 of {name}", ground, axes, lambda: turning_of(_moving_axes(position, q)))
-    terms = {"velocity": lambda P: _velocity_terms(P, columns, names), "acceleration": lambda P: _acceleration_terms(P, position, columns, names)}
-    return CoordinatePoint(name, ground, position(*q), ground, local, q, tuple(map(plain, factors)), _EQUATIONS, terms)
+    local = Triad(
+        f"e_1, e_2, e_3 of {name}", ground, axes, lambda: turning_of(_moving_axes(position, q))
+    )
+    terms = {
+        "velocity": lambda P: _velocity_terms(P, columns, names),
+        "acceleration": lambda P: _acceleration_terms(P, position, columns, names),
+    }
+    return CoordinatePoint(
+        name, ground, position(*q), ground, local, q, tuple(map(plain, factors)), _EQUATIONS, terms
+    )
 
 
 def tangents(position, q):
-    """dr/dq_1, dr/dq_2, dr/dq_3, each a triple, of the position function at the coordinates ``q``; moving if they are."""
+    """dr/dq_1, dr/dq_2, dr/dq_3, each a triple, of the position function at the coordinates ``q``;
+    moving if they are.
+    """
     return tuple(tuple(_rate(x) for x in position(*_seeded(q, n))) for n in range(3))
 
 
 def _seeded(q, n):
-    """The coordinates as moving numbers, of which the n-th grows at the rate 1 (of its own kind, so that 1/3 is as exact)."""
-    return tuple(Moving(x, whole(1, x.value if isinstance(x, Moving) else x) if m == n else ZERO) for m, x in enumerate(q))
+    """The coordinates as moving numbers, of which the n-th grows at the rate 1 (of its own kind, so
+    that 1/3 is as exact).
+    """
+    return tuple(
+        Moving(x, whole(1, x.value if isinstance(x, Moving) else x) if m == n else ZERO)
+        for m, x in enumerate(q)
+    )
 
 
 def _rate(x):
@@ -71,7 +92,8 @@ def _check(position, q, columns, factors):
     for n, (h, noise) in enumerate(zip(factors, noises, strict=True), 1):
         if drowned(h, noise):
             raise SingularError(
-                f"coordinate {n} is singular here: the point does not move when it grows (scale factor zero within rounding), "
+                f"coordinate {n} is singular here: the point does not move when it grows "
+                "(scale factor zero within rounding), "
                 "so its unit vector does not exist; use other coordinates near this place"
             )
     _check_axes([tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)])
@@ -82,10 +104,13 @@ def _check_axes(axes):
         cosine = scalar(dot3(axes[n], axes[m]))
         if drowned(1e-8, abs(cosine)):
             raise SingularError(
-                f"the coordinates are not orthogonal here: e_{n + 1} . e_{m + 1} = {plain(cosine)}, expected 0; this method needs orthogonal ones"
+                f"the coordinates are not orthogonal here: e_{n + 1} . e_{m + 1} = "
+                f"{plain(cosine)}, expected 0; this method needs orthogonal ones"
             )
     if drowned(dot3(axes[0], cross3(axes[1], axes[2])), ZERO):
-        raise SingularError("the coordinates are left-handed here: e_1 x e_2 = -e_3; exchange two of them")
+        raise SingularError(
+            "the coordinates are left-handed here: e_1 x e_2 = -e_3; exchange two of them"
+        )
 
 
 def _moving_axes(position, q):
@@ -94,14 +119,21 @@ def _moving_axes(position, q):
 
 
 def _velocity_terms(P, columns, names):
-    parts = {f"{name}'": scale3(x.rate, c) for name, x, c in zip(names, P.coordinates, columns, strict=True)}
+    parts = {
+        f"{name}'": scale3(x.rate, c)
+        for name, x, c in zip(names, P.coordinates, columns, strict=True)
+    }
     return _vectors(parts, P.ground)
 
 
 def _acceleration_terms(P, position, columns, names):
-    """sum q_i'' r_i + sum q_i'^2 r_ii + sum 2 q_i' q_j' r_ij, with subscripts for partial derivatives of the position."""
+    """sum q_i'' r_i + sum q_i'^2 r_ii + sum 2 q_i' q_j' r_ij, with subscripts for partial
+    derivatives of the position.
+    """
     q = P.coordinates
-    parts = {f"{name}''": scale3(x.acceleration, c) for name, x, c in zip(names, q, columns, strict=True)}
+    parts = {
+        f"{name}''": scale3(x.acceleration, c) for name, x, c in zip(names, q, columns, strict=True)
+    }
     for n in range(3):
         for m in range(n, 3):
             second = _second(position, tuple(x.value for x in q), n, m)
@@ -120,11 +152,15 @@ def _vectors(parts, ground):
 
 
 def curvilinear_rates(position, q, v, a=None):
-    """The coordinates ``q`` with the rates that give the velocity ``v`` and the acceleration ``a``: q_i' = v_i/h_i, then q_i'' from the rest of a.
+    """The coordinates ``q`` with the rates that give the velocity ``v`` and the acceleration ``a``:
+    q_i' = v_i/h_i, then q_i'' from the rest of a.
 
-    position, q : the position function and the three values of the coordinates, as for :func:`curvilinear`
-    v, a : Vectors, seen from the frame in which they are expressed and along whose axes ``position`` counts
-    Returns three moving numbers; without ``a`` their second rates are None. Raises as :func:`curvilinear`.
+    position, q : the position function and the three values of the coordinates, as for
+        :func:`curvilinear`
+    v, a : Vectors, seen from the frame in which they are expressed and along whose axes
+        ``position`` counts
+    Returns three moving numbers; without ``a`` their second rates are None. Raises as
+    :func:`curvilinear`.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -143,11 +179,14 @@ def curvilinear_rates(position, q, v, a=None):
 
 
 def gradient(f, P):
-    """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, exact and without a step size.
+    """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, exact and without a step
+    size.
 
-    f : function of the coordinates by which P is given, written with the functions of this package: x, y, z along the axes of its frame, or
-        polar, cylindrical, spherical or other orthogonal coordinates for a :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`
-    Returns a Vector along the axes of P's frame, or P's local axes e_i: there it is the sum of (df/dq_i)/h_i e_i. Its unit is that of f per length.
+    f : function of the coordinates by which P is given, written with the functions of this package:
+        x, y, z along the axes of its frame, or polar, cylindrical, spherical or other orthogonal
+        coordinates for a :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`
+    Returns a Vector along the axes of P's frame, or P's local axes e_i: there it is the sum of
+    (df/dq_i)/h_i e_i. Its unit is that of f per length.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")

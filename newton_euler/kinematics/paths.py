@@ -1,20 +1,31 @@
 """Intrinsic components: velocity and acceleration along the path and across it (2.3, 3.2).
 
-The unit vectors belong to the path: e_t along the velocity, e_n towards the centre of curvature (the concave side), e_b = e_t x e_n. In the
-plane they are the book's tangential and normal directions, and e_b is k where the path turns counterclockwise, -k where it turns clockwise.
+The unit vectors belong to the path: e_t along the velocity, e_n towards the centre of curvature
+(the concave side), e_b = e_t x e_n. In the plane they are the book's tangential and normal
+directions, and e_b is k where the path turns counterclockwise, -k where it turns clockwise.
 
-*Flexure* f is the reciprocal of the radius of curvature rho, both positive. *Torsion* tau has the book's sign (3.9), de_b/ds = tau e_n: it is
-**minus** the torsion of most other books, and negative for a right-handed helix.
+*Flexure* f is the reciprocal of the radius of curvature rho, both positive. *Torsion* tau has the
+book's sign (3.9), de_b/ds = tau e_n: it is **minus** the torsion of most other books, and negative
+for a right-handed helix.
 
-A *path* is a function of one parameter that returns the three coordinates, written with the functions of this package. Its derivatives are
-exact; no step size enters.
+A *path* is a function of one parameter that returns the three coordinates, written with the
+functions of this package. Its derivatives are exact; no step size enters.
 """
 
 from dataclasses import dataclass, field
 
 from ..algebra.jets import Moving, as_moving, moving
 from ..algebra.ledger import Ledger, equations
-from ..algebra.scalars import ZERO, SingularError, epsilon, is_numeric, is_zero, plain, scalar, whole
+from ..algebra.scalars import (
+    ZERO,
+    SingularError,
+    epsilon,
+    is_numeric,
+    is_zero,
+    plain,
+    scalar,
+    whole,
+)
 from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3
 from .triads import Triad, drowned, norm3, numeric3, shaken
 
@@ -31,7 +42,8 @@ EQUATIONS = equations({
 
 
 def along(path, q):
-    """The three coordinates of the point that is at ``q`` on the path, moving: for ``ground.point("P", *along(path, q))`` (3.1)-(3.3).
+    """The three coordinates of the point that is at ``q`` on the path, moving: for
+    ``ground.point("P", *along(path, q))`` (3.1)-(3.3).
 
     path : function of the parameter, returning (x, y, z)
     q : a moving parameter; a plain number counts as time, a parameter that grows at the rate 1
@@ -45,19 +57,24 @@ def along(path, q):
 
 
 def derivatives(path, q):
-    """The position on the path and its first, second and third derivative by the parameter, each a triple; ``q`` is a plain number."""
+    """The position on the path and its first, second and third derivative by the parameter, each a
+    triple; ``q`` is a plain number.
+    """
     one = whole(1, q)  # a plain 1 divided by 3 would have 16 digits, however many q has
     jets = [_jet(x) for x in _three(path(Moving(Moving(scalar(q), one), one)))]
-    orders = [(x.value.value, x.value.rate, x.value.acceleration, x.rate.acceleration) for x in jets]
+    orders = [
+        (x.value.value, x.value.rate, x.value.acceleration, x.rate.acceleration) for x in jets
+    ]
     return tuple(zip(*orders, strict=True))
 
 
 def at_speed(path, q, speed, speed_rate=0):
-    """The moving parameter of a point that passes ``q`` with this speed, in the sense of growing q: ``q`` with its rates.
+    """The moving parameter of a point that passes ``q`` with this speed, in the sense of growing q:
+    ``q`` with its rates.
 
     speed_rate : rate of change of the speed; 0 for constant speed
-    With r_q = dr/dq: q' = nu / abs(r_q), and q'' from nu' = q'' abs(r_q) + q'^2 (r_q . r_qq) / abs(r_q). Raises :class:`SingularError` where
-    the path stands still in q (r_q = 0).
+    With r_q = dr/dq: q' = nu / abs(r_q), and q'' from nu' = q'' abs(r_q) + q'^2 (r_q . r_qq) /
+    abs(r_q). Raises :class:`SingularError` where the path stands still in q (r_q = 0).
 
     >>> at_speed(lambda q: (q, q**2, 0), 0.0, speed=2.0)
     moving(0.0, rate=2.0, acceleration=-0.0)
@@ -65,9 +82,16 @@ def at_speed(path, q, speed, speed_rate=0):
     _, first, second, _ = derivatives(path, q)
     stretch = norm3(first)
     if is_numeric(stretch) and drowned(stretch, _noise(path, q)[0]):
-        raise SingularError(f"the path stands still at q = {q!r}: dr/dq is zero there, and no rate of q gives it a speed; use another parameter")
+        raise SingularError(
+            f"the path stands still at q = {q!r}: dr/dq is zero there, and no rate of q gives "
+            "it a speed; use another parameter"
+        )
     rate = scalar(speed) / stretch
-    return Moving(scalar(q), rate, (scalar(speed_rate) - rate * rate * (dot3(first, second) / stretch)) / stretch)
+    return Moving(
+        scalar(q),
+        rate,
+        (scalar(speed_rate) - rate * rate * (dot3(first, second) / stretch)) / stretch,
+    )
 
 
 def _noise(path, q):
@@ -84,7 +108,9 @@ def _three(c):
     try:
         x, y, z = c
     except (TypeError, ValueError):
-        raise FrameError(f"a path returns three coordinates (x, y, z), with 0 for z in the plane; got {c!r}") from None
+        raise FrameError(
+            f"a path returns three coordinates (x, y, z), with 0 for z in the plane; got {c!r}"
+        ) from None
     return x, y, z
 
 
@@ -100,7 +126,8 @@ def _jet(x):
 class Frenet:
     """A motion in its intrinsic components: what :func:`frenet` and :func:`frenet_along` return.
 
-    frame : the frame of the axes e_t, e_n, e_b, in which ``velocity`` and ``acceleration`` are expressed
+    frame : the frame of the axes e_t, e_n, e_b, in which ``velocity`` and ``acceleration`` are
+        expressed
     speed, speed_rate : nu and its rate of change, the tangential component of acceleration
     flexure : f = 1/rho, in 1/length
     """
@@ -112,29 +139,47 @@ class Frenet:
     _torsion: object = field(default=None, repr=False)
 
     e_t = property(lambda self: self.frame.i, doc="unit tangent, along the velocity (2.4), (3.4)")
-    e_n = property(lambda self: self.frame.j, doc="principal normal, towards the centre of curvature (3.5)")
+    e_n = property(
+        lambda self: self.frame.j, doc="principal normal, towards the centre of curvature (3.5)"
+    )
     e_b = property(lambda self: self.frame.k, doc="binormal e_t x e_n (3.7)")
     radius = property(lambda self: 1 / self.flexure, doc="radius of curvature rho (2.12)")
-    to_center = property(lambda self: self.e_n * self.radius, doc="the vector from the point to the centre of curvature, rho e_n")
+    to_center = property(
+        lambda self: self.e_n * self.radius,
+        doc="the vector from the point to the centre of curvature, rho e_n",
+    )
 
     @property
     def torsion(self):
         """tau in 1/length, with the book's sign (3.9), (3.10)."""
         if self._torsion is None:
-            raise SingularError("the torsion needs the rate of the acceleration: pass jerk= to frenet, or the path itself to frenet_along")
+            raise SingularError(
+                "the torsion needs the rate of the acceleration: pass jerk= to frenet, or the "
+                "path itself to frenet_along"
+            )
         return plain(self._torsion)
 
     @property
     def velocity(self):
         """v = nu e_t (2.4), (3.12); its rate in the ground is the acceleration."""
         v = self.frame.vector(self.speed, 0, 0)
-        return Vector(v.c, self.frame, lambda: self.frame.vector(self.speed_rate, 0, 0), self._ledger("velocity", tangential=v))
+        return Vector(
+            v.c,
+            self.frame,
+            lambda: self.frame.vector(self.speed_rate, 0, 0),
+            self._ledger("velocity", tangential=v),
+        )
 
     @property
     def acceleration(self):
         """a = nu' e_t + nu^2 f e_n (2.14), (3.13); terms ``tangential`` and ``normal``."""
-        t, n = self.frame.vector(self.speed_rate, 0, 0), self.frame.vector(0, self.speed * self.speed * self.flexure, 0)
-        return Vector(add3(t.c, n.c), self.frame, None, self._ledger("acceleration", tangential=t, normal=n))
+        t, n = (
+            self.frame.vector(self.speed_rate, 0, 0),
+            self.frame.vector(0, self.speed * self.speed * self.flexure, 0),
+        )
+        return Vector(
+            add3(t.c, n.c), self.frame, None, self._ledger("acceleration", tangential=t, normal=n)
+        )
 
     def _ledger(self, what, **terms):
         return Ledger(EQUATIONS[f"intrinsic {what}"], f"in {self.frame.parent.name}", lambda: terms)
@@ -153,7 +198,8 @@ def speed_rate(v, a):
 
 
 def flexure(v, a):
-    """f = abs(v x a) / nu^3 (3.6), the reciprocal of the radius of curvature; zero (or rounding noise) on a straight path.
+    """f = abs(v x a) / nu^3 (3.6), the reciprocal of the radius of curvature; zero (or rounding
+    noise) on a straight path.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -165,14 +211,16 @@ def flexure(v, a):
 
 
 def frenet(v, a, jerk=None, name="path"):
-    """The intrinsic triad and components of a motion with velocity ``v`` and acceleration ``a`` (2.14), (3.13).
+    """The intrinsic triad and components of a motion with velocity ``v`` and acceleration ``a``
+    (2.14), (3.13).
 
     jerk : da/dt; it is needed for the torsion alone
     v, a, jerk : Vectors, all seen from one observer; the triad hangs under the frame of ``v``
     Returns a :class:`Frenet`.
 
-    Raises :class:`SingularError` at rest, and where v x a is zero (a straight path, an inflection) so that e_n does not exist. "Zero" means: not
-    larger than the rounding of what it was made of. The ledgers of ``v`` and ``a`` count here: if large terms cancel, rounding is what is left.
+    Raises :class:`SingularError` at rest, and where v x a is zero (a straight path, an inflection)
+    so that e_n does not exist. "Zero" means: not larger than the rounding of what it was made of.
+    The ledgers of ``v`` and ``a`` count here: if large terms cancel, rounding is what is left.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -188,12 +236,15 @@ def frenet(v, a, jerk=None, name="path"):
 
 
 def frenet_along(path, q, ground, name="path"):
-    """The intrinsic triad, flexure, torsion and components of a point moving along a path (3.4)-(3.13), by exact derivatives.
+    """The intrinsic triad, flexure, torsion and components of a point moving along a path
+    (3.4)-(3.13), by exact derivatives.
 
-    path : function of the parameter, returning the coordinates (x, y, z) along the axes of ``ground``
-    q : a moving parameter (see :func:`at_speed`); a plain number counts as time, a parameter that grows at the rate 1
-    Returns a :class:`Frenet`. Raises :class:`SingularError` as :func:`frenet` does: where a direction changes by its own size while q moves by
-    its round-off.
+    path : function of the parameter, returning the coordinates (x, y, z) along the axes of
+        ``ground``
+    q : a moving parameter (see :func:`at_speed`); a plain number counts as time, a parameter that
+        grows at the rate 1
+    Returns a :class:`Frenet`. Raises :class:`SingularError` as :func:`frenet` does: where a
+    direction changes by its own size while q moves by its round-off.
 
     >>> from newton_euler import Frame, cos, sin
     >>> helix = frenet_along(lambda s: (3.0*cos(s), 3.0*sin(s), 4.0*s), 0.0, Frame("ground"))
@@ -207,7 +258,8 @@ def frenet_along(path, q, ground, name="path"):
     noises = ZERO, ZERO
     if numeric3(v) and numeric3(a) and is_numeric(q.value):
         noises = [noise * abs(q.rate) ** n for n, noise in enumerate(_noise(path, q.value), 1)]
-    return _frenet(ground, v, a, scale3(q.rate**3, third), name, *noises)  # the other parts of the jerk lie in the plane of v and a
+    # the other parts of the jerk lie in the plane of v and a
+    return _frenet(ground, v, a, scale3(q.rate**3, third), name, *noises)
 
 
 def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
@@ -217,8 +269,10 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
     rounding = 8 * epsilon(speed) * (speed * norm3(a)) + speed * a_noise + norm3(a) * v_noise
     if is_zero(area) or (numeric3((*v, *a)) and drowned(area, rounding)):
         raise SingularError(
-            "the path is straight here, on a line or at an inflection: v x a is zero (within rounding), so e_n, e_b and the torsion do not exist "
-            "and the radius of curvature is infinite; the tangential component is speed_rate(v, a), the flexure 0"
+            "the path is straight here, on a line or at an inflection: v x a is zero "
+            "(within rounding), so e_n, e_b and the torsion do not exist "
+            "and the radius of curvature is infinite; the tangential component is "
+            "speed_rate(v, a), the flexure 0"
         )
     e_t, e_b = tuple(x / speed for x in v), tuple(x / area for x in turn)
     f = area / speed**3
@@ -231,13 +285,17 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
 def _check_speed(v, speed, noise):
     if numeric3(v) and drowned(scalar(speed), noise):
         raise SingularError(
-            "the point is at rest (within rounding): a velocity of zero has no direction, so there is no e_t; "
-            "if the path is known, take the triad from the path with a parameter that moves, frenet_along(path, q, ground)"
+            "the point is at rest (within rounding): a velocity of zero has no direction, "
+            "so there is no e_t; "
+            "if the path is known, take the triad from the path with a parameter that "
+            "moves, frenet_along(path, q, ground)"
         )
 
 
 def _extent(v):
-    """The rounding to expect in a vector, as a length: of its own components and of the terms it was summed from."""
+    """The rounding to expect in a vector, as a length: of its own components and of the terms it
+    was summed from.
+    """
     if not numeric3(v.c):
         return ZERO
     return 4 * epsilon(norm3(v.c)) * _gathered(v)

@@ -1,7 +1,9 @@
-"""Motion along a line from its acceleration, given as a function of time, of speed or of place (ch. 2, with one coordinate).
+"""Motion along a line from its acceleration, given as a function of time, of speed or of place (ch.
+2, with one coordinate).
 
-The acceleration is dv/dt, and v = dx/dt, so that also a = v dv/dx. Each function here integrates one of these once or twice, to the
-accuracy of the numbers it gets (floats, arrays, mpf). For formulas integrate by hand or with SymPy.
+The acceleration is dv/dt, and v = dx/dt, so that also a = v dv/dx. Each function here integrates
+one of these once or twice, to the accuracy of the numbers it gets (floats, arrays, mpf). For
+formulas integrate by hand or with SymPy.
 """
 
 from ..algebra.quadrature import integral
@@ -9,7 +11,8 @@ from ..algebra.scalars import SingularError, anywhere, scalar, size, sqrt, where
 
 
 def from_time(a, t, x0=0.0, v0=0.0):
-    """(x, v) at the time ``t`` of a point that at time 0 is at ``x0`` with velocity ``v0``; ``a`` is its acceleration as a function of time.
+    """(x, v) at the time ``t`` of a point that at time 0 is at ``x0`` with velocity ``v0``; ``a``
+    is its acceleration as a function of time.
 
     >>> x, v = from_time(lambda t: 6.0*t, 2.0, v0=1.0)
     >>> round(x, 12), round(v, 12)
@@ -21,8 +24,10 @@ def from_time(a, t, x0=0.0, v0=0.0):
 def from_speed(a, v, v0, x0=0.0):
     """(t, x) at which a point reaches the velocity ``v``, starting at time 0 at ``x0`` with ``v0``.
 
-    a : the acceleration as a function of velocity. t is the integral of dv/a, x - x0 that of v dv/a. Raises :class:`SingularError` if the
-    acceleration vanishes or changes its sign in between, or opposes the change, so that ``v`` is not reached.
+    a : the acceleration as a function of velocity. t is the integral of dv/a, x - x0 that of v
+        dv/a. Raises :class:`SingularError` if the
+    acceleration vanishes or changes its sign in between, or opposes the change, so that ``v`` is
+    not reached.
 
     >>> t, x = from_speed(lambda v: -0.5*v, 1.0, v0=4.0)
     >>> round(t/2, 12), round(x, 12)  # t = 2 ln 4
@@ -35,9 +40,10 @@ def from_speed(a, v, v0, x0=0.0):
 def from_place(a, x, x0=0.0, v0=0.0):
     """(t, v) at which a point reaches the place ``x``, starting at time 0 at ``x0`` with ``v0``.
 
-    a : the acceleration as a function of place. v^2 = v0^2 + 2 (integral of a dx), t is the integral of dx/v, also from rest. Raises
-    :class:`SingularError` if v^2 would be negative: the point turns back before ``x``. Where v = 0 at ``x`` itself the integral does not settle:
-    start there and go backwards.
+    a : the acceleration as a function of place. v^2 = v0^2 + 2 (integral of a dx), t is the
+        integral of dx/v, also from rest. Raises
+    :class:`SingularError` if v^2 would be negative: the point turns back before ``x``. Where v = 0
+    at ``x`` itself the integral does not settle: start there and go backwards.
 
     >>> t, v = from_place(lambda x: 9.81, 2.0)
     >>> round(v**2, 9), round(9.81*t/v, 9)
@@ -47,14 +53,22 @@ def from_place(a, x, x0=0.0, v0=0.0):
     forward = where(way >= 0, 1, -1)
 
     def speed(s):
-        """At the distance s from the start; s is small near the start, where x0 + s would lose digits."""
+        """At the distance s from the start; s is small near the start, where x0 + s would lose
+        digits.
+        """
         square = v0 * v0 + 2 * s * integral(lambda p: a(x0 + s * p), 0 * s, 0 * s + 1)
         if anywhere(square < 0):
-            raise SingularError(f"the point does not reach x = {x!r}: v^2 becomes negative on the way, so it turns back before")
+            raise SingularError(
+                f"the point does not reach x = {x!r}: v^2 becomes negative on the way, so it "
+                "turns back before"
+            )
         return sqrt(square)
 
     if anywhere(v0 * forward < 0):
-        raise SingularError(f"the point starts away from x = {x!r} (v0 = {v0!r}); follow it to its turning point first")
+        raise SingularError(
+            f"the point starts away from x = {x!r} (v0 = {v0!r}); follow it to its turning "
+            "point first"
+        )
     return integral(lambda s: forward / speed(s), 0 * way, way), forward * speed(way)
 
 
@@ -62,4 +76,7 @@ def _check_reached(a, v, v0):
     ahead = where(v >= v0, 1, -1)
     for n in range(65):
         if anywhere(a(v0 + (v - v0) * n / 64) * ahead <= 0) and size(v - v0) > 0:
-            raise SingularError(f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes or points the other way in between")
+            raise SingularError(
+                f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes or "
+                "points the other way in between"
+            )

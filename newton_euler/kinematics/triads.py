@@ -1,7 +1,9 @@
-"""Frames given by their axes: unit vectors that follow a path or a coordinate system, and where they cease to exist.
+"""Frames given by their axes: unit vectors that follow a path or a coordinate system, and where
+they cease to exist.
 
-A :class:`Triad` is a :class:`~newton_euler.kinematics.frames.Frame` made from its three axes instead of a turn about one; vectors can be expressed in
-it like in any other. Where a direction is only rounding noise, :class:`SingularError` says so instead of normalising the noise.
+A :class:`Triad` is a :class:`~newton_euler.kinematics.frames.Frame` made from its three axes
+instead of a turn about one; vectors can be expressed in it like in any other. Where a direction is
+only rounding noise, :class:`SingularError` says so instead of normalising the noise.
 """
 
 from ..algebra.jets import Moving, as_moving
@@ -13,9 +15,11 @@ from .frames import Frame
 class Triad(Frame):
     """The frame with these axes, at this instant.
 
-    axes : three triples, the components in ``parent`` of three orthonormal vectors, right-handed; they are not checked
-    turning : where known, a function without arguments that returns angular velocity and acceleration in ``parent``, each three components along
-        the axes themselves (rad/s, rad/s^2), or None where unknown; asking for an unknown one raises :class:`FrameError`
+    axes : three triples, the components in ``parent`` of three orthonormal vectors, right-handed;
+        they are not checked
+    turning : where known, a function without arguments that returns angular velocity and
+        acceleration in ``parent``, each three components along the axes themselves (rad/s,
+        rad/s^2), or None where unknown; asking for an unknown one raises :class:`FrameError`
 
     >>> ground = Frame("ground")
     >>> tilted = Triad("tilted", ground, ((0.6, 0.8, 0), (-0.8, 0.6, 0), (0, 0, 1)))
@@ -42,7 +46,9 @@ class Triad(Frame):
 
 
 class _Turning:
-    """What a :class:`Triad` has in place of an angle: its angular velocity and acceleration, computed when they are asked for."""
+    """What a :class:`Triad` has in place of an angle: its angular velocity and acceleration,
+    computed when they are asked for.
+    """
 
     def __init__(self, frame, turning):
         self.frame, self.turning = frame, turning or (lambda: (None, None))
@@ -54,15 +60,20 @@ class _Turning:
         value = self.turning()[n]
         if value is None:
             raise FrameError(
-                f"the {what} of {self.frame.name} is not known: its axes are known at this instant only, without enough of their rates; "
-                "express the vector in the ground before differentiating it, or give the motion with one more rate"
+                f"the {what} of {self.frame.name} is not known: its axes are known at this "
+                "instant only, without enough of their rates; "
+                "express the vector in the ground before differentiating it, or give the "
+                "motion with one more rate"
             )
         return value
 
 
 def turning_of(axes):
-    """Angular velocity and acceleration, each along the axes, of axes whose components are :class:`Moving`: omega_1 = e_2' . e_3, and so on."""
-    moved = [tuple(Moving(x.rate, x.acceleration) for x in axis) for axis in axes]  # the second rate of the last is not needed
+    """Angular velocity and acceleration, each along the axes, of axes whose components are
+    :class:`Moving`: omega_1 = e_2' . e_3, and so on.
+    """
+    # the second rate of the last is not needed
+    moved = [tuple(Moving(x.rate, x.acceleration) for x in axis) for axis in axes]
     omega = [as_moving(dot3(moved[(n + 1) % 3], axes[(n + 2) % 3])) for n in range(3)]
     return tuple(x.value for x in omega), tuple(x.rate for x in omega)
 
@@ -81,20 +92,27 @@ def numeric3(c):
 
 
 def drowned(value, noise):
-    """True if a numeric ``value`` >= 0 does not stand out of ``noise`` >= 0 (arrays: at any instant)."""
+    """True if a numeric ``value`` >= 0 does not stand out of ``noise`` >= 0 (arrays: at any
+    instant).
+    """
     return anywhere(plain(value) <= plain(noise))
 
 
 def shaken(f, q):
-    """How far each of the triples f(*q) moves, as lengths, while each of the numbers ``q`` moves by up to 41 units in its last place.
+    """How far each of the triples f(*q) moves, as lengths, while each of the numbers ``q`` moves by
+    up to 41 units in its last place.
 
-    It measures rounding inside f, and how sharply q determines f: a direction taken from a vector no longer than this is arbitrary.
+    It measures rounding inside f, and how sharply q determines f: a direction taken from a vector
+    no longer than this is arbitrary.
     """
     middle = f(*q)
     totals = [0.0] * len(middle)
     for n, x in enumerate(q):
         for units in (-29, -3, 7, 41):
             others = f(*q[:n], x * (1 + units * epsilon(x)), *q[n + 1 :])
-            moved = (norm3(tuple(a - b for a, b in zip(c, d, strict=True))) for c, d in zip(others, middle, strict=True))
+            moved = (
+                norm3(tuple(a - b for a, b in zip(c, d, strict=True)))
+                for c, d in zip(others, middle, strict=True)
+            )
             totals = [total + length for total, length in zip(totals, moved, strict=True)]
     return totals

@@ -1,8 +1,10 @@
-"""Events: the times at which a function of the state goes through zero, found between the steps of a trajectory.
+"""Events: the times at which a function of the state goes through zero, found between the steps of
+a trajectory.
 
-In each step the function is sampled at Chebyshev points. If these resolve it, all roots of the interpolating polynomial are known, also two in one
-step, which a comparison of signs at both ends misses; if not, the interval is halved. J. P. Boyd, Computing zeros on a real interval through Chebyshev
-expansion and polynomial rootfinding, SIAM J. Numer. Anal. 40 (2002) 1666.
+In each step the function is sampled at Chebyshev points. If these resolve it, all roots of the
+interpolating polynomial are known, also two in one step, which a comparison of signs at both ends
+misses; if not, the interval is halved. J. P. Boyd, Computing zeros on a real interval through
+Chebyshev expansion and polynomial rootfinding, SIAM J. Numer. Anal. 40 (2002) 1666.
 """
 
 from collections.abc import Callable
@@ -10,19 +12,22 @@ from dataclasses import dataclass
 from functools import cache
 
 CHEBYSHEV_POINTS = 12
-RESOLUTION = 1e-7  # the function is resolved if its last two coefficients are smaller than this part of the largest
+# the function is resolved if its last two coefficients are smaller than this part of the largest
+RESOLUTION = 1e-7
 MAX_HALVINGS = 8
 
 
 @dataclass(frozen=True)
 class Event:
-    """Something that happens when ``function(s, p, t)`` goes through zero: impact, loss of contact, end of sliding, a turning point.
+    """Something that happens when ``function(s, p, t)`` goes through zero: impact, loss of contact,
+    end of sliding, a turning point.
 
     function : of the states, the parameters and the time, as in a :class:`Model`; smooth
     direction : 1 if only zeros count where it grows, -1 where it falls, 0 both
     terminal : True ends the motion there
-    then : a function ``(s, p, t)`` that returns the model and the start with which the motion goes on, ``(model, start)`` or, to change the
-        events as well, ``(model, start, events)``; None ends it. If the right-hand side becomes another, this event is no longer looked for.
+    then : a function ``(s, p, t)`` that returns the model and the start with which the motion goes
+        on, ``(model, start)`` or, to change the events as well, ``(model, start, events)``; None
+        ends it. If the right-hand side becomes another, this event is no longer looked for.
     name : by which it is listed
 
     >>> landing = Event(lambda s, p, t: s.h, direction=-1, terminal=True, name="landing")
@@ -42,7 +47,9 @@ class Event:
 
 @dataclass(frozen=True)
 class Occurrence:
-    """An event that happened: its ``name``, the time ``t``, and the ``state`` by name, before ``then`` changed it."""
+    """An event that happened: its ``name``, the time ``t``, and the ``state`` by name, before
+    ``then`` changed it.
+    """
 
     name: str
     t: float
@@ -52,7 +59,8 @@ class Occurrence:
 class EventLocator:
     """Finds one event in the steps of a stepper, in their order.
 
-    at_start : True if the segment starts with this very event, at a zero of the function, which is then divided by the time since the start
+    at_start : True if the segment starts with this very event, at a zero of the function, which is
+        then divided by the time since the start
     """
 
     def __init__(self, event, stepper, at_start):
@@ -66,15 +74,23 @@ class EventLocator:
 
         a, b = self.stepper.step_times[n : n + 2]
         start = self.stepper.start[0]
-        nearest = start + max(1e-13 * (b - a), 4e-16 * abs(start))  # a time that differs from the start
+        # a time that differs from the start
+        nearest = start + max(1e-13 * (b - a), 4e-16 * abs(start))
 
         def g(times):
-            times = np.maximum(np.atleast_1d(times), nearest) if self.at_start else np.atleast_1d(times)
+            times = (
+                np.maximum(np.atleast_1d(times), nearest) if self.at_start else np.atleast_1d(times)
+            )
             x = self.stepper.interpolate(n, times)
             try:
                 values = np.broadcast_to(np.asarray(self.g(times, *x), dtype=float), times.shape)
             except ValueError:  # it branches on values
-                values = np.array([float(self.g(t, *column)) for t, column in zip(times.tolist(), x.T.tolist(), strict=True)])
+                values = np.array(
+                    [
+                        float(self.g(t, *column))
+                        for t, column in zip(times.tolist(), x.T.tolist(), strict=True)
+                    ]
+                )
             return values / (times - start) if self.at_start else values
 
         out = []
@@ -92,7 +108,11 @@ class EventLocator:
         values = g(a + (b - a) * nodes)
         coefficients = to_coefficients @ values
         largest = np.abs(coefficients).max()
-        if depth < MAX_HALVINGS and np.abs(coefficients[-2:]).max() > RESOLUTION * largest > 0 and not _has_no_root(coefficients):
+        if (
+            depth < MAX_HALVINGS
+            and np.abs(coefficients[-2:]).max() > RESOLUTION * largest > 0
+            and not _has_no_root(coefficients)
+        ):
             middle = (a + b) / 2
             return self._brackets(g, a, middle, depth + 1) + self._brackets(g, middle, b, depth + 1)
         if self.sign == 0:
@@ -106,11 +126,14 @@ class EventLocator:
         return out
 
     def _refined(self, t, g, a, b):
-        """The root near ``t`` by Newton's method with the state of a step of the method, since the interpolation is less accurate than a step."""
+        """The root near ``t`` by Newton's method with the state of a step of the method, since the
+        interpolation is less accurate than a step.
+        """
         length = b - a
         low, high = max(a, t - 1e-4 * length), min(b, t + 1e-4 * length)
         slope = float((g(high) - g(low))[0]) / (high - low)
-        if self.at_start:  # g is divided by the time: at a root the slope of the function is larger by that
+        # g is divided by the time: at a root the slope of the function is larger by that
+        if self.at_start:
             slope *= t - self.stepper.start[0]
         for _ in range(2):
             move = float(self.g(t, *self.stepper.state_at(t))) / slope if slope else 0.0
@@ -125,13 +148,17 @@ def _sign(x):
 
 
 def _has_no_root(coefficients):
-    """True if the constant term is larger than all others together, as no Chebyshev polynomial exceeds 1."""
+    """True if the constant term is larger than all others together, as no Chebyshev polynomial
+    exceeds 1.
+    """
     return abs(coefficients[0]) > 1.5 * abs(coefficients[1:]).sum()
 
 
 @cache
 def _chebyshev():
-    """The points in (0, 1), from left to right, and the matrix from values there to coefficients of Chebyshev polynomials."""
+    """The points in (0, 1), from left to right, and the matrix from values there to coefficients of
+    Chebyshev polynomials.
+    """
     import numpy as np
 
     angles = np.pi * (np.arange(CHEBYSHEV_POINTS)[::-1] + 0.5) / CHEBYSHEV_POINTS
@@ -153,7 +180,9 @@ def _between_roots(coefficients):
 
 
 def _root(g, a, b):
-    """The root between a and b, where the signs differ, to round-off: regula falsi by the Illinois rule, and every fourth time bisection."""
+    """The root between a and b, where the signs differ, to round-off: regula falsi by the Illinois
+    rule, and every fourth time bisection.
+    """
     ga, gb, side = g(a), g(b), 0
     for n in range(200):
         if abs(b - a) <= 2.0**-52 * max(abs(a), abs(b)) or ga == 0:

@@ -1,6 +1,9 @@
-"""Integration of the motion of a model: states at any time, the estimated error, the drift of invariants, the cost, and the events on the way.
+"""Integration of the motion of a model: states at any time, the estimated error, the drift of
+invariants, the cost, and the events on the way.
 
-The methods are in :mod:`newton_euler.motion.methods.table`, how one is chosen and its error controlled in :mod:`newton_euler.motion.run`, events in :mod:`newton_euler.motion.events`, the record in :mod:`newton_euler.motion.solution`.
+The methods are in :mod:`newton_euler.motion.methods.table`, how one is chosen and its error
+controlled in :mod:`newton_euler.motion.run`, events in :mod:`newton_euler.motion.events`, the
+record in :mod:`newton_euler.motion.solution`.
 """
 
 from time import perf_counter
@@ -14,20 +17,26 @@ from .run import Run, check, span, usable
 from .solution import Motion, MotionError
 
 
-def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None, progress=None, step=None):
+def integrate(
+    model, t, start, rtol=1e-9, method="auto", events=(), samples=None, progress=None, step=None
+):
     """The motion of a model from its start: a :class:`~newton_euler.motion.solution.Motion`.
 
     t : the time at which to end, from 0, or a pair (from, to)
-    start : the states, in their order or by name; arrays of one length are many starts at once, as are arrays among the parameters of the model
-    rtol : the error that each state may have at the end, relative to its largest absolute value on the way (at least 1e-6 in its unit)
-    method : one of :data:`~newton_euler.motion.methods.table.METHODS`; "auto" takes the exact solution if there is one, else the straight-line DOP853 until
-        heyoka, if it is installed, is worth its compilation or is needed
+    start : the states, in their order or by name; arrays of one length are many starts at once, as
+        are arrays among the parameters of the model
+    rtol : the error that each state may have at the end, relative to its largest absolute value on
+        the way (at least 1e-6 in its unit)
+    method : one of :data:`~newton_euler.motion.methods.table.METHODS`; "auto" takes the exact
+        solution if there is one, else the straight-line DOP853 until heyoka, if it is installed, is
+        worth its compilation or is needed
     events : an :class:`~newton_euler.motion.events.Event`, or several
     samples : times, or the number of times at equal distances; default: the ends of the steps
     progress : a function of the fraction of the time that is done, called now and then
     step : a fixed step, for methods that have an order; the error is then not controlled
 
-    Raises :class:`ModelError` for what cannot be done, and :class:`~newton_euler.motion.solution.MotionError`, with what was ``reached``, if the motion
+    Raises :class:`ModelError` for what cannot be done, and
+    :class:`~newton_euler.motion.solution.MotionError`, with what was ``reached``, if the motion
     comes to a singular place.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
@@ -49,10 +58,13 @@ def integrate(model, t, start, rtol=1e-9, method="auto", events=(), samples=None
 
 
 def prepare(model, rtol=1e-9, method="auto"):
-    """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0 as a tuple: one model for many runs, as under a slider.
+    """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0 as a
+    tuple: one model for many runs, as under a slider.
 
-    t, start : a float, and a tuple of floats in the order of the states. Arguments and errors are as in :func:`integrate`, but there is no record, so
-    no error estimate and no drift: look at those of one run. If there is no exact solution, "auto" compiles with heyoka at once, if it is installed.
+    t, start : a float, and a tuple of floats in the order of the states. Arguments and errors are
+        as in :func:`integrate`, but there is no record, so
+    no error estimate and no drift: look at those of one run. If there is no exact solution, "auto"
+    compiles with heyoka at once, if it is installed.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> swing = prepare(physical_pendulum(2.0, 0.5, 0.5, 10.0))
@@ -61,10 +73,19 @@ def prepare(model, rtol=1e-9, method="auto"):
     """
     system = prepared(model)
     if system.many:
-        raise ModelError(f"prepare takes a model with numbers, but parameters of {model.name!r} are arrays; integrate runs many motions at once")
+        raise ModelError(
+            f"prepare takes a model with numbers, but parameters of {model.name!r} are arrays; "
+            "integrate runs many motions at once"
+        )
     check(rtol, method)
     if method == "auto":
-        method = "exact" if model.exact else "dop853" if METHODS["taylor"].unusable_because(system) else "taylor"
+        method = (
+            "exact"
+            if model.exact
+            else "dop853"
+            if METHODS["taylor"].unusable_because(system)
+            else "taylor"
+        )
     used = usable(method, system)
 
     def fallback(t, start):

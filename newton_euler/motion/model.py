@@ -1,7 +1,9 @@
-"""Models: the equations of motion of one scene in state-variable form, as a frozen record (chapters 6, 8).
+"""Models: the equations of motion of one scene in state-variable form, as a frozen record (chapters
+6, 8).
 
-A :class:`Model` says which states there are and how fast they change; it integrates nothing. Its functions all take ``(s, p, t)``: the states by
-name, the parameters by name, and the time, over scalars of every kind, so that a formula reads as it is printed: ``s.v*cos(s.gamma)``.
+A :class:`Model` says which states there are and how fast they change; it integrates nothing. Its
+functions all take ``(s, p, t)``: the states by name, the parameters by name, and the time, over
+scalars of every kind, so that a formula reads as it is printed: ``s.v*cos(s.gamma)``.
 """
 
 import math
@@ -15,7 +17,8 @@ from ..algebra.codegen.compiled import compiled
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import ScalarError, is_comparable, is_zero, of_one_kind, plain, scalar
 
-KEPT = 64  # values in a cache by function: functions that are made at each call, as lambdas are, would pile up
+# values in a cache by function: functions that are made at each call, as lambdas are, would pile up
+KEPT = 64
 _CHECKED = {}  # the right-hand sides that were found right: other numbers need no other check
 
 
@@ -24,7 +27,9 @@ class ModelError(NewtonEulerError, ValueError):
 
 
 class Named:
-    """Values by name, as ``s.v``; a name that does not exist raises an AttributeError that lists those that do."""
+    """Values by name, as ``s.v``; a name that does not exist raises an AttributeError that lists
+    those that do.
+    """
 
     def __init__(self, what, values):
         self.__dict__.update(values, _what=what)
@@ -44,8 +49,8 @@ class Neglected:
     """Something that a model leaves out, and how much that can matter.
 
     what : in words, as "the rotation of the earth"
-    bound : a function ``(s, p, t)`` of the start, the parameters and the time passed: the error that leaving it out makes until then is not larger;
-        None where no bound is known
+    bound : a function ``(s, p, t)`` of the start, the parameters and the time passed: the error
+        that leaving it out makes until then is not larger; None where no bound is known
     of : the quantity that the bound is of, with its unit, as "position, m"
     """
 
@@ -59,14 +64,18 @@ class Model:
     """The equations of motion of a scene: ``s' = rhs(s, p, t)``.
 
     name : of the scene and of the rung of its ladder
-    parameters : by name, a scalar each, or a *law*: a function ``(s, p, t)`` of states, scalar parameters and time, as a thrust that is programmed
+    parameters : by name, a scalar each, or a *law*: a function ``(s, p, t)`` of states, scalar
+        parameters and time, as a thrust that is programmed
     states : their names, in the order of all tuples of states
-    rhs : a function ``(s, p, t)`` that returns the rates of the states in this order; a formula, without branches on values
+    rhs : a function ``(s, p, t)`` that returns the rates of the states in this order; a formula,
+        without branches on values
     invariants : by name, functions ``(s, p, t)`` that keep their value during the motion
-    exact : a function ``(s, p, t)`` that returns the states at the time t after the state ``s`` at t = 0; None where there is none
+    exact : a function ``(s, p, t)`` that returns the states at the time t after the state ``s`` at
+        t = 0; None where there is none
     neglects : what the model leaves out, a tuple of :class:`Neglected`
 
-    The right-hand side is tried once, without values, when the model is made: :class:`ModelError` says at once what is wrong with it.
+    The right-hand side is tried once, without values, when the model is made: :class:`ModelError`
+    says at once what is wrong with it.
 
     >>> fall = Model("free fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g), exact=lambda s, p, t: (s.h + s.v*t - p.g*t*t/2, s.v - p.g*t))
     >>> fall.derivative((100.0, 0.0)), fall.solution(2.0, (100.0, 0.0))
@@ -84,7 +93,12 @@ class Model:
     neglects: tuple = ()
 
     def __post_init__(self):
-        for name, of in (("parameters", dict), ("invariants", dict), ("states", tuple), ("neglects", tuple)):
+        for name, of in (
+            ("parameters", dict),
+            ("invariants", dict),
+            ("states", tuple),
+            ("neglects", tuple),
+        ):
             value = of(getattr(self, name))
             object.__setattr__(self, name, MappingProxyType(value) if of is dict else value)
         self._check_names()
@@ -98,14 +112,20 @@ class Model:
     # -- what it answers
 
     def derivative(self, state, t=0):
-        """The rates of the states, a tuple in their order; ``state`` is a sequence in that order or a mapping by name, of scalars of any kind."""
+        """The rates of the states, a tuple in their order; ``state`` is a sequence in that order or
+        a mapping by name, of scalars of any kind.
+        """
         try:
             return tuple(map(plain, self._call(self.rhs, self._state(state), self.parameters, t)))
         except ZeroDivisionError as error:
-            raise ModelError(f"{self.name} has no rates at {self._state(state)}: {error}; the coordinates are singular there") from error
+            raise ModelError(
+                f"{self.name} has no rates at {self._state(state)}: {error}; the coordinates "
+                "are singular there"
+            ) from error
 
     def compiled_rhs(self, *free):
-        """The right-hand side as fast straight-line text, see :func:`newton_euler.compiled`: a function ``(t, *states, *free)`` of scalars.
+        """The right-hand side as fast straight-line text, see :func:`newton_euler.compiled`: a
+        function ``(t, *states, *free)`` of scalars.
 
         free : names of parameters that stay arguments; the others are fixed now. For SciPy write
         ``lambda t, y: rhs(t, *y.tolist())``: Python's floats run three times faster than NumPy's.
@@ -114,19 +134,33 @@ class Model:
         return self._compiled(lambda s, p, t: tuple(self.rhs(s, p, t)), free)
 
     def _compiled(self, f, free):
-        """A function ``f(s, p, t)`` of this model as straight-line text, a function ``(t, *states, *free)``."""
+        """A function ``f(s, p, t)`` of this model as straight-line text, a function
+        ``(t, *states, *free)``.
+        """
 
         def values(**named):
-            return self._call(f, {n: named[n] for n in self.states}, {**self.parameters, **{n: named[n] for n in free}}, named["t"])
+            return self._call(
+                f,
+                {n: named[n] for n in self.states},
+                {**self.parameters, **{n: named[n] for n in free}},
+                named["t"],
+            )
 
         values.__name__ = self.name
-        values.__signature__ = Signature([Parameter(n, Parameter.POSITIONAL_OR_KEYWORD) for n in ("t", *self.states, *free)])
+        values.__signature__ = Signature(
+            [Parameter(n, Parameter.POSITIONAL_OR_KEYWORD) for n in ("t", *self.states, *free)]
+        )
         return compiled(values)
 
     def solution(self, t, start):
-        """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple. Raises :class:`ModelError` where no exact solution is known."""
+        """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple. Raises
+        :class:`ModelError` where no exact solution is known.
+        """
         if self.exact is None:
-            raise ModelError(f"no exact solution of {self.name!r} is known; integrate it with newton_euler.motion.integration")
+            raise ModelError(
+                f"no exact solution of {self.name!r} is known; integrate it with "
+                "newton_euler.motion.integration"
+            )
         return tuple(map(plain, self._call(self.exact, self._state(start), self.parameters, t)))
 
     def invariant(self, name, state, t=0):
@@ -135,9 +169,14 @@ class Model:
         return plain(self._call(self.invariants[name], self._state(state), self.parameters, t))
 
     def neglected(self, t, start):
-        """For each :class:`Neglected` the bound of the error that it makes until ``t`` after ``start``, inf where none is known: a dict."""
+        """For each :class:`Neglected` the bound of the error that it makes until ``t`` after
+        ``start``, inf where none is known: a dict.
+        """
         state = self._state(start)
-        return {n: plain(self._call(n.bound, state, self.parameters, t)) if n.bound else math.inf for n in self.neglects}
+        return {
+            n: plain(self._call(n.bound, state, self.parameters, t)) if n.bound else math.inf
+            for n in self.neglects
+        }
 
     def changed(self, **parameters):
         """The same model with some parameters changed."""
@@ -149,51 +188,81 @@ class Model:
     def _expect(self, what, names, known):
         for name in names:
             if name not in known:
-                raise ModelError(f"{self.name} has no {what} {name!r}; it has {', '.join(known) or 'none'}")
+                raise ModelError(
+                    f"{self.name} has no {what} {name!r}; it has {', '.join(known) or 'none'}"
+                )
 
     def _state(self, state):
         if isinstance(state, Mapping):
             missing = [n for n in self.states if n not in state]
             if missing:
-                raise ModelError(f"the state of {self.name!r} lacks {', '.join(missing)}; give all of {', '.join(self.states)}")
+                raise ModelError(
+                    f"the state of {self.name!r} lacks {', '.join(missing)}; give all of "
+                    f"{', '.join(self.states)}"
+                )
             return {n: state[n] for n in self.states}
         state = tuple(state)
         if len(state) != len(self.states):
-            raise ModelError(f"{self.name} has the {len(self.states)} states {', '.join(self.states)}; got {len(state)} values: {state!r}")
+            raise ModelError(
+                f"{self.name} has the {len(self.states)} states {', '.join(self.states)}; got "
+                f"{len(state)} values: {state!r}"
+            )
         return dict(zip(self.states, state, strict=True))
 
     def _call(self, f, state, parameters, t):
         """``f(s, p, t)``, with the value of each law at this state in p."""
         s = Named("state", {n: scalar(x) for n, x in state.items()})
         p = Named("parameter", {n: scalar(x) for n, x in parameters.items() if not is_law(x)})
-        laws = {n: scalar(law(s, p, t)) for n, law in parameters.items() if is_law(law)}  # all of them see numbers only
+        # all of them see numbers only
+        laws = {n: scalar(law(s, p, t)) for n, law in parameters.items() if is_law(law)}
         vars(p).update(laws)
         return f(s, p, t)
 
     def _check_names(self):
         names = [*self.states, *self.parameters]
         for name in names:
-            if not isinstance(name, str) or not name.isidentifier() or iskeyword(name) or name == "t":
-                raise ModelError(f"{name!r} cannot name a state or parameter of {self.name!r}: take a Python name, no keyword, and not t, the time")
+            if (
+                not isinstance(name, str)
+                or not name.isidentifier()
+                or iskeyword(name)
+                or name == "t"
+            ):
+                raise ModelError(
+                    f"{name!r} cannot name a state or parameter of {self.name!r}: take a "
+                    "Python name, no keyword, and not t, the time"
+                )
         twice = [n for n in names if names.count(n) > 1]
         if twice:
-            raise ModelError(f"{twice[0]!r} names two things in {self.name!r}; each state and parameter needs a name of its own")
+            raise ModelError(
+                f"{twice[0]!r} names two things in {self.name!r}; each state and parameter "
+                "needs a name of its own"
+            )
         for name, value in self.parameters.items():
             if not callable(value) and not _is_scalar(value):
-                raise ModelError(f"the parameter {name} of {self.name!r} is a number or a function (s, p, t), not {value!r}")
+                raise ModelError(
+                    f"the parameter {name} of {self.name!r} is a number or a function (s, p, "
+                    f"t), not {value!r}"
+                )
 
     def _check_rhs(self, numbers):
         """One call without values: it meets every name, and no branch can hide from it."""
         try:
             count = self.compiled_rhs(*numbers).count
         except (AttributeError, TypeError, ZeroDivisionError) as error:
-            raise ModelError(f"the right-hand side of {self.name!r} fails when it is tried: {error}") from error
+            raise ModelError(
+                f"the right-hand side of {self.name!r} fails when it is tried: {error}"
+            ) from error
         if count != len(self.states):
-            raise ModelError(f"the right-hand side of {self.name!r} returns {count} rates for the {len(self.states)} states {', '.join(self.states)}")
+            raise ModelError(
+                f"the right-hand side of {self.name!r} returns {count} rates for the "
+                f"{len(self.states)} states {', '.join(self.states)}"
+            )
 
 
 def cached(cache, key, make):
-    """The value of a key in the cache, made if it is not there; of all values the ``KEPT`` that were used last stay."""
+    """The value of a key in the cache, made if it is not there; of all values the ``KEPT`` that
+    were used last stay.
+    """
     found = cache.pop(key, cache)  # the cache itself stands for what is not in it
     cache[key] = found = make() if found is cache else found
     if len(cache) > KEPT:
@@ -220,21 +289,27 @@ def is_absent(x):
 
 
 def comparable(what, *values):
-    """The values as :func:`~newton_euler.algebra.scalars.of_one_kind` returns them, for an exact solution whose branches compare them.
+    """The values as :func:`~newton_euler.algebra.scalars.of_one_kind` returns them, for an exact
+    solution whose branches compare them.
 
     ``what`` : the body, for the message; :class:`ModelError` for expressions.
     """
     values = of_one_kind(*values)
     if not all(map(is_comparable, values)):
-        raise ModelError(f"the exact solution of the {what} needs numbers: its branches compare them; put values in first")
+        raise ModelError(
+            f"the exact solution of the {what} needs numbers: its branches compare them; put "
+            "values in first"
+        )
     return values
 
 
 def second_order(name, parameters, coordinates, accelerations, **more):
-    """The :class:`Model` whose states are the coordinates and their rates: equations of motion in state-variable form.
+    """The :class:`Model` whose states are the coordinates and their rates: equations of motion in
+    state-variable form.
 
     coordinates : their names; the rate of ``x`` is the state ``dx``
-    accelerations : a function ``(s, p, t)`` that returns the second rates of the coordinates; ``more`` goes to :class:`Model`
+    accelerations : a function ``(s, p, t)`` that returns the second rates of the coordinates;
+        ``more`` goes to :class:`Model`
 
     >>> spring = second_order("spring", {"m": 2.0, "k": 8.0}, ("x",), lambda s, p, t: (-p.k*s.x/p.m,))
     >>> spring.states, spring.derivative((0.5, 1.0))

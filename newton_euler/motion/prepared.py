@@ -1,6 +1,7 @@
 """A model made ready to run: its formulas traced once and kept, with the numbers of its parameters.
 
-Models that share a right-hand side (the same scene with other parameters) share the traced text, and what heyoka has compiled from it.
+Models that share a right-hand side (the same scene with other parameters) share the traced text,
+and what heyoka has compiled from it.
 """
 
 import ast
@@ -15,9 +16,11 @@ _known = {}
 
 
 class Traced:
-    """The text ``rhs`` of one right-hand side, a function ``(t, *states, *free)``, and what was made from it.
+    """The text ``rhs`` of one right-hand side, a function ``(t, *states, *free)``, and what was
+    made from it.
 
-    functions : the texts of other functions of the states, or None, by function; ``integrators`` of heyoka
+    functions : the texts of other functions of the states, or None, by function; ``integrators`` of
+        heyoka
     seconds : spent on integrating it, to decide whether heyoka's compilation pays
     """
 
@@ -32,7 +35,9 @@ class Traced:
         known = {a.arg: {a.arg} for a in function.args.args}
 
         def of(node):
-            return set().union(*(known.get(n.id, ()) for n in ast.walk(node) if isinstance(n, ast.Name)))
+            return set().union(
+                *(known.get(n.id, ()) for n in ast.walk(node) if isinstance(n, ast.Name))
+            )
 
         for line in function.body[:-1]:
             known[line.targets[0].id] = of(line.value)
@@ -40,7 +45,9 @@ class Traced:
 
     @cached_property
     def folded(self):
-        """The right-hand side with constants in the places of what depends on parameters alone, and the formula that gives these."""
+        """The right-hand side with constants in the places of what depends on parameters alone, and
+        the formula that gives these.
+        """
         return folded(self.rhs, self.arguments)
 
 
@@ -58,7 +65,8 @@ def prepared(model):
 class PreparedModel:
     """A model with the numbers of its parameters.
 
-    f : the right-hand side on floats, ``f(t, *states, *p)``; ``p`` : the values of the parameters that are ``free``, arguments of it
+    f : the right-hand side on floats, ``f(t, *states, *p)``; ``p`` : the values of the parameters
+        that are ``free``, arguments of it
     many : True if some parameter is an array
     Raises :class:`ModelError` for a parameter that has no number.
     """
@@ -70,7 +78,11 @@ class PreparedModel:
         self.p = tuple(_parameter(model, n, model.parameters[n]) for n in self.free)
         self.exact_verified = False  # its exact solution, once that has been compared with itself
         self.many = any(getattr(x, "shape", ()) for x in self.p)
-        self.traced = cached(_known, (model.rhs, model.states, self.free, *fixed.items()), lambda: Traced(model, self.free))
+        self.traced = cached(
+            _known,
+            (model.rhs, model.states, self.free, *fixed.items()),
+            lambda: Traced(model, self.free),
+        )
         self.f = self.traced.rhs.on_floats
 
     @cached_property
@@ -80,7 +92,9 @@ class PreparedModel:
 
     @cached_property
     def constants(self):
-        """What the folded right-hand side needs of the parameters, a tuple; nan where they give no numbers."""
+        """What the folded right-hand side needs of the parameters, a tuple; nan where they give no
+        numbers.
+        """
         rest, early = self.traced.folded
         try:
             return early.on_floats(*self.p)
@@ -112,7 +126,9 @@ class PreparedModel:
         return value
 
     def _text(self, f):
-        """The traced text of a function ``f(s, p, t)``; None if it branches on values, as an event may."""
+        """The traced text of a function ``f(s, p, t)``; None if it branches on values, as an event
+        may.
+        """
 
         def traced():
             try:
@@ -124,9 +140,11 @@ class PreparedModel:
 
     @cached_property
     def solution(self):
-        """The exact solution as a function of ``(t, states)`` on floats alone, which returns a tuple of floats.
+        """The exact solution as a function of ``(t, states)`` on floats alone, which returns a
+        tuple of floats.
 
-        Where the traced text has no value, as for an orbit that is no ellipse, the formula is called as it is; :class:`ModelError` if it has none.
+        Where the traced text has no value, as for an orbit that is no ellipse, the formula is
+        called as it is; :class:`ModelError` if it has none.
         """
         f, p, model = self.model.exact, self.p, self.model
         text, untraced = self._text(f), self.untraced(f)
@@ -146,7 +164,9 @@ class PreparedModel:
                     return found
             except ArithmeticError as raised:
                 error = f": {raised}"
-            raise ModelError(f"the exact solution of {model.name!r} has no value at t = {t:.6g} after {x}{error}")
+            raise ModelError(
+                f"the exact solution of {model.name!r} has no value at t = {t:.6g} after {x}{error}"
+            )
 
         return at
 
@@ -162,14 +182,26 @@ class PreparedModel:
 
 
 def start_state(model, start):
-    """The start as a tuple of floats (or arrays) in the order of the states; :class:`ModelError` says what is wrong with it."""
-    if type(start) in (tuple, list) and len(start) == len(model.states) and set(map(type, start)) == {float} and math.isfinite(sum(start)):
+    """The start as a tuple of floats (or arrays) in the order of the states; :class:`ModelError`
+    says what is wrong with it.
+    """
+    if (
+        type(start) in (tuple, list)
+        and len(start) == len(model.states)
+        and set(map(type, start)) == {float}
+        and math.isfinite(sum(start))
+    ):
         return tuple(start)
     if not hasattr(start, "__iter__"):
-        raise ModelError(f"the start of {model.name!r} is a value for each of {', '.join(model.states)}, not {start!r}")
+        raise ModelError(
+            f"the start of {model.name!r} is a value for each of {', '.join(model.states)}, "
+            f"not {start!r}"
+        )
     unknown = [n for n in start if n not in model.states] if hasattr(start, "keys") else []
     if unknown:
-        raise ModelError(f"{model.name} has no state {unknown[0]!r}; its states are {', '.join(model.states)}")
+        raise ModelError(
+            f"{model.name} has no state {unknown[0]!r}; its states are {', '.join(model.states)}"
+        )
     return tuple(_state(model, n, x) for n, x in model._state(start).items())
 
 
@@ -179,7 +211,9 @@ def _state(model, name, x):
             raise TypeError
         return _finite(x, f"the start of {model.name!r} has {name} =")
     except (TypeError, RuntimeError) as error:  # RuntimeError: of SymEngine
-        raise ModelError(f"the start of {model.name!r} needs a number for {name}, got {x!r}") from error
+        raise ModelError(
+            f"the start of {model.name!r} needs a number for {name}, got {x!r}"
+        ) from error
 
 
 def _parameter(model, name, x):
@@ -188,7 +222,10 @@ def _parameter(model, name, x):
     try:
         return _finite(x, f"the parameter {name} of {model.name!r} is")
     except (TypeError, RuntimeError) as error:  # RuntimeError: of SymEngine
-        raise ModelError(f"the parameter {name} of {model.name!r} has no number: {x!r}; put one in with changed({name}=...)") from error
+        raise ModelError(
+            f"the parameter {name} of {model.name!r} has no number: {x!r}; put one in with "
+            f"changed({name}=...)"
+        ) from error
 
 
 def _finite(x, what):

@@ -1,4 +1,6 @@
-"""One integration of one motion: which method is used, how its tolerance is chosen, and how its error is estimated."""
+"""One integration of one motion: which method is used, how its tolerance is chosen, and how its
+error is estimated.
+"""
 
 import math
 from contextlib import suppress
@@ -12,10 +14,13 @@ from .model import ModelError
 from .solution import Cost, Motion, MotionError
 from .trajectory import Trajectory
 
-HEYOKA_BREAK_EVEN = 0.5  # seconds of integrating one right-hand side, after which heyoka's import and compilation would have been earned back
+# seconds of integrating one right-hand side, after which heyoka's import and compilation would have
+# been earned back
+HEYOKA_BREAK_EVEN = 0.5
 MAX_REFINEMENTS = 5  # of the tolerance
 SAFETY_FACTOR = 4.0  # on the error that the difference of two runs predicts
-ROUND_OFF = 2e-14  # of a short run, which no difference shows; over n steps it grows as sqrt(n), as a random walk
+# of a short run, which no difference shows; over n steps it grows as sqrt(n), as a random walk
+ROUND_OFF = 2e-14
 SHORT_TAYLOR = replace(METHODS["taylor"], stepper=ShortSteps)
 
 
@@ -26,20 +31,30 @@ def span(t):
     try:
         t0, t1 = map(float, t) if hasattr(t, "__iter__") else (0.0, float(t))
     except (TypeError, ValueError) as error:
-        raise ModelError(f"t is the time at which to end, or a pair (from, to); got {t!r}") from error
+        raise ModelError(
+            f"t is the time at which to end, or a pair (from, to); got {t!r}"
+        ) from error
     if not (math.isfinite(t0) and math.isfinite(t1) and t0 < t1):
-        raise ModelError(f"time runs forward: the end must come after the start, got from {t0!r} to {t1!r}")
+        raise ModelError(
+            f"time runs forward: the end must come after the start, got from {t0!r} to {t1!r}"
+        )
     return t0, t1
 
 
 def check(rtol, method, events=(), step=None):
     """Raise :class:`ModelError` for what no model can be integrated with."""
     if method != "auto" and method not in METHODS:
-        raise ModelError(f"there is no method {method!r}; take 'auto' or one of {', '.join(METHODS)}")
+        raise ModelError(
+            f"there is no method {method!r}; take 'auto' or one of {', '.join(METHODS)}"
+        )
     least = 1e-15 if method == "auto" else METHODS[method].min_rtol
     if step is None and not (isinstance(rtol, (int, float)) and least <= rtol < 1):
         below_1 = isinstance(rtol, (int, float)) and 0 < rtol < 1
-        what = f"method {method!r} cannot reach it, the least is {least:g}" if below_1 else "it lies below 1"
+        what = (
+            f"method {method!r} cannot reach it, the least is {least:g}"
+            if below_1
+            else "it lies below 1"
+        )
         raise ModelError(f"rtol is the error asked for, got {rtol!r}: {what}")
     for event in events:
         if not isinstance(event, Event):
@@ -49,7 +64,9 @@ def check(rtol, method, events=(), step=None):
 
 
 def usable(name, system, t0=0.0):
-    """The method of this name; :class:`ModelError` if it cannot be used for the model from this time on."""
+    """The method of this name; :class:`ModelError` if it cannot be used for the model from this
+    time on.
+    """
     why = METHODS[name].unusable_because(system, t0)
     if why:
         raise ModelError(f"method {name!r} cannot be used: {why}")
@@ -57,9 +74,23 @@ def usable(name, system, t0=0.0):
 
 
 class Run:
-    """What is asked of one integration; :meth:`by_name` returns the :class:`~newton_euler.motion.solution.Motion`."""
+    """What is asked of one integration; :meth:`by_name` returns the
+    :class:`~newton_euler.motion.solution.Motion`.
+    """
 
-    def __init__(self, system, t0, t1, state, rtol, events=(), samples=None, progress=None, step=None, begun=None):
+    def __init__(
+        self,
+        system,
+        t0,
+        t1,
+        state,
+        rtol,
+        events=(),
+        samples=None,
+        progress=None,
+        step=None,
+        begun=None,
+    ):
         self.system, self.t0, self.t1, self.state, self.rtol = system, t0, t1, state, rtol
         self.events, self.samples, self.progress, self.step = events, samples, progress, step
         self.calls, self.prepared = 0, perf_counter()
@@ -88,29 +119,55 @@ class Run:
         """The record; :class:`~newton_euler.motion.solution.MotionError` if the trajectory failed."""
         cost = Cost(perf_counter() - self.prepared, self.preparing, self.calls)
         segments, occurrences = tuple(trajectory.segments), tuple(trajectory.occurrences)
-        motion = Motion(self.system.model, segments, occurrences, method, self.rtol, trajectory.ended, cost, self.samples, error)
+        motion = Motion(
+            self.system.model,
+            segments,
+            occurrences,
+            method,
+            self.rtol,
+            trajectory.ended,
+            cost,
+            self.samples,
+            error,
+        )
         if trajectory.failed:
-            raise MotionError(f"{trajectory.ended}; what was reached is in the error's .reached", motion)
+            raise MotionError(
+                f"{trajectory.ended}; what was reached is in the error's .reached", motion
+            )
         return motion
 
     def auto(self):
-        """The motion by the exact solution if there is one, else by heyoka if its compilation has been or will be earned back, else by DOP853."""
-        system, exact, taylor, dop853 = self.system, METHODS["exact"], METHODS["taylor"], METHODS["dop853"]
+        """The motion by the exact solution if there is one, else by heyoka if its compilation has
+        been or will be earned back, else by DOP853.
+        """
+        system, exact, taylor, dop853 = (
+            self.system,
+            METHODS["exact"],
+            METHODS["taylor"],
+            METHODS["dop853"],
+        )
         if not exact.unusable_because(system, self.t0):
             try:
                 return self.by(exact)
-            except ModelError:  # it has no value for this start, or is not accurate: there are other methods
+            # it has no value for this start, or is not accurate: there are other methods
+            except ModelError:
                 pass
         heyoka, much = not taylor.unusable_because(system), self.rtol < dop853.min_rtol
-        if heyoka and (much or system.traced.integrators or system.traced.seconds > HEYOKA_BREAK_EVEN):
+        if heyoka and (
+            much or system.traced.integrators or system.traced.seconds > HEYOKA_BREAK_EVEN
+        ):
             try:
                 return self.by(taylor)
-            except MotionError:  # as where the rates are not analytic: |v| v at rest, which Runge-Kutta methods can pass
+            # as where the rates are not analytic: |v| v at rest, which Runge-Kutta methods can pass
+            except MotionError:
                 if much:
                     raise
                 heyoka = False
         if much:
-            raise ModelError(f"rtol = {self.rtol:g} needs heyoka, which is not installed; without it the least is {dop853.min_rtol:g}")
+            raise ModelError(
+                f"rtol = {self.rtol:g} needs heyoka, which is not installed; without it the "
+                f"least is {dop853.min_rtol:g}"
+            )
         return self.calibrated(dop853, heyoka)
 
     def by(self, method):
@@ -125,12 +182,16 @@ class Run:
         def error():
             """From a second run with shorter steps, which is much more accurate; plus round-off."""
             self.progress = None
-            return 2 * trajectory.difference(self.trajectory(SHORT_TAYLOR, trajectory.tolerance)) + 2e-15
+            return (
+                2 * trajectory.difference(self.trajectory(SHORT_TAYLOR, trajectory.tolerance))
+                + 2e-15
+            )
 
         return self.motion(trajectory, method, error)
 
     def verify_exact(self, trajectory):
-        """Raise :class:`ModelError` where an exact solution is none: the first one of a model is compared with itself, and then it is trusted.
+        """Raise :class:`ModelError` where an exact solution is none: the first one of a model is
+        compared with itself, and then it is trusted.
 
         Of later ones this comparison is the ``error`` of the motion, made when that is asked for.
         """
@@ -139,16 +200,28 @@ class Run:
         error = trajectory.exact_error()
         self.system.exact_verified = error is not None and error <= self.rtol
         if not self.system.exact_verified:
-            why = "it becomes a model without one" if error is None else f"it is not accurate here: its error is about {error:.1g}"
-            raise ModelError(f"the closed form of {self.system.model.name!r} does not do: {why}; take method='auto'")
+            why = (
+                "it becomes a model without one"
+                if error is None
+                else f"it is not accurate here: its error is about {error:.1g}"
+            )
+            raise ModelError(
+                f"the closed form of {self.system.model.name!r} does not do: {why}; take "
+                "method='auto'"
+            )
 
     def calibrated(self, method, heyoka=False):
-        """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`; with ``heyoka`` by that if the first run shows that the second would take long."""
+        """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`; with
+        ``heyoka`` by that if the first run shows that the second would take long.
+        """
         begun = perf_counter()
-        tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), method.min_tolerance)
+        tolerance = max(
+            min(self.rtol / method.tolerance_ratio, method.max_tolerance), method.min_tolerance
+        )
         coarse = min(tolerance * COARSENING, MAX_COARSE_TOLERANCE)
         before = self.trajectory(method, coarse)
-        if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:  # order 8: steps as tolerance**(1/8)
+        # order 8: steps as tolerance**(1/8)
+        if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
                 return self.by(METHODS["taylor"])
         for _ in range(MAX_REFINEMENTS + 1):
@@ -156,7 +229,9 @@ class Run:
             error = predicted_error(before, trajectory)
             if error <= self.rtol or tolerance <= method.min_tolerance or trajectory.failed:
                 break
-            finer = max(tolerance * max(1 / COARSENING, self.rtol / error / 3), method.min_tolerance)
+            finer = max(
+                tolerance * max(1 / COARSENING, self.rtol / error / 3), method.min_tolerance
+            )
             before, tolerance = trajectory, min(finer, tolerance / 4)
         self.system.traced.seconds += perf_counter() - begun
         return self.motion(trajectory, method, error)
@@ -168,4 +243,7 @@ def predicted_error(before, trajectory):
     if difference > 0.05:
         return difference  # the coarse one is too far off to predict anything
     steps = sum(len(segment.stepper.step_times) for segment in trajectory.segments)
-    return SAFETY_FACTOR * difference * trajectory.tolerance / before.tolerance + ROUND_OFF * math.sqrt(1 + steps / 100)
+    return (
+        SAFETY_FACTOR * difference * trajectory.tolerance / before.tolerance
+        + ROUND_OFF * math.sqrt(1 + steps / 100)
+    )

@@ -13,7 +13,9 @@ DEFAULT_SAMPLES = 101  # of a motion without steps
 
 
 class MotionError(ModelError):
-    """Raised where a motion could not be followed to its end; ``reached`` is the :class:`Motion` up to there."""
+    """Raised where a motion could not be followed to its end; ``reached`` is the :class:`Motion` up
+    to there.
+    """
 
     def __init__(self, message, reached):
         super().__init__(message)
@@ -21,7 +23,9 @@ class MotionError(ModelError):
 
 
 class Cost(NamedTuple):
-    """``seconds`` of all runs, with the imports and compilations that they need; ``preparing`` the model; ``calls`` of the right-hand side."""
+    """``seconds`` of all runs, with the imports and compilations that they need; ``preparing`` the
+    model; ``calls`` of the right-hand side.
+    """
 
     seconds: float
     preparing: float
@@ -33,11 +37,15 @@ class Motion:
     """The motion of a model.
 
     model, method, rtol : what was asked for; the method is the one that was used
-    segments : the parts between events at which the model changed; ``events`` : what happened, each with ``name``, ``t`` and ``state``
+    segments : the parts between events at which the model changed; ``events`` : what happened, each
+        with ``name``, ``t`` and ``state``
     ended : how it ended, in words; ``cost`` : a :class:`Cost`
-    times, states : of the samples; ``states["theta"]`` is an array; nan in a segment that has no such state
-    error : the estimated error at the end, of the worst state relative to its largest value (at least 1e-6 in its unit)
-    drift : for each invariant, by name, its largest change over the samples, relative to its largest value
+    times, states : of the samples; ``states["theta"]`` is an array; nan in a segment that has no
+        such state
+    error : the estimated error at the end, of the worst state relative to its largest value (at
+        least 1e-6 in its unit)
+    drift : for each invariant, by name, its largest change over the samples, relative to its
+        largest value
 
     >>> from newton_euler import Model
     >>> fall = Model("fall", {"g": 10.0}, ("h", "v"), lambda s, p, t: (s.v, -p.g), exact=lambda s, p, t: (s.h + s.v*t - p.g*t*t/2, s.v - p.g*t))
@@ -70,7 +78,9 @@ class Motion:
 
     @cached_property
     def error(self):
-        """See the class; for heyoka it takes a second run with shorter steps, made when it is first asked for."""
+        """See the class; for heyoka it takes a second run with shorter steps, made when it is first
+        asked for.
+        """
         return self.estimate() if callable(self.estimate) else self.estimate
 
     @cached_property
@@ -81,8 +91,14 @@ class Motion:
         begin, end, segments = self.segments[0].t0, self.t_end, self.segments
         if self.samples is not None:
             return sample_times(self.samples, begin, end)
-        steps = [t for segment in segments for t in segment.stepper.step_times[1:] if t < segment.t1]
-        return np.array([begin, *sorted([*steps, *(segment.t1 for segment in segments)])]) if steps else np.linspace(begin, end, DEFAULT_SAMPLES)
+        steps = [
+            t for segment in segments for t in segment.stepper.step_times[1:] if t < segment.t1
+        ]
+        return (
+            np.array([begin, *sorted([*steps, *(segment.t1 for segment in segments)])])
+            if steps
+            else np.linspace(begin, end, DEFAULT_SAMPLES)
+        )
 
     @cached_property
     def states(self):
@@ -90,16 +106,20 @@ class Motion:
         return MappingProxyType(self._at(self.times))
 
     def at(self, t):
-        """The states at any time of the motion, by name: numbers, or arrays for an array of times. Raises :class:`ModelError` outside.
+        """The states at any time of the motion, by name: numbers, or arrays for an array of times.
+        Raises :class:`ModelError` outside.
 
-        As accurate as the steps, or up to ten times less for the Runge-Kutta methods, whose interpolation has one order less.
+        As accurate as the steps, or up to ten times less for the Runge-Kutta methods, whose
+        interpolation has one order less.
         """
         import numpy as np
 
         times = np.atleast_1d(np.asarray(t, dtype=float))
         begin, end = self.segments[0].t0, self.t_end
         if not np.all((times >= begin) & (times <= end)):
-            raise ModelError(f"the motion goes from t = {begin:g} to {end:g}; it says nothing about t = {t!r}")
+            raise ModelError(
+                f"the motion goes from t = {begin:g} to {end:g}; it says nothing about t = {t!r}"
+            )
         found = self._at(times)
         return found if np.ndim(t) else {n: float(x[0]) for n, x in found.items()}
 
@@ -108,14 +128,19 @@ class Motion:
 
         if len(self.segments) == 1:
             rows = self.segments[0].stepper.states(times)
-            rows[:, times == self.t_end] = np.array(self.segments[0].x1)[:, None]  # to the last bit, where the stepper interpolates
+            # to the last bit, where the stepper interpolates
+            rows[:, times == self.t_end] = np.array(self.segments[0].x1)[:, None]
             return dict(zip(self.model.states, rows, strict=True))
         names = dict.fromkeys(n for segment in self.segments for n in segment.system.model.states)
         out = {n: np.full(len(times), math.nan) for n in names}
-        index = np.maximum(np.searchsorted([segment.t0 for segment in self.segments], times, side="right") - 1, 0)
+        index = np.maximum(
+            np.searchsorted([segment.t0 for segment in self.segments], times, side="right") - 1, 0
+        )
         for n in np.unique(index):
             segment, inside = self.segments[n], index == n
-            for name, row in zip(segment.system.model.states, segment.stepper.states(times[inside]), strict=True):
+            for name, row in zip(
+                segment.system.model.states, segment.stepper.states(times[inside]), strict=True
+            ):
                 out[name][inside] = row
         for name, x in self.end.items():
             out[name][times == self.t_end] = x
@@ -133,14 +158,18 @@ class Motion:
             for name, f in system.model.invariants.items():
                 values = np.broadcast_to(system.function(f)(times, *x), times.shape)
                 largest = abs(values).max()
-                worst[name] = max(worst.get(name, 0.0), float(abs(values - values[0]).max() / largest) if largest else 0.0)
+                worst[name] = max(
+                    worst.get(name, 0.0),
+                    float(abs(values - values[0]).max() / largest) if largest else 0.0,
+                )
         return worst
 
     def explain(self):
         """All of it as text, one fact a line."""
         missed = ", not reached" if self.error > self.rtol else ""
         lines = [
-            f"{self.model.name}, from t = {self.segments[0].t0:g} to {self.t_end:.9g}: {self.ended}",
+            f"{self.model.name}, from t = {self.segments[0].t0:g} to {self.t_end:.9g}: "
+            f"{self.ended}",
             f"method: {self.method.name} ({self.method.description})",
             f"error of the last state: about {self.error:.1g}, asked for {self.rtol:.1g}{missed}",
             *(f"drift of {name}: {value:.1g}" for name, value in self.drift.items()),
@@ -149,6 +178,12 @@ class Motion:
         if len(self.events) > 10:
             lines.append(f"... and {len(self.events) - 10} more events")
         seconds, preparing, calls = self.cost
-        return "\n".join([*lines, f"cost: {1e3 * seconds:.3g} ms, {calls} calls of the right-hand side, {1e3 * preparing:.3g} ms to prepare"])
+        return "\n".join(
+            [
+                *lines,
+                f"cost: {1e3 * seconds:.3g} ms, {calls} calls of the right-hand side, "
+                f"{1e3 * preparing:.3g} ms to prepare",
+            ]
+        )
 
     __str__ = explain

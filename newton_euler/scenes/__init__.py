@@ -1,4 +1,5 @@
-"""Motions of the book, each a module whose functions return a Model, and ladders of models; :data:`SCENES` and :data:`LADDERS` have them by name.
+"""Motions of the book, each a module whose functions return a Model, and ladders of models;
+:data:`SCENES` and :data:`LADDERS` have them by name.
 
 >>> model, t, start = scene("pendulum").motion
 >>> model.states, t, start
@@ -17,11 +18,16 @@ from . import catalogue
 
 @cache
 def _table(name):
-    """One of the tables, in the order of the book. It needs all modules of scenes; to import them takes about 30 ms."""
+    """One of the tables, in the order of the book. It needs all modules of scenes; to import them
+    takes about 30 ms.
+    """
     for module in walk_packages(__path__, f"{__name__}."):
         import_module(module.name)
     entries = getattr(catalogue, name).values()
-    return {s.name: s for s in sorted(entries, key=lambda s: ([int(n) for n in s.section.split(".")], s.name))}
+    return {
+        s.name: s
+        for s in sorted(entries, key=lambda s: ([int(n) for n in s.section.split(".")], s.name))
+    }
 
 
 def __getattr__(name):
@@ -31,12 +37,16 @@ def __getattr__(name):
 
 
 def scene(name):
-    """The scene of this name; :class:`~newton_euler.motion.model.ModelError` lists those that there are."""
+    """The scene of this name; :class:`~newton_euler.motion.model.ModelError` lists those that there
+    are.
+    """
     return _found("SCENES", name)
 
 
 def ladder(name, **given):
-    """The :class:`~newton_euler.scenes.ladders.Ladder` of this name, for its own values, or those ``given``: parameters, start and t by name."""
+    """The :class:`~newton_euler.scenes.ladders.Ladder` of this name, for its own values, or those
+    ``given``: parameters, start and t by name.
+    """
     return _found("LADDERS", name).make(**given)
 
 

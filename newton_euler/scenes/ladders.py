@@ -1,8 +1,11 @@
-"""Ladders: the models of one scene from the coarsest to the fullest, and the smallest one that a question needs.
+"""Ladders: the models of one scene from the coarsest to the fullest, and the smallest one that a
+question needs.
 
-The rungs of a ladder may have different states, but from the states of each the same quantity is *observed*, as the position of a shot or the angle
-of a top. The error of a rung is the largest distance, over the whole time, between its prediction and that of the fullest rung. Each model names what
-it leaves out, with a bound of the error where one is known. The error of a rung without a bound, or whose bound is too large, is measured.
+The rungs of a ladder may have different states, but from the states of each the same quantity is
+*observed*, as the position of a shot or the angle of a top. The error of a rung is the largest
+distance, over the whole time, between its prediction and that of the fullest rung. Each model names
+what it leaves out, with a bound of the error where one is known. The error of a rung without a
+bound, or whose bound is too large, is measured.
 
 >>> from newton_euler.scenes import ladder
 >>> choice = smallest(ladder("projectile"), 1.0)  # metre
@@ -21,16 +24,19 @@ from ..motion.model import Model, ModelError
 
 INSTANTS = 257  # at which rungs are compared
 FINER = 1e-3  # of the tolerance may be due to integration
-ROUGH, FINEST = 1e-9, 1e-12  # relative errors of the states: the second is tried where the first is not enough
+# relative errors of the states: the second is tried where the first is not enough
+ROUGH, FINEST = 1e-9, 1e-12
 
 
 @dataclass(frozen=True, eq=False)
 class Rung:
     """One model of a ladder.
 
-    model : the :class:`~newton_euler.motion.model.Model`; it ``neglects`` what the fuller rungs contain, with bounds of the error against the fullest
+    model : the :class:`~newton_euler.motion.model.Model`; it ``neglects`` what the fuller rungs
+        contain, with bounds of the error against the fullest
     start : its states at t = 0
-    observed : a function ``(s, p, t)`` of its states that returns what is observed, a tuple, in the unit of the ladder
+    observed : a function ``(s, p, t)`` of its states that returns what is observed, a tuple, in the
+        unit of the ladder
     """
 
     model: Model
@@ -43,16 +49,23 @@ class Rung:
         return self.model.name
 
     def bound(self, t):
-        """The bound of the error until ``t``, by what the model neglects: inf if it names nothing, or something without a bound."""
+        """The bound of the error until ``t``, by what the model neglects: inf if it names nothing,
+        or something without a bound.
+        """
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
-            raise ModelError(f"the bounds of {self.name!r} have no values: give numbers for the parameters, the start and t")
+            raise ModelError(
+                f"the bounds of {self.name!r} have no values: give numbers for the parameters, "
+                "the start and t"
+            )
         return float(sum(map(size, bounds))) if bounds else math.inf
 
 
 @cache
 def observed_states(*names):
-    """The function for :class:`Rung` that returns the states of these names; made once, since compiled code is kept by function."""
+    """The function for :class:`Rung` that returns the states of these names; made once, since
+    compiled code is kept by function.
+    """
     return lambda s, p, t: tuple(getattr(s, n) for n in names)
 
 
@@ -63,7 +76,8 @@ class Ladder:
     name : of the scene
     of : what is observed, with its unit, as "position, m"
     t : the time for which it is asked
-    rungs : a tuple of :class:`Rung`, the cheapest and coarsest first; the last, the fullest, is what the others are measured against
+    rungs : a tuple of :class:`Rung`, the cheapest and coarsest first; the last, the fullest, is
+        what the others are measured against
     """
 
     name: str
@@ -74,15 +88,25 @@ class Ladder:
     def __post_init__(self):
         names = [rung.name for rung in self.rungs]
         if len(set(names)) < len(names) or not names:
-            raise ModelError(f"the rungs of {self.name!r} need names of their own, got {', '.join(names) or 'none'}")
+            raise ModelError(
+                f"the rungs of {self.name!r} need names of their own, got "
+                f"{', '.join(names) or 'none'}"
+            )
         other = [n.of for rung in self.rungs for n in rung.model.neglects if n.of != self.of]
         if other:
-            raise ModelError(f"the bounds of {self.name!r} are of different quantities and cannot be compared: {self.of}; {'; '.join(other)}")
+            raise ModelError(
+                f"the bounds of {self.name!r} are of different quantities and cannot be "
+                f"compared: {self.of}; {'; '.join(other)}"
+            )
 
     @classmethod
     def of_models(cls, name, of, t, start, names, *models):
-        """The ladder of models that have the same states, and so the same start; what is observed are the states of these ``names``."""
-        return cls(name, of, t, tuple(Rung(model, start, observed_states(*names)) for model in models))
+        """The ladder of models that have the same states, and so the same start; what is observed
+        are the states of these ``names``.
+        """
+        return cls(
+            name, of, t, tuple(Rung(model, start, observed_states(*names)) for model in models)
+        )
 
     @property
     def fullest(self):
@@ -97,7 +121,9 @@ class Ladder:
         return found[name]
 
     def observe(self, rung, rtol):
-        """What is observed of a rung, an array (components, instants) over the time of the ladder; its states are within ``rtol``."""
+        """What is observed of a rung, an array (components, instants) over the time of the ladder;
+        its states are within ``rtol``.
+        """
         import numpy as np
 
         from ..motion.integration import integrate
@@ -114,10 +140,12 @@ class Ladder:
         return values if ROUGH * abs(values).max() <= accuracy else self.observe(rung, FINEST)
 
     def error(self, rung, accuracy=0.0):
-        """The error of a rung against the fullest one: the largest distance of what is observed, over the whole time, in the ladder's unit.
+        """The error of a rung against the fullest one: the largest distance of what is observed,
+        over the whole time, in the ladder's unit.
 
         accuracy : of this error; the default is the best that can be reached
-        The error of a rung that cannot be integrated to the end, as angles through a singular position, is infinite.
+        The error of a rung that cannot be integrated to the end, as angles through a singular
+        position, is infinite.
         """
         if rung is self.fullest:
             return 0.0
@@ -146,7 +174,9 @@ class Ladder:
 
 @dataclass(frozen=True)
 class Evidence:
-    """Why a rung is chosen or not: the ``bound`` of its error by what it neglects (inf if there is none), and its ``error`` (None if not needed)."""
+    """Why a rung is chosen or not: the ``bound`` of its error by what it neglects (inf if there is
+    none), and its ``error`` (None if not needed).
+    """
 
     bound: float
     error: float | None
@@ -154,7 +184,9 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Choice:
-    """The result of :func:`smallest`: the ``rung``, and by name the :class:`Evidence` of every rung up to it; ``print`` it for an explanation."""
+    """The result of :func:`smallest`: the ``rung``, and by name the :class:`Evidence` of every rung
+    up to it; ``print`` it for an explanation.
+    """
 
     rung: Rung
     evidence: Mapping
@@ -168,11 +200,18 @@ class Choice:
 
     def explain(self):
         """The evidence rung by rung, and what the chosen one leaves out, as text."""
-        lines = [f"for {self.of}, within {self.tolerance:.3g}:", *(self._line(name, e) for name, e in self.evidence.items())]
+        lines = [
+            f"for {self.of}, within {self.tolerance:.3g}:",
+            *(self._line(name, e) for name, e in self.evidence.items()),
+        ]
         return "\n".join([*lines, *(f"it leaves out {n.what}" for n in self.model.neglects)])
 
     def _line(self, name, evidence):
-        bound = f"off by at most {evidence.bound:.3g}" if evidence.bound < math.inf else "no bound is known"
+        bound = (
+            f"off by at most {evidence.bound:.3g}"
+            if evidence.bound < math.inf
+            else "no bound is known"
+        )
         measured = "" if evidence.error is None else f", by {evidence.error:.3g} from the fullest"
         return f"{'takes' if name == self.rung.name else 'not'} {name}: {bound}{measured}"
 
@@ -180,10 +219,12 @@ class Choice:
 
 
 def smallest(ladder, tolerance):
-    """The cheapest rung of a ladder whose error stays within ``tolerance`` (in the ladder's unit), with the evidence: a :class:`Choice`.
+    """The cheapest rung of a ladder whose error stays within ``tolerance`` (in the ladder's unit),
+    with the evidence: a :class:`Choice`.
 
-    The rungs are tried from the cheapest on. A rung is accepted if the bound of what it neglects, which costs nothing to compute, is small enough, or
-    if its motion is near enough to that of the fullest rung. The bound of the fullest rung itself, if it has one, is added to every error;
+    The rungs are tried from the cheapest on. A rung is accepted if the bound of what it neglects,
+    which costs nothing to compute, is small enough, or if its motion is near enough to that of the
+    fullest rung. The bound of the fullest rung itself, if it has one, is added to every error;
     :class:`ModelError` if that is too large.
 
     >>> from newton_euler.scenes import ladder
@@ -210,4 +251,6 @@ def smallest(ladder, tolerance):
         if min(bound, math.inf if error is None else error + left) <= tolerance:
             return Choice(rung, MappingProxyType(evidence), tolerance, ladder.of)
     bounds = ", ".join(f"{name}: {e.bound:.3g}" for name, e in evidence.items())
-    raise ModelError(f"no model of this ladder is as accurate as {tolerance:.3g}; the errors may reach {bounds}")
+    raise ModelError(
+        f"no model of this ladder is as accurate as {tolerance:.3g}; the errors may reach {bounds}"
+    )

@@ -1,8 +1,11 @@
-"""Rivals on the two scenes of the benchmarks, each as a good user of it would write them: the nutating top and the free body.
+"""Rivals on the two scenes of the benchmarks, each as a good user of it would write them: the
+nutating top and the free body.
 
-A :class:`Rival` runs the scene at a setting, a tolerance or a number of steps, and returns its last state; :func:`loosest` finds the setting
-with which its true error is small enough. Errors are counted in what every model of a scene has: of the top the height of its axis and the rate
-of it, of the free body the three rates. What a peer needs is imported when it is made; without it nothing but that peer is missing.
+A :class:`Rival` runs the scene at a setting, a tolerance or a number of steps, and returns its last
+state; :func:`loosest` finds the setting with which its true error is small enough. Errors are
+counted in what every model of a scene has: of the top the height of its axis and the rate of it, of
+the free body the three rates. What a peer needs is imported when it is made; without it nothing but
+that peer is missing.
 """
 
 import importlib.util
@@ -18,16 +21,20 @@ TOLERANCES = tuple(10.0**-n for n in range(3, 16))
 LEAST = 3e-14  # SciPy warns of a smaller rtol
 STEPS = tuple(125 * 2**n for n in range(11))
 THETA, SPIN = 0.6, 8.0  # of the top, with I0 = 1, I = 1.5 about its point of support, mgr = 5
-TOP, TOP_TIME = [math.cos(THETA / 2), math.sin(THETA / 2), 0.0, 0.0, 0.0, 0.0, SPIN], 10.0  # quaternion of the body and its rates
+# quaternion of the body and its rates
+TOP, TOP_TIME = [math.cos(THETA / 2), math.sin(THETA / 2), 0.0, 0.0, 0.0, 0.0, SPIN], 10.0
 FREE, FREE_TIME = [0.01, 1.0, 0.01], 50.0
 TOP_ANGLES = [0.0, THETA, 0.0, 0.0, 0.0, SPIN]  # psi, theta, phi and the body rates
-CENTRAL, WEIGHTY = (0.75, 0.75, 1.5), (0.75, 0.75, 1.5, 1.0, 10.0, 0.5)  # moments about the centre of mass; and m, g, r
+# moments about the centre of mass; and m, g, r
+CENTRAL, WEIGHTY = (0.75, 0.75, 1.5), (0.75, 0.75, 1.5, 1.0, 10.0, 0.5)
 UPRIGHT = [1.0, 0.0, 0.0, 0.0]
 
 
 @dataclass(frozen=True)
 class Rival:
-    """``run(setting)`` returns the last state, of which ``observed`` is compared; ``settings`` from the loosest on; ``prepared`` in seconds."""
+    """``run(setting)`` returns the last state, of which ``observed`` is compared; ``settings`` from
+    the loosest on; ``prepared`` in seconds.
+    """
 
     run: Callable
     observed: Callable
@@ -40,7 +47,9 @@ class Rival:
 
 
 def prepared(make, observed, settings=TOLERANCES):
-    """The rival that ``make`` makes, run once: what that takes is mostly derivation and compilation."""
+    """The rival that ``make`` makes, run once: what that takes is mostly derivation and
+    compilation.
+    """
     begun = perf_counter()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of other people's packages
@@ -50,7 +59,9 @@ def prepared(make, observed, settings=TOLERANCES):
 
 
 def loosest(rival, exact, wanted):
-    """The first setting with which the rival is accurate enough, and its true error; None where there is none."""
+    """The first setting with which the rival is accurate enough, and its true error; None where
+    there is none.
+    """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # at settings that are too loose
         for setting in rival.settings:
@@ -69,9 +80,13 @@ def have(*modules):
 
 
 def axis(x):
-    """The height cos(theta) of the top's axis and its rate over the spin, of (q0 ... q3, w_x, w_y, ...) in any frame that goes with the axis."""
+    """The height cos(theta) of the top's axis and its rate over the spin, of (q0 ... q3, w_x, w_y,
+    ...) in any frame that goes with the axis.
+    """
     a, b, c, d, wx, wy = x[:6]
-    return np.array([a * a + d * d - b * b - c * c, 2 * (wy * (b * d - a * c) - wx * (c * d + a * b)) / SPIN])
+    return np.array(
+        [a * a + d * d - b * b - c * c, 2 * (wy * (b * d - a * c) - wx * (c * d + a * b)) / SPIN]
+    )
 
 
 def axis_of_angle(theta, rate):
@@ -95,13 +110,18 @@ def free_rates(xp):
 
 def top_rates(xp):
     """Quaternion and body rates of the top, the weight 5 along -Z at the unit distance along z."""
-    I, down, along = xp.array([1.0, 1.0, 1.5]), xp.array([0.0, 0.0, -5.0]), xp.array([0.0, 0.0, 1.0])
+    I, down, along = (
+        xp.array([1.0, 1.0, 1.5]),
+        xp.array([0.0, 0.0, -5.0]),
+        xp.array([0.0, 0.0, 1.0]),
+    )
 
     def rhs(t, y, args=None):
         q, w = y[:4], y[4:]
         v = q[1:]
         dq = 0.5 * xp.concatenate((xp.array([-v @ w]), q[0] * w + xp.cross(v, w)))
-        weight = down - 2 * q[0] * xp.cross(v, down) + 2 * xp.cross(v, xp.cross(v, down))  # in the body
+        # in the body
+        weight = down - 2 * q[0] * xp.cross(v, down) + 2 * xp.cross(v, xp.cross(v, down))
         return xp.concatenate((dq, (xp.cross(along, weight) - xp.cross(w, I * w)) / I))
 
     return rhs
@@ -111,7 +131,9 @@ def scipy_alone(rhs, t, y, method="DOP853"):
     """SciPy's solve_ivp, rtol = atol."""
     from scipy.integrate import solve_ivp
 
-    return lambda tolerance: solve_ivp(rhs, (0, t), y, method=method, rtol=max(tolerance, LEAST), atol=tolerance).y[:, -1]
+    return lambda tolerance: solve_ivp(
+        rhs, (0, t), y, method=method, rtol=max(tolerance, LEAST), atol=tolerance
+    ).y[:, -1]
 
 
 def diffrax_alone(rates_by, t, y, solver):
@@ -124,8 +146,21 @@ def diffrax_alone(rates_by, t, y, solver):
 
     @jax.jit
     def run(tolerance):
-        control, method = diffrax.PIDController(rtol=tolerance, atol=tolerance), getattr(diffrax, solver)()
-        return diffrax.diffeqsolve(term, method, 0.0, t, None, start, stepsize_controller=control, max_steps=100_000, throw=False).ys[-1]
+        control, method = (
+            diffrax.PIDController(rtol=tolerance, atol=tolerance),
+            getattr(diffrax, solver)(),
+        )
+        return diffrax.diffeqsolve(
+            term,
+            method,
+            0.0,
+            t,
+            None,
+            start,
+            stepsize_controller=control,
+            max_steps=100_000,
+            throw=False,
+        ).ys[-1]
 
     return lambda tolerance: np.asarray(run(tolerance))
 
@@ -163,7 +198,12 @@ def heyoka_top():
 
     a, b, c, d, x, y, z = hy.make_vars(*"abcdxyz")
     kx, ky = 2.0 * (b * d - a * c), 2.0 * (c * d + a * b)
-    return [*turning(a, b, c, d, x, y, z), (x, 5.0 * ky - 0.5 * y * z), (y, 0.5 * z * x - 5.0 * kx), (z, 0.0 * z)]
+    return [
+        *turning(a, b, c, d, x, y, z),
+        (x, 5.0 * ky - 0.5 * y * z),
+        (y, 0.5 * z * x - 5.0 * kx),
+        (z, 0.0 * z),
+    ]
 
 
 def heyoka_free(full=True):
@@ -171,14 +211,20 @@ def heyoka_free(full=True):
     import heyoka as hy
 
     a, b, c, d, x, y, z = hy.make_vars(*"abcdxyz")
-    return (turning(a, b, c, d, x, y, z) if full else []) + [(x, -y * z), (y, z * x), (z, -x * y / 3.0)]
+    return (turning(a, b, c, d, x, y, z) if full else []) + [
+        (x, -y * z),
+        (y, z * x),
+        (z, -x * y / 3.0),
+    ]
 
 
 # -- Kane's method by SymPy, and PyDy, which compiles it by Cython
 
 
 def kanes_method(weight):
-    """A body that turns about a fixed point, in angles 3-1-3 and body rates: KanesMethod, and its constants, of which m, g, r are for the weight."""
+    """A body that turns about a fixed point, in angles 3-1-3 and body rates: KanesMethod, and its
+    constants, of which m, g, r are for the weight.
+    """
     import sympy.physics.mechanics as me
     from sympy import cos, sin, symbols
 
@@ -187,7 +233,8 @@ def kanes_method(weight):
     inertias, (m, g, r) = symbols("A B C"), symbols("m g r") if weight else (1, 0, 0)
     ground = me.ReferenceFrame("N")
     body = ground.orientnew("body", "Body", turned, "313")
-    precession = (wx * sin(phi) + wy * cos(phi)) / sin(theta)  # solved by hand: SymPy's own solution divides by sin(phi) too
+    # solved by hand: SymPy's own solution divides by sin(phi) too
+    precession = (wx * sin(phi) + wy * cos(phi)) / sin(theta)
     changes = precession, wx * cos(phi) - wy * sin(phi), wz - precession * cos(theta)
     kinematic = [q.diff() - change for q, change in zip(turned, changes, strict=True)]
     body.set_ang_vel(ground, wx * body.x + wy * body.y + wz * body.z)
@@ -202,23 +249,32 @@ def kanes_method(weight):
 
 
 def pydy_system(constants, start, t):
-    """PyDy's System with compiled equations; the constants are three moments, and for a weight m, g, r."""
+    """PyDy's System with compiled equations; the constants are three moments, and for a weight m,
+    g, r.
+    """
     from pydy.system import System
 
     kane, symbols = kanes_method(weight=len(constants) > 3)
-    values, begin = dict(zip(symbols, constants, strict=True)), dict(zip((*kane.q, *kane.u), start, strict=True))
+    values, begin = (
+        dict(zip(symbols, constants, strict=True)),
+        dict(zip((*kane.q, *kane.u), start, strict=True)),
+    )
     system = System(kane, values, initial_conditions=begin, times=np.array([0.0, t]))
     system.generate_ode_function(generator="cython")
     return system
 
 
 def first_top_by_sympy():
-    """From the equations of the top to its motion by Kane's method, lambdify and solve_ivp, within about 1e-6."""
+    """From the equations of the top to its motion by Kane's method, lambdify and solve_ivp, within
+    about 1e-6.
+    """
     from scipy.integrate import solve_ivp
     from sympy import lambdify
 
     kane, symbols = kanes_method(weight=True)
-    equations = lambdify((*kane.q, *kane.u, *symbols), (kane.mass_matrix_full, kane.forcing_full), cse=True)
+    equations = lambdify(
+        (*kane.q, *kane.u, *symbols), (kane.mass_matrix_full, kane.forcing_full), cse=True
+    )
 
     def rhs(t, y):
         M, f = equations(*y, *WEIGHTY)
@@ -234,7 +290,11 @@ def pydy_odeint(system):
 
 def pydy_dop853(system):
     """Its compiled right-hand side in solve_ivp."""
-    f, start, p = system.evaluate_ode_function, [system.initial_conditions[q] for q in system.states], system.constants
+    f, start, p = (
+        system.evaluate_ode_function,
+        [system.initial_conditions[q] for q in system.states],
+        system.constants,
+    )
     return scipy_alone(lambda t, y: f(y, t, p), system.times[-1], start)
 
 
@@ -255,7 +315,9 @@ def mujoco_alone(moments, r, g, quaternion, w, t):
     """MuJoCo with so many steps; its quaternion and body rates."""
     import mujoco
 
-    model = mujoco.MjModel.from_xml_string(MUJOCO.format(g=-g, r=r, moments=" ".join(map(str, moments))))
+    model = mujoco.MjModel.from_xml_string(
+        MUJOCO.format(g=-g, r=r, moments=" ".join(map(str, moments)))
+    )
     data = mujoco.MjData(model)
 
     def run(steps):
@@ -273,31 +335,61 @@ def mujoco_alone(moments, r, g, quaternion, w, t):
 
 def top_rivals():
     """Those that are installed, by name."""
-    out = {f"SciPy {m}, np.cross": prepared(lambda m=m: scipy_alone(top_rates(np), TOP_TIME, TOP, m), axis) for m in ("DOP853", "LSODA")}
+    out = {
+        f"SciPy {m}, np.cross": prepared(
+            lambda m=m: scipy_alone(top_rates(np), TOP_TIME, TOP, m), axis
+        )
+        for m in ("DOP853", "LSODA")
+    }
     if have("heyoka"):
-        out["heyoka, full model"] = prepared(lambda: heyoka_alone(heyoka_top(), TOP_TIME, TOP), axis)
+        out["heyoka, full model"] = prepared(
+            lambda: heyoka_alone(heyoka_top(), TOP_TIME, TOP), axis
+        )
     if have("pydy", "Cython"):
         out |= _pydy(lambda: pydy_system(WEIGHTY, TOP_ANGLES, TOP_TIME), axis_of_angles)
     if have("mujoco"):
-        out["MuJoCo RK4"] = prepared(lambda: mujoco_alone(CENTRAL, 0.5, 10.0, TOP[:4], TOP[4:], TOP_TIME), axis, STEPS)
+        out["MuJoCo RK4"] = prepared(
+            lambda: mujoco_alone(CENTRAL, 0.5, 10.0, TOP[:4], TOP[4:], TOP_TIME), axis, STEPS
+        )
     if have("diffrax"):
-        out |= {f"diffrax {s}": prepared(lambda s=s: diffrax_alone(top_rates, TOP_TIME, TOP, s), axis) for s in ("Tsit5", "Dopri8")}
+        out |= {
+            f"diffrax {s}": prepared(lambda s=s: diffrax_alone(top_rates, TOP_TIME, TOP, s), axis)
+            for s in ("Tsit5", "Dopri8")
+        }
     return out
 
 
 def free_rivals():
-    """Those that are installed, by name. PyDy's angles begin with the body's y axis upwards, and so never come near their singular place."""
+    """Those that are installed, by name. PyDy's angles begin with the body's y axis upwards, and so
+    never come near their singular place.
+    """
     start, moments = [0.0, math.pi / 2, 0.0, *FREE], (1.0, 2.0, 3.0)
-    out = {f"SciPy {m}, np.cross": prepared(lambda m=m: scipy_alone(free_rates(np), FREE_TIME, FREE, m), rates) for m in ("DOP853", "LSODA")}
+    out = {
+        f"SciPy {m}, np.cross": prepared(
+            lambda m=m: scipy_alone(free_rates(np), FREE_TIME, FREE, m), rates
+        )
+        for m in ("DOP853", "LSODA")
+    }
     if have("heyoka"):
-        out["heyoka, full model"] = prepared(lambda: heyoka_alone(heyoka_free(), FREE_TIME, [*UPRIGHT, *FREE]), rates)
-        out["heyoka, rates alone"] = prepared(lambda: heyoka_alone(heyoka_free(full=False), FREE_TIME, FREE), rates)
+        out["heyoka, full model"] = prepared(
+            lambda: heyoka_alone(heyoka_free(), FREE_TIME, [*UPRIGHT, *FREE]), rates
+        )
+        out["heyoka, rates alone"] = prepared(
+            lambda: heyoka_alone(heyoka_free(full=False), FREE_TIME, FREE), rates
+        )
     if have("pydy", "Cython"):
         out |= _pydy(lambda: pydy_system(moments, start, FREE_TIME), rates)
     if have("mujoco"):
-        out["MuJoCo RK4"] = prepared(lambda: mujoco_alone(moments, 0.0, 0.0, UPRIGHT, FREE, FREE_TIME), rates, STEPS)
+        out["MuJoCo RK4"] = prepared(
+            lambda: mujoco_alone(moments, 0.0, 0.0, UPRIGHT, FREE, FREE_TIME), rates, STEPS
+        )
     if have("diffrax"):
-        out |= {f"diffrax {s}": prepared(lambda s=s: diffrax_alone(free_rates, FREE_TIME, FREE, s), rates) for s in ("Tsit5", "Dopri8")}
+        out |= {
+            f"diffrax {s}": prepared(
+                lambda s=s: diffrax_alone(free_rates, FREE_TIME, FREE, s), rates
+            )
+            for s in ("Tsit5", "Dopri8")
+        }
     return out
 
 

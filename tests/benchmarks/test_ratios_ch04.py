@@ -1,7 +1,9 @@
-"""What chapter 4 costs, as ratios measured side by side in one run: rounds interleaved, medians, so that a busy machine slows all alike.
+"""What chapter 4 costs, as ratios measured side by side in one run: rounds interleaved, medians, so
+that a busy machine slows all alike.
 
-``pytest -m benchmark -s tests/benchmarks`` prints the tables. The bounds asserted are about half of what is measured on a quiet machine.
-Run as a script with an argument it is the server for cold derivations: imports done, SymPy's caches emptied before each case.
+``pytest -m benchmark -s tests/benchmarks`` prints the tables. The bounds asserted are about half of
+what is measured on a quiet machine. Run as a script with an argument it is the server for cold
+derivations: imports done, SymPy's caches emptied before each case.
 """
 
 import gc
@@ -35,10 +37,14 @@ def disk_acceleration(phi, omega, domega, p, dp, R, r):
 
 
 def chain_acceleration(angles, L):
-    """Five links, turning about z and x by turns; the acceleration of the tip in components of the last link."""
+    """Five links, turning about z and x by turns; the acceleration of the tip in components of the
+    last link.
+    """
     frame = ground = Frame("ground")
     for n, angle in enumerate(angles):
-        frame = frame.rotate(f"link {n}", "zx"[n % 2], angle, origin=frame.point("O", L, 0, 0) if n else None)
+        frame = frame.rotate(
+            f"link {n}", "zx"[n % 2], angle, origin=frame.point("O", L, 0, 0) if n else None
+        )
     return frame.point("P", L, 0, 0).acceleration(ground)
 
 
@@ -115,7 +121,11 @@ def chain_on_symengine():
 
 def chain_traced():
     names = [f"{d}q{n}" for n in range(5) for d in ("", "d", "dd")]
-    scope = {"tip": lambda *x: chain_acceleration([moving(*x[n : n + 3]) for n in range(0, 15, 3)], x[15])}
+    scope = {
+        "tip": lambda *x: chain_acceleration(
+            [moving(*x[n : n + 3]) for n in range(0, 15, 3)], x[15]
+        )
+    }
     return compiled(eval(f"lambda {', '.join(names)}, L: tip({', '.join(names)}, L)", scope))
 
 
@@ -142,18 +152,28 @@ def cold(case):
 
 
 def cold_derivations():
-    import symengine  # noqa: F401
-    import sympy.physics.vector  # noqa: F401
+    import symengine
+    import sympy.physics.vector
 
-    # case by case, not interleaved: after a round of SymPy the processor's caches hold none of the engine's code
-    print(json.dumps({name: statistics.median([cold(case) for _ in range(3 * ROUNDS)]) for name, case in DERIVATIONS.items()}))
+    # case by case, not interleaved: after a round of SymPy the processor's caches hold none of the
+    # engine's code
+    print(
+        json.dumps(
+            {
+                name: statistics.median([cold(case) for _ in range(3 * ROUNDS)])
+                for name, case in DERIVATIONS.items()
+            }
+        )
+    )
 
 
 # -- measuring and telling
 
 
 def medians(cases, repeat):
-    """Seconds a call of each case: the cases take turns, and each round's ``repeat`` calls count as one measurement."""
+    """Seconds a call of each case: the cases take turns, and each round's ``repeat`` calls count as
+    one measurement.
+    """
     times = {name: [] for name in cases}
     for case in cases.values():
         case()
@@ -177,10 +197,21 @@ def table(title, times, unit, scale):
 def test_deriving_is_faster_than_physics_vector():
     pytest.importorskip("symengine")
     root = str(Path(__file__).parents[2])
-    out = subprocess.run([sys.executable, __file__, "derive"], capture_output=True, text=True, check=True, env={**os.environ, "PYTHONPATH": root})
+    out = subprocess.run(
+        [sys.executable, __file__, "derive"],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, "PYTHONPATH": root},
+    )
     t = json.loads(out.stdout)
     for scene in ("disk", "chain"):
-        table(f"{scene}: derivation, cold", {n: x for n, x in t.items() if n.startswith(scene)}, "ms", 1e3)
+        table(
+            f"{scene}: derivation, cold",
+            {n: x for n, x in t.items() if n.startswith(scene)},
+            "ms",
+            1e3,
+        )
     assert t["disk, physics.vector"] > 3 * t["disk, engine on SymPy"]
     assert t["disk, physics.vector"] > 15 * t["disk, engine on SymEngine"]
     assert t["chain, physics.vector"] > 3 * t["chain, engine on SymPy"]
@@ -200,10 +231,21 @@ def by_lambdify(scene, library):
     if scene == "disk":
         a, (turn, spin) = disk_by_physics_vector()
         symbols = sympy.symbols(NAMES)
-        values = {turn.diff(t, 2): symbols[2], turn.diff(t): symbols[1], spin.diff(t, 2): symbols[4], spin.diff(t): symbols[3], turn: 0, spin: 0}
+        values = {
+            turn.diff(t, 2): symbols[2],
+            turn.diff(t): symbols[1],
+            spin.diff(t, 2): symbols[4],
+            spin.diff(t): symbols[3],
+            turn: 0,
+            spin: 0,
+        }
     else:
         a, symbols = chain_by_physics_vector(), (*sympy.symbols(CHAIN), sympy.Symbol("L"))
-        values = {q.diff(t, m): sympy.Symbol(f"{'d' * m}q{n}") for m in (2, 1, 0) for n, q in enumerate(dynamicsymbols("q:5"))}
+        values = {
+            q.diff(t, m): sympy.Symbol(f"{'d' * m}q{n}")
+            for m in (2, 1, 0)
+            for n, q in enumerate(dynamicsymbols("q:5"))
+        }
     return sympy.lambdify(symbols, [c.subs(values) for c in a], library, cse=True)
 
 
@@ -211,11 +253,18 @@ def chain_of_numbers(*x):
     return chain_acceleration([moving(*x[n : n + 3]) for n in range(0, 15, 3)], x[15])
 
 
-FORMULAS = {"disk": disk_acceleration, "chain": eval(f"lambda {', '.join(CHAIN)}, L: tip({', '.join(CHAIN)}, L)", {"tip": chain_of_numbers})}
+FORMULAS = {
+    "disk": disk_acceleration,
+    "chain": eval(
+        f"lambda {', '.join(CHAIN)}, L: tip({', '.join(CHAIN)}, L)", {"tip": chain_of_numbers}
+    ),
+}
 
 
 @pytest.mark.benchmark
-@pytest.mark.parametrize(("scene", "numpy_gains", "heyoka_gains"), [("disk", 0.5, 1.8), ("chain", 1.5, 5)])
+@pytest.mark.parametrize(
+    ("scene", "numpy_gains", "heyoka_gains"), [("disk", 0.5, 1.8), ("chain", 1.5, 5)]
+)
 def test_many_instants_are_faster_than_lambdify(scene, numpy_gains, heyoka_gains):
     pytest.importorskip("heyoka")
     formula, theirs = FORMULAS[scene], by_lambdify(scene, "numpy")
@@ -238,7 +287,9 @@ def test_many_instants_are_faster_than_lambdify(scene, numpy_gains, heyoka_gains
 
 
 def disk_by_numpy(phi, omega, domega, p, dp, R, r):
-    """The same acceleration as one writes it with arrays of three: np.cross for every product (components in the disk)."""
+    """The same acceleration as one writes it with arrays of three: np.cross for every product
+    (components in the disk).
+    """
     s, c = np.sin(phi), np.cos(phi)
     k = np.array([0.0, -s, c])  # the vertical, in components of the disk
     e = np.array([0.0, 1.0, 0.0])
@@ -261,8 +312,18 @@ def test_one_instant_is_faster_than_np_cross():
     }
     expected = disk_by_numpy(*x)
     for name in list(cases)[:3]:
-        assert np.allclose([float(c) for c in cases[name]()], expected, rtol=1e-12, atol=1e-13), name
-    t = medians(cases, {"compiled, floats": 5000, "lambdify(math, cse=True)": 3000, "formula directly (frames and points)": 200, "np.cross": 100})
+        assert np.allclose([float(c) for c in cases[name]()], expected, rtol=1e-12, atol=1e-13), (
+            name
+        )
+    t = medians(
+        cases,
+        {
+            "compiled, floats": 5000,
+            "lambdify(math, cse=True)": 3000,
+            "formula directly (frames and points)": 200,
+            "np.cross": 100,
+        },
+    )
     table("disk: one instant on floats", t, "us", 1e6)
     assert t["np.cross"] > 20 * t["compiled, floats"]
     assert t["np.cross"] > 1.5 * t["formula directly (frames and points)"]

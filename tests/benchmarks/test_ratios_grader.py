@@ -1,4 +1,6 @@
-"""How many times faster than nbgrader's own autograde do we grade? Both in one run, interleaved, on the same submissions."""
+"""How many times faster than nbgrader's own autograde do we grade? Both in one run, interleaved, on
+the same submissions.
+"""
 
 import copy
 import json
@@ -19,7 +21,9 @@ ROUNDS = 3
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
-    """A course with all 43 problems of the chapter, everyone's right answers handed in, with the figures of the numbers of the book."""
+    """A course with all 43 problems of the chapter, everyone's right answers handed in, with the
+    figures of the numbers of the book.
+    """
     from grader.assignment import build_assignment
     from grader.assignment import notebook as nb
     from grader.course import read_json, write_json
@@ -30,7 +34,11 @@ def course(tmp_path_factory):
     course.enrol(STUDENTS)
     require_success(nbgrader_api(course).generate_assignment("ch04"))
     released = course.released("ch04")
-    figures = {c["metadata"]["newton_euler"]["problem"]: c["attachments"] for c in released["cells"] if "attachments" in c}
+    figures = {
+        c["metadata"]["newton_euler"]["problem"]: c["attachments"]
+        for c in released["cells"]
+        if "attachments" in c
+    }
     for s in STUDENTS:
         values = course.values("ch04", s, problems("ch04"))
         own = copy.deepcopy(nb.personal_notebook(released, s, values, {}))
@@ -39,7 +47,10 @@ def course(tmp_path_factory):
             if ours.get("role") == "statement":
                 cell["attachments"] = figures[ours["problem"]]
         write_json(course.personal_path("ch04", s), own)
-        texts = {p.id: sample.cell_text(p, sample.right_answers(p, values[p.id])) for p in problems("ch04")}
+        texts = {
+            p.id: sample.cell_text(p, sample.right_answers(p, values[p.id]))
+            for p in problems("ch04")
+        }
         write_json(course.path / "submitted" / s / "ch04/ch04.ipynb", sample.fill_in(own, texts))
     assert path.exists()
     assert read_json(path)
@@ -58,7 +69,10 @@ def _nbgraders_own(course):
         shutil.copytree(course.path / name, root / name)
     shutil.copy(course.path / "gradebook.db", root)
     config = Config()
-    config.CourseDirectory.root, config.CourseDirectory.db_url = str(root), f"sqlite:///{root / 'gradebook.db'}"
+    config.CourseDirectory.root, config.CourseDirectory.db_url = (
+        str(root),
+        f"sqlite:///{root / 'gradebook.db'}",
+    )
     config.Execute.timeout = 120
     logging.getLogger("traitlets").setLevel(logging.CRITICAL)
     return NbGraderAPI(CourseDirectory(config=config), config=config)
@@ -76,14 +90,20 @@ def test_grading_all_43_problems_against_nbgraders_autograde(course):
             start = time.perf_counter()
             results = grade(course, "ch04", force=True)
             ours.append((time.perf_counter() - start) / len(STUDENTS))
-            assert [r.points for r in results] == [sum(len(p.answers) for p in problems("ch04"))] * len(STUDENTS)
+            assert [r.points for r in results] == [
+                sum(len(p.answers) for p in problems("ch04"))
+            ] * len(STUDENTS)
 
             from concurrent.futures import ThreadPoolExecutor
 
             start = time.perf_counter()
             step = _Run(course, "ch04", True, "state")
             with ThreadPoolExecutor(2) as pool:
-                results = list(pool.map(lambda s, run=step: run.grade(s, submitted[s], True, harvester), STUDENTS))
+                results = list(
+                    pool.map(
+                        lambda s, run=step: run.grade(s, submitted[s], True, harvester), STUDENTS
+                    )
+                )
             run.append((time.perf_counter() - start) / len(STUDENTS))
             middle = time.perf_counter()
             save_results(course, "ch04", results)

@@ -1,10 +1,13 @@
-"""What a motion costs beside the peers, at equal true error, measured side by side in one run: the ratios that issue 4 asks for.
+"""What a motion costs beside the peers, at equal true error, measured side by side in one run: the
+ratios that issue 4 asks for.
 
-``pytest -m benchmark -s tests/benchmarks/test_ratios_peers.py`` prints the tables. A peer gets the loosest setting with which its true error is
-within what is wanted; ours is asked for what is wanted, and heyoka by itself, where it runs on the same model, is set to be as accurate as ours. Ours
-are prepared runs, as heyoka's integrator and the compiled right-hand sides of the others are. A peer that is not installed (``pip install pydy cython
-setuptools mujoco diffrax jax``) is left out. What a table calls "ready" is the time to the first result: derivation, compilation and, for the first
-one that needs it, an import.
+``pytest -m benchmark -s tests/benchmarks/test_ratios_peers.py`` prints the tables. A peer gets the
+loosest setting with which its true error is within what is wanted; ours is asked for what is
+wanted, and heyoka by itself, where it runs on the same model, is set to be as accurate as ours.
+Ours are prepared runs, as heyoka's integrator and the compiled right-hand sides of the others are.
+A peer that is not installed (``pip install pydy cython setuptools mujoco diffrax jax``) is left
+out. What a table calls "ready" is the time to the first result: derivation, compilation and, for
+the first one that needs it, an import.
 """
 
 import subprocess
@@ -27,7 +30,9 @@ from tests.benchmarks.peers import FREE, FREE_TIME, SPIN, THETA, TOP, TOP_TIME
 from tests.motions import SCENES, reference, sizes, true_error
 
 ERRORS = (1e-6, 1e-10)
-RUNS, SHORTEST = 5, 0.03  # s: on a busy machine short runs find quiet moments that long ones do not, so all of a table are long
+# s: on a busy machine short runs find quiet moments that long ones do not, so all of a table are
+# long
+RUNS, SHORTEST = 5, 0.03
 QUICK = 1e-3  # s: what takes less is compared once more by itself, in many short turns
 OVER_PYDY = 200  # asked 200
 OVER_SCIPY = 1000  # asked 1000
@@ -39,8 +44,16 @@ SWEEP_OVER_SCIPY = 50  # asked 50
 WITHOUT_FAST = 10  # asked 10, over SciPy
 FRESH = 0.5  # asked 0.5, of the time of SymPy mechanics with SciPy
 
-PLAIN = ("turning shaft", "spherical pendulum", "aircraft", "planet, eccentric", "forced")  # scenes without a smaller model
-PEERS = {"pydy": "PyDy", "scipy": "SciPy", "mujoco": "MuJoCo", "diffrax": "diffrax", "heyoka": "heyoka, full model"}  # module, how its rows begin
+# scenes without a smaller model
+PLAIN = ("turning shaft", "spherical pendulum", "aircraft", "planet, eccentric", "forced")
+# module, how its rows begin
+PEERS = {
+    "pydy": "PyDy",
+    "scipy": "SciPy",
+    "mujoco": "MuJoCo",
+    "diffrax": "diffrax",
+    "heyoka": "heyoka, full model",
+}
 
 
 # -- ours
@@ -64,8 +77,18 @@ def own(scene):
     if scene == "top":
         difference = top.momentum_difference(1.0, 1.5, THETA, 0.0, SPIN)
         return {
-            "full model": (top.attitude(1.0, 1.5, 5.0, SPIN), TOP_TIME, (*TOP[:4], 0.0, 0.0), _axis_of_six),
-            "theta alone": (top.nutation(1.0, 1.5, 5.0, SPIN, difference), TOP_TIME, (THETA, 0.0), _axis_of_theta),
+            "full model": (
+                top.attitude(1.0, 1.5, 5.0, SPIN),
+                TOP_TIME,
+                (*TOP[:4], 0.0, 0.0),
+                _axis_of_six,
+            ),
+            "theta alone": (
+                top.nutation(1.0, 1.5, 5.0, SPIN, difference),
+                TOP_TIME,
+                (THETA, 0.0),
+                _axis_of_theta,
+            ),
         }
     return {"rates": (free_body(1.0, 2.0, 3.0), FREE_TIME, FREE, _rates)}
 
@@ -83,7 +106,9 @@ def rivals(scene):
 @cache
 def fitted(scene, wanted):
     """The loosest setting and the true error of every rival that can be so accurate."""
-    found = {name: peers.loosest(rival, exact(scene), wanted) for name, rival in rivals(scene).items()}
+    found = {
+        name: peers.loosest(rival, exact(scene), wanted) for name, rival in rivals(scene).items()
+    }
     return {name: setting for name, setting in found.items() if setting}
 
 
@@ -92,7 +117,9 @@ def fitted(scene, wanted):
 
 @cache
 def competitors(scene, wanted):
-    """All that take part, by name: what to call, true error, setting, seconds until ready. Ours are called "ours: method, model"."""
+    """All that take part, by name: what to call, true error, setting, seconds until ready. Ours are
+    called "ours: method, model".
+    """
     out = {}
     for words, (model, t, start, observed) in own(scene).items():
         for method in ("exact", "taylor", "dop853"):
@@ -102,10 +129,17 @@ def competitors(scene, wanted):
             except ModelError as error:
                 print(f"\n{scene}: {error}")
                 continue
-            row = float(abs(observed(motion) - exact(scene)).max()), f"{wanted:g}", perf_counter() - begun
+            row = (
+                float(abs(observed(motion) - exact(scene)).max()),
+                f"{wanted:g}",
+                perf_counter() - begun,
+            )
             out[f"ours: {method}, {words}"] = _ours(model, t, start, wanted, method), *row
             if method != "dop853":
-                out[f"ours: {method}, {words}, with record"] = lambda a=(model, t, start, wanted, method): integrate(*a), *row
+                out[f"ours: {method}, {words}, with record"] = (
+                    lambda a=(model, t, start, wanted, method): integrate(*a),
+                    *row,
+                )
     for name, (setting, error) in fitted(scene, wanted).items():
         rival = rivals(scene)[name]
         out[name] = _theirs(rival, setting), error, f"{setting:g}", rival.prepared
@@ -117,21 +151,35 @@ def measured(scene, wanted):
     """All in one run, by name: seconds, true error, setting, seconds until ready."""
     rows = competitors(scene, wanted)
     times = timed(*(row[0] for row in rows.values()), runs=RUNS, shortest=SHORTEST)
-    return {name: (seconds, *row[1:]) for (name, row), seconds in zip(rows.items(), times, strict=True)}
+    return {
+        name: (seconds, *row[1:]) for (name, row), seconds in zip(rows.items(), times, strict=True)
+    }
 
 
 @cache
 def quick(scene, wanted):
     """Ours and heyoka alone once more, those that are quick: seconds by name."""
-    names = [name for name, row in measured(scene, wanted).items() if row[0] < QUICK and name.startswith(("ours", "heyoka"))]
+    names = [
+        name
+        for name, row in measured(scene, wanted).items()
+        if row[0] < QUICK and name.startswith(("ours", "heyoka"))
+    ]
     times = timed(*(competitors(scene, wanted)[name][0] for name in names), runs=25)
     found = dict(zip(names, times, strict=True))
-    print(f"\n{scene}, {wanted:g}: " + "; ".join(f"{name} {1e6 * t:.1f} us" for name, t in sorted(found.items(), key=lambda item: item[1])))
+    print(
+        f"\n{scene}, {wanted:g}: "
+        + "; ".join(
+            f"{name} {1e6 * t:.1f} us"
+            for name, t in sorted(found.items(), key=lambda item: item[1])
+        )
+    )
     return found
 
 
 def _ours(model, t, start, wanted, method):
-    """A run that is prepared, as heyoka's integrator and the compiled right-hand sides of the others are; no record."""
+    """A run that is prepared, as heyoka's integrator and the compiled right-hand sides of the
+    others are; no record.
+    """
     run = prepare(model, wanted, method)
     return lambda: run(t, start)
 
@@ -148,19 +196,32 @@ def best(rows, beginning):
 def table(title, rows):
     against = {words: best(rows, words) for words in PEERS.values()}
     fastest = min(row[0] for row in rows.values())
-    print(f"\n{title}\n  {'':28s} {'time':>12s} {'to best':>9s} {'true error':>11s} {'set':>8s} {'ready':>8s}   ours is faster than")
+    print(
+        f"\n{title}\n  {'':28s} {'time':>12s} {'to best':>9s} {'true error':>11s} {'set':>8s} "
+        f"{'ready':>8s}   ours is faster than"
+    )
     for name, (seconds, error, setting, ready) in sorted(rows.items(), key=lambda item: item[1][0]):
-        faster = [f"{words.split(',')[0]} {t / seconds:.3g}" for words, t in against.items() if t] if name.startswith("ours") else []
-        print(f"  {name:28s} {1e6 * seconds:9.1f} us {seconds / fastest:9.1f} {error:11.1e} {setting:>8s} {ready:6.2f} s   {', '.join(faster)}")
+        faster = (
+            [f"{words.split(',')[0]} {t / seconds:.3g}" for words, t in against.items() if t]
+            if name.startswith("ours")
+            else []
+        )
+        print(
+            f"  {name:28s} {1e6 * seconds:9.1f} us {seconds / fastest:9.1f} {error:11.1e} "
+            f"{setting:>8s} {ready:6.2f} s   {', '.join(faster)}"
+        )
 
 
 def beside(title, us, own_error, them, error):
     print(
-        f"\n{title}: ours {1e6 * us:.1f} us (error {own_error:.0e}), heyoka alone {1e6 * them:.1f} us ({error:.0e}); ours costs {us / them:.2f} of it"
+        f"\n{title}: ours {1e6 * us:.1f} us (error {own_error:.0e}), heyoka alone "
+        f"{1e6 * them:.1f} us ({error:.0e}); ours costs {us / them:.2f} of it"
     )
 
 
-both = pytest.mark.parametrize(("scene", "wanted"), [(scene, wanted) for scene in ("top", "free body") for wanted in ERRORS])
+both = pytest.mark.parametrize(
+    ("scene", "wanted"), [(scene, wanted) for scene in ("top", "free body") for wanted in ERRORS]
+)
 
 
 @pytest.mark.benchmark
@@ -199,12 +260,16 @@ def test_ours_is_not_slower_than_other_engines(scene, wanted, peer):
 def test_a_smaller_model_or_closed_form_is_faster_than_heyoka_on_the_full_model(scene, wanted):
     pytest.importorskip("heyoka")
     times = quick(scene, wanted)
-    smaller = min(t for name, t in times.items() if name.startswith("ours") and "full model" not in name)
+    smaller = min(
+        t for name, t in times.items() if name.startswith("ours") and "full model" not in name
+    )
     assert times["heyoka, full model"] / smaller >= OVER_HEYOKA[wanted]
 
 
 def compared(title, call, own_error, rival, exactly):
-    """What ours costs over heyoka alone where that is as accurate as ours: at the loosest setting with twice our true error or less."""
+    """What ours costs over heyoka alone where that is as accurate as ours: at the loosest setting
+    with twice our true error or less.
+    """
     setting, error = peers.loosest(rival, exactly, 2 * own_error) or (rival.settings[-1], own_error)
     us, them = timed(call, _theirs(rival, setting), runs=25)
     beside(title, us, own_error, them, error)
@@ -213,13 +278,24 @@ def compared(title, call, own_error, rival, exactly):
 
 @pytest.mark.benchmark
 @pytest.mark.parametrize("wanted", ERRORS)
-@pytest.mark.parametrize(("scene", "words", "rival"), [("top", "full model", "heyoka, full model"), ("free body", "rates", "heyoka, rates alone")])
+@pytest.mark.parametrize(
+    ("scene", "words", "rival"),
+    [("top", "full model", "heyoka, full model"), ("free body", "rates", "heyoka, rates alone")],
+)
 def test_at_equal_error_ours_costs_no_more_than_heyoka_alone(scene, words, rival, wanted):
     pytest.importorskip("heyoka")
     model, t, start, observed = own(scene)[words]
-    own_error = float(abs(observed(integrate(model, t, start, wanted, "taylor")) - exact(scene)).max())
+    own_error = float(
+        abs(observed(integrate(model, t, start, wanted, "taylor")) - exact(scene)).max()
+    )
     assert own_error <= wanted
-    ratio = compared(f"{scene}, {wanted:g}", _ours(model, t, start, wanted, "taylor"), own_error, rivals(scene)[rival], exact(scene))
+    ratio = compared(
+        f"{scene}, {wanted:g}",
+        _ours(model, t, start, wanted, "taylor"),
+        own_error,
+        rivals(scene)[rival],
+        exact(scene),
+    )
     assert ratio <= ELSEWHERE
 
 
@@ -230,12 +306,26 @@ def test_elsewhere_ours_costs_no_more_than_heyoka_alone_on_the_same_equations(na
     hy = pytest.importorskip("heyoka")
     model, t, start = SCENES[name]
     variables = [hy.expression(n) for n in model.states]
-    equations = [(v, hy.expression(0.0) + rate) for v, rate in zip(variables, model.derivative(variables, hy.time), strict=True)]
+    equations = [
+        (v, hy.expression(0.0) + rate)
+        for v, rate in zip(variables, model.derivative(variables, hy.time), strict=True)
+    ]
     scales = np.array([sizes(name)[n] for n in model.states])
-    alone = peers.Rival(peers.heyoka_alone(equations, t, list(start)), lambda x: np.array(x) / scales, peers.TOLERANCES, 0.0)
+    alone = peers.Rival(
+        peers.heyoka_alone(equations, t, list(start)),
+        lambda x: np.array(x) / scales,
+        peers.TOLERANCES,
+        0.0,
+    )
     own_error = true_error(name, integrate(model, t, start, wanted, "taylor"))
     assert own_error <= wanted
-    ratio = compared(f"{name}, {wanted:g}", _ours(model, t, start, wanted, "taylor"), own_error, alone, np.array(reference(name)) / scales)
+    ratio = compared(
+        f"{name}, {wanted:g}",
+        _ours(model, t, start, wanted, "taylor"),
+        own_error,
+        alone,
+        np.array(reference(name)) / scales,
+    )
     assert ratio <= ELSEWHERE
 
 
@@ -278,7 +368,9 @@ def test_samples_for_an_animation_cost_little_more_than_heyokas_own_grid(wanted)
 
 @cache
 def swept(wanted):
-    """1000 tops of different spin: seconds by heyoka's batch mode, by ours, and by SciPy (one top, a thousand times its time)."""
+    """1000 tops of different spin: seconds by heyoka's batch mode, by ours, and by SciPy (one top,
+    a thousand times its time).
+    """
     import heyoka as hy
 
     spins, width = np.linspace(6.0, 10.0, 1000), hy.recommended_simd_size()
@@ -338,14 +430,21 @@ def test_a_sweep_of_1000_tops_is_faster_than_by_scipy(wanted):
 @pytest.mark.benchmark
 def test_a_first_top_from_a_fresh_interpreter():
     ours = (
-        "from newton_euler.motion.integration import integrate; from newton_euler.scenes.spatial.top import nonspinning_frame;"
+        "from newton_euler.motion.integration import integrate; from "
+        "newton_euler.scenes.spatial.top import nonspinning_frame;"
         "integrate(nonspinning_frame(1., 1.5, 5., 8.), 10., (.955, .2955, 0., 0., 0., 0.), 1e-6)"
     )
     theirs = "from tests.benchmarks.peers import first_top_by_sympy; first_top_by_sympy()"
     root = Path(__file__).parents[2]
-    cases = [lambda code=code: subprocess.run([sys.executable, "-c", code], check=True, cwd=root) for code in (ours, theirs)]
+    cases = [
+        lambda code=code: subprocess.run([sys.executable, "-c", code], check=True, cwd=root)
+        for code in (ours, theirs)
+    ]
     us, them = timed(*cases, runs=5)
-    print(f"\nfresh interpreter to a first top: {1e3 * us:.0f} ms; SymPy mechanics with SciPy: {1e3 * them:.0f} ms")
+    print(
+        f"\nfresh interpreter to a first top: {1e3 * us:.0f} ms; SymPy mechanics with SciPy: "
+        f"{1e3 * them:.0f} ms"
+    )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of other people's packages
         assert abs(peers.axis_of_angles(peers.first_top_by_sympy()) - exact("top")).max() <= 1e-6

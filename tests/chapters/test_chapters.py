@@ -1,4 +1,6 @@
-"""The notebooks: stored clean, complete, readable without the figures, and running from top to bottom for a student who has only the wheel."""
+"""The notebooks: stored clean, complete, readable without the figures, and running from top to
+bottom for a student who has only the wheel.
+"""
 
 import ast
 import os
@@ -15,7 +17,8 @@ ROOT = Path(__file__).parents[2]
 CHAPTERS = sorted((ROOT / "chapters").glob("*.ipynb"))
 EQUATIONS = {"ch04": 29}  # how many numbered equations each chapter of the book has
 DEADLINE_S = 60
-LONG_S = {"speed_and_accuracy": 600}  # it measures every scene of the course: 100 s on a quiet machine
+# it measures every scene of the course: 100 s on a quiet machine
+LONG_S = {"speed_and_accuracy": 600}
 
 each_chapter = pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
 
@@ -38,7 +41,9 @@ def prose(notebook):
 
 
 def test_there_are_chapters():
-    assert [path.name for path in CHAPTERS if number(path) == "ch04"] == ["ch04_relative_motion.ipynb"]
+    assert [path.name for path in CHAPTERS if number(path) == "ch04"] == [
+        "ch04_relative_motion.ipynb"
+    ]
 
 
 @each_chapter
@@ -66,7 +71,13 @@ def test_code_comes_in_short_cells_without_magics(path):
 def test_a_notebook_uses_nothing_that_holds_keys(path):
     for cell in code(read(path)):
         for node in ast.walk(ast.parse(cell.source)):
-            names = [a.name for a in node.names] if isinstance(node, ast.Import) else [node.module] if isinstance(node, ast.ImportFrom) else []
+            names = (
+                [a.name for a in node.names]
+                if isinstance(node, ast.Import)
+                else [node.module]
+                if isinstance(node, ast.ImportFrom)
+                else []
+            )
             assert not {"exercises", "grader"} & {name.partition(".")[0] for name in names}, cell.id
 
 
@@ -88,31 +99,54 @@ def test_every_formula_is_closed(path):
             bare = cell.source.replace(r"\{", "").replace(r"\}", "").replace(r"\$", "")
             assert bare.count("$") % 2 == 0, cell.id
             for formula in re.findall(r"\$\$(.+?)\$\$|\$(.+?)\$", bare, re.S):
-                assert "".join(formula).count("{") == "".join(formula).count("}"), (cell.id, formula)
+                assert "".join(formula).count("{") == "".join(formula).count("}"), (
+                    cell.id,
+                    formula,
+                )
 
 
 @each_chapter
 def test_the_exercises_named_are_those_of_the_chapter(path):
-    texts = [file.read_text(encoding="utf-8") for file in (ROOT / "exercises" / number(path)).glob("p*.yaml")]
+    texts = [
+        file.read_text(encoding="utf-8")
+        for file in (ROOT / "exercises" / number(path)).glob("p*.yaml")
+    ]
     if not texts:
         pytest.skip(f"{number(path)} has no exercises")
     wanted = re.findall(r'^id: "(\d+/\d+)"', "\n".join(texts), re.M)
-    table = [row for row in prose(read(path)).partition("## Exercises")[2].splitlines() if row.startswith("|")]
+    table = [
+        row
+        for row in prose(read(path)).partition("## Exercises")[2].splitlines()
+        if row.startswith("|")
+    ]
     assert sorted(re.findall(r"\d+/\d+", "\n".join(table))) == sorted(wanted)
 
 
 def executed(path, where, missing=()):
-    """The notebook, run in a clean kernel that finds the engine and, of this repository, nothing else; and the seconds that it took."""
+    """The notebook, run in a clean kernel that finds the engine and, of this repository, nothing
+    else; and the seconds that it took.
+    """
     client = pytest.importorskip("nbclient").NotebookClient
     (where / "newton_euler").symlink_to(ROOT / "newton_euler", target_is_directory=True)
     absent = "".join(f"sys.modules[{name!r}] = None\n" for name in missing)
     (where / "sitecustomize.py").write_text(f"import sys\n{absent}")
     notebook = read(path)
-    runner = client(notebook, timeout=deadline(path), kernel_name="python3", resources={"metadata": {"path": str(where)}})
+    runner = client(
+        notebook,
+        timeout=deadline(path),
+        kernel_name="python3",
+        resources={"metadata": {"path": str(where)}},
+    )
     started = time.perf_counter()
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", module=r"zmq|jupyter_client|nbclient|asyncio|traitlets")
-        runner.execute(env={**os.environ, "PYTHONPATH": str(where), "MPLBACKEND": "module://matplotlib_inline.backend_inline"})
+        runner.execute(
+            env={
+                **os.environ,
+                "PYTHONPATH": str(where),
+                "MPLBACKEND": "module://matplotlib_inline.backend_inline",
+            }
+        )
     return notebook, time.perf_counter() - started
 
 
@@ -122,11 +156,16 @@ def deadline(path):
 
 @pytest.fixture(
     scope="module",
-    params=[pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG_S else path for path in CHAPTERS],
+    params=[
+        pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG_S else path
+        for path in CHAPTERS
+    ],
     ids=lambda path: path.stem,
 )
 def run(request, tmp_path_factory):
-    return *executed(request.param, tmp_path_factory.mktemp(request.param.stem)), deadline(request.param)
+    return *executed(request.param, tmp_path_factory.mktemp(request.param.stem)), deadline(
+        request.param
+    )
 
 
 def is_picture(output):
@@ -139,7 +178,11 @@ def test_a_notebook_runs_from_a_clean_kernel_in_time(run):
 
 def test_a_run_prints_no_warnings(run):
     for cell in code(run[0]):
-        told = [output.text for output in cell.outputs if output.output_type == "stream" and output.name == "stderr"]
+        told = [
+            output.text
+            for output in cell.outputs
+            if output.output_type == "stream" and output.name == "stderr"
+        ]
         assert not told, (cell.id, told)
 
 

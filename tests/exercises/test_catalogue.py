@@ -1,4 +1,6 @@
-"""The catalogue: texts, data and code of the problems are read and fit together; what is wrong is told in words."""
+"""The catalogue: texts, data and code of the problems are read and fit together; what is wrong is
+told in words.
+"""
 
 import re
 from types import SimpleNamespace
@@ -32,7 +34,13 @@ def write(tmp_path, monkeypatch):
     """A function that puts a file into chapter 77, the only one of a catalogue of its own."""
 
     def forget():
-        for kept in (reading.chapters, reading.chapter, reading.problems, reading.problem, reading._problem_at):
+        for kept in (
+            reading.chapters,
+            reading.chapter,
+            reading.problems,
+            reading.problem,
+            reading._problem_at,
+        ):
             kept.cache_clear()
 
     def put(name, text):
@@ -109,7 +117,12 @@ def test_changed_givens_leave_the_others_alone():
 
 def test_formulas_contain_exactly_the_symbols_of_the_text():
     found = problem("4/42").formulas()["a_C"]
-    assert {str(s) for x in found for s in sympy.sympify(x).free_symbols} == {"omega_1", "omega_2", "omega_3", "r"}
+    assert {str(s) for x in found for s in sympy.sympify(x).free_symbols} == {
+        "omega_1",
+        "omega_2",
+        "omega_3",
+        "r",
+    }
 
 
 def test_dimensions_pass_through_base():
@@ -150,12 +163,16 @@ def test_select_takes_numbers_chapters_and_all_and_each_problem_once():
 def test_missing_and_unknown_givens_are_named():
     with pytest.raises(CatalogueError, match="problem 4/16 lacks omega, b_dot"):
         problem("4/16").base({"beta_1": 120, "b": 8, "L": 16})
-    with pytest.raises(CatalogueError, match="problem 4/16 has no speed; it has omega, b_dot, beta_1, b, L"):
+    with pytest.raises(
+        CatalogueError, match="problem 4/16 has no speed; it has omega, b_dot, beta_1, b, L"
+    ):
         problem("4/16").base({**problem("4/16").book_values, "speed": 1})
 
 
 def test_unknown_answer_is_named():
-    with pytest.raises(CatalogueError, match="problem 4/16 asks for alpha_CD, v_D, a_D, not for 'a_C'"):
+    with pytest.raises(
+        CatalogueError, match="problem 4/16 asks for alpha_CD, v_D, a_D, not for 'a_C'"
+    ):
         problem("4/16").answer("a_C")
 
 
@@ -174,13 +191,15 @@ def refused(ask, name):
 @pytest.mark.parametrize(
     ("right", "wrong", "told"),
     [
-        ("title: A wheel", "name: A wheel", "a problem has the unknown key 'name'; its keys are id, title, section, text, figure, answers and"),
+        ("title: A wheel", "name: A wheel", "a problem has the unknown key 'name'; its keys are id, title, section, text, "
+"figure, answers and"),
         ("title: A wheel\n", "", "a problem lacks the key 'title'; its keys are id, title"),
         ("title: A wheel", "title: 12", "title must be a text, and is 12; put it in quotation marks"),
         ('section: "4.8"', "section: 4.10", "section must be a text, and is 4.1; put it in quotation marks"),
         ("mistakes:", "mistake:", "a problem has the unknown key 'mistake'"),
         ("mistakes: {twice: doubles it}", "mistakes: [doubles it]", "mistakes must be written as name: value, and is ['doubles it']"),
-        ("{twice: doubles it}", "{off: doubles it}", "mistakes: False is not a name: write letters, digits and _, in quotation marks if YAML"),
+        ("{twice: doubles it}", "{off: doubles it}", "mistakes: False is not a name: write letters, digits and _, in quotation marks if "
+"YAML"),
         ("{twice: doubles it}", "{two-fold: doubles it}", "mistakes: 'two-fold' is not a name: write letters, digits and _"),
         ("doubles it", "2", "twice must be a text, and is 2; put it in quotation marks"),
         ("{value: 2, unit: m, means: radius, vary: [1, 3]}", "2", "r must be written as key: value, and is 2; its keys are value, unit, means"),
@@ -189,7 +208,8 @@ def refused(ask, name):
         ("unit: m/s,", "unit: m/s/,", "cannot read the unit 'm/s/'"),
         ("value: 2", "value: 2 m", "r: value must be a number, as in 8 or 0.6, and is '2 m'"),
         ("value: 2", "value: yes", "r: value must be a number, as in 8 or 0.6, and is True"),
-        ("means: radius, ", "", "r lacks the key 'means'; its keys are value, unit, means and, where wanted, vary, figure"),
+        ("means: radius, ", "", "r lacks the key 'means'; its keys are value, unit, means and, where wanted, vary, "
+"figure"),
         ("vary: [1, 3]", "varies: [1, 3]", "r has the unknown key 'varies'; its keys are value, unit, means"),
         ("vary: [1, 3]", "vary: [3, 1]", "r: vary must be [low, high], two numbers with the lower one first, and is [3, 1]"),
         ("vary: [1, 3]", "vary: 3", "r: vary must be [low, high], two numbers with the lower one first, and is 3"),
@@ -214,7 +234,9 @@ def test_what_does_not_fit_is_told_with_its_file(write, right, wrong, told):
     assert refused(problem, "77/1").startswith(f"ch77/p01.yaml: {told}")
 
 
-@pytest.mark.parametrize("value", ["3", "2.5", "true", "a word", "[1, 2]", "{a: 1}", "", "2020-01-02", "[[1], {}]"])
+@pytest.mark.parametrize(
+    "value", ["3", "2.5", "true", "a word", "[1, 2]", "{a: 1}", "", "2020-01-02", "[[1], {}]"]
+)
 @pytest.mark.parametrize("line", range(1, len(ENTRY.splitlines())))
 def test_whatever_stands_under_a_key_is_read_or_refused_in_words(write, line, value):
     lines = ENTRY.splitlines()
@@ -230,36 +252,62 @@ def test_whatever_stands_under_a_key_is_read_or_refused_in_words(write, line, va
 @pytest.mark.parametrize("text", ["", "- " + ENTRY.strip().replace("\n", "\n  "), "a wheel"])
 def test_a_file_that_holds_no_problem_is_told(write, text):
     write("p01.yaml", text)
-    assert refused(problem, "77/1").startswith("ch77/p01.yaml: a problem must be written as key: value, and is ")
+    assert refused(problem, "77/1").startswith(
+        "ch77/p01.yaml: a problem must be written as key: value, and is "
+    )
 
 
 def test_a_power_of_ten_is_a_number_with_and_without_a_point(write):
-    write("p01.yaml", changed("value: 2", "value: 1e-3").replace("[1, 3]", "[1.0e-4, 2e3]").replace("means: speed", "means: speed, atol: 1e-9"))
+    write(
+        "p01.yaml",
+        changed("value: 2", "value: 1e-3")
+        .replace("[1, 3]", "[1.0e-4, 2e3]")
+        .replace("means: speed", "means: speed, atol: 1e-9"),
+    )
     p = problem("77/1")
-    assert (p.givens["r"].value, p.givens["r"].vary, p.answer("v").atol) == (1e-3, (1e-4, 2e3), 1e-9)
+    assert (p.givens["r"].value, p.givens["r"].vary, p.answer("v").atol) == (
+        1e-3,
+        (1e-4, 2e3),
+        1e-9,
+    )
 
 
 def test_broken_yaml_is_told_with_file_and_line(write):
     write("p01.yaml", changed('"4.8"', '"4.8'))
     told = refused(problem, "77/1")
-    assert told.startswith("ch77/p01.yaml is not YAML: while scanning a quoted scalar in line 4, column 10 ")
-    assert told.endswith("; a text with a colon, a # or quotation marks in it wants quotes around it")
+    assert told.startswith(
+        "ch77/p01.yaml is not YAML: while scanning a quoted scalar in line 4, column 10 "
+    )
+    assert told.endswith(
+        "; a text with a colon, a # or quotation marks in it wants quotes around it"
+    )
 
 
 def test_a_key_that_is_there_twice_is_told_with_file_and_line(write):
-    write("p01.yaml", changed("{twice: doubles it}", "{twice: doubles it, once: does it, twice: doubles it too}"))
-    assert refused(problem, "77/1").startswith("ch77/p01.yaml is not YAML: the key twice is there twice in line 10, column 12;")
+    write(
+        "p01.yaml",
+        changed("{twice: doubles it}", "{twice: doubles it, once: does it, twice: doubles it too}"),
+    )
+    assert refused(problem, "77/1").startswith(
+        "ch77/p01.yaml is not YAML: the key twice is there twice in line 10, column 12;"
+    )
 
 
 def test_a_file_in_another_encoding_is_told_with_byte_and_line(write):
     write("p01.yaml", changed("title: A wheel", "title: Une roue qui s'arrête").encode("latin-1"))
-    assert refused(problem, "77/1") == "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"
+    assert (
+        refused(problem, "77/1")
+        == "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"
+    )
 
 
 def test_the_same_problem_twice_is_told(write):
     write("p01.yaml", ENTRY)
     write("p02.yaml", ENTRY)
-    told = "the id 77/1 is that of ch77/p01.yaml, too; give one of them the id that its name says, or delete it"
+    told = (
+        "the id 77/1 is that of ch77/p01.yaml, too; give one of them the id that its name "
+        "says, or delete it"
+    )
     assert refused(problems, "ch77") == f"ch77/p02.yaml: {told}"
     assert problem("77/1").id == "77/1"
 
@@ -267,14 +315,19 @@ def test_the_same_problem_twice_is_told(write):
 @pytest.mark.parametrize("name", ["p1.yaml", "p001.yaml"])
 def test_a_file_whose_number_has_not_two_digits_is_told(write, name):
     write(name, ENTRY)
-    assert refused(problems, "ch77") == f"ch77/{name}: the id 77/1 belongs in ch77/p01.yaml; rename this file, or correct the id"
+    assert refused(problems, "ch77") == (
+        f"ch77/{name}: the id 77/1 belongs in ch77/p01.yaml; rename this file, or correct the id"
+    )
 
 
 @pytest.mark.parametrize("name", ["problems.yaml", "16.yaml", "p02.yml", "p2 copy.yaml"])
 def test_a_file_that_is_not_named_like_a_problem_is_told(write, name):
     write("p01.yaml", ENTRY)
     write(name, ENTRY)
-    assert refused(problems, "ch77") == f"ch77/{name} is not named like a problem: rename it as in p01.yaml, or move it out of the folder"
+    assert refused(problems, "ch77") == (
+        f"ch77/{name} is not named like a problem: rename it as in p01.yaml, or move it out of "
+        "the folder"
+    )
 
 
 def test_problems_come_in_the_order_of_their_numbers_without_the_files_of_an_editor(write):
@@ -286,10 +339,13 @@ def test_problems_come_in_the_order_of_their_numbers_without_the_files_of_an_edi
 
 def test_a_chapter_without_its_file_or_its_title_is_told(write):
     write("p01.yaml", ENTRY)
-    assert refused(chapter, "ch77").startswith("ch77/chapter.yaml is missing; write it with the title of the chapter, as in title: ")
+    assert refused(chapter, "ch77").startswith(
+        "ch77/chapter.yaml is missing; write it with the title of the chapter, as in title: "
+    )
     write("chapter.yaml", "titel: Wheels")
     assert refused(chapter, "ch77") == (
-        "ch77/chapter.yaml: a chapter has the unknown key 'titel'; its keys are title and, where wanted, preamble"
+        "ch77/chapter.yaml: a chapter has the unknown key 'titel'; its keys are title and, "
+"where wanted, preamble"
     )  # fmt: skip
 
 
@@ -308,7 +364,9 @@ def test_code_without_a_function_is_told(write, monkeypatch):
     write("p01.yaml", ENTRY)
     half = SimpleNamespace(solve=print, draw=print)
     monkeypatch.setattr(model.importlib, "import_module", lambda name: half)
-    with pytest.raises(CatalogueError, match=r"exercises/ch77/p01.py does not define prove, mistakes"):
+    with pytest.raises(
+        CatalogueError, match=r"exercises/ch77/p01.py does not define prove, mistakes"
+    ):
         problem("77/1").code.solve(None)
 
 

@@ -14,7 +14,9 @@ SOLVE, PROVE, MISTAKES = P.code.solve, P.code.prove, P.code.mistakes
 
 @pytest.fixture
 def tamper(monkeypatch):
-    """A function that puts other functions into the code of 4/16 and returns the faults that check finds."""
+    """A function that puts other functions into the code of 4/16 and returns the faults that check
+    finds.
+    """
 
     def put(**functions):
         for name, function in functions.items():
@@ -37,7 +39,9 @@ def test_the_untouched_problem_is_found_good(tamper):
 
 def test_a_wrong_sign_is_caught(tamper):
     (fault, *_) = tamper(solve=lambda g: SOLVE(g.but(omega=-g.omega)))
-    assert fault.startswith("alpha_CD: solve in floats and prove differ by 2.0e+00 of its size: (0, 0.27, 0) against (")
+    assert fault.startswith(
+        "alpha_CD: solve in floats and prove differ by 2.0e+00 of its size: (0, 0.27, 0) against ("
+    )
 
 
 def test_a_dropped_term_is_caught(tamper):
@@ -56,7 +60,10 @@ def test_a_fault_too_small_for_floats_is_caught_in_fifty_digits(tamper):
 
 
 def test_a_wrong_proof_is_caught(tamper):
-    assert "v_D: solve in floats and prove differ" in tamper(prove=lambda g: changed(PROVE(g), v_D=lambda v: [-x for x in v]))[0]
+    assert (
+        "v_D: solve in floats and prove differ"
+        in tamper(prove=lambda g: changed(PROVE(g), v_D=lambda v: [-x for x in v]))[0]
+    )
 
 
 def test_a_sum_of_unlike_quantities_is_caught(tamper):
@@ -66,7 +73,10 @@ def test_a_sum_of_unlike_quantities_is_caught(tamper):
 
 def test_an_answer_of_the_wrong_dimension_is_caught(tamper):
     faults = tamper(solve=lambda g: changed(SOLVE(g), v_D=lambda v: v * g.omega))
-    assert faults[0] == "v_D is asked for in mm/s, Dimension(L^1 T^-1), but solve gives Dimension(L^1 T^-2)"
+    assert (
+        faults[0]
+        == "v_D is asked for in mm/s, Dimension(L^1 T^-1), but solve gives Dimension(L^1 T^-2)"
+    )
 
 
 def test_a_number_without_its_unit_is_caught(tamper):
@@ -76,35 +86,60 @@ def test_a_number_without_its_unit_is_caught(tamper):
 
 def test_answers_in_another_order_are_caught(tamper):
     (fault,) = tamper(solve=lambda g: dict(reversed(SOLVE(g).items())))
-    assert fault == "solve returns ['a_D', 'v_D', 'alpha_CD'] but the problem asks for ['alpha_CD', 'v_D', 'a_D']"
+    assert fault == (
+        "solve returns ['a_D', 'v_D', 'alpha_CD'] but the problem asks for ['alpha_CD', 'v_D', "
+        "'a_D']"
+    )
 
 
 def test_a_forgotten_answer_is_caught(tamper):
-    assert tamper(prove=lambda g: {"alpha_CD": PROVE(g)["alpha_CD"]})[0].startswith("prove returns ['alpha_CD'] but")
+    assert tamper(prove=lambda g: {"alpha_CD": PROVE(g)["alpha_CD"]})[0].startswith(
+        "prove returns ['alpha_CD'] but"
+    )
 
 
 def test_a_mistake_that_is_not_computed_is_caught(tamper):
-    (fault,) = tamper(mistakes=lambda g: {name: m for name, m in MISTAKES(g).items() if name != "no_coriolis"})
+    (fault,) = tamper(
+        mistakes=lambda g: {name: m for name, m in MISTAKES(g).items() if name != "no_coriolis"}
+    )
     assert fault.startswith("the mistake no_coriolis is in p16.yaml but not computed")
 
 
 def test_a_mistake_of_another_name_is_caught(tamper):
-    faults = tamper(mistakes=lambda g: {"no_coriolis_term" if n == "no_coriolis" else n: m for n, m in MISTAKES(g).items()})
+    faults = tamper(
+        mistakes=lambda g: {
+            "no_coriolis_term" if n == "no_coriolis" else n: m for n, m in MISTAKES(g).items()
+        }
+    )
     assert "the mistake no_coriolis_term is computed but not in p16.yaml" in faults
 
 
 def test_a_mistake_without_a_text_is_caught():
-    broken = replace(P, mistakes={name: text for name, text in P.mistakes.items() if name != "no_coriolis"})
+    broken = replace(
+        P, mistakes={name: text for name, text in P.mistakes.items() if name != "no_coriolis"}
+    )
     assert check(broken) == ["the mistake no_coriolis is computed but not in p16.yaml"]
 
 
 def test_a_mistake_in_an_answer_that_is_not_asked_for_is_caught(tamper):
-    faults = tamper(mistakes=lambda g: {**MISTAKES(g), "no_coriolis": {"a_C": MISTAKES(g)["no_coriolis"]["a_D"]}})
-    assert faults == ["the mistake no_coriolis must give some of ['alpha_CD', 'v_D', 'a_D'], and gives ['a_C']"]
+    faults = tamper(
+        mistakes=lambda g: {
+            **MISTAKES(g),
+            "no_coriolis": {"a_C": MISTAKES(g)["no_coriolis"]["a_D"]},
+        }
+    )
+    assert faults == [
+        "the mistake no_coriolis must give some of ['alpha_CD', 'v_D', 'a_D'], and gives ['a_C']"
+    ]
 
 
 def test_a_mistake_under_the_key_of_another_answer_is_caught(tamper):
-    faults = tamper(mistakes=lambda g: {**MISTAKES(g), "no_coriolis": {"v_D": MISTAKES(g)["no_coriolis"]["a_D"]}})
+    faults = tamper(
+        mistakes=lambda g: {
+            **MISTAKES(g),
+            "no_coriolis": {"v_D": MISTAKES(g)["no_coriolis"]["a_D"]},
+        }
+    )
     assert faults == ["the mistake no_coriolis gives v_D the dimension of a_D"]
 
 

@@ -1,4 +1,6 @@
-"""Every problem of every chapter holds, on numbers of every kind, and gives what was found by hand where its YAML says so under ``checked``."""
+"""Every problem of every chapter holds, on numbers of every kind, and gives what was found by hand
+where its YAML says so under ``checked``.
+"""
 
 import matplotlib.pyplot as plt
 import mpmath
@@ -23,12 +25,16 @@ by_id = pytest.mark.parametrize("p", PROBLEMS, ids=named)
 
 @pytest.mark.parametrize("name", chapters())
 def test_every_code_has_its_text_and_every_text_its_code(name):
-    assert {p.name for p in problems(name)} == {code.stem for code in (reading.EXERCISES / name).glob("p*.py")}
+    assert {p.name for p in problems(name)} == {
+        code.stem for code in (reading.EXERCISES / name).glob("p*.py")
+    }
 
 
 @pytest.mark.parametrize("p", PROBLEMS, ids=lambda p: f"{named(p)}_holds")
 def test_problem(p):
-    """Solved and proved alike in floats and in 50 digits, right in its units, and every mistake away from the key."""
+    """Solved and proved alike in floats and in 50 digits, right in its units, and every mistake
+    away from the key.
+    """
     assert check(p, seeds=2) == []
 
 
@@ -46,7 +52,9 @@ def test_solve_runs_on_arrays_of_instants(p):
 def test_solve_keeps_the_digits_of_mpmath_numbers(p):
     with mpmath.mp.workdps(40):
         precise = p.solve({n: mpmath.mpf(repr(float(v))) for n, v in values(p, 0).items()})
-        assert all(isinstance(x, mpmath.mpf) or x == 0 for answer in precise.values() for x in flat(answer))
+        assert all(
+            isinstance(x, mpmath.mpf) or x == 0 for answer in precise.values() for x in flat(answer)
+        )
 
 
 @pytest.mark.parametrize("p", [p for p in PROBLEMS if p.symbolic], ids=named)
@@ -75,6 +83,10 @@ def test_answer_is_the_one_found_by_hand(p, key):
         return
     by_hand = [sympy.sympify(x, p.sympy_symbols()) for x in by_hand]
     if kind in SYMBOLIC:
-        assert [sympy.simplify(x - y) for x, y in zip(found, by_hand, strict=True)] == [0] * len(by_hand)
+        assert [sympy.simplify(x - y) for x, y in zip(found, by_hand, strict=True)] == [0] * len(
+            by_hand
+        )
     else:
-        assert [float(x) for x in found] == pytest.approx([float(x) for x in by_hand], rel=1e-12, abs=1e-9)
+        assert [float(x) for x in found] == pytest.approx(
+            [float(x) for x in by_hand], rel=1e-12, abs=1e-9
+        )

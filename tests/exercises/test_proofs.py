@@ -48,7 +48,9 @@ def test_proof_does_without_the_engine(p, monkeypatch):
     assert list(p.code.prove(g)) == [a.key for a in p.answers]
 
 
-@pytest.mark.parametrize(("axis", "start", "end"), [("x", "y", "z"), ("y", "z", "x"), ("z", "x", "y")])
+@pytest.mark.parametrize(
+    ("axis", "start", "end"), [("x", "y", "z"), ("y", "z", "x"), ("z", "x", "y")]
+)
 def test_rot_is_right_handed(axis, start, end):
     unit = {"x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1]}
     assert near(times(rot(axis, mp.pi / 2), unit[start]), unit[end])

@@ -1,4 +1,6 @@
-"""One small course, built once: five problems, six students who did what the demo's students do, and what they handed in."""
+"""One small course, built once: five problems, six students who did what the demo's students do,
+and what they handed in.
+"""
 
 import contextlib
 import shutil
@@ -30,7 +32,9 @@ def pytest_collection_modifyitems(items):
 
 @pytest.fixture(scope="session")
 def demo_course(tmp_path_factory):
-    """The demo on five problems: released, fetched, submitted, collected, graded; {"course", "said", "code"}."""
+    """The demo on five problems: released, fetched, submitted, collected, graded; {"course",
+    "said", "code"}.
+    """
     folder = tmp_path_factory.mktemp("demo") / "mechanics"
     only = [x for p in PROBLEMS for x in ("--problem", p)]
     code, said = grader("demo", "--course", folder, *only)
@@ -74,7 +78,9 @@ def harvester():
 
 
 class _Shared:
-    """In place of a Harvester of its own for every call of grade: the session's, which costs no start."""
+    """In place of a Harvester of its own for every call of grade: the session's, which costs no
+    start.
+    """
 
     def __init__(self, harvester):
         self.harvester, self.count, self.run = harvester, 1, harvester.run
@@ -94,4 +100,8 @@ def one_harvester(request, monkeypatch):
         from grader.sandbox import Harvester
 
         shared = _Shared(request.getfixturevalue("harvester"))
-        monkeypatch.setattr(grading, "Harvester", lambda workers=None, sandbox=True: shared if sandbox else Harvester(1, sandbox))
+        monkeypatch.setattr(
+            grading,
+            "Harvester",
+            lambda workers=None, sandbox=True: shared if sandbox else Harvester(1, sandbox),
+        )

@@ -14,14 +14,27 @@ REPOSITORY = Path(__file__).parents[2]
 
 
 def environment(**more):
-    """The environment for a command line: this Python's nbgrader, this repository's grader, nobody's configuration."""
-    own = {"PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(REPOSITORY)}
+    """The environment for a command line: this Python's nbgrader, this repository's grader,
+    nobody's configuration.
+    """
+    own = {
+        "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
+        "PYTHONPATH": str(REPOSITORY),
+    }
     return {**os.environ, **own, "JUPYTER_NO_CONFIG": "", "COLUMNS": "200", **more}
 
 
 def run(*command, cwd=None, timeout=180, **more):
     """A command line: (exit code, everything it said)."""
-    done = subprocess.run(command, cwd=cwd, env=environment(**more), text=True, capture_output=True, timeout=timeout, check=False)
+    done = subprocess.run(
+        command,
+        cwd=cwd,
+        env=environment(**more),
+        text=True,
+        capture_output=True,
+        timeout=timeout,
+        check=False,
+    )
     return done.returncode, done.stdout + done.stderr
 
 
@@ -33,12 +46,16 @@ def grader(*arguments, **options):
 def nbgrader(*arguments, cwd, timeout=180, **more):
     """nbgrader's command line in a folder: (exit code, everything it said).
 
-    It runs in a fork of a process that has imported nbgrader, which takes two seconds of every command.
+    It runs in a fork of a process that has imported nbgrader, which takes two seconds of every
+    command.
     """
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(["nbgrader.apps.nbgraderapp"])
     with tempfile.NamedTemporaryFile() as output:
-        process = context.Process(target=_nbgrader, args=(list(map(str, arguments)), str(cwd), environment(**more), output.name))
+        process = context.Process(
+            target=_nbgrader,
+            args=(list(map(str, arguments)), str(cwd), environment(**more), output.name),
+        )
         process.start()
         process.join(timeout)
         process.kill()
@@ -95,7 +112,9 @@ def submit(course, student, notebook, assignment="ch04", name=None):
     folder = course.path / "submitted" / student / assignment
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{name or assignment}.ipynb"
-    path.write_text(notebook if isinstance(notebook, str) else json.dumps(notebook), encoding="utf-8")
+    path.write_text(
+        notebook if isinstance(notebook, str) else json.dumps(notebook), encoding="utf-8"
+    )
     return path
 
 
@@ -103,7 +122,11 @@ def copy_of(course, folder):
     """An independent copy of a course, with the same secret, to do something to."""
     from grader.course import Course
 
-    shutil.copytree(course.path, folder, ignore=shutil.ignore_patterns("exchange", "homes", "autograded", "feedback", "scores"))
+    shutil.copytree(
+        course.path,
+        folder,
+        ignore=shutil.ignore_patterns("exchange", "homes", "autograded", "feedback", "scores"),
+    )
     config = Path(folder) / "nbgrader_config.py"
     config.write_text(config.read_text().replace(str(course.path), str(folder)))
     return Course(folder)

@@ -1,4 +1,6 @@
-"""What no file of a student may contain: numbers and formulas of the key, texts of mistakes, the secret."""
+"""What no file of a student may contain: numbers and formulas of the key, texts of mistakes, the
+secret.
+"""
 
 import re
 
@@ -11,9 +13,18 @@ def numbers_of_key(p, values):
     """Every number of the key that could not be there by accident: six digits."""
 
     def flat(x):
-        return [y for part in x for y in flat(part)] if isinstance(x, (Vector, tuple, list)) else [plain(x)]
+        return (
+            [y for part in x for y in flat(part)]
+            if isinstance(x, (Vector, tuple, list))
+            else [plain(x)]
+        )
 
-    return {f"{abs(float(x)):.6g}" for v in p.solve(values).values() for x in flat(v) if len(f"{abs(float(x)):.6g}".strip("0.")) >= 5}
+    return {
+        f"{abs(float(x)):.6g}"
+        for v in p.solve(values).values()
+        for x in flat(v)
+        if len(f"{abs(float(x)):.6g}".strip("0.")) >= 5
+    }
 
 
 def keys(course, student):
@@ -24,7 +35,12 @@ def keys(course, student):
 
 
 def formulas(p):
-    return {str(f) for v in p.formulas().values() for f in (v if isinstance(v, (Vector, tuple)) else [v]) if len(str(f)) > 8}
+    return {
+        str(f)
+        for v in p.formulas().values()
+        for f in (v if isinstance(v, (Vector, tuple)) else [v])
+        if len(str(f)) > 8
+    }
 
 
 def holds_nothing_secret(text, course, student):
@@ -35,5 +51,14 @@ def holds_nothing_secret(text, course, student):
         if p.symbolic:
             assert not [f for f in formulas(p) if f in everywhere]
         assert not [text for text in p.mistakes.values() if text in everywhere]
-    for words in ("def solve", "solve(g", "prove(", "mistakes", course.secret.hex(), ".course_secret", "BEGIN SOLUTION", "HIDDEN TESTS"):
+    for words in (
+        "def solve",
+        "solve(g",
+        "prove(",
+        "mistakes",
+        course.secret.hex(),
+        ".course_secret",
+        "BEGIN SOLUTION",
+        "HIDDEN TESTS",
+    ):
         assert words not in everywhere, words

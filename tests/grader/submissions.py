@@ -6,16 +6,21 @@ from grader.assignment import problems_of
 from grader.demo import sample_students as sample
 from tests.grader.courses import read
 
-RIGHT = {"ada": 11, "ben": 8, "cleo": 4, "eve": 9, "mallory": 0}  # what the course's students have, besides dan, whose notebook the tests change
+# what the course's students have, besides dan, whose notebook the tests change
+RIGHT = {"ada": 11, "ben": 8, "cleo": 4, "eve": 9, "mallory": 0}
 
 
 def work(course, student, **changed):
-    """A right notebook of this student; ``changed`` replaces the text of answer cells, as p4_16="...")."""
+    """A right notebook of this student; ``changed`` replaces the text of answer cells, as
+    p4_16="...").
+    """
     own = read(course.personal_path("ch04", student))
     problems = problems_of(own)
     values = course.values("ch04", student, problems)
     texts = {p.id: sample.cell_text(p, sample.right_answers(p, values[p.id])) for p in problems}
-    return sample.fill_in(own, {**texts, **{k[1:].replace("_", "/"): v for k, v in changed.items()}})
+    return sample.fill_in(
+        own, {**texts, **{k[1:].replace("_", "/"): v for k, v in changed.items()}}
+    )
 
 
 def without(notebook, *cell_ids):
@@ -33,7 +38,12 @@ def untouched(course, student):
 
 NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
     "no receipt cell": (lambda c: without(work(c, "dan"), "receipt-4-16"), 11, None, ""),
-    "no statement and no numbers": (lambda c: without(work(c, "dan"), "statement-4-16", "givens-4-16", "setup"), 11, None, ""),
+    "no statement and no numbers": (
+        lambda c: without(work(c, "dan"), "statement-4-16", "givens-4-16", "setup"),
+        11,
+        None,
+        "",
+    ),
     "no answer cell": (
         lambda c: without(work(c, "dan"), "answer-4-16"),
         8,
@@ -47,13 +57,27 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
         "2 copies of the answer cell; the first one that was filled in was graded",
     ),
     "worked in the copy": (
-        lambda c: copied(without(untouched(c, "dan")), "answer-4-16", next(x["source"] for x in work(c, "dan")["cells"] if x["id"] == "answer-4-16")),
+        lambda c: copied(
+            without(untouched(c, "dan")),
+            "answer-4-16",
+            next(x["source"] for x in work(c, "dan")["cells"] if x["id"] == "answer-4-16"),
+        ),
         3,
         "4/16",
         "2 copies of the answer cell; the first one that was filled in was graded",
     ),
-    "a copied receipt cell": (lambda c: copied(work(c, "dan"), "receipt-4-16", "receipt('4/16')"), 11, None, ""),
-    "cells in another order": (lambda c: {**work(c, "dan"), "cells": work(c, "dan")["cells"][::-1]}, 11, None, ""),
+    "a copied receipt cell": (
+        lambda c: copied(work(c, "dan"), "receipt-4-16", "receipt('4/16')"),
+        11,
+        None,
+        "",
+    ),
+    "cells in another order": (
+        lambda c: {**work(c, "dan"), "cells": work(c, "dan")["cells"][::-1]},
+        11,
+        None,
+        "",
+    ),
     "no metadata of ours": (lambda c: {**work(c, "dan"), "metadata": {}}, 11, None, ""),
     "no nbgrader metadata": (
         lambda c: json.loads(json.dumps(work(c, "dan")).replace('"nbgrader"', '"gone"')),
@@ -62,25 +86,39 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
         "the answer cell of 4/16 is missing",
     ),
     "metadata of an old schema": (
-        lambda c: json.loads(json.dumps(work(c, "dan")).replace('"schema_version": 3', '"schema_version": 1')),
+        lambda c: json.loads(
+            json.dumps(work(c, "dan")).replace('"schema_version": 3', '"schema_version": 1')
+        ),
         11,
         None,
         "",
     ),
     "text as a list of lines": (
-        lambda c: {**work(c, "dan"), "cells": [{**x, "source": x["source"].splitlines(True)} for x in work(c, "dan")["cells"]]},
+        lambda c: {
+            **work(c, "dan"),
+            "cells": [
+                {**x, "source": x["source"].splitlines(True)} for x in work(c, "dan")["cells"]
+            ],
+        },
         11,
         None,
         "",
     ),
     "half a character": (lambda c: work(c, "dan", p4_1="speed = '\ud800'"), 9, None, ""),
     "markup in an error": (
-        lambda c: work(c, "dan", p4_1="raise ValueError('[/red] [bold] <script>alert(1)</script> ' + chr(27))"),
+        lambda c: work(
+            c, "dan", p4_1="raise ValueError('[/red] [bold] <script>alert(1)</script> ' + chr(27))"
+        ),
         9,
         "4/1",
         "[/red] [bold] <script>",
     ),
-    "a magic and a shell command": (lambda c: work(c, "dan", p4_1="%matplotlib inline\n!ls\nspeed = 1"), 9, None, ""),
+    "a magic and a shell command": (
+        lambda c: work(c, "dan", p4_1="%matplotlib inline\n!ls\nspeed = 1"),
+        9,
+        None,
+        "",
+    ),
     "ends the process": (
         lambda c: work(c, "dan", p4_31="import os; os._exit(0)"),
         9,
@@ -109,7 +147,13 @@ DAMAGED = {
     "not json": ("# my homework\n", "is damaged and cannot be read as a notebook"),
     "a list": ("[1, 2, 3]", "is not a notebook of format 4: it has no list of cells"),
     "no cells": ('{"nbformat": 4}', "it has no list of cells"),
-    "cells of another kind": ('{"cells": 3, "nbformat": 4, "nbformat_minor": 5, "metadata": {}}', "it has no list of cells"),
-    "format 3": ('{"worksheets": [], "nbformat": 3, "nbformat_minor": 0, "metadata": {}}', "it has no list of cells"),
+    "cells of another kind": (
+        '{"cells": 3, "nbformat": 4, "nbformat_minor": 5, "metadata": {}}',
+        "it has no list of cells",
+    ),
+    "format 3": (
+        '{"worksheets": [], "nbformat": 3, "nbformat_minor": 0, "metadata": {}}',
+        "it has no list of cells",
+    ),
     "nested deep": ("[" * 100_000, "is damaged and cannot be read as a notebook"),
 }

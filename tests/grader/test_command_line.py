@@ -30,11 +30,16 @@ def test_help_teaches(name, words):
 
 
 def test_solve_takes_other_numbers_and_variants():
-    book, other = (json.loads(command("solve", "4/16", "--json", *more)[1])["4/16"] for more in ((), ("--given", "omega=0.9")))
+    book, other = (
+        json.loads(command("solve", "4/16", "--json", *more)[1])["4/16"]
+        for more in ((), ("--given", "omega=0.9"))
+    )
     assert other["a_D"]["value"] != book["a_D"]["value"]
     expected = problem("4/16").solve({**problem("4/16").book_values, "omega": 0.9})
     assert other["a_D"]["value"] == pytest.approx([float(x) for x in expected["a_D"]])
-    one, again, two = (json.loads(command("solve", "4/16", "--json", "--seed", n)[1]) for n in (1, 1, 2))
+    one, again, two = (
+        json.loads(command("solve", "4/16", "--json", "--seed", n)[1]) for n in (1, 1, 2)
+    )
     assert one == again != two
     assert command("solve", "4/2", "--json", "--given", "tilt=0.5")[1].count("tilt") == 0
 
@@ -44,7 +49,9 @@ def test_prove_ends_with_0_if_all_holds_and_1_if_a_key_is_tampered_with(monkeypa
     assert (code, "2 passed, 0 failed" in out) == (0, True)
     code_of = problem("4/16").code
     original = code_of.solve
-    monkeypatch.setattr(code_of, "solve", lambda g: {**original(g), "v_D": original(g)["v_D"] * 1.0001})
+    monkeypatch.setattr(
+        code_of, "solve", lambda g: {**original(g), "v_D": original(g)["v_D"] * 1.0001}
+    )
     from exercises import variants
 
     variants._compiled.cache_clear()
@@ -70,7 +77,10 @@ WRONG = [
     (("solve", "ch99"), "there is no chapter 'ch99'; there are"),
     (("solve", "4/x"), "'4/x' is not a problem number; write chapter and problem, as in 4/16"),
     (("solve", "../etc"), "is not a problem number"),
-    (("solve", "4/16", "--given", "omega"), "expected NAME=VALUE with a number, as in --given omega=0.9"),
+    (
+        ("solve", "4/16", "--given", "omega"),
+        "expected NAME=VALUE with a number, as in --given omega=0.9",
+    ),
     (("solve", "4/16", "--given", "omega=fast"), "expected NAME=VALUE with a number"),
     (("solve", "4/16", "--given", "omega=nan"), "expected NAME=VALUE with a number"),
     (("solve", "4/16", "--given", "mass=3"), "none of these problems has a given 'mass'; 4/16 has"),
@@ -78,12 +88,19 @@ WRONG = [
     (("prove", "4/16", "--seeds", "0"), "0 is not in the range"),
     (("nonsense",), "No such command 'nonsense'"),
     (("grade", "ch04"), "Missing option '--course'"),
-    (("grade", "ch04", "--course", "{tmp}"), "is not a course folder: it has no nbgrader_config.py. Make one with: python -m grader build"),
+    (
+        ("grade", "ch04", "--course", "{tmp}"),
+        "is not a course folder: it has no nbgrader_config.py. Make one with: python -m grader "
+        "build",
+    ),
     (("grade", "ch04", "--course", "{tmp}/missing"), "is not a course folder"),
     (("grade", "ch04", "--course", "{tmp}/file"), "is a file"),
     (("personal", "ch04", "--course", "{tmp}"), "is not a course folder"),
     (("build", "ch99", "--course", "{tmp}/c"), "there is no chapter 'ch99'"),
-    (("build", "ch04", "--course", "{tmp}/c", "--problem", "5/1"), "ch04 has no problem 5/1; it has 4/1 to 4/43"),
+    (
+        ("build", "ch04", "--course", "{tmp}/c", "--problem", "5/1"),
+        "ch04 has no problem 5/1; it has 4/1 to 4/43",
+    ),
     (("build", "ch04", "--course", "{tmp}/c", "--students", "{tmp}/missing.csv"), "does not exist"),
     (("build", "ch04", "--course", "{tmp}/c", "--update"), "is not a course folder"),
     (("build", "ch04", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty"),

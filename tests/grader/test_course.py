@@ -11,10 +11,16 @@ from tests.grader.courses import command, points
 
 def test_a_course_without_its_secret_says_what_to_do(fresh):
     (fresh.path / ".course_secret").unlink()
-    with pytest.raises(CourseError, match=r"is missing; without it no student's numbers can be derived. Restore it from a backup"):
+    with pytest.raises(
+        CourseError,
+        match=r"is missing; without it no student's numbers can be derived. Restore it from a "
+        r"backup",
+    ):
         grade(Course(fresh.path), "ch04")
     (fresh.path / ".course_secret").write_text("not hexadecimal")
-    with pytest.raises(CourseError, match=r"is damaged: expected one line of hexadecimal digits. Restore it"):
+    with pytest.raises(
+        CourseError, match=r"is damaged: expected one line of hexadecimal digits. Restore it"
+    ):
         grade(Course(fresh.path), "ch04")
     code, out = command("grade", "ch04", "--course", fresh.path)
     assert (code, "Traceback" in out) == (2, False)
@@ -29,7 +35,11 @@ def test_another_secret_is_noticed_before_everybody_is_wrong(fresh):
 
 
 ROSTERS = {
-    "no id": ("name,email\nada,a@b\n", r"expected a CSV file, separated by commas, whose first line names a column id.*got \['name', 'email'\]"),
+    "no id": (
+        "name,email\nada,a@b\n",
+        r"expected a CSV file, separated by commas, whose first line names a column id.*got "
+        r"\['name', 'email'\]",
+    ),
     "semicolons": ("id;first_name\nada;Ada\n", r"separated by commas.*got \['id;first_name'\]"),
     "empty": ("", "got no rows"),
     "only a header": ("id,first_name\n", "got no rows"),
@@ -47,7 +57,9 @@ def test_a_roster_that_cannot_be_used_is_told_and_no_course_is_made(tmp_path, ho
     path.write_text(ROSTERS[how][0])
     with pytest.raises(CourseError, match=ROSTERS[how][1]):
         read_roster(path)
-    code, out = command("build", "ch04", "--course", tmp_path / "c", "--students", path, "--problem", "4/1")
+    code, out = command(
+        "build", "ch04", "--course", tmp_path / "c", "--students", path, "--problem", "4/1"
+    )
     assert (code, "Traceback" in out) == (2, False)
     assert not (tmp_path / "c").exists()
 
@@ -58,12 +70,44 @@ def test_a_roster_in_latin_1_is_told(tmp_path):
         read_roster(tmp_path / "r.csv")
 
 
-@pytest.mark.parametrize("student", ["ada", "s1234567", "ada.lovelace@uni.edu", "müller", "Ada Lovelace", "o'brien", "a_b-c", "学生"])
+@pytest.mark.parametrize(
+    "student",
+    [
+        "ada",
+        "s1234567",
+        "ada.lovelace@uni.edu",
+        "müller",
+        "Ada Lovelace",
+        "o'brien",
+        "a_b-c",
+        "学生",
+    ],
+)
 def test_ids_that_folders_can_have_are_taken(student):
     assert check_id(student) == student
 
 
-@pytest.mark.parametrize("student", ["", ".", "..", "a/b", "a\\b", "a+b", "*", "a?", "[a]", "a\nb", "a\0", " a", "a ", "-rf", ".hidden", "a{b}"])
+@pytest.mark.parametrize(
+    "student",
+    [
+        "",
+        ".",
+        "..",
+        "a/b",
+        "a\\b",
+        "a+b",
+        "*",
+        "a?",
+        "[a]",
+        "a\nb",
+        "a\0",
+        " a",
+        "a ",
+        "-rf",
+        ".hidden",
+        "a{b}",
+    ],
+)
 def test_ids_that_would_lead_elsewhere_are_refused(student):
     with pytest.raises(CourseError, match="cannot be a student id"):
         check_id(student)
@@ -73,5 +117,7 @@ def test_a_course_folder_that_exists_is_left_as_it_is(tmp_path):
     (tmp_path / "notes.txt").write_text("mine")
     code, out = command("build", "ch04", "--course", tmp_path, "--problem", "4/1")
     assert code == 2
-    assert "exists and is not empty; name a new folder, or add to the course in it with build --update" in out
+    assert (
+        "exists and is not empty; name a new folder, or add to the course in it with build --update"
+    ) in out
     assert os.listdir(tmp_path) == ["notes.txt"]

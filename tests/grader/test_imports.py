@@ -1,4 +1,6 @@
-"""The folders of the grader import downwards only, in the order in which the docstring of the package names them."""
+"""The folders of the grader import downwards only, in the order in which the docstring of the
+package names them.
+"""
 
 import ast
 import re
@@ -8,12 +10,21 @@ from pathlib import Path
 import grader
 
 ROOT = Path(grader.__file__).parent
-LAYERS = ("newton_euler", "exercises", *re.findall(r"(?m)^    (\w+) ", grader.__doc__), "nbgrader_config", "__main__")
-COPIED = ("assignment/fetch.py", "sandbox/cage.py")  # they run where grader and exercises are not to be imported
+LAYERS = (
+    "newton_euler",
+    "exercises",
+    *re.findall(r"(?m)^    (\w+) ", grader.__doc__),
+    "nbgrader_config",
+    "__main__",
+)
+# they run where grader and exercises are not to be imported
+COPIED = ("assignment/fetch.py", "sandbox/cage.py")
 
 
 def name_of(path):
-    """The name of a module, relative to the package: ``scoring.score``; of an ``__init__`` the name of its folder."""
+    """The name of a module, relative to the package: ``scoring.score``; of an ``__init__`` the name
+    of its folder.
+    """
     return ".".join(p for p in path.relative_to(ROOT).with_suffix("").parts if p != "__init__")
 
 
@@ -21,7 +32,9 @@ MODULES = {name_of(p): p for p in ROOT.rglob("*.py")}
 
 
 def imports(path):
-    """[(module, name or None)] of all imports in a file, also those inside functions; modules of the grader relative to the package."""
+    """[(module, name or None)] of all imports in a file, also those inside functions; modules of
+    the grader relative to the package.
+    """
     found = []
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
@@ -31,7 +44,12 @@ def imports(path):
             if node.level:
                 parent = path.relative_to(ROOT).parts[: -node.level]
                 base = ".".join((*parent, *filter(None, [node.module])))
-            found += [(f"{base}.{a.name}".strip("."), None) if f"{base}.{a.name}".strip(".") in MODULES else (base, a.name) for a in node.names]
+            found += [
+                (f"{base}.{a.name}".strip("."), None)
+                if f"{base}.{a.name}".strip(".") in MODULES
+                else (base, a.name)
+                for a in node.names
+            ]
     return found
 
 
@@ -45,7 +63,14 @@ def climbing(name, found):
 
 def private(name, found):
     folder = name.partition(".")[0]
-    return [(m, n) for m, n in found if n and n.startswith("_") and m.partition(".")[0] in LAYERS and m.partition(".")[0] != folder]
+    return [
+        (m, n)
+        for m, n in found
+        if n
+        and n.startswith("_")
+        and m.partition(".")[0] in LAYERS
+        and m.partition(".")[0] != folder
+    ]
 
 
 def test_the_docstring_of_the_package_names_every_folder():
@@ -59,8 +84,11 @@ def test_no_import_climbs():
 
 
 def test_no_imports_form_a_circle():
-    # a folder's __init__ imports its modules, and Python runs it before any of them: within a folder modules import modules
-    graph = {n: {m for m, _ in imports(p) if m in MODULES and m != n} for n, p in MODULES.items() if n}
+    # a folder's __init__ imports its modules, and Python runs it before any of them: within a
+    # folder modules import modules
+    graph = {
+        n: {m for m, _ in imports(p) if m in MODULES and m != n} for n, p in MODULES.items() if n
+    }
     tuple(TopologicalSorter(graph).static_order())
 
 
@@ -70,12 +98,17 @@ def test_no_private_name_is_taken_from_another_folder():
 
 def test_what_is_copied_or_caged_imports_nothing_of_grader_or_exercises():
     for file in COPIED:
-        assert not [m for m, _ in imports(ROOT / file) if m.partition(".")[0] in {*LAYERS, "grader"}], file
+        assert not [
+            m for m, _ in imports(ROOT / file) if m.partition(".")[0] in {*LAYERS, "grader"}
+        ], file
 
 
 def test_the_check_sees_what_it_forbids(tmp_path):
     file = tmp_path / "course.py"
-    file.write_text("def f():\n    from grader.scoring.score import _score_part\n    from grader.assignment import notebook\n")
+    file.write_text(
+        "def f():\n    from grader.scoring.score import _score_part\n    from "
+        "grader.assignment import notebook\n"
+    )
     found = imports(file)
     assert climbing("course", found) == ["scoring.score", "assignment.notebook"]
     assert private("course", found) == [("scoring.score", "_score_part")]

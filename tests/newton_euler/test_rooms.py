@@ -18,7 +18,12 @@ BELOW = {room: set(MECHANICS[:n]) for n, room in enumerate(MECHANICS)} | {
     "scenes": {*MECHANICS, "motion"},
     "accuracy": {*MECHANICS, "motion", "scenes"},
 }
-FILES = {".".join(("newton_euler", *path.relative_to(ENGINE).with_suffix("").parts)).removesuffix(".__init__"): path for path in ENGINE.rglob("*.py")}
+FILES = {
+    ".".join(("newton_euler", *path.relative_to(ENGINE).with_suffix("").parts)).removesuffix(
+        ".__init__"
+    ): path
+    for path in ENGINE.rglob("*.py")
+}
 
 
 def room_of(module):
@@ -34,12 +39,23 @@ def imports(module, source=None):
     found = []
     for node in ast.walk(ast.parse(source or path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            found += [(alias.name, None) for alias in node.names if alias.name.split(".")[0] == "newton_euler"]
+            found += [
+                (alias.name, None)
+                for alias in node.names
+                if alias.name.split(".")[0] == "newton_euler"
+            ]
         elif isinstance(node, ast.ImportFrom):
-            base = package.split(".")[: len(package.split(".")) - node.level + 1] if node.level else []
+            base = (
+                package.split(".")[: len(package.split(".")) - node.level + 1] if node.level else []
+            )
             target = ".".join([*base, *([node.module] if node.module else [])])
             if target.split(".")[0] == "newton_euler":
-                found += [(f"{target}.{a.name}", None) if f"{target}.{a.name}" in FILES else (target, a.name) for a in node.names]
+                found += [
+                    (f"{target}.{a.name}", None)
+                    if f"{target}.{a.name}" in FILES
+                    else (target, a.name)
+                    for a in node.names
+                ]
     return found
 
 
@@ -48,12 +64,20 @@ def climbing(module, source=None):
     room = room_of(module)
     if not room:
         return []
-    return [target for target, _ in imports(module, source) if room_of(target) not in {room, *BELOW[room]}]
+    return [
+        target
+        for target, _ in imports(module, source)
+        if room_of(target) not in {room, *BELOW[room]}
+    ]
 
 
 def taken_privately(module, source=None):
     """The private names that a module takes from another room."""
-    return [f"{t}.{n}" for t, n in imports(module, source) if n and n.startswith("_") and not n.startswith("__") and room_of(t) != room_of(module)]
+    return [
+        f"{t}.{n}"
+        for t, n in imports(module, source)
+        if n and n.startswith("_") and not n.startswith("__") and room_of(t) != room_of(module)
+    ]
 
 
 def circle(graph):
@@ -90,48 +114,89 @@ def test_no_private_name_is_taken_from_another_room(module):
 
 
 def test_an_import_that_climbs_and_a_private_name_are_seen():
-    assert climbing("newton_euler.algebra.vectors", "from ..kinematics.frames import Frame") == ["newton_euler.kinematics.frames"]
-    assert climbing("newton_euler.motion.run", "def f():\n    from newton_euler.scenes import catalogue") == ["newton_euler.scenes.catalogue"]
-    assert taken_privately("newton_euler.bodies.body", "from ..algebra.vectors import _short, dot3") == ["newton_euler.algebra.vectors._short"]
+    assert climbing("newton_euler.algebra.vectors", "from ..kinematics.frames import Frame") == [
+        "newton_euler.kinematics.frames"
+    ]
+    assert climbing(
+        "newton_euler.motion.run", "def f():\n    from newton_euler.scenes import catalogue"
+    ) == ["newton_euler.scenes.catalogue"]
+    assert taken_privately(
+        "newton_euler.bodies.body", "from ..algebra.vectors import _short, dot3"
+    ) == ["newton_euler.algebra.vectors._short"]
 
 
 def test_no_modules_import_each_other_in_a_circle():
     graph = defaultdict(set)
     for module in FILES:
-        graph[module] |= {target for target, _ in imports(module) if target != module and FILES[target].name != "__init__.py"}
+        graph[module] |= {
+            target
+            for target, _ in imports(module)
+            if target != module and FILES[target].name != "__init__.py"
+        }
     assert circle(graph) is None
     assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c"]
 
 
 @pytest.mark.parametrize("room", ["", *sorted(BELOW)])
 def test_a_room_shows_at_most_ten_names(room):
-    listing = [p.name for p in (ENGINE / room).iterdir() if not p.name.startswith("__") and (p.suffix == ".py" or p.is_dir())]
+    listing = [
+        p.name
+        for p in (ENGINE / room).iterdir()
+        if not p.name.startswith("__") and (p.suffix == ".py" or p.is_dir())
+    ]
     assert len(listing) <= (11 if not room else 9), sorted(listing)
 
 
-@pytest.mark.parametrize("module", [m for m in sorted(FILES) if m not in ("newton_euler.__main__", "newton_euler.accuracy.__main__")])
+@pytest.mark.parametrize(
+    "module",
+    [
+        m
+        for m in sorted(FILES)
+        if m not in ("newton_euler.__main__", "newton_euler.accuracy.__main__")
+    ],
+)
 def test_every_module_can_be_imported_first(module):
-    subprocess.run([sys.executable, "-W", "error", "-c", f"import {module}"], check=True, cwd=ENGINE.parent, timeout=120)
+    subprocess.run(
+        [sys.executable, "-W", "error", "-c", f"import {module}"],
+        check=True,
+        cwd=ENGINE.parent,
+        timeout=120,
+    )
 
 
-@pytest.mark.parametrize("package", ["newton_euler", *(m for m in sorted(FILES) if FILES[m].name == "__init__.py" and m != "newton_euler")])
+@pytest.mark.parametrize(
+    "package",
+    [
+        "newton_euler",
+        *(m for m in sorted(FILES) if FILES[m].name == "__init__.py" and m != "newton_euler"),
+    ],
+)
 def test_public_names_exist_and_none_is_also_a_module(package):
     loaded = importlib.import_module(package)
     names = getattr(loaded, "__all__", ())
     assert len(set(names)) == len(names)
     for name in names:
         assert getattr(loaded, name) is not None
-        assert not (FILES[package].parent / f"{name}.py").exists(), f"{name} is a module and a public name of {package}"
+        assert not (FILES[package].parent / f"{name}.py").exists(), (
+            f"{name} is a module and a public name of {package}"
+        )
 
 
 def defined(body):
     """The names that the statements of one block define as functions or classes."""
-    return [node.name for node in body if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not overloaded(node)]
+    return [
+        node.name
+        for node in body
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not overloaded(node)
+    ]
 
 
 def overloaded(node):
     """True for setters and the like, which share a name on purpose."""
-    return any(isinstance(d, ast.Attribute) and d.attr in ("setter", "deleter", "register") for d in getattr(node, "decorator_list", []))
+    return any(
+        isinstance(d, ast.Attribute) and d.attr in ("setter", "deleter", "register")
+        for d in getattr(node, "decorator_list", [])
+    )
 
 
 @pytest.mark.parametrize("module", sorted(FILES))

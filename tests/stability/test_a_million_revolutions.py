@@ -1,8 +1,10 @@
-"""Energy and angular momentum of a free body after a million revolutions, and the law by which each method loses them (8.14), (11.32).
+"""Energy and angular momentum of a free body after a million revolutions, and the law by which each
+method loses them (8.14), (11.32).
 
-The exact solution keeps both for ever. Taylor series at round-off drift like a random walk, as the square root of time. What an explicit method
-loses by truncation grows in proportion to time. A Lie-Poisson splitting keeps the momentum to a random walk of round-off, and its energy error has
-a bound.
+The exact solution keeps both for ever. Taylor series at round-off drift like a random walk, as the
+square root of time. What an explicit method loses by truncation grows in proportion to time. A
+Lie-Poisson splitting keeps the momentum to a random walk of round-off, and its energy error has a
+bound.
 """
 
 import math
@@ -16,7 +18,8 @@ from scipy.integrate import solve_ivp
 from newton_euler.motion.integration import integrate
 from newton_euler.scenes.spatial.free_body import free_body
 
-BODY, START = free_body(1.0, 2.0, 3.0), (0.3, 0.4, 1.0)  # about the axis of the largest moment, wobbling
+# about the axis of the largest moment, wobbling
+BODY, START = free_body(1.0, 2.0, 3.0), (0.3, 0.4, 1.0)
 REVOLUTION = 2 * math.pi / math.hypot(*START)  # s
 MILLION = 10**6
 NAMES = ("energy", "momentum")
@@ -27,8 +30,10 @@ CHUNK = 5000  # revolutions in one run: a course keeps all of its steps
 class Case:
     """A method and how it is set: so many ``steps`` a revolution, or the error asked for.
 
-    revolutions : what it can do in some minutes; quick : in a second, and of how many starts the mean square is taken; None if that tells nothing
-    energy, momentum : the powers of time by which they drift; most : the largest drift of both after a million revolutions
+    revolutions : what it can do in some minutes; quick : in a second, and of how many starts the
+        mean square is taken; None if that tells nothing
+    energy, momentum : the powers of time by which they drift; most : the largest drift of both
+        after a million revolutions
     """
 
     method: str
@@ -43,7 +48,9 @@ class Case:
     @property
     def told(self):
         """The method with its setting."""
-        return f"{self.method}, " + (f"{self.steps} steps/rev" if self.steps else f"rtol = {self.rtol:g}")
+        return f"{self.method}, " + (
+            f"{self.steps} steps/rev" if self.steps else f"rtol = {self.rtol:g}"
+        )
 
 
 CASES = [
@@ -57,8 +64,10 @@ CASES = [
     Case("lie-poisson8", 20, None, MILLION // 30, (300, 4), 0.0, 0.5, (3e-5, 2e-11)),
     Case("scipy DOP853", 20, None, MILLION // 100, (200, 1), 1.0, 1.0, (3e-6, 1e-6)),
     Case("scipy RK45", 40, None, MILLION // 100, (200, 1), 1.0, 1.0, (3e-2, 1e-2)),
-    Case("solve_ivp LSODA", None, 1e-9, MILLION // 100, (300, 1), 1.0, 1.0, (1e-2, 4e-3)),  # has no fixed step
-    Case("solve_ivp Radau", None, 1e-4, MILLION // 300, None, 1.0, 1.0, (5.0, 2.0)),  # by its law; nothing is left long before
+    # has no fixed step
+    Case("solve_ivp LSODA", None, 1e-9, MILLION // 100, (300, 1), 1.0, 1.0, (1e-2, 4e-3)),
+    # by its law; nothing is left long before
+    Case("solve_ivp Radau", None, 1e-4, MILLION // 300, None, 1.0, 1.0, (5.0, 2.0)),
 ]
 
 
@@ -67,17 +76,30 @@ def run(case, revolutions, whole, state):
     kind, _, name = case.method.partition(" ")
     if kind == "solve_ivp":
         rhs, setting = BODY.compiled_rhs(), {"rtol": case.rtol, "atol": case.rtol}
-        f = lambda t, y: rhs(t, *y.tolist())  # noqa: E731
-        return tuple(solve_ivp(f, (0.0, revolutions * REVOLUTION), state, name, whole * REVOLUTION, **setting).y)
+        f = lambda t, y: rhs(t, *y.tolist())
+        return tuple(
+            solve_ivp(
+                f, (0.0, revolutions * REVOLUTION), state, name, whole * REVOLUTION, **setting
+            ).y
+        )
     setting = {"step": REVOLUTION / case.steps} if case.steps else {"rtol": case.rtol}
-    motion = integrate(BODY, revolutions * REVOLUTION, state, method=case.method, samples=whole * REVOLUTION, **setting)
+    motion = integrate(
+        BODY,
+        revolutions * REVOLUTION,
+        state,
+        method=case.method,
+        samples=whole * REVOLUTION,
+        **setting,
+    )
     return tuple(motion.states.values())
 
 
 def drift(case, revolutions, start=START, marks=9):
-    """The largest change so far of energy and momentum, relative, at ``marks`` instants of the last nine tenths or more: three arrays.
+    """The largest change so far of energy and momentum, relative, at ``marks`` instants of the last
+    nine tenths or more: three arrays.
 
-    They are looked at after whole revolutions, where a step ends; of a run with fixed steps, or by Taylor series, part by part.
+    They are looked at after whole revolutions, where a step ends; of a run with fixed steps, or by
+    Taylor series, part by part.
     """
     chunk = CHUNK if case.steps or case.method == "taylor" else revolutions
     before = [BODY.invariant(name, start) for name in NAMES]
@@ -86,19 +108,37 @@ def drift(case, revolutions, start=START, marks=9):
         part = min(chunk, revolutions - done)
         whole = np.unique(np.linspace(0, part, 201).round())
         w = run(case, part, whole, state)
-        rows.append((whole + done, *(np.abs(BODY.invariant(name, w) / x - 1) for name, x in zip(NAMES, before, strict=True))))
+        rows.append(
+            (
+                whole + done,
+                *(
+                    np.abs(BODY.invariant(name, w) / x - 1)
+                    for name, x in zip(NAMES, before, strict=True)
+                ),
+            )
+        )
         state, done = tuple(float(x[-1]) for x in w), done + part
     at, *changes = np.concatenate(rows, axis=1)
-    chosen = np.unique(np.searchsorted(at, np.geomspace(min(100, revolutions / 10), revolutions, marks) - 0.5))
+    chosen = np.unique(
+        np.searchsorted(at, np.geomspace(min(100, revolutions / 10), revolutions, marks) - 0.5)
+    )
     return at[chosen], *(np.maximum.accumulate(x)[chosen] for x in changes)
 
 
 def exponents(case):
-    """The powers of time by which energy and momentum drift in a short run, or in the root mean square of several from starts on the same course."""
+    """The powers of time by which energy and momentum drift in a short run, or in the root mean
+    square of several from starts on the same course.
+    """
     revolutions, starts = case.quick
-    runs = [drift(case, revolutions, tuple(map(float, BODY.solution(0.37 * n, START)))) for n in range(starts)]
+    runs = [
+        drift(case, revolutions, tuple(map(float, BODY.solution(0.37 * n, START))))
+        for n in range(starts)
+    ]
     at = np.log(runs[0][0])
-    return tuple(np.polyfit(at, np.log(np.sqrt(np.mean([run[n] ** 2 for run in runs], axis=0))), 1)[0] for n in (1, 2))
+    return tuple(
+        np.polyfit(at, np.log(np.sqrt(np.mean([run[n] ** 2 for run in runs], axis=0))), 1)[0]
+        for n in (1, 2)
+    )
 
 
 def needs(case):
@@ -107,9 +147,13 @@ def needs(case):
         pytest.importorskip("heyoka")
 
 
-@pytest.mark.parametrize("case", [case for case in CASES[1:] if case.quick], ids=lambda case: case.told)
+@pytest.mark.parametrize(
+    "case", [case for case in CASES[1:] if case.quick], ids=lambda case: case.told
+)
 def test_each_method_drifts_by_the_law_of_its_kind(case):
-    """The power of time: 0 where the error is bounded, 1/2 for a random walk of round-off, 1 for truncation."""
+    """The power of time: 0 where the error is bounded, 1/2 for a random walk of round-off, 1 for
+    truncation.
+    """
     needs(case)
     for found, law in zip(exponents(case), (case.energy, case.momentum), strict=True):
         assert found == pytest.approx(law, abs=0.3 if law == 0.5 else 0.15)
@@ -120,11 +164,16 @@ def test_the_exact_solution_stays_within_a_few_round_offs_for_a_million_revoluti
     assert max(energy[-1], momentum[-1]) < 4e-15
     w = BODY.solution(np.geomspace(MILLION, 1e12, 100) * REVOLUTION, START)
     for name in NAMES:
-        assert np.abs(BODY.invariant(name, w) / BODY.invariant(name, START) - 1).max() < 4e-15  # though the phase is lost
+        # though the phase is lost
+        assert np.abs(BODY.invariant(name, w) / BODY.invariant(name, START) - 1).max() < 4e-15
 
 
 def test_after_a_thousand_revolutions_the_drifts_differ_by_eleven_powers_of_ten():
-    worst = {case.told: float(drift(case, 1000)[1][-1]) for case in CASES if case.method in ("exact", "dop853", "lie-poisson4")}
+    worst = {
+        case.told: float(drift(case, 1000)[1][-1])
+        for case in CASES
+        if case.method in ("exact", "dop853", "lie-poisson4")
+    }
     assert worst["exact, rtol = 1e-06"] < 2e-15
     assert 1e-9 < worst["dop853, 20 steps/rev"] < 4e-9
     assert 1e-5 < worst["lie-poisson4, 20 steps/rev"] < 1e-4
@@ -139,19 +188,33 @@ def test_a_splitting_keeps_the_momentum_a_thousand_million_times_better_than_the
 @pytest.mark.slow
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.told)
 def test_a_million_revolutions_by_each_method(case):
-    """Prints what is kept; of methods that would take more than some minutes, what their law makes of fewer revolutions."""
+    """Prints what is kept; of methods that would take more than some minutes, what their law makes
+    of fewer revolutions.
+    """
     needs(case)
     begun = perf_counter()
     at, energy, momentum = drift(case, case.revolutions)
     seconds = perf_counter() - begun
-    told = f"\n{case.told:28} {at[-1]:9.0f} revolutions in {seconds:5.0f} s: energy {energy[-1]:.1e}, momentum {momentum[-1]:.1e}"
+    told = (
+        f"\n{case.told:28} {at[-1]:9.0f} revolutions in {seconds:5.0f} s: energy "
+        f"{energy[-1]:.1e}, momentum {momentum[-1]:.1e}"
+    )
     more = MILLION / at[-1]
     if more > 1:
-        told += f"; after {MILLION}, by its law: {energy[-1] * more**case.energy:.1e}, {momentum[-1] * more**case.momentum:.1e}"
+        told += (
+            f"; after {MILLION}, by its law: {energy[-1] * more**case.energy:.1e}, "
+            f"{momentum[-1] * more**case.momentum:.1e}"
+        )
     print(told)
-    for values, law, most in ((energy, case.energy, case.most[0]), (momentum, case.momentum, case.most[1])):
+    for values, law, most in (
+        (energy, case.energy, case.most[0]),
+        (momentum, case.momentum, case.most[1]),
+    ):
         assert values[-1] * more**law < most
         if law:
-            assert np.polyfit(np.log(at), np.log(values), 1)[0] == pytest.approx(law, abs=0.3 if law == 0.5 else 0.15)
+            assert np.polyfit(np.log(at), np.log(values), 1)[0] == pytest.approx(
+                law, abs=0.3 if law == 0.5 else 0.15
+            )
         elif case.method != "exact":  # where round-off itself is looked at
-            assert values[-1] < 1.3 * values[len(values) // 2]  # it has a bound, and has reached it before
+            # it has a bound, and has reached it before
+            assert values[-1] < 1.3 * values[len(values) // 2]

@@ -1,4 +1,6 @@
-"""Angles across +-pi: the gradient of a wrapped angle has spikes, and unwrapping fails for steps of more than half a turn."""
+"""Angles across +-pi: the gradient of a wrapped angle has spikes, and unwrapping fails for steps of
+more than half a turn.
+"""
 
 import math
 
@@ -75,7 +77,9 @@ def test_the_precession_of_a_top_through_many_turns_is_continuous_to_1e_minus_12
     psi_rate = np.array([np.asarray(states[4]) * 0]).ravel() + _precession(psi, theta, states)
     found = unwound(psi, psi_rate, t)
     assert abs(wrapped(found[-1]) - float(euler_from_quaternion(exact[:4])[0])) < 1e-12
-    assert np.all(np.abs(np.diff(found) - np.diff(t) * (psi_rate[1:] + psi_rate[:-1]) / 2) < math.pi / 2)
+    assert np.all(
+        np.abs(np.diff(found) - np.diff(t) * (psi_rate[1:] + psi_rate[:-1]) / 2) < math.pi / 2
+    )
 
 
 def _precession(psi, theta, states):

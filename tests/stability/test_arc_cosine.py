@@ -1,4 +1,6 @@
-"""Angles by arc cosine: near 0 and pi half of the digits are lost, and rounding can leave its domain (4.2), (A.11)."""
+"""Angles by arc cosine: near 0 and pi half of the digits are lost, and rounding can leave its
+domain (4.2), (A.11).
+"""
 
 import math
 
@@ -18,8 +20,13 @@ def axis_by_skew_part(R):
     return v / np.linalg.norm(v)
 
 
-@pytest.mark.parametrize(("angle", "naive"), [(1e-4, 1e-13), (1e-7, 1e-10), (1e-9, 9e-10), (math.pi - 1e-7, 1e-10), (math.pi - 1e-9, 9e-10)])
-def test_the_arc_cosine_loses_all_digits_of_an_angle_of_1e_minus_9_rad_and_the_engine_none(angle, naive):
+@pytest.mark.parametrize(
+    ("angle", "naive"),
+    [(1e-4, 1e-13), (1e-7, 1e-10), (1e-9, 9e-10), (math.pi - 1e-7, 1e-10), (math.pi - 1e-9, 9e-10)],
+)
+def test_the_arc_cosine_loses_all_digits_of_an_angle_of_1e_minus_9_rad_and_the_engine_none(
+    angle, naive
+):
     R = rotation_matrix(AXIS, angle)
     assert abs(by_arc_cosine(R) - angle) > naive  # rad
     axis, found = axis_angle(R)
@@ -29,7 +36,9 @@ def test_the_arc_cosine_loses_all_digits_of_an_angle_of_1e_minus_9_rad_and_the_e
 
 def test_unclipped_it_is_not_a_number_for_many_turns_there_and_back():
     axes = np.random.default_rng(1).normal(size=(200, 3)).tolist()
-    there_and_back = [in_sequence(rotation_matrix(axis, 1.0), rotation_matrix(axis, -1.0)) for axis in axes]
+    there_and_back = [
+        in_sequence(rotation_matrix(axis, 1.0), rotation_matrix(axis, -1.0)) for axis in axes
+    ]
     with np.errstate(invalid="ignore"):
         angles = np.array([np.arccos((np.trace(R) - 1) / 2) for R in there_and_back])
     assert np.isnan(angles).sum() > 10
@@ -39,14 +48,19 @@ def test_unclipped_it_is_not_a_number_for_many_turns_there_and_back():
 
 def test_the_axis_from_the_skew_part_is_lost_at_pi_and_the_engine_keeps_15_digits():
     R = rotation_matrix(AXIS, math.pi)
-    assert np.linalg.norm(axis_by_skew_part(R) - AXIS) > 0.1 or np.linalg.norm(axis_by_skew_part(R) + AXIS) > 0.1
+    assert (
+        np.linalg.norm(axis_by_skew_part(R) - AXIS) > 0.1
+        or np.linalg.norm(axis_by_skew_part(R) + AXIS) > 0.1
+    )
     near = rotation_matrix(AXIS, math.pi - 1e-8)
     assert np.linalg.norm(axis_by_skew_part(near) - AXIS) > 1e-9
     for M in (R, near):
         assert close(axis_angle(M)[0], AXIS, 1e-15)
 
 
-@pytest.mark.parametrize("angle", [0.0, 1e-300, 1e-20, 1e-12, 1e-3, 1.0, 3.0, math.pi - 1e-3, math.pi - 1e-12, math.pi])
+@pytest.mark.parametrize(
+    "angle", [0.0, 1e-300, 1e-20, 1e-12, 1e-3, 1.0, 3.0, math.pi - 1e-3, math.pi - 1e-12, math.pi]
+)
 def test_the_turn_is_given_back_over_the_whole_range_to_2_round_offs(angle):
     axis, found = axis_angle(rotation_matrix(AXIS, angle))
     assert abs(found - angle) <= 4.5e-16 * max(angle, 1e-300)

@@ -1,4 +1,6 @@
-"""Close approach on an eccentric orbit: steps and digits are lost at the centre; Kepler's equation with bounds is not (6.4)."""
+"""Close approach on an eccentric orbit: steps and digits are lost at the centre; Kepler's equation
+with bounds is not (6.4).
+"""
 
 import math
 
@@ -18,7 +20,9 @@ PERIOD = 2 * math.pi
 
 def run(e, t, **options):
     rhs = ORBIT.compiled_rhs()
-    return solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, t), from_farthest(1.0, 1.0, e), **options).y[:, -1]
+    return solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()), (0.0, t), from_farthest(1.0, 1.0, e), **options
+    ).y[:, -1]
 
 
 def distance(a, b):
@@ -38,7 +42,7 @@ def test_the_default_solver_is_lost_by_the_size_of_the_orbit_after_10_periods(e,
 
 def test_runge_kutta_of_1000_steps_a_period_flies_away_at_e_0_99():
     y, h = np.array(from_farthest(1.0, 1.0, 0.99)), PERIOD / 1000
-    f = lambda y: np.array([y[2], y[3], *(-y[:2] / np.hypot(y[0], y[1]) ** 3)])  # noqa: E731
+    f = lambda y: np.array([y[2], y[3], *(-y[:2] / np.hypot(y[0], y[1]) ** 3)])
     farthest = 0.0
     for _ in range(3000):
         k1 = f(y)
@@ -50,7 +54,9 @@ def test_runge_kutta_of_1000_steps_a_period_flies_away_at_e_0_99():
 
 
 def kepler_by_newton(M, e, E):
-    """The textbook's Newton iteration E - (E - e sin E - M)/(1 - e cos E), from the start E; the number of steps, or None."""
+    """The textbook's Newton iteration E - (E - e sin E - M)/(1 - e cos E), from the start E; the
+    number of steps, or None.
+    """
     for n in range(50):
         step = (E - e * math.sin(E) - M) / (1 - e * math.cos(E))
         E -= step
@@ -65,7 +71,9 @@ def test_newtons_steps_without_bounds_wander_at_high_eccentricity():
 
 
 @pytest.mark.parametrize("e", [0.0, 0.5, 0.9, 0.99, 0.999, 0.999999])
-def test_the_exact_orbit_is_right_to_1e_minus_14_and_at_the_closest_place_to_the_way_run_in_5_round_offs_of_t(e):
+def test_the_exact_orbit_is_right_to_1e_minus_14_and_at_the_closest_place_to_the_way_run_in_5_round_offs_of_t(
+    e,
+):
     start, fastest = from_farthest(1.0, 1.0, e), math.sqrt((1 + e) / (1 - e))
     for t in (1e-3, 1.0, 3.0, math.pi, 3.2, 20.0, -7.0, 10.5 * PERIOD):
         x = ORBIT.solution(t, start)
@@ -79,8 +87,11 @@ def test_it_obeys_keplers_equation_in_30_digits(e):
     with mpmath.workdps(30):
         E0 = mpmath.mpf(2)
         mu, a, ecc = mpmath.mpf(1), mpmath.mpf(1), mpmath.mpf(e)
-        start = tuple(mpmath.mpf(x) for x in (-(1 + ecc), 0, 0)) + (-mpmath.sqrt((1 - ecc) / (1 + ecc)),)
-        t = E0 - ecc * mpmath.sin(E0) + mpmath.pi  # from the farthest point on, half a period before E = 0
+        start = tuple(mpmath.mpf(x) for x in (-(1 + ecc), 0, 0)) + (
+            -mpmath.sqrt((1 - ecc) / (1 + ecc)),
+        )
+        # from the farthest point on, half a period before E = 0
+        t = E0 - ecc * mpmath.sin(E0) + mpmath.pi
         x = orbit(mu).solution(t, start)
         assert abs(x[0] - a * (mpmath.cos(E0) - ecc)) < 1e-25
         assert abs(x[1] - mpmath.sqrt(1 - ecc**2) * mpmath.sin(E0)) < 1e-25
@@ -105,14 +116,25 @@ def test_an_ellipse_that_is_almost_a_parabola_is_as_accurate_as_any(less):
         assert distance(x, true) < 2e-14 * max(1.0, math.hypot(*x[:2]), abs(t))
 
 
-@pytest.mark.parametrize("start", [(1.0, 0.0, 0.0, math.sqrt(2) + 1e-9), (1.0, 0.0, -0.3, 3.0), (2.0, 0.0, 0.6, 0.8), (-3.3, -0.5, 5.3, -0.004)])
+@pytest.mark.parametrize(
+    "start",
+    [
+        (1.0, 0.0, 0.0, math.sqrt(2) + 1e-9),
+        (1.0, 0.0, -0.3, 3.0),
+        (2.0, 0.0, 0.6, 0.8),
+        (-3.3, -0.5, 5.3, -0.004),
+    ],
+)
 def test_a_parabola_or_hyperbola_is_refused_in_words_and_integrated(start):
     with pytest.raises(ModelError, match=r"no ellipse .* integrate them"):
         ORBIT.solution(1.0, start)
     motion = integrate(ORBIT, 2.0, start, 1e-10)
     assert motion.method.name != "exact"
     end = tuple(motion.end.values())
-    assert all(abs(ORBIT.invariant(name, end) - ORBIT.invariant(name, start)) < 1e-8 for name in ORBIT.invariants)
+    assert all(
+        abs(ORBIT.invariant(name, end) - ORBIT.invariant(name, start)) < 1e-8
+        for name in ORBIT.invariants
+    )
 
 
 def test_an_orbit_through_the_centre_and_expressions_are_refused_in_words():
@@ -122,4 +144,5 @@ def test_an_orbit_through_the_centre_and_expressions_are_refused_in_words():
         ORBIT.solution(sympy.Symbol("t"), (1.0, 0.0, 0.0, 1.0))
     with pytest.raises(ModelError, match="positive mu"):
         orbit(-1.0).solution(1.0, (1.0, 0.0, 0.0, 1.0))
-    assert math.isfinite(ORBIT.solution(50.0, (1.0, 0.0, -0.5, 1e-6))[0])  # beside it: e = 1 - 7e-13
+    # beside it: e = 1 - 7e-13
+    assert math.isfinite(ORBIT.solution(50.0, (1.0, 0.0, -0.5, 1e-6))[0])

@@ -1,4 +1,6 @@
-"""Constraint drift: a pendulum in x, y with its rod force lambda, against the angle as the one coordinate (5.28), (11.17)."""
+"""Constraint drift: a pendulum in x, y with its rod force lambda, against the angle as the one
+coordinate (5.28), (11.17).
+"""
 
 import math
 
@@ -18,7 +20,9 @@ L, G, THETA0 = 1.0, 9.81, 1.0
 
 
 def with_multiplier(t, y):
-    """x, y (down), and rates; lambda from the second derivative of x^2 + y^2 = L^2, as textbooks reduce the index."""
+    """x, y (down), and rates; lambda from the second derivative of x^2 + y^2 = L^2, as textbooks
+    reduce the index.
+    """
     x, y, vx, vy = y.tolist()
     force = (vx * vx + vy * vy + G * y) / (x * x + y * y)
     return [vx, vy, -force * x, G - force * y]
@@ -42,17 +46,30 @@ def test_with_the_angle_as_the_state_the_length_cannot_drift_and_the_energy_keep
     model = physical_pendulum(1.0, 0.0, L, G)
     assert model.states == ("theta", "omega")
     rhs = model.compiled_rhs()
-    y = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 20), (THETA0, 0.0), method="DOP853", rtol=1e-10, atol=1e-10).y
+    y = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0, 20),
+        (THETA0, 0.0),
+        method="DOP853",
+        rtol=1e-10,
+        atol=1e-10,
+    ).y
     assert math.hypot(L * math.sin(y[0, -1]), L * math.cos(y[0, -1])) == pytest.approx(L, abs=2e-16)
     energy = [model.invariant("energy", s) for s in y.T.tolist()]
     assert np.ptp(energy) < 1e-8  # J, of 5
 
 
 def test_the_states_are_twice_the_degrees_of_freedom_that_the_constraints_leave():
-    pendulum = degrees_of_freedom({"P": "particle in plane"}, {"rod": lambda P: P[0] ** 2 + P[1] ** 2 - L**2})
+    pendulum = degrees_of_freedom(
+        {"P": "particle in plane"}, {"rod": lambda P: P[0] ** 2 + P[1] ** 2 - L**2}
+    )
     assert len(physical_pendulum(1.0, 0.0, L, G).states) == 2 * pendulum.count
     rolling = degrees_of_freedom(
-        {"sphere": "body in plane"}, {"contact": lambda sphere: sphere[1] - 0.5, "no slip": lambda sphere: sphere[0] + 0.5 * sphere[2]}
+        {"sphere": "body in plane"},
+        {
+            "contact": lambda sphere: sphere[1] - 0.5,
+            "no slip": lambda sphere: sphere[0] + 0.5 * sphere[2],
+        },
     )
     assert len(rolling_down(0.3, G).states) == 2 * rolling.count
 

@@ -1,4 +1,6 @@
-"""Cusps, the border between waves and loops: a top released from rest; rounding makes waves or loops of it (10.25)."""
+"""Cusps, the border between waves and loops: a top released from rest; rounding makes waves or
+loops of it (10.25).
+"""
 
 import math
 
@@ -16,7 +18,9 @@ I0, I, MGR = 0.02, 0.01, 0.5
 
 
 def rate_at_the_upper_limit(theta, omega_z):
-    """psi' there, from the roots of the printed cubic (1 - u^2)(e - A u) - (c - b u)^2 by numpy; it should be zero."""
+    """psi' there, from the roots of the printed cubic (1 - u^2)(e - A u) - (c - b u)^2 by numpy; it
+    should be zero.
+    """
     b, A, u0 = I * omega_z / I0, 2 * MGR / I0, math.cos(theta)
     c, e = b * u0, A * u0
     u = np.sort(np.roots([A, -e - b * b, -A + 2 * b * c, e - c * c]).real)[1]
@@ -47,21 +51,38 @@ def test_the_engine_calls_every_release_from_rest_a_cusp_with_no_rate_at_all(the
 
 @pytest.mark.parametrize(
     ("precession", "kind"),
-    [(1e-3, "waves"), (1e-6, "waves"), (1e-8, "waves"), (1e-12, "cusps"), (-1e-12, "cusps"), (-1e-8, "loops"), (-1e-6, "loops"), (-1e-3, "loops")],
+    [
+        (1e-3, "waves"),
+        (1e-6, "waves"),
+        (1e-8, "waves"),
+        (1e-12, "cusps"),
+        (-1e-12, "cusps"),
+        (-1e-8, "loops"),
+        (-1e-6, "loops"),
+        (-1e-3, "loops"),
+    ],
 )
-def test_beside_the_cusp_it_tells_waves_from_loops_and_keeps_the_rate_to_the_last_digit(precession, kind):
+def test_beside_the_cusp_it_tells_waves_from_loops_and_keeps_the_rate_to_the_last_digit(
+    precession, kind
+):
     found = nutation(I0, I, MGR, 1.0, 0.0, precession, omega_z=100.0)
     assert found.kind == kind
     assert found.precession_at_min == pytest.approx(precession, rel=1e-15)
 
 
 def test_with_a_tolerance_of_its_own_it_tells_them_down_to_1e_minus_13():
-    kinds = [nutation(I0, I, MGR, 1.0, 0.0, x, omega_z=100.0, tolerance=1e-15).kind for x in (1e-13, 0.0, -1e-13)]
+    kinds = [
+        nutation(I0, I, MGR, 1.0, 0.0, x, omega_z=100.0, tolerance=1e-15).kind
+        for x in (1e-13, 0.0, -1e-13)
+    ]
     assert kinds == ["waves", "cusps", "loops"]
 
 
 def test_integrated_by_the_engine_it_stops_at_every_cusp_to_1e_minus_9_rad_per_s():
-    motion = integrate(top.euler(I0, I, MGR, 100.0), 1.0, (0.0, 1.0, 0.0, 0.0, 0.0), 1e-10, samples=4001)
+    motion = integrate(
+        top.euler(I0, I, MGR, 100.0), 1.0, (0.0, 1.0, 0.0, 0.0, 0.0), 1e-10, samples=4001
+    )
     assert -1e-9 < motion.states["psi_rate"].min() < 1e-9
     found = nutation(I0, I, MGR, 1.0, 0.0, 0.0, omega_z=100.0)
-    assert motion.states["theta"].max() == pytest.approx(found.theta_max, abs=1e-6)  # sampled, at a flat top
+    # sampled, at a flat top
+    assert motion.states["theta"].max() == pytest.approx(found.theta_max, abs=1e-6)

@@ -15,7 +15,8 @@ ground = Frame("ground")
 
 
 def test_the_rate_of_the_azimuth_by_differences_is_wrong_by_its_own_size_past_the_axis():
-    eps, dt = 1e-6, 1e-3  # passes the axis at 1 micrometre with 1 m/s; the true rate there is 1e6 rad/s
+    # passes the axis at 1 micrometre with 1 m/s; the true rate there is 1e6 rad/s
+    eps, dt = 1e-6, 1e-3
     theta = [math.atan2(eps, s) for s in (dt, -dt)]
     naive = (theta[1] - theta[0]) / (2 * dt)
     assert abs(naive - 1e6) > 0.99e6
@@ -26,7 +27,10 @@ def test_the_rate_of_the_azimuth_by_differences_is_wrong_by_its_own_size_past_th
 @pytest.mark.parametrize("eps", ["1e-3", "1e-8", "1e-150"])
 def test_rates_near_the_axis_are_right_to_1e_minus_14_of_their_size(eps):
     def rates(number):
-        r, v, a = ((number(x) for x in c) for c in ((eps, "0", "0"), ("0.25", "1", "0.5"), ("0.1", "-0.3", "0.2")))
+        r, v, a = (
+            (number(x) for x in c)
+            for c in ((eps, "0", "0"), ("0.25", "1", "0.5"), ("0.1", "-0.3", "0.2"))
+        )
         return cylindrical_coordinates(ground.vector(*r), ground.vector(*v), ground.vector(*a))
 
     for found, exact in zip(rates(float), rates(mpmath.mpf), strict=True):

@@ -1,4 +1,6 @@
-"""Default tolerances: rtol 1e-3 and atol 1e-6 are neither small for a motion near a turning point nor relative for a small one."""
+"""Default tolerances: rtol 1e-3 and atol 1e-6 are neither small for a motion near a turning point
+nor relative for a small one.
+"""
 
 import math
 
@@ -31,7 +33,8 @@ def test_a_pendulum_released_at_3_1_rad_gains_more_energy_than_it_has_and_turns_
     found = by_default(PENDULUM, 100.0, (3.1, 0.0))
     energies = [PENDULUM.invariant("energy", s) for s in found.y.T.tolist()]
     assert found.success
-    assert energies[-1] - energies[0] > 2 * G  # J: as much as lifts it from the lowest place to the highest
+    # J: as much as lifts it from the lowest place to the highest
+    assert energies[-1] - energies[0] > 2 * G
     assert np.max(np.abs(found.y[0])) > 100  # rad
 
 
@@ -49,7 +52,9 @@ def test_the_engine_keeps_its_energy_to_1e_minus_9_and_swings_back_every_time(me
 def test_beside_the_highest_place_it_turns_back_from_one_side_and_over_from_the_other(beside):
     """At the top, with a hair less than the energy needed and a hair more."""
     back = integrate(PENDULUM, 30.0, (math.pi - beside, 0.0), samples=2001).states["theta"]
-    over = integrate(PENDULUM, 30.0, (math.pi - beside, 2 * beside * math.sqrt(G)), samples=2001).states["theta"]
+    over = integrate(
+        PENDULUM, 30.0, (math.pi - beside, 2 * beside * math.sqrt(G)), samples=2001
+    ).states["theta"]
     assert back.max() < math.pi
     assert over.max() > 2 * math.pi
 

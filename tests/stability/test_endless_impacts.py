@@ -1,4 +1,6 @@
-"""A bouncing ball comes to rest after infinitely many impacts in a finite time; a loop of runs lets it fall through the floor."""
+"""A bouncing ball comes to rest after infinitely many impacts in a finite time; a loop of runs lets
+it fall through the floor.
+"""
 
 import numpy as np
 import pytest
@@ -77,13 +79,21 @@ def test_runs_started_again_after_each_impact_let_it_fall_hundreds_of_metres_thr
 
 
 @pytest.mark.parametrize("dt", [1e-2, 1e-3])
-def test_steps_with_a_test_at_each_let_it_sink_into_the_floor_by_a_hundred_steps_of_its_last_fall(dt):
+def test_steps_with_a_test_at_each_let_it_sink_into_the_floor_by_a_hundred_steps_of_its_last_fall(
+    dt,
+):
     assert by_steps(dt) < -50 * dt
 
 
 @pytest.mark.parametrize("method", ["exact", "dop853"])
 def test_the_engine_finds_the_impacts_and_before_the_last_says_that_there_is_no_end_of_them(method):
-    motion = integrate(BALL, T, (HEIGHT, 0.0), method=method, events=Event(_height, -1, then=_bounce, name="impact"))
+    motion = integrate(
+        BALL,
+        T,
+        (HEIGHT, 0.0),
+        method=method,
+        events=Event(_height, -1, then=_bounce, name="impact"),
+    )
     assert motion.ended.startswith("events follow each other without end: impact at t = 18.99999")
     assert "give then= a rule for what comes after" in motion.ended
     assert motion.t_end == pytest.approx(REST, abs=1e-5)
@@ -94,7 +104,9 @@ def test_the_engine_finds_the_impacts_and_before_the_last_says_that_there_is_no_
 
 
 def test_with_a_rule_for_the_last_impact_it_lies_on_the_floor_for_the_rest_of_the_time():
-    motion = integrate(BALL, T, (HEIGHT, 0.0), events=Event(_height, -1, then=_bounce_or_rest, name="impact"))
+    motion = integrate(
+        BALL, T, (HEIGHT, 0.0), events=Event(_height, -1, then=_bounce_or_rest, name="impact")
+    )
     assert motion.ended == "reached t = 30"
     assert motion.end == {"h": 0.0, "v": 0.0}
     assert motion.events[-1].t == pytest.approx(REST, abs=2e-3 / G / (1 - E))
@@ -103,7 +115,11 @@ def test_with_a_rule_for_the_last_impact_it_lies_on_the_floor_for_the_rest_of_th
 @pytest.mark.parametrize("e", [0.999, 1.0])
 def test_beside_it_a_ball_that_hardly_loses_anything_goes_on(e):
     """Rest would be reached after 2000 s, or never: 15 impacts in 30 s, within 1e-12 s."""
-    motion = integrate(BALL.changed(e=e), T, (HEIGHT, 0.0), events=Event(_height, -1, then=_bounce, name="impact"))
+    motion = integrate(
+        BALL.changed(e=e), T, (HEIGHT, 0.0), events=Event(_height, -1, then=_bounce, name="impact")
+    )
     assert motion.ended == "reached t = 30"
     exact = [impact(n, e) for n in range(40)]
-    assert [x.t for x in motion.events] == pytest.approx([t for t in exact if t < T - 1e-9], abs=1e-12)
+    assert [x.t for x in motion.events] == pytest.approx(
+        [t for t in exact if t < T - 1e-9], abs=1e-12
+    )

@@ -1,4 +1,6 @@
-"""Energy and momentum that explicit methods lose or gain, on the oscillator and on the free body, against closed forms (8.14), (11.32)."""
+"""Energy and momentum that explicit methods lose or gain, on the oscillator and on the free body,
+against closed forms (8.14), (11.32).
+"""
 
 import math
 
@@ -17,7 +19,9 @@ T = 100 * 2 * math.pi
 
 
 def energy_after(step_matrix, h):
-    """Energy after 100 periods over that at the start; one step of the method multiplies the state by the matrix."""
+    """Energy after 100 periods over that at the start; one step of the method multiplies the state
+    by the matrix.
+    """
     y = np.linalg.matrix_power(step_matrix, round(T / h)) @ np.array([1.0, 0.0])
     return float(y @ y)
 
@@ -42,7 +46,9 @@ def run(t, **options):
 
 
 @pytest.mark.parametrize(("h", "times"), [(0.1, 1e27), (0.01, 535.0), (0.001, 1.87)])
-def test_euler_multiplies_the_energy_of_an_oscillator_by_1e27_in_100_periods_and_by_1_9_at_a_tiny_step(h, times):
+def test_euler_multiplies_the_energy_of_an_oscillator_by_1e27_in_100_periods_and_by_1_9_at_a_tiny_step(
+    h, times
+):
     assert energy_after(euler(h), h) == pytest.approx(times, rel=0.6)
 
 
@@ -58,7 +64,8 @@ def test_the_default_solver_loses_most_of_the_energy_of_a_free_body_in_2000_s():
 
 
 @pytest.mark.parametrize(
-    ("method", "rtol", "more", "less"), [("RK45", 1e-6, 1e-6, 1e-3), ("DOP853", 1e-6, 1e-7, 1e-3), ("DOP853", 1e-10, 1e-12, 1e-7)]
+    ("method", "rtol", "more", "less"),
+    [("RK45", 1e-6, 1e-6, 1e-3), ("DOP853", 1e-6, 1e-7, 1e-3), ("DOP853", 1e-10, 1e-12, 1e-7)],
 )
 def test_a_tighter_tolerance_only_slows_the_drift(method, rtol, more, less):
     assert more < drift(run(300.0, method=method, rtol=rtol, atol=rtol), "energy") < less
@@ -78,7 +85,7 @@ def test_the_closed_form_is_right_to_a_round_off_of_the_time_passed(t, error):
 
 def test_the_30_digit_closed_form_agrees_with_30_digit_integration_by_taylor_series():
     with mpmath.workdps(30):
-        rhs = lambda t, y: list(BODY.derivative(y, t))  # noqa: E731  mpmath wants a function
+        rhs = lambda t, y: list(BODY.derivative(y, t))
         y = mpmath.odefun(rhs, 0, [mpmath.mpf(x) for x in START], tol=mpmath.mpf("1e-22"))(3)
         assert close(tuple(y), BODY.solution(mpmath.mpf(3), START), 1e-20)
 
@@ -93,4 +100,5 @@ def test_the_default_solver_makes_a_pendulum_turn_over_that_has_not_the_energy()
     naive, good = swing(), swing(method="DOP853", rtol=1e-10, atol=1e-10)
     assert np.max(np.abs(naive[0])) > math.pi
     assert np.max(np.abs(good[0])) <= 3.1 + 1e-6  # rad
-    assert model.invariant("energy", naive[:, -1]) > 1.0001  # J; it started with 0.99914 and needs 1 to turn over
+    # J; it started with 0.99914 and needs 1 to turn over
+    assert model.invariant("energy", naive[:, -1]) > 1.0001

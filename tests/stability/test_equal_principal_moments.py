@@ -1,4 +1,6 @@
-"""Principal axes where moments are equal: a change in the last digit turns them, and any axes will do (7.18)-(7.20)."""
+"""Principal axes where moments are equal: a change in the last digit turns them, and any axes will
+do (7.18)-(7.20).
+"""
 
 import math
 
@@ -15,7 +17,9 @@ BASES = [[(1, 0, 0), (0, 1, 0)], [(1, 1, 1), (1, -1, 0)], [(0.36, 0.48, 0.8), (-
 
 
 def turned(moments, first, second):
-    """The Inertia with these principal moments about axes along first, second and their cross product."""
+    """The Inertia with these principal moments about axes along first, second and their cross
+    product.
+    """
     e = [np.array(first) / np.linalg.norm(first), np.array(second) / np.linalg.norm(second)]
     e.append(np.cross(*e))
     M = sum(m * np.outer(a, a) for m, a in zip(moments, e, strict=True))
@@ -46,7 +50,9 @@ def test_the_general_routines_return_left_handed_axes_in_some_cases_and_the_engi
 
 @pytest.mark.parametrize("basis", BASES)
 @pytest.mark.parametrize("moments", [(2.0, 2.0, 3.0), (2.0, 3.0, 3.0), (2.0, 2.0, 2.0)])
-def test_with_equal_moments_the_axes_do_not_move_by_more_than_1e_minus_14_rad_when_the_last_digits_do(moments, basis):
+def test_with_equal_moments_the_axes_do_not_move_by_more_than_1e_minus_14_rad_when_the_last_digits_do(
+    moments, basis
+):
     I = turned(moments, *basis)
     axes = [a.components() for a in I.principal().axes]
     for n in range(6):
@@ -62,7 +68,10 @@ def test_the_axes_chosen_diagonalise_to_1e_minus_15_of_the_largest_moment(basis)
     p = I.principal()
     M, R = mpmath.matrix(I.matrix), mpmath.matrix(p.rotation)
     D = R.T * M * R
-    assert max(abs(D[n, m] - (p.moments[n] if n == m else 0)) for n in range(3) for m in range(3)) < 3 * 2e-15
+    assert (
+        max(abs(D[n, m] - (p.moments[n] if n == m else 0)) for n in range(3) for m in range(3))
+        < 3 * 2e-15
+    )
 
 
 def test_the_report_says_in_words_which_axes_are_not_determined():
@@ -78,4 +87,5 @@ def test_just_beside_equality_the_axes_are_determined_and_right():
     p = turned((2.0, 2.0 + 1e-6, 3.0), *BASES[1]).principal()
     assert p.determined == (True, True, True)
     assert abs(abs(np.dot(p.axes[0].components(), true[0])) - 1) < 1e-15
-    assert np.linalg.norm(np.cross(p.axes[0].components(), true[0])) < 1e-8  # rad: round-off over the relative gap 5e-7
+    # rad: round-off over the relative gap 5e-7
+    assert np.linalg.norm(np.cross(p.axes[0].components(), true[0])) < 1e-8

@@ -1,4 +1,6 @@
-"""The step of finite differences: too large truncates, too small cancels; jets have none (2.4), (3.1)."""
+"""The step of finite differences: too large truncates, too small cancels; jets have none (2.4),
+(3.1).
+"""
 
 import cmath
 import math
@@ -57,7 +59,9 @@ def test_second_differences_reach_8_digits_at_best_and_are_nonsense_at_1e_minus_
 def test_halving_the_step_gains_a_factor_of_four_only_where_truncation_rules():
     for quotient, order, wide, narrow in ((first, 1, 1e-2, 1e-8), (second, 2, 1e-2, 1e-6)):
         exact = float(true(order))
-        assert abs(quotient(wide) - exact) / abs(quotient(wide / 2) - exact) == pytest.approx(4, rel=0.01)
+        assert abs(quotient(wide) - exact) / abs(quotient(wide / 2) - exact) == pytest.approx(
+            4, rel=0.01
+        )
         below = [abs(quotient(narrow / 2**k) - exact) for k in range(8)]
         assert below[-1] > below[0]
 

@@ -54,7 +54,8 @@ def test_an_inflection_elsewhere_where_rounding_leaves_no_exact_zero_is_refused_
     def moved(t):  # the inflection at t = 0.1, where 6 (t - 0.1) and the like are rounding noise
         return t, t**3 - 3 * t**2 / 10 + 3 * t / 100, 0
 
-    assert 6 * 0.1 - 6 / 10 == 1.1102230246251565e-16  # the second derivative: noise, of which a direction could be made
+    # the second derivative: noise, of which a direction could be made
+    assert 6 * 0.1 - 6 / 10 == 1.1102230246251565e-16
     with pytest.raises(SingularError, match="inflection"):
         frenet_along(moved, 0.1, ground)
     assert frenet_along(moved, 0.1 + 1e-6, ground).flexure == pytest.approx(6e-6, rel=1e-9)

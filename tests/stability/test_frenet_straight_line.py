@@ -44,13 +44,17 @@ def test_a_line_bent_ever_so_slightly_has_its_flexure_to_the_digits_that_roundin
         x, y, z = line(t)
         return x + bend * t**2, y, z
 
-    found, exact = frenet_along(bent, 0.3, ground).flexure, frenet_along(bent, mpmath.mpf(0.3), ground).flexure
+    found, exact = (
+        frenet_along(bent, 0.3, ground).flexure,
+        frenet_along(bent, mpmath.mpf(0.3), ground).flexure,
+    )
     assert abs(found - exact) < 1e-15  # 1/m, absolute
 
 
 def test_a_path_at_rest_has_no_tangent_and_is_refused_with_the_way_out():
     with pytest.raises(SingularError, match="frenet_along"):
         frenet(ground.vector(0.0, 0, 0), ground.vector(1.0, 0, 0))
-    found = frenet_along(lambda s: (s**2, s**3, 0), 1e-9, ground)  # beside the cusp of a semicubical parabola
+    # beside the cusp of a semicubical parabola
+    found = frenet_along(lambda s: (s**2, s**3, 0), 1e-9, ground)
     exact = frenet_along(lambda s: (s**2, s**3, 0), mpmath.mpf(1e-9), ground)
     assert abs(found.flexure / exact.flexure - 1) < 1e-13

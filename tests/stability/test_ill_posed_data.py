@@ -1,4 +1,6 @@
-"""Data that contradict each other, leave something open, or belong to no body: refused in words, where NumPy returns numbers (7.13), (8.21)."""
+"""Data that contradict each other, leave something open, or belong to no body: refused in words,
+where NumPy returns numbers (7.13), (8.21).
+"""
 
 import math
 
@@ -25,7 +27,9 @@ def test_least_squares_answers_contradictory_equations_and_the_engine_names_them
 def test_a_nearly_singular_solve_returns_1e16_and_the_engine_reports_what_is_open():
     M = np.array([[0.1, 0.3], [0.3, 0.9]])  # of rank 1, but for the rounding of 0.1 and 0.3
     assert abs(np.linalg.solve(M, [0.4, 1.2000001])).max() > 1e8
-    s = solve_linear(lambda A, B: {"one": 0.1 * A + 0.3 * B - 0.4, "three": 0.3 * A + 0.9 * B - 1.2})
+    s = solve_linear(
+        lambda A, B: {"one": 0.1 * A + 0.3 * B - 0.4, "three": 0.3 * A + 0.9 * B - 1.2}
+    )
     assert s.undetermined == ("A", "B")
     assert "follows from 'one'" in s.report()
     with pytest.raises(LinearError, match="is not determined"):
@@ -64,7 +68,9 @@ def test_a_thin_rod_has_no_inverse_inertia_and_is_refused_where_numpy_returns_in
     with pytest.raises(MassError, match="thin rod about its own"):
         angular_acceleration(rod, body.vector(0.0, 0, 0), body.vector(1.0, 0, 0))
     thick = Inertia(body, (1e-12, 3.0, 3.0))
-    assert angular_acceleration(thick, body.vector(0.0, 0, 0), body.vector(1e-12, 3.0, 0)).components() == pytest.approx((1.0, 1.0, 0.0), abs=1e-15)
+    assert angular_acceleration(
+        thick, body.vector(0.0, 0, 0), body.vector(1e-12, 3.0, 0)
+    ).components() == pytest.approx((1.0, 1.0, 0.0), abs=1e-15)
 
 
 @pytest.mark.parametrize(

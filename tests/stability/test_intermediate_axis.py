@@ -1,4 +1,6 @@
-"""Spin about the intermediate principal axis: exactly on it a run of floats stays for ever, beside it the body turns over (8.14)."""
+"""Spin about the intermediate principal axis: exactly on it a run of floats stays for ever, beside
+it the body turns over (8.14).
+"""
 
 import math
 
@@ -24,21 +26,26 @@ def test_exactly_on_the_axis_a_run_of_floats_never_leaves_and_so_tells_nothing(r
     y = run((0.0, 1.0, 0.0), 1e4, rtol=rtol).y
     assert (y[0] == 0).all()
     assert (y[2] == 0).all()
-    assert BODY.solution(1e4, (0.0, 1.0, 0.0)) == (0.0, 1.0, 0.0)  # nor does the exact one: it is an equilibrium
+    # nor does the exact one: it is an equilibrium
+    assert BODY.solution(1e4, (0.0, 1.0, 0.0)) == (0.0, 1.0, 0.0)
 
 
 def test_the_criterion_tells_stable_from_unstable_where_the_run_cannot():
     assert tilt_growth(1.0, 2.0, 3.0, "y", 1.0) == pytest.approx(GROWTH, rel=1e-15)
     assert tilt_growth(1.0, 2.0, 3.0, "x", 1.0) == tilt_growth(1.0, 2.0, 3.0, "z", 1.0) == 0.0
-    assert tilt_growth(2.0, 2.0, 3.0, "y", 1.0) == 0.0  # equal moments: a tilt drifts, but does not grow exponentially
-    assert tilt_growth(2.0 - 1e-9, 2.0, 3.0, "y", 1.0) == pytest.approx(math.sqrt(1e-9 / 6), rel=1e-6)
+    # equal moments: a tilt drifts, but does not grow exponentially
+    assert tilt_growth(2.0, 2.0, 3.0, "y", 1.0) == 0.0
+    assert tilt_growth(2.0 - 1e-9, 2.0, 3.0, "y", 1.0) == pytest.approx(
+        math.sqrt(1e-9 / 6), rel=1e-6
+    )
 
 
 @pytest.mark.parametrize("tilt", [1e-2, 1e-8, 1e-16, 1e-100])
 def test_from_any_tilt_the_exact_motion_turns_over_when_the_growth_says(tilt):
     over = math.log(4 / tilt) / GROWTH  # s, the quarter period for a small tilt: 10, 34, 66, 400
     round_off = 4 * 2.2e-16 * over  # of the time, at a rate of 1 rad/s
-    assert abs(BODY.solution(over, (tilt, 1.0, 0.0))[1]) < max(1e-3 * (tilt / 1e-2) ** 2, round_off)  # rad/s: w_y has come down to zero
+    # rad/s: w_y has come down to zero
+    assert abs(BODY.solution(over, (tilt, 1.0, 0.0))[1]) < max(1e-3 * (tilt / 1e-2) ** 2, round_off)
 
 
 def test_the_default_solver_is_eight_seconds_late_after_ten_turnovers_and_the_exact_solution_right_to_1e_minus_13():

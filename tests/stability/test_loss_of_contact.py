@@ -1,4 +1,6 @@
-"""Loss of contact: a particle that slides down a smooth sphere leaves it; integrated on, the sphere pulls it along (11.29)."""
+"""Loss of contact: a particle that slides down a smooth sphere leaves it; integrated on, the sphere
+pulls it along (11.29).
+"""
 
 import math
 
@@ -41,7 +43,8 @@ def _ground(s, p, t):
     return s.z + p.R
 
 
-SPHERE = Model("on the sphere", {"g": G, "R": R}, ("theta", "omega"), _on_sphere)  # theta from the top
+# theta from the top
+SPHERE = Model("on the sphere", {"g": G, "R": R}, ("theta", "omega"), _on_sphere)
 FLIGHT = Model("free flight", {"g": G, "R": R}, ("x", "z", "vx", "vz"), _in_flight, exact=_flown)
 LEAVES = Event(_normal_force, -1, then=_leaves, name="leaves")
 LANDS = Event(_ground, -1, terminal=True, name="lands")
@@ -67,8 +70,12 @@ def slide(v0, theta0=0.0, method="auto", rtol=1e-9):
 
 
 def constrained(v0, t):
-    """By solve_ivp on the sphere without end: angle and normal force (over the mass) at the ends of its steps."""
-    y = solve_ivp(lambda t, y: [y[1], G / R * math.sin(y[0])], (0.0, t), (0.0, v0 / R), rtol=1e-9, atol=1e-9).y
+    """By solve_ivp on the sphere without end: angle and normal force (over the mass) at the ends of
+    its steps.
+    """
+    y = solve_ivp(
+        lambda t, y: [y[1], G / R * math.sin(y[0])], (0.0, t), (0.0, v0 / R), rtol=1e-9, atol=1e-9
+    ).y
     return y[0], G * np.cos(y[0]) - R * y[1] ** 2
 
 
@@ -94,7 +101,10 @@ def test_an_event_and_another_model_let_it_go_and_land_where_the_closed_form_say
     left, landed = motion.events
     assert left.state["theta"] == pytest.approx(leaving(v0), abs=1e-9)
     assert landed.state["x"] == pytest.approx(landing(v0), abs=1e-8)
-    assert [segment.system.model.name for segment in motion.segments] == ["on the sphere", "free flight"]
+    assert [segment.system.model.name for segment in motion.segments] == [
+        "on the sphere",
+        "free flight",
+    ]
     assert motion.error < 1e-9
 
 
@@ -110,15 +120,21 @@ def test_just_below_the_speed_that_leaves_at_once_it_leaves_at_the_angle_of_the_
 def test_above_it_no_sign_changes_and_the_force_must_be_asked_for_before_it_refuses_in_words(above):
     v0 = FASTEST * (1 + above)
     force = SPHERE.parameters["g"] - v0 * v0 / R
-    with pytest.raises(ContactError, match="the surface would have to pull, so the body has left it; it is in free flight"):
+    with pytest.raises(
+        ContactError,
+        match="the surface would have to pull, so the body has left it; it is in free flight",
+    ):
         contact(1.0, 0.4, 0.1, normal=force, mu=0.5, force=0.0)
-    start = _leaves(*(type("at", (), x) for x in ({"theta": 0.0, "omega": v0 / R}, {"g": G, "R": R})), 0.0)
+    start = _leaves(
+        *(type("at", (), x) for x in ({"theta": 0.0, "omega": v0 / R}, {"g": G, "R": R})), 0.0
+    )
     flown = integrate(start[0], 20.0, start[1], events=LANDS)
     assert flown.end["x"] == pytest.approx(v0 * math.sqrt(4 * R / G), rel=1e-14)
 
 
 def test_a_grain_that_rests_on_the_top_stays_and_one_beside_it_leaves_at_two_thirds():
-    assert integrate(SPHERE, 20.0, (0.0, 0.0), events=LEAVES).events == ()  # an equilibrium, if an unstable one
+    # an equilibrium, if an unstable one
+    assert integrate(SPHERE, 20.0, (0.0, 0.0), events=LEAVES).events == ()
     left = slide(0.0, theta0=1e-6).events[0]
     assert left.state["theta"] == pytest.approx(math.acos(2 / 3), abs=1e-9)
     assert left.t == pytest.approx(math.sqrt(R / G) * math.log(2e6), rel=0.2)

@@ -1,4 +1,6 @@
-"""Events that lie close together: a solver that compares signs at the ends of its steps finds none of two; roots of a polynomial are all at hand."""
+"""Events that lie close together: a solver that compares signs at the ends of its steps finds none
+of two; roots of a polynomial are all at hand.
+"""
 
 import math
 
@@ -44,17 +46,36 @@ METHODS = ("exact", "dop853", "taylor", "scipy DOP853")
 
 
 def crossings(gap, method="auto"):
-    """The instants at which the ball passes a line that it stays above for ``gap`` seconds; negative: a line as far above its top."""
+    """The instants at which the ball passes a line that it stays above for ``gap`` seconds;
+    negative: a line as far above its top.
+    """
     line = TOP - math.copysign(G * gap * gap / 8, gap)
     if method == "taylor":
         pytest.importorskip("heyoka")
-    return [e.t for e in integrate(THROW.changed(line=line), 3.0, (0.0, V0), method=method, events=Event(_through)).events]
+    return [
+        e.t
+        for e in integrate(
+            THROW.changed(line=line), 3.0, (0.0, V0), method=method, events=Event(_through)
+        ).events
+    ]
 
 
-@pytest.mark.parametrize("options", [{}, {"rtol": 1e-6}, {"method": "DOP853", "rtol": 1e-10}, {"method": "Radau"}, {"method": "LSODA"}], ids=str)
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"rtol": 1e-6},
+        {"method": "DOP853", "rtol": 1e-10},
+        {"method": "Radau"},
+        {"method": "LSODA"},
+    ],
+    ids=str,
+)
 def test_of_two_roots_two_hundredths_of_a_second_apart_solve_ivp_finds_none(options):
     line = TOP - G * 0.02**2 / 8
-    found = solve_ivp(lambda t, y: [y[1], -G], (0.0, 3.0), (0.0, V0), events=lambda t, y: y[0] - line, **options)
+    found = solve_ivp(
+        lambda t, y: [y[1], -G], (0.0, 3.0), (0.0, V0), events=lambda t, y: y[0] - line, **options
+    )
     assert found.success
     assert len(found.t_events[0]) == 0
 
@@ -63,7 +84,9 @@ def test_of_two_roots_two_hundredths_of_a_second_apart_solve_ivp_finds_none(opti
 @pytest.mark.parametrize("gap", [0.5, 2e-2, 1e-3, 1e-5])
 def test_the_engine_finds_both_down_to_1e_minus_5_s(method, gap):
     """The height is known to 1e-15 m, the instant so near the top to a few 1e-15 s over the gap."""
-    assert crossings(gap, method) == pytest.approx([1 - gap / 2, 1 + gap / 2], abs=1e-13 + 5e-15 / gap)
+    assert crossings(gap, method) == pytest.approx(
+        [1 - gap / 2, 1 + gap / 2], abs=1e-13 + 5e-15 / gap
+    )
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -79,21 +102,37 @@ def test_a_ball_that_grazes_the_ceiling_turns_there_and_one_that_stays_below_doe
     if method == "taylor":
         pytest.importorskip("heyoka")
     ceiling = Event(_through, 1, then=_back, name="impact")
-    hit = integrate(THROW.changed(line=TOP - G * gap * gap / 8), 1.8, (0.0, V0), method=method, events=ceiling)
+    hit = integrate(
+        THROW.changed(line=TOP - G * gap * gap / 8), 1.8, (0.0, V0), method=method, events=ceiling
+    )
     assert [e.name for e in hit.events] == ["impact"]
     assert hit.events[0].state["v"] == pytest.approx(G * gap / 2, rel=2e-14 / gap**2 + 1e-12)
     assert hit.end["v"] == pytest.approx(V0 - G * (1.8 + gap), abs=1e-12 / gap)
-    missed = integrate(THROW.changed(line=TOP + G * gap * gap / 8), 1.8, (0.0, V0), method=method, events=ceiling)
+    missed = integrate(
+        THROW.changed(line=TOP + G * gap * gap / 8), 1.8, (0.0, V0), method=method, events=ceiling
+    )
     assert missed.events == ()
     assert missed.end["v"] == pytest.approx(V0 - G * 1.8, abs=1e-13)
 
 
 def test_of_the_63_short_visits_to_a_crest_solve_ivp_loses_most_and_the_engine_none():
     """x = cos(20 t): above 0.999 for 4.5 ms in every 314 ms."""
-    wave = solve_ivp(lambda t, y: [y[1], -400.0 * y[0]], (0.0, 20.0), (0.0, 20.0), rtol=1e-6, atol=1e-9, events=lambda t, y: y[0] - 0.999)
+    wave = solve_ivp(
+        lambda t, y: [y[1], -400.0 * y[0]],
+        (0.0, 20.0),
+        (0.0, 20.0),
+        rtol=1e-6,
+        atol=1e-9,
+        events=lambda t, y: y[0] - 0.999,
+    )
     first = (math.pi / 2 - math.acos(0.999)) / 20
     last = (math.pi / 2 + math.acos(0.999)) / 20
-    exact = sorted(x + 2 * math.pi * n / 20 for n in range(64) for x in (first, last) if x + 2 * math.pi * n / 20 < 20)
+    exact = sorted(
+        x + 2 * math.pi * n / 20
+        for n in range(64)
+        for x in (first, last)
+        if x + 2 * math.pi * n / 20 < 20
+    )
     assert len(wave.t_events[0]) < len(exact) / 2
     ours = [e.t for e in integrate(WAVE, 20.0, (0.0, 20.0), events=Event(_crest)).events]
     assert len(ours) == len(exact)
@@ -105,5 +144,8 @@ def test_roots_of_a_function_that_is_no_polynomial_of_the_states_are_found_as_we
         return sin(40 * t) * cos(3 * t + 0.1)
 
     found = [e.t for e in integrate(THROW, 3.0, (0.0, V0), events=Event(beats)).events]
-    exact = sorted([math.pi * n / 40 for n in range(1, 39)] + [(math.pi * (n + 0.5) - 0.1) / 3 for n in range(3)])
+    exact = sorted(
+        [math.pi * n / 40 for n in range(1, 39)]
+        + [(math.pi * (n + 0.5) - 0.1) / 3 for n in range(3)]
+    )
     assert found == pytest.approx([t for t in exact if t < 3], abs=1e-12)

@@ -1,4 +1,6 @@
-"""Nearly equal moments from data of three digits: the axes are worth as much as gap over noise, and the report says so (7.18)."""
+"""Nearly equal moments from data of three digits: the axes are worth as much as gap over noise, and
+the report says so (7.18).
+"""
 
 import math
 
@@ -19,7 +21,9 @@ def inertia(gap):
 
 
 def measured(gap, count=400):
-    """By how much (rad) errors of the data turn the first axis, each time; and what the engine reports for these data."""
+    """By how much (rad) errors of the data turn the first axis, each time; and what the engine
+    reports for these data.
+    """
     I, axes = inertia(gap)
     random = np.random.default_rng(7)
     turns = []
@@ -32,13 +36,17 @@ def measured(gap, count=400):
 
 
 @pytest.mark.parametrize(("gap", "degrees"), [(1e-1, 0.3), (1e-2, 3.0), (1e-3, 20.0)])
-def test_three_digits_turn_the_axes_by_a_tenth_of_a_degree_or_by_twenty_as_the_gap_shrinks(gap, degrees):
+def test_three_digits_turn_the_axes_by_a_tenth_of_a_degree_or_by_twenty_as_the_gap_shrinks(
+    gap, degrees
+):
     turns, _ = measured(gap)
     assert np.degrees(np.median(turns)) > degrees
 
 
 @pytest.mark.parametrize("gap", [0.3, 1e-1, 1e-2, 1e-3, 0.0])
-def test_the_turn_that_the_engine_reports_is_the_turn_that_noise_makes_within_a_factor_of_three(gap):
+def test_the_turn_that_the_engine_reports_is_the_turn_that_noise_makes_within_a_factor_of_three(
+    gap,
+):
     turns, p = measured(gap)
     typical = float(np.sqrt(np.mean(turns**2)))
     assert typical / 3 < min(p.turns[0], 1.1) < 3 * typical
@@ -58,4 +66,5 @@ def test_without_a_stated_noise_the_same_entries_count_as_exact_and_the_axes_as_
     exact = Inertia(body, np.diag(I).tolist(), (-I[0, 1], -I[1, 2], -I[2, 0])).principal()
     assert exact.determined == (True, True, True)
     assert "axes 1 and 2 are not determined by data with a relative error of 0.001" in str(p)
-    assert np.linalg.norm(np.cross(exact.axes[0].components(), axes[0])) < 1e-12  # rad: round-off over the gap
+    # rad: round-off over the gap
+    assert np.linalg.norm(np.cross(exact.axes[0].components(), axes[0])) < 1e-12

@@ -1,4 +1,6 @@
-"""Differences of nearly equal numbers: the angle between nearly parallel vectors, distances of near points, moments about a far one (A.11)."""
+"""Differences of nearly equal numbers: the angle between nearly parallel vectors, distances of near
+points, moments about a far one (A.11).
+"""
 
 import math
 
@@ -22,7 +24,9 @@ def exact(a, b):
     with mpmath.workdps(60):
         a, b = (tuple(map(mpmath.mpf, v)) for v in (a, b))
         cross = a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-        return mpmath.atan2(mpmath.sqrt(sum(x * x for x in cross)), sum(x * y for x, y in zip(a, b, strict=True)))
+        return mpmath.atan2(
+            mpmath.sqrt(sum(x * x for x in cross)), sum(x * y for x, y in zip(a, b, strict=True))
+        )
 
 
 @pytest.mark.parametrize("eps", [1e-3, 1e-6, 1e-9, 1e-12])
@@ -40,7 +44,9 @@ def test_the_arc_cosine_has_only_some_values_near_zero_and_1e_minus_9_is_none_of
     values = [math.acos(1 - n * 2.0**-53) for n in range(4)]
     assert values[0] == 0.0
     assert values[1] > 1.4e-8  # rad
-    assert ground.vector(1.0, 0, 0).angle_to(ground.vector(1.0, 1e-9, 0)) == pytest.approx(1e-9, rel=1e-15)
+    assert ground.vector(1.0, 0, 0).angle_to(ground.vector(1.0, 1e-9, 0)) == pytest.approx(
+        1e-9, rel=1e-15
+    )
 
 
 def test_tiny_and_huge_vectors_have_angles_too():
@@ -49,7 +55,9 @@ def test_tiny_and_huge_vectors_have_angles_too():
         assert u.angle_to(v) == pytest.approx(math.atan(1e-6), rel=1e-14)
 
 
-@pytest.mark.parametrize("v", [(0.0, 0.0, 0.0), (0, 0, 0), (np.array([1.0, 0.0]), 0, 0), (1e-200, 0, 0)])
+@pytest.mark.parametrize(
+    "v", [(0.0, 0.0, 0.0), (0, 0, 0), (np.array([1.0, 0.0]), 0, 0), (1e-200, 0, 0)]
+)
 def test_the_angle_with_a_zero_vector_is_refused_where_atan2_says_0(v):
     assert math.atan2(0.0, 0.0) == 0.0
     with pytest.raises(FrameError, match="a zero vector makes no angle"):
@@ -74,4 +82,5 @@ def test_moments_about_g_taken_back_from_a_point_1e7_lengths_away_are_refused_or
     assert abs(naive - 2.0) < 0.02  # 1e14 holds 2 to two digits
     assert abs(far.about(G).moments[1] - 2.0) < 0.02
     beside = body.point("H", 1e7 + 1e-6, 0, 0)
-    assert abs(about_G.about(beside).moments[1] - (2.0 + 1e-12)) < 1e-15  # from the difference of the points, so that nothing cancels
+    # from the difference of the points, so that nothing cancels
+    assert abs(about_G.about(beside).moments[1] - (2.0 + 1e-12)) < 1e-15

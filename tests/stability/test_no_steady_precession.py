@@ -1,4 +1,6 @@
-"""A spin too slow for steady precession: the rates are not real, and the least spin is a double root (10.33)."""
+"""A spin too slow for steady precession: the rates are not real, and the least spin is a double
+root (10.33).
+"""
 
 import math
 
@@ -31,11 +33,14 @@ def test_the_printed_root_gives_nan_an_anonymous_error_or_a_complex_rate():
 
 
 def test_the_engine_says_that_there_is_none_and_which_spin_would_do():
-    with pytest.raises(GyroError, match=rf"no steady precession.*spin must be at least {LEAST:.6g} rad/s"):
+    with pytest.raises(
+        GyroError, match=rf"no steady precession.*spin must be at least {LEAST:.6g} rad/s"
+    ):
         steady_precession(I0, I, THETA, spin=10.0, mgr=MGR)
     with pytest.raises(GyroError, match="omega_z must be at least"):
         steady_precession(I0, I, THETA, omega_z=10.0, mgr=MGR)
-    with pytest.raises(GyroError, match="no steady precession"):  # one instant of an array is enough
+    # one instant of an array is enough
+    with pytest.raises(GyroError, match="no steady precession"):
         steady_precession(I0, I, THETA, spin=np.array([10.0, 20.0]), mgr=MGR)
     with pytest.raises(GyroError, match="without I no spin helps"):
         steady_precession(I0, 0.0, THETA, spin=10.0, mgr=-MGR if math.cos(THETA) < 0 else MGR)
@@ -49,7 +54,8 @@ def test_at_the_least_spin_both_rates_are_one_though_rounding_makes_the_discrimi
         negative += h * h - 4 * a * MGR < 0
         found = steady_precession(I0, I, theta, spin=spin, mgr=MGR)
         assert found.slow == pytest.approx(found.fast, rel=1e-7)
-        assert found.slow == pytest.approx(math.sqrt(MGR / a), rel=1e-7)  # half of the digits: a double root has no more
+        # half of the digits: a double root has no more
+        assert found.slow == pytest.approx(math.sqrt(MGR / a), rel=1e-7)
     assert negative > 5  # for so many of 60 angles the naive square root is nan
 
 

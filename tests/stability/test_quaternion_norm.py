@@ -1,4 +1,6 @@
-"""The norm of a quaternion drifts under explicit integration; a matrix that divides by it is a rotation all the same (10.2)."""
+"""The norm of a quaternion drifts under explicit integration; a matrix that divides by it is a
+rotation all the same (10.2).
+"""
 
 import math
 
@@ -77,10 +79,15 @@ def test_so_the_drifted_quaternion_of_the_run_costs_only_its_error_in_angle():
     q = by_rk4(0.05, 100.0)
     rate = math.sqrt(sum(x * x for x in OMEGA))
     exact = (math.cos(50 * rate), *(math.sin(50 * rate) * x / rate for x in OMEGA))
-    wrong, right = (np.linalg.norm(np.array(R(q)) - np.array(matrix_from_quaternion(exact))) for R in (textbook, matrix_from_quaternion))
+    wrong, right = (
+        np.linalg.norm(np.array(R(q)) - np.array(matrix_from_quaternion(exact)))
+        for R in (textbook, matrix_from_quaternion)
+    )
     assert right < wrong
     R = matrix_from_quaternion(q)
-    assert close(quaternion_from_matrix(R), tuple(x if q[0] > 0 else -x for x in normalised(q)), 1e-15)
+    assert close(
+        quaternion_from_matrix(R), tuple(x if q[0] > 0 else -x for x in normalised(q)), 1e-15
+    )
 
 
 def test_the_moment_of_gravity_does_not_grow_with_the_length_of_the_quaternion():

@@ -1,4 +1,6 @@
-"""A short blow: between two steps no method sees it, and no estimate of the error can; an event at its instants ends a step there."""
+"""A short blow: between two steps no method sees it, and no estimate of the error can; an event at
+its instants ends a step there.
+"""
 
 import math
 
@@ -28,23 +30,40 @@ def _ends(s, p, t):
     return t - p.t1
 
 
-BODY = Model("body", {"F": 0.0, "blow": FORCE, "t0": BEGINS, "t1": BEGINS + LASTS}, ("x", "v"), _pushed)
-SMOOTH = Model("struck", {"F": FORCE / math.sqrt(math.pi), "t0": BEGINS, "width": LASTS}, ("x", "v"), _blow)
+BODY = Model(
+    "body", {"F": 0.0, "blow": FORCE, "t0": BEGINS, "t1": BEGINS + LASTS}, ("x", "v"), _pushed
+)
+SMOOTH = Model(
+    "struck", {"F": FORCE / math.sqrt(math.pi), "t0": BEGINS, "width": LASTS}, ("x", "v"), _blow
+)
 
 
 @pytest.mark.parametrize(
     "options",
-    [{}, {"rtol": 1e-6, "atol": 1e-9}, {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12}, {"method": "Radau"}, {"method": "LSODA"}],
+    [
+        {},
+        {"rtol": 1e-6, "atol": 1e-9},
+        {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12},
+        {"method": "Radau"},
+        {"method": "LSODA"},
+    ],
     ids=str,
 )
 def test_solve_ivp_steps_over_a_blow_of_10_ms_and_reports_success(options):
-    found = solve_ivp(lambda t, y: [y[1], FORCE if BEGINS <= t < BEGINS + LASTS else 0.0], (0.0, 10.0), (0.0, 1.0), **options)
+    found = solve_ivp(
+        lambda t, y: [y[1], FORCE if BEGINS <= t < BEGINS + LASTS else 0.0],
+        (0.0, 10.0),
+        (0.0, 1.0),
+        **options,
+    )
     assert found.success
     assert found.y[1, -1] == pytest.approx(1.0, abs=1e-12)  # m/s, for 2
 
 
 @pytest.mark.parametrize("method", ["dop853", "taylor", "scipy DOP853"])
-def test_the_methods_of_the_engine_step_over_a_smooth_one_too_and_their_estimate_says_nothing_of_it(method):
+def test_the_methods_of_the_engine_step_over_a_smooth_one_too_and_their_estimate_says_nothing_of_it(
+    method,
+):
     """What is not sampled is not known: neither tolerance nor a second run helps."""
     if method == "taylor":
         pytest.importorskip("heyoka")
@@ -55,11 +74,15 @@ def test_the_methods_of_the_engine_step_over_a_smooth_one_too_and_their_estimate
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor", "scipy DOP853", "scipy RK45"])
 @pytest.mark.parametrize("lasts", [1e-1, 1e-2, 1e-4, 1e-6])
-def test_told_as_events_it_is_met_at_its_instants_and_the_motion_is_right_to_1e_minus_12(method, lasts):
+def test_told_as_events_it_is_met_at_its_instants_and_the_motion_is_right_to_1e_minus_12(
+    method, lasts
+):
     if method == "taylor":
         pytest.importorskip("heyoka")
     body = BODY.changed(blow=1.0 / lasts, t1=BEGINS + lasts)
-    begins = Event(_begins, then=lambda s, p, t: (body.changed(F=p.blow), (s.x, s.v), (over,)), name="blow")
+    begins = Event(
+        _begins, then=lambda s, p, t: (body.changed(F=p.blow), (s.x, s.v), (over,)), name="blow"
+    )
     over = Event(_ends, then=lambda s, p, t: (body, (s.x, s.v)), name="over")
     motion = integrate(body, 10.0, (0.0, 1.0), method=method, events=begins)
     assert [e.name for e in motion.events] == ["blow", "over"]

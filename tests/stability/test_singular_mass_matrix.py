@@ -1,6 +1,8 @@
-"""Mass matrices near singular: a double pendulum whose upper mass vanishes, and a crank at its dead centre (8.21).
+"""Mass matrices near singular: a double pendulum whose upper mass vanishes, and a crank at its dead
+centre (8.21).
 
-The mass matrix adds the light mass to the heavy one and loses it; the equations of each particle, with the tensions kept, do not.
+The mass matrix adds the light mass to the heavy one and loses it; the equations of each particle,
+with the tensions kept, do not.
 """
 
 import math
@@ -13,13 +15,19 @@ from newton_euler import cos, sin, solve_linear, solve_rates
 from newton_euler.algebra import FrameError
 from newton_euler.algebra.linear import LinearError
 
-G, ANGLE, HEAVY = 10.0, 0.5, 1.0  # both rods of 1 m, at rest; the upper one at 0.5 rad from the vertical, the lower one at 0.5 rad + bend
+# both rods of 1 m, at rest; the upper one at 0.5 rad from the vertical, the lower one at 0.5 rad +
+# bend
+G, ANGLE, HEAVY = 10.0, 0.5, 1.0
 
 
 def by_mass_matrix(light, bend):
-    """Both angular accelerations (rad/s^2) from M alpha = f in the two angles, as Lagrange's equations give it."""
+    """Both angular accelerations (rad/s^2) from M alpha = f in the two angles, as Lagrange's
+    equations give it.
+    """
     matrix = [[light + HEAVY, HEAVY * math.cos(bend)], [HEAVY * math.cos(bend), HEAVY]]
-    return np.linalg.solve(matrix, [-G * (light + HEAVY) * math.sin(ANGLE), -G * HEAVY * math.sin(ANGLE + bend)])
+    return np.linalg.solve(
+        matrix, [-G * (light + HEAVY) * math.sin(ANGLE), -G * HEAVY * math.sin(ANGLE + bend)]
+    )
 
 
 def exact(light, bend):
@@ -27,11 +35,18 @@ def exact(light, bend):
     with mpmath.workdps(250):
         m, b, a = mpmath.mpf(light), mpmath.mpf(bend), mpmath.mpf(ANGLE)
         matrix = mpmath.matrix([[m + HEAVY, HEAVY * mpmath.cos(b)], [HEAVY * mpmath.cos(b), HEAVY]])
-        return tuple(mpmath.lu_solve(matrix, mpmath.matrix([-G * (m + HEAVY) * mpmath.sin(a), -G * HEAVY * mpmath.sin(a + b)])))
+        return tuple(
+            mpmath.lu_solve(
+                matrix,
+                mpmath.matrix([-G * (m + HEAVY) * mpmath.sin(a), -G * HEAVY * mpmath.sin(a + b)]),
+            )
+        )
 
 
 def by_newton(light, bend):
-    """The same from Newton's law for each particle, along and across its rod, with the tensions S1 and S2 (N)."""
+    """The same from Newton's law for each particle, along and across its rod, with the tensions S1
+    and S2 (N).
+    """
 
     def laws(alpha1, alpha2, S1, S2):
         return {
@@ -51,7 +66,9 @@ def off(found, light, bend):
     return float(max(abs(a - b) / largest for a, b in zip(found, true, strict=True)))
 
 
-@pytest.mark.parametrize(("light", "bend", "lost"), [(1e-8, 1e-3, 1e-11), (1e-8, 1e-8, 1e-9), (1e-12, 1e-8, 1e-6)])
+@pytest.mark.parametrize(
+    ("light", "bend", "lost"), [(1e-8, 1e-3, 1e-11), (1e-8, 1e-8, 1e-9), (1e-12, 1e-8, 1e-6)]
+)
 def test_the_mass_matrix_loses_digits_without_a_word(light, bend, lost):
     assert off(by_mass_matrix(light, bend), light, bend) > lost
 
@@ -73,16 +90,22 @@ def test_newtons_law_for_each_particle_is_right_to_1e_minus_14_however_light_it_
 def test_without_the_upper_mass_the_string_is_slack_if_it_is_bent_and_straight_it_is_said_what_is_left_open():
     bent = by_newton(0.0, 0.3)
     assert (bent.S1, bent.S2) == (0.0, 0.0)
-    assert bent.alpha1 == pytest.approx(G * math.cos(ANGLE + 0.3) / math.sin(0.3), rel=1e-15)  # the lower mass falls freely
+    # the lower mass falls freely
+    assert bent.alpha1 == pytest.approx(G * math.cos(ANGLE + 0.3) / math.sin(0.3), rel=1e-15)
     straight = by_newton(0.0, 0.0)
     assert straight.undetermined == ("alpha1", "alpha2")
-    assert "Not determined: alpha1, alpha2: only alpha1 = -4.79426 - alpha2 is known" in straight.report()
+    assert (
+        "Not determined: alpha1, alpha2: only alpha1 = -4.79426 - alpha2 is known"
+        in straight.report()
+    )
     with pytest.raises(LinearError, match="alpha1 is not determined by the equations"):
-        straight.alpha1  # noqa: B018  asking is what is refused
+        straight.alpha1
 
 
 def crank_rate(angle, speed=1.0, arm=0.1, rod=0.3):
-    """The rate of the crank (rad/s) from the speed of the slider, at a crank angle from the line of the slider."""
+    """The rate of the crank (rad/s) from the speed of the slider, at a crank angle from the line of
+    the slider.
+    """
     tilt = -math.asin(arm / rod * math.sin(angle))
 
     def closing(crank, rocks):
@@ -93,7 +116,10 @@ def crank_rate(angle, speed=1.0, arm=0.1, rod=0.3):
 
 
 def test_at_its_dead_centre_a_crank_has_no_rate_and_numpys_solver_gives_one_of_1e17():
-    matrix = [[-0.1 * math.sin(math.pi), -0.3 * math.sin(-math.asin(math.sin(math.pi) / 3))], [0.1 * math.cos(math.pi), 0.3]]
+    matrix = [
+        [-0.1 * math.sin(math.pi), -0.3 * math.sin(-math.asin(math.sin(math.pi) / 3))],
+        [0.1 * math.cos(math.pi), 0.3],
+    ]
     assert abs(np.linalg.solve(matrix, [1.0, 0.0])[0]) > 1e15  # rad/s: pi is not quite pi
     for angle in (0.0, math.pi):
         with pytest.raises(FrameError, match=r"more are needed|do not determine the rates"):
@@ -104,5 +130,9 @@ def test_at_its_dead_centre_a_crank_has_no_rate_and_numpys_solver_gives_one_of_1
 def test_beside_the_dead_centre_the_rate_is_right_to_a_round_off(beside):
     """x = a cos(q) + sqrt(l^2 - a^2 sin^2 q): dx/dq in closed form."""
     found = crank_rate(beside)
-    slope = -0.1 * math.sin(beside) * (1 + 0.1 * math.cos(beside) / math.sqrt(0.09 - 0.01 * math.sin(beside) ** 2))
+    slope = (
+        -0.1
+        * math.sin(beside)
+        * (1 + 0.1 * math.cos(beside) / math.sqrt(0.09 - 0.01 * math.sin(beside) ** 2))
+    )
     assert found == pytest.approx(1 / slope, rel=1e-14)

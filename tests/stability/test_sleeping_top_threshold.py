@@ -1,4 +1,6 @@
-"""The sleeping top at its critical spin: a finite run cannot tell stable from unstable, the criterion can (10.7)."""
+"""The sleeping top at its critical spin: a finite run cannot tell stable from unstable, the
+criterion can (10.7).
+"""
 
 import math
 
@@ -16,12 +18,22 @@ TILT = 1e-6  # rad
 
 
 def largest_tilt(ratio, T=200.0):
-    """The largest angle (rad) within T seconds from a tilt of 1e-6 rad, at ratio times the critical spin, by integration."""
+    """The largest angle (rad) within T seconds from a tilt of 1e-6 rad, at ratio times the critical
+    spin, by integration.
+    """
     omega_z = ratio * CRITICAL
     model = top.nonspinning_frame(I0, I, MGR, omega_z)
     rhs = model.compiled_rhs()
     start = (math.cos(TILT / 2), math.sin(TILT / 2), 0.0, 0.0, 0.0, 0.0)
-    y = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, T), start, method="DOP853", rtol=1e-9, atol=1e-13, max_step=0.5).y
+    y = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0, T),
+        start,
+        method="DOP853",
+        rtol=1e-9,
+        atol=1e-13,
+        max_step=0.5,
+    ).y
     return 2 * np.max(np.hypot(y[1], y[2]) / np.linalg.norm(y[:4], axis=0))
 
 
@@ -37,8 +49,20 @@ def test_a_run_makes_a_stable_top_tilt_a_hundredfold_at_the_threshold():
     assert largest_tilt(1.1) < 4 * TILT
 
 
-@pytest.mark.parametrize(("ratio", "stable"), [(0.9, False), (1 - 1e-6, False), (1 - 1e-12, False), (1 + 1e-12, True), (1 + 1e-6, True), (1.1, True)])
-def test_the_criterion_decides_on_both_sides_down_to_1e_minus_12_of_the_critical_spin(ratio, stable):
+@pytest.mark.parametrize(
+    ("ratio", "stable"),
+    [
+        (0.9, False),
+        (1 - 1e-6, False),
+        (1 - 1e-12, False),
+        (1 + 1e-12, True),
+        (1 + 1e-6, True),
+        (1.1, True),
+    ],
+)
+def test_the_criterion_decides_on_both_sides_down_to_1e_minus_12_of_the_critical_spin(
+    ratio, stable
+):
     found = sleeping_top(I0, I, MGR, ratio * CRITICAL)
     assert found.stable is stable
     assert (found.growth > 0) is not stable
@@ -55,12 +79,16 @@ def test_the_growth_just_below_the_threshold_is_right_to_round_off_over_the_dist
 
 @pytest.mark.parametrize("below", [1e-1, 1e-2, 1e-4])
 def test_how_far_it_falls_is_told_without_a_run_and_agrees_with_the_energy(below):
-    """From upright and at rest, cos(theta_max) = 2 (I omega_z)^2/(4 I0 mgr) - 1 with the spin just below the threshold."""
+    """From upright and at rest, cos(theta_max) = 2 (I omega_z)^2/(4 I0 mgr) - 1 with the spin just
+    below the threshold.
+    """
     omega_z = (1 - below) * CRITICAL
     found = nutation(I0, I, MGR, theta=1e-9, theta_rate=0.0, precession=0.0, omega_z=omega_z)
     assert found.theta_max == pytest.approx(math.acos(2 * (1 - below) ** 2 - 1), rel=1e-8)
 
 
 def test_just_above_the_threshold_the_nod_stays_as_small_as_the_start():
-    found = nutation(I0, I, MGR, theta=1e-6, theta_rate=0.0, precession=0.0, omega_z=(1 + 1e-3) * CRITICAL)
+    found = nutation(
+        I0, I, MGR, theta=1e-6, theta_rate=0.0, precession=0.0, omega_z=(1 + 1e-3) * CRITICAL
+    )
     assert found.theta_max < 1e-4  # rad

@@ -1,4 +1,6 @@
-"""Sliding that turns into rolling: friction as sign(slip) makes a solver chatter or stop; an event and another model do not (8.6)."""
+"""Sliding that turns into rolling: friction as sign(slip) makes a solver chatter or stop; an event
+and another model do not (8.6).
+"""
 
 import math
 
@@ -19,7 +21,9 @@ class StuckError(Exception):
 
 
 def friction_by_sign(most=20_000, **options):
-    """State and number of calls at T, with one right-hand side for both regimes; StuckError holds the time that was reached."""
+    """State and number of calls at T, with one right-hand side for both regimes; StuckError holds
+    the time that was reached.
+    """
     calls = 0
 
     def rates(t, y):
@@ -67,7 +71,14 @@ def test_at_1e_minus_6_it_takes_tens_of_thousands_of_calls_to_stand_still_on_a_j
 
 @pytest.mark.filterwarnings("ignore:overflow")
 @pytest.mark.parametrize(
-    "options", [{"method": "LSODA"}, {"method": "LSODA", "rtol": 1e-6}, {"method": "Radau"}, {"rtol": 1e-9, "atol": 1e-9}], ids=str
+    "options",
+    [
+        {"method": "LSODA"},
+        {"method": "LSODA", "rtol": 1e-6},
+        {"method": "Radau"},
+        {"rtol": 1e-9, "atol": 1e-9},
+    ],
+    ids=str,
 )
 def test_other_methods_and_tighter_tolerances_get_stuck_just_after_rolling_begins(options):
     with pytest.raises(StuckError) as stuck:
@@ -78,7 +89,10 @@ def test_other_methods_and_tighter_tolerances_get_stuck_just_after_rolling_begin
 def test_with_an_event_and_two_models_it_rolls_to_round_off_in_a_hundred_calls():
     motion = thrown(V0)
     assert motion.events[0].t == pytest.approx(BEGINS.t, abs=4e-16)
-    assert [segment.system.model.name for segment in motion.segments] == ["sliding sphere", "rolling sphere"]
+    assert [segment.system.model.name for segment in motion.segments] == [
+        "sliding sphere",
+        "rolling sphere",
+    ]
     assert motion.end["v"] == pytest.approx(5.0, abs=2e-15)
     assert abs(motion.end["v"] + motion.end["omega"] * R) < 4e-15
     assert motion.end["x"] == pytest.approx(sphere_at(T, V0, MU, G, R)[0], abs=4e-15)
@@ -97,7 +111,9 @@ def test_every_method_of_the_engine_finds_the_same(method):
 
 @pytest.mark.parametrize("slip0", [1e-3, 1e-6, 1e-9, -1e-9, -1e-6, -1e-3])
 def test_beside_rolling_from_the_start_the_instant_is_right_to_the_rounding_of_the_slip(slip0):
-    """It slides for microseconds to picoseconds; the slip is a difference of two speeds of 5 m/s, known to 1e-15."""
+    """It slides for microseconds to picoseconds; the slip is a difference of two speeds of 5 m/s,
+    known to 1e-15.
+    """
     v0 = 5.0 + slip0
     motion = thrown(v0, -5.0 / R)
     exact = rolling_begins(v0, MU, G, R, omega0=-5.0 / R, sense=math.copysign(1, slip0))
@@ -105,10 +121,13 @@ def test_beside_rolling_from_the_start_the_instant_is_right_to_the_rounding_of_t
     assert motion.end["v"] == pytest.approx(exact.v, abs=2e-15)
 
 
-@pytest.mark.parametrize(("omega0", "v"), [(0.0, 5.0), (30.0, 5 - 2 / 7 * 15), (35.0, 0.0), (40.0, 5 - 2 / 7 * 20)])
+@pytest.mark.parametrize(
+    ("omega0", "v"), [(0.0, 5.0), (30.0, 5 - 2 / 7 * 15), (35.0, 0.0), (40.0, 5 - 2 / 7 * 20)]
+)
 def test_backspin_rolls_on_stops_dead_or_comes_back(omega0, v):
     motion = thrown(V0, omega0, t=12.0)
     assert motion.end["v"] == pytest.approx(v, abs=4e-15)
     start, end = ({"v": V0, "omega": omega0}, motion.end)
-    momentum = [0.4 * R * R * s["omega"] - R * s["v"] for s in (start, end)]  # about the surface, over the mass
+    # about the surface, over the mass
+    momentum = [0.4 * R * R * s["omega"] - R * s["v"] for s in (start, end)]
     assert momentum[1] == pytest.approx(momentum[0], abs=1e-14)

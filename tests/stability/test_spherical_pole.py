@@ -14,7 +14,9 @@ ground = Frame("ground")
 
 
 def straight_in_spherical_coordinates(eps):
-    """A free particle that passes the pole of the unit sphere at the distance eps: how often r'' = 0 in R, theta, phi is called."""
+    """A free particle that passes the pole of the unit sphere at the distance eps: how often r'' =
+    0 in R, theta, phi is called.
+    """
 
     def rates(t, y):
         R, _, phi, dR, dtheta, dphi = y.tolist()
@@ -28,7 +30,14 @@ def straight_in_spherical_coordinates(eps):
 
     r, v = ground.vector(-1.0, eps, 1.0), ground.vector(1.0, 0, 0)
     q = spherical_coordinates(r, v)
-    found = solve_ivp(rates, (0, 2), [*(x.value for x in q), *(x.rate for x in q)], method="DOP853", rtol=1e-10, atol=1e-10)
+    found = solve_ivp(
+        rates,
+        (0, 2),
+        [*(x.value for x in q), *(x.rate for x in q)],
+        method="DOP853",
+        rtol=1e-10,
+        atol=1e-10,
+    )
     end = spherical(ground, "P", *found.y[:3, -1]).position(ground)
     assert np.linalg.norm(np.array(end.components(ground)) - [1.0, eps, 1.0]) < 1e-9
     return found.nfev
@@ -41,14 +50,24 @@ def test_a_straight_line_past_the_pole_costs_four_times_the_steps():
 
 @pytest.mark.parametrize("eps", [1e-1, 1e-6, 0.0])
 def test_in_rectangular_components_the_same_line_is_one_step_and_exact(eps):
-    found = solve_ivp(lambda t, y: [1.0, 0.0, 0.0], (0, 2), [-1.0, eps, 1.0], method="DOP853", rtol=1e-10, atol=1e-10)
+    found = solve_ivp(
+        lambda t, y: [1.0, 0.0, 0.0],
+        (0, 2),
+        [-1.0, eps, 1.0],
+        method="DOP853",
+        rtol=1e-10,
+        atol=1e-10,
+    )
     assert np.allclose(found.y[:, -1], [1.0, eps, 1.0], atol=1e-15, rtol=0)
 
 
 @pytest.mark.parametrize("eps", ["1e-3", "1e-8", "1e-12"])
 def test_rates_near_the_pole_are_right_to_1e_minus_14_of_their_size(eps):
     def rates(number):
-        r, v, a = ((number(x) for x in c) for c in ((f"{eps}", "0.5e-13", "1"), ("0.25", "1", "0.5"), ("0.1", "-0.3", "0.2")))
+        r, v, a = (
+            (number(x) for x in c)
+            for c in ((f"{eps}", "0.5e-13", "1"), ("0.25", "1", "0.5"), ("0.1", "-0.3", "0.2"))
+        )
         return spherical_coordinates(ground.vector(*r), ground.vector(*v), ground.vector(*a))
 
     for found, exact in zip(rates(float), rates(mpmath.mpf), strict=True):
@@ -59,13 +78,15 @@ def test_rates_near_the_pole_are_right_to_1e_minus_14_of_their_size(eps):
 def test_the_elevation_itself_is_too_coarse_a_number_to_hold_its_cosine():
     eps = 1e-9
     _, _, phi = spherical_coordinates(ground.vector(eps, 0, 1.0))
-    assert abs(np.cos(phi) / eps - 1) > 1e-9  # half of the digits of R cos(phi), the printed scale factor of theta
+    # half of the digits of R cos(phi), the printed scale factor of theta
+    assert abs(np.cos(phi) / eps - 1) > 1e-9
     azimuth = spherical_coordinates(ground.vector(eps, 0, 1.0), ground.vector(0, 1.0, 0))[1]
     assert abs(azimuth.rate * eps - 1) < 1e-15  # the engine takes it from the position
 
 
 def test_at_the_pole_the_printed_rate_is_8e15_rad_per_s_and_the_engine_refuses_in_words_and_1e_minus_12_beside_it_answers():
-    assert 1.0 / (2.0 * np.cos(np.arctan2(2.0, 0.0))) > 8e15  # rad/s: the printed v_theta/(R cos phi), of a cosine that is rounding noise
+    # rad/s: the printed v_theta/(R cos phi), of a cosine that is rounding noise
+    assert 1.0 / (2.0 * np.cos(np.arctan2(2.0, 0.0))) > 8e15
     with pytest.raises(SingularError, match="at a pole"):
         spherical_coordinates(ground.vector(0.0, 0.0, 2.0), ground.vector(1.0, 0, 0))
     r, v, a = ground.vector(1e-12, 0, 2.0), ground.vector(3.0, 1.0, 0), ground.vector(0, 0, 1.0)

@@ -27,7 +27,9 @@ def exact(theta, I):
         return printed(a, h, MGR)
 
 
-@pytest.mark.parametrize(("cosine", "lost"), [(1e-6, 1e-12), (1e-9, 1e-9), (1e-12, 1e-6), (1e-14, 1e-3)])
+@pytest.mark.parametrize(
+    ("cosine", "lost"), [(1e-6, 1e-12), (1e-9, 1e-9), (1e-12, 1e-6), (1e-14, 1e-3)]
+)
 def test_the_printed_root_loses_more_digits_the_nearer_the_axis_is_to_level(cosine, lost):
     theta = math.acos(cosine)
     naive = printed((I0 - 0.01) * math.cos(theta), 0.01 * SPIN, MGR)
@@ -58,11 +60,18 @@ def test_nearly_equal_moments_are_right_to_4_round_offs(difference):
 def test_for_an_array_of_angles_through_the_level_every_slow_rate_is_right_to_4_round_offs():
     theta = math.pi / 2 + np.array([-1e-3, -1e-8, -1e-13, 0.0, 1e-13, 1e-8, 1e-3])
     found = steady_precession(I0, 0.01, theta, spin=SPIN, mgr=MGR).slow
-    assert max(abs(x / exact(t, 0.01) - 1) for x, t in zip(found.tolist(), theta.tolist(), strict=True)) < 1e-15
+    assert (
+        max(
+            abs(x / exact(t, 0.01) - 1) for x, t in zip(found.tolist(), theta.tolist(), strict=True)
+        )
+        < 1e-15
+    )
 
 
 def test_the_error_of_the_fast_spin_formula_is_told_without_cancellation():
-    spin = 1e6  # rad/s: the formula is too small by 5e-11 of itself, and a difference of the two rates knows that to 6 digits only
+    # rad/s: the formula is too small by 5e-11 of itself, and a difference of the two rates knows
+    # that to 6 digits only
+    spin = 1e6
     found = fast_spin(I0, 0.01, 1.0, spin, mgr=MGR)
     with mpmath.workdps(60):
         a, h = (mpmath.mpf(I0) - 0.01) * mpmath.cos(1), mpmath.mpf(0.01) * spin

@@ -1,4 +1,6 @@
-"""A rod hinged on a turning shaft: at the critical rate hanging down gives way to swinging out, a pitchfork (10.7), (10.31)."""
+"""A rod hinged on a turning shaft: at the critical rate hanging down gives way to swinging out, a
+pitchfork (10.7), (10.31).
+"""
 
 import math
 
@@ -23,7 +25,9 @@ def turning(ratio):
 
 def exact_angle(parameters):
     with mpmath.workdps(40):
-        c = mpmath.mpf(parameters["weight_moment"]) / (mpmath.mpf(parameters["inertia_difference"]) * mpmath.mpf(parameters["omega"]) ** 2)
+        c = mpmath.mpf(parameters["weight_moment"]) / (
+            mpmath.mpf(parameters["inertia_difference"]) * mpmath.mpf(parameters["omega"]) ** 2
+        )
         return mpmath.acos(c)
 
 
@@ -33,7 +37,9 @@ def farthest(ratio, T=60.0, tilt=1e-6):
 
 
 def test_a_run_of_a_minute_calls_an_unstable_rod_stable_and_the_criterion_does_not():
-    """From 1e-6 rad the tilt grows by exp(sqrt(2 x 1e-4) x 2.7 T): at 1.0001 of the critical rate a minute is not enough."""
+    """From 1e-6 rad the tilt grows by exp(sqrt(2 x 1e-4) x 2.7 T): at 1.0001 of the critical rate a
+    minute is not enough.
+    """
     assert farthest(1.0001) < 1e-5
     assert farthest(1.01) > 0.2
     assert stiffness(0.0, **turning(1.0001)) < 0
@@ -46,7 +52,9 @@ def test_the_criterion_decides_on_both_sides_down_to_1e_minus_14_of_the_rate(off
 
 
 def test_a_derivative_by_finite_differences_across_the_threshold_is_of_neither_side():
-    """theta grows like sqrt(4 (omega/critical - 1)): its slope there has no bound, and below it is zero."""
+    """theta grows like sqrt(4 (omega/critical - 1)): its slope there has no bound, and below it is
+    zero.
+    """
     h = 1e-4
     slope = (swing_out(**turning(1 + h)) - 0.0) / (2 * h)
     assert 50 < slope < 200
@@ -54,14 +62,18 @@ def test_a_derivative_by_finite_differences_across_the_threshold_is_of_neither_s
 
 
 @given(st.floats(-13, 0.5))
-def test_above_it_the_angle_is_right_to_the_rounding_of_the_rate_over_the_distance_from_the_threshold(exponent):
+def test_above_it_the_angle_is_right_to_the_rounding_of_the_rate_over_the_distance_from_the_threshold(
+    exponent,
+):
     parameters = turning(1 + 10**exponent)
     assert abs(swing_out(**parameters) / exact_angle(parameters) - 1) < 4e-16 / 10**exponent + 4e-16
 
 
 @pytest.mark.parametrize("off", [1e-2, 1e-8, 1e-14])
 def test_below_it_the_engine_refuses_an_angle_and_says_from_which_rate_on_there_is_one(off):
-    with pytest.raises(GyroError, match=r"the body hangs straight down; it swings out above 2\.712"):
+    with pytest.raises(
+        GyroError, match=r"the body hangs straight down; it swings out above 2\.712"
+    ):
         swing_out(**turning(1 - off))
 
 

@@ -1,8 +1,11 @@
-"""``compiled(f)`` runs a formula once on traced scalars and keeps what it did as straight-line text, which is fast on every kind of number.
+"""``compiled(f)`` runs a formula once on traced scalars and keeps what it did as straight-line
+text, which is fast on every kind of number.
 
-Every operation is a step (:mod:`newton_euler.algebra.codegen.trace`); equal steps are one, so that common subexpressions are computed once, and steps that no result needs are
-left out. The text of the steps is Python (:mod:`newton_euler.algebra.codegen.source`). It runs on floats with ``math``, on arrays with NumPy in blocks that stay in the
-cache, or through heyoka, and on the numbers of mpmath, on symbols and on this package's own kinds.
+Every operation is a step (:mod:`newton_euler.algebra.codegen.trace`); equal steps are one, so that
+common subexpressions are computed once, and steps that no result needs are left out. The text of
+the steps is Python (:mod:`newton_euler.algebra.codegen.source`). It runs on floats with ``math``,
+on arrays with NumPy in blocks that stay in the cache, or through heyoka, and on the numbers of
+mpmath, on symbols and on this package's own kinds.
 """
 
 import importlib
@@ -15,44 +18,74 @@ from operator import itemgetter
 
 from .. import scalars
 from ..jets import Moving
-from ..scalars import FUNCTIONS, ScalarError, Scaled, _Own, _root, library_of, pi, scalar, without_rates
+from ..scalars import (
+    FUNCTIONS,
+    ScalarError,
+    Scaled,
+    _Own,
+    _root,
+    library_of,
+    pi,
+    scalar,
+    without_rates,
+)
 from .source import RESERVED, generate, runtime_names
 from .trace import NO_VALUE, Step, Trace
 
-BLOCK = 8192  # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768 measured)
-HEYOKA_BLOCK = 1 << 15  # the same for heyoka, whose inputs are copied together (measured: 4096 costs half as much again)
-HEYOKA_BREAK_EVEN = {True: 60_000, False: 1_500_000}  # instants until heyoka's compilation, and its import if it is not loaded, are earned back
+# instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
+# measured)
+BLOCK = 8192
+# the same for heyoka, whose inputs are copied together (measured: 4096 costs half as much again)
+HEYOKA_BLOCK = 1 << 15
+# instants until heyoka's compilation, and its import if it is not loaded, are earned back
+HEYOKA_BREAK_EVEN = {True: 60_000, False: 1_500_000}
 
 
 def _shape(result, leaves, keys):
-    """The text of an expression that builds a result like this one from the tuple ``r`` of its scalars, which are appended to ``leaves``."""
+    """The text of an expression that builds a result like this one from the tuple ``r`` of its
+    scalars, which are appended to ``leaves``.
+    """
     if hasattr(result, "tolist"):
         result = result.tolist()
     if isinstance(result, Moving):
-        parts = [_shape(part, leaves, keys) for part in (result.value, result.rate, result.acceleration)]
+        parts = [
+            _shape(part, leaves, keys) for part in (result.value, result.rate, result.acceleration)
+        ]
         return f"Moving({', '.join(f'scalar({part})' for part in parts)})"
     if isinstance(result, dict):
         keys += result
-        return f"dict(zip(keys[{len(keys) - len(result)}:{len(keys)}], {_shape(list(result.values()), leaves, keys)}))"
+        return (
+            f"dict(zip(keys[{len(keys) - len(result)}:{len(keys)}], "
+            f"{_shape(list(result.values()), leaves, keys)}))"
+        )
     if isinstance(result, (tuple, list, Scaled)):  # a Vector becomes the triple of its components
         return f"({''.join(f'{_shape(part, leaves, keys)}, ' for part in result)})"
     try:
         leaves.append(scalar(result))
     except ScalarError as error:
-        raise ScalarError(f"a compiled formula returns scalars, Vectors, or tuples and dicts of them, got {result!r}") from error
+        raise ScalarError(
+            "a compiled formula returns scalars, Vectors, or tuples and dicts of them, got "
+            f"{result!r}"
+        ) from error
     return f"r[{len(leaves) - 1}]"
 
 
 def _builder(result):
-    """The scalars in a result, and a function of a tuple of others that builds a result like this one."""
+    """The scalars in a result, and a function of a tuple of others that builds a result like this
+    one.
+    """
     leaves, keys = [], []
     shape = _shape(result, leaves, keys)
-    simple = {"r[0]": itemgetter(0), f"({''.join(f'r[{n}], ' for n in range(len(leaves)))})": tuple}  # a tuple is returned as it is
-    return leaves, simple.get(shape) or eval(f"lambda r: {shape}", {"Moving": Moving, "scalar": scalar, "keys": keys})
+    # a tuple is returned as it is
+    simple = {"r[0]": itemgetter(0), f"({''.join(f'r[{n}], ' for n in range(len(leaves)))})": tuple}
+    return leaves, simple.get(shape) or eval(
+        f"lambda r: {shape}", {"Moving": Moving, "scalar": scalar, "keys": keys}
+    )
 
 
 class Compiled:
-    """What :func:`compiled` returns; call it like the formula. ``source`` is its text, ``operations`` the number of its operations.
+    """What :func:`compiled` returns; call it like the formula. ``source`` is its text,
+    ``operations`` the number of its operations.
 
     count : of the scalars in the result
     """
@@ -60,9 +93,19 @@ class Compiled:
     def __init__(self, f, constants, backend):
         signature = inspect.signature(f).parameters
         if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
-            raise TypeError(f"a formula to compile names all its arguments; {f!r} takes any number of them")
-        self.parameters, self.backend, self.name = [n for n in signature if n not in constants], backend, getattr(f, "__name__", "formula")
-        self._defaults = {n: signature[n].default for n in self.parameters if signature[n].default is not inspect.Parameter.empty}
+            raise TypeError(
+                f"a formula to compile names all its arguments; {f!r} takes any number of them"
+            )
+        self.parameters, self.backend, self.name = (
+            [n for n in signature if n not in constants],
+            backend,
+            getattr(f, "__name__", "formula"),
+        )
+        self._defaults = {
+            n: signature[n].default
+            for n in self.parameters
+            if signature[n].default is not inspect.Parameter.empty
+        }
         trace = Trace()
         values = {**constants, **{n: trace.new("argument", n) for n in self.parameters}}
         by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
@@ -71,9 +114,16 @@ class Compiled:
         except TypeError as error:
             if "ufunc" not in str(error):
                 raise
-            raise TypeError(NO_VALUE) from error  # NumPy's own words for an unknown kind of number do not help
+            # NumPy's own words for an unknown kind of number do not help
+            raise TypeError(NO_VALUE) from error
         names = {n: f"{n}_" if n in RESERVED else n for n in self.parameters}
-        self.count, self._functions, self._seen, self._heyoka, self._buffer = len(leaves), {}, 0, None, None
+        self.count, self._functions, self._seen, self._heyoka, self._buffer = (
+            len(leaves),
+            {},
+            0,
+            None,
+            None,
+        )
         self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
         chooses = any(s.op == "where" for s in trace.steps)
         self._lazy = generate(trace, names, leaves, lazy=True)[0] if chooses else self.source
@@ -99,14 +149,19 @@ class Compiled:
         return new
 
     def on(self, library):
-        """The text as a function over one library, from the arguments to the tuple of all scalars in the result; over this package pi comes first."""
+        """The text as a function over one library, from the arguments to the tuple of all scalars
+        in the result; over this package pi comes first.
+        """
         name = library.__name__
         if name not in self._functions:
-            space = {n: getattr(library, n) for n in (*FUNCTIONS, "atan2", "pi") if hasattr(library, n)}
+            space = {
+                n: getattr(library, n) for n in (*FUNCTIONS, "atan2", "pi") if hasattr(library, n)
+            }
             space.update(runtime_names(library))
             rounded = name in ("math", "numpy", "heyoka")
             space.update({n: _float(c) if rounded else c for n, c in self._constants.items()})
-            text = self._lazy if name in ("math", "mpmath") else self.source  # these take one number at a time
+            # these take one number at a time
+            text = self._lazy if name in ("math", "mpmath") else self.source
             if library is scalars:  # whose pi differs from call to call
                 text = text.replace("(", "(pi, ", 1)
             exec(compile(text, f"<compiled {self.name}>", "exec"), space)
@@ -123,30 +178,44 @@ class Compiled:
             "left over": [repr(a) for a in args[len(self.parameters) :]],
         }
         if any(wrong.values()):
-            told = "; ".join(f"{what}: {', '.join(names)}" for what, names in wrong.items() if names)
-            raise TypeError(f"{self.name} takes {', '.join(self.parameters) or 'no arguments'}; {told}")
+            told = "; ".join(
+                f"{what}: {', '.join(names)}" for what, names in wrong.items() if names
+            )
+            raise TypeError(
+                f"{self.name} takes {', '.join(self.parameters) or 'no arguments'}; {told}"
+            )
         return [given[n] for n in self.parameters]
 
     def _other(self, args):
         for a in args:
             scalar(a)  # or it is no number, and the error says so
-        if any(isinstance(a, _Own) for a in args):  # pi has the kind and the digits of the most exact number among them
+        # pi has the kind and the digits of the most exact number among them
+        if any(isinstance(a, _Own) for a in args):
             values = [without_rates(a) for a in args]
             traced = [v for v in values if isinstance(v, Step)]
             others = [v for v in values if not isinstance(v, _Own) and _root(type(v)) != "builtins"]
             return self._build(self.on(scalars)(pi((traced or others or [0.0])[0]), *args))
         library = library_of(args)
-        return self._arrays(library, args) if library.__name__ == "numpy" else self._build(self.on(library)(*args))
+        return (
+            self._arrays(library, args)
+            if library.__name__ == "numpy"
+            else self._build(self.on(library)(*args))
+        )
 
     def _arrays(self, np, args):
         args = [np.asarray(a) for a in args]
         if any(a.dtype.kind not in "biuf" for a in args):
-            raise ScalarError(f"{self.name} takes arrays of real numbers, got {', '.join(str(a.dtype) for a in args)}")
+            raise ScalarError(
+                f"{self.name} takes arrays of real numbers, got "
+                f"{', '.join(str(a.dtype) for a in args)}"
+            )
         try:
             shape = np.broadcast_shapes(*(a.shape for a in args))
         except ValueError as error:
             shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(self.parameters, args, strict=True))
-            raise ScalarError(f"the arrays have shapes that do not fit together: {shapes}") from error
+            raise ScalarError(
+                f"the arrays have shapes that do not fit together: {shapes}"
+            ) from error
         args = [a.astype(float, copy=False) for a in args]
         if not shape:
             return self._build(self.on(np)(*(a[()] for a in args)))
@@ -161,29 +230,42 @@ class Compiled:
         run = self.on(np)
         for start in range(0, out.shape[1], BLOCK):
             block = slice(start, start + BLOCK)
-            for row, value in zip(out, run(*(r[block] if r.shape else r for r in rows)), strict=True):
+            for row, value in zip(
+                out, run(*(r[block] if r.shape else r for r in rows)), strict=True
+            ):
                 row[block] = value
 
     def _heyoka_pays(self):
-        if self.backend == "numpy" or (self.backend == "auto" and self._seen < HEYOKA_BREAK_EVEN["heyoka" in sys.modules]):
+        if self.backend == "numpy" or (
+            self.backend == "auto" and self._seen < HEYOKA_BREAK_EVEN["heyoka" in sys.modules]
+        ):
             return False
         if self._heyoka is None:
             if importlib.util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":
-                    raise ImportError("backend='heyoka' needs heyoka: pip install 'newton-euler[fast]', or use backend='auto'")
+                    raise ImportError(
+                        "backend='heyoka' needs heyoka: pip install 'newton-euler[fast]', or "
+                        "use backend='auto'"
+                    )
                 self.backend = "numpy"
                 return False
             hy = importlib.import_module("heyoka")
             variables = [hy.expression(n) for n in self.parameters]
-            outputs = [hy.expression(float(o)) if isinstance(o, (int, float)) else o for o in self.on(hy)(*variables)]
+            outputs = [
+                hy.expression(float(o)) if isinstance(o, (int, float)) else o
+                for o in self.on(hy)(*variables)
+            ]
             self._heyoka = hy.cfunc(outputs, vars=variables)
         return True
 
     def _by_heyoka(self, np, rows, out):
-        """Block by block through a buffer that is kept between calls: fresh memory of this size costs more than the arithmetic."""
+        """Block by block through a buffer that is kept between calls: fresh memory of this size
+        costs more than the arithmetic.
+        """
         count = out.shape[1]
         size = min(count, HEYOKA_BLOCK)
-        buffer, self._buffer = self._buffer, None  # a call in another thread meanwhile makes its own
+        # a call in another thread meanwhile makes its own
+        buffer, self._buffer = self._buffer, None
         if buffer is None or buffer[0].shape[1] != size:
             buffer = np.empty((len(rows), size)), np.empty((len(out), size))
         inputs, results = buffer
@@ -191,7 +273,10 @@ class Compiled:
             n = min(size, count - start)
             if n < size:
                 inputs, results = np.empty((len(rows), n)), np.empty((len(out), n))
-            np.concatenate([r[start : start + n] if r.shape else np.broadcast_to(r, n) for r in rows], out=inputs.reshape(-1))
+            np.concatenate(
+                [r[start : start + n] if r.shape else np.broadcast_to(r, n) for r in rows],
+                out=inputs.reshape(-1),
+            )
             out[:, start : start + n] = self._heyoka(inputs, outputs=results)
         self._buffer = buffer
 
@@ -206,13 +291,15 @@ def _float(constant):
 def compiled(f, backend="auto", **constants):
     """``f``, traced once into straight-line text, for many fast evaluations.
 
-    f : a function of scalars that does not branch on their values (it chooses by ``where``) and returns a scalar, a Vector, or tuples and dicts of them
-    backend : "auto" (NumPy in blocks, and heyoka as soon as its compilation is earned back), "numpy" or "heyoka"; for arrays only
+    f : a function of scalars that does not branch on their values (it chooses by ``where``) and
+        returns a scalar, a Vector, or tuples and dicts of them
+    backend : "auto" (NumPy in blocks, and heyoka as soon as its compilation is earned back),
+        "numpy" or "heyoka"; for arrays only
     constants : parameters of ``f`` to fix now; they are not parameters of the result
 
-    The result takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name, and returns what ``f``
-    returns, a Vector as a triple of components. **Batches:** an array argument of shape (N,) is N instants; each component of the
-    result has shape (N,).
+    The result takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place
+    or by name, and returns what ``f`` returns, a Vector as a triple of components. **Batches:** an
+    array argument of shape (N,) is N instants; each component of the result has shape (N,).
 
     >>> from newton_euler import compiled, sin
     >>> height = compiled(lambda v, elevation, g: (v*sin(elevation))**2/(2*g))

@@ -1,7 +1,8 @@
-"""Partial evaluation: what a right-hand side computes from its parameters alone is computed once before a motion and not at every step.
+"""Partial evaluation: what a right-hand side computes from its parameters alone is computed once
+before a motion and not at every step.
 
-To heyoka a parameter inside a product is a series like any other; a constant in its place makes the product cheap. A division is a recurrence of its
-own, where a product by the inverse is not.
+To heyoka a parameter inside a product is a series like any other; a constant in its place makes the
+product cheap. A division is a recurrence of its own, where a product by the inverse is not.
 """
 
 import ast
@@ -11,9 +12,11 @@ from .source import unused
 
 
 def folded(text, count):
-    """A :class:`~newton_euler.algebra.codegen.compiled.Compiled` formula in two: one that takes constants, and the formula of the parameters that returns these.
+    """A :class:`~newton_euler.algebra.codegen.compiled.Compiled` formula in two: one that takes
+    constants, and the formula of the parameters that returns these.
 
-    count : the number of its first arguments that are no parameters; the first of the two takes these and then the constants
+    count : the number of its first arguments that are no parameters; the first of the two takes
+        these and then the constants
 
     >>> from newton_euler import compiled
     >>> rest, constants = folded(compiled(lambda x, m, g, l: -m*g*l*x/(m*l*l)), 1)
@@ -31,17 +34,24 @@ def folded(text, count):
     split = _Split(names[:count], names[count:])
     lines = [line for line in function.body[:-1] if split.keeps(line)]
     results = [ast.unparse(split.visit(x)) for x in function.body[-1].value.elts]
-    return _like(text, [*names[:count], *split.constants.values()], lines, results), _like(text, names[count:], split.early, split.constants)
+    return _like(text, [*names[:count], *split.constants.values()], lines, results), _like(
+        text, names[count:], split.early, split.constants
+    )
 
 
 def _like(text, names, lines, results):
     """A formula like this one with other arguments, lines and results."""
     body = "".join(f"    {ast.unparse(ast.fix_missing_locations(line))}\n" for line in lines)
-    return text.rewritten(f"def formula({', '.join(names)}):\n{body}    return ({''.join(f'{x}, ' for x in results).rstrip()})\n")
+    return text.rewritten(
+        f"def formula({', '.join(names)}):\n{body}    return "
+        f"({''.join(f'{x}, ' for x in results).rstrip()})\n"
+    )
 
 
 class _Split(ast.NodeTransformer):
-    """Replaces each largest part of an expression that depends on parameters alone by a name; ``constants`` : the names, by the text of the part."""
+    """Replaces each largest part of an expression that depends on parameters alone by a name;
+    ``constants`` : the names, by the text of the part.
+    """
 
     def __init__(self, moving, parameters):
         self.moving, self.fixed, self.early, self.constants = set(moving), set(parameters), [], {}
@@ -63,13 +73,22 @@ class _Split(ast.NodeTransformer):
             return self._constant(ast.unparse(node))
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div):
             if self._is_fixed(node.right):
-                return ast.BinOp(self.visit(node.left), ast.Mult(), self._constant(f"1.0 / ({ast.unparse(node.right)})"))
-            if isinstance(node.right, ast.Constant) and math.frexp(node.right.value)[0] == 0.5:  # a power of two, whose inverse is exact
-                return ast.BinOp(self.visit(node.left), ast.Mult(), ast.Constant(1.0 / node.right.value))
+                return ast.BinOp(
+                    self.visit(node.left),
+                    ast.Mult(),
+                    self._constant(f"1.0 / ({ast.unparse(node.right)})"),
+                )
+            # a power of two, whose inverse is exact
+            if isinstance(node.right, ast.Constant) and math.frexp(node.right.value)[0] == 0.5:
+                return ast.BinOp(
+                    self.visit(node.left), ast.Mult(), ast.Constant(1.0 / node.right.value)
+                )
         return self.generic_visit(node)
 
     def _constant(self, expression):
-        return ast.Name(self.constants.setdefault(expression, f"{self.letter}{len(self.constants)}"), ast.Load())
+        return ast.Name(
+            self.constants.setdefault(expression, f"{self.letter}{len(self.constants)}"), ast.Load()
+        )
 
     def _is_fixed(self, node):
         names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}

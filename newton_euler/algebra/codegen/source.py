@@ -1,6 +1,8 @@
-"""Traced steps as Python source: lines in order, each step that is used only once written inside its user.
+"""Traced steps as Python source: lines in order, each step that is used only once written inside
+its user.
 
-On floats, what only one side of a choice needs stands under an ``if``; arrays and heyoka compute both sides.
+On floats, what only one side of a choice needs stands under an ``if``; arrays and heyoka compute
+both sides.
 """
 
 import math
@@ -10,12 +12,14 @@ from itertools import takewhile
 from ..scalars import FUNCTIONS, _root, plain, where
 from .trace import COMPARISONS, Step
 
-RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where"}  # names in the text that no argument can have
+# names in the text that no argument can have
+RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where"}
 
 
 def generate(trace, names, outputs, lazy):
-    """The text of a function ``formula`` of the arguments ``names`` that returns the outputs; its constants that have no literal, by name; and the
-    number of its operations. A lazy text computes what only one side of a choice needs under an ``if``.
+    """The text of a function ``formula`` of the arguments ``names`` that returns the outputs; its
+    constants that have no literal, by name; and the number of its operations. A lazy text computes
+    what only one side of a choice needs under an ``if``.
     """
     used = {}  # how often each step is, by its number
     stack = [o for o in outputs if isinstance(o, Step)]
@@ -29,7 +33,10 @@ def generate(trace, names, outputs, lazy):
         needed.add(s.number)
         for a in s.args:
             if isinstance(a, Step):
-                used[a.number] = used.get(a.number, 0) + (2 if s.op == "where" and a is s.args[0] else 1)  # a condition is asked again
+                # a condition is asked again
+                used[a.number] = used.get(a.number, 0) + (
+                    2 if s.op == "where" and a is s.args[0] else 1
+                )
                 stack.append(a)
     steps = [s for s in trace.steps if s.number in needed]
     branches = _branches(steps, outputs) if lazy else {}
@@ -57,12 +64,17 @@ def generate(trace, names, outputs, lazy):
         else:
             text[s.number] = f"{line_letter}{len(lines)}"
             lines.append((branches.get(s.number, ()), f"{text[s.number]} = {written}"))
-    body = "".join(f"    {line}\n" for line in [*_indented(lines, text), f"return {', '.join(map(spelled, outputs))},"])
+    body = "".join(
+        f"    {line}\n"
+        for line in [*_indented(lines, text), f"return {', '.join(map(spelled, outputs))},"]
+    )
     return f"def formula({', '.join(names.values())}):\n{body}", constants, operations
 
 
 def _branches(steps, outputs):
-    """For each step the sides of choices that alone need it, outermost first: pairs of the number of a condition known by then, and True or False."""
+    """For each step the sides of choices that alone need it, outermost first: pairs of the number
+    of a condition known by then, and True or False.
+    """
     branches = {o.number: () for o in outputs if isinstance(o, Step)}
     for s in reversed(steps):
         own = branches[s.number]
@@ -91,7 +103,9 @@ def _indented(lines, text):
 
 
 def unused(letter, names):
-    """The letter, after as many underscores as distinguish it with digits from the names of the arguments."""
+    """The letter, after as many underscores as distinguish it with digits from the names of the
+    arguments.
+    """
     while any(n.startswith(letter) and n[len(letter) :].isdigit() for n in names.values()):
         letter = "_" + letter
     return letter
@@ -110,14 +124,26 @@ def _written(op, args, lazy):
 
 
 def runtime_names(library):
-    """What a text calls ``where``, ``lt`` … over this library, by name; for heyoka also absolute values and powers of a number."""
+    """What a text calls ``where``, ``lt`` … over this library, by name; for heyoka also absolute
+    values and powers of a number.
+    """
     if library.__name__ != "heyoka":
-        return {"where": library.where if library.__name__ == "numpy" else where, **{name: getattr(operator, name) for name in COMPARISONS}}
+        return {
+            "where": library.where if library.__name__ == "numpy" else where,
+            **{name: getattr(operator, name) for name in COMPARISONS},
+        }
     hy = library
 
     def over(f):
-        return lambda *args: f(*(a if isinstance(a, hy.expression) else hy.expression(float(a)) for a in args))
+        return lambda *args: f(
+            *(a if isinstance(a, hy.expression) else hy.expression(float(a)) for a in args)
+        )
 
     comparisons = {"lt": over(hy.lt), "le": over(hy.lte), "gt": over(hy.gt), "ge": over(hy.gte)}
     size = over(lambda x: hy.select(hy.lt(x, hy.expression(0.0)), -x, x))
-    return {**comparisons, "where": over(hy.select), "abs": size, "pow": lambda base, x: hy.expression(float(base)) ** x}
+    return {
+        **comparisons,
+        "where": over(hy.select),
+        "abs": size,
+        "pow": lambda base, x: hy.expression(float(base)) ** x,
+    }

@@ -1,13 +1,16 @@
-"""Traced scalars: each operation on them is recorded as a step; equal steps are one, so that common subexpressions are shared.
+"""Traced scalars: each operation on them is recorded as a step; equal steps are one, so that common
+subexpressions are shared.
 
-A step has no value, so a formula that is traced cannot branch on one; it chooses by :func:`newton_euler.algebra.scalars.where`, which is a step too.
+A step has no value, so a formula that is traced cannot branch on one; it chooses by
+:func:`newton_euler.algebra.scalars.where`, which is a step too.
 """
 
 from ..scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, plain, scalar
 
 COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 NO_VALUE = (
-    "a formula is traced without values: it must not branch on them (if, max, ==), but chooses by where(x < y, a, b), "
+    "a formula is traced without values: it must not branch on them (if, max, ==), but "
+    "chooses by where(x < y, a, b), "
     "and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
 )
 
@@ -17,7 +20,9 @@ def _comparison(name):
 
 
 class Step(_Own):
-    """One traced scalar: the operation ``op`` on ``args``, which are earlier steps or numbers; its ``number`` counts the steps of the trace."""
+    """One traced scalar: the operation ``op`` on ``args``, which are earlier steps or numbers; its
+    ``number`` counts the steps of the trace.
+    """
 
     __slots__ = ("args", "number", "op", "trace")
     rank = 3
@@ -25,7 +30,8 @@ class Step(_Own):
     def __init__(self, trace, op, args, number):
         self.trace, self.op, self.args, self.number = trace, op, args, number
 
-    # A minus sign moves outward until it becomes a subtraction or cancels; rounding is symmetric, so none of these moves changes a bit.
+    # A minus sign moves outward until it becomes a subtraction or cancels; rounding is symmetric,
+    # so none of these moves changes a bit.
 
     def __add__(self, other):
         if _is(other, 0):
@@ -35,7 +41,13 @@ class Step(_Own):
         return self - other.args[0] if _negated(other) else self.trace.step("+", self, other)
 
     def __radd__(self, other):
-        return self if _is(other, 0) else other - self.args[0] if self.op == "neg" else self.trace.step("+", other, self)
+        return (
+            self
+            if _is(other, 0)
+            else other - self.args[0]
+            if self.op == "neg"
+            else self.trace.step("+", other, self)
+        )
 
     def __sub__(self, other):
         if _is(other, 0):
@@ -43,7 +55,13 @@ class Step(_Own):
         return self + other.args[0] if _negated(other) else self.trace.step("-", self, other)
 
     def __rsub__(self, other):
-        return -self if _is(other, 0) else other + self.args[0] if self.op == "neg" else self.trace.step("-", other, self)
+        return (
+            -self
+            if _is(other, 0)
+            else other + self.args[0]
+            if self.op == "neg"
+            else self.trace.step("-", other, self)
+        )
 
     def __mul__(self, other):
         if other is ZERO:
@@ -96,7 +114,8 @@ class Step(_Own):
     def __abs__(self):
         return abs(self.args[0]) if self.op == "neg" else self.trace.step("abs", self)
 
-    # A comparison is a step too, for `where` to choose by; it has no value that an `if` could ask for.
+    # A comparison is a step too, for `where` to choose by; it has no value that an `if` could ask
+    # for.
 
     __lt__, __le__, __gt__, __ge__ = map(_comparison, COMPARISONS)
 
@@ -132,7 +151,8 @@ class Trace:
     def step(self, op, *args):
         """The step of this operation, a new one if there is none yet."""
         if any(isinstance(a, Scaled) or outranks(a, Step) for a in args):
-            return NotImplemented  # the moving number or vector takes over and calls back with its parts
+            # the moving number or vector takes over and calls back with its parts
+            return NotImplemented
         keys = [self._key(a) for a in args]
         key = op, *(sorted(keys, key=repr) if op in "+*" else keys)  # sums and products commute
         if key not in self.known:
@@ -148,8 +168,14 @@ class Trace:
         """What tells an argument from others: 0.0, -0.0 and 0 are three."""
         if isinstance(a, Step):
             if a.trace is not self:
-                raise ScalarError("a value of one formula is used inside another that is being compiled; pass it as an argument")
+                raise ScalarError(
+                    "a value of one formula is used inside another that is being compiled; "
+                    "pass it as an argument"
+                )
             return "#", a.number
         if getattr(scalar(a), "shape", ()):
-            raise ScalarError("an array of instants cannot be a constant of a compiled formula; make it one of its arguments")
+            raise ScalarError(
+                "an array of instants cannot be a constant of a compiled formula; make it one "
+                "of its arguments"
+            )
         return type(a), repr(a) if isinstance(a, float) else a

@@ -1,6 +1,9 @@
-"""The base class of all methods of integration: a stepper goes on from one state step by step and gives the states in between.
+"""The base class of all methods of integration: a stepper goes on from one state step by step and
+gives the states in between.
 
-The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion.methods.taylor`, :mod:`newton_euler.motion.methods.dop853`, :mod:`newton_euler.motion.methods.splitting`, :mod:`newton_euler.motion.methods.scipy`; their table is :mod:`newton_euler.motion.methods.table`.
+The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion.methods.taylor`,
+:mod:`newton_euler.motion.methods.dop853`, :mod:`newton_euler.motion.methods.splitting`,
+:mod:`newton_euler.motion.methods.scipy`; their table is :mod:`newton_euler.motion.methods.table`.
 """
 
 from bisect import bisect_right
@@ -8,18 +11,26 @@ from itertools import pairwise
 
 from ...algebra.errors import NewtonEulerError
 
-SMALLEST_SCALE = 1e-6  # a state that stays smaller than this, in its unit, has errors relative to this
-MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5  # this many steps that are on average so much shorter than the longest one lead nowhere
+# a state that stays smaller than this, in its unit, has errors relative to this
+SMALLEST_SCALE = 1e-6
+# this many steps that are on average so much shorter than the longest one lead nowhere
+MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5
 
 
 def sample_times(samples, begin, end):
-    """The times of the samples, an array: those of ``samples`` from begin to end, or this many at equal distances."""
+    """The times of the samples, an array: those of ``samples`` from begin to end, or this many at
+    equal distances.
+    """
     import numpy as np
 
     if isinstance(samples, int):
         return np.linspace(begin, end, samples)
     times = np.asarray(samples, dtype=float)
-    return times if len(times) and times[0] >= begin and times[-1] <= end else times[(times >= begin) & (times <= end)]
+    return (
+        times
+        if len(times) and times[0] >= begin and times[-1] <= end
+        else times[(times >= begin) & (times <= end)]
+    )
 
 
 class StepError(NewtonEulerError, ArithmeticError):
@@ -27,29 +38,48 @@ class StepError(NewtonEulerError, ArithmeticError):
 
 
 class Stepper:
-    """One run of a method from the state ``x`` at ``t`` to the ``goal`` of a trajectory, which also has the ``tolerance``, a fixed ``step`` or None, and
-    the ``samples``.
+    """One run of a method from the state ``x`` at ``t`` to the ``goal`` of a trajectory, which also
+    has the ``tolerance``, a fixed ``step`` or None, and the ``samples``.
 
-    t, x : reached so far; ``start`` : where it began, as a pair; ``step_times`` : the times between steps; ``calls`` of the right-hand side
+    t, x : reached so far; ``start`` : where it began, as a pair; ``step_times`` : the times between
+        steps; ``calls`` of the right-hand side
     scales : the largest absolute value of each state so far, what errors are relative to
-    steps : for each step a tuple whose last elements are the state before it; empty for a method that does not keep them
-    A subclass has the methods ``step(limit)``, which takes at most so many steps, and ``interpolate(n, times)``, which returns the states at an array
-    of times inside step n as an array (states, times).
+    steps : for each step a tuple whose last elements are the state before it; empty for a method
+        that does not keep them
+    A subclass has the methods ``step(limit)``, which takes at most so many steps, and
+    ``interpolate(n, times)``, which returns the states at an array of times inside step n as an
+    array (states, times).
     """
 
     def __init__(self, system, t, x, trajectory):
-        self.system, self.t, self.x, self.goal, self.tolerance = system, t, tuple(x), trajectory.goal, trajectory.tolerance
+        self.system, self.t, self.x, self.goal, self.tolerance = (
+            system,
+            t,
+            tuple(x),
+            trajectory.goal,
+            trajectory.tolerance,
+        )
         self.step_times, self.steps, self.calls, self.start = [t], [], 0, (t, tuple(x))
         self.checked, self.longest = 0, 0.0
         self.scales = tuple([v if v > SMALLEST_SCALE else SMALLEST_SCALE for v in map(abs, x)])
-        if trajectory.initial_scales:  # of an earlier run: else a state that starts at zero would be followed far too accurately
-            self.scales = tuple(max(s, 1e-6 * known) for s, known in zip(self.scales, trajectory.initial_scales, strict=True))
+        # of an earlier run: else a state that starts at zero would be followed far too accurately
+        if trajectory.initial_scales:
+            self.scales = tuple(
+                max(s, 1e-6 * known)
+                for s, known in zip(self.scales, trajectory.initial_scales, strict=True)
+            )
 
     @property
     def checkpoints(self):
-        """Two pairs (time, state) from the second half of the steps, at which two runs are compared; none if there are few steps."""
+        """Two pairs (time, state) from the second half of the steps, at which two runs are
+        compared; none if there are few steps.
+        """
         count, size = len(self.steps), len(self.x)
-        return [(self.step_times[n], self.steps[n][-size:]) for n in (3 * count // 5, 4 * count // 5)] if count > 4 else []
+        return (
+            [(self.step_times[n], self.steps[n][-size:]) for n in (3 * count // 5, 4 * count // 5)]
+            if count > 4
+            else []
+        )
 
     def step_index(self, t):
         """The number of the step in which ``t`` lies."""
@@ -73,7 +103,9 @@ class Stepper:
         return out
 
     def check_progress(self):
-        """Raise :class:`StepError` if the last steps are too short to get on, as where the rates jump between plus and minus infinity."""
+        """Raise :class:`StepError` if the last steps are too short to get on, as where the rates
+        jump between plus and minus infinity.
+        """
         if len(self.step_times) > self.checked + MAX_STALLED_STEPS:
             last = self.step_times[self.checked :]
             self.longest = max(self.longest, *(b - a for a, b in pairwise(last)))

@@ -1,8 +1,11 @@
-"""The Runge-Kutta method DOP853 of Hairer, Norsett and Wanner as straight-line Python, generated for the number of states.
+"""The Runge-Kutta method DOP853 of Hairer, Norsett and Wanner as straight-line Python, generated
+for the number of states.
 
-No arrays and no library to import: between two steps nothing is called but the right-hand side. On a top with six states it is three to four times
-faster than SciPy's DOP853 with the same right-hand side. Coefficients: :mod:`newton_euler.motion.methods.dop853_coefficients`. E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary
-Differential Equations I, 2nd edition (1993), sections II.4 to II.6 and II.10.
+No arrays and no library to import: between two steps nothing is called but the right-hand side. On
+a top with six states it is three to four times faster than SciPy's DOP853 with the same right-hand
+side. Coefficients: :mod:`newton_euler.motion.methods.dop853_coefficients`. E. Hairer, S. P.
+Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition (1993), sections II.4 to
+II.6 and II.10.
 """
 
 from functools import lru_cache
@@ -12,9 +15,12 @@ from textwrap import indent
 from .base import MAX_STALLED_STEPS, StepError, Stepper
 from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
-# The new step is the old one times SAFETY*error**(-1/8), since the error estimate is of order 8 in h, and between these bounds (II.4).
+# The new step is the old one times SAFETY*error**(-1/8), since the error estimate is of order 8 in
+# h, and between these bounds (II.4).
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0
-NOISE = 2e-16  # of the largest state, added to each tolerance: round-off in the largest one is not to be controlled in the others
+# of the largest state, added to each tolerance: round-off in the largest one is not to be
+# controlled in the others
+NOISE = 2e-16
 
 _STAGES = """\
     {x}, = x; {p}
@@ -67,7 +73,9 @@ def polynomial(f, p, t, h, x):
 
 @lru_cache(maxsize=32)
 def generated(n, constants):
-    """The functions ``run``, ``one_step`` and ``polynomial`` for n states and so many constants, as a dict."""
+    """The functions ``run``, ``one_step`` and ``polynomial`` for n states and so many constants, as
+    a dict.
+    """
     space = {"sqrt": sqrt, "isfinite": isfinite, "inf": inf}
     exec(compile(_text(n, constants), f"<DOP853 for {n} states>", "exec"), space)
     return space
@@ -87,7 +95,11 @@ def _text(n, constants):
 
     args = "".join(f", p{j}" for j in range(constants))
     body = [*stages(range(1, 12)), *(f"y{i} = x{i} + h*({_sum(WEIGHTS, i)})" for i in range(n))]
-    errors = [f"c = tol*max(s{i}, abs(y{i})) + q; u{i} = ({_sum(ERROR_5, i)})/c; v{i} = ({_sum(ERROR_3, i)})/c" for i in range(n)]
+    errors = [
+        f"c = tol*max(s{i}, abs(y{i})) + q; u{i} = ({_sum(ERROR_5, i)})/c; v{i} = "
+        f"({_sum(ERROR_3, i)})/c"
+        for i in range(n)
+    ]
     return _CODE.format(
         x=each("x{i}"), y=each("y{i}"), s=each("s{i}"), a=each("k0_{i}"), n=each("k12_{i}"), args=args, p=f"{args[2:]}, = p" if constants else "",
         one=", 0.0" if n == 1 else "", count=n, inner=lines(12, *body), outer=lines(4, *body), errors=lines(12, *errors),
@@ -101,7 +113,9 @@ def _sum(coefficients, i):
 
 
 def _row(i):
-    """The dense output of order 7 of the state i (II.6): what is added to its value, in powers of u and 1 - u by turns."""
+    """The dense output of order 7 of the state i (II.6): what is added to its value, in powers of u
+    and 1 - u by turns.
+    """
     d = f"(y{i} - x{i})"
     first = [d, f"h*k0_{i} - {d}", f"2.0*{d} - h*(k12_{i} + k0_{i})"]
     return f"({', '.join(first + [f'h*({_sum(row, i)})' for row in INTERPOLATION])})"
@@ -113,19 +127,33 @@ class Dop853(Stepper):
     def __init__(self, system, t, x, trajectory):
         super().__init__(system, t, x, trajectory)
         step, span = trajectory.step, self.goal - t
-        self.f, self.rates, self.calls = (system.folded_rates, system.constants), system.rates(t, x), 1
+        self.f, self.rates, self.calls = (
+            (system.folded_rates, system.constants),
+            system.rates(t, x),
+            1,
+        )
         self.code, self._polynomial = generated(len(x), len(system.constants)), (None, None)
         if step:
             self.tolerance = 1e300  # any step is accepted
-        else:  # a first step in which the fastest state changes by half of its scale times tol^(1/8); states that start from nothing do not count
-            fastest = max((abs(k) / s for k, s in zip(self.rates, self.scales, strict=True) if abs(k) < 1e3 * s), default=0.0)
+        # a first step in which the fastest state changes by half of its scale times tol^(1/8);
+        # states that start from nothing do not count
+        else:
+            fastest = max(
+                (
+                    abs(k) / s
+                    for k, s in zip(self.rates, self.scales, strict=True)
+                    if abs(k) < 1e3 * s
+                ),
+                default=0.0,
+            )
             self.h = 0.5 * self.tolerance**0.125 / fastest if fastest else 1e-3 * span
         self.hmax, self.h = step or span, min(step or self.h, span)
 
     def step(self, limit=inf):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         while limit > 0 and self.t < self.goal:
-            done, least = len(self.steps), 4e-16 * max(abs(self.t), abs(self.goal))  # a shorter step would not change the time
+            # a shorter step would not change the time
+            done, least = len(self.steps), 4e-16 * max(abs(self.t), abs(self.goal))
             self.t, self.x, self.scales, self.rates, self.h, tried = self.code["run"](
                 *self.f, self.t, self.goal, self.x, self.scales, self.rates, self.h,
                 self.tolerance, self.hmax, least, min(limit, MAX_STALLED_STEPS), self.steps.append,
@@ -139,7 +167,9 @@ class Dop853(Stepper):
             self.check_progress()
 
     def state_at(self, t):
-        """The state at ``t`` by a step of the method from the last step before, more accurate than the interpolation."""
+        """The state at ``t`` by a step of the method from the last step before, more accurate than
+        the interpolation.
+        """
         start, _, *x = self.steps[self.step_index(t)]
         self.calls += 12
         return self.code["one_step"](*self.f, start, t - start, x)
@@ -150,10 +180,15 @@ class Dop853(Stepper):
 
         start, h, *x = self.steps[n]
         if self._polynomial[0] != n:
-            self._polynomial = n, np.array(self.code["polynomial"](*self.f, start, h, x)).T[:, :, None]
+            self._polynomial = (
+                n,
+                np.array(self.code["polynomial"](*self.f, start, h, x)).T[:, :, None],
+            )
             self.calls += 15
         u = (times - start) / h
         out = 0.0
-        for power, row in zip((u, 1 - u, u, 1 - u, u, 1 - u, u), self._polynomial[1][::-1], strict=True):
+        for power, row in zip(
+            (u, 1 - u, u, 1 - u, u, 1 - u, u), self._polynomial[1][::-1], strict=True
+        ):
             out = (out + row) * power
         return out + np.array(x)[:, None]

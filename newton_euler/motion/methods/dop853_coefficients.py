@@ -1,8 +1,11 @@
-"""The coefficients of the Runge-Kutta method DOP853: order 8, error estimates of orders 5 and 3, interpolation of order 7.
+"""The coefficients of the Runge-Kutta method DOP853: order 8, error estimates of orders 5 and 3,
+interpolation of order 7.
 
-E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed. (Springer, 1993), II.10; the numbers are those of the
-authors' dop853.f, as SciPy has them in scipy.integrate._ivp.dop853_coefficients. Stages are counted from 0; rows are dicts without their zeros.
-The first 12 stages make the step, stage 12 is the rate at its end, and three more serve the interpolation.
+E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed. (Springer,
+1993), II.10; the numbers are those of the authors' dop853.f, as SciPy has them in
+scipy.integrate._ivp.dop853_coefficients. Stages are counted from 0; rows are dicts without their
+zeros. The first 12 stages make the step, stage 12 is the rate at its end, and three more serve the
+interpolation.
 """
 
 NODES = (
@@ -32,8 +35,21 @@ STAGES = (
     {0: 0.2413651341592667, 2: -0.8845494793282861, 3: 0.924834003261792},
     {0: 0.037037037037037035, 3: 0.17082860872947386, 4: 0.12546768756682242},
     {0: 0.037109375, 3: 0.17025221101954405, 4: 0.06021653898045596, 5: -0.017578125},
-    {0: 0.03709200011850479, 3: 0.17038392571223998, 4: 0.10726203044637328, 5: -0.015319437748624402, 6: 0.008273789163814023},
-    {0: 0.6241109587160757, 3: -3.3608926294469414, 4: -0.868219346841726, 5: 27.59209969944671, 6: 20.154067550477894, 7: -43.48988418106996},
+    {
+        0: 0.03709200011850479,
+        3: 0.17038392571223998,
+        4: 0.10726203044637328,
+        5: -0.015319437748624402,
+        6: 0.008273789163814023,
+    },
+    {
+        0: 0.6241109587160757,
+        3: -3.3608926294469414,
+        4: -0.868219346841726,
+        5: 27.59209969944671,
+        6: 20.154067550477894,
+        7: -43.48988418106996,
+    },
     {
         0: 0.47766253643826434,
         3: -2.4881146199716677,

@@ -6,17 +6,30 @@ from .base import StepError, Stepper
 
 
 class SciPy(Stepper):
-    """One of SciPy's methods; the right-hand side gets Python's floats, on which it runs three times faster than on NumPy's."""
+    """One of SciPy's methods; the right-hand side gets Python's floats, on which it runs three
+    times faster than on NumPy's.
+    """
 
     def __init__(self, system, t, x, trajectory):
         super().__init__(system, t, x, trajectory)
         from scipy import integrate
 
         f, p, goal, step = system.folded_rates, system.constants, self.goal, trajectory.step
-        options = {"rtol": max(self.tolerance, 2.3e-14), "atol": [self.tolerance * s for s in self.scales]}  # SciPy's least rtol is 100 eps
+        # SciPy's least rtol is 100 eps
+        options = {
+            "rtol": max(self.tolerance, 2.3e-14),
+            "atol": [self.tolerance * s for s in self.scales],
+        }
         if step:  # tolerances that any step fulfils
-            options = {"rtol": 0.5, "atol": 1e300, "max_step": step, "first_step": min(step, goal - t)}
-        self.solver = getattr(integrate, type(self).__name__)(lambda t, y: f(t, *y.tolist(), *p), t, x, goal, **options)
+            options = {
+                "rtol": 0.5,
+                "atol": 1e300,
+                "max_step": step,
+                "first_step": min(step, goal - t),
+            }
+        self.solver = getattr(integrate, type(self).__name__)(
+            lambda t, y: f(t, *y.tolist(), *p), t, x, goal, **options
+        )
         self.polynomials = []
 
     def step(self, limit=inf):

@@ -1,11 +1,15 @@
-"""Methods of fixed step that keep the structure of a motion: its reversibility, its area in phase space, its angular momentum.
+"""Methods of fixed step that keep the structure of a motion: its reversibility, its area in phase
+space, its angular momentum.
 
-Verlet's method and its compositions are for models whose states form two groups, as coordinates and velocities, such that no rate depends on its own
-group; they are symplectic if the forces have a potential. The Lie-Poisson methods are for Euler's equations of a free body: they turn the angular
-momentum about one principal axis after the other, so that its magnitude is kept to round-off. Whether a model has such a form is read from its text.
+Verlet's method and its compositions are for models whose states form two groups, as coordinates and
+velocities, such that no rate depends on its own group; they are symplectic if the forces have a
+potential. The Lie-Poisson methods are for Euler's equations of a free body: they turn the angular
+momentum about one principal axis after the other, so that its magnitude is kept to round-off.
+Whether a model has such a form is read from its text.
 
-H. Yoshida, Construction of higher order symplectic integrators, Phys. Lett. A 150 (1990) 262; R. I. McLachlan, Explicit Lie-Poisson integration
-and the Euler equations, Phys. Rev. Lett. 71 (1993) 3043.
+H. Yoshida, Construction of higher order symplectic integrators, Phys. Lett. A 150 (1990) 262; R. I.
+McLachlan, Explicit Lie-Poisson integration and the Euler equations, Phys. Rev. Lett. 71 (1993)
+3043.
 """
 
 from functools import lru_cache
@@ -16,8 +20,17 @@ from ..model import ModelError
 from .base import StepError, Stepper
 
 MAX_STEPS = 3_000_000
-_W6 = (-1.17767998417887, 0.235573213359357, 0.784513610477560)  # w1, w2, w3 of Yoshida's solution A for order 6 (his table 1)
-_W8 = (-1.61582374150097, -2.44699182370524, -0.00716989419708120, 2.44002732616735, 0.157739928123617, 1.82020630970714, 1.04242620869991)
+# w1, w2, w3 of Yoshida's solution A for order 6 (his table 1)
+_W6 = (-1.17767998417887, 0.235573213359357, 0.784513610477560)
+_W8 = (
+    -1.61582374150097,
+    -2.44699182370524,
+    -0.00716989419708120,
+    2.44002732616735,
+    0.157739928123617,
+    1.82020630970714,
+    1.04242620869991,
+)
 
 
 def _symmetric(weights):
@@ -25,14 +38,21 @@ def _symmetric(weights):
     return *weights[::-1], 1 - 2 * sum(weights), *weights
 
 
-COMPOSITIONS = {2: (1.0,), 4: _symmetric((1 / (2 - 2 ** (1 / 3)),)), 6: _symmetric(_W6), 8: _symmetric(_W8)}
+COMPOSITIONS = {
+    2: (1.0,),
+    4: _symmetric((1 / (2 - 2 ** (1 / 3)),)),
+    6: _symmetric(_W6),
+    8: _symmetric(_W8),
+}
 
 
 # -- which models have the structure
 
 
 def partition(system):
-    """The numbers of the states in two groups, such that no rate depends on its own group: two tuples, or None if there are no such groups."""
+    """The numbers of the states in two groups, such that no rate depends on its own group: two
+    tuples, or None if there are no such groups.
+    """
     states, needs = system.model.states, system.traced.needs
     if any("t" in need for need in needs):
         return None
@@ -43,16 +63,22 @@ def partition(system):
             i, side = waiting.pop()
             if i not in group:
                 group[i] = side
-                waiting += [(j, 1 - side) for j, n in enumerate(states) if n in needs[i] or states[i] in needs[j]]
+                waiting += [
+                    (j, 1 - side)
+                    for j, n in enumerate(states)
+                    if n in needs[i] or states[i] in needs[j]
+                ]
             elif group[i] != side:
                 return None
     return tuple(i for i in group if not group[i]), tuple(i for i in group if group[i])
 
 
 def principal_moments(system):
-    """The principal moments of inertia, to a factor, of a model that is Euler's equations without moments of force; None for any other.
+    """The principal moments of inertia, to a factor, of a model that is Euler's equations without
+    moments of force; None for any other.
 
-    Three rates, each a constant times the product of the two other states, with constants that belong to moments.
+    Three rates, each a constant times the product of the two other states, with constants that
+    belong to moments.
     """
     states, needs = system.model.states, system.traced.needs
     if len(states) != 3 or any(states[i] in needs[i] or "t" in needs[i] for i in range(3)):
@@ -62,9 +88,13 @@ def principal_moments(system):
         probe = system.rates(0.0, (2.0, 3.0, -5.0))
     except ArithmeticError:
         return None
-    if not all(isclose(x, k * v, rel_tol=1e-12, abs_tol=1e-14) for x, k, v in zip(probe, (a, b, c), (-15.0, -10.0, 6.0), strict=True)):
+    if not all(
+        isclose(x, k * v, rel_tol=1e-12, abs_tol=1e-14)
+        for x, k, v in zip(probe, (a, b, c), (-15.0, -10.0, 6.0), strict=True)
+    ):
         return None
-    rows = (a, -1.0, 1.0), (1.0, b, -1.0), (-1.0, 1.0, c)  # a I1 = I2 - I3, ...: three equations, of which two are enough
+    # a I1 = I2 - I3, ...: three equations, of which two are enough
+    rows = (a, -1.0, 1.0), (1.0, b, -1.0), (-1.0, 1.0, c)
     found = max((cross3(rows[i], rows[i - 1]) for i in range(3)), key=lambda v: sum(map(abs, v)))
     size = sum(found)
     if not size or min(x / size for x in found) <= 0:
@@ -78,7 +108,13 @@ def principal_moments(system):
 
 def _generated(setup, flows, result):
     """A function ``move(f, p, x, h, weights)`` that returns the state after a step h."""
-    lines = [*setup, "for w in weights:", "    e = w*h; d = 0.5*e", *("    " + flow for flow in flows), f"return {result},"]
+    lines = [
+        *setup,
+        "for w in weights:",
+        "    e = w*h; d = 0.5*e",
+        *("    " + flow for flow in flows),
+        f"return {result},",
+    ]
     space = {"cos": cos, "sin": sin}
     exec("def move(f, p, x, h, weights):\n" + "".join(f"    {line}\n" for line in lines), space)
     return space["move"]
@@ -99,18 +135,29 @@ def _verlet(n, first, second, free):
 
 @lru_cache(maxsize=1)
 def _lie_poisson():
-    """The angular momentum, turned about each principal axis by the kinetic energy about that axis; p are the principal moments."""
+    """The angular momentum, turned about each principal axis by the kinetic energy about that axis;
+    p are the principal moments.
+    """
 
     def turn(i, time):
         j, k = (i + 1) % 3, (i + 2) % 3
-        return f"u = x{i}*{time}/I{i}; c = cos(u); s = sin(u); x{j}, x{k} = c*x{j} + s*x{k}, c*x{k} - s*x{j}"
+        return (
+            f"u = x{i}*{time}/I{i}; c = cos(u); s = sin(u); x{j}, x{k} = c*x{j} + s*x{k}, "
+            f"c*x{k} - s*x{j}"
+        )
 
     setup = ["I0, I1, I2 = p", "x0, x1, x2 = x[0]*I0, x[1]*I1, x[2]*I2"]
-    return _generated(setup, [turn(0, "d"), turn(1, "d"), turn(2, "e"), turn(1, "d"), turn(0, "d")], "x0/I0, x1/I1, x2/I2")
+    return _generated(
+        setup,
+        [turn(0, "d"), turn(1, "d"), turn(2, "e"), turn(1, "d"), turn(0, "d")],
+        "x0/I0, x1/I1, x2/I2",
+    )
 
 
 class Splitting(Stepper):
-    """A run of equal steps, which follow from the tolerance, to be calibrated by the difference of two runs, if they are not given."""
+    """A run of equal steps, which follow from the tolerance, to be calibrated by the difference of
+    two runs, if they are not given.
+    """
 
     order, body = 2, False
 
@@ -120,20 +167,36 @@ class Splitting(Stepper):
         if self.body:
             self.f, self.p, self.move = None, principal_moments(system), _lie_poisson()
         else:
-            self.f, self.p, self.move = system.f, system.p, _verlet(len(x), *partition(system), len(system.p))
+            self.f, self.p, self.move = (
+                system.f,
+                system.p,
+                _verlet(len(x), *partition(system), len(system.p)),
+            )
         span = self.goal - t
         count = span / (trajectory.step or self._time_scale() * self.tolerance ** (1 / self.order))
         if count > MAX_STEPS:
-            raise ModelError(f"{count:.2g} steps of order {self.order} would be needed; take a higher order, another method, or a coarser rtol")
+            raise ModelError(
+                f"{count:.2g} steps of order {self.order} would be needed; take a higher "
+                "order, another method, or a coarser rtol"
+            )
         self.count = max(1, ceil(count * (1 - 1e-12)))  # round-off must not add a step
         self.h, self.steps = span / self.count, [self.x]
 
     def _time_scale(self):
-        """The shortest time in which a rate changes by as much as it is or has been: about a radian of the fastest oscillation."""
+        """The shortest time in which a rate changes by as much as it is or has been: about a radian
+        of the fastest oscillation.
+        """
         span, k = self.goal - self.t, self.system.rates(self.t, self.x)
-        d = min([1e-3 * span] + [1e-3 * s / abs(v) for s, v in zip(self.scales, k, strict=True) if abs(v) > 1e-3 * s])
+        d = min(
+            [1e-3 * span]
+            + [1e-3 * s / abs(v) for s, v in zip(self.scales, k, strict=True) if abs(v) > 1e-3 * s]
+        )
         later = self.system.rates(self.t, tuple(x + d * v for x, v in zip(self.x, k, strict=True)))
-        changes = [(s, abs(v), abs(w - v) / d) for s, v, w in zip(self.scales, k, later, strict=True) if s > 1e-3]
+        changes = [
+            (s, abs(v), abs(w - v) / d)
+            for s, v, w in zip(self.scales, k, later, strict=True)
+            if s > 1e-3
+        ]
         return min([span / 4] + [sqrt(max(s, v * d) / a) for s, v, a in changes if a > 1e-12 * s])
 
     def step(self, limit=inf):
@@ -148,7 +211,12 @@ class Splitting(Stepper):
         if len(self.steps) > self.count:
             self.step_times[-1] = self.goal
         self.x, self.t = self.steps[-1], self.step_times[-1]
-        self.scales = tuple(max(s, *map(abs, column)) for s, column in zip(self.scales, zip(*self.steps[done - 1 :], strict=True), strict=True))
+        self.scales = tuple(
+            max(s, *map(abs, column))
+            for s, column in zip(
+                self.scales, zip(*self.steps[done - 1 :], strict=True), strict=True
+            )
+        )
         self.calls += 3 * len(self.weights) * (len(self.steps) - done)
 
     def state_at(self, t):
@@ -165,4 +233,8 @@ class Splitting(Stepper):
 
 def splitting(order, body=False):
     """The stepper of this order; ``body`` for the free rigid body."""
-    return type("LiePoisson" if body else "Verlet", (Splitting,), {"order": order, "body": body, "__doc__": Splitting.__doc__})
+    return type(
+        "LiePoisson" if body else "Verlet",
+        (Splitting,),
+        {"order": order, "body": body, "__doc__": Splitting.__doc__},
+    )

@@ -1,9 +1,11 @@
-"""The methods of integration as values in one table, and how the tolerance of each is found that gives the error asked for.
+"""The methods of integration as values in one table, and how the tolerance of each is found that
+gives the error asked for.
 
-What is asked for is the error of the motion, not that of a step. A calibrated method therefore runs at least twice, first at a tolerance a thousand
-times as coarse; the difference is the error of the coarse run, and since the error is proportional to the tolerance it predicts that of the fine one.
-If that is too large, the tolerance is reduced accordingly, and the new run measures the one before. Runs of heyoka cost so little that its tolerance
-is far below what is asked for from the start.
+What is asked for is the error of the motion, not that of a step. A calibrated method therefore runs
+at least twice, first at a tolerance a thousand times as coarse; the difference is the error of the
+coarse run, and since the error is proportional to the tolerance it predicts that of the fine one.
+If that is too large, the tolerance is reduced accordingly, and the new run measures the one before.
+Runs of heyoka cost so little that its tolerance is far below what is asked for from the start.
 """
 
 import importlib.util
@@ -16,7 +18,8 @@ from .scipy import scipy_method
 from .splitting import partition, principal_moments, splitting
 from .taylor import TAYLOR_MARGIN, Taylor, installed
 
-COARSENING, MAX_COARSE_TOLERANCE = 1e3, 1e-2  # the tolerance of the first run over that of the second, and its largest value
+# the tolerance of the first run over that of the second, and its largest value
+COARSENING, MAX_COARSE_TOLERANCE = 1e3, 1e-2
 
 
 @dataclass(frozen=True)
@@ -25,12 +28,15 @@ class Method:
 
     name, description : its name in ``integrate(method=...)`` and what it is
     stepper : the class of its runs
-    unusable_because : a function of the prepared model and the start time that says why it cannot be used, or returns None
+    unusable_because : a function of the prepared model and the start time that says why it cannot
+        be used, or returns None
     order : of convergence with a fixed step; None if it has no fixed step
     min_rtol : the smallest error, relative to each state, that it can be asked for
     calibrated : True if its tolerance is found by two runs
-    tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are up to 100 tolerances, seldom less than one
-    max_tolerance : of the first fine run, since much coarser ones predict little; ``min_tolerance`` : the smallest that it is given
+    tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are
+        up to 100 tolerances, seldom less than one
+    max_tolerance : of the first fine run, since much coarser ones predict little; ``min_tolerance``
+        : the smallest that it is given
     """
 
     name: str
@@ -49,42 +55,96 @@ def _no_exact(system, t0=0.0):
     if system.model.exact is None:
         return f"no exact solution of {system.model.name!r} is known"
     if t0 and not system.autonomous:
-        return f"the rates of {system.model.name!r} depend on time, so its exact solution starts at t = 0"
+        return (
+            f"the rates of {system.model.name!r} depend on time, so its exact solution starts "
+            "at t = 0"
+        )
     return None
 
 
 def _no_heyoka(system, t0=0.0):
-    return None if installed() else "heyoka is not installed: pip install 'newton-euler[fast]' (Linux)"
+    return (
+        None if installed() else "heyoka is not installed: pip install 'newton-euler[fast]' (Linux)"
+    )
 
 
 def _no_scipy(system, t0=0.0):
-    return None if importlib.util.find_spec("scipy") else "SciPy is not installed: pip install scipy"
+    return (
+        None if importlib.util.find_spec("scipy") else "SciPy is not installed: pip install scipy"
+    )
 
 
 def _no_groups(system, t0=0.0):
-    why = f"the states of {system.model.name!r} do not split into two groups, as places and velocities, with no rate that needs its own group"
+    why = (
+        f"the states of {system.model.name!r} do not split into two groups, as places and "
+        "velocities, with no rate that needs its own group"
+    )
     return None if partition(system) else why
 
 
 def _no_body(system, t0=0.0):
-    why = f"{system.model.name!r} is not Euler's equations of a free body, three rates like a product of the two others"
+    why = (
+        f"{system.model.name!r} is not Euler's equations of a free body, three rates like a "
+        "product of the two others"
+    )
     return None if principal_moments(system) else why
 
 
 def _table():
     yield Method("exact", "exact solution", Exact, _no_exact, min_rtol=1e-15, calibrated=False)
-    yield Method("taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, False, TAYLOR_MARGIN)
+    yield Method(
+        "taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, False, TAYLOR_MARGIN
+    )
     yield Method("dop853", "Runge-Kutta of order 8 in straight-line Python", Dop853, order=8)
-    # min_rtol is what they reached in measurements; the errors of Radau are smaller than its tolerance
-    for name, order, min_rtol, *tolerances in (("DOP853", 8, 1e-11), ("RK45", 5, 1e-12), ("LSODA", None, 1e-8), ("Radau", 5, 1e-10, 1.0, 1e-4)):
+    # min_rtol is what they reached in measurements; the errors of Radau are smaller than its
+    # tolerance
+    for name, order, min_rtol, *tolerances in (
+        ("DOP853", 8, 1e-11),
+        ("RK45", 5, 1e-12),
+        ("LSODA", None, 1e-8),
+        ("Radau", 5, 1e-10, 1.0, 1e-4),
+    ):
         description = f"SciPy's {name} on traced straight-line code"
-        yield Method(f"scipy {name}", description, scipy_method(name), _no_scipy, order, min_rtol, True, *tolerances)
-    # the round-off of many small steps limits these; their tolerance only sets the step, so that it may be tiny
+        yield Method(
+            f"scipy {name}",
+            description,
+            scipy_method(name),
+            _no_scipy,
+            order,
+            min_rtol,
+            True,
+            *tolerances,
+        )
+    # the round-off of many small steps limits these; their tolerance only sets the step, so that it
+    # may be tiny
     for order, min_rtol in ((2, 1e-7), (4, 1e-9), (6, 1e-10), (8, 1e-10)):
-        name, description = ("verlet", "Verlet's method") if order == 2 else (f"yoshida{order}", f"Yoshida's composition of order {order}")
-        yield Method(name, f"{description}, symplectic", splitting(order), _no_groups, order, min_rtol, min_tolerance=1e-40)
-        name, description = f"lie-poisson{order}", f"Lie-Poisson splitting of order {order}, keeps the angular momentum"
-        yield Method(name, description, splitting(order, body=True), _no_body, order, min_rtol, min_tolerance=1e-40)
+        name, description = (
+            ("verlet", "Verlet's method")
+            if order == 2
+            else (f"yoshida{order}", f"Yoshida's composition of order {order}")
+        )
+        yield Method(
+            name,
+            f"{description}, symplectic",
+            splitting(order),
+            _no_groups,
+            order,
+            min_rtol,
+            min_tolerance=1e-40,
+        )
+        name, description = (
+            f"lie-poisson{order}",
+            f"Lie-Poisson splitting of order {order}, keeps the angular momentum",
+        )
+        yield Method(
+            name,
+            description,
+            splitting(order, body=True),
+            _no_body,
+            order,
+            min_rtol,
+            min_tolerance=1e-40,
+        )
 
 
 METHODS = {method.name: method for method in _table()}

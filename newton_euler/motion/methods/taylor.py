@@ -1,7 +1,9 @@
-"""Heyoka's Taylor method on the traced right-hand side: compiled once for a right-hand side and a level of accuracy, then the fastest by far.
+"""Heyoka's Taylor method on the traced right-hand side: compiled once for a right-hand side and a
+level of accuracy, then the fastest by far.
 
-Parameters are arguments of the compiled code, so that other values need no new compilation. F. Biscani, D. Izzo, Revisiting high-order Taylor methods
-for astrodynamics and celestial mechanics, MNRAS 504 (2021) 2614.
+Parameters are arguments of the compiled code, so that other values need no new compilation. F.
+Biscani, D. Izzo, Revisiting high-order Taylor methods for astrodynamics and celestial mechanics,
+MNRAS 504 (2021) 2614.
 """
 
 import importlib
@@ -11,10 +13,16 @@ from math import inf, isfinite
 
 from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_times
 
-LEVELS = (*(10.0 ** (-n / 2) for n in range(8, 31)), 2.3e-16)  # of heyoka's tolerance, which is fixed when it compiles; the last is a float's epsilon
-TAYLOR_MARGIN = 10.0**1.5  # rtol over heyoka's tolerance: of 310 measured runs 3 then have an error above rtol, with a margin of 10 it is 14
-ABSOLUTE_SCALE = 0.1  # heyoka's tolerance is absolute for states below 1; from this size on the margin covers that
-SHORT = 0.6  # of a natural step: at the orders used (8 to 20) the truncation error is then 0.6**8 to 0.6**20, less than a fiftieth
+# of heyoka's tolerance, which is fixed when it compiles; the last is a float's epsilon
+LEVELS = (*(10.0 ** (-n / 2) for n in range(8, 31)), 2.3e-16)
+# rtol over heyoka's tolerance: of 310 measured runs 3 then have an error above rtol, with a margin
+# of 10 it is 14
+TAYLOR_MARGIN = 10.0**1.5
+# heyoka's tolerance is absolute for states below 1; from this size on the margin covers that
+ABSOLUTE_SCALE = 0.1
+# of a natural step: at the orders used (8 to 20) the truncation error is then 0.6**8 to 0.6**20,
+# less than a fiftieth
+SHORT = 0.6
 
 
 @cache
@@ -24,7 +32,9 @@ def installed():
 
 
 def integrator(system, tolerance, batch=None):
-    """Heyoka's integrator of this right-hand side at the first level not above the tolerance; with ``batch`` one for so many motions at once."""
+    """Heyoka's integrator of this right-hand side at the first level not above the tolerance; with
+    ``batch`` one for so many motions at once.
+    """
     level = next((x for x in LEVELS if x <= 1.01 * tolerance), LEVELS[-1])
     known = system.traced.integrators
     if (level, batch) not in known:
@@ -32,10 +42,17 @@ def integrator(system, tolerance, batch=None):
 
         hy = importlib.import_module("heyoka")
         variables = [hy.expression(n) for n in system.model.states]
-        rates = system.traced.folded[0].on(hy)(hy.time, *variables, *(hy.par[i] for i in range(len(system.constants))))
-        equations = [(v, rate + hy.expression(0.0)) for v, rate in zip(variables, rates, strict=True)]  # a rate may be a plain number
+        rates = system.traced.folded[0].on(hy)(
+            hy.time, *variables, *(hy.par[i] for i in range(len(system.constants)))
+        )
+        # a rate may be a plain number
+        equations = [
+            (v, rate + hy.expression(0.0)) for v, rate in zip(variables, rates, strict=True)
+        ]
         make = hy.taylor_adaptive_batch if batch else hy.taylor_adaptive
-        known[level, batch] = make(equations, np.zeros((len(variables), batch) if batch else len(variables)), tol=level)
+        known[level, batch] = make(
+            equations, np.zeros((len(variables), batch) if batch else len(variables)), tol=level
+        )
     return known[level, batch]
 
 
@@ -48,7 +65,9 @@ def _scale(system, t, x, goal):
 
 
 class Taylor(Stepper):
-    """A run by Taylor series. Without events it is one call of heyoka; the steps are made again if something between them is asked for."""
+    """A run by Taylor series. Without events it is one call of heyoka; the steps are made again if
+    something between them is asked for.
+    """
 
     natural = True
 
@@ -65,7 +84,9 @@ class Taylor(Stepper):
 
     @staticmethod
     def prepared(system, tolerance, fallback):
-        """The function of :func:`newton_euler.motion.integration.prepare`; what it cannot do smoothly, ``fallback(t, start)`` does or refuses in words."""
+        """The function of :func:`newton_euler.motion.integration.prepare`; what it cannot do
+        smoothly, ``fallback(t, start)`` does or refuses in words.
+        """
         ta = integrator(system, tolerance)
         state, pars, propagate = ta.state, ta.pars, ta.propagate_until
         p, count = pars.copy(), len(state)
@@ -95,16 +116,25 @@ class Taylor(Stepper):
         self._put(self.t, self.x)
         while self.t < self.goal:
             _, _, longest, steps, *_ = ta.propagate_until(self.goal, max_steps=MAX_STALLED_STEPS)
-            before, self.t, self.x, self.calls = self.t, ta.time, tuple(ta.state.tolist()), self.calls + steps * ta.order
+            before, self.t, self.x, self.calls = (
+                self.t,
+                ta.time,
+                tuple(ta.state.tolist()),
+                self.calls + steps * ta.order,
+            )
             self.longest = max(self.longest, longest)
-            if (self.t < self.goal and self.t - before < STALLED_RATIO * steps * self.longest) or not isfinite(sum(self.x)):
+            if (
+                self.t < self.goal and self.t - before < STALLED_RATIO * steps * self.longest
+            ) or not isfinite(sum(self.x)):
                 self._again_by_steps()  # to see where it fails
                 return
         self.step_times.append(self.t)
         self.update_scales()
 
     def _by_samples(self):
-        """Go to the goal by heyoka's grid and keep the samples; False if they are in no order or heyoka stops on the way."""
+        """Go to the goal by heyoka's grid and keep the samples; False if they are in no order or
+        heyoka stops on the way.
+        """
         import numpy as np
 
         times = sample_times(self.samples, self.t, self.goal)
@@ -113,13 +143,19 @@ class Taylor(Stepper):
         found = self._grid(times if times[-1] == self.goal else np.append(times, self.goal))
         if found is None or not isfinite(sum(found[:, -1].tolist())):
             return False
-        self.kept, self.t, self.x = (times, found[:, : len(times)]), self.goal, tuple(found[:, -1].tolist())
+        self.kept, self.t, self.x = (
+            (times, found[:, : len(times)]),
+            self.goal,
+            tuple(found[:, -1].tolist()),
+        )
         self.step_times.append(self.t)
         self.update_scales()
         return True
 
     def _grid(self, times):
-        """The states at increasing times from the start on, an array (states, times); None if heyoka stops on the way."""
+        """The states at increasing times from the start on, an array (states, times); None if
+        heyoka stops on the way.
+        """
         import numpy as np
 
         begin = self.start[0]
@@ -145,8 +181,11 @@ class Taylor(Stepper):
                 self._put(self.t, self.x)
             ta.step(max_delta_t=h, write_tc=True)
             x = tuple(ta.state.tolist())
-            if not isfinite(sum(x)) or ta.last_h < 4e-16 * abs(self.t):  # which does not change the time
-                raise StepError("the series has no finite terms here, or the step became too small to go on")
+            # which does not change the time
+            if not isfinite(sum(x)) or ta.last_h < 4e-16 * abs(self.t):
+                raise StepError(
+                    "the series has no finite terms here, or the step became too small to go on"
+                )
             self.series.append(ta.tc.copy())
             self.t, self.x, self.calls, limit = float(ta.time), x, self.calls + ta.order, limit - 1
             self.step_times.append(self.t)
@@ -169,13 +208,17 @@ class Taylor(Stepper):
         return super().states(times)
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`; the Taylor polynomial is as accurate as the step."""
+        """See :class:`~newton_euler.motion.methods.base.Stepper`; the Taylor polynomial is as
+        accurate as the step.
+        """
         from numpy.polynomial.polynomial import polyval
 
         return polyval(times - self.step_times[n], self.series[n].T)
 
 
 class ShortSteps(Taylor):
-    """The same by shorter steps; the difference is the error of :class:`Taylor`, truncation and round-off."""
+    """The same by shorter steps; the difference is the error of :class:`Taylor`, truncation and
+    round-off.
+    """
 
     natural = False

@@ -1,7 +1,9 @@
-"""Sums and products with twice the digits, for differences in which the digits cancel (T. J. Dekker, Numerische Mathematik 18, 224, 1971).
+"""Sums and products with twice the digits, for differences in which the digits cancel (T. J.
+Dekker, Numerische Mathematik 18, 224, 1971).
 
-A :class:`Doubled` is the sum of two numbers, the second within the round-off of the first. It needs no other arithmetic than that of its numbers, and
-no branches, so that it runs on floats and arrays, traced, and through heyoka; an mpf instead takes more digits of its own.
+A :class:`Doubled` is the sum of two numbers, the second within the round-off of the first. It needs
+no other arithmetic than that of its numbers, and no branches, so that it runs on floats and arrays,
+traced, and through heyoka; an mpf instead takes more digits of its own.
 """
 
 from ...algebra.scalars import ZERO, unrounded
@@ -10,7 +12,8 @@ SPLITTER = 2.0**27 + 1  # cuts the 53 digits of a double in two halves
 
 
 def doubled(f, *values):
-    """``f(*values)`` for sums, differences and products of numbers taken as exact, computed with twice their digits or more and rounded once.
+    """``f(*values)`` for sums, differences and products of numbers taken as exact, computed with
+    twice their digits or more and rounded once.
 
     >>> a, b = 1 + 2.0**-30, 1 - 2.0**-30
     >>> a*b - 1.0, doubled(lambda a, b, one: a*b - one, a, b, 1.0) == -(2.0**-60)

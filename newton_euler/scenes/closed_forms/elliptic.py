@@ -1,11 +1,25 @@
-"""Jacobi's elliptic functions from the *complementary* parameter m1 = 1 - k^2, and three quantities whose rates are products of the two others.
+"""Jacobi's elliptic functions from the *complementary* parameter m1 = 1 - k^2, and three quantities
+whose rates are products of the two others.
 
-Next to a separatrix k^2 is so near 1 that a float does not hold it (SciPy's functions take k^2, and there give nonsense); m1 it holds to the
-last digit. Over floats, arrays and mpf, and traced. Accuracy: a few round-offs of the argument, for every m1 from 1 (circular functions) to 0
-(hyperbolic ones).
+Next to a separatrix k^2 is so near 1 that a float does not hold it (SciPy's functions take k^2, and
+there give nonsense); m1 it holds to the last digit. Over floats, arrays and mpf, and traced.
+Accuracy: a few round-offs of the argument, for every m1 from 1 (circular functions) to 0
+    (hyperbolic ones).
 """
 
-from ...algebra.scalars import atan2, cos, epsilon, exp, is_numeric, of_one_kind, sin, size, sqrt, tanh, where
+from ...algebra.scalars import (
+    atan2,
+    cos,
+    epsilon,
+    exp,
+    is_numeric,
+    of_one_kind,
+    sin,
+    size,
+    sqrt,
+    tanh,
+    where,
+)
 
 FEW, WIDE = 6, 1e-4  # levels that are enough for doubles m1 from 1e-4 to 1
 MANY = 12  # and for every double; a traced formula cannot see how many it needs
@@ -13,9 +27,11 @@ FAR = 350.0  # a hyperbolic function of more has a square that a double does not
 
 
 def jacobi(u, m1):
-    """sn, cn and dn of ``u`` for the complementary parameter ``m1`` in [0, 1], and the mean phase pi u/(2K), which is 0 where m1 is.
+    """sn, cn and dn of ``u`` for the complementary parameter ``m1`` in [0, 1], and the mean phase
+    pi u/(2K), which is 0 where m1 is.
 
-    The amplitude is within pi/2 of the mean phase. By descending Landen transformations (R. Bulirsch, Numerische Mathematik 7, 78, 1965).
+    The amplitude is within pi/2 of the mean phase. By descending Landen transformations (R.
+    Bulirsch, Numerische Mathematik 7, 78, 1965).
 
     >>> [round(x, 12) for x in jacobi(0.5, 0.0)]  # tanh, 1/cosh, 1/cosh
     [0.46211715726, 0.88681888397, 0.88681888397, 0.0]
@@ -27,16 +43,22 @@ def jacobi(u, m1):
     if is_numeric(k1):
         return tuple(where(bound, x, y) for x, y in zip(_landen(u, k1, None), ending, strict=True))
     few, many = _landen(u, k1, FEW), _landen(u, k1, MANY)
-    return tuple(where(wide, x, where(bound, y, z)) for x, y, z in zip(few, many, ending, strict=True))
+    return tuple(
+        where(wide, x, where(bound, y, z)) for x, y, z in zip(few, many, ending, strict=True)
+    )
 
 
 def _landen(u, k1, count):
-    """The functions by so many levels of arithmetic and geometric means, or by as many as the value needs."""
+    """The functions by so many levels of arithmetic and geometric means, or by as many as the value
+    needs.
+    """
     a, b, levels = 1, k1, []
     while True:
         levels.append((a, b))
         mean = (a + b) / 2
-        if len(levels) == count or (count is None and size((a - b) / a) <= sqrt(float(epsilon(a))) / 16):
+        if len(levels) == count or (
+            count is None and size((a - b) / a) <= sqrt(float(epsilon(a))) / 16
+        ):
             break
         a, b = mean, sqrt(a * b)
     phase = u * mean
@@ -61,13 +83,16 @@ def _hyperbolic(u):
 
 
 def coupled(k, start, gap, t):
-    """Three quantities with x' = k_x y z, y' = k_y z x and z' = k_z x y at the time ``t`` after ``start``, and the mean phase of their motion.
+    """Three quantities with x' = k_x y z, y' = k_y z x and z' = k_z x y at the time ``t`` after
+    ``start``, and the mean phase of their motion.
 
-    k : three coefficients, the second of a sign other than that of the two others (each may be zero)
-    gap : k_y (k_x z^2 - k_z x^2), whose sign tells whether z or x changes sign; next to the separatrix the caller knows it better than by subtraction
+    k : three coefficients, the second of a sign other than that of the two others (each may be
+        zero)
+    gap : k_y (k_x z^2 - k_z x^2), whose sign tells whether z or x changes sign; next to the
+        separatrix the caller knows it better than by subtraction
 
-    By the addition theorem of Jacobi's functions (Landau and Lifshitz, Mechanics, 37): only those of the time are needed, no integral of the start,
-    and its denominator is a sum of squares.
+    By the addition theorem of Jacobi's functions (Landau and Lifshitz, Mechanics, 37): only those
+    of the time are needed, no integral of the start, and its denominator is a sum of squares.
 
     >>> [round(x, 12) for x in coupled((0.0, -1.0, 1.0), (2.0, 1.0, 0.0), 4.0, 0.25)]  # turns about x: y = cos(2 t), z = sin(2 t)
     [2.0, 0.87758256189, 0.479425538604, 0.5]
@@ -92,8 +117,8 @@ def coupled(k, start, gap, t):
 
 
 def counted(angle, start, now, phase):
-    """The ``angle`` (rad) after the point at its cosine and sine ``start`` has moved to ``now``, through as many turns as bring it within pi of
-    ``angle + phase``.
+    """The ``angle`` (rad) after the point at its cosine and sine ``start`` has moved to ``now``,
+    through as many turns as bring it within pi of ``angle + phase``.
 
     >>> round(counted(0.5, (0.877582561890, 0.479425538604), (0.877582561890, 0.479425538604), 12.0), 6)  # two turns: 0.5 + 4 pi
     13.066371

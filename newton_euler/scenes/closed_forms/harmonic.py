@@ -1,4 +1,6 @@
-"""Motion under an acceleration that is constant, or proportional to the distance from a point, towards it or away; and Stumpff's series."""
+"""Motion under an acceleration that is constant, or proportional to the distance from a point,
+towards it or away; and Stumpff's series.
+"""
 
 from ...algebra.scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
 
@@ -9,12 +11,15 @@ def uniform_acceleration(x, v, a, t):
 
 
 def integrated_square(v, a, t):
-    """The double integral of (v + a t)^2: what a drag of this size, 1/m times the square of the speed, at most takes off the way until t."""
+    """The double integral of (v + a t)^2: what a drag of this size, 1/m times the square of the
+    speed, at most takes off the way until t.
+    """
     return t * t * (v * v / 2 + v * a * t / 3 + a * a * (t * t) / 12)
 
 
 def oscillation(x, v, square, t, damping=ZERO):
-    """x and its rate at the time t if x'' = -square x - damping x', from x and v at t = 0; square > (damping/2)^2.
+    """x and its rate at the time t if x'' = -square x - damping x', from x and v at t = 0; square >
+    (damping/2)^2.
 
     >>> [round(q, 9) for q in oscillation(1.0, 0.0, 4.0, 0.25)]  # cos(2 t), -2 sin(2 t)
     [0.877582562, -0.958851077]
@@ -26,8 +31,12 @@ def oscillation(x, v, square, t, damping=ZERO):
 
 
 def plane_oscillation(s, square, t, damping=ZERO):
-    """The states x, y, dx, dy at the time t if both coordinates oscillate in this way, from the states ``s`` at t = 0."""
-    (x, dx), (y, dy) = (oscillation(*start, square, t, damping) for start in ((s.x, s.dx), (s.y, s.dy)))
+    """The states x, y, dx, dy at the time t if both coordinates oscillate in this way, from the
+    states ``s`` at t = 0.
+    """
+    (x, dx), (y, dy) = (
+        oscillation(*start, square, t, damping) for start in ((s.x, s.dx), (s.y, s.dy))
+    )
     return x, y, dx, dy
 
 
@@ -38,7 +47,8 @@ def turned(x, y, angle):
 
 
 def growth(n, t):
-    """cosh(n t), sinh(n t)/n and (cosh(n t) - 1)/n^2: x at the time t if x'' = n^2 x + a, for a start at 1, a rate of 1, and a = 1.
+    """cosh(n t), sinh(n t)/n and (cosh(n t) - 1)/n^2: x at the time t if x'' = n^2 x + a, for a
+    start at 1, a rate of 1, and a = 1.
 
     >>> [round(q, 9) for q in growth(2.0, 0.25)]
     [1.127625965, 0.260547653, 0.031906491]
@@ -48,7 +58,8 @@ def growth(n, t):
 
 
 def circular_or_hyperbolic(square, t):
-    """cos(n t) and sin(n t)/n with n^2 = ``square``, which may also be negative or zero; for numbers and traced values.
+    """cos(n t) and sin(n t)/n with n^2 = ``square``, which may also be negative or zero; for
+    numbers and traced values.
 
     >>> circular_or_hyperbolic(0.0, 3.0)
     (1.0, 3.0)
@@ -60,9 +71,11 @@ def circular_or_hyperbolic(square, t):
 
 
 def stumpff(k, z, largest=1):
-    """k! times Stumpff's function c_k(z) = 1/k! - z/(k + 2)! + z^2/(k + 4)! - ..., by as many terms as |z| <= ``largest`` takes to round-off.
+    """k! times Stumpff's function c_k(z) = 1/k! - z/(k + 2)! + z^2/(k + 4)! - ..., by as many terms
+    as |z| <= ``largest`` takes to round-off.
 
-    c_0(x^2) = cos(x), c_1(x^2) = sin(x)/x, x^2 c_2(x^2) = 1 - cos(x), x^3 c_3(x^2) = x - sin(x). K. Stumpff, Himmelsmechanik I, 1959.
+    c_0(x^2) = cos(x), c_1(x^2) = sin(x)/x, x^2 c_2(x^2) = 1 - cos(x), x^3 c_3(x^2) = x - sin(x). K.
+    Stumpff, Himmelsmechanik I, 1959.
 
     >>> round(0.5**3*stumpff(3, 0.25)/6 - (0.5 - sin(0.5)), 16)
     0.0

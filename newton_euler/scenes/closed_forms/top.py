@@ -1,7 +1,8 @@
 """The exact solution of the nutation of a symmetric top (10.24), by elliptic functions.
 
-With v = 1 - cos(theta) the energy gives I0 v'^2/2 = F(v), a cubic with the roots v1 and v2, between which v moves, and -zeta/mgr. The square roots of
-v - v1, v2 - v and zeta + mgr v change at rates that are products of the two others. A top that is pulled up is one that is pulled down, seen from
+With v = 1 - cos(theta) the energy gives I0 v'^2/2 = F(v), a cubic with the roots v1 and v2, between
+which v moves, and -zeta/mgr. The square roots of v - v1, v2 - v and zeta + mgr v change at rates
+that are products of the two others. A top that is pulled up is one that is pulled down, seen from
 below.
 """
 
@@ -12,7 +13,9 @@ from .elliptic import counted, coupled
 
 
 def nutation_exact(s, p, t):
-    """theta and its rate at the time t after the state ``s`` of :func:`newton_euler.scenes.spatial.top.nutation`, whose parameters are ``p``."""
+    """theta and its rate at the time t after the state ``s`` of
+    :func:`newton_euler.scenes.spatial.top.nutation`, whose parameters are ``p``.
+    """
     given = s.theta, s.theta_rate, p.I0, p.I, p.mgr, p.omega_z, p.momentum_difference, t
     theta, rate, I0, I, mgr, omega_z, q, t = comparable("top", *given)
     whole, below, start = 2 * (I * omega_z) + q, mgr < 0, (cos(theta / 2), sin(theta / 2))
@@ -24,10 +27,17 @@ def nutation_exact(s, p, t):
 
 
 def _nutation(S, C, rate, I0, mgr, q, whole, t):
-    """sin(theta/2), cos(theta/2), theta' and the mean phase of turning (0 unless it turns over) at t, from those of the start; mgr >= 0."""
+    """sin(theta/2), cos(theta/2), theta' and the mean phase of turning (0 unless it turns over) at
+    t, from those of the start; mgr >= 0.
+    """
     v = 2 * (S * S)
-    rest, sum_ = q * C / (2 * where(abs(q) > 0, S, 1)), whole * S / (2 * where(abs(whole) > 0, C, 1))
-    (X, Y), (v1, w2), zeta = turning_points(S, C, rate, I0, mgr, (q, whole), (rest + sum_, rest - sum_))
+    rest, sum_ = (
+        q * C / (2 * where(abs(q) > 0, S, 1)),
+        whole * S / (2 * where(abs(whole) > 0, C, 1)),
+    )
+    (X, Y), (v1, w2), zeta = turning_points(
+        S, C, rate, I0, mgr, (q, whole), (rest + sum_, rest - sum_)
+    )
     k = 1 / sqrt(2 * I0)
     start = _signed(sqrt(X), S), _signed(sqrt(Y), C), _signed(sqrt(zeta + mgr * v), rate)
     x, y, z, phase = coupled((k, -k, k * mgr), start, -(zeta + mgr * v1) / (2 * I0), t)
@@ -41,7 +51,11 @@ def _signed(x, like):
 
 
 def _off(least, x, like):
-    """The sine of half the angle from a vertical, whose double square is ``least + x^2``, and the ratio of x to its root: 1 through the vertical."""
+    """The sine of half the angle from a vertical, whose double square is ``least + x^2``, and the
+    ratio of x to its root: 1 through the vertical.
+    """
     root = sqrt(least + x * x)
     off = least > 0
-    return where(off, _signed(root, like), x) / sqrt(whole(2, root)), where(off, _signed(x, like) / where(off, root, 1), 1)
+    return where(off, _signed(root, like), x) / sqrt(whole(2, root)), where(
+        off, _signed(x, like) / where(off, root, 1), 1
+    )

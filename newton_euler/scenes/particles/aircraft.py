@@ -1,10 +1,14 @@
-"""An aircraft as a particle over a ground taken as inertial: in a vertical plane (6.3) and in space (6.12).
+"""An aircraft as a particle over a ground taken as inertial: in a vertical plane (6.3) and in space
+(6.12).
 
-Thrust acts along the velocity, drag against it, lift normal to it and, in a coordinated turn, tilted by the *bank* angle to the right. The *path
-angle* gamma is upward from the horizontal, the *heading* chi from the y axis toward the x axis (north toward east, if y is north); both in rad.
-Each force, and the bank, is a number or a law ``(s, p, t)`` of the states, the parameters and the time.
+Thrust acts along the velocity, drag against it, lift normal to it and, in a coordinated turn,
+tilted by the *bank* angle to the right. The *path angle* gamma is upward from the horizontal, the
+*heading* chi from the y axis toward the x axis (north toward east, if y is north); both in rad.
+Each force, and the bank, is a number or a law ``(s, p, t)`` of the states, the parameters and the
+time.
 
-:func:`ladder` has four models of a flight at fixed controls: straight, in a level turn, in a vertical plane, and in space.
+:func:`ladder` has four models of a flight at fixed controls: straight, in a level turn, in a
+vertical plane, and in space.
 """
 
 from typing import NamedTuple
@@ -32,14 +36,22 @@ def _drag_of_scene(s, p, t):
 def vertical_flight(m, g, thrust=0, drag=0, lift=0):
     """The model of flight in a vertical plane (6.3): states v, gamma, x, y (y up).
 
-    Without thrust and drag the energy v^2/2 + g y is an invariant; without lift as well the parabola is its exact solution.
+    Without thrust and drag the energy v^2/2 + g y is an invariant; without lift as well the
+    parabola is its exact solution.
 
     >>> vertical_flight(2.0, 9.81, thrust=30.0, drag=10.0, lift=19.62).derivative((50.0, 0.0, 0.0, 100.0))
     (10.0, 0.0, 50.0, 0.0)
     """
     parameters, coasting = locals(), is_absent(thrust) and is_absent(drag)
     energy = {"energy over mass": lambda s, p, t: s.v * s.v / 2 + p.g * s.y} if coasting else {}
-    return Model("aircraft in a vertical plane", parameters, PLANE, _in_plane, energy, _parabola if coasting and is_absent(lift) else None)
+    return Model(
+        "aircraft in a vertical plane",
+        parameters,
+        PLANE,
+        _in_plane,
+        energy,
+        _parabola if coasting and is_absent(lift) else None,
+    )
 
 
 @scene(
@@ -47,7 +59,8 @@ def vertical_flight(m, g, thrust=0, drag=0, lift=0):
     (50.0, 0.0, 0.0, 0.0, 0.0, 100.0), m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=22.5, bank=0.5,
 )  # fmt: skip
 def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
-    """The model of flight in space (6.12): states v, chi, gamma, x, y, h (h up). For bank 0 it is that of :func:`vertical_flight`.
+    """The model of flight in space (6.12): states v, chi, gamma, x, y, h (h up). For bank 0 it is
+    that of :func:`vertical_flight`.
 
     The heading does not exist in vertical flight, gamma = pi/2 or -pi/2.
 
@@ -61,10 +74,21 @@ def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
 
 
 @scene("6.12", "aircraft", "straight, in a level turn, in a vertical plane, in space", ladder=True)
-def ladder(m=1000.0, g=9.81, thrust=1000.0, lift=2.8, drag=0.27, bank=0.05, start=(60.0, 0.5, 0.0, 0.0, 0.0, 1000.0), t=20.0):
-    """The models of a flight at fixed controls, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for the position, in m, until ``t``.
+def ladder(
+    m=1000.0,
+    g=9.81,
+    thrust=1000.0,
+    lift=2.8,
+    drag=0.27,
+    bank=0.05,
+    start=(60.0, 0.5, 0.0, 0.0, 0.0, 1000.0),
+    t=20.0,
+):
+    """The models of a flight at fixed controls, the coarsest first: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for the position, in m, until ``t``.
 
-    lift, drag : the forces over the square of the speed, kg/m; start : v, chi, gamma, x, y, h. All are numbers. Without bank there is no turn, and
+    lift, drag : the forces over the square of the speed, kg/m; start : v, chi, gamma, x, y, h. All
+        are numbers. Without bank there is no turn, and
     the ladder has three rungs.
 
     >>> from newton_euler import smallest
@@ -74,14 +98,43 @@ def ladder(m=1000.0, g=9.81, thrust=1000.0, lift=2.8, drag=0.27, bank=0.05, star
     'aircraft in a vertical plane'
     """
     v, chi, gamma, x, y, h = start
-    forces = {"m": m, "g": g, "thrust": thrust, "drag": _drag, "lift": _lift, "k_lift": lift, "k_drag": drag}
+    forces = {
+        "m": m,
+        "g": g,
+        "thrust": thrust,
+        "drag": _drag,
+        "lift": _lift,
+        "k_lift": lift,
+        "k_drag": drag,
+    }
     ground, begun = {"chi0": chi, "x0": x, "y0": y}, {"v0": v, "h0": h}
-    straight = Model("aircraft, straight", {**ground, **begun, "gamma0": gamma}, ("s",), _straight, {}, _gone, (UNBALANCED, BANK))
-    turn = Model("aircraft in a level turn", {**ground, **begun, "g": g, "bank": bank}, ("chi",), _turning, {}, _turned, (UNBALANCED,))
-    plane = Model("aircraft in a vertical plane", {**forces, **ground}, PLANE, _in_plane, neglects=(BANK,))
+    straight = Model(
+        "aircraft, straight",
+        {**ground, **begun, "gamma0": gamma},
+        ("s",),
+        _straight,
+        {},
+        _gone,
+        (UNBALANCED, BANK),
+    )
+    turn = Model(
+        "aircraft in a level turn",
+        {**ground, **begun, "g": g, "bank": bank},
+        ("chi",),
+        _turning,
+        {},
+        _turned,
+        (UNBALANCED,),
+    )
+    plane = Model(
+        "aircraft in a vertical plane", {**forces, **ground}, PLANE, _in_plane, neglects=(BANK,)
+    )
     space = Model("aircraft in space", {**forces, "bank": bank}, SPACE, _in_space)
     turns = () if is_absent(bank) else (Rung(turn, (chi,), _on_circle),)
-    freer = Rung(plane, (v, gamma, 0.0, h), _in_ground), Rung(space, start, observed_states("x", "y", "h"))
+    freer = (
+        Rung(plane, (v, gamma, 0.0, h), _in_ground),
+        Rung(space, start, observed_states("x", "y", "h")),
+    )
     return Ladder("aircraft", POSITION, t, (Rung(straight, (0.0,), _on_line), *turns, *freer))
 
 
@@ -116,7 +169,10 @@ def _turned(s, p, t):
 
 
 def _on_circle(s, p, t):
-    chord, mean = 2 * p.v0 * p.v0 / (p.g * tan(p.bank)) * sin((s.chi - p.chi0) / 2), (s.chi + p.chi0) / 2
+    chord, mean = (
+        2 * p.v0 * p.v0 / (p.g * tan(p.bank)) * sin((s.chi - p.chi0) / 2),
+        (s.chi + p.chi0) / 2,
+    )
     return p.x0 + chord * sin(mean), p.y0 + chord * cos(mean), p.h0
 
 
@@ -143,7 +199,12 @@ def _along_path(s, p, lift):
 
 def _parabola(s, p, t):
     level, climb = s.v * cos(s.gamma), s.v * sin(s.gamma) - p.g * t
-    return sqrt(level * level + climb * climb), atan2(climb, level), s.x + level * t, s.y + (s.v * sin(s.gamma) - p.g * t / 2) * t
+    return (
+        sqrt(level * level + climb * climb),
+        atan2(climb, level),
+        s.x + level * t,
+        s.y + (s.v * sin(s.gamma) - p.g * t / 2) * t,
+    )
 
 
 UNBALANCED = Neglected("that the forces do not balance along the path and upwards", None, POSITION)
@@ -151,7 +212,9 @@ BANK = Neglected("the bank", None, POSITION)
 
 
 class FlightForces(NamedTuple):
-    """What a given flight needs: ``excess``, thrust less drag; ``lift``; ``bank`` in rad, positive in a turn to the right."""
+    """What a given flight needs: ``excess``, thrust less drag; ``lift``; ``bank`` in rad, positive
+    in a turn to the right.
+    """
 
     excess: object
     lift: object
@@ -159,7 +222,8 @@ class FlightForces(NamedTuple):
 
 
 def flight_forces(m, g, v, gamma, chi=0):
-    """The forces that make this motion: :class:`FlightForces` from the moving speed, path angle and heading (6.12).
+    """The forces that make this motion: :class:`FlightForces` from the moving speed, path angle and
+    heading (6.12).
 
     v, gamma, chi : numbers, or moving ones with their first rates
 
@@ -169,6 +233,8 @@ def flight_forces(m, g, v, gamma, chi=0):
     """
     north = Frame("ground")  # i along the heading 0, k up
     path = north.rotate("heading", "-z", chi).rotate("path", "-y", gamma)
-    force = reaction(m, path.vector(moving(v), 0, 0).rate(north), weight=m * g * -north.k).expressed_in(path)
+    force = reaction(
+        m, path.vector(moving(v), 0, 0).rate(north), weight=m * g * -north.k
+    ).expressed_in(path)
     excess, left, up = force.c
     return FlightForces(plain(excess), plain(sqrt(left * left + up * up)), atan2(-left, up))

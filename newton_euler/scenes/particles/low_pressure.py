@@ -1,7 +1,10 @@
-"""Air near the centre of low pressure, on the level (6.11): why storms turn counterclockwise in the north.
+"""Air near the centre of low pressure, on the level (6.11): why storms turn counterclockwise in the
+north.
 
-Ground axes x east, y north, small against the Earth, so that the latitude is one number; the pressure grows with the square of the distance from the
-centre, and ``pressure_gradient`` is its gradient over density and distance. The same equations, with g/length, describe the pendulum of Foucault.
+Ground axes x east, y north, small against the Earth, so that the latitude is one number; the
+pressure grows with the square of the distance from the centre, and ``pressure_gradient`` is its
+gradient over density and distance. The same equations, with g/length, describe the pendulum of
+Foucault.
 
 :func:`ladder` has three models of it: the Earth at rest, the Earth turning, and friction as well.
 """
@@ -31,32 +34,69 @@ DAY = 86_400.0  # s
     latitude=radians(48.85), pressure_gradient=9.81 / 67.0,
 )  # fmt: skip
 def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
-    """The model of a parcel of air: states x, y from the centre, dx, dy as seen from the ground (6.33).
+    """The model of a parcel of air: states x, y from the centre, dx, dy as seen from the ground
+    (6.33).
 
-    pressure_gradient : inward acceleration over distance, 1/s^2; 0 for free air, which runs in circles
+    pressure_gradient : inward acceleration over distance, 1/s^2; 0 for free air, which runs in
+        circles
     friction : deceleration over speed, 1/s
-    Without friction, energy and absolute angular momentum are invariants, and there is an exact solution.
+    Without friction, energy and absolute angular momentum are invariants, and there is an exact
+    solution.
 
     >>> air = air_near_low(1.5707963267948966, pressure_gradient=1e-8, rate=5e-5)
     >>> air.derivative((0.0, -1e5, 0.0, 1.0))  # it moves to the north, to the centre, and is turned aside to the east
     (0.0, 1.0, 0.0001, 0.001)
     """
-    return Model("air near a low", locals(), STATES, _rates, *((_INVARIANTS, _exact) if is_absent(friction) else ()))
+    return Model(
+        "air near a low",
+        locals(),
+        STATES,
+        _rates,
+        *((_INVARIANTS, _exact) if is_absent(friction) else ()),
+    )
 
 
 @scene("6.11", "air near a low", "Earth at rest, Earth turning, friction", ladder=True)
-def ladder(latitude=0.8, pressure_gradient=2e-9, friction=1e-5, rate=EARTH_RATE, start=(0.0, -4e5, 8.0, 0.0), t=10_800.0):
-    """The models of one parcel of air, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for its position in m until ``t`` in s.
+def ladder(
+    latitude=0.8,
+    pressure_gradient=2e-9,
+    friction=1e-5,
+    rate=EARTH_RATE,
+    start=(0.0, -4e5, 8.0, 0.0),
+    t=10_800.0,
+):
+    """The models of one parcel of air, the coarsest first: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for its position in m until ``t`` in s.
 
-    pressure_gradient : a number above 0; friction : a number, not negative; start : x, y, dx, dy in m and m/s
+    pressure_gradient : a number above 0; friction : a number, not negative; start : x, y, dx, dy in
+        m and m/s
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (1e5, 2e4, 1e3)]
     ['air near a low, Earth at rest', 'air near a low, without friction', 'air near a low']
     """
-    full, energy = air_near_low(latitude, pressure_gradient, friction, rate), {"energy over mass": _energy}
-    still = Model("air near a low, Earth at rest", full.parameters, STATES, _still_rates, energy, _still_exact, (ROTATION, FRICTION))
-    smooth = Model("air near a low, without friction", full.parameters, STATES, _smooth_rates, _INVARIANTS, _exact, (FRICTION,))
+    full, energy = (
+        air_near_low(latitude, pressure_gradient, friction, rate),
+        {"energy over mass": _energy},
+    )
+    still = Model(
+        "air near a low, Earth at rest",
+        full.parameters,
+        STATES,
+        _still_rates,
+        energy,
+        _still_exact,
+        (ROTATION, FRICTION),
+    )
+    smooth = Model(
+        "air near a low, without friction",
+        full.parameters,
+        STATES,
+        _smooth_rates,
+        _INVARIANTS,
+        _exact,
+        (FRICTION,),
+    )
     return Ladder.of_models("air near a low", POSITION, t, start, ("x", "y"), still, smooth, full)
 
 
@@ -79,7 +119,11 @@ def _energy(s, p, t):
 
 
 def _momentum(s, p, t):
-    return s.x * s.dy - s.y * s.dx + coriolis_parameter(p.latitude, p.rate) / 2 * (s.x * s.x + s.y * s.y)
+    return (
+        s.x * s.dy
+        - s.y * s.dx
+        + coriolis_parameter(p.latitude, p.rate) / 2 * (s.x * s.x + s.y * s.y)
+    )
 
 
 _INVARIANTS = {"energy over mass": _energy, "absolute angular momentum over mass": _momentum}
@@ -89,7 +133,10 @@ def _exact(s, p, t):
     """In axes that turn at the rate -f/2 the parcel describes an ellipse about the centre."""
     half = coriolis_parameter(p.latitude, p.rate) / 2
     square = half * half + p.pressure_gradient
-    (x, dx), (y, dy) = oscillation(s.x, s.dx - half * s.y, square, t), oscillation(s.y, s.dy + half * s.x, square, t)
+    (x, dx), (y, dy) = (
+        oscillation(s.x, s.dx - half * s.y, square, t),
+        oscillation(s.y, s.dy + half * s.x, square, t),
+    )
     return *turned(x, y, -half * t), *turned(dx + half * y, dy - half * x, -half * t)
 
 
@@ -99,8 +146,10 @@ def _still_exact(s, p, t):
 
 # -- what may be neglected
 #
-# Coriolis and friction are accelerations along or across the velocity, which the energy bounds. What a unit of acceleration at one instant adds to
-# the position later is sin(n u)/n with n^2 >= pressure_gradient >= 0, never more than the time u passed since.
+# Coriolis and friction are accelerations along or across the velocity, which the energy bounds.
+# What a unit of acceleration at one instant adds to
+# the position later is sin(n u)/n with n^2 >= pressure_gradient >= 0, never more than the time u
+# passed since.
 
 
 def _moved(s, p, t):

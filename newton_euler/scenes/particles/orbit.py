@@ -1,18 +1,34 @@
-"""A body on its orbit about a fixed centre of attraction, in the plane of the motion: Kepler's problem, exact for ellipses.
+"""A body on its orbit about a fixed centre of attraction, in the plane of the motion: Kepler's
+problem, exact for ellipses.
 
-The exact solution takes the eccentric anomaly from Kepler's equation, and the state from its distance to that of the closest approach: written with
-1 - e and 1 - cos(E), no digits cancel, however close the ellipse is to a parabola. Parabolas and hyperbolas have no closed form here; they are
-integrated.
+The exact solution takes the eccentric anomaly from Kepler's equation, and the state from its
+distance to that of the closest approach: written with 1 - e and 1 - cos(E), no digits cancel,
+however close the ellipse is to a parabola. Parabolas and hyperbolas have no closed form here; they
+are integrated.
 
-:func:`ladder` has three models of a satellite over the equator: the circle, Kepler's ellipse, and the ellipse that the Earth's bulge turns (5.5). In
-the plane of the equator the attraction of an oblate Earth is mu/r^2 + 3 mu J2 R^2/(2 r^4), still towards the centre, so that the angular momentum
+:func:`ladder` has three models of a satellite over the equator: the circle, Kepler's ellipse, and
+the ellipse that the Earth's bulge turns (5.5). In the plane of the equator the attraction of an
+oblate Earth is mu/r^2 + 3 mu J2 R^2/(2 r^4), still towards the centre, so that the angular momentum
 is constant. ``oblateness`` is J2 R^2, in m^2.
 """
 
 import math
 from dataclasses import replace
 
-from ...algebra.scalars import atan2, cos, epsilon, is_comparable, is_finite, is_numeric, of_one_kind, plain, sin, size, sqrt, where
+from ...algebra.scalars import (
+    atan2,
+    cos,
+    epsilon,
+    is_comparable,
+    is_finite,
+    is_numeric,
+    of_one_kind,
+    plain,
+    sin,
+    size,
+    sqrt,
+    where,
+)
 from ...applications.earth import EARTH_GM
 from ...motion.model import Model, ModelError, Neglected
 from ..catalogue import scene
@@ -26,26 +42,50 @@ EARTH_EQUATOR = 6.378137e6  # m, its radius there (WGS 84)
 EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 
 
-@scene("5.10", "planet", "a planet on an ellipse of eccentricity 0.44, in units of its distance and mu", 30.0, (0.6, 0.8, -0.96, 0.72), mu=1.0)
-@scene("5.10", "planet, eccentric", "a comet that passes close to its sun: eccentricity 0.75", 20.0, (0.6, 0.8, -0.4, 0.3), mu=1.0)
+@scene(
+    "5.10",
+    "planet",
+    "a planet on an ellipse of eccentricity 0.44, in units of its distance and mu",
+    30.0,
+    (0.6, 0.8, -0.96, 0.72),
+    mu=1.0,
+)
+@scene(
+    "5.10",
+    "planet, eccentric",
+    "a comet that passes close to its sun: eccentricity 0.75",
+    20.0,
+    (0.6, 0.8, -0.4, 0.3),
+    mu=1.0,
+)
 def orbit(mu):
-    """The orbit as a Model: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum`` over mass, and the Laplace vector's two components.
+    """The orbit as a Model: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
+    over mass, and the Laplace vector's two components.
 
-    mu : the constant of the attraction mu/r^2, m^3/s^2. The Laplace vector has the size of the eccentricity and points to the closest approach.
-    The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at most 7 times the round-off of the distance from
-    the centre plus t times the speed there (measured on 2000 random ellipses, two thirds of them almost parabolas).
-    It raises :class:`~newton_euler.motion.model.ModelError` for parabolas, hyperbolas, straight lines through the centre, and expressions.
+    mu : the constant of the attraction mu/r^2, m^3/s^2. The Laplace vector has the size of the
+        eccentricity and points to the closest approach.
+    The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at
+    most 7 times the round-off of the distance from the centre plus t times the speed there
+    (measured on 2000 random ellipses, two thirds of them almost parabolas). It raises
+    :class:`~newton_euler.motion.model.ModelError` for parabolas, hyperbolas, straight lines through
+    the centre, and expressions.
 
     >>> import math
     >>> [round(x, 9) for x in orbit(1.0).solution(math.pi/2, (1.0, 0.0, 0.0, 1.0))]
     [0.0, 1.0, -1.0, 0.0]
     """
-    invariants = {"energy": _energy, "angular_momentum": _angular_momentum, "laplace_x": _laplace_x, "laplace_y": _laplace_y}
+    invariants = {
+        "energy": _energy,
+        "angular_momentum": _angular_momentum,
+        "laplace_x": _laplace_x,
+        "laplace_y": _laplace_y,
+    }
     return Model("Kepler's orbit", {"mu": mu}, ("x", "y", "v_x", "v_y"), _rates, invariants, _exact)
 
 
 def from_farthest(mu, a, e):
-    """The state (x, y, v_x, v_y) at the farthest point of the ellipse of semi-axis a and eccentricity e: at x = -a(1 + e).
+    """The state (x, y, v_x, v_y) at the farthest point of the ellipse of semi-axis a and
+    eccentricity e: at x = -a(1 + e).
 
     >>> from_farthest(1.0, 1.0, 0.0)
     (-1.0, 0.0, 0.0, -1.0)
@@ -83,7 +123,9 @@ def _laplace_y(s, p, t):
 
 
 def _exact(s, p, t):
-    """The state at t by the eccentric anomaly E; traced, where no error can be raised, nan if the orbit is no ellipse."""
+    """The state at t by the eccentric anomaly E; traced, where no error can be raised, nan if the
+    orbit is no ellipse.
+    """
     given = tuple(map(plain, (s.x, s.y, s.v_x, s.v_y, p.mu, t)))
     _check(*given)
     x, y, v_x, v_y, mu, t = of_one_kind(*given)
@@ -91,10 +133,14 @@ def _exact(s, p, t):
     beta = _beta(x, y, v_x, v_y, mu, r0)
     closed = beta * abs(swept) > 0
     if is_numeric(beta) and size(where(closed, 0, 1)):
-        raise ModelError("the orbit is no ellipse (its energy is not below 0); parabolas and hyperbolas have no closed form here, integrate them")
+        raise ModelError(
+            "the orbit is no ellipse (its energy is not below 0); parabolas and hyperbolas "
+            "have no closed form here, integrate them"
+        )
     beta = where(closed, beta, 1)
     root = sqrt(beta)
-    rise, depth, across = along * root / mu, 1 - r0 * beta / mu, swept * root / mu  # e sin(E0), e cos(E0), sqrt(1 - e^2)
+    # e sin(E0), e cos(E0), sqrt(1 - e^2)
+    rise, depth, across = along * root / mu, 1 - r0 * beta / mu, swept * root / mu
     e, E0 = sqrt(rise * rise + depth * depth), atan2(rise, depth)
     rest = across * across / (1 + e)  # 1 - e
     M = _mean_anomaly(E0, rest, sin(E0)) + beta * root / mu * t
@@ -103,27 +149,42 @@ def _exact(s, p, t):
     for _ in range(2 if epsilon(E) > 1e-20 else 5):  # each cubes the error, a thousandth at first
         E = _halley(E, e, rest, M)
     sine, drop = sin(E), 2 * sin(E / 2) ** 2
-    i, j = (cos(E0) * q / r0 - sin(E0) * v / root for q, v in ((x, v_x), (y, v_y)))  # the direction of the closest approach
+    # the direction of the closest approach
+    i, j = (cos(E0) * q / r0 - sin(E0) * v / root for q, v in ((x, v_x), (y, v_y)))
     X, Y, rate = mu / beta * (rest - drop), mu / beta * across * sine, root / (rest + e * drop)
     V_x, V_y = -rate * sine, rate * across * (1 - drop)
-    return tuple(where(closed, out, math.nan) for out in (X * i - Y * j, X * j + Y * i, V_x * i - V_y * j, V_x * j + V_y * i))
+    return tuple(
+        where(closed, out, math.nan)
+        for out in (X * i - Y * j, X * j + Y * i, V_x * i - V_y * j, V_x * j + V_y * i)
+    )
 
 
 def _check(x, y, v_x, v_y, mu, t):
     given = x, y, v_x, v_y, mu, t
     if not all(map(is_comparable, given)):
-        raise ModelError("Kepler's equation is solved for numbers, since it has no formula for its root; put values in first")
+        raise ModelError(
+            "Kepler's equation is solved for numbers, since it has no formula for its root; "
+            "put values in first"
+        )
     if not all(map(is_numeric, given)):
         return  # it is being traced
     if not all(map(is_finite, given)) or size(where(mu <= 0, 1, 0)):
-        raise ModelError(f"an orbit needs finite numbers and a positive mu, got mu = {mu}, state {(x, y, v_x, v_y)}, t = {t}")
+        raise ModelError(
+            f"an orbit needs finite numbers and a positive mu, got mu = {mu}, state "
+            f"{(x, y, v_x, v_y)}, t = {t}"
+        )
     one, two = x * v_y, y * v_x
     if size(where(abs(one - two) <= 4 * epsilon(one - two) * (abs(one) + abs(two)), 1, 0)):
-        raise ModelError("the orbit is a straight line through the centre (angular momentum 0), where the attraction has no bound")
+        raise ModelError(
+            "the orbit is a straight line through the centre (angular momentum 0), where the "
+            "attraction has no bound"
+        )
 
 
 def _beta(x, y, v_x, v_y, mu, r):
-    """mu/a = 2 mu/r - v^2; where the two nearly cancel, with twice the digits, and what was rounded in the root r and in 2 mu/r."""
+    """mu/a = 2 mu/r - v^2; where the two nearly cancel, with twice the digits, and what was rounded
+    in the root r and in 2 mu/r.
+    """
     pull, square = 2 * mu / r, v_x * v_x + v_y * v_y
     short = doubled(lambda x, y, r: x * x + y * y - r * r, x, y, r) / (2 * r)
     rest = (doubled(lambda mu, pull, r: mu + mu - pull * r, mu, pull, r) - pull * short) / r
@@ -132,7 +193,9 @@ def _beta(x, y, v_x, v_y, mu, r):
 
 
 def _anomaly_near(M, e, rest):
-    """The eccentric anomaly to about a thousandth from M between -pi and pi, e, and 1 - e (F. L. Markley, Celest. Mech. 63, 101, 1995)."""
+    """The eccentric anomaly to about a thousandth from M between -pi and pi, e, and 1 - e (F. L.
+    Markley, Celest. Mech. 63, 101, 1995).
+    """
     square = math.pi**2
     a = (3 * square + 1.6 * math.pi * (math.pi - abs(M)) / (1 + e)) / (square - 6)
     d = 3 * rest + a * e
@@ -160,12 +223,15 @@ def _halley(E, e, rest, M):
 
 
 def circle(mu, r, sense=1):
-    """A circle of the radius r, exactly: the one state is the azimuth ``angle`` (rad); sense is 1 for counterclockwise, -1 for clockwise.
+    """A circle of the radius r, exactly: the one state is the azimuth ``angle`` (rad); sense is 1
+    for counterclockwise, -1 for clockwise.
 
     >>> circle(8.0, 2.0).derivative((0.0,))
     (1.0,)
     """
-    return Model("satellite, circle", locals(), ("angle",), _circle, {}, _along_circle, (ECCENTRICITY, BULGE))
+    return Model(
+        "satellite, circle", locals(), ("angle",), _circle, {}, _along_circle, (ECCENTRICITY, BULGE)
+    )
 
 
 @scene(
@@ -173,17 +239,30 @@ def circle(mu, r, sense=1):
     mu=EARTH_GM, oblateness=EARTH_OBLATENESS, swept=7e6 * 7.6e3,
 )  # fmt: skip
 def over_equator(mu, oblateness, swept):
-    """The satellite over the equator of an oblate Earth: states r, r_rate and the azimuth ``angle``; ``swept`` is r^2 times the rate of the angle.
+    """The satellite over the equator of an oblate Earth: states r, r_rate and the azimuth
+    ``angle``; ``swept`` is r^2 times the rate of the angle.
 
     >>> over_equator(8.0, 0.0, 4.0).derivative((2.0, 0.0, 0.0))  # on the circle
     (0.0, 0.0, 1.0)
     """
-    return Model("satellite, over an oblate Earth", locals(), ("r", "r_rate", "angle"), _oblate_rates, {"energy over mass": _oblate_energy})
+    return Model(
+        "satellite, over an oblate Earth",
+        locals(),
+        ("r", "r_rate", "angle"),
+        _oblate_rates,
+        {"energy over mass": _oblate_energy},
+    )
 
 
-@scene("5.10", "satellite", "circle, Kepler's ellipse, ellipse that the Earth's bulge turns", ladder=True)
+@scene(
+    "5.10",
+    "satellite",
+    "circle, Kepler's ellipse, ellipse that the Earth's bulge turns",
+    ladder=True,
+)
 def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3), t=30_000.0):
-    """Circle, ellipse, oblate Earth: a :class:`~newton_euler.scenes.ladders.Ladder` for the position in the plane, from the ``start`` x, y, v_x, v_y.
+    """Circle, ellipse, oblate Earth: a :class:`~newton_euler.scenes.ladders.Ladder` for the
+    position in the plane, from the ``start`` x, y, v_x, v_y.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (5e6, 1e6, 1e3)]
@@ -193,7 +272,11 @@ def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3
     r, angle, swept = math.hypot(x, y), math.atan2(y, x), x * v_y - y * v_x
     rungs = (
         Rung(circle(mu, r, math.copysign(1.0, swept)), (angle,), _on_circle),
-        Rung(replace(orbit(mu), name="satellite, ellipse", neglects=(BULGE,)), start, observed_states("x", "y")),
+        Rung(
+            replace(orbit(mu), name="satellite, ellipse", neglects=(BULGE,)),
+            start,
+            observed_states("x", "y"),
+        ),
         Rung(over_equator(mu, oblateness, swept), (r, (x * v_x + y * v_y) / r, angle), _at_angle),
     )
     return Ladder("satellite", POSITION, t, rungs)

@@ -1,8 +1,11 @@
-"""A shot over the rotating Earth (6.9, 6.10), as a ladder of models from a flat Earth at rest to the full equations of motion in air.
+"""A shot over the rotating Earth (6.9, 6.10), as a ladder of models from a flat Earth at rest to
+the full equations of motion in air.
 
-All have the states x, y, z along ground axes (east, north, up) from a place on the surface, and vx, vy, vz. What a model neglects is bounded as an
-error of the position, as long as the shot is above the ground. Air of uniform density decelerates it by ``drag`` times the square of its speed;
-drag = density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the ground, 1e-8 at a height of 70 km.
+All have the states x, y, z along ground axes (east, north, up) from a place on the surface, and vx,
+vy, vz. What a model neglects is bounded as an error of the position, as long as the shot is above
+the ground. Air of uniform density decelerates it by ``drag`` times the square of its speed; drag =
+density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the ground, 1e-8 at a
+height of 70 km.
 
 >>> from newton_euler.scenes.ladders import smallest
 >>> for metres in (5.0, 2.0, 1.0, 0.1, 0.01):
@@ -16,7 +19,15 @@ projectile, full in air
 
 from ...algebra.scalars import ZERO, cos, sqrt
 from ...algebra.vectors import ZERO3, add3, cross3, dot3, scale3, sub3
-from ...applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, coriolis_series, earth_rate3, position3
+from ...applications.earth import (
+    EARTH_RADIUS,
+    EARTH_RATE,
+    attraction3,
+    centrifugal3,
+    coriolis_series,
+    earth_rate3,
+    position3,
+)
 from ...motion.model import Model, Neglected
 from ..catalogue import scene
 from ..closed_forms.harmonic import growth, stumpff
@@ -29,19 +40,45 @@ LARGEST = 8  # (2 omega t)^2 for which the series is summed to round-off: five h
 
 
 def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Free fall with constant g on an Earth at rest. The parameters other than g only bound what the model neglects."""
+    """Free fall with constant g on an Earth at rest. The parameters other than g only bound what
+    the model neglects.
+    """
     return _model("flat", locals(), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
 
 
-@scene("6.10", "projectile, rotation only", "the shot with constant g and the Coriolis acceleration only", 40.0, START, g=9.82, latitude=0.8)
+@scene(
+    "6.10",
+    "projectile, rotation only",
+    "the shot with constant g and the Coriolis acceleration only",
+    40.0,
+    START,
+    g=9.82,
+    latitude=0.8,
+)
 def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """The rotation to first order (6.24). The states vx, vy, vz are the velocity that the shot would have without it."""
-    return _model("Coriolis to first order", locals(), _turned, (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR), _turned_exact)
+    """The rotation to first order (6.24). The states vx, vy, vz are the velocity that the shot
+    would have without it.
+    """
+    return _model(
+        "Coriolis to first order",
+        locals(),
+        _turned,
+        (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR),
+        _turned_exact,
+    )
 
 
 def plumb(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Constant effective gravity, that of the origin, and the Coriolis acceleration (6.16), which is solved exactly."""
-    return _model("Coriolis and effective gravity", locals(), _uniform, (CENTRIFUGAL_CHANGE, CURVATURE, AIR), _uniform_exact)
+    """Constant effective gravity, that of the origin, and the Coriolis acceleration (6.16), which
+    is solved exactly.
+    """
+    return _model(
+        "Coriolis and effective gravity",
+        locals(),
+        _uniform,
+        (CENTRIFUGAL_CHANGE, CURVATURE, AIR),
+        _uniform_exact,
+    )
 
 
 def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
@@ -49,10 +86,27 @@ def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     return _model("flat in air", locals(), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
 
 
-@scene("6.10", "projectile", "a shot of 283 m/s over the rotating Earth, all terms", 40.0, START, g=9.82, latitude=0.8)
+@scene(
+    "6.10",
+    "projectile",
+    "a shot of 283 m/s over the rotating Earth, all terms",
+    40.0,
+    START,
+    g=9.82,
+    latitude=0.8,
+)
 def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular momentum about the axis, in the inertial frame."""
-    return _model("full", locals(), _full, (AIR,), None, {"energy over mass": _energy, "angular momentum over mass, about the axis": _axial})
+    """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular
+    momentum about the axis, in the inertial frame.
+    """
+    return _model(
+        "full",
+        locals(),
+        _full,
+        (AIR,),
+        None,
+        {"energy over mass": _energy, "angular momentum over mass, about the axis": _axial},
+    )
 
 
 def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
@@ -60,14 +114,39 @@ def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     return _model("full in air", locals(), _full_in_air)
 
 
-@scene("6.10", "projectile", "flat Earth, Coriolis, effective gravity, attraction of a sphere, air", ladder=True)
-def ladder(g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8, start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t=10.0):
-    """The models of one shot, in the order of their cost: a :class:`~newton_euler.scenes.ladders.Ladder` for its position until ``t``.
+@scene(
+    "6.10",
+    "projectile",
+    "flat Earth, Coriolis, effective gravity, attraction of a sphere, air",
+    ladder=True,
+)
+def ladder(
+    g=9.82,
+    latitude=0.8,
+    rate=EARTH_RATE,
+    radius=EARTH_RADIUS,
+    drag=1e-8,
+    start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0),
+    t=10.0,
+):
+    """The models of one shot, in the order of their cost: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for its position until ``t``.
 
     Six, or four if ``drag`` is 0.
     """
-    makers = (flat, coriolis, plumb, flat_in_air, full, full_in_air) if drag else (flat, coriolis, plumb, full)
-    return Ladder.of_models("projectile", POSITION, t, start, STATES[:3], *(make(g, latitude, rate, radius, drag) for make in makers))
+    makers = (
+        (flat, coriolis, plumb, flat_in_air, full, full_in_air)
+        if drag
+        else (flat, coriolis, plumb, full)
+    )
+    return Ladder.of_models(
+        "projectile",
+        POSITION,
+        t,
+        start,
+        STATES[:3],
+        *(make(g, latitude, rate, radius, drag) for make in makers),
+    )
 
 
 def _model(name, parameters, rhs, neglects=(), exact=None, invariants=()):
@@ -103,7 +182,14 @@ def _flat(s, p, t):
 
 
 def _parabola(s, p, t):
-    return s.x + s.vx * t, s.y + s.vy * t, s.z + s.vz * t - p.g * t * t / 2, s.vx, s.vy, s.vz - p.g * t
+    return (
+        s.x + s.vx * t,
+        s.y + s.vy * t,
+        s.z + s.vz * t - p.g * t * t / 2,
+        s.vx,
+        s.vy,
+        s.vz - p.g * t,
+    )
 
 
 def _flat_in_air(s, p, t):
@@ -114,7 +200,9 @@ def _flat_in_air(s, p, t):
 
 
 def _turned(s, p, t):
-    """The Coriolis acceleration of the flat shot, integrated once: by its displacement v t - g t^2/2."""
+    """The Coriolis acceleration of the flat shot, integrated once: by its displacement v t - g
+    t^2/2.
+    """
     way = sub3(scale3(t, _v(s)), scale3(t * t / 2, _down(p)))
     return *sub3(_v(s), scale3(2, cross3(_omega(p), way))), *_down(p)
 
@@ -133,11 +221,18 @@ def _plumb_line(p):
 
 
 def _uniform_exact(s, p, t):
-    """The series of :func:`newton_euler.applications.earth.position3`, all of it: three times across 2 omega is once across it, times -(2 omega)^2."""
+    """The series of :func:`newton_euler.applications.earth.position3`, all of it: three times
+    across 2 omega is once across it, times -(2 omega)^2.
+    """
     v, g, w = _v(s), _plumb_line(p), _omega(p)
     z = 4 * dot3(w, w) * t * t
     c3, c4 = stumpff(3, z, LARGEST) / 6, stumpff(4, z, LARGEST) / 24
-    f1, f2, f3, f4 = t * (1 - z * c3), t * t / 2 * (1 - 2 * z * c4), t * t * t * c3, t * t * t * t * c4
+    f1, f2, f3, f4 = (
+        t * (1 - z * c3),
+        t * t / 2 * (1 - 2 * z * c4),
+        t * t * t * c3,
+        t * t * t * t * c4,
+    )
     moved = coriolis_series(v, g, w, [(t, t * t / 2), (f2, f3), (f3, f4)])
     return *add3(_r(s), moved), *coriolis_series(v, g, w, [(1, t), (f1, f2), (f2, f3)])
 
@@ -148,7 +243,9 @@ def _uniform_exact(s, p, t):
 def _full(s, p, t):
     omega = _omega(p)
     seen = scale3(-2, cross3(omega, _v(s)))
-    return *_v(s), *add3(add3(attraction3(_r(s), p.g, p.radius), centrifugal3(_r(s), omega, p.radius)), seen)
+    return *_v(s), *add3(
+        add3(attraction3(_r(s), p.g, p.radius), centrifugal3(_r(s), omega, p.radius)), seen
+    )
 
 
 def _full_in_air(s, p, t):
@@ -177,10 +274,13 @@ def _axial(s, p, t):
 
 # -- what may be neglected
 #
-# Above the ground the attraction is at most g, the centrifugal acceleration at most rate^2 (R + d) at the distance d from the origin, and the
-# Coriolis acceleration does no work. So d <= D(t) with D'' = g + rate^2 (R + D), and the error e of a model that keeps the Coriolis term grows as
+# Above the ground the attraction is at most g, the centrifugal acceleration at most rate^2 (R + d)
+# at the distance d from the origin, and the
+# Coriolis acceleration does no work. So d <= D(t) with D'' = g + rate^2 (R + D), and the error e of
+# a model that keeps the Coriolis term grows as
 # |e'| <= integral of what it leaves out; that the air decelerates both makes e' smaller. A Coriolis term that is left out makes the error
-# 2 omega x (integral of the displacement), and to first order the displacement itself is wrong by as much. Nothing makes the speed larger than D'.
+# 2 omega x (integral of the displacement), and to first order the displacement itself is wrong by
+# as much. Nothing makes the speed larger than D'.
 
 
 def _bounds(s, p):
@@ -226,8 +326,12 @@ def _by_air(s, p, t):
 
 
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)
-SECOND_ORDER = Neglected("the Coriolis acceleration beyond the first order in the rotation", _by_second_order, POSITION)
+SECOND_ORDER = Neglected(
+    "the Coriolis acceleration beyond the first order in the rotation", _by_second_order, POSITION
+)
 CENTRIFUGAL = Neglected("the centrifugal acceleration", _by_centrifugal, POSITION)
-CENTRIFUGAL_CHANGE = Neglected("the change of the centrifugal acceleration with place", _by_centrifugal_change, POSITION)
+CENTRIFUGAL_CHANGE = Neglected(
+    "the change of the centrifugal acceleration with place", _by_centrifugal_change, POSITION
+)
 CURVATURE = Neglected("the change of the attraction with place", _by_curvature, POSITION)
 AIR = Neglected("the air", _by_air, POSITION)

@@ -1,10 +1,13 @@
-"""A space station of radius r that turns about its axis, so that its rim feels like the ground (6.7).
+"""A space station of radius r that turns about its axis, so that its rim feels like the ground
+(6.7).
 
-Station axes turn with it: the axis of rotation is z, along which ``omega`` is positive; the book's station has omega < 0. A body let go moves on a
-straight line at constant speed in the inertial frame; seen from the station its path is a spiral, or a circle, but in general not the limacon that
+Station axes turn with it: the axis of rotation is z, along which ``omega`` is positive; the book's
+station has omega < 0. A body let go moves on a straight line at constant speed in the inertial
+frame; seen from the station its path is a spiral, or a circle, but in general not the limacon that
 the book names.
 
-:func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the Earth, as it does in the station, and with the air.
+:func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the
+Earth, as it does in the station, and with the air.
 """
 
 from ...algebra.scalars import ZERO, sqrt
@@ -20,7 +23,8 @@ CREEP = 0.01  # m/s
 
 
 def station_rate(g, radius):
-    """The rate of rotation, rad/s, at which a body at the rim weighs as much as on the Earth: sqrt(g/radius).
+    """The rate of rotation, rad/s, at which a body at the rim weighs as much as on the Earth:
+    sqrt(g/radius).
 
     >>> round(station_rate(9.81, 100.0)*60/6.2832, 2)  # turns a minute
     2.99
@@ -29,16 +33,20 @@ def station_rate(g, radius):
 
 
 def rim_speed(g, radius):
-    """The speed of the rim at this rate, sqrt(g radius): who runs as fast against the rotation is at rest in the inertial frame, and floats."""
+    """The speed of the rim at this rate, sqrt(g radius): who runs as fast against the rotation is
+    at rest in the inertial frame, and floats.
+    """
     return sqrt(g * radius)
 
 
 @scene(
-    "6.7", "space station", "a body let go 20 m from the axis of a turning station, until it reaches the floor at 100 m", 15.0,
+    "6.7", "space station", "a body let go 20 m from the axis of a turning station, until it reaches the floor at "
+"100 m", 15.0,
     (20.0, 0.0, 0.0, 0.0), omega=-station_rate(9.81, 100.0),
 )  # fmt: skip
 def free_body(omega):
-    """The model of a body let go in the station (6.10): states x, y along station axes from the axis of rotation, dx, dy seen there.
+    """The model of a body let go in the station (6.10): states x, y along station axes from the
+    axis of rotation, dx, dy seen there.
 
     >>> free_body(0.5).derivative((2.0, 0.0, 1.0, 1.0))  # centrifugal 0.5 along x, Coriolis 1.0 and -1.0
     (1.0, 1.0, 1.5, -1.0)
@@ -47,9 +55,11 @@ def free_body(omega):
 
 
 def body_in_air(omega, air, creep=CREEP):
-    """The same with the air, which turns with the station and resists with ``air`` times the square of the speed seen there, over mass.
+    """The same with the air, which turns with the station and resists with ``air`` times the square
+    of the speed seen there, over mass.
 
-    air : rho C_D A/(2 m), 1/m; creep : a speed, well below which the air resists in proportion to the speed, so that a body may start at rest
+    air : rho C_D A/(2 m), 1/m; creep : a speed, well below which the air resists in proportion to
+        the speed, so that a body may start at rest
 
     >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))  # 0.25 against the velocity
     (3.0, 4.0, 4.35, -3.2)
@@ -59,20 +69,34 @@ def body_in_air(omega, air, creep=CREEP):
 
 @scene("6.7", "space station", "uniform gravity, the turning station, air", ladder=True)
 def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=1.0):
-    """The models of a throw near (radius, 0) at the rim, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for the position in m until t.
+    """The models of a throw near (radius, 0) at the rim, the coarsest first: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for the position in m until t.
 
-    omega : not zero; start : x, y, dx, dy in m and m/s. The floor is not modelled: choose t before the body reaches it.
+    omega : not zero; start : x, y, dx, dy in m and m/s. The floor is not modelled: choose t before
+        the body reaches it.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (2.0, 0.1, 1e-3)]
     ['uniform gravity in a turning station', 'free body in a turning station', 'body in the air of a turning station']
     """
     if omega == 0:
-        raise ModelError("a station that does not turn has no weight to model: omega must not be zero")
+        raise ModelError(
+            "a station that does not turn has no weight to model: omega must not be zero"
+        )
     full = body_in_air(omega, air)
     parameters = {**full.parameters, "radius": radius}
-    uniform = Model("uniform gravity in a turning station", parameters, STATES, _uniform, {}, _parabola, (CORIOLIS, CHANGE, AIR))
-    free = Model("free body in a turning station", parameters, STATES, _rates, _INVARIANTS, _exact, (AIR,))
+    uniform = Model(
+        "uniform gravity in a turning station",
+        parameters,
+        STATES,
+        _uniform,
+        {},
+        _parabola,
+        (CORIOLIS, CHANGE, AIR),
+    )
+    free = Model(
+        "free body in a turning station", parameters, STATES, _rates, _INVARIANTS, _exact, (AIR,)
+    )
     return Ladder.of_models("space station", POSITION, t, start, ("x", "y"), uniform, free, full)
 
 
@@ -122,20 +146,27 @@ def _exact(s, p, t):
 
 # -- what may be neglected
 #
-# Seen in the station neither the Coriolis acceleration nor the air makes the body faster, so its speed v and the distance r from the axis obey
-# v' <= omega^2 r, r' <= v: both grow no faster than those of a body on a spoke. In uniform gravity no force depends on position or velocity, so the
-# double integral of what is left out is the error; that of the Coriolis acceleration, 2 omega x v, is the integral of 2 omega x (displacement). The
+# Seen in the station neither the Coriolis acceleration nor the air makes the body faster, so its
+# speed v and the distance r from the axis obey
+# v' <= omega^2 r, r' <= v: both grow no faster than those of a body on a spoke. In uniform gravity
+# no force depends on position or velocity, so the
+# double integral of what is left out is the error; that of the Coriolis acceleration, 2 omega x v,
+# is the integral of 2 omega x (displacement). The
 # same is true of the air, for a free body in the inertial frame.
 
 
 def _bounds(s, p, t):
-    """At the start the speed and the centrifugal acceleration, and the factors that bound their growth until t."""
+    """At the start the speed and the centrifugal acceleration, and the factors that bound their
+    growth until t.
+    """
     v, a = sqrt(s.dx * s.dx + s.dy * s.dy), p.omega * p.omega * sqrt(s.x * s.x + s.y * s.y)
     return v, a, growth(p.omega, t)
 
 
 def _by_coriolis(s, p, t):
-    """The integral of the displacement, in which sinh(x) - x is at most x (cosh(x) - 1)/3, x = omega t."""
+    """The integral of the displacement, in which sinh(x) - x is at most x (cosh(x) - 1)/3, x =
+    omega t.
+    """
     v, a, (_, _, of_acceleration) = _bounds(s, p, t)
     return 2 * sqrt(p.omega * p.omega) * of_acceleration * (v + a * t / 3)
 
@@ -153,5 +184,7 @@ def _by_air(s, p, t):
 
 
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)
-CHANGE = Neglected("the change of the centripetal acceleration with the place", _by_change, POSITION)
+CHANGE = Neglected(
+    "the change of the centripetal acceleration with the place", _by_change, POSITION
+)
 AIR = Neglected("the air", _by_air, POSITION)

@@ -1,10 +1,13 @@
-"""A rod, or any flat or slender body, hinged at the end of a vertical shaft that turns at a constant rate (10.7).
+"""A rod, or any flat or slender body, hinged at the end of a vertical shaft that turns at a
+constant rate (10.7).
 
-theta is the angle from the *downward* vertical to the rod. ``weight_moment`` is m g d, d the distance from the hinge to G, on the rod;
-``inertia_difference`` is I_n - I_r about the hinge: the moment of inertia about the axis normal to both rod and hinge, less that about the rod
-(m L^2/3 for the rod itself).
+theta is the angle from the *downward* vertical to the rod. ``weight_moment`` is m g d, d the
+distance from the hinge to G, on the rod; ``inertia_difference`` is I_n - I_r about the hinge: the
+moment of inertia about the axis normal to both rod and hinge, less that about the rod (m L^2/3 for
+the rod itself).
 
-:func:`ladder` has three models of the swinging: small swings, any swings, and any swings on a shaft that is let go.
+:func:`ladder` has three models of the swinging: small swings, any swings, and any swings on a shaft
+that is let go.
 """
 
 from math import copysign
@@ -21,16 +24,22 @@ STATES = ("theta", "theta_rate")
 
 
 def rod(mass, length, omega, g):
-    """The parameters of the thin rod of the book: a dict for :func:`swing_out`, :func:`least_rate` and :func:`hinged`.
+    """The parameters of the thin rod of the book: a dict for :func:`swing_out`, :func:`least_rate`
+    and :func:`hinged`.
 
     >>> rod(3.0, 2.0, 4.0, 9.81)["inertia_difference"]
     4.0
     """
-    return {"weight_moment": mass * g * length / 2, "inertia_difference": mass * (length * length) / 3, "omega": omega}
+    return {
+        "weight_moment": mass * g * length / 2,
+        "inertia_difference": mass * (length * length) / 3,
+        "omega": omega,
+    }
 
 
 def least_rate(weight_moment, inertia_difference, **_):
-    """The rate sqrt(m g d/(I_n - I_r)) (rad/s) above which the body swings out; for the rod sqrt(3 g/(2 L)). Up to it, hanging down is stable.
+    """The rate sqrt(m g d/(I_n - I_r)) (rad/s) above which the body swings out; for the rod sqrt(3
+    g/(2 L)). Up to it, hanging down is stable.
 
     >>> round(least_rate(**rod(3.0, 2.0, 4.0, 9.81)), 6)
     2.712471
@@ -39,9 +48,11 @@ def least_rate(weight_moment, inertia_difference, **_):
 
 
 def swing_out(weight_moment, inertia_difference, omega, **_):
-    """The angle theta (rad) of relative equilibrium, for a rate above :func:`least_rate`: acos(m g d/((I_n - I_r) omega^2)), (10.31) with I = 0.
+    """The angle theta (rad) of relative equilibrium, for a rate above :func:`least_rate`: acos(m g
+    d/((I_n - I_r) omega^2)), (10.31) with I = 0.
 
-    weight_moment : m g d. Raises :class:`~newton_euler.applications.gyroscopes.GyroError` for a rate that is too low: then it hangs straight down.
+    weight_moment : m g d. Raises :class:`~newton_euler.applications.gyroscopes.GyroError` for a
+        rate that is too low: then it hangs straight down.
 
     >>> round(swing_out(**rod(3.0, 2.0, 4.0, 9.81)), 6)
     1.092977
@@ -49,20 +60,27 @@ def swing_out(weight_moment, inertia_difference, omega, **_):
     c = weight_moment / (inertia_difference * (omega * omega))
     if is_numeric(c) and size(c) > 1:
         least = plain(least_rate(weight_moment, inertia_difference))
-        raise GyroError(f"at {plain(omega)} rad/s the body hangs straight down; it swings out above {least} rad/s")
+        raise GyroError(
+            f"at {plain(omega)} rad/s the body hangs straight down; it swings out above "
+            f"{least} rad/s"
+        )
     return acos(c)
 
 
 def stiffness(theta, weight_moment, inertia_difference, omega, about_hinge=None):
-    """The square of the angular frequency of small swings about theta, 0 or :func:`swing_out`; stable where it is positive.
+    """The square of the angular frequency of small swings about theta, 0 or :func:`swing_out`;
+    stable where it is positive.
 
-    (m g d cos(theta) - (I_n - I_r) omega^2 cos(2 theta))/I_hinge; I_hinge is ``inertia_difference`` unless given.
+    (m g d cos(theta) - (I_n - I_r) omega^2 cos(2 theta))/I_hinge; I_hinge is ``inertia_difference``
+    unless given.
 
     >>> stiffness(0.0, **rod(3.0, 2.0, 2.0, 9.81)) > 0, stiffness(0.0, **rod(3.0, 2.0, 4.0, 9.81)) > 0
     (True, False)
     """
     about_hinge = inertia_difference if about_hinge is None else about_hinge
-    return (weight_moment * cos(theta) - inertia_difference * (omega * omega) * cos(2 * theta)) / about_hinge
+    return (
+        weight_moment * cos(theta) - inertia_difference * (omega * omega) * cos(2 * theta)
+    ) / about_hinge
 
 
 @scene(
@@ -70,7 +88,8 @@ def stiffness(theta, weight_moment, inertia_difference, omega, about_hinge=None)
     **rod(3.0, 2.0, 4.0, 9.81),
 )  # fmt: skip
 def hinged(weight_moment, inertia_difference, omega, about_hinge=None):
-    """The swinging as a Model, states theta and theta_rate; invariant the energy seen in the turning frame.
+    """The swinging as a Model, states theta and theta_rate; invariant the energy seen in the
+    turning frame.
 
     >>> hinged(**rod(3.0, 2.0, 4.0, 9.81)).derivative((0.0, 1.0))
     (1.0, 0.0)
@@ -80,26 +99,36 @@ def hinged(weight_moment, inertia_difference, omega, about_hinge=None):
 
 
 def on_free_shaft(weight_moment, inertia_difference, omega, shaft, theta, about_hinge=None):
-    """The swinging on a shaft without moment, which turns at ``omega`` when the angle is ``theta``: a Model like :func:`hinged`.
+    """The swinging on a shaft without moment, which turns at ``omega`` when the angle is ``theta``:
+    a Model like :func:`hinged`.
 
-    shaft : moment of inertia about the vertical of all that turns, for theta = 0. The rate of the shaft is no state: its angle is cyclic, and the
-    ``momentum`` about the vertical, a parameter, is constant. The larger ``shaft``, the more even the rate.
+    shaft : moment of inertia about the vertical of all that turns, for theta = 0. The rate of the
+        shaft is no state: its angle is cyclic, and the
+    ``momentum`` about the vertical, a parameter, is constant. The larger ``shaft``, the more even
+    the rate.
 
     >>> on_free_shaft(**rod(3.0, 2.0, 4.0, 9.81), shaft=1.0, theta=0.0).derivative((0.0, 1.0))
     (1.0, 0.0)
     """
     momentum = (shaft + inertia_difference * sin(theta) ** 2) * omega
     fixed = hinged(weight_moment, inertia_difference, omega, about_hinge).parameters
-    parameters = {n: fixed[n] for n in fixed if n != "omega"} | {"momentum": momentum, "shaft": shaft}
-    return Model("hinged on a shaft let go", parameters, STATES, _free_rates, {"energy": _free_energy})
+    parameters = {n: fixed[n] for n in fixed if n != "omega"} | {
+        "momentum": momentum,
+        "shaft": shaft,
+    }
+    return Model(
+        "hinged on a shaft let go", parameters, STATES, _free_rates, {"energy": _free_energy}
+    )
 
 
 @scene("10.7", "turning shaft", "small swings, any swings, a shaft that is let go", ladder=True)
 def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0), t=4.0):
-    """The models of the thin rod on a shaft, the coarsest first: a :class:`~newton_euler.scenes.ladders.Ladder` for theta, in rad, until ``t``.
+    """The models of the thin rod on a shaft, the coarsest first: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for theta, in rad, until ``t``.
 
     omega : rate of the shaft at the start; shaft : its moment of inertia; start : theta, theta_rate
-    Raises :class:`~newton_euler.motion.model.ModelError` at :func:`least_rate` itself, where small swings are not harmonic.
+    Raises :class:`~newton_euler.motion.model.ModelError` at :func:`least_rate` itself, where small
+    swings are not harmonic.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), radians).model.name for radians in (0.1, 0.03, 1e-3)]
@@ -109,11 +138,38 @@ def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0
     at = copysign(swing_out(**data), start[0]) if omega > least_rate(**data) else 0.0
     stiff = stiffness(at, **data)
     if not stiff > 0:
-        raise ModelError(f"omega = {omega!r} is the least rate at which the rod swings out, where small swings have no rate of their own")
+        raise ModelError(
+            f"omega = {omega!r} is the least rate at which the rod swings out, where small "
+            "swings have no rate of their own"
+        )
     parameters = {**hinged(**data).parameters, "shaft": shaft, "rest": at, "stiffness": stiff}
-    small = Model("small swings on a turning shaft", parameters, STATES, _small_rates, {"energy": _small_energy}, _small_exact, (LARGE, EVEN))
-    even = Model("hinged on a turning shaft", parameters, STATES, _rates, {"energy": _energy}, neglects=(EVEN,))
-    return Ladder.of_models("turning shaft", ANGLE, t, start, ("theta",), small, even, on_free_shaft(**data, shaft=shaft, theta=start[0]))
+    small = Model(
+        "small swings on a turning shaft",
+        parameters,
+        STATES,
+        _small_rates,
+        {"energy": _small_energy},
+        _small_exact,
+        (LARGE, EVEN),
+    )
+    even = Model(
+        "hinged on a turning shaft",
+        parameters,
+        STATES,
+        _rates,
+        {"energy": _energy},
+        neglects=(EVEN,),
+    )
+    return Ladder.of_models(
+        "turning shaft",
+        ANGLE,
+        t,
+        start,
+        ("theta",),
+        small,
+        even,
+        on_free_shaft(**data, shaft=shaft, theta=start[0]),
+    )
 
 
 def _small_rates(s, p, t):
@@ -134,11 +190,17 @@ def _rates(s, p, t):
 
 
 def _acceleration(s, p, omega):
-    return sin(s.theta) * (p.inertia_difference * (omega * omega) * cos(s.theta) - p.weight_moment) / p.about_hinge
+    return (
+        sin(s.theta)
+        * (p.inertia_difference * (omega * omega) * cos(s.theta) - p.weight_moment)
+        / p.about_hinge
+    )
 
 
 def _energy(s, p, t):
-    return (p.about_hinge * s.theta_rate**2 - p.inertia_difference * (p.omega * sin(s.theta)) ** 2) / 2 - p.weight_moment * cos(s.theta)
+    return (
+        p.about_hinge * s.theta_rate**2 - p.inertia_difference * (p.omega * sin(s.theta)) ** 2
+    ) / 2 - p.weight_moment * cos(s.theta)
 
 
 def _free_rates(s, p, t):
@@ -150,13 +212,17 @@ def _about_vertical(s, p):
 
 
 def _free_energy(s, p, t):
-    return (p.about_hinge * s.theta_rate**2 + p.momentum**2 / _about_vertical(s, p)) / 2 - p.weight_moment * cos(s.theta)
+    return (
+        p.about_hinge * s.theta_rate**2 + p.momentum**2 / _about_vertical(s, p)
+    ) / 2 - p.weight_moment * cos(s.theta)
 
 
 # -- what may be neglected
 #
-# theta'' is a function of theta with a slope of at most L = ((I_n - I_r) omega^2 + m g d)/I_hinge and a second derivative of at most twice that.
-# Two motions whose accelerations differ by ``more`` at equal angles are apart by e with |e|'' <= L |e| + more: |e| <= more (cosh(sqrt(L) t) - 1)/L.
+# theta'' is a function of theta with a slope of at most L = ((I_n - I_r) omega^2 + m g d)/I_hinge
+# and a second derivative of at most twice that.
+# Two motions whose accelerations differ by ``more`` at equal angles are apart by e with |e|'' <= L
+# |e| + more: |e| <= more (cosh(sqrt(L) t) - 1)/L.
 
 
 def _steepest(p):
@@ -176,7 +242,9 @@ def _by_large(s, p, t):
 def _by_even(s, p, t):
     """The rate of the shaft lies between 1/(1 + q) and 1 + q times that at the start."""
     q = p.inertia_difference / p.shaft
-    return _apart(p, p.inertia_difference * (p.omega * p.omega) * q * (2 + q) / (2 * p.about_hinge), t)
+    return _apart(
+        p, p.inertia_difference * (p.omega * p.omega) * q * (2 + q) / (2 * p.about_hinge), t
+    )
 
 
 LARGE = Neglected("that the swings are not small", _by_large, ANGLE)

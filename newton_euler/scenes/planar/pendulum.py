@@ -1,9 +1,10 @@
 """A rigid body that swings about a level axis: the physical pendulum (11.17).
 
-m mass, I moment of inertia about the parallel to the axis through G, l distance of G from the axis, theta from the downward vertical.
+m mass, I moment of inertia about the parallel to the axis through G, l distance of G from the axis,
+theta from the downward vertical.
 
-:func:`ladder` has three models of it: a harmonic oscillator, a particle, and the body. The particle costs as much to compute as the body, but does
-not need I.
+:func:`ladder` has three models of it: a harmonic oscillator, a particle, and the body. The particle
+costs as much to compute as the body, but does not need I.
 """
 
 import math
@@ -22,13 +23,35 @@ from ..ladders import Ladder
 ANGLE = "angle, rad"
 
 
-@scene("11.17", "pendulum", "a rigid pendulum, swinging by 1 rad", 10.0, (1.0, 0.0), m=2.0, I=0.5, l=0.5, g=10.0)
-@scene("11.17", "pendulum, over the top", "a rigid pendulum let go next to the upright position", 15.0, (3.1, 0.0), m=2.0, I=0.5, l=0.5, g=10.0)
+@scene(
+    "11.17",
+    "pendulum",
+    "a rigid pendulum, swinging by 1 rad",
+    10.0,
+    (1.0, 0.0),
+    m=2.0,
+    I=0.5,
+    l=0.5,
+    g=10.0,
+)
+@scene(
+    "11.17",
+    "pendulum, over the top",
+    "a rigid pendulum let go next to the upright position",
+    15.0,
+    (3.1, 0.0),
+    m=2.0,
+    I=0.5,
+    l=0.5,
+    g=10.0,
+)
 def physical_pendulum(m, I, l, g):
-    """The motion as a Model with the states theta and omega; the energy (11.32), by :func:`pendulum_energy`, is an invariant.
+    """The motion as a Model with the states theta and omega; the energy (11.32), by
+    :func:`pendulum_energy`, is an invariant.
 
-    The exact solution counts theta through all turns. It is that of a start within a few round-offs of the one given, and from there right to a few
-    round-offs of t times the rate of the motion: where the pendulum only just reaches the upright, small differences of the start grow.
+    The exact solution counts theta through all turns. It is that of a start within a few round-offs
+    of the one given, and from there right to a few round-offs of t times the rate of the motion:
+    where the pendulum only just reaches the upright, small differences of the start grow.
 
     >>> swing = physical_pendulum(2.0, 0.5, 0.5, 10.0)
     >>> swing.derivative((1.5707963267948966, 0.0))
@@ -36,7 +59,9 @@ def physical_pendulum(m, I, l, g):
     >>> [round(x, 6) for x in swing.solution(10.0, (0.0, 6.5))]  # over the top, several times
     [34.990743, 2.024268]
     """
-    return Model("physical pendulum", locals(), ("theta", "omega"), _rates, {"energy": _energy}, _exact)
+    return Model(
+        "physical pendulum", locals(), ("theta", "omega"), _rates, {"energy": _energy}, _exact
+    )
 
 
 def _square(p, I):
@@ -53,7 +78,9 @@ def _energy(s, p, t):
 
 
 def _exact(s, p, t):
-    """cos(theta/2), sin(theta/2) and omega/2 change at rates that are products of the others; with g or l negative, sine and cosine change places."""
+    """cos(theta/2), sin(theta/2) and omega/2 change at rates that are products of the others; with
+    g or l negative, sine and cosine change places.
+    """
     theta, omega, k, t = comparable("pendulum", s.theta, s.omega, _square(p, p.I), t)
     half, upright = theta / 2, k < 0
     start = cos(half), sin(half)
@@ -67,24 +94,29 @@ def _exact(s, p, t):
 
 
 def pendulum_energy(m, I, l, g, theta, omega):
-    """T + V = (I + m l^2) omega^2/2 - m g l cos(theta), with the terms ``translation``, ``rotation`` (11.51) and ``weight``, zero at the axis.
+    """T + V = (I + m l^2) omega^2/2 - m g l cos(theta), with the terms ``translation``,
+    ``rotation`` (11.51) and ``weight``, zero at the axis.
 
     >>> pendulum_energy(2.0, 0.5, 0.5, 10.0, 0.0, 3.0).terms
     {'translation': 2.25, 'rotation': 2.25, 'weight': -10.0}
     """
     T = plane_kinetic_energy(m, scalar(l) * omega, I, omega)
-    return summed({**T.terms, "weight": weight_potential(m, -(scalar(l) * cos(theta)), g)}, "energy", "11.32")
+    return summed(
+        {**T.terms, "weight": weight_potential(m, -(scalar(l) * cos(theta)), g)}, "energy", "11.32"
+    )
 
 
 def swing_rate(m, I, l, g, theta, theta0, omega0=0):
-    """The absolute value of omega at the angle theta, from that at theta0, without cancellation as theta -> theta0.
+    """The absolute value of omega at the angle theta, from that at theta0, without cancellation as
+    theta -> theta0.
 
     Raises :class:`~newton_euler.dynamics.energy.EnergyError` if the pendulum does not reach theta.
 
     >>> round(swing_rate(2.0, 0.5, 0.5, 10.0, 0.0, 1.5707963267948966), 6)
     4.472136
     """
-    drop = 2 * sin((scalar(theta0) + theta) / 2) * sin((scalar(theta0) - theta) / 2)  # cos(theta) - cos(theta0)
+    # cos(theta) - cos(theta0)
+    drop = 2 * sin((scalar(theta0) + theta) / 2) * sin((scalar(theta0) - theta) / 2)
     return speed_after(omega0, scalar(m) * g * l * drop, I + scalar(m) * l * l)
 
 
@@ -92,23 +124,39 @@ def swing_rate(m, I, l, g, theta, theta0, omega0=0):
 
 
 def small_swings(m, I, l, g):
-    """The body at small angles, exactly: a harmonic oscillator; states as for :func:`physical_pendulum`.
+    """The body at small angles, exactly: a harmonic oscillator; states as for
+    :func:`physical_pendulum`.
 
     >>> small_swings(2.0, 0.5, 0.5, 10.0).derivative((0.1, 0.0))
     (0.0, -1.0)
     """
-    return Model("pendulum, small swings", locals(), ("theta", "omega"), _small_rates, {}, _small_exact, (SINE,))
+    return Model(
+        "pendulum, small swings",
+        locals(),
+        ("theta", "omega"),
+        _small_rates,
+        {},
+        _small_exact,
+        (SINE,),
+    )
 
 
 def particle(m, l, g, I=0):
-    """The whole mass at the distance l from the axis: the mathematical pendulum. I serves to bound what it neglects."""
-    size = Neglected("the moment of inertia about the centre of mass", lambda s, p, t: _by_size(s, p, t, scalar(I)), ANGLE)
+    """The whole mass at the distance l from the axis: the mathematical pendulum. I serves to bound
+    what it neglects.
+    """
+    size = Neglected(
+        "the moment of inertia about the centre of mass",
+        lambda s, p, t: _by_size(s, p, t, scalar(I)),
+        ANGLE,
+    )
     return replace(physical_pendulum(m, 0, l, g), name="pendulum, a particle", neglects=(size,))
 
 
 @scene("11.17", "physical pendulum", "small swings, a particle, a rigid body", ladder=True)
 def ladder(m=1.0, I=0.002, l=1.0, g=9.81, start=(0.3, 0.0), t=10.0):
-    """Small swings, a particle, a body: a :class:`~newton_euler.scenes.ladders.Ladder` for theta in rad, until ``t`` after the start (theta, omega).
+    """Small swings, a particle, a body: a :class:`~newton_euler.scenes.ladders.Ladder` for theta in
+    rad, until ``t`` after the start (theta, omega).
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), angle).model.name for angle in (0.1, 0.01, 0.001)]
@@ -130,7 +178,9 @@ def _small_exact(s, p, t):
 
 
 def _by_sine(s, p, t):
-    """A swing of the amplitude A has |theta - sin(theta)| <= A^3/6 all the time, which pushes an oscillator by at most n t A^3/6."""
+    """A swing of the amplitude A has |theta - sin(theta)| <= A^3/6 all the time, which pushes an
+    oscillator by at most n t A^3/6.
+    """
     n = sqrt(_square(p, p.I))
     high = sin(s.theta / 2) ** 2 + (s.omega / (2 * n)) ** 2  # sin^2(A/2)
     swings = where(high < 1, abs(s.theta) < 3.14, False)
@@ -139,7 +189,9 @@ def _by_sine(s, p, t):
 
 
 def _by_size(s, p, t, I):
-    """From rest the body moves as the particle does, but slower. From a start with a rate the two diverge no faster than at the upright position."""
+    """From rest the body moves as the particle does, but slower. From a start with a rate the two
+    diverge no faster than at the upright position.
+    """
     n, slower = sqrt(p.g / p.l), sqrt(_square(p, I))
     at_rest = (n - slower) * t * 2 * sin(abs(s.theta) / 2)
     pushed = (n * n - slower * slower) * growth(n, t)[2]

@@ -1,12 +1,17 @@
-"""A body with three moments of inertia on which no moment acts, by its body rates: exact, and next to the separatrix too (8.14 with M = 0).
+"""A body with three moments of inertia on which no moment acts, by its body rates: exact, and next
+to the separatrix too (8.14 with M = 0).
 
-Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is Jacobi's: with b the intermediate axis and a the
-one that the motion circles, w_a is a dn, w_b a sn, w_c a cn. Near the separatrix, the motions that leave the intermediate axis and come back to it,
-k^2 is 1 within round-off, and formulas in k^2 lose all digits. Here 1 - k^2 comes from a difference of two squares, in twice the digits where these
-cancel, and the state from that of the start by the addition theorem, :func:`newton_euler.scenes.closed_forms.elliptic.coupled`.
+Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is
+Jacobi's: with b the intermediate axis and a the one that the motion circles, w_a is a dn, w_b a sn,
+w_c a cn. Near the separatrix, the motions that leave the intermediate axis and come back to it, k^2
+is 1 within round-off, and formulas in k^2 lose all digits. Here 1 - k^2 comes from a difference of
+two squares, in twice the digits where these cancel, and the state from that of the start by the
+addition theorem, :func:`newton_euler.scenes.closed_forms.elliptic.coupled`.
 
-:func:`ladder` has three models of a body that spins about z, more or less: symmetric, nearly steady, or as it is. In both approximations the rate
-about z is constant, w_x and w_y go around an ellipse (a circle for the symmetric body), or run away where z is the axis of the intermediate moment.
+:func:`ladder` has three models of a body that spins about z, more or less: symmetric, nearly
+steady, or as it is. In both approximations the rate about z is constant, w_x and w_y go around an
+ellipse (a circle for the symmetric body), or run away where z is the axis of the intermediate
+moment.
 """
 
 from ...algebra.scalars import is_finite, is_numeric, plain, size, sqrt, where
@@ -24,27 +29,54 @@ RATES = "angular velocity, rad/s"
 
 
 @scene(
-    "10.8", "free body", "a spin about the intermediate axis, which it leaves and comes back to", 50.0, (0.01, 1.0, 0.01), I_x=1.0, I_y=2.0, I_z=3.0
+    "10.8",
+    "free body",
+    "a spin about the intermediate axis, which it leaves and comes back to",
+    50.0,
+    (0.01, 1.0, 0.01),
+    I_x=1.0,
+    I_y=2.0,
+    I_z=3.0,
 )
-@scene("10.8", "free body, calm", "a spin near the axis of the least moment", 20.0, (1.0, 0.1, 0.4), I_x=1.0, I_y=1.5, I_z=2.2)
+@scene(
+    "10.8",
+    "free body, calm",
+    "a spin near the axis of the least moment",
+    20.0,
+    (1.0, 0.1, 0.4),
+    I_x=1.0,
+    I_y=1.5,
+    I_z=2.2,
+)
 def free_body(I_x, I_y, I_z):
-    """The free body as a Model: states w_x, w_y, w_z along its principal axes (rad/s); invariants ``energy`` and ``momentum``, the size of H.
+    """The free body as a Model: states w_x, w_y, w_z along its principal axes (rad/s); invariants
+    ``energy`` and ``momentum``, the size of H.
 
-    The numbers given are taken as exact, and the exact solution is right to a few round-offs of t times the rate of the motion, wherever it starts:
-    beside the separatrix, on it, or at rest about an axis. t, and the states, may be arrays; expressions are refused in words.
+    The numbers given are taken as exact, and the exact solution is right to a few round-offs of t
+    times the rate of the motion, wherever it starts: beside the separatrix, on it, or at rest about
+    an axis. t, and the states, may be arrays; expressions are refused in words.
 
     >>> body = free_body(1.0, 2.0, 3.0)
     >>> [round(w, 6) for w in body.solution(20.0, (1e-7, 1.0, 1e-7))]
     [-0.003787, 0.999993, 0.002187]
     """
-    return Model("free body", locals(), ("w_x", "w_y", "w_z"), _rates, {"energy": _energy, "momentum": _momentum}, _exact)
+    return Model(
+        "free body",
+        locals(),
+        ("w_x", "w_y", "w_z"),
+        _rates,
+        {"energy": _energy, "momentum": _momentum},
+        _exact,
+    )
 
 
 def tilt_growth(I_x, I_y, I_z, axis, rate):
-    """The rate (1/s) at which a small tilt grows while a body spins at ``rate`` about its principal ``axis`` "x", "y" or "z": 0 where it does not.
+    """The rate (1/s) at which a small tilt grows while a body spins at ``rate`` about its principal
+    ``axis`` "x", "y" or "z": 0 where it does not.
 
-    For the axis n with the others u, v it is |rate| sqrt((I_n - I_u)(I_v - I_n)/(I_u I_v)), real about the intermediate one alone. In the time T a
-    tilt grows by exp(growth T). An integration in floats that starts exactly on the axis stays there, and does not show the instability.
+    For the axis n with the others u, v it is |rate| sqrt((I_n - I_u)(I_v - I_n)/(I_u I_v)), real
+    about the intermediate one alone. In the time T a tilt grows by exp(growth T). An integration in
+    floats that starts exactly on the axis stays there, and does not show the instability.
 
     >>> tilt_growth(1.0, 2.0, 3.0, "z", 10.0), round(tilt_growth(1.0, 2.0, 3.0, "y", 3.0), 6)
     (0.0, 1.732051)
@@ -82,10 +114,15 @@ def _exact(s, p, t):
     *I, w_x, w_y, w_z, t = comparable("free body", p.I_x, p.I_y, p.I_z, s.w_x, s.w_y, s.w_z, t)
     _check(I, (w_x, w_y, w_z), t)
     k = (I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]
-    y, z = k[2] * k[0] >= 0, k[0] * k[1] >= 0  # is the intermediate axis, to be put second in the cycle x, y, z
+    # is the intermediate axis, to be put second in the cycle x, y, z
+    y, z = k[2] * k[0] >= 0, k[0] * k[1] >= 0
 
     def in_cycle(of_x, of_y, of_z):
-        return where(y, of_x, where(z, of_y, of_z)), where(y, of_y, where(z, of_z, of_x)), where(y, of_z, where(z, of_x, of_y))
+        return (
+            where(y, of_x, where(z, of_y, of_z)),
+            where(y, of_y, where(z, of_z, of_x)),
+            where(y, of_z, where(z, of_x, of_y)),
+        )
 
     k, w = in_cycle(*k), in_cycle(w_x, w_y, w_z)
     a, b, c, _ = coupled(k, w, _gap(k, in_cycle(*I), w), t)
@@ -94,13 +131,20 @@ def _exact(s, p, t):
 
 def _check(moments, w, t):
     if not all(map(is_finite, (*moments, *w, t))):
-        raise ModelError(f"the free body cannot start with {w} at moments {moments} and go to t = {t}: all must be finite")
+        raise ModelError(
+            f"the free body cannot start with {w} at moments {moments} and go to t = {t}: all "
+            "must be finite"
+        )
     if any(is_numeric(I) and size(where(I > 0, 0, 1)) for I in moments):
-        raise ModelError(f"the principal moments of the exact solution are three positive numbers, got {moments}")
+        raise ModelError(
+            f"the principal moments of the exact solution are three positive numbers, got {moments}"
+        )
 
 
 def _gap(k, I, w):
-    """A number that is > 0 if the motion circles the first axis, < 0 if the third: from H^2 - 2 T I_b, b the axis between."""
+    """A number that is > 0 if the motion circles the first axis, < 0 if the third: from H^2 - 2 T
+    I_b, b the axis between.
+    """
 
     def difference(Ia, Ib, Ic, wa, wc):
         return Ia * (Ia - Ib) * (wa * wa) - Ic * (Ib - Ic) * (wc * wc)
@@ -115,12 +159,20 @@ def _gap(k, I, w):
 
 
 def symmetric_wobble(I_x, I_y, I_z, spin):
-    """With the mean of I_x and I_y for both (10.36): states w_x, w_y; ``spin`` is the constant rate about z.
+    """With the mean of I_x and I_y for both (10.36): states w_x, w_y; ``spin`` is the constant rate
+    about z.
 
     >>> symmetric_wobble(1.0, 3.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-0.5, 2.5)
     """
-    return Model("wobble of a symmetric body", locals(), ("w_x", "w_y"), _symmetric, exact=_symmetric_exact, neglects=(ASYMMETRY,))
+    return Model(
+        "wobble of a symmetric body",
+        locals(),
+        ("w_x", "w_y"),
+        _symmetric,
+        exact=_symmetric_exact,
+        neglects=(ASYMMETRY,),
+    )
 
 
 def small_wobble(I_x, I_y, I_z, spin):
@@ -129,20 +181,31 @@ def small_wobble(I_x, I_y, I_z, spin):
     >>> small_wobble(1.0, 2.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-1.0, 5.0)
     """
-    return Model("small wobble", locals(), ("w_x", "w_y"), _small, exact=_small_exact, neglects=(PRODUCT,))
+    return Model(
+        "small wobble", locals(), ("w_x", "w_y"), _small, exact=_small_exact, neglects=(PRODUCT,)
+    )
 
 
 @scene("10.8", "free body", "a symmetric body, a small wobble, any motion", ladder=True)
 def ladder(I_x=1.0, I_y=1.02, I_z=1.5, start=(0.1, 0.0, 5.0), t=10.0):
-    """Symmetric body, small wobble, free body: a :class:`~newton_euler.scenes.ladders.Ladder` for the body rates w_x, w_y, w_z, which are the start.
+    """Symmetric body, small wobble, free body: a :class:`~newton_euler.scenes.ladders.Ladder` for
+    the body rates w_x, w_y, w_z, which are the start.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), rate).model.name for rate in (0.01, 1e-4, 1e-5)]
     ['wobble of a symmetric body', 'small wobble', 'free body']
     """
     *across, spin = start
-    rungs = [Rung(make(I_x, I_y, I_z, spin), tuple(across), _with_spin) for make in (symmetric_wobble, small_wobble)]
-    return Ladder("free body", RATES, t, (*rungs, Rung(free_body(I_x, I_y, I_z), start, observed_states("w_x", "w_y", "w_z"))))
+    rungs = [
+        Rung(make(I_x, I_y, I_z, spin), tuple(across), _with_spin)
+        for make in (symmetric_wobble, small_wobble)
+    ]
+    return Ladder(
+        "free body",
+        RATES,
+        t,
+        (*rungs, Rung(free_body(I_x, I_y, I_z), start, observed_states("w_x", "w_y", "w_z"))),
+    )
 
 
 def _with_spin(s, p, t):

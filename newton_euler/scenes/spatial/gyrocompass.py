@@ -10,20 +10,29 @@ from ..catalogue import scene
     I0=0.002, I=0.003, omega_z=1000.0, earth_rate=7.292e-5, latitude=0.8,
 )  # fmt: skip
 def gyrocompass(I0, I, omega_z, earth_rate, latitude):
-    """A gyroscope whose axis is kept level: it swings about north. A Model with the states azimuth (rad, from north) and azimuth_rate.
+    """A gyroscope whose axis is kept level: it swings about north. A Model with the states azimuth
+    (rad, from north) and azimuth_rate.
 
-    With c = Omega cos(latitude) the axis turns at c sin(azimuth) about the level and at Omega sin(latitude) + azimuth' about the vertical transverse
-    axis, and the rotor at omega_z about its own, so that I0 azimuth'' = -c sin(azimuth) (I omega_z - I0 c cos(azimuth)).
+    With c = Omega cos(latitude) the axis turns at c sin(azimuth) about the level and at Omega
+    sin(latitude) + azimuth' about the vertical transverse axis, and the rotor at omega_z about its
+    own, so that I0 azimuth'' = -c sin(azimuth) (I omega_z - I0 c cos(azimuth)).
 
     >>> compass = gyrocompass(0.002, 0.003, 1000.0, 7.292e-5, 0.8)
     >>> compass.derivative((0.1, 0.0))[1] < 0 < compass.derivative((-0.1, 0.0))[1]  # back to north
     True
     """
-    return Model("gyrocompass", locals(), ("azimuth", "azimuth_rate"), _compass_rates, {"energy": _compass_energy})
+    return Model(
+        "gyrocompass",
+        locals(),
+        ("azimuth", "azimuth_rate"),
+        _compass_rates,
+        {"energy": _compass_energy},
+    )
 
 
 def compass_period(I0, I, omega_z, earth_rate, latitude):
-    """The period (s) of small swings about north: 2 pi sqrt(I0/(Omega cos(latitude) (I omega_z - I0 Omega cos(latitude)))).
+    """The period (s) of small swings about north: 2 pi sqrt(I0/(Omega cos(latitude) (I omega_z - I0
+    Omega cos(latitude)))).
 
     >>> round(compass_period(0.002, 0.003, 1000.0, 7.292e-5, 0.8), 3)
     22.761
@@ -34,9 +43,13 @@ def compass_period(I0, I, omega_z, earth_rate, latitude):
 
 def _compass_rates(s, p, t):
     level = p.earth_rate * cos(p.latitude)
-    return s.azimuth_rate, -level * sin(s.azimuth) * (p.I * p.omega_z - p.I0 * level * cos(s.azimuth)) / p.I0
+    return s.azimuth_rate, -level * sin(s.azimuth) * (
+        p.I * p.omega_z - p.I0 * level * cos(s.azimuth)
+    ) / p.I0
 
 
 def _compass_energy(s, p, t):
     level = p.earth_rate * cos(p.latitude)
-    return p.I0 * (s.azimuth_rate**2 - (level * sin(s.azimuth)) ** 2) / 2 - p.I * p.omega_z * level * cos(s.azimuth)
+    return p.I0 * (
+        s.azimuth_rate**2 - (level * sin(s.azimuth)) ** 2
+    ) / 2 - p.I * p.omega_z * level * cos(s.azimuth)

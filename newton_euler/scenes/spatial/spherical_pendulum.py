@@ -1,10 +1,12 @@
 """The thin spherical pendulum: a uniform bar that hangs from a ball joint (10.4).
 
-It is a top without a moment of inertia about its axis, I0 = m L^2/3 and I = 0. The axis k points from the joint along the bar and theta is its angle
-with the *upward* vertical K, so that the bar hangs at theta = pi.
+It is a top without a moment of inertia about its axis, I0 = m L^2/3 and I = 0. The axis k points
+from the joint along the bar and theta is its angle with the *upward* vertical K, so that the bar
+hangs at theta = pi.
 
-:func:`ladder` has four models of the motion of its tip, at x, y in plan, from the joint, z up, always below the level of the joint: small swings or
-any, with friction in the joint or without. The bar swings like a simple pendulum of the length 2 L/3. Friction is a moment against the turning;
+:func:`ladder` has four models of the motion of its tip, at x, y in plan, from the joint, z up,
+always below the level of the joint: small swings or any, with friction in the joint or without. The
+bar swings like a simple pendulum of the length 2 L/3. Friction is a moment against the turning;
 ``friction`` is this moment over the moment of inertia and the rate, 1/s.
 """
 
@@ -28,7 +30,8 @@ PLACE = "place of the tip in plan, m"
 
 
 def momentum(mass, length, psi, theta, phi):
-    """H about the joint, in the frame {i, j, k} that does not spin, (10.16): a Vector whose frame is the parent of that of the bar.
+    """H about the joint, in the frame {i, j, k} that does not spin, (10.16): a Vector whose frame
+    is the parent of that of the bar.
 
     psi, theta, phi : Euler angles 3-1-3, :func:`newton_euler.moving`; the spin phi has no influence
     Returns H and the frame of the bar; ``H.expressed_in(bar)`` is (10.14).
@@ -50,7 +53,8 @@ def momentum(mass, length, psi, theta, phi):
     mass=3.0, length=2.0, g=9.81,
 )  # fmt: skip
 def pendulum(mass, length, g):
-    """The pendulum as a Model without a singular position: :func:`newton_euler.scenes.spatial.top.nonspinning_frame`.
+    """The pendulum as a Model without a singular position:
+    :func:`newton_euler.scenes.spatial.top.nonspinning_frame`.
 
     >>> pendulum(3.0, 2.0, 9.81).parameters["I0"]
     4.0
@@ -63,13 +67,16 @@ def pendulum(mass, length, g):
     mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
 )  # fmt: skip
 def nodding(mass, length, g, theta, precession):
-    """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this rate psi': :func:`newton_euler.scenes.spatial.top.nutation`.
+    """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this
+    rate psi': :func:`newton_euler.scenes.spatial.top.nutation`.
 
     >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)  # falls towards theta = pi
     1.03829
     """
     I0 = mass * (length * length) / 3
-    return nutation(I0, 0, mass * g * length / 2, 0, momentum_difference(I0, 0, theta, precession, 0))
+    return nutation(
+        I0, 0, mass * g * length / 2, 0, momentum_difference(I0, 0, theta, precession, 0)
+    )
 
 
 # -- the tip in plan
@@ -85,12 +92,18 @@ def small_swings(length, g):
 
 
 def small_swings_with_friction(length, g, friction):
-    """Small swings with friction, an ellipse that shrinks; friction is below 2 sqrt(3 g/(2 length)), the critical damping."""
-    return Model("bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,))
+    """Small swings with friction, an ellipse that shrinks; friction is below 2 sqrt(3 g/(2
+    length)), the critical damping.
+    """
+    return Model(
+        "bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,)
+    )
 
 
 def any_swing(length, g):
-    """Any swing below the level of the joint, without friction: as the tip would swing on a cord, with gravity 3 g/2."""
+    """Any swing below the level of the joint, without friction: as the tip would swing on a cord,
+    with gravity 3 g/2.
+    """
     return replace(on_cord(length, 1.5 * g), name="bar, any swing", neglects=(FRICTION,))
 
 
@@ -99,9 +112,15 @@ def any_swing_with_friction(length, g, friction):
     return Model("bar, any swing with friction", locals(), STATES, _full)
 
 
-@scene("10.4", "spherical pendulum", "small swings and any, with friction in the joint or without", ladder=True)
+@scene(
+    "10.4",
+    "spherical pendulum",
+    "small swings and any, with friction in the joint or without",
+    ladder=True,
+)
 def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0):
-    """Four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the place of the tip in plan, m, from the ``start`` x, y, dx, dy.
+    """Four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the place of the tip in plan,
+    m, from the ``start`` x, y, dx, dy.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> for metres in (0.01, 0.001, 1e-5):
@@ -138,7 +157,11 @@ def _damped_exact(s, p, t):
 
 def _full(s, p, t):
     r, v = below(s, p.length)
-    return s.dx, s.dy, *held(r, v, add3((ZERO, ZERO, -3 * p.g / 2), scale3(-p.friction, v)), p.length)
+    return (
+        s.dx,
+        s.dy,
+        *held(r, v, add3((ZERO, ZERO, -3 * p.g / 2), scale3(-p.friction, v)), p.length),
+    )
 
 
 SIZE = Neglected("the size of the swings", None, PLACE)

@@ -1,8 +1,11 @@
-"""The symmetric top with a fixed point under gravity (10.5, 10.6) as models of three kinds, and the free symmetric body (10.8).
+"""The symmetric top with a fixed point under gravity (10.5, 10.6) as models of three kinds, and the
+free symmetric body (10.8).
 
-All take I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`; ``omega_z``, the whole rate about the axis, is constant and so a parameter.
-Which one: :func:`nutation` for nutation alone, :func:`attitude` for pictures, :func:`nonspinning_frame` for a top that spins too fast to be followed
-turn by turn, :func:`euler` where psi and phi are wanted and the axis stays off the vertical.
+All take I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`; ``omega_z``,
+the whole rate about the axis, is constant and so a parameter. Which one: :func:`nutation` for
+nutation alone, :func:`attitude` for pictures, :func:`nonspinning_frame` for a top that spins too
+fast to be followed turn by turn, :func:`euler` where psi and phi are wanted and the axis stays off
+the vertical.
 """
 
 from dataclasses import replace
@@ -11,25 +14,36 @@ from ...algebra.ledger import summed
 from ...algebra.scalars import cos, plain, scalar, sin, sqrt, tan
 from ...algebra.vectors import dot3
 from ...dynamics.energy import gyroscope_energy
-from ...kinematics.rotations import apply, matrix_from_quaternion, quaternion, quaternion_product, quaternion_rate
+from ...kinematics.rotations import (
+    apply,
+    matrix_from_quaternion,
+    quaternion,
+    quaternion_product,
+    quaternion_rate,
+)
 from ...motion.model import Model
 from ..catalogue import scene
 from ..closed_forms.harmonic import turned
 from ..closed_forms.top import nutation_exact
 
 SPIN = 8.0  # rad/s
-TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}  # the top of the scenes, let go at 0.6 rad from the vertical, which nutates
+# the top of the scenes, let go at 0.6 rad from the vertical, which nutates
+TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
 
 
 def tilted(theta):
-    """The start of :func:`nonspinning_frame` at rest, but for the spin, at this angle from the vertical."""
+    """The start of :func:`nonspinning_frame` at rest, but for the spin, at this angle from the
+    vertical.
+    """
     return cos(theta / 2), sin(theta / 2), 0.0, 0.0, 0.0, 0.0
 
 
 def momentum_difference(I0, I, theta, precession, omega_z):
-    """p_psi - p_phi: the constant by which the angular momentum about the vertical exceeds that about the axis, I omega_z.
+    """p_psi - p_phi: the constant by which the angular momentum about the vertical exceeds that
+    about the axis, I omega_z.
 
-    It is I0 psi' sin^2(theta) - I omega_z (1 - cos(theta)), and zero for a top that passes through the upright position.
+    It is I0 psi' sin^2(theta) - I omega_z (1 - cos(theta)), and zero for a top that passes through
+    the upright position.
 
     >>> momentum_difference(0.02, 0.01, 0.0, 3.0, 100.0)
     0.0
@@ -38,7 +52,8 @@ def momentum_difference(I0, I, theta, precession, omega_z):
 
 
 def precession_rate(I0, I, theta, omega_z, momentum_difference):
-    """psi' at the angle theta from the constants, (p_psi - p_phi cos(theta))/(I0 sin^2(theta)), by half angles.
+    """psi' at the angle theta from the constants, (p_psi - p_phi cos(theta))/(I0 sin^2(theta)), by
+    half angles.
 
     If ``momentum_difference`` is the integer 0 it has its limit at theta = 0.
 
@@ -46,14 +61,19 @@ def precession_rate(I0, I, theta, omega_z, momentum_difference):
     25.0
     """
     q = scalar(momentum_difference)
-    return plain((2 * I * omega_z + q) / (4 * I0 * cos(theta / 2) ** 2) + q / (4 * I0 * sin(theta / 2) ** 2))
+    return plain(
+        (2 * I * omega_z + q) / (4 * I0 * cos(theta / 2) ** 2) + q / (4 * I0 * sin(theta / 2) ** 2)
+    )
 
 
 def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
-    """T + V of a top about its fixed point, an Amount with the terms ``transverse``, ``axial`` and ``weight``; constant during the motion.
+    """T + V of a top about its fixed point, an Amount with the terms ``transverse``, ``axial`` and
+    ``weight``; constant during the motion.
 
-    I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`. V = + mgr cos(theta), since theta is counted from the *upward* vertical and the moment
-    of the weight, + mgr sin(theta) (10.30), makes it grow. The book prints a minus sign here, with which the sum is not constant.
+    I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`. V = + mgr
+    cos(theta), since theta is counted from the *upward* vertical and the moment of the weight, +
+    mgr sin(theta) (10.30), makes it grow. The book prints a minus sign here, with which the sum is
+    not constant.
 
     >>> top_energy(1.5, 1.0, 10.0, 0.0, 0.0, 2.0, 3.0).terms
     {'transverse': 0.0, 'axial': 12.5, 'weight': 10.0}
@@ -70,14 +90,18 @@ def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
     **TOP, momentum_difference=momentum_difference(1.0, 1.5, 0.6, 0.0, SPIN),
 )  # fmt: skip
 def nutation(I0, I, mgr, omega_z, momentum_difference):
-    """The nutation alone (10.24) with the cyclic angles eliminated: states theta, theta_rate; invariant the energy, less that of spin.
+    """The nutation alone (10.24) with the cyclic angles eliminated: states theta, theta_rate;
+    invariant the energy, less that of spin.
 
-    momentum_difference : from the start, by the function :func:`momentum_difference`; 0 for a sleeping top, and then theta = 0 is no singular place
-    I0 theta'' = mgr sin(theta) - d/dtheta (p_psi - p_phi cos(theta))^2/(2 I0 sin^2(theta)), with the quotient by half angles as
-    (p tan(theta/2) + q/tan(theta/2))^2/(8 I0), p = p_psi + p_phi, q = p_psi - p_phi = momentum_difference. A pendulum has I = 0.
+    momentum_difference : from the start, by the function :func:`momentum_difference`; 0 for a
+        sleeping top, and then theta = 0 is no singular place
+    I0 theta'' = mgr sin(theta) - d/dtheta (p_psi - p_phi cos(theta))^2/(2 I0 sin^2(theta)), with
+    the quotient by half angles as (p tan(theta/2) + q/tan(theta/2))^2/(8 I0), p = p_psi + p_phi, q
+    = p_psi - p_phi = momentum_difference. A pendulum has I = 0.
 
-    The exact solution is by elliptic functions; it goes through the vertical where ``momentum_difference``, or the sum p for the downward one, is
-    exactly 0, and counts the turns of a pendulum. ``mgr`` may be of either sign or 0.
+    The exact solution is by elliptic functions; it goes through the vertical where
+    ``momentum_difference``, or the sum p for the downward one, is exactly 0, and counts the turns
+    of a pendulum. ``mgr`` may be of either sign or 0.
 
     >>> top = nutation(0.02, 0.01, 0.5, 100.0, 0)
     >>> top.derivative((0.0, 0.1))
@@ -85,7 +109,14 @@ def nutation(I0, I, mgr, omega_z, momentum_difference):
     >>> [round(x, 6) for x in top.solution(0.05, (0.0, 0.1))]  # it goes through the upright
     [0.00384, 0.033918]
     """
-    return Model("top, nutation alone", locals(), ("theta", "theta_rate"), _nutation_rates, {"energy": _nutation_energy}, nutation_exact)
+    return Model(
+        "top, nutation alone",
+        locals(),
+        ("theta", "theta_rate"),
+        _nutation_rates,
+        {"energy": _nutation_energy},
+        nutation_exact,
+    )
 
 
 def _sides(s, p):
@@ -97,7 +128,8 @@ def _sides(s, p):
 def _nutation_rates(s, p, t):
     t, q, whole, rest = _sides(s, p)
     slope = (whole * t + rest) * (whole * (1 + t * t) - (q + rest / t)) / (8 * p.I0)
-    return s.theta_rate, (p.mgr * (2 * t / (1 + t * t)) - slope) / p.I0  # sin(theta) from the tangent that is there
+    # sin(theta) from the tangent that is there
+    return s.theta_rate, (p.mgr * (2 * t / (1 + t * t)) - slope) / p.I0
 
 
 def _nutation_energy(s, p, t):
@@ -108,9 +140,17 @@ def _nutation_energy(s, p, t):
 # -- Euler's angles
 
 
-@scene("10.5", "top, angles", "the nutating top in Euler's angles", 10.0, (0.0, 0.6, 0.0, 0.0, 0.0), **TOP)
+@scene(
+    "10.5",
+    "top, angles",
+    "the nutating top in Euler's angles",
+    10.0,
+    (0.0, 0.6, 0.0, 0.0, 0.0),
+    **TOP,
+)
 def euler(I0, I, mgr, omega_z):
-    """The top in Euler's angles (10.25): states psi, theta, phi, psi_rate, theta_rate; invariants energy and p_psi. Singular at theta = 0 and pi.
+    """The top in Euler's angles (10.25): states psi, theta, phi, psi_rate, theta_rate; invariants
+    energy and p_psi. Singular at theta = 0 and pi.
 
     >>> import math
     >>> top = euler(0.02, 0.01, 0.5, 100.0)
@@ -118,14 +158,26 @@ def euler(I0, I, mgr, omega_z):
     0.0
     """
     parameters, states = locals(), ("psi", "theta", "phi", "psi_rate", "theta_rate")
-    return Model("top in Euler's angles", parameters, states, _euler_rates, {"energy": _euler_energy, "p_psi": _euler_vertical})
+    return Model(
+        "top in Euler's angles",
+        parameters,
+        states,
+        _euler_rates,
+        {"energy": _euler_energy, "p_psi": _euler_vertical},
+    )
 
 
 def _euler_rates(s, p, t):
     sine, cosine, h = sin(s.theta), cos(s.theta), p.I * p.omega_z
     psi_acceleration = s.theta_rate * (h / p.I0 - 2 * (s.psi_rate * cosine)) / sine
     theta_acceleration = sine * (s.psi_rate**2 * cosine + (p.mgr - h * s.psi_rate) / p.I0)
-    return s.psi_rate, s.theta_rate, p.omega_z - s.psi_rate * cosine, psi_acceleration, theta_acceleration
+    return (
+        s.psi_rate,
+        s.theta_rate,
+        p.omega_z - s.psi_rate * cosine,
+        psi_acceleration,
+        theta_acceleration,
+    )
 
 
 def _euler_energy(s, p, t):
@@ -142,15 +194,24 @@ def _euler_vertical(s, p, t):
 
 @scene("10.5", "top", "a nutating top, in the frame that does not spin", 10.0, tilted(0.6), **TOP)
 def nonspinning_frame(I0, I, mgr, omega_z):
-    """The top in a frame that goes with its axis and does not turn about it, (10.20) with Omega_z = 0: no singular place, no fast angle.
+    """The top in a frame that goes with its axis and does not turn about it, (10.20) with Omega_z =
+    0: no singular place, no fast angle.
 
-    states : q0 … q3, the quaternion of the frame, and w_x, w_y, the transverse angular velocity in it (rad/s)
-    invariants : energy, p_psi and the norm of the quaternion. The attitude of the body follows by :func:`body_quaternion`.
+    states : q0 … q3, the quaternion of the frame, and w_x, w_y, the transverse angular velocity in
+        it (rad/s)
+    invariants : energy, p_psi and the norm of the quaternion. The attitude of the body follows by
+        :func:`body_quaternion`.
 
     >>> nonspinning_frame(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]  # upright: the axis of the tilting moves on
     (0.0, 5.0)
     """
-    return Model("top in the frame that does not spin", locals(), ("q0", "q1", "q2", "q3", "w_x", "w_y"), _nonspinning_rates, _NONSPINNING_INVARIANTS)
+    return Model(
+        "top in the frame that does not spin",
+        locals(),
+        ("q0", "q1", "q2", "q3", "w_x", "w_y"),
+        _nonspinning_rates,
+        _NONSPINNING_INVARIANTS,
+    )
 
 
 def _vertical(s):
@@ -177,18 +238,32 @@ def _norm(s, p, t):
     return s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2
 
 
-_NONSPINNING_INVARIANTS = {"energy": _nonspinning_energy, "p_psi": _nonspinning_vertical, "norm": _norm}
+_NONSPINNING_INVARIANTS = {
+    "energy": _nonspinning_energy,
+    "p_psi": _nonspinning_vertical,
+    "norm": _norm,
+}
 
 
 # -- the body's own frame
 
 
-@scene("10.5", "top, attitude", "the nutating top by the quaternion of the body", 10.0, tilted(0.6), **TOP)
+@scene(
+    "10.5",
+    "top, attitude",
+    "the nutating top by the quaternion of the body",
+    10.0,
+    tilted(0.6),
+    **TOP,
+)
 def attitude(I0, I, mgr, omega_z):
-    """The top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself, for pictures, by the fewest operations.
+    """The top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself, for pictures,
+    by the fewest operations.
 
-    states : q0 … q3, the quaternion of the body, and w_x, w_y, the transverse rates in it (rad/s); invariants as for :func:`nonspinning_frame`
-    The start is a *unit* quaternion: the rates have no division by its length, which a motion keeps as well as it keeps the energy.
+    states : q0 … q3, the quaternion of the body, and w_x, w_y, the transverse rates in it (rad/s);
+        invariants as for :func:`nonspinning_frame`
+    The start is a *unit* quaternion: the rates have no division by its length, which a motion keeps
+    as well as it keeps the energy.
 
     >>> attitude(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]
     (0.0, -5.0)
@@ -201,11 +276,16 @@ def _attitude_rates(s, p, t):
     q0, q1, q2, q3 = q = s.q0, s.q1, s.q2, s.q3
     pull, rate = 2 * p.mgr / p.I0, (p.I - p.I0) / p.I0 * p.omega_z
     turning = quaternion_rate(q, (s.w_x, s.w_y, p.omega_z))
-    return *turning, pull * (q2 * q3 + q0 * q1) - rate * s.w_y, rate * s.w_x - pull * (q1 * q3 - q0 * q2)
+    return (
+        *turning,
+        pull * (q2 * q3 + q0 * q1) - rate * s.w_y,
+        rate * s.w_x - pull * (q1 * q3 - q0 * q2),
+    )
 
 
 def body_quaternion(state, spun):
-    """The quaternion of the body, from a state of :func:`nonspinning_frame` or :func:`free` and the angle omega_z t (rad) that it has spun.
+    """The quaternion of the body, from a state of :func:`nonspinning_frame` or :func:`free` and the
+    angle omega_z t (rad) that it has spun.
 
     >>> body_quaternion((1.0, 0, 0, 0, 0, 0), 0.0)
     (1.0, 0.0, 0.0, 0.0)
@@ -213,9 +293,19 @@ def body_quaternion(state, spun):
     return quaternion_product(tuple(state)[:4], (cos(spun / 2), 0 * spun, 0 * spun, sin(spun / 2)))
 
 
-@scene("10.8", "free symmetric body", "a football, with its attitude", 10.0, (1.0, 0.0, 0.0, 0.0, 0.8, 0.0), I0=3.0, I=1.0, omega_z=6.0)
+@scene(
+    "10.8",
+    "free symmetric body",
+    "a football, with its attitude",
+    10.0,
+    (1.0, 0.0, 0.0, 0.0, 0.8, 0.0),
+    I0=3.0,
+    I=1.0,
+    omega_z=6.0,
+)
 def free(I0, I, omega_z):
-    """The symmetric body without moment (10.35), (10.36): the states of :func:`nonspinning_frame`, with the exact solution; omega_z is not zero.
+    """The symmetric body without moment (10.35), (10.36): the states of :func:`nonspinning_frame`,
+    with the exact solution; omega_z is not zero.
 
     The frame turns about the constant H at the rate H/I0, and back about its axis at I omega_z/I0.
 
@@ -223,11 +313,15 @@ def free(I0, I, omega_z):
     >>> [round(x, 6) for x in body.solution(0.2, (1.0, 0, 0, 0, 1.0, 0.0))[4:]]  # I omega_z/I0 = 50 rad/s
     [-0.839072, -0.544021]
     """
-    return replace(nonspinning_frame(I0, I, 0, omega_z), name="free symmetric body", exact=_free_exact)
+    return replace(
+        nonspinning_frame(I0, I, 0, omega_z), name="free symmetric body", exact=_free_exact
+    )
 
 
 def _free_exact(s, p, t):
     q, rate = (s.q0, s.q1, s.q2, s.q3), p.I * p.omega_z / p.I0
     about = apply(matrix_from_quaternion(q), (s.w_x, s.w_y, rate))  # H/I0 in the ground
     moved = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), q)
-    return *quaternion_product(moved, quaternion((0, 0, 1), -rate * t)), *turned(s.w_x, s.w_y, rate * t)
+    return *quaternion_product(moved, quaternion((0, 0, 1), -rate * t)), *turned(
+        s.w_x, s.w_y, rate * t
+    )

@@ -1,15 +1,23 @@
-"""The top as a ladder: from steady precession, slow or exact, to nutation, and to a body whose two transverse moments are not quite equal.
+"""The top as a ladder: from steady precession, slow or exact, to nutation, and to a body whose two
+transverse moments are not quite equal.
 
-What is observed is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward vertical; I0, I, ``mgr``, omega_z as in
-:mod:`newton_euler.scenes.spatial.top`. The fullest models are of a body with the moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, twice: in Euler's angles, which are singular
-where the axis is vertical, and by the quaternion, which is not.
+What is observed is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward
+vertical; I0, I, ``mgr``, omega_z as in :mod:`newton_euler.scenes.spatial.top`. The fullest models
+are of a body with the moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, twice: in Euler's angles,
+which are singular where the axis is vertical, and by the quaternion, which is not.
 """
 
 from contextlib import suppress
 
 from ...algebra.scalars import cos, sin
 from ...applications.gyroscopes import GyroError, steady_precession
-from ...kinematics.rotations import euler_matrix, euler_rates, matrix_from_quaternion, quaternion_from_euler, quaternion_rate
+from ...kinematics.rotations import (
+    euler_matrix,
+    euler_rates,
+    matrix_from_quaternion,
+    quaternion_from_euler,
+    quaternion_rate,
+)
 from ...motion.model import Model, Neglected
 from ..catalogue import scene
 from ..ladders import Ladder, Rung
@@ -19,45 +27,97 @@ DIRECTION = "direction of the axis, rad"
 
 
 def top_slow_precession(I, mgr, omega_z, theta):
-    """Steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi; theta is constant.
+    """Steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi; theta is
+    constant.
 
     >>> top_slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
     (0.5,)
     """
-    return Model("top, slow precession", locals(), ("psi",), _slow, {}, _slow_exact, (NUTATION, NO_TRANSVERSE, ASYMMETRY))
+    return Model(
+        "top, slow precession",
+        locals(),
+        ("psi",),
+        _slow,
+        {},
+        _slow_exact,
+        (NUTATION, NO_TRANSVERSE, ASYMMETRY),
+    )
 
 
 def top_steady_precession(I0, I, mgr, omega_z, theta):
-    """Steady precession (10.33) at the slow one of its two rates. :class:`~newton_euler.applications.gyroscopes.GyroError` where there is none.
+    """Steady precession (10.33) at the slow one of its two rates.
+    :class:`~newton_euler.applications.gyroscopes.GyroError` where there is none.
 
     >>> round(top_steady_precession(0.02, 0.01, 0.5, 100.0, 0.0).parameters["rate"], 6)
     0.505103
     """
     rate = steady_precession(I0, I, theta, omega_z=omega_z, mgr=mgr).slow
-    return Model("top, steady precession", {"rate": rate, "theta": theta}, ("psi",), _steady, exact=_steady_exact, neglects=(NUTATION, ASYMMETRY))
+    return Model(
+        "top, steady precession",
+        {"rate": rate, "theta": theta},
+        ("psi",),
+        _steady,
+        exact=_steady_exact,
+        neglects=(NUTATION, ASYMMETRY),
+    )
 
 
 def top_precession_and_nutation(I0, I, mgr, omega_z, momentum_difference):
-    """Nutation (10.24), and the precession that goes with it: states theta, theta_rate, psi; parameters as for :func:`newton_euler.scenes.spatial.top.nutation`."""
+    """Nutation (10.24), and the precession that goes with it: states theta, theta_rate, psi;
+    parameters as for :func:`newton_euler.scenes.spatial.top.nutation`.
+    """
     base = nutation(I0, I, mgr, omega_z, momentum_difference)
-    return Model("top, nutation and precession", base.parameters, (*base.states, "psi"), _axis_rates, base.invariants, neglects=(ASYMMETRY,))
+    return Model(
+        "top, nutation and precession",
+        base.parameters,
+        (*base.states, "psi"),
+        _axis_rates,
+        base.invariants,
+        neglects=(ASYMMETRY,),
+    )
 
 
 def asymmetric_top_euler_angles(I0, I, mgr, asymmetry):
-    """The body with unequal moments in Euler's angles: states psi, theta, phi, and the body rates w_x, w_y, w_z. Singular at theta = 0 and pi."""
-    return Model("top of unequal moments, Euler's angles", locals(), ("psi", "theta", "phi", "w_x", "w_y", "w_z"), _euler)
+    """The body with unequal moments in Euler's angles: states psi, theta, phi, and the body rates
+    w_x, w_y, w_z. Singular at theta = 0 and pi.
+    """
+    return Model(
+        "top of unequal moments, Euler's angles",
+        locals(),
+        ("psi", "theta", "phi", "w_x", "w_y", "w_z"),
+        _euler,
+    )
 
 
 def asymmetric_top_quaternion(I0, I, mgr, asymmetry):
     """The body with unequal moments by its quaternion: states q0 ... q3, w_x, w_y, w_z."""
-    return Model("top of unequal moments, quaternion", locals(), ("q0", "q1", "q2", "q3", "w_x", "w_y", "w_z"), _by_quaternion)
+    return Model(
+        "top of unequal moments, quaternion",
+        locals(),
+        ("q0", "q1", "q2", "q3", "w_x", "w_y", "w_z"),
+        _by_quaternion,
+    )
 
 
-@scene("10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True)
-def ladder(I0=0.02, I=0.01, mgr=0.5, omega_z=150.0, theta=0.6, theta_rate=0.0, precession=0.34, asymmetry=1e-3, t=1.0):
-    """Five models: a :class:`~newton_euler.scenes.ladders.Ladder` for the direction of the axis, a unit vector, so its errors are angles.
+@scene(
+    "10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True
+)
+def ladder(
+    I0=0.02,
+    I=0.01,
+    mgr=0.5,
+    omega_z=150.0,
+    theta=0.6,
+    theta_rate=0.0,
+    precession=0.34,
+    asymmetry=1e-3,
+    t=1.0,
+):
+    """Five models: a :class:`~newton_euler.scenes.ladders.Ladder` for the direction of the axis, a
+    unit vector, so its errors are angles.
 
-    theta, theta_rate, precession : at the start, where psi = phi = 0; omega_z is not zero. A top that is too slow has no steady precession, and its
+    theta, theta_rate, precession : at the start, where psi = phi = 0; omega_z is not zero. A top
+        that is too slow has no steady precession, and its
     ladder no such rung.
 
     >>> from newton_euler.scenes.ladders import smallest
@@ -73,9 +133,15 @@ def ladder(I0=0.02, I=0.01, mgr=0.5, omega_z=150.0, theta=0.6, theta_rate=0.0, p
     rungs = (
         Rung(top_slow_precession(I, mgr, omega_z, theta), (0.0,), _fixed),
         *_steady_rung(I0, I, mgr, omega_z, theta),
-        Rung(top_precession_and_nutation(I0, I, mgr, omega_z, over), (theta, theta_rate, 0.0), _along),
+        Rung(
+            top_precession_and_nutation(I0, I, mgr, omega_z, over), (theta, theta_rate, 0.0), _along
+        ),
         Rung(asymmetric_top_euler_angles(I0, I, mgr, asymmetry), (0.0, theta, 0.0, *body), _along),
-        Rung(asymmetric_top_quaternion(I0, I, mgr, asymmetry), (*quaternion_from_euler(0.0, theta, 0.0), *body), _third),
+        Rung(
+            asymmetric_top_quaternion(I0, I, mgr, asymmetry),
+            (*quaternion_from_euler(0.0, theta, 0.0), *body),
+            _third,
+        ),
     )
     return Ladder("top", DIRECTION, t, rungs)
 
@@ -131,7 +197,8 @@ def _steady_exact(s, p, t):
 def _axis_rates(s, p, t):
     """The rates of theta, theta_rate and psi."""
     tangent, q, whole, rest = _sides(s, p)
-    precession = (whole * (1 + tangent**2) + q + rest / tangent) / (4 * p.I0)  # top.precession_rate, by the tangent that is there already
+    # top.precession_rate, by the tangent that is there already
+    precession = (whole * (1 + tangent**2) + q + rest / tangent) / (4 * p.I0)
     return *_nutation_rates(s, p, t), precession
 
 
@@ -152,12 +219,16 @@ def _body_rates(s, p, vertical):
 
 def _euler(s, p, t):
     angles = s.psi, s.theta, s.phi
-    return *euler_rates(*angles, (s.w_x, s.w_y, s.w_z)), *_body_rates(s, p, euler_matrix(*angles)[2])
+    return *euler_rates(*angles, (s.w_x, s.w_y, s.w_z)), *_body_rates(
+        s, p, euler_matrix(*angles)[2]
+    )
 
 
 def _by_quaternion(s, p, t):
     q = s.q0, s.q1, s.q2, s.q3
-    return *quaternion_rate(q, (s.w_x, s.w_y, s.w_z)), *_body_rates(s, p, matrix_from_quaternion(q)[2])
+    return *quaternion_rate(q, (s.w_x, s.w_y, s.w_z)), *_body_rates(
+        s, p, matrix_from_quaternion(q)[2]
+    )
 
 
 NUTATION = Neglected("the nutation", None, DIRECTION)

@@ -26,7 +26,10 @@ def test_example_A_1_a_turning_unit_vector_is_normal_to_its_rate(kind):
 
 
 def points(kind):
-    return [ground.point(name, *numbers(kind, *c)) for name, c in (("A", (1, 1, 1)), ("B", (4, 5, 6)), ("C", (2, 3, 7)))]
+    return [
+        ground.point(name, *numbers(kind, *c))
+        for name, c in (("A", (1, 1, 1)), ("B", (4, 5, 6)), ("C", (2, 3, 7)))
+    ]
 
 
 @pytest.mark.parametrize("kind", ["float", "mpmath", "sympy"])
@@ -49,4 +52,6 @@ def test_example_A_3_plane_through_three_points(kind):
 
 def test_three_points_on_a_line_have_no_plane():
     with pytest.raises(SingularError, match="A, B and C lie on one line"):
-        triangle(*(ground.point(n, float(x), 2.0 * x, 0) for n, x in (("A", 0), ("B", 1), ("C", 3))))
+        triangle(
+            *(ground.point(n, float(x), 2.0 * x, 0) for n, x in (("A", 0), ("B", 1), ("C", 3)))
+        )

@@ -31,19 +31,25 @@ def test_example_3_1_exponential_curve_at_constant_speed(kind):
     q, speed = numbers(kind, "0.4", 3)
     P = point_on_exponential_curve(ground, q, speed)
     length = sqrt(exp(2 * q) + cos(q) ** 2 + 4 * q**2)
-    assert close(P.velocity(ground), [speed * x / length for x in (exp(q), cos(q), 2 * q)], tolerance(kind))
+    assert close(
+        P.velocity(ground), [speed * x / length for x in (exp(q), cos(q), 2 * q)], tolerance(kind)
+    )
     assert close(P.velocity(ground).dot(P.acceleration(ground)), 0, 10 * tolerance(kind))
 
 
 @every_kind
 def test_example_3_2_spring_drawn_out_keeps_a_finite_torsion(kind):
-    """The book has it infinite when straight; it goes to 1/wire. On the straight wire itself there is none."""
+    """The book has it infinite when straight; it goes to 1/wire. On the straight wire itself there
+    is none.
+    """
     R, c, theta = numbers(kind, "1.2", "0.5", "0.7")
     spring = Spring(R, c)
     here = spring.intrinsic(theta, ground)
     assert close((here.flexure, here.torsion), (spring.flexure, spring.torsion), tolerance(kind))
     assert close(here.speed, spring.wire, tolerance(kind))
-    drawn = Spring.drawn_out(numbers(kind, 5), numbers("mpmath" if kind == "mpmath" else "float", "1.5707963"))
+    drawn = Spring.drawn_out(
+        numbers(kind, 5), numbers("mpmath" if kind == "mpmath" else "float", "1.5707963")
+    )
     assert close(drawn.torsion, -1 / drawn.wire, 1e-7)
     assert close(drawn.flexure, 0, 1e-7)
     flat = Spring.drawn_out(numbers(kind, 5), 0)
@@ -68,7 +74,11 @@ def test_example_3_3_cable_at_rest_in_a_horizontal_plane(kind):
     ds = sqrt(1 + q * q)
     assert close(load.components(ground), (-pull[0] / ds, -pull[1] / ds, 0), tolerance(kind))
     flexure = frenet_along(path, q, ground).flexure
-    assert close(cable_residuals(tension(q), 3 * q**2 / ds, flexure, load.components()), (0, 0, 0), tolerance(kind))
+    assert close(
+        cable_residuals(tension(q), 3 * q**2 / ds, flexure, load.components()),
+        (0, 0, 0),
+        tolerance(kind),
+    )
 
 
 def jack_after_one_turn(kind):
@@ -82,12 +92,18 @@ def jack_after_one_turn(kind):
 def test_example_3_6_screw_jack(kind):
     a, lead, K, t, A = jack_after_one_turn(kind)
     p = pi(K)
-    assert close((t, A.coordinates[1].value, A.coordinates[1].rate), (2 * sqrt(p / K), 2 * p, 2 * sqrt(p * K)), tolerance(kind))
+    assert close(
+        (t, A.coordinates[1].value, A.coordinates[1].rate),
+        (2 * sqrt(p / K), 2 * p, 2 * sqrt(p * K)),
+        tolerance(kind),
+    )
     v, acc = A.velocity(ground), A.acceleration(ground)
     assert close(v, (0, 2 * a * sqrt(p * K), lead * sqrt(K / p)), tolerance(kind))
     assert close(v.norm(), sqrt(K / p) * sqrt(4 * p**2 * a**2 + lead**2), tolerance(kind))
     assert close(acc, (-4 * p * a * K, a * K, lead * K / (2 * p)), 10 * tolerance(kind))
-    assert close(acc.norm(), a * K * sqrt(1 + 16 * p**2 + lead**2 / (4 * p**2 * a**2)), 10 * tolerance(kind))
+    assert close(
+        acc.norm(), a * K * sqrt(1 + 16 * p**2 + lead**2 / (4 * p**2 * a**2)), 10 * tolerance(kind)
+    )
 
 
 @every_kind
@@ -97,10 +113,22 @@ def test_example_3_9_1_screw_jack_in_rectangular_components(kind):
     p, angle = pi(K), numbers(kind, "0.7")
     c, s, back = cos(angle), sin(angle), transpose(T_theta(angle))
     v, acc = A.velocity(ground), A.acceleration(ground)
-    assert close(apply(back, v), (-2 * a * sqrt(p * K) * s, 2 * a * sqrt(p * K) * c, lead * sqrt(K / p)), tolerance(kind))
-    assert close(apply(back, acc), (a * K * (-4 * p * c - s), a * K * (-4 * p * s + c), lead * K / (2 * p)), 10 * tolerance(kind))
-    assert close(v.components(ground), (0, 2 * a * sqrt(p * K), lead * sqrt(K / p)), 10 * tolerance(kind))
-    assert close(acc.components(ground), (-4 * p * a * K, a * K, lead * K / (2 * p)), 30 * tolerance(kind))
+    assert close(
+        apply(back, v),
+        (-2 * a * sqrt(p * K) * s, 2 * a * sqrt(p * K) * c, lead * sqrt(K / p)),
+        tolerance(kind),
+    )
+    assert close(
+        apply(back, acc),
+        (a * K * (-4 * p * c - s), a * K * (-4 * p * s + c), lead * K / (2 * p)),
+        10 * tolerance(kind),
+    )
+    assert close(
+        v.components(ground), (0, 2 * a * sqrt(p * K), lead * sqrt(K / p)), 10 * tolerance(kind)
+    )
+    assert close(
+        acc.components(ground), (-4 * p * a * K, a * K, lead * K / (2 * p)), 30 * tolerance(kind)
+    )
 
 
 @every_kind
@@ -108,4 +136,8 @@ def test_example_3_9_2_a_velocity_in_three_systems(kind):
     nu, theta, phi = numbers(kind, 5, "0.7", "0.4")
     _, cylindrical_, spherical_ = three_systems((nu, 0, 0), theta, phi)
     assert close(cylindrical_, (nu * cos(theta), -nu * sin(theta), 0), tolerance(kind))
-    assert close(spherical_, (nu * cos(theta) * cos(phi), -nu * sin(theta), -nu * cos(theta) * sin(phi)), tolerance(kind))
+    assert close(
+        spherical_,
+        (nu * cos(theta) * cos(phi), -nu * sin(theta), -nu * cos(theta) * sin(phi)),
+        tolerance(kind),
+    )

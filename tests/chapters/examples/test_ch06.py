@@ -29,7 +29,9 @@ def test_example_6_2_mass_at_the_top_of_a_guide(kind):
 
 
 def test_example_6_2_by_the_whole_circle():
-    """The same force from Newton's law in polar coordinates about the centre of curvature, with the weight as a vector."""
+    """The same force from Newton's law in polar coordinates about the centre of curvature, with the
+    weight as a vector.
+    """
     ground = Frame("ground")
     P = polar(ground, "P", 0.5, moving(math.pi / 2, rate=-4.8 / 0.5))
     R = reaction(2.0, P.acceleration(ground), weight=-2.0 * 9.81 * ground.j)
@@ -38,7 +40,9 @@ def test_example_6_2_by_the_whole_circle():
 
 @every_kind
 def test_example_6_5_force_on_the_ball_of_the_screw_jack(kind):
-    """F = (-4 pi a K m, a K m, L K m/2 pi) after one turn: -2.51, 0.20, 0.16 N, of magnitude 2.526 (the book rounds to 2.52)."""
+    """F = (-4 pi a K m, a K m, L K m/2 pi) after one turn: -2.51, 0.20, 0.16 N, of magnitude 2.526
+    (the book rounds to 2.52).
+    """
     m, a, K, lead = numbers(kind, "0.2", "0.1", 10, "0.5")
     ground = Frame("ground")
     F = screw_jack_force(ground, m, a, K, lead, screw_jack_time(1, K))
@@ -47,13 +51,19 @@ def test_example_6_5_force_on_the_ball_of_the_screw_jack(kind):
     assert close(F, (-4 * pi * wanted[0], wanted[0], wanted[1] / (2 * pi)), 10 * small(kind))
     assert [round(float(first(number(x))), 2) for x in F] == [-2.51, 0.20, 0.16]
     assert round(float(first(number(F.norm()))), 3) == 2.526
-    assert close(screw_jack_ball(ground, a, K, lead, screw_jack_time(1, K)).coordinates[2].value, lead, small(kind))
+    assert close(
+        screw_jack_ball(ground, a, K, lead, screw_jack_time(1, K)).coordinates[2].value,
+        lead,
+        small(kind),
+    )
 
 
 def test_example_6_5_the_book_leaves_out_the_weight_that_the_arm_carries():
     ground = Frame("ground")
     t = screw_jack_time(1, 10.0)
     arm = screw_jack_arm_force(ground, 0.2, 0.1, 10.0, 0.5, t, 9.81)
-    assert close(arm - screw_jack_force(ground, 0.2, 0.1, 10.0, 0.5, t), 0.2 * 9.81 * ground.k, 1e-15)
+    assert close(
+        arm - screw_jack_force(ground, 0.2, 0.1, 10.0, 0.5, t), 0.2 * 9.81 * ground.k, 1e-15
+    )
     assert round(arm.norm(), 2) == 3.29  # against 2.53 N without the weight
     assert set(arm.terms) == {"inertia", "weight"}

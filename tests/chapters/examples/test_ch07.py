@@ -31,7 +31,9 @@ def test_example_5_5_body_of_three_rods():
 def test_example_5_6_machine_part_of_sheet():
     r, h, s, t, rho = sympy.symbols("r h s t rho", positive=True)
     part = machine_part(r, h, s, t, rho)
-    expected = (-sympy.Rational(2, 3) * r**3 + r * h**2 - sympy.pi * s**2 * h / 2) / (sympy.pi * r**2 / 2 + 2 * r * h - sympy.pi * s**2)
+    expected = (-sympy.Rational(2, 3) * r**3 + r * h**2 - sympy.pi * s**2 * h / 2) / (
+        sympy.pi * r**2 / 2 + 2 * r * h - sympy.pi * s**2
+    )
     x, y, z = part.centre.position(part.frame)
     assert (x, y) == (0, 0)
     assert sympy.simplify(z - expected) == 0  # independent of t and rho
@@ -57,7 +59,11 @@ def test_example_7_3_three_rod_assembly():
     m, length = sympy.symbols("m l", positive=True)
     body = three_rods(m, length)
     unit = m * length**2 / 12
-    assert body.about(body.frame).matrix == ((8 * unit, -3 * unit, 3 * unit), (-3 * unit, 11 * unit, 0), (3 * unit, 0, 11 * unit))
+    assert body.about(body.frame).matrix == (
+        (8 * unit, -3 * unit, 3 * unit),
+        (-3 * unit, 11 * unit, 0),
+        (3 * unit, 0, 11 * unit),
+    )
 
 
 @every_kind
@@ -86,8 +92,17 @@ def test_example_7_5_in_symbols_is_exact():
 def test_example_7_9_radii_of_gyration():
     m, length = sympy.symbols("m l", positive=True)
     body = three_rods(m, length)
-    assert sympy.simplify(body.about(body.frame).radius_of_gyration("x") - sympy.sqrt(2) * length / 3) == 0
-    assert sympy.simplify(rod(length, Frame("rod"), "x", mass=m).inertia.radius_of_gyration("y") - length / (2 * sympy.sqrt(3))) == 0
+    assert (
+        sympy.simplify(body.about(body.frame).radius_of_gyration("x") - sympy.sqrt(2) * length / 3)
+        == 0
+    )
+    assert (
+        sympy.simplify(
+            rod(length, Frame("rod"), "x", mass=m).inertia.radius_of_gyration("y")
+            - length / (2 * sympy.sqrt(3))
+        )
+        == 0
+    )
 
 
 def test_example_7_10_three_rods_about_their_centre_with_the_whole_mass():
@@ -99,8 +114,14 @@ def test_example_7_10_three_rods_about_their_centre_with_the_whole_mass():
     assert I.products == (unit / 4, -unit / 12, -unit / 4)
     n = 400
     s = [(k + 0.5) / n for k in range(n)]
-    cloud = [(1 / n, (-0.5, 0.0, x)) for x in s] + [(1 / n, (x - 0.5, 0.0, 0.0)) for x in s] + [(1 / n, (0.5, x, 0.0)) for x in s]
-    assert close(three_rods(1.0, 1.0).inertia.matrix, matrix_of(cloud, (0, 1 / 6, 1 / 6)), 1.0 / n**2)
+    cloud = (
+        [(1 / n, (-0.5, 0.0, x)) for x in s]
+        + [(1 / n, (x - 0.5, 0.0, 0.0)) for x in s]
+        + [(1 / n, (0.5, x, 0.0)) for x in s]
+    )
+    assert close(
+        three_rods(1.0, 1.0).inertia.matrix, matrix_of(cloud, (0, 1 / 6, 1 / 6)), 1.0 / n**2
+    )
 
 
 def test_example_7_10_machine_part():
@@ -109,8 +130,12 @@ def test_example_7_10_machine_part():
     I = part.about(part.frame)
     pi, R = sympy.pi, sympy.Rational
     expected = (
-        pi * rho * r**4 * t / 4 + R(2, 3) * rho * (r**2 + h**2) * r * h * t - pi * rho * s**2 * t * (s**2 / 2 + h**2 / 4),
-        pi * rho * r**4 * t / 8 + R(2, 3) * rho * r * h**3 * t - pi * rho * s**2 * t * (s**2 / 4 + h**2 / 4),
+        pi * rho * r**4 * t / 4
+        + R(2, 3) * rho * (r**2 + h**2) * r * h * t
+        - pi * rho * s**2 * t * (s**2 / 2 + h**2 / 4),
+        pi * rho * r**4 * t / 8
+        + R(2, 3) * rho * r * h**3 * t
+        - pi * rho * s**2 * t * (s**2 / 4 + h**2 / 4),
         pi * rho * r**4 * t / 8 + R(2, 3) * rho * r**3 * h * t - pi * rho * s**4 * t / 4,
     )
     assert all(sympy.expand(a - b) == 0 for a, b in zip(I.moments, expected, strict=True))

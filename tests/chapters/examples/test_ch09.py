@@ -47,16 +47,27 @@ def test_eqn_9_3_reactions_of_an_off_centre_disk(kind):
     rotor, load, a, b, psi = off_centre(kind)
     found = rotor.reactions()
     length = a + b
-    assert close(found.A.expressed_in(rotor.ground), (0, -load * b / length * cos(psi), -load * b / length * sin(psi)), tolerance(kind))
-    assert close(found.B.expressed_in(rotor.ground), (0, -load * a / length * cos(psi), -load * a / length * sin(psi)), tolerance(kind))
-    assert close(found.A, (0, -load * b / length, 0), tolerance(kind))  # constant in the shaft: it turns with it
+    assert close(
+        found.A.expressed_in(rotor.ground),
+        (0, -load * b / length * cos(psi), -load * b / length * sin(psi)),
+        tolerance(kind),
+    )
+    assert close(
+        found.B.expressed_in(rotor.ground),
+        (0, -load * a / length * cos(psi), -load * a / length * sin(psi)),
+        tolerance(kind),
+    )
+    # constant in the shaft: it turns with it
+    assert close(found.A, (0, -load * b / length, 0), tolerance(kind))
 
 
 def test_an_off_centre_disk_with_dead_weight_needs_a_moment_at_constant_rate():
     rotor = off_centre_disk(2.0, 0.1, 0.03, 0.2, 0.3, 0.7, 5.0)
     found = rotor.reactions(gravity=-9.81 * rotor.ground.k)
     assert found.moment == pytest.approx(2.0 * 9.81 * 0.03 * math.cos(0.7), rel=1e-14)
-    assert found.A.terms["weight"].components(rotor.ground) == pytest.approx((0, 0, 2.0 * 9.81 * 0.3 / 0.5), abs=1e-14)
+    assert found.A.terms["weight"].components(rotor.ground) == pytest.approx(
+        (0, 0, 2.0 * 9.81 * 0.3 / 0.5), abs=1e-14
+    )
 
 
 # -- bent disk (9.4)-(9.6)
@@ -88,7 +99,9 @@ def test_eqn_9_6_reactions_of_a_bent_disk(kind):
     rotor, load, a, b, psi = bent(kind)
     found = rotor.reactions()
     A = found.A.expressed_in(rotor.ground)
-    assert close(A, (0, -load / (2 * (a + b)) * cos(psi), -load / (2 * (a + b)) * sin(psi)), tolerance(kind))
+    assert close(
+        A, (0, -load / (2 * (a + b)) * cos(psi), -load / (2 * (a + b)) * sin(psi)), tolerance(kind)
+    )
     assert close(found.B.expressed_in(rotor.ground), -A, tolerance(kind))
 
 

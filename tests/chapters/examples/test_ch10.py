@@ -31,21 +31,29 @@ def test_section_10_8_football_and_space_station():
     assert football(theta, spin).sense == "direct"
     I0, I = station_moments(3.0, 30.0, Frame("station").origin)
     assert pytest.approx((3 * 9 / 12 + 900 / 12, 4.5), rel=1e-15) == (I0, I)
-    assert steady_spin(I0, I, math.radians(40.0), 1.0, mgr=0) == pytest.approx((I0 - I) / I * math.cos(math.radians(40)), rel=1e-14)
+    assert steady_spin(I0, I, math.radians(40.0), 1.0, mgr=0) == pytest.approx(
+        (I0 - I) / I * math.cos(math.radians(40)), rel=1e-14
+    )
 
 
 def test_section_10_8_the_wobble_of_the_earth_by_integration():
-    """Seen from the body the axis of rotation goes around at (I - I0) omega_z/I0; the book's 26 000 years are no free precession."""
+    """Seen from the body the axis of rotation goes around at (I - I0) omega_z/I0; the book's 26 000
+    years are no free precession.
+    """
     e = 0.003285
     I0, I, wz = 1.0, 1.0 + e, 2 * math.pi
     rate = free_precession(I0, I, 1e-6, -e * wz).rate
-    assert rate == pytest.approx(wz * (1 + e), rel=1e-11)  # about K nearly a day, whatever the wobble
+    # about K nearly a day, whatever the wobble
+    assert rate == pytest.approx(wz * (1 + e), rel=1e-11)
     assert wobble_period(e, 1.0) == pytest.approx(304.4, abs=0.1)
     model = top.free(I0, I, wz)
     t = wobble_period(e, 1.0)
     w_x, w_y = model.solution(t, (1.0, 0, 0, 0, 1e-6, 0))[4:]
     spun = wz * t  # from the frame that does not spin into the body
-    in_body = (w_x * math.cos(spun) + w_y * math.sin(spun), w_y * math.cos(spun) - w_x * math.sin(spun))
+    in_body = (
+        w_x * math.cos(spun) + w_y * math.sin(spun),
+        w_y * math.cos(spun) - w_x * math.sin(spun),
+    )
     assert in_body == pytest.approx((1e-6, 0), abs=1e-16 * spun)
 
 
@@ -53,7 +61,8 @@ def test_section_10_10_rotor_of_the_car():
     W, W_R, h, K, v, g = 3000.0, 300.0, 4.0, 2.0, 100.0, 32.2
     spin = rotor_spin(W, h, v, W_R, K)
     assert spin == 1000.0
-    assert spin * 60 / (2 * math.pi) == pytest.approx(9549.3, abs=0.05)  # the book rounds to 10 000 rpm
+    # the book rounds to 10 000 rpm
+    assert spin * 60 / (2 * math.pi) == pytest.approx(9549.3, abs=0.05)
     m, I = W / g, W_R / g * K * K
     for r in (200.0, 1000.0):  # at every radius
         assert I * spin * v / r == pytest.approx(rotor_moment(m, h, v, r), rel=1e-14)
@@ -63,11 +72,14 @@ def test_section_10_10_rotor_of_the_car():
 
 
 def test_section_10_10_the_rotor_turns_against_the_wheels():
-    """The car drives along y and turns left, to -x; the moment on the rotor from (10.38), that on the car is its reaction."""
+    """The car drives along y and turns left, to -x; the moment on the rotor from (10.38), that on
+    the car is its reaction.
+    """
     f = Frame("car")
     wheels, turning = f.vector(-1.0, 0, 0), f.vector(0, 0, 0.2)
     on_car = -normal_moment(turning, -50.0 * wheels, 2.0)
-    friction = f.vector(0, 0, -1.0).cross(f.vector(-300.0, 0, 0))  # at the road, a height 1 below G, towards the centre
+    # at the road, a height 1 below G, towards the centre
+    friction = f.vector(0, 0, -1.0).cross(f.vector(-300.0, 0, 0))
     assert on_car.y * friction.y < 0
 
 

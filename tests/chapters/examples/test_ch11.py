@@ -69,10 +69,12 @@ def test_example_11_8_against_the_motion_in_two_phases():
     """l theta'' = -g sin(theta), then the same with the rest of the cord, by SciPy."""
     b = ball("float")
     rest = b.length - b.pin
-    swing = lambda l: lambda t, y: (y[1], -b.g / l * math.sin(y[0]))  # noqa: E731
+    swing = lambda l: lambda t, y: (y[1], -b.g / l * math.sin(y[0]))
     bottom, level = (lambda t, y: y[0]), (lambda t, y: y[0] + math.pi / 2)
     bottom.terminal = level.terminal = True
-    first = solve_ivp(swing(b.length), (0, 5), (b.angle, -b.v0 / b.length), rtol=1e-11, atol=1e-12, events=bottom)
+    first = solve_ivp(
+        swing(b.length), (0, 5), (b.angle, -b.v0 / b.length), rtol=1e-11, atol=1e-12, events=bottom
+    )
     v1 = -b.length * first.y[1, -1]
     second = solve_ivp(swing(rest), (0, 5), (0.0, -v1 / rest), rtol=1e-11, atol=1e-12, events=level)
     assert v1 == pytest.approx(b.speed_at_bottom(), rel=1e-9)
@@ -96,7 +98,9 @@ def test_eqn_11_21_the_attraction_is_along_the_radius(kind):
     space = Frame("space")
     e_r = space.vector(x, y, z).direction()
     r2 = x * x + y * y + z * z
-    assert close(space.vector(*attraction_field(K, M, m)(x, y, z)), -(K * M * m / r2) * e_r, small(kind))
+    assert close(
+        space.vector(*attraction_field(K, M, m)(x, y, z)), -(K * M * m / r2) * e_r, small(kind)
+    )
 
 
 @every_kind
@@ -111,16 +115,29 @@ def test_eqn_11_22_it_is_the_force_of_chapter_5(kind):
 def test_eqn_11_23_components_by_x_over_r_cubed(kind):
     K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, -2, 2)
     r = sqrt(x * x + y * y + z * z)
-    assert close(attraction_field(K, M, m)(x, y, z), tuple(-K * M * m * c / r**3 for c in (x, y, z)), small(kind))
+    assert close(
+        attraction_field(K, M, m)(x, y, z),
+        tuple(-K * M * m * c / r**3 for c in (x, y, z)),
+        small(kind),
+    )
 
 
 @every_kind
 def test_eqn_11_24_its_potential_found_from_the_field(kind):
     """Found by integration from the base, where it is zero; the formula is zero far away."""
     K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, 2, 2)
-    far = gravitational_potential(M, m, sqrt(x * x + y * y + z * z), K) - gravitational_potential(M, m, 5 + 0 * x, K)
-    if kind == "sympy":  # the integral to any place is more than SymPy finds; along a radius it is not
-        lost = work_along(attraction_field(K, M, m), lambda s: (s, 0, 0), 5, sqrt(x * x + y * y + z * z), exact=True).value
+    far = gravitational_potential(M, m, sqrt(x * x + y * y + z * z), K) - gravitational_potential(
+        M, m, 5 + 0 * x, K
+    )
+    # the integral to any place is more than SymPy finds; along a radius it is not
+    if kind == "sympy":
+        lost = work_along(
+            attraction_field(K, M, m),
+            lambda s: (s, 0, 0),
+            5,
+            sqrt(x * x + y * y + z * z),
+            exact=True,
+        ).value
         assert close(-lost, far, small(kind))
     else:
         V = find_potential(attraction_field(K, M, m), (3, 4, 0), box=((1, 2), (1, 2), (1, 2)))
@@ -130,14 +147,16 @@ def test_eqn_11_24_its_potential_found_from_the_field(kind):
 @every_kind
 def test_eqn_11_25_the_slope_of_the_potential_is_the_force(kind):
     K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, -2, 2)
-    V = lambda x, y, z: gravitational_potential(M, m, sqrt(x * x + y * y + z * z), K)  # noqa: E731
+    V = lambda x, y, z: gravitational_potential(M, m, sqrt(x * x + y * y + z * z), K)
     F = conservative_force(V, Frame("space").point("P", x, y, z))
     assert close(F, attraction_field(K, M, m)(x, y, z), small(kind))
 
 
 @every_kind
 def test_example_11_10_speed_at_a_distance_and_escape(kind):
-    """From r = 2, 3 m/s with K M = 14: at r = 4 v^2 = 9 - 7, and from 2 the escape speed is sqrt(14)."""
+    """From r = 2, 3 m/s with K M = 14: at r = 4 v^2 = 9 - 7, and from 2 the escape speed is
+    sqrt(14).
+    """
     K, M, r = numbers(kind, "0.5", 28, 2)
     if kind != "array":
         assert close(speed_at_distance(2 * r, r, 3, K, M), sqrt(0 * r + 2), small(kind))

@@ -1,4 +1,6 @@
-"""The source notebook and what nbgrader makes of it hold no key, and a failure leaves no course behind."""
+"""The source notebook and what nbgrader makes of it hold no key, and a failure leaves no course
+behind.
+"""
 
 import re
 

@@ -10,7 +10,8 @@ def fetch(course, exchange, student, home, *options):
         (course.path / "student/nbgrader_config.py")
         .read_text()
         .replace("os.path.dirname(os.path.abspath(__file__))", repr(str(course.path / "student")))
-        + "\nimport importlib.util\n\nassert not any(map(importlib.util.find_spec, ('grader', 'exercises')))\n"
+        + "\nimport importlib.util\n\nassert not any(map(importlib.util.find_spec, "
+        "('grader', 'exercises')))\n"
     )
     return nbgrader(
         "fetch_assignment",
@@ -29,7 +30,9 @@ def test_fetching_brings_the_own_copy_and_never_overwrites_work(ungraded, tmp_pa
     outbound = exchange / "mechanics/outbound/ch04"
     outbound.mkdir(parents=True)
     (outbound / "ch04.ipynb").write_text((ungraded.path / "release/ch04/ch04.ipynb").read_text())
-    copy_to_exchange(ungraded, "ch04", outbound, {s: ungraded.personal_path("ch04", s) for s in ("ada", "ben")})
+    copy_to_exchange(
+        ungraded, "ch04", outbound, {s: ungraded.personal_path("ch04", s) for s in ("ada", "ben")}
+    )
     home = tmp_path / "home"
     code, out = fetch(ungraded, exchange, "ada", home)
     assert code == 0, out
@@ -45,13 +48,21 @@ def test_fetching_brings_the_own_copy_and_never_overwrites_work(ungraded, tmp_pa
     path.unlink()
     code, out = fetch(ungraded, exchange, "ada", home, "--replace")
     assert code == 0, out
-    assert path.read_text() == ungraded.personal_path("ch04", "ada").read_text()  # not the numbers of the book
+    # not the numbers of the book
+    assert path.read_text() == ungraded.personal_path("ch04", "ada").read_text()
     code, out = fetch(ungraded, exchange, "zoe", tmp_path / "zoe")
     assert code != 0
     assert "ch04 has no copy for 'zoe'. Ask the instructor to put you on the roster" in out
     plain = tmp_path / "plain"
     plain.mkdir()
-    code, out = nbgrader("fetch_assignment", "ch04", f"--Exchange.root={exchange}", "--course=mechanics", cwd=plain, USER="ada")
+    code, out = nbgrader(
+        "fetch_assignment",
+        "ch04",
+        f"--Exchange.root={exchange}",
+        "--course=mechanics",
+        cwd=plain,
+        USER="ada",
+    )
     assert code == 0, out
     text = (plain / "ch04/ch04.ipynb").read_text()
     assert "This copy has the numbers of the book" in text

@@ -1,4 +1,6 @@
-"""The cells of an assignment: numbers, statement and grading agree; the receipt asks for what the catalogue asks for."""
+"""The cells of an assignment: numbers, statement and grading agree; the receipt asks for what the
+catalogue asks for.
+"""
 
 import json
 

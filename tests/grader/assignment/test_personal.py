@@ -18,8 +18,16 @@ def test_what_a_student_fetches_holds_no_key_and_nobody_elses_numbers(course, st
     holds_nothing_secret(text, course, student)
     own = {c["source"] for c in read(course.personal_path("ch04", student))["cells"]}
     for other in STUDENTS:
-        others = {c["source"] for c in read(course.personal_path("ch04", other))["cells"] if c["metadata"]["newton_euler"].get("role") == "givens"}
-        symbolic = {nb.givens(p, {}) for p in nb.problems_of(course.released("ch04")) if p.symbolic and not p.givens}
+        others = {
+            c["source"]
+            for c in read(course.personal_path("ch04", other))["cells"]
+            if c["metadata"]["newton_euler"].get("role") == "givens"
+        }
+        symbolic = {
+            nb.givens(p, {})
+            for p in nb.problems_of(course.released("ch04"))
+            if p.symbolic and not p.givens
+        }
         assert other == student or not own & others - symbolic
     assert not any(c.get("outputs") for c in read(course.personal_path("ch04", student))["cells"])
 
@@ -27,7 +35,9 @@ def test_what_a_student_fetches_holds_no_key_and_nobody_elses_numbers(course, st
 def test_figures_follow_the_numbers(course):
     def figures(student):
         return {
-            c["id"]: c["attachments"]["figure.png"]["image/png"] for c in read(course.personal_path("ch04", student))["cells"] if "attachments" in c
+            c["id"]: c["attachments"]["figure.png"]["image/png"]
+            for c in read(course.personal_path("ch04", student))["cells"]
+            if "attachments" in c
         }
 
     ada, ben = figures("ada"), figures("ben")
@@ -42,9 +52,16 @@ def test_a_late_joiner_gets_a_copy_and_nobody_elses_changes(ungraded, tmp_path):
     config = ungraded.path / "nbgrader_config.py"
     config.write_text(config.read_text() + f"\nc.Exchange.root = {str(tmp_path / 'exchange')!r}\n")
     ungraded.enrol(["zoe"])
-    code, out = command("personal", "ch04", "--course", ungraded.path, "--student", "zoe", "--exchange")
+    code, out = command(
+        "personal", "ch04", "--course", ungraded.path, "--student", "zoe", "--exchange"
+    )
     assert code == 0, out
-    assert (outbound.parent / ".personal/ch04" / personal_name("mechanics", "ch04", "zoe") / "ch04.ipynb").exists()
+    assert (
+        outbound.parent
+        / ".personal/ch04"
+        / personal_name("mechanics", "ch04", "zoe")
+        / "ch04.ipynb"
+    ).exists()
     assert ungraded.personal_path("ch04", "ada").read_text() == before
 
 
@@ -62,5 +79,8 @@ def test_an_empty_roster_is_told(ungraded):
             book.remove_student(s)
     with pytest.raises(CourseError, match=r"nobody is on the roster; add students with"):
         make_personal_copies(ungraded, "ch04")
-    with pytest.raises(CourseError, match=r"zoe: not on the roster; add the student first: nbgrader db student add zoe"):
+    with pytest.raises(
+        CourseError,
+        match=r"zoe: not on the roster; add the student first: nbgrader db student add zoe",
+    ):
         make_personal_copies(ungraded, "ch04", ["zoe"])

@@ -7,7 +7,14 @@ from tests.grader.courses import grader, points, total
 
 def test_the_demo_on_five_problems_gives_its_six_students_the_expected_points(demo_course):
     assert demo_course["code"] == 0, demo_course["said"]
-    assert {s: total(c) for s, c in points(demo_course["course"]).items()} == {"ada": 11, "ben": 8, "cleo": 4, "dan": 0, "eve": 9, "mallory": 0}
+    assert {s: total(c) for s, c in points(demo_course["course"]).items()} == {
+        "ada": 11,
+        "ben": 8,
+        "cleo": 4,
+        "dan": 0,
+        "eve": 9,
+        "mallory": 0,
+    }
 
 
 def test_the_demo_says_where_to_look_next(demo_course):

@@ -1,4 +1,6 @@
-"""What is in nbgrader's gradebook after grading: all or nothing, with what a person graded, and penalties for late submissions."""
+"""What is in nbgrader's gradebook after grading: all or nothing, with what a person graded, and
+penalties for late submissions.
+"""
 
 import shutil
 
@@ -22,7 +24,10 @@ def test_what_a_human_grader_gave_and_wrote_survives_grading_again(fresh):
     with fresh.gradebook() as book:
         given = book.find_grade("answer-4-16", "ch04", "ch04", "ben")
         assert (given.auto_score, given.manual_score, given.score) == (3, 2.5, 2.5)
-        assert book.find_comment("answer-4-16", "ch04", "ch04", "ben").manual_comment == "a good attempt"
+        assert (
+            book.find_comment("answer-4-16", "ch04", "ch04", "ben").manual_comment
+            == "a good attempt"
+        )
 
 
 def test_an_interrupted_run_leaves_the_gradebook_and_the_next_one_fills_it(fresh, monkeypatch):

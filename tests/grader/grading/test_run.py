@@ -1,4 +1,6 @@
-"""A run over all submissions: what cannot be graded is reported and touches nobody else; only what changed runs again."""
+"""A run over all submissions: what cannot be graded is reported and touches nobody else; only what
+changed runs again.
+"""
 
 import json
 import shutil
@@ -16,7 +18,11 @@ def test_unchanged_submissions_are_not_run_again_and_changed_ones_are(fresh, mon
 
     ran = []
     original = pipeline.run_answers
-    monkeypatch.setattr(pipeline, "run_answers", lambda h, own, answers: ran.append(own.student) or original(h, own, answers))
+    monkeypatch.setattr(
+        pipeline,
+        "run_answers",
+        lambda h, own, answers: ran.append(own.student) or original(h, own, answers),
+    )
     everyone = sorted(fresh.roster())
     first = {r.student: r.points for r in grade(fresh, "ch04")}
     assert sorted(ran) == everyone
@@ -26,7 +32,9 @@ def test_unchanged_submissions_are_not_run_again_and_changed_ones_are(fresh, mon
     assert all(r.unchanged for r in again)
     assert {r.student: r.points for r in again} == first
     submit(fresh, "dan", work(fresh, "dan"))
-    assert {r.student: r.unchanged for r in grade(fresh, "ch04")} == {s: s != "dan" for s in everyone}
+    assert {r.student: r.unchanged for r in grade(fresh, "ch04")} == {
+        s: s != "dan" for s in everyone
+    }
     assert ran == ["dan"]
     ran.clear()
     grade(fresh, "ch04", ["ada"], force=True)
@@ -51,8 +59,13 @@ def test_the_record_of_scores_tells_every_part(course):
 
 def test_unsandboxed_grading_says_so_in_the_notebook(fresh):
     (result,) = grade(fresh, "ch04", ["ada"], sandbox=False)
-    assert result.note == "unsandboxed: this machine refused the cage (unsandboxed: asked for)" or "unsandboxed" in result.note
-    assert "unsandboxed" in read(fresh.path / "autograded/ada/ch04/ch04.ipynb")["cells"][0]["source"]
+    assert (
+        result.note == "unsandboxed: this machine refused the cage (unsandboxed: asked for)"
+        or "unsandboxed" in result.note
+    )
+    assert (
+        "unsandboxed" in read(fresh.path / "autograded/ada/ch04/ch04.ipynb")["cells"][0]["source"]
+    )
 
 
 @pytest.mark.parametrize("how", DAMAGED)
@@ -75,11 +88,15 @@ def test_a_notebook_that_is_not_text_or_huge_is_told(fresh):
     assert "cannot be read" in grade(fresh, "ch04", ["dan"], workers=1)[0].problem
     with open(path, "wb") as f:
         f.truncate(10**9)
-    assert grade(fresh, "ch04", ["dan"], workers=1)[0].problem.startswith("ch04.ipynb has 1000 MB, more than the 67 MB that are read")
+    assert grade(fresh, "ch04", ["dan"], workers=1)[0].problem.startswith(
+        "ch04.ipynb has 1000 MB, more than the 67 MB that are read"
+    )
 
 
 def test_a_submission_named_differently_is_found_and_told(fresh):
-    (fresh.path / "submitted/dan/ch04/ch04.ipynb").rename(fresh.path / "submitted/dan/ch04/Homework (1).ipynb")
+    (fresh.path / "submitted/dan/ch04/ch04.ipynb").rename(
+        fresh.path / "submitted/dan/ch04/Homework (1).ipynb"
+    )
     result = grade(fresh, "ch04", ["dan"], workers=1)[0]
     assert "expected the notebook ch04.ipynb" in result.problem
     assert "it holds Homework (1).ipynb; if that is the work, rename it" in result.problem
@@ -90,7 +107,10 @@ def test_a_folder_of_somebody_unknown_is_told_and_gets_no_entry(fresh):
     code, out = command("grade", "ch04", "--course", fresh.path, "--workers", 1)
     assert code == 1
     said = " ".join(out.split())
-    assert "Not graded: nobody is not on the roster; check the folder's name, or add the student with: nbgrader db student add nobody" in said
+    assert (
+        "Not graded: nobody is not on the roster; check the folder's name, or add the student "
+        "with: nbgrader db student add nobody"
+    ) in said
     assert "nobody" not in fresh.roster()
     assert {s: total(c) for s, c in points(fresh).items()} == {**RIGHT, "dan": 0}
 
@@ -132,7 +152,14 @@ def test_a_bug_in_grading_one_submission_keeps_nobody_else_from_a_grade(fresh, m
     from grader.submission import pipeline
 
     original = pipeline.score_answers
-    monkeypatch.setattr(pipeline, "score_answers", lambda own, *rest: 1 / 0 if own.student == "ben" else original(own, *rest))
+    monkeypatch.setattr(
+        pipeline,
+        "score_answers",
+        lambda own, *rest: 1 / 0 if own.student == "ben" else original(own, *rest),
+    )
     results = {r.student: r for r in grade(fresh, "ch04", force=True, workers=1)}
-    assert "could not be graded, which is a bug of the grader: ZeroDivisionError" in results["ben"].problem
+    assert (
+        "could not be graded, which is a bug of the grader: ZeroDivisionError"
+        in results["ben"].problem
+    )
     assert not [s for s, r in results.items() if r.problem and s != "ben"]

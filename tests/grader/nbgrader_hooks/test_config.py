@@ -1,7 +1,10 @@
-"""A course that an earlier version wrote is graded by this one, and nbgrader finds every class that the configuration names.
+"""A course that an earlier version wrote is graded by this one, and nbgrader finds every class that
+the configuration names.
 
-tests/grader/course_before/ holds an assignment as commit adcba41 wrote it, before grader/ had folders: the source notebook, and what ada fetched.
-Cell ids, grade ids and the numbers that follow from the secret stand in notebooks that are handed out; they must not change while a course runs.
+tests/grader/course_before/ holds an assignment as commit adcba41 wrote it, before grader/ had
+folders: the source notebook, and what ada fetched. Cell ids, grade ids and the numbers that follow
+    from the secret stand in notebooks that are handed out; they must not change while a course
+    runs.
 """
 
 import shutil
@@ -48,7 +51,10 @@ def written(tmp_path_factory):
     (folder / ".course_secret").write_text(SECRET)
     (folder / "nbgrader_config.py").write_text(CONFIG)
     course = Course(folder)
-    for path, name in ((course.source("ch04"), "source"), (course.personal_path("ch04", "ada"), "personal")):
+    for path, name in (
+        (course.source("ch04"), "source"),
+        (course.personal_path("ch04", "ada"), "personal"),
+    ):
         path.parent.mkdir(parents=True)
         shutil.copy(BEFORE / f"{name}.ipynb", path)
     course.enrol(["ada"])
@@ -67,7 +73,8 @@ def before(written, tmp_path):
 @pytest.mark.integration
 @pytest.mark.parametrize("route", ["nbgrader autograde", "python -m grader grade"])
 def test_a_course_of_an_earlier_version_is_graded(before, route):
-    if route == "nbgrader autograde":  # by its own process, which finds the grader through the course's configuration alone
+    # by its own process, which finds the grader through the course's configuration alone
+    if route == "nbgrader autograde":
         code, out = run("nbgrader", "autograde", "ch04", cwd=before.path, PYTHONPATH="")
     else:
         code, out = command("grade", "ch04", "--course", before.path)
@@ -86,10 +93,19 @@ def test_the_numbers_and_ids_of_a_course_of_an_earlier_version_are_those_of_toda
     today, then = nb.build_notebook(problems, "", 10), read(BEFORE / "source.ipynb")
 
     def ids(notebook):
-        return [(c["id"], c["metadata"]["newton_euler"], c["metadata"].get("nbgrader", {}).get("grade_id")) for c in notebook["cells"]]
+        return [
+            (
+                c["id"],
+                c["metadata"]["newton_euler"],
+                c["metadata"].get("nbgrader", {}).get("grade_id"),
+            )
+            for c in notebook["cells"]
+        ]
 
     assert ids(today) == ids(then) == ids(own)
-    assert [nb.MASTER_COPY in c["source"] for c in then["cells"]] == [True] + [False] * (len(then["cells"]) - 1)
+    assert [nb.MASTER_COPY in c["source"] for c in then["cells"]] == [True] + [False] * (
+        len(then["cells"]) - 1
+    )
 
 
 def test_a_reworded_meaning_of_a_given_is_not_another_number():
@@ -99,7 +115,9 @@ def test_a_reworded_meaning_of_a_given_is_not_another_number():
             cell["source"] = cell["source"].replace("lead of", "what was once called the lead of")
             assert "once called" in cell["source"]
     assert nb.first_differing_problem(own, NUMBERS) is None
-    assert nb.first_differing_problem(own, {**NUMBERS, "4/1": {**NUMBERS["4/1"], "n": 7.6}}) == "4/1"
+    assert (
+        nb.first_differing_problem(own, {**NUMBERS, "4/1": {**NUMBERS["4/1"], "n": 7.6}}) == "4/1"
+    )
     for cell in own["cells"]:
         cell["source"] = cell["source"].replace("# in:", "# mm:")
     assert nb.first_differing_problem(own, NUMBERS) == "4/1"
@@ -108,7 +126,15 @@ def test_a_reworded_meaning_of_a_given_is_not_another_number():
 def test_every_class_that_the_configuration_names_can_be_imported(tmp_path):
     c = Config()
     configure(c, course=str(tmp_path / "nbgrader_config.py"))
-    lists = [c.Autograde.sanitize_preprocessors, c.Autograde.autograde_preprocessors, c.GenerateFeedback.preprocessors]
-    names = [c.ExchangeFactory.release_assignment, c.ExchangeFactory.fetch_assignment, *(name for names in lists for name in names)]
+    lists = [
+        c.Autograde.sanitize_preprocessors,
+        c.Autograde.autograde_preprocessors,
+        c.GenerateFeedback.preprocessors,
+    ]
+    names = [
+        c.ExchangeFactory.release_assignment,
+        c.ExchangeFactory.fetch_assignment,
+        *(name for names in lists for name in names),
+    ]
     assert all(isinstance(import_item(name), type) for name in names)
     assert all(Path(folder).is_dir() for folder in c.HTMLExporter.extra_template_basedirs)

@@ -1,4 +1,6 @@
-"""nbgrader autograde gives the same grades; plain nbgrader gives none; the feedback page holds no key."""
+"""nbgrader autograde gives the same grades; plain nbgrader gives none; the feedback page holds no
+key.
+"""
 
 import re
 import shutil
@@ -14,14 +16,22 @@ from tests.grader.submissions import DAMAGED, NOTEBOOKS, Named, work
 
 
 def said(course):
-    return {s: {c: comment for c, (_, _, comment) in cells.items()} for s, cells in points(course).items()}
+    return {
+        s: {c: comment for c, (_, _, comment) in cells.items()}
+        for s, cells in points(course).items()
+    }
 
 
 def scores(course):
-    return {s: {c: automatic for c, (automatic, _, _) in cells.items()} for s, cells in points(course).items()}
+    return {
+        s: {c: automatic for c, (automatic, _, _) in cells.items()}
+        for s, cells in points(course).items()
+    }
 
 
-def test_nbgrader_autograde_under_our_configuration_gives_the_same_scores_and_comments(course, fresh):
+def test_nbgrader_autograde_under_our_configuration_gives_the_same_scores_and_comments(
+    course, fresh
+):
     with fresh.gradebook() as book:
         for s in fresh.roster():
             book.remove_submission("ch04", s)
@@ -30,15 +40,24 @@ def test_nbgrader_autograde_under_our_configuration_gives_the_same_scores_and_co
     assert scores(fresh) == scores(course)
     assert said(fresh) == said(course)
     for s in fresh.roster():
-        ours, theirs = (read(c.path / "autograded" / s / "ch04/ch04.ipynb") for c in (course, fresh))
+        ours, theirs = (
+            read(c.path / "autograded" / s / "ch04/ch04.ipynb") for c in (course, fresh)
+        )
         assert [c["source"] for c in ours["cells"]] == [c["source"] for c in theirs["cells"]]
-        tables = [["".join(o["data"]["text/html"]) for c in n["cells"] for o in c.get("outputs", [])] for n in (ours, theirs)]
+        tables = [
+            ["".join(o["data"]["text/html"]) for c in n["cells"] for o in c.get("outputs", [])]
+            for n in (ours, theirs)
+        ]
         assert tables[0] == tables[1]
 
 
 def test_plain_nbgrader_gives_nobody_anything(fresh):
-    """Without our steps: the cells with points have no outputs or fail; also with the tag skip-execution and an edited receipt cell."""
-    (fresh.path / "nbgrader_config.py").write_text("c = get_config()\nc.CourseDirectory.course_id = 'mechanics'\n")
+    """Without our steps: the cells with points have no outputs or fail; also with the tag
+    skip-execution and an edited receipt cell.
+    """
+    (fresh.path / "nbgrader_config.py").write_text(
+        "c = get_config()\nc.CourseDirectory.course_id = 'mechanics'\n"
+    )
     for s in ("ben", "cleo", "dan"):
         shutil.rmtree(fresh.path / "submitted" / s)
     edited = work(fresh, "eve")
@@ -46,7 +65,14 @@ def test_plain_nbgrader_gives_nobody_anything(fresh):
         if c["metadata"].get("newton_euler", {}).get("role") == "receipt":
             c["source"] = "1.0"
             c["metadata"]["tags"] = ["skip-execution"]
-            c["outputs"] = [{"output_type": "execute_result", "execution_count": 1, "metadata": {}, "data": {"text/plain": "9.0"}}]
+            c["outputs"] = [
+                {
+                    "output_type": "execute_result",
+                    "execution_count": 1,
+                    "metadata": {},
+                    "data": {"text/plain": "9.0"},
+                }
+            ]
     submit(fresh, "eve", edited)
     with fresh.gradebook() as book:
         for s in fresh.roster():
@@ -97,8 +123,15 @@ def test_nbgrader_reports_a_damaged_notebook_and_somebody_unknown_and_grades_the
 @pytest.mark.parametrize("student", ["ada", "ben", "mallory"])
 def test_the_feedback_page_holds_no_key_that_the_student_did_not_write(course, student):
     page = (course.path / "feedback" / student / "ch04/ch04.html").read_text()
-    written = "".join(c["source"] for c in read(course.path / "submitted" / student / "ch04/ch04.ipynb")["cells"])
-    secret = {n for n in keys(course, student) if n not in written and n not in re.sub(r"\d+\.\d{8,}", lambda m: f"{float(m[0]):.6g}", written)}
+    written = "".join(
+        c["source"] for c in read(course.path / "submitted" / student / "ch04/ch04.ipynb")["cells"]
+    )
+    secret = {
+        n
+        for n in keys(course, student)
+        if n not in written
+        and n not in re.sub(r"\d+\.\d{8,}", lambda m: f"{float(m[0]):.6g}", written)
+    }
     plain_page = re.sub(r"[A-Za-z0-9+/=]{200,}", "", page)
     assert not [n for n in secret if n in plain_page]
     for words in ("def solve", "prove(", course.secret.hex(), "<script", "http://", "https://"):

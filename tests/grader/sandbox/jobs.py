@@ -10,7 +10,10 @@ FORMS = {"x": "number, 1"}
 
 
 def job(*cells):
-    return [{"id": f"0/{n}", "givens": "", "cell": textwrap.dedent(c), "forms": FORMS, "symbols": {}} for n, c in enumerate(cells, 1)]
+    return [
+        {"id": f"0/{n}", "givens": "", "cell": textwrap.dedent(c), "forms": FORMS, "symbols": {}}
+        for n, c in enumerate(cells, 1)
+    ]
 
 
 def caged(harvester, *cells, seconds=10, cell_seconds=5, setup=""):
@@ -30,7 +33,9 @@ def descendants():
     parents = {}
     for entry in Path("/proc").glob("[0-9]*"):
         try:
-            parents[int(entry.name)] = int((entry / "stat").read_text().rpartition(")")[2].split()[1])
+            parents[int(entry.name)] = int(
+                (entry / "stat").read_text().rpartition(")")[2].split()[1]
+            )
         except OSError:
             continue
     found, level = set(), {os.getpid()}

@@ -1,4 +1,6 @@
-"""The cage: what student code cannot reach, and that the worker survives whatever it does. As root, without privileges, and without a cage."""
+"""The cage: what student code cannot reach, and that the worker survives whatever it does. As root,
+without privileges, and without a cage.
+"""
 
 import json
 import os
@@ -20,27 +22,37 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Lin
 # -- out of reach, each a question to which the cage answers False
 
 REACH = {
-    "the repository": f"x = os.path.exists({str(REPOSITORY / 'grader')!r}) or os.path.exists({str(REPOSITORY / 'exercises')!r})",
+    "the repository": f"x = os.path.exists({str(REPOSITORY / 'grader')!r}) or "
+    f"os.path.exists({str(REPOSITORY / 'exercises')!r})",
     "the exercises": "import exercises; x = 1",
-    "the catalogue of files": f"x = sum('p16.yaml' in f for _, _, f in os.walk('/')) + ('exercises' in os.listdir({str(REPOSITORY)!r}))",
-    "the home of the instructor": f"x = len(set(os.listdir({str(Path.home())!r})) - {{'.pyenv', '.local', 'miniconda3', '.venv'}})",
+    "the catalogue of files": "x = sum('p16.yaml' in f for _, _, f in os.walk('/')) + ('exercises' in "
+    f"os.listdir({str(REPOSITORY)!r}))",
+    "the home of the instructor": f"x = len(set(os.listdir({str(Path.home())!r})) - {{'.pyenv', '.local', 'miniconda3', "
+    f"'.venv'}})",
     "proc": "x = os.path.exists('/proc/1') or os.path.exists('/proc/self')",
     "sys": "x = os.path.exists('/sys/kernel')",
     "the network": "import socket; socket.create_connection(('127.0.0.1', 22), 1); x = 1",
     "any network but lo": "import socket; x = len(socket.if_nameindex()) > 1",
-    "unix sockets by path": "import socket; s = socket.socket(socket.AF_UNIX); s.connect('/var/run/docker.sock'); x = 1",
+    "unix sockets by path": "import socket; s = socket.socket(socket.AF_UNIX); s.connect('/var/run/docker.sock'); "
+    "x = 1",
     "its parents": "x = os.getppid()",
-    "other processes": "n = 0\nfor pid in range(2, 3000):\n    try:\n        os.kill(pid, 0); n += 1\n    except OSError: pass\nx = n",
+    "other processes": "n = 0\nfor pid in range(2, 3000):\n    try:\n        os.kill(pid, 0); n += 1\n    "
+    "except OSError: pass\nx = n",
     "root": "x = os.getuid() == 0 or os.geteuid() == 0",
-    "capabilities": "import ctypes\nd = (ctypes.c_uint32 * 6)()\nctypes.CDLL(None).capget((ctypes.c_uint32 * 2)(0x20080522, 0), d)\nx = sum(d)",
-    "writing beside its folder": "n = 0\nfor p in ('/', '/usr/lib', '/lib', os.path.dirname(os.__file__), '/dev', '/etc'):\n"
+    "capabilities": "import ctypes\nd = (ctypes.c_uint32 * 6)()\nctypes.CDLL(None).capget((ctypes.c_uint32 "
+    "* 2)(0x20080522, 0), d)\nx = sum(d)",
+    "writing beside its folder": "n = 0\nfor p in ('/', '/usr/lib', '/lib', os.path.dirname(os.__file__), '/dev', "
+    "'/etc'):\n"
     "    try:\n        open(p + '/probe', 'w'); n += 1\n    except OSError: pass\nx = n",
     "a writable engine": "import ctypes, newton_euler\nplace = os.path.dirname(newton_euler.__file__)\n"
-    "ctypes.CDLL(None).mount(None, place.encode(), None, ctypes.c_ulong(32 | 4096), None)\nopen(place + '/probe', 'w'); x = 1",
-    "a new mount": "import ctypes; x = ctypes.CDLL(None).mount(b'none', b'/tmp', b'tmpfs', ctypes.c_ulong(0), None) == 0",
+    "ctypes.CDLL(None).mount(None, place.encode(), None, ctypes.c_ulong(32 | 4096), "
+    "None)\nopen(place + '/probe', 'w'); x = 1",
+    "a new mount": "import ctypes; x = ctypes.CDLL(None).mount(b'none', b'/tmp', b'tmpfs', "
+    "ctypes.c_ulong(0), None) == 0",
     "privileges of other programs": "import ctypes; x = ctypes.CDLL(None).prctl(39, 0, 0, 0, 0) != 1",
     "the environment": "x = sum('SECRET' in k or 'TOKEN' in k for k in os.environ)",
-    "open files": "x = len([fd for fd in range(3, 256) if is_open(fd)]) - 1",  # one is the pipe for receipts
+    # one is the pipe for receipts
+    "open files": "x = len([fd for fd in range(3, 256) if is_open(fd)]) - 1",
     "what was written before": "x = os.path.exists('/tmp/left-behind'); open('/tmp/left-behind', 'w').close()",
 }
 SETUP = """
@@ -58,7 +70,10 @@ def is_open(fd):
 def reached(harvester):
     """{what: its receipt}, each run in a cage of its own; the last one twice."""
     os.environ["SOME_SECRET_TOKEN"] = "x"
-    out = {name: caged(harvester, cell, setup=SETUP)["receipts"]["0/1"] for name, cell in [*REACH.items(), *list(REACH.items())[-1:]]}
+    out = {
+        name: caged(harvester, cell, setup=SETUP)["receipts"]["0/1"]
+        for name, cell in [*REACH.items(), *list(REACH.items())[-1:]]
+    }
     del os.environ["SOME_SECRET_TOKEN"]
     return out
 
@@ -72,12 +87,20 @@ def test_student_code_does_not_reach(reached, what):
 
 
 def test_a_worked_example_can_be_imported(harvester):
-    reply = caged(harvester, "from newton_euler.chapters.examples.ch10 import rotor_moment; x = rotor_moment(1000.0, 0.5, 20.0, 100.0)")
+    reply = caged(
+        harvester,
+        "from newton_euler.chapters.examples.ch10 import rotor_moment; x = "
+        "rotor_moment(1000.0, 0.5, 20.0, 100.0)",
+    )
     assert reply["receipts"]["0/1"]["answers"] == {"x": 2000.0}
 
 
 def test_neither_the_course_nor_other_submissions_are_there(harvester, course):
-    reply = caged(harvester, f"import os; x = os.path.exists({str(course.path)!r}) + os.path.exists({str(course.path.parent)!r})")
+    reply = caged(
+        harvester,
+        f"import os; x = os.path.exists({str(course.path)!r}) + "
+        f"os.path.exists({str(course.path.parent)!r})",
+    )
     assert reply["receipts"]["0/1"]["answers"] == {"x": 0.0}
 
 
@@ -88,7 +111,9 @@ def test_nothing_in_the_cage_holds_a_key_or_the_exchange(harvester):
     for folder, _, files in os.walk("/"):
         x += sum(f in ("p16.yaml", ".course_secret", "p16.py") for f in files) + folder.endswith("share/nbgrader/exchange")
     """
-    assert caged(harvester, cell, seconds=40, cell_seconds=30)["receipts"]["0/1"]["answers"] == {"x": 0.0}
+    assert caged(harvester, cell, seconds=40, cell_seconds=30)["receipts"]["0/1"]["answers"] == {
+        "x": 0.0
+    }
 
 
 # -- what a submission may do to itself and to nobody else
@@ -100,7 +125,8 @@ ENDINGS = {
     "kills everybody": "import os, signal; os.kill(-1, signal.SIGKILL); x = 1",
     "kills its group": "import os, signal; os.killpg(0, signal.SIGKILL); x = 1",
     "closes all files": "import os; os.closerange(0, 1000)",
-    "writes to all files": "import os\nfor fd in range(3, 256):\n    try: os.write(fd, b'forged\\n' * 100)\n    except OSError: pass",
+    "writes to all files": "import os\nfor fd in range(3, 256):\n    try: os.write(fd, b'forged\\n' * 100)\n    "
+    "except OSError: pass",
     "crashes": "import ctypes; ctypes.string_at(0)",
     "aborts": "import os; os.abort()",
     "recursion": "def f(n): return f(n + 1)\nx = f(0)",
@@ -112,21 +138,27 @@ ENDINGS = {
     "file handles": "l = []\nwhile True: l.append(open('/dev/null'))",
     "limits raised": "import resource; resource.setrlimit(resource.RLIMIT_AS, (-1, -1)); x = 1",
     "fork bomb": "import os\nwhile True:\n    try: os.fork()\n    except OSError: pass",
-    "threads that outlive": "import threading, time\nfor _ in range(8): threading.Thread(target=time.sleep, args=(1000,)).start()\nx = 1",
-    "daemon": "import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        time.sleep(1000)\n    os._exit(0)\nx = 1",
+    "threads that outlive": "import threading, time\nfor _ in range(8): threading.Thread(target=time.sleep, "
+    "args=(1000,)).start()\nx = 1",
+    "daemon": "import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        "
+    "time.sleep(1000)\n    os._exit(0)\nx = 1",
     "no death with its parent": "import ctypes, time; ctypes.CDLL(None).prctl(1, 0, 0, 0, 0); time.sleep(1000)",
     "stops itself": "import os, signal; os.kill(os.getpid(), signal.SIGSTOP); x = 1",
     "endless loop": "while True: pass",
-    "endless loop that catches everything": "n = 0\nwhile True:\n    try:\n        while True:\n            n += 1\n    except BaseException: pass",
+    "endless loop that catches everything": "n = 0\nwhile True:\n    try:\n        while True:\n            n += 1\n    except "
+    "BaseException: pass",
     "endless in C": "x = 10**10**8",
     "no alarm": "import signal\nsignal.signal(signal.SIGALRM, signal.SIG_IGN)\nwhile True: pass",
     "sleeps": "import time; time.sleep(1000)",
     "prints without end": "while True: print('x' * 10**6)",
-    "floods the receipts": "import os\nwhile True:\n    for fd in range(3, 20):\n        try: os.write(fd, b'x' * 65536)\n"
+    "floods the receipts": "import os\nwhile True:\n    for fd in range(3, 20):\n        try: os.write(fd, b'x' * "
+    "65536)\n"
     "        except OSError: pass",
-    "deep json": "import os\nline = b'{\"id\": \"0/1\", \"answers\": ' + b'[' * 985 + b']' * 985 + b'}\\n'\nfor fd in range(3, 20):\n"
+    "deep json": "import os\nline = b'{\"id\": \"0/1\", \"answers\": ' + b'[' * 985 + b']' * 985 + "
+    "b'}\\n'\nfor fd in range(3, 20):\n"
     "    try: os.write(fd, line)\n    except OSError: pass",
-    "rewrites builtins": "import builtins, json, os\njson.dumps = None\nos.write = None\nbuiltins.len = lambda *_: -1\nx = 1",
+    "rewrites builtins": "import builtins, json, os\njson.dumps = None\nos.write = None\nbuiltins.len = lambda "
+    "*_: -1\nx = 1",
     "an error that fails to print": "class E(Exception):\n    def __str__(self): raise E()\nraise E()",
     "half characters": "raise ValueError('\\ud800')",
 }
@@ -134,7 +166,13 @@ ENDINGS = {
 
 # what ends the cells that do not end by themselves; the others have time enough
 AT_THE_DEADLINE = {"fork bomb", "endless loop that catches everything", "no alarm"}
-AT_THE_LIMIT_OF_THE_CELL = {"no death with its parent", "endless loop", "endless in C", "sleeps", "prints without end"}
+AT_THE_LIMIT_OF_THE_CELL = {
+    "no death with its parent",
+    "endless loop",
+    "endless in C",
+    "sleeps",
+    "prints without end",
+}
 AT_EITHER = {"recursion without end", "memory in pieces"}
 
 
@@ -155,12 +193,22 @@ def test_the_worker_survives_and_leaves_nothing_running(harvester, what):
 
 def test_a_deadline_of_the_cell_is_told_and_the_next_cell_still_counts(harvester):
     reply = caged(harvester, "while True: pass", "x = 2", seconds=10, cell_seconds=0.5)
-    assert "_TooLong" in reply["receipts"]["0/1"]["error"] or "ran longer than 0.5 s" in reply["receipts"]["0/1"]["error"]
+    assert (
+        "_TooLong" in reply["receipts"]["0/1"]["error"]
+        or "ran longer than 0.5 s" in reply["receipts"]["0/1"]["error"]
+    )
     assert reply["receipts"]["0/2"]["answers"] == {"x": 2.0}
 
 
 def test_a_deadline_of_the_notebook_keeps_what_was_read_before(harvester):
-    reply = caged(harvester, "x = 1", ENDINGS["endless loop that catches everything"], "x = 3", seconds=2, cell_seconds=0.5)
+    reply = caged(
+        harvester,
+        "x = 1",
+        ENDINGS["endless loop that catches everything"],
+        "x = 3",
+        seconds=2,
+        cell_seconds=0.5,
+    )
     assert reply["receipts"]["0/1"]["answers"] == {"x": 1.0}
     assert "0/3" not in reply["receipts"]
     assert reply["ended"] == "stopped after 2 s"
@@ -172,9 +220,17 @@ def test_answers_given_before_the_process_ended_are_kept(harvester):
 
 
 def test_a_forged_receipt_is_only_data_for_the_problem_it_names(harvester):
-    forged = json.dumps({"id": "0/2", "answers": {"x": 1}, "points": 100, "sandbox": "x"}) + "\n" + json.dumps({"id": "9/9", "answers": {}}) + "\n"
+    forged = (
+        json.dumps({"id": "0/2", "answers": {"x": 1}, "points": 100, "sandbox": "x"})
+        + "\n"
+        + json.dumps({"id": "9/9", "answers": {}})
+        + "\n"
+    )
     reply = caged(
-        harvester, f"import os\nfor fd in range(3, 64):\n    try: os.write(fd, {forged.encode()!r})\n    except OSError: pass\nx = 5", "x = 7"
+        harvester,
+        "import os\nfor fd in range(3, 64):\n    try: os.write(fd, "
+        f"{forged.encode()!r})\n    except OSError: pass\nx = 5",
+        "x = 7",
     )
     assert set(reply["receipts"]) == {"0/1", "0/2"}
     assert reply["receipts"]["0/1"]["answers"] == {"x": 5.0}
@@ -194,21 +250,34 @@ print(json.dumps(out))
 
 
 def elsewhere(cells, sandbox=True, unprivileged=False):
-    """The replies to cells of a harvester in a process of its own, as user 65534 in a user namespace if asked."""
-    script = CHILD.format(repository=str(REPOSITORY), sandbox=sandbox, cells=[textwrap.dedent(c) for c in cells])
+    """The replies to cells of a harvester in a process of its own, as user 65534 in a user
+    namespace if asked.
+    """
+    script = CHILD.format(
+        repository=str(REPOSITORY), sandbox=sandbox, cells=[textwrap.dedent(c) for c in cells]
+    )
     command = [sys.executable, "-c", script]
     if unprivileged:
-        if not shutil.which("unshare") or subprocess.run(["unshare", "-U", "--map-user=65534", "true"], capture_output=True, check=False).returncode:
+        if (
+            not shutil.which("unshare")
+            or subprocess.run(
+                ["unshare", "-U", "--map-user=65534", "true"], capture_output=True, check=False
+            ).returncode
+        ):
             pytest.skip("this kernel refuses user namespaces")
         command = ["unshare", "-U", "--map-user=65534", "--map-group=65534", *command]
-    done = subprocess.run(command, env=environment(), capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(
+        command, env=environment(), capture_output=True, text=True, timeout=120, check=False
+    )
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
 
 
 def test_without_privileges_the_cage_is_as_tight():
     cells = [SETUP + "\n" + c for c in REACH.values()]
-    for (what, _), reply in zip(REACH.items(), elsewhere([*cells, "x = 42"], unprivileged=True), strict=False):
+    for (what, _), reply in zip(
+        REACH.items(), elsewhere([*cells, "x = 42"], unprivileged=True), strict=False
+    ):
         if reply["sandbox"] != "namespaces":
             pytest.skip(reply["sandbox"])
         given = reply["receipts"]["0/1"]
@@ -219,7 +288,8 @@ def test_without_privileges_the_cage_is_as_tight():
 
 @pytest.mark.slow
 def test_without_privileges_the_worker_survives_too():
-    # no fork bomb: this user is root outside, to whom the kernel grants as many processes as he likes
+    # no fork bomb: this user is root outside, to whom the kernel grants as many processes as he
+    # likes
     names = [
         "kills everybody",
         "no death with its parent",
@@ -247,10 +317,19 @@ def test_where_the_kernel_refuses_the_reply_names_its_reason():
     if not shutil.which("setpriv"):
         pytest.skip("no setpriv to give up the right to namespaces with")
     # root without CAP_SYS_ADMIN: what a container gives
-    command = ["setpriv", "--bounding-set=-sys_admin", "--inh-caps=-sys_admin", sys.executable, "-c", limit + script]
+    command = [
+        "setpriv",
+        "--bounding-set=-sys_admin",
+        "--inh-caps=-sys_admin",
+        sys.executable,
+        "-c",
+        limit + script,
+    ]
     if os.geteuid() != 0:
         pytest.skip("needs root to give something up")
-    done = subprocess.run(command, env=environment(), capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(
+        command, env=environment(), capture_output=True, text=True, timeout=60, check=False
+    )
     assert done.returncode == 0, done.stderr
     (reply,) = json.loads(done.stdout)
     assert reply["sandbox"] == "unsandboxed: [Errno 1] Operation not permitted"
@@ -258,7 +337,10 @@ def test_where_the_kernel_refuses_the_reply_names_its_reason():
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(os.geteuid() != 0, reason="without a cage and without root, student code has the instructor's own rights")
+@pytest.mark.skipif(
+    os.geteuid() != 0,
+    reason="without a cage and without root, student code has the instructor's own rights",
+)
 def test_without_a_cage_the_worker_survives_and_nothing_is_left_running():
     names = [
         "daemon",
@@ -277,7 +359,8 @@ def test_without_a_cage_the_worker_survives_and_nothing_is_left_running():
     left = [
         p
         for p in Path("/proc").glob("[0-9]*/status")
-        if "Uid:\t10" in p.read_text(errors="replace") and "python" in p.read_text(errors="replace")[:40]
+        if "Uid:\t10" in p.read_text(errors="replace")
+        and "python" in p.read_text(errors="replace")[:40]
     ]
     assert not left
 

@@ -1,4 +1,6 @@
-"""The workers: they serve one job after the other, are replaced when they die, and do not wait for each other."""
+"""The workers: they serve one job after the other, are replaced when they die, and do not wait for
+each other.
+"""
 
 import os
 import sys
@@ -28,7 +30,11 @@ def test_a_worker_that_dies_is_replaced(harvester):
     with Harvester(1) as one:
         assert still_serves(one)
         one._all[-1].kill()
-        with pytest.raises(HarvestError, match=r"the process that runs student code is gone .*Check that newton_euler is installed"):
+        with pytest.raises(
+            HarvestError,
+            match=r"the process that runs student code is gone .*Check that newton_euler is "
+            r"installed",
+        ):
             one.run("", job("x = 1"))
         assert still_serves(one)
 
@@ -38,7 +44,10 @@ def test_a_fork_bomb_beside_leaves_another_worker_its_processes():
     with Harvester(2) as two, ThreadPoolExecutor(2) as pool:
         bomb = pool.submit(two.run, "", job(ENDINGS["fork bomb"]), 3, 2)
         time.sleep(1.5)
-        threads = "import threading\nts = [threading.Thread(target=int) for _ in range(20)]\nfor t in ts: t.start()\nfor t in ts: t.join()\nx = 1"
+        threads = (
+            "import threading\nts = [threading.Thread(target=int) for _ in range(20)]\nfor t "
+            "in ts: t.start()\nfor t in ts: t.join()\nx = 1"
+        )
         other = two.run("", job(threads), 10, 5)
         bomb.result()
     assert other["receipts"]["0/1"]["answers"] == {"x": 1.0}, other

@@ -33,9 +33,15 @@ def trees(p, answers):
 
 
 def listed(p, given):
-    """[(mistake, key, the student's tree)] of every mistake that a problem's YAML names, computed as a student would: with symbols."""
+    """[(mistake, key, the student's tree)] of every mistake that a problem's YAML names, computed
+    as a student would: with symbols.
+    """
     wrong = p.code.mistakes(p.base({**p.sympy_symbols(), **given}))
-    return [(name, key, trees(p, p.in_units({key: v}))[key]) for name, answers in wrong.items() for key, v in answers.items()]
+    return [
+        (name, key, trees(p, p.in_units({key: v}))[key])
+        for name, answers in wrong.items()
+        for key, v in answers.items()
+    ]
 
 
 def part_of(p, given, key, tree):
@@ -47,15 +53,27 @@ def numbers_of(p, given):
     right, wrong = evaluate(p, scoring._sample(p, given))
 
     def rows(answer):
-        return np.stack(np.broadcast_arrays(*map(np.asarray, answer))).astype(float).reshape(len(answer), -1)
+        return (
+            np.stack(np.broadcast_arrays(*map(np.asarray, answer)))
+            .astype(float)
+            .reshape(len(answer), -1)
+        )
 
-    return {k: rows(v) for k, v in right.items()}, {m: {k: rows(v) for k, v in w.items()} for m, w in wrong.items()}
+    return {k: rows(v) for k, v in right.items()}, {
+        m: {k: rows(v) for k, v in w.items()} for m, w in wrong.items()
+    }
 
 
 def twins(wrong, name, key, tolerance):
     """Other listed mistakes that give the same numbers, within what a student may round."""
     mine = wrong[name][key]
-    return [m for m, w in wrong.items() if m != name and key in w and np.linalg.norm(w[key] - mine) <= 2 * tolerance * np.linalg.norm(mine)]
+    return [
+        m
+        for m, w in wrong.items()
+        if m != name
+        and key in w
+        and np.linalg.norm(w[key] - mine) <= 2 * tolerance * np.linalg.norm(mine)
+    ]
 
 
 CASES = [(p, data) for p in CH04 for data in DATA]
@@ -63,13 +81,20 @@ IDS = [f"{p.id} {data}" for p, data in CASES]
 
 
 @pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
-def test_every_listed_mistake_earns_nothing_and_is_told_by_its_own_text_if_no_other_gives_the_same(p, data):
+def test_every_listed_mistake_earns_nothing_and_is_told_by_its_own_text_if_no_other_gives_the_same(
+    p, data
+):
     given = values(p, data)
     _, wrong = numbers_of(p, given)
     for name, key, tree in listed(p, given):
         part = part_of(p, given, key, tree)
         assert (part.points, part.verdict) == (0, "wrong"), (name, key)
-        same = twins(wrong, name, key, scoring.FORMULA_RTOL if p.answer(key).kind.endswith("expression") else scoring.RTOL)
+        same = twins(
+            wrong,
+            name,
+            key,
+            scoring.FORMULA_RTOL if p.answer(key).kind.endswith("expression") else scoring.RTOL,
+        )
         if not same:
             assert part.diagnosis == p.mistakes[name], (name, key)
             assert part.message == f"not right; it fits a solution that {part.diagnosis}"
@@ -95,8 +120,14 @@ def test_a_right_answer_never_gets_a_diagnosis_also_when_rounded(p, data):
     for part in score_receipt(p, given, {"answers": right}).parts:
         assert (part.verdict, part.diagnosis) == ("right", None)
     if not p.symbolic:
-        rounded = {k: [float(f"{x:.3g}") for x in v] if isinstance(v, list) else float(f"{v:.3g}") for k, v in right.items()}
-        assert all(part.diagnosis is None and part.points for part in score_receipt(p, given, {"answers": rounded}).parts)
+        rounded = {
+            k: [float(f"{x:.3g}") for x in v] if isinstance(v, list) else float(f"{v:.3g}")
+            for k, v in right.items()
+        }
+        assert all(
+            part.diagnosis is None and part.points
+            for part in score_receipt(p, given, {"answers": rounded}).parts
+        )
 
 
 @pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
@@ -131,11 +162,18 @@ def test_a_term_left_out_or_turned_is_told_from_the_ledger_or_a_listed_mistake(p
     for name, factor in [(n, f) for n in right.terms for f in (0, -1)]:
         candidates[name, factor] = tuple(map(float, flat(right.reweighted(**{name: factor}))))
     for (name, factor), numbers in candidates.items():
-        if factor == "listed" or math.dist(numbers, flat(right)) < 1.1 * SEPARATION * max(whole, math.hypot(*numbers)):
+        if factor == "listed" or math.dist(numbers, flat(right)) < 1.1 * SEPARATION * max(
+            whole, math.hypot(*numbers)
+        ):
             continue  # this term is too small to be missed
         part = told(p, a, given, numbers)
         assert part.points == 0
-        others = [n for n, w in candidates.items() if n != (name, factor) and math.dist(w, numbers) <= 2 * scoring.RTOL * math.hypot(*numbers)]
+        others = [
+            n
+            for n, w in candidates.items()
+            if n != (name, factor)
+            and math.dist(w, numbers) <= 2 * scoring.RTOL * math.hypot(*numbers)
+        ]
         assert part.diagnosis or others, (name, factor)
 
 
@@ -170,7 +208,14 @@ def test_angles_and_rates_used_in_degrees_are_told(number):
             g = p.base(given)
             wrong = p.in_units(p.code.solve(g.but(**{name: g.stated(name)})))
             for a in p.answers:
-                part = part_of(p, given, a.key, trees(p, {a.key: list(flat(wrong[a.key])) if a.kind == "vector" else wrong[a.key]})[a.key])
+                part = part_of(
+                    p,
+                    given,
+                    a.key,
+                    trees(
+                        p, {a.key: list(flat(wrong[a.key])) if a.kind == "vector" else wrong[a.key]}
+                    )[a.key],
+                )
                 if not part.points:
                     found += part.diagnosis is not None
     if any(q.unit.startswith(("deg", "rev")) for q in p.givens.values()):
@@ -202,7 +247,10 @@ def test_nonsense_is_not_explained():
         given = values(p, "variant")
         size = math.hypot(*map(float, flat(p.solve(given)[a.key])))
         for _ in range(5):
-            explained += told(p, a, given, tuple(map(float, size * rng.uniform(-1, 1, 3)))).diagnosis is not None
+            explained += (
+                told(p, a, given, tuple(map(float, size * rng.uniform(-1, 1, 3)))).diagnosis
+                is not None
+            )
     assert explained == 0
 
 
@@ -217,7 +265,9 @@ def test_a_diagnosis_never_holds_a_number_of_the_key():
 
 
 def test_terms_are_named_for_what_they_are():
-    assert term_text("coriolis", frames.EQUATIONS["acceleration"]) == "the coriolis term 2 omega x v_r"
+    assert (
+        term_text("coriolis", frames.EQUATIONS["acceleration"]) == "the coriolis term 2 omega x v_r"
+    )
     assert term_text("arm", frames.EQUATIONS["angular acceleration"]) == "the turning of arm"
     assert term_text("arm x rod", frames.EQUATIONS["angular acceleration"]) == "the term arm x rod"
     assert term_text("u''", coordinates.EQUATIONS["curvilinear acceleration"]) == "the term u''"

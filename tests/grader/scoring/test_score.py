@@ -33,14 +33,19 @@ def key(p):
 
 def judged(p, answers, values=None):
     """The one part that matters: {key: Part}."""
-    return {part.key: part for part in score_receipt(p, values or VALUES[p.id], {"answers": answers}).parts}
+    return {
+        part.key: part
+        for part in score_receipt(p, values or VALUES[p.id], {"answers": answers}).parts
+    }
 
 
 @pytest.mark.parametrize("p", CH04, ids=lambda p: p.id)
 def test_the_engines_answer_earns_every_point_without_a_diagnosis(p):
     result = score_receipt(p, VALUES[p.id], {"answers": key(p)})
     assert result.points == result.out_of == len(p.answers)
-    assert [(part.verdict, part.diagnosis) for part in result.parts] == [("right", None)] * len(p.answers)
+    assert [(part.verdict, part.diagnosis) for part in result.parts] == [("right", None)] * len(
+        p.answers
+    )
 
 
 @pytest.mark.parametrize("p", CH04, ids=lambda p: p.id)
@@ -50,13 +55,25 @@ def test_the_answers_to_the_books_numbers_earn_nothing_where_the_numbers_differ(
     books, _ = evaluate(p, scoring._sample(p, p.book_values))
     result = judged(p, book)
     for a in p.answers:
-        gap = math.hypot(*(np.max(np.abs(x - y)) for x, y in zip(right[a.key], books[a.key], strict=True)))
+        gap = math.hypot(
+            *(np.max(np.abs(x - y)) for x, y in zip(right[a.key], books[a.key], strict=True))
+        )
         if gap > 0.01 * math.hypot(*(np.max(np.abs(x)) for x in right[a.key])):
             assert result[a.key].points == 0
 
 
 def test_no_receipt_at_all_is_blank_and_costs_only_the_points():
-    for receipt in (None, {}, {"answers": {}}, {"answers": None}, {"answers": []}, "text", 3, [], {"faults": "x"}):
+    for receipt in (
+        None,
+        {},
+        {"answers": {}},
+        {"answers": None},
+        {"answers": []},
+        "text",
+        3,
+        [],
+        {"faults": "x"},
+    ):
         result = score_receipt(problem("4/16"), VALUES["4/16"], receipt)
         assert [(p.verdict, p.points, p.out_of) for p in result.parts] == [("blank", 0, 1)] * 3
 
@@ -64,14 +81,23 @@ def test_no_receipt_at_all_is_blank_and_costs_only_the_points():
 def test_a_fault_makes_its_part_unreadable_and_leaves_the_others():
     p = problem("4/16")
     answers = key(p)
-    result = score_receipt(p, VALUES["4/16"], {"answers": answers, "faults": {"v_D": "expected a vector"}})
+    result = score_receipt(
+        p, VALUES["4/16"], {"answers": answers, "faults": {"v_D": "expected a vector"}}
+    )
     assert [part.verdict for part in result.parts] == ["right", "unreadable", "right"]
     assert result.points == 2
 
 
 def test_an_error_in_the_cell_is_told_once_for_the_problem():
-    result = score_receipt(problem("4/1"), VALUES["4/1"], {"error": "ZeroDivisionError, line 3: float division by zero"}, note="a copy was graded")
-    assert result.note == "a copy was graded; the cell stopped with ZeroDivisionError, line 3: float division by zero"
+    result = score_receipt(
+        problem("4/1"),
+        VALUES["4/1"],
+        {"error": "ZeroDivisionError, line 3: float division by zero"},
+        note="a copy was graded",
+    )
+    assert result.note == (
+        "a copy was graded; the cell stopped with ZeroDivisionError, line 3: float division by zero"
+    )
 
 
 def test_a_score_survives_json():
@@ -83,7 +109,9 @@ def test_a_score_survives_json():
 # -- tolerance
 
 
-@pytest.mark.parametrize(("off", "points"), [(0.00499, 1), (-0.00499, 1), (0.00501, 0), (-0.00501, 0)])
+@pytest.mark.parametrize(
+    ("off", "points"), [(0.00499, 1), (-0.00499, 1), (0.00501, 0), (-0.00501, 0)]
+)
 def test_a_number_may_be_half_a_percent_off_and_no_more(off, points):
     p = problem("4/1")
     answers = {k: v * (1 + off) for k, v in key(p).items()}
@@ -92,7 +120,9 @@ def test_a_number_may_be_half_a_percent_off_and_no_more(off, points):
 
 @pytest.mark.parametrize(("off", "points"), [(0.00499, 1), (0.00501, 0)])
 @pytest.mark.parametrize("direction", [(1, 0, 0), (0, 1, 0), (0, 0, 1), (0.6, 0, -0.8)])
-def test_a_vector_may_be_half_a_percent_of_its_magnitude_off_in_any_direction(off, points, direction):
+def test_a_vector_may_be_half_a_percent_of_its_magnitude_off_in_any_direction(
+    off, points, direction
+):
     p = problem("4/16")
     a_D = key(p)["a_D"]
     moved = [x + off * math.hypot(*a_D) * e for x, e in zip(a_D, direction, strict=True)]
@@ -136,7 +166,15 @@ def verdict(a, tree, right):
 
 
 @pytest.mark.parametrize(
-    ("tree", "expected"), [(0, "right"), (0.9e-6, "right"), (-0.9e-6, "right"), (1.1e-6, "wrong"), (1, "wrong"), (1e-300, "right")]
+    ("tree", "expected"),
+    [
+        (0, "right"),
+        (0.9e-6, "right"),
+        (-0.9e-6, "right"),
+        (1.1e-6, "wrong"),
+        (1, "wrong"),
+        (1e-300, "right"),
+    ],
 )
 def test_a_key_of_zero_is_compared_with_its_absolute_tolerance(tree, expected):
     assert verdict(answer("number"), tree, (0.0,)) == expected
@@ -145,7 +183,8 @@ def test_a_key_of_zero_is_compared_with_its_absolute_tolerance(tree, expected):
 def test_the_absolute_tolerance_of_a_problem_is_used():
     assert verdict(answer("number", atol=0.1), 0.09, (0.0,)) == "right"
     assert verdict(answer("number", atol=0.1), 0.11, (0.0,)) == "wrong"
-    assert verdict(answer("number", atol=0.1), 5.09, (5.0,)) == "wrong"  # not where the key is not zero
+    # not where the key is not zero
+    assert verdict(answer("number", atol=0.1), 5.09, (5.0,)) == "wrong"
 
 
 def test_a_zero_component_of_a_vector_is_measured_by_the_whole_vector():
@@ -173,11 +212,20 @@ def test_each_bound_of_an_interval_counts_by_itself():
         ("matrix", (), tuple(map(float, range(1, 10))), [1, 2, 3, 4, 5, 6, 7, 8, 9], "right"),
         ("matrix", (), tuple(map(float, range(1, 10))), [1, 4, 7, 2, 5, 8, 3, 6, 9], "wrong"),
         ("matrix", (), tuple(map(float, range(1, 10))), [1, 2, 3], "unreadable"),
-        ("matrix", (), tuple(map(float, range(1, 10))), [[1, 2, 3], [4, 5, 6], [7, 8, 9]], "unreadable"),
+        (
+            "matrix",
+            (),
+            tuple(map(float, range(1, 10))),
+            [[1, 2, 3], [4, 5, 6], [7, 8, 9]],
+            "unreadable",
+        ),
     ],
 )
 def test_counts_words_and_matrices_have_one_way_to_be_right(kind, of, right, tree, expected):
-    assert verdict(answer(kind, of=of), tree, right if isinstance(right, tuple) else (right,)) == expected
+    assert (
+        verdict(answer(kind, of=of), tree, right if isinstance(right, tuple) else (right,))
+        == expected
+    )
 
 
 # -- formulas
@@ -190,7 +238,14 @@ SPEED = ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", TILT]], 2]], 0.5
     "tree",
     [
         SPEED,
-        ["sqrt", ["+", ["*", NU, NU], ["*", OMEGA, OMEGA, D, D, ["+", 1, ["*", -1, ["^", ["cos", TILT], 2]]]]]],
+        [
+            "sqrt",
+            [
+                "+",
+                ["*", NU, NU],
+                ["*", OMEGA, OMEGA, D, D, ["+", 1, ["*", -1, ["^", ["cos", TILT], 2]]]],
+            ],
+        ],
         ["*", NU, ["sqrt", ["+", 1.0, ["^", ["/", ["*", OMEGA, D, ["sin", TILT]], NU], 2.0]]]],
         ["*", ["/", "pi", 3.1416], SPEED],
         ["Abs", ["*", -1, SPEED]],
@@ -208,7 +263,11 @@ def test_equivalent_formulas_are_right(tree):
         ["*", 1.0002, SPEED],
         ["+", SPEED, ["*", 3e-4, OMEGA, D]],
         ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, TILT], 2]], 0.5],  # sin x = x for small x
-        ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", ["*", "pi", ["/", TILT, 180]]]], 2]], 0.5],
+        [
+            "^",
+            ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", ["*", "pi", ["/", TILT, 180]]]], 2]],
+            0.5,
+        ],
         ["+", NU, ["*", OMEGA, D, ["sin", TILT]]],
         1.234,
         NU,
@@ -296,7 +355,10 @@ def test_junk_earns_nothing_and_every_part_is_judged(name):
             assert [part.key for part in result.parts] == [a.key for a in p.answers]
             assert result.points == 0
             assert all(
-                part.verdict in ("wrong", "unreadable", "blank") and part.diagnosis is None and part.message.isprintable() for part in result.parts
+                part.verdict in ("wrong", "unreadable", "blank")
+                and part.diagnosis is None
+                and part.message.isprintable()
+                for part in result.parts
             )
 
 
@@ -306,14 +368,60 @@ LEAF = st.one_of(
     st.integers(),
     st.floats(),
     st.text(max_size=5),
-    st.sampled_from(["omega", "nu", "d", "tilt", "pi", "+", "*", "^", "/", "sin", "Abs", "atan2", "exp", "log", "sqrt"]),
+    st.sampled_from(
+        [
+            "omega",
+            "nu",
+            "d",
+            "tilt",
+            "pi",
+            "+",
+            "*",
+            "^",
+            "/",
+            "sin",
+            "Abs",
+            "atan2",
+            "exp",
+            "log",
+            "sqrt",
+        ]
+    ),
 )
-TREE = st.recursive(LEAF, lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=3), inner, max_size=2), max_leaves=25)
+TREE = st.recursive(
+    LEAF,
+    lambda inner: (
+        st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=3), inner, max_size=2)
+    ),
+    max_leaves=25,
+)
 OPERATION = st.recursive(
     st.floats() | st.integers(-9, 9) | st.sampled_from(["omega", "nu", "d", "tilt", "pi"]),
     lambda inner: (
-        st.tuples(st.sampled_from(["+", "*", "^", "/", "sin", "acos", "exp", "log", "sqrt", "atan2", "Abs", "tan", "cosh"]), inner, inner).map(list)
-        | st.tuples(st.sampled_from(["sin", "acos", "exp", "log", "sqrt", "Abs", "tan", "cosh"]), inner).map(list)
+        st.tuples(
+            st.sampled_from(
+                [
+                    "+",
+                    "*",
+                    "^",
+                    "/",
+                    "sin",
+                    "acos",
+                    "exp",
+                    "log",
+                    "sqrt",
+                    "atan2",
+                    "Abs",
+                    "tan",
+                    "cosh",
+                ]
+            ),
+            inner,
+            inner,
+        ).map(list)
+        | st.tuples(
+            st.sampled_from(["sin", "acos", "exp", "log", "sqrt", "Abs", "tan", "cosh"]), inner
+        ).map(list)
     ),
     max_leaves=30,
 )
@@ -340,8 +448,16 @@ def test_score_never_raises_on_formulas_and_gives_points_only_to_right_ones(tree
     part = judged(problem("4/2"), {"speed": tree})["speed"]
     assert part.points == (part.verdict == "right")
     if part.points:  # then it is right: at other points as well
-        sample = {"omega": np.array([1.23]), "nu": np.array([0.77]), "d": np.array([1.31]), "tilt": np.array([0.41])}
-        given_, right = read(problem("4/2").answers[0], tree, sample), np.array(evaluate(problem("4/2"), sample)[0]["speed"])
+        sample = {
+            "omega": np.array([1.23]),
+            "nu": np.array([0.77]),
+            "d": np.array([1.31]),
+            "tilt": np.array([0.41]),
+        }
+        given_, right = (
+            read(problem("4/2").answers[0], tree, sample),
+            np.array(evaluate(problem("4/2"), sample)[0]["speed"]),
+        )
         assert close(given_, right, 10 * FORMULA_RTOL, 1e-6)
 
 
@@ -351,7 +467,9 @@ def test_numbers_earn_points_only_within_the_tolerance(numbers):
     p = problem("4/16")
     a_D = key(p)["a_D"]
     part = judged(p, {"a_D": numbers})["a_D"]
-    near = all(math.isfinite(x) and abs(x) < 1e150 for x in map(float_or_inf, numbers)) and math.dist(numbers, a_D) <= RTOL * math.hypot(*a_D)
+    near = all(
+        math.isfinite(x) and abs(x) < 1e150 for x in map(float_or_inf, numbers)
+    ) and math.dist(numbers, a_D) <= RTOL * math.hypot(*a_D)
     assert part.points == near
 
 
@@ -366,6 +484,8 @@ def test_messages_hold_no_key_and_nothing_unprintable():
     p = problem("4/16")
     numbers = {f"{abs(x):.4g}" for v in key(p).values() for x in v}
     wrong = {k: [2.0 * x + 1 for x in v] for k, v in key(p).items()}
-    for part in score_receipt(p, VALUES["4/16"], {"answers": wrong, "error": "\x1b[31m\ud800 [/red]"}).parts:
+    for part in score_receipt(
+        p, VALUES["4/16"], {"answers": wrong, "error": "\x1b[31m\ud800 [/red]"}
+    ).parts:
         assert not any(n in part.message for n in numbers if len(n) > 2)
     assert score_receipt(p, VALUES["4/16"], {"error": "\x1b[31m\ud800"}).note.isprintable()

@@ -12,18 +12,27 @@ def graded(course, student, **options):
 
 
 ANSWERS = {  # the cell of 4/16 (alpha_CD, v_D, a_D) or 4/1: what is said of it
-    "wrong shape": ("v_D = [1, 2]", "v_D", "expected a vector, three numbers as in [1.0, 0, -2.5], in mm/s; got 2 numbers: [1, 2]"),
+    "wrong shape": (
+        "v_D = [1, 2]",
+        "v_D",
+        "expected a vector, three numbers as in [1.0, 0, -2.5], in mm/s; got 2 numbers: [1, 2]",
+    ),
     "wrong kind": (
         "v_D = 'fast'",
         "v_D",
-        "expected a vector, three numbers as in [1.0, 0, -2.5], in mm/s; got the text 'fast'; write it without quotation marks",
+        "expected a vector, three numbers as in [1.0, 0, -2.5], in mm/s; got the text "
+        "'fast'; write it without quotation marks",
     ),
     "nan": (
         "import numpy as np\nv_D = np.array([1, 0, 2]) * np.nan",
         "v_D",
         "got nan, which comes from a division by zero or the root of a negative number",
     ),
-    "still a symbol": ("import sympy\nv_D = [sympy.Symbol('q'), 0, 0]", "v_D", "q still contains q; put in the numbers"),
+    "still a symbol": (
+        "import sympy\nv_D = [sympy.Symbol('q'), 0, 0]",
+        "v_D",
+        "q still contains q; put in the numbers",
+    ),
     "a dict": ("v_D = {'x': 1}", "v_D", "got a dict, which has no order"),
     "a lambda": ("v_D = lambda t: t", "v_D", "expected a vector"),
 }
@@ -32,8 +41,22 @@ ANSWERS = {  # the cell of 4/16 (alpha_CD, v_D, a_D) or 4/1: what is said of it
 def test_answers_that_cannot_be_read_are_told_with_what_was_expected_and_the_rest_counts(fresh):
     for n, (name, (text, key, words)) in enumerate(ANSWERS.items()):
         answers = work(fresh, "dan")
-        submit(fresh, "dan", work(fresh, "dan", p4_16=next(c["source"] for c in answers["cells"] if c["id"] == "answer-4-16") + "\n" + text))
-        result, everybody = graded(fresh, "dan", workers=1) if n == 0 else (grade(fresh, "ch04", ["dan"], workers=1)[0], None)
+        submit(
+            fresh,
+            "dan",
+            work(
+                fresh,
+                "dan",
+                p4_16=next(c["source"] for c in answers["cells"] if c["id"] == "answer-4-16")
+                + "\n"
+                + text,
+            ),
+        )
+        result, everybody = (
+            graded(fresh, "dan", workers=1)
+            if n == 0
+            else (grade(fresh, "ch04", ["dan"], workers=1)[0], None)
+        )
         part = next(p for p in result.scores["4/16"].parts if p.key == key)
         assert part.verdict == "unreadable", name
         assert words in part.message

@@ -1,4 +1,6 @@
-"""comparisons.py, rivals.py: what each comparison claims, measured; bounds on errors, none on times."""
+"""comparisons.py, rivals.py: what each comparison claims, measured; bounds on errors, none on
+times.
+"""
 
 import math
 from dataclasses import replace
@@ -37,7 +39,9 @@ def errors(points, method, question=0):
 # -- derivatives
 
 
-def test_the_best_first_difference_has_10_digits_and_the_best_second_one_7_and_the_engine_16(measured):
+def test_the_best_first_difference_has_10_digits_and_the_best_second_one_7_and_the_engine_16(
+    measured,
+):
     points = measured("derivatives")
     assert 1e-12 < min(errors(points, "central difference").values()) < 1e-9
     assert 1e-9 < min(errors(points, "forward difference").values()) < 1e-7
@@ -50,7 +54,9 @@ def test_the_best_first_difference_has_10_digits_and_the_best_second_one_7_and_t
 def test_the_error_of_a_difference_falls_as_a_power_of_its_step_and_then_rises(measured):
     points = measured("derivatives")
     for question in (0, 1):
-        forward, central = (errors(points, f"{way} difference", question) for way in ("forward", "central"))
+        forward, central = (
+            errors(points, f"{way} difference", question) for way in ("forward", "central")
+        )
         assert forward[1e-1] / forward[1e-2] == pytest.approx(10, rel=0.2)
         assert central[1e-1] / central[1e-2] == pytest.approx(100, rel=0.05)
         assert central[1e-12] > 1e4 * min(central.values())
@@ -76,9 +82,14 @@ def test_a_product_of_10000_matrices_drifts_and_one_of_quaternions_is_a_rotation
     assert max(p.error for p in points if p.x >= 100) < 1e-12
 
 
-def test_past_the_vertical_the_rates_of_euler_angles_leave_an_error_as_large_as_a_step_and_a_quaternion_none(measured):
+def test_past_the_vertical_the_rates_of_euler_angles_leave_an_error_as_large_as_a_step_and_a_quaternion_none(
+    measured,
+):
     points = measured("rotations")
-    angles, quaternions = errors(points, "rates of Euler's angles", 2), errors(points, "rate of a quaternion", 2)
+    angles, quaternions = (
+        errors(points, "rates of Euler's angles", 2),
+        errors(points, "rate of a quaternion", 2),
+    )
     assert angles[1.0] < 1e-10
     assert all(angles[10.0**-n] > 30 * angles[10.0 ** (1 - n)] for n in (1, 2, 3))
     assert all(1e-3 < angles[10.0**-n] < 0.1 for n in (3, 4, 5, 6))
@@ -102,10 +113,18 @@ def test_points_converge_slowly_and_the_engine_is_right_to_round_off_by_both_way
 def test_the_reference_by_strips_is_the_closed_form_in_40_digits():
     with mpmath.workdps(40):
         r, h, rho = (mpmath.mpf(x) for x in (rivals.RADIUS, rivals.HEIGHT, rivals.DENSITY))
-        triangle, disk = rho * r * h**3 / 2, rho * mpmath.pi * r**4 / 8 + 4 * rho * r**3 * h / 3 + rho * mpmath.pi * r * r * h * h / 2
+        triangle, disk = (
+            rho * r * h**3 / 2,
+            rho * mpmath.pi * r**4 / 8
+            + 4 * rho * r**3 * h / 3
+            + rho * mpmath.pi * r * r * h * h / 2,
+        )
         across = rho * h * r**3 / 6 + rho * mpmath.pi * r**4 / 8
         exact = across, triangle + disk, across + triangle + disk
-        assert max(abs(a / b - 1) for a, b in zip(rivals._inertia(), exact, strict=True)) < mpmath.mpf(10) ** -35
+        assert (
+            max(abs(a / b - 1) for a, b in zip(rivals._inertia(), exact, strict=True))
+            < mpmath.mpf(10) ** -35
+        )
 
 
 # -- angle
@@ -142,8 +161,19 @@ def test_the_printed_root_loses_a_digit_for_each_decade_and_the_engine_none(meas
 @pytest.mark.parametrize("name", COMPARISONS)
 def test_points_are_measured_with_cost_and_setting_and_progress_is_told(name, measured):
     comparison, seen = COMPARISONS[name], []
-    points = comparison.measure(lambda fraction, words: seen.append((fraction, words))) if name == "angle" else measured(name)
-    assert all(isinstance(p, Measured) and p.cost > 0 and math.isfinite(p.error) and p.error >= 0 and " = " in p.setting for p in points)
+    points = (
+        comparison.measure(lambda fraction, words: seen.append((fraction, words)))
+        if name == "angle"
+        else measured(name)
+    )
+    assert all(
+        isinstance(p, Measured)
+        and p.cost > 0
+        and math.isfinite(p.error)
+        and p.error >= 0
+        and " = " in p.setting
+        for p in points
+    )
     assert comparison.name == name
     if seen:
         assert len(seen) == len(points)
@@ -157,22 +187,33 @@ def test_the_picture_has_a_row_for_each_question_and_every_way_in_it(name, measu
     figure, comparison = Figure(), COMPARISONS[name]
     best = comparison.draw(measured(name), figure)
     assert len(figure.axes) == 2 * len(comparison.questions)
-    for question, left, right in zip(comparison.questions, figure.axes[::2], figure.axes[1::2], strict=True):
+    for question, left, right in zip(
+        comparison.questions, figure.axes[::2], figure.axes[1::2], strict=True
+    ):
         assert len(left.lines) == len(question.ways)
         assert [t.get_text() for t in right.get_legend().get_texts()] == [*question.ways, "front"]
         assert any(p.question == question.what for p in best)
-        assert [line.get_color() for line in left.lines] == [line.get_color() for line in right.lines[: len(left.lines)]]
+        assert [line.get_color() for line in left.lines] == [
+            line.get_color() for line in right.lines[: len(left.lines)]
+        ]
 
 
 @pytest.mark.parametrize("apart", [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 5.0, 30.0])
 def test_no_numbers_on_the_axes_overlap_however_near_or_far_the_costs_are(apart, measured):
     figure, comparison = Figure(), COMPARISONS["rotations"]
     ways = [way for q in comparison.questions for way in q.ways]
-    comparison.draw([replace(p, cost=3e-6 * apart ** ways.index(p.method)) for p in measured("rotations")], figure)
+    comparison.draw(
+        [replace(p, cost=3e-6 * apart ** ways.index(p.method)) for p in measured("rotations")],
+        figure,
+    )
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     for ax in figure.axes:
         for axis in (ax.xaxis, ax.yaxis):
-            boxes = [t.get_window_extent(canvas.get_renderer()) for t in axis.get_ticklabels(which="both") if t.get_text() and t.get_visible()]
+            boxes = [
+                t.get_window_extent(canvas.get_renderer())
+                for t in axis.get_ticklabels(which="both")
+                if t.get_text() and t.get_visible()
+            ]
             assert len(boxes) >= 2
             assert not any(a.overlaps(b) for n, a in enumerate(boxes) for b in boxes[:n])

@@ -21,7 +21,11 @@ from newton_euler.accuracy.measure import (
 
 matplotlib.use("Agg")
 positive = st.floats(1e-9, 1.0)
-point_lists = st.lists(st.builds(Measured, st.sampled_from("abc"), positive, positive | st.just(0.0)), min_size=1, max_size=12)
+point_lists = st.lists(
+    st.builds(Measured, st.sampled_from("abc"), positive, positive | st.just(0.0)),
+    min_size=1,
+    max_size=12,
+)
 
 
 def test_a_time_is_that_of_one_call_and_the_first_call_does_not_count():
@@ -37,7 +41,9 @@ def test_a_time_is_that_of_one_call_and_the_first_call_does_not_count():
 
 def test_several_functions_take_turns():
     order = []
-    first, second = timed(lambda: order.append("a"), lambda: order.append("b"), runs=2, shortest=1e-5)
+    first, second = timed(
+        lambda: order.append("a"), lambda: order.append("b"), runs=2, shortest=1e-5
+    )
     assert first > 0
     assert second > 0
     changes = sum(a != b for a, b in pairwise(order))
@@ -63,7 +69,9 @@ def test_round_off_that_differs_by_a_third_does_not_make_a_front():
 def test_errors_are_measured_in_the_digits_of_the_reference():
     with mp.workdps(40):
         third = mp.mpf(1) / 3
-        assert relative_error((third + mp.mpf(10) ** -30, 0, 0), (third, 0, 0)) == pytest.approx(3e-30)
+        assert relative_error((third + mp.mpf(10) ** -30, 0, 0), (third, 0, 0)) == pytest.approx(
+            3e-30
+        )
     ground = Frame("ground")
     assert relative_error(ground.vector(0.0, 1.5, 0.0), (0.0, 1.0, 0.0)) == 0.5
 
@@ -78,9 +86,17 @@ def ax():
 
 
 def test_the_chart_names_every_method_once_and_returns_the_front(ax):
-    points = [Measured("coarse", 1e-6, e) for e in (1e-2, 1e-4)] + [Measured("fine", 1e-3, 1e-9), Measured("beaten", 1e-2, 1e-9)]
+    points = [Measured("coarse", 1e-6, e) for e in (1e-2, 1e-4)] + [
+        Measured("fine", 1e-3, 1e-9),
+        Measured("beaten", 1e-2, 1e-9),
+    ]
     assert chart(points, ax) == [points[1], points[2]]
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["coarse", "fine", "beaten", "front"]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == [
+        "coarse",
+        "fine",
+        "beaten",
+        "front",
+    ]
     assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
     ax.figure.canvas.draw()
 
@@ -95,5 +111,7 @@ def test_an_error_below_the_floor_is_drawn_there_with_its_value(ax):
 
 def test_methods_beyond_the_colours_differ_by_marker_and_filling(ax):
     chart([Measured(f"way {n}", 10.0**-n, 10.0 ** (n - 12)) for n in range(12)], ax)
-    looks = {(line.get_color(), line.get_marker(), line.get_markerfacecolor()) for line in ax.lines[:12]}
+    looks = {
+        (line.get_color(), line.get_marker(), line.get_markerfacecolor()) for line in ax.lines[:12]
+    }
     assert len(looks) == 12

@@ -1,4 +1,6 @@
-"""precision.py, reference.py, catalogue.py, charts.py and the command: what is measured, against what, and what is drawn of it."""
+"""precision.py, reference.py, catalogue.py, charts.py and the command: what is measured, against
+what, and what is drawn of it.
+"""
 
 import ast
 import json
@@ -58,14 +60,22 @@ def makers(path):
     """The functions of a file that make a model."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.FunctionDef):
-            calls = {n.func.id for n in ast.walk(node) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)}
+            calls = {
+                n.func.id
+                for n in ast.walk(node)
+                if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)
+            }
             if calls & {"Model", "second_order"}:
                 yield node.name
 
 
 def test_no_module_of_scenes_that_makes_a_model_is_forgotten():
-    """Each is called for a scene of the catalogue or a ladder; that is seen in a process of its own, before any of them is kept."""
-    modules = {path.stem for path in (ROOT / "newton_euler" / "scenes").glob("*.py") if any(makers(path))}
+    """Each is called for a scene of the catalogue or a ladder; that is seen in a process of its
+    own, before any of them is kept.
+    """
+    modules = {
+        path.stem for path in (ROOT / "newton_euler" / "scenes").glob("*.py") if any(makers(path))
+    }
     program = """if True:
         import sys
         seen = set()
@@ -76,7 +86,9 @@ def test_no_module_of_scenes_that_makes_a_model_is_forgotten():
         sys.setprofile(None)
         print(*seen, sep="\\n")
     """
-    told = subprocess.run([sys.executable, "-c", program], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    told = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, check=True, capture_output=True, text=True
+    ).stdout
     called = {Path(line).stem for line in told.splitlines() if Path(line).parent.name == "scenes"}
     assert modules - called == set()
 
@@ -100,7 +112,14 @@ def test_references_agree_with_exact_solutions_to_28_digits(name):
 QUICK_TO_EXTRAPOLATE = ("aircraft", "aircraft in space", "projectile")
 
 
-@pytest.mark.parametrize("name", [n if n in QUICK_TO_EXTRAPOLATE else pytest.param(n, marks=pytest.mark.slow) for n in SCENES if n not in EXACT])
+@pytest.mark.parametrize(
+    "name",
+    [
+        n if n in QUICK_TO_EXTRAPOLATE else pytest.param(n, marks=pytest.mark.slow)
+        for n in SCENES
+        if n not in EXACT
+    ],
+)
 def test_references_without_exact_solution_agree_with_extrapolation_to_28_digits(name):
     pytest.importorskip("heyoka")
     motion = SCENES[name].motion
@@ -133,16 +152,26 @@ def apart(a, b):
 def swing():
     """The pendulum by a few methods."""
     told = []
-    found = work_precision("pendulum", (1e-3, 1e-6, 1e-9), ("dop853", "lie-poisson4", "yoshida6", "auto"), progress=lambda *now: told.append(now))
+    found = work_precision(
+        "pendulum",
+        (1e-3, 1e-6, 1e-9),
+        ("dop853", "lie-poisson4", "yoshida6", "auto"),
+        progress=lambda *now: told.append(now),
+    )
     return found, told
 
 
 def test_measured_errors_are_those_of_direct_integration(swing):
     """The end by Jacobi's elliptic functions: sin(theta/2) = k cd(w t)."""
     with mp.workdps(30):
-        w, k = mp.sqrt(2 * mp.mpf(10) * mp.mpf("0.5") / (mp.mpf("0.5") + 2 * mp.mpf("0.25"))), mp.sin(mp.mpf("0.5"))
+        w, k = (
+            mp.sqrt(2 * mp.mpf(10) * mp.mpf("0.5") / (mp.mpf("0.5") + 2 * mp.mpf("0.25"))),
+            mp.sin(mp.mpf("0.5")),
+        )
         theta = 2 * mp.asin(k * mp.ellipfun("cd", w * 10, m=k * k))
-        omega = -mp.sign(mp.ellipfun("sd", w * 10, m=k * k)) * mp.sqrt(2 * w * w * (mp.cos(theta) - mp.cos(1)))
+        omega = -mp.sign(mp.ellipfun("sd", w * 10, m=k * k)) * mp.sqrt(
+            2 * w * w * (mp.cos(theta) - mp.cos(1))
+        )
     sizes = (1.0, 2 * float(w * k))
     for p in (p for p in swing[0].points if p.method != "auto"):
         end = integrate(*SCENES["pendulum"].motion, p.asked, p.method).end
@@ -155,8 +184,13 @@ def test_drift_is_that_of_the_invariant_at_the_steps(swing):
     model, t, start = SCENES["pendulum"].motion
     (p,) = (p for p in swing[0].points if (p.method, p.asked) == ("dop853", 1e-6))
     motion = integrate(model, t, start, 1e-6, "dop853")
-    energies = [model.invariant("energy", state) for state in zip(*(x.tolist() for x in motion.states.values()), strict=True)]
-    assert p.drift == pytest.approx(max(abs(e - energies[0]) for e in energies) / max(map(abs, energies)), rel=1e-6)
+    energies = [
+        model.invariant("energy", state)
+        for state in zip(*(x.tolist() for x in motion.states.values()), strict=True)
+    ]
+    assert p.drift == pytest.approx(
+        max(abs(e - energies[0]) for e in energies) / max(map(abs, energies)), rel=1e-6
+    )
     assert p.calls == motion.cost.calls > 100
 
 
@@ -222,7 +256,9 @@ def synthetic():
     points = [Measured(m, c * 10**-n, 10 ** (-n - m_), "", 10.0**-n, int(1e6 * c), 10.0 ** (-n - 1))
               for m, c, m_ in (("taylor", 1e-5, 1), ("dop853", 1e-4, 2), ("auto", 3e-6, 1)) for n in (3, 6, 9)]  # fmt: skip
     fake = Scene("fake", "1.1", "nothing", lambda: None)
-    return WorkPrecision(fake, (*points, Measured("exact", 1.0, 0.0, "", 1e-3, 1, 0.0)), {}, {"taylor": 0.04}, {})
+    return WorkPrecision(
+        fake, (*points, Measured("exact", 1.0, 0.0, "", 1e-3, 1, 0.0)), {}, {"taylor": 0.04}, {}
+    )
 
 
 def test_the_front_is_drawn_from_the_points_without_auto():
@@ -232,7 +268,9 @@ def test_the_front_is_drawn_from_the_points_without_auto():
     assert [(p.method, p.cost) for p in best] == [(p.method, p.cost) for p in front(methods)]
     left, middle, right = figure.axes
     (rings,) = (line for line in left.lines if line.get_label() == "front")
-    assert list(zip(*rings.get_data(), strict=True)) == [(p.cost, max(p.error, 1e-17)) for p in best]
+    assert list(zip(*rings.get_data(), strict=True)) == [
+        (p.cost, max(p.error, 1e-17)) for p in best
+    ]
     (rings,) = (line for line in middle.lines if line.get_label() == "front")
     assert list(rings.get_xdata()) == [p.calls for p in front(methods, "calls")]
     (auto,) = (line for line in right.lines if line.get_label() == "auto")
@@ -254,7 +292,13 @@ def shots():
 
     start = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0)
     return Ladder(
-        "shots", projectile.POSITION, 5.0, (Rung(projectile.coriolis(9.82, 0.8), start, seen), Rung(projectile.full(9.82, 0.8), start, seen))
+        "shots",
+        projectile.POSITION,
+        5.0,
+        (
+            Rung(projectile.coriolis(9.82, 0.8), start, seen),
+            Rung(projectile.full(9.82, 0.8), start, seen),
+        ),
     )
 
 
@@ -289,7 +333,12 @@ def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
     told = capsys.readouterr().out
     names = list(every_name())
     assert len({re.sub("[^a-z]", "", n.lower()) for n in names}) == len(names)
-    assert set(names) == {*SCENES, *(f"models of {n}" for n in LADDERS), *COMPARISONS, *(f"map of {n}" for n in MAPS)}
+    assert set(names) == {
+        *SCENES,
+        *(f"models of {n}" for n in LADDERS),
+        *COMPARISONS,
+        *(f"map of {n}" for n in MAPS),
+    }
     assert all(f"  {name} " in told for name in names)
 
 
@@ -307,7 +356,11 @@ def test_with_models_only_ladders_are_known(capsys):
 
 
 @pytest.mark.parametrize(
-    ("name", "file"), [("Sphere-on-an-incline", "sphere-on-an-incline.svg"), ("models of projectile", "models-of-projectile.svg")]
+    ("name", "file"),
+    [
+        ("Sphere-on-an-incline", "sphere-on-an-incline.svg"),
+        ("models of projectile", "models-of-projectile.svg"),
+    ],
 )
 def test_the_command_measures_prints_and_writes(name, file, capsys, tmp_path):
     assert run(name, "--quick", "--format", "svg", "--out", str(tmp_path / "new")) == 0
@@ -319,8 +372,17 @@ def test_the_command_measures_prints_and_writes(name, file, capsys, tmp_path):
 
 
 def test_all_charts_are_in_the_companion_to_the_chapters():
-    cells = json.loads((ROOT / "chapters" / "speed_and_accuracy.ipynb").read_text(encoding="utf-8"))["cells"]
-    shown = set(re.findall(r'(\w+)\("(.+?)"\)', "".join(line for cell in cells if cell["cell_type"] == "code" for line in cell["source"])))
+    cells = json.loads(
+        (ROOT / "chapters" / "speed_and_accuracy.ipynb").read_text(encoding="utf-8")
+    )["cells"]
+    shown = set(
+        re.findall(
+            r'(\w+)\("(.+?)"\)',
+            "".join(
+                line for cell in cells if cell["cell_type"] == "code" for line in cell["source"]
+            ),
+        )
+    )
     assert {name for kind, name in shown if kind == "methods"} == set(SCENES)
     assert {name for kind, name in shown if kind == "models"} == set(LADDERS)
     assert {name for kind, name in shown if kind == "compare"} == set(COMPARISONS)
@@ -328,7 +390,11 @@ def test_all_charts_are_in_the_companion_to_the_chapters():
 
 def test_the_module_runs_as_a_program():
     told = subprocess.run(
-        [sys.executable, "-W", "error", "-m", "newton_euler.accuracy", "--help"], cwd=ROOT, check=True, capture_output=True, text=True
+        [sys.executable, "-W", "error", "-m", "newton_euler.accuracy", "--help"],
+        cwd=ROOT,
+        check=True,
+        capture_output=True,
+        text=True,
     )
     assert "models of projectile" in told.stdout
     assert not told.stderr
@@ -336,10 +402,16 @@ def test_the_module_runs_as_a_program():
 
 @pytest.mark.parametrize("package", ["click", "rich"])
 def test_without_click_or_rich_it_says_what_to_install(package):
-    program = f"import runpy, sys; sys.modules[{package!r}] = None; runpy.run_module('newton_euler.accuracy', run_name='__main__')"
+    program = (
+        f"import runpy, sys; sys.modules[{package!r}] = None; "
+        "runpy.run_module('newton_euler.accuracy', run_name='__main__')"
+    )
     told = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True)
     assert told.returncode == 1
-    assert told.stderr == f"python -m newton_euler.accuracy needs the package {package}: pip install 'newton-euler[course]'\n"
+    assert told.stderr == (
+        f"python -m newton_euler.accuracy needs the package {package}: pip install "
+        "'newton-euler[course]'\n"
+    )
 
 
 def test_all_methods_have_a_look_of_their_own():

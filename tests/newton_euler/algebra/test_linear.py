@@ -1,4 +1,6 @@
-"""Named linear equations: values, what they leave open, what they repeat, what contradicts what; over every kind of number."""
+"""Named linear equations: values, what they leave open, what they repeat, what contradicts what;
+over every kind of number.
+"""
 
 import itertools
 import random
@@ -26,16 +28,22 @@ def system(rows, right):
 
     def conditions(*unknowns):
         return {
-            f"e{n}": sum((c * u for c, u in zip(row, unknowns, strict=True)), start=0) - b for n, (row, b) in enumerate(zip(rows, right, strict=True))
+            f"e{n}": sum((c * u for c, u in zip(row, unknowns, strict=True)), start=0) - b
+            for n, (row, b) in enumerate(zip(rows, right, strict=True))
         }
 
     return conditions
 
 
 def regular(kind, count):
-    """A system with a known solution: rows, right sides, solution. Made of small whole numbers that depend on ``count``."""
+    """A system with a known solution: rows, right sides, solution. Made of small whole numbers that
+    depend on ``count``.
+    """
     dice = random.Random(count)
-    rows = [[numbers(kind, dice.randint(-5, 5) + 9 * (i == j)) for j in range(count)] for i in range(count)]
+    rows = [
+        [numbers(kind, dice.randint(-5, 5) + 9 * (i == j)) for j in range(count)]
+        for i in range(count)
+    ]
     wanted = [numbers(kind, f"{n - 3}/{n + 2}") for n in range(count)]
     return rows, [sum(c * w for c, w in zip(row, wanted, strict=True)) for row in rows], wanted
 
@@ -60,7 +68,11 @@ def test_regular_systems_give_the_solution_they_were_made_from(kind, count):
 def test_solve_linear_and_solve_rates_agree(kind):
     rows, right, _ = regular(kind, 3)
     conditions = system(rows, right)
-    assert close(tuple(solve_linear(conditions, NAMES[:3])), solve_rates(lambda *u: tuple(conditions(*u).values()), 3), 1e-12)
+    assert close(
+        tuple(solve_linear(conditions, NAMES[:3])),
+        solve_rates(lambda *u: tuple(conditions(*u).values()), 3),
+        1e-12,
+    )
 
 
 @settings(max_examples=60, deadline=None)
@@ -77,9 +89,14 @@ def test_numbers_agree_with_lapack(count, seed):
 @settings(max_examples=60, deadline=None)
 @given(st.integers(2, 5), st.integers(0, 3), st.integers(0, 10**6))
 def test_the_order_of_equations_and_their_units_do_not_matter(count, surplus, seed):
-    """Equations that are multiplied by powers of ten and shuffled, with sums of them added, give the same values."""
+    """Equations that are multiplied by powers of ten and shuffled, with sums of them added, give
+    the same values.
+    """
     dice = np.random.default_rng(seed)
-    A, wanted = dice.integers(-4, 5, size=(count, count)) + 9 * np.eye(count), dice.normal(size=count)
+    A, wanted = (
+        dice.integers(-4, 5, size=(count, count)) + 9 * np.eye(count),
+        dice.normal(size=count),
+    )
     mixed = np.vstack([A, dice.integers(-2, 3, size=(surplus, count)) @ A])
     scale = 10.0 ** dice.integers(-6, 7, size=len(mixed))
     rows = (mixed * scale[:, None])[dice.permutation(len(mixed))]
@@ -92,12 +109,16 @@ def test_the_order_of_equations_and_their_units_do_not_matter(count, surplus, se
 @settings(max_examples=40, deadline=None)
 @given(st.integers(2, 5), st.integers(1, 2), st.integers(0, 10**6))
 def test_what_numbers_leave_open_is_what_the_rank_says(count, missing, seed):
-    """An unknown is determined if its unit vector lies in the row space: the rank by singular values decides."""
+    """An unknown is determined if its unit vector lies in the row space: the rank by singular
+    values decides.
+    """
     dice = np.random.default_rng(seed)
     A = dice.integers(-2, 3, size=(max(count - missing, 1), count)).astype(float)
     s = solve_linear(system(A.tolist(), (A @ np.ones(count)).tolist()), NAMES[:count])
     rank = np.linalg.matrix_rank(A)
-    determined = [np.linalg.matrix_rank(np.vstack([A, np.eye(count)[k]])) == rank for k in range(count)]
+    determined = [
+        np.linalg.matrix_rank(np.vstack([A, np.eye(count)[k]])) == rank for k in range(count)
+    ]
     assert [name not in s.undetermined for name in s.names] == determined
     assert all(abs(x - 1) < 1e-9 for x in s.values.values())
 
@@ -110,12 +131,21 @@ def test_formulas_of_symbols_are_exact_and_unsimplified_ones_agree_with_sympy():
     s = solve_linear(system(rows, right), NAMES[:5])
     expected = sympy.Matrix(rows).LUsolve(sympy.Matrix(right))
     point = {x: sympy.Rational(n * n + 3, n + 7) for n, x in enumerate(symbols)}
-    assert all(sympy.simplify(mine.subs(point) - theirs.subs(point)) == 0 for mine, theirs in zip(s, expected, strict=True))
+    assert all(
+        sympy.simplify(mine.subs(point) - theirs.subs(point)) == 0
+        for mine, theirs in zip(s, expected, strict=True)
+    )
 
 
 def test_what_stands_alone_is_solved_first_and_stays_short():
     m, g, mu, t = sympy.symbols("m g mu t")
-    s = solve_linear(lambda N, F, a: {"along": m * a - m * g * sin(t) + F, "across": N - m * g * cos(t), "friction": F - mu * N})
+    s = solve_linear(
+        lambda N, F, a: {
+            "along": m * a - m * g * sin(t) + F,
+            "across": N - m * g * cos(t),
+            "friction": F - mu * N,
+        }
+    )
     assert m * g * sympy.cos(t) == s.N
     assert mu * m * g * sympy.cos(t) == s.F
     assert sympy.simplify(s.a - g * (sympy.sin(t) - mu * sympy.cos(t))) == 0
@@ -123,14 +153,21 @@ def test_what_stands_alone_is_solved_first_and_stays_short():
 
 @pytest.mark.parametrize("count", [7, 8])
 def test_more_symbols_than_cramer_takes_are_eliminated(count):
-    """The matrix of a chain with a corner: each unknown meets its neighbours, the first one the last."""
+    """The matrix of a chain with a corner: each unknown meets its neighbours, the first one the
+    last.
+    """
     k = sympy.Symbol("k")
 
     def chain(*u):
         return tuple((2 + k) * u[n] - u[n - 1] - k * u[(n + 1) % count] - n for n in range(count))
 
     s = solve_linear(chain, NAMES[:count])
-    numeric = solve_linear(lambda *u: tuple((2 + 0.37) * u[n] - u[n - 1] - 0.37 * u[(n + 1) % count] - n for n in range(count)), NAMES[:count])
+    numeric = solve_linear(
+        lambda *u: tuple(
+            (2 + 0.37) * u[n] - u[n - 1] - 0.37 * u[(n + 1) % count] - n for n in range(count)
+        ),
+        NAMES[:count],
+    )
     assert close([x.subs(k, sympy.Rational(37, 100)) for x in s], tuple(numeric), 1e-12)
 
 
@@ -160,7 +197,15 @@ def test_functions_of_time_and_symengine_are_seen_by_value_too():
 
 def test_traced_formulas_run_on_floats_and_arrays():
     def slide(m, g, t):
-        return tuple(solve_linear(lambda N, F, a: {"along": m * a - m * g * sin(t) + F, "across": N - m * g * cos(t), "friction": F - 0.1 * N}))
+        return tuple(
+            solve_linear(
+                lambda N, F, a: {
+                    "along": m * a - m * g * sin(t) + F,
+                    "across": N - m * g * cos(t),
+                    "friction": F - 0.1 * N,
+                }
+            )
+        )
 
     fast = compiled(slide)
     assert close(fast(2.0, 9.81, 0.3), slide(2.0, 9.81, 0.3), 1e-14)
@@ -176,13 +221,21 @@ def test_equations_of_different_units_prove_their_units():
     g = L / T**2
 
     def beam(R, alpha):
-        return {"force": R - M * g + M * (L * alpha) / 2, "moment": M * (L * L) / 12 * alpha - R * L / 2}
+        return {
+            "force": R - M * g + M * (L * alpha) / 2,
+            "moment": M * (L * L) / 12 * alpha - R * L / 2,
+        }
 
     s = solve_linear(beam)
     assert M * g == s.R
     assert s.alpha == 1 / T**2
     with pytest.raises(DimensionError, match="cannot add"):
-        solve_linear(lambda R, alpha: {"force": R - M * g + M * L * alpha, "moment": M * L * alpha - R * L + M * g})
+        solve_linear(
+            lambda R, alpha: {
+                "force": R - M * g + M * L * alpha,
+                "moment": M * L * alpha - R * L + M * g,
+            }
+        )
 
 
 # -- reports
@@ -202,9 +255,15 @@ def test_a_statically_indeterminate_beam_tells_what_it_knows():
     assert (s.A_y, s.B_y) == (6.0, 6.0)
     assert s.undetermined == ("A_x", "B_x")
     assert s.relations == ("A_x = -3 - B_x",)
-    with pytest.raises(LinearError, match=r"A_x is not determined by the equations\. Not determined: A_x, B_x: only A_x = -3 - B_x is known"):
+    with pytest.raises(
+        LinearError,
+        match=r"A_x is not determined by the equations\. Not determined: A_x, B_x: only A_x = -3 - "
+        r"B_x is known",
+    ):
         _ = s.A_x
-    with pytest.raises(LinearError, match="there is no unknown 'C_x'; there are A_x, A_y, B_x, B_y"):
+    with pytest.raises(
+        LinearError, match="there is no unknown 'C_x'; there are A_x, A_y, B_x, B_y"
+    ):
         _ = s["C_x"]
     assert str(s).splitlines()[:2] == ["A_x = not determined", "A_y = 6"]
 
@@ -212,19 +271,39 @@ def test_a_statically_indeterminate_beam_tells_what_it_knows():
 @every_kind
 def test_a_third_moment_equation_says_nothing_new(kind):
     one, two, five = numbers(kind, 1, 2, 5)
-    s = solve_linear(lambda A, B: {"force": A + B - five, "about A": two * B - one * five, "about B": two * A - one * five})
+    s = solve_linear(
+        lambda A, B: {
+            "force": A + B - five,
+            "about A": two * B - one * five,
+            "about B": two * A - one * five,
+        }
+    )
     assert close((s.A, s.B), (five / 2, five / 2), 1e-12)
     assert dict(s.redundant) == {"about B": ("force", "about A")}
-    assert "The equation 'about B' says nothing new: it follows from 'force' and 'about A'" in s.report()
+    assert (
+        "The equation 'about B' says nothing new: it follows from 'force' and 'about A'"
+        in s.report()
+    )
 
 
 @every_kind
 def test_contradictions_are_named(kind):
     one, two, five = numbers(kind, 1, 2, 5)
-    with pytest.raises(LinearError, match=r"contradict each other: 'about B' .* if 'force' and 'about A' hold") as caught:
-        solve_linear(lambda A, B, C: {"other": C - one, "force": A + B - five, "about A": two * B - one * five, "about B": two * A - one})
+    with pytest.raises(
+        LinearError, match=r"contradict each other: 'about B' .* if 'force' and 'about A' hold"
+    ) as caught:
+        solve_linear(
+            lambda A, B, C: {
+                "other": C - one,
+                "force": A + B - five,
+                "about A": two * B - one * five,
+                "about B": two * A - one,
+            }
+        )
     assert caught.value.equations == ("force", "about A", "about B")
-    with pytest.raises(LinearError, match=r"'late' cannot hold|'late' is off by 2|'late' does not hold"):
+    with pytest.raises(
+        LinearError, match=r"'late' cannot hold|'late' is off by 2|'late' does not hold"
+    ):
         solve_linear(lambda A: {"force": A - one, "late": 0 * A + two})
     assert issubclass(LinearError, FrameError)
 
@@ -238,7 +317,12 @@ def test_symbols_contradict_each_other_too_and_no_made_up_number_is_told():
 def test_rounding_is_neither_a_pivot_nor_a_contradiction():
     noise = 6e-17
     ground = Frame("ground")
-    s = solve_linear(lambda F, N: {"force": ground.vector(noise * F + noise, F - 2.0, noise * N), "level": N + F - 5.0})
+    s = solve_linear(
+        lambda F, N: {
+            "force": ground.vector(noise * F + noise, F - 2.0, noise * N),
+            "level": N + F - 5.0,
+        }
+    )
     assert close((s.F, s.N), (2, 3), 1e-12)
     left = solve_linear(lambda F, N: {"force": F - 2.0 + noise * N})
     assert left.undetermined == ("N",)
@@ -247,7 +331,9 @@ def test_rounding_is_neither_a_pivot_nor_a_contradiction():
 
 def test_small_units_are_no_rounding():
     """A watch wheel in SI: moments of inertia of 1e-12 beside forces and lengths of order 1e-3."""
-    s = solve_linear(lambda F, alpha: {"moment": 1e-12 * alpha - 1e-3 * F, "rolling": 1e-3 * alpha - 5.0})
+    s = solve_linear(
+        lambda F, alpha: {"moment": 1e-12 * alpha - 1e-3 * F, "rolling": 1e-3 * alpha - 5.0}
+    )
     assert s.alpha == pytest.approx(5e3)
     assert pytest.approx(5e-6) == s.F
 
@@ -256,9 +342,18 @@ def test_arrays_without_a_common_pivot_are_solved_instant_by_instant():
     x = np.array([1.0, 0.0, 2.0])
     s = solve_linear(lambda a, b: {"p": x * a + (1 - x) * b - 1.0, "q": (1 - x) * a + x * b - 2.0})
     for n, value in enumerate(x):
-        one = solve_linear(lambda a, b, v=float(value): {"p": v * a + (1 - v) * b - 1.0, "q": (1 - v) * a + v * b - 2.0})
+        one = solve_linear(
+            lambda a, b, v=float(value): {
+                "p": v * a + (1 - v) * b - 1.0,
+                "q": (1 - v) * a + v * b - 2.0,
+            }
+        )
         assert close((s.a[n], s.b[n]), tuple(one), 1e-14)
-    with pytest.raises(LinearError, match="the equations determine a at some instants and not at others; solve these instants apart"):
+    with pytest.raises(
+        LinearError,
+        match="the equations determine a at some instants and not at others; solve these instants "
+        "apart",
+    ):
         solve_linear(lambda a, b: {"p": x * a - 1.0 * x, "q": b - 2.0})
 
 
@@ -270,7 +365,9 @@ def test_names_come_from_the_arguments_or_are_given():
         solve_linear(lambda *u: u[0], "a a")
     with pytest.raises(LinearError, match="there are no unknowns"):
         solve_linear(lambda *u: 1.0)
-    assert dict(solve_linear(lambda a: {"both": (a - 1.0, 2 * a - 2.0)}).redundant) == {"both.2": ("both.1",)}
+    assert dict(solve_linear(lambda a: {"both": (a - 1.0, 2 * a - 2.0)}).redundant) == {
+        "both.2": ("both.1",)
+    }
 
 
 def test_what_is_not_linear_is_refused():
@@ -286,7 +383,9 @@ def test_coarseness_is_that_of_the_coarsest_number():
 
 def test_thirty_digits_survive_beside_whole_numbers():
     third = mp.mpf(1) / 3
-    s = solve_linear(lambda a, b, c, d: (a + 2 * b - third, b - third * c, c + d - 1, d - third * a))
+    s = solve_linear(
+        lambda a, b, c, d: (a + 2 * b - third, b - third * c, c + d - 1, d - third * a)
+    )
     residual = [s.a + 2 * s.b - third, s.b - third * s.c, s.c + s.d - 1, s.d - third * s.a]
     assert max(map(abs, residual)) < mp.mpf(10) ** -29
 
@@ -298,7 +397,10 @@ def test_every_order_of_the_equations_gives_the_same_formula_values():
     for order in itertools.permutations(equations):
 
         def conditions(*u, order=order):
-            return {n: sum(c * x for c, x in zip(equations[n][:3], u, strict=True)) - equations[n][3] for n in order}
+            return {
+                n: sum(c * x for c, x in zip(equations[n][:3], u, strict=True)) - equations[n][3]
+                for n in order
+            }
 
         found.add(tuple(sympy.simplify(x) for x in solve_linear(conditions, "a b c")))
     assert len(found) == 1

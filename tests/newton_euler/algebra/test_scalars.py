@@ -1,4 +1,6 @@
-"""Numbers of every kind: the structural zero, functions, moving numbers against mpmath's derivatives, dimensions."""
+"""Numbers of every kind: the structural zero, functions, moving numbers against mpmath's
+derivatives, dimensions.
+"""
 
 import importlib
 import math
@@ -87,7 +89,10 @@ def test_zero_swallows_products_and_quotients(x):
 
 
 def test_dividing_by_zero_is_refused_in_words(x):
-    with pytest.raises(ZeroDivisionError, match="is divided by a quantity that is zero by the structure of the formula"):
+    with pytest.raises(
+        ZeroDivisionError,
+        match="is divided by a quantity that is zero by the structure of the formula",
+    ):
         x / ZERO
 
 
@@ -146,7 +151,21 @@ def test_a_literal_zero_is_structural_and_a_computed_one_is_not():
     assert type(plain(ZERO)) is int
 
 
-@pytest.mark.parametrize("bad", ["1", None, [1], (1, 2), {}, b"1", object(), np.array(["a"]), np.str_("a"), np.datetime64("2020-01-01")])
+@pytest.mark.parametrize(
+    "bad",
+    [
+        "1",
+        None,
+        [1],
+        (1, 2),
+        {},
+        b"1",
+        object(),
+        np.array(["a"]),
+        np.str_("a"),
+        np.datetime64("2020-01-01"),
+    ],
+)
 def test_what_is_not_a_number_is_refused_and_named(bad):
     with pytest.raises(ScalarError, match="expected a number") as error:
         scalar(bad)
@@ -171,7 +190,9 @@ def test_functions_on_every_kind_agree_with_mpmath(kind, name):
     values = u if kind == "array" else [u]
     results = function(name, u) if kind == "array" else [function(name, u)]
     for value, result in zip(values, results, strict=True):
-        expected = getattr(mpmath, name)(mpmath.mpf(4) / 10 if kind in ("mpmath", "sympy") else mpmath.mpf(float(value)))
+        expected = getattr(mpmath, name)(
+            mpmath.mpf(4) / 10 if kind in ("mpmath", "sympy") else mpmath.mpf(float(value))
+        )
         assert close(result, expected, 1e-27 if kind in ("mpmath", "sympy") else 1e-15)
 
 
@@ -200,7 +221,10 @@ def test_functions_of_complex_numbers():
     assert function("sin", 1j) == pytest.approx(1j * math.sinh(1))
 
 
-@pytest.mark.parametrize(("y", "x", "expected"), [(0, -1, 1), (0, 1, 0), (1, 0, 0.5), (-1, 0, -0.5), (1, -1, 0.75), (-1, -1, -0.75)])
+@pytest.mark.parametrize(
+    ("y", "x", "expected"),
+    [(0, -1, 1), (0, 1, 0), (1, 0, 0.5), (-1, 0, -0.5), (1, -1, 0.75), (-1, -1, -0.75)],
+)
 @pytest.mark.parametrize("kind", KINDS)
 def test_atan2_with_structural_zeros_lies_in_minus_pi_to_pi(kind, y, x, expected):
     """A structural zero above a negative x is +0.0: the angle is pi, not -pi."""
@@ -256,13 +280,36 @@ def test_questions_about_values():
 
 
 @pytest.mark.parametrize(
-    "x", [float("nan"), float("inf"), np.array([1.0, np.nan]), np.array([np.inf]), mpmath.mpf("nan"), mpmath.inf, sympy.nan, sympy.oo]
+    "x",
+    [
+        float("nan"),
+        float("inf"),
+        np.array([1.0, np.nan]),
+        np.array([np.inf]),
+        mpmath.mpf("nan"),
+        mpmath.inf,
+        sympy.nan,
+        sympy.oo,
+    ],
 )
 def test_what_is_not_finite_is_seen_in_every_kind(x):
     assert not is_finite(x)
 
 
-@pytest.mark.parametrize("x", [1.0, 3, np.zeros(2), mpmath.mpf(1), sympy.Symbol("x"), sympy.Rational(1, 3), ZERO, Dimension(), moving(1.0)])
+@pytest.mark.parametrize(
+    "x",
+    [
+        1.0,
+        3,
+        np.zeros(2),
+        mpmath.mpf(1),
+        sympy.Symbol("x"),
+        sympy.Rational(1, 3),
+        ZERO,
+        Dimension(),
+        moving(1.0),
+    ],
+)
 def test_what_is_finite_or_an_expression_counts_as_finite(x):
     assert is_finite(x)
 
@@ -277,7 +324,9 @@ COMPOSITES = {
     "constant to a moving power": lambda t: 2**t + 0.5 ** (t * t),
     "quotient of functions": lambda t: scalars.sin(t * t) / (1 + scalars.cos(3 * t) ** 2),
     "nested": lambda t: scalars.exp(-scalars.sqrt(1 + scalars.sinh(t) ** 2)) * scalars.tan(t / 3),
-    "inverses": lambda t: scalars.asin(t / 2) * scalars.acos(t / 3) + scalars.atan(t**2) - scalars.log(1 + t),
+    "inverses": lambda t: (
+        scalars.asin(t / 2) * scalars.acos(t / 3) + scalars.atan(t**2) - scalars.log(1 + t)
+    ),
     "atan2 first quadrant": lambda t: scalars.atan2(scalars.sin(t), t),
     "atan2 second quadrant": lambda t: scalars.atan2(t * t, -1 - t),
     "atan2 third quadrant": lambda t: scalars.atan2(-t * t, -1 - t),
@@ -302,8 +351,14 @@ def plainly(f):
 def test_moving_numbers_against_mpmath_in_composites(name, t):
     f = COMPOSITES[name]
     m = at(f, mpmath.mpf(t))
-    for got, expected in zip((m.value, m.rate, m.acceleration), derivatives(plainly(f), t), strict=True):
-        assert abs(plain(got) - expected) < 1e-14 if "constant" in name or "fractional" in name else abs(plain(got) - expected) < 1e-25
+    for got, expected in zip(
+        (m.value, m.rate, m.acceleration), derivatives(plainly(f), t), strict=True
+    ):
+        assert (
+            abs(plain(got) - expected) < 1e-14
+            if "constant" in name or "fractional" in name
+            else abs(plain(got) - expected) < 1e-25
+        )
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
@@ -316,7 +371,9 @@ def test_moving_numbers_against_mpmath_for_each_function(name, t):
     for got, expected in zip((m.value, m.rate, m.acceleration), derivatives(f, t), strict=True):
         assert abs(got - expected) < 1e-24 * max(1, abs(expected))
     floats = at(f, float(t))
-    for got, expected in zip((floats.value, floats.rate, floats.acceleration), derivatives(f, float(t)), strict=True):
+    for got, expected in zip(
+        (floats.value, floats.rate, floats.acceleration), derivatives(f, float(t)), strict=True
+    ):
         assert abs(got - expected) < 1e-13 * max(1, abs(expected))
 
 
@@ -338,7 +395,12 @@ def test_moving_atan2_on_arrays_that_cross_the_axes():
 
 
 def test_a_constant_has_no_rates_even_where_a_function_has_no_derivative():
-    for m in (function("sqrt", moving(0.0)), moving(0.0) ** 0.5, function("asin", moving(1.0)), function("acos", moving(-1.0))):
+    for m in (
+        function("sqrt", moving(0.0)),
+        moving(0.0) ** 0.5,
+        function("asin", moving(1.0)),
+        function("acos", moving(-1.0)),
+    ):
         assert m.rate is ZERO
         assert m.acceleration is ZERO
     assert function("atan2", moving(0.0, 2.0), moving(1.0)).rate == 2.0
@@ -387,7 +449,9 @@ def test_at_takes_functions_built_of_other_functions_and_constants():
         return scalars.cos(theta) + scalars.sqrt(9 - scalars.sin(theta) ** 2)
 
     m = at(crank, mpmath.mpf("0.7"))
-    for got, expected in zip((m.value, m.rate, m.acceleration), derivatives(crank, "0.7"), strict=True):
+    for got, expected in zip(
+        (m.value, m.rate, m.acceleration), derivatives(crank, "0.7"), strict=True
+    ):
         assert abs(got - expected) < 1e-25
     constant = at(lambda t: 5.0, 1.0)
     assert (constant.value, plain(constant.rate), plain(constant.acceleration)) == (5.0, 0, 0)
@@ -448,7 +512,10 @@ def test_unlike_dimensions_do_not_add(wrong):
 
 @pytest.mark.parametrize("name", [n for n in FUNCTIONS if n != "sqrt"])
 def test_functions_take_pure_numbers_only(name):
-    with pytest.raises(DimensionError, match=rf"{name} of a quantity with Dimension\(L\^1\): its argument must be a pure number"):
+    with pytest.raises(
+        DimensionError,
+        match=rf"{name} of a quantity with Dimension\(L\^1\): its argument must be a pure number",
+    ):
         function(name, LENGTH)
     assert function(name, Dimension()) == Dimension()
 
@@ -488,23 +555,33 @@ def test_importing_the_engine_loads_none_of_the_heavy_libraries():
     """What a student waits for is import time."""
     heavy = "sympy scipy matplotlib heyoka mpmath numpy symengine numba IPython"
     program = f"import sys, newton_euler; print([m for m in {heavy.split()} if m in sys.modules])"
-    out = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    out = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
     assert out.stdout.strip() == "[]"
 
 
 def test_floats_arrays_and_tracing_need_numpy_alone():
     program = (
-        "import sys, numpy as np; from newton_euler import *; f = compiled(lambda w: Frame('g').rotate('a', 'z', rate=w).i.norm());"
-        "f(1.0); f(np.zeros(5)); print([m for m in 'sympy scipy matplotlib heyoka mpmath symengine'.split() if m in sys.modules])"
+        "import sys, numpy as np; from newton_euler import *; f = compiled(lambda w: "
+        "Frame('g').rotate('a', 'z', rate=w).i.norm());"
+        "f(1.0); f(np.zeros(5)); print([m for m in 'sympy scipy matplotlib heyoka mpmath "
+        "symengine'.split() if m in sys.modules])"
     )
-    out = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    out = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
     assert out.stdout.strip() == "[]"
 
 
 @pytest.mark.parametrize("module", ["scalars", "jets", "vectors", "frames", "tracing", "units"])
 def test_public_names_have_docstrings(module):
     m = importlib.import_module(f"newton_euler.{module}")
-    mine = {n: o for n, o in vars(m).items() if not n.startswith("_") and getattr(o, "__module__", None) == m.__name__ and callable(o)}
+    mine = {
+        n: o
+        for n, o in vars(m).items()
+        if not n.startswith("_") and getattr(o, "__module__", None) == m.__name__ and callable(o)
+    }
     bare = [n for n, o in mine.items() if not (o.__doc__ or "").strip()]
     bare += [
         f"{n}.{a}" for n, o in mine.items() if isinstance(o, type)
@@ -517,4 +594,5 @@ def test_at_of_an_mpf_keeps_its_digits_where_constants_are_floats():
     t, c = mpmath.mpf("0.9"), mpmath.mpf(0.8)
     found = at(lambda t: 0.3 * scalars.sin(0.8 * t), t)
     exact = -mpmath.mpf(0.3) * c * c * mpmath.sin(c * t)
-    assert abs(found.acceleration - exact) < 1e-28  # with a rate of plain 1, 0.8*0.8 would be multiplied in floats
+    # with a rate of plain 1, 0.8*0.8 would be multiplied in floats
+    assert abs(found.acceleration - exact) < 1e-28

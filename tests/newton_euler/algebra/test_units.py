@@ -14,8 +14,33 @@ from newton_euler import Dimension, Frame
 from newton_euler.algebra.units import UNITS, Unit, UnitError, unit
 from tests.kinds import KINDS, close, numbers
 
-PINT = {"lb": "lbf", "oz": "ozf", "rev": "turn", "rpm": "turn/min", "%": "percent", "in": "inch", "mi": "mile", "g": "gram", "h": "hour"}
-SOME = ["1", "mm", "rev/min", "deg/s^2", "slug*ft^2", "lb/in^2", "kg*m^2/s", "N*m/rad", "mi/h", "1/s", "m^-1", "in^4", "oz*in*s^2", "kN/m"]
+PINT = {
+    "lb": "lbf",
+    "oz": "ozf",
+    "rev": "turn",
+    "rpm": "turn/min",
+    "%": "percent",
+    "in": "inch",
+    "mi": "mile",
+    "g": "gram",
+    "h": "hour",
+}
+SOME = [
+    "1",
+    "mm",
+    "rev/min",
+    "deg/s^2",
+    "slug*ft^2",
+    "lb/in^2",
+    "kg*m^2/s",
+    "N*m/rad",
+    "mi/h",
+    "1/s",
+    "m^-1",
+    "in^4",
+    "oz*in*s^2",
+    "kN/m",
+]
 
 
 @pytest.mark.parametrize("name", UNITS)
@@ -26,7 +51,11 @@ def test_factors_agree_with_pint(name):
     registry = pint.UnitRegistry()
     expected = registry.Quantity(1.0, PINT.get(name, name)).to_base_units()
     got = Unit(name)
-    base = {"[mass]": got.dimension.powers[0], "[length]": got.dimension.powers[1], "[time]": got.dimension.powers[2]}
+    base = {
+        "[mass]": got.dimension.powers[0],
+        "[length]": got.dimension.powers[1],
+        "[time]": got.dimension.powers[2],
+    }
     assert {k: v for k, v in base.items() if v} == dict(expected.dimensionality)
     assert got.to_base(1.0) == pytest.approx(expected.magnitude, rel=1e-12)
 
@@ -71,7 +100,11 @@ def test_every_kind_of_number_is_converted(kind, text):
     with mpmath.workdps(40):
         factor = mpmath.mpf(u.factor.numerator) / u.factor.denominator * mpmath.pi**u.pi_power
     expected = x * float(factor) if kind in ("float", "array") else mpmath.mpf("12.5") * factor
-    assert close(u.to_base(x), expected, (1e-15 if kind in ("float", "array") else 1e-28) * abs(float(factor)) * 20)
+    assert close(
+        u.to_base(x),
+        expected,
+        (1e-15 if kind in ("float", "array") else 1e-28) * abs(float(factor)) * 20,
+    )
 
 
 def test_thirty_digits_and_symbols_stay_exact():
@@ -95,7 +128,12 @@ def test_a_vector_keeps_its_digits_also_where_its_first_component_is_zero():
 
 
 def test_dimensions_follow_the_text():
-    assert Unit("kg*m^2/s^2").dimension == Unit("J").dimension == Unit("N*m").dimension == Dimension(1, 2, -2)
+    assert (
+        Unit("kg*m^2/s^2").dimension
+        == Unit("J").dimension
+        == Unit("N*m").dimension
+        == Dimension(1, 2, -2)
+    )
     assert Unit("kg/m/s").dimension == Dimension(1, -1, -1)
     assert Unit("kg / m * s").dimension == Dimension(1, -1, 1)
     assert Unit("m^-2").dimension == Dimension(0, -2, 0)
@@ -109,7 +147,26 @@ def test_arrays_of_whole_numbers_do_not_overflow():
     assert newtons[0] == pytest.approx(4.4482216152605e7)
 
 
-@pytest.mark.parametrize("text", ["", "m//s", "m*", "/s", "m^", "m^2.5", "m^x", "m^2^2", "2*m", "m s^", "m-s", "(m)", "µm", None, 3])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "m//s",
+        "m*",
+        "/s",
+        "m^",
+        "m^2.5",
+        "m^x",
+        "m^2^2",
+        "2*m",
+        "m s^",
+        "m-s",
+        "(m)",
+        "µm",
+        None,
+        3,
+    ],
+)
 def test_what_cannot_be_read_is_quoted(text):
     with pytest.raises(UnitError, match=r"cannot read the unit|unknown unit") as error:
         Unit(text)
@@ -117,7 +174,10 @@ def test_what_cannot_be_read_is_quoted(text):
 
 
 def test_an_unknown_unit_lists_the_known_ones():
-    with pytest.raises(UnitError, match=r"unknown unit 'furlong' in 'furlong/s'; known are 1, %, rad, deg, rev, m, mm"):
+    with pytest.raises(
+        UnitError,
+        match=r"unknown unit 'furlong' in 'furlong/s'; known are 1, %, rad, deg, rev, m, mm",
+    ):
         Unit("furlong/s")
     with pytest.raises(UnitError, match="unknown unit 'kgm'"):
         Unit("kg m")

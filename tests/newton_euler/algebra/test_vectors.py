@@ -42,7 +42,10 @@ def test_eqn_A_11_scalar_product_and_A_12_magnitude(kind):
 @pytest.mark.parametrize("kind", KINDS)
 def test_eqn_A_13_vector_product_is_right_handed(kind):
     a, b, x, y = vectors(kind)
-    assert close(a.cross(b), (x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]))
+    assert close(
+        a.cross(b),
+        (x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]),
+    )
     assert close(cross(a, b), -b.cross(a))
     assert close(ground.i.cross(ground.j), ground.k)
     assert close(ground.j.cross(ground.k), ground.i)
@@ -55,7 +58,10 @@ def test_products_obey_the_identities_of_lagrange_and_grassmann(a, b, c):
     scale = 1 + a.norm() * b.norm() * c.norm()
     assert close(a.cross(b.cross(c)), b * a.dot(c) - c * a.dot(b), 1e-12 * scale)
     assert abs(a.dot(b.cross(c)) - c.dot(a.cross(b))) <= 1e-12 * scale
-    assert abs(a.cross(b).norm() ** 2 + a.dot(b) ** 2 - (a.norm() * b.norm()) ** 2) <= 1e-11 * (a.norm() * b.norm() + 1) ** 2
+    assert (
+        abs(a.cross(b).norm() ** 2 + a.dot(b) ** 2 - (a.norm() * b.norm()) ** 2)
+        <= 1e-11 * (a.norm() * b.norm() + 1) ** 2
+    )
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -97,7 +103,9 @@ def test_direction_and_angle():
     assert ground.i.angle_to(ground.j) == pytest.approx(math.pi / 2)
     for tiny in (1e-9, 1e-14):  # where an arc cosine gives 0
         assert ground.i.angle_to(ground.vector(1.0, tiny, 0)) == pytest.approx(tiny, rel=1e-12)
-        assert math.pi - ground.i.angle_to(ground.vector(-1.0, tiny, 0)) == pytest.approx(tiny, rel=0.05, abs=5e-16)
+        assert math.pi - ground.i.angle_to(ground.vector(-1.0, tiny, 0)) == pytest.approx(
+            tiny, rel=0.05, abs=5e-16
+        )
     assert ground.i.angle_to(-ground.i) == math.pi
     assert ground.i.angle_to(2.0 * ground.i) == 0
     with pytest.raises(FrameError, match="a zero vector has no direction"):
@@ -137,7 +145,10 @@ def test_to_array_has_shape_3_or_3_by_n():
         (lambda a: a + 1, "cannot add the vector .* and 1: both must be vectors"),
         (lambda a: 1 + a, "cannot add the vector .* and 1: both must be vectors"),
         (lambda a: a - "b", "cannot subtract the vector .* and 'b': both must be vectors"),
-        (lambda a: a.dot((1, 2, 3)), r"cannot take the dot product of the vector .* and \(1, 2, 3\)"),
+        (
+            lambda a: a.dot((1, 2, 3)),
+            r"cannot take the dot product of the vector .* and \(1, 2, 3\)",
+        ),
         (lambda a: a.cross(3), "cannot take the cross product of the vector .* and 3"),
         (lambda a: np.zeros(3) + a, "both must be vectors"),
         (lambda a: a.explain(), "was not computed as a named sum"),
@@ -178,7 +189,13 @@ def test_equal_vectors_are_equal_and_others_are_not():
 
 def test_a_vector_is_indexed_measured_and_converted_like_a_sequence_of_three():
     a = Frame("ground").vector(2.0, 0, -1.0)
-    assert (a[0], a[-1], a[:2], len(a), abs(Frame("other").vector(3.0, 0, 4.0))) == (2.0, -1.0, (2.0, 0), 3, 5.0)
+    assert (a[0], a[-1], a[:2], len(a), abs(Frame("other").vector(3.0, 0, 4.0))) == (
+        2.0,
+        -1.0,
+        (2.0, 0),
+        3,
+        5.0,
+    )
     assert np.array(a).tolist() == [2.0, 0.0, -1.0]
     with pytest.raises(IndexError):
         a[3]
@@ -211,9 +228,14 @@ def test_reweighted_and_without_are_sums_of_changed_terms():
     _, a = moving_arm()
     assert close(a.reweighted(), a)
     assert close(a.without("coriolis"), a - a.terms["coriolis"])
-    assert close(a.reweighted(coriolis=0.5, euler=-1), a - 0.5 * a.terms["coriolis"] - 2 * a.terms["euler"])
+    assert close(
+        a.reweighted(coriolis=0.5, euler=-1), a - 0.5 * a.terms["coriolis"] - 2 * a.terms["euler"]
+    )
     assert close(a.without(*a.terms), (0, 0, 0))
-    with pytest.raises(FrameError, match="no term 'corolis'; the terms are origin, relative, coriolis, euler, centripetal"):
+    with pytest.raises(
+        FrameError,
+        match="no term 'corolis'; the terms are origin, relative, coriolis, euler, centripetal",
+    ):
         a.without("corolis")
 
 
@@ -226,8 +248,14 @@ def test_a_sum_of_vectors_has_no_terms_of_its_own():
 def test_explain_prints_the_equation_its_number_and_every_term():
     _, a = moving_arm()
     text = str(a.explain("m/s^2"))
-    assert text.splitlines()[0] == "acceleration of P in ground, by way of arm, equation (4.18), components in arm"
-    assert any(line.split() == ["coriolis", "2", "omega", "x", "v_r", "[0,", "12,", "0]", "m/s^2"] for line in text.splitlines())
+    assert (
+        text.splitlines()[0]
+        == "acceleration of P in ground, by way of arm, equation (4.18), components in arm"
+    )
+    assert any(
+        line.split() == ["coriolis", "2", "omega", "x", "v_r", "[0,", "12,", "0]", "m/s^2"]
+        for line in text.splitlines()
+    )
     assert text.splitlines()[-1].split() == ["sum", "[-4.1,", "11.7,", "0]", "m/s^2"]
     assert isinstance(a.explain(), Explanation)
     assert repr(a.explain()) == str(a.explain())
@@ -241,7 +269,10 @@ def test_explain_shows_latex_in_jupyter():
     assert latex.count("{") == latex.count("}")
     assert r"\tag{4.18}" in latex
     rod = arm.rotate("rod", "x", rate=1.0)
-    assert r"\boldsymbol{\omega}_{\text{arm}}\times\boldsymbol{\omega}_{\text{rod}}" in rod.angular_acceleration(ground).explain().latex
+    assert (
+        r"\boldsymbol{\omega}_{\text{arm}}\times\boldsymbol{\omega}_{\text{rod}}"
+        in rod.angular_acceleration(ground).explain().latex
+    )
     assert r"\tag{4.22}" in rod.angular_velocity(ground).explain().latex
     assert "equation (4.15)" in str(arm.i.rate(ground).explain())
     assert "equation (4.17)" in str(rod.point("Q", 1.0, 0, 0).velocity(ground).explain())
@@ -261,9 +292,15 @@ def test_every_kind_of_component_can_be_shown(kind):
 
 
 def test_latex_writes_signs_and_powers_of_ten():
-    assert ground.vector(1.5, -2e-7, 0).latex() == r"\left(1.5\,\hat{\imath}-2\times10^{-7}\,\hat{\jmath}\right)_{\text{ground}}"
+    assert (
+        ground.vector(1.5, -2e-7, 0).latex()
+        == r"\left(1.5\,\hat{\imath}-2\times10^{-7}\,\hat{\jmath}\right)_{\text{ground}}"
+    )
     assert ground.vector(0, 0, 0).latex() == r"\mathbf{0}"
-    assert ground.vector(0, sympy.Symbol("a") + 1, 0).latex() == r"\left(\left(a + 1\right)\,\hat{\jmath}\right)_{\text{ground}}"
+    assert (
+        ground.vector(0, sympy.Symbol("a") + 1, 0).latex()
+        == r"\left(\left(a + 1\right)\,\hat{\jmath}\right)_{\text{ground}}"
+    )
 
 
 def test_numpy_does_not_take_vectors_apart():
@@ -319,7 +356,9 @@ def test_eqn_A_2_dot_product_is_magnitudes_times_cosine(kind):
 def test_eqn_A_3_and_A_5_products_of_the_unit_vectors(kind):
     one = numbers(kind, 1) if kind != "array" else np.ones(3)
     i, j, k = ground.vector(one, 0, 0), ground.vector(0, one, 0), ground.vector(0, 0, one)
-    assert close([[e.dot(f) for f in (i, j, k)] for e in (i, j, k)], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), 0)
+    assert close(
+        [[e.dot(f) for f in (i, j, k)] for e in (i, j, k)], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), 0
+    )
     for e, f, g in ((i, j, k), (j, k, i), (k, i, j)):
         assert close(e.cross(f), g, 0)
         assert close(f.cross(e), -g, 0)
@@ -347,8 +386,13 @@ def test_eqn_A_6_to_A_10_components_are_projections_and_add(kind):
 @every_kind
 def test_eqn_A_11_and_A_12_dot_product_and_magnitude_in_components(kind):
     P, Q, _ = three_vectors(kind)
-    tilted = ground.rotate("tilted", numbers(kind, 1, 2, 2), numbers(kind, "0.8"))  # the same in any frame
-    assert close(P.dot(Q), sum(p * q for p, q in zip(P.components(tilted), Q.components(tilted), strict=True)), tolerance(kind))
+    # the same in any frame
+    tilted = ground.rotate("tilted", numbers(kind, 1, 2, 2), numbers(kind, "0.8"))
+    assert close(
+        P.dot(Q),
+        sum(p * q for p, q in zip(P.components(tilted), Q.components(tilted), strict=True)),
+        tolerance(kind),
+    )
     assert close(P.dot(P), P.norm() ** 2, tolerance(kind))
 
 
@@ -358,7 +402,11 @@ def test_eqn_A_13_and_A_14_cross_product_is_the_determinant(kind):
     (a, b, c), (d, e, f) = P, Q
     assert close(P.cross(Q), (b * f - c * e, -(a * f - c * d), a * e - b * d), 0)
     tilted = ground.rotate("tilted 2", "y", numbers(kind, "0.8"))
-    assert close(P.expressed_in(tilted).cross(Q.expressed_in(tilted)), P.cross(Q).expressed_in(tilted), tolerance(kind))
+    assert close(
+        P.expressed_in(tilted).cross(Q.expressed_in(tilted)),
+        P.cross(Q).expressed_in(tilted),
+        tolerance(kind),
+    )
 
 
 @every_kind
@@ -381,7 +429,13 @@ def test_eqn_A_17_rate_is_the_limit_of_differences(kind):
     rate = vector_at(P, t).rate(ground)
     errors = []
     for dt in (mp.mpf(10) ** -4, mp.mpf(10) ** -4 / 2):
-        dt = float(dt) if kind in ("float", "array") else dt if kind == "mpmath" else sympy.Rational(str(float(dt)))
+        dt = (
+            float(dt)
+            if kind in ("float", "array")
+            else dt
+            if kind == "mpmath"
+            else sympy.Rational(str(float(dt)))
+        )
         difference = (vector_at(P, t + dt) - vector_at(P, t)) / dt
         errors.append(number((difference - rate).norm()))
     ratio = errors[0] / errors[1]
@@ -397,12 +451,23 @@ def test_eqn_A_18_to_A_21_product_rules(kind):
     def written_out(components):
         return tuple(at(f, t).rate for f in components)
 
-    assert close((p + q).rate(ground), written_out([lambda s, n=n: P[n](s) + Q[n](s) for n in range(3)]), tolerance(kind))
-    assert close((v * p).rate(ground), written_out([lambda s, n=n: u(s) * P[n](s) for n in range(3)]), tolerance(kind))
+    assert close(
+        (p + q).rate(ground),
+        written_out([lambda s, n=n: P[n](s) + Q[n](s) for n in range(3)]),
+        tolerance(kind),
+    )
+    assert close(
+        (v * p).rate(ground),
+        written_out([lambda s, n=n: u(s) * P[n](s) for n in range(3)]),
+        tolerance(kind),
+    )
     assert close((v * p).rate(ground), v.value * dp + v.rate * p, tolerance(kind))
     product = at(lambda s: P[0](s) * Q[0](s) + P[1](s) * Q[1](s) + P[2](s) * Q[2](s), t)
     assert close(p.dot(dq) + q.dot(dp), product.rate, tolerance(kind))
-    crossed = [lambda s, n=n, m=(n + 1) % 3, k=(n + 2) % 3: P[m](s) * Q[k](s) - P[k](s) * Q[m](s) for n in range(3)]
+    crossed = [
+        lambda s, n=n, m=(n + 1) % 3, k=(n + 2) % 3: P[m](s) * Q[k](s) - P[k](s) * Q[m](s)
+        for n in range(3)
+    ]
     assert close(p.cross(q).rate(ground), written_out(crossed), tolerance(kind))
     assert close(p.cross(q).rate(ground), p.cross(dq) + dp.cross(q), tolerance(kind))
 

@@ -1,8 +1,9 @@
 """Chapter 6, (6.11)-(6.34): weight, projectiles and wind on the rotating Earth.
 
-Two oracles. *Kepler*, who knows nothing of Coriolis: the shot is an ellipse among the stars about the Earth's centre, found from Kepler's
-equation to 30 digits or more and looked at from the turning ground. *The exponential*: (6.20) is linear with constant coefficients, and the
-exponential of its matrix solves it.
+Two oracles. *Kepler*, who knows nothing of Coriolis: the shot is an ellipse among the stars about
+the Earth's centre, found from Kepler's equation to 30 digits or more and looked at from the turning
+ground. *The exponential*: (6.20) is linear with constant coefficients, and the exponential of its
+matrix solves it.
 """
 
 import math
@@ -27,7 +28,12 @@ from tests.kinds import KINDS, close, first, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
 BOOK_RATE, BOOK_RADIUS = 0.727e-4, 6.378e6  # rad/s, m: as the book has them
-LENGTH, SPEED, GRAVITY, RATE = Dimension(0, 1, 0), Dimension(0, 1, -1), Dimension(0, 1, -2), Dimension(0, 0, -1)
+LENGTH, SPEED, GRAVITY, RATE = (
+    Dimension(0, 1, 0),
+    Dimension(0, 1, -1),
+    Dimension(0, 1, -2),
+    Dimension(0, 0, -1),
+)
 
 
 def small(kind, scale=1):
@@ -37,7 +43,13 @@ def small(kind, scale=1):
 def site(kind, latitude="0.8"):
     """Ground axes, latitude, rate (so large that its square is seen), radius, g."""
     latitude, rate, radius, g = numbers(kind, latitude, "0.01", 2000, "9.81")
-    return e.ground_frame(e.earth_frame(Frame("stars"), rate), latitude, radius=radius), latitude, rate, radius, g
+    return (
+        e.ground_frame(e.earth_frame(Frame("stars"), rate), latitude, radius=radius),
+        latitude,
+        rate,
+        radius,
+        g,
+    )
 
 
 # -- frames
@@ -48,7 +60,8 @@ def test_constants_agree_with_each_other_and_with_the_book():
     assert pytest.approx(BOOK_RATE, rel=4e-3) == e.EARTH_RATE
     assert pytest.approx(9.82, abs=1e-3) == e.EARTH_GM / e.EARTH_RADIUS**2
     assert pytest.approx(2 * math.pi / (365.25636 * 86400), rel=1e-6) == e.EARTH_ORBIT_RATE
-    assert pytest.approx(1.32712e20, rel=1e-4) == e.EARTH_ORBIT_RATE**2 * e.EARTH_ORBIT_RADIUS**3  # the Sun's GM, m^3/s^2: Kepler's third law
+    # the Sun's GM, m^3/s^2: Kepler's third law
+    assert pytest.approx(1.32712e20, rel=1e-4) == e.EARTH_ORBIT_RATE**2 * e.EARTH_ORBIT_RADIUS**3
 
 
 def test_ground_axes_point_east_north_and_up():
@@ -59,13 +72,20 @@ def test_ground_axes_point_east_north_and_up():
     ground = e.ground_frame(earth, latitude, longitude, radius=2.0)
     c, s, C, S = math.cos(longitude), math.sin(longitude), math.cos(latitude), math.sin(latitude)
     z_up = stars.k, stars.i, stars.j  # x through longitude 0, y 90 degrees to the east, z north
-    for axis, wanted in ((ground.i, (-s, c, 0)), (ground.j, (-S * c, -S * s, C)), (ground.k, (C * c, C * s, S))):
+    for axis, wanted in (
+        (ground.i, (-s, c, 0)),
+        (ground.j, (-S * c, -S * s, C)),
+        (ground.k, (C * c, C * s, S)),
+    ):
         assert close([axis.dot(u) for u in z_up], wanted, 1e-15)
     assert close(ground.origin.position(stars), 2.0 * ground.k, 1e-15)
 
 
 def test_a_latitude_in_degrees_is_refused():
-    with pytest.raises(e.EarthError, match=r"a latitude is in radians, between -pi/2 and pi/2; got 45.0: write radians\(45\)"):
+    with pytest.raises(
+        e.EarthError,
+        match=r"a latitude is in radians, between -pi/2 and pi/2; got 45.0: write radians\(45\)",
+    ):
         e.ground_frame(e.earth_frame(Frame("stars")), 45.0)
     with pytest.raises(e.EarthError, match="a latitude is in radians"):
         e.projectile(1.0, 1.0, 0.0, 0.0, np.array([0.1, 30.0]), 9.81)
@@ -80,21 +100,32 @@ def test_eqns_6_11_and_6_13_force_of_the_ground(kind):
     m = numbers(kind, 3)
     N = e.support_force(m, g, ground)
     s, c = sin(latitude), cos(latitude)
-    assert close(N, (0, m * radius * rate**2 * s * c, m * g - m * radius * rate**2 * c**2), small(kind, 10))
+    assert close(
+        N, (0, m * radius * rate**2 * s * c, m * g - m * radius * rate**2 * c**2), small(kind, 10)
+    )
     assert close(N - m * g * ground.k, m * e.ground_acceleration(ground), small(kind, 10))
     assert close(N, -m * e.effective_gravity(g, ground), small(kind, 10))
 
 
 @every_kind
 def test_eqn_6_12_acceleration_of_a_place_on_the_earth(kind):
-    """Against the printed components, and against the second rates of its coordinates among the stars."""
+    """Against the printed components, and against the second rates of its coordinates among the
+    stars.
+    """
     ground, latitude, rate, radius, _ = site(kind)
     s, c = sin(latitude), cos(latitude)
     a = e.ground_acceleration(ground)
     assert close(a, (0, radius * rate**2 * s * c, -radius * rate**2 * c**2), small(kind))
     t = 0 * rate
-    across = at(lambda t: radius * c * sin(rate * t) + 0 * t, t), at(lambda t: radius * c * cos(rate * t) + 0 * t, t)
-    assert close(a.components(ground.tree[0]), (across[0].acceleration, 0, across[1].acceleration), small(kind))
+    across = (
+        at(lambda t: radius * c * sin(rate * t) + 0 * t, t),
+        at(lambda t: radius * c * cos(rate * t) + 0 * t, t),
+    )
+    assert close(
+        a.components(ground.tree[0]),
+        (across[0].acceleration, 0, across[1].acceleration),
+        small(kind),
+    )
 
 
 def test_eqn_6_14_the_rotation_neglected_and_the_error_of_it():
@@ -104,14 +135,22 @@ def test_eqn_6_14_the_rotation_neglected_and_the_error_of_it():
     assert round(100 * e.rotation_error(9.81, BOOK_RADIUS, BOOK_RATE), 3) == 0.344
     errors = []
     for latitude in (0.0, 0.5, -0.5, 1.2, math.pi / 2):
-        ground = e.ground_frame(e.earth_frame(Frame("stars"), BOOK_RATE), latitude, radius=BOOK_RADIUS)
+        ground = e.ground_frame(
+            e.earth_frame(Frame("stars"), BOOK_RATE), latitude, radius=BOOK_RADIUS
+        )
         errors.append(1 - e.support_force(1.0, 9.81, ground).z / 9.81)
-    assert errors[0] == max(errors) == pytest.approx(e.rotation_error(9.81, BOOK_RADIUS, BOOK_RATE), rel=1e-12)
+    assert (
+        errors[0]
+        == max(errors)
+        == pytest.approx(e.rotation_error(9.81, BOOK_RADIUS, BOOK_RATE), rel=1e-12)
+    )
     assert errors[1] == pytest.approx(errors[2])
 
 
 def test_section_6_8_apparent_g_and_the_plumb_line():
-    """Measured 9.780 at the equator and 9.832 at the poles; half of the difference is rotation, half the shape of the Earth, which is no sphere."""
+    """Measured 9.780 at the equator and 9.832 at the poles; half of the difference is rotation,
+    half the shape of the Earth, which is no sphere.
+    """
     stars = Frame("stars")
     g = e.EARTH_GM / e.EARTH_RADIUS**2
     latitude = np.linspace(-1.5, 1.5, 31)
@@ -133,7 +172,9 @@ def test_section_6_8_weightless_at_the_equator():
 
 
 def test_section_6_8_the_books_orbital_rate_is_wrong():
-    """It prints 1.20e-7 rad/s and so 0.02 %; one turn a year is 1.99e-7 rad/s, and the ratio 0.06 %."""
+    """It prints 1.20e-7 rad/s and so 0.02 %; one turn a year is 1.99e-7 rad/s, and the ratio 0.06
+    %.
+    """
     assert round(e.EARTH_ORBIT_RATE * 1e7, 2) == 1.99
     assert round(100 * e.rotation_error(9.81, e.EARTH_ORBIT_RADIUS, e.EARTH_ORBIT_RATE), 2) == 0.06
     assert round(100 * e.rotation_error(9.81, 1.5e11, 1.20e-7), 2) == 0.02
@@ -172,13 +213,21 @@ def test_eqn_6_15_the_force_that_a_motion_needs_gives_that_motion(kind):
 def test_problems_6_20_and_6_23_sideways_forces_on_a_car_and_a_track():
     M, v, a, g, w, latitude = sympy.symbols("M v a g omega lat", positive=True)
     ground = e.ground_frame(e.earth_frame(Frame("stars"), w), latitude)
-    car = e.force_near_earth(M, ground.vector(0, -v, 0), ground.vector(0, -a, 0), e.earth_rate(ground))
+    car = e.force_near_earth(
+        M, ground.vector(0, -v, 0), ground.vector(0, -a, 0), e.earth_rate(ground)
+    )
     assert sympy.simplify(car.x - 2 * M * w * v * sympy.sin(latitude)) == 0
     level = v / sympy.sqrt(2)
-    train = e.force_near_earth(M, ground.vector(-level, level, 0), 0 * ground.i, e.earth_rate(ground))
+    train = e.force_near_earth(
+        M, ground.vector(-level, level, 0), 0 * ground.i, e.earth_rate(ground)
+    )
     track = -(train + M * g * ground.k)  # the resultant is weight and force of the track
     s, c = sympy.sin(latitude), sympy.cos(latitude)
-    wanted = sympy.sqrt(2) * M * w * v * s, sympy.sqrt(2) * M * w * v * s, -M * g - sympy.sqrt(2) * M * w * v * c
+    wanted = (
+        sympy.sqrt(2) * M * w * v * s,
+        sympy.sqrt(2) * M * w * v * s,
+        -M * g - sympy.sqrt(2) * M * w * v * c,
+    )
     assert [sympy.simplify(x - y) for x, y in zip(track, wanted, strict=True)] == [0, 0, 0]
 
 
@@ -199,11 +248,16 @@ def test_eqns_6_16_to_6_19_launch_and_rotation_along_ground_axes(kind):
     turned = cl * S - sl * s * C, sl * c * C, -cl * c * C
     assert close(omega.cross(launch), [rate * v0 * x for x in turned], small(kind))  # 6.19
     a = e.apparent_acceleration(launch, -g * ground.k, omega)
-    assert close(a, [-2 * rate * v0 * x - g * k for x, k in zip(turned, (0, 0, 1), strict=True)], small(kind))  # 6.16
+    # 6.16
+    assert close(
+        a, [-2 * rate * v0 * x - g * k for x, k in zip(turned, (0, 0, 1), strict=True)], small(kind)
+    )
 
 
 def by_exponential(t, r, v, g, omega):
-    """Position and velocity at t by the exponential of the matrix of (6.20) as a system of first order; all mpf."""
+    """Position and velocity at t by the exponential of the matrix of (6.20) as a system of first
+    order; all mpf.
+    """
     A, g, omega = mp.zeros(7), tuple(g), tuple(omega)  # r, v, 1
     spin = ((0, -omega[2], omega[1]), (omega[2], 0, -omega[0]), (-omega[1], omega[0], 0))
     for n in range(3):
@@ -219,7 +273,11 @@ def shot(rate="0.0001"):
     """Ground, launch, gravity and omega of a shot, of mpf."""
     v0, theta, phi, latitude, g, _ = angles("mpmath")
     ground = e.ground_frame(e.earth_frame(Frame("stars"), numbers("mpmath", rate)), latitude)
-    return e.launch_velocity(ground, v0, theta, phi), ground.vector(0, mp.mpf("-0.02"), -g), e.earth_rate(ground)
+    return (
+        e.launch_velocity(ground, v0, theta, phi),
+        ground.vector(0, mp.mpf("-0.02"), -g),
+        e.earth_rate(ground),
+    )
 
 
 def test_eqn_6_20_is_solved_by_the_series_to_30_digits():
@@ -244,13 +302,28 @@ def test_eqns_6_22_to_6_24_integrals_to_first_order(kind):
     v0, theta, phi, latitude, g, rate = angles(kind)
     t = numbers(kind, 12)
     ground = e.ground_frame(e.earth_frame(Frame("stars"), rate), latitude)
-    launch, omega, gravity = e.launch_velocity(ground, v0, theta, phi), e.earth_rate(ground), -g * ground.k
+    launch, omega, gravity = (
+        e.launch_velocity(ground, v0, theta, phi),
+        e.earth_rate(ground),
+        -g * ground.k,
+    )
     v = e.projectile_velocity(t, launch, gravity, omega)
-    assert close(v + t * t * omega.cross(gravity) + 2 * t * omega.cross(launch), t * gravity + launch, small(kind, 100))  # 6.22, B = v_r0
+    # 6.22, B = v_r0
+    assert close(
+        v + t * t * omega.cross(gravity) + 2 * t * omega.cross(launch),
+        t * gravity + launch,
+        small(kind, 100),
+    )
     r = e.projectile_position(t, launch, gravity, omega)
     third = t * t * t / 3 * omega.cross(gravity)
-    assert close(r + third + t * t * omega.cross(launch) - t * t / 2 * gravity, t * launch, small(kind, 1e4))  # 6.23, C = 0
-    assert close(r, -third - t * t * omega.cross(launch) + t * t / 2 * gravity + t * launch, small(kind, 1e4))  # 6.24
+    # 6.23, C = 0
+    assert close(
+        r + third + t * t * omega.cross(launch) - t * t / 2 * gravity, t * launch, small(kind, 1e4)
+    )
+    # 6.24
+    assert close(
+        r, -third - t * t * omega.cross(launch) + t * t / 2 * gravity + t * launch, small(kind, 1e4)
+    )
     assert close(r, sum(r.terms.values()), small(kind, 1e4))
     assert close(r.terms["fall turned"], -third, small(kind))
     assert close(r, e.projectile_to_order(t, launch, gravity, omega, 1), small(kind, 1e4))
@@ -259,14 +332,25 @@ def test_eqns_6_22_to_6_24_integrals_to_first_order(kind):
 
 
 def test_eqn_6_24_is_right_to_the_first_order():
-    """Its error against the exponential falls by 4 where the rate is halved, and is (2 omega t)^2/6 of the way or less."""
+    """Its error against the exponential falls by 4 where the rate is halved, and is (2 omega t)^2/6
+    of the way or less.
+    """
     t, error = mp.mpf(60), []
     for rate in ("0.0002", "0.0001"):
         launch, g, omega = shot(rate)
         r, _ = by_exponential(t, (0, 0, 0), launch, g, omega)
-        error.append(max(abs(a - b) for a, b in zip(e.projectile_position(t, launch, g, omega), r, strict=True)))
+        error.append(
+            max(
+                abs(a - b)
+                for a, b in zip(e.projectile_position(t, launch, g, omega), r, strict=True)
+            )
+        )
     assert 3.95 < error[0] / error[1] < 4.05
-    assert 0 < error[1] < (2 * mp.mpf("0.0001") * t) ** 2 / 6 * (launch.norm() * t + g.norm() * t * t / 2)
+    assert (
+        0
+        < error[1]
+        < (2 * mp.mpf("0.0001") * t) ** 2 / 6 * (launch.norm() * t + g.norm() * t * t / 2)
+    )
 
 
 @every_kind
@@ -285,10 +369,14 @@ def test_eqn_6_25_coordinates(kind):
 def test_eqns_6_26_and_6_27_flight_time_and_range(kind):
     v0, theta, phi, latitude, g, w = angles(kind)
     t = e.flight_time(v0, theta, phi, latitude, g, w)
-    assert close(t, 2 * v0 * sin(phi) / (g - 2 * v0 * w * cos(theta) * cos(phi) * cos(latitude)), small(kind))
+    assert close(
+        t, 2 * v0 * sin(phi) / (g - 2 * v0 * w * cos(theta) * cos(phi) * cos(latitude)), small(kind)
+    )
     x, y, z = e.projectile(t, v0, theta, phi, latitude, g, w)
     assert close(z, 0, small(kind, 1e4))
-    assert close(e.shot_range(v0, theta, phi, latitude, g, w), sqrt(x * x + y * y), small(kind, 1e4))
+    assert close(
+        e.shot_range(v0, theta, phi, latitude, g, w), sqrt(x * x + y * y), small(kind, 1e4)
+    )
 
 
 @every_kind
@@ -296,9 +384,15 @@ def test_eqns_6_28_and_6_29_shot_to_the_east_on_the_equator(kind):
     v0, _, phi, _, g, w = angles(kind)
     t, zero = numbers(kind, 12, 0)
     C, S = cos(phi), sin(phi)
-    wanted = g * w * t**3 / 3 - v0 * w * S * t**2 + v0 * C * t, 0, v0 * w * C * t**2 - g * t**2 / 2 + v0 * S * t
+    wanted = (
+        g * w * t**3 / 3 - v0 * w * S * t**2 + v0 * C * t,
+        0,
+        v0 * w * C * t**2 - g * t**2 / 2 + v0 * S * t,
+    )
     assert close(e.projectile(t, v0, zero, phi, zero, g, w), wanted, small(kind, 1e4))
-    assert close(e.flight_time(v0, zero, phi, zero, g, w), 2 * v0 * S / (g - 2 * v0 * w * C), small(kind))
+    assert close(
+        e.flight_time(v0, zero, phi, zero, g, w), 2 * v0 * S / (g - 2 * v0 * w * C), small(kind)
+    )
 
 
 def test_eqns_6_30_and_6_31_are_the_first_order_of_the_range():
@@ -317,22 +411,28 @@ def test_eqns_6_30_and_6_31_are_the_first_order_of_the_range():
 @every_kind
 def test_eqn_6_31_vanishes_at_60_degrees_and_changes_sign_there(kind):
     v0, _, _, _, g, w = angles(kind)
-    below, sixty, above = (radians(numbers("float" if kind == "array" else kind, x)) for x in (59, 60, 61))
+    below, sixty, above = (
+        radians(numbers("float" if kind == "array" else kind, x)) for x in (59, 60, 61)
+    )
     assert close(e.range_error(v0, sixty, g, w), 0, small(kind))
     low, high = e.range_error(v0, below, g, w), e.range_error(v0, above, g, w)
     assert bool(np.all(low < 0))
     assert bool(np.all(high > 0))
-    assert float(first(e.range_east(v0, below, g, w))) > float(first(v0**2 * sin(2 * below) / g))  # lengthened
+    # lengthened
+    assert float(first(e.range_east(v0, below, g, w))) > float(first(v0**2 * sin(2 * below) / g))
 
 
 # -- 6.10 against the ellipse among the stars
 
 
 def kepler(t, start, latitude, g, rate, radius):
-    """Position and velocity along ground axes at ``t`` of a shot from ``start``, from Kepler's equation; all mpf. Its orbit is an ellipse."""
+    """Position and velocity along ground axes at ``t`` of a shot from ``start``, from Kepler's
+    equation; all mpf. Its orbit is an ellipse.
+    """
     mu = g * radius**2
     c, s = mp.cos(latitude), mp.sin(latitude)
-    east = mp.matrix([[1, 0, 0], [0, c, s], [0, -s, c]])  # ground components to (east, polar, outward)
+    # ground components to (east, polar, outward)
+    east = mp.matrix([[1, 0, 0], [0, c, s], [0, -s, c]])
     r = east * mp.matrix([start[0], start[1], start[2] + radius])
     v = east * mp.matrix(start[3:])
     v = v + rate * mp.matrix([r[2], 0, -r[0]])  # polar axis (0, 1, 0) x r
@@ -360,8 +460,13 @@ def test_the_full_equations_of_motion_hold_on_the_ellipse_to_25_digits():
             place, velocity = kepler(t, start, latitude, g, rate, radius)
             if t == 0:
                 assert close(place + velocity, start, mp.mpf(10) ** -50)
-            second = [mp.diff(lambda x, n=n: kepler(x, start, latitude, g, rate, radius)[1][n], t) for n in range(3)]
-            assert close(model.derivative(place + velocity, t), velocity + tuple(second), mp.mpf(10) ** -25)
+            second = [
+                mp.diff(lambda x, n=n: kepler(x, start, latitude, g, rate, radius)[1][n], t)
+                for n in range(3)
+            ]
+            assert close(
+                model.derivative(place + velocity, t), velocity + tuple(second), mp.mpf(10) ** -25
+            )
 
 
 def test_the_attraction_is_that_of_chapter_5():
@@ -376,8 +481,12 @@ def test_the_full_model_integrated_stays_on_the_ellipse():
     start = (0.0, 0.0, 0.0, 300.0, 200.0, 500.0)
     model = shots.full(g, latitude, rate, radius)
     rhs = model.compiled_rhs()
-    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 100), start, method="DOP853", rtol=1e-12, atol=1e-9)
-    exact, _ = kepler(mp.mpf(100), [mp.mpf(x) for x in start], *map(mp.mpf, (latitude, g, rate, radius)))
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()), (0, 100), start, method="DOP853", rtol=1e-12, atol=1e-9
+    )
+    exact, _ = kepler(
+        mp.mpf(100), [mp.mpf(x) for x in start], *map(mp.mpf, (latitude, g, rate, radius))
+    )
     assert close(tuple(run.y[:3, -1]), exact, 1e-5)
     for name in model.invariants:
         before, after = model.invariant(name, start), model.invariant(name, run.y[:, -1])
@@ -386,14 +495,18 @@ def test_the_full_model_integrated_stays_on_the_ellipse():
 
 @pytest.mark.parametrize("latitude", [0.0, 0.5, -1.0])
 def test_a_body_let_go_lands_to_the_east_as_the_ellipse_says(latitude):
-    """(1/3) omega g cos(latitude) t^3, against the ellipse: within 0.35 %, and to a part in 10000 with the effective gravity. 2.2 cm in 100 m."""
+    """(1/3) omega g cos(latitude) t^3, against the ellipse: within 0.35 %, and to a part in 10000
+    with the effective gravity. 2.2 cm in 100 m.
+    """
     g, rate, radius, h = 9.82, e.EARTH_RATE, e.EARTH_RADIUS, 100.0
     start = [mp.mpf(x) for x in (0.0, 0.0, h, 0.0, 0.0, 0.0)]
     t = math.sqrt(2 * h / g)
     place, _ = kepler(mp.mpf(t), start, *map(mp.mpf, (latitude, g, rate, radius)))
     assert 0.9965 < float(place[0]) / e.drop_deflection(h, latitude, g) < 0.9966
     ground = e.ground_frame(e.earth_frame(Frame("stars")), latitude)
-    found = e.projectile_position(t, 0 * ground.k, e.effective_gravity(g, ground), e.earth_rate(ground))
+    found = e.projectile_position(
+        t, 0 * ground.k, e.effective_gravity(g, ground), e.earth_rate(ground)
+    )
     assert found.x == pytest.approx(float(place[0]), rel=1e-4)
 
 
@@ -401,15 +514,23 @@ def test_a_body_let_go_lands_to_the_east_as_the_ellipse_says(latitude):
 @given(
     st.floats(-1.5, 1.5), st.floats(-math.pi, math.pi), st.floats(0.1, 1.5), st.floats(10, 2000), st.floats(0.01, 1.0), st.sampled_from([1, 40])
 )  # fmt: skip
-def test_what_the_models_neglect_is_bounded_and_the_bound_is_no_guess(latitude, azimuth, elevation, speed, part, faster):
-    """Every rung of the ladder against the ellipse, at some instant of the flight; on an Earth that turns ``faster`` too."""
+def test_what_the_models_neglect_is_bounded_and_the_bound_is_no_guess(
+    latitude, azimuth, elevation, speed, part, faster
+):
+    """Every rung of the ladder against the ellipse, at some instant of the flight; on an Earth that
+    turns ``faster`` too.
+    """
     g, rate, radius = 9.82, 2e-5 * faster, 6.371e6
     t = part * 1.9 * speed * math.sin(elevation) / g
     start = (0.0, 0.0, 0.0, *(speed * x for x in e.launch_direction(azimuth, elevation)))
-    exact, _ = kepler(mp.mpf(t), [mp.mpf(x) for x in start], *map(mp.mpf, (latitude, g, rate, radius)))
+    exact, _ = kepler(
+        mp.mpf(t), [mp.mpf(x) for x in start], *map(mp.mpf, (latitude, g, rate, radius))
+    )
     if exact[0] ** 2 + exact[1] ** 2 + (exact[2] + radius) ** 2 < radius**2:
         return  # the bound is for what is above the ground
-    for model in (make(g, latitude, rate, radius) for make in (shots.flat, shots.coriolis, shots.plumb)):
+    for model in (
+        make(g, latitude, rate, radius) for make in (shots.flat, shots.coriolis, shots.plumb)
+    ):
         found = model.solution(t, start)[:3]
         error = math.dist(found, [float(x) for x in exact])
         bound = sum(model.neglected(t, start).values())
@@ -428,22 +549,40 @@ def test_the_ladder_gives_the_cheapest_model_that_is_accurate_enough():
     bounds = [evidence[name].bound for name in names]
     assert bounds[0] > bounds[1] > bounds[2] > bounds[3] == 0
     less = Ladder("projectile", asked.of, asked.t, asked.rungs[:2])
-    with pytest.raises(ModelError, match="no model of this ladder is as accurate as 1e-06; the errors may reach projectile, flat: "):
+    with pytest.raises(
+        ModelError,
+        match="no model of this ladder is as accurate as 1e-06; the errors may reach projectile, "
+        "flat: ",
+    ):
         smallest(less, 1e-6)
 
 
 @pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
 def test_the_models_solve_their_equations(kind):
-    """The exact solutions, differentiated by the product rule, against the right-hand sides; the first is a parabola."""
+    """The exact solutions, differentiated by the product rule, against the right-hand sides; the
+    first is a parabola.
+    """
     latitude, g, rate, radius = numbers(kind, "0.8", "9.81", "0.0001", "6371000")
     start, t = numbers(kind, 10, 20, 30, 100, -50, 70), numbers(kind, 15)
-    for model in (make(g, latitude, rate, radius) for make in (shots.flat, shots.coriolis, shots.plumb)):
+    for model in (
+        make(g, latitude, rate, radius) for make in (shots.flat, shots.coriolis, shots.plumb)
+    ):
         state = model.solution(t, start)
-        rates = [at(lambda t, n=n, model=model: model.solution(t, start)[n] + 0 * t, t).rate for n in range(6)]
+        rates = [
+            at(lambda t, n=n, model=model: model.solution(t, start)[n] + 0 * t, t).rate
+            for n in range(6)
+        ]
         assert close(rates, model.derivative(state, t), small(kind, 1e3))
         assert close(model.solution(0 * t, start), start, 0)
     x, y, z, *_ = shots.flat(g).solution(t, start)
-    assert close((x, y, z), [r + v * t - a * t * t / 2 for r, v, a in zip(start[:3], start[3:], (0, 0, g), strict=True)], small(kind, 1e4))
+    assert close(
+        (x, y, z),
+        [
+            r + v * t - a * t * t / 2
+            for r, v, a in zip(start[:3], start[3:], (0, 0, g), strict=True)
+        ],
+        small(kind, 1e4),
+    )
 
 
 def test_problem_6_22_a_shot_straight_up_lands_to_the_west():
@@ -454,11 +593,19 @@ def test_problem_6_22_a_shot_straight_up_lands_to_the_west():
 
 def test_problem_6_19_deflection_of_a_body_let_go_as_a_formula():
     h, g, w, latitude = sympy.symbols("h g omega lat", positive=True)
-    assert sympy.simplify(e.drop_deflection(h, latitude, g, w) - w * sympy.cos(latitude) * g * sympy.sqrt(2 * h / g) ** 3 / 3) == 0
+    assert (
+        sympy.simplify(
+            e.drop_deflection(h, latitude, g, w)
+            - w * sympy.cos(latitude) * g * sympy.sqrt(2 * h / g) ** 3 / 3
+        )
+        == 0
+    )
 
 
 def test_a_shot_too_fast_for_the_first_order_is_refused():
-    with pytest.raises(e.EarthError, match="at this speed the Coriolis acceleration outweighs gravity"):
+    with pytest.raises(
+        e.EarthError, match="at this speed the Coriolis acceleration outweighs gravity"
+    ):
         e.flight_time(1e5, 0.0, 0.3, 0.0, 9.81)
 
 
@@ -516,7 +663,9 @@ def test_storms_turn_counterclockwise_in_the_north_and_clockwise_in_the_south(la
         x, y, dx, dy = model.solution(t, (1e5, 0.0, 0.0, 0.0))
         assert (x * dy - y * dx) * latitude > 0
     rhs = air_near_low(latitude, pressure_gradient=1e-8, friction=2e-5).compiled_rhs()
-    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 6e5), (1e5, 0.0, 0.0, 0.0), rtol=1e-10, atol=1e-6)
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()), (0, 6e5), (1e5, 0.0, 0.0, 0.0), rtol=1e-10, atol=1e-6
+    )
     x, y, dx, dy = run.y[:, -1]
     assert math.hypot(x, y) < 1e4
     assert np.all((run.y[0] * run.y[3] - run.y[1] * run.y[2])[1:] * latitude > 0)
@@ -538,29 +687,41 @@ def test_free_air_runs_in_a_circle_clockwise_in_the_north():
 @pytest.mark.parametrize("latitude", [0.8, -0.8])
 @pytest.mark.parametrize("push", [1e-3, 3e-3, -1e-3])
 def test_steady_wind_on_a_circle(latitude, push):
-    """At this speed the equations of motion give the acceleration v^2/r toward the centre; on a large circle it is the geostrophic wind."""
+    """At this speed the equations of motion give the acceleration v^2/r toward the centre; on a
+    large circle it is the geostrophic wind.
+    """
     radius = 5e5
     v = e.gradient_wind(push, radius, latitude)
     sense = math.copysign(1, latitude)
     model = air_near_low(latitude, pressure_gradient=push / radius)
     assert close(model.derivative((radius, 0.0, 0.0, sense * v))[2:], (-(v**2) / radius, 0), 1e-15)
     assert math.copysign(1, v) == math.copysign(1, push)
-    assert e.gradient_wind(push, 1e12, latitude) == pytest.approx(e.geostrophic_wind(push, latitude), rel=1e-3)
-    assert abs(e.gradient_wind(abs(push), radius, latitude)) < e.geostrophic_wind(abs(push), latitude)
+    assert e.gradient_wind(push, 1e12, latitude) == pytest.approx(
+        e.geostrophic_wind(push, latitude), rel=1e-3
+    )
+    assert abs(e.gradient_wind(abs(push), radius, latitude)) < e.geostrophic_wind(
+        abs(push), latitude
+    )
 
 
 @every_kind
 def test_geostrophic_wind_is_not_accelerated(kind):
     push, latitude, rate = numbers(kind, "0.001", "0.8", "0.00007")
     v = e.geostrophic_wind(push, latitude, rate)
-    x, y = e.wind_acceleration(v, numbers(kind, 0), latitude, rate)  # to the east, low pressure to the north
+    # to the east, low pressure to the north
+    x, y = e.wind_acceleration(v, numbers(kind, 0), latitude, rate)
     assert close((x, y + push), (0, 0), small(kind))
 
 
 def test_winds_that_do_not_exist_are_refused():
-    with pytest.raises(e.EarthError, match=r"on the equator .* nothing turns a horizontal wind aside"):
+    with pytest.raises(
+        e.EarthError, match=r"on the equator .* nothing turns a horizontal wind aside"
+    ):
         e.geostrophic_wind(1e-3, 0.0)
-    with pytest.raises(e.EarthError, match=r"no steady wind: at radius 100000.0 .* not 0.001; a high has a flat middle"):
+    with pytest.raises(
+        e.EarthError,
+        match=r"no steady wind: at radius 100000.0 .* not 0.001; a high has a flat middle",
+    ):
         e.gradient_wind(-1e-3, 1e5, 0.8)
     with pytest.raises(e.EarthError, match="no steady wind"):
         e.gradient_wind(np.array([1e-3, -1e-3]), 1e5, 0.8)
@@ -583,7 +744,14 @@ def test_units():
     assert e.gradient_wind(GRAVITY, LENGTH, pure, RATE) == SPEED
     assert e.inertial_circle(SPEED, pure, RATE) == LENGTH
     assert e.wind_acceleration(SPEED, pure, pure, RATE) == (GRAVITY, GRAVITY)
-    for make in (shots.flat, shots.coriolis, shots.plumb, shots.flat_in_air, shots.full, shots.full_in_air):
+    for make in (
+        shots.flat,
+        shots.coriolis,
+        shots.plumb,
+        shots.flat_in_air,
+        shots.full,
+        shots.full_in_air,
+    ):
         model = make(GRAVITY, pure, RATE, LENGTH, 1 / LENGTH)
         start = (LENGTH,) * 3 + (SPEED,) * 3
         rates = model.derivative(start, Dimension(0, 0, 1))
@@ -600,10 +768,17 @@ def test_projectiles_compile():
 
 def test_a_projectile_explains_its_terms():
     ground = e.ground_frame(e.earth_frame(Frame("stars")), 0.8)
-    r = e.projectile_position(10.0, e.launch_velocity(ground, 100.0, 0.3, 0.5), -9.81 * ground.k, e.earth_rate(ground))
+    r = e.projectile_position(
+        10.0, e.launch_velocity(ground, 100.0, 0.3, 0.5), -9.81 * ground.k, e.earth_rate(ground)
+    )
     told = str(r.explain("m"))
     assert "equation (6.24)" in told
     assert "fall turned  -1/3 omega x g t^3" in told
-    assert close(r.without("fall turned", "launch turned"), r.terms["launch"] + r.terms["fall"], 1e-12)
-    for vector, number in ((e.effective_gravity(9.81, ground), "6.11"), (e.support_force(1.0, 9.81, ground), "6.13")):
+    assert close(
+        r.without("fall turned", "launch turned"), r.terms["launch"] + r.terms["fall"], 1e-12
+    )
+    for vector, number in (
+        (e.effective_gravity(9.81, ground), "6.11"),
+        (e.support_force(1.0, 9.81, ground), "6.13"),
+    ):
         assert f"equation ({number})" in str(vector.explain())

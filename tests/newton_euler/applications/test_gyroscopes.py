@@ -1,4 +1,5 @@
-"""Chapter 10: one point fixed; gyroscopic motion. (10.1)-(10.38), mostly against mass points, Lagrange's equations and integration.
+"""Chapter 10: one point fixed; gyroscopic motion. (10.1)-(10.38), mostly against mass points,
+Lagrange's equations and integration.
 
 The matrices (10.5)-(10.12) have more tests in test_rotations.py.
 """
@@ -58,7 +59,11 @@ def tolerance(kind):
 
 
 # a motion with everything in it: value, rate and second rate of psi, theta, phi
-MOTION = {"psi": ("0.4", "1.2", "-0.7"), "theta": ("0.9", "0.5", "0.3"), "phi": ("1.3", "2.5", "0.8")}
+MOTION = {
+    "psi": ("0.4", "1.2", "-0.7"),
+    "theta": ("0.9", "0.5", "0.3"),
+    "phi": ("1.3", "2.5", "0.8"),
+}
 
 
 def top_of(kind):
@@ -87,7 +92,11 @@ def test_section_10_1_without_a_point_at_rest_the_axis_is_that_of_the_screw(kind
     ground = Frame("ground")
     v, w = numbers(kind, 1, -2, "0.5"), numbers(kind, "0.8", "0.3", "1.5")
     origin = ground.point("B", *(moving(0 * x, x) for x in v))
-    body = ground.rotate("a", "x", rate=w[0], origin=origin).rotate("b", "y", rate=w[1]).rotate("c", "z", rate=w[2])
+    body = (
+        ground.rotate("a", "x", rate=w[0], origin=origin)
+        .rotate("b", "y", rate=w[1])
+        .rotate("c", "z", rate=w[2])
+    )
     axis = instantaneous_axis(body, ground)
     here = axis.point.velocity(ground)
     assert close(here.cross(axis.direction), (0, 0, 0), tolerance(kind))
@@ -97,14 +106,20 @@ def test_section_10_1_without_a_point_at_rest_the_axis_is_that_of_the_screw(kind
 def test_a_body_that_does_not_turn_has_no_instantaneous_axis():
     ground = Frame("ground")
     with pytest.raises(GyroError, match="box does not turn in ground at this instant"):
-        instantaneous_axis(ground.translate("box", ground.point("C", moving(0.0, 1.0), 0, 0)), ground)
+        instantaneous_axis(
+            ground.translate("box", ground.point("C", moving(0.0, 1.0), 0, 0)), ground
+        )
 
 
 @every_kind
-def test_eqn_10_1_and_10_2_the_precessing_frame_turns_about_the_vertical_and_the_line_of_nodes(kind):
+def test_eqn_10_1_and_10_2_the_precessing_frame_turns_about_the_vertical_and_the_line_of_nodes(
+    kind,
+):
     ground, body, angles, _, _ = top_of(kind)
     (_, dpsi, _), (theta, dtheta, _), nodal = angles["psi"], angles["theta"], body.parent
-    assert close(nodal.angular_velocity(ground), dpsi * ground.k + dtheta * nodal.i, tolerance(kind))
+    assert close(
+        nodal.angular_velocity(ground), dpsi * ground.k + dtheta * nodal.i, tolerance(kind)
+    )
     assert close(ground.k.expressed_in(nodal), (0, sin(theta), cos(theta)), tolerance(kind))
 
 
@@ -114,14 +129,21 @@ def test_eqn_10_3_and_10_4_components_of_both_angular_velocities(kind):
     (_, dpsi, _), (theta, dtheta, _), (_, dphi, _) = angles.values()
     Omega = (dtheta, dpsi * sin(theta), dpsi * cos(theta))
     assert close(body.parent.angular_velocity(ground), Omega, tolerance(kind))
-    assert close(body.angular_velocity(ground).components(body.parent), (*Omega[:2], Omega[2] + dphi), tolerance(kind))
+    assert close(
+        body.angular_velocity(ground).components(body.parent),
+        (*Omega[:2], Omega[2] + dphi),
+        tolerance(kind),
+    )
 
 
 @every_kind
 def test_eqn_10_5_to_10_10_three_turns_make_the_matrix(kind):
     psi, theta, phi = numbers(kind, "0.4", "0.9", "1.3")
     one = psi / psi
-    turns = [rotation_matrix(e, x) for e, x in (((0, 0, one), psi), ((one, 0, 0), theta), ((0, 0, one), phi))]
+    turns = [
+        rotation_matrix(e, x)
+        for e, x in (((0, 0, one), psi), ((one, 0, 0), theta), ((0, 0, one), phi))
+    ]
     assert close(euler_matrix(psi, theta, phi), in_sequence(*turns, axes="moving"), tolerance(kind))
 
 
@@ -132,7 +154,11 @@ def test_eqn_10_11_to_10_14_angular_momentum_of_the_spherical_pendulum_in_body_a
     H, bar = momentum(m, L, *(moving(*v) for v in angles))
     (_, dpsi, _), (theta, dtheta, _), (phi, dphi, _) = angles
     factor = m * L * L / 3
-    omega = (dtheta * cos(phi) + dpsi * sin(theta) * sin(phi), -dtheta * sin(phi) + dpsi * sin(theta) * cos(phi), dphi + dpsi * cos(theta))
+    omega = (
+        dtheta * cos(phi) + dpsi * sin(theta) * sin(phi),
+        -dtheta * sin(phi) + dpsi * sin(theta) * cos(phi),
+        dphi + dpsi * cos(theta),
+    )
     assert close(bar.angular_velocity(bar.parent.parent.parent), omega, tolerance(kind))
     assert close(H.components(bar), (factor * omega[0], factor * omega[1], 0), 10 * tolerance(kind))
 
@@ -143,7 +169,9 @@ def test_eqn_10_15_and_10_16_the_same_in_the_frame_that_does_not_spin(kind):
     angles = [numbers(kind, *v) for v in MOTION.values()]
     H, _ = momentum(m, L, *(moving(*v) for v in angles))
     (_, dpsi, _), (theta, dtheta, _), _ = angles
-    assert close(H, (m * L * L / 3 * dtheta, m * L * L / 3 * dpsi * sin(theta), 0), 10 * tolerance(kind))
+    assert close(
+        H, (m * L * L / 3 * dtheta, m * L * L / 3 * dpsi * sin(theta), 0), 10 * tolerance(kind)
+    )
 
 
 # -- gyroscopic motion (10.17)-(10.27)
@@ -157,7 +185,9 @@ def test_eqn_10_17_to_10_19_and_10_21_angular_momentum(kind):
     H = gyro_momentum(body, ground, I0, I)
     assert close(H, expected, tolerance(kind))
     assert H.frame is body.parent
-    fixed_in_body = Inertia(ground.origin, (I0, I0, I), frame=body).times(body.angular_velocity(ground))
+    fixed_in_body = Inertia(ground.origin, (I0, I0, I), frame=body).times(
+        body.angular_velocity(ground)
+    )
     assert close(H, fixed_in_body, tolerance(kind))  # (10.17) holds in both frames
 
 
@@ -177,7 +207,11 @@ def test_eqn_10_22_the_turning_of_the_momentum(kind):
     Omega, dphi = body.parent.angular_velocity(ground), angles["phi"][1]
     x, y, z = Omega
     crossed = Omega.cross(gyro_momentum(body, ground, I0, I))
-    assert close(crossed, ((I - I0) * y * z + I * dphi * y, (I0 - I) * x * z - I * dphi * x, 0), tolerance(kind))
+    assert close(
+        crossed,
+        ((I - I0) * y * z + I * dphi * y, (I0 - I) * x * z - I * dphi * x, 0),
+        tolerance(kind),
+    )
 
 
 @every_kind
@@ -192,7 +226,9 @@ def test_eqn_10_23_and_10_27_moment_by_its_terms(kind):
 
 
 def spun(angles):
-    """The rates that (10.24) and (10.25) are written in: theta and its rates, psi', psi'', omega_z and its rate (10.26)."""
+    """The rates that (10.24) and (10.25) are written in: theta and its rates, psi', psi'', omega_z
+    and its rate (10.26).
+    """
     (_, dpsi, ddpsi), (theta, dtheta, ddtheta), (_, dphi, ddphi) = angles.values()
     wz, dwz = dphi + dpsi * cos(theta), ddphi + ddpsi * cos(theta) - dpsi * dtheta * sin(theta)
     return theta, dtheta, ddtheta, dpsi, ddpsi, wz, dwz
@@ -205,7 +241,9 @@ def test_eqn_10_24_moment_in_euler_angles(kind):
     s, c = sin(theta), cos(theta)
     expected = (
         I0 * ddtheta - (I0 - I) * dpsi * dpsi * s * c + I * (wz - dpsi * c) * dpsi * s,
-        I0 * (ddpsi * s + dpsi * dtheta * c) - (I - I0) * dpsi * dtheta * c - I * (wz - dpsi * c) * dtheta,
+        I0 * (ddpsi * s + dpsi * dtheta * c)
+        - (I - I0) * dpsi * dtheta * c
+        - I * (wz - dpsi * c) * dtheta,
         I * dwz,
     )
     assert close(gyro_moment(body, ground, I0, I), expected, tolerance(kind))
@@ -226,8 +264,14 @@ def test_eqn_10_25_and_10_26_moment_in_its_shortest_form(kind):
 
 
 def test_eqn_10_23_from_mass_points_in_explicit_motion():
-    """A body of revolution as far as its inertia goes: points on two rings. No inertia matrix, no moving frame."""
-    masses = [(mp.mpf(m), r) for m, z, rho, count in ((2, 3, 1, 3), (1, -1, 2, 4)) for r in ring(z, rho, count)]
+    """A body of revolution as far as its inertia goes: points on two rings. No inertia matrix, no
+    moving frame.
+    """
+    masses = [
+        (mp.mpf(m), r)
+        for m, z, rho, count in ((2, 3, 1, 3), (1, -1, 2, 4))
+        for r in ring(z, rho, count)
+    ]
     I = sum(m * (x * x + y * y) for m, (x, y, _) in masses)
     I0 = sum(m * (y * y + z * z) for m, (_, y, z) in masses)
     t0 = mp.mpf("0.3")
@@ -241,24 +285,37 @@ def test_eqn_10_23_from_mass_points_in_explicit_motion():
 
             a = [mp.diff(lambda t, n=n, place=place: place(t)[n], t0, 2) for n in range(3)]
             p = place(t0)
-            total = [M + m * (p[(n + 1) % 3] * a[(n + 2) % 3] - p[(n + 2) % 3] * a[(n + 1) % 3]) for n, M in enumerate(total)]
+            total = [
+                M + m * (p[(n + 1) % 3] * a[(n + 2) % 3] - p[(n + 2) % 3] * a[(n + 1) % 3])
+                for n, M in enumerate(total)
+            ]
     ground = Frame("ground")
     body = euler_frame(ground, "body", *(at(f, t0) for f in laws))
-    assert close(gyro_moment(body, ground, I0, I).components(ground), tuple(total), mp.mpf(10) ** -22)
+    assert close(
+        gyro_moment(body, ground, I0, I).components(ground), tuple(total), mp.mpf(10) ** -22
+    )
 
 
 def ring(z, rho, count):
     """Places of equal masses around the axis; three or more have equal transverse moments."""
-    return [(rho * mp.cos(2 * mp.pi * n / count), rho * mp.sin(2 * mp.pi * n / count), mp.mpf(z)) for n in range(count)]
+    return [
+        (rho * mp.cos(2 * mp.pi * n / count), rho * mp.sin(2 * mp.pi * n / count), mp.mpf(z))
+        for n in range(count)
+    ]
 
 
 def lagrange():
-    """Lagrange's equations of the symmetric body: the generalised forces of psi, theta, phi, as expressions of the motion."""
+    """Lagrange's equations of the symmetric body: the generalised forces of psi, theta, phi, as
+    expressions of the motion.
+    """
     t = sympy.Symbol("t")
     I0, I = sympy.symbols("I0 I", positive=True)
     q = [sympy.Function(n)(t) for n in ("psi", "theta", "phi")]
     psi, theta, phi = q
-    T = I0 * (theta.diff(t) ** 2 + psi.diff(t) ** 2 * sympy.sin(theta) ** 2) / 2 + I * (phi.diff(t) + psi.diff(t) * sympy.cos(theta)) ** 2 / 2
+    T = (
+        I0 * (theta.diff(t) ** 2 + psi.diff(t) ** 2 * sympy.sin(theta) ** 2) / 2
+        + I * (phi.diff(t) + psi.diff(t) * sympy.cos(theta)) ** 2 / 2
+    )
     return I0, I, q, t, [T.diff(x.diff(t)).diff(t) - T.diff(x) for x in q]
 
 
@@ -279,7 +336,11 @@ def test_a_frame_not_made_of_euler_angles_is_refused():
 
 @pytest.mark.parametrize(
     ("I0", "I", "words"),
-    [(1.0, 2.1, "no body of revolution has I = 2.1"), (0.0, 1.0, "I0 must be positive"), (1.0, -0.1, "no body of revolution")],
+    [
+        (1.0, 2.1, "no body of revolution has I = 2.1"),
+        (0.0, 1.0, "I0 must be positive"),
+        (1.0, -0.1, "no body of revolution"),
+    ],
 )
 def test_moments_that_no_body_has_are_refused(I0, I, words):
     with pytest.raises(GyroError, match=words):
@@ -318,14 +379,20 @@ def test_eqn_10_31_both_rates_with_the_whole_axial_rate(kind):
     found = steady_precession(I0, I, theta, omega_z=wz, mgr=mgr)
     for dpsi in (found.slow, found.fast):
         assert close(dpsi * (I * wz - I0 * dpsi * cos(theta)), mgr, 10 * tolerance(kind))
-        assert close(steady_spin(I0, I, theta, dpsi, mgr=mgr) + dpsi * cos(theta), wz, 100 * tolerance(kind))
+        assert close(
+            steady_spin(I0, I, theta, dpsi, mgr=mgr) + dpsi * cos(theta), wz, 100 * tolerance(kind)
+        )
 
 
 @every_kind
 def test_eqn_10_32_moment_and_spin_of_a_steady_precession(kind):
     I0, I, theta, dpsi, dphi = steady_data(kind)
     M = steady_moment(I0, I, theta, dpsi, dphi)
-    assert close(M, dpsi * dpsi * sin(theta) * cos(theta) * (I - I0) + dpsi * dphi * I * sin(theta), tolerance(kind))
+    assert close(
+        M,
+        dpsi * dpsi * sin(theta) * cos(theta) * (I - I0) + dpsi * dphi * I * sin(theta),
+        tolerance(kind),
+    )
     assert close(steady_spin(I0, I, theta, dpsi, moment=M), dphi, tolerance(kind))
 
 
@@ -334,7 +401,10 @@ def test_eqn_10_32_moment_and_spin_of_a_steady_precession(kind):
 def test_eqn_10_33_both_roots(kind, sense):
     I0, I, theta, dphi, M = numbers(kind, "0.6", "0.25", "0.9", 12 * sense, "1.5")
     found = steady_precession(I0, I, theta, spin=dphi, moment=M)
-    a, root = (I0 - I) * cos(theta), sqrt(dphi * dphi - 4 * M * (I0 - I) * cos(theta) / (I * I * sin(theta)))
+    a, root = (
+        (I0 - I) * cos(theta),
+        sqrt(dphi * dphi - 4 * M * (I0 - I) * cos(theta) / (I * I * sin(theta))),
+    )
     printed = [I * (dphi + s * sense * root) / (2 * a) for s in (-1, 1)]
     assert close((found.slow, found.fast), printed, 100 * tolerance(kind))
     assert close(found.discriminant, I * I * root * root, 10 * tolerance(kind))
@@ -344,7 +414,14 @@ def test_eqn_10_33_as_a_formula():
     I0, I, theta, dphi, M = sympy.symbols("I0 I theta phi_dot M", positive=True)
     found = steady_precession(I0, I, theta, spin=dphi, moment=M)
     for dpsi in (found.slow, found.fast):
-        assert sympy.simplify(sympy.expand((I0 - I) * sympy.cos(theta) * dpsi**2 - I * dphi * dpsi + M / sympy.sin(theta))) == 0
+        assert (
+            sympy.simplify(
+                sympy.expand(
+                    (I0 - I) * sympy.cos(theta) * dpsi**2 - I * dphi * dpsi + M / sympy.sin(theta)
+                )
+            )
+            == 0
+        )
 
 
 def test_eqn_10_33_has_the_units_of_a_rate():
@@ -369,7 +446,9 @@ def slow_root_to_60_digits(I0, I, theta, spin, mgr):
 
 @pytest.mark.parametrize("difference", [1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 0.0, -1e-12, -1e-6])
 def test_eqn_10_33_does_not_cancel_where_the_printed_form_does(difference):
-    """ENGINES, section 4: relative error of the printed root 3e-10, 6e-7, 1e-3, 100 % at 1e-6, 1e-9, 1e-12, 1e-15."""
+    """ENGINES, section 4: relative error of the printed root 3e-10, 6e-7, 1e-3, 100 % at 1e-6,
+    1e-9, 1e-12, 1e-15.
+    """
     I0, I, theta, spin, mgr = 1.0, 1.0 - difference, 1.0, 3.0, 2.0
     found = steady_precession(I0, I, theta, spin=spin, mgr=mgr)
     true = slow_root_to_60_digits(I0, I, theta, spin, mgr)
@@ -385,12 +464,21 @@ def test_eqn_10_33_does_not_cancel_where_the_printed_form_does(difference):
 @pytest.mark.parametrize("offset", [1e-3, 1e-9, 1e-15, 0.0, -1e-9])
 def test_the_slow_rate_is_continuous_through_the_level_axis(offset):
     found = steady_precession(0.6, 0.25, math.pi / 2 + offset, spin=12.0, mgr=1.5)
-    assert abs(found.slow / slow_root_to_60_digits(0.6, 0.25, math.pi / 2 + offset, 12.0, 1.5) - 1) < 4e-16
+    assert (
+        abs(found.slow / slow_root_to_60_digits(0.6, 0.25, math.pi / 2 + offset, 12.0, 1.5) - 1)
+        < 4e-16
+    )
     assert abs(found.slow - 1.5 / (0.25 * 12.0)) < 2 * abs(offset) + 1e-15
 
 
 @settings(max_examples=150, deadline=None)
-@given(st.floats(0.1, 10), st.floats(0.01, 1.99), st.floats(0.01, 3.13), st.floats(-50, 50), st.floats(-20, 20))
+@given(
+    st.floats(0.1, 10),
+    st.floats(0.01, 1.99),
+    st.floats(0.01, 3.13),
+    st.floats(-50, 50),
+    st.floats(-20, 20),
+)
 def test_both_rates_satisfy_the_quadratic_to_round_off(I0, part, theta, spin, mgr):
     I = part * I0
     assume(abs(spin) > 1e-3)
@@ -412,7 +500,11 @@ def test_at_discriminant_zero_both_rates_are_one(kind):
     if kind != "array":
         found = steady_precession(I0, I, zero, spin=spin, mgr=mgr)
         assert close((found.slow, found.fast, found.discriminant), (2, 2, 0), tolerance(kind))
-    assert close(least_spin(I0, I, zero, mgr=mgr), 4 * (I0 / I0) * sqrt((I0 - I) * mgr / 4) / I, tolerance(kind))
+    assert close(
+        least_spin(I0, I, zero, mgr=mgr),
+        4 * (I0 / I0) * sqrt((I0 - I) * mgr / 4) / I,
+        tolerance(kind),
+    )
 
 
 def test_below_the_least_spin_there_is_no_steady_precession_and_above_there_is():
@@ -423,7 +515,9 @@ def test_below_the_least_spin_there_is_no_steady_precession_and_above_there_is()
         assert found.slow < found.fast
         assert steady_precession(I0, I, theta, mgr=mgr, **{of: -least * (1 + 1e-6)}).slow < 0
         assert steady_precession(I0, I, theta, mgr=mgr, **{of: least}).discriminant >= 0
-        with pytest.raises(GyroError, match=rf"negative; {of} must be at least {least:.6g} rad/s in size"):
+        with pytest.raises(
+            GyroError, match=rf"negative; {of} must be at least {least:.6g} rad/s in size"
+        ):
             steady_precession(I0, I, theta, mgr=mgr, **{of: least * (1 - 1e-6)})
 
 
@@ -436,7 +530,8 @@ def test_of_many_instants_one_without_a_precession_is_told():
 def test_a_hanging_body_precesses_at_every_spin(theta):
     assert least_spin(0.6, 0.25, theta, mgr=1.5) == 0
     found = steady_precession(0.6, 0.25, theta, spin=0.0, mgr=1.5)
-    assert found.slow == pytest.approx(-found.fast, rel=1e-15)  # the conical pendulum, both ways round
+    # the conical pendulum, both ways round
+    assert found.slow == pytest.approx(-found.fast, rel=1e-15)
     assert found.slow**2 == pytest.approx(-1.5 / (0.35 * math.cos(theta)), rel=1e-14)
 
 
@@ -466,7 +561,10 @@ def test_which_data_to_give():
 @every_kind
 def test_eqn_10_34_fast_spin_and_its_error(kind):
     I0, I, theta, spin, mgr = numbers(kind, "0.6", "0.25", "0.9", 40, "1.5")
-    found, true = fast_spin(I0, I, theta, spin, mgr=mgr), steady_precession(I0, I, theta, spin=spin, mgr=mgr)
+    found, true = (
+        fast_spin(I0, I, theta, spin, mgr=mgr),
+        steady_precession(I0, I, theta, spin=spin, mgr=mgr),
+    )
     assert close(found.slow, mgr / (I * spin), tolerance(kind))
     assert close(found.fast, I * spin / ((I0 - I) * cos(theta)), 10 * tolerance(kind))
     assert close(found.slow_error, found.slow / true.slow - 1, tolerance(kind))
@@ -488,7 +586,11 @@ def test_eqn_10_37_and_10_38_axis_level(kind):
     ground = Frame("ground")
     level = pi(dpsi) / 2
     assert close(steady_moment(I0, I, level, dpsi, dphi), I * dpsi * dphi, 10 * tolerance(kind))
-    assert close(normal_moment(ground.vector(0, dpsi, 0), ground.vector(0, 0, dphi), I), (I * dpsi * dphi, 0, 0), tolerance(kind))
+    assert close(
+        normal_moment(ground.vector(0, dpsi, 0), ground.vector(0, 0, dphi), I),
+        (I * dpsi * dphi, 0, 0),
+        tolerance(kind),
+    )
     body = euler_frame(ground, "body", moving(0 * dpsi, dpsi), level, moving(0 * dphi, dphi))
     H = gyro_momentum(body, ground, I0, I)
     precession = body.parent.angular_velocity(ground)
@@ -515,7 +617,10 @@ def test_eqn_10_35_and_10_36_free_precession_needs_no_moment(kind):
     assert close((both.slow, both.fast), (0, found.rate), 10 * tolerance(kind))
 
 
-@pytest.mark.parametrize(("I", "sense"), [(0.999999, "direct"), (1.000001, "retrograde"), (0.1, "direct"), (1.9, "retrograde")])
+@pytest.mark.parametrize(
+    ("I", "sense"),
+    [(0.999999, "direct"), (1.000001, "retrograde"), (0.1, "direct"), (1.9, "retrograde")],
+)
 def test_direct_or_retrograde_on_both_sides_of_equal_moments(I, sense):
     for theta in (0.4, 2.5):
         found = free_precession(1.0, I, theta, 10.0)
@@ -569,31 +674,58 @@ def test_the_stiffness_is_the_curvature_of_the_effective_potential(theta, which)
 def swings(model, start, seconds):
     """Extremes of theta in a run of the model without rounding to speak of."""
     rhs, n = model.compiled_rhs(), model.states.index("theta")
-    out = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, seconds), start, method="DOP853", rtol=1e-12, atol=1e-13, dense_output=True)
+    out = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0, seconds),
+        start,
+        method="DOP853",
+        rtol=1e-12,
+        atol=1e-13,
+        dense_output=True,
+    )
     turning = model.states.index("theta_rate")
 
     def event(t, y):
         return y[turning]
 
-    out = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, seconds), start, method="DOP853", rtol=1e-12, atol=1e-13, events=event)
+    out = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0, seconds),
+        start,
+        method="DOP853",
+        rtol=1e-12,
+        atol=1e-13,
+        events=event,
+    )
     return np.array([y[n] for y in out.y_events[0]]), out.t_events[0]
 
 
 @pytest.mark.parametrize(
     ("theta_rate", "precession", "kind"),
-    [(0.0, 0.0, "cusps"), (0.0, 0.2, "waves"), (0.0, -0.2, "loops"), (0.4, 0.1, "loops"), (0.05, 0.3, "waves"), (0.0, 3.0, "loops")],
+    [
+        (0.0, 0.0, "cusps"),
+        (0.0, 0.2, "waves"),
+        (0.0, -0.2, "loops"),
+        (0.4, 0.1, "loops"),
+        (0.05, 0.3, "waves"),
+        (0.0, 3.0, "loops"),
+    ],
 )
 def test_limits_of_nutation_against_integration(theta_rate, precession, kind):
     I0, I, mgr, theta, spin = 0.6, 0.25, 1.5, 0.9, 20.0
     found = nutation(I0, I, mgr, theta, theta_rate, precession, spin=spin)
     assert found.kind == kind
     wz = spin + precession * math.cos(theta)
-    extremes, times = swings(top.euler(I0, I, mgr, wz), (0, theta, 0, precession, theta_rate), 3 * found.period)
+    extremes, times = swings(
+        top.euler(I0, I, mgr, wz), (0, theta, 0, precession, theta_rate), 3 * found.period
+    )
     assert min(extremes) == pytest.approx(found.theta_min, abs=1e-10)
     assert max(extremes) == pytest.approx(found.theta_max, abs=1e-10)
     later = times[times > 1e-6]
     assert later[2] - later[0] == pytest.approx(found.period, rel=1e-8)
-    assert found.precession_at_max == pytest.approx(rate_at(found.theta_max, I0, I, wz, theta, precession), rel=1e-9)
+    assert found.precession_at_max == pytest.approx(
+        rate_at(found.theta_max, I0, I, wz, theta, precession), rel=1e-9
+    )
 
 
 def rate_at(angle, I0, I, wz, theta, precession):
@@ -602,7 +734,14 @@ def rate_at(angle, I0, I, wz, theta, precession):
 
 
 @settings(max_examples=20, deadline=None)
-@given(st.floats(0.1, 3.0), st.floats(-3, 3), st.floats(-5, 5), st.floats(-30, 30), st.floats(-4, 4), st.floats(0.05, 1.9))
+@given(
+    st.floats(0.1, 3.0),
+    st.floats(-3, 3),
+    st.floats(-5, 5),
+    st.floats(-30, 30),
+    st.floats(-4, 4),
+    st.floats(0.05, 1.9),
+)
 def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, precession, wz, mgr, I):
     I0 = 1.0
     found = nutation(I0, I, mgr, theta, theta_rate, precession, omega_z=wz)
@@ -613,7 +752,9 @@ def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, prec
     assert abs(found.theta_min - true.theta_min) < 1e-7
     h = exact[1] * mp.mpf(wz)
     p = exact[0] * exact[5] * mp.sin(exact[3]) ** 2 + h * mp.cos(exact[3])
-    E = exact[0] * (exact[4] ** 2 + exact[5] ** 2 * mp.sin(exact[3]) ** 2) / 2 + exact[2] * mp.cos(exact[3])
+    E = exact[0] * (exact[4] ** 2 + exact[5] ** 2 * mp.sin(exact[3]) ** 2) / 2 + exact[2] * mp.cos(
+        exact[3]
+    )
     for angle in (true.theta_min, true.theta_max):
         s2 = mp.sin(angle) ** 2
         f = (p - h * mp.cos(angle)) ** 2 - 2 * exact[0] * s2 * (E - exact[2] * mp.cos(angle))
@@ -621,12 +762,16 @@ def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, prec
 
 
 def test_small_nutations_keep_their_digits():
-    """A top displaced by 1e-9 rad/s from steady precession: the roots of f in cos(theta) would be good to 1e-8 only."""
+    """A top displaced by 1e-9 rad/s from steady precession: the roots of f in cos(theta) would be
+    good to 1e-8 only.
+    """
     I0, I, mgr, theta, wz = 0.6, 0.25, 1.5, 0.9, 20.0
     found = steady_precession(I0, I, theta, omega_z=wz, mgr=mgr)
     rate = 1e-9
     seen = nutation(I0, I, mgr, theta, rate, found.slow, omega_z=wz, tolerance=1e-15)
-    assert (seen.theta_max - seen.theta_min) / 2 == pytest.approx(rate / math.sqrt(found.stiffness[0]), rel=1e-4)
+    assert (seen.theta_max - seen.theta_min) / 2 == pytest.approx(
+        rate / math.sqrt(found.stiffness[0]), rel=1e-4
+    )
     assert seen.period == pytest.approx(2 * math.pi / math.sqrt(found.stiffness[0]), rel=1e-9)
     assert nutation(I0, I, mgr, theta, 0.0, found.slow, omega_z=wz).kind == "steady"
 
@@ -645,7 +790,12 @@ def test_a_top_that_reaches_the_vertical():
 
 @pytest.mark.parametrize("tilt", [1e-3, 1e-8])
 def test_near_the_vertical_no_digits_are_lost(tilt):
-    true = nutation(*(mp.mpf(x) for x in (0.6, 0.25, 1.5, 0.4, 0.0)), precession=mp.mpf(12.0 / 2.4 + tilt), omega_z=mp.mpf(12.0), tolerance=1e-20)
+    true = nutation(
+        *(mp.mpf(x) for x in (0.6, 0.25, 1.5, 0.4, 0.0)),
+        precession=mp.mpf(12.0 / 2.4 + tilt),
+        omega_z=mp.mpf(12.0),
+        tolerance=1e-20,
+    )
     found = nutation(0.6, 0.25, 1.5, 0.4, 0.0, 12.0 / 2.4 + tilt, omega_z=12.0, tolerance=1e-20)
     assert abs(found.theta_min - true.theta_min) < 1e-14
     assert abs(found.theta_max - true.theta_max) < 1e-14
@@ -671,7 +821,9 @@ def test_nutation_of_arrays_and_its_errors():
 # -- the sleeping top
 
 
-@pytest.mark.parametrize(("part", "stable"), [(0.9, False), (0.9999, False), (1.0, True), (1.0001, True), (1.1, True)])
+@pytest.mark.parametrize(
+    ("part", "stable"), [(0.9, False), (0.9999, False), (1.0, True), (1.0001, True), (1.1, True)]
+)
 def test_the_sleeping_top_on_both_sides_of_its_threshold(part, stable):
     I0, I, mgr = 0.25, 0.5, 1.0  # critical rate 2 sqrt(I0 mgr)/I = 2
     found = sleeping_top(I0, I, mgr, 2.0 * part)
@@ -682,9 +834,13 @@ def test_the_sleeping_top_on_both_sides_of_its_threshold(part, stable):
 
 
 def test_the_sleeping_top_agrees_with_the_limits_of_nutation():
-    """ENGINES: a tilt rate of 1e-6 grows to .9 at .9 of the critical rate, stays small above: by the limits, without a simulation."""
+    """ENGINES: a tilt rate of 1e-6 grows to .9 at .9 of the critical rate, stays small above: by
+    the limits, without a simulation.
+    """
     I0, I, mgr = 0.25, 0.5, 1.0
-    below, above = (nutation(I0, I, mgr, 0.0, 1e-6, 0.0, omega_z=2.0 * part).theta_max for part in (0.9, 1.1))
+    below, above = (
+        nutation(I0, I, mgr, 0.0, 1e-6, 0.0, omega_z=2.0 * part).theta_max for part in (0.9, 1.1)
+    )
     assert below > 0.5
     assert above < 1e-5
 
@@ -694,7 +850,15 @@ def test_a_small_tilt_grows_at_the_rate_told():
     growth = sleeping_top(I0, I, mgr, wz).growth
     rhs = top.nonspinning_frame(I0, I, mgr, wz).compiled_rhs()
     start = (1.0, 0.0, 0.0, 0.0, 1e-7, 0.0)
-    out = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 8), start, method="DOP853", rtol=1e-11, atol=1e-18, t_eval=(4.0, 8.0))
+    out = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0, 8),
+        start,
+        method="DOP853",
+        rtol=1e-11,
+        atol=1e-18,
+        t_eval=(4.0, 8.0),
+    )
     tilt = np.hypot(out.y[1], out.y[2])
     assert math.log(tilt[1] / tilt[0]) / 4.0 == pytest.approx(growth, rel=0.02)
 
@@ -718,19 +882,32 @@ def test_the_sleeping_top_as_a_formula():
 
 TOP = {"I0": 0.6, "I": 0.25, "mgr": 1.5, "omega_z": 9.0}
 START = {"psi": 0.3, "theta": 0.8, "phi": 0.0, "psi_rate": 0.7, "theta_rate": -0.4}
-DIFFERENCE = top.momentum_difference(TOP["I0"], TOP["I"], START["theta"], START["psi_rate"], TOP["omega_z"])
+DIFFERENCE = top.momentum_difference(
+    TOP["I0"], TOP["I"], START["theta"], START["psi_rate"], TOP["omega_z"]
+)
 
 
 def run(model, start, seconds, rtol=1e-12):
     rhs = model.compiled_rhs()
-    out = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, seconds), start, method="DOP853", rtol=rtol, atol=1e-13)
+    out = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0, seconds),
+        start,
+        method="DOP853",
+        rtol=rtol,
+        atol=1e-13,
+    )
     return [tuple(state) for state in out.y.T.tolist()]
 
 
 def rolled_start(angles):
     """State of the frame that does not spin, put onto {i, j, k} at the start (phi = 0)."""
     theta = angles["theta"]
-    return (*quaternion_from_euler(angles["psi"], theta, 0.0), angles["theta_rate"], angles["psi_rate"] * math.sin(theta))
+    return (
+        *quaternion_from_euler(angles["psi"], theta, 0.0),
+        angles["theta_rate"],
+        angles["psi_rate"] * math.sin(theta),
+    )
 
 
 def test_the_three_models_of_the_top_agree():
@@ -754,7 +931,8 @@ def test_the_three_models_of_the_top_agree():
         (top.euler(**TOP), tuple(START.values())),
         (top.nutation(**TOP, momentum_difference=DIFFERENCE), (0.8, -0.4)),
         (top.nonspinning_frame(**TOP), rolled_start(START)),
-        (top.nonspinning_frame(**TOP), (1.0, 0.0, 0.0, 0.0, 0.3, 0.0)),  # through the upright position
+        # through the upright position
+        (top.nonspinning_frame(**TOP), (1.0, 0.0, 0.0, 0.0, 0.3, 0.0)),
         (pendulum(3.0, 2.0, 9.81), rolled_start(START)),
         (nodding(3.0, 2.0, 9.81, 2.5, 1.0), (2.5, 0.0)),
         (hinged(**rod(3.0, 2.0, 4.0, 9.81)), (0.5, 0.0)),
@@ -773,14 +951,22 @@ def test_invariants_are_kept(model, start):
 
 @every_kind
 def test_the_models_obey_eqn_10_25(kind):
-    I0, I, theta, dtheta, dpsi, wz, mgr = numbers(kind, "0.6", "0.25", "0.9", "0.5", "1.2", 9, "1.5")
+    I0, I, theta, dtheta, dpsi, wz, mgr = numbers(
+        kind, "0.6", "0.25", "0.9", "0.5", "1.2", 9, "1.5"
+    )
     s, c = sin(theta), cos(theta)
-    dpsi_, dtheta_, dphi_, ddpsi, ddtheta = top.euler(I0, I, mgr, wz).derivative((0, theta, 0, dpsi, dtheta))
+    dpsi_, dtheta_, dphi_, ddpsi, ddtheta = top.euler(I0, I, mgr, wz).derivative(
+        (0, theta, 0, dpsi, dtheta)
+    )
     assert close((dpsi_, dtheta_, dphi_), (dpsi, dtheta, wz - dpsi * c), tolerance(kind))
     assert close(I0 * (ddtheta - dpsi * dpsi * s * c) + I * wz * dpsi * s, mgr * s, tolerance(kind))
     assert close(I0 * (ddpsi * s + 2 * dpsi * dtheta * c) - I * dtheta * wz, 0, tolerance(kind))
     difference = top.momentum_difference(I0, I, theta, dpsi, wz)
-    assert close(top.nutation(I0, I, mgr, wz, difference).derivative((theta, dtheta)), (dtheta, ddtheta), 10 * tolerance(kind))
+    assert close(
+        top.nutation(I0, I, mgr, wz, difference).derivative((theta, dtheta)),
+        (dtheta, ddtheta),
+        10 * tolerance(kind),
+    )
     assert close(top.precession_rate(I0, I, theta, wz, difference), dpsi, 10 * tolerance(kind))
 
 
@@ -788,17 +974,25 @@ def test_the_model_of_the_top_against_lagranges_equations():
     I0, I, q, t, (Q_psi, Q_theta, _) = lagrange()
     mgr, wz, dpsi, dtheta, theta = sympy.symbols("mgr omega_z u v theta", positive=True)
     _, _, dphi, ddpsi, ddtheta = top.euler(I0, I, mgr, wz).derivative((0, theta, 0, dpsi, dtheta))
-    second = {q[0].diff(t, 2): ddpsi, q[1].diff(t, 2): ddtheta, q[2].diff(t, 2): -ddpsi * sympy.cos(theta) + dpsi * dtheta * sympy.sin(theta)}
+    second = {
+        q[0].diff(t, 2): ddpsi,
+        q[1].diff(t, 2): ddtheta,
+        q[2].diff(t, 2): -ddpsi * sympy.cos(theta) + dpsi * dtheta * sympy.sin(theta),
+    }
     first = {q[0].diff(t): dpsi, q[1].diff(t): dtheta, q[2].diff(t): dphi}
     for Q, force in ((Q_psi, 0), (Q_theta, mgr * sympy.sin(theta))):
-        assert sympy.simplify(sympy.expand(Q.subs(second).subs(first).subs(q[1], theta) - force)) == 0
+        assert (
+            sympy.simplify(sympy.expand(Q.subs(second).subs(first).subs(q[1], theta) - force)) == 0
+        )
 
 
 def test_upright_euler_angles_fail_and_the_other_two_models_do_not():
     with pytest.raises(ModelError, match="the coordinates are singular there"):
         top.euler(**TOP).derivative((0.0, 0.0, 0.0, 0.7, 0.1))
     assert top.nutation(**TOP, momentum_difference=0).derivative((0.0, 0.1)) == (0.1, 0.0)
-    assert all(map(math.isfinite, top.nonspinning_frame(**TOP).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))))
+    assert all(
+        map(math.isfinite, top.nonspinning_frame(**TOP).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0)))
+    )
 
 
 @pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
@@ -808,7 +1002,9 @@ def test_the_free_body_has_an_exact_solution(kind):
     model = top.free(I0, I, wz)
     end = model.solution(t, start)
     for name in ("energy", "norm", "p_psi"):
-        assert close(model.invariant(name, end), model.invariant(name, start), 100 * tolerance(kind))
+        assert close(
+            model.invariant(name, end), model.invariant(name, start), 100 * tolerance(kind)
+        )
     if kind == "float":
         assert run(model, start, t)[-1] == pytest.approx(end, abs=1e-10)
     rates = model.derivative(end)
@@ -821,14 +1017,18 @@ def test_the_free_body_has_an_exact_solution(kind):
 def test_the_exact_solution_of_the_free_body_is_a_formula_too():
     t, start = sympy.Symbol("t"), (*quaternion_from_euler(0.3, 0.8, 0.0), -0.4, 0.5)
     model = top.free(0.6, 0.25, 9.0)
-    assert [float(x.subs(t, 2)) for x in model.solution(t, start)] == pytest.approx(model.solution(2.0, start), abs=1e-12)
+    assert [float(x.subs(t, 2)) for x in model.solution(t, start)] == pytest.approx(
+        model.solution(2.0, start), abs=1e-12
+    )
 
 
 def test_steady_precession_of_the_model_is_that_of_eqn_10_31():
     found = steady_precession(0.6, 0.25, 0.8, omega_z=20.0, mgr=1.5)
     for dpsi in (found.slow, found.fast):
         state = (0.0, 0.8, 0.0, dpsi, 0.0)
-        assert top.euler(0.6, 0.25, 1.5, 20.0).derivative(state)[3:] == pytest.approx((0, 0), abs=1e-12)
+        assert top.euler(0.6, 0.25, 1.5, 20.0).derivative(state)[3:] == pytest.approx(
+            (0, 0), abs=1e-12
+        )
 
 
 # -- worked examples
@@ -840,7 +1040,8 @@ def test_section_10_7_rod_on_a_turning_shaft():
     assert math.cos(theta) == pytest.approx(3 * 9.81 / (2 * 16.0 * 2.0), rel=1e-15)
     assert least_rate(**data) == pytest.approx(math.sqrt(3 * 9.81 / 4.0), rel=1e-15)
     assert hinged(**data).derivative((theta, 0.0))[1] == pytest.approx(0, abs=1e-14)
-    found = steady_precession(4.0, 0, theta, spin=0, mgr=-3.0 * 9.81 * 1.0)  # (10.31) with r = -L/2, I = 0, k up along the rod
+    # (10.31) with r = -L/2, I = 0, k up along the rod
+    found = steady_precession(4.0, 0, theta, spin=0, mgr=-3.0 * 9.81 * 1.0)
     assert abs(found.slow) == pytest.approx(4.0, rel=1e-14)
 
 
@@ -850,7 +1051,9 @@ def test_section_10_7_on_both_sides_of_the_least_rate(part, swings_out):
     assert (stiffness(0.0, **data) < 0) == swings_out
     if swings_out:
         theta = swing_out(**data)
-        assert stiffness(theta, **data) == pytest.approx((data["omega"] * math.sin(theta)) ** 2, rel=1e-9)
+        assert stiffness(theta, **data) == pytest.approx(
+            (data["omega"] * math.sin(theta)) ** 2, rel=1e-9
+        )
     else:
         with pytest.raises(GyroError, match="hangs straight down; it swings out above"):
             swing_out(**data)
@@ -866,8 +1069,15 @@ def test_section_10_7_stiffness_is_the_slope_of_the_model():
 def test_exercise_9_9_ring_on_a_turning_shaft():
     a, omega, g, m = 0.5, 8.0, 9.81, 2.0
     body = Frame("ring")
-    about = Inertia(body.origin, (m * a * a / 2, m * a * a, m * a * a / 2), mass=m, centre=body.origin).about(body.point("A", 0, 0, a))
-    data = {"weight_moment": m * g * a, "inertia_difference": about.moments[1] - about.moments[2], "omega": omega, "about_hinge": about.moments[0]}
+    about = Inertia(
+        body.origin, (m * a * a / 2, m * a * a, m * a * a / 2), mass=m, centre=body.origin
+    ).about(body.point("A", 0, 0, a))
+    data = {
+        "weight_moment": m * g * a,
+        "inertia_difference": about.moments[1] - about.moments[2],
+        "omega": omega,
+        "about_hinge": about.moments[0],
+    }
     assert math.cos(swing_out(**data)) == pytest.approx(2 * g / (3 * a * omega**2), rel=1e-14)
     assert least_rate(**data) == pytest.approx(math.sqrt(2 * g / (3 * a)), rel=1e-14)
 
@@ -877,7 +1087,10 @@ def test_section_10_11_the_gyrocompass_from_lagranges_equation():
     I0, I, wz, E, lat = sympy.symbols("I0 I omega_z Omega lambda", positive=True)
     alpha, phi = sympy.Function("alpha")(t), sympy.Function("phi")(t)
     level, vertical = E * sympy.cos(lat) * sympy.sin(alpha), E * sympy.sin(lat) + alpha.diff(t)
-    T = I0 * (level**2 + vertical**2) / 2 + I * (phi.diff(t) + E * sympy.cos(lat) * sympy.cos(alpha)) ** 2 / 2
+    T = (
+        I0 * (level**2 + vertical**2) / 2
+        + I * (phi.diff(t) + E * sympy.cos(lat) * sympy.cos(alpha)) ** 2 / 2
+    )
     equation = T.diff(alpha.diff(t)).diff(t) - T.diff(alpha)
     x = sympy.Symbol("x")
     acceleration = gyrocompass(I0, I, wz, E, lat).derivative((x, sympy.Symbol("rate")))[1]
@@ -899,12 +1112,21 @@ def test_section_10_4_the_spherical_pendulum_in_a_plane_and_on_a_cone():
     acceleration = planar.derivative(tilted)[4]
     assert acceleration == pytest.approx(3 * 9.81 / (2 * 2.0) * math.sin(2.5), rel=1e-14)
     cone = math.sqrt(3 * 9.81 / (2 * 2.0 * abs(math.cos(2.5))))
-    assert nodding(3.0, 2.0, 9.81, 2.5, cone).derivative((2.5, 0.0))[1] == pytest.approx(0, abs=1e-12)
+    assert nodding(3.0, 2.0, 9.81, 2.5, cone).derivative((2.5, 0.0))[1] == pytest.approx(
+        0, abs=1e-12
+    )
 
 
 def test_exercise_10_3_the_two_rates_of_a_top():
     """By the quadratic equation solved with 40 digits, in feet and pounds."""
-    W, k_z, k_x, c, spin, theta = 3 / 16, 0.84 / 12, 1.8 / 12, 1.5 / 12, 60 * math.pi, math.radians(30)
+    W, k_z, k_x, c, spin, theta = (
+        3 / 16,
+        0.84 / 12,
+        1.8 / 12,
+        1.5 / 12,
+        60 * math.pi,
+        math.radians(30),
+    )
     m = W / 32.2
     found = steady_precession(m * k_x**2, m * k_z**2, theta, spin=spin, mgr=W * c)
     with mp.workdps(40):
@@ -915,5 +1137,7 @@ def test_exercise_10_3_the_two_rates_of_a_top():
 
 def test_exercise_10_10_shell_and_cylinder_change_from_retrograde_to_direct():
     for factor, sense in ((0.999, "retrograde"), (1.001, "direct")):
-        solid = cylinder(1.0, factor * math.sqrt(3.0), Frame("body").origin, "z", mass=1.0).inertia.moments
+        solid = cylinder(
+            1.0, factor * math.sqrt(3.0), Frame("body").origin, "z", mass=1.0
+        ).inertia.moments
         assert free_precession(solid[0], solid[2], 0.1, 5.0).sense == sense

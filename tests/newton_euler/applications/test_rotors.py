@@ -1,4 +1,6 @@
-"""Chapter 9: fixed-axis rotation. (9.7)-(9.10), against the printed sums and against mass points in explicit motion; balance and balancing."""
+"""Chapter 9: fixed-axis rotation. (9.7)-(9.10), against the printed sums and against mass points in
+explicit motion; balance and balancing.
+"""
 
 import math
 
@@ -37,28 +39,55 @@ def tolerance(kind):
 
 # -- general case (9.7)-(9.10)
 
-MASS, CENTRE, MOMENTS, PRODUCTS = 3, ("0.02", "-0.03", "0.05"), ("0.4", "0.5", "0.3"), ("0.01", "-0.02", "0.03")
+MASS, CENTRE, MOMENTS, PRODUCTS = (
+    3,
+    ("0.02", "-0.03", "0.05"),
+    ("0.4", "0.5", "0.3"),
+    ("0.01", "-0.02", "0.03"),
+)
 
 
 def general(kind):
-    """The scene, and what (9.9) is written in: m, centre, I_xz, I_yz, I_zz, a, b, psi, omega, alpha, g."""
-    m, g, a, b, psi, omega, alpha = numbers(kind, MASS, "9.81", "0.25", "0.35", "0.8", "3.5", "-2.5")
+    """The scene, and what (9.9) is written in: m, centre, I_xz, I_yz, I_zz, a, b, psi, omega,
+    alpha, g.
+    """
+    m, g, a, b, psi, omega, alpha = numbers(
+        kind, MASS, "9.81", "0.25", "0.35", "0.8", "3.5", "-2.5"
+    )
     centre, moments, products = (numbers(kind, *v) for v in (CENTRE, MOMENTS, PRODUCTS))
     scene = unbalanced_rotor(m, centre, moments, products, a, b, psi, omega, alpha)
     return scene, (m, centre, products[2], products[1], moments[2], a, b, psi, omega, alpha, g)
 
 
 def printed_9_9(m, centre, Ixz, Iyz, Izz, a, b, psi, omega, alpha, g):
-    """The ten sums of (9.9), (9.10), as the book has them (the fourth term of A_y with its right sign)."""
+    """The ten sums of (9.9), (9.10), as the book has them (the fourth term of A_y with its right
+    sign).
+    """
     x, y, z = centre
     length, c, s, w2 = a + b, cos(psi), sin(psi), omega * omega
     A = (
-        m * g * (z - b) / length * c - b / length * m * w2 * x + w2 / length * Ixz - b / length * m * alpha * y + alpha / length * Iyz,
-        -m * g * (z - b) / length * s - b / length * m * w2 * y + w2 / length * Iyz + b / length * m * alpha * x - alpha / length * Ixz,
+        m * g * (z - b) / length * c
+        - b / length * m * w2 * x
+        + w2 / length * Ixz
+        - b / length * m * alpha * y
+        + alpha / length * Iyz,
+        -m * g * (z - b) / length * s
+        - b / length * m * w2 * y
+        + w2 / length * Iyz
+        + b / length * m * alpha * x
+        - alpha / length * Ixz,
     )
     B = (
-        -m * g * (z + a) / length * c - a / length * m * w2 * x - w2 / length * Ixz - a / length * m * alpha * y - alpha / length * Iyz,
-        m * g * (z + a) / length * s - a / length * m * w2 * y - w2 / length * Iyz + a / length * m * alpha * x + alpha / length * Ixz,
+        -m * g * (z + a) / length * c
+        - a / length * m * w2 * x
+        - w2 / length * Ixz
+        - a / length * m * alpha * y
+        - alpha / length * Iyz,
+        m * g * (z + a) / length * s
+        - a / length * m * w2 * y
+        - w2 / length * Iyz
+        + a / length * m * alpha * x
+        + alpha / length * Ixz,
     )
     return (*A, 0), (*B, 0), m * g * (x * s + y * c) + alpha * Izz
 
@@ -119,10 +148,14 @@ def test_eqn_9_10_the_driving_moment(kind):
 
 
 def test_eqn_9_9_as_formulas():
-    m, x, y, z, Ixz, Iyz, Izz, psi, omega, alpha, g = sympy.symbols("m x y z Ixz Iyz Izz psi omega alpha g", real=True)
+    m, x, y, z, Ixz, Iyz, Izz, psi, omega, alpha, g = sympy.symbols(
+        "m x y z Ixz Iyz Izz psi omega alpha g", real=True
+    )
     a, b = sympy.symbols("a b", positive=True)
     Ixx, Iyy, Ixy = sympy.symbols("Ixx Iyy Ixy")
-    scene = unbalanced_rotor(m, (x, y, z), (Ixx, Iyy, Izz), (Ixy, Iyz, Ixz), a, b, psi, omega, alpha)
+    scene = unbalanced_rotor(
+        m, (x, y, z), (Ixx, Iyy, Izz), (Ixy, Iyz, Ixz), a, b, psi, omega, alpha
+    )
     found = scene.reactions(gravity=g * scene.ground.i)
     A, B, M = printed_9_9(m, (x, y, z), Ixz, Iyz, Izz, a, b, psi, omega, alpha, g)
     for mine, printed in zip((*found.A, *found.B, found.moment), (*A, *B, M), strict=True):
@@ -130,9 +163,24 @@ def test_eqn_9_9_as_formulas():
 
 
 def test_eqn_9_9_has_the_units_of_force():
-    mass, length, time, pure = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1), Dimension()
+    mass, length, time, pure = (
+        Dimension(1, 0, 0),
+        Dimension(0, 1, 0),
+        Dimension(0, 0, 1),
+        Dimension(),
+    )
     inertia = mass * length**2
-    scene = unbalanced_rotor(mass, (length,) * 3, (inertia,) * 3, (inertia,) * 3, length, length, pure, 1 / time, 1 / time**2)
+    scene = unbalanced_rotor(
+        mass,
+        (length,) * 3,
+        (inertia,) * 3,
+        (inertia,) * 3,
+        length,
+        length,
+        pure,
+        1 / time,
+        1 / time**2,
+    )
     found = scene.reactions(gravity=length / time**2 * scene.ground.i)
     assert {found.A.x, found.A.y, found.B.x, found.B.y} == {mass * length / time**2}
     assert found.moment == mass * length**2 / time**2
@@ -140,7 +188,17 @@ def test_eqn_9_9_has_the_units_of_force():
 
 def test_reactions_can_be_compiled():
     def force(psi, omega, alpha):
-        scene = unbalanced_rotor(3.0, (0.02, -0.03, 0.05), (0.4, 0.5, 0.3), (0.01, -0.02, 0.03), 0.25, 0.35, psi, omega, alpha)
+        scene = unbalanced_rotor(
+            3.0,
+            (0.02, -0.03, 0.05),
+            (0.4, 0.5, 0.3),
+            (0.01, -0.02, 0.03),
+            0.25,
+            0.35,
+            psi,
+            omega,
+            alpha,
+        )
         return scene.reactions(gravity=9.81 * scene.ground.i).A
 
     psi = np.linspace(0, 6, 7)
@@ -165,24 +223,39 @@ def test_reactions_hold_for_mass_points_in_explicit_motion(oblique):
     base = ground.rotate("base", (1, 2, 2), mp.mpf("0.9")) if oblique else ground
     shaft = base.rotate("shaft", "z", angle(t0), 2 + 6 * t0, mp.mpf(6))
     A, B = shaft.point("A", 0, 0, -a), shaft.point("B", 0, 0, b)
-    body = composite("rotor", [particle(m, shaft.point("P", *r), f"point {n}") for n, (m, r) in enumerate(masses)])
+    body = composite(
+        "rotor",
+        [particle(m, shaft.point("P", *r), f"point {n}") for n, (m, r) in enumerate(masses)],
+    )
     found = reactions(body, A, B, ground, gravity=base.vector(*g))
 
     def place(r):
-        return lambda t: (r[0] * mp.cos(angle(t)) - r[1] * mp.sin(angle(t)), r[0] * mp.sin(angle(t)) + r[1] * mp.cos(angle(t)), r[2])
+        return lambda t: (
+            r[0] * mp.cos(angle(t)) - r[1] * mp.sin(angle(t)),
+            r[0] * mp.sin(angle(t)) + r[1] * mp.cos(angle(t)),
+            r[2],
+        )
 
-    force, moment = [mp.mpf(0)] * 3, [mp.mpf(0)] * 3  # that the supports must give, about the origin
+    # that the supports must give, about the origin
+    force, moment = [mp.mpf(0)] * 3, [mp.mpf(0)] * 3
     with mp.workdps(60):
         for m, r in masses:
             where = place(r)(t0)
-            load = [m * (mp.diff(lambda t, n=n, r=r: place(r)(t)[n], t0, 2) - g[n]) for n in range(3)]
+            load = [
+                m * (mp.diff(lambda t, n=n, r=r: place(r)(t)[n], t0, 2) - g[n]) for n in range(3)
+            ]
             force = [f + x for f, x in zip(force, load, strict=True)]
-            crossed = [where[(n + 1) % 3] * load[(n + 2) % 3] - where[(n + 2) % 3] * load[(n + 1) % 3] for n in range(3)]
+            crossed = [
+                where[(n + 1) % 3] * load[(n + 2) % 3] - where[(n + 2) % 3] * load[(n + 1) % 3]
+                for n in range(3)
+            ]
             moment = [M + x for M, x in zip(moment, crossed, strict=True)]
     FA, FB = (v.components(base) for v in (found.A, found.B))
     small = mp.mpf(10) ** -24
     assert close((FA[0] + FB[0], FA[1] + FB[1], found.axial), tuple(force), small)
-    assert close((a * FA[1] - b * FB[1], -a * FA[0] + b * FB[0], found.moment), tuple(moment), small)
+    assert close(
+        (a * FA[1] - b * FB[1], -a * FA[0] + b * FB[0], found.moment), tuple(moment), small
+    )
 
 
 def test_the_rate_of_momentum_is_that_of_chapter_8():
@@ -205,7 +278,13 @@ def test_the_reactions_do_not_depend_on_the_point_of_the_terms():
 def test_a_vertical_shaft_carries_the_weight_along_itself():
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "z", rate=4.0)
-    found = reactions(disk(0.2, shaft.point("G", 0, 0, 0.1), "z", mass=2.0), shaft.origin, shaft.point("B", 0, 0, 1.0), ground, -10.0 * ground.k)
+    found = reactions(
+        disk(0.2, shaft.point("G", 0, 0, 0.1), "z", mass=2.0),
+        shaft.origin,
+        shaft.point("B", 0, 0, 1.0),
+        ground,
+        -10.0 * ground.k,
+    )
     assert found.axial == 20.0
     assert found.A.norm() == found.B.norm() == 0
 
@@ -224,9 +303,20 @@ def on_x(*bodies_of):
     [
         (on_x(lambda s: disk(0.2, s.origin, "x", mass=1.0)), "both"),
         (on_x(lambda s: disk(0.2, s.point("G", 0, 0.01, 0), "x", mass=1.0)), "dynamic"),
-        (on_x(lambda s: particle(1.0, s.point("P", 0.2, 0.1, 0), "P"), lambda s: particle(1.0, s.point("Q", -0.2, -0.1, 0), "Q")), "static"),
+        (
+            on_x(
+                lambda s: particle(1.0, s.point("P", 0.2, 0.1, 0), "P"),
+                lambda s: particle(1.0, s.point("Q", -0.2, -0.1, 0), "Q"),
+            ),
+            "static",
+        ),
         (on_x(lambda s: disk(0.2, s.rotate("tilted", "z", 0.3), "x", mass=1.0)), "static"),
-        (on_x(lambda s: rod(0.4, s.rotate("slant", "z", 0.6).point("G", 0.2, 0, 0), "x", mass=1.0)), "neither"),
+        (
+            on_x(
+                lambda s: rod(0.4, s.rotate("slant", "z", 0.6).point("G", 0.2, 0, 0), "x", mass=1.0)
+            ),
+            "neither",
+        ),
     ],
 )
 def test_the_state_of_balance(rotor, state):
@@ -254,7 +344,9 @@ def test_dynamic_balance_on_both_sides_of_its_tolerance(tilt, dynamic):
 
 def test_balance_does_not_depend_on_units():
     for scale in (1e-9, 1.0, 1e9):
-        body, A, B = on_x(lambda s, f=scale: disk(0.2 * f, s.point("G", 0, 1e-12 * f, 0), "x", mass=1.0 * f))
+        body, A, B = on_x(
+            lambda s, f=scale: disk(0.2 * f, s.point("G", 0, 1e-12 * f, 0), "x", mass=1.0 * f)
+        )
         assert balance(body, A, B).state == "both"
 
 
@@ -279,15 +371,27 @@ def test_imbalance_of_the_slanting_bar_of_exercise_9_2_as_a_formula():
     shaft = Frame("shaft")
     slant = shaft.rotate("slant", "z", theta)
     bar = rod(l, slant.point("G", l / 2, 0, 0), "x", mass=m)
-    found = imbalance(bar, shaft.point("A", -sympy.Integer(1), 0, 0), shaft.point("B", sympy.Integer(1), 0, 0), about=shaft.point("O", 0, 0, 0))
+    found = imbalance(
+        bar,
+        shaft.point("A", -sympy.Integer(1), 0, 0),
+        shaft.point("B", sympy.Integer(1), 0, 0),
+        about=shaft.point("O", 0, 0, 0),
+    )
     assert sympy.simplify(found.static.components(shaft)[1] - m * l * sympy.sin(theta) / 2) == 0
-    assert sympy.simplify(found.dynamic.components(shaft)[1] - m * l**2 / 3 * sympy.sin(theta) * sympy.cos(theta)) == 0
+    assert (
+        sympy.simplify(
+            found.dynamic.components(shaft)[1] - m * l**2 / 3 * sympy.sin(theta) * sympy.cos(theta)
+        )
+        == 0
+    )
 
 
 # -- balancing
 
 coordinate = st.floats(-1, 1).map(lambda x: round(x, 3))
-mass_points = st.lists(st.tuples(st.floats(0.1, 5), coordinate, coordinate, coordinate), min_size=1, max_size=5)
+mass_points = st.lists(
+    st.tuples(st.floats(0.1, 5), coordinate, coordinate, coordinate), min_size=1, max_size=5
+)
 
 
 @settings(max_examples=60, deadline=None)
@@ -297,14 +401,18 @@ def test_balanced_rotors_have_no_dynamic_reactions(points, z1, z2, radius, alpha
     shaft = ground.rotate("shaft", (1, -1, 2), 0.3, 4.0, alpha)
     axis = [x / math.sqrt(6) for x in (1, -1, 2)]
     A, B = (shaft.point(n, *(s * x for x in axis)) for n, s in (("A", 0.1), ("B", 1.3)))
-    body = composite("rotor", [particle(m, shaft.point("P", *r), f"P{n}") for n, (m, *r) in enumerate(points)])
+    body = composite(
+        "rotor", [particle(m, shaft.point("P", *r), f"P{n}") for n, (m, *r) in enumerate(points)]
+    )
     weights = balancing_masses(body, A, B, (z1, z2), radius=radius)
     whole = composite("balanced", [body, *weights])
     before, after = reactions(body, A, B, ground), reactions(whole, A, B, ground)
     scale = sum(m for m, *_ in points) + sum(w.mass for w in weights)
     assert max(after.A.norm(), after.B.norm()) < 1e-12 * scale * 40
     assert balance(whole, A, B, tolerance=1e-10).state == "both"
-    assert before.moment - after.moment == pytest.approx(-alpha * radius**2 * sum(w.mass for w in weights), abs=1e-10 * scale)
+    assert before.moment - after.moment == pytest.approx(
+        -alpha * radius**2 * sum(w.mass for w in weights), abs=1e-10 * scale
+    )
 
 
 @every_kind
@@ -313,7 +421,10 @@ def test_balancing_by_given_masses_is_the_same_by_another_radius(kind):
     m, x, z, one, three, omega = numbers(kind, 2, "0.5", 1, 1, 3, 4)
     shaft = ground.rotate("shaft", "z", rate=omega)
     A, B = shaft.point("A", 0, 0, 0 * z), shaft.point("B", 0, 0, 4 * z)
-    body = composite("rotor", [particle(m, shaft.point("P", x, 0, z)), particle(one, shaft.point("Q", 0, x, three), "Q")])
+    body = composite(
+        "rotor",
+        [particle(m, shaft.point("P", x, 0, z)), particle(one, shaft.point("Q", 0, x, three), "Q")],
+    )
     for given_as in ({"radius": (one, three)}, {"mass": (one, three)}):
         weights = balancing_masses(body, A, B, (one / 2, 2 * three / 3), **given_as)
         found = reactions(composite("balanced", [body, *weights]), A, B, ground)
@@ -341,7 +452,12 @@ def test_a_balanced_rotor_needs_no_weights():
 def test_corrections_as_formulas():
     m, r, z, z1, z2 = sympy.symbols("m r z z1 z2", positive=True)
     shaft = Frame("shaft")
-    U1, U2 = corrections(particle(m, shaft.point("P", r, 0, z)), shaft.origin, shaft.point("B", 0, 0, sympy.Integer(1)), (z1, z2))
+    U1, U2 = corrections(
+        particle(m, shaft.point("P", r, 0, z)),
+        shaft.origin,
+        shaft.point("B", 0, 0, sympy.Integer(1)),
+        (z1, z2),
+    )
     assert sympy.simplify(U1.x + m * r * (z2 - z) / (z2 - z1)) == 0
     assert sympy.simplify(U2.x + m * r * (z - z1) / (z2 - z1)) == 0
 
@@ -364,9 +480,13 @@ def test_errors_in_words():
         shaft_axis(A, 0.3)
     with pytest.raises(RotorError, match=r"planes coincide, at 0\.1 and 0\.1 from A"):
         corrections(wheel, A, B, (0.1, 0.1))
-    with pytest.raises(RotorError, match=r"radius of the balancing weights must be positive, got 0: on the axis"):
+    with pytest.raises(
+        RotorError, match=r"radius of the balancing weights must be positive, got 0: on the axis"
+    ):
         balancing_masses(wheel, A, B, (0.1, 0.2), radius=0)
-    with pytest.raises(RotorError, match=r"mass of the balancing weights must be positive, got -0\.1"):
+    with pytest.raises(
+        RotorError, match=r"mass of the balancing weights must be positive, got -0\.1"
+    ):
         balancing_masses(wheel, A, B, (0.1, 0.2), mass=(0.1, -0.1))
     with pytest.raises(RotorError, match="give either the radius"):
         balancing_masses(wheel, A, B, (0.1, 0.2), radius=0.1, mass=0.1)
@@ -377,11 +497,20 @@ def test_errors_in_words():
 def test_a_body_that_turns_about_another_axis_is_refused():
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "y", rate=2.0)
-    with pytest.raises(RotorError, match="does not turn about its bearings as a fixed axis: its angular velocity"):
-        reactions(wheel_on(shaft), shaft.point("A", -0.2, 0, 0), shaft.point("B", 0.3, 0, 0), ground)
+    with pytest.raises(
+        RotorError, match="does not turn about its bearings as a fixed axis: its angular velocity"
+    ):
+        reactions(
+            wheel_on(shaft), shaft.point("A", -0.2, 0, 0), shaft.point("B", 0.3, 0, 0), ground
+        )
     turning = ground.rotate("shaft", "x", rate=2.0)
     with pytest.raises(RotorError, match="the velocity of A"):
-        reactions(wheel_on(turning), turning.point("A", -0.2, 0.1, 0), turning.point("B", 0.3, 0.1, 0), ground)
+        reactions(
+            wheel_on(turning),
+            turning.point("A", -0.2, 0.1, 0),
+            turning.point("B", 0.3, 0.1, 0),
+            ground,
+        )
 
 
 def test_balance_of_expressions_is_refused_and_imbalance_is_not():
@@ -405,7 +534,9 @@ def test_exercise_9_4_slanting_plate():
     body = plate(h, b, slant, "y", mass=m)  # normal y; h along z, b along x
     found = reactions(body, shaft.point("A", -c, 0, 0), shaft.point("B", c, 0, 0), ground)
     product = m * b * b / 12 * math.sin(theta) * math.cos(theta)
-    assert found.A.components(shaft) == pytest.approx((0, product * omega**2 / (2 * c), 0), rel=1e-13, abs=1e-12)
+    assert found.A.components(shaft) == pytest.approx(
+        (0, product * omega**2 / (2 * c), 0), rel=1e-13, abs=1e-12
+    )
     assert close(found.A + found.B, (0, 0, 0), 1e-12)
     wrong = found.A.reweighted(dynamic=-1)
     assert close(wrong, -found.A, 1e-12)
@@ -414,7 +545,14 @@ def test_exercise_9_4_slanting_plate():
 def test_eqn_9_10_as_motion_keeps_its_energy():
     model = turning_rotor(2.0, 0.1, 0.05, 0.3, 9.81, moment=0.4)
     rhs = model.compiled_rhs()
-    out = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 5), (0.3, 1.0), method="DOP853", rtol=1e-12, atol=1e-12)
+    out = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0, 5),
+        (0.3, 1.0),
+        method="DOP853",
+        rtol=1e-12,
+        atol=1e-12,
+    )
     energies = [model.invariant("energy", state) for state in out.y.T.tolist()]
     assert max(energies) - min(energies) < 1e-9
 
@@ -429,8 +567,16 @@ def test_eqn_9_10_as_motion_agrees_with_the_moment(kind):
 
 def test_a_composite_rotor_keeps_its_parts():
     shaft = Frame("shaft")
-    body = composite("rotor", [cylinder(0.02, 0.6, shaft.origin, "x", mass=2.0), disk(0.1, shaft.point("C", 0.1, 0.002, 0), "x", mass=1.0)])
+    body = composite(
+        "rotor",
+        [
+            cylinder(0.02, 0.6, shaft.origin, "x", mass=2.0),
+            disk(0.1, shaft.point("C", 0.1, 0.002, 0), "x", mass=1.0),
+        ],
+    )
     found = imbalance(body, shaft.point("A", -0.3, 0, 0), shaft.point("B", 0.3, 0, 0))
     assert found.static.components() == pytest.approx((0, 0.002, 0), abs=1e-16)
-    inertia = Inertia(body.centre, body.inertia.moments, body.inertia.products, body.mass, body.centre, shaft)
+    inertia = Inertia(
+        body.centre, body.inertia.moments, body.inertia.products, body.mass, body.centre, shaft
+    )
     assert -inertia.matrix[0][1] == pytest.approx(found.dynamic.y, abs=1e-16)

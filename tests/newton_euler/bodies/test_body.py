@@ -50,7 +50,13 @@ def tolerance(kind, scale=1.0):
 def points(seed=1, count=7):
     """Masses and places, exact fractions, spread without symmetry."""
     dice = random.Random(seed)
-    return [(Fraction(dice.randint(1, 30), 10), tuple(Fraction(dice.randint(-20, 20), 10) for _ in range(3))) for _ in range(count)]
+    return [
+        (
+            Fraction(dice.randint(1, 30), 10),
+            tuple(Fraction(dice.randint(-20, 20), 10) for _ in range(3)),
+        )
+        for _ in range(count)
+    ]
 
 
 def of_kind(kind, cloud):
@@ -72,8 +78,18 @@ def matrix_of(cloud, about=(0, 0, 0)):
     """(7.9), (7.13) typed out over the points."""
     a, b, c = about
     shifted = [(m, (x - a, y - b, z - c)) for m, (x, y, z) in cloud]
-    xx, yy, zz = (summed(shifted, f) for f in (lambda x, y, z: y * y + z * z, lambda x, y, z: x * x + z * z, lambda x, y, z: x * x + y * y))
-    xy, yz, zx = (summed(shifted, f) for f in (lambda x, y, z: x * y, lambda x, y, z: y * z, lambda x, y, z: z * x))
+    xx, yy, zz = (
+        summed(shifted, f)
+        for f in (
+            lambda x, y, z: y * y + z * z,
+            lambda x, y, z: x * x + z * z,
+            lambda x, y, z: x * x + y * y,
+        )
+    )
+    xy, yz, zx = (
+        summed(shifted, f)
+        for f in (lambda x, y, z: x * y, lambda x, y, z: y * z, lambda x, y, z: z * x)
+    )
     return ((xx, -xy, -zx), (-xy, yy, -yz), (-zx, -yz, zz))
 
 
@@ -82,7 +98,11 @@ def spinning(kind):
     a, b, c, d = numbers(kind, "0.4", "-0.7", "1.1", "0.5")
     ground = Frame("ground")
     seat = ground.point("B", moving(a, b, c), moving(b, d, a), moving(c, a, -d))
-    body = ground.rotate("yaw", "z", moving(a, b, c), origin=seat).rotate("pitch", "x", moving(c, d, a)).rotate("body", "y", moving(b, c, d))
+    body = (
+        ground.rotate("yaw", "z", moving(a, b, c), origin=seat)
+        .rotate("pitch", "x", moving(c, d, a))
+        .rotate("body", "y", moving(b, c, d))
+    )
     return ground, body, body.point("B", 0, 0, 0)
 
 
@@ -97,12 +117,20 @@ def vector_sum(vectors):
 def test_eqn_5_1_to_5_3_force_is_the_rate_of_momentum(kind):
     m, t = numbers(kind, "2.5", "0.3")
     ground = Frame("ground")
-    P = ground.point("P", at(lambda t: t**3, t), at(lambda t: sin(2 * t), t), at(lambda t: 1 / (1 + t), t))
+    P = ground.point(
+        "P", at(lambda t: t**3, t), at(lambda t: sin(2 * t), t), at(lambda t: 1 / (1 + t), t)
+    )
     body = particle(m, P)
     momentum = body.momentum(ground)
-    assert close(momentum, (m * 3 * t * t, 2 * m * cos(2 * t), -m / (1 + t) ** 2), tolerance(kind, 10))
+    assert close(
+        momentum, (m * 3 * t * t, 2 * m * cos(2 * t), -m / (1 + t) ** 2), tolerance(kind, 10)
+    )
     assert close(momentum.rate(ground), m * P.acceleration(ground), tolerance(kind, 20))
-    assert close(m * P.acceleration(ground), (6 * m * t, -4 * m * sin(2 * t), 2 * m / (1 + t) ** 3), tolerance(kind, 20))
+    assert close(
+        m * P.acceleration(ground),
+        (6 * m * t, -4 * m * sin(2 * t), 2 * m / (1 + t) ** 3),
+        tolerance(kind, 20),
+    )
 
 
 @every_kind
@@ -111,20 +139,25 @@ def test_eqn_5_4_centre_of_mass_of_particles(kind):
     ground = Frame("ground")
     total = summed(cloud, lambda x, y, z: 1)
     expected = [summed(cloud, lambda *r, n=n: r[n]) / total for n in range(3)]
-    assert close(centre_of_mass(bodies(cloud, ground)).position(ground), expected, tolerance(kind, 5))
+    assert close(
+        centre_of_mass(bodies(cloud, ground)).position(ground), expected, tolerance(kind, 5)
+    )
     pairs = [(m, ground.point("P", *r)) for m, r in cloud]
     assert close(centre_of_mass(pairs).position(ground), expected, tolerance(kind, 5))
 
 
 @every_kind
 def test_eqn_5_5_to_5_8_internal_forces_cancel_and_G_moves_under_the_external_ones(kind):
-    """Three particles on springs under a field: the forces give the accelerations; those of G follow from the external force alone."""
+    """Three particles on springs under a field: the forces give the accelerations; those of G
+    follow from the external force alone.
+    """
     ground = Frame("ground")
     cloud = of_kind(kind, points(3, 3))
     stiffness, g = numbers(kind, "3.5", "9.8")
     external = [(ZERO * m, ZERO * m, -m * g) for m, _ in cloud]
     total = []
-    for n, (_, r) in enumerate(cloud):  # (5.5): external force, and internal ones along the joining lines
+    # (5.5): external force, and internal ones along the joining lines
+    for n, (_, r) in enumerate(cloud):
         force = list(external[n])
         for other, (_, q) in enumerate(cloud):
             if other != n:
@@ -136,7 +169,8 @@ def test_eqn_5_5_to_5_8_internal_forces_cancel_and_G_moves_under_the_external_on
         moved.append(particle(m, P, f"P{n}"))
     mass = sum(p.mass for p in moved)
     outside = [sum(force[k] for force in external) for k in range(3)]
-    assert close([sum(f[k] for f in total) for k in range(3)], outside, tolerance(kind, 200))  # (5.6)
+    # (5.6)
+    assert close([sum(f[k] for f in total) for k in range(3)], outside, tolerance(kind, 200))
     G = centre_of_mass(moved)
     assert close(mass * G.acceleration(ground), outside, tolerance(kind, 500))  # (5.7)
     momentum = vector_sum([p.momentum(ground) for p in moved])
@@ -151,10 +185,19 @@ def test_eqn_5_9_and_5_11_collections_count_as_particles_in_their_centres(kind):
     first, second = composite("first", parts[:3]), composite("second", parts[3:])
     whole = centre_of_mass(parts).position(ground)
     assert close(centre_of_mass([first, second]).position(ground), whole, tolerance(kind, 10))
-    assert close(composite("both", [first, second]).centre.position(ground), whole, tolerance(kind, 10))
+    assert close(
+        composite("both", [first, second]).centre.position(ground), whole, tolerance(kind, 10)
+    )
     hole = composite("hole", parts[5:])
-    cut = composite("whole", parts).mass, composite("rest", [composite("whole", parts)], removed=[hole])
-    assert close(cut[1].centre.position(ground), centre_of_mass(parts[:5]).position(ground), tolerance(kind, 20))
+    cut = (
+        composite("whole", parts).mass,
+        composite("rest", [composite("whole", parts)], removed=[hole]),
+    )
+    assert close(
+        cut[1].centre.position(ground),
+        centre_of_mass(parts[:5]).position(ground),
+        tolerance(kind, 20),
+    )
     assert close(cut[1].mass, cut[0] - hole.mass, tolerance(kind, 20))
 
 
@@ -174,18 +217,32 @@ def test_eqn_5_10_and_5_14_to_5_17_centre_in_the_body_frame_and_positions_from_i
     A = body.rotation(ground)
     r_B = B.position(ground)
     rotated = [sum(row[n] * d[n] for n in range(3)) for row in A]
-    assert close(G.position(ground), [b + x for b, x in zip(r_B, rotated, strict=True)], tolerance(kind, 10))  # (5.17)
-    assert close(centre_of_mass(parts, ground).position(ground), G.position(ground), tolerance(kind, 10))  # (5.4) in the ground
+    # (5.17)
+    assert close(
+        G.position(ground), [b + x for b, x in zip(r_B, rotated, strict=True)], tolerance(kind, 10)
+    )
+    # (5.4) in the ground
+    assert close(
+        centre_of_mass(parts, ground).position(ground), G.position(ground), tolerance(kind, 10)
+    )
 
 
 @every_kind
 def test_eqn_5_12_and_5_13_centre_of_a_continuum_is_that_of_its_cells(kind):
-    """A rod of n cells, each a particle: Richardson's extrapolation of their centre and moment gives the rod's."""
+    """A rod of n cells, each a particle: Richardson's extrapolation of their centre and moment
+    gives the rod's.
+    """
     m, length = numbers(kind, 3, "1.6")
     frame = Frame("rod")
 
     def cells(n):
-        return composite("cells", [particle(m / n, frame.point("c", length * (2 * k + 1) / (2 * n), 0, 0), f"{k}") for k in range(n)])
+        return composite(
+            "cells",
+            [
+                particle(m / n, frame.point("c", length * (2 * k + 1) / (2 * n), 0, 0), f"{k}")
+                for k in range(n)
+            ],
+        )
 
     whole = rod(length, frame.point("middle", length / 2, 0, 0), "x", mass=m)
     assert close(cells(8).centre.position(frame), whole.centre.position(frame), tolerance(kind, 5))
@@ -203,7 +260,11 @@ def test_eqn_5_18_and_5_19_all_frames_fixed_in_a_body_turn_alike(kind):
     O1, O2 = body.point("O1", 0, 0, 0), body.point("O2", a, b, c)
     omega = body.angular_velocity(ground)
     for O in (O1, O2):
-        assert close(P.velocity(ground), O.velocity(ground).expressed_in(body) + omega.cross(P - O), tolerance(kind, 10))
+        assert close(
+            P.velocity(ground),
+            O.velocity(ground).expressed_in(body) + omega.cross(P - O),
+            tolerance(kind, 10),
+        )
 
 
 # -- 7.1, 7.2: angular momentum and inertia matrix
@@ -217,9 +278,11 @@ def test_eqn_7_1_to_7_8_angular_momentum_of_particles_is_I_omega(kind):
     small = tolerance(kind, 200)
     momenta = [p.momentum(ground) for p in parts]  # (7.3)
     whole = composite("whole", parts)
-    assert close(vector_sum(momenta).expressed_in(body), whole.momentum(ground), small)  # (7.4), (7.5)
+    # (7.4), (7.5)
+    assert close(vector_sum(momenta).expressed_in(body), whole.momentum(ground), small)
     relative = [p.centre.velocity(ground).expressed_in(body) - B.velocity(ground) for p in parts]
-    H = vector_sum([(p.centre - B).cross(p.mass * v) for p, v in zip(parts, relative, strict=True)])  # (7.6)
+    # (7.6)
+    H = vector_sum([(p.centre - B).cross(p.mass * v) for p, v in zip(parts, relative, strict=True)])
     omega = body.angular_velocity(ground)
     expanded = []
     for p in parts:  # (7.7)
@@ -236,8 +299,12 @@ def test_eqn_7_9_to_7_13_the_signs_of_the_matrix(kind):
     body = Frame("body")
     I = composite("whole", bodies(cloud, body)).about(body)
     assert close(I.matrix, matrix_of(cloud), tolerance(kind, 50))
-    xy, yz, zx = (summed(cloud, f) for f in (lambda x, y, z: x * y, lambda x, y, z: y * z, lambda x, y, z: z * x))
-    assert close(I.products, (xy, yz, zx), tolerance(kind, 50))  # plain integrals, without a minus sign
+    xy, yz, zx = (
+        summed(cloud, f)
+        for f in (lambda x, y, z: x * y, lambda x, y, z: y * z, lambda x, y, z: z * x)
+    )
+    # plain integrals, without a minus sign
+    assert close(I.products, (xy, yz, zx), tolerance(kind, 50))
     omega = body.vector(*numbers(kind, 1, -2, "0.5"))
     (x, y, z), (xx, yy, zz) = omega, I.moments
     H = (xx * x - xy * y - zx * z, -xy * x + yy * y - yz * z, -zx * x - yz * y + zz * z)  # (7.11)
@@ -252,7 +319,11 @@ def test_eqn_7_14_the_matrix_of_parts_is_their_sum(kind):
     total = first.about(body) + second.about(body)
     assert close(total.matrix, composite("all", parts).about(body).matrix, tolerance(kind, 50))
     assert close(total.mass, first.mass + second.mass, tolerance(kind, 20))
-    assert close(total.about(total.centre).matrix, composite("all", parts).inertia.matrix, tolerance(kind, 100))
+    assert close(
+        total.about(total.centre).matrix,
+        composite("all", parts).inertia.matrix,
+        tolerance(kind, 100),
+    )
     both = composite("both", [first, second]).about(body)
     assert set(both.terms) == {"first", "second"}
     assert close(both.without("second").matrix, first.about(body).matrix, tolerance(kind, 50))
@@ -293,11 +364,19 @@ def test_the_rate_of_angular_momentum_is_I_alpha_plus_omega_x_H(kind):
     H = whole.angular_momentum(ground)
     omega, alpha = body.angular_velocity(ground), body.angular_acceleration(ground)
     assert close(H.rate(ground), whole.inertia.times(alpha) + omega.cross(H), tolerance(kind, 500))
-    moments = [(p.centre - whole.centre).cross(p.mass * p.centre.acceleration(ground).expressed_in(body)) for p in parts]
+    moments = [
+        (p.centre - whole.centre).cross(p.mass * p.centre.acceleration(ground).expressed_in(body))
+        for p in parts
+    ]
     assert close(H.rate(ground), vector_sum(moments), tolerance(kind, 1000))
     B = body.point("B", *numbers(kind, 1, 2, 3))
     about_B = whole.angular_momentum(ground, about=B)
-    relative = [(p.centre - B).cross(p.mass * (p.centre.acceleration(ground).expressed_in(body) - B.acceleration(ground))) for p in parts]
+    relative = [
+        (p.centre - B).cross(
+            p.mass * (p.centre.acceleration(ground).expressed_in(body) - B.acceleration(ground))
+        )
+        for p in parts
+    ]
     assert close(about_B.rate(ground), vector_sum(relative), tolerance(kind, 5000))
 
 
@@ -312,12 +391,21 @@ def test_eqn_7_24_to_7_26_parallel_axes_between_any_two_points(kind):
         assert close(whole.inertia.about(point).matrix, matrix_of(cloud, r), tolerance(kind, 500))
         assert close(whole.about(point).matrix, matrix_of(cloud, r), tolerance(kind, 500))
     I = Inertia(P, whole.about(P).moments, whole.about(P).products, whole.mass, whole.centre)
-    assert close(I.about(Q).matrix, matrix_of(cloud, places[1]), tolerance(kind, 500))  # neither is G
+    # neither is G
+    assert close(I.about(Q).matrix, matrix_of(cloud, places[1]), tolerance(kind, 500))
     assert close(I.about(Q).about(P).matrix, I.matrix, tolerance(kind, 500))
     d2, d1 = (whole.centre - Q, whole.centre - P)
     m = whole.mass
-    assert close(I.about(Q).moments[0] - I.moments[0], m * (d2.y**2 - d1.y**2 + d2.z**2 - d1.z**2), tolerance(kind, 500))
-    assert close(I.about(Q).products[0] - I.products[0], m * (d2.x * d2.y - d1.x * d1.y), tolerance(kind, 500))
+    assert close(
+        I.about(Q).moments[0] - I.moments[0],
+        m * (d2.y**2 - d1.y**2 + d2.z**2 - d1.z**2),
+        tolerance(kind, 500),
+    )
+    assert close(
+        I.about(Q).products[0] - I.products[0],
+        m * (d2.x * d2.y - d1.x * d1.y),
+        tolerance(kind, 500),
+    )
     assert close(I.about(Q).without("transfer").matrix, I.matrix, 0)
 
 
@@ -327,11 +415,16 @@ def test_moments_are_least_about_the_centre_of_mass():
     for r in ((1e-3, 0.0, 0.0), (0.0, -0.4, 0.2), (3.0, 1.0, -2.0)):
         x, y, z = whole.centre.position(body)
         moved = whole.about(body.point("P", x + r[0], y + r[1], z + r[2]))
-        assert all(new >= old - 1e-15 for new, old in zip(moved.moments, whole.inertia.moments, strict=True))
+        assert all(
+            new >= old - 1e-15
+            for new, old in zip(moved.moments, whole.inertia.moments, strict=True)
+        )
 
 
 def test_going_far_away_and_back_loses_no_more_than_the_far_matrix_has():
-    """m d^2 = 1e6 is added and taken off: the entries of order 1 keep its round-off, 1e-10, and no more."""
+    """m d^2 = 1e6 is added and taken off: the entries of order 1 keep its round-off, 1e-10, and no
+    more.
+    """
     body = Frame("body")
     whole = composite("whole", bodies(of_kind("float", points()), body))
     far = whole.inertia.about(body.point("far", 200.0, 200.0, 200.0))
@@ -374,9 +467,15 @@ def test_a_matrix_in_turned_axes_is_that_of_the_turned_points(kind):
     R = turned.rotation(body)
     moved = [(m, tuple(sum(R[n][k] * r[n] for n in range(3)) for k in range(3))) for m, r in cloud]
     assert close(whole.expressed_in(turned).matrix, matrix_of(moved), tolerance(kind, 200))
-    assert close(whole.expressed_in(turned).matrix, product(transpose(R), whole.matrix, R), tolerance(kind, 200))
+    assert close(
+        whole.expressed_in(turned).matrix,
+        product(transpose(R), whole.matrix, R),
+        tolerance(kind, 200),
+    )
     if kind != "sympy":
-        assert close(whole.expressed_in(turned).expressed_in(body).matrix, whole.matrix, tolerance(kind, 200))
+        assert close(
+            whole.expressed_in(turned).expressed_in(body).matrix, whole.matrix, tolerance(kind, 200)
+        )
 
 
 def test_a_body_of_revolution_keeps_its_matrix_exactly_when_it_spins():
@@ -386,24 +485,34 @@ def test_a_body_of_revolution_keeps_its_matrix_exactly_when_it_spins():
     assert Inertia(body, (A, A, C)).expressed_in(spun).matrix == ((A, 0, 0), (0, A, 0), (0, 0, C))
     ball = Inertia(body, (A, A, A)).expressed_in(spun.rotate("tilted", "x", phi))
     assert ball.matrix == ((A, 0, 0), (0, A, 0), (0, 0, A))
-    assert Inertia(body, (0.1, 0.1, 0.15)).expressed_in(body.rotate("q", "z", 0.7)).moments == (0.1, 0.1, 0.15)
+    assert Inertia(body, (0.1, 0.1, 0.15)).expressed_in(body.rotate("q", "z", 0.7)).moments == (
+        0.1,
+        0.1,
+        0.15,
+    )
 
 
 def test_a_symmetric_body_in_a_frame_that_does_not_spin_with_it():
-    """H and its rate for a top, in the frame that precesses without spinning and in the body: the same vectors."""
+    """H and its rate for a top, in the frame that precesses without spinning and in the body: the
+    same vectors.
+    """
     ground = Frame("ground")
     precessing = ground.rotate("p", "z", 0.3, rate=2.0).rotate("tilted", "x", 0.5, rate=0.4)
     body = precessing.rotate("top", "z", 0.9, rate=30.0, acceleration=4.0)
     top = Body("top", 2.0, body, (0.2, 0.2, 0.1))
     H = top.inertia.expressed_in(precessing).times(body.angular_velocity(ground))
     assert close(H, top.angular_momentum(ground).expressed_in(precessing), 1e-14)
-    assert close(H.rate(ground), top.angular_momentum(ground).rate(ground).expressed_in(precessing), 1e-12)
+    assert close(
+        H.rate(ground), top.angular_momentum(ground).rate(ground).expressed_in(precessing), 1e-12
+    )
 
 
 # -- laws
 
 floats = st.floats(-3, 3, allow_subnormal=False).map(lambda x: round(x, 6))
-clouds = st.lists(st.tuples(st.floats(0.1, 5), st.tuples(floats, floats, floats)), min_size=1, max_size=6)
+clouds = st.lists(
+    st.tuples(st.floats(0.1, 5), st.tuples(floats, floats, floats)), min_size=1, max_size=6
+)
 places = st.tuples(floats, floats, floats)
 turns = st.tuples(st.sampled_from("xyz"), st.floats(-4, 4))
 
@@ -431,7 +540,12 @@ def test_a_rotation_keeps_trace_and_principal_moments(cloud, first, second):
     turned = I.expressed_in(frame.rotate("a", *first).rotate("b", *second))
     size = 1e-13 * (1 + max(I.moments))
     assert abs(sum(turned.moments) - sum(I.moments)) < 3 * size
-    assert np.allclose(np.linalg.eigvalsh(turned.to_array()), np.linalg.eigvalsh(I.to_array()), rtol=0, atol=5 * size)
+    assert np.allclose(
+        np.linalg.eigvalsh(turned.to_array()),
+        np.linalg.eigvalsh(I.to_array()),
+        rtol=0,
+        atol=5 * size,
+    )
 
 
 @laws
@@ -485,8 +599,13 @@ def test_a_matrix_of_many_instants_as_an_array():
 
 
 def test_it_shows_as_a_matrix():
-    assert r"\begin{bmatrix}2&" in Inertia(Frame("b"), (2.0, 3.0, 4.0), (1.0, 0, 0))._repr_latex_().replace(" ", "")
-    assert repr(Inertia(Frame("b"), (2.0, 3.0, 4.0))) == "Inertia(((2.0, 0, 0), (0, 3.0, 0), (0, 0, 4.0)) about origin of b in b)"
+    assert r"\begin{bmatrix}2&" in Inertia(
+        Frame("b"), (2.0, 3.0, 4.0), (1.0, 0, 0)
+    )._repr_latex_().replace(" ", "")
+    assert (
+        repr(Inertia(Frame("b"), (2.0, 3.0, 4.0)))
+        == "Inertia(((2.0, 0, 0), (0, 3.0, 0), (0, 0, 4.0)) about origin of b in b)"
+    )
 
 
 # -- what is refused, and in which words
@@ -506,12 +625,16 @@ def test_impossible_matrices_are_refused():
         Inertia(body, (1.0, 1.0, 1.0), (0, 2.0, 0))
     with refused("principal moments break the triangle inequality"):
         Inertia(body, (2.0, 2.0, 2.0), (0.8, 0.8, -0.8))
-    assert Inertia(body, (2.0, 2.0, 2.0), (0.8, 0.8, 0.8))  # the other sign exists: a rod along (1, 1, 1) with some flesh
+    # the other sign exists: a rod along (1, 1, 1) with some flesh
+    assert Inertia(body, (2.0, 2.0, 2.0), (0.8, 0.8, 0.8))
     with refused("not finite"):
         Inertia(body, (1.0, 1.0, math.nan))
     with refused("the mass is -2.0; it must be positive"):
         Inertia(body, (1.0, 1.0, 1.0), mass=-2.0)
-    with refused(r"about origin of body the moments are smaller than mass and distance of Q alone make them"):
+    with refused(
+        r"about origin of body the moments are smaller than mass and distance of Q alone make "
+        r"them"
+    ):
         Inertia(body, (1.0, 1.0, 1.0), mass=3.0, centre=body.point("Q", 1.0, 0, 0))
     with refused(r"no body has these moments"):
         Inertia(body, (np.array([1.0, 3.0]), 1.0, 1.0))
@@ -528,7 +651,10 @@ def test_a_thin_plate_with_rounded_moments_needs_a_tolerance():
 
 def test_what_is_missing_is_named():
     body = Frame("body")
-    with refused(r"going from origin of body to Q needs the mass of the body; make it Inertia\(origin of body, moments, .*, centre=G\)"):
+    with refused(
+        r"going from origin of body to Q needs the mass of the body; make it Inertia\(origin "
+        r"of body, moments, .*, centre=G\)"
+    ):
         Inertia(body, (1.0, 1.0, 1.0)).about(body.point("Q", 1.0, 0, 0))
     with refused("needs the place of its centre of mass"):
         Inertia(body, (1.0, 1.0, 1.0), mass=1.0).about(body.point("Q", 1.0, 0, 0))
@@ -556,7 +682,11 @@ def test_holes_that_take_too_much_or_lie_outside_are_refused():
     with refused("total mass is -1.0; it must be positive: the removed parts weigh more"):
         composite("part", [whole], removed=[disk(1.0, sheet, "z", mass=2.0, name="hole")])
     with refused("part: do the removed parts lie inside of it, and only once"):
-        composite("part", [whole], removed=[disk(0.5, sheet.point("P", 3.0, 0, 0), "z", mass=0.5, name="hole")])
+        composite(
+            "part",
+            [whole],
+            removed=[disk(0.5, sheet.point("P", 3.0, 0, 0), "z", mass=0.5, name="hole")],
+        )
     with refused("two parts named 'disk'"):
         composite("part", [whole, whole])
     with refused("the mass of particle must be positive, got -1.0"):
@@ -568,9 +698,13 @@ def test_the_origin_of_a_turning_frame_is_not_taken_for_a_point_of_its_parent():
     C = ground.point("C", 1.0, 0, 0)
     rotor = ground.rotate("rotor", "z", rate=2.0, origin=C)
     for place in (rotor.origin, C):
-        with pytest.raises(FrameError, match="C is a point of ground, and the origin of rotor: along whose axes"):
+        with pytest.raises(
+            FrameError, match="C is a point of ground, and the origin of rotor: along whose axes"
+        ):
             Body("disk", 1.0, place, (1.0, 1.0, 2.0))
-    with pytest.raises(FrameError, match="origin of tilted is a point of rotor, and the origin of tilted"):
+    with pytest.raises(
+        FrameError, match="origin of tilted is a point of rotor, and the origin of tilted"
+    ):
         disk(1.0, rotor.rotate("tilted", "x", 0.1).origin, mass=1.0)
     body = Body("disk", 1.0, rotor, (1.0, 1.0, 2.0))
     assert body.frame is rotor

@@ -1,4 +1,6 @@
-"""Bodies by integration (5.12), (5.13), (7.10), against Appendix B and mpmath; what does not converge is refused."""
+"""Bodies by integration (5.12), (5.13), (7.10), against Appendix B and mpmath; what does not
+converge is refused.
+"""
 
 import math
 
@@ -24,16 +26,40 @@ WHOLE = (0.0, 2 * math.pi)
 NUMERIC = {  # position, limits, and the same body from the table, its axis along z
     "rod": (lambda u: (u, 0, 0), [(0.0, H)], B.rod(H, F.point("C", H / 2, 0, 0), density=2.0)),
     "ring": (lambda a: (R * cos(a), R * sin(a), 0), [WHOLE], B.ring(R, F, "z", density=2.0)),
-    "half disk": (lambda r, a: (r * cos(a), r * sin(a), 0), [(0.0, R), (0.0, math.pi)], B.half_disk(R, F, "z", "y", density=2.0)),
-    "half disk, Cartesian": (lambda x, y: (x, y, 0), [(-R, R), (0.0, lambda x: sqrt(R * R - x * x))], B.half_disk(R, F, "z", "y", density=2.0)),
-    "shell": (lambda a, b: spherical(R, a, b), [(0.0, math.pi / 2), WHOLE], B.hemispherical_shell(R, F, "z", density=2.0)),
-    "cone": (lambda z, r, b: (r * cos(b), r * sin(b), z), [(0.0, H), (0.0, lambda z: R * z / H), WHOLE], B.cone(R, H, F, "z", density=2.0)),
+    "half disk": (
+        lambda r, a: (r * cos(a), r * sin(a), 0),
+        [(0.0, R), (0.0, math.pi)],
+        B.half_disk(R, F, "z", "y", density=2.0),
+    ),
+    "half disk, Cartesian": (
+        lambda x, y: (x, y, 0),
+        [(-R, R), (0.0, lambda x: sqrt(R * R - x * x))],
+        B.half_disk(R, F, "z", "y", density=2.0),
+    ),
+    "shell": (
+        lambda a, b: spherical(R, a, b),
+        [(0.0, math.pi / 2), WHOLE],
+        B.hemispherical_shell(R, F, "z", density=2.0),
+    ),
+    "cone": (
+        lambda z, r, b: (r * cos(b), r * sin(b), z),
+        [(0.0, H), (0.0, lambda z: R * z / H), WHOLE],
+        B.cone(R, H, F, "z", density=2.0),
+    ),
     "ball, Cartesian": (
         lambda x, y, z: (x, y, z),
-        [(-R, R), (lambda x: -sqrt(R * R - x * x), lambda x: sqrt(R * R - x * x)), (0.0, lambda x, y: sqrt(R * R - x * x - y * y))],
+        [
+            (-R, R),
+            (lambda x: -sqrt(R * R - x * x), lambda x: sqrt(R * R - x * x)),
+            (0.0, lambda x, y: sqrt(R * R - x * x - y * y)),
+        ],
         B.hemisphere(R, F, "z", density=2.0),
     ),
-    "box, backwards": (lambda x, y, z: (x, y, z), [(3.0, 2.0), (0.0, 1.0), (5.0, 6.0)], B.box(1, 1, 1, F.point("C", 2.5, 0.5, 5.5), density=2.0)),
+    "box, backwards": (
+        lambda x, y, z: (x, y, z),
+        [(3.0, 2.0), (0.0, 1.0), (5.0, 6.0)],
+        B.box(1, 1, 1, F.point("C", 2.5, 0.5, 5.5), density=2.0),
+    ),
 }
 
 
@@ -56,7 +82,9 @@ def test_the_error_told_is_not_smaller_than_the_true_one():
 
 
 def test_far_from_the_origin_the_moments_about_G_keep_their_digits():
-    body = integrated(lambda r, a: (1e6 + r * cos(a), r * sin(a), 0), (0.0, 1.0), WHOLE, frame=F, mass=1.0)
+    body = integrated(
+        lambda r, a: (1e6 + r * cos(a), r * sin(a), 0), (0.0, 1.0), WHOLE, frame=F, mass=1.0
+    )
     assert close(body.inertia.moments, (0.25, 0.25, 0.5), 1e-9)  # m d^2 is 1e12 here
 
 
@@ -67,14 +95,22 @@ def test_varying_density_against_mpmath():
         return mp.quad(lambda x: mp.quad(lambda y: (1 + x * y) * f(x, y), [0, x * x / 2]), [0, 2])
 
     with mp.workdps(20):
-        m, mx, xy, yy = (mp_moment(f) for f in (lambda x, y: 1, lambda x, y: x, lambda x, y: x * y, lambda x, y: y * y))
-    shape = {"limits": [(0.0, 2.0), (0.0, lambda x: x * x / 2)], "density": lambda x, y, z: 1 + x * y}
+        m, mx, xy, yy = (
+            mp_moment(f)
+            for f in (lambda x, y: 1, lambda x, y: x, lambda x, y: x * y, lambda x, y: y * y)
+        )
+    shape = {
+        "limits": [(0.0, 2.0), (0.0, lambda x: x * x / 2)],
+        "density": lambda x, y, z: 1 + x * y,
+    }
     body = integrated(lambda x, y: (x, y, 0), *shape["limits"], frame=F, density=shape["density"])
     assert close(body.mass, m, 1e-12)
     assert close(body.centre.position(F).x, mx / m, 1e-12)
     assert close(body.about(F).products[0], xy, 1e-11)
     assert close(body.about(F).moments[0], yy, 1e-11)
-    heavier = integrated(lambda x, y: (x, y, 0), *shape["limits"], frame=F, density=shape["density"], mass=3.0)
+    heavier = integrated(
+        lambda x, y: (x, y, 0), *shape["limits"], frame=F, density=shape["density"], mass=3.0
+    )
     assert close(heavier.about(F).moments[0], 3 * yy / m, 1e-11)
 
 
@@ -83,11 +119,31 @@ def test_eqn_5_13_and_7_10_in_symbols():
     alpha = sympy.Symbol("alpha", positive=True)
     turn = (0, 2 * sympy.pi)
     cases = {
-        "arc": (lambda t: (r * cos(t), r * sin(t), 0), [(-alpha, alpha)], B.arc(r, alpha, F, "z", "x", mass=m)),
-        "half ring": (lambda t: (r * cos(t), r * sin(t), 0), [(0, sympy.pi)], B.half_ring(r, F, "z", "y", mass=m)),
-        "shell": (lambda t, u: spherical(r, t, u), [(0, sympy.pi / 2), turn], B.hemispherical_shell(r, F, "z", mass=m)),
-        "cone": (lambda z, s, t: (s * cos(t), s * sin(t), z), [(0, h), (0, lambda z: r * z / h), turn], B.cone(r, h, F, "z", mass=m)),
-        "open cone": (lambda z, t: (r * z / h * cos(t), r * z / h * sin(t), z), [(0, h), turn], B.conical_shell(r, h, F, "z", mass=m)),
+        "arc": (
+            lambda t: (r * cos(t), r * sin(t), 0),
+            [(-alpha, alpha)],
+            B.arc(r, alpha, F, "z", "x", mass=m),
+        ),
+        "half ring": (
+            lambda t: (r * cos(t), r * sin(t), 0),
+            [(0, sympy.pi)],
+            B.half_ring(r, F, "z", "y", mass=m),
+        ),
+        "shell": (
+            lambda t, u: spherical(r, t, u),
+            [(0, sympy.pi / 2), turn],
+            B.hemispherical_shell(r, F, "z", mass=m),
+        ),
+        "cone": (
+            lambda z, s, t: (s * cos(t), s * sin(t), z),
+            [(0, h), (0, lambda z: r * z / h), turn],
+            B.cone(r, h, F, "z", mass=m),
+        ),
+        "open cone": (
+            lambda z, t: (r * z / h * cos(t), r * z / h * sin(t), z),
+            [(0, h), turn],
+            B.conical_shell(r, h, F, "z", mass=m),
+        ),
         "triangle": (
             lambda x, y: (x, y, 0),
             [(0, b), (0, lambda x: h * (1 - x / b))],
@@ -96,23 +152,44 @@ def test_eqn_5_13_and_7_10_in_symbols():
     }
     for name, (position, limits, known) in cases.items():
         body = integrated(position, *limits, frame=F, mass=m, exact=True)
-        pairs = [*zip(body.about(F).moments, known.about(F).moments, strict=True), *zip(body.about(F).products, known.about(F).products, strict=True)]
+        pairs = [
+            *zip(body.about(F).moments, known.about(F).moments, strict=True),
+            *zip(body.about(F).products, known.about(F).products, strict=True),
+        ]
         pairs += zip(body.centre.position(F), known.centre.position(F), strict=True)
         assert all(sympy.simplify(x - y) == 0 for x, y in pairs), name
         assert body.error == 0
-    parabola = integrated(lambda x, y: (x, y, 0), (0, a), (0, lambda x: b * x**2 / a**2), frame=F, mass=m, exact=True)
+    parabola = integrated(
+        lambda x, y: (x, y, 0), (0, a), (0, lambda x: b * x**2 / a**2), frame=F, mass=m, exact=True
+    )
     assert parabola.content == a * b / 3
     assert parabola.centre.position(F).components() == (3 * a / 4, 3 * b / 10, 0)
     assert parabola.about(F).matrix[0][:2] == (m * b**2 / 7, -m * a * b / 4)
 
 
 def test_what_does_not_converge_is_refused_in_words():
-    with pytest.raises(MassError, match="not finite: the formula or the density grows without bound"):
+    with pytest.raises(
+        MassError, match="not finite: the formula or the density grows without bound"
+    ):
         integrated(lambda u: (u, 0, 0), (0.0, 1.0), frame=F, density=lambda x, y, z: 1 / x)
-    with pytest.raises(MassError, match=r"did not converge: after \d+ subdivisions .* 1e-10 was asked for. Split the body"):
-        integrated(lambda u, v: (u, v, 0), (0.0, 1.0), (0.0, 1.0), frame=F, density=lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0))
+    with pytest.raises(
+        MassError,
+        match=r"did not converge: after \d+ subdivisions .* 1e-10 was asked for. Split the body",
+    ):
+        integrated(
+            lambda u, v: (u, v, 0),
+            (0.0, 1.0),
+            (0.0, 1.0),
+            frame=F,
+            density=lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0),
+        )
     rough = integrated(
-        lambda u, v: (u, v, 0), (0.0, 1.0), (0.0, 1.0), frame=F, density=lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0), rtol=1e-3
+        lambda u, v: (u, v, 0),
+        (0.0, 1.0),
+        (0.0, 1.0),
+        frame=F,
+        density=lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0),
+        rtol=1e-3,
     )
     assert abs(rough.mass - 0.7 * math.pi / 4) < 2e-3
 
@@ -120,15 +197,31 @@ def test_what_does_not_converge_is_refused_in_words():
 def test_what_is_no_body_is_refused_in_words():
     x = sympy.Symbol("x")
     for match, make in {
-        r"the limits of body hold symbols: pass exact=True": lambda: integrated(lambda u: (u, 0, 0), (0, x), frame=F, mass=1.0),
-        r"needs mass=... or density=...": lambda: integrated(lambda u: (u, 0, 0), (0.0, 1.0), frame=F),
-        r"a curve has one parameter, .* limits for 0": lambda: integrated(lambda: (0, 0, 0), frame=F, mass=1.0),
+        r"the limits of body hold symbols: pass exact=True": lambda: integrated(
+            lambda u: (u, 0, 0), (0, x), frame=F, mass=1.0
+        ),
+        r"needs mass=... or density=...": lambda: integrated(
+            lambda u: (u, 0, 0), (0.0, 1.0), frame=F
+        ),
+        r"a curve has one parameter, .* limits for 0": lambda: integrated(
+            lambda: (0, 0, 0), frame=F, mass=1.0
+        ),
         r"no extent": lambda: integrated(lambda u: (u, 0, 0), (1.0, 1.0), frame=F, mass=1.0),
-        r"has no finite value at some of its points": lambda: integrated(lambda u: (sqrt(u), 0, 0), (-1.0, 1.0), frame=F, mass=1.0),
-        r"the mass of body comes out as -(1.0|0.99999)": lambda: integrated(lambda u: (u, 0, 0), (0.0, 1.0), frame=F, density=-1.0),
-        r"fold back on themselves": lambda: integrated(lambda u: (u**2, 0, 0), (-1, 1), frame=F, mass=1, exact=True),
+        r"has no finite value at some of its points": lambda: integrated(
+            lambda u: (sqrt(u), 0, 0), (-1.0, 1.0), frame=F, mass=1.0
+        ),
+        r"the mass of body comes out as -(1.0|0.99999)": lambda: integrated(
+            lambda u: (u, 0, 0), (0.0, 1.0), frame=F, density=-1.0
+        ),
+        r"fold back on themselves": lambda: integrated(
+            lambda u: (u**2, 0, 0), (-1, 1), frame=F, mass=1, exact=True
+        ),
         r"SymPy finds no formula": lambda: integrated(
-            lambda u: (u, 0, 0), (0, x), frame=F, density=lambda x, y, z: sympy.sin(sympy.sin(x)) + 2, exact=True
+            lambda u: (u, 0, 0),
+            (0, x),
+            frame=F,
+            density=lambda x, y, z: sympy.sin(sympy.sin(x)) + 2,
+            exact=True,
         ),
     }.items():
         with pytest.raises(MassError, match=match):

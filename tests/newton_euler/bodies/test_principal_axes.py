@@ -1,4 +1,6 @@
-"""Principal moments and axes (7.15)-(7.21): numbers against NumPy, order and sign, what equal and nearly equal moments leave open, symmetry."""
+"""Principal moments and axes (7.15)-(7.21): numbers against NumPy, order and sign, what equal and
+nearly equal moments leave open, symmetry.
+"""
 
 import math
 
@@ -19,12 +21,16 @@ laws = settings(max_examples=80, deadline=None)
 
 
 def tilted(moments, axis, angle, noise=0.0, seed=0):
-    """The matrix of a body with these principal moments, turned by an angle about an axis, with relative noise in its entries."""
+    """The matrix of a body with these principal moments, turned by an angle about an axis, with
+    relative noise in its entries.
+    """
     R = np.array(rotation_matrix(axis, angle))
     I = R @ np.diag(moments) @ R.T
     shake = np.random.default_rng(seed).uniform(-1, 1, (3, 3)) * noise * max(moments)
     I = (I + I.T) / 2 + (shake + shake.T) / 2
-    return Inertia(Frame("body"), np.diag(I).tolist(), (-I[0, 1], -I[1, 2], -I[0, 2]), tolerance=None), R
+    return Inertia(
+        Frame("body"), np.diag(I).tolist(), (-I[0, 1], -I[1, 2], -I[0, 2]), tolerance=None
+    ), R
 
 
 def angle_between(axis, vector):
@@ -52,23 +58,32 @@ def test_eqn_7_15_to_7_19_about_a_principal_axis_H_is_parallel_to_omega(kind):
 def test_eqn_7_20_the_moments_are_the_roots_of_the_characteristic_equation(kind):
     I = Inertia(Frame("body"), numbers(kind, 5, 4, 3), numbers(kind, 1, -1, "0.5"))
     for moment in I.principal().moments:
-        rows = [[x - moment if n == m else x for m, x in enumerate(row)] for n, row in enumerate(I.matrix)]
+        rows = [
+            [x - moment if n == m else x for m, x in enumerate(row)]
+            for n, row in enumerate(I.matrix)
+        ]
         assert close(determinant(rows), 0, 1e-12 if kind in ("float", "array") else 1e-24)
 
 
 def test_eqn_7_21_pairs_of_masses_opposite_an_axis():
-    """Equal particles opposite the axis k, at any heights: k is principal; three or more equal ones around it make two moments equal."""
+    """Equal particles opposite the axis k, at any heights: k is principal; three or more equal ones
+    around it make two moments equal.
+    """
     frame = Frame("body")
     parts = []
     for n, (m, r, z) in enumerate([(2.0, 0.5, 0.3), (1.0, 1.5, -0.8)]):
         for k in range(4):
             a = n + k * math.pi / 2
-            parts.append(particle(m, frame.point("P", r * math.cos(a), r * math.sin(a), z), f"{n} {k}"))
+            parts.append(
+                particle(m, frame.point("P", r * math.cos(a), r * math.sin(a), z), f"{n} {k}")
+            )
     I = composite("body", parts).about(frame)
     s = I.symmetry()
     assert (s.kind, s.axes) == ("top", ("x", "y", "z"))
     assert close(s.axis, (0, 0, 1), 1e-15)
-    pair = composite("pair", [particle(1.0, frame.point("P", x, 2 * x, 0.4), str(x)) for x in (-1.0, 1.0)]).about(frame)
+    pair = composite(
+        "pair", [particle(1.0, frame.point("P", x, 2 * x, 0.4), str(x)) for x in (-1.0, 1.0)]
+    ).about(frame)
     assert pair.symmetry().axes == ("z",)  # one pair: k is principal, the others not
 
 
@@ -83,18 +98,27 @@ axes = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: sum(x * x for x in v)
 def test_moments_and_axes_of_any_body(given_moments, axis, angle):
     I, _ = tilted(given_moments, axis, angle)
     p = I.principal()
-    assert np.allclose(p.moments, sorted(given_moments), rtol=0, atol=1e-14 * max(given_moments) * 10)
+    assert np.allclose(
+        p.moments, sorted(given_moments), rtol=0, atol=1e-14 * max(given_moments) * 10
+    )
     V = np.array(p.rotation)
     assert np.allclose(V.T @ V, np.eye(3), atol=1e-14)
     assert abs(np.linalg.det(V) - 1) < 1e-14  # eigh alone is left-handed half of the time
     diagonal = V.T @ I.to_array() @ V
     assert np.abs(diagonal - np.diag(p.moments)).max() <= 1e-13 * 20 * max(given_moments)
-    assert np.allclose(I.expressed_in(p.frame()).to_array(), np.diag(p.moments), atol=1e-13 * 20 * max(given_moments))
+    assert np.allclose(
+        I.expressed_in(p.frame()).to_array(),
+        np.diag(p.moments),
+        atol=1e-13 * 20 * max(given_moments),
+    )
 
 
 def test_order_and_sign_are_reproducible():
     frame = Frame("body")
-    again = {tuple(Inertia(frame, (8.0, 11.0, 11.0), (3.0, x, -3.0)).principal().axes[1].components()) for x in (0.0, -0.0)}
+    again = {
+        tuple(Inertia(frame, (8.0, 11.0, 11.0), (3.0, x, -3.0)).principal().axes[1].components())
+        for x in (0.0, -0.0)
+    }
     assert len({tuple(round(c, 12) for c in v) for v in again}) == 1
     p = Inertia(frame, (3.0, 1.0, 2.5)).principal()
     assert p.moments == (1.0, 2.5, 3.0)
@@ -108,13 +132,20 @@ def test_an_array_of_matrices_is_each_of_them():
     for n, x in enumerate(stiff):
         one = Inertia(frame, (float(x), 11.0, 11.0), (3.0, 0.2, -3.0)).principal()
         assert close(tuple(m[n] for m in p.moments), one.moments, 1e-14)
-        assert all(close(tuple(c[n] for c in a), tuple(b), 1e-13) for a, b in zip(p.axes, one.axes, strict=True))
+        assert all(
+            close(tuple(c[n] for c in a), tuple(b), 1e-13)
+            for a, b in zip(p.axes, one.axes, strict=True)
+        )
     assert p.turns[0].shape == (3,)
 
 
 def test_thirty_digits():
-    p = Inertia(Frame("body"), numbers("mpmath", 5, 4, 3), numbers("mpmath", 1, -1, "0.5")).principal()
-    exact = Inertia(Frame("body"), numbers("sympy", 5, 4, 3), numbers("sympy", 1, -1, "0.5")).principal()
+    p = Inertia(
+        Frame("body"), numbers("mpmath", 5, 4, 3), numbers("mpmath", 1, -1, "0.5")
+    ).principal()
+    exact = Inertia(
+        Frame("body"), numbers("sympy", 5, 4, 3), numbers("sympy", 1, -1, "0.5")
+    ).principal()
     assert all(abs(a - number(b)) < 1e-27 for a, b in zip(p.moments, exact.moments, strict=True))
     assert not any(m.has(sympy.I) for m in exact.moments)  # no complex cube roots
     for a, b in zip(p.axes, exact.axes, strict=True):
@@ -125,7 +156,9 @@ def test_thirty_digits():
 
 
 def test_equal_moments_are_not_turned_by_round_off():
-    """The naive way turns the axes by tens of degrees for a change of 1e-16; here the ones nearest to the frame are taken."""
+    """The naive way turns the axes by tens of degrees for a change of 1e-16; here the ones nearest
+    to the frame are taken.
+    """
     naive, mine = [], []
     for seed in range(20):
         I, _ = tilted((2.0, 2.0, 3.0), (0.0, 0.0, 1.0), 0.3, 1e-16, seed)
@@ -162,7 +195,9 @@ def test_a_sphere_keeps_the_axes_of_the_frame():
 
 @pytest.mark.parametrize("gap", [1e-1, 1e-2, 3e-3])
 def test_the_report_tells_how_far_noise_turns_the_axes(gap):
-    """Three digits of data (0.1 %): the median turn over many tries is within the angle told, 95 % within three times it."""
+    """Three digits of data (0.1 %): the median turn over many tries is within the angle told, 95 %
+    within three times it.
+    """
     noise, true = 1e-3, (2.0, 2.0 + gap * 3, 3.0)
     turns = []
     for seed in range(200):
@@ -179,7 +214,9 @@ def test_nearly_equal_moments_are_reported_against_the_noise_of_the_data():
     assert all(I.principal().determined)
     doubtful = I.principal(noise=5e-4)
     assert doubtful.determined == (False, False, True)
-    assert "axes 1 and 2 are not determined by data with a relative error of 0.0005" in str(doubtful)
+    assert "axes 1 and 2 are not determined by data with a relative error of 0.0005" in str(
+        doubtful
+    )
     assert "all axes are determined" in str(I.principal())
     assert close(doubtful.gaps[0], 1e-3, 1e-12)
 
@@ -195,7 +232,9 @@ def test_block_of_two_in_symbols_without_cube_roots():
         p = I.principal()
         roots = {x.exp for m in p.moments for x in m.atoms(sympy.Pow) if not x.exp.is_Integer}
         assert roots == {sympy.Rational(1, 2)}
-        numeric = Inertia(Frame("body"), (5.0, 3.0, 4.0), [0.8 if k == n else 0.0 for k in range(3)]).to_array()
+        numeric = Inertia(
+            Frame("body"), (5.0, 3.0, 4.0), [0.8 if k == n else 0.0 for k in range(3)]
+        ).to_array()
         V = np.array([[float(sympy.sympify(x).subs(values)) for x in axis] for axis in p.axes]).T
         found = [float(m.subs(values)) for m in p.moments]
         assert np.allclose(V.T @ numeric @ V, np.diag(found), atol=1e-14)
@@ -223,13 +262,16 @@ def test_full_matrix_as_a_formula_agrees_with_numbers():
     moments, axes = compiled(formula)(*given)
     known = Inertia(Frame("body"), given[:3], given[3:]).principal()
     assert close(moments, known.moments, 1e-12)
-    assert all(angle_between(a, b.components()) < 1e-12 for a, b in zip(axes, known.axes, strict=True))
+    assert all(
+        angle_between(a, b.components()) < 1e-12 for a, b in zip(axes, known.axes, strict=True)
+    )
     assert abs(np.linalg.det(np.array(axes)) - 1) < 1e-12
 
 
 def test_exact_numbers_with_equal_moments():
     q = sympy.Rational
-    I = Inertia(Frame("body"), (q(7, 3), q(7, 3), q(7, 3)), (q(1, 3), q(1, 3), q(1, 3)))  # about (1, 1, 1)
+    # about (1, 1, 1)
+    I = Inertia(Frame("body"), (q(7, 3), q(7, 3), q(7, 3)), (q(1, 3), q(1, 3), q(1, 3)))
     p = I.principal()
     assert p.moments == (q(5, 3), q(8, 3), q(8, 3))
     for moment, axis in zip(p.moments, p.axes, strict=True):
@@ -243,7 +285,10 @@ def test_exact_numbers_with_equal_moments():
 def test_symmetry_finds_itself():
     F = Frame("F")
     whole = box(1.0, 2.0, 3.0, F, mass=1.0)
-    assert (whole.inertia.symmetry().kind, whole.inertia.symmetry().planes) == ("none", ("yz", "zx", "xy"))
+    assert (whole.inertia.symmetry().kind, whole.inertia.symmetry().planes) == (
+        "none",
+        ("yz", "zx", "xy"),
+    )
     aside = whole.about(F.point("P", 0.5, 0.5, 0)).symmetry()
     assert (aside.axes, aside.planes) == (("z",), ("xy",))
     corner = whole.about(F.point("P", 0.5, 1.0, 1.5)).symmetry()

@@ -1,4 +1,6 @@
-"""Appendix B and its relatives, every one against Gauss-Legendre quadrature over a parametrisation with its own area or volume element."""
+"""Appendix B and its relatives, every one against Gauss-Legendre quadrature over a parametrisation
+with its own area or volume element.
+"""
 
 import math
 
@@ -29,8 +31,14 @@ TURN = (-math.pi, math.pi)
 
 
 def fan(radii, angles, length=None):
-    """Ring, disk, sector in the plane normal to x, toward y; a curve for one radius, thick along x if a length is given."""
-    limits = [angles] + ([radii] if isinstance(radii, tuple) else []) + ([(-length / 2, length / 2)] if length else [])
+    """Ring, disk, sector in the plane normal to x, toward y; a curve for one radius, thick along x
+    if a length is given.
+    """
+    limits = (
+        [angles]
+        + ([radii] if isinstance(radii, tuple) else [])
+        + ([(-length / 2, length / 2)] if length else [])
+    )
     (a, *others), w = gauss(*limits)
     r = others[0] if isinstance(radii, tuple) else radii
     x = others[-1] if length else 0 * a
@@ -48,7 +56,12 @@ def ball(radii, angles=(0, math.pi)):
     limits = [angles, TURN] + ([radii] if isinstance(radii, tuple) else [])
     (a, b, *r), w = gauss(*limits)
     r = r[0] if r else radii
-    return r * np.cos(a), r * np.sin(a) * np.cos(b), r * np.sin(a) * np.sin(b), w * r * r * np.sin(a)
+    return (
+        r * np.cos(a),
+        r * np.sin(a) * np.cos(b),
+        r * np.sin(a) * np.sin(b),
+        w * r * r * np.sin(a),
+    )
 
 
 def solid_cone():
@@ -72,29 +85,75 @@ def side(n):
     return (-n / 2, n / 2)
 
 
-TABLE = {  # name: (the body from its numbers, those numbers, its points along x); the first eight rows are Appendix B
+# name: (the body from its numbers, those numbers, its points along x); the first eight rows are
+# Appendix B
+TABLE = {
     "rod": (lambda F, l, **m: B.rod(l, F, **m), (L,), lambda: blocks(side(L), None, None)),
-    "plate": (lambda F, b, c, **m: B.plate(b, c, F, **m), (A, L), lambda: blocks(None, side(A), side(L))),
-    "box": (lambda F, a, b, c, **m: B.box(a, b, c, F, **m), (R, A, L), lambda: blocks(side(R), side(A), side(L))),
+    "plate": (
+        lambda F, b, c, **m: B.plate(b, c, F, **m),
+        (A, L),
+        lambda: blocks(None, side(A), side(L)),
+    ),
+    "box": (
+        lambda F, a, b, c, **m: B.box(a, b, c, F, **m),
+        (R, A, L),
+        lambda: blocks(side(R), side(A), side(L)),
+    ),
     "disk": (lambda F, r, **m: B.disk(r, F, **m), (R,), lambda: fan((0, R), TURN)),
-    "cylinder": (lambda F, r, l, **m: B.cylinder(r, l, F, **m), (R, L), lambda: fan((0, R), TURN, L)),
+    "cylinder": (
+        lambda F, r, l, **m: B.cylinder(r, l, F, **m),
+        (R, L),
+        lambda: fan((0, R), TURN, L),
+    ),
     "cone": (lambda F, r, h, **m: B.cone(r, h, F, **m), (R, L), solid_cone),
     "sphere": (lambda F, r, **m: B.sphere(r, F, **m), (R,), lambda: ball((0, R))),
     "ring": (lambda F, r, **m: B.ring(r, F, **m), (R,), lambda: fan(R, TURN)),
     "arc": (lambda F, r, a, **m: B.arc(r, a, F, **m), (R, C), lambda: fan(R, (-C, C))),
-    "half ring": (lambda F, r, **m: B.half_ring(r, F, **m), (R,), lambda: fan(R, (-math.pi / 2, math.pi / 2))),
+    "half ring": (
+        lambda F, r, **m: B.half_ring(r, F, **m),
+        (R,),
+        lambda: fan(R, (-math.pi / 2, math.pi / 2)),
+    ),
     "annulus": (lambda F, r, q, **m: B.annulus(r, q, F, **m), (A, R), lambda: fan((A, R), TURN)),
     "sector": (lambda F, r, a, **m: B.sector(r, a, F, **m), (R, C), lambda: fan((0, R), (-C, C))),
-    "half disk": (lambda F, r, **m: B.half_disk(r, F, **m), (R,), lambda: fan((0, R), (-math.pi / 2, math.pi / 2))),
-    "tube": (lambda F, r, q, l, **m: B.tube(r, q, l, F, **m), (A, R, L), lambda: fan((A, R), TURN, L)),
-    "wedge": (lambda F, r, a, l, **m: B.wedge(r, a, l, F, **m), (R, C, L), lambda: fan((0, R), (-C, C), L)),
-    "hollow sphere": (lambda F, r, q, **m: B.hollow_sphere(r, q, F, **m), (A, R), lambda: ball((A, R))),
-    "hemisphere": (lambda F, r, **m: B.hemisphere(r, F, **m), (R,), lambda: ball((0, R), (0, math.pi / 2))),
+    "half disk": (
+        lambda F, r, **m: B.half_disk(r, F, **m),
+        (R,),
+        lambda: fan((0, R), (-math.pi / 2, math.pi / 2)),
+    ),
+    "tube": (
+        lambda F, r, q, l, **m: B.tube(r, q, l, F, **m),
+        (A, R, L),
+        lambda: fan((A, R), TURN, L),
+    ),
+    "wedge": (
+        lambda F, r, a, l, **m: B.wedge(r, a, l, F, **m),
+        (R, C, L),
+        lambda: fan((0, R), (-C, C), L),
+    ),
+    "hollow sphere": (
+        lambda F, r, q, **m: B.hollow_sphere(r, q, F, **m),
+        (A, R),
+        lambda: ball((A, R)),
+    ),
+    "hemisphere": (
+        lambda F, r, **m: B.hemisphere(r, F, **m),
+        (R,),
+        lambda: ball((0, R), (0, math.pi / 2)),
+    ),
     "ellipsoid": (lambda F, a, b, c, **m: B.ellipsoid(a, b, c, F, **m), (A, R, L), egg),
-    "cylindrical shell": (lambda F, r, l, **m: B.cylindrical_shell(r, l, F, **m), (R, L), lambda: fan(R, TURN, L)),
+    "cylindrical shell": (
+        lambda F, r, l, **m: B.cylindrical_shell(r, l, F, **m),
+        (R, L),
+        lambda: fan(R, TURN, L),
+    ),
     "conical shell": (lambda F, r, h, **m: B.conical_shell(r, h, F, **m), (R, L), open_cone),
     "spherical shell": (lambda F, r, **m: B.spherical_shell(r, F, **m), (R,), lambda: ball(R)),
-    "hemispherical shell": (lambda F, r, **m: B.hemispherical_shell(r, F, **m), (R,), lambda: ball(R, (0, math.pi / 2))),
+    "hemispherical shell": (
+        lambda F, r, **m: B.hemispherical_shell(r, F, **m),
+        (R,),
+        lambda: ball(R, (0, math.pi / 2)),
+    ),
 }
 every_solid = pytest.mark.parametrize("name", TABLE)
 
@@ -105,12 +164,18 @@ def integrals(points):
     content = w.sum()
     moments = [(w * s).sum() for s in (y * y + z * z, z * z + x * x, x * x + y * y)]
     xy, yz, zx = ((w * s).sum() for s in (x * y, y * z, z * x))
-    return content, [(w * s).sum() / content for s in (x, y, z)], ((moments[0], -xy, -zx), (-xy, moments[1], -yz), (-zx, -yz, moments[2]))
+    return (
+        content,
+        [(w * s).sum() / content for s in (x, y, z)],
+        ((moments[0], -xy, -zx), (-xy, moments[1], -yz), (-zx, -yz, moments[2])),
+    )
 
 
 @every_solid
 def test_appendix_B_by_quadrature(name):
-    """Content, centre and matrix about the point given, for a unit density; the cone's at its apex, as in the book."""
+    """Content, centre and matrix about the point given, for a unit density; the cone's at its apex,
+    as in the book.
+    """
     make, given, sample = TABLE[name]
     frame = Frame("solid")
     body = make(frame, *given, density=1.0)
@@ -130,14 +195,22 @@ def test_appendix_B_on_every_kind_of_number(name, kind):
     body = make(frame, *sizes, mass=m)
     known = make(frame, *map(float, given), mass=2.5)
     ratio = np.array([1.0, 1.0625, 0.875]) if kind == "array" else 1
-    if kind == "array" and name not in ("arc", "sector", "wedge"):  # mass and lengths scale together, angles do not
-        assert close(body.about(frame).matrix, tuple(tuple(x * ratio**3 for x in row) for row in known.about(frame).matrix), 1e-13)
+    # mass and lengths scale together, angles do not
+    if kind == "array" and name not in ("arc", "sector", "wedge"):
+        assert close(
+            body.about(frame).matrix,
+            tuple(tuple(x * ratio**3 for x in row) for row in known.about(frame).matrix),
+            1e-13,
+        )
     elif kind != "array":
         assert close(body.about(frame).matrix, known.about(frame).matrix, 1e-14)
         assert close(body.centre.position(frame), known.centre.position(frame), 1e-14)
     if kind == "mpmath":
         exact = make(Frame("exact"), *numbers("sympy", *given, 1)[:-1], mass=sympy.Rational(5, 2))
-        assert all(abs(number(a) - number(b)) < 1e-27 for a, b in zip(body.inertia.moments, exact.inertia.moments, strict=True))
+        assert all(
+            abs(number(a) - number(b)) < 1e-27
+            for a, b in zip(body.inertia.moments, exact.inertia.moments, strict=True)
+        )
 
 
 def test_appendix_B_as_the_book_prints_it():
@@ -147,18 +220,30 @@ def test_appendix_B_as_the_book_prints_it():
     printed = {
         B.rod(length, F, mass=m): (0, m * length**2 / 12, m * length**2 / 12),
         B.plate(b, c, F, mass=m): (m * (b**2 + c**2) / 12, m * c**2 / 12, m * b**2 / 12),
-        B.box(a, b, c, F, mass=m): (m * (b**2 + c**2) / 12, m * (c**2 + a**2) / 12, m * (a**2 + b**2) / 12),
+        B.box(a, b, c, F, mass=m): (
+            m * (b**2 + c**2) / 12,
+            m * (c**2 + a**2) / 12,
+            m * (a**2 + b**2) / 12,
+        ),
         B.disk(r, F, mass=m): (m * r**2 / 2, m * r**2 / 4, m * r**2 / 4),
-        B.cylinder(a, length, F, mass=m): (m * a**2 / 2, m * (3 * a**2 + length**2) / 12, m * (3 * a**2 + length**2) / 12),
+        B.cylinder(a, length, F, mass=m): (
+            m * a**2 / 2,
+            m * (3 * a**2 + length**2) / 12,
+            m * (3 * a**2 + length**2) / 12,
+        ),
         B.sphere(a, F, mass=m): (q(2, 5) * m * a**2,) * 3,
     }
     for body, moments in printed.items():
-        assert all(sympy.expand(x - y) == 0 for x, y in zip(body.inertia.moments, moments, strict=True)), body
+        assert all(
+            sympy.expand(x - y) == 0 for x, y in zip(body.inertia.moments, moments, strict=True)
+        ), body
     end = F.point("end", length / 2, 0, 0)
     assert B.rod(length, F, mass=m).about(end).moments == (0, m * length**2 / 3, m * length**2 / 3)
     cone = B.cone(a, h, F, mass=m)
     at_apex = q(3, 10) * m * a**2, *[q(3, 5) * m * (a**2 / 4 + h**2)] * 2
-    assert all(sympy.expand(x - y) == 0 for x, y in zip(cone.about(F).moments, at_apex, strict=True))
+    assert all(
+        sympy.expand(x - y) == 0 for x, y in zip(cone.about(F).moments, at_apex, strict=True)
+    )
     assert cone.centre.position(F).x == 3 * h / 4
     base = cone.about(F.point("base", h, 0, 0)).moments[1]
     assert sympy.expand(base - m * (3 * a**2 + 2 * h**2) / 20) == 0
@@ -174,9 +259,14 @@ FANS = ("arc", "sector", "half ring", "half disk", "wedge")  # point along anoth
 def test_other_axes_follow_each_other(name, n):
     make, given, _ = TABLE[name]
     F = Frame("F")
-    straight, body = make(F, *given, mass=2.0), getattr(B, name.replace(" ", "_"))(*given, F, "xyz"[n], mass=2.0)
+    straight, body = (
+        make(F, *given, mass=2.0),
+        getattr(B, name.replace(" ", "_"))(*given, F, "xyz"[n], mass=2.0),
+    )
     r = straight.centre.position(F).components()
-    assert close(body.inertia.moments, tuple(straight.inertia.moments[(k - n) % 3] for k in range(3)), 0)
+    assert close(
+        body.inertia.moments, tuple(straight.inertia.moments[(k - n) % 3] for k in range(3)), 0
+    )
     assert close(body.centre.position(F), tuple(r[(k - n) % 3] for k in range(3)), 0)
 
 
@@ -184,7 +274,10 @@ def test_other_axes_follow_each_other(name, n):
 def test_a_minus_sign_turns_the_body_back_to_front(name):
     make, given, _ = TABLE[name]
     F = Frame("F")
-    straight, body = make(F, *given, mass=2.0), getattr(B, name.replace(" ", "_"))(*given, F, "-x", mass=2.0)
+    straight, body = (
+        make(F, *given, mass=2.0),
+        getattr(B, name.replace(" ", "_"))(*given, F, "-x", mass=2.0),
+    )
     x, y, z = straight.centre.position(F)
     assert close(body.centre.position(F), (-x, y, z), 0)
     assert body.inertia.moments == straight.inertia.moments
@@ -195,7 +288,10 @@ def test_a_fan_may_be_directed_anywhere_in_its_plane():
     up = B.half_disk(1.0, F, "x", "-z", mass=1.0)
     assert close(up.centre.position(F), (0, 0, -4 / (3 * math.pi)), 1e-16)
     assert close(up.about(F).moments, (0.5, 0.25, 0.25), 1e-15)
-    with pytest.raises(MassError, match="half disk lies in the plane normal to 'x' and cannot be directed toward '-x'"):
+    with pytest.raises(
+        MassError,
+        match="half disk lies in the plane normal to 'x' and cannot be directed toward '-x'",
+    ):
         B.half_disk(1.0, F, "x", "-x", mass=1.0)
 
 
@@ -208,7 +304,9 @@ def test_half_figures_are_arcs_and_sectors_of_a_quarter_turn():
 
 
 def test_limits_of_the_table():
-    """A thin tube is a shell, a flat cylinder a disk, a whole arc a ring, a hollow sphere with no hole solid."""
+    """A thin tube is a shell, a flat cylinder a disk, a whole arc a ring, a hollow sphere with no
+    hole solid.
+    """
     F = Frame("F")
     cases = [
         (B.tube(1 - 1e-9, 1.0, L, F, mass=1.0), B.cylindrical_shell(1.0, L, F, mass=1.0)),
@@ -224,9 +322,21 @@ def test_limits_of_the_table():
 
 def test_two_half_disks_make_a_disk_and_two_hemispheres_a_sphere():
     F = Frame("F")
-    disk = composite("disk", [B.half_disk(R, F, "z", "y", density=2.0, name="upper"), B.half_disk(R, F, "z", "-y", density=2.0, name="lower")])
+    disk = composite(
+        "disk",
+        [
+            B.half_disk(R, F, "z", "y", density=2.0, name="upper"),
+            B.half_disk(R, F, "z", "-y", density=2.0, name="lower"),
+        ],
+    )
     assert close(disk.inertia.matrix, B.disk(R, F, "z", density=2.0).inertia.matrix, 1e-15)
-    ball = composite("ball", [B.hemisphere(R, F, "y", density=2.0, name="upper"), B.hemisphere(R, F, "-y", density=2.0, name="lower")])
+    ball = composite(
+        "ball",
+        [
+            B.hemisphere(R, F, "y", density=2.0, name="upper"),
+            B.hemisphere(R, F, "-y", density=2.0, name="lower"),
+        ],
+    )
     assert close(ball.inertia.matrix, B.sphere(R, F, density=2.0).inertia.matrix, 1e-15)
 
 
@@ -236,7 +346,9 @@ def test_two_half_disks_make_a_disk_and_two_hemispheres_a_sphere():
 @every_kind
 @pytest.mark.parametrize("corners", [2, 3, 4], ids=["rod", "triangle", "tetrahedron"])
 def test_simplex_between_points_anywhere(kind, corners):
-    """Against quadrature in barycentric coordinates: moments of a simplex are polynomials of degree two, so Gauss is exact."""
+    """Against quadrature in barycentric coordinates: moments of a simplex are polynomials of degree
+    two, so Gauss is exact.
+    """
     places = [(0.5, -0.25, 1), (2, 0.5, 0.25), (-1, 1.5, 0.5), (0.25, 0.75, -2)][:corners]
     F = Frame("F")
     P = [F.point(f"P{n}", *numbers(kind, *r)) for n, r in enumerate(places)]
@@ -251,10 +363,16 @@ def test_simplex_between_points_anywhere(kind, corners):
         shares.append(left * t)
         left = left * (1 - t)
     r = first[:, None] + sum(e[:, None] * s for e, s in zip(edges, shares, strict=True))
-    size = {2: lambda: np.linalg.norm(edges[0]), 3: lambda: np.linalg.norm(np.cross(*edges)), 4: lambda: abs(np.linalg.det(edges))}[corners]()
+    size = {
+        2: lambda: np.linalg.norm(edges[0]),
+        3: lambda: np.linalg.norm(np.cross(*edges)),
+        4: lambda: abs(np.linalg.det(edges)),
+    }[corners]()
     content, centre, matrix = integrals((*r, 2 * size * w))
     if kind == "array":
-        body = B.simplex(*(F.point("P", *(np.array([float(x)] * 2) for x in p)) for p in places), density=2.0)
+        body = B.simplex(
+            *(F.point("P", *(np.array([float(x)] * 2) for x in p)) for p in places), density=2.0
+        )
     assert close(body.mass, content, 1e-12)
     assert close(body.centre.position(F), centre, 1e-12)
     assert close(body.about(F).matrix, matrix, 1e-11)
@@ -277,19 +395,31 @@ def test_problem_7_31_slanting_rod_has_products_of_inertia():
 def test_solids_that_do_not_exist_are_refused():
     F = Frame("F")
     for match, make in {
-        "the radius of disk must be positive, got -1.0; to cut something out": lambda: B.disk(-1.0, F, mass=1.0),
+        "the radius of disk must be positive, got -1.0; to cut something out": lambda: B.disk(
+            -1.0, F, mass=1.0
+        ),
         "the wall of tube must be positive": lambda: B.tube(1.0, 0.5, 1.0, F, mass=1.0),
         "disk needs either mass=... or density=... .* got none": lambda: B.disk(1.0, F),
-        "disk needs either mass=... or density=... .* not both": lambda: B.disk(1.0, F, mass=1.0, density=1.0),
+        "disk needs either mass=... or density=... .* not both": lambda: B.disk(
+            1.0, F, mass=1.0, density=1.0
+        ),
         "the mass of disk must be positive, got 0": lambda: B.disk(1.0, F, mass=0),
         "the length of rod must be positive, got nan": lambda: B.rod(math.nan, F, mass=1.0),
-        "an axis is 'x', 'y', 'z' or one of them with a minus sign, got 'q'": lambda: B.disk(1.0, F, "q", mass=1.0),
-        "a simplex has two, three or four corners, all Points; got 1": lambda: B.simplex(F.origin, mass=1.0),
-        "the mass of triangle must be positive, got 0": lambda: B.simplex(*(F.point("P", x, 0, 0) for x in (0.0, 1.0, 2.0)), density=1.0),
+        "an axis is 'x', 'y', 'z' or one of them with a minus sign, got 'q'": lambda: B.disk(
+            1.0, F, "q", mass=1.0
+        ),
+        "a simplex has two, three or four corners, all Points; got 1": lambda: B.simplex(
+            F.origin, mass=1.0
+        ),
+        "the mass of triangle must be positive, got 0": lambda: B.simplex(
+            *(F.point("P", x, 0, 0) for x in (0.0, 1.0, 2.0)), density=1.0
+        ),
     }.items():
         with pytest.raises(MassError, match=match):
             make()
-    with pytest.raises(FrameError, match=r"place of disk is a Point or a Frame, .* got \(0, 0, 0\)"):
+    with pytest.raises(
+        FrameError, match=r"place of disk is a Point or a Frame, .* got \(0, 0, 0\)"
+    ):
         B.disk(1.0, (0, 0, 0), mass=1.0)
 
 

@@ -47,13 +47,19 @@ NUMBERS = [
 ]
 
 
-@pytest.mark.parametrize("value", NUMBERS, ids=lambda v: f"{type(v).__module__}.{type(v).__name__} {v}")
+@pytest.mark.parametrize(
+    "value", NUMBERS, ids=lambda v: f"{type(v).__module__}.{type(v).__name__} {v}"
+)
 def test_a_number_is_read_from_every_library(value):
     assert one("number, m", value) == 2.5
     assert type(one("number, m", value)) is float
 
 
-@pytest.mark.parametrize("value", [2, np.int64(2), np.int8(2), np.uint16(2), sympy.Integer(2), mpmath.mpf(2)], ids=lambda v: type(v).__name__)
+@pytest.mark.parametrize(
+    "value",
+    [2, np.int64(2), np.int8(2), np.uint16(2), sympy.Integer(2), mpmath.mpf(2)],
+    ids=lambda v: type(v).__name__,
+)
 def test_whole_numbers_are_numbers_and_counts(value):
     assert one("number, 1", value) == 2.0
     assert one("count", value) == 2
@@ -105,7 +111,9 @@ def test_symengine_is_read_as_sympy_is():
     R, W = symengine.symbols("r omega")
     assert one("number, m", symengine.Rational(5, 2)) == 2.5
     sample = {"r": 1.5, "omega": 0.7}
-    assert evaluate(one("expression, m/s", R * W + symengine.sin(W) ** 2 / 3, SYMBOLS), sample) == pytest.approx(1.5 * 0.7 + math.sin(0.7) ** 2 / 3)
+    assert evaluate(
+        one("expression, m/s", R * W + symengine.sin(W) ** 2 / 3, SYMBOLS), sample
+    ) == pytest.approx(1.5 * 0.7 + math.sin(0.7) ** 2 / 3)
     assert one("vector_expression, m/s", symengine.Matrix([R * W, 0, 1]), SYMBOLS)[1:] == [0, 1]
 
 
@@ -113,7 +121,9 @@ def test_pint_quantities_are_converted_to_the_unit_asked_for():
     pint = pytest.importorskip("pint")
     u = pint.UnitRegistry()
     assert one("number, mm", 2.5 * u.m) == pytest.approx(2500)
-    assert one("vector, mm/s^2", np.array([1, 2, 3]) * u.m / u.s**2) == pytest.approx([1000, 2000, 3000])
+    assert one("vector, mm/s^2", np.array([1, 2, 3]) * u.m / u.s**2) == pytest.approx(
+        [1000, 2000, 3000]
+    )
     assert one("number, ft/s", 12 * u.inch / u.s) == pytest.approx(1)
     assert one("vector, mm", [1 * u.m, 2 * u.cm, 3 * u.mm]) == pytest.approx([1000, 20, 3])
     with pytest.raises(AnswerError, match=r"in mm.*cannot be converted"):
@@ -151,19 +161,29 @@ def test_a_formula_is_read_as_a_tree_with_the_same_value(name):
 
 @pytest.mark.parametrize("function", ["sec", "csc", "cot", "sign", "Heaviside"])
 def test_a_function_that_is_not_read_is_named(function):
-    with pytest.raises(AnswerError, match=rf"{function}.* is not among the functions that are read: sin"):
+    with pytest.raises(
+        AnswerError, match=rf"{function}.* is not among the functions that are read: sin"
+    ):
         one("expression, m", getattr(sympy, function)(theta), SYMBOLS)
 
 
 # -- what cannot be read: expected, got, what to do
 
 WRONG = [
-    ("vector, mm/s", [1, 2], r"expected a vector, three numbers as in .*, in mm/s; got 2 numbers: \[1, 2\]"),
+    (
+        "vector, mm/s",
+        [1, 2],
+        r"expected a vector, three numbers as in .*, in mm/s; got 2 numbers: \[1, 2\]",
+    ),
     ("vector, mm/s", 3.0, "expected a vector.*got 1 number: 3.0"),
     ("vector, mm/s", "[1, 2, 3]", "got the text .*write it without quotation marks"),
     ("vector, mm/s", {"x": 1, "y": 2, "z": 3}, "got a dict, which has no order"),
     ("vector, mm/s", {1, 2, 3}, "got a set, which has no order"),
-    ("vector, mm/s", [1, float("nan"), 0], "got nan, which comes from a division by zero or the root of a negative number"),
+    (
+        "vector, mm/s",
+        [1, float("nan"), 0],
+        "got nan, which comes from a division by zero or the root of a negative number",
+    ),
     ("number, m", float("inf"), "got inf, which comes from a division by zero"),
     ("number, m", np.float64("nan"), "got nan"),
     ("number, m", sympy.nan, "got nan"),
@@ -188,19 +208,29 @@ WRONG = [
     ("choice: stable | unstable", 1, "expected one of 'stable', 'unstable'; got '1'"),
     ("choice: stable | unstable", ["stable"], "expected one of"),
     ("choice: stable | unstable", np.array([1, 2]), "expected one of"),
-    ("expression, m", sympy.Symbol("q") * r, "it contains 'q', but the symbols of the problem are r, omega, theta"),
+    (
+        "expression, m",
+        sympy.Symbol("q") * r,
+        "it contains 'q', but the symbols of the problem are r, omega, theta",
+    ),
     ("expression, m", "r*omega", "write it without quotation marks"),
     ("expression, m", r > 1, "expected a formula"),
     ("expression, m", sympy.Eq(r, 1), "expected a formula"),
     ("expression, m", sympy.Function("f")(theta), "f is not among the functions"),
-    ("expression, m", sympy.Derivative(sympy.Function("f")(theta), theta), "not among the functions"),
+    (
+        "expression, m",
+        sympy.Derivative(sympy.Function("f")(theta), theta),
+        "not among the functions",
+    ),
     ("expression, m", sympy.Piecewise((r, r > 1), (0, True)), "not among the functions"),
     ("expression, m", [r, r], "expected a formula in the problem's symbols, in m; got 2"),
     ("vector_expression, m", r, "expected a vector of three formulas"),
 ]
 
 
-@pytest.mark.parametrize(("form", "value", "said"), WRONG, ids=[f"{f} from {v!r:.30}" for f, v, _ in WRONG])
+@pytest.mark.parametrize(
+    ("form", "value", "said"), WRONG, ids=[f"{f} from {v!r:.30}" for f, v, _ in WRONG]
+)
 def test_what_cannot_be_read_is_told_with_what_was_expected_and_what_came(form, value, said):
     with pytest.raises(AnswerError, match=said):
         one(form, value, SYMBOLS)
@@ -208,7 +238,11 @@ def test_what_cannot_be_read_is_told_with_what_was_expected_and_what_came(form, 
 
 def test_a_formula_of_too_many_operations_is_refused_in_words():
     with pytest.raises(AnswerError, match=f"more than {NODES} operations. Simplify it"):
-        one("expression, m", sympy.Add(*(sympy.sin(n * theta) for n in range(2000)), evaluate=False), SYMBOLS)
+        one(
+            "expression, m",
+            sympy.Add(*(sympy.sin(n * theta) for n in range(2000)), evaluate=False),
+            SYMBOLS,
+        )
 
 
 def test_a_formula_nested_very_deep_is_a_fault_and_no_crash():
@@ -231,14 +265,20 @@ class Hostile:
     __float__ = __iter__ = __len__ = __eq__ = __hash__ = __repr__
 
 
-@pytest.mark.parametrize("form", ["number, m", "vector, m", "count", "choice: a | b", "expression, m", "matrix, m"])
+@pytest.mark.parametrize(
+    "form", ["number, m", "vector, m", "count", "choice: a | b", "expression, m", "matrix, m"]
+)
 def test_an_object_that_fails_at_everything_is_a_fault(form):
     with pytest.raises(AnswerError, match="expected"):
         one(form, Hostile(), SYMBOLS)
 
 
 def test_one_fault_leaves_the_other_answers():
-    forms = {"v": Form.read("vector, m/s"), "n": Form.read("number, 1"), "open": Form.read("number, 1")}
+    forms = {
+        "v": Form.read("vector, m/s"),
+        "n": Form.read("number, 1"),
+        "open": Form.read("number, 1"),
+    }
     read, faults = record(forms, {}, {"v": [1, 2], "n": 3})
     assert read == {"n": 3.0, "open": None}
     assert list(faults) == ["v"]
@@ -255,30 +295,43 @@ def problem():
 
 def test_a_receipt_shows_what_was_read_and_what_is_open(problem):
     said = repr(receipt(problem, v=[1, 2.5, 0], speed=None))
-    assert said == "0/7: v = [1, 2.5, 0] m/s. Form checked only; the key is not here. Still open: speed."
+    assert (
+        said
+        == "0/7: v = [1, 2.5, 0] m/s. Form checked only; the key is not here. Still open: speed."
+    )
     assert repr(receipt(problem)) == "0/7: no answer yet."
 
 
 def test_a_receipt_is_a_json_record(problem):
     given = receipt(problem, v=ground.vector(1, 2, 0), speed=omega * r)
-    assert json.loads(given.json) == {"problem": "0/7", "answers": {"v": [1.0, 2.0, 0.0], "speed": ["*", "omega", "r"]}}
+    assert json.loads(given.json) == {
+        "problem": "0/7",
+        "answers": {"v": [1.0, 2.0, 0.0], "speed": ["*", "omega", "r"]},
+    }
     assert receipts["0/7"]["faults"] == {}
 
 
 def test_a_receipt_names_every_answer_that_cannot_be_read(problem):
-    with pytest.raises(AnswerError, match=r"0/7, v: expected a vector(.|\n)*0/7, speed: expected a formula"):
+    with pytest.raises(
+        AnswerError, match=r"0/7, v: expected a vector(.|\n)*0/7, speed: expected a formula"
+    ):
         receipt(problem, v=3, speed="r")
 
 
 def test_an_unknown_problem_or_answer_is_told(problem):
-    with pytest.raises(AnswerError, match=r"nothing is known of problem '9/99'; run the cells of the notebook from the top"):
+    with pytest.raises(
+        AnswerError,
+        match=r"nothing is known of problem '9/99'; run the cells of the notebook from the top",
+    ):
         receipt("9/99", v=1)
     with pytest.raises(AnswerError, match="problem 0/7 does not ask for 'w'; it asks for v, speed"):
         receipt(problem, w=1)
 
 
 def test_a_form_that_does_not_exist_is_told():
-    with pytest.raises(AnswerError, match=r"no such kind of answer: 'tensor'; there are number, vector"):
+    with pytest.raises(
+        AnswerError, match=r"no such kind of answer: 'tensor'; there are number, vector"
+    ):
         expect("0/8", x="tensor, m")
 
 
@@ -323,7 +376,22 @@ def test_trees_are_data_for_scalars_of_every_kind():
 
 
 @pytest.mark.parametrize(
-    "tree", [["+"], [], ["exec", 1], [1, 2], {"a": 1}, None, True, ["^", 1], ["atan2", 1], ["nope"], "unknown", [["+"], 1], ["sin", 1, 2]]
+    "tree",
+    [
+        ["+"],
+        [],
+        ["exec", 1],
+        [1, 2],
+        {"a": 1},
+        None,
+        True,
+        ["^", 1],
+        ["atan2", 1],
+        ["nope"],
+        "unknown",
+        [["+"], 1],
+        ["sin", 1, 2],
+    ],
 )
 def test_what_is_not_a_tree_raises_a_tree_error(tree):
     with pytest.raises(TreeError):

@@ -59,7 +59,13 @@ def test_a_slider_draws_the_picture_anew_in_its_place(shown):
     interactive_figure(drawing(calls), a=(1.0, 0, 2), b=(2, 0, 3, 0.5))
     picture, box = shown.outputs
     first, second = box.children
-    assert (first.description, first.min, first.max, first.step, second.step) == ("a", 0, 2, 0.04, 0.5)
+    assert (first.description, first.min, first.max, first.step, second.step) == (
+        "a",
+        0,
+        2,
+        0.04,
+        0.5,
+    )
     first.value = 1.6
     assert calls[-1] == {"a": 1.6, "b": 2.0}
     (new,) = shown.updates

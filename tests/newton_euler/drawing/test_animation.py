@@ -16,7 +16,9 @@ from tests.sketching import ground, sketch, texts
 
 
 def arm(t, ax):
-    """A rod that turns once in two seconds and is longer then; its tip has an arrow for its velocity."""
+    """A rod that turns once in two seconds and is longer then; its tip has an arrow for its
+    velocity.
+    """
     tip = ground.vector(0, (1 + t) * math.cos(math.pi * t), (1 + t) * math.sin(math.pi * t))
     s = Sketch(ax, ground, plane="yz")
     s.rod((0, 0, 0), tip)
@@ -46,7 +48,9 @@ def test_draw_is_called_once_for_each_time_with_a_float():
 
 def test_nothing_reaches_the_edge_of_any_picture():
     for picture in seen(animate(arm, TIMES, size=(3, 2))):
-        assert (np.concatenate((picture[0], picture[-1], picture[:, 0], picture[:, -1])) > 250).all()
+        assert (
+            np.concatenate((picture[0], picture[-1], picture[:, 0], picture[:, -1])) > 250
+        ).all()
 
 
 def sketches():
@@ -75,7 +79,9 @@ def test_arrows_of_one_kind_have_one_measure_in_all_pictures():
     lengths = []
     for s in scenes:
         s.finish()
-        lengths.append(next(np.ptp(p.get_path().vertices[:, 1]) for p in s.ax.patches if p.get_zorder() == 4))
+        lengths.append(
+            next(np.ptp(p.get_path().vertices[:, 1]) for p in s.ax.patches if p.get_zorder() == 4)
+        )
     assert np.array(lengths) / lengths[-1] == pytest.approx([0.25, 0.5, 1])
 
 
@@ -97,14 +103,23 @@ def test_progress_is_told_up_to_the_last_step():
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"times": range(MAX_PICTURES + 1)}, r"601 pictures are too many .* 600 at most: give fewer times, as times\[::2\]"),
-        ({"times": range(500), "dpi": 300}, "500 pictures of 1500 by 1200 pixels are too much .* a dpi of 173 or less"),
+        (
+            {"times": range(MAX_PICTURES + 1)},
+            r"601 pictures are too many .* 600 at most: give fewer times, as times\[::2\]",
+        ),
+        (
+            {"times": range(500), "dpi": 300},
+            "500 pictures of 1500 by 1200 pixels are too much .* a dpi of 173 or less",
+        ),
         ({"times": [1]}, "two times or more, got 1"),
         ({"times": [0, 2, 1]}, "increase; got 2.0 and then 1.0"),
         ({"times": [0, math.nan]}, "finite and increase; got 0.0 and then nan"),
         ({"times": 3}, "numbers of seconds; got 3"),
         ({"times": [0, 1], "speed": 0}, "positive number; got 0"),
-        ({"times": [0, 1], "draw": lambda t, ax: None}, r"with Sketch\(ax, ...\) on the axes it is given, and did not at t = 0 s"),
+        (
+            {"times": [0, 1], "draw": lambda t, ax: None},
+            r"with Sketch\(ax, ...\) on the axes it is given, and did not at t = 0 s",
+        ),
     ],
 )
 def test_what_cannot_be_shown_is_told_in_words_before_anything_is_drawn(arguments, words):

@@ -1,4 +1,6 @@
-"""tangents.py: a cable is tangent to its pulleys, goes round them the way it should, and is as long as geometry says."""
+"""tangents.py: a cable is tangent to its pulleys, goes round them the way it should, and is as long
+as geometry says.
+"""
 
 import math
 from itertools import pairwise
@@ -23,7 +25,9 @@ def total(stops, turns=None):
 
 
 def test_a_rope_over_a_pulley_hangs_down_on_both_sides():
-    """Half a turn over the top, the rest straight; chords of 6 degrees are shorter than the arc by less than 1 in 2000."""
+    """Half a turn over the top, the rest straight; chords of 6 degrees are shorter than the arc by
+    less than 1 in 2000.
+    """
     wheel = Pulley((0.0, 0.0, 0.0), Z, 1.0)
     spans, arcs = route([(-1.0, -5.0, 0.0), wheel, (1.0, -3.0, 0.0)])
     assert spans[0][1] == pytest.approx((-1, 0, 0), abs=1e-12)
@@ -32,7 +36,9 @@ def test_a_rope_over_a_pulley_hangs_down_on_both_sides():
     assert max(P[1] for P in arcs[1]) == pytest.approx(1, abs=2e-3)
 
 
-@pytest.mark.parametrize(("turns", "expected"), [((1, 1), 5 * 0.96**0.5), ((1, -1), (25 - 9) ** 0.5)])
+@pytest.mark.parametrize(
+    ("turns", "expected"), [((1, 1), 5 * 0.96**0.5), ((1, -1), (25 - 9) ** 0.5)]
+)
 def test_a_leg_between_two_pulleys_is_an_outer_or_an_inner_tangent(turns, expected):
     """Centres 5 apart, radii 1 and 2: sqrt(d^2 - (R - r)^2) and sqrt(d^2 - (R + r)^2)."""
     spans, _ = route([Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 0.0, 0.0), Z, 2.0)], turns)
@@ -43,7 +49,9 @@ def test_a_leg_between_two_pulleys_is_an_outer_or_an_inner_tangent(turns, expect
 def test_legs_are_square_to_the_radius_and_run_the_way_the_pulley_turns(turns):
     wheels = [Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 1.0, 0.0), Z, 2.0)]
     spans, arcs = route([(-3.0, 2.0, 0.0), *wheels, (9.0, 0.0, 0.0)], turns)
-    for wheel, turn, arriving, leaving, arc in zip(wheels, turns, spans, spans[1:], arcs[1:], strict=False):
+    for wheel, turn, arriving, leaving, arc in zip(
+        wheels, turns, spans, spans[1:], arcs[1:], strict=False
+    ):
         for (A, B), T in ((arriving, arriving[1]), (leaving, leaving[0])):
             along, radius = np.subtract(B, A), np.subtract(T, wheel.centre)
             assert np.linalg.norm(radius) == pytest.approx(wheel.radius)
@@ -54,15 +62,26 @@ def test_legs_are_square_to_the_radius_and_run_the_way_the_pulley_turns(turns):
 
 
 def test_by_default_the_cable_takes_the_shortest_way():
-    stops = [(-3.0, 2.0, 0.0), Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 1.0, 0.0), Z, 2.0), (9.0, 0.0, 0.0)]
-    assert total(stops) == pytest.approx(min(total(stops, (a, b)) for a in (1, -1) for b in (1, -1)))
+    stops = [
+        (-3.0, 2.0, 0.0),
+        Pulley((0.0, 0.0, 0.0), Z, 1.0),
+        Pulley((5.0, 1.0, 0.0), Z, 2.0),
+        (9.0, 0.0, 0.0),
+    ]
+    assert total(stops) == pytest.approx(
+        min(total(stops, (a, b)) for a in (1, -1) for b in (1, -1))
+    )
 
 
 def test_a_cable_back_to_its_pulley_is_a_belt():
-    """Equal pulleys: two straight parts and a whole turn; crossed, its length is 2 sqrt(d^2 - 4r^2) + 2r(pi + 2 asin(2r/d))."""
+    """Equal pulleys: two straight parts and a whole turn; crossed, its length is 2 sqrt(d^2 - 4r^2)
+    + 2r(pi + 2 asin(2r/d)).
+    """
     p, q = Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 0.0, 0.0), Z, 1.0)
     assert total([p, q, p]) == pytest.approx(10 + 2 * math.pi, rel=5e-4)
-    assert total([p, q, p], (1, -1)) == pytest.approx(2 * math.sqrt(21) + 2 * (math.pi + 2 * math.asin(0.4)), rel=5e-4)
+    assert total([p, q, p], (1, -1)) == pytest.approx(
+        2 * math.sqrt(21) + 2 * (math.pi + 2 * math.asin(0.4)), rel=5e-4
+    )
 
 
 def test_a_straight_cable_that_just_touches_has_no_arc_and_no_whole_turn():

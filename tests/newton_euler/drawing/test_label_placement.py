@@ -64,7 +64,8 @@ def test_an_axis_with_an_empty_label_is_left_out():
     s.axes(O, ground, labels=["x", "", "z"])
     s.finish()
     assert texts(s).keys() == {"$x$", "$z$"}
-    assert len(s.ax.patches) == 6  # a shaft, a white edge and a head for each arrow, no circle for the axis that points away
+    # a shaft, a white edge and a head for each arrow, no circle for the axis that points away
+    assert len(s.ax.patches) == 6
 
 
 def test_axes_without_labels_are_drawn():
@@ -77,7 +78,9 @@ def test_axes_without_labels_are_drawn():
 
 @pytest.mark.parametrize(("last", "now"), [(0, 0), (1, 1), (3 * 16 + 8, 0)])
 def test_a_label_moves_from_where_it_was_only_if_that_is_much_better(last, now):
-    """In a film. Places 0 and 1 are neighbours and both free; the third is on the other side and 26 points away."""
+    """In a film. Places 0 and 1 are neighbours and both free; the third is on the other side and 26
+    points away.
+    """
     s = sketch()
     s.rod((0, -1, 0), (0, 1, 0))
     s.label((0, 0, 1), "A")

@@ -1,4 +1,6 @@
-"""covering.py: the near over the far, what lies on a face over the face, and lines through a face cut."""
+"""covering.py: the near over the far, what lies on a face over the face, and lines through a face
+cut.
+"""
 
 from newton_euler.drawing.occlusion import painters_order
 from newton_euler.drawing.primitives import BODY, MARK, Canvas
@@ -20,7 +22,11 @@ SQUARE = [(5, 5, 0), (-5, 5, 0), (-5, -5, 0), (5, -5, 0)]
 
 
 def test_the_nearer_is_drawn_after_the_farther():
-    assert ordered(plane_view("xy"), ("near", [(0, 0, 2), (1, 0, 2)], None), ("far", [(0, 0, 1), (1, 0, 1)], None)) == ["far", "near"]
+    assert ordered(
+        plane_view("xy"),
+        ("near", [(0, 0, 2), (1, 0, 2)], None),
+        ("far", [(0, 0, 1), (1, 0, 1)], None),
+    ) == ["far", "near"]
 
 
 def test_what_lies_above_a_floor_covers_it_even_where_its_middle_is_farther_from_the_eye():
@@ -33,8 +39,12 @@ def test_what_lies_above_a_floor_covers_it_even_where_its_middle_is_farther_from
 
 def test_a_line_through_a_plate_is_cut_and_one_beside_it_is_not():
     view = space_view(35, 20, "z")
-    assert ordered(view, ("shaft", [(0, 0, -1), (0, 0, 3)], None), ("plate", SQUARE, (0, 0, 1))) == ["piece", "plate", "piece"]
-    assert "shaft" in ordered(view, ("shaft", [(9, 0, -1), (9, 0, 3)], None), ("plate", SQUARE, (0, 0, 1)))
+    assert ordered(
+        view, ("shaft", [(0, 0, -1), (0, 0, 3)], None), ("plate", SQUARE, (0, 0, 1))
+    ) == ["piece", "plate", "piece"]
+    assert "shaft" in ordered(
+        view, ("shaft", [(9, 0, -1), (9, 0, 3)], None), ("plate", SQUARE, (0, 0, 1))
+    )
 
 
 def test_marks_lie_over_bodies():

@@ -76,17 +76,31 @@ def test_jupyter_gets_html_and_where_there_is_none_the_first_picture():
     bundle = film()._repr_mimebundle_()
     assert bundle["text/html"].startswith("<div id=")
     assert base64.b64decode(bundle["image/png"]) == picture(0)
-    assert bundle["text/plain"] == "Animation of 3 pictures from t = 0.0 s to t = 1.0 s: A disk turns."
+    assert (
+        bundle["text/plain"] == "Animation of 3 pictures from t = 0.0 s to t = 1.0 s: A disk turns."
+    )
 
 
-@pytest.mark.parametrize(("speed", "words"), [(1.0, "<span></span>"), (0.25, "shown 4 times slower"), (3600.0, "shown 3.6e+03 times faster")])
+@pytest.mark.parametrize(
+    ("speed", "words"),
+    [
+        (1.0, "<span></span>"),
+        (0.25, "shown 4 times slower"),
+        (3600.0, "shown 3.6e+03 times faster"),
+    ],
+)
 def test_the_page_says_how_the_show_differs_from_the_motion(speed, words):
     assert words in film(speed=speed).html()
 
 
 @pytest.mark.parametrize(
     ("times", "label"),
-    [((0.0, 0.04, 0.08), "t = 0.08 s"), ((0.0, 60.0, 120.0), "t = 120 s"), ((0.0, 1e-9, 2e-9), "t = 2e-09 s"), ((0.0, 0.1, 1.0), "t = 1.0 s")],
+    [
+        ((0.0, 0.04, 0.08), "t = 0.08 s"),
+        ((0.0, 60.0, 120.0), "t = 120 s"),
+        ((0.0, 1e-9, 2e-9), "t = 2e-09 s"),
+        ((0.0, 0.1, 1.0), "t = 1.0 s"),
+    ],
 )
 def test_times_have_the_decimals_that_tell_them_apart(times, label):
     assert f'"{label}"' in film(times).html()

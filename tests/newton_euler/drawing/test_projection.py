@@ -29,7 +29,11 @@ def test_a_place_is_seen_where_it_should_be(view, place, page):
     assert vertices(s)[0] == pytest.approx(np.array([(0, 0), page]), abs=1e-12)
 
 
-@pytest.mark.parametrize("view", [space_view(a, h, up) for a in (-200, 35, 90) for h in (-60, 0, 20) for up in "xyz"] + [plane_view("zy")])
+@pytest.mark.parametrize(
+    "view",
+    [space_view(a, h, up) for a in (-200, 35, 90) for h in (-60, 0, 20) for up in "xyz"]
+    + [plane_view("zy")],
+)
 def test_right_up_and_eye_are_a_right_handed_triple_of_unit_vectors(view):
     R = np.array([view.right, view.up, view.eye])
     assert pytest.approx(np.eye(3), abs=1e-15) == R @ R.T

@@ -43,7 +43,9 @@ def test_everything_lies_within_the_axes():
     s.vector((0, -2.5, -1), (0, -1, 0), "v")
     png(s)
     for patch in s.ax.patches:
-        seen = s.ax.transAxes.inverted().transform(s.ax.transData.transform(patch.get_path().vertices))
+        seen = s.ax.transAxes.inverted().transform(
+            s.ax.transData.transform(patch.get_path().vertices)
+        )
         assert (seen > -0.01).all()
         assert (seen < 1.01).all()
 
@@ -72,13 +74,17 @@ def test_an_arc_spans_the_angle_from_the_first_direction_to_the_second():
     assert r"$\beta$" in texts(s)
 
 
-@pytest.mark.parametrize(("B", "angle"), [((1, 0, 0), 0), ((-1, 0, 0), math.pi), ((0, 0, 1), math.pi / 2)])
+@pytest.mark.parametrize(
+    ("B", "angle"), [((1, 0, 0), 0), ((-1, 0, 0), math.pi), ((0, 0, 1), math.pi / 2)]
+)
 def test_arcs_of_0_and_180_degrees_and_arcs_seen_edge_on_are_drawn(B, angle):
     s = sketch(plane="xy")
     s.arc(O, (1, 0, 0), B, "a")
     s.finish()
     x, y = vertices(s)[0].T
-    assert abs(np.unwrap(np.arctan2(y, x))[-1]) == pytest.approx(angle if angle != math.pi / 2 else 0, abs=1e-9)
+    assert abs(np.unwrap(np.arctan2(y, x))[-1]) == pytest.approx(
+        angle if angle != math.pi / 2 else 0, abs=1e-9
+    )
 
 
 @pytest.mark.parametrize(("axis", "sign"), [((0, 0, 1), 1), ((0, 0, -1), -1), ((0, -1, 2), 1)])
@@ -174,7 +180,17 @@ def everything(s):
     s.label(A, "A")
 
 
-@pytest.mark.parametrize("view", [{}, {"plane": "xy"}, {"plane": "zx"}, {"azimuth": 0, "elevation": 0}, {"elevation": 90}, {"up": "y"}])
+@pytest.mark.parametrize(
+    "view",
+    [
+        {},
+        {"plane": "xy"},
+        {"plane": "zx"},
+        {"azimuth": 0, "elevation": 0},
+        {"elevation": 90},
+        {"up": "y"},
+    ],
+)
 def test_every_primitive_is_drawn_from_every_side(view):
     s = sketch(**view)
     everything(s)
@@ -223,10 +239,12 @@ def test_a_scene_of_one_place_and_an_empty_scene_are_drawn(place):
 
 def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
     program = (
-        "import sys, newton_euler.drawing.animation, newton_euler.drawing.sketch as d; from newton_euler import Frame\n"
+        "import sys, newton_euler.drawing.animation, newton_euler.drawing.sketch as d; "
+        "from newton_euler import Frame\n"
         "assert not {'matplotlib', 'numpy', 'PIL'} & set(sys.modules), sorted(sys.modules)\n"
         "from matplotlib.figure import Figure; import io\n"
-        "s = d.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1, 2, 3)); s.label((0, 0, 0), 'O')\n"
+        "s = d.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1, 2, "
+        "3)); s.label((0, 0, 0), 'O')\n"
         "s.ax.figure.savefig(io.BytesIO())\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
     )
@@ -246,7 +264,10 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         (lambda s: s.rod(O, Frame("moon").point("M", 0, 0, 0)), "share no frame"),
         (lambda s: s.ground(O, normal=(0, 0, 0)), "points nowhere"),
         (lambda s: s.turn(O, ground.point("A", 1, 0, 0), "w"), "write B - A"),
-        (lambda s: s.vector(O, ground.i, "v", kind="speed"), "of the kind velocity, acceleration, rate, force, plain; got 'speed'"),
+        (
+            lambda s: s.vector(O, ground.i, "v", kind="speed"),
+            "of the kind velocity, acceleration, rate, force, plain; got 'speed'",
+        ),
         (lambda s: s.line(O, O, style="wavy"), "solid, dashed, dotted, centre; got 'wavy'"),
         (lambda s: s.disk(O, ground.k, -1), "positive number of metres; got -1"),
         (lambda s: s.sphere(O, "big"), "positive number of metres; got 'big'"),
@@ -258,9 +279,18 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         (lambda s: s.path([O, O], lift=-1), "positive number of metres; got -1"),
         (lambda s: s.cable(O), "between two stops or more, places or pulleys; got 1"),
         (lambda s: s.cable(O, "pulley"), "a place is a Point, a Vector or three numbers"),
-        (lambda s: s.cable((0.1, 0, 0), s.pulley(O, ground.k, 0.5), (2, 0, 0)), "lies within the radius 0.5"),
-        (lambda s: s.cable(O, (1, 0, 0), turns=[1]), "for each of the 0 pulleys on the way 1 or -1"),
-        (lambda s: s.cable(*[s.pulley((3 * n, 0, 0), ground.k, 1) for n in range(11)]), "say how it goes round each, as in turns="),
+        (
+            lambda s: s.cable((0.1, 0, 0), s.pulley(O, ground.k, 0.5), (2, 0, 0)),
+            "lies within the radius 0.5",
+        ),
+        (
+            lambda s: s.cable(O, (1, 0, 0), turns=[1]),
+            "for each of the 0 pulleys on the way 1 or -1",
+        ),
+        (
+            lambda s: s.cable(*[s.pulley((3 * n, 0, 0), ground.k, 1) for n in range(11)]),
+            "say how it goes round each, as in turns=",
+        ),
         (lambda s: s.pulley(O, ground.k, 0), "positive number of metres; got 0"),
         (lambda s: Sketch(s.ax, s.ax), "from its ground, a Frame"),
         (lambda s: Sketch(ground, ground), "on a matplotlib Axes"),

@@ -1,4 +1,6 @@
-"""Chapter 8, (8.1)-(8.21) and its examples. The oracle is a body of mass points in explicit motion, differentiated numerically at 30 digits."""
+"""Chapter 8, (8.1)-(8.21) and its examples. The oracle is a body of mass points in explicit motion,
+differentiated numerically at 30 digits.
+"""
 
 import mpmath as mp
 import numpy as np
@@ -26,7 +28,9 @@ every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
 def tolerance(kind):
-    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical differentiation leaves of 50 digits."""
+    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical
+    differentiation leaves of 50 digits.
+    """
     return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
 
 
@@ -46,8 +50,12 @@ def cross(a, b):
 
 
 def scaled(s):
-    """The numbers of the particles and points of instant ``s``: an array holds them times 1, 1.0625 and 0.875."""
-    return lambda *values: [mp.mpf(sympy.Rational(str(v)).p) / sympy.Rational(str(v)).q * s for v in values]
+    """The numbers of the particles and points of instant ``s``: an array holds them times 1, 1.0625
+    and 0.875.
+    """
+    return lambda *values: [
+        mp.mpf(sympy.Rational(str(v)).p) / sympy.Rational(str(v)).q * s for v in values
+    ]
 
 
 class Oracle:
@@ -63,7 +71,9 @@ class Oracle:
 
         def where(s):
             v = x
-            for axis, f in reversed(list(zip(((0, 0, 1), (1, 0, 0), (0, 3, 4)), turns(a, b, c), strict=True))):
+            for axis, f in reversed(
+                list(zip(((0, 0, 1), (1, 0, 0), (0, 3, 4)), turns(a, b, c), strict=True))
+            ):
                 v = matrix_vector(rotation_matrix(tuple(mp.mpf(e) for e in axis), f(s)), v)
             return [p(s) + d for p, d in zip(path(a, b, c), v, strict=True)]
 
@@ -73,7 +83,10 @@ class Oracle:
         a, b, c, t = self.q
         if name == "G":
             total = sum(m for (m,) in (self.make(m) for m, _ in MASSES))
-            return lambda s: [sum(self.make(m)[0] * self.place(x)(s)[n] for m, x in MASSES) / total for n in range(3)]
+            return lambda s: [
+                sum(self.make(m)[0] * self.place(x)(s)[n] for m, x in MASSES) / total
+                for n in range(3)
+            ]
         if name == "body":
             return self.place(("1/2", -1, "1/3"))
         if name == "rest":
@@ -83,7 +96,9 @@ class Oracle:
 
         def carried(s):
             v = [b + s * s, c * s * s * s, mp.sin(a * s)]
-            for axis, f in reversed(list(zip(((0, 0, 1), (1, 0, 0)), turns(a, b, c)[:2], strict=True))):
+            for axis, f in reversed(
+                list(zip(((0, 0, 1), (1, 0, 0)), turns(a, b, c)[:2], strict=True))
+            ):
                 v = matrix_vector(rotation_matrix(tuple(mp.mpf(e) for e in axis), f(s)), v)
             return [p(s) + d for p, d in zip(path(a, b, c), v, strict=True)]
 
@@ -94,12 +109,14 @@ class Oracle:
             return [mp.diff(lambda s, n=n: f(s)[n], self.q[3], order) for n in range(3)]
 
     def summed(self, about, order, differences):
-        """The sum of d_i x m_i times the derivative of d_i (``differences``) or of the place of the particle."""
+        """The sum of d_i x m_i times the derivative of d_i (``differences``) or of the place of the
+        particle.
+        """
         B, total = self.reference(about), [mp.mpf(0)] * 3
         for m, x in MASSES:
             P = self.place(x)
             d = [p - b for p, b in zip(P(self.q[3]), B(self.q[3]), strict=True)]
-            relative = lambda s, P=P: [p - b for p, b in zip(P(s), B(s), strict=True)]  # noqa: E731
+            relative = lambda s, P=P: [p - b for p, b in zip(P(s), B(s), strict=True)]
             rate = self.derivative(relative if differences else P, order)
             (mass,) = self.make(m)
             total = [h + mass * y for h, y in zip(total, cross(d, rate), strict=True)]
@@ -110,8 +127,15 @@ def expected(kind, q, about, order, differences):
     """The oracle at every instant, in components of the ground: three scalars or arrays."""
     factors = [1, mp.mpf("1.0625"), mp.mpf("0.875")] if kind == "array" else [1]
     with mp.workdps(50):
-        found = [Oracle(now, s).summed(about, order, differences) for now, s in zip(instants(q), factors, strict=True)]
-    return tuple(np.array([float(x) for x in row]) for row in zip(*found, strict=True)) if kind == "array" else found[0]
+        found = [
+            Oracle(now, s).summed(about, order, differences)
+            for now, s in zip(instants(q), factors, strict=True)
+        ]
+    return (
+        tuple(np.array([float(x) for x in row]) for row in zip(*found, strict=True))
+        if kind == "array"
+        else found[0]
+    )
 
 
 @every_kind
@@ -124,20 +148,30 @@ def test_eqn_7_6_relative_angular_momentum_about_any_point_is_that_of_its_partic
 
 @every_kind
 @pytest.mark.parametrize("about", ["G", "body", "rest", "drift", "any"])
-def test_eqn_8_8_8_9_8_10_8_11_moment_of_motion_about_any_point_is_that_of_the_particles(kind, about):
-    """M_B = sum of d_i x m_i a_i (8.8), by differentiating the places twice, against DH/Dt + d x m a_B (8.9)."""
+def test_eqn_8_8_8_9_8_10_8_11_moment_of_motion_about_any_point_is_that_of_the_particles(
+    kind, about
+):
+    """M_B = sum of d_i x m_i a_i (8.8), by differentiating the places twice, against DH/Dt + d x m
+    a_B (8.9).
+    """
     ground, carrier, body, points, q = free_body(kind)
     by_particles = expected(kind, q, about, 2, False)
     for via in (None, carrier, ground):
         M = resultant_moment(body, ground, points.get(about), via)
         assert close(M.components(ground), by_particles, 10 * tolerance(kind))
         if kind == "sympy":
-            continue  # the formula of H differentiated term by term is long; the other kinds show that it agrees
+            # the formula of H differentiated term by term is long; the other kinds show that it
+            # agrees
+            continue
         H, via = angular_momentum(body, ground, points.get(about)), via or body.frame
         assert close(M.terms["relative"], H.expressed_in(via).rate(via), 10 * tolerance(kind))
-        assert close(M.terms["rotation"], via.angular_velocity(ground).cross(H), 10 * tolerance(kind))
+        assert close(
+            M.terms["rotation"], via.angular_velocity(ground).cross(H), 10 * tolerance(kind)
+        )
         assert close(sum(list(M.terms.values())[1:], M.terms["relative"]), M, 10 * tolerance(kind))
-        assert list(M.terms) == (["relative", "rotation"] if about == "G" else ["relative", "rotation", "reference"])
+        assert list(M.terms) == (
+            ["relative", "rotation"] if about == "G" else ["relative", "rotation", "reference"]
+        )
 
 
 def test_the_reference_term_matters_except_in_the_three_cases_of_the_book():
@@ -145,7 +179,10 @@ def test_the_reference_term_matters_except_in_the_three_cases_of_the_book():
     for name, point in points.items():
         reference = resultant_moment(body, ground, point).terms["reference"]
         assert (reference.norm() > 1) == (name in ("body", "any"))
-    G, toward = body.centre, ground.point("on the line of a_G", *(moving(0.0, 0.0, 2 * x) for x in (1.0, 2.0, 3.0)))
+    G, toward = (
+        body.centre,
+        ground.point("on the line of a_G", *(moving(0.0, 0.0, 2 * x) for x in (1.0, 2.0, 3.0))),
+    )
     shifted = ground.point("G", *(moving(x, 0.1, 0.2) for x in (0.5, 1.0, 1.5)))
     ball = sphere(1.0, shifted, mass=2.0)
     along = resultant_moment(ball, ground, toward).terms["reference"]  # d parallel to a_B
@@ -161,16 +198,28 @@ def test_eqn_8_1_to_8_3_places_and_rates_relative_to_b(kind):
         P = part.centre
         d, d_G, rho = (v.expressed_in(ground) for v in (P - B, G - B, P - G))
         assert close(d, d_G + rho, tolerance(kind))
-        assert close((P - B).rate(ground).components(ground), (P.velocity(ground).expressed_in(ground) - B.velocity(ground)), 10 * tolerance(kind))
+        assert close(
+            (P - B).rate(ground).components(ground),
+            (P.velocity(ground).expressed_in(ground) - B.velocity(ground)),
+            10 * tolerance(kind),
+        )
         second = (P - B).rate(ground).rate(ground)
-        assert close(second.components(ground), P.acceleration(ground).expressed_in(ground) - B.acceleration(ground), 10 * tolerance(kind))
+        assert close(
+            second.components(ground),
+            P.acceleration(ground).expressed_in(ground) - B.acceleration(ground),
+            10 * tolerance(kind),
+        )
 
 
 @every_kind
 def test_eqn_8_21_newton_euler_equations_vanish_for_the_forces_of_the_motion(kind):
-    """Each particle is carried by its own force m_i a_i: their system gives the motion of the body, about any point."""
+    """Each particle is carried by its own force m_i a_i: their system gives the motion of the body,
+    about any point.
+    """
     ground, _, body, points, _ = free_body(kind)
-    forces = ForceSystem({p.name: (p.centre.acceleration(ground) * p.mass, p.centre) for p in body.parts}, ground)
+    forces = ForceSystem(
+        {p.name: (p.centre.acceleration(ground) * p.mass, p.centre) for p in body.parts}, ground
+    )
     for about in (None, *points.values()):
         for v in equations_of_motion(body, forces, ground, about).values():
             assert close(v, (0, 0, 0), 10 * tolerance(kind))
@@ -186,7 +235,9 @@ def test_moments_about_two_points_differ_by_the_force_at_the_one(values):
     x = [moving(*values[n : n + 3]) for n in (0, 3, 6)]
     B, C = ground.point("B", *x), points["any"]
     F = resultant_force(body.mass, body.centre.acceleration(ground)).expressed_in(ground)
-    difference = resultant_moment(body, ground, B).expressed_in(ground) - resultant_moment(body, ground, C)
+    difference = resultant_moment(body, ground, B).expressed_in(ground) - resultant_moment(
+        body, ground, C
+    )
     assert close(difference, (C - B).expressed_in(ground).cross(F), 1e-9)
 
 
@@ -196,7 +247,11 @@ def test_momentum_and_moments_have_their_units_and_can_be_compiled():
         frame = ground.rotate("bar", "z", 0.3, w, a)
         bar = rod(length, frame.point("G", length, 0, 0), "x", mass=m)
         B = frame.point("B", length, length, length)
-        return angular_momentum(bar, ground, B), resultant_moment(bar, ground, B), resultant_moment(bar, ground)
+        return (
+            angular_momentum(bar, ground, B),
+            resultant_moment(bar, ground, B),
+            resultant_moment(bar, ground),
+        )
 
     M, L, T = Dimension(1), Dimension(0, 1), Dimension(0, 0, 1)
     units = (M * L * L / T, M * L * L / (T * T), M * L * L / (T * T))
@@ -215,17 +270,28 @@ def test_problem_8_1_beam_whose_cable_breaks(kind):
     def laws(C_x, C_y, alpha):
         frame = ground.rotate("beam", "z", acceleration=alpha)
         beam = rod(L, frame.point("G", L / 2 - k * L, 0, 0), "x", mass=W / g, name="beam")
-        return equations_of_motion(beam, {"weight": (ground.vector(0, -W, 0), beam.centre), "pin": (ground.vector(C_x, C_y, 0), frame)}, ground)
+        return equations_of_motion(
+            beam,
+            {
+                "weight": (ground.vector(0, -W, 0), beam.centre),
+                "pin": (ground.vector(C_x, C_y, 0), frame),
+            },
+            ground,
+        )
 
     s = solve_linear(laws)
     arm = L / 2 - k * L
     turning = W * arm / (W / g * (L * L / 12 + arm * arm))
-    assert close((s.C_x, s.C_y, s.alpha), (0, W - W / g * turning * arm, -turning), 10 * tolerance(kind))
+    assert close(
+        (s.C_x, s.C_y, s.alpha), (0, W - W / g * turning * arm, -turning), 10 * tolerance(kind)
+    )
 
 
 @every_kind
 def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
-    """(8.9) about G, about the moving end A, and about the fixed corner O: one answer; the moment about A needs d x m a_A."""
+    """(8.9) about G, about the moving end A, and about the fixed corner O: one answer; the moment
+    about A needs d x m a_A.
+    """
     W, g, L = numbers(kind, 8, "32.2", 4)
     c, s_ = (numbers(kind, "4/5", "3/5")) if kind != "array" else (0.8, 0.6)
     ground = Frame("ground")
@@ -233,13 +299,24 @@ def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
 
     def laws(about):
         def conditions(F_A, F_B, alpha):
-            """The angle from the vertical grows by theta'' = alpha: A = (0, L cos), B = (L sin, 0) from rest."""
+            """The angle from the vertical grows by theta'' = alpha: A = (0, L cos), B = (L sin, 0)
+            from rest.
+            """
             A = ground.point("A", 0, moving(L * c, 0, -L * s_ * alpha), 0)
             B = ground.point("B", moving(L * s_, 0, L * c * alpha), 0, 0)
-            G = ground.point("G", moving(L * s_ / 2, 0, L * c / 2 * alpha), moving(L * c / 2, 0, -L * s_ / 2 * alpha), 0)
+            G = ground.point(
+                "G",
+                moving(L * s_ / 2, 0, L * c / 2 * alpha),
+                moving(L * c / 2, 0, -L * s_ / 2 * alpha),
+                0,
+            )
             frame = ground.rotate("rod", "z", acceleration=alpha, origin=G)
             bar = box_like_rod(L, frame, W / g, c, s_)
-            forces = {"weight": (ground.vector(0, -W, 0), G), "A": (ground.vector(F_A, 0, 0), A), "B": (ground.vector(0, F_B, 0), B)}
+            forces = {
+                "weight": (ground.vector(0, -W, 0), G),
+                "A": (ground.vector(F_A, 0, 0), A),
+                "B": (ground.vector(0, F_B, 0), B),
+            }
             return equations_of_motion(bar, forces, ground, {"G": None, "A": A, "O": O}[about])
 
         return solve_linear(conditions)
@@ -258,29 +335,47 @@ def box_like_rod(L, frame, m, c, s):
 
     k = m * L * L / 12
     G = frame.point("G", 0, 0, 0)
-    return Body("rod", m, G, Inertia(G, (k * c * c, k * s * s, k), (-k * s * c, 0, 0), tolerance=None))
+    return Body(
+        "rod", m, G, Inertia(G, (k * c * c, k * s * s, k), (-k * s * c, 0, 0), tolerance=None)
+    )
 
 
 def test_two_bars_hinged_together_are_solved_as_one_system():
-    """A double pendulum let go from rest, 2 rods: 6 unknowns against Lagrange's equations worked out for this place."""
+    """A double pendulum let go from rest, 2 rods: 6 unknowns against Lagrange's equations worked
+    out for this place.
+    """
     m, L, g = 2.0, 1.5, 9.81
     ground = Frame("ground")
 
     def laws(O_x, O_y, A_x, A_y, alpha_1, alpha_2):
         first = ground.rotate("first", "z", angle=0.3, acceleration=alpha_1)
         hinge = first.point("A", L, 0, 0)
-        second = ground.rotate("second", "z", angle=0, origin=ground.point("A", *hinged(hinge, ground))).rotate("rod", "z", -0.4, 0, alpha_2)
-        one, two = rod(L, first.point("G1", L / 2, 0, 0), "x", mass=m, name="one"), rod(L, second.point("G2", L / 2, 0, 0), "x", mass=m, name="two")
+        second = ground.rotate(
+            "second", "z", angle=0, origin=ground.point("A", *hinged(hinge, ground))
+        ).rotate("rod", "z", -0.4, 0, alpha_2)
+        one, two = (
+            rod(L, first.point("G1", L / 2, 0, 0), "x", mass=m, name="one"),
+            rod(L, second.point("G2", L / 2, 0, 0), "x", mass=m, name="two"),
+        )
         F_O, F_A = ground.vector(O_x, O_y, 0), ground.vector(A_x, A_y, 0)
         down = ground.vector(0, -m * g, 0)
         return {
-            **equations_of_motion(one, {"weight": (down, one.centre), "O": (F_O, ground), "A": (-F_A, hinge)}, ground),
-            **equations_of_motion(two, {"weight": (down, two.centre), "A": (F_A, hinge)}, ground, about=hinge),
+            **equations_of_motion(
+                one, {"weight": (down, one.centre), "O": (F_O, ground), "A": (-F_A, hinge)}, ground
+            ),
+            **equations_of_motion(
+                two, {"weight": (down, two.centre), "A": (F_A, hinge)}, ground, about=hinge
+            ),
         }
 
     s = solve_linear(laws)
     p, q = 0.3, -0.4
-    mass = np.array([[m * L**2 / 3 + m * L**2, m * L**2 / 2 * np.cos(p - q)], [m * L**2 / 2 * np.cos(p - q), m * L**2 / 3]])
+    mass = np.array(
+        [
+            [m * L**2 / 3 + m * L**2, m * L**2 / 2 * np.cos(p - q)],
+            [m * L**2 / 2 * np.cos(p - q), m * L**2 / 3],
+        ]
+    )
     right = [-m * g * L / 2 * np.cos(p) - m * g * L * np.cos(p), -m * g * L / 2 * np.cos(q)]
     assert close((s.alpha_1, s.alpha_2), np.linalg.solve(mass, right).tolist(), 1e-11)
     assert not s.undetermined
@@ -295,7 +390,10 @@ def hinged(point, ground):
 def test_explanations_name_the_equation_and_its_terms():
     ground, _, body, points, _ = free_body("float")
     text = str(resultant_moment(body, ground, points["any"]).explain("N m"))
-    assert text.startswith("moment of body about E, seen from ground, by way of body, equation (8.9), components in body")
+    assert text.startswith(
+        "moment of body about E, seen from ground, by way of body, equation (8.9), components "
+        "in body"
+    )
     assert "reference  d x m a_B" in text
     assert r"\tag{8.10}" in resultant_moment(body, ground).explain().latex
     wrong = resultant_moment(body, ground, points["any"]).without("reference")

@@ -1,4 +1,6 @@
-"""Degrees of freedom (5.11), (5.28), Table 5-1: counted by rank, against the numbers of Chapter 5; redundant, singular and impossible constraints."""
+"""Degrees of freedom (5.11), (5.28), Table 5-1: counted by rank, against the numbers of Chapter 5;
+redundant, singular and impossible constraints.
+"""
 
 import pytest
 import sympy
@@ -25,7 +27,9 @@ def count(bodies, constraints=None, **options):
     return degrees_of_freedom(bodies, constraints, **options).count
 
 
-@pytest.mark.parametrize(("kind", "dof"), [("particle in plane", 2), ("particle", 3), ("body in plane", 3), ("body", 6)])
+@pytest.mark.parametrize(
+    ("kind", "dof"), [("particle in plane", 2), ("particle", 3), ("body in plane", 3), ("body", 6)]
+)
 def test_table_5_1_free_particles_and_bodies(kind, dof):
     assert count({"B": kind}) == dof == KINDS[kind]
 
@@ -43,7 +47,10 @@ def test_eqn_5_28_each_independent_constraint_takes_one_away(surfaces):
     assert count({"P": "particle"}, {"z = 0": lambda P: P[2]}) == 2  # plane motion
 
 
-TIGHT = {"rope 1": lambda m1, p2: m1[0] + p2[0] - 5, "rope 2": lambda m2, m3, p2: m2[0] + m3[0] - 2 * p2[0] - 3}
+TIGHT = {
+    "rope 1": lambda m1, p2: m1[0] + p2[0] - 5,
+    "rope 2": lambda m2, m3, p2: m2[0] + m3[0] - 2 * p2[0] - 3,
+}
 CHAIN = {
     "rope 1": lambda P2, P3: P2[0] + P3[0] - 5,
     "rope 2": lambda m1, m2, P2: m1[0] + m2[0] - 2 * P2[0] - 1,
@@ -62,19 +69,42 @@ def cone(P):
 
 
 CASES = {  # problems 5/19 to 5/28
-    "5/19 two particles on a surface": (4, {"A": 3, "B": 3}, {"A": lambda A: A[2] - A[0] ** 2, "B": lambda B: B[2] - B[0] ** 2}),
+    "5/19 two particles on a surface": (
+        4,
+        {"A": 3, "B": 3},
+        {"A": lambda A: A[2] - A[0] ** 2, "B": lambda B: B[2] - B[0] ** 2},
+    ),
     "5/20 pendulum": (1, {"P": PLANAR}, {"rod": lambda P: rod(P, (0, 0), 1)}),
     "5/21 spherical pendulum": (2, {"P": "particle"}, {"sphere": lambda P: rod(P, (0, 0, 0), 1)}),
-    "5/22 pendulum on a cart": (2, {"cart": PLANAR, "P": PLANAR}, {"track": lambda cart: cart[1], "rod": lambda cart, P: rod(cart, P, 1)}),
-    "5/23 ladder": (1, {"L": "body in plane"}, {"floor": lambda L: L[1], "wall": lambda L: end(L, 3)[0]}),
+    "5/22 pendulum on a cart": (
+        2,
+        {"cart": PLANAR, "P": PLANAR},
+        {"track": lambda cart: cart[1], "rod": lambda cart, P: rod(cart, P, 1)},
+    ),
+    "5/23 ladder": (
+        1,
+        {"L": "body in plane"},
+        {"floor": lambda L: L[1], "wall": lambda L: end(L, 3)[0]},
+    ),
     "5/24 double Atwood machine": (2, dict.fromkeys(("m1", "m2", "m3", "p2"), HEIGHT), TIGHT),
-    "5/25 five masses, four ropes": (4, dict.fromkeys(("m1", "m2", "m3", "m4", "m5", "P2", "P3", "P4"), HEIGHT), CHAIN),
+    "5/25 five masses, four ropes": (
+        4,
+        dict.fromkeys(("m1", "m2", "m3", "m4", "m5", "P2", "P3", "P4"), HEIGHT),
+        CHAIN,
+    ),
     "5/26 two blocks": (2, {"A": HEIGHT, "B": HEIGHT}, {}),
-    "5/27 double pendulum": (2, {"P": PLANAR, "Q": PLANAR}, {"1": lambda P: rod(P, (0, 0), 1), "2": lambda P, Q: rod(P, Q, 1)}),
+    "5/27 double pendulum": (
+        2,
+        {"P": PLANAR, "Q": PLANAR},
+        {"1": lambda P: rod(P, (0, 0), 1), "2": lambda P, Q: rod(P, Q, 1)},
+    ),
     "5/28 cone and string": (
         4,
         {"P": "particle", "Q": "particle"},
-        {"cone": cone, "string": lambda P, Q: sqrt(squared(P, (0, 0, 0))) + sqrt(squared(Q, (0, 0, 0))) - 1},
+        {
+            "cone": cone,
+            "string": lambda P, Q: sqrt(squared(P, (0, 0, 0))) + sqrt(squared(Q, (0, 0, 0))) - 1,
+        },
     ),
     "5/28 the same, Q vertical": (
         2,
@@ -94,15 +124,29 @@ def test_the_numbers_of_chapter_5(name):
 def test_the_count_does_not_depend_on_the_configuration(angle):
     dof, bodies, constraints = CASES["5/28 cone and string"]
     r = 0.1 + angle / 20
-    at = {"P": (r * cos(angle), r * sin(angle), sqrt(3) * r), "Q": (0.0, 0.6 - 1.2 * r, -0.8 + 1.6 * r)}
+    at = {
+        "P": (r * cos(angle), r * sin(angle), sqrt(3) * r),
+        "Q": (0.0, 0.6 - 1.2 * r, -0.8 + 1.6 * r),
+    }
     found = degrees_of_freedom(bodies, constraints, at=at)
     assert (found.count, found.singular) == (dof, False)
 
 
 def test_it_does_not_depend_on_units():
-    """The same pendulum in metres and in micrometres, its constraint in square metres or times a million."""
+    """The same pendulum in metres and in micrometres, its constraint in square metres or times a
+    million.
+    """
     for length, factor in [(1.0, 1.0), (1e6, 1.0), (1.0, 1e6), (1e-3, 1e-6)]:
-        assert count({"P": "particle"}, {"rod": lambda P, L=length, f=factor: f * (squared(P, (0, 0, 0)) - L * L), "plane": lambda P: P[1]}) == 1
+        assert (
+            count(
+                {"P": "particle"},
+                {
+                    "rod": lambda P, L=length, f=factor: f * (squared(P, (0, 0, 0)) - L * L),
+                    "plane": lambda P: P[1],
+                },
+            )
+            == 1
+        )
 
 
 def four_bar(crank, coupler, follower, base):
@@ -115,14 +159,18 @@ def four_bar(crank, coupler, follower, base):
 
 
 def test_four_bar_linkage_and_a_redundant_parallel_bar():
-    """The fifth bar of a double parallelogram is redundant: counting equations gives 0, the linkage moves."""
+    """The fifth bar of a double parallelogram is redundant: counting equations gives 0, the linkage
+    moves.
+    """
     bodies, joints = four_bar(1.0, 2.5, 2.0, 3.0)
     found = degrees_of_freedom(bodies, joints)
     assert (found.count, found.unknowns, found.rank, found.redundant) == (1, 9, 8, {})
     assert int(f"{found.count}") == found.__index__() == 1
     same = degrees_of_freedom(bodies, {**joints, "A again": joints["A"]})
     assert (same.count, same.redundant) == (1, {"A again": 2})
-    assert "redundant: A again, 2 of its equations follow from the constraints before it" in str(same)
+    assert "redundant: A again, 2 of its equations follow from the constraints before it" in str(
+        same
+    )
 
 
 def test_two_constraints_in_one_need_not_all_be_redundant():
@@ -150,12 +198,27 @@ def test_forces_are_no_constraints():
 @pytest.mark.parametrize(
     ("constraints", "match"),
     [
-        ({"a": lambda P: P[0], "b": lambda P: P[0] - 1}, r"no configuration was found in which all constraints hold \(a, b\)"),
-        ({"pole": lambda P: P[0] ** 2 + P[1] ** 2}, "the gradient of the constraint 'pole' vanishes where it holds.*split it"),
-        ({"a": lambda P, Z: P[0]}, r"constraint 'a' takes \['P', 'Z'\]; its parameters are bodies: P"),
-        ({"a": lambda P: P[5]}, "constraint 'a' fails: tuple index out of range; numbers of coordinates: P 3"),
+        (
+            {"a": lambda P: P[0], "b": lambda P: P[0] - 1},
+            r"no configuration was found in which all constraints hold \(a, b\)",
+        ),
+        (
+            {"pole": lambda P: P[0] ** 2 + P[1] ** 2},
+            "the gradient of the constraint 'pole' vanishes where it holds.*split it",
+        ),
+        (
+            {"a": lambda P, Z: P[0]},
+            r"constraint 'a' takes \['P', 'Z'\]; its parameters are bodies: P",
+        ),
+        (
+            {"a": lambda P: P[5]},
+            "constraint 'a' fails: tuple index out of range; numbers of coordinates: P 3",
+        ),
         ({"a": lambda P: P[0] * sympy.Symbol("L")}, "put numbers in for its symbols"),
-        ({"a": lambda P: P[0] * float("nan")}, "is nan at some place; write it so that it has a value everywhere"),
+        (
+            {"a": lambda P: P[0] * float("nan")},
+            "is nan at some place; write it so that it has a value everywhere",
+        ),
     ],
 )
 def test_constraints_that_cannot_be_counted_are_refused(constraints, match):
@@ -164,19 +227,29 @@ def test_constraints_that_cannot_be_counted_are_refused(constraints, match):
 
 
 def test_the_refusal_says_how_to_pass_a_configuration():
-    with pytest.raises(ConstraintError, match=r"If not, pass one as at=\{'P': \.\.\.\}, the coordinates of every body"):
+    with pytest.raises(
+        ConstraintError,
+        match=r"If not, pass one as at=\{'P': \.\.\.\}, the coordinates of every body",
+    ):
         degrees_of_freedom({"P": "particle on line"}, {"a": lambda P: P[0] ** 2 + 1})
-    far = {"far": lambda P: (P[0] ** 2 + 4) * (P[0] - 1e3)}  # Newton's method is caught by the minimum at 0
+    # Newton's method is caught by the minimum at 0
+    far = {"far": lambda P: (P[0] ** 2 + 4) * (P[0] - 1e3)}
     assert count({"P": "particle on line"}, far, at={"P": (1e3,)}) == 0
 
 
 def test_a_wrong_kind_or_place_is_refused():
-    with pytest.raises(ConstraintError, match=r"the kind of P is one of 'particle', .* got 'point'"):
+    with pytest.raises(
+        ConstraintError, match=r"the kind of P is one of 'particle', .* got 'point'"
+    ):
         degrees_of_freedom({"P": "point"})
     pendulum = {"P": PLANAR}, {"rod": lambda P: squared(P, (0, 0)) - 1}
-    with pytest.raises(ConstraintError, match="does not meet the constraint 'rod': it is 3 instead of 0"):
+    with pytest.raises(
+        ConstraintError, match="does not meet the constraint 'rod': it is 3 instead of 0"
+    ):
         degrees_of_freedom(*pendulum, at={"P": (2.0, 0.0)})
-    with pytest.raises(ConstraintError, match=r"at= gives the coordinates of every body \(P\); it has Q"):
+    with pytest.raises(
+        ConstraintError, match=r"at= gives the coordinates of every body \(P\); it has Q"
+    ):
         degrees_of_freedom(*pendulum, at={"Q": (1.0, 0.0)})
     with pytest.raises(ConstraintError, match="at= holds 3 numbers; the bodies have 2 coordinates"):
         degrees_of_freedom(*pendulum, at={"P": (1.0, 0.0, 0.0)})

@@ -1,7 +1,9 @@
-"""Chapter 11, (11.12)-(11.14), (11.26)-(11.33), (11.36)-(11.53): kinetic energy, its rate, and the energy equation as an audit.
+"""Chapter 11, (11.12)-(11.14), (11.26)-(11.33), (11.36)-(11.53): kinetic energy, its rate, and the
+energy equation as an audit.
 
-The oracle of a rigid body is a handful of mass points in explicit motion: rotation matrices as functions of time, differentiated by the product
-rule. No omega x r, no inertia matrix, no Euler equation.
+The oracle of a rigid body is a handful of mass points in explicit motion: rotation matrices as
+functions of time, differentiated by the product rule. No omega x r, no inertia matrix, no Euler
+equation.
 """
 
 import math
@@ -59,7 +61,13 @@ MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
 ENERGY = MASS * LENGTH**2 / TIME**2
 
 
-POINTS = ((2, (1, "0.5", 0)), (1, ("-0.5", 1, "0.25")), (3, (0, "-0.75", 1)), ("1.5", ("0.25", 0, "-1.25")))  # mass and place in the body
+# mass and place in the body
+POINTS = (
+    (2, (1, "0.5", 0)),
+    (1, ("-0.5", 1, "0.25")),
+    (3, (0, "-0.75", 1)),
+    ("1.5", ("0.25", 0, "-1.25")),
+)
 
 
 def small(kind):
@@ -68,7 +76,9 @@ def small(kind):
 
 
 class Tumbling:
-    """Four mass points on a rigid frame that turns about two axes while its origin moves, at the instant t: as points, and as a Body."""
+    """Four mass points on a rigid frame that turns about two axes while its origin moves, at the
+    instant t: as points, and as a Body.
+    """
 
     def __init__(self, kind, t=None, fixed=False):
         self.a, self.b, self.v = numbers(kind, "0.7", "-1.2", 0 if fixed else 2)
@@ -90,7 +100,13 @@ class Tumbling:
         """Rectangular coordinates of point n in the ground, moving."""
 
         def where(t):
-            turned = apply(in_sequence(rotation_matrix((1, 0, 0), self.pitch(t)), rotation_matrix((0, 0, 1), self.yaw(t))), self.places[n])
+            turned = apply(
+                in_sequence(
+                    rotation_matrix((1, 0, 0), self.pitch(t)),
+                    rotation_matrix((0, 0, 1), self.yaw(t)),
+                ),
+                self.places[n],
+            )
             return tuple(x + y for x, y in zip(turned, self.origin(t), strict=True))
 
         return [at(lambda t, m=m: where(t)[m], self.t) for m in range(3)]
@@ -106,30 +122,47 @@ class Tumbling:
     def centre(self):
         """G in the ground, moving."""
         total = sum(self.masses)
-        return [sum(m * self.place(n)[k] for n, m in enumerate(self.masses)) / total for k in range(3)]
+        return [
+            sum(m * self.place(n)[k] for n, m in enumerate(self.masses)) / total for k in range(3)
+        ]
 
     def loads(self):
-        """Resultant force and moment about G that the motion of the points needs, in ground components."""
+        """Resultant force and moment about G that the motion of the points needs, in ground
+        components.
+        """
         G = self.centre()
         force, moment = self.ground.vector(0, 0, 0), self.ground.vector(0, 0, 0)
         for n, m in enumerate(self.masses):
             c = self.place(n)
             f = self.ground.vector(*(m * x.acceleration for x in c))
-            force, moment = force + f, moment + self.ground.vector(*(x.value - g.value for x, g in zip(c, G, strict=True))).cross(f)
+            force, moment = (
+                force + f,
+                moment
+                + self.ground.vector(*(x.value - g.value for x, g in zip(c, G, strict=True))).cross(
+                    f
+                ),
+            )
         return force, moment
 
     def body(self):
-        O = self.ground.point("O", *(at(lambda t, n=n: self.origin(t)[n], self.t) for n in range(3)))
-        frame = self.ground.rotate("yaw", "z", at(self.yaw, self.t), origin=O).rotate("body", "x", at(self.pitch, self.t))
-        points = [particle(m, frame.point(f"P{n}", *r), f"P{n}") for n, (m, r) in enumerate(zip(self.masses, self.places, strict=True))]
+        O = self.ground.point(
+            "O", *(at(lambda t, n=n: self.origin(t)[n], self.t) for n in range(3))
+        )
+        frame = self.ground.rotate("yaw", "z", at(self.yaw, self.t), origin=O).rotate(
+            "body", "x", at(self.pitch, self.t)
+        )
+        points = [
+            particle(m, frame.point(f"P{n}", *r), f"P{n}")
+            for n, (m, r) in enumerate(zip(self.masses, self.places, strict=True))
+        ]
         return composite("body", points)
 
 
 @every_kind
 def test_eqn_11_12_the_work_of_the_resultant_is_the_gain_of_m_v2_over_2(kind):
     m, t = numbers(kind, 2, "0.75")
-    v = lambda t: (t * t, 3 * t, 1 - t)  # noqa: E731
-    F = lambda t: (2 * m * t, 3 * m, -m)  # noqa: E731
+    v = lambda t: (t * t, 3 * t, 1 - t)
+    F = lambda t: (2 * m * t, 3 * m, -m)
     U = work_integral(lambda s: power(F(s), v(s)), 0, t, exact=kind == "sympy")
     speeds = [sum(x * x for x in v(s)) for s in (0 * t, t)]
     assert close(U.value, m * (speeds[1] - speeds[0]) / 2, small(kind))
@@ -139,7 +172,9 @@ def test_eqn_11_12_the_work_of_the_resultant_is_the_gain_of_m_v2_over_2(kind):
 def test_eqn_11_13_kinetic_energy_of_a_particle(kind):
     m, x, y, z = numbers(kind, 2, 1, "-0.5", 3)
     ground = Frame("ground")
-    T = kinetic_energy(particle(m, ground.point("P", moving(0 * x, x), moving(0 * y, y), moving(0 * z, z))), ground)
+    T = kinetic_energy(
+        particle(m, ground.point("P", moving(0 * x, x), moving(0 * y, y), moving(0 * z, z))), ground
+    )
     assert close(T.value, m * (x * x + y * y + z * z) / 2, small(kind))
     assert close(T.terms["rotation"], 0, 0)
 
@@ -154,7 +189,11 @@ def test_eqn_11_14_speed_after_work(kind):
 
 def test_eqn_11_14_it_just_gets_there_or_not():
     assert speed_after(3.0, -9.0, 2.0) == 0
-    with pytest.raises(EnergyError, match=r"does not get there: the work -9\.0001 takes more than the kinetic energy 9, so it stops before"):
+    with pytest.raises(
+        EnergyError,
+        match=r"does not get there: the work -9\.0001 takes more than the kinetic energy 9, so it "
+        r"stops before",
+    ):
         speed_after(3.0, -9.0001, 2.0)
     with pytest.raises(EnergyError, match="does not get there"):
         speed_after(np.array([3.0, 1.0]), -9.0, 2.0)
@@ -163,7 +202,10 @@ def test_eqn_11_14_it_just_gets_there_or_not():
 @every_kind
 def test_eqn_11_42_the_mass_points_one_by_one(kind):
     scene = Tumbling(kind)
-    points = [particle(m, scene.ground.point(f"P{n}", *scene.place(n)), f"P{n}") for n, m in enumerate(scene.masses)]
+    points = [
+        particle(m, scene.ground.point(f"P{n}", *scene.place(n)), f"P{n}")
+        for n, m in enumerate(scene.masses)
+    ]
     T = kinetic_energy(points, scene.ground)
     assert list(T.terms) == ["P0", "P1", "P2", "P3"]
     assert close(T.value, scene.kinetic().value, small(kind))
@@ -178,7 +220,9 @@ def test_eqn_11_43_44_the_mixed_term_vanishes_about_the_mass_centre(kind):
     assert close(mixed, (0, 0, 0), small(kind))
     T = kinetic_energy(scene.body(), scene.ground)
     about = sum(m * sum(x.rate**2 for x in r) for m, r in zip(scene.masses, rho, strict=True)) / 2
-    assert close(T.terms["translation"], sum(scene.masses) * sum(g.rate**2 for g in G) / 2, small(kind))
+    assert close(
+        T.terms["translation"], sum(scene.masses) * sum(g.rate**2 for g in G) / 2, small(kind)
+    )
     assert close(T.terms["rotation"], about, small(kind))
 
 
@@ -189,18 +233,35 @@ def test_eqn_11_45_of_the_body_is_that_of_its_points(kind):
     T = kinetic_energy(body, ground)
     assert close(T.value, scene.kinetic().value, small(kind))
     v, omega = body.centre.velocity(ground), body.frame.angular_velocity(ground)
-    assert close(v.dot(body.momentum(ground)) / 2 + omega.dot(body.angular_momentum(ground)) / 2, T.value, small(kind))
+    assert close(
+        v.dot(body.momentum(ground)) / 2 + omega.dot(body.angular_momentum(ground)) / 2,
+        T.value,
+        small(kind),
+    )
     assert T.number == "11.45"
 
 
 @settings(deadline=None, max_examples=30)
-@given(st.lists(st.tuples(st.floats(0.1, 5), *(st.floats(-2, 2),) * 3), min_size=1, max_size=5), st.lists(st.floats(-3, 3), min_size=9, max_size=9))
+@given(
+    st.lists(st.tuples(st.floats(0.1, 5), *(st.floats(-2, 2),) * 3), min_size=1, max_size=5),
+    st.lists(st.floats(-3, 3), min_size=9, max_size=9),
+)
 def test_eqn_11_45_for_any_mass_points_in_any_motion(points, c):
     ground = Frame("ground")
-    frame = ground.rotate("first", (1, c[0], 2), moving(c[1], c[2]), origin=ground.point("O", moving(0.0, c[3]), moving(0.0, c[4]), 0.0))
-    frame = frame.rotate("second", (c[5], 1, 0), moving(c[6], c[7])).rotate("third", "y", moving(c[8], c[0]))
+    frame = ground.rotate(
+        "first",
+        (1, c[0], 2),
+        moving(c[1], c[2]),
+        origin=ground.point("O", moving(0.0, c[3]), moving(0.0, c[4]), 0.0),
+    )
+    frame = frame.rotate("second", (c[5], 1, 0), moving(c[6], c[7])).rotate(
+        "third", "y", moving(c[8], c[0])
+    )
     parts = [particle(m, frame.point(f"P{n}", *r), f"P{n}") for n, (m, *r) in enumerate(points)]
-    of_body, of_points = kinetic_energy(composite("body", parts), ground).value, kinetic_energy(parts, ground).value
+    of_body, of_points = (
+        kinetic_energy(composite("body", parts), ground).value,
+        kinetic_energy(parts, ground).value,
+    )
     assert of_body == pytest.approx(of_points, rel=1e-12, abs=1e-12)
     assert of_body >= 0
 
@@ -212,7 +273,8 @@ def test_eqn_11_50_angular_momentum_in_plane_motion_leans_with_the_products(kind
     frame = ground.rotate("plate", "z", rate=w)
     body = Body("plate", w, frame, Inertia(frame, (Ixx, Iyy, Izz), (0, Iyz, Ixz), tolerance=None))
     assert close(body.angular_momentum(ground), (-Ixz * w, -Iyz * w, Izz * w), small(kind))
-    assert close(kinetic_energy(body, ground).value, Izz * w * w / 2, 10 * small(kind))  # the products drop out
+    # the products drop out
+    assert close(kinetic_energy(body, ground).value, Izz * w * w / 2, 10 * small(kind))
 
 
 @every_kind
@@ -223,7 +285,11 @@ def test_eqn_11_51_plane_motion(kind):
     wheel = disk(a, ground.rotate("wheel", "z", rate=w, origin=G), "z", mass=m)
     T = plane_kinetic_energy(m, v * sqrt(2 + 0 * v), m * a * a / 2, w)
     assert close(kinetic_energy(wheel, ground).value, T.value, small(kind))
-    assert close([kinetic_energy(wheel, ground).terms[n] for n in T.terms], list(T.terms.values()), small(kind))
+    assert close(
+        [kinetic_energy(wheel, ground).terms[n] for n in T.terms],
+        list(T.terms.values()),
+        small(kind),
+    )
 
 
 @every_kind
@@ -231,7 +297,8 @@ def test_eqn_11_52_about_a_fixed_point(kind):
     scene = Tumbling(kind, fixed=True)
     body, ground = scene.body(), scene.ground
     expected = scene.kinetic().value
-    for B in (body.frame.point("B", 0, 0, 0), ground.origin):  # as a point of the body, and as one of the ground
+    # as a point of the body, and as one of the ground
+    for B in (body.frame.point("B", 0, 0, 0), ground.origin):
         T = kinetic_energy_about(body, B, ground)
         assert close(T.value, expected, small(kind))
     assert close(kinetic_energy(body, ground).value, expected, small(kind))
@@ -241,7 +308,9 @@ def test_eqn_11_52_about_a_fixed_point(kind):
 def test_eqn_11_52_about_the_contact_of_a_rolling_wheel():
     """At rest at the instant is enough."""
     ground = Frame("ground")
-    frame = ground.rotate("wheel", "-z", rate=4.0, origin=ground.point("C", moving(0.0, 2.0), 0.5, 0.0))
+    frame = ground.rotate(
+        "wheel", "-z", rate=4.0, origin=ground.point("C", moving(0.0, 2.0), 0.5, 0.0)
+    )
     wheel = disk(0.5, frame, "z", mass=3.0)
     T = kinetic_energy_about(wheel, ground.point("contact", 0, 0, 0), ground)
     assert T.value == pytest.approx(0.75 * 3.0 * 2.0**2, rel=1e-14)
@@ -250,11 +319,18 @@ def test_eqn_11_52_about_the_contact_of_a_rolling_wheel():
 
 def test_eqn_11_52_refuses_a_point_that_moves():
     ground = Frame("ground")
-    frame = ground.rotate("wheel", "-z", rate=4.0, origin=ground.point("C", moving(0.0, 2.0), 0.5, 0.0))
+    frame = ground.rotate(
+        "wheel", "-z", rate=4.0, origin=ground.point("C", moving(0.0, 2.0), 0.5, 0.0)
+    )
     wheel = disk(0.5, frame, "z", mass=3.0)
-    with pytest.raises(EnergyError, match=r"the point of disk at top moves, at 4: \(11\.52\) needs a point .* at rest in ground"):
+    with pytest.raises(
+        EnergyError,
+        match=r"the point of disk at top moves, at 4: \(11\.52\) needs a point .* at rest in "
+        r"ground",
+    ):
         kinetic_energy_about(wheel, ground.point("top", 0, 1.0, 0), ground)
-    near = [kinetic_energy_about(wheel, ground.point("contact", 0, 0.5e-9, 0), ground).value]  # within the tolerance
+    # within the tolerance
+    near = [kinetic_energy_about(wheel, ground.point("contact", 0, 0.5e-9, 0), ground).value]
     assert near[0] == pytest.approx(9.0, rel=1e-8)
     with pytest.raises(EnergyError, match="moves, at 4e-08"):
         kinetic_energy_about(wheel, ground.point("beside", 0, 1e-8, 0), ground)
@@ -269,14 +345,18 @@ def test_eqn_11_53_principal_axes_at_the_fixed_point(kind):
     omega = frame.angular_velocity(ground).components(frame)
     I = brick.about(frame.point("B", 0, 0, 0)).moments
     expected = sum(i * w * w for i, w in zip(I, omega, strict=True)) / 2
-    assert close(kinetic_energy_about(brick, frame.point("B", 0, 0, 0), ground).value, expected, small(kind))
+    assert close(
+        kinetic_energy_about(brick, frame.point("B", 0, 0, 0), ground).value, expected, small(kind)
+    )
 
 
 @every_kind
 def test_section_11_16_of_a_gyroscope_by_eulers_angles(kind):
     I0, I, theta, nod, precession, spin = numbers(kind, "1.5", 1, "0.8", "0.4", 2, 9)
     ground = Frame("ground")
-    rotor = euler_frame(ground, "rotor", moving(theta, precession), moving(theta, nod), moving(theta, spin))
+    rotor = euler_frame(
+        ground, "rotor", moving(theta, precession), moving(theta, nod), moving(theta, spin)
+    )
     body = Body("rotor", I, rotor, (I0, I0, I))
     T = gyroscope_energy(I0, I, theta, nod, precession, spin)
     assert close(T.value, kinetic_energy(body, ground).value, 10 * small(kind))
@@ -302,7 +382,9 @@ def test_eqn_11_36_the_force_drives_the_translation(kind):
     body = scene.body()
     half = sum(scene.masses) * sum(moving(g.rate, g.acceleration) ** 2 for g in G) / 2
     assert close(power(F, body.centre, scene.ground), half.rate, small(kind))
-    assert close(kinetic_energy_rate(body, scene.ground).terms["translation"], half.rate, small(kind))
+    assert close(
+        kinetic_energy_rate(body, scene.ground).terms["translation"], half.rate, small(kind)
+    )
 
 
 @every_kind
@@ -312,9 +394,17 @@ def test_eqn_11_37_integrated_the_force_gives_the_gain_of_v_dot_L_over_2(kind):
     ground = Frame("ground")
 
     def body(t):
-        return particle(m, ground.point("G", *(at(f, t) for f in (lambda t: t**3, lambda t: t, lambda t: -t * t))))
+        return particle(
+            m,
+            ground.point("G", *(at(f, t) for f in (lambda t: t**3, lambda t: t, lambda t: -t * t))),
+        )
 
-    U = work_integral(lambda t: power(ground.vector(6 * m * t, 0, -2 * m), body(t).centre, ground), 0, t, exact=kind == "sympy")
+    U = work_integral(
+        lambda t: power(ground.vector(6 * m * t, 0, -2 * m), body(t).centre, ground),
+        0,
+        t,
+        exact=kind == "sympy",
+    )
     kept = [body(s).centre.velocity(ground).dot(body(s).momentum(ground)) / 2 for s in (0 * t, t)]
     assert close(U.value, kept[1] - kept[0], small(kind))
 
@@ -350,7 +440,9 @@ def test_eqn_11_40_the_moment_drives_the_rotation(kind):
     assert close(found.terms["rotation"], M.dot(body.frame.angular_velocity(ground)), small(kind))
     given_loads = rigid_power(body, ground, F, M)
     assert close(given_loads.value, rate, small(kind))
-    assert close([given_loads.terms[n] for n in found.terms], list(found.terms.values()), small(kind))
+    assert close(
+        [given_loads.terms[n] for n in found.terms], list(found.terms.values()), small(kind)
+    )
 
 
 def test_eqn_11_41_46_47_integrated_forces_and_moments_give_the_gain_of_kinetic_energy():
@@ -385,7 +477,9 @@ def test_eqn_11_41_46_47_in_the_plane_by_formula_too(kind):
 
 
 class Driven:
-    """A mass in a prescribed plane motion under its weight and a spring; what else drives it follows from m a."""
+    """A mass in a prescribed plane motion under its weight and a spring; what else drives it
+    follows from m a.
+    """
 
     def __init__(self, kind):
         self.m, self.g, self.K, self.end = numbers(kind, 2, "9.81", 20, "0.75")
@@ -457,7 +551,10 @@ def test_eqn_11_32_49_without_them_E_is_constant(kind):
     K = m * n * n
     rest = m * g / K
     x, v = (lambda t: rest + a * cos(n * t)), (lambda t: -n * a * sin(n * t))
-    potentials = {"weight": lambda t: weight_potential(m, -x(t), g), "spring": lambda t: spring_potential(K, x(t))}
+    potentials = {
+        "weight": lambda t: weight_potential(m, -x(t), g),
+        "spring": lambda t: spring_potential(K, x(t)),
+    }
     books = audit(lambda t: m * v(t) ** 2 / 2, 0 * t, t, potentials)
     assert close(books.energy, 0, 10 * small(kind))
     assert books.balances()
@@ -466,11 +563,19 @@ def test_eqn_11_32_49_without_them_E_is_constant(kind):
 
 @every_kind
 def test_eqn_11_33_friction_becomes_internal_energy(kind):
-    """A block thrown along a level surface: v = v0 - mu g t until it stops; all its kinetic energy becomes heat."""
+    """A block thrown along a level surface: v = v0 - mu g t until it stops; all its kinetic energy
+    becomes heat.
+    """
     m, mu, g, v0 = numbers(kind, 2, "0.25", 10, 3)
     stop = v0 / (mu * g)
-    v = lambda t: v0 - mu * g * t  # noqa: E731
-    books = audit(lambda t: m * v(t) ** 2 / 2, 0 * stop, stop, powers={"friction": lambda t: -mu * m * g * v(t)}, exact=kind == "sympy")
+    v = lambda t: v0 - mu * g * t
+    books = audit(
+        lambda t: m * v(t) ** 2 / 2,
+        0 * stop,
+        stop,
+        powers={"friction": lambda t: -mu * m * g * v(t)},
+        exact=kind == "sympy",
+    )
     assert close(books.heat("friction"), m * v0 * v0 / 2, 10 * small(kind))
     assert close(books.energy + books.heat(), 0, 10 * small(kind))
     with pytest.raises(EnergyError, match="no work of 'drag' is in this audit; there are friction"):
@@ -498,23 +603,43 @@ def test_the_motor_left_out_is_missing_in_the_books():
 
 def test_an_audit_in_symbols():
     m, g, t = sympy.symbols("m g t", positive=True)
-    fall = audit(lambda s: m * (g * s) ** 2 / 2, sympy.Integer(0), t, powers={"weight": lambda s: m * g * g * s}, exact=True)
+    fall = audit(
+        lambda s: m * (g * s) ** 2 / 2,
+        sympy.Integer(0),
+        t,
+        powers={"weight": lambda s: m * g * g * s},
+        exact=True,
+    )
     assert fall.balances()
     assert sympy.expand(fall.works["weight"] - m * g**2 * t**2 / 2) == 0
-    wrong = audit(lambda s: m * (g * s) ** 2, sympy.Integer(0), t, powers={"weight": lambda s: m * g * g * s}, exact=True)
+    wrong = audit(
+        lambda s: m * (g * s) ** 2,
+        sympy.Integer(0),
+        t,
+        powers={"weight": lambda s: m * g * g * s},
+        exact=True,
+    )
     assert not wrong.balances()
 
 
 def test_an_audit_prints_its_books():
     text = str(Driven("float").audit("float")).splitlines()
     assert text[0] == "energy equation (11.29), J"
-    names = ["change of T", "change of V, weight", "change of V, spring", "less work, motor", "not accounted for"]
+    names = [
+        "change of T",
+        "change of V, weight",
+        "change of V, spring",
+        "less work, motor",
+        "not accounted for",
+    ]
     assert [row.split("  ")[1].strip() for row in text[1:]] == names
     assert isinstance(Driven("float").audit("float"), Audit)
 
 
 def test_both_sides_of_the_tolerance_of_the_books():
-    drop = lambda extra: audit(lambda t: 50.0 * t * t + extra * t, 0.0, 1.0, powers={"push": lambda t: 100.0 * t})  # noqa: E731
+    drop = lambda extra: audit(  # noqa: E731
+        lambda t: 50.0 * t * t + extra * t, 0.0, 1.0, powers={"push": lambda t: 100.0 * t}
+    )
     assert drop(1e-8).balances()
     assert not drop(1e-5).balances()
     assert drop(1e-5).balances(rtol=1e-6)
@@ -526,10 +651,16 @@ def test_the_books_of_any_damped_oscillator_close(m, n, zeta, x0, v0):
     """Its exact solution, with the damper's heat: x = exp(-zeta n t)(a cos(d t) + b sin(d t))."""
     d = n * math.sqrt(1 - zeta * zeta)
     b = (v0 + zeta * n * x0) / d
-    x = lambda t: exp(-zeta * n * t) * (x0 * cos(d * t) + b * sin(d * t))  # noqa: E731
-    v = lambda t: at(x, t).rate  # noqa: E731
+    x = lambda t: exp(-zeta * n * t) * (x0 * cos(d * t) + b * sin(d * t))
+    v = lambda t: at(x, t).rate
     powers = {"damper": lambda t: -2 * zeta * n * m * v(t) ** 2}
-    books = audit(lambda t: m * v(t) ** 2 / 2, 0.0, 2.0, {"spring": lambda t: spring_potential(m * n * n, x(t))}, powers)
+    books = audit(
+        lambda t: m * v(t) ** 2 / 2,
+        0.0,
+        2.0,
+        {"spring": lambda t: spring_potential(m * n * n, x(t))},
+        powers,
+    )
     assert books.balances()
     assert books.heat("damper") >= 0
 
@@ -539,8 +670,14 @@ def test_the_books_of_any_damped_oscillator_close(m, n, zeta, x0, v0):
     [
         ({"kinetic": 3.0}, "the kinetic energy must be a function of time, as in lambda t"),
         ({"powers": {"drag": 3.0}}, "the power of drag must be a function of time"),
-        ({"potentials": {"g": lambda t: t}, "powers": {"g": lambda t: t}}, "'g' is given a potential and a power; its work would be counted twice"),
-        ({"kinetic": lambda t: ENERGY}, r"an energy is Dimension\(.*\); an audit needs numbers, or SymPy expressions"),
+        (
+            {"potentials": {"g": lambda t: t}, "powers": {"g": lambda t: t}},
+            "'g' is given a potential and a power; its work would be counted twice",
+        ),
+        (
+            {"kinetic": lambda t: ENERGY},
+            r"an energy is Dimension\(.*\); an audit needs numbers, or SymPy expressions",
+        ),
     ],
 )
 def test_an_audit_that_cannot_be_kept_is_refused_in_words(arguments, message):
@@ -557,7 +694,12 @@ def test_energies_have_the_units_of_energy():
     assert kinetic_energy_about(ball, ground.point("B", LENGTH, LENGTH, 0), ground).value == ENERGY
     assert kinetic_energy_rate(ball, ground).value == ENERGY / TIME
     assert plane_kinetic_energy(MASS, LENGTH / TIME, MASS * LENGTH**2, 1 / TIME).value == ENERGY
-    assert gyroscope_energy(MASS * LENGTH**2, MASS * LENGTH**2, Dimension(), 1 / TIME, 1 / TIME, 1 / TIME).value == ENERGY
+    assert (
+        gyroscope_energy(
+            MASS * LENGTH**2, MASS * LENGTH**2, Dimension(), 1 / TIME, 1 / TIME, 1 / TIME
+        ).value
+        == ENERGY
+    )
     assert speed_after(LENGTH / TIME, ENERGY, MASS) == LENGTH / TIME
 
 
@@ -577,10 +719,24 @@ def test_kinetic_energy_can_be_traced_and_is_the_same():
 
 @pytest.fixture(scope="module")
 def damped_driven():
-    """A pendulum with a damper c omega and a driving moment M cos(n t), integrated from rest at 1 rad for 6 s; its powers."""
+    """A pendulum with a damper c omega and a driving moment M cos(n t), integrated from rest at 1
+    rad for 6 s; its powers.
+    """
     m, l, g, c, M, n = 1.5, 0.8, 9.81, 0.3, 2.5, 2.0
-    rates = lambda t, y: (y[1], (-m * g * l * math.sin(y[0]) - c * y[1] + M * math.cos(n * t)) / (m * l * l))  # noqa: E731
-    sol = solve_ivp(rates, (0, 6), (1.0, 0.0), "DOP853", rtol=1e-12, atol=1e-13, max_step=0.05, dense_output=True).sol
+    rates = lambda t, y: (  # noqa: E731
+        y[1],
+        (-m * g * l * math.sin(y[0]) - c * y[1] + M * math.cos(n * t)) / (m * l * l),
+    )
+    sol = solve_ivp(
+        rates,
+        (0, 6),
+        (1.0, 0.0),
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-13,
+        max_step=0.05,
+        dense_output=True,
+    ).sol
     return {
         "kinetic": lambda t: m * (l * sol(t)[1]) ** 2 / 2,
         "weight": lambda t: -m * g * l * math.cos(sol(t)[0]),
@@ -590,7 +746,14 @@ def damped_driven():
 
 
 def books_of(p, *powers, weight=1.0):
-    return audit(p["kinetic"], 0.0, 6.0, {"weight": lambda t: weight * p["weight"](t)}, {n: p[n] for n in powers}, rtol=1e-8)
+    return audit(
+        p["kinetic"],
+        0.0,
+        6.0,
+        {"weight": lambda t: weight * p["weight"](t)},
+        {n: p[n] for n in powers},
+        rtol=1e-8,
+    )
 
 
 def test_the_books_of_a_damped_driven_pendulum_close(damped_driven):

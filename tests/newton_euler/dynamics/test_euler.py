@@ -29,7 +29,9 @@ every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
 def tolerance(kind):
-    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical differentiation leaves of 50 digits."""
+    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical
+    differentiation leaves of 50 digits.
+    """
     return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
 
 
@@ -40,12 +42,20 @@ def test_eqn_8_12_rate_of_h_by_way_of_the_body_and_of_a_frame_that_turns_otherwi
     for via in (body.frame, carrier):
         seen, Omega = H.expressed_in(via).rate(via), via.angular_velocity(ground)
         total = seen + Omega.cross(H)
-        assert close(total.components(ground), resultant_moment(body, ground).components(ground), 10 * tolerance(kind))
+        assert close(
+            total.components(ground),
+            resultant_moment(body, ground).components(ground),
+            10 * tolerance(kind),
+        )
         M = resultant_moment(body, ground, via=via)
         assert close(M.terms["relative"], seen, 10 * tolerance(kind))
         assert close(M.terms["rotation"], Omega.cross(H), 10 * tolerance(kind))
     omega, alpha = body.frame.angular_velocity(ground), body.frame.angular_acceleration(ground)
-    assert close(euler_moment(body.inertia, omega, alpha), resultant_moment(body, ground), 10 * tolerance(kind))
+    assert close(
+        euler_moment(body.inertia, omega, alpha),
+        resultant_moment(body, ground),
+        10 * tolerance(kind),
+    )
 
 
 def spinning_brick(kind):
@@ -73,7 +83,9 @@ def test_eqn_8_13_8_14_euler_s_equations(kind):
 
 @every_kind
 def test_eqn_8_12_solved_for_the_angular_acceleration(kind):
-    """Both directions: the moment of a motion gives its angular acceleration back, in principal axes and others."""
+    """Both directions: the moment of a motion gives its angular acceleration back, in principal
+    axes and others.
+    """
     ground, brick = spinning_brick(kind)
     for body in (brick, free_body(kind)[2]):
         top = body.frame.tree[0] if body is not brick else ground
@@ -85,13 +97,26 @@ def test_eqn_8_12_solved_for_the_angular_acceleration(kind):
 
 @every_kind
 def test_a_symmetric_body_in_the_frame_that_precesses_without_spinning(kind):
-    """Omega != omega: the matrix stays the same in that frame, where the formulas have no spin angle."""
+    """Omega != omega: the matrix stays the same in that frame, where the formulas have no spin
+    angle.
+    """
     psi, theta, spin, rate, nutation = numbers(kind, "0.3", "1.1", 7, "0.9", "-0.4")
     ground = Frame("ground")
     frame = ground.rotate("precessing", "z", psi, rate).rotate("nodes", "x", theta, nutation)
-    body = cylinder(*numbers(kind, 1, 3), frame.rotate("spinning", "z", moving(psi, spin, rate)), "z", mass=numbers(kind, 2))
-    I = Inertia(frame, tuple(body.inertia.moments), mass=body.mass, centre=frame.point("G", 0, 0, 0))
-    omega, alpha, Omega = body.frame.angular_velocity(ground), body.frame.angular_acceleration(ground), frame.angular_velocity(ground)
+    body = cylinder(
+        *numbers(kind, 1, 3),
+        frame.rotate("spinning", "z", moving(psi, spin, rate)),
+        "z",
+        mass=numbers(kind, 2),
+    )
+    I = Inertia(
+        frame, tuple(body.inertia.moments), mass=body.mass, centre=frame.point("G", 0, 0, 0)
+    )
+    omega, alpha, Omega = (
+        body.frame.angular_velocity(ground),
+        body.frame.angular_acceleration(ground),
+        frame.angular_velocity(ground),
+    )
     M = euler_moment(I, omega, alpha, turning=Omega)
     assert close(M, resultant_moment(body, ground, via=frame), 10 * tolerance(kind))
     assert close(M, resultant_moment(body, ground).components(frame), 10 * tolerance(kind))
@@ -104,7 +129,9 @@ def test_a_symmetric_body_in_the_frame_that_precesses_without_spinning(kind):
 def test_eqn_8_15_force_and_moment_of_a_body_are_those_of_its_particles(kind):
     ground, _, body, _, _ = free_body(kind)
     F = resultant_force(body.mass, body.centre.acceleration(ground))
-    parts = [part.centre.acceleration(ground).expressed_in(ground) * part.mass for part in body.parts]
+    parts = [
+        part.centre.acceleration(ground).expressed_in(ground) * part.mass for part in body.parts
+    ]
     assert close(F.components(ground), sum(parts[1:], parts[0]), 10 * tolerance(kind))
     L = body.momentum(ground)
     assert close(L.rate(ground).components(ground), F.components(ground), 10 * tolerance(kind))
@@ -122,9 +149,12 @@ def test_eqn_8_16_8_17_angular_momentum_of_a_rotation_about_a_fixed_line(kind):
         assert close(H, I.times(frame.angular_velocity(ground)), tolerance(kind))
         M = fixed_line_moment(I, rate, acceleration, axis)
         assert close(M, I.times(frame.angular_velocity(ground)).rate(ground), tolerance(kind))
-        assert close(M.terms["relative"], I.times(frame.angular_acceleration(ground)), tolerance(kind))
+        assert close(
+            M.terms["relative"], I.times(frame.angular_acceleration(ground)), tolerance(kind)
+        )
     (_, yz, zx), zz = I.products, I.moments[2]
-    assert close(fixed_line_momentum(I, rate), (-zx * rate, -yz * rate, zz * rate), tolerance(kind))  # (8.17) as printed
+    # (8.17) as printed
+    assert close(fixed_line_momentum(I, rate), (-zx * rate, -yz * rate, zz * rate), tolerance(kind))
 
 
 @every_kind
@@ -134,7 +164,9 @@ def test_eqn_8_18_8_19_planar_motion(kind):
     frame = ground.rotate("link", "z", numbers(kind, "0.3"), w, a)
     G = frame.point("G", *numbers(kind, 1, "1/2", "1/3"))
     tilted = frame.rotate("tilted", (0 * w, 3 + 0 * w, 4 + 0 * w), numbers(kind, "0.7"))
-    block = box(*numbers(kind, 1, 2, 3), tilted.point("G", *G.position(tilted)), mass=numbers(kind, 5))
+    block = box(
+        *numbers(kind, 1, 2, 3), tilted.point("G", *G.position(tilted)), mass=numbers(kind, 5)
+    )
     I = block.about(G, frame)
     (_, yz, zx), zz = I.products, I.moments[2]
     M = fixed_line_moment(I, w, a)
@@ -148,13 +180,19 @@ def test_eqn_8_18_8_19_planar_motion(kind):
 def test_bodies_without_a_moment_about_an_axis_are_refused_by_the_inverse():
     frame = Frame("rod")
     for inertia in (rod(1.0, frame, "x", mass=2.0).inertia, Inertia(frame, (0.0, 1.0, 1.0))):
-        with pytest.raises(MassError, match="has no inverse: about some axis the body has no moment of inertia"):
+        with pytest.raises(
+            MassError, match="has no inverse: about some axis the body has no moment of inertia"
+        ):
             angular_acceleration(inertia, frame.vector(1.0, 0, 0), frame.vector(1.0, 2.0, 0))
 
 
 def test_the_planar_equation_is_refused_where_products_are_left():
     I = Inertia(Frame("body"), (3.0, 3.0, 4.0), (0, 0.5, 1.0))
-    with pytest.raises(MassError, match=r"\(8\.19\) needs a principal axis along z, but .* I_yz = 0\.5, I_zx = 1\.0; take fixed_line_moment"):
+    with pytest.raises(
+        MassError,
+        match=r"\(8\.19\) needs a principal axis along z, but .* I_yz = 0\.5, I_zx = 1\.0; take "
+        r"fixed_line_moment",
+    ):
         planar_moment(I, 2.0)
     assert planar_moment(Inertia(Frame("body"), (3.0, 3.0, 4.0), (1.0, 0, 1e-15)), 2.0) == 8.0
 

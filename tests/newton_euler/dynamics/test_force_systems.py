@@ -23,7 +23,9 @@ def tolerance(kind):
 
 
 def system(kind):
-    """Three forces and a couple, in the ground and in a frame that is turned and moved, with their components in the ground as triples."""
+    """Three forces and a couple, in the ground and in a frame that is turned and moved, with their
+    components in the ground as triples.
+    """
     shop = Frame("ground")
     angle, x, y, z = numbers(kind, "0.3", 1, -2, "1/2")
     bench = shop.rotate("bench", "z", angle=angle, origin=shop.point("bench", x, y, z))
@@ -52,7 +54,9 @@ def test_eqn_8_4_to_8_8_the_moment_about_any_point_is_the_sum_of_d_cross_f(kind)
     M = s.moment(C)
     assert close(M, total, tolerance(kind))
     assert list(M.terms) == ["weight", "rope", "push", "motor"]
-    assert close(sum((M.terms[n] for n in ("rope", "push", "motor")), M.terms["weight"]), M, tolerance(kind))
+    assert close(
+        sum((M.terms[n] for n in ("rope", "push", "motor")), M.terms["weight"]), M, tolerance(kind)
+    )
     assert list(s.force.terms) == ["weight", "rope", "push"]
 
 
@@ -103,18 +107,32 @@ def test_a_single_force_a_couple_and_balance_are_told_in_words():
     F, P, O = ground.vector(0, 0, 2.0), ground.point("P", 1.0, 0, 0), ground.point("O", 0, 0, 0)
     single = ForceSystem([(F, P)]).wrench(O)
     assert (single.kind, single.pitch) == ("force", 0.0)
-    assert str(single) == "a single force [0, 0, 2] in ground on the line through (1, 0, 0) of ground"
+    assert (
+        str(single) == "a single force [0, 0, 2] in ground on the line through (1, 0, 0) of ground"
+    )
     couple = ForceSystem([(F, P), (-F, O)]).wrench()
     assert (couple.kind, couple.point, couple.pitch) == ("couple", None, None)
-    assert "a couple [0, -2, 0] in ground, the same about every point: there is no resultant force, and so no axis" in str(couple)
+    assert (
+        "a couple [0, -2, 0] in ground, the same about every point: there is no resultant "
+        "force, and so no axis"
+    ) in str(couple)
     balance = ForceSystem([(F, P), (-F, P)]).wrench()
-    assert (balance.kind, str(balance)) == ("nothing", "in balance: neither a force nor a couple is left")
+    assert (balance.kind, str(balance)) == (
+        "nothing",
+        "in balance: neither a force nor a couple is left",
+    )
 
 
 def test_rounding_does_not_make_an_axis_far_away():
     """0.1 + 0.2 - 0.3 leaves a force of 6e-17: a couple, not a wrench whose axis is 1e16 m away."""
     A, B, C = (ground.point(n, x, 0, 0) for n, x in (("A", 0.0), ("B", 1.0), ("C", 2.0)))
-    s = ForceSystem([(ground.vector(0, 0.1, 0), A), (ground.vector(0, 0.2, 0), B), (ground.vector(0, -0.3, 0), C)])
+    s = ForceSystem(
+        [
+            (ground.vector(0, 0.1, 0), A),
+            (ground.vector(0, 0.2, 0), B),
+            (ground.vector(0, -0.3, 0), C),
+        ]
+    )
     assert s.force.y != 0
     assert s.wrench(A).kind == "couple"
 
@@ -122,12 +140,19 @@ def test_rounding_does_not_make_an_axis_far_away():
 def test_an_array_of_systems_of_two_kinds_has_no_one_wrench():
     f = np.array([1.0, 0.0])
     with pytest.raises(ForceError, match="at some instants and at others none"):
-        ForceSystem([(ground.vector(0, f, 0), ground.point("A", 1.0, 0, 0)), Couple(ground.vector(0, 0, 1.0))]).wrench()
+        ForceSystem(
+            [
+                (ground.vector(0, f, 0), ground.point("A", 1.0, 0, 0)),
+                Couple(ground.vector(0, 0, 1.0)),
+            ]
+        ).wrench()
 
 
 def test_the_wrench_of_symbols_is_a_formula():
     F, M, d = sympy.symbols("F M d", positive=True)
-    w = ForceSystem([(ground.vector(0, 0, F), ground.point("A", d, 0, 0)), Couple(ground.vector(0, M, M))]).wrench(ground.point("O", 0, 0, 0))
+    w = ForceSystem(
+        [(ground.vector(0, 0, F), ground.point("A", d, 0, 0)), Couple(ground.vector(0, M, M))]
+    ).wrench(ground.point("O", 0, 0, 0))
     assert w.pitch == M / F
     assert sympy.simplify(w.point.position(ground).x - (d - M / F)) == 0
 
@@ -144,7 +169,8 @@ def test_systems_with_one_resultant_and_one_moment_are_equivalent(a, b, p, q, c)
     assert s.equivalent(ForceSystem([(w.force, w.point), Couple(w.moment)]), 1e-6)
     smallest = w.moment.norm()
     for point in (A, B, C):
-        assert smallest <= s.moment(point).norm() + 1e-9  # no point has a smaller moment than those of the axis
+        # no point has a smaller moment than those of the axis
+        assert smallest <= s.moment(point).norm() + 1e-9
 
 
 @settings(max_examples=30, deadline=None)
@@ -171,11 +197,15 @@ def test_systems_add_and_names_stay_apart():
 
 def test_forces_may_hold_unknowns():
     """Three legs of a table carry its weight: forces as unknowns in the conditions of balance."""
-    legs = [ground.point(n, *x, 0) for n, x in zip("ABC", [(0, 0), (2.0, 0), (0, 3.0)], strict=True)]
+    legs = [
+        ground.point(n, *x, 0) for n, x in zip("ABC", [(0, 0), (2.0, 0), (0, 3.0)], strict=True)
+    ]
 
     def balance(A, B, C):
         held = {p.name: (ground.vector(0, 0, f), p) for p, f in zip(legs, (A, B, C), strict=True)}
-        s = ForceSystem({**held, "weight": (ground.vector(0, 0, -60.0), ground.point("G", 0.5, 1.0, 0))}, ground)
+        s = ForceSystem(
+            {**held, "weight": (ground.vector(0, 0, -60.0), ground.point("G", 0.5, 1.0, 0))}, ground
+        )
         return {"force": s.force, "moment": s.moment(legs[0])}
 
     assert close(tuple(solve_linear(balance)), (25, 15, 20), 1e-12)
@@ -184,7 +214,9 @@ def test_forces_may_hold_unknowns():
 def test_moments_can_be_compiled_and_have_the_unit_of_force_times_length():
     def moment(F, x):
         here = Frame("here")
-        return ForceSystem([(here.vector(F, 0, F), here.point("A", x, x, 0))]).moment(here.point("O", 0, 0, 0))
+        return ForceSystem([(here.vector(F, 0, F), here.point("A", x, x, 0))]).moment(
+            here.point("O", 0, 0, 0)
+        )
 
     assert compiled(moment)(2.0, 3.0) == tuple(moment(2.0, 3.0))
     force, length = Dimension(1, 1, -2), Dimension(0, 1)
@@ -192,7 +224,10 @@ def test_moments_can_be_compiled_and_have_the_unit_of_force_times_length():
 
 
 def test_what_is_no_force_is_refused_in_words():
-    with pytest.raises(ForceError, match=r"a force is a pair \(Vector, Point\), a couple is Couple\(Vector\); got 3"):
+    with pytest.raises(
+        ForceError,
+        match=r"a force is a pair \(Vector, Point\), a couple is Couple\(Vector\); got 3",
+    ):
         ForceSystem([3])
     with pytest.raises(ForceError, match="the vector of a force is a Vector"):
         ForceSystem([(2.0, ground.origin)])
@@ -200,5 +235,7 @@ def test_what_is_no_force_is_refused_in_words():
         ForceSystem({"wind": (ground.i, "there")})
     with pytest.raises(ForceError, match="a system without forces needs a frame"):
         ForceSystem([])
-    with pytest.raises(FrameError, match="the place of the point that the moment is about is a Point or a Frame"):
+    with pytest.raises(
+        FrameError, match="the place of the point that the moment is about is a Point or a Frame"
+    ):
         ForceSystem([(ground.i, ground)]).moment("A")

@@ -1,4 +1,6 @@
-"""Gravitation and weight (5.20)-(5.27); the oracle of the attraction of a planet is the sum over its mass points."""
+"""Gravitation and weight (5.20)-(5.27); the oracle of the attraction of a planet is the sum over
+its mass points.
+"""
 
 import math
 
@@ -32,11 +34,20 @@ def small(kind, scale=1.0):
 def test_eqn_5_20_and_5_21_two_particles_attract_each_other_with_opposite_forces(kind):
     m1, m2, k, x, y = numbers(kind, 3, 2, "0.5", 2, "1.5")
     space = Frame("space")
-    a, b = particle(m1, space.point("A", x, 0, 0), "A"), particle(m2, space.point("B", 0, y, 0), "B")
+    a, b = (
+        particle(m1, space.point("A", x, 0, 0), "A"),
+        particle(m2, space.point("B", 0, y, 0), "B"),
+    )
     on_a, on_b = gravitation(a, b, K=k), gravitation(b, a, K=k)
     assert close(on_a, -on_b, small(kind))
-    assert close(on_a.cross(b.centre - a.centre), (0, 0, 0), small(kind))  # along the line that joins them
-    assert number(on_a.dot(b.centre - a.centre)).min() > 0 if kind == "array" else number(on_a.dot(b.centre - a.centre)) > 0  # toward it
+    # along the line that joins them
+    assert close(on_a.cross(b.centre - a.centre), (0, 0, 0), small(kind))
+    # toward it
+    assert (
+        number(on_a.dot(b.centre - a.centre)).min() > 0
+        if kind == "array"
+        else number(on_a.dot(b.centre - a.centre)) > 0
+    )
     square = x * x + y * y
     force = on_a.norm()
     assert close(force * square, k * m1 * m2, small(kind, 10))
@@ -75,8 +86,15 @@ def test_eqn_5_24_gravity_from_mass_and_radius(kind):
 
 
 def test_eqn_5_24_gives_the_book_s_gravity_of_the_earth():
-    """By attraction alone g is 9.81 to 9.83 m/s^2 between the largest and the smallest radius: within what the book tells."""
-    assert 9.79 < gravity_at_surface(5.972e24, 6378.137e3) < gravity_at_surface(5.972e24, 6371e3) < 9.833
+    """By attraction alone g is 9.81 to 9.83 m/s^2 between the largest and the smallest radius:
+    within what the book tells.
+    """
+    assert (
+        9.79
+        < gravity_at_surface(5.972e24, 6378.137e3)
+        < gravity_at_surface(5.972e24, 6371e3)
+        < 9.833
+    )
     assert abs(gravity_at_surface(5.972e24, 6371e3) - 9.818) < 1e-3
     assert K == 6.673e-11
 
@@ -85,7 +103,9 @@ def test_eqn_5_24_gives_the_book_s_gravity_of_the_earth():
 def test_gravity_at_height_falls_with_the_square_of_the_distance(kind):
     M, R, k, h = numbers(kind, 30, 3, "0.5", "0.75")
     at_surface = gravity_at_surface(M, R, k)
-    assert close(gravity_at_height(h, R, at_surface), gravity_at_surface(M, R + h, k), small(kind, 10))
+    assert close(
+        gravity_at_height(h, R, at_surface), gravity_at_surface(M, R + h, k), small(kind, 10)
+    )
 
 
 def test_problems_5_17_and_5_18():
@@ -99,7 +119,9 @@ def test_eqn_5_25_to_5_27_weight(kind):
     m, g = numbers(kind, "2.5", "9.81")
     ground = Frame("ground")
     assert close(weight(m, ground.k, g), (0, 0, -m * g), small(kind, 10))  # (5.27)
-    assert close(weight(particle(m, ground.origin), 7 * ground.j, g), (0, -m * g, 0), small(kind, 10))
+    assert close(
+        weight(particle(m, ground.origin), 7 * ground.j, g), (0, -m * g, 0), small(kind, 10)
+    )
     assert close(mass_from_weight(m * g, g), m, small(kind))  # (5.26)
     assert close(weight(m, ground.k, g).norm(), m * g, small(kind, 10))
 
@@ -121,7 +143,9 @@ def test_dimensions_and_compiling():
 
     def force(m, x, k):
         space = Frame("space")
-        return gravitation(particle(m, space.origin), particle(2 * m, space.point("P", x, x, 0)), K=k)
+        return gravitation(
+            particle(m, space.origin), particle(2 * m, space.point("P", x, x, 0)), K=k
+        )
 
     assert close(compiled(force)(1.5, 0.3, 2.0), tuple(force(1.5, 0.3, 2.0)), 1e-13)
     assert force(mass, length, k).x == Dimension(1, 1, -2)

@@ -1,7 +1,9 @@
-"""Chapter 6, (6.1)-(6.10) and the examples of 6.3, 6.7, 6.12: forces from motions, motions from forces. The rotating Earth: test_earth.py.
+"""Chapter 6, (6.1)-(6.10) and the examples of 6.3, 6.7, 6.12: forces from motions, motions from
+forces. The rotating Earth: test_earth.py.
 
-The oracle of every component equation is m times the second rates of the rectangular coordinates, differentiated by the product rule and projected
-on the local unit vectors: no formula of polar, spherical or relative motion.
+The oracle of every component equation is m times the second rates of the rectangular coordinates,
+differentiated by the product rule and projected on the local unit vectors: no formula of polar,
+spherical or relative motion.
 """
 
 import importlib.util
@@ -59,12 +61,20 @@ def small(kind):
 def coordinates(kind):
     """Mass, instant, and three functions of time that never vanish together with their rates."""
     m, t, a, b, c = numbers(kind, "2.5", "0.5", "1.5", "-0.4", "0.7")
-    return m, t, (lambda t: a + b * t + t * t), (lambda t: c + a * t - b * t * t), (lambda t: b + c * t + c * t * t * t)
+    return (
+        m,
+        t,
+        (lambda t: a + b * t + t * t),
+        (lambda t: c + a * t - b * t * t),
+        (lambda t: b + c * t + c * t * t * t),
+    )
 
 
 def by_rectangular(m, t, xyz):
     """m times the second rates of the rectangular coordinates ``xyz(t)``."""
-    return tuple(m * at(lambda time, n=n: xyz(time)[n] + 0 * time, t).acceleration for n in range(3))
+    return tuple(
+        m * at(lambda time, n=n: xyz(time)[n] + 0 * time, t).acceleration for n in range(3)
+    )
 
 
 def along(F, axes):
@@ -91,12 +101,17 @@ def test_eqns_6_2_to_6_4_plane_rectangular_components(kind):
 
 @every_kind
 def test_eqn_6_5_tangential_and_normal_components(kind):
-    """Against the rates of speed and direction, differentiated from the velocity as functions of time."""
+    """Against the rates of speed and direction, differentiated from the velocity as functions of
+    time.
+    """
     m, t, u, w, _ = coordinates(kind)
     v = at(lambda t: sqrt(u(t) ** 2 + w(t) ** 2), t)
     theta = at(lambda t: atan2(w(t), u(t)), t)
     ground = Frame("ground")
-    velocity, acceleration = ground.vector(u(t), w(t), 0), ground.vector(at(u, t).rate, at(w, t).rate, 0)
+    velocity, acceleration = (
+        ground.vector(u(t), w(t), 0),
+        ground.vector(at(u, t).rate, at(w, t).rate, 0),
+    )
     motion = frenet(velocity, acceleration)
     F = resultant_force(m, motion.acceleration)
     F_t, F_n = m * v.rate, m * v.value * theta.rate
@@ -114,12 +129,17 @@ def test_eqn_6_6_polar_components(kind):
     P = polar(ground, "P", at(r, t), at(theta, t))
     F = resultant_force(m, P.acceleration(ground))
     c, s = cos(theta(t)), sin(theta(t))
-    wanted = along(by_rectangular(m, t, lambda t: (r(t) * cos(theta(t)), r(t) * sin(theta(t)), 0)), ((c, s, 0), (-s, c, 0), (0, 0, 1)))
+    wanted = along(
+        by_rectangular(m, t, lambda t: (r(t) * cos(theta(t)), r(t) * sin(theta(t)), 0)),
+        ((c, s, 0), (-s, c, 0), (0, 0, 1)),
+    )
     assert close(F, wanted, 10 * small(kind))
     R, T = at(r, t), at(theta, t)
     assert close(F.terms["coriolis"], (0, 2 * m * R.rate * T.rate, 0), small(kind))
     assert close(F.terms["centripetal"], (-m * R.value * T.rate**2, 0, 0), 10 * small(kind))
-    assert close(coordinate_accelerations(m, P, push=F), (R.acceleration, T.acceleration), 10 * small(kind))
+    assert close(
+        coordinate_accelerations(m, P, push=F), (R.acceleration, T.acceleration), 10 * small(kind)
+    )
 
 
 @every_kind
@@ -137,9 +157,16 @@ def test_eqn_6_8_cylindrical_components(kind):
     P = cylindrical(ground, "P", at(r, t), at(theta, t), at(z, t))
     F = resultant_force(m, P.acceleration(ground))
     c, s = cos(theta(t)), sin(theta(t))
-    wanted = along(by_rectangular(m, t, lambda t: (r(t) * cos(theta(t)), r(t) * sin(theta(t)), z(t))), ((c, s, 0), (-s, c, 0), (0, 0, 1)))
+    wanted = along(
+        by_rectangular(m, t, lambda t: (r(t) * cos(theta(t)), r(t) * sin(theta(t)), z(t))),
+        ((c, s, 0), (-s, c, 0), (0, 0, 1)),
+    )
     assert close(F, wanted, 10 * small(kind))
-    assert close(coordinate_accelerations(m, P, push=F), [at(q, t).acceleration for q in (r, theta, z)], 10 * small(kind))
+    assert close(
+        coordinate_accelerations(m, P, push=F),
+        [at(q, t).acceleration for q in (r, theta, z)],
+        10 * small(kind),
+    )
 
 
 @every_kind
@@ -156,8 +183,17 @@ def test_eqn_6_9_spherical_components(kind):
     c, s, cf, sf = cos(theta(t)), sin(theta(t)), cos(phi(t)), sin(phi(t))
     e_R, e_theta, e_phi = (cf * c, cf * s, sf), (-s, c, 0), (-sf * c, -sf * s, cf)
     assert close(F, along(by_rectangular(m, t, place), (e_R, e_theta, e_phi)), 20 * small(kind))
-    assert close(coordinate_accelerations(m, P, push=F), [at(q, t).acceleration for q in (R, theta, phi)], 50 * small(kind))
-    total = [sum(part) for part in zip(*(tuple(term.expressed_in(P.local)) for term in F.terms.values()), strict=True)]
+    assert close(
+        coordinate_accelerations(m, P, push=F),
+        [at(q, t).acceleration for q in (R, theta, phi)],
+        50 * small(kind),
+    )
+    total = [
+        sum(part)
+        for part in zip(
+            *(tuple(term.expressed_in(P.local)) for term in F.terms.values()), strict=True
+        )
+    ]
     assert close(tuple(F), total, 20 * small(kind))
 
 
@@ -173,10 +209,14 @@ def test_forces_along_curved_coordinates_may_come_as_components_or_as_vectors():
 
 @every_kind
 def test_eqn_6_10_force_by_way_of_a_moving_frame_and_what_is_seen_there(kind):
-    """Against the rectangular coordinates in the inertial frame as functions of time: origin, turn, and relative motion all accelerate."""
+    """Against the rectangular coordinates in the inertial frame as functions of time: origin, turn,
+    and relative motion all accelerate.
+    """
     m, t, x, angle, y = coordinates(kind)
     ground = Frame("ground")
-    disk = ground.rotate("disk", "z", at(angle, t), origin=ground.point("O", at(y, t), at(x, t), at(angle, t)))
+    disk = ground.rotate(
+        "disk", "z", at(angle, t), origin=ground.point("O", at(y, t), at(x, t), at(angle, t))
+    )
     P = disk.point("P", at(x, t), at(y, t), at(x, t))
 
     def place(t):
@@ -201,24 +241,40 @@ def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
     assert told.startswith("polar force of P in ground, equation (6.6)")
     assert "coriolis  m (2 r' theta' e_theta)" in told
     disk = ground.rotate("disk", "z", rate=2.0)
-    seen = relative_acceleration(1.0, disk.point("Q", moving(3.0, rate=1.0), 0, 0), ground, spring=-5.0 * disk.i)
+    seen = relative_acceleration(
+        1.0, disk.point("Q", moving(3.0, rate=1.0), 0, 0), ground, spring=-5.0 * disk.i
+    )
     assert "equation (6.10)" in str(seen.explain())
     assert r"\tag{6.10}" in seen.explain().latex
-    assert "(6.10)" in str(resultant_force(2.0, disk.point("Q", 3.0, 0, 0).acceleration(ground)).explain())
-    assert "(6.1)" in str(reaction(2.0, ground.vector(0, 0, 1.0), weight=-19.62 * ground.k).explain())
+    assert "(6.10)" in str(
+        resultant_force(2.0, disk.point("Q", 3.0, 0, 0).acceleration(ground)).explain()
+    )
+    assert "(6.1)" in str(
+        reaction(2.0, ground.vector(0, 0, 1.0), weight=-19.62 * ground.k).explain()
+    )
     assert list(acceleration_by(2.0, weight=ground.k, wind=ground.i).without("wind")) == [0, 0, 0.5]
 
 
 @given(st.floats(0.1, 100), st.lists(st.floats(-10, 10), min_size=9, max_size=9))
 def test_any_force_comes_back_from_the_accelerations_that_it_makes(m, x):
-    """r = 2 + x, elevation within 60 degrees of the equator: forces to second rates to forces again."""
+    """r = 2 + x, elevation within 60 degrees of the equator: forces to second rates to forces
+    again.
+    """
     ground = Frame("ground")
     q = (12.0 + x[0], x[1]), (x[2], x[3]), (0.1 * x[4], x[5])
     F = tuple(x[6:])
     P = spherical(ground, "P", *(moving(a, rate=b) for a, b in q))
     second = coordinate_accelerations(m, P, push=F)
-    again = spherical(ground, "P", *(moving(a, rate=b, acceleration=c) for (a, b), c in zip(q, second, strict=True)))
-    scale = 10 + m * (abs(x[1]) + 22 * max(abs(v) for v in (1, *x[1:6:2])) ** 2) + sum(map(abs, second)) * m
+    again = spherical(
+        ground,
+        "P",
+        *(moving(a, rate=b, acceleration=c) for (a, b), c in zip(q, second, strict=True)),
+    )
+    scale = (
+        10
+        + m * (abs(x[1]) + 22 * max(abs(v) for v in (1, *x[1:6:2])) ** 2)
+        + sum(map(abs, second)) * m
+    )
     assert close(tuple(resultant_force(m, again.acceleration(ground))), F, 1e-13 * 22 * scale)
 
 
@@ -226,15 +282,29 @@ def test_any_force_comes_back_from_the_accelerations_that_it_makes(m, x):
 def test_an_inertial_frame_at_constant_velocity_sees_the_same_force(m, angle, u, w, a):
     """6.6: a frame that translates uniformly in an inertial frame is inertial too."""
     ground = Frame("ground")
-    train = ground.translate("train", ground.point("O", moving(0.0, rate=u), moving(0.0, rate=w), 0))
-    P = train.point("P", moving(math.cos(angle), acceleration=a), moving(math.sin(angle), rate=w), 0)
-    assert close(resultant_force(m, P.acceleration(ground)).components(train), resultant_force(m, P.acceleration(train)).components(train), 1e-12)
+    train = ground.translate(
+        "train", ground.point("O", moving(0.0, rate=u), moving(0.0, rate=w), 0)
+    )
+    P = train.point(
+        "P", moving(math.cos(angle), acceleration=a), moving(math.sin(angle), rate=w), 0
+    )
+    assert close(
+        resultant_force(m, P.acceleration(ground)).components(train),
+        resultant_force(m, P.acceleration(train)).components(train),
+        1e-12,
+    )
 
 
-@pytest.mark.parametrize("m", [0, 0.0, -1.0, float("nan"), float("inf"), np.array([1.0, -2.0]), sympy.Integer(-3)])
+@pytest.mark.parametrize(
+    "m", [0, 0.0, -1.0, float("nan"), float("inf"), np.array([1.0, -2.0]), sympy.Integer(-3)]
+)
 def test_a_mass_must_be_positive(m):
     ground = Frame("ground")
-    for call in (lambda: resultant_force(m, ground.i), lambda: acceleration_by(m, F=ground.i), lambda: path_rates(m, 1.0, 1.0, 1.0)):
+    for call in (
+        lambda: resultant_force(m, ground.i),
+        lambda: acceleration_by(m, F=ground.i),
+        lambda: path_rates(m, 1.0, 1.0, 1.0),
+    ):
         with pytest.raises(MassError, match="the mass must be positive and finite, got m = "):
             call()
 
@@ -246,24 +316,39 @@ def test_a_symbolic_mass_is_taken_as_it_is():
 
 def test_singular_coordinates_are_refused_in_words():
     ground = Frame("ground")
-    with pytest.raises(SingularError, match=r"P is where one of its coordinates moves nothing.*turn the axes"):
-        coordinate_accelerations(1.0, polar(ground, "P", moving(0.0, rate=1.0), moving(0.0, rate=1.0)), push=(1.0, 1.0))
+    with pytest.raises(
+        SingularError, match=r"P is where one of its coordinates moves nothing.*turn the axes"
+    ):
+        coordinate_accelerations(
+            1.0, polar(ground, "P", moving(0.0, rate=1.0), moving(0.0, rate=1.0)), push=(1.0, 1.0)
+        )
     with pytest.raises(SingularError, match="moves nothing"):
-        coordinate_accelerations(1.0, spherical(ground, "P", moving(np.array([1.0, 0.0])), moving(0.0), moving(0.0)), push=(1.0, 1.0, 0.0))
+        coordinate_accelerations(
+            1.0,
+            spherical(ground, "P", moving(np.array([1.0, 0.0])), moving(0.0), moving(0.0)),
+            push=(1.0, 1.0, 0.0),
+        )
     with pytest.raises(SingularError, match="at rest the velocity has no direction"):
         path_rates(1.0, 1.0, 1.0, 0.0)
 
 
 def test_what_is_no_force_is_refused_in_words():
     ground = Frame("ground")
-    with pytest.raises(FrameError, match=r"the force push must be a Vector, as in ground.vector\(1.0, 0, 0\)"):
+    with pytest.raises(
+        FrameError, match=r"the force push must be a Vector, as in ground.vector\(1.0, 0, 0\)"
+    ):
         acceleration_by(1.0, push=3.0)
     with pytest.raises(FrameError, match="no force is given; name each of them"):
         acceleration_by(1.0)
     with pytest.raises(FrameError, match="the force push has 4 components"):
         coordinate_accelerations(1.0, polar(ground, "P", 1.0, 0.0), push=(1, 2, 3, 4))
     with pytest.raises(FrameError, match="'coriolis' is a term of the moving frame"):
-        relative_acceleration(1.0, ground.rotate("disk", "z", rate=1.0).point("P", 1.0, 0, 0), ground, coriolis=ground.i)
+        relative_acceleration(
+            1.0,
+            ground.rotate("disk", "z", rate=1.0).point("P", 1.0, 0, 0),
+            ground,
+            coriolis=ground.i,
+        )
     with pytest.raises(FrameError, match="the acceleration must be a Vector"):
         resultant_force(1.0, (1.0, 2.0, 3.0))
 
@@ -274,13 +359,20 @@ def test_units_of_forces_and_accelerations():
     length = moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2)
     P = spherical(ground, "P", length, angle, angle)
     assert list(resultant_force(MASS, P.acceleration(ground))) == [FORCE] * 3
-    assert coordinate_accelerations(MASS, P, push=(FORCE, FORCE, FORCE)) == (LENGTH / TIME**2, 1 / TIME**2, 1 / TIME**2)
+    assert coordinate_accelerations(MASS, P, push=(FORCE, FORCE, FORCE)) == (
+        LENGTH / TIME**2,
+        1 / TIME**2,
+        1 / TIME**2,
+    )
     assert path_rates(MASS, FORCE, FORCE, LENGTH / TIME) == (LENGTH / TIME**2, 1 / TIME)
 
 
 def _polar_force(m, r, dr, ddr, theta, dtheta, ddtheta):
     ground = Frame("ground")
-    return resultant_force(m, polar(ground, "P", moving(r, dr, ddr), moving(theta, dtheta, ddtheta)).acceleration(ground))
+    return resultant_force(
+        m,
+        polar(ground, "P", moving(r, dr, ddr), moving(theta, dtheta, ddtheta)).acceleration(ground),
+    )
 
 
 def test_forces_compile():
@@ -288,7 +380,9 @@ def test_forces_compile():
     assert close(compiled(_polar_force)(*x), _polar_force(*x), 1e-15)
 
 
-@pytest.mark.skipif(importlib.util.find_spec("symengine") is None, reason="symengine is not installed")
+@pytest.mark.skipif(
+    importlib.util.find_spec("symengine") is None, reason="symengine is not installed"
+)
 def test_forces_of_symengine_expressions():
     import symengine
 

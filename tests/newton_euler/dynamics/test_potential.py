@@ -80,7 +80,9 @@ def exactly(V, kind, *place):
 
 
 def vortex(x, y, z):
-    """No curl, but a hole: it does not exist on the z axis, and does the work 2 pi in every turn round it."""
+    """No curl, but a hole: it does not exist on the z axis, and does the work 2 pi in every turn
+    round it.
+    """
     square = x * x + y * y
     return -y / square, x / square, 0
 
@@ -89,7 +91,11 @@ def vortex(x, y, z):
 def test_eqn_11_15_the_work_of_a_force_with_potential_by_its_components(kind):
     a, q = numbers(kind, 2, 1)
     U = work_along(down_hill, lambda s: (a * s, s * s, 1 - s), 0, q, exact=kind == "sympy")
-    assert close(U.terms["x"] + U.terms["y"] + U.terms["z"], hill(0, 0, 1) - hill(a * q, q * q, 1 - q), small(kind))
+    assert close(
+        U.terms["x"] + U.terms["y"] + U.terms["z"],
+        hill(0, 0, 1) - hill(a * q, q * q, 1 - q),
+        small(kind),
+    )
 
 
 @every_kind
@@ -102,13 +108,17 @@ def test_eqn_11_16_the_force_is_minus_the_gradient(kind):
 @every_kind
 def test_eqn_11_17_the_gradient_has_the_partial_derivatives_as_components(kind):
     x, y, z = numbers(kind, 2, "-0.5", "1.5")
-    slopes = at(lambda s: hill(s, y, z), x).rate, at(lambda s: hill(x, s, z), y).rate, at(lambda s: hill(x, y, s), z).rate
+    slopes = (
+        at(lambda s: hill(s, y, z), x).rate,
+        at(lambda s: hill(x, s, z), y).rate,
+        at(lambda s: hill(x, y, s), z).rate,
+    )
     assert close(gradient(hill, Frame("ground").point("P", x, y, z)), slopes, small(kind))
 
 
 def test_eqn_11_18_components_against_sympy():
     x, y, z = sympy.symbols("x y z")
-    V = lambda x, y, z: sin(x * y) * exp(z) + x / (1 + z * z)  # noqa: E731
+    V = lambda x, y, z: sin(x * y) * exp(z) + x / (1 + z * z)
     F = conservative_force(V, Frame("ground").point("P", x, y, z))
     for f, q in zip(F, (x, y, z), strict=True):
         assert sympy.simplify(f + V(x, y, z).diff(q)) == 0
@@ -119,7 +129,11 @@ def test_eqn_11_18_in_spherical_coordinates(kind):
     """V = -1/R^2: the force is -2/R^3 along e_R, wherever."""
     R, theta, phi = numbers(kind, 2, "0.5", "0.25")
     P = spherical(Frame("ground"), "P", R, theta, phi)
-    assert close(conservative_force(lambda R, theta, phi: -1 / (R * R), P), (-2 / R**3, 0 * R, 0 * R), small(kind))
+    assert close(
+        conservative_force(lambda R, theta, phi: -1 / (R * R), P),
+        (-2 / R**3, 0 * R, 0 * R),
+        small(kind),
+    )
 
 
 @every_kind
@@ -136,7 +150,9 @@ def test_eqn_11_20_work_is_the_potential_lost_on_every_path(kind):
     q = numbers(kind, 1)
     exact, lost = kind == "sympy", hill(0, 0, 1) - hill(1, 2, 3)
     straight = work_along(down_hill, lambda s: (s, 2 * s, 1 + 2 * s), 0, q, exact=exact)
-    curved = work_along(down_hill, lambda s: (s**3, 2 * s * s, 1 + 2 * s * (3 - 2 * s)), 0, q, exact=exact)
+    curved = work_along(
+        down_hill, lambda s: (s**3, 2 * s * s, 1 + 2 * s * (3 - 2 * s)), 0, q, exact=exact
+    )
     if kind != "array":  # where the ends differ from instant to instant
         assert close(straight.value, lost, small(kind))
         assert close(curved.value, lost, small(kind))
@@ -146,22 +162,39 @@ def test_eqn_11_20_work_is_the_potential_lost_on_every_path(kind):
 @every_kind
 def test_eqn_11_20_round_a_closed_path_it_is_zero(kind):
     a = numbers(kind, "1.5")
-    loop = lambda q: (a * q * (1 - q), 2 * q * q * (1 - q), 1 + a * q * (1 - q) ** 2)  # noqa: E731
-    assert close(work_along(down_hill, loop, 0, 1 + 0 * a, exact=kind == "sympy").value, 0, small(kind))
-    assert not close(work_along(swirl, loop, 0, 1 + 0 * a, exact=kind == "sympy").value, 0, 0.01)  # that of one with curl is not
+    loop = lambda q: (a * q * (1 - q), 2 * q * q * (1 - q), 1 + a * q * (1 - q) ** 2)
+    assert close(
+        work_along(down_hill, loop, 0, 1 + 0 * a, exact=kind == "sympy").value, 0, small(kind)
+    )
+    # that of one with curl is not
+    assert not close(work_along(swirl, loop, 0, 1 + 0 * a, exact=kind == "sympy").value, 0, 0.01)
 
 
 @settings(deadline=None, max_examples=25)
-@given(st.lists(st.floats(-2, 2), min_size=9, max_size=9), st.lists(st.floats(-1, 1), min_size=6, max_size=6))
+@given(
+    st.lists(st.floats(-2, 2), min_size=9, max_size=9),
+    st.lists(st.floats(-1, 1), min_size=6, max_size=6),
+)
 def test_eqn_11_20_for_any_potential_and_any_two_paths(c, bend):
     def V(x, y, z):
-        return c[0] * x * y + c[1] * y * z + c[2] * z * x + c[3] * x**3 + c[4] * cos(c[5] * y + z) + c[6] * sin(x * z) + c[7] * y + c[8] * x * y * z
+        return (
+            c[0] * x * y
+            + c[1] * y * z
+            + c[2] * z * x
+            + c[3] * x**3
+            + c[4] * cos(c[5] * y + z)
+            + c[6] * sin(x * z)
+            + c[7] * y
+            + c[8] * x * y * z
+        )
 
     def F(x, y, z):
         return conservative_force(V, Frame("g").point("P", x, y, z)).components()
 
     def path(k):
-        return lambda q: tuple(a + 2 * q + b * q * (1 - q) for a, b in zip((-1, 0, 1), k, strict=True))
+        return lambda q: tuple(
+            a + 2 * q + b * q * (1 - q) for a, b in zip((-1, 0, 1), k, strict=True)
+        )
 
     for k in (bend[:3], bend[3:]):
         U = work_along(F, path(k), 0.0, 1.0)
@@ -171,14 +204,22 @@ def test_eqn_11_20_for_any_potential_and_any_two_paths(c, bend):
 @every_kind
 def test_eqn_11_34_the_potential_of_a_weight_is_minus_its_work(kind):
     m, g, h = numbers(kind, 2, "9.81", "1.5")
-    U = work_along(lambda x, y, z: (0, 0, -m * g), lambda q: (sin(q), q * q, h * q), 0, 1 + 0 * h, exact=kind == "sympy")
+    U = work_along(
+        lambda x, y, z: (0, 0, -m * g),
+        lambda q: (sin(q), q * q, h * q),
+        0,
+        1 + 0 * h,
+        exact=kind == "sympy",
+    )
     assert close(weight_potential(m, h, g), -U.value, small(kind))
 
 
 @every_kind
 def test_eqn_11_35_the_potential_of_a_spring_is_minus_its_work(kind):
     K, x = numbers(kind, 20, "-0.5")
-    U = work_along(lambda x, y, z: (-K * x, 0, 0), lambda q: (x * q, 0, 0), 0, 1 + 0 * x, exact=kind == "sympy")
+    U = work_along(
+        lambda x, y, z: (-K * x, 0, 0), lambda q: (x * q, 0, 0), 0, 1 + 0 * x, exact=kind == "sympy"
+    )
     assert close(spring_potential(K, x), -U.value, small(kind))
 
 
@@ -187,18 +228,27 @@ def test_eqn_11_35_a_slant_spring_pulls_along_its_line(kind):
     """The gradient of V by the place of one end is the tension, towards the other one."""
     K, l0, x, y = numbers(kind, 20, "1.5", 3, 4)
     ground = Frame("ground")
-    V = lambda x, y, z: spring_between(K, l0, (0, 0, 0), (x, y, z))  # noqa: E731
+    V = lambda x, y, z: spring_between(K, l0, (0, 0, 0), (x, y, z))
     r = sqrt(x * x + y * y)
     F = K * (r - l0)
-    assert close(spring_between(K, l0, ground.origin, ground.point("P", x, y, 0)), V(x, y, 0), small(kind))
-    assert close(conservative_force(V, ground.point("P", x, y, 0)), (-F * x / r, -F * y / r, 0), 10 * small(kind))
+    assert close(
+        spring_between(K, l0, ground.origin, ground.point("P", x, y, 0)), V(x, y, 0), small(kind)
+    )
+    assert close(
+        conservative_force(V, ground.point("P", x, y, 0)),
+        (-F * x / r, -F * y / r, 0),
+        10 * small(kind),
+    )
 
 
 def test_potentials_are_energies():
     ground = Frame("ground")
     assert weight_potential(MASS, LENGTH, LENGTH / TIME**2) == ENERGY
     assert spring_potential(MASS / TIME**2, LENGTH) == ENERGY
-    assert spring_between(MASS / TIME**2, LENGTH, ground.origin, ground.point("P", LENGTH, LENGTH, 0)) == ENERGY
+    assert (
+        spring_between(MASS / TIME**2, LENGTH, ground.origin, ground.point("P", LENGTH, LENGTH, 0))
+        == ENERGY
+    )
     assert gravitational_potential(MASS, MASS, LENGTH, LENGTH**3 / (MASS * TIME**2)) == ENERGY
     assert compiled(lambda K, x: spring_potential(K, x))(200.0, 0.1) == pytest.approx(1.0)
 
@@ -211,7 +261,7 @@ def test_a_potential_is_found(kind):
 
 def test_a_potential_found_in_symbols():
     x, y, z, c = sympy.symbols("x y z c", real=True)
-    cubic = lambda x, y, z: tuple(c * (x * x + y * y + z * z) * q for q in (x, y, z))  # noqa: E731
+    cubic = lambda x, y, z: tuple(c * (x * x + y * y + z * z) * q for q in (x, y, z))
     V = find_potential(cubic)(x, y, z)
     assert sympy.expand(V + c * (x**2 + y**2 + z**2) ** 2 / 4) == 0
 
@@ -219,28 +269,41 @@ def test_a_potential_found_in_symbols():
 def test_a_potential_found_in_symengine():
     symengine = pytest.importorskip("symengine")
     k, x = symengine.symbols("k x")
-    assert sympy.expand(find_potential(lambda x, y, z: (-k * x, 0, 0))(x, 0, 0) - sympy.sympify(k * x**2) / 2) == 0
+    assert (
+        sympy.expand(
+            find_potential(lambda x, y, z: (-k * x, 0, 0))(x, 0, 0) - sympy.sympify(k * x**2) / 2
+        )
+        == 0
+    )
 
 
 def test_a_potential_found_differentiates_to_the_force():
     V, P = find_potential(down_hill), Frame("ground").point("P", 2.0, -0.5, 1.5)
     assert close(-gradient(V, P), down_hill(2.0, -0.5, 1.5), 1e-14)
-    place = lambda t: (sin(t), t * t, 1 - t)  # noqa: E731
+    place = lambda t: (sin(t), t * t, 1 - t)
     found, true = at(lambda t: V(*place(t)), 0.75), at(lambda t: hill(*place(t)), 0.75)
-    for got, expected in zip((found.value, found.rate, found.acceleration), (true.value, true.rate, true.acceleration), strict=True):
+    for got, expected in zip(
+        (found.value, found.rate, found.acceleration),
+        (true.value, true.rate, true.acceleration),
+        strict=True,
+    ):
         assert got == pytest.approx(expected, rel=1e-12)
 
 
 @every_kind
 def test_the_curl_by_hand(kind):
     x, y, z = numbers(kind, 2, "-0.5", "1.5")
-    F = lambda x, y, z: (x * y * z, -x * z, y * y)  # noqa: E731
+    F = lambda x, y, z: (x * y * z, -x * z, y * y)
     assert close(curl(F, (x, y, z)), (2 * y + x, x * y, -z - x * z), small(kind))
-    assert close(jacobian(F, (x, y, z)), ((y * z, x * z, x * y), (-z, 0, -x), (0, 2 * y, 0)), small(kind))
+    assert close(
+        jacobian(F, (x, y, z)), ((y * z, x * z, x * y), (-z, 0, -x), (0, 2 * y, 0)), small(kind)
+    )
 
 
 def test_a_force_with_curl_has_no_potential():
-    with pytest.raises(NoPotential, match=r"at \(-0\.7.*the curl of the force is \(0, 0, 2\), not zero") as told:
+    with pytest.raises(
+        NoPotential, match=r"at \(-0\.7.*the curl of the force is \(0, 0, 2\), not zero"
+    ) as told:
         find_potential(lambda x, y, z: (-y, x, 0))
     assert told.value.curl == (0, 0, 2)
     g = sympy.symbols("g_xy g_yx")
@@ -250,7 +313,7 @@ def test_a_force_with_curl_has_no_potential():
 
 @pytest.mark.parametrize(("curl_part", "conservative"), [(1e-11, True), (1e-7, False)])
 def test_both_sides_of_the_tolerance_of_the_curl(curl_part, conservative):
-    field = lambda x, y, z: (-x - curl_part * y, -y, -z)  # noqa: E731
+    field = lambda x, y, z: (-x - curl_part * y, -y, -z)
     if conservative:
         assert find_potential(field)(1.0, 0.0, 0.0) == pytest.approx(0.5)
         return
@@ -262,18 +325,23 @@ def test_a_hole_in_the_region_is_found_by_a_loop_round_it():
     """Without curl, and still without potential: the naive test of (11.18) passes on the vortex."""
     box = ((-1, 1), (-1, 1), (0, 1))
     assert max(map(abs, curl(vortex, (0.3, -0.4, 0.5)))) < 1e-15
-    circle = lambda s: (0.8 * cos(2 * math.pi * s), 0.9 * sin(2 * math.pi * s), 0.5)  # noqa: E731
-    with pytest.raises(NoPotential, match=r"round loop 1 the force does the work 6\.28319, though its curl is zero") as told:
+    circle = lambda s: (0.8 * cos(2 * math.pi * s), 0.9 * sin(2 * math.pi * s), 0.5)
+    with pytest.raises(
+        NoPotential, match=r"round loop 1 the force does the work 6\.28319, though its curl is zero"
+    ) as told:
         find_potential(vortex, base=(1, 0, 0), box=box, loops=[circle])
     assert told.value.circulation == pytest.approx(2 * math.pi)
-    V = find_potential(vortex, base=(1, 0, 0), box=((0.5, 1), (-1, 1), (0, 1)))  # a region that does not go round it
+    # a region that does not go round it
+    V = find_potential(vortex, base=(1, 0, 0), box=((0.5, 1), (-1, 1), (0, 1)))
     assert V(1.0, 1.0, 0.0) == pytest.approx(-math.pi / 4)
-    assert at(lambda t: -atan2(t, 1 + 0 * t), 1.0).rate == pytest.approx(at(lambda t: V(1.0, t, 0.0), 1.0).rate)
+    assert at(lambda t: -atan2(t, 1 + 0 * t), 1.0).rate == pytest.approx(
+        at(lambda t: V(1.0, t, 0.0), 1.0).rate
+    )
 
 
 def test_a_hole_elsewhere_needs_its_own_loop():
-    aside = lambda x, y, z: vortex(x - 0.9, y - 0.9, z)  # noqa: E731
-    ring = lambda s: (0.9 + 0.05 * cos(2 * math.pi * s), 0.9 + 0.05 * sin(2 * math.pi * s), 0.5)  # noqa: E731
+    aside = lambda x, y, z: vortex(x - 0.9, y - 0.9, z)
+    ring = lambda s: (0.9 + 0.05 * cos(2 * math.pi * s), 0.9 + 0.05 * sin(2 * math.pi * s), 0.5)
     assert find_potential(aside)(0.5, 0.0, 0.0) is not None
     with pytest.raises(NoPotential, match="round loop 1"):
         find_potential(aside, loops=[ring])
@@ -286,7 +354,10 @@ def test_a_hole_elsewhere_needs_its_own_loop():
     ("field", "message"),
     [
         (lambda x, y, z: (1 / x, 0), r"two|got 2 components"),
-        (lambda x, y, z: (sqrt(x), 0, 0), r"the force has no value at \(-0\.75.*keep base, box and loops where it exists"),
+        (
+            lambda x, y, z: (sqrt(x), 0, 0),
+            r"the force has no value at \(-0\.75.*keep base, box and loops where it exists",
+        ),
         (lambda x, y, z: (math.inf, 0, 0), "not finite; keep base, box and loops"),
         (lambda x, y, z: ("x", 0, 0), "the force has no value at.*expected a number"),
     ],
@@ -297,7 +368,7 @@ def test_fields_that_are_none_are_refused_in_words(field, message):
 
 
 def test_a_straight_line_through_the_centre_of_attraction_is_refused():
-    attraction = lambda x, y, z: tuple(-c / (x * x + y * y + z * z) ** 1.5 for c in (x, y, z))  # noqa: E731
+    attraction = lambda x, y, z: tuple(-c / (x * x + y * y + z * z) ** 1.5 for c in (x, y, z))
     V = find_potential(attraction, base=(-1, 0, 0), box=((1, 2), (1, 2), (1, 2)))
     with pytest.raises(WorkError, match=r"did not converge|no value"):
         V(1.0, 0.0, 0.0)
@@ -309,4 +380,8 @@ def test_a_potential_of_many_places_at_once():
     x = np.array([1.0, 2.0, 3.0])
     V = find_potential(down_hill)
     assert np.allclose(V(x, 1.0, 0.5), hill(x, 1.0, 0.5), rtol=1e-14)
-    assert np.allclose(V(moving(x, 1.0), 1.0, 0.5).rate, -np.array([down_hill(a, 1.0, 0.5)[0] for a in x]), rtol=1e-14)
+    assert np.allclose(
+        V(moving(x, 1.0), 1.0, 0.5).rate,
+        -np.array([down_hill(a, 1.0, 0.5)[0] for a in x]),
+        rtol=1e-14,
+    )

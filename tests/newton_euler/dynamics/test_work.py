@@ -1,6 +1,8 @@
-"""Chapter 11, (11.1)-(11.11), 11.4, 11.13: work by each of its integrals, power, couples; where an integral fails.
+"""Chapter 11, (11.1)-(11.11), 11.4, 11.13: work by each of its integrals, power, couples; where an
+integral fails.
 
-Oracles: antiderivatives by hand, sums over short chords, and for power the rate of the kinetic energy of an explicit motion.
+Oracles: antiderivatives by hand, sums over short chords, and for power the rate of the kinetic
+    energy of an explicit motion.
 """
 
 import math
@@ -68,7 +70,11 @@ def test_eqn_11_1_work_is_the_limit_of_force_times_short_chords():
     U, path, error = work_along(swirl, helix(2.0, 0.5), 0.0, 1.5).value, helix(2.0, 0.5), []
     for n in (50, 100):
         places = [path(1.5 * k / n) for k in range(n + 1)]
-        chords = [[(q + p) / 2 for p, q in zip(a, b, strict=True)] + [q - p for p, q in zip(a, b, strict=True)] for a, b in pairwise(places)]
+        chords = [
+            [(q + p) / 2 for p, q in zip(a, b, strict=True)]
+            + [q - p for p, q in zip(a, b, strict=True)]
+            for a, b in pairwise(places)
+        ]
         error.append(sum(power(swirl(*c[:3]), c[3:]) for c in chords) - U)
     assert abs(error[0]) < 1e-3
     assert 3.99 < error[0] / error[1] < 4.01
@@ -82,7 +88,13 @@ def test_eqn_11_2_work_in_time_is_that_along_the_path_however_fast_it_is_run_thr
     def P(t):
         return ground.point("P", *(at(lambda s, n=n: path(s * s)[n], t) for n in range(3)))
 
-    U = work_in_time(lambda t: ground.vector(*swirl(*path(t * t))), lambda t: P(t).velocity(ground), 0, t, exact=kind == "sympy")
+    U = work_in_time(
+        lambda t: ground.vector(*swirl(*path(t * t))),
+        lambda t: P(t).velocity(ground),
+        0,
+        t,
+        exact=kind == "sympy",
+    )
     assert close(U.value, on_helix(a, c, t * t), small(kind))
 
 
@@ -101,13 +113,19 @@ def test_eqn_11_3_work_is_the_integral_of_the_tangential_component_over_the_arc(
 
 def test_eqn_11_3_with_the_unit_tangent_of_the_frenet_triad():
     ground, path = Frame("ground"), helix(1.5, 2.0)
-    U = work_integral(lambda s: ground.vector(*swirl(*path(s / 2.5))).dot(frenet_along(path, s / 2.5, ground).e_t), 0.0, 1.875)
+    U = work_integral(
+        lambda s: ground.vector(*swirl(*path(s / 2.5))).dot(
+            frenet_along(path, s / 2.5, ground).e_t
+        ),
+        0.0,
+        1.875,
+    )
     assert close(U.value, on_helix(1.5, 2.0, 0.75), small("float"))
 
 
 def test_eqn_11_3_a_force_across_the_path_does_no_work():
     path = helix(2.0, 0.5)
-    across = lambda x, y, z: (-5.0 * x, -5.0 * y, 0)  # noqa: E731
+    across = lambda x, y, z: (-5.0 * x, -5.0 * y, 0)
     U = work_along(across, path, 0.0, 2.0)
     assert abs(U.value) < 1e-13
     assert U.terms["x"] == pytest.approx(-U.terms["y"], abs=1e-12)
@@ -120,7 +138,13 @@ def test_eqn_11_4_force_times_displacement_along_it(kind):
     c, d, h = numbers(kind, 3, "-0.5", 2)
     exact = kind == "sympy"
     along_force = work_integral(lambda z: c * z + d * z * z, 0, h, exact=exact)
-    along_path = work_along(lambda x, y, z: (0, 0, c * z + d * z * z), lambda q: (q, 3 * q, h * q * q), 0, 1 + 0 * h, exact=exact)
+    along_path = work_along(
+        lambda x, y, z: (0, 0, c * z + d * z * z),
+        lambda q: (q, 3 * q, h * q * q),
+        0,
+        1 + 0 * h,
+        exact=exact,
+    )
     expected = c * h * h / 2 + d * h**3 / 3
     assert close(along_force.value, expected, small(kind))
     assert close(along_path.value, expected, small(kind))
@@ -142,7 +166,7 @@ def test_eqn_11_6_the_work_of_a_constant_force_needs_no_path(kind):
     ground = Frame("ground")
     force, start, end = -F * ground.k, ground.point("A", x0, 0, z0), ground.point("B", x1, y1, z1)
     assert close(constant_force_work(force, start, end).value, -F * (z1 - z0), small(kind))
-    bent = lambda q: (x0 + (x1 - x0) * q**3, y1 * q * q, z0 + (z1 - z0) * q + sin(q) * (1 - q))  # noqa: E731
+    bent = lambda q: (x0 + (x1 - x0) * q**3, y1 * q * q, z0 + (z1 - z0) * q + sin(q) * (1 - q))
     U = work_along(lambda x, y, z: (0, 0, -F), bent, 0, 1 + 0 * F, exact=kind == "sympy")
     assert close(U.value, -F * (z1 - z0), small(kind))
 
@@ -153,22 +177,38 @@ def test_eqn_11_7_the_work_of_a_weight(kind):
     ground = Frame("ground")
     turned = ground.rotate("turned", "x", m)  # points of another frame will do
     start, end = ground.point("A", 1, 1, z0), turned.point("B", 0, sin(m) * z1, cos(m) * z1)
-    assert close(constant_force_work(-m * g * ground.k, start, end).value, m * g * (z0 - z1), 10 * small(kind))
+    assert close(
+        constant_force_work(-m * g * ground.k, start, end).value,
+        m * g * (z0 - z1),
+        10 * small(kind),
+    )
 
 
 @settings(deadline=None, max_examples=20)
 @given(st.lists(st.floats(-3, 3), min_size=6, max_size=6))
 def test_example_11_4_any_path_between_two_places_gives_the_same(c):
-    path = lambda q: (1 + q + c[0] * q * (1 - q), 2 * q + c[1] * sin(3 * q) * (1 - q), 3 - q + c[2] * q * (q - 1) * cos(c[3] * q))  # noqa: E731
-    assert work_along(lambda x, y, z: (c[4], 0, c[5]), path, 0.0, 1.0).value == pytest.approx(c[4] - c[5], abs=1e-9)
+    path = lambda q: (
+        1 + q + c[0] * q * (1 - q),
+        2 * q + c[1] * sin(3 * q) * (1 - q),
+        3 - q + c[2] * q * (q - 1) * cos(c[3] * q),
+    )
+    assert work_along(lambda x, y, z: (c[4], 0, c[5]), path, 0.0, 1.0).value == pytest.approx(
+        c[4] - c[5], abs=1e-9
+    )
 
 
 @every_kind
 def test_eqn_11_8_power_is_the_rate_of_work(kind):
     """U(t) of F = (c t, d) at v = (t, t^2) by hand, differentiated by the jet."""
     c, d, t = numbers(kind, 3, "0.5", "1.5")
-    U = lambda t: c * t**3 / 3 + d * t**3 / 3  # noqa: E731
-    assert close(work_in_time(lambda s: (c * s, d, 0), lambda s: (s, s * s, 0), 0, t, exact=kind == "sympy").value, U(t), small(kind))
+    U = lambda t: c * t**3 / 3 + d * t**3 / 3
+    assert close(
+        work_in_time(
+            lambda s: (c * s, d, 0), lambda s: (s, s * s, 0), 0, t, exact=kind == "sympy"
+        ).value,
+        U(t),
+        small(kind),
+    )
     assert close(power((c * t, d, 0), (t, t * t, 0)), at(U, t).rate, small(kind))
 
 
@@ -193,10 +233,14 @@ def test_eqn_11_9_power_of_the_resultant_is_the_rate_of_kinetic_energy(kind):
 
 
 def tumbling(kind):
-    """A body that turns about two axes while its origin moves; two of its points, and the arm between them."""
+    """A body that turns about two axes while its origin moves; two of its points, and the arm
+    between them.
+    """
     a, b, v, x = numbers(kind, "0.7", "-1.25", 3, "0.4")
     ground = Frame("ground")
-    body = ground.rotate("yaw", "z", moving(a, b), origin=ground.point("O", moving(a, v), moving(b, -v), 0)).rotate("body", "x", moving(b, a))
+    body = ground.rotate(
+        "yaw", "z", moving(a, b), origin=ground.point("O", moving(a, v), moving(b, -v), 0)
+    ).rotate("body", "x", moving(b, a))
     return ground, body, body.point("C", x, a, b), body.point("D", -b, x, a), body.vector(v, a, x)
 
 
@@ -217,7 +261,9 @@ def test_eqn_11_11_a_couple_in_the_plane_over_time_and_over_the_angle(kind):
     c, t = numbers(kind, 3, "1.25")
     exact = kind == "sympy"
     in_angle = work_integral(lambda theta: c * sin(theta), 0, t * t, exact=exact)
-    in_time = work_in_time(lambda t: (0, 0, c * sin(t * t)), lambda t: (0, 0, 2 * t), 0, t, exact=exact)
+    in_time = work_in_time(
+        lambda t: (0, 0, c * sin(t * t)), lambda t: (0, 0, 2 * t), 0, t, exact=exact
+    )
     expected = c * (1 - cos(t * t))
     assert close(in_angle.value, expected, small(kind))
     assert close(in_time.value, expected, small(kind))
@@ -234,9 +280,14 @@ def test_section_11_13_forces_between_two_points_of_a_body_do_no_work(kind):
 def test_section_11_13_between_two_bodies_they_do():
     """A stretching spring: its power is minus the tension times the rate of the distance."""
     ground = Frame("ground")
-    A, B = ground.point("A", 0, 0, 0), ground.point("B", moving(3.0, rate=2.0), moving(4.0, rate=-1.0), 0)
+    A, B = (
+        ground.point("A", 0, 0, 0),
+        ground.point("B", moving(3.0, rate=2.0), moving(4.0, rate=-1.0), 0),
+    )
     rate = (3.0 * 2.0 - 4.0 * 1.0) / 5.0
-    assert pair_power(-7.0 * (B - A).direction(), B, A, ground) == pytest.approx(-7.0 * rate, rel=1e-14)
+    assert pair_power(-7.0 * (B - A).direction(), B, A, ground) == pytest.approx(
+        -7.0 * rate, rel=1e-14
+    )
 
 
 def test_power_and_work_have_consistent_units():
@@ -244,7 +295,10 @@ def test_power_and_work_have_consistent_units():
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "z", rate=1 / TIME)
     assert power(FORCE * LENGTH * ground.k, shaft, ground) == POWER
-    assert constant_force_work(FORCE * ground.k, ground.origin, ground.point("B", 0, 0, LENGTH)).value == POWER * TIME
+    assert (
+        constant_force_work(FORCE * ground.k, ground.origin, ground.point("B", 0, 0, LENGTH)).value
+        == POWER * TIME
+    )
     with pytest.raises(DimensionError, match="cannot add"):
         power((FORCE, FORCE, 0), (LENGTH / TIME, LENGTH, 0))
 
@@ -260,8 +314,12 @@ def test_power_can_be_traced():
 
 def test_arrays_are_many_integrals_at_once():
     ends, gains = np.array([0.5, 1.0, 2.0]), np.array([1.0, -2.0, 3.0])
-    assert np.allclose(work_integral(lambda x: gains * x, 0.0, ends).value, gains * ends**2 / 2, rtol=1e-14)
-    assert np.allclose(work_integral(lambda x: gains * cos(x), 0.0, 1.0).value, gains * np.sin(1.0), rtol=1e-14)
+    assert np.allclose(
+        work_integral(lambda x: gains * x, 0.0, ends).value, gains * ends**2 / 2, rtol=1e-14
+    )
+    assert np.allclose(
+        work_integral(lambda x: gains * cos(x), 0.0, 1.0).value, gains * np.sin(1.0), rtol=1e-14
+    )
 
 
 def test_an_mpf_keeps_its_digits_and_the_error_is_told():
@@ -271,7 +329,10 @@ def test_an_mpf_keeps_its_digits_and_the_error_is_told():
 
 
 def test_the_true_error_is_within_the_one_told():
-    for f, true in ((lambda x: sqrt(x), 2 / 3), (lambda x: 1 / (0.01 + (x - 0.3) ** 2), 10 * (math.atan(7.0) + math.atan(3.0)))):
+    for f, true in (
+        (lambda x: sqrt(x), 2 / 3),
+        (lambda x: 1 / (0.01 + (x - 0.3) ** 2), 10 * (math.atan(7.0) + math.atan(3.0))),
+    ):
         U = work_integral(f, 0.0, 1.0, rtol=1e-8)
         assert abs(U.value - true) <= U.error < 1e-6
 
@@ -284,8 +345,14 @@ def test_a_symbolic_integral_holds_symbols():
 def test_a_formula_from_symengine_and_an_integral_in_an_integral():
     symengine = pytest.importorskip("symengine")
     k, x = symengine.symbols("k x")
-    assert sympy.expand(work_integral(lambda s: -k * s * s, 0, x, exact=True).value + sympy.sympify(k * x**3) / 3) == 0
-    inner = lambda s: work_integral(lambda r: r * s, 0, s, exact=True).value  # noqa: E731
+    assert (
+        sympy.expand(
+            work_integral(lambda s: -k * s * s, 0, x, exact=True).value
+            + sympy.sympify(k * x**3) / 3
+        )
+        == 0
+    )
+    inner = lambda s: work_integral(lambda r: r * s, 0, s, exact=True).value
     assert work_integral(inner, 0, 2, exact=True).value == 2  # integral of s^3/2
 
 
@@ -313,23 +380,32 @@ def test_an_amount_explains_itself():
 
 
 def test_a_force_with_a_jump_is_divided_there():
-    """Friction that turns its sign: adaptive quadrature finds it, the smooth rule for mpf refuses, and breaks serves both."""
+    """Friction that turns its sign: adaptive quadrature finds it, the smooth rule for mpf refuses,
+    and breaks serves both.
+    """
     turn = math.sqrt(0.1)
-    force = lambda x: -1 if x < turn else 1  # noqa: E731
+    force = lambda x: -1 if x < turn else 1
     expected = 1 - 2 * turn
     assert work_integral(force, 0.0, 1.0).value == pytest.approx(expected, abs=1e-9)
-    assert work_integral(force, 0.0, 1.0, breaks=(turn,)).value == pytest.approx(expected, abs=1e-15)
+    assert work_integral(force, 0.0, 1.0, breaks=(turn,)).value == pytest.approx(
+        expected, abs=1e-15
+    )
     turn = mp.mpf(turn)
     with pytest.raises(WorkError, match="does not settle; divide it with breaks"):
         work_integral(force, mp.mpf(0), mp.mpf(1))
-    assert abs(work_integral(force, mp.mpf(0), mp.mpf(1), breaks=(turn,)).value - (1 - 2 * turn)) < 1e-28
+    assert (
+        abs(work_integral(force, mp.mpf(0), mp.mpf(1), breaks=(turn,)).value - (1 - 2 * turn))
+        < 1e-28
+    )
 
 
 def test_a_short_pulse_between_the_samples_is_missed_unless_it_is_named():
     """The naive way fails silently; the docstring of work_integral says so, and what to do."""
-    pulse = lambda t: 1e6 if 0.40001 < t < 0.400011 else 0.0  # noqa: E731
+    pulse = lambda t: 1e6 if 0.40001 < t < 0.400011 else 0.0
     assert work_integral(pulse, 0.0, 1.0).value == 0
-    assert work_integral(pulse, 0.0, 1.0, breaks=(0.40001, 0.400011)).value == pytest.approx(1.0, rel=1e-6)
+    assert work_integral(pulse, 0.0, 1.0, breaks=(0.40001, 0.400011)).value == pytest.approx(
+        1.0, rel=1e-6
+    )
 
 
 @pytest.mark.parametrize(
@@ -341,7 +417,11 @@ def test_a_short_pulse_between_the_samples_is_missed_unless_it_is_named():
         (lambda x: sqrt(x - 0.5), (0.0, 1.0), r"no value at 0.03125"),
         (lambda x: math.inf, (0.0, 1.0), "the integrand is inf at 0.03125"),
         (lambda x: sympy.Symbol("k") * x, (0.0, 1.0), r"integrand is .*k.*exact=True"),
-        (lambda x: x, (0.0, sympy.Symbol("b")), "the limits 0.0 and b are no numbers: pass exact=True"),
+        (
+            lambda x: x,
+            (0.0, sympy.Symbol("b")),
+            "the limits 0.0 and b are no numbers: pass exact=True",
+        ),
     ],
 )
 def test_integrals_that_do_not_exist_are_refused_in_words(f, limits, message):

@@ -1,4 +1,6 @@
-"""Polar, cylindrical and spherical components: laws, the way back, and the neighbourhood of axis and pole. Equations: test_ch02, test_ch03."""
+"""Polar, cylindrical and spherical components: laws, the way back, and the neighbourhood of axis
+and pole. Equations: test_ch02, test_ch03.
+"""
 
 import math
 
@@ -38,7 +40,10 @@ from tests.kinds import KINDS, close, number, numbers
 every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
-SYSTEMS = {"cylindrical": (cylindrical, cylindrical_coordinates, polar_position), "spherical": (spherical, spherical_coordinates, spherical_position)}
+SYSTEMS = {
+    "cylindrical": (cylindrical, cylindrical_coordinates, polar_position),
+    "spherical": (spherical, spherical_coordinates, spherical_position),
+}
 
 
 every_system = pytest.mark.parametrize("system", SYSTEMS)
@@ -56,7 +61,11 @@ def tolerance(kind):
 
 def motion(kind):
     """Coordinates, rates and second rates, all of them different and none of them small."""
-    return numbers(kind, "1.3", "0.7", "0.4"), numbers(kind, "0.5", "-0.9", "1.1"), numbers(kind, "0.3", "0.8", "-0.6")
+    return (
+        numbers(kind, "1.3", "0.7", "0.4"),
+        numbers(kind, "0.5", "-0.9", "1.1"),
+        numbers(kind, "0.3", "0.8", "-0.6"),
+    )
 
 
 def made(make, q, rates, second):
@@ -70,8 +79,16 @@ def test_velocity_and_acceleration_are_those_of_the_motion_written_out(kind, sys
     make, _, position = SYSTEMS[system]
     ground, P = made(make, *motion(kind))
     assert close(P.position(ground), explicit(position, 0)(kind, *motion(kind)), tolerance(kind))
-    assert close(P.velocity(ground).components(ground), explicit(position, 1)(kind, *motion(kind)), tolerance(kind))
-    assert close(P.acceleration(ground).components(ground), explicit(position, 2)(kind, *motion(kind)), tolerance(kind))
+    assert close(
+        P.velocity(ground).components(ground),
+        explicit(position, 1)(kind, *motion(kind)),
+        tolerance(kind),
+    )
+    assert close(
+        P.acceleration(ground).components(ground),
+        explicit(position, 2)(kind, *motion(kind)),
+        tolerance(kind),
+    )
 
 
 @every_kind
@@ -117,7 +134,10 @@ def test_polar_terms_are_those_the_book_writes_out():
     ground = Frame("ground")
     r, d, dd, w, al = 2.0, 0.5, 0.25, -3.0, 1.5
     P = polar(ground, "P", moving(r, d, dd), moving(0.3, w, al))
-    assert {n: t.components() for n, t in P.velocity(ground).terms.items()} == {"radial": (d, 0, 0), "transverse": (0, r * w, 0)}
+    assert {n: t.components() for n, t in P.velocity(ground).terms.items()} == {
+        "radial": (d, 0, 0),
+        "transverse": (0, r * w, 0),
+    }
     assert {n: t.components() for n, t in P.acceleration(ground).terms.items()} == {
         "radial": (dd, 0, 0), "centripetal": (-r * w * w, 0, 0), "euler": (0, r * al, 0), "coriolis": (0, 2 * d * w, 0),
     }  # fmt: skip
@@ -144,7 +164,11 @@ def test_cylindrical_and_spherical_terms_are_those_the_book_writes_out(kind):
         "coriolis_phi": (0, 0, 2 * d[0] * d[2]), "coriolis_theta_phi": (0, -2 * r * d[1] * d[2] * s, 0),
     }  # fmt: skip
     assert_terms(P.acceleration(ground), expected, kind)
-    assert_terms(P.velocity(ground), {"radial": (d[0], 0, 0), "theta": (0, r * d[1] * c, 0), "phi": (0, 0, r * d[2])}, kind)
+    assert_terms(
+        P.velocity(ground),
+        {"radial": (d[0], 0, 0), "theta": (0, r * d[1] * c, 0), "phi": (0, 0, r * d[2])},
+        kind,
+    )
 
 
 def assert_terms(vector, expected, kind):
@@ -158,20 +182,33 @@ def test_from_another_observer_the_point_is_like_any_other():
     deck = ground.rotate("deck", "z", rate=0.5)
     P = polar(ground, "P", moving(2.0, 1.0), moving(0.0, 0.5))
     assert close(P.velocity(deck).components(P.local), (1.0, 0, 0), EPS)
-    assert set(P.acceleration(ground, via=P.local).terms) == {"origin", "relative", "coriolis", "euler", "centripetal"}
+    assert set(P.acceleration(ground, via=P.local).terms) == {
+        "origin",
+        "relative",
+        "coriolis",
+        "euler",
+        "centripetal",
+    }
     assert P.scale_factors == (1, 2.0)
 
 
 def test_units_follow_and_a_traced_formula_is_short():
     L, T = Dimension(0, 1, 0), Dimension(0, 0, 1)
-    _, P = made(spherical, (L, Dimension(), Dimension()), (L / T, 1 / T, 1 / T), (L / T**2, 1 / T**2, 1 / T**2))
+    _, P = made(
+        spherical,
+        (L, Dimension(), Dimension()),
+        (L / T, 1 / T, 1 / T),
+        (L / T**2, 1 / T**2, 1 / T**2),
+    )
     assert set(P.acceleration(P.ground)) == {L / T**2}
     q = spherical_coordinates(P.position(P.ground), P.velocity(P.ground), P.acceleration(P.ground))
     assert q[1].acceleration == 1 / T**2
 
     def a(R, theta, phi, dR, dtheta, dphi):
         ground = Frame("ground")
-        return spherical(ground, "P", moving(R, dR), moving(theta, dtheta), moving(phi, dphi)).acceleration(ground)
+        return spherical(
+            ground, "P", moving(R, dR), moving(theta, dtheta), moving(phi, dphi)
+        ).acceleration(ground)
 
     assert compiled(a).operations <= 20
 
@@ -188,7 +225,10 @@ def test_components_of_a_symbolic_motion_follow_the_symbols():
 def test_on_the_axis_the_way_back_is_refused_in_words(back):
     ground = Frame("ground")
     for x in (0.0, 1e-17, mp.mpf(0)):
-        with pytest.raises(SingularError, match=r"on (the|a) .*z axis.*theta and its rates do not exist.*rectangular components"):
+        with pytest.raises(
+            SingularError,
+            match=r"on (the|a) .*z axis.*theta and its rates do not exist.*rectangular components",
+        ):
             back(ground.vector(x, 0 * x, 1 + 0 * x), v=ground.vector(1.0, 0, 0))
     with pytest.raises(SingularError):
         back(ground.vector(np.array([1.0, 0.0]), np.array([0.5, 0.0]), 1.0))
@@ -201,7 +241,9 @@ def test_on_the_axis_the_way_back_is_refused_in_words(back):
 @pytest.mark.parametrize("distance", [1e-1, 1e-4, 1e-8, 1e-12])
 @every_system
 def test_beside_the_axis_rates_are_large_and_right_to_the_last_digits(system, distance):
-    """A straight line that misses the axis by the distance: theta' = v/distance; against 30 digits on the same numbers."""
+    """A straight line that misses the axis by the distance: theta' = v/distance; against 30 digits
+    on the same numbers.
+    """
     make, back, _ = SYSTEMS[system]
     x = distance, 0.3 * distance, 1.0
     ground = Frame("ground")
@@ -210,15 +252,20 @@ def test_beside_the_axis_rates_are_large_and_right_to_the_last_digits(system, di
         exact = back(*(ground.vector(*map(mp.mpf, c)) for c in (x, v, a)))
         for f, m in zip(float_, exact, strict=True):
             assert abs(f.rate - m.rate) <= 20 * EPS * abs(m.rate)
-            largest = max(abs(y.acceleration) for y in exact) if m is exact[0] else abs(m.acceleration)
+            largest = (
+                max(abs(y.acceleration) for y in exact) if m is exact[0] else abs(m.acceleration)
+            )
             assert abs(f.acceleration - m.acceleration) <= 100 * EPS * largest
         again = make(ground, "P", *float_).acceleration(ground).components(ground)
-        # terms of order v^2/distance cancel; in spherical coordinates cos phi has lost digits besides, because phi is a float near pi/2
+        # terms of order v^2/distance cancel; in spherical coordinates cos phi has lost digits
+        # besides, because phi is a float near pi/2
         assert close(again, a, 50 * EPS * (1 + distance ** (-2 if system == "spherical" else -1)))
 
 
 def test_naively_the_rates_beside_the_pole_would_be_lost():
-    """phi from arcsin(z/R) and its rate by the chain rule lose half of the digits 1e-8 off the pole; the engine keeps them."""
+    """phi from arcsin(z/R) and its rate by the chain rule lose half of the digits 1e-8 off the
+    pole; the engine keeps them.
+    """
     ground = Frame("ground")
     x, v = (1e-8, 0.0, 1.0), (1.0, 0.0, 0.0)
     _, _, phi = spherical_coordinates(ground.vector(*x), ground.vector(*v))
@@ -241,17 +288,24 @@ ground = Frame("ground")
 
 @every_kind
 def test_eqn_2_15_to_2_18_polar_components(kind):
-    (r, theta), (dr, w), (ddr, al) = numbers(kind, "1.3", "0.7"), numbers(kind, "0.5", "-0.9"), numbers(kind, "0.3", "0.8")
+    (r, theta), (dr, w), (ddr, al) = (
+        numbers(kind, "1.3", "0.7"),
+        numbers(kind, "0.5", "-0.9"),
+        numbers(kind, "0.3", "0.8"),
+    )
     P = polar(ground, "P", moving(r, dr, ddr), moving(theta, w, al))
     e_r, e_theta = P.local.i, P.local.j
     assert close(P.position(ground), (r * e_r).expressed_in(ground), tolerance(kind))  # 2.15
     assert close(e_r.rate(ground), w * e_theta, 0)  # 2.16
     assert close(e_theta.rate(ground), -w * e_r, 0)
     assert close(P.velocity(ground), (dr, r * w, 0), tolerance(kind))  # 2.17
-    assert close(P.acceleration(ground), (ddr - r * w**2, 2 * dr * w + r * al, 0), tolerance(kind))  # 2.18
+    # 2.18
+    assert close(P.acceleration(ground), (ddr - r * w**2, 2 * dr * w + r * al, 0), tolerance(kind))
     zero = 0 * r
     for order, vector in ((1, P.velocity(ground)), (2, P.acceleration(ground))):
-        known = explicit(polar_position, order)(kind, (r, theta, zero), (dr, w, zero), (ddr, al, zero))
+        known = explicit(polar_position, order)(
+            kind, (r, theta, zero), (dr, w, zero), (ddr, al, zero)
+        )
         assert close(vector.components(ground), known, tolerance(kind))
 
 
@@ -259,7 +313,11 @@ UNIT = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
 def motion_in_space(kind):
-    return numbers(kind, "1.3", "0.7", "0.4"), numbers(kind, "0.5", "-0.9", "1.1"), numbers(kind, "0.3", "0.8", "-0.6")
+    return (
+        numbers(kind, "1.3", "0.7", "0.4"),
+        numbers(kind, "0.5", "-0.9", "1.1"),
+        numbers(kind, "0.3", "0.8", "-0.6"),
+    )
 
 
 @every_kind
@@ -269,9 +327,19 @@ def test_eqn_3_18_to_3_21_cylindrical_coordinates_in_rectangular_components(kind
     P = cylindrical(ground, "P", *(moving(*x) for x in zip(q, d, e, strict=True)))
     c, s = cos(theta), sin(theta)
     assert close(P.position(ground), (r * c, r * s, z), tolerance(kind))  # 3.18
-    for unit_vector, known in ((ground.i, (c, -s, 0)), (ground.j, (s, c, 0)), (ground.k, (0, 0, 1))):  # 3.19
+    # 3.19
+    for unit_vector, known in (
+        (ground.i, (c, -s, 0)),
+        (ground.j, (s, c, 0)),
+        (ground.k, (0, 0, 1)),
+    ):
         assert close(unit_vector.components(P.local), known, tolerance(kind))
-    assert close(P.velocity(ground).components(ground), (dr * c - r * w * s, dr * s + r * w * c, dz), tolerance(kind))  # 3.20
+    # 3.20
+    assert close(
+        P.velocity(ground).components(ground),
+        (dr * c - r * w * s, dr * s + r * w * c, dz),
+        tolerance(kind),
+    )
     x = ddr * c - 2 * dr * w * s - r * al * s - r * w**2 * c
     y = ddr * s + 2 * dr * w * c + r * al * c - r * w**2 * s
     assert close(P.acceleration(ground).components(ground), (x, y, ddz), tolerance(kind))  # 3.21
@@ -283,8 +351,14 @@ def test_eqn_3_22_and_3_23_cylindrical_components(kind):
     (r, _, _), (dr, w, dz), (ddr, al, ddz) = q, d, e
     P = cylindrical(ground, "P", *(moving(*x) for x in zip(q, d, e, strict=True)))
     assert close(P.velocity(ground), (dr, r * w, dz), tolerance(kind))
-    assert close(P.acceleration(ground), (ddr - r * w**2, r * al + 2 * dr * w, ddz), tolerance(kind))
-    assert close(P.acceleration(ground).components(ground), explicit(polar_position, 2)(kind, q, d, e), tolerance(kind))
+    assert close(
+        P.acceleration(ground), (ddr - r * w**2, r * al + 2 * dr * w, ddz), tolerance(kind)
+    )
+    assert close(
+        P.acceleration(ground).components(ground),
+        explicit(polar_position, 2)(kind, q, d, e),
+        tolerance(kind),
+    )
 
 
 @every_kind
@@ -309,7 +383,11 @@ def test_eqn_3_26_and_3_27_spherical_components(kind):
     a_phi = (2 * R * dR * p + R**2 * be) / R + R * w**2 * s * c
     a_theta = c / R * (2 * R * dR * w + R**2 * al) - 2 * R * w * p * s
     assert close(P.acceleration(ground), (a_R, a_theta, a_phi), tolerance(kind))
-    assert close(P.acceleration(ground).components(ground), explicit(spherical_position, 2)(kind, q, d, e), tolerance(kind))
+    assert close(
+        P.acceleration(ground).components(ground),
+        explicit(spherical_position, 2)(kind, q, d, e),
+        tolerance(kind),
+    )
 
 
 @every_kind
@@ -326,15 +404,23 @@ def test_section_3_7_rates_of_the_spherical_unit_vectors(kind):
 @every_kind
 def test_eqn_3_28_to_3_33_components_of_one_vector_in_three_systems(kind):
     theta, phi, *Q = numbers(kind, "0.7", "0.4", "1.5", "-0.6", "0.9")
-    vector, local, sphere = ground.vector(*Q), cylindrical_frame(ground, theta), spherical_frame(ground, theta, phi)
+    vector, local, sphere = (
+        ground.vector(*Q),
+        cylindrical_frame(ground, theta),
+        spherical_frame(ground, theta, phi),
+    )
     x, y, z = Q
     c, s = cos(theta), sin(theta)
-    assert close(vector.components(local), (x * c + y * s, -x * s + y * c, z), tolerance(kind))  # 3.31
+    # 3.31
+    assert close(vector.components(local), (x * c + y * s, -x * s + y * c, z), tolerance(kind))
     assert close(apply(T_theta(theta), Q), vector.components(local), tolerance(kind))  # 3.32
-    assert close(apply(transpose(T_theta(theta)), vector.components(local)), Q, tolerance(kind))  # 3.33
+    # 3.33
+    assert close(apply(transpose(T_theta(theta)), vector.components(local)), Q, tolerance(kind))
     for frame in (local, sphere):  # 3.28, 3.29, 3.30
         a, b, d = vector.components(frame)
-        assert close((a * frame.i + b * frame.j + d * frame.k).components(ground), Q, tolerance(kind))
+        assert close(
+            (a * frame.i + b * frame.j + d * frame.k).components(ground), Q, tolerance(kind)
+        )
 
 
 @every_kind
@@ -343,12 +429,24 @@ def test_eqn_3_34_to_3_38_the_matrices(kind):
     c, s, cp, sp = cos(theta), sin(theta), cos(phi), sin(phi)
     both = T_theta_phi(theta, phi)
     for T in (T_theta(theta), T_phi(phi), both):
-        assert close(product(T, transpose(T)), UNIT, tolerance(kind))  # 3.34: the inverse is the transpose
-    assert close(T_theta(theta), direction_cosines(cylindrical_frame(ground, theta), ground), tolerance(kind))  # 3.34
-    assert close(both, direction_cosines(spherical_frame(ground, theta, phi), ground), tolerance(kind))  # 3.36
+        # 3.34: the inverse is the transpose
+        assert close(product(T, transpose(T)), UNIT, tolerance(kind))
+    # 3.34
+    assert close(
+        T_theta(theta), direction_cosines(cylindrical_frame(ground, theta), ground), tolerance(kind)
+    )
+    # 3.36
+    assert close(
+        both, direction_cosines(spherical_frame(ground, theta, phi), ground), tolerance(kind)
+    )
     assert close(both, ((c * cp, s * cp, sp), (-s, c, 0), (-c * sp, -s * sp, cp)), tolerance(kind))
     assert close(product(both, transpose(T_theta(theta))), T_phi(phi), tolerance(kind))  # 3.37
     assert close(T_phi(phi), ((cp, 0, sp), (0, 1, 0), (-sp, 0, cp)), 0)
     spherical_components = apply(both, Q)  # 3.35
-    assert close(spherical_components, ground.vector(*Q).components(spherical_frame(ground, theta, phi)), tolerance(kind))
-    assert close(apply(T_phi(phi), apply(T_theta(theta), Q)), spherical_components, tolerance(kind))  # 3.38
+    assert close(
+        spherical_components,
+        ground.vector(*Q).components(spherical_frame(ground, theta, phi)),
+        tolerance(kind),
+    )
+    # 3.38
+    assert close(apply(T_phi(phi), apply(T_theta(theta), Q)), spherical_components, tolerance(kind))

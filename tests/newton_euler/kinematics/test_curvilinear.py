@@ -1,4 +1,6 @@
-"""Any orthogonal coordinates by the five-step method, and gradients: against systems known otherwise, and where coordinates are singular."""
+"""Any orthogonal coordinates by the five-step method, and gradients: against systems known
+otherwise, and where coordinates are singular.
+"""
 
 import math
 
@@ -55,7 +57,8 @@ def toroidal(s, theta, phi):
 ALL = [in_space, about_z, parabolic, elliptic, toroidal]
 
 
-CASES = [(kind, f) for f in ALL for kind in KINDS if kind != "sympy" or f in (about_z, parabolic)]  # exact, the others take SymPy minutes
+# exact, the others take SymPy minutes
+CASES = [(kind, f) for f in ALL for kind in KINDS if kind != "sympy" or f in (about_z, parabolic)]
 
 
 every_case = pytest.mark.parametrize(("kind", "position"), CASES)
@@ -66,34 +69,55 @@ def tolerance(kind):
 
 
 def motion(kind):
-    return numbers(kind, "1.3", "0.7", "0.4"), numbers(kind, "0.5", "-0.9", "1.1"), numbers(kind, "0.3", "0.8", "-0.6")
+    return (
+        numbers(kind, "1.3", "0.7", "0.4"),
+        numbers(kind, "0.5", "-0.9", "1.1"),
+        numbers(kind, "0.3", "0.8", "-0.6"),
+    )
 
 
 def placed(position, kind):
     ground = Frame("ground")
-    return ground, curvilinear(ground, "P", position, *(moving(*x) for x in zip(*motion(kind), strict=True)))
+    return ground, curvilinear(
+        ground, "P", position, *(moving(*x) for x in zip(*motion(kind), strict=True))
+    )
 
 
 @every_case
 def test_steps_of_3_4_give_the_motion_written_out_and_differentiated(kind, position):
     ground, P = placed(position, kind)
-    for order, vector in enumerate((P.position(ground), P.velocity(ground), P.acceleration(ground))):
-        assert close(vector.components(ground), explicit(position, order)(kind, *motion(kind)), 10 * tolerance(kind))
+    for order, vector in enumerate(
+        (P.position(ground), P.velocity(ground), P.acceleration(ground))
+    ):
+        assert close(
+            vector.components(ground),
+            explicit(position, order)(kind, *motion(kind)),
+            10 * tolerance(kind),
+        )
 
 
 @every_case
 def test_velocity_is_scale_factor_times_rate_and_all_sums_and_rates_agree(kind, position):
     ground, P = placed(position, kind)
     v, a = P.velocity(ground), P.acceleration(ground)
-    assert close(v.components(), [h * d for h, d in zip(P.scale_factors, motion(kind)[1], strict=True)], tolerance(kind))
+    assert close(
+        v.components(),
+        [h * d for h, d in zip(P.scale_factors, motion(kind)[1], strict=True)],
+        tolerance(kind),
+    )
     assert close(v.without(), v, tolerance(kind))
     assert close(a.without(), a, 10 * tolerance(kind))
-    assert close(v.rate(ground), a, 10 * tolerance(kind))  # by the basic kinematic equation with the turning of the local axes
+    # by the basic kinematic equation with the turning of the local axes
+    assert close(v.rate(ground), a, 10 * tolerance(kind))
     axes = P.local.i, P.local.j, P.local.k
-    assert close([[e.dot(f) for f in axes] for e in axes], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), tolerance(kind))
+    assert close(
+        [[e.dot(f) for f in axes] for e in axes], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), tolerance(kind)
+    )
 
 
-KNOWN = [(kind, about_z, cylindrical) for kind in KINDS] + [(kind, in_space, spherical) for kind in KINDS if kind != "sympy"]
+KNOWN = [(kind, about_z, cylindrical) for kind in KINDS] + [
+    (kind, in_space, spherical) for kind in KINDS if kind != "sympy"
+]
 
 
 @pytest.mark.parametrize(("kind", "position", "known"), KNOWN)
@@ -102,23 +126,44 @@ def test_known_systems_come_out_of_their_position_function(kind, position, known
     Q = known(ground, "Q", *(moving(*x) for x in zip(*motion(kind), strict=True)))
     assert close(P.scale_factors, Q.scale_factors, tolerance(kind))
     assert close(P.velocity(ground).components(), Q.velocity(ground).components(), tolerance(kind))
-    assert close(P.acceleration(ground).components(), Q.acceleration(ground).components(), tolerance(kind))
+    assert close(
+        P.acceleration(ground).components(), Q.acceleration(ground).components(), tolerance(kind)
+    )
     for rate in ("angular_velocity", "angular_acceleration"):
-        assert close(getattr(P.local, rate)(ground).components(), getattr(Q.local, rate)(ground).components(), 10 * tolerance(kind))
+        assert close(
+            getattr(P.local, rate)(ground).components(),
+            getattr(Q.local, rate)(ground).components(),
+            10 * tolerance(kind),
+        )
 
 
-@pytest.mark.parametrize(("kind", "position"), [case for case in CASES if case != ("sympy", about_z)])
+@pytest.mark.parametrize(
+    ("kind", "position"), [case for case in CASES if case != ("sympy", about_z)]
+)
 def test_rates_come_back_from_velocity_and_acceleration(kind, position):
     ground, P = placed(position, kind)
     q, rates, second = motion(kind)
-    found = curvilinear_rates(position, q, P.velocity(ground).expressed_in(ground), P.acceleration(ground).expressed_in(ground))
+    found = curvilinear_rates(
+        position,
+        q,
+        P.velocity(ground).expressed_in(ground),
+        P.acceleration(ground).expressed_in(ground),
+    )
     assert close([x.rate for x in found], rates, 10 * tolerance(kind))
     assert close([x.acceleration for x in found], second, 100 * tolerance(kind))
 
 
 def test_the_terms_are_named_after_the_rates_and_structural_zeros_are_left_out():
     ground = Frame("ground")
-    P = curvilinear(ground, "P", about_z, moving(2.0, 0.5, 0.2), moving(0.0, 3.0, 0.1), moving(1.0, 0.0, 0.7), names=("r", "theta", "z"))
+    P = curvilinear(
+        ground,
+        "P",
+        about_z,
+        moving(2.0, 0.5, 0.2),
+        moving(0.0, 3.0, 0.1),
+        moving(1.0, 0.0, 0.7),
+        names=("r", "theta", "z"),
+    )
     a = P.acceleration(ground)
     assert list(a.terms) == ["r''", "theta''", "z''", "r' theta'", "theta'^2"]
     assert close(a.terms["r' theta'"], (0, 3.0, 0), 1e-15)
@@ -132,10 +177,18 @@ def test_symbols_units_and_tracing():
     P = curvilinear(ground, "P", parabolic, moving(u, 1), v, 0)
     assert sympy.simplify(P.acceleration(ground).x - u / sympy.sqrt(u**2 + v**2)) == 0
     root_of_length, length = Dimension(0, 0.5, 0), Dimension(0, 1, 0)
-    P = curvilinear(ground, "P", parabolic, moving(root_of_length, root_of_length), root_of_length, length)
+    P = curvilinear(
+        ground, "P", parabolic, moving(root_of_length, root_of_length), root_of_length, length
+    )
     assert P.acceleration(ground).x == length
-    traced = compiled(lambda u, v, du: curvilinear(ground, "P", parabolic, moving(u, du), v, 0).acceleration(ground).norm())
-    direct = curvilinear(ground, "P", parabolic, moving(3.0, 2.0), 4.0, 0).acceleration(ground).norm()
+    traced = compiled(
+        lambda u, v, du: (
+            curvilinear(ground, "P", parabolic, moving(u, du), v, 0).acceleration(ground).norm()
+        )
+    )
+    direct = (
+        curvilinear(ground, "P", parabolic, moving(3.0, 2.0), 4.0, 0).acceleration(ground).norm()
+    )
     assert close(traced(3.0, 4.0, 2.0), direct, 1e-14)
 
 
@@ -147,7 +200,11 @@ def test_symbols_units_and_tracing():
     ],
 )  # fmt: skip
 def test_at_an_axis_a_pole_or_a_focus_the_coordinates_are_refused_in_words(position, q, number):
-    with pytest.raises(SingularError, match=rf"coordinate {number} is singular here.*scale factor zero.*use other coordinates near"):
+    with pytest.raises(
+        SingularError,
+        match=rf"coordinate {number} is singular here.*scale factor zero.*use other coordinates "
+        r"near",
+    ):
         curvilinear(Frame("ground"), "P", position, *q)
 
 
@@ -159,8 +216,12 @@ def test_beside_the_axis_unit_vectors_are_right_to_the_last_digits(off):
 
 
 @pytest.mark.parametrize(("off", "tolerance_"), [(1e-3, 1e-12), (1e-8, 1e-7), (1e-12, 1e-3)])
-def test_beside_the_pole_unit_vectors_are_right_and_rates_as_good_as_the_elevation_is(off, tolerance_):
-    """The float nearest to pi/2 - off is off by up to 1e-16, which is 1e-16/off of its distance from the pole."""
+def test_beside_the_pole_unit_vectors_are_right_and_rates_as_good_as_the_elevation_is(
+    off, tolerance_
+):
+    """The float nearest to pi/2 - off is off by up to 1e-16, which is 1e-16/off of its distance
+    from the pole.
+    """
     ground = Frame("ground")
     P = curvilinear(ground, "P", in_space, 1.0, 0.5, math.pi / 2 - off)
     assert close(P.local.j.components(ground), (-math.sin(0.5), math.cos(0.5), 0), 4e-16)
@@ -195,7 +256,11 @@ def test_eqn_A_22_gradient_is_the_same_vector_in_every_system(kind):
         P = make(ground, "P", *q)
         here = gradient(lambda *p, position=position: field(*position(*p)), P)
         assert here.frame is P.local
-        assert close(here.components(ground), gradient(field, ground.point("Q", *position(*q))), tolerance(kind))
+        assert close(
+            here.components(ground),
+            gradient(field, ground.point("Q", *position(*q))),
+            tolerance(kind),
+        )
 
 
 def test_gradient_is_the_force_of_a_potential_and_the_rate_along_a_path():
@@ -207,7 +272,9 @@ def test_gradient_is_the_force_of_a_potential_and_the_rate_along_a_path():
 
     t = 0.6
     P = ground.point("P", *(at(lambda s, n=n: path(s)[n], t) for n in range(3)))
-    assert close(gradient(field, P).dot(P.velocity(ground)), at(lambda s: field(*path(s)), t).rate, 1e-14)
+    assert close(
+        gradient(field, P).dot(P.velocity(ground)), at(lambda s: field(*path(s)), t).rate, 1e-14
+    )
     assert gradient(lambda x, y, z: 5.0, P).components() == (0, 0, 0)
     length = Dimension(0, 1, 0)
     assert gradient(lambda x, y, z: x * y, ground.point("P", length, length, length)).x == length
@@ -224,7 +291,11 @@ def test_gradient_has_no_step_size_where_differences_lose_half_of_the_digits():
 
 
 def test_tangents_of_a_plain_position_are_plain():
-    assert tangents(lambda u, v, w: (2 * u, v, w), (1.0, 1.0, 1.0)) == ((2, 0, 0), (0, 1, 0), (0, 0, 1))
+    assert tangents(lambda u, v, w: (2 * u, v, w), (1.0, 1.0, 1.0)) == (
+        (2, 0, 0),
+        (0, 1, 0),
+        (0, 0, 1),
+    )
 
 
 ground = Frame("ground")
@@ -237,15 +308,22 @@ def tight(kind):
 @every_kind
 def test_eqn_A_22_gradient_of_the_examples_of_the_problems(kind):
     x, y, z = numbers(kind, 1, -1, 2)
-    at_point = gradient(lambda x, y, z: -(x * y * y + y * z * z + z * x * x), ground.point("P", x, y, z))
-    assert close(at_point, (-(y * y + 2 * z * x), -(2 * x * y + z * z), -(2 * y * z + x * x)), tight(kind))
+    at_point = gradient(
+        lambda x, y, z: -(x * y * y + y * z * z + z * x * x), ground.point("P", x, y, z)
+    )
+    assert close(
+        at_point, (-(y * y + 2 * z * x), -(2 * x * y + z * z), -(2 * y * z + x * x)), tight(kind)
+    )
 
 
 @every_kind
 def test_eqn_3_14_to_3_17_magnitudes_are_the_same_in_every_orthonormal_system(kind):
     P = spherical(ground, "P", *(moving(*x) for x in zip(*motion(kind), strict=True)))
     v, a = P.velocity(ground), P.acceleration(ground)
-    triads = [frenet(v.expressed_in(ground), a.expressed_in(ground)).frame] if kind != "sympy" else []  # exact, it takes SymPy long
+    # exact, it takes SymPy long
+    triads = (
+        [frenet(v.expressed_in(ground), a.expressed_in(ground)).frame] if kind != "sympy" else []
+    )
     for frame in (ground, P.local, P.local.parent, *triads):
         assert close(sqrt(sum(x * x for x in v.components(frame))), v.norm(), tight(kind))
         assert close(sqrt(sum(x * x for x in a.components(frame))), a.norm(), tight(kind))
@@ -255,8 +333,17 @@ def test_section_3_4_the_five_steps_symbolically():
     """Cylindrical components out of the position function, with the formulas of the book as result."""
     t = sympy.Symbol("t")
     r, theta, z = (sympy.Function(n)(t) for n in ("r", "theta", "z"))
-    P = curvilinear(ground, "P", lambda r, theta, z: (r * cos(theta), r * sin(theta), z), r, theta, z)
+    P = curvilinear(
+        ground, "P", lambda r, theta, z: (r * cos(theta), r * sin(theta), z), r, theta, z
+    )
     known = cylindrical(ground, "Q", r, theta, z)
     for x, y in zip(P.velocity(ground), known.velocity(ground), strict=True):
-        at_a_point = {r.diff(t): 0.3, theta.diff(t): -0.8, z.diff(t): 0.6, r: 1.7, theta: 0.4, z: 2.0}
+        at_a_point = {
+            r.diff(t): 0.3,
+            theta.diff(t): -0.8,
+            z.diff(t): 0.6,
+            r: 1.7,
+            theta: 0.4,
+            z: 2.0,
+        }
         assert abs(sympy.sympify(x - y).subs(at_a_point).evalf()) < 1e-14

@@ -1,7 +1,8 @@
-"""Chapter 4 against explicit motion: rotation matrices multiplied out and differentiated numerically in 50 digits.
+"""Chapter 4 against explicit motion: rotation matrices multiplied out and differentiated
+numerically in 50 digits.
 
-The oracle knows no Coriolis term, no law of composition and no engine: it has the position matrices as functions of time, and
-:mod:`exercises.proofs` to differentiate them.
+The oracle knows no Coriolis term, no law of composition and no engine: it has the position matrices
+as functions of time, and :mod:`exercises.proofs` to differentiate them.
 """
 
 import gc
@@ -49,7 +50,8 @@ from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import along
 from tests.kinds import KINDS, close, first, number, numbers
 
-SCALES = {"float": (1.0,), "array": (1.0, 1.0625, 0.875), "mpmath": (1,), "sympy": (1,)}  # what tests.kinds does to a number, instant by instant
+# what tests.kinds does to a number, instant by instant
+SCALES = {"float": (1.0,), "array": (1.0, 1.0625, 0.875), "mpmath": (1,), "sympy": (1,)}
 
 
 FAST_KINDS = ("float", "array", "mpmath")
@@ -63,7 +65,9 @@ def decimals(rng, count, largest=2.0):
 
 
 def random_tree(seed, count):
-    """Frames 1 … count, each hung into an earlier one (mostly the last), turning about any axis, with a moving origin."""
+    """Frames 1 … count, each hung into an earlier one (mostly the last), turning about any axis,
+    with a moving origin.
+    """
     rng = random.Random(seed)
     return [
         {
@@ -90,13 +94,19 @@ def in_engine(tree, kind):
     for n, s in enumerate(tree, start=1):
         parent = frames[s["parent"]]
         origin = s["origin"] and parent.point(f"O{n}", *map(coordinate, s["origin"]))
-        axis = s["axis"] if isinstance(s["axis"], str) or kind != "sympy" else tuple(map(sympy.Integer, s["axis"]))
+        axis = (
+            s["axis"]
+            if isinstance(s["axis"], str) or kind != "sympy"
+            else tuple(map(sympy.Integer, s["axis"]))
+        )
         frames.append(parent.rotate(f"f{n}", axis, coordinate(s["angle"]), origin=origin))
     return frames
 
 
 class Explicit:
-    """The same tree as functions of time: orientation R(n, t) and origin X(n, t) of each frame in the ground."""
+    """The same tree as functions of time: orientation R(n, t) and origin X(n, t) of each frame in
+    the ground.
+    """
 
     def __init__(self, tree, scale=1):
         self.tree, self.scale = tree, mpf(scale)
@@ -109,7 +119,11 @@ class Explicit:
         if n == 0:
             return [[mpf(a == b) for a in range(3)] for b in range(3)]
         s = self.tree[n - 1]
-        axis, sign = (s["axis"][-1], -1 if "-" in s["axis"] else 1) if isinstance(s["axis"], str) else (s["axis"], 1)
+        axis, sign = (
+            (s["axis"][-1], -1 if "-" in s["axis"] else 1)
+            if isinstance(s["axis"], str)
+            else (s["axis"], 1)
+        )
         return times(self.R(s["parent"], t), rot(axis, sign * self.course(s["angle"], t)))
 
     def X(self, n, t):
@@ -124,7 +138,9 @@ class Explicit:
         return lambda t: times(transposed(self.R(m, t)), self.R(n, t))
 
     def seen(self, n, x, m):
-        """Position from the origin of frame m, in its components, of the point with coordinates x in frame n."""
+        """Position from the origin of frame m, in its components, of the point with coordinates x
+        in frame n.
+        """
 
         def f(t):
             place = plus(self.X(n, t), times(self.R(n, t), [self.course(v, t) for v in x]))
@@ -142,7 +158,9 @@ def cross50(a, b):
 
 
 def agrees(kind, vector, frame, expected):
-    """``vector`` has, in ``frame``, the components that ``expected(scale)`` gives, at every instant of its kind."""
+    """``vector`` has, in ``frame``, the components that ``expected(scale)`` gives, at every instant
+    of its kind.
+    """
     got = vector.components(frame)
     for n, scale in enumerate(SCALES[kind]):
         with mp.workdps(DIGITS):
@@ -150,7 +168,9 @@ def agrees(kind, vector, frame, expected):
             size = max(1, *map(abs, wanted))
         for x, y in zip(got, wanted, strict=True):
             instant = x[n] if isinstance(x, np.ndarray) else x
-            assert abs(number(instant) - y) <= (1e-24 if kind in ("mpmath", "sympy") else 1e-12) * size, (vector, n, y)
+            assert (
+                abs(number(instant) - y) <= (1e-24 if kind in ("mpmath", "sympy") else 1e-12) * size
+            ), (vector, n, y)
     return True
 
 
@@ -162,7 +182,14 @@ def test_eqn_4_13_and_4_14_a_vector_fixed_in_a_frame_turns_with_it(kind, axis):
     for n, unit in enumerate((body.i, body.j, body.k)):
         expected = [(float(n == m), 0, 0) for m in range(3)]
         assert close(unit.rate(ground), cross(body.angular_velocity(ground), unit))
-        assert agrees(kind, unit.rate(ground), ground, lambda s, e=expected: rate(lambda t: times(Explicit(tree, s).R(1, t), [c[0] for c in e])))
+        assert agrees(
+            kind,
+            unit.rate(ground),
+            ground,
+            lambda s, e=expected: rate(
+                lambda t: times(Explicit(tree, s).R(1, t), [c[0] for c in e])
+            ),
+        )
 
 
 @pytest.mark.parametrize("kind", FAST_KINDS)
@@ -174,11 +201,18 @@ def test_eqn_4_15_and_4_27_rate_of_a_moving_vector_seen_from_any_frame(kind, see
     Q = frames[4].vector(*(moving(*numbers(kind, *v)) for v in q))
     for observer in range(5):
         dQ = Q.rate(frames[observer])
-        assert agrees(kind, dQ, frames[observer], lambda s, m=observer: rate(Explicit(tree, s).turned(4, q, m)))
+        assert agrees(
+            kind,
+            dQ,
+            frames[observer],
+            lambda s, m=observer: rate(Explicit(tree, s).turned(4, q, m)),
+        )
         if observer != 4:
             assert list(dQ.terms) == ["relative", "rotation"]
             assert close(dQ.terms["relative"] + dQ.terms["rotation"], dQ)
-            assert close(dQ.terms["relative"].components(frames[4]), tuple(numbers(kind, *(v[1] for v in q))))
+            assert close(
+                dQ.terms["relative"].components(frames[4]), tuple(numbers(kind, *(v[1] for v in q)))
+            )
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -194,14 +228,19 @@ def test_eqn_4_15_twice_with_two_observers(seed):
         def seen_from_k(t, j=j, k=k):
             return times(e.between(j, k)(t), rate(e.turned(4, q, j), t))
 
-        assert agrees("mpmath", Q.rate(frames[j]).rate(frames[k]), frames[k], lambda s, f=seen_from_k: rate(f))
+        assert agrees(
+            "mpmath", Q.rate(frames[j]).rate(frames[k]), frames[k], lambda s, f=seen_from_k: rate(f)
+        )
 
 
 @pytest.mark.parametrize("kind", FAST_KINDS)
 def test_eqn_4_15_holds_for_sums_products_and_cross_products(kind):
     tree = chain(11, 2)
     frames = in_engine(tree, kind)
-    p, q = [[0.3, 1.1, -0.6], [1.2, -0.4, 0.9], [-0.8, 0.5, 0.2]], [[1.0, 0.2, 0.1], [0.4, 0.0, -0.3], [0.7, -0.5, 0.6]]
+    p, q = (
+        [[0.3, 1.1, -0.6], [1.2, -0.4, 0.9], [-0.8, 0.5, 0.2]],
+        [[1.0, 0.2, 0.1], [0.4, 0.0, -0.3], [0.7, -0.5, 0.6]],
+    )
     P, Q = (frames[n].vector(*(moving(*numbers(kind, *v)) for v in x)) for n, x in ((1, p), (2, q)))
     m, f = [0.9, -1.7, 0.4], frames[0]
     M = moving(*numbers(kind, *m))
@@ -209,7 +248,9 @@ def test_eqn_4_15_holds_for_sums_products_and_cross_products(kind):
     def explicit(combine):
         def with_scale(s):
             e = Explicit(tree, s)
-            return rate(lambda t: combine(e.turned(1, p, 0)(t), e.turned(2, q, 0)(t), e.course(m, t)))
+            return rate(
+                lambda t: combine(e.turned(1, p, 0)(t), e.turned(2, q, 0)(t), e.course(m, t))
+            )
 
         return with_scale
 
@@ -218,7 +259,9 @@ def test_eqn_4_15_holds_for_sums_products_and_cross_products(kind):
     assert agrees(kind, P.cross(Q).rate(f), f, explicit(lambda a, b, m: cross50(a, b)))
     assert agrees(kind, (M * P).rate(f), f, explicit(lambda a, b, m: [m * x for x in a]))
     assert agrees(kind, (P / M).rate(f), f, explicit(lambda a, b, m: [x / m for x in a]))
-    assert agrees(kind, (-P).expressed_in(frames[2]).rate(f), f, explicit(lambda a, b, m: [-x for x in a]))
+    assert agrees(
+        kind, (-P).expressed_in(frames[2]).rate(f), f, explicit(lambda a, b, m: [-x for x in a])
+    )
     assert agrees(kind, (3 * P / 2).rate(f), f, explicit(lambda a, b, m: [3 * x / 2 for x in a]))
 
 
@@ -228,16 +271,25 @@ POINT = [[0.6, -1.2, 0.5], [0.4, 0.7, -0.9], [-1.1, 0.3, 0.8]]
 @pytest.mark.parametrize("kind", FAST_KINDS)
 @pytest.mark.parametrize("seed", range(4))
 def test_eqn_4_16_to_4_18_from_every_observer_by_way_of_every_frame(kind, seed):
-    """Also (4.28), (4.29): observers above, below, and in other branches; every ``via`` gives the same total, and the terms sum to it."""
+    """Also (4.28), (4.29): observers above, below, and in other branches; every ``via`` gives the
+    same total, and the terms sum to it.
+    """
     tree = random_tree(seed, 5)
     frames = in_engine(tree, kind)
     rng = random.Random(seed)
     here = rng.randrange(6)
     P = frames[here].point("P", *(moving(*numbers(kind, *v)) for v in POINT))
     for m, observer in enumerate(frames):
-        assert agrees(kind, P.position(observer), observer, lambda s, m=m: Explicit(tree, s).seen(here, POINT, m)(mpf(0)))
+        assert agrees(
+            kind,
+            P.position(observer),
+            observer,
+            lambda s, m=m: Explicit(tree, s).seen(here, POINT, m)(mpf(0)),
+        )
         velocity = {s: rate(Explicit(tree, s).seen(here, POINT, m)) for s in SCALES[kind]}
-        acceleration = {s: second_rate(Explicit(tree, s).seen(here, POINT, m)) for s in SCALES[kind]}
+        acceleration = {
+            s: second_rate(Explicit(tree, s).seen(here, POINT, m)) for s in SCALES[kind]
+        }
         for via in (None, *frames):
             v, a = P.velocity(observer, via), P.acceleration(observer, via)
             assert agrees(kind, v, observer, velocity.get)
@@ -250,7 +302,9 @@ def test_eqn_4_16_to_4_18_from_every_observer_by_way_of_every_frame(kind, seed):
 
 @pytest.mark.parametrize("seed", range(4))
 def test_eqn_4_28_and_4_29_term_by_term(seed):
-    """Each term against its own definition: origin and relative motion differentiated, omega and alpha from the matrices."""
+    """Each term against its own definition: origin and relative motion differentiated, omega and
+    alpha from the matrices.
+    """
     tree = random_tree(seed + 20, 5)
     frames = in_engine(tree, "mpmath")
     P = frames[5].point("P", *(moving(*numbers("mpmath", *v)) for v in POINT))
@@ -264,7 +318,11 @@ def test_eqn_4_28_and_4_29_term_by_term(seed):
             continue
         with mp.workdps(DIGITS):
             into = e.between(i, j)(mpf(0))
-            r, v_r, a_r = e.seen(5, POINT, i)(mpf(0)), rate(e.seen(5, POINT, i)), second_rate(e.seen(5, POINT, i))
+            r, v_r, a_r = (
+                e.seen(5, POINT, i)(mpf(0)),
+                rate(e.seen(5, POINT, i)),
+                second_rate(e.seen(5, POINT, i)),
+            )
             r, v_r, a_r = (times(into, x) for x in (r, v_r, a_r))
             omega, alpha = angular_velocity(e.between(i, j)), angular_acceleration(e.between(i, j))
             v_origin, a_origin = rate(e.seen(i, zero, j)), second_rate(e.seen(i, zero, j))
@@ -294,7 +352,9 @@ def test_eqn_4_18_terms_nest_down_to_the_ground():
     while a.terms:
         assert close(sum(a.terms.values()), a, 1e-10)
         a, depth = a.terms["origin"], depth + 1
-    assert depth == 3  # origin of f3 by way of f2, of f2 by way of f1, of f1 in the ground, where nothing is left to split
+    # origin of f3 by way of f2, of f2 by way of f1, of f1 in the ground, where nothing is left to
+    # split
+    assert depth == 3
     assert close(a.components(frames[0]), (0.2, 0.1, -0.1))
 
 
@@ -320,7 +380,10 @@ def test_eqn_4_18_on_sympy_of_a_moving_point_on_a_turning_and_travelling_frame()
     R = sympy.eye(3) + sympy.sin(theta) * K + (1 - sympy.cos(theta)) * K * K
     explicit = sympy.Matrix([X, 0, 2 * X]) + R * sympy.Matrix([x, 1, 0])
     at_instant = {t: sympy.Rational(3, 7)}
-    for vector, expected in ((P.velocity(ground), explicit.diff(t)), (P.acceleration(ground), explicit.diff(t, 2))):
+    for vector, expected in (
+        (P.velocity(ground), explicit.diff(t)),
+        (P.acceleration(ground), explicit.diff(t, 2)),
+    ):
         difference = sympy.Matrix(vector.components(ground)) - expected
         assert max(abs(c) for c in difference.subs(at_instant).evalf(30)) < 1e-25
 
@@ -330,7 +393,12 @@ def test_eqn_4_29_on_exact_numbers(kind):
     tree = chain(2, 2)
     frames = in_engine(tree, kind)
     P = frames[2].point("P", *(moving(*numbers(kind, *v)) for v in POINT))
-    assert agrees(kind, P.acceleration(frames[0]), frames[0], lambda s: second_rate(Explicit(tree, s).seen(2, POINT, 0)))
+    assert agrees(
+        kind,
+        P.acceleration(frames[0]),
+        frames[0],
+        lambda s: second_rate(Explicit(tree, s).seen(2, POINT, 0)),
+    )
 
 
 def test_eqn_4_29_on_symengine_and_through_heyoka():
@@ -342,8 +410,12 @@ def test_eqn_4_29_on_symengine_and_through_heyoka():
         frames = [Frame("f0")]
         for n, s in enumerate(tree, start=1):
             a, b, c = map(kind, s["angle"])
-            origin = s["origin"] and frames[-1].point(f"O{n}", *(moving(*map(kind, v)) for v in s["origin"]))
-            frames.append(frames[-1].rotate(f"f{n}", s["axis"], moving(a * w, b * w, c * w), origin=origin))
+            origin = s["origin"] and frames[-1].point(
+                f"O{n}", *(moving(*map(kind, v)) for v in s["origin"])
+            )
+            frames.append(
+                frames[-1].rotate(f"f{n}", s["axis"], moving(a * w, b * w, c * w), origin=origin)
+            )
         P = frames[-1].point("P", *(moving(*map(kind, v)) for v in POINT))
         return P.acceleration(frames[0]).expressed_in(frames[0])
 
@@ -354,7 +426,9 @@ def test_eqn_4_29_on_symengine_and_through_heyoka():
     f = compiled(lambda w: acceleration(w), backend="heyoka")
     for got, wanted in zip(f(np.array([1.0, 2.0])), direct, strict=True):
         assert abs(got[0] - wanted) < 1e-11
-    assert agrees("float", direct, direct.frame, lambda s: second_rate(Explicit(tree, s).seen(3, POINT, 0)))
+    assert agrees(
+        "float", direct, direct.frame, lambda s: second_rate(Explicit(tree, s).seen(3, POINT, 0))
+    )
 
 
 def test_eqn_4_18_has_the_units_of_an_acceleration_whatever_the_chain():
@@ -363,7 +437,9 @@ def test_eqn_4_18_has_the_units_of_an_acceleration_whatever_the_chain():
     frames = [Frame("f0")]
     for n, axis in enumerate(["x", (1, 2, 2), "-z", "y"]):
         origin = frames[-1].point("O", moving(m, m_s, m_s2), m, 0)
-        frames.append(frames[-1].rotate(f"f{n + 1}", axis, moving(pure, per_s, per_s2), origin=origin))
+        frames.append(
+            frames[-1].rotate(f"f{n + 1}", axis, moving(pure, per_s, per_s2), origin=origin)
+        )
     P = frames[-1].point("P", moving(m, m_s, m_s2), moving(m, m_s), m)
     for observer in frames:
         for via in frames:
@@ -381,9 +457,22 @@ def test_eqn_4_19_to_4_24_angular_velocity_and_acceleration_between_any_two_fram
     rng = random.Random(seed)
     for _ in range(8):
         n, m = rng.randrange(7), rng.randrange(7)
-        omega, alpha = frames[n].angular_velocity(frames[m]), frames[n].angular_acceleration(frames[m])
-        assert agrees(kind, omega, frames[m], lambda s, n=n, m=m: angular_velocity(Explicit(tree, s).between(n, m)))
-        assert agrees(kind, alpha, frames[m], lambda s, n=n, m=m: angular_acceleration(Explicit(tree, s).between(n, m)))
+        omega, alpha = (
+            frames[n].angular_velocity(frames[m]),
+            frames[n].angular_acceleration(frames[m]),
+        )
+        assert agrees(
+            kind,
+            omega,
+            frames[m],
+            lambda s, n=n, m=m: angular_velocity(Explicit(tree, s).between(n, m)),
+        )
+        assert agrees(
+            kind,
+            alpha,
+            frames[m],
+            lambda s, n=n, m=m: angular_acceleration(Explicit(tree, s).between(n, m)),
+        )
         assert close(sum(omega.terms.values(), start=0 * omega), omega, 1e-11)
         assert close(sum(alpha.terms.values(), start=0 * alpha), alpha, 1e-10)
 
@@ -401,28 +490,42 @@ def test_eqn_4_22_has_one_term_for_each_frame_in_between():
         )  # fmt: skip
 
 
-@pytest.mark.parametrize(("count", "equation"), [(2, "4.25"), (3, "4.26"), (4, "n"), (5, "n"), (6, "n")])
+@pytest.mark.parametrize(
+    ("count", "equation"), [(2, "4.25"), (3, "4.26"), (4, "n"), (5, "n"), (6, "n")]
+)
 @pytest.mark.parametrize("kind", FAST_KINDS)
 def test_eqn_4_25_and_4_26_and_the_rule_for_n_frames(kind, count, equation):
-    """alpha = sum of the relative ones and of all cross products of an inner with an outer rate, each term with its name."""
+    """alpha = sum of the relative ones and of all cross products of an inner with an outer rate,
+    each term with its name.
+    """
     tree = chain(count, count)
     frames = in_engine(tree, kind)
     alpha = frames[-1].angular_acceleration(frames[0])
     spins = [frames[n].angular_velocity(frames[n - 1]) for n in range(1, count + 1)]
     own = {f"f{n}": frames[n].angular_acceleration(frames[n - 1]) for n in range(1, count + 1)}
-    crossed = {f"f{n + 1} x f{m + 1}": spins[n].cross(spins[m]) for n in range(count) for m in range(n + 1, count)}
+    crossed = {
+        f"f{n + 1} x f{m + 1}": spins[n].cross(spins[m])
+        for n in range(count)
+        for m in range(n + 1, count)
+    }
     expected = {**own, **crossed}
     assert set(alpha.terms) == set(expected)
     for name, term in expected.items():
-        assert close(alpha.terms[name].expressed_in(frames[0]), term.expressed_in(frames[0]), 1e-11), name
-    assert agrees(kind, alpha, frames[0], lambda s: angular_acceleration(Explicit(tree, s).between(count, 0)))
+        assert close(
+            alpha.terms[name].expressed_in(frames[0]), term.expressed_in(frames[0]), 1e-11
+        ), name
+    assert agrees(
+        kind, alpha, frames[0], lambda s: angular_acceleration(Explicit(tree, s).between(count, 0))
+    )
     assert equation in ("n", alpha.explain().equation.number) or count == 3
 
 
 def test_eqn_4_25_alpha_is_not_zero_although_all_rates_are_constant_and_is_in_the_plane():
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", 0.3, rate=2.0)
-    assert arm.rotate("rod", "x", 0.4, rate=3.0).angular_acceleration(ground).norm() == pytest.approx(6.0)
+    assert arm.rotate("rod", "x", 0.4, rate=3.0).angular_acceleration(
+        ground
+    ).norm() == pytest.approx(6.0)
     assert is_zero_vector(arm.rotate("rod", "z", 0.4, rate=3.0).angular_acceleration(ground))
 
 
@@ -446,7 +549,10 @@ def test_section_4_7_the_angular_velocity_seen_the_other_way_is_the_opposite(kin
     frames = in_engine(tree, kind)
     omega, Omega = frames[-1].angular_velocity(frames[0]), frames[0].angular_velocity(frames[-1])
     assert close(omega, -Omega.expressed_in(omega.frame))
-    alpha, Alpha = frames[-1].angular_acceleration(frames[0]), frames[0].angular_acceleration(frames[-1])
+    alpha, Alpha = (
+        frames[-1].angular_acceleration(frames[0]),
+        frames[0].angular_acceleration(frames[-1]),
+    )
     assert close(alpha, -Alpha.expressed_in(alpha.frame), 1e-11)
 
 
@@ -462,7 +568,9 @@ def test_section_4_7_omega_has_the_same_rate_in_its_two_frames_and_in_no_third(s
 
 
 def inclined_disk(phi, omega, domega, p, dp, R, r):
-    """Frames as in the book: 2 in the shaft, 3 in the disk with j to A and k along OB; i3 = -i1 at the instant."""
+    """Frames as in the book: 2 in the shaft, 3 in the disk with j to A and k along OB; i3 = -i1 at
+    the instant.
+    """
     ground = Frame("1")
     shaft = ground.rotate("2", "z", rate=omega, acceleration=domega)
     half_turn = shaft.rotate("half turn", "z", angle=pi(phi))
@@ -473,7 +581,13 @@ def inclined_disk(phi, omega, domega, p, dp, R, r):
 
 @pytest.fixture(params=list(KINDS))
 def disk(request):
-    given = dict(zip(("phi", "omega", "domega", "p", "dp", "R", "r"), numbers(request.param, 0.4, 1.2, 0.3, 4, 0.7, 2, 0.5), strict=True))
+    given = dict(
+        zip(
+            ("phi", "omega", "domega", "p", "dp", "R", "r"),
+            numbers(request.param, 0.4, 1.2, 0.3, 4, 0.7, 2, 0.5),
+            strict=True,
+        )
+    )
     return given, inclined_disk(**given)
 
 
@@ -498,7 +612,10 @@ def test_example_4_11_angular_acceleration_by_4_25(disk):
     g, (ground, _, frame, _) = disk
     s, c = sin(g["phi"]), cos(g["phi"])
     alpha = frame.angular_acceleration(ground)
-    assert close(alpha.components(frame), (g["omega"] * g["p"] * c, g["domega"] * c, g["domega"] * s + g["dp"]))
+    assert close(
+        alpha.components(frame),
+        (g["omega"] * g["p"] * c, g["domega"] * c, g["domega"] * s + g["dp"]),
+    )
     assert close(alpha.terms["2 x 3"].components(frame), (g["omega"] * g["p"] * c, 0, 0))
 
 
@@ -521,18 +638,31 @@ def test_example_4_11_acceleration_and_each_of_its_terms(disk):
     assert close(a, printed)
 
 
-@pytest.mark.parametrize(("phi", "expected"), [(0.0, lambda w, p, R, r: r * p - R * w), (np.pi / 2, lambda w, p, R, r: r * w + r * p)])
+@pytest.mark.parametrize(
+    ("phi", "expected"),
+    [(0.0, lambda w, p, R, r: r * p - R * w), (np.pi / 2, lambda w, p, R, r: r * w + r * p)],
+)
 def test_example_4_11_checks_at_0_and_90_degrees(phi, expected):
     ground, _, _, A = inclined_disk(phi, 1.2, 0.3, 4.0, 0.7, 2.0, 0.5)
     assert close(A.velocity(ground).components(ground), (expected(1.2, 4.0, 2.0, 0.5), 0, 0))
 
 
 def test_example_4_11_against_the_explicit_motion_in_50_digits():
-    g = dict(zip(("phi", "omega", "domega", "p", "dp", "R", "r"), numbers("mpmath", 0.4, 1.2, 0.3, 4, 0.7, 2, 0.5), strict=True))
+    g = dict(
+        zip(
+            ("phi", "omega", "domega", "p", "dp", "R", "r"),
+            numbers("mpmath", 0.4, 1.2, 0.3, 4, 0.7, 2, 0.5),
+            strict=True,
+        )
+    )
     ground, _, _, A = inclined_disk(**g)
 
     def place(t):
-        tilted = times(rot("z", g["omega"] * t + g["domega"] * t * t / 2), rot("z", mp.pi), rot("x", mp.pi / 2 - g["phi"]))
+        tilted = times(
+            rot("z", g["omega"] * t + g["domega"] * t * t / 2),
+            rot("z", mp.pi),
+            rot("x", mp.pi / 2 - g["phi"]),
+        )
         in_disk = times(rot("z", g["p"] * t + g["dp"] * t * t / 2), [0, g["r"], 0])
         return times(tilted, plus([0, 0, g["R"]], in_disk))
 
@@ -549,14 +679,23 @@ triples = st.tuples(reals, reals, reals)
 axes = st.one_of(st.sampled_from(AXES), triples.filter(lambda e: sum(x * x for x in e) > 0.01))
 
 
-turns = st.lists(st.tuples(axes, triples, st.tuples(triples, triples, triples)), min_size=1, max_size=5)
+turns = st.lists(
+    st.tuples(axes, triples, st.tuples(triples, triples, triples)), min_size=1, max_size=5
+)
 
 
 def build(turns_, branch_at=0):
     frames = [Frame("f0")]
     for n, (axis, angle, place) in enumerate(turns_):
         parent = frames[branch_at % len(frames)] if n == len(turns_) - 1 else frames[-1]
-        frames.append(parent.rotate(f"f{n + 1}", axis, moving(*angle), origin=parent.point("O", *(moving(*p) for p in place))))
+        frames.append(
+            parent.rotate(
+                f"f{n + 1}",
+                axis,
+                moving(*angle),
+                origin=parent.point("O", *(moving(*p) for p in place)),
+            )
+        )
     return frames
 
 
@@ -588,10 +727,18 @@ def test_velocities_add_and_the_rate_of_velocity_is_acceleration(turns_, x, bran
     P = frames[-1].point("P", *(moving(*c) for c in x))
     ground, via = frames[0], frames[other % len(frames)]
     r = P.position(via)
-    v = P.velocity(via) + Point("", via, (moving(0),) * 3).velocity(ground) + via.angular_velocity(ground).cross(r)
+    v = (
+        P.velocity(via)
+        + Point("", via, (moving(0),) * 3).velocity(ground)
+        + via.angular_velocity(ground).cross(r)
+    )
     scale = 1 + max(map(abs, P.acceleration(ground)))
     assert close(v.expressed_in(ground), P.velocity(ground).expressed_in(ground), 1e-11 * scale)
-    assert close(P.velocity(ground, via).rate(ground).expressed_in(ground), P.acceleration(ground).expressed_in(ground), 1e-11 * scale)
+    assert close(
+        P.velocity(ground, via).rate(ground).expressed_in(ground),
+        P.acceleration(ground).expressed_in(ground),
+        1e-11 * scale,
+    )
 
 
 @settings(max_examples=40, deadline=None)
@@ -608,11 +755,16 @@ def test_rotation_matrices_are_orthogonal_with_determinant_one(turns_, branch):
 @given(st.tuples(triples, triples, triples), st.tuples(triples, triples, triples), turns)
 def test_the_vector_between_two_points_has_the_difference_of_their_velocities_as_rate(x, y, turns_):
     frames = build(turns_)
-    P, Q = frames[-1].point("P", *(moving(*c) for c in x)), frames[0].point("Q", *(moving(*c) for c in y))
+    P, Q = (
+        frames[-1].point("P", *(moving(*c) for c in x)),
+        frames[0].point("Q", *(moving(*c) for c in y)),
+    )
     expected = P.velocity(frames[0]) - Q.velocity(frames[0])
     scale = 1 + max(map(abs, expected))
     assert close((P - Q).rate(frames[0]), expected.expressed_in((P - Q).frame), 1e-12 * scale)
-    assert close((P - Q).expressed_in(frames[0]), (Q - P).expressed_in(frames[0]) * -1, 1e-12 * scale)
+    assert close(
+        (P - Q).expressed_in(frames[0]), (Q - P).expressed_in(frames[0]) * -1, 1e-12 * scale
+    )
 
 
 def test_an_axis_of_whole_numbers_keeps_all_digits_of_the_angle():
@@ -633,15 +785,28 @@ def test_what_is_zero_by_structure_stays_zero():
     assert str(a) == "[-4, 0, 0] in arm"
     assert [str(t) for t in a.terms.values()] == [f"[{x}, 0, 0] in arm" for x in (0, 0, 0, 0, -4)]
     x = sympy.Symbol("x")
-    assert ground.rotate("b", "z", x).vector(1, 0, 0).components(ground) == (sympy.cos(x), sympy.sin(x), 0)
+    assert ground.rotate("b", "z", x).vector(1, 0, 0).components(ground) == (
+        sympy.cos(x),
+        sympy.sin(x),
+        0,
+    )
 
 
 def test_a_function_of_time_an_instant_with_rates_and_an_expression_in_t_give_the_same_motion():
     t = sympy.Symbol("t")
     results = []
-    for angle in (at(lambda t: sin(t) + t**2, 0.7), moving(np.sin(0.7) + 0.49, np.cos(0.7) + 1.4, 2 - np.sin(0.7)), sympy.sin(t) + t**2):
+    for angle in (
+        at(lambda t: sin(t) + t**2, 0.7),
+        moving(np.sin(0.7) + 0.49, np.cos(0.7) + 1.4, 2 - np.sin(0.7)),
+        sympy.sin(t) + t**2,
+    ):
         ground = Frame("ground")
-        a = ground.rotate("arm", "y", angle).point("P", 1.0, 2.0, 3.0).acceleration(ground).components(ground)
+        a = (
+            ground.rotate("arm", "y", angle)
+            .point("P", 1.0, 2.0, 3.0)
+            .acceleration(ground)
+            .components(ground)
+        )
         results.append([float(sympy.sympify(c).subs(t, 0.7)) for c in a])
     assert results[0] == pytest.approx(results[1], abs=1e-13)
     assert results[0] == pytest.approx(results[2], abs=1e-13)
@@ -703,26 +868,35 @@ def test_example_4_5_rolling_cone_from_its_conditions(kind):
     ground, slant, conditions = rolling_cone(h, r, nu)
     precession, spin = solve_rates(conditions, 2)
     assert close(precession, -nu * slant / h**2, 1e-11)
-    assert close(spin, nu * slant**2 / (r * h**2), 1e-11) or close(spin, -nu * slant**2 / (r * h**2), 1e-11)
+    assert close(spin, nu * slant**2 / (r * h**2), 1e-11) or close(
+        spin, -nu * slant**2 / (r * h**2), 1e-11
+    )
     carrier = ground.rotate("carrier", "z", rate=precession)
     cone = carrier.rotate("leaned", "-y", angle=atan2(r, h)).rotate("cone", "x", rate=spin)
     omega, alpha = cone.angular_velocity(ground), cone.angular_acceleration(ground)
     assert close(omega.components(ground), (nu * sqrt(1 / r**2 + 1 / h**2), 0, 0), 1e-11)
     assert close(alpha.components(ground), (0, -(nu**2) / h**2 * (h / r + r / h), 0), 1e-11)
-    assert close(cone.point("P", h, 0, r).velocity(ground).components(ground), (0, -2 * nu, 0), 1e-11)
+    assert close(
+        cone.point("P", h, 0, r).velocity(ground).components(ground), (0, -2 * nu, 0), 1e-11
+    )
 
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("count", [1, 2, 3])
 @pytest.mark.parametrize("surplus", [0, 2])
-def test_solve_rates_finds_one_two_and_three_rates_also_from_agreeing_surplus_conditions(kind, count, surplus):
+def test_solve_rates_finds_one_two_and_three_rates_also_from_agreeing_surplus_conditions(
+    kind, count, surplus
+):
     m = [[2, 1, -1], [1, 3, "1/2"], [-1, 1, 4], [3, 4, "-1/2"], [1, 2, 7]]
     wanted = numbers(kind, "1/3", -2, "7/5")[:count]
     rows = [[numbers(kind, m[a][b]) for b in range(count)] for a in range(count + surplus)]
     right = [sum(c * w for c, w in zip(row, wanted, strict=True)) for row in rows]
 
     def conditions(*rates):
-        return tuple(sum((c * r for c, r in zip(row, rates, strict=True)), start=0) - b for row, b in zip(rows, right, strict=True))
+        return tuple(
+            sum((c * r for c, r in zip(row, rates, strict=True)), start=0) - b
+            for row, b in zip(rows, right, strict=True)
+        )
 
     assert close(solve_rates(conditions, count), wanted, 1e-11)
 
@@ -732,7 +906,9 @@ def test_solve_rates_on_symbols_gives_the_formula():
     ground = Frame("ground")
 
     def slip(spin):
-        wheel = ground.rotate("wheel", "y", rate=spin, origin=ground.point("C", moving(0, rate=v), 0, r))
+        wheel = ground.rotate(
+            "wheel", "y", rate=spin, origin=ground.point("C", moving(0, rate=v), 0, r)
+        )
         return wheel.point("contact", 0, 0, -r).velocity(ground)
 
     assert sympy.simplify(solve_rates(slip, 1)[0] - v / r) == 0
@@ -745,12 +921,16 @@ def test_solve_rates_takes_vectors_and_scalars_together_and_ignores_empty_compon
 
 
 def test_solve_rates_is_not_led_astray_by_rounding():
-    """A wheel turned by 90 degrees: components that should vanish are 1e-17, and must not count as contradictions or as conditions."""
+    """A wheel turned by 90 degrees: components that should vanish are 1e-17, and must not count as
+    contradictions or as conditions.
+    """
     ground = Frame("ground")
     turned = ground.rotate("turned", "z", angle=np.pi / 2).rotate("leaned", (1, 2, 3), angle=0.3)
 
     def slip(spin):
-        axle = turned.rotate("axle", "x", rate=spin, origin=turned.point("C", 0, moving(0.0, rate=2.0), 0.5))
+        axle = turned.rotate(
+            "axle", "x", rate=spin, origin=turned.point("C", 0, moving(0.0, rate=2.0), 0.5)
+        )
         return axle.point("contact", 0, 0, -0.5).velocity(ground).expressed_in(ground)
 
     assert solve_rates(slip, 1)[0] == pytest.approx(-4.0)
@@ -761,14 +941,21 @@ def test_solve_rates_is_not_led_astray_by_rounding():
 @pytest.mark.parametrize("kind", KINDS)
 def test_solve_rates_says_that_conditions_contradict_each_other(kind):
     one, two = numbers(kind, 1, 2)
-    with pytest.raises(FrameError, match=r"contradict each other: with the rates that fit best, one of them is 0\.5 instead of 0"):
+    with pytest.raises(
+        FrameError,
+        match=r"contradict each other: with the rates that fit best, one of them is 0\.5 instead "
+        r"of 0",
+    ):
         solve_rates(lambda w: (w - first(one), w - first(two)), 1)
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_solve_rates_says_that_rates_are_left_open(kind):
     one = numbers(kind, 1)
-    with pytest.raises(FrameError, match="1 conditions contain the rates, but 2 rates are unknown: 1 more are needed"):
+    with pytest.raises(
+        FrameError,
+        match="1 conditions contain the rates, but 2 rates are unknown: 1 more are needed",
+    ):
         solve_rates(lambda w, u: one * w + u - one, 2)
     with pytest.raises(FrameError, match="the conditions do not determine the rates"):
         solve_rates(lambda w, u: (one * w + u - one, 2 * w * one + 2 * u - one), 2)
@@ -784,15 +971,24 @@ def test_solve_rates_says_so_if_one_instant_of_many_is_singular():
 
 def test_solve_rates_refuses_what_is_not_linear():
     ground = Frame("ground")
-    for conditions in (lambda w: w * w - 4.0, lambda w: sin(w) - 0.5, lambda w: 1 / w - 2.0, lambda w: w**2 - 1):
+    for conditions in (
+        lambda w: w * w - 4.0,
+        lambda w: sin(w) - 0.5,
+        lambda w: 1 / w - 2.0,
+        lambda w: w**2 - 1,
+    ):
         with pytest.raises(ScalarError, match="must be linear in"):
             solve_rates(conditions, 1)
     with pytest.raises(ScalarError, match="must be linear in"):
-        solve_rates(lambda w: ground.rotate("a", "z", rate=w).point("P", 1.0, 0, 0).acceleration(ground), 1)
+        solve_rates(
+            lambda w: ground.rotate("a", "z", rate=w).point("P", 1.0, 0, 0).acceleration(ground), 1
+        )
 
 
 def two_grounds():
-    return Frame("ground").rotate("arm", "z", 0.2, rate=1.0), Frame("workshop").rotate("bench", "x", 0.1)
+    return Frame("ground").rotate("arm", "z", 0.2, rate=1.0), Frame("workshop").rotate(
+        "bench", "x", 0.1
+    )
 
 
 @pytest.mark.parametrize(
@@ -828,14 +1024,24 @@ def test_nothing_has_a_velocity_a_rate_or_an_acceleration_without_an_observer():
     P = ground.point("P", 1, 2, 3)
     with pytest.raises(FrameError, match=r"a point has no velocity as such.*P.velocity\(ground\)"):
         P.velocity()
-    with pytest.raises(FrameError, match=r"a point has no acceleration as such.*P.acceleration\(ground\)"):
+    with pytest.raises(
+        FrameError, match=r"a point has no acceleration as such.*P.acceleration\(ground\)"
+    ):
         P.acceleration()
-    with pytest.raises(FrameError, match=r"changes differently in different frames.*Q.rate\(ground\)"):
+    with pytest.raises(
+        FrameError, match=r"changes differently in different frames.*Q.rate\(ground\)"
+    ):
         ground.i.rate()
 
 
 @pytest.mark.parametrize(
-    "ask", [lambda f: f.i.rate("ground"), lambda f: f.i.expressed_in(3), lambda f: f.angular_velocity("ground"), lambda f: f.i.rate(f.i)]
+    "ask",
+    [
+        lambda f: f.i.rate("ground"),
+        lambda f: f.i.expressed_in(3),
+        lambda f: f.angular_velocity("ground"),
+        lambda f: f.i.rate(f.i),
+    ],
 )
 def test_what_is_not_a_frame_is_named(ask):
     with pytest.raises(FrameError, match="expected a frame"):
@@ -857,35 +1063,69 @@ def test_a_point_seen_from_what_is_not_a_frame_is_told():
     ],
 )
 def test_arrays_of_different_shapes_are_refused_with_their_shapes(make):
-    with pytest.raises(FrameError, match=r"have the shapes \[\(3,\), \(4,\)\]; all arrays must have one shape"):
+    with pytest.raises(
+        FrameError, match=r"have the shapes \[\(3,\), \(4,\)\]; all arrays must have one shape"
+    ):
         make(Frame("ground"))
 
 
-@pytest.mark.parametrize("zero", [(0, 0, 0), (0.0, 0.0, 0.0), (mpf(0), 0, 0), (sympy.Integer(0), 0, 0)])
+@pytest.mark.parametrize(
+    "zero", [(0, 0, 0), (0.0, 0.0, 0.0), (mpf(0), 0, 0), (sympy.Integer(0), 0, 0)]
+)
 def test_an_axis_of_zero_length_is_refused(zero):
     with pytest.raises(FrameError, match="has no direction: its length is"):
         Frame("ground").rotate("arm", zero)
 
 
-@pytest.mark.parametrize("bad", [float("nan"), float("inf"), mpf("nan"), sympy.nan, np.float64("nan")])
+@pytest.mark.parametrize(
+    "bad", [float("nan"), float("inf"), mpf("nan"), sympy.nan, np.float64("nan")]
+)
 def test_an_axis_that_is_not_finite_is_refused(bad):
     with pytest.raises(FrameError, match="has no direction: its length is"):
         Frame("ground").rotate("arm", (bad, 1.0, 0))
 
 
-@pytest.mark.parametrize("axis", ["w", "", "--z", "x-", "xy", (1, 2), (1, 2, 3, 4), 3, None, ("a", "b", "c"), (moving(1.0, 2.0), 0, 0)])
+@pytest.mark.parametrize(
+    "axis",
+    [
+        "w",
+        "",
+        "--z",
+        "x-",
+        "xy",
+        (1, 2),
+        (1, 2, 3, 4),
+        3,
+        None,
+        ("a", "b", "c"),
+        (moving(1.0, 2.0), 0, 0),
+    ],
+)
 def test_an_axis_that_is_none_is_refused_with_what_an_axis_is(axis):
-    with pytest.raises(FrameError, match=r"an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant components"):
+    with pytest.raises(
+        FrameError,
+        match=r"an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant components",
+    ):
         Frame("ground").rotate("arm", axis)
 
 
 def test_an_axis_may_be_a_vector_of_any_related_frame():
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", np.pi / 2)
-    assert close(ground.rotate("b", 5 * arm.i, rate=2.0).angular_velocity(ground).components(ground), (0, 2.0, 0))
+    assert close(
+        ground.rotate("b", 5 * arm.i, rate=2.0).angular_velocity(ground).components(ground),
+        (0, 2.0, 0),
+    )
 
 
-@pytest.mark.parametrize("make", [lambda f: f.point("P", "1", 2, 3), lambda f: f.vector(None, 2, 3), lambda f: f.rotate("a", "z", "30")])
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda f: f.point("P", "1", 2, 3),
+        lambda f: f.vector(None, 2, 3),
+        lambda f: f.rotate("a", "z", "30"),
+    ],
+)
 def test_text_in_place_of_a_number_is_refused(make):
     with pytest.raises(ScalarError, match="expected a number"):
         make(Frame("ground"))
@@ -909,9 +1149,13 @@ def test_rates_given_twice_are_refused():
 def test_an_origin_is_a_point_of_the_frame_that_is_turned_from():
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", 0.1)
-    with pytest.raises(FrameError, match=r"an origin is a Point, as in arm.point\('C', 0, 1, 0\); got \(1, 2, 3\)"):
+    with pytest.raises(
+        FrameError, match=r"an origin is a Point, as in arm.point\('C', 0, 1, 0\); got \(1, 2, 3\)"
+    ):
         arm.rotate("rod", "x", origin=(1, 2, 3))
-    with pytest.raises(FrameError, match="the origin C is a point of ground; give it as a point of arm"):
+    with pytest.raises(
+        FrameError, match="the origin C is a point of ground; give it as a point of arm"
+    ):
         arm.rotate("rod", "x", origin=ground.point("C", 1, 0, 0))
     with pytest.raises(FrameError, match="an origin is a Point"):
         arm.translate("rod", arm.i)
@@ -922,7 +1166,9 @@ def test_the_third_rate_of_a_moving_quantity_is_not_known():
     v = ground.vector(moving(1.0, 2.0, 3.0), 0, 0)
     assert v.rate(ground).rate(ground).components() == (3.0, 0, 0)
     for changing in (v, moving(1.0, 2.0, 3.0) * ground.i, ground.j / moving(1.0, 2.0, 3.0)):
-        with pytest.raises(FrameError, match="the third time derivative of a moving quantity is not known"):
+        with pytest.raises(
+            FrameError, match="the third time derivative of a moving quantity is not known"
+        ):
             changing.rate(ground).rate(ground).rate(ground)
     with pytest.raises(FrameError, match="the third time derivative"):
         ground.point("P", moving(1.0, 2.0, 3.0), 0, 0).acceleration(ground).rate(ground)
@@ -940,8 +1186,14 @@ def test_the_rate_of_what_was_computed_for_an_instant_is_refused_with_advice():
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", rate=1.0)
     P = arm.point("P", 1.0, 0, 0)
-    for known_at_the_instant in (P.acceleration(ground), arm.angular_acceleration(ground), Vector((1.0, 2.0, 3.0), ground)):
-        with pytest.raises(FrameError, match=r"was computed for one instant. Build it from moving quantities"):
+    for known_at_the_instant in (
+        P.acceleration(ground),
+        arm.angular_acceleration(ground),
+        Vector((1.0, 2.0, 3.0), ground),
+    ):
+        with pytest.raises(
+            FrameError, match=r"was computed for one instant. Build it from moving quantities"
+        ):
             known_at_the_instant.rate(ground)
 
 
@@ -954,7 +1206,9 @@ def test_points_and_frames_show_what_they_are():
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", 0.2)
     assert repr(arm) == "Frame(arm < ground)"
-    assert "P at (1.0, 0, 0)" in repr(arm.point("P", 1.0, 0, 0)) or "moving" in repr(arm.point("P", 1.0, 0, 0))
+    assert "P at (1.0, 0, 0)" in repr(arm.point("P", 1.0, 0, 0)) or "moving" in repr(
+        arm.point("P", 1.0, 0, 0)
+    )
     assert arm.origin.name == "origin of arm"
     assert ground.origin.position(ground).components() == (0, 0, 0)
 
@@ -973,10 +1227,21 @@ USES = {
     "position": lambda arm, P, ground: P.position(ground),
     "velocity": lambda arm, P, ground: P.velocity(ground).explain(),
     "acceleration": lambda arm, P, ground: P.acceleration(ground).explain(),
-    "seen from the arm": lambda arm, P, ground: (ground.angular_acceleration(arm), ground.point("Q", 1.0, 0, 0).acceleration(arm).c),
-    "seen from a sibling": lambda arm, P, ground: P.acceleration(ground.rotate("other", "x", rate=2.0)).c,
-    "unit vectors": lambda arm, P, ground: (arm.i.rate(ground), ground.k.expressed_in(arm), P.velocity(arm).rate(arm)),
-    "origin": lambda arm, P, ground: arm.rotate("hand", "x", 0.3, origin=P).origin.velocity(ground).c,
+    "seen from the arm": lambda arm, P, ground: (
+        ground.angular_acceleration(arm),
+        ground.point("Q", 1.0, 0, 0).acceleration(arm).c,
+    ),
+    "seen from a sibling": lambda arm, P, ground: (
+        P.acceleration(ground.rotate("other", "x", rate=2.0)).c
+    ),
+    "unit vectors": lambda arm, P, ground: (
+        arm.i.rate(ground),
+        ground.k.expressed_in(arm),
+        P.velocity(arm).rate(arm),
+    ),
+    "origin": lambda arm, P, ground: (
+        arm.rotate("hand", "x", 0.3, origin=P).origin.velocity(ground).c
+    ),
     "tree": lambda arm, P, ground: ground.tree,
 }
 
@@ -1002,7 +1267,8 @@ def test_a_frame_keeps_those_above_it_and_those_of_a_result_are_in_its_tree():
     assert arm.tree == [ground, arm, rod, twig]
     del rod, twig
     gc.collect()
-    assert [f.name for f in a.frame.tree] == ["ground", "arm", "rod"]  # of which the terms of the acceleration know
+    # of which the terms of the acceleration know
+    assert [f.name for f in a.frame.tree] == ["ground", "arm", "rod"]
 
 
 def test_ten_thousand_frames_leave_nothing_behind():
@@ -1048,7 +1314,11 @@ def test_eqn_1_1_to_1_3_position_velocity_acceleration_by_successive_differentia
 def test_eqn_1_2_velocity_is_tangent_to_the_path_and_the_limit_of_differences(kind):
     r, _, _, t = curve(kind)
     P = ground.point("P", *along(r, t))
-    dt = numbers("mpmath" if kind == "mpmath" else "float", "1e-6") if kind != "sympy" else sympy.Rational(1, 10**6)
+    dt = (
+        numbers("mpmath" if kind == "mpmath" else "float", "1e-6")
+        if kind != "sympy"
+        else sympy.Rational(1, 10**6)
+    )
     chord = ground.vector(*(x - y for x, y in zip(r(t + dt), r(t), strict=True)))
     assert close(chord.angle_to(P.velocity(ground)), 0, 1e-5)
     assert close(chord / dt, P.velocity(ground), 1e-5)
@@ -1080,7 +1350,8 @@ def test_eqn_2_19_to_2_22_basic_kinematic_equation_in_the_plane(kind):
     assert close(omega.components(ground), (0, 0, w), 0)  # 2.19
     for e in (moved.i, moved.j, moved.k):  # 2.20, 2.21
         assert close(e.rate(ground), omega.cross(e), 0)
-    turned = [at(lambda s, f=f: f(theta + w * s), 0 * w).rate for f in (cos, sin)]  # of cos theta I + sin theta J, written out
+    # of cos theta I + sin theta J, written out
+    turned = [at(lambda s, f=f: f(theta + w * s), 0 * w).rate for f in (cos, sin)]
     assert close(moved.i.rate(ground).components(ground), (*turned, 0), tolerance(kind))
     x, y, dx, dy = numbers(kind, "1.5", "-0.3", "0.2", "0.6")
     Q = moved.vector(moving(x, dx), moving(y, dy), 0)
@@ -1112,7 +1383,11 @@ def test_eqn_2_23_to_2_26_relative_velocity_and_acceleration(kind):
 
     def written_out(t):
         (X, Y, _), (x, y, _) = origin(t), place(t)
-        return X + cos(theta(t)) * x - sin(theta(t)) * y, Y + sin(theta(t)) * x + cos(theta(t)) * y, 0
+        return (
+            X + cos(theta(t)) * x - sin(theta(t)) * y,
+            Y + sin(theta(t)) * x + cos(theta(t)) * y,
+            0,
+        )
 
     t = numbers(kind, "0.6")
     B = ground.point("B", *along(origin, t))
@@ -1122,21 +1397,37 @@ def test_eqn_2_23_to_2_26_relative_velocity_and_acceleration(kind):
     v_r, a_r = A.velocity(body), A.acceleration(body)
     assert close(A.position(ground), known.position(ground), tolerance(kind))
     assert close(A.velocity(ground), known.velocity(ground), 10 * tolerance(kind))
-    assert close(A.velocity(ground), v_r + B.velocity(ground) + omega.cross(r), 10 * tolerance(kind))
+    assert close(
+        A.velocity(ground), v_r + B.velocity(ground) + omega.cross(r), 10 * tolerance(kind)
+    )
     assert close(omega.rate(ground), omega.rate(body), tolerance(kind))  # (2.26)
     assert close(omega.rate(body), (0, 0, 2 * e), tolerance(kind))
     assert close(A.acceleration(ground), known.acceleration(ground), 10 * tolerance(kind))
-    terms = a_r, omega.rate(ground).cross(r), 2 * omega.cross(v_r), omega.cross(omega.cross(r)), B.acceleration(ground)
+    terms = (
+        a_r,
+        omega.rate(ground).cross(r),
+        2 * omega.cross(v_r),
+        omega.cross(omega.cross(r)),
+        B.acceleration(ground),
+    )
     assert close(A.acceleration(ground), sum(terms), 10 * tolerance(kind))
 
 
 def motion(kind):
-    return numbers(kind, "1.3", "0.7", "0.4"), numbers(kind, "0.5", "-0.9", "1.1"), numbers(kind, "0.3", "0.8", "-0.6")
+    return (
+        numbers(kind, "1.3", "0.7", "0.4"),
+        numbers(kind, "0.5", "-0.9", "1.1"),
+        numbers(kind, "0.3", "0.8", "-0.6"),
+    )
 
 
 @every_kind
 def test_eqn_3_1_to_3_3_rectangular_components(kind):
     q, d, e = motion(kind)
     P = ground.point("P", *(moving(*x) for x in zip(q, d, e, strict=True)))
-    for vector, known in ((P.position(ground), q), (P.velocity(ground), d), (P.acceleration(ground), e)):
+    for vector, known in (
+        (P.position(ground), q),
+        (P.velocity(ground), d),
+        (P.acceleration(ground), e),
+    ):
         assert close(vector, known, 0)

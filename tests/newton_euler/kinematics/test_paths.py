@@ -1,4 +1,6 @@
-"""Intrinsic components: the Frenet triad of space curves, the sign of torsion, and lines, inflections and rest. Equations: test_ch02, test_ch03."""
+"""Intrinsic components: the Frenet triad of space curves, the sign of torsion, and lines,
+inflections and rest. Equations: test_ch02, test_ch03.
+"""
 
 import math
 import random
@@ -76,14 +78,21 @@ def test_the_triad_is_orthonormal_and_right_handed_and_no_parameter_changes_it(q
     assert close(here.e_t.cross(here.e_n), here.e_b, 1e-14)
     faster = frenet_along(knot, moving(q, rate, -0.7), ground)
     assert close(faster.frame.rotation(ground), here.frame.rotation(ground), 1e-12)
-    assert close((faster.flexure, faster.torsion), (here.flexure, here.torsion), 1e-12 * (1 + abs(here.torsion)))
+    assert close(
+        (faster.flexure, faster.torsion),
+        (here.flexure, here.torsion),
+        1e-12 * (1 + abs(here.torsion)),
+    )
     assert close(faster.speed, rate * here.speed, 1e-13 * rate)
 
 
 def test_from_motion_and_from_path_the_same_triad_follows():
     q = moving(0.7, 1.3, 0.4)
     P = ground.point("P", *along(knot, q))
-    by_motion, by_path = frenet(P.velocity(ground), P.acceleration(ground)), frenet_along(knot, q, ground)
+    by_motion, by_path = (
+        frenet(P.velocity(ground), P.acceleration(ground)),
+        frenet_along(knot, q, ground),
+    )
     assert close(by_motion.frame.rotation(ground), by_path.frame.rotation(ground), 1e-15)
     assert close(by_motion.acceleration.components(ground), P.acceleration(ground), 1e-13)
     with pytest.raises(SingularError, match=r"torsion needs the rate of the acceleration.*jerk="):
@@ -93,12 +102,17 @@ def test_from_motion_and_from_path_the_same_triad_follows():
 
 
 def test_torsion_has_the_sign_of_the_book():
-    """A right-handed helix has a negative one; the usual definition, r' x r'' . r''' / |r' x r''|^2, a positive one."""
+    """A right-handed helix has a negative one; the usual definition, r' x r'' . r''' / |r' x
+    r''|^2, a positive one.
+    """
     right = frenet_along(lambda s: (3 * cos(s), 3 * sin(s), 4 * s), 0.4, ground)
     left = frenet_along(lambda s: (3 * cos(s), 3 * sin(s), -4 * s), 0.4, ground)
     assert close((right.flexure, right.torsion), (0.12, -0.16), 1e-16)
     assert close((left.flexure, left.torsion), (0.12, 0.16), 1e-16)
-    _, r1, r2, r3 = (np.array([float(x) for x in c]) for c in derivatives(lambda s: (3 * cos(s), 3 * sin(s), 4 * s), 0.4))
+    _, r1, r2, r3 = (
+        np.array([float(x) for x in c])
+        for c in derivatives(lambda s: (3 * cos(s), 3 * sin(s), 4 * s), 0.4)
+    )
     usual = np.cross(r1, r2) @ r3 / np.linalg.norm(np.cross(r1, r2)) ** 2
     assert close(usual, 0.16, 1e-15)
 
@@ -116,14 +130,26 @@ def test_constant_speed_has_no_tangential_acceleration(kind):
 def test_a_fraction_in_a_path_is_as_exact_as_the_parameter():
     """1/3 between the jets of a 30 digit number must not be the float 0.333…"""
     q = mp.mpf("0.7")
-    assert close(derivatives(twisted, q), ((q, q * q, q**3 / 3), (1, 2 * q, q * q), (0, 2, 2 * q), (0, 0, 2)), mp.mpf(10) ** -28)
-    assert close(derivatives(lambda q: (q / 3, q * q / 3, q), q)[2], (0, mp.mpf(2) / 3, 0), mp.mpf(10) ** -28)
-    assert close(derivatives(lambda q: (q / 3, q * q / 3, q), q)[1], (mp.mpf(1) / 3, 2 * q / 3, 1), mp.mpf(10) ** -28)
+    assert close(
+        derivatives(twisted, q),
+        ((q, q * q, q**3 / 3), (1, 2 * q, q * q), (0, 2, 2 * q), (0, 0, 2)),
+        mp.mpf(10) ** -28,
+    )
+    assert close(
+        derivatives(lambda q: (q / 3, q * q / 3, q), q)[2], (0, mp.mpf(2) / 3, 0), mp.mpf(10) ** -28
+    )
+    assert close(
+        derivatives(lambda q: (q / 3, q * q / 3, q), q)[1],
+        (mp.mpf(1) / 3, 2 * q / 3, 1),
+        mp.mpf(10) ** -28,
+    )
 
 
 def test_circle_center_and_plane_motion_in_both_senses():
     for sense in (1, -1):
-        here = frenet_along(lambda t, sense=sense: (2 * cos(sense * t), 2 * sin(sense * t), 0), 0.3, ground)
+        here = frenet_along(
+            lambda t, sense=sense: (2 * cos(sense * t), 2 * sin(sense * t), 0), 0.3, ground
+        )
         P = ground.vector(2 * math.cos(0.3 * sense), 2 * math.sin(0.3 * sense), 0)
         assert close((P + here.to_center).components(ground), (0, 0, 0), 1e-15)
         assert close(here.e_b.components(ground), (0, 0, sense), 1e-15)
@@ -132,13 +158,25 @@ def test_circle_center_and_plane_motion_in_both_senses():
 
 def test_units_tracing_and_symbols():
     L, T = Dimension(0, 1, 0), Dimension(0, 0, 1)
-    here = frenet(ground.vector(L / T, L / T, 0), ground.vector(L / T**2, 0, L / T**2), ground.vector(0, 0, L / T**3))
+    here = frenet(
+        ground.vector(L / T, L / T, 0),
+        ground.vector(L / T**2, 0, L / T**2),
+        ground.vector(0, 0, L / T**3),
+    )
     assert (here.flexure, here.torsion, here.radius, here.speed_rate) == (1 / L, 1 / L, L, L / T**2)
-    traced = compiled(lambda q: (lambda F: (F.flexure, F.torsion))(frenet_along(knot, q, Frame("g"))))
+    traced = compiled(
+        lambda q: (lambda F: (F.flexure, F.torsion))(frenet_along(knot, q, Frame("g")))
+    )
     here = frenet_along(knot, 0.7, ground)
     assert close(traced(0.7), (here.flexure, here.torsion), 1e-14)
     q = sympy.Symbol("q", positive=True)
-    assert sympy.simplify(frenet_along(lambda q: (q, q**2, 0), q, ground).flexure - 2 / (1 + 4 * q**2) ** sympy.Rational(3, 2)) == 0
+    assert (
+        sympy.simplify(
+            frenet_along(lambda q: (q, q**2, 0), q, ground).flexure
+            - 2 / (1 + 4 * q**2) ** sympy.Rational(3, 2)
+        )
+        == 0
+    )
 
 
 def test_explanations_carry_the_numbers_of_the_book():
@@ -152,7 +190,11 @@ def test_explanations_carry_the_numbers_of_the_book():
 LINES = {
     "graph": lambda q: (q, 2 * q + 1, 0),
     "with rounding in the speed": lambda q: (q * (cos(q) ** 2 + sin(q) ** 2), 0.0, 0),
-    "with cancelling curvature": lambda q: (2 * q + 0.1 * (sin(2 * q) - 2 * sin(q) * cos(q)), 3 * q, 0.7),
+    "with cancelling curvature": lambda q: (
+        2 * q + 0.1 * (sin(2 * q) - 2 * sin(q) * cos(q)),
+        3 * q,
+        0.7,
+    ),
     "to and fro": lambda q: (cos(q) ** 2, sin(q) ** 2, 0),
     "uneven": lambda q: (0.7 * q**3, 1.3 * q**3, 0.11 * q**3),
 }
@@ -162,13 +204,21 @@ LINES = {
 def test_on_a_straight_line_rounding_is_not_taken_for_a_normal(line):
     generator = random.Random(1)
     for _ in range(100):
-        with pytest.raises(SingularError, match=r"straight here.*e_n, e_b and the torsion do not exist.*radius of curvature is infinite"):
+        with pytest.raises(
+            SingularError,
+            match=r"straight here.*e_n, e_b and the torsion do not exist.*radius of curvature is "
+            r"infinite",
+        ):
             frenet_along(LINES[line], generator.uniform(0.1, 5), ground)
 
 
 def test_naively_rounding_on_a_line_becomes_a_confident_unit_vector():
     line = LINES["with cancelling curvature"]
-    q = next(q for q in np.linspace(0.1, 5, 50) if ground.point("P", *along(line, float(q))).acceleration(ground).norm() > 0)
+    q = next(
+        q
+        for q in np.linspace(0.1, 5, 50)
+        if ground.point("P", *along(line, float(q))).acceleration(ground).norm() > 0
+    )
     P = ground.point("P", *along(line, float(q)))
     v, a = P.velocity(ground), P.acceleration(ground)
     assert 0 < a.norm() < 1e-14
@@ -182,10 +232,22 @@ def test_a_straight_line_in_polar_components_is_seen_from_its_ledger():
     """r'' and r theta'^2 cancel: what is left, 1e-16 of them, is no acceleration."""
     generator = random.Random(2)
     for _ in range(200):
-        angle, off, ahead = generator.uniform(0, 7), generator.uniform(0.1, 3), generator.uniform(-5, 5)
+        angle, off, ahead = (
+            generator.uniform(0, 7),
+            generator.uniform(0.1, 3),
+            generator.uniform(-5, 5),
+        )
         c, s = math.cos(angle), math.sin(angle)
         v = ground.vector(1.7 * c, 1.7 * s, 0)
-        P = polar(ground, "P", *polar_coordinates(ground.vector(c * ahead - s * off, s * ahead + c * off, 0), v, ground.vector(0.0, 0.0, 0)))
+        P = polar(
+            ground,
+            "P",
+            *polar_coordinates(
+                ground.vector(c * ahead - s * off, s * ahead + c * off, 0),
+                v,
+                ground.vector(0.0, 0.0, 0),
+            ),
+        )
         with pytest.raises(SingularError, match="straight here"):
             frenet(P.velocity(ground), P.acceleration(ground))
 
@@ -204,7 +266,9 @@ def test_beside_an_inflection_curvature_is_exact_and_on_it_refused(x):
             frenet_along(cubic, q, ground)
 
 
-@pytest.mark.parametrize(("off", "known"), [(0.0, False), (2e-16, False), (1e-12, True), (1e-8, True)])
+@pytest.mark.parametrize(
+    ("off", "known"), [(0.0, False), (2e-16, False), (1e-12, True), (1e-8, True)]
+)
 def test_an_inflection_away_from_zero_is_as_sharp_as_the_parameter_is(off, known):
     q = 1 + off
 
@@ -231,7 +295,9 @@ def test_flexure_and_speed_rate_exist_on_a_line_and_not_at_rest():
 
 
 def test_the_contact_point_of_a_rolling_wheel_is_at_rest_not_moving_at_1e_minus_16():
-    wheel = ground.rotate("wheel", "-y", 0.3, 0.7, origin=ground.point("C", moving(0.0, -0.7 * 0.31), 0, 0.31))
+    wheel = ground.rotate(
+        "wheel", "-y", 0.3, 0.7, origin=ground.point("C", moving(0.0, -0.7 * 0.31), 0, 0.31)
+    )
     contact = wheel.point("contact", 0.31 * math.sin(-0.3), 0, -0.31 * math.cos(0.3))
     v, a = contact.velocity(ground), contact.acceleration(ground)
     assert v.norm() < 1e-15
@@ -240,7 +306,9 @@ def test_the_contact_point_of_a_rolling_wheel_is_at_rest_not_moving_at_1e_minus_
 
 
 def test_a_path_must_return_three_coordinates():
-    with pytest.raises(FrameError, match=r"three coordinates \(x, y, z\), with 0 for z in the plane"):
+    with pytest.raises(
+        FrameError, match=r"three coordinates \(x, y, z\), with 0 for z in the plane"
+    ):
         frenet_along(lambda q: (q, q), 1.0, ground)
 
 
@@ -271,13 +339,19 @@ def test_eqn_2_4_2_5_2_14_velocity_along_the_tangent_and_its_rate(kind):
     assert close(here.acceleration.components(ground), a(t), tight(kind))
     with_jerk = frenet_along(r, t, ground)  # then e_t' is known, and (2.5) is the product rule
     assert close(with_jerk.velocity.rate(ground), with_jerk.acceleration, tight(kind))
-    assert close(with_jerk.acceleration, with_jerk.speed_rate * with_jerk.e_t + with_jerk.speed * with_jerk.e_t.rate(ground), tight(kind))
+    assert close(
+        with_jerk.acceleration,
+        with_jerk.speed_rate * with_jerk.e_t + with_jerk.speed * with_jerk.e_t.rate(ground),
+        tight(kind),
+    )
 
 
 @every_kind
 @pytest.mark.parametrize("sense", [1, -1])
 def test_eqn_2_6_to_2_11_the_triad_turns_with_the_direction_of_travel(kind, sense):
-    """theta(t), the angle of e_t: e_n is its normal on the concave side, for either sense of turning, and e_t' = |theta'| e_n."""
+    """theta(t), the angle of e_t: e_n is its normal on the concave side, for either sense of
+    turning, and e_t' = |theta'| e_n.
+    """
     c, t = numbers(kind, "0.8", "0.6")
 
     def theta(t):
@@ -286,13 +360,20 @@ def test_eqn_2_6_to_2_11_the_triad_turns_with_the_direction_of_travel(kind, sens
     def speed(t):
         return 2 + sin(t)
 
-    v = ground.vector(at(lambda s: speed(s) * cos(theta(s)), t), at(lambda s: speed(s) * sin(theta(s)), t), 0)
+    v = ground.vector(
+        at(lambda s: speed(s) * cos(theta(s)), t), at(lambda s: speed(s) * sin(theta(s)), t), 0
+    )
     here = frenet(v, v.rate(ground), v.rate(ground).rate(ground))
     angle, turning = theta(t), sense * 2 * c * t
     assert close(here.e_t.components(ground), (cos(angle), sin(angle), 0), tight(kind))
-    assert close(here.e_n.components(ground), (-sense * sin(angle), sense * cos(angle), 0), tight(kind))  # 2.6, 2.8
-    assert close(here.e_t.rate(ground).components(), (0, sense * turning, 0), tight(kind))  # 2.7, 2.9, 2.10
-    assert close(here.acceleration, (at(speed, t).rate, speed(t) * sense * turning, 0), tight(kind))  # 2.11
+    # 2.6, 2.8
+    assert close(
+        here.e_n.components(ground), (-sense * sin(angle), sense * cos(angle), 0), tight(kind)
+    )
+    # 2.7, 2.9, 2.10
+    assert close(here.e_t.rate(ground).components(), (0, sense * turning, 0), tight(kind))
+    # 2.11
+    assert close(here.acceleration, (at(speed, t).rate, speed(t) * sense * turning, 0), tight(kind))
     assert close(here.radius, speed(t) / (sense * turning), 10 * tight(kind))  # 2.12
 
 
@@ -322,14 +403,20 @@ def by_arc_length(kind, f, t, speed):
 
 
 def axes_of(name):
-    """Components of e_t, e_n or e_b along the twisted_cubic cubic, as a function of time: from the definitions, not from the engine."""
+    """Components of e_t, e_n or e_b along the twisted_cubic cubic, as a function of time: from the
+    definitions, not from the engine.
+    """
 
     def evaluated(t):
         v, a = (1, 2 * t, 3 * t * t), (0, 2, 6 * t)
         n = (v[1] * a[2] - v[2] * a[1], v[2] * a[0] - v[0] * a[2], v[0] * a[1] - v[1] * a[0])
         e_t = unit(v)
         e_b = unit(n)
-        e_n = (e_b[1] * e_t[2] - e_b[2] * e_t[1], e_b[2] * e_t[0] - e_b[0] * e_t[2], e_b[0] * e_t[1] - e_b[1] * e_t[0])
+        e_n = (
+            e_b[1] * e_t[2] - e_b[2] * e_t[1],
+            e_b[2] * e_t[0] - e_b[0] * e_t[2],
+            e_b[0] * e_t[1] - e_b[1] * e_t[0],
+        )
         return {"t": e_t, "n": e_n, "b": e_b}[name]
 
     return evaluated
@@ -347,22 +434,31 @@ def test_eqn_3_4_to_3_8_the_triad_by_its_definitions(kind):
     assert close(here.e_t.components(ground), axes_of("t")(t), tight(kind))  # 3.4
     turning = ground.vector(*by_arc_length(kind, axes_of("t"), t, here.speed))
     assert close(turning.norm(), here.flexure, tight(kind))  # 3.6
-    assert close((turning / here.flexure).components(), here.e_n.components(ground), tight(kind))  # 3.5
+    # 3.5
+    assert close((turning / here.flexure).components(), here.e_n.components(ground), tight(kind))
     assert close(here.e_t.cross(here.e_n), here.e_b, tight(kind))  # 3.7
     assert close(here.e_b.cross(here.e_t), here.e_n, tight(kind))  # 3.8
     assert close(here.e_n.cross(here.e_b), here.e_t, tight(kind))
-    assert close(here.flexure**2, 4 * (1 + 9 * t**2 + 9 * t**4) / (1 + 4 * t**2 + 9 * t**4) ** 3, tight(kind))
+    assert close(
+        here.flexure**2, 4 * (1 + 9 * t**2 + 9 * t**4) / (1 + 4 * t**2 + 9 * t**4) ** 3, tight(kind)
+    )
 
 
 @every_kind
 def test_eqn_3_9_to_3_11_torsion_and_the_frenet_formulas(kind):
-    """Both by differentiating the definitions along the path and by the turning of the engine's triad."""
+    """Both by differentiating the definitions along the path and by the turning of the engine's
+    triad.
+    """
     t = numbers(kind, "0.6")
     here = frenet_along(twisted_cubic, t, ground)
     f, tau = here.flexure, here.torsion
     rates = {"t": f * here.e_n, "b": tau * here.e_n, "n": -tau * here.e_b - f * here.e_t}
     for name, e in (("t", here.e_t), ("n", here.e_n), ("b", here.e_b)):
-        assert close(by_arc_length(kind, axes_of(name), t, here.speed), rates[name].components(ground), 10 * tight(kind))
+        assert close(
+            by_arc_length(kind, axes_of(name), t, here.speed),
+            rates[name].components(ground),
+            10 * tight(kind),
+        )
         assert close(e.rate(ground) / here.speed, rates[name], tight(kind))
     slope = ground.vector(*by_arc_length(kind, axes_of("b"), t, here.speed))
     assert close(here.e_n.dot(slope), tau, tight(kind))  # 3.10
@@ -390,4 +486,9 @@ def test_section_3_2_plane_curves_have_no_torsion(kind):
 
 
 def test_derivatives_of_the_twisted_cubic():
-    assert derivatives(twisted_cubic, 2.0) == ((2.0, 4.0, 8.0), (1, 4.0, 12.0), (0, 2, 12.0), (0, 0, 6))
+    assert derivatives(twisted_cubic, 2.0) == (
+        (2.0, 4.0, 8.0),
+        (1, 4.0, 12.0),
+        (0, 2, 12.0),
+        (0, 0, 6),
+    )

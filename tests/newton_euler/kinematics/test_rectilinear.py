@@ -1,4 +1,6 @@
-"""Motion along a line from its acceleration: against closed solutions, on floats, arrays and mpf; from rest, and where the end is not reached."""
+"""Motion along a line from its acceleration: against closed solutions, on floats, arrays and mpf;
+from rest, and where the end is not reached.
+"""
 
 import math
 
@@ -70,7 +72,8 @@ def test_terminal_speed_is_approached_and_never_reached():
     for missing in (1e-3, 1e-6):
         t, _ = from_speed(lambda v: 2.0 - v, 2.0 - missing, v0=0.0)
         assert abs(t - math.log(2 / missing)) < 1e-15 / missing
-    with pytest.raises(SingularError, match="does not settle"):  # 2 - v has lost half of its digits there
+    # 2 - v has lost half of its digits there
+    with pytest.raises(SingularError, match="does not settle"):
         from_speed(lambda v: 2.0 - v, 2.0 - 1e-9, v0=0.0)
     with pytest.raises(SingularError, match="not reached"):
         from_speed(lambda v: 2.0 - v, 2.0, v0=0.0)

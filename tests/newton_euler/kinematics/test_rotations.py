@@ -1,4 +1,6 @@
-"""Chapter 4, (4.1)-(4.14) and the example of 4.5; (10.1)-(10.12); quaternions; how accurate reading a rotation is."""
+"""Chapter 4, (4.1)-(4.14) and the example of 4.5; (10.1)-(10.12); quaternions; how accurate reading
+a rotation is.
+"""
 
 import itertools
 import math
@@ -64,9 +66,11 @@ def tolerance(kind):
 
 
 def spinning(kind, origin=None):
-    """Ground, a body turned three ways and moving in all of them, and its matrix as a function of time, with the instant t.
+    """Ground, a body turned three ways and moving in all of them, and its matrix as a function of
+    time, with the instant t.
 
-    The matrix is made of Rodrigues' formula and the product rule alone: no composition of rates, no omega x r.
+    The matrix is made of Rodrigues' formula and the product rule alone: no composition of rates, no
+    omega x r.
     origin : velocity of the body's origin in the ground; default: at rest
     """
     a, b, c, t = numbers(kind, "0.4", "-0.7", "1.1", "0.5")
@@ -77,13 +81,25 @@ def spinning(kind, origin=None):
     for name, axis, angle in zip("zxs", ("z", "x", axes[2]), angles, strict=True):
         frame = frame.rotate(name, axis, at(angle, t), origin=place)
         place = None
-    return ground, frame, lambda t: in_sequence(*(rotation_matrix(e, f(t)) for e, f in zip(axes, angles, strict=True)), axes="moving"), t
+    return (
+        ground,
+        frame,
+        lambda t: in_sequence(
+            *(rotation_matrix(e, f(t)) for e, f in zip(axes, angles, strict=True)), axes="moving"
+        ),
+        t,
+    )
 
 
 def with_rates(matrix, t):
     """The entries of the matrix at t, their rates, and their second rates, by the product rule."""
-    entries = [[at(lambda time, n=n, m=m: matrix(time)[n][m], t) for m in range(3)] for n in range(3)]
-    return ([[getattr(x, part) for x in row] for row in entries] for part in ("value", "rate", "acceleration"))
+    entries = [
+        [at(lambda time, n=n, m=m: matrix(time)[n][m], t) for m in range(3)] for n in range(3)
+    ]
+    return (
+        [[getattr(x, part) for x in row] for row in entries]
+        for part in ("value", "rate", "acceleration")
+    )
 
 
 def axial(W):
@@ -118,7 +134,11 @@ def test_eqn_4_3_the_transpose_is_the_inverse_on_the_right(kind):
 
 @every_kind
 def test_eqn_4_4_the_determinant_is_1(kind):
-    assert close(determinant(rotation_matrix(numbers(kind, 1, -2, 3), numbers(kind, "0.8"))), 1, tolerance(kind))
+    assert close(
+        determinant(rotation_matrix(numbers(kind, 1, -2, 3), numbers(kind, "0.8"))),
+        1,
+        tolerance(kind),
+    )
 
 
 @every_kind
@@ -148,12 +168,18 @@ def test_eqn_4_7_direction_cosines_take_ground_components_to_body_components(kin
 
 @every_kind
 def test_eqn_4_8_eulers_theorem_every_rotation_keeps_one_line(kind):
-    """A r = r for r along the axis, and |A - 1| = 0, for three successive rotations about different axes."""
+    """A r = r for r along the axis, and |A - 1| = 0, for three successive rotations about different
+    axes.
+    """
     ground, body, _, _ = spinning(kind)
     A = [[number(x) for x in row] for row in direction_cosines(body, ground)]
     axis, angle = axis_angle(transpose(A))
     assert close(apply(A, axis), axis, 10 * tolerance(kind))
-    assert close(determinant([[x - int(n == m) for m, x in enumerate(row)] for n, row in enumerate(A)]), 0, tolerance(kind))
+    assert close(
+        determinant([[x - int(n == m) for m, x in enumerate(row)] for n, row in enumerate(A)]),
+        0,
+        tolerance(kind),
+    )
     assert close(rotation_matrix(axis, angle), transpose(A), 10 * tolerance(kind))
 
 
@@ -163,24 +189,37 @@ def test_eqn_4_8_eulers_theorem_every_rotation_keeps_one_line(kind):
 @every_kind
 @pytest.mark.parametrize(
     ("order", "columns", "axis"),
-    [("IJ", ((0, 0, -1), (1, 0, 0), (0, -1, 0)), (1, 1, -1)), ("JI", ((0, 1, 0), (0, 0, 1), (1, 0, 0)), (1, 1, 1))],
+    [
+        ("IJ", ((0, 0, -1), (1, 0, 0), (0, -1, 0)), (1, 1, -1)),
+        ("JI", ((0, 1, 0), (0, 0, 1), (1, 0, 0)), (1, 1, 1)),
+    ],
 )
 def test_section_4_3_quarter_turns_about_two_fixed_axes_do_not_commute(kind, order, columns, axis):
-    """First I then J: i = -K, j = I, k = -J; first J then I: i = J, j = K, k = I; each is one turn of 120 degrees."""
+    """First I then J: i = -K, j = I, k = -J; first J then I: i = J, j = K, k = I; each is one turn
+    of 120 degrees.
+    """
     quarter = pi(numbers(kind, 1)) / 2 + 0 * numbers(kind, 1)
     R = in_sequence(*(rotation_matrix({"I": I, "J": J}[name], quarter) for name in order))
     assert close(transpose(R), columns, tolerance(kind))
     found, angle = axis_angle(R)
     third = 1 / sqrt(mp.mpf(3))
     small = tolerance(kind)
-    assert close(found, tuple(x * (float(third) if kind == "array" else third) for x in axis), small)
+    assert close(
+        found, tuple(x * (float(third) if kind == "array" else third) for x in axis), small
+    )
     assert close(angle, 4 * quarter / 3, small)
 
 
 def test_section_4_2_the_arm_forward_up_and_back_has_turned_the_palm():
-    """x forward, y left, z up; the arm points right, its palm forward. Net: 90 degrees about the arm, the palm now up."""
+    """x forward, y left, z up; the arm points right, its palm forward. Net: 90 degrees about the
+    arm, the palm now up.
+    """
     quarter = math.pi / 2
-    forward, up, back = rotation_matrix(K, quarter), rotation_matrix((0, -1, 0), quarter), rotation_matrix(I, quarter)
+    forward, up, back = (
+        rotation_matrix(K, quarter),
+        rotation_matrix((0, -1, 0), quarter),
+        rotation_matrix(I, quarter),
+    )
     arm, palm = (0, -1, 0), (1, 0, 0)
     assert close(apply(forward, arm), (1, 0, 0))
     assert close(apply(in_sequence(forward, up), arm), (0, 0, 1))
@@ -212,10 +251,15 @@ def test_eqn_4_9_angular_velocity_is_the_limit_of_small_rotations(kind):
     omega = [number(x) for x in body.angular_velocity(ground).components(ground)]
     error = []
     for dt in (1e-4, 5e-5):
-        before, after = ([[number(x) for x in row] for row in matrix(time)] for time in (t, t + numbers(kind, dt)))
+        before, after = (
+            [[number(x) for x in row] for row in matrix(time)]
+            for time in (t, t + numbers(kind, dt))
+        )
         axis, angle = axis_angle(product(after, transpose(before)))
         step = number(numbers(kind, dt))
-        error.append(max(np.max(abs(e * angle / step - w)) for e, w in zip(axis, omega, strict=True)))
+        error.append(
+            max(np.max(abs(e * angle / step - w)) for e, w in zip(axis, omega, strict=True))
+        )
     assert error[0] < 1e-3  # rad/s
     assert 1.99 < error[0] / error[1] < 2.01
 
@@ -230,42 +274,69 @@ def test_eqn_4_10_small_displacements_of_two_points_of_a_body(kind):
     for dt in (1e-4, 5e-5):
         after = [[number(x) for x in row] for row in matrix(t + numbers(kind, dt))]
         axis, angle = axis_angle(product(after, transpose(before)))
-        dr_A, dr_B = ([y - x for x, y in zip(apply(before, r), apply(after, r), strict=True)] for r in (r_A, r_B))
+        dr_A, dr_B = (
+            [y - x for x, y in zip(apply(before, r), apply(after, r), strict=True)]
+            for r in (r_A, r_B)
+        )
         r = ground.vector(*apply(before, [a - b for a, b in zip(r_A, r_B, strict=True)]))
         turned = (angle * ground.vector(*axis)).cross(r)
-        error.append(max(np.max(abs(a - b - c)) for a, b, c in zip(dr_A, dr_B, turned, strict=True)))
+        error.append(
+            max(np.max(abs(a - b - c)) for a, b, c in zip(dr_A, dr_B, turned, strict=True))
+        )
     assert error[0] < 1e-6
     assert 3.96 < error[0] / error[1] < 4.04
 
 
 @every_kind
 def test_eqn_4_11_velocity_of_a_point_of_a_moving_body(kind):
-    """v_A = v_B + omega x r against the product rule on r_B(t) + R(t) r; with B fixed, v_A = omega x r_A."""
+    """v_A = v_B + omega x r against the product rule on r_B(t) + R(t) r; with B fixed, v_A = omega
+    x r_A.
+    """
     v_B, r = numbers(kind, 2, 3, "-1"), numbers(kind, 1, "-0.5", "0.25")
     ground, body, matrix, t = spinning(kind, v_B)
     _, rate, _ = with_rates(matrix, t)
     turning = apply(rate, r)
     v = body.point("A", *r).velocity(ground)
-    assert close(v.components(ground), [a + b for a, b in zip(v_B, turning, strict=True)], 20 * tolerance(kind))
-    assert close(ground.vector(*v_B) + body.angular_velocity(ground).cross(body.vector(*r)), v, 20 * tolerance(kind))
+    assert close(
+        v.components(ground),
+        [a + b for a, b in zip(v_B, turning, strict=True)],
+        20 * tolerance(kind),
+    )
+    assert close(
+        ground.vector(*v_B) + body.angular_velocity(ground).cross(body.vector(*r)),
+        v,
+        20 * tolerance(kind),
+    )
     ground, body, _, _ = spinning(kind)
     A = body.point("A", *r)
     assert close(A.velocity(ground).components(ground), turning, 20 * tolerance(kind))
     assert close((A - body.origin).components(body), r, tolerance(kind))
-    assert close(A.velocity(ground), body.angular_velocity(ground).cross(body.vector(*r)), 20 * tolerance(kind))
+    assert close(
+        A.velocity(ground),
+        body.angular_velocity(ground).cross(body.vector(*r)),
+        20 * tolerance(kind),
+    )
 
 
 @every_kind
 def test_eqn_4_12_angular_acceleration_is_the_rate_of_the_angular_velocity(kind):
-    """alpha = D omega/Dt against the antisymmetric part of d(R' R^T)/dt, and against the rate of the vector omega."""
+    """alpha = D omega/Dt against the antisymmetric part of d(R' R^T)/dt, and against the rate of
+    the vector omega.
+    """
     ground, body, matrix, t = spinning(kind)
     value, rate, second = with_rates(matrix, t)
     omega = axial(product(rate, transpose(value)))
     one, two = product(second, transpose(value)), product(rate, transpose(rate))
-    alpha = axial([[a + b for a, b in zip(*rows, strict=True)] for rows in zip(one, two, strict=True)])
+    alpha = axial(
+        [[a + b for a, b in zip(*rows, strict=True)] for rows in zip(one, two, strict=True)]
+    )
     assert close(body.angular_velocity(ground).components(ground), omega, 20 * tolerance(kind))
     assert close(body.angular_acceleration(ground).components(ground), alpha, 20 * tolerance(kind))
-    assert close(body.angular_velocity(ground).rate(ground), body.angular_acceleration(ground), 20 * tolerance(kind))
+    assert close(
+        body.angular_velocity(ground).rate(ground),
+        body.angular_acceleration(ground),
+        20 * tolerance(kind),
+    )
 
 
 @every_kind
@@ -289,7 +360,9 @@ def test_eqn_4_14_rates_of_the_unit_vectors_are_the_columns_of_the_rate_of_the_m
 
 
 def rolling_cone(h, r, nu):
-    """The cone of 4.5 at the instant its line of contact is along I: (ground, cone, P the highest point of the base, rate of the line of contact)."""
+    """The cone of 4.5 at the instant its line of contact is along I: (ground, cone, P the highest
+    point of the base, rate of the line of contact).
+    """
     ground = Frame("ground")
 
     def placed(line_rate, spin):
@@ -314,11 +387,21 @@ def test_example_4_5_cone_rolling(kind):
     slant = sqrt(h * h + r * r)
     small = 20 * tolerance(kind)
     assert close(cone.k.components(ground), (-r / slant, 0, h / slant), small)
-    assert close(cone.angular_velocity(ground).components(ground), (nu * sqrt(1 / r**2 + 1 / h**2), 0, 0), small)
+    assert close(
+        cone.angular_velocity(ground).components(ground),
+        (nu * sqrt(1 / r**2 + 1 / h**2), 0, 0),
+        small,
+    )
     assert close(P.velocity(ground).components(ground), (0, -2 * nu, 0), small)
-    assert close(cone.angular_acceleration(ground).components(ground), (0, -(nu**2) / h**2 * (h / r + r / h), 0), small)
+    assert close(
+        cone.angular_acceleration(ground).components(ground),
+        (0, -(nu**2) / h**2 * (h / r + r / h), 0),
+        small,
+    )
     assert close(line_rate, -nu * slant / h**2, small)
-    assert close(cone.point("on the line of contact", h / 2, 0, -r / 2).velocity(ground), (0, 0, 0), small)
+    assert close(
+        cone.point("on the line of contact", h / 2, 0, -r / 2).velocity(ground), (0, 0, 0), small
+    )
 
 
 def test_example_4_5_cone_rolling_as_a_formula():
@@ -328,7 +411,9 @@ def test_example_4_5_cone_rolling_as_a_formula():
     omega = cone.angular_velocity(ground).components(ground)
     alpha = cone.angular_acceleration(ground).components(ground)
     wanted = (nu * sympy.sqrt(1 / r**2 + 1 / h**2), -2 * nu, -(nu**2) * (h**2 + r**2) / (r * h**3))
-    for found, formula in zip((omega[0], P.velocity(ground).components(ground)[1], alpha[1]), wanted, strict=True):
+    for found, formula in zip(
+        (omega[0], P.velocity(ground).components(ground)[1], alpha[1]), wanted, strict=True
+    ):
         assert sympy.simplify(found - formula) == 0
 
 
@@ -338,7 +423,11 @@ def test_example_4_5_cone_rolling_as_a_formula():
 @every_kind
 def test_axis_and_angle_come_back(kind):
     axis, angle = numbers(kind, "0.48", "-0.6", "0.64"), numbers(kind, "1.3")
-    axis = axis if kind != "array" else tuple(x / x * y for x, y in zip(axis, (0.48, -0.6, 0.64), strict=True))
+    axis = (
+        axis
+        if kind != "array"
+        else tuple(x / x * y for x, y in zip(axis, (0.48, -0.6, 0.64), strict=True))
+    )
     R = rotation_matrix(axis, angle)
     if kind == "sympy":
         R = [[number(x) for x in row] for row in R]
@@ -349,14 +438,21 @@ def test_axis_and_angle_come_back(kind):
 
 def test_axis_and_angle_of_exact_numbers_are_exact():
     third = sympy.pi / 3
-    assert axis_angle(rotation_matrix((1, 2, 3), third)) == (tuple(n / sympy.sqrt(14) for n in (1, 2, 3)), third)
+    assert axis_angle(rotation_matrix((1, 2, 3), third)) == (
+        tuple(n / sympy.sqrt(14) for n in (1, 2, 3)),
+        third,
+    )
 
 
 def true_matrix(axis, angle):
-    """The rotation matrix in 60 digits by the exponential series of the antisymmetric matrix of axis x: it shares no formula with the engine."""
+    """The rotation matrix in 60 digits by the exponential series of the antisymmetric matrix of
+    axis x: it shares no formula with the engine.
+    """
     x, y, z = axis
     with mp.workdps(60):
-        spin = mp.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * (angle / mp.sqrt(x * x + y * y + z * z))
+        spin = mp.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * (
+            angle / mp.sqrt(x * x + y * y + z * z)
+        )
         return mp.expm(spin, method="taylor")
 
 
@@ -366,7 +462,9 @@ AXES = [(1, 2, 3), (-2, 1, 0.5), (0.1, -3, 0.2), (1e-3, 1, -1), (0, 0, 1), (3, -
 @pytest.mark.parametrize("distance", [1, 1e-1, 1e-3, 1e-6, 1e-8, 1e-10, 1e-13, 4e-15])
 @pytest.mark.parametrize("end", [0, 1], ids=["near 0", "near pi"])
 def test_axis_and_angle_are_accurate_to_round_off_near_0_and_pi(end, distance):
-    """Against 60 digits: angle within 4 round-offs of itself, axis within 4 of its length 1, from a matrix rounded to floats."""
+    """Against 60 digits: angle within 4 round-offs of itself, axis within 4 of its length 1, from a
+    matrix rounded to floats.
+    """
     for axis in AXES:
         with mp.workdps(60):
             angle = end * mp.pi + (-1) ** end * mp.mpf(distance)
@@ -379,7 +477,9 @@ def test_axis_and_angle_are_accurate_to_round_off_near_0_and_pi(end, distance):
 
 
 def test_the_arc_cosine_and_the_skew_part_fail_where_axis_angle_does_not():
-    """The naive ways: the arc cosine loses an angle of 1e-9 rad altogether, the skew part the axis near pi."""
+    """The naive ways: the arc cosine loses an angle of 1e-9 rad altogether, the skew part the axis
+    near pi.
+    """
     R = rotation_matrix((1.0, 2.0, 2.0), 1e-9)
     naive = math.acos(min(1.0, (R[0][0] + R[1][1] + R[2][2] - 1) / 2))
     assert abs(naive - 1e-9) > 0.9e-9
@@ -422,7 +522,9 @@ def test_without_rotation_the_z_axis_stands_for_the_axis():
 
 
 def test_arrays_are_read_instant_by_instant():
-    """Angles from 0 to 2 pi in one array: every one of the four ways to the quaternion, both signs, and no angle at all."""
+    """Angles from 0 to 2 pi in one array: every one of the four ways to the quaternion, both signs,
+    and no angle at all.
+    """
     rng = np.random.default_rng(1)
     angle = np.concatenate([[0.0, math.pi, 1e-9, math.pi - 1e-9], rng.uniform(0, 2 * math.pi, 200)])
     axis = rng.normal(size=(3, angle.size))
@@ -442,12 +544,33 @@ def test_arrays_are_read_instant_by_instant():
         ([[1, 2], [3, 4]], RotationError, r"rows of lengths \[2, 2\]"),
         (np.zeros((5, 3, 3)), RotationError, r"shows the shape \(3, 3, N\); got shape \(5, 3, 3\)"),
         (np.diag([1, 1, -1]), RotationError, "a reflection: determinant -1.*reverse one axis"),
-        (np.diag([1, 1, 1.1]), RotationError, "differs from the unit matrix by 0.21, and 1e-09 is allowed.*tolerance="),
+        (
+            np.diag([1, 1, 1.1]),
+            RotationError,
+            "differs from the unit matrix by 0.21, and 1e-09 is allowed.*tolerance=",
+        ),
         (np.full((3, 3), np.nan), RotationError, "differs from the unit matrix by nan"),
-        (rotation_matrix((1, 2, 3), sympy.Symbol("q")), ScalarError, "entries must have values.*cos.*Put in numbers first"),
-        (rotation_matrix((1.0, 2.0, 3.0), Dimension()), ScalarError, "entries must have values.*Dimension"),
+        (
+            rotation_matrix((1, 2, 3), sympy.Symbol("q")),
+            ScalarError,
+            "entries must have values.*cos.*Put in numbers first",
+        ),
+        (
+            rotation_matrix((1.0, 2.0, 3.0), Dimension()),
+            ScalarError,
+            "entries must have values.*Dimension",
+        ),
     ],
-    ids=["number", "2 x 2", "instants first", "reflection", "stretched", "nan", "symbols", "dimensions"],
+    ids=[
+        "number",
+        "2 x 2",
+        "instants first",
+        "reflection",
+        "stretched",
+        "nan",
+        "symbols",
+        "dimensions",
+    ],
 )
 def test_what_is_no_rotation_is_refused_in_words(matrix, error, words):
     for read in (axis_angle, quaternion_from_matrix, euler_angles):
@@ -554,7 +677,9 @@ def test_a_quaternion_of_any_length_gives_a_true_rotation(q):
 
 
 @laws
-@given(st.floats(-3, 3), st.floats(0.01, 3.13), st.floats(-3, 3), st.tuples(*[st.floats(-5, 5)] * 3))
+@given(
+    st.floats(-3, 3), st.floats(0.01, 3.13), st.floats(-3, 3), st.tuples(*[st.floats(-5, 5)] * 3)
+)
 def test_euler_rates_come_back(psi, theta, phi, omega):
     rates = euler_rates(psi, theta, phi, omega)
     assume(max(map(abs, rates)) < 1e3)
@@ -578,18 +703,31 @@ def test_quaternion_rate_takes_body_components_of_omega(kind):
     a, b, t = numbers(kind, "0.4", "-0.7", "0.5")
 
     def q(time):
-        turns = quaternion(K, a + b * time), quaternion(I, b + time), quaternion((0, 3, 4), a * time * time)
+        turns = (
+            quaternion(K, a + b * time),
+            quaternion(I, b + time),
+            quaternion((0, 3, 4), a * time * time),
+        )
         return quaternion_product(quaternion_product(*turns[:2]), turns[2])
 
     moved = [at(lambda time, n=n: q(time)[n], t) for n in range(4)]
     body = Frame("ground")
     ground = body
-    for n, (axis, angle) in enumerate([(K, lambda s: a + b * s), (I, lambda s: b + s), ((0, 3, 4), lambda s: a * s * s)]):
+    for n, (axis, angle) in enumerate(
+        [(K, lambda s: a + b * s), (I, lambda s: b + s), ((0, 3, 4), lambda s: a * s * s)]
+    ):
         body = body.rotate(f"{n}", tuple(x + 0 * t for x in axis), at(angle, t))
     rate = quaternion_rate([x.value for x in moved], body.angular_velocity(ground))
     assert close(rate, [x.rate for x in moved], 20 * tolerance(kind))
-    assert close(sum(x.value * y for x, y in zip(moved, rate, strict=True)), 0, 20 * tolerance(kind))  # the length stays
-    assert close(matrix_from_quaternion([x.value for x in moved]), body.rotation(ground), 20 * tolerance(kind))
+    # the length stays
+    assert close(
+        sum(x.value * y for x, y in zip(moved, rate, strict=True)), 0, 20 * tolerance(kind)
+    )
+    assert close(
+        matrix_from_quaternion([x.value for x in moved]),
+        body.rotation(ground),
+        20 * tolerance(kind),
+    )
 
 
 def test_quaternions_that_are_no_rotation_are_refused():
@@ -615,7 +753,9 @@ def test_eqn_10_3_and_10_4_angular_velocity_of_the_precessing_frame_and_of_the_b
     small = 20 * tolerance(kind)
     across, along = dpsi * sin(theta), dpsi * cos(theta)
     assert close(in_between.angular_velocity(ground), (dtheta, across, along), small)
-    assert close(body.angular_velocity(ground).components(in_between), (dtheta, across, dphi + along), small)
+    assert close(
+        body.angular_velocity(ground).components(in_between), (dtheta, across, dphi + along), small
+    )
 
 
 @every_kind
@@ -637,7 +777,9 @@ def test_eqn_10_5_to_10_10_the_matrix_of_the_angles_is_that_of_the_frames(kind):
 def test_eqn_10_12_body_rates_from_the_rates_of_the_angles_and_back(kind):
     psi, theta, phi, *rates = numbers(kind, "0.3", "1.1", "-0.8", 2, "-0.5", 7)
     ground = Frame("ground")
-    body = euler_frame(ground, "body", *(moving(a, r) for a, r in zip((psi, theta, phi), rates, strict=True)))
+    body = euler_frame(
+        ground, "body", *(moving(a, r) for a, r in zip((psi, theta, phi), rates, strict=True))
+    )
     omega = euler_body_rates(psi, theta, phi, rates)
     assert close(omega, body.angular_velocity(ground), 20 * tolerance(kind))
     assert close(euler_rates(psi, theta, phi, omega), rates, 50 * tolerance(kind))
@@ -651,25 +793,39 @@ def test_euler_angles_come_back(kind):
         R = [[number(x) for x in row] for row in R]
     found = euler_angles(R)
     assert np.min(found[1]) >= 0
-    whole = 2 * math.pi if kind == "array" else 2 * mp.pi  # an array holds an angle beyond pi, which comes back in (-pi, pi]
+    # an array holds an angle beyond pi, which comes back in (-pi, pi]
+    whole = 2 * math.pi if kind == "array" else 2 * mp.pi
     turns = [(f - number(a)) / whole for f, a in zip(found, angles, strict=True)]
-    assert all(np.max(abs(x - (np.round(x) if kind == "array" else mp.nint(x)))) <= tolerance(kind) for x in turns)
+    assert all(
+        np.max(abs(x - (np.round(x) if kind == "array" else mp.nint(x)))) <= tolerance(kind)
+        for x in turns
+    )
 
 
-@pytest.mark.parametrize(("end", "sign"), [(0.0, 1), (math.pi, -1)], ids=["theta = 0", "theta = pi"])
+@pytest.mark.parametrize(
+    ("end", "sign"), [(0.0, 1), (math.pi, -1)], ids=["theta = 0", "theta = pi"]
+)
 def test_at_the_poles_psi_has_all_and_phi_is_zero(end, sign):
     for psi, phi in [(0.3, 0.4), (-2.0, 1.1), (3.0, 0.1), (1.0, -1.0)]:
         found = euler_angles(euler_matrix(psi, end, phi))
         assert close(found, (psi + sign * phi, end, 0), 8 * EPS)
         assert close(euler_from_quaternion(quaternion_from_euler(psi, end, phi)), found, 8 * EPS)
-    many = euler_angles(euler_matrix(np.array([0.3, 0.3]), np.array([end, 1.0]), np.array([0.4, 0.4])))
-    assert close(many, (np.array([0.3 + sign * 0.4, 0.3]), np.array([end, 1.0]), np.array([0.0, 0.4])), 8 * EPS)
+    many = euler_angles(
+        euler_matrix(np.array([0.3, 0.3]), np.array([end, 1.0]), np.array([0.4, 0.4]))
+    )
+    assert close(
+        many,
+        (np.array([0.3 + sign * 0.4, 0.3]), np.array([end, 1.0]), np.array([0.0, 0.4])),
+        8 * EPS,
+    )
 
 
 @pytest.mark.parametrize("theta", [1e-3, 1e-6, 1e-9, 1e-12])
 @pytest.mark.parametrize("end", [0, 1], ids=["near 0", "near pi"])
 def test_near_the_poles_theta_and_the_sum_of_the_angles_stay_accurate(theta, end):
-    """Against 60 digits: theta within 4 round-offs of itself, psi + phi (psi - phi near pi) within 8 round-offs of 1 rad."""
+    """Against 60 digits: theta within 4 round-offs of itself, psi + phi (psi - phi near pi) within
+    8 round-offs of 1 rad.
+    """
     for psi, phi in [(0.3, 0.4), (-1.0, 2.5), (1.7, 0.1)]:
         with mp.workdps(60):
             true = end * mp.pi + (-1) ** end * mp.mpf(theta)
@@ -686,9 +842,15 @@ def test_theta_from_the_arc_cosine_fails_where_euler_angles_does_not():
     assert abs(euler_angles(R)[1] - 1e-9) < 1e-24
 
 
-@pytest.mark.parametrize("theta", [0.0, math.pi, sympy.pi, np.array([1.0, 0.0, 2.0])], ids=["0", "pi", "exact pi", "one instant"])
+@pytest.mark.parametrize(
+    "theta",
+    [0.0, math.pi, sympy.pi, np.array([1.0, 0.0, 2.0])],
+    ids=["0", "pi", "exact pi", "one instant"],
+)
 def test_euler_rates_are_refused_at_the_poles(theta):
-    with pytest.raises(RotationError, match=r"theta = .*axes of precession and spin coincide.*use quaternion_rate"):
+    with pytest.raises(
+        RotationError, match=r"theta = .*axes of precession and spin coincide.*use quaternion_rate"
+    ):
         euler_rates(0.3, theta, 0.4, (1.0, 2.0, 3.0))
 
 
@@ -707,8 +869,14 @@ def test_what_builds_rotations_can_be_compiled_and_has_pure_dimension():
         (lambda a, b, c: rotation_matrix((a, b, 2 + c), a), (0.3, 0.2, 0.1)),
         (lambda a, b, c: matrix_from_quaternion(quaternion((a, b, c), b)), (0.3, 0.2, 0.1)),
         (lambda a, b, c: euler_matrix(a, b, c), (0.3, 0.2, 0.1)),
-        (lambda a, b, c: euler_rates(a, b, c, euler_body_rates(a, b, c, (b, c, a))), (0.3, 0.2, 0.1)),
-        (lambda a, b, c: quaternion_rate(quaternion_from_euler(a, b, c), (c, a, b)), (0.3, 0.2, 0.1)),
+        (
+            lambda a, b, c: euler_rates(a, b, c, euler_body_rates(a, b, c, (b, c, a))),
+            (0.3, 0.2, 0.1),
+        ),
+        (
+            lambda a, b, c: quaternion_rate(quaternion_from_euler(a, b, c), (c, a, b)),
+            (0.3, 0.2, 0.1),
+        ),
     ]
     for f, x in formulas:
         fast, slow = compiled(f)(*x), f(*x)
@@ -722,5 +890,9 @@ def test_what_builds_rotations_can_be_compiled_and_has_pure_dimension():
 
 def test_symbols_stay_exact():
     q = sympy.Symbol("q")
-    assert rotation_matrix((0, 0, 1), q) == ((sympy.cos(q), -sympy.sin(q), 0), (sympy.sin(q), sympy.cos(q), 0), (0, 0, 1))
+    assert rotation_matrix((0, 0, 1), q) == (
+        (sympy.cos(q), -sympy.sin(q), 0),
+        (sympy.sin(q), sympy.cos(q), 0),
+        (0, 0, 1),
+    )
     assert not any(x.has(sympy.Float) for row in rotation_matrix((1, 2, 3), q) for x in row)

@@ -1,4 +1,6 @@
-"""Integration of models: orders of convergence, honest errors, events and switches, dense output, many at once, and refusals in words."""
+"""Integration of models: orders of convergence, honest errors, events and switches, dense output,
+many at once, and refusals in words.
+"""
 
 import gc
 import math
@@ -63,11 +65,25 @@ def test_methods_converge_with_their_order(method):
     assert slope(steps, errors) == pytest.approx(order, abs=0.45), errors
 
 
-@pytest.mark.parametrize("method", ["dop853", "lie-poisson2", "lie-poisson4", "lie-poisson6", "lie-poisson8"])
+@pytest.mark.parametrize(
+    "method", ["dop853", "lie-poisson2", "lie-poisson4", "lie-poisson6", "lie-poisson8"]
+)
 def test_on_a_free_body_methods_converge_with_their_order(method):
     start = (1.0, 0.1, 0.4)
-    exact = integrate(free_body(), 6.0, start, 1e-12, "taylor" if METHODS["taylor"].unusable_because(None) is None else "dop853").end
-    first = {"dop853": 1.2, "lie-poisson2": 0.1, "lie-poisson4": 0.1, "lie-poisson6": 0.2, "lie-poisson8": 0.3}[method]
+    exact = integrate(
+        free_body(),
+        6.0,
+        start,
+        1e-12,
+        "taylor" if METHODS["taylor"].unusable_because(None) is None else "dop853",
+    ).end
+    first = {
+        "dop853": 1.2,
+        "lie-poisson2": 0.1,
+        "lie-poisson4": 0.1,
+        "lie-poisson6": 0.2,
+        "lie-poisson8": 0.3,
+    }[method]
     steps = [first / 1.5**k for k in range(4)]
     ends = [integrate(free_body(), 6.0, start, method=method, step=h).end for h in steps]
     errors = [max(abs(end[n] - exact[n]) for n in "xyz") for end in ends]
@@ -92,7 +108,12 @@ def test_the_references_of_these_tests_agree_with_another_program():
     assert abs(reference("pendulum")[0] - reference_of_the_pendulum()) < 1e-15
     model, _, start = SCENES["free body, calm"]
     with mpmath.workdps(25):
-        motion = mpmath.odefun(lambda t, y: list(model.derivative(y)), 0, [mpmath.mpf(x) for x in start], tol=mpmath.mpf("1e-20"))
+        motion = mpmath.odefun(
+            lambda t, y: list(model.derivative(y)),
+            0,
+            [mpmath.mpf(x) for x in start],
+            tol=mpmath.mpf("1e-20"),
+        )
         found = [float(x) for x in motion(2)]
     ours = integrate(model, 2.0, start, 1e-12)
     assert max(abs(a - b) for a, b in zip(found, ours.end.values(), strict=True)) < 1e-12
@@ -138,7 +159,9 @@ def within(ratios):
 
 @pytest.mark.parametrize("method", ["dop853", "taylor"])
 def test_errors_are_what_was_asked_for(method):
-    """In the median a heyoka run is more accurate: its error falls by steps, and its cost hardly depends on it."""
+    """In the median a heyoka run is more accurate: its error falls by steps, and its cost hardly
+    depends on it.
+    """
     pytest.importorskip("heyoka")
     scenes = ("top", "free body", "pendulum", "turning shaft", "planet", "forced", "aircraft")
     asked, told = honesty(method, scenes, (1e-3, 1e-5, 1e-7, 1e-9, 1e-11))
@@ -157,7 +180,10 @@ def test_errors_are_what_was_asked_for_everywhere(method, least):
     pytest.importorskip("heyoka")
     tolerances = [x for x in TOLERANCES if method != "scipy Radau" or x >= 1e-8]
     asked, told = honesty(method, SCENES, tolerances)
-    print(f"\n{method}: {len(asked)} runs, within {within(asked):.3f}, median {statistics.median(asked):.2g}, told {within(told):.3f}")
+    print(
+        f"\n{method}: {len(asked)} runs, within {within(asked):.3f}, median "
+        f"{statistics.median(asked):.2g}, told {within(told):.3f}"
+    )
     assert within(asked) >= 0.95
     assert statistics.median(asked) >= least
 
@@ -170,11 +196,15 @@ def test_small_motions_are_as_accurate_as_large_ones(method, size):
     for rtol in (1e-6, 1e-9):
         motion = integrate(oscillator(exact=False), 20.0, (size, 0.0), rtol, method)
         assert abs(motion.end["x"] / size - math.cos(40.0)) < 3 * rtol
-        assert prepare(oscillator(exact=False), rtol, method)(20.0, (size, 0.0))[0] / size == pytest.approx(math.cos(40.0), abs=3 * rtol)
+        assert prepare(oscillator(exact=False), rtol, method)(20.0, (size, 0.0))[
+            0
+        ] / size == pytest.approx(math.cos(40.0), abs=3 * rtol)
 
 
 def test_an_error_that_cannot_be_reached_is_told():
-    """Swinging over the top, the last digits of a float are not enough for 1e-12 without heyoka's care."""
+    """Swinging over the top, the last digits of a float are not enough for 1e-12 without heyoka's
+    care.
+    """
     model, t, start = SCENES["pendulum, over the top"]
     motion = integrate(model, 3 * t, start, 1e-12, "dop853")
     assert motion.error > 1e-12
@@ -205,16 +235,24 @@ def test_samples_are_where_they_were_asked_for():
 
 def test_the_grid_of_heyoka_is_the_same_motion():
     pytest.importorskip("heyoka")
-    grid, dense = swing(method="taylor", samples=50), swing(method="taylor").at(np.linspace(0, 10, 50))
+    grid, dense = (
+        swing(method="taylor", samples=50),
+        swing(method="taylor").at(np.linspace(0, 10, 50)),
+    )
     assert max(abs(grid.states["theta"] - dense["theta"])) < 1e-10
 
 
 def test_the_structure_is_kept_over_a_long_time():
-    """Lie-Poisson: the angular momentum to round-off, the energy without drift; Verlet: the energy swings and does not grow."""
+    """Lie-Poisson: the angular momentum to round-off, the energy without drift; Verlet: the energy
+    swings and does not grow.
+    """
     body = integrate(free_body(), 400.0, (0.01, 1.0, 0.01), method="lie-poisson4", step=0.05)
     assert body.drift["momentum"] < 1e-13
     assert body.drift["energy"] < 1e-6
-    short, long = (integrate(kepler(), t, (1.0, 0.0, 0.0, 1.1), method="verlet", step=0.02).drift["energy"] for t in (30.0, 600.0))
+    short, long = (
+        integrate(kepler(), t, (1.0, 0.0, 0.0, 1.1), method="verlet", step=0.02).drift["energy"]
+        for t in (30.0, 600.0)
+    )
     assert long < 1.5 * short
 
 
@@ -223,15 +261,25 @@ def test_the_record_tells_what_it_cost_and_how_it_ended():
     assert motion.cost.calls > 100
     assert motion.ended == "reached t = 10"
     told = motion.explain()
-    for words in ("physical pendulum", "method: ", "error of the last state", "drift of energy", "calls of the right-hand side"):
+    for words in (
+        "physical pendulum",
+        "method: ",
+        "error of the last state",
+        "drift of energy",
+        "calls of the right-hand side",
+    ):
         assert words in told
 
 
 def test_auto_takes_the_exact_solution_and_guards_it():
     assert integrate(oscillator(), 5.0, (1.0, 0.0)).method.name == "exact"
-    wrong = Model("wrong", {}, ("x",), lambda s, p, t: (-s.x,), exact=lambda s, p, t: (s.x * (1 - t),))
+    wrong = Model(
+        "wrong", {}, ("x",), lambda s, p, t: (-s.x,), exact=lambda s, p, t: (s.x * (1 - t),)
+    )
     assert integrate(wrong, 1.0, (1.0,)).method.name != "exact"
-    with pytest.raises(ModelError, match="the closed form of 'wrong' does not do: it is not accurate here"):
+    with pytest.raises(
+        ModelError, match="the closed form of 'wrong' does not do: it is not accurate here"
+    ):
         integrate(wrong, 1.0, (1.0,), method="exact")
 
 
@@ -244,10 +292,16 @@ def test_an_exact_solution_that_ends_in_another_model_is_no_exact_motion():
 
 def test_where_heyoka_fails_because_rates_are_not_analytic_auto_goes_on():
     """A fall in air, from rest, against the closed form; |v| has a corner at rest."""
-    model = second_order("fall in air", {"g": 10.0, "c": 0.1}, ("y",), lambda s, p, t: (-p.g - p.c * sqrt(s.dy * s.dy) * s.dy,))
+    model = second_order(
+        "fall in air",
+        {"g": 10.0, "c": 0.1},
+        ("y",),
+        lambda s, p, t: (-p.g - p.c * sqrt(s.dy * s.dy) * s.dy,),
+    )
     if METHODS["taylor"].unusable_because(None) is None:
         with pytest.raises(MotionError):
-            integrate(model, 2.0, (0.0, 0.0), 1e-9, "taylor")  # and now it is compiled, and preferred
+            # and now it is compiled, and preferred
+            integrate(model, 2.0, (0.0, 0.0), 1e-9, "taylor")
     motion = integrate(model, 2.0, (0.0, 0.0))
     assert motion.method.name == "dop853"
     assert motion.end["dy"] == pytest.approx(-10 * math.tanh(2.0), abs=1e-7)
@@ -266,7 +320,11 @@ def test_progress_is_told():
 @pytest.mark.parametrize("method", ["auto", *ADAPTIVE])
 def test_a_sphere_slides_and_then_rolls(method):
     needs(method)
-    begins = Event(lambda s, p, t: s.v + s.omega * p.r, then=lambda s, p, t: (rolling(p.r), (s.x, s.v, s.omega)), name="rolling begins")
+    begins = Event(
+        lambda s, p, t: s.v + s.omega * p.r,
+        then=lambda s, p, t: (rolling(p.r), (s.x, s.v, s.omega)),
+        name="rolling begins",
+    )
     motion = integrate(sliding(0.2, 10.0, 0.5), 3.0, (0.0, 7.0, 0.0), 1e-8, method, begins)
     exact = rolling_begins(7.0, 0.2, 10.0, 0.5)
     assert motion.events[0].t == pytest.approx(exact.t, abs=1e-12)
@@ -279,7 +337,9 @@ def ball():
     def solution(s, p, t):
         return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
 
-    return Model("ball", {"g": 10.0, "e": 0.9}, ("h", "v"), lambda s, p, t: (s.v, -p.g), exact=solution)
+    return Model(
+        "ball", {"g": 10.0, "e": 0.9}, ("h", "v"), lambda s, p, t: (s.v, -p.g), exact=solution
+    )
 
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor"])
@@ -287,7 +347,9 @@ def test_a_ball_bounces_many_times(method):
     """It comes to rest at t = 19, after bounces without end."""
     needs(method)
     model = ball()
-    again = Event(lambda s, p, t: s.h, -1, then=lambda s, p, t: (model, (0.0, -p.e * s.v)), name="bounce")
+    again = Event(
+        lambda s, p, t: s.h, -1, then=lambda s, p, t: (model, (0.0, -p.e * s.v)), name="bounce"
+    )
     motion = integrate(model, 18.0, (5.0, 0.0), 1e-9, method, again)
     times = [1 + 2 * sum(0.9**k for k in range(1, n + 1)) for n in range(len(motion.events))]
     assert len(motion.events) == 28
@@ -315,7 +377,9 @@ def test_two_roots_in_one_step_are_found(method):
     """A top of a parabola that is 1e-4 s above a line; SciPy finds neither root."""
     needs(method)
     model = ball()
-    motion = integrate(model, 3.0, (0.0, 10.0), 1e-9, method, Event(lambda s, p, t: s.h - (5.0 - 5 * 0.5e-4**2)))
+    motion = integrate(
+        model, 3.0, (0.0, 10.0), 1e-9, method, Event(lambda s, p, t: s.h - (5.0 - 5 * 0.5e-4**2))
+    )
     assert [e.t for e in motion.events] == pytest.approx([1 - 0.5e-4, 1 + 0.5e-4], abs=1e-9)
 
 
@@ -331,10 +395,19 @@ def test_an_event_may_branch_on_values():
 def test_many_tops_are_what_each_is(method):
     needs(method)
     spins = np.linspace(6.0, 9.0, 5)
-    motions = integrate(top.nonspinning_frame(1.0, 1.5, 5.0, spins), 3.0, top_start(0.6), 1e-9, method, samples=4)
+    motions = integrate(
+        top.nonspinning_frame(1.0, 1.5, 5.0, spins), 3.0, top_start(0.6), 1e-9, method, samples=4
+    )
     assert len(motions) == 5
     for n, spin in enumerate(spins.tolist()):
-        one = integrate(top.nonspinning_frame(1.0, 1.5, 5.0, spin), 3.0, top_start(0.6), 1e-10, "dop853", samples=4)
+        one = integrate(
+            top.nonspinning_frame(1.0, 1.5, 5.0, spin),
+            3.0,
+            top_start(0.6),
+            1e-10,
+            "dop853",
+            samples=4,
+        )
         for name in one.states:
             assert max(abs(motions.states[name][n] - one.states[name])) < 2e-9
 
@@ -354,7 +427,10 @@ def test_many_starts_by_an_exact_solution():
     [
         ({"start": (1.0,)}, "has the 2 states theta, omega; got 1 values"),
         ({"start": {"theta": 1.0}}, "lacks omega"),
-        ({"start": {"theta": 1.0, "omega": 0.0, "phi": 2.0}}, "has no state 'phi'; its states are theta, omega"),
+        (
+            {"start": {"theta": 1.0, "omega": 0.0, "phi": 2.0}},
+            "has no state 'phi'; its states are theta, omega",
+        ),
         ({"start": (1.0, math.nan)}, "has omega = nan; a motion needs finite numbers"),
         ({"start": (1.0, "fast")}, "needs a number for omega, got 'fast'"),
         ({"start": 1.0}, "is a value for each of theta, omega"),
@@ -368,11 +444,20 @@ def test_many_starts_by_an_exact_solution():
         ({"method": "lie-poisson2", "rtol": 1e-3}, "is not Euler's equations of a free body"),
         ({"method": "scipy LSODA", "step": 0.1}, "has no fixed step"),
         ({"events": (3,)}, "events are made by Event"),
-        ({"start": (np.ones(3), np.ones(2))}, "lengths that do not fit together: theta (3,), omega (2,)"),
+        (
+            {"start": (np.ones(3), np.ones(2))},
+            "lengths that do not fit together: theta (3,), omega (2,)",
+        ),
     ],
 )
 def test_what_cannot_be_done_is_said(given, words):
-    asked = {"model": physical_pendulum(2.0, 0.5, 0.5, 10.0), "t": 1.0, "start": (1.0, 0.0), "rtol": 1e-6, **given}
+    asked = {
+        "model": physical_pendulum(2.0, 0.5, 0.5, 10.0),
+        "t": 1.0,
+        "start": (1.0, 0.0),
+        "rtol": 1e-6,
+        **given,
+    }
     with pytest.raises(ModelError) as told:
         integrate(**asked)
     assert words in str(told.value)
@@ -387,17 +472,25 @@ def test_a_parameter_without_a_number_is_named():
 
 def test_heyoka_that_is_missing_is_said(monkeypatch):
     monkeypatch.setattr("newton_euler.motion.methods.table.installed", lambda: False)
-    with pytest.raises(ModelError, match=r"heyoka is not installed: pip install 'newton-euler\[fast\]'"):
+    with pytest.raises(
+        ModelError, match=r"heyoka is not installed: pip install 'newton-euler\[fast\]'"
+    ):
         swing(method="taylor")
-    with pytest.raises(ModelError, match="needs heyoka, which is not installed; without it the least is"):
+    with pytest.raises(
+        ModelError, match="needs heyoka, which is not installed; without it the least is"
+    ):
         integrate(forced(), 1.0, (1.0, 0.0), 1e-14)
 
 
 @pytest.mark.parametrize("method", ["dop853", "taylor", "scipy RK45"])
 def test_a_singular_place_ends_it_with_what_was_reached(method):
     needs(method)
-    model = Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,))  # r = sqrt(1 - 2 t)
-    with pytest.raises(MotionError, match=r"falls into the centre could not be followed beyond t = 0\.[45].*singular") as told:
+    # r = sqrt(1 - 2 t)
+    model = Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,))
+    with pytest.raises(
+        MotionError,
+        match=r"falls into the centre could not be followed beyond t = 0\.[45].*singular",
+    ) as told:
         integrate(model, 2.0, (1.0,), 1e-6, method)
     reached = told.value.reached
     assert 0.49 < reached.t_end <= 0.5 + 1e-6
@@ -410,17 +503,26 @@ def test_a_singular_place_ends_it_with_what_was_reached(method):
 def test_parameters_with_which_the_rates_have_no_value_end_it_in_words(method):
     needs(method)
     model = Model("divided by nothing", {"k": 0.0}, ("x",), lambda s, p, t: (s.x / p.k,))
-    with pytest.raises(MotionError, match="divided by nothing could not be followed beyond t = 0, at x = 1"):
+    with pytest.raises(
+        MotionError, match="divided by nothing could not be followed beyond t = 0, at x = 1"
+    ):
         integrate(model, 1.0, (1.0,), 1e-6, method)
 
 
 def test_nothing_heavy_is_imported():
     code = (
-        "import sys; from newton_euler.motion.integration import integrate; from newton_euler.scenes.planar.pendulum import physical_pendulum as p;"
+        "import sys; from newton_euler.motion.integration import integrate; from "
+        "newton_euler.scenes.planar.pendulum import physical_pendulum as p;"
         "assert integrate(p(2., .5, .5, 10.), 1., (1., 0.)).error < 1e-9;"
-        "print([m for m in ('numpy', 'scipy', 'sympy', 'heyoka', 'mpmath', 'matplotlib') if m in sys.modules])"
+        "print([m for m in ('numpy', 'scipy', 'sympy', 'heyoka', 'mpmath', 'matplotlib') "
+        "if m in sys.modules])"
     )
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+    assert (
+        subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, check=True
+        ).stdout.strip()
+        == "[]"
+    )
 
 
 # -- runs that are prepared
@@ -438,16 +540,21 @@ def test_a_prepared_run_is_that_of_integrate(method):
 @pytest.mark.parametrize("method", ["taylor", "dop853"])
 def test_a_prepared_run_into_a_singular_place_says_so(method):
     needs(method)
-    run = prepare(Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,)), 1e-6, method)
+    run = prepare(
+        Model("falls into the centre", {}, ("r",), lambda s, p, t: (-1 / s.r,)), 1e-6, method
+    )
     assert run(0.4, (1.0,))[0] == pytest.approx(math.sqrt(0.2), rel=1e-5)
     with pytest.raises(MotionError, match="could not be followed beyond t = 0"):
         run(2.0, (1.0,))
-    assert run(0.4, (1.0,))[0] == pytest.approx(math.sqrt(0.2), rel=1e-5)  # and it is as good as before
+    # and it is as good as before
+    assert run(0.4, (1.0,))[0] == pytest.approx(math.sqrt(0.2), rel=1e-5)
 
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_what_parameters_alone_give_is_computed_once(scene):
-    """The rest has other arguments than the parameters, fewer operations, and the same rates within round-off."""
+    """The rest has other arguments than the parameters, fewer operations, and the same rates within
+    round-off.
+    """
     model, _, start = SCENES[scene]
     system = prepared(model)
     rest, _ = system.traced.folded
@@ -455,7 +562,7 @@ def test_what_parameters_alone_give_is_computed_once(scene):
     whole, rates = system.rates(0.3, states), system.folded_rates(0.3, *states, *system.constants)
     scale = max(map(abs, whole))
     assert max(abs(a - b) for a, b in zip(whole, rates, strict=True)) <= 4e-15 * scale
-    count = lambda source: sum(source.count(f" {op} ") for op in "*/+-")  # noqa: E731
+    count = lambda source: sum(source.count(f" {op} ") for op in "*/+-")
     assert count(rest.source) <= count(system.traced.rhs.source)
     arguments = rest.source.split("(", 1)[1].split(")")[0].split(", ")
     assert not set(arguments) & set(model.parameters)
@@ -481,7 +588,9 @@ def test_functions_made_at_each_call_do_not_pile_up():
     for n in range(3 * KEPT):
         event, energy = (lambda s, p, t, n=n: s.x - n), (lambda s, p, t: s.dx**2 + p.k * s.x**2)
         first = first or [weakref.ref(event), weakref.ref(energy)]
-        found = integrate(replace(model, invariants={"energy": energy}), 0.1, (0.3, 0.0), events=Event(event))
+        found = integrate(
+            replace(model, invariants={"energy": energy}), 0.1, (0.3, 0.0), events=Event(event)
+        )
         assert found.drift["energy"] < 1e-12
         del found
     gc.collect()
@@ -490,5 +599,8 @@ def test_functions_made_at_each_call_do_not_pile_up():
 
 
 def test_only_one_model_is_prepared_at_a_time():
-    with pytest.raises(ModelError, match="prepare takes a model with numbers, but parameters of 'oscillator' are arrays"):
+    with pytest.raises(
+        ModelError,
+        match="prepare takes a model with numbers, but parameters of 'oscillator' are arrays",
+    ):
         prepare(oscillator().changed(k=np.ones(3)))

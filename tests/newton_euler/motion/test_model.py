@@ -1,4 +1,6 @@
-"""The record of a scene's equations of motion: what it answers, over every kind of number, and what it refuses, in words."""
+"""The record of a scene's equations of motion: what it answers, over every kind of number, and what
+it refuses, in words.
+"""
 
 import importlib.util
 import math
@@ -31,7 +33,9 @@ def oscillator(m=2.0, k=8.0, **more):
 
 
 def pendulum(m=1.0, g=9.81, length=2.0):
-    """From its forces, in polar coordinates: x down, the cord takes what it must and so does not matter for theta."""
+    """From its forces, in polar coordinates: x down, the cord takes what it must and so does not
+    matter for theta.
+    """
 
     def accelerations(s, p, t):
         ground = Frame("ground")
@@ -68,7 +72,12 @@ def test_the_state_form_follows_from_forces_in_polar_coordinates():
     assert close(model.derivative((0.4, 1.5)), (1.5, -9.81 / 2 * math.sin(0.4)), 1e-15)
     assert close(model.compiled_rhs()(0.0, 0.4, 1.5), (1.5, -9.81 / 2 * math.sin(0.4)), 1e-15)
     g, length, theta = sympy.symbols("g length theta")
-    assert sympy.simplify(pendulum(1, g, length).derivative((theta, 0))[1] + g * sympy.sin(theta) / length) == 0
+    assert (
+        sympy.simplify(
+            pendulum(1, g, length).derivative((theta, 0))[1] + g * sympy.sin(theta) / length
+        )
+        == 0
+    )
 
 
 def test_compiled_with_parameters_fixed_or_free():
@@ -78,7 +87,11 @@ def test_compiled_with_parameters_fixed_or_free():
     assert free.parameters == ["t", "x", "dx", "k"]
     assert free(0.0, 0.5, 1.0, 16.0) == (1.0, -4.0)
     assert close(free(0.0, np.array([0.5, 1.0]), 1.0, 16.0)[1], np.array([-4.0, -8.0]), 0)
-    assert close(free(mp.mpf(0), mp.mpf(1) / 3, mp.mpf(1), mp.mpf(16)), (1, mp.mpf(-8) / 3), mp.mpf(10) ** -29)
+    assert close(
+        free(mp.mpf(0), mp.mpf(1) / 3, mp.mpf(1), mp.mpf(16)),
+        (1, mp.mpf(-8) / 3),
+        mp.mpf(10) ** -29,
+    )
 
 
 @pytest.mark.skipif(importlib.util.find_spec("heyoka") is None, reason="heyoka is not installed")
@@ -129,12 +142,15 @@ each_model = pytest.mark.parametrize("name", MODELS)
 def test_exact_solutions_start_where_they_should_and_solve_the_equations(name):
     """Differentiated by the product rule, to 26 digits."""
     model = MODELS[name]
-    model = model.changed(**{n: mp.mpf(x) for n, x in model.parameters.items() if x})  # or sin(0.8) has 16
+    # or sin(0.8) has 16
+    model = model.changed(**{n: mp.mpf(x) for n, x in model.parameters.items() if x})
     start = [mp.mpf(x) / 7 for x in (20, 3, -4, 5, 6, 8)][: len(model.states)]
     small = mp.mpf(10) ** -26
     assert close(model.solution(mp.mpf(0), start), start, small)
     t = mp.mpf(3) / 4
-    rates = [at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate for n in range(len(start))]
+    rates = [
+        at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate for n in range(len(start))
+    ]
     assert close(rates, model.derivative(model.solution(t, start), t), small)
 
 
@@ -142,7 +158,9 @@ def test_exact_solutions_start_where_they_should_and_solve_the_equations(name):
 def test_exact_solutions_against_an_integrator(name):
     model = MODELS[name]
     rhs, start = model.compiled_rhs(), [3.0, 0.4, -0.6, 0.7, 0.9, 1.1][: len(model.states)]
-    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 5), start, method="DOP853", rtol=1e-12, atol=1e-12)
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()), (0, 5), start, method="DOP853", rtol=1e-12, atol=1e-12
+    )
     assert close(model.solution(5.0, start), tuple(run.y[:, -1]), 1e-9)
 
 
@@ -160,7 +178,9 @@ def test_solution_of_many_instants_at_once():
     t = np.linspace(0, 2, 5)
     x, y, dx, dy = MODELS["station"].solution(t, (1.0, 2.0, 3.0, 4.0))
     assert x.shape == (5,)
-    assert close([q[2] for q in (x, y, dx, dy)], MODELS["station"].solution(1.0, (1.0, 2.0, 3.0, 4.0)), 1e-14)
+    assert close(
+        [q[2] for q in (x, y, dx, dy)], MODELS["station"].solution(1.0, (1.0, 2.0, 3.0, 4.0)), 1e-14
+    )
 
 
 # -- refusals
@@ -173,21 +193,51 @@ def rhs(s, p, t):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v,)), "returns 1 rates for the 2 states h, v"),
-        (("fall", {"G": 9.81}, ("h", "v"), rhs), "fails when it is tried: there is no parameter 'g'; there are G"),
-        (("fall", {"g": 9.81}, ("h", "w"), rhs), "fails when it is tried: there is no state 'v'; there are h, w"),
-        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g if s.h > 0 else 0)), "a formula is traced without values: it must not branch"),
-        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, math.sin(s.h))), "a formula is traced without values"),
-        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, np.sin(s.h))), "a formula is traced without values"),
-        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, "down")), "returns scalars, Vectors, or tuples"),
+        (
+            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v,)),
+            "returns 1 rates for the 2 states h, v",
+        ),
+        (
+            ("fall", {"G": 9.81}, ("h", "v"), rhs),
+            "fails when it is tried: there is no parameter 'g'; there are G",
+        ),
+        (
+            ("fall", {"g": 9.81}, ("h", "w"), rhs),
+            "fails when it is tried: there is no state 'v'; there are h, w",
+        ),
+        (
+            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g if s.h > 0 else 0)),
+            "a formula is traced without values: it must not branch",
+        ),
+        (
+            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, math.sin(s.h))),
+            "a formula is traced without values",
+        ),
+        (
+            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, np.sin(s.h))),
+            "a formula is traced without values",
+        ),
+        (
+            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, "down")),
+            "returns scalars, Vectors, or tuples",
+        ),
         (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: None), "fails when it is tried"),
-        (("fall", {"g": "9.81"}, ("h", "v"), rhs), r"the parameter g of 'fall' is a number or a function \(s, p, t\), not '9.81'"),
+        (
+            ("fall", {"g": "9.81"}, ("h", "v"), rhs),
+            r"the parameter g of 'fall' is a number or a function \(s, p, t\), not '9.81'",
+        ),
         (("fall", {"g": 9.81}, ("h", "g"), rhs), "'g' names two things in 'fall'"),
         (("fall", {"g": 9.81}, ("h", "t"), rhs), "'t' cannot name a state or parameter"),
         (("fall", {"g": 9.81}, ("h", "v max"), rhs), "'v max' cannot name a state or parameter"),
         (("fall", {"lambda": 9.81}, ("h", "v"), rhs), "'lambda' cannot name"),
-        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (setattr(s, "v", 0), s.v)), "the states are only read, but 'v' was set"),
-        (("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, 1 / ZERO)), "fails when it is tried"),
+        (
+            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (setattr(s, "v", 0), s.v)),
+            "the states are only read, but 'v' was set",
+        ),
+        (
+            ("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, 1 / ZERO)),
+            "fails when it is tried",
+        ),
     ],
 )
 def test_a_model_that_does_not_fit_together_says_so_when_it_is_made(arguments, words):
@@ -198,13 +248,28 @@ def test_a_model_that_does_not_fit_together_says_so_when_it_is_made(arguments, w
 def test_questions_that_a_model_cannot_answer():
     model = oscillator()
     for call, words in (
-        (lambda: model.derivative((1.0,)), r"oscillator has the 2 states x, dx; got 1 values: \(1.0,\)"),
-        (lambda: model.derivative({"x": 1.0}), "the state of 'oscillator' lacks dx; give all of x, dx"),
-        (lambda: model.solution(1.0, (1.0, 0.0)), "no exact solution of 'oscillator' is known; integrate it"),
-        (lambda: model.invariant("momentum", (1.0, 0.0)), "oscillator has no invariant 'momentum'; it has energy"),
+        (
+            lambda: model.derivative((1.0,)),
+            r"oscillator has the 2 states x, dx; got 1 values: \(1.0,\)",
+        ),
+        (
+            lambda: model.derivative({"x": 1.0}),
+            "the state of 'oscillator' lacks dx; give all of x, dx",
+        ),
+        (
+            lambda: model.solution(1.0, (1.0, 0.0)),
+            "no exact solution of 'oscillator' is known; integrate it",
+        ),
+        (
+            lambda: model.invariant("momentum", (1.0, 0.0)),
+            "oscillator has no invariant 'momentum'; it has energy",
+        ),
         (lambda: model.changed(c=1.0), "oscillator has no parameter 'c'; it has m, k"),
         (lambda: model.compiled_rhs("c"), "oscillator has no parameter 'c'"),
-        (lambda: vertical_flight(1.0, 9.81).derivative((0.0, 0.0, 0.0, 0.0)), r"aircraft in a vertical plane has no rates at .* singular there"),
+        (
+            lambda: vertical_flight(1.0, 9.81).derivative((0.0, 0.0, 0.0, 0.0)),
+            r"aircraft in a vertical plane has no rates at .* singular there",
+        ),
     ):
         with pytest.raises(ModelError, match=words):
             call()

@@ -1,6 +1,8 @@
-"""Ladders: the choice is the cheapest rung that holds, by evidence that another integration confirms; and what is refused, in words.
+"""Ladders: the choice is the cheapest rung that holds, by evidence that another integration
+confirms; and what is refused, in words.
 
-The judge shares nothing with the ladders but the right-hand sides: SciPy's DOP853 on them to 1e-12, no closed form, at instants of its own.
+The judge shares nothing with the ladders but the right-hand sides: SciPy's DOP853 on them to 1e-12,
+no closed form, at instants of its own.
 """
 
 import math
@@ -39,8 +41,19 @@ def said(rung, t, start=None):
     """What the rung says at the instants of the judge, an array (parts, instants)."""
     rhs, model = rung.model.compiled_rhs(), rung.model
     start = np.array(rung.start if start is None else start, dtype=float)
-    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, t), start, "DOP853", JUDGED * t, rtol=1e-12, atol=1e-13 * max(1.0, *abs(start)))
-    states, parameters = SimpleNamespace(**dict(zip(model.states, run.y, strict=True))), SimpleNamespace(**model.parameters)
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0, t),
+        start,
+        "DOP853",
+        JUDGED * t,
+        rtol=1e-12,
+        atol=1e-13 * max(1.0, *abs(start)),
+    )
+    states, parameters = (
+        SimpleNamespace(**dict(zip(model.states, run.y, strict=True))),
+        SimpleNamespace(**model.parameters),
+    )
     return np.array([x + 0 * run.t for x in rung.observed(states, parameters, run.t)])
 
 
@@ -56,7 +69,9 @@ def true_errors(asked, rungs):
 
 
 def judged(name, count, seed):
-    """For so many draws: the name of the rung chosen, whether it holds and no cheaper one does, and rungs that are further off than their bound."""
+    """For so many draws: the name of the rung chosen, whether it holds and no cheaper one does, and
+    rungs that are further off than their bound.
+    """
     r = random.Random(f"{name} {seed}")
     for _ in range(count):
         asked, tolerance = DRAWS[name](r)
@@ -66,7 +81,11 @@ def judged(name, count, seed):
         *cheaper, taken = errors.values()
         right = taken <= BORDER * tolerance and all(BORDER * error > tolerance for error in cheaper)
         noise = 1e-9 * tolerance + 1e-11 * max(map(abs, asked.rungs[-1].start))
-        low = [rung.name for rung in upto if errors[rung.name] > rung.bound(asked.t) * (1 + 1e-9) + noise]
+        low = [
+            rung.name
+            for rung in upto
+            if errors[rung.name] > rung.bound(asked.t) * (1 + 1e-9) + noise
+        ]
         yield choice.rung.name, right, low, (asked, tolerance, errors)
 
 
@@ -90,7 +109,9 @@ def test_the_choice_is_the_cheapest_rung_that_holds_in_many_draws(name):
 
 @pytest.mark.parametrize("name", ["projectile", "physical pendulum"])
 def test_no_rung_is_further_off_than_its_bound(name):
-    """Whether it would be chosen or not; and bounds are no wild guesses: half of them are within a factor of ten."""
+    """Whether it would be chosen or not; and bounds are no wild guesses: half of them are within a
+    factor of ten.
+    """
     r, near = random.Random(f"{name} bounds"), []
     for _ in range(30):
         asked, _ = DRAWS[name](r)
@@ -126,9 +147,19 @@ def test_every_rung_is_the_right_choice_now_and_then(name):
 
 EXACT = {  # what asks for comparable numbers is tested with its own scene
     rung.name: rung
-    for name in ("projectile", "physical pendulum", "top", "satellite", "Foucault's pendulum", "spherical pendulum", "free body")
+    for name in (
+        "projectile",
+        "physical pendulum",
+        "top",
+        "satellite",
+        "Foucault's pendulum",
+        "spherical pendulum",
+        "free body",
+    )
     for rung in ladder(name).rungs
-    if rung.model.exact and rung.name not in ("pendulum, a particle", "physical pendulum", "satellite, ellipse", "free body")
+    if rung.model.exact
+    and rung.name
+    not in ("pendulum, a particle", "physical pendulum", "satellite, ellipse", "free body")
 }
 
 
@@ -140,15 +171,26 @@ def test_closed_forms_solve_their_equations_to_25_digits(name):
         model = model.changed(**{n: mpmath.mpf(x) for n, x in model.parameters.items() if x})
         t = mpmath.mpf(3) / 4
         state = model.solution(t, start)
-        rates = [at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate for n in range(len(start))]
+        rates = [
+            at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate
+            for n in range(len(start))
+        ]
         scale = 1 + max(float(abs(x)) for x in (*state, *rates))
-        assert all(abs(a - b) < mpmath.mpf(10) ** -25 * scale for a, b in zip(rates, model.derivative(state, t), strict=True))
-        assert all(abs(a - b) < mpmath.mpf(10) ** -25 * scale for a, b in zip(model.solution(0 * t, start), start, strict=True))
+        assert all(
+            abs(a - b) < mpmath.mpf(10) ** -25 * scale
+            for a, b in zip(rates, model.derivative(state, t), strict=True)
+        )
+        assert all(
+            abs(a - b) < mpmath.mpf(10) ** -25 * scale
+            for a, b in zip(model.solution(0 * t, start), start, strict=True)
+        )
 
 
 @pytest.mark.parametrize("I_z", [0.5, 0.999999, 1.0, 1.000001, 1.1, 1.2, 1.5])
 def test_small_wobble_is_right_on_both_sides_of_the_intermediate_axis(I_z):
-    """Moments 1 and 1.2: the wobble swings, drifts or runs away. The judge is the exponential of the matrix, to 30 digits."""
+    """Moments 1 and 1.2: the wobble swings, drifts or runs away. The judge is the exponential of
+    the matrix, to 30 digits.
+    """
     model = free_body.small_wobble(1.0, 1.2, I_z, 3.0)
     with mpmath.workdps(30):
         columns = [[mpmath.mpf(x) for x in model.derivative(unit)] for unit in ((1, 0), (0, 1))]
@@ -175,9 +217,13 @@ def test_the_fullest_top_keeps_its_energy_and_its_momentum_about_the_vertical():
 
         def kept(state, moments=moments):
             *attitude, w_x, w_y, w_z = state
-            x, y, z = (matrix_from_quaternion(attitude) if len(attitude) == 4 else euler_matrix(*attitude))[2]
+            x, y, z = (
+                matrix_from_quaternion(attitude) if len(attitude) == 4 else euler_matrix(*attitude)
+            )[2]
             H = [i * w for i, w in zip(moments, (w_x, w_y, w_z), strict=True)]
-            return (H[0] * w_x + H[1] * w_y + H[2] * w_z) / 2 + mgr * z, H[0] * x + H[1] * y + H[2] * z
+            return (H[0] * w_x + H[1] * w_y + H[2] * w_z) / 2 + mgr * z, H[0] * x + H[1] * y + H[
+                2
+            ] * z
 
         moved = [moving(x, rate) for x, rate in zip(start, model.derivative(start), strict=True)]
         assert all(abs(x.rate) < 1e-12 for x in kept(moved))
@@ -187,21 +233,42 @@ def test_a_satellite_goes_round_a_nearly_circular_orbit_faster_by_the_bulge():
     """Where r is constant the rate squared is mu/r^3 (1 + 3 J2 R^2/(2 r^2))."""
     r, mu, oblateness = 2.0, 8.0, 0.1
     rate = math.sqrt(mu / r**3 * (1 + 1.5 * oblateness / r**2))
-    assert orbit.over_equator(mu, oblateness, r * r * rate).derivative((r, 0.0, 0.0)) == pytest.approx((0.0, 0.0, rate), abs=1e-15)
+    assert orbit.over_equator(mu, oblateness, r * r * rate).derivative(
+        (r, 0.0, 0.0)
+    ) == pytest.approx((0.0, 0.0, rate), abs=1e-15)
 
 
 def test_the_pull_of_an_oblate_earth_is_that_of_its_potential():
-    """V = -mu/r (1 - J2 (R/r)^2 (3 sin^2(latitude) - 1)/2), at the equator, differentiated to 25 digits."""
+    """V = -mu/r (1 - J2 (R/r)^2 (3 sin^2(latitude) - 1)/2), at the equator, differentiated to 25
+    digits.
+    """
     with mpmath.workdps(40):
         mu, J2R2, r = mpmath.mpf(8), mpmath.mpf("0.1"), mpmath.mpf(2)
         pull = mpmath.diff(lambda r: -mu / r * (1 + J2R2 / (2 * r * r)), r)
-        assert abs(orbit.over_equator(mu, J2R2, mpmath.mpf(0)).derivative((r, mpmath.mpf(0), mpmath.mpf(0)))[1] + pull) < mpmath.mpf(10) ** -25
+        assert (
+            abs(
+                orbit.over_equator(mu, J2R2, mpmath.mpf(0)).derivative(
+                    (r, mpmath.mpf(0), mpmath.mpf(0))
+                )[1]
+                + pull
+            )
+            < mpmath.mpf(10) ** -25
+        )
 
 
 def test_foucaults_pendulum_turns_with_the_sine_of_the_latitude():
-    """A small swing through the middle: its plane turns by -rate sin(latitude) t, in the fullest model too."""
+    """A small swing through the middle: its plane turns by -rate sin(latitude) t, in the fullest
+    model too.
+    """
     for latitude in (0.3, -1.2, math.pi / 2):
-        asked = ladder("Foucault's pendulum", latitude=latitude, rate=1e-3, length=9.81, start=(0.0, 0.0, 1e-3, 0.0), t=2.25 * 2 * math.pi)
+        asked = ladder(
+            "Foucault's pendulum",
+            latitude=latitude,
+            rate=1e-3,
+            length=9.81,
+            start=(0.0, 0.0, 1e-3, 0.0),
+            t=2.25 * 2 * math.pi,
+        )
         for rung in (asked.rungs[1], asked.fullest):
             x, y = asked.observe(rung, 1e-12)[:, -1]
             assert math.atan2(y, x) == pytest.approx(-1e-3 * math.sin(latitude) * asked.t, rel=1e-3)
@@ -225,7 +292,9 @@ def test_a_bar_swings_as_the_spherical_pendulum_of_the_top():
         1e-12,
     ).end
     axis = [row[2] for row in matrix_from_quaternion([end[n] for n in ("q0", "q1", "q2", "q3")])]
-    assert asked.observe(asked.rung("bar, any swing"), 1e-12)[:, -1] == pytest.approx([length * axis[0], length * axis[1]], abs=1e-10)
+    assert asked.observe(asked.rung("bar, any swing"), 1e-12)[:, -1] == pytest.approx(
+        [length * axis[0], length * axis[1]], abs=1e-10
+    )
 
 
 # -- the state of each model
@@ -245,12 +314,17 @@ def test_the_state_of_each_model_has_the_degrees_of_freedom_of_its_scene(name):
 
 @each_ladder
 def test_no_state_is_superfluous(name):
-    """As many directions of the start can be seen in what is asked for as there are states, less the spare ones."""
+    """As many directions of the start can be seen in what is asked for as there are states, less
+    the spare ones.
+    """
     asked = ladder(name)
     for rung in asked.rungs:
         seen = np.array([column(rung, asked.t / 3, n) for n in range(len(rung.start))])
         singular = np.linalg.svd(seen, compute_uv=False)
-        assert (singular > 1e-6).sum() == len(rung.model.states) - FREEDOM[name][rung.name].spare, (rung.name, singular)
+        assert (singular > 1e-6).sum() == len(rung.model.states) - FREEDOM[name][rung.name].spare, (
+            rung.name,
+            singular,
+        )
 
 
 def column(rung, t, n):
@@ -269,7 +343,9 @@ def column(rung, t, n):
 @pytest.mark.benchmark
 @pytest.mark.parametrize("name", LADDERS)
 def test_no_rung_costs_more_than_the_next(name):
-    """By more than a third: some differ by a few operations, or in what must be known. Time of the processor, which others do not share."""
+    """By more than a third: some differ by a few operations, or in what must be known. Time of the
+    processor, which others do not share.
+    """
     asked = ladder(name)
     runs = [(prepare(rung.model), rung.start, []) for rung in asked.rungs]
     for run, start, costs in 30 * runs:
@@ -299,7 +375,9 @@ def by(bound, of="position, m"):
 
 
 def hand_made(*models, t=2.0):
-    return Ladder("oscillators", "position, m", t, tuple(Rung(m, (1.0, 0.0), place) for m in models))
+    return Ladder(
+        "oscillators", "position, m", t, tuple(Rung(m, (1.0, 0.0), place) for m in models)
+    )
 
 
 def test_a_small_bound_accepts_without_any_motion(monkeypatch):
@@ -308,11 +386,17 @@ def test_a_small_bound_accepts_without_any_motion(monkeypatch):
     choice = smallest(asked, 2.5)
     assert choice.model.name == "a"
     assert choice.evidence["a"] == ladders.Evidence(2.0, None)
-    assert str(choice) == "for position, m, within 2.5:\ntakes a: off by at most 2\nit leaves out drag"
+    assert (
+        str(choice) == "for position, m, within 2.5:\ntakes a: off by at most 2\nit leaves out drag"
+    )
 
 
 def test_a_large_bound_is_measured():
-    asked = hand_made(oscillator("a", 4.0, [by(lambda s, p, t: t)]), oscillator("b", 4.001, [by(lambda s, p, t: t)]), oscillator("c", 4.01))
+    asked = hand_made(
+        oscillator("a", 4.0, [by(lambda s, p, t: t)]),
+        oscillator("b", 4.001, [by(lambda s, p, t: t)]),
+        oscillator("c", 4.01),
+    )
     true = np.abs(np.cos(2 * JUDGED * 2) - np.cos(math.sqrt(4.01) * JUDGED * 2)).max()
     assert asked.error(asked.rung("a")) == pytest.approx(true, rel=1e-3)
     assert [smallest(asked, x * true).model.name for x in (1.01, 0.99, 0.5)] == ["a", "b", "c"]
@@ -337,7 +421,8 @@ def test_a_rung_that_cannot_be_followed_does_not_hold():
 
 def test_errors_are_measured_as_well_as_they_are_asked_for():
     asked = hand_made(oscillator("a"), oscillator("b", 4.0 + 1e-10))
-    true = 1e-10 / 4 * max(abs(t * math.sin(2 * t)) for t in np.linspace(0, 2, 5001))  # d cos(k^1/2 t)
+    # d cos(k^1/2 t)
+    true = 1e-10 / 4 * max(abs(t * math.sin(2 * t)) for t in np.linspace(0, 2, 5001))
     rough, fine = asked.error(asked.rungs[0], 1.0), asked.error(asked.rungs[0])
     assert rough < 1e-8
     assert fine == pytest.approx(true, rel=0.02)
@@ -346,19 +431,33 @@ def test_errors_are_measured_as_well_as_they_are_asked_for():
 
 def test_what_the_fullest_neglects_counts_for_all():
     """Two equal models: one is as good as the other, and both are as good as the last one's bound."""
-    asked = hand_made(oscillator("a", neglects=[by(lambda s, p, t: t)]), oscillator("b", neglects=[by(lambda s, p, t: 0.1 * t)]))
+    asked = hand_made(
+        oscillator("a", neglects=[by(lambda s, p, t: t)]),
+        oscillator("b", neglects=[by(lambda s, p, t: 0.1 * t)]),
+    )
     assert smallest(asked, 0.21).model.name == "a"
-    with pytest.raises(ModelError, match=r"no model of this ladder is as accurate as 0\.19; the errors may reach a: 2, b: 0\.2"):
+    with pytest.raises(
+        ModelError,
+        match=r"no model of this ladder is as accurate as 0\.19; the errors may reach a: 2, b: "
+        r"0\.2",
+    ):
         smallest(asked, 0.19)
 
 
 def test_what_a_ladder_and_a_question_must_be():
-    first, last = oscillator("a", neglects=[by(lambda s, p, t: t)]), oscillator("b", neglects=[by(lambda s, p, t: 0.1 * t)])
+    first, last = (
+        oscillator("a", neglects=[by(lambda s, p, t: t)]),
+        oscillator("b", neglects=[by(lambda s, p, t: 0.1 * t)]),
+    )
     with pytest.raises(ModelError, match=r"bounds of 'a' have no values"):
         hand_made(first).rungs[0].bound(sympy.Symbol("t"))
-    with pytest.raises(ModelError, match="of different quantities and cannot be compared: position, m; energy"):
+    with pytest.raises(
+        ModelError, match="of different quantities and cannot be compared: position, m; energy"
+    ):
         hand_made(oscillator(neglects=[by(lambda s, p, t: t, "energy")]))
-    with pytest.raises(ModelError, match="the rungs of 'oscillators' need names of their own, got a, a"):
+    with pytest.raises(
+        ModelError, match="the rungs of 'oscillators' need names of their own, got a, a"
+    ):
         hand_made(first, first)
     with pytest.raises(ModelError, match="got none"):
         hand_made()
@@ -366,5 +465,7 @@ def test_what_a_ladder_and_a_question_must_be():
         smallest(hand_made(first), 0)
     with pytest.raises(ModelError, match="oscillators has no rung 'c'; it has a, b"):
         hand_made(first, last).rung("c")
-    with pytest.raises(ModelError, match=r"there is no ladder 'cart'; there are satellite, .*, projectile, "):
+    with pytest.raises(
+        ModelError, match=r"there is no ladder 'cart'; there are satellite, .*, projectile, "
+    ):
         ladder("cart")

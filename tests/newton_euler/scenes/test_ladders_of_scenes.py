@@ -1,4 +1,6 @@
-"""The models that make the ladders of chapters 6, 9, 10 and 11: their units, closed forms, limits, invariants, bounds, and who is chosen."""
+"""The models that make the ladders of chapters 6, 9, 10 and 11: their units, closed forms, limits,
+invariants, bounds, and who is chosen.
+"""
 
 import math
 import random
@@ -29,23 +31,58 @@ G, INERTIA, RATE = LENGTH / TIME**2, MASS * LENGTH**2, PURE / TIME
 PLANE = {"x": LENGTH, "y": LENGTH, "dx": SPEED, "dy": SPEED}
 WHEEL = {"wheel_mass": MASS, "gyration": LENGTH, "radius": LENGTH, "wheels": PURE}
 HILL = {"m": MASS, "air": MASS / LENGTH, "g": G, "force": FORCE, "slope": PURE}
-FLIGHT = {"m": MASS, "g": G, "thrust": FORCE, "k_lift": MASS / LENGTH, "k_drag": MASS / LENGTH, "bank": PURE}
+FLIGHT = {
+    "m": MASS,
+    "g": G,
+    "thrust": FORCE,
+    "k_lift": MASS / LENGTH,
+    "k_drag": MASS / LENGTH,
+    "bank": PURE,
+}
 BEGUN = {"chi0": PURE, "gamma0": PURE, "v0": SPEED, "x0": LENGTH, "y0": LENGTH, "h0": LENGTH}
 SHAFT = {"weight_moment": FORCE * LENGTH, "momentum": INERTIA / TIME, "omega": RATE}
 SHAFT |= dict.fromkeys(("inertia_difference", "about_hinge", "shaft"), INERTIA)
 
 # by name: the dimensions of parameters, of states, and of what is observed
 UNITS = {
-    "aircraft": (FLIGHT | BEGUN, dict.fromkeys(("x", "y", "h", "s"), LENGTH) | {"v": SPEED, "chi": PURE, "gamma": PURE}, LENGTH),
-    "space station": ({"omega": RATE, "radius": LENGTH, "air": PURE / LENGTH, "creep": SPEED}, PLANE, LENGTH),
-    "air near a low": ({"latitude": PURE, "rate": RATE, "pressure_gradient": PURE / TIME**2, "friction": RATE}, PLANE, LENGTH),
+    "aircraft": (
+        FLIGHT | BEGUN,
+        dict.fromkeys(("x", "y", "h", "s"), LENGTH) | {"v": SPEED, "chi": PURE, "gamma": PURE},
+        LENGTH,
+    ),
+    "space station": (
+        {"omega": RATE, "radius": LENGTH, "air": PURE / LENGTH, "creep": SPEED},
+        PLANE,
+        LENGTH,
+    ),
+    "air near a low": (
+        {"latitude": PURE, "rate": RATE, "pressure_gradient": PURE / TIME**2, "friction": RATE},
+        PLANE,
+        LENGTH,
+    ),
     "rotor": (
-        {"mass": MASS, "x": LENGTH, "y": LENGTH, "I": INERTIA, "g": G, "moment": FORCE * LENGTH, "omega": RATE},
+        {
+            "mass": MASS,
+            "x": LENGTH,
+            "y": LENGTH,
+            "I": INERTIA,
+            "g": G,
+            "moment": FORCE * LENGTH,
+            "omega": RATE,
+        },
         {"psi": PURE, "omega": RATE},
         PURE,
     ),
-    "turning shaft": (SHAFT | {"rest": PURE, "stiffness": PURE / TIME**2}, {"theta": PURE, "theta_rate": RATE}, PURE),
-    "sphere on an incline": ({"slope": PURE, "g": G, "k": PURE, "air": PURE / LENGTH}, {"x": LENGTH, "v": SPEED}, LENGTH),
+    "turning shaft": (
+        SHAFT | {"rest": PURE, "stiffness": PURE / TIME**2},
+        {"theta": PURE, "theta_rate": RATE},
+        PURE,
+    ),
+    "sphere on an incline": (
+        {"slope": PURE, "g": G, "k": PURE, "air": PURE / LENGTH},
+        {"x": LENGTH, "v": SPEED},
+        LENGTH,
+    ),
     "car on a hill": (HILL | WHEEL, {"s": LENGTH, "v": SPEED}, LENGTH),
 }
 RUNGS = [(name, rung.name) for name in UNITS for rung in ladder(name).rungs]
@@ -55,12 +92,16 @@ def measured(name, rung):
     """The model of a rung with dimensions for numbers, and those of its states."""
     parameters, states, _ = UNITS[name]
     model = ladder(name).rung(rung).model
-    return model.changed(**{n: parameters[n] for n, x in model.parameters.items() if not is_law(x)}), tuple(states[n] for n in model.states)
+    return model.changed(
+        **{n: parameters[n] for n, x in model.parameters.items() if not is_law(x)}
+    ), tuple(states[n] for n in model.states)
 
 
 def same(found, expected):
     """Equal dimensions; a structural zero has any."""
-    return all(f == e or (isinstance(f, int) and f == 0) for f, e in zip(found, expected, strict=True))
+    return all(
+        f == e or (isinstance(f, int) and f == 0) for f, e in zip(found, expected, strict=True)
+    )
 
 
 @pytest.mark.parametrize(("name", "rung"), RUNGS)
@@ -70,11 +111,21 @@ def test_rates_solutions_and_bounds_have_the_units_of_their_quantities(name, run
     if model.exact:
         assert same(model.solution(TIME, states), states)
     assert all(x == UNITS[name][2] or x == math.inf for x in model.neglected(TIME, states).values())
-    said = ladder(name).rung(rung).observed(Named("state", dict(zip(model.states, states, strict=True))), Named("parameter", model.parameters), TIME)
+    said = (
+        ladder(name)
+        .rung(rung)
+        .observed(
+            Named("state", dict(zip(model.states, states, strict=True))),
+            Named("parameter", model.parameters),
+            TIME,
+        )
+    )
     assert all(x == UNITS[name][2] for x in said)
 
 
-@pytest.mark.parametrize(("name", "rung"), [(n, r) for n, r in RUNGS if ladder(n).rung(r).model.exact])
+@pytest.mark.parametrize(
+    ("name", "rung"), [(n, r) for n, r in RUNGS if ladder(n).rung(r).model.exact]
+)
 def test_closed_forms_begin_at_the_start_and_change_at_the_rates(name, rung):
     r = random.Random(5)
     with mp.workdps(30):
@@ -82,26 +133,42 @@ def test_closed_forms_begin_at_the_start_and_change_at_the_rates(name, rung):
             found = DRAWS[name](r)[0].rung(rung)
             model = found.model.changed(**{n: mp.mpf(x) for n, x in found.model.parameters.items()})
             start, t = tuple(mp.mpf(x) for x in found.start), mp.mpf("0.7")
-            assert max(abs(a - b) for a, b in zip(model.solution(mp.mpf(0), start), start, strict=True)) < 1e-22 * max(map(abs, (1, *start)))
+            assert max(
+                abs(a - b) for a, b in zip(model.solution(mp.mpf(0), start), start, strict=True)
+            ) < 1e-22 * max(map(abs, (1, *start)))
             at = model.solution(t, start)
-            rates = [mp.diff(lambda u, n=n, model=model, start=start: model.solution(u, start)[n], t) for n in range(len(at))]
+            rates = [
+                mp.diff(lambda u, n=n, model=model, start=start: model.solution(u, start)[n], t)
+                for n in range(len(at))
+            ]
             for a, b in zip(rates, model.derivative(at, t), strict=True):
                 assert a == pytest.approx(b, rel=1e-12, abs=1e-12)
 
 
-@pytest.mark.parametrize(("name", "rung"), [(n, r) for n, r in RUNGS if ladder(n).rung(r).model.invariants])
+@pytest.mark.parametrize(
+    ("name", "rung"), [(n, r) for n, r in RUNGS if ladder(n).rung(r).model.invariants]
+)
 def test_invariants_are_kept_by_the_integrated_rates(name, rung):
     r = random.Random(6)
     for _ in range(3):
         found, _ = DRAWS[name](r)
-        motion = integrate(replace(found.rung(rung).model, exact=None), found.t, found.rung(rung).start, 1e-10, "dop853", samples=50)
+        motion = integrate(
+            replace(found.rung(rung).model, exact=None),
+            found.t,
+            found.rung(rung).start,
+            1e-10,
+            "dop853",
+            samples=50,
+        )
         for key, values in motion.drift.items():
             assert values < 1e-7, key
 
 
-# -- limits: what makes a rung wrong, in terms of one small number e, and the order in which its error vanishes with it
+# -- limits: what makes a rung wrong, in terms of one small number e, and the order in which its
+# error vanishes with it
 
-FLY = {"lift": 1000 * 9.81 / 60**2, "drag": 0.27, "start": (60.0, 0.5, 0.0, 0.0, 0.0, 1000.0)}  # balanced by a thrust of 972 N
+# balanced by a thrust of 972 N
+FLY = {"lift": 1000 * 9.81 / 60**2, "drag": 0.27, "start": (60.0, 0.5, 0.0, 0.0, 0.0, 1000.0)}
 LIMITS = {
     "block on an incline": ("sphere on an incline", 1, lambda e: {"k": e, "air": e / 10}),
     "sphere on an incline": ("sphere on an incline", 1, lambda e: {"air": e}),
@@ -132,10 +199,13 @@ def test_every_rung_but_the_fullest_has_a_limit_in_which_it_is_right():
 def test_a_rung_becomes_the_fullest_one_where_what_it_neglects_vanishes(rung):
     name, order, given = LIMITS[rung]
     near, nearer = (ladder(name, **given(e)) for e in (1e-2, 1e-3))
-    assert near.error(near.rung(rung)) / nearer.error(nearer.rung(rung)) == pytest.approx(10**order, rel=0.15)
+    assert near.error(near.rung(rung)) / nearer.error(nearer.rung(rung)) == pytest.approx(
+        10**order, rel=0.15
+    )
 
 
-# by rung, how much of its bound the error reaches in some draw: bounds of motions that may run apart are wide
+# by rung, how much of its bound the error reaches in some draw: bounds of motions that may run
+# apart are wide
 REACHED = {
     "uniform gravity in a turning station": 0.7, "free body in a turning station": 0.6,
     "small swings on a turning shaft": 0.4, "hinged on a turning shaft": 0.01,
@@ -162,10 +232,14 @@ slopes, airs = st.floats(0.05, 1.4), st.floats(1e-4, 0.1)
 
 @given(slopes, airs, st.floats(0.0, 1.0), st.floats(0.0, 30.0))
 def test_a_sphere_in_air_keeps_what_power_against_the_air_leaves(slope, air, k, v):
-    """With a = g sin(slope)/(1 + k) and b = air/(1 + k): d(v^2)/dx = 2 a - 2 b v^2, so (v^2 - a/b) e^(2 b x) stays."""
+    """With a = g sin(slope)/(1 + k) and b = air/(1 + k): d(v^2)/dx = 2 a - 2 b v^2, so (v^2 - a/b)
+    e^(2 b x) stays.
+    """
     a, b = 9.81 * math.sin(slope) / (1 + k), air / (1 + k)
     end = integrate(rolling_in_air(slope, 9.81, air, k), 2.5, (0.0, v), 1e-11).end
-    assert (end["v"] ** 2 - a / b) * math.exp(2 * b * end["x"]) == pytest.approx(v**2 - a / b, rel=1e-7, abs=1e-8 * a / b)
+    assert (end["v"] ** 2 - a / b) * math.exp(2 * b * end["x"]) == pytest.approx(
+        v**2 - a / b, rel=1e-7, abs=1e-8 * a / b
+    )
 
 
 def test_a_sphere_nears_the_speed_at_which_the_air_holds_it():
@@ -196,14 +270,30 @@ def test_the_rod_on_a_free_shaft_obeys_lagranges_equations_of_rod_and_shaft():
     """Two coordinates, and the angle of the shaft not eliminated."""
     t, W, E, J, H = sympy.symbols("t W E J H", positive=True)
     theta, psi = sympy.Function("theta")(t), sympy.Function("psi")(t)
-    L = H * theta.diff(t) ** 2 / 2 + (J + E * sympy.sin(theta) ** 2) * psi.diff(t) ** 2 / 2 + W * sympy.cos(theta)
+    L = (
+        H * theta.diff(t) ** 2 / 2
+        + (J + E * sympy.sin(theta) ** 2) * psi.diff(t) ** 2 / 2
+        + W * sympy.cos(theta)
+    )
     equations = [L.diff(q.diff(t)).diff(t) - L.diff(q) for q in (theta, psi)]
     found = sympy.solve(equations, [theta.diff(t, 2), psi.diff(t, 2)], dict=True)[0]
     names = sympy.symbols("a w p")
-    rates = [found[q.diff(t, 2)].subs({theta.diff(t): names[1], psi.diff(t): names[2]}).subs(theta, names[0]) for q in (theta, psi)]
+    rates = [
+        found[q.diff(t, 2)]
+        .subs({theta.diff(t): names[1], psi.diff(t): names[2]})
+        .subs(theta, names[0])
+        for q in (theta, psi)
+    ]
     f = sympy.lambdify((*names, W, E, J, H), rates)
     model = on_free_shaft(14.0, 2.0, 3.0, 1.5, 0.4, about_hinge=2.5)
-    full = solve_ivp(lambda t, y: [y[1], *_both(f, y, (14.0, 2.0, 1.5, 2.5))], (0, 5), [0.4, 0.7, 3.0], "DOP853", rtol=1e-12, atol=1e-12)
+    full = solve_ivp(
+        lambda t, y: [y[1], *_both(f, y, (14.0, 2.0, 1.5, 2.5))],
+        (0, 5),
+        [0.4, 0.7, 3.0],
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-12,
+    )
     motion = integrate(model, 5.0, (0.4, 0.7), 1e-10)
     assert motion.end["theta"] == pytest.approx(full.y[0, -1], abs=1e-8)
     assert motion.end["theta_rate"] == pytest.approx(full.y[1, -1], abs=1e-8)
@@ -217,8 +307,12 @@ def _both(f, y, parameters):
 def test_a_heavy_shaft_turns_evenly_and_a_light_one_does_not(theta, rate):
     data = rod(3.0, 2.0, 4.0, 9.81)
     even = hinged(**data).derivative((theta, rate))
-    assert on_free_shaft(**data, shaft=1e12, theta=0.3).derivative((theta, rate)) == pytest.approx(even, rel=1e-9, abs=1e-9)
-    assert on_free_shaft(**data, shaft=1.0, theta=theta).derivative((theta, rate)) == pytest.approx(even, rel=1e-12, abs=1e-12)
+    assert on_free_shaft(**data, shaft=1e12, theta=0.3).derivative((theta, rate)) == pytest.approx(
+        even, rel=1e-9, abs=1e-9
+    )
+    assert on_free_shaft(**data, shaft=1.0, theta=theta).derivative((theta, rate)) == pytest.approx(
+        even, rel=1e-12, abs=1e-12
+    )
 
 
 def test_a_body_in_the_air_of_the_station_is_held_by_a_wind_among_the_stars():
@@ -241,7 +335,10 @@ def test_a_body_in_the_air_of_the_station_is_held_by_a_wind_among_the_stars():
 def test_a_body_at_rest_in_the_air_of_the_station_can_be_let_go(method):
     if method == "taylor":
         pytest.importorskip("heyoka")
-    ends = [integrate(body_in_air(-0.3, 0.01, creep), 2.0, (98.0, 0.0, 0.0, 0.0), 1e-9, method).end["x"] for creep in (1e-2, 1e-4)]
+    ends = [
+        integrate(body_in_air(-0.3, 0.01, creep), 2.0, (98.0, 0.0, 0.0, 0.0), 1e-9, method).end["x"]
+        for creep in (1e-2, 1e-4)
+    ]
     assert ends[0] == pytest.approx(ends[1], abs=1e-5)
 
 
@@ -260,7 +357,9 @@ def test_air_near_a_low_with_friction_is_the_sum_of_two_complex_exponentials():
 
 @given(st.floats(1.0, 50.0), st.floats(0.0, 0.3), st.floats(500.0, 5000.0))
 def test_the_fullest_car_spends_the_power_of_11_19(v, slope, force):
-    car = Car(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, drag=lambda v: 0.4 * v * v, g=9.81)
+    car = Car(
+        m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, drag=lambda v: 0.4 * v * v, g=9.81
+    )
     model = ladder("car on a hill", slope=slope, force=force, start=(0.0, v), t=1e-3).fullest.model
     assert car.power(v, model.derivative((0.0, v))[1], slope) == pytest.approx(force * v, rel=1e-9)
 
@@ -268,7 +367,11 @@ def test_the_fullest_car_spends_the_power_of_11_19(v, slope, force):
 def test_a_balanced_aircraft_flies_straight_or_in_a_level_turn():
     for climb in (0.0, 0.1, -0.1):
         start = (60.0, 0.5, climb, 0.0, 0.0, 1000.0)
-        held = {"lift": FLY["lift"] * math.cos(climb), "drag": 0.27, "thrust": 972.0 + 9810.0 * math.sin(climb)}
+        held = {
+            "lift": FLY["lift"] * math.cos(climb),
+            "drag": 0.27,
+            "thrust": 972.0 + 9810.0 * math.sin(climb),
+        }
         straight = ladder("aircraft", **held, start=start, bank=0.0)
         assert straight.error(straight.rung("aircraft, straight")) < 1e-6
     bank = {**FLY, "lift": FLY["lift"] / math.cos(0.4)}
@@ -281,7 +384,9 @@ def test_a_balanced_aircraft_flies_straight_or_in_a_level_turn():
 
 
 def test_a_sphere_that_goes_uphill_is_refused():
-    with pytest.raises(ModelError, match=r"a sphere that comes down, v not below zero; got v = -0\.1"):
+    with pytest.raises(
+        ModelError, match=r"a sphere that comes down, v not below zero; got v = -0\.1"
+    ):
         ladder("sphere on an incline", start=(0.0, -0.1))
     assert ladder("sphere on an incline", start=(0.0, 0.0)).rungs
 
@@ -301,7 +406,9 @@ def test_small_swings_exist_on_both_sides_of_the_least_rate_but_not_at_it():
     data = rod(1.0, 1.5, 1.0, 9.81)  # sqrt(3 g/(2 L)), a root of 9.81 here
     least = least_rate(**data)
     for omega, rest in ((0.999 * least, 0.0), (1.001 * least, math.acos(1 / 1.001**2))):
-        found = ladder("turning shaft", mass=1.0, length=1.5, omega=omega, shaft=1e9, start=(rest + 1e-6, 0.0))
+        found = ladder(
+            "turning shaft", mass=1.0, length=1.5, omega=omega, shaft=1e9, start=(rest + 1e-6, 0.0)
+        )
         assert found.error(found.rungs[0]) < 1e-8
     with pytest.raises(ModelError, match="the least rate at which the rod swings out"):
         ladder("turning shaft", mass=1.0, length=1.5, omega=math.sqrt(9.81), start=(0.1, 0.0))

@@ -1,4 +1,6 @@
-"""What is traced once computes what the formula computes, on every kind of number and by every backend."""
+"""What is traced once computes what the formula computes, on every kind of number and by every
+backend.
+"""
 
 import importlib.util
 import math
@@ -47,17 +49,62 @@ from tests.kinds import KINDS, close, numbers
 FORMULAS = {
     "arithmetic": lambda x, y: (x + y) * (x - y) / (3 + x * y) - 2 * x + y / 5 - 1,
     "negations": lambda x, y: -x + -(y - x) - (-(x * y)),
-    "quotients of negations": lambda x, y: (-x) / y + 2 * (x / (-y)) + 4 * ((-x) / (-y)) + 8 / (-x) + (-y) / 16 + 3 * ((-x) * (-y) * (-2)),
-    "sums of negations": lambda x, y: ((-x) + y) * 2 + (x + (-y)) * 3 + ((-x) - y) * 5 + (x - (-y)) * 7 + (1 - (-x)) * 11 + (1 + (-y)) * 13,
-    "odd and even": lambda x, y: sin(-x) + 2 * cos(-x) + tan(-y) + cosh(-y) + sinh(-x) - tanh(-y) + asin(-x / 2) + atan(-x) + acos(-x / 2) + exp(-x),
-    "powers": lambda x, y: x**2 + x**3 - y**-1 + (1 + x) ** -2 + (x * x + y) ** 0.5 + y**1.5 + x**1 + x**0,
+    "quotients of negations": lambda x, y: (
+        (-x) / y
+        + 2 * (x / (-y))
+        + 4 * ((-x) / (-y))
+        + 8 / (-x)
+        + (-y) / 16
+        + 3 * ((-x) * (-y) * (-2))
+    ),
+    "sums of negations": lambda x, y: (
+        ((-x) + y) * 2
+        + (x + (-y)) * 3
+        + ((-x) - y) * 5
+        + (x - (-y)) * 7
+        + (1 - (-x)) * 11
+        + (1 + (-y)) * 13
+    ),
+    "odd and even": lambda x, y: (
+        sin(-x)
+        + 2 * cos(-x)
+        + tan(-y)
+        + cosh(-y)
+        + sinh(-x)
+        - tanh(-y)
+        + asin(-x / 2)
+        + atan(-x)
+        + acos(-x / 2)
+        + exp(-x)
+    ),
+    "powers": lambda x, y: (
+        x**2 + x**3 - y**-1 + (1 + x) ** -2 + (x * x + y) ** 0.5 + y**1.5 + x**1 + x**0
+    ),
     "rational powers": lambda x, y: (x + y) ** (1 / 3) + 2.0**x - 3 ** (y / 2),
-    "circular": lambda x, y: sin(x) * cos(y) + tan(x * y) - asin(x / 3) + acos(y / 3) + atan(x - y) + atan2(y, x) + atan2(-y, -x),
+    "circular": lambda x, y: (
+        sin(x) * cos(y)
+        + tan(x * y)
+        - asin(x / 3)
+        + acos(y / 3)
+        + atan(x - y)
+        + atan2(y, x)
+        + atan2(-y, -x)
+    ),
     "hyperbolic": lambda x, y: sinh(x) + cosh(y) - tanh(x * y) + exp(-x) * log(1 + y) + sqrt(x + y),
     "pi": lambda x, y: pi(x) * x + radians(y),
-    "structural zeros": lambda x, y: ZERO * x + (y - ZERO) + ZERO / x + (ZERO - x) + atan2(ZERO, x) + atan2(y, ZERO),
-    "constants": lambda x, y: 1e-300 * x + 1.5e300 * y * 1e-300 + np.float64(1.5) * x - y * np.int64(2) + Fraction(1, 4).numerator * x,
-    "moving inside": lambda x, y: (lambda m: m.value + m.rate - m.acceleration)(at(lambda t: sin(x * t) * t**2 + atan2(t, y), 0.5 * y)),
+    "structural zeros": lambda x, y: (
+        ZERO * x + (y - ZERO) + ZERO / x + (ZERO - x) + atan2(ZERO, x) + atan2(y, ZERO)
+    ),
+    "constants": lambda x, y: (
+        1e-300 * x
+        + 1.5e300 * y * 1e-300
+        + np.float64(1.5) * x
+        - y * np.int64(2)
+        + Fraction(1, 4).numerator * x
+    ),
+    "moving inside": lambda x, y: (lambda m: m.value + m.rate - m.acceleration)(
+        at(lambda t: sin(x * t) * t**2 + atan2(t, y), 0.5 * y)
+    ),
     "long": lambda x, y: sum((sin(n * x) / n * y**2 for n in range(1, 60)), start=ZERO),
     "unused argument": lambda x, y: x * x,
     "constant": lambda x, y: 4.0 + 0 * x,
@@ -74,7 +121,14 @@ def chain(q, dq, L):
     ground = Frame("ground")
     frame = ground
     for n, axis in enumerate(["z", "x", (1, 2, 2)]):
-        frame = frame.rotate(f"link {n}", axis, angle=q * (n + 1), rate=dq, acceleration=dq / 2, origin=frame.point("O", L, 0, 0))
+        frame = frame.rotate(
+            f"link {n}",
+            axis,
+            angle=q * (n + 1),
+            rate=dq,
+            acceleration=dq / 2,
+            origin=frame.point("O", L, 0, 0),
+        )
     return frame.point("P", 0, moving(L, rate=dq), L / 2).acceleration(ground)
 
 
@@ -163,7 +217,9 @@ def test_backends_agree_on_the_acceleration_of_a_chain(backend):
 def test_auto_turns_to_heyoka_only_when_it_pays(monkeypatch):
     pytest.importorskip("heyoka")
     f = compiled(lambda x: sin(x) + x, backend="auto")
-    monkeypatch.setattr("newton_euler.algebra.codegen.compiled.HEYOKA_BREAK_EVEN", {True: 3000, False: 3000})
+    monkeypatch.setattr(
+        "newton_euler.algebra.codegen.compiled.HEYOKA_BREAK_EVEN", {True: 3000, False: 3000}
+    )
     x = np.linspace(0, 1, 1000)
     first = f(x)
     assert f._heyoka is None
@@ -176,7 +232,13 @@ def test_symbols_come_out_as_the_formula(formula):
     x, y = sympy.symbols("x y", positive=True)
     got, direct = compiled(formula)(x, y), formula(x, y)
     values = {x: sympy.Rational(2, 5), y: sympy.Rational(13, 10)}
-    assert abs(sympy.N(got.subs(values) if got.free_symbols else got) - sympy.N(sympy.sympify(direct).subs(values))) < 1e-13
+    assert (
+        abs(
+            sympy.N(got.subs(values) if got.free_symbols else got)
+            - sympy.N(sympy.sympify(direct).subs(values))
+        )
+        < 1e-13
+    )
 
 
 def test_symengine_and_heyoka_expressions_as_arguments():
@@ -195,7 +257,9 @@ def test_moving_arguments_carry_their_rates_through():
         x, y = moving(0.4, 1.0, 2.0), moving(1.3, -0.5, 0.25)
         got, direct = compiled(formula)(x, y), formula(x, y)
         for part in ("value", "rate", "acceleration"):
-            assert float(getattr(got, part)) == pytest.approx(float(getattr(direct, part)), abs=1e-12), name
+            assert float(getattr(got, part)) == pytest.approx(
+                float(getattr(direct, part)), abs=1e-12
+            ), name
 
 
 def test_moving_30_digit_numbers_meet_pi_with_30_digits():
@@ -229,7 +293,9 @@ def test_solve_rates_inside_a_formula():
         ground = Frame("ground")
 
         def slip(w):
-            wheel = ground.rotate("wheel", "y", rate=w, origin=ground.point("C", moving(0, rate=v), 0, r))
+            wheel = ground.rotate(
+                "wheel", "y", rate=w, origin=ground.point("C", moving(0, rate=v), 0, r)
+            )
             return wheel.point("contact", 0, 0, -r).velocity(ground)
 
         return solve_rates(slip, 1)
@@ -283,7 +349,12 @@ def test_dicts_tuples_vectors_and_nests_of_them_come_back(backend):
 
     def f(x):
         ground = Frame("ground")
-        return {"v": ground.vector(x, 0, 2 * x), "pair": (x, [x * x, {"deep": 3}]), "n": 1, "none": ()}
+        return {
+            "v": ground.vector(x, 0, 2 * x),
+            "pair": (x, [x * x, {"deep": 3}]),
+            "n": 1,
+            "none": (),
+        }
 
     g = compiled(f, backend=backend)
     assert g(2.0) == {"v": (2.0, 0, 4.0), "pair": (2.0, (4.0, {"deep": 3})), "n": 1, "none": ()}
@@ -300,7 +371,11 @@ def test_matrices_of_components_come_back_as_nested_tuples():
         ground = Frame("ground")
         return ground.rotate("a", "z", q).rotation(ground)
 
-    assert compiled(rotation)(0.3) == ((math.cos(0.3), -math.sin(0.3), 0), (math.sin(0.3), math.cos(0.3), 0), (0, 0, 1))
+    assert compiled(rotation)(0.3) == (
+        (math.cos(0.3), -math.sin(0.3), 0),
+        (math.sin(0.3), math.cos(0.3), 0),
+        (0, 0, 1),
+    )
 
 
 # -- constants of every kind inside a formula
@@ -310,7 +385,20 @@ third = mpmath.mpf(1) / 3
 
 @pytest.mark.parametrize(
     "constant",
-    [1e-300, -0.0, -2.5, 1.7976931348623157e308, 5e-324, 2**70, -3, np.float64(1.5), np.float32(0.1), np.int64(7), True, Fraction(1, 3)],
+    [
+        1e-300,
+        -0.0,
+        -2.5,
+        1.7976931348623157e308,
+        5e-324,
+        2**70,
+        -3,
+        np.float64(1.5),
+        np.float32(0.1),
+        np.int64(7),
+        True,
+        Fraction(1, 3),
+    ],
 )
 def test_constants_survive_to_the_last_bit(constant):
     f = compiled(lambda x: (x * constant, x / 1 + constant, constant))
@@ -366,12 +454,17 @@ def test_parameters_fixed_at_compile_time():
         compiled(lambda x: x, m=3)
 
 
-@pytest.mark.parametrize("names", ["s0, s1", "c0, c1", "pi, sin", "formula, space", "atan2, e", "_s0, s0", "x, args", "pow, x"])
+@pytest.mark.parametrize(
+    "names",
+    ["s0, s1", "c0, c1", "pi, sin", "formula, space", "atan2, e", "_s0, s0", "x, args", "pow, x"],
+)
 def test_names_of_arguments_do_not_collide_with_names_inside(names):
     a, b = names.split(", ")
     third_ = third  # a constant that needs a name of its own
     scope = {"sine": sin, "pi_of": pi, "third": third_}
-    f = eval(f"lambda {names}: (sine({a} * {b}) * ({a} * {b}) + pi_of({a}) * third, {a} + {b})", scope)
+    f = eval(
+        f"lambda {names}: (sine({a} * {b}) * ({a} * {b}) + pi_of({a}) * third, {a} + {b})", scope
+    )
     got = compiled(f)(0.5, 0.7)
     assert got == pytest.approx((math.sin(0.35) * 0.35 + math.pi / 3, 1.2))
     assert compiled(f)(np.array([0.5]), np.array([0.7]))[0] == pytest.approx(got[0])
@@ -447,14 +540,26 @@ def of_argument(f, *others):
         lambda x: x and 1.0,
         lambda x: 0.0 if x in (0.0, 1.0) else x,
         lambda x: float(x),
-        *(of_argument(f) for f in (*(getattr(math, n) for n in FUNCTIONS), *(getattr(np, n) for n in FUNCTIONS), np.abs, np.sign)),
+        *(
+            of_argument(f)
+            for f in (
+                *(getattr(math, n) for n in FUNCTIONS),
+                *(getattr(np, n) for n in FUNCTIONS),
+                np.abs,
+                np.sign,
+            )
+        ),
         *(of_argument(f, 1.0) for f in (math.atan2, np.atan2, np.maximum, np.hypot, np.add)),
         lambda x: np.where(x > 0, x, 0.0),
         lambda x: np.sqrt(np.array([x, 1.0])),
     ],
 )
 def test_a_formula_must_not_branch_on_values_nor_use_math_or_numpy(branching):
-    with pytest.raises(TypeError, match=r"must not branch on them .*, and takes sin, cos, sqrt \.\.\. from newton_euler, not from math or numpy"):
+    with pytest.raises(
+        TypeError,
+        match=r"must not branch on them .*, and takes sin, cos, sqrt \.\.\. from newton_euler, not "
+        r"from math or numpy",
+    ):
         compiled(branching)
 
 
@@ -469,10 +574,20 @@ def test_pi_of_math_and_numpy_in_a_formula_is_a_number():
 
 
 @pytest.mark.parametrize(
-    "bad", [lambda x: None, lambda x: "text", lambda x: (x, None), lambda x: Frame("g"), lambda x: Frame("g").point("P", x, 0, 0)]
+    "bad",
+    [
+        lambda x: None,
+        lambda x: "text",
+        lambda x: (x, None),
+        lambda x: Frame("g"),
+        lambda x: Frame("g").point("P", x, 0, 0),
+    ],
 )
 def test_a_formula_that_returns_no_numbers_is_refused(bad):
-    with pytest.raises(ScalarError, match="a compiled formula returns scalars, Vectors, or tuples and dicts of them, got"):
+    with pytest.raises(
+        ScalarError,
+        match="a compiled formula returns scalars, Vectors, or tuples and dicts of them, got",
+    ):
         compiled(bad)
 
 
@@ -512,9 +627,15 @@ def test_an_unknown_backend_is_refused():
 
 def test_without_heyoka_the_backend_says_how_to_get_it_and_auto_goes_on(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None)
-    monkeypatch.setattr("newton_euler.algebra.codegen.compiled.HEYOKA_BREAK_EVEN", {True: 0, False: 0})
+    monkeypatch.setattr(
+        "newton_euler.algebra.codegen.compiled.HEYOKA_BREAK_EVEN", {True: 0, False: 0}
+    )
     x = np.array([1.0, 2.0])
-    with pytest.raises(ImportError, match=r"backend='heyoka' needs heyoka: pip install 'newton-euler\[fast\]', or use backend='auto'"):
+    with pytest.raises(
+        ImportError,
+        match=r"backend='heyoka' needs heyoka: pip install 'newton-euler\[fast\]', or use "
+        r"backend='auto'",
+    ):
         compiled(lambda x: x + 1, backend="heyoka")(x)
     assert compiled(lambda x: x + 1, backend="auto")(x).tolist() == [2.0, 3.0]
 
@@ -558,7 +679,9 @@ def in_two_threads(*calls):
 
 def test_two_threads_have_each_their_own_pi():
     f = compiled(lambda x: x * x + pi(x))
-    precise, rounded = in_two_threads(lambda: f(Paused(mpmath.mpf(1))).value, lambda: f(Paused(1.0)).value)
+    precise, rounded = in_two_threads(
+        lambda: f(Paused(mpmath.mpf(1))).value, lambda: f(Paused(1.0)).value
+    )
     assert abs(precise - 1 - mpmath.pi) < 1e-28
     assert type(rounded) is float
 
@@ -572,7 +695,9 @@ def test_two_threads_trace_one_formula_inside_others(monkeypatch):
 
     inner = compiled(lambda x: x * x * pi(x))
     monkeypatch.setattr(Step, "__mul__", paused)
-    two, three = in_two_threads(lambda: compiled(lambda y: inner(2.0 + y)), lambda: compiled(lambda y: inner(3.0 + y)))
+    two, three = in_two_threads(
+        lambda: compiled(lambda y: inner(2.0 + y)), lambda: compiled(lambda y: inner(3.0 + y))
+    )
     assert two(0.0) == inner(2.0)
     assert three(0.0) == inner(3.0)
 

@@ -1,4 +1,6 @@
-"""Closed forms: exact next to every limit, one formula for floats, arrays, 30 digits and traced text (8.14, 10.24, 11.17, 6.4)."""
+"""Closed forms: exact next to every limit, one formula for floats, arrays, 30 digits and traced
+text (8.14, 10.24, 11.17, 6.4).
+"""
 
 import math
 import random
@@ -27,9 +29,11 @@ from tests.kinds import close
 from tests.motions import reference
 
 EPS = 2.0**-52
-TOP = (1.0, 1.5, 5.0, 8.0, top.momentum_difference(1.0, 1.5, 0.6, 0.0, 8.0))  # the nutating top of the benchmarks
+# the nutating top of the benchmarks
+TOP = (1.0, 1.5, 5.0, 8.0, top.momentum_difference(1.0, 1.5, 0.6, 0.0, 8.0))
 PENDULUM = physical_pendulum(2.0, 0.5, 0.5, 10.0)
-SEPARATRIX = 2 * math.sqrt(10.0)  # rad/s at the bottom, from which this pendulum just reaches the upright
+# rad/s at the bottom, from which this pendulum just reaches the upright
+SEPARATRIX = 2 * math.sqrt(10.0)
 
 
 def text(model):
@@ -41,7 +45,12 @@ def precisely(model, t, start):
     """The same formula in 40 digits, of the same numbers."""
     with mpmath.workdps(40):
         parameters = {n: mpmath.mpf(x) for n, x in model.parameters.items()}
-        return tuple(map(float, model.changed(**parameters).solution(mpmath.mpf(t), tuple(map(mpmath.mpf, start)))))
+        return tuple(
+            map(
+                float,
+                model.changed(**parameters).solution(mpmath.mpf(t), tuple(map(mpmath.mpf, start))),
+            )
+        )
 
 
 def stepped(model, t, start):
@@ -54,7 +63,14 @@ def by_series(model, t, start):
     """An independent solution: Taylor series in 25 digits."""
     with mpmath.workdps(25):
         parameters = model.changed(**{n: mpmath.mpf(x) for n, x in model.parameters.items()})
-        return tuple(mpmath.odefun(lambda t, y: list(parameters.derivative(y, t)), 0, [mpmath.mpf(x) for x in start], tol=mpmath.mpf("1e-17"))(t))
+        return tuple(
+            mpmath.odefun(
+                lambda t, y: list(parameters.derivative(y, t)),
+                0,
+                [mpmath.mpf(x) for x in start],
+                tol=mpmath.mpf("1e-17"),
+            )(t)
+        )
 
 
 # -- choices in traced text
@@ -86,7 +102,15 @@ def test_the_side_that_is_not_chosen_is_not_computed_on_single_numbers():
     assert quotient(4.0) == 2.25
 
 
-@pytest.mark.parametrize("f", [lambda x: 1 if x < 0 else 2, lambda x: max(x, 1), lambda x: not (x >= 0), lambda x: sorted([x, 0.5])[0]])
+@pytest.mark.parametrize(
+    "f",
+    [
+        lambda x: 1 if x < 0 else 2,
+        lambda x: max(x, 1),
+        lambda x: not (x >= 0),
+        lambda x: sorted([x, 0.5])[0],
+    ],
+)
 def test_an_if_on_a_traced_value_is_refused_in_words(f):
     with pytest.raises(TypeError, match="must not branch"):
         compiled(f)
@@ -102,12 +126,18 @@ def test_one_choice_inside_another_formula_is_still_one():
 
 
 @given(*[st.floats(0.5, 2.0) for _ in range(4)])
-def test_doubled_differences_are_right_to_1e_minus_15_of_themselves_or_1e_minus_30_of_their_terms(a, b, c, d):
+def test_doubled_differences_are_right_to_1e_minus_15_of_themselves_or_1e_minus_30_of_their_terms(
+    a, b, c, d
+):
     b = a * (1 + b * 1e-12)
-    exact = Fraction(a) * (Fraction(a) - Fraction(b)) * Fraction(c) - Fraction(d) * (Fraction(b) - Fraction(a))
+    exact = Fraction(a) * (Fraction(a) - Fraction(b)) * Fraction(c) - Fraction(d) * (
+        Fraction(b) - Fraction(a)
+    )
     found = doubled(lambda a, b, c, d: a * (a - b) * c - d * (b - a), a, b, c, d)
     assert abs(Fraction(found) - exact) <= Fraction(1e-15) * abs(exact) + Fraction(1e-30)
-    assert doubled(lambda a, b, c: a * b - c, a, c, a * c) == Fraction(a) * Fraction(c) - Fraction(a * c)
+    assert doubled(lambda a, b, c: a * b - c, a, c, a * c) == Fraction(a) * Fraction(c) - Fraction(
+        a * c
+    )
 
 
 @given(st.floats(1e-20, 1.0), st.floats(-9.0, 9.0))
@@ -119,7 +149,9 @@ def test_what_is_small_beside_a_doubled_number_is_not_lost(small, large):
 # -- Jacobi's functions
 
 
-@pytest.mark.parametrize("m1", [1.0, 0.999, 0.5, 0.011, 1e-4, 0.9e-4, 1e-9, 1e-100, 1e-300, 5e-324, 0.0])
+@pytest.mark.parametrize(
+    "m1", [1.0, 0.999, 0.5, 0.011, 1e-4, 0.9e-4, 1e-9, 1e-100, 1e-300, 5e-324, 0.0]
+)
 def test_traced_functions_take_enough_levels_for_every_parameter(m1):
     f = compiled(jacobi)
     for u in (-40.0, -1.0, 0.0, 1e-200, 0.3, 2.0, 33.3, 350.0):
@@ -140,7 +172,9 @@ def test_coupled_quantities_change_at_rates_that_are_products_of_the_others(x, y
     h = 1e-4
     before, now, after = (coupled(k, (x, y, z), gap, t)[:3] for t in (0.7 - h, 0.7, 0.7 + h))
     rates = [(b - a) / (2 * h) for a, b in zip(before, after, strict=True)]
-    assert close(rates, (k[0] * now[1] * now[2], k[1] * now[2] * now[0], k[2] * now[0] * now[1]), 2e-5)
+    assert close(
+        rates, (k[0] * now[1] * now[2], k[1] * now[2] * now[0], k[2] * now[0] * now[1]), 2e-5
+    )
 
 
 @given(st.floats(-50, 50), st.floats(-3, 3))
@@ -153,15 +187,25 @@ def test_an_angle_is_counted_through_all_turns_by_a_phase_within_pi_of_it(turned
 
 
 def random_body(rng):
-    """Moments, rates and a time, of which a third begin near the separatrix and some have equal moments."""
-    I, w, kind = [rng.uniform(0.5, 3) for _ in range(3)], [rng.gauss(0, 1) for _ in range(3)], rng.randrange(6)
+    """Moments, rates and a time, of which a third begin near the separatrix and some have equal
+    moments.
+    """
+    I, w, kind = (
+        [rng.uniform(0.5, 3) for _ in range(3)],
+        [rng.gauss(0, 1) for _ in range(3)],
+        rng.randrange(6),
+    )
     if kind == 0:
         I[1] = I[0]
     if kind == 1:
         I[2] = I[1] * (1 + 10 ** rng.uniform(-16, -1))
     if kind >= 4:
         c, b, a = sorted(range(3), key=I.__getitem__)
-        w[c] = w[a] * math.sqrt(I[a] * (I[a] - I[b]) / (I[c] * (I[b] - I[c]))) * (1 + rng.choice((-1, 0, 1)) * 10 ** rng.uniform(-16, -1))
+        w[c] = (
+            w[a]
+            * math.sqrt(I[a] * (I[a] - I[b]) / (I[c] * (I[b] - I[c])))
+            * (1 + rng.choice((-1, 0, 1)) * 10 ** rng.uniform(-16, -1))
+        )
     return I, w, 10 ** rng.uniform(-2, 3)
 
 
@@ -176,8 +220,13 @@ def test_it_is_right_at_once_for_bodies_turned_every_way_round():
     I, w = (1.0, 2.0, 3.0), (0.3, 1.0, 0.2)
     expected = by_series(free_body(*I), 1.0, w)
     for a, b, c in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        assert close(text(free_body(I[a], I[b], I[c]))(1.0, w[a], w[b], w[c]), (expected[a], expected[b], expected[c]), 2e-15)
-    mirrored = text(free_body(I[1], I[0], I[2]))(1.0, -w[1], -w[0], -w[2])  # a change of handedness turns the sense of the rates
+        assert close(
+            text(free_body(I[a], I[b], I[c]))(1.0, w[a], w[b], w[c]),
+            (expected[a], expected[b], expected[c]),
+            2e-15,
+        )
+    # a change of handedness turns the sense of the rates
+    mirrored = text(free_body(I[1], I[0], I[2]))(1.0, -w[1], -w[0], -w[2])
     assert close(mirrored, (-expected[1], -expected[0], -expected[2]), 2e-15)
 
 
@@ -196,13 +245,17 @@ STARTS = [(1.0, 0.0), (-2.0, 3.0), (0.0, 6.5), (9.0, -7.0), (3.1, 0.0), (1e-7, 0
 
 @pytest.mark.parametrize("start", STARTS)
 def test_the_pendulum_agrees_with_integration_by_steps(start):
-    assert close(text(PENDULUM)(3.0, *start), stepped(PENDULUM, 3.0, start), 1e-10 * max(map(abs, start)))
+    assert close(
+        text(PENDULUM)(3.0, *start), stepped(PENDULUM, 3.0, start), 1e-10 * max(map(abs, start))
+    )
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("start", STARTS)
 def test_the_pendulum_agrees_with_25_digit_integration(start):
-    assert close(text(PENDULUM)(3.0, *start), by_series(PENDULUM, 3.0, start), 2e-14 * max(map(abs, start)))
+    assert close(
+        text(PENDULUM)(3.0, *start), by_series(PENDULUM, 3.0, start), 2e-14 * max(map(abs, start))
+    )
 
 
 def test_from_rest_it_is_the_textbooks_elliptic_sine():
@@ -246,15 +299,27 @@ CASES = {  # I0, I, mgr, omega_z, difference; theta, theta_rate
     "cusps": (TOP, (0.6, 0.0)),
     "loops": ((1.0, 1.5, 5.0, 8.0, top.momentum_difference(1.0, 1.5, 0.6, -1.0, 8.0)), (0.6, 0.0)),
     "waves": ((1.0, 1.5, 5.0, 8.0, top.momentum_difference(1.0, 1.5, 0.6, 1.0, 8.0)), (0.6, 0.3)),
-    "pulled upwards": ((1.0, 1.5, -5.0, 3.0, top.momentum_difference(1.0, 1.5, 2.0, 1.0, 3.0)), (2.0, -0.3)),
-    "no weight": ((1.0, 1.5, 0.0, 8.0, top.momentum_difference(1.0, 1.5, 0.6, 1.0, 8.0)), (0.6, 0.3)),
-    "spherical pendulum": ((1.0, 0.0, 5.0, 0.0, top.momentum_difference(1.0, 0.0, 2.0, 0.5, 0.0)), (2.0, 0.3)),
+    "pulled upwards": (
+        (1.0, 1.5, -5.0, 3.0, top.momentum_difference(1.0, 1.5, 2.0, 1.0, 3.0)),
+        (2.0, -0.3),
+    ),
+    "no weight": (
+        (1.0, 1.5, 0.0, 8.0, top.momentum_difference(1.0, 1.5, 0.6, 1.0, 8.0)),
+        (0.6, 0.3),
+    ),
+    "spherical pendulum": (
+        (1.0, 0.0, 5.0, 0.0, top.momentum_difference(1.0, 0.0, 2.0, 0.5, 0.0)),
+        (2.0, 0.3),
+    ),
     "over the top": ((1.0, 0.0, 5.0, 0.0, 0.0), (2.0, -5.0)),
     "swings through the bottom": ((1.0, 0.0, 5.0, 0.0, 0.0), (2.0, 1.0)),
     "through the upright": ((0.02, 0.01, 0.5, 100.0, 0.0), (0.3, 1.0)),
     "falls from near the upright": ((1.0, 1.5, 5.0, 2.0, 0.0), (0.1, 0.0)),
     "nearly through the upright": ((1.0, 1.5, 5.0, 2.0, 1e-5), (0.3, -2.0)),
-    "on the other side": ((1.0, 1.5, 5.0, 3.0, top.momentum_difference(1.0, 1.5, 0.6, 1.0, 3.0)), (-0.6, 0.4)),
+    "on the other side": (
+        (1.0, 1.5, 5.0, 3.0, top.momentum_difference(1.0, 1.5, 0.6, 1.0, 3.0)),
+        (-0.6, 0.4),
+    ),
 }
 
 
@@ -270,7 +335,9 @@ def test_the_top_reduced_to_theta_agrees_with_integration_by_steps(case):
 def test_the_top_reduced_to_theta_agrees_with_25_digit_integration(case):
     parameters, start = CASES[case]
     model = top.nutation(*parameters)
-    assert close(text(model)(0.9, *start), by_series(model, 0.9, start), 1e-11 if "nearly" in case else 2e-14)
+    assert close(
+        text(model)(0.9, *start), by_series(model, 0.9, start), 1e-11 if "nearly" in case else 2e-14
+    )
 
 
 def test_after_10_seconds_the_benchmarks_top_is_right_to_1e_minus_14():
@@ -279,7 +346,13 @@ def test_after_10_seconds_the_benchmarks_top_is_right_to_1e_minus_14():
 
 def random_top(rng):
     I0, theta = rng.uniform(0.3, 3), rng.uniform(0.05, 3.1)
-    I, mgr, spin, rate, precession = rng.uniform(0, 2) * I0, rng.gauss(0, 5), rng.gauss(0, 6), rng.gauss(0, 2), rng.gauss(0, 3)
+    I, mgr, spin, rate, precession = (
+        rng.uniform(0, 2) * I0,
+        rng.gauss(0, 5),
+        rng.gauss(0, 6),
+        rng.gauss(0, 2),
+        rng.gauss(0, 3),
+    )
     kind = rng.randrange(6)
     if kind == 0:
         I, precession = 0.0, precession * rng.randrange(2)
@@ -287,7 +360,13 @@ def random_top(rng):
         mgr *= 10 ** rng.uniform(-20, 0) * rng.randrange(2)
     if kind == 2:
         theta, rate = 10 ** rng.uniform(-8, -1), rate * theta
-    q = 0.0 if kind == 3 else 10 ** rng.uniform(-20, -2) if kind == 4 else top.momentum_difference(I0, I, theta, precession, spin)
+    q = (
+        0.0
+        if kind == 3
+        else 10 ** rng.uniform(-20, -2)
+        if kind == 4
+        else top.momentum_difference(I0, I, theta, precession, spin)
+    )
     return (I0, I, mgr, spin, q), 10 ** rng.uniform(-2, 2), (theta, rate)
 
 
@@ -296,7 +375,9 @@ def test_the_text_of_the_top_is_right_to_50_round_offs_of_the_angle_turned(seed)
     parameters, t, start = random_top(random.Random(seed))
     model = top.nutation(*parameters)
     I0, I, mgr, spin, _ = parameters
-    rate = math.sqrt(2 * (abs(model.invariant("energy", start)) + abs(mgr)) / I0) + abs(I * spin) / I0
+    rate = (
+        math.sqrt(2 * (abs(model.invariant("energy", start)) + abs(mgr)) / I0) + abs(I * spin) / I0
+    )
     found, exact = text(model)(t, *start), precisely(model, t, start)
     assert abs(found[0] - exact[0]) < 50 * EPS * (1 + rate * t)
     assert abs(found[1] - exact[1]) < 50 * EPS * (1 + rate * t) * rate
@@ -307,7 +388,9 @@ def test_steady_precession_stays_and_beside_it_the_nutation_is_small(off):
     I0, I, mgr, spin, theta = 1.0, 1.5, 5.0, 8.0, 0.6
     a, b = I0 * math.cos(theta), I * spin
     steady = 2 * mgr / (b + math.sqrt(b * b - 4 * a * mgr))
-    model = top.nutation(I0, I, mgr, spin, top.momentum_difference(I0, I, theta, steady * (1 + off), spin))
+    model = top.nutation(
+        I0, I, mgr, spin, top.momentum_difference(I0, I, theta, steady * (1 + off), spin)
+    )
     found = text(model)(7.0, theta, 0.0)
     assert close(found, precisely(model, 7.0, (theta, 0.0)), 1e-14)
     assert abs(found[0] - theta) < off + 1e-14
@@ -321,7 +404,11 @@ def test_small_nutations_about_a_vertical_keep_their_relative_accuracy(mgr, tilt
     model = top.nutation(0.8, 0.06, mgr, spin, top.momentum_difference(0.8, 0.06, tilt, 0.3, spin))
     start = (tilt, 0.4 * tilt)
     for t in (0.1, 2.0, 9.0):
-        assert close([x / tilt for x in text(model)(t, *start)], [x / tilt for x in precisely(model, t, start)], 1e-12)
+        assert close(
+            [x / tilt for x in text(model)(t, *start)],
+            [x / tilt for x in precisely(model, t, start)],
+            1e-12,
+        )
 
 
 def test_a_sleeping_top_sleeps_and_at_the_start_every_top_is_where_it_starts():
@@ -343,14 +430,18 @@ def test_energy_is_kept_over_a_million_nutations():
     model = top.nutation(*TOP)
     before = model.invariant("energy", (0.6, 0.0))
     for t in (1e3, 1e5, 5e5):
-        assert model.invariant("energy", text(model)(t, 0.6, 0.0)) == pytest.approx(before, rel=1e-14)
+        assert model.invariant("energy", text(model)(t, 0.6, 0.0)) == pytest.approx(
+            before, rel=1e-14
+        )
 
 
 # -- orbits
 
 
 def by_bisection(t, x, y, v_x, v_y):
-    """Kepler's orbit about mu = 1 by the elements of the ellipse, its equation solved between bounds, in 40 digits."""
+    """Kepler's orbit about mu = 1 by the elements of the ellipse, its equation solved between
+    bounds, in 40 digits.
+    """
     with mpmath.workdps(40):
         x, y, v_x, v_y = map(mpmath.mpf, (x, y, v_x, v_y))
         r, along, swept = mpmath.hypot(x, y), x * v_x + y * v_y, x * v_y - y * v_x
@@ -363,7 +454,10 @@ def by_bisection(t, x, y, v_x, v_y):
         for _ in range(140):
             E = (low + high) / 2
             low, high = (E, high) if E - e * mpmath.sin(E) < M else (low, E)
-        across, rate = mpmath.sign(swept) * mpmath.sqrt(1 - e * e), 1 / (mpmath.sqrt(a) * (1 - e * mpmath.cos(E)))
+        across, rate = (
+            mpmath.sign(swept) * mpmath.sqrt(1 - e * e),
+            1 / (mpmath.sqrt(a) * (1 - e * mpmath.cos(E))),
+        )
         place = a * mpmath.mpc(mpmath.cos(E) - e, across * mpmath.sin(E)) * axis
         velocity = rate * mpmath.mpc(-mpmath.sin(E), across * mpmath.cos(E)) * axis
         return tuple(map(float, (place.real, place.imag, velocity.real, velocity.imag)))
@@ -397,7 +491,9 @@ MODELS = [
 
 
 @pytest.mark.parametrize(("model", "start"), MODELS)
-def test_its_text_on_arrays_of_times_and_through_heyoka_gives_what_it_gives_one_by_one(model, start):
+def test_its_text_on_arrays_of_times_and_through_heyoka_gives_what_it_gives_one_by_one(
+    model, start
+):
     f, times = text(model), np.linspace(-2.0, 9.0, 40)
     one_by_one = np.array([f(t, *start) for t in times.tolist()]).T
     assert close(tuple(f(times, *start)), tuple(one_by_one), 1e-13)
@@ -419,7 +515,9 @@ def test_arrays_of_starts_are_solved_at_once_without_tracing(model, start):
     scale = np.array([1.0, 1.01, 0.99])
     together = model.solution(2.0, tuple(x * scale for x in start))
     for n, x in enumerate(scale.tolist()):
-        assert close([v[n] for v in together], model.solution(2.0, tuple(x * v for v in start)), 1e-13)
+        assert close(
+            [v[n] for v in together], model.solution(2.0, tuple(x * v for v in start)), 1e-13
+        )
 
 
 @pytest.mark.parametrize("model", [PENDULUM, top.nutation(*TOP)])
@@ -431,5 +529,7 @@ def test_expressions_are_refused_in_words(model):
 def test_the_derivative_of_every_closed_form_is_the_right_hand_side():
     for model, start in MODELS:
         f, h = text(model), 1e-5
-        rates = [(b - a) / (2 * h) for a, b in zip(f(1.0 - h, *start), f(1.0 + h, *start), strict=True)]
+        rates = [
+            (b - a) / (2 * h) for a, b in zip(f(1.0 - h, *start), f(1.0 + h, *start), strict=True)
+        ]
         assert close(rates, replace(model, exact=None).derivative(f(1.0, *start)), 1e-7)

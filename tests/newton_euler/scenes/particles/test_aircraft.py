@@ -40,7 +40,9 @@ FORCES = ("1200", "9.81", "3000", "1000", "14000", "0.35")
 
 @every_kind
 def test_section_6_12_flight_in_space_in_rectangular_components(kind):
-    """m times the rate of the velocity, by the product rule on its rectangular components, is the sum of the forces as vectors."""
+    """m times the rate of the velocity, by the product rule on its rectangular components, is the
+    sum of the forces as vectors.
+    """
     m, g, T, D, L, bank = numbers(kind, *FORCES)
     v, chi, gamma, x, y, h = numbers(kind, *STATE)
     rates = flight(m, g, T, D, L, bank).derivative((v, chi, gamma, x, y, h))
@@ -49,7 +51,10 @@ def test_section_6_12_flight_in_space_in_rectangular_components(kind):
     assert close(rates[3:], [u.value for u in velocity], 100 * small(kind))
     cx, sx, cg, sg = cos(chi), sin(chi), cos(gamma), sin(gamma)
     forward, right, up = (cg * sx, cg * cx, sg), (cx, -sx, 0), (-sg * sx, -sg * cx, cg)
-    forces = [(T - D) * a + L * (sin(bank) * b + cos(bank) * c) for a, b, c in zip(forward, right, up, strict=True)]
+    forces = [
+        (T - D) * a + L * (sin(bank) * b + cos(bank) * c)
+        for a, b, c in zip(forward, right, up, strict=True)
+    ]
     forces[2] = forces[2] - m * g
     assert close([m * u.rate for u in velocity], forces, 1e5 * small(kind))
 
@@ -61,7 +66,12 @@ def test_section_6_3_flight_in_a_vertical_plane(kind):
     v, chi, gamma, x, y, h = numbers(kind, *STATE)
     rates = vertical_flight(m, g, T, D, L).derivative((v, gamma, x, h))
     W = m * g
-    wanted = (T - D - W * sin(gamma)) / m, (L - W * cos(gamma)) / (m * v), v * cos(gamma), v * sin(gamma)
+    wanted = (
+        (T - D - W * sin(gamma)) / m,
+        (L - W * cos(gamma)) / (m * v),
+        v * cos(gamma),
+        v * sin(gamma),
+    )
     assert close(rates, wanted, 100 * small(kind))
     in_space = flight(m, g, T, D, L).derivative((v, 0 * chi, gamma, x, y, h))
     assert close((in_space[0], in_space[2], in_space[4], in_space[5]), rates, small(kind))
@@ -70,7 +80,9 @@ def test_section_6_3_flight_in_a_vertical_plane(kind):
 
 @every_kind
 def test_section_6_12_forces_from_the_motion(kind):
-    """Motion by the printed equations, forces back by five frames; the accelerations are those of the book along frame 4."""
+    """Motion by the printed equations, forces back by five frames; the accelerations are those of
+    the book along frame 4.
+    """
     m, g, T, D, L, bank = numbers(kind, *FORCES)
     state = numbers(kind, *STATE)
     rates = flight(m, g, T, D, L, bank).derivative(state)
@@ -80,7 +92,9 @@ def test_section_6_12_forces_from_the_motion(kind):
     north = Frame("north")
     path = north.rotate("3", "-z", chi).rotate("4", "-y", gamma)
     a = path.vector(v, 0, 0).rate(north)
-    assert close(a, (v.rate, -v.value * chi.rate * cos(gamma.value), v.value * gamma.rate), 100 * small(kind))
+    assert close(
+        a, (v.rate, -v.value * chi.rate * cos(gamma.value), v.value * gamma.rate), 100 * small(kind)
+    )
 
 
 def test_section_6_12_the_angular_velocities_of_the_frames():
@@ -96,9 +110,13 @@ def test_a_force_may_be_a_law_of_speed_and_time():
     k, m, g, v0 = 0.5, 1000.0, 9.81, 60.0
     model = vertical_flight(m, g, drag=lambda s, p, t: k * s.v**2, lift=lambda s, p, t: p.m * p.g)
     rhs = model.compiled_rhs()
-    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 30), (v0, 0.0, 0.0, 100.0), rtol=1e-11, atol=1e-11)
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()), (0, 30), (v0, 0.0, 0.0, 100.0), rtol=1e-11, atol=1e-11
+    )
     assert 1 / run.y[0, -1] == pytest.approx(1 / v0 + k / m * 30, rel=1e-10)
-    assert run.y[1:, -1] == pytest.approx([0, m / k * math.log(1 + k * v0 * 30 / m), 100], rel=1e-9, abs=1e-9)
+    assert run.y[1:, -1] == pytest.approx(
+        [0, m / k * math.log(1 + k * v0 * 30 / m), 100], rel=1e-9, abs=1e-9
+    )
     assert not model.invariants
 
 
@@ -115,11 +133,15 @@ def test_a_level_turn_by_integration_is_a_circle():
 def test_flight_units():
     speed, g = LENGTH / TIME, LENGTH / TIME**2
     pure = Dimension()
-    assert flight(MASS, g, FORCE, FORCE, FORCE, pure).derivative((speed, pure, pure, LENGTH, LENGTH, LENGTH)) == (g, 1 / TIME, 1 / TIME, *[speed] * 3)
+    assert flight(MASS, g, FORCE, FORCE, FORCE, pure).derivative(
+        (speed, pure, pure, LENGTH, LENGTH, LENGTH)
+    ) == (g, 1 / TIME, 1 / TIME, *[speed] * 3)
 
 
 @settings(max_examples=50)
-@given(st.floats(10, 300), st.floats(-3, 3), st.floats(-1.4, 1.4), st.floats(-1, 1), st.floats(0, 5))
+@given(
+    st.floats(10, 300), st.floats(-3, 3), st.floats(-1.4, 1.4), st.floats(-1, 1), st.floats(0, 5)
+)
 def test_lift_and_bank_do_no_work(v, chi, gamma, bank, load):
     """The rate of v^2/2 + g h is zero without thrust and drag, whatever the lift."""
     model = flight(1.0, 9.81, lift=9.81 * load, bank=bank)

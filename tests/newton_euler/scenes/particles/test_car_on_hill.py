@@ -29,7 +29,16 @@ def small(kind):
 def integrated(model, start, end):
     """States by name as functions of time, by SciPy in short steps."""
     rhs = model.compiled_rhs()
-    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, end), start, "DOP853", rtol=1e-12, atol=1e-13, max_step=0.05, dense_output=True)
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0.0, end),
+        start,
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-13,
+        max_step=0.05,
+        dense_output=True,
+    )
     return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
 
 
@@ -44,7 +53,12 @@ def test_example_11_19_power_of_the_engine(kind):
     v, a, theta = numbers(kind, 20, "0.8", "0.1")
     P = c.powers(v, a, theta)
     ratio = c.gyration / c.radius
-    expected = c.m * v * a + 4 * c.wheel_mass * ratio * ratio * v * a + c.m * c.g * v * sin(theta) + v * v / 2 * v
+    expected = (
+        c.m * v * a
+        + 4 * c.wheel_mass * ratio * ratio * v * a
+        + c.m * c.g * v * sin(theta)
+        + v * v / 2 * v
+    )
     assert close(P.value, expected, 1e4 * small(kind))
     assert list(P.terms) == ["accelerate", "wheels", "climb", "air"]
     assert close(c.acceleration(P.value, v, theta), a, 10 * small(kind))
@@ -52,13 +66,19 @@ def test_example_11_19_power_of_the_engine(kind):
 
 @every_kind
 def test_example_11_19_it_is_the_rate_of_the_energy(kind):
-    """v = 3 + 2 t up a slope: d(T + V)/dt and the drag, by the jet; T from bodies: the car and four rolling wheels."""
+    """v = 3 + 2 t up a slope: d(T + V)/dt and the drag, by the jet; T from bodies: the car and four
+    rolling wheels.
+    """
     c = car(kind)
     t, theta = numbers(kind, 4, "0.1")
-    v = lambda t: 3 + 2 * t  # noqa: E731
-    climbed = at(lambda t: c.kinetic_energy(v(t)).value + c.m * c.g * (3 * t + t * t) * sin(theta), t).rate
+    v = lambda t: 3 + 2 * t
+    climbed = at(
+        lambda t: c.kinetic_energy(v(t)).value + c.m * c.g * (3 * t + t * t) * sin(theta), t
+    ).rate
     assert close(c.power(v(t), 2 + 0 * t, theta), climbed + v(t) ** 3 / 2, 1e4 * small(kind))
-    wheel = plane_kinetic_energy(c.wheel_mass, v(t), c.wheel_mass * c.gyration**2, v(t) / c.radius).value
+    wheel = plane_kinetic_energy(
+        c.wheel_mass, v(t), c.wheel_mass * c.gyration**2, v(t) / c.radius
+    ).value
     whole = (c.m - 4 * c.wheel_mass) * v(t) ** 2 / 2 + 4 * wheel
     assert close(c.kinetic_energy(v(t)).value, whole, 1e4 * small(kind))
 
@@ -67,13 +87,33 @@ def test_example_11_19_the_books_of_a_drive_uphill_close():
     c = car("float")
     model = c.model(power=4e4, slope=lambda s, p, t: 0.05 + 0.02 * sin(s.s / 50))
     states = integrated(model, (0.0, 10.0), 5.0)
-    height = lambda s: solve_ivp(lambda x, y: [math.sin(0.05 + 0.02 * math.sin(x / 50))], (0, s), [0.0], rtol=1e-12, atol=1e-12).y[0, -1]  # noqa: E731
+    height = lambda s: solve_ivp(
+        lambda x, y: [math.sin(0.05 + 0.02 * math.sin(x / 50))],
+        (0, s),
+        [0.0],
+        rtol=1e-12,
+        atol=1e-12,
+    ).y[0, -1]
     powers = {"engine": lambda t: 4e4, "air": lambda t: -(states(t)["v"] ** 3) / 2}
-    books = audit(lambda t: c.kinetic_energy(states(t)["v"]), 0.0, 5.0, {"weight": lambda t: c.m * c.g * height(states(t)["s"])}, powers, rtol=1e-8)
+    books = audit(
+        lambda t: c.kinetic_energy(states(t)["v"]),
+        0.0,
+        5.0,
+        {"weight": lambda t: c.m * c.g * height(states(t)["s"])},
+        powers,
+        rtol=1e-8,
+    )
     assert books.balances(rtol=1e-8)
     assert books.works["engine"] == pytest.approx(2e5)
     assert books.heat("air") > 0
-    without_wheels = audit(lambda t: c.kinetic_energy(states(t)["v"]).without("wheels"), 0.0, 5.0, {"weight": lambda t: 0.0}, powers, rtol=1e-8)
+    without_wheels = audit(
+        lambda t: c.kinetic_energy(states(t)["v"]).without("wheels"),
+        0.0,
+        5.0,
+        {"weight": lambda t: 0.0},
+        powers,
+        rtol=1e-8,
+    )
     assert not without_wheels.balances(rtol=1e-3)
 
 

@@ -28,7 +28,16 @@ def small(kind):
 def integrated(model, start, end):
     """States by name as functions of time, by SciPy in short steps."""
     rhs = model.compiled_rhs()
-    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, end), start, "DOP853", rtol=1e-12, atol=1e-13, max_step=0.05, dense_output=True)
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0.0, end),
+        start,
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-13,
+        max_step=0.05,
+        dense_output=True,
+    )
     return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
 
 
@@ -40,8 +49,14 @@ def test_example_11_17_about_the_mass_centre_and_about_the_pivot(kind):
     ground = Frame("ground")  # x down, z along the axis
     frame = ground.rotate("body", "z", moving(theta, omega))
     body = Body("body", m, frame.point("G", l, 0, 0), (I, I, I))
-    assert close(kinetic_energy_about(body, ground.origin, ground).value, E.terms["translation"] + E.terms["rotation"], small(kind))
-    assert close(kinetic_energy(body, ground).terms["translation"], E.terms["translation"], small(kind))
+    assert close(
+        kinetic_energy_about(body, ground.origin, ground).value,
+        E.terms["translation"] + E.terms["rotation"],
+        small(kind),
+    )
+    assert close(
+        kinetic_energy(body, ground).terms["translation"], E.terms["translation"], small(kind)
+    )
     assert close(-m * g * body.centre.position(ground).x, E.terms["weight"], small(kind))
 
 
@@ -51,7 +66,9 @@ def test_example_11_17_its_equation_of_motion_follows_from_the_energy(kind):
     m, I, l, g, theta, omega = numbers(kind, 2, "0.5", "0.75", "9.81", "0.6", 3)
     model = physical_pendulum(m, I, l, g)
     rates = model.derivative((theta, omega))
-    E = at(lambda t: pendulum_energy(m, I, l, g, theta + omega * t, omega + rates[1] * t).value, 0 * m)
+    E = at(
+        lambda t: pendulum_energy(m, I, l, g, theta + omega * t, omega + rates[1] * t).value, 0 * m
+    )
     assert close(E.rate, 0, 10 * small(kind))
 
 
@@ -62,7 +79,9 @@ def test_example_11_17_along_the_motion_and_how_far_it_swings():
     assert np.ptp(E) < 1e-9 * abs(E[0])
     for t in (0.3, 0.9, 1.4):
         s = states(t)
-        assert swing_rate(2.0, 0.5, 0.75, 9.81, s["theta"], 1.2) == pytest.approx(abs(s["omega"]), rel=1e-8)
+        assert swing_rate(2.0, 0.5, 0.75, 9.81, s["theta"], 1.2) == pytest.approx(
+            abs(s["omega"]), rel=1e-8
+        )
     with pytest.raises(EnergyError, match="does not get there"):
         swing_rate(2.0, 0.5, 0.75, 9.81, 1.3, 1.2)
 

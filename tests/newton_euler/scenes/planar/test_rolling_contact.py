@@ -15,23 +15,33 @@ every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
 def tolerance(kind):
-    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical differentiation leaves of 50 digits."""
+    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical
+    differentiation leaves of 50 digits.
+    """
     return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
 
 
 @every_kind
 def test_a_cylinder_on_an_accelerated_slab_rolls_if_the_friction_suffices(kind):
-    """Problem 8/8: mu N >= m n g/3 lets it roll, with alpha = 2 n g/(3 r); the needed friction is a third of m n g."""
+    """Problem 8/8: mu N >= m n g/3 lets it roll, with alpha = 2 n g/(3 r); the needed friction is a
+    third of m n g.
+    """
     m, r, g, n = numbers(kind, 2, "1/2", "9.81", 2)
     s = rolling_contact.rolling(m, r, m * r * r / 2, surface=n * g)
-    assert close((s.a, s.alpha, s.friction), (n * g / 3, 2 * n * g / (3 * r), m * n * g / 3), 100 * tolerance(kind))
+    assert close(
+        (s.a, s.alpha, s.friction),
+        (n * g / 3, 2 * n * g / (3 * r), m * n * g / 3),
+        100 * tolerance(kind),
+    )
     low, high = numbers(kind, "1/2", "3/4")
     for mu, rolls in ((low, False), (high, True)):
         c = rolling_contact.contact(m, r, m * r * r / 2, m * g, mu, surface=n * g)
         if kind == "array":
             continue  # there the three slabs differ
         assert bool(c.rolls) is rolls
-        assert close(c.alpha, 2 * n * g / (3 * r) if rolls else 2 * mu * g / r, 100 * tolerance(kind))
+        assert close(
+            c.alpha, 2 * n * g / (3 * r) if rolls else 2 * mu * g / r, 100 * tolerance(kind)
+        )
 
 
 def test_many_contacts_at_once_choose_their_regime_one_by_one():
@@ -47,8 +57,16 @@ def test_many_contacts_at_once_choose_their_regime_one_by_one():
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.floats(-20, 20), st.floats(-5, 5), st.floats(-3, 3), st.floats(0.01, 1.5), st.floats(0.5, 1.0))
-def test_friction_obeys_coulomb_and_the_laws_of_motion_in_both_regimes(force, moment, surface, mu, ratio):
+@given(
+    st.floats(-20, 20),
+    st.floats(-5, 5),
+    st.floats(-3, 3),
+    st.floats(0.01, 1.5),
+    st.floats(0.5, 1.0),
+)
+def test_friction_obeys_coulomb_and_the_laws_of_motion_in_both_regimes(
+    force, moment, surface, mu, ratio
+):
     m, r, I, N = 2.0, 0.5, 0.25, 19.62
     c = rolling_contact.contact(m, r, I, N, mu, mu * ratio, force, moment, surface)
     assert abs(m * c.a - force - c.friction) < 1e-12
@@ -70,7 +88,10 @@ def test_a_body_that_slips_goes_on_slipping():
 
 
 def test_what_a_contact_cannot_tell_is_said_in_words():
-    with pytest.raises(rolling_contact.ContactError, match="the surface would have to pull, so the body has left it"):
+    with pytest.raises(
+        rolling_contact.ContactError,
+        match="the surface would have to pull, so the body has left it",
+    ):
         rolling_contact.contact(2.0, 0.5, 0.25, -1.0, 0.5)
     mu = sympy.Symbol("mu")
     with pytest.raises(rolling_contact.ContactError, match="which regime holds depends on values"):

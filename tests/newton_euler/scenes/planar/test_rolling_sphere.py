@@ -1,6 +1,8 @@
-"""Chapter 11, the worked examples of 11.15, 11.16, 11.17, 11.19, and audits of motions that an integrator made.
+"""Chapter 11, the worked examples of 11.15, 11.16, 11.17, 11.19, and audits of motions that an
+integrator made.
 
-(11.4 is in test_ch11_work.py.) Oracles: SciPy on second-order equations of motion, energy by bodies in frames.
+(11.4 is in test_ch11_work.py.) Oracles: SciPy on second-order equations of motion, energy by bodies
+in frames.
 """
 
 import math
@@ -39,7 +41,16 @@ def small(kind):
 def integrated(model, start, end):
     """States by name as functions of time, by SciPy in short steps."""
     rhs = model.compiled_rhs()
-    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, end), start, "DOP853", rtol=1e-12, atol=1e-13, max_step=0.05, dense_output=True)
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0.0, end),
+        start,
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-13,
+        max_step=0.05,
+        dense_output=True,
+    )
     return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
 
 
@@ -61,8 +72,11 @@ def test_example_11_15_by_a_body_in_a_frame_and_about_the_contact(kind):
     ball = sphere(R, frame, mass=m)
     T = rolling_energy(m, R, v, pivoting)
     assert close(kinetic_energy(ball, ground).value, T.value, small(kind))
-    assert close(kinetic_energy_about(ball, ground.point("C", 0, 0, 0), ground).value, T.value, small(kind))
-    assert close(T.terms["pivoting"], m * R * R * pivoting**2 / 5, small(kind))  # the component that the book leaves out
+    assert close(
+        kinetic_energy_about(ball, ground.point("C", 0, 0, 0), ground).value, T.value, small(kind)
+    )
+    # the component that the book leaves out
+    assert close(T.terms["pivoting"], m * R * R * pivoting**2 / 5, small(kind))
 
 
 @every_kind
@@ -89,7 +103,9 @@ def test_example_11_15_the_vertical_plane_is_only_a_limit():
 
 @pytest.mark.parametrize("v0", [7.0, np.array([2.0, 5.0, 7.0])])
 def test_the_books_of_a_sphere_that_slides_and_then_rolls(v0):
-    """Friction mu m g at the slip v + omega r: 1/7 m v0^2 becomes heat, and what stays is that of rolling."""
+    """Friction mu m g at the slip v + omega r: 1/7 m v0^2 becomes heat, and what stays is that of
+    rolling.
+    """
     m, mu, g, r = 2.0, 0.2, 10.0, 0.5
     begins = rolling_begins(v0, mu, g, r)
     ground = Frame("ground")
@@ -102,15 +118,26 @@ def test_the_books_of_a_sphere_that_slides_and_then_rolls(v0):
     def friction(t):
         """Only while there is slip; at the contact point of the ball, which slides on the ground."""
         ball = motion(t)
-        contact = ball.centre.velocity(ground) + ball.frame.angular_velocity(ground).cross(-r * ground.j)
+        contact = ball.centre.velocity(ground) + ball.frame.angular_velocity(ground).cross(
+            -r * ground.j
+        )
         return power(-mu * m * g * ground.i, contact)
 
     breaks = np.unique(begins.t).tolist()
-    books = audit(lambda t: kinetic_energy(motion(t), ground), 0.0, 2.0, powers={"friction": friction}, breaks=breaks)
+    books = audit(
+        lambda t: kinetic_energy(motion(t), ground),
+        0.0,
+        2.0,
+        powers={"friction": friction},
+        breaks=breaks,
+    )
     assert books.balances()
     assert np.allclose(books.heat("friction"), m * v0**2 / 7, rtol=1e-12)
-    assert np.allclose(kinetic_energy(motion(2.0), ground).value, 7 / 10 * m * (5 / 7 * v0) ** 2, rtol=1e-14)
-    naive = audit(lambda t: kinetic_energy(motion(t), ground), 0.0, 2.0)  # as if it rolled all the time
+    assert np.allclose(
+        kinetic_energy(motion(2.0), ground).value, 7 / 10 * m * (5 / 7 * v0) ** 2, rtol=1e-14
+    )
+    # as if it rolled all the time
+    naive = audit(lambda t: kinetic_energy(motion(t), ground), 0.0, 2.0)
     assert not naive.balances()
     assert np.allclose(naive.missing, -m * v0**2 / 7, rtol=1e-12)
 
@@ -118,8 +145,14 @@ def test_the_books_of_a_sphere_that_slides_and_then_rolls(v0):
 def test_a_formula_of_the_heat_of_the_sphere():
     m, v0, mu, g, r = sympy.symbols("m v_0 mu g r", positive=True)
     begins = rolling_begins(v0, mu, g, r)
-    slip = lambda t: v0 - mu * g * t - 5 * mu * g * t / 2  # noqa: E731
-    T = lambda t: m * (v0 - mu * g * t) ** 2 / 2 + m * (5 * mu * g * t / 2) ** 2 / 5  # noqa: E731
-    books = audit(T, sympy.Integer(0), begins.t, powers={"friction": lambda t: -mu * m * g * slip(t)}, exact=True)
+    slip = lambda t: v0 - mu * g * t - 5 * mu * g * t / 2
+    T = lambda t: m * (v0 - mu * g * t) ** 2 / 2 + m * (5 * mu * g * t / 2) ** 2 / 5
+    books = audit(
+        T,
+        sympy.Integer(0),
+        begins.t,
+        powers={"friction": lambda t: -mu * m * g * slip(t)},
+        exact=True,
+    )
     assert books.balances()
     assert sympy.simplify(books.heat() - m * v0**2 / 7) == 0

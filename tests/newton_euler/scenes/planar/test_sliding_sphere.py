@@ -18,7 +18,9 @@ every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
 def tolerance(kind):
-    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical differentiation leaves of 50 digits."""
+    """Absolute, for quantities of order 10 to 100: some round-offs, or what numerical
+    differentiation leaves of 50 digits.
+    """
     return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -20
 
 
@@ -35,10 +37,16 @@ def test_example_8_6_sphere_from_sliding_to_rolling(kind):
     x, v, omega = model.solution(begins.t, start)
     assert close((x, v, omega), (begins.x, begins.v, begins.omega), 100 * tolerance(kind))
     (name,) = model.invariants
-    assert close(model.invariant(name, (x, v, omega)), model.invariant(name, start), 10 * tolerance(kind))
+    assert close(
+        model.invariant(name, (x, v, omega)), model.invariant(name, start), 10 * tolerance(kind)
+    )
     rolled = sliding_sphere.rolling(r)
     for name in rolled.invariants:
-        assert close(rolled.invariant(name, rolled.solution(v0, (x, v, omega))), rolled.invariant(name, (x, v, omega)), 10 * tolerance(kind))
+        assert close(
+            rolled.invariant(name, rolled.solution(v0, (x, v, omega))),
+            rolled.invariant(name, (x, v, omega)),
+            10 * tolerance(kind),
+        )
     assert close(rolled.invariant("slip", (x, v, omega)), 0, 100 * tolerance(kind))
 
 
@@ -47,10 +55,19 @@ def test_example_8_6_derives_its_accelerations_from_the_newton_euler_equations()
     ground = Frame("ground")
 
     def laws(N, a, alpha):
-        ball_frame = ground.rotate("ball", "z", rate=-2.0, acceleration=alpha, origin=ground.point("G", moving(1.0, v, a), r, 0))
+        ball_frame = ground.rotate(
+            "ball",
+            "z",
+            rate=-2.0,
+            acceleration=alpha,
+            origin=ground.point("G", moving(1.0, v, a), r, 0),
+        )
         ball = sphere(r, ball_frame, mass=m)
         contact = ground.point("contact", 1.0, 0, 0)
-        forces = {"weight": (ground.vector(0, -m * g, 0), ball.centre), "surface": (ground.vector(-mu * N, N, 0), contact)}
+        forces = {
+            "weight": (ground.vector(0, -m * g, 0), ball.centre),
+            "surface": (ground.vector(-mu * N, N, 0), contact),
+        }
         return equations_of_motion(ball, forces, ground)
 
     s = solve_linear(laws)
@@ -68,9 +85,18 @@ def test_the_exact_solution_agrees_with_an_integration_that_stops_at_the_event()
         return y[1] + y[2] * r
 
     slip.terminal = True
-    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0, 10), (0.0, v0, omega0), events=slip, rtol=1e-10, atol=1e-12)
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0, 10),
+        (0.0, v0, omega0),
+        events=slip,
+        rtol=1e-10,
+        atol=1e-12,
+    )
     begins = sliding_sphere.rolling_begins(v0, mu, g, r, omega0)
-    assert close((run.t[-1], *run.y[:, -1].tolist()), (begins.t, begins.x, begins.v, begins.omega), 1e-8)
+    assert close(
+        (run.t[-1], *run.y[:, -1].tolist()), (begins.t, begins.x, begins.v, begins.omega), 1e-8
+    )
     times = np.array([0.0, begins.t / 2, begins.t, begins.t + 1])
     x, v, omega = sliding_sphere.sphere_at(times, v0, mu, g, r, omega0)
     assert close((x[3] - x[2], v[3], omega[3]), (begins.v, begins.v, begins.omega), 1e-12)
@@ -82,4 +108,5 @@ def test_a_sphere_with_too_much_forward_spin_speeds_up():
     b = sliding_sphere.rolling_begins(1.0, 0.3, 9.81, 0.2, omega0=-30.0, sense=-1)
     assert b.t > 0
     assert b.v > 1.0
-    assert sliding_sphere.rolling_begins(1.0, 0.3, 9.81, 0.2, omega0=-30.0).t < 0  # the wrong sense shows
+    # the wrong sense shows
+    assert sliding_sphere.rolling_begins(1.0, 0.3, 9.81, 0.2, omega0=-30.0).t < 0

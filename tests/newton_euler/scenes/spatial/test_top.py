@@ -27,7 +27,16 @@ def small(kind):
 def integrated(model, start, end):
     """States by name as functions of time, by SciPy in short steps."""
     rhs = model.compiled_rhs()
-    run = solve_ivp(lambda t, y: rhs(t, *y.tolist()), (0.0, end), start, "DOP853", rtol=1e-12, atol=1e-13, max_step=0.05, dense_output=True)
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0.0, end),
+        start,
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-13,
+        max_step=0.05,
+        dense_output=True,
+    )
     return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
 
 
@@ -35,10 +44,16 @@ def integrated(model, start, end):
 def test_example_11_16_energy_of_the_top_by_a_body_in_frames(kind):
     I0, I, mgr, theta, nod, precession, spin = numbers(kind, "1.5", 1, 10, "0.8", "0.4", 2, 9)
     ground = Frame("ground")
-    frame = euler_frame(ground, "top", moving(theta, precession), moving(theta, nod), moving(theta, spin))
+    frame = euler_frame(
+        ground, "top", moving(theta, precession), moving(theta, nod), moving(theta, spin)
+    )
     T = kinetic_energy(Body("top", I, frame, (I0, I0, I)), ground).value
     height = frame.point("G", 0, 0, 1).position(ground).z
-    assert close(top_energy(I0, I, mgr, theta, nod, precession, spin).value, T + mgr * height, 10 * small(kind))
+    assert close(
+        top_energy(I0, I, mgr, theta, nod, precession, spin).value,
+        T + mgr * height,
+        10 * small(kind),
+    )
 
 
 def test_example_11_16_with_the_books_sign_the_sum_is_not_constant():
@@ -48,7 +63,15 @@ def test_example_11_16_with_the_books_sign_the_sum_is_not_constant():
     right, printed = [], []
     for t in np.linspace(0.0, 0.5, 11):
         s = states(t)
-        E = top_energy(I0, I, mgr, s["theta"], s["theta_rate"], s["psi_rate"], omega_z - s["psi_rate"] * math.cos(s["theta"]))
+        E = top_energy(
+            I0,
+            I,
+            mgr,
+            s["theta"],
+            s["theta_rate"],
+            s["psi_rate"],
+            omega_z - s["psi_rate"] * math.cos(s["theta"]),
+        )
         right.append(E.value)
         printed.append(E.reweighted(weight=-1))
     assert np.ptp(right) < 1e-9 * abs(right[0])
