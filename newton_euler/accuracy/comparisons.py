@@ -8,6 +8,7 @@ errors, against references of 40 digits, are in :mod:`newton_euler.accuracy.base
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 from . import baselines as rivals
 from .measure import COLOURS, MARKERS, Measured, chart, log_log, timed
@@ -51,11 +52,8 @@ class Question:
         """The points, one after the other, setting by setting."""
         for n, x in enumerate(self.settings):
             if n == 0 or self.timed_each:
-                costs = timed(
-                    *(lambda way=way: way(x) for way in self.ways.values()),
-                    runs=3,
-                    shortest=1e-3,  # noqa: B023
-                )
+                calls = [partial(way, x) for way in self.ways.values()]
+                costs = timed(*calls, runs=3, shortest=1e-3)
             for (method, way), cost in zip(self.ways.items(), costs, strict=True):
                 yield ComparisonPoint(
                     method,

@@ -4,6 +4,7 @@
 
 import math
 from dataclasses import replace
+from functools import partial
 
 from ..motion.integration import prepare
 from .measure import Measured, chart, log_log, marker_style, timed
@@ -100,7 +101,7 @@ def measured_models(ladder, progress=lambda fraction, words: None):
         progress(n / len(ladder.rungs), rung.name)
         error = ladder.error(rung)
         run, start = prepare(rung.model, 1e-9), tuple(map(float, rung.start))
-        cost = timed(lambda: run(ladder.t, start), runs=5)
+        cost = timed(partial(run, ladder.t, start), runs=5)
         points.append(Measured(rung.name, cost, error, asked=1e-9))
     return points
 

@@ -20,6 +20,7 @@ import importlib
 import math
 import zlib
 from fractions import Fraction
+from typing import Any, TypeAlias
 
 from .errors import NewtonEulerError
 
@@ -38,6 +39,10 @@ FUNCTIONS = (
     "sqrt",
 )
 _LIBRARIES = {"numpy", "mpmath", "sympy", "symengine", "heyoka"}
+
+
+# The type of a number of any kind. The kinds share their operators but no base class, so a type checker cannot be told more.
+Scalar: TypeAlias = Any
 
 
 class ScalarError(NewtonEulerError, TypeError):

@@ -152,8 +152,8 @@ def cold(case):
 
 
 def cold_derivations():
-    import symengine
-    import sympy.physics.vector
+    import symengine  # noqa: F401
+    import sympy.physics.vector  # noqa: F401
 
     # case by case, not interleaved: after a round of SymPy the processor's caches hold none of the
     # engine's code

@@ -99,7 +99,7 @@ def test_without_the_upper_mass_the_string_is_slack_if_it_is_bent_and_straight_i
         in straight.report()
     )
     with pytest.raises(LinearError, match="alpha1 is not determined by the equations"):
-        straight.alpha1
+        _ = straight.alpha1
 
 
 def crank_rate(angle, speed=1.0, arm=0.1, rod=0.3):

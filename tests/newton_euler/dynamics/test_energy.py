@@ -637,7 +637,7 @@ def test_an_audit_prints_its_books():
 
 
 def test_both_sides_of_the_tolerance_of_the_books():
-    drop = lambda extra: audit(  # noqa: E731
+    drop = lambda extra: audit(
         lambda t: 50.0 * t * t + extra * t, 0.0, 1.0, powers={"push": lambda t: 100.0 * t}
     )
     assert drop(1e-8).balances()
@@ -723,7 +723,7 @@ def damped_driven():
     rad for 6 s; its powers.
     """
     m, l, g, c, M, n = 1.5, 0.8, 9.81, 0.3, 2.5, 2.0
-    rates = lambda t, y: (  # noqa: E731
+    rates = lambda t, y: (
         y[1],
         (-m * g * l * math.sin(y[0]) - c * y[1] + M * math.cos(n * t)) / (m * l * l),
     )

@@ -10,7 +10,6 @@ import random
 import weakref
 
 import mpmath
-import mpmath as mp
 import numpy as np
 import pytest
 import sympy
