@@ -1,9 +1,8 @@
 """Integration of the motion of a model: states at any time, the estimated error, the drift of
 invariants, the cost, and the events on the way.
 
-The methods are in :mod:`newton_euler.motion.methods.table`, how one is chosen and its error
-controlled in :mod:`newton_euler.motion.run`, events in :mod:`newton_euler.motion.events`, the
-record in :mod:`newton_euler.motion.solution`.
+The methods are in :mod:`.methods.table`; how one is chosen and its error controlled, in
+:mod:`.run`; events in :mod:`.events`, the record in :mod:`.solution`.
 """
 
 from time import perf_counter
@@ -14,7 +13,6 @@ from .methods.table import METHODS
 from .model import ModelError
 from .prepared import prepared, start_state
 from .run import Run, check, span, usable
-from .solution import Motion, MotionError
 
 
 def integrate(
@@ -102,6 +100,3 @@ def prepare(model, rtol=1e-9, method="auto"):
             return fallback(t, start)  # which says what is wrong
 
     return run
-
-
-__all__ = ["Event", "Motion", "MotionError", "integrate", "prepare"]

@@ -116,7 +116,7 @@ class Model:
         a mapping by name, of scalars of any kind.
         """
         try:
-            return tuple(map(plain, self._call(self.rhs, self._state(state), self.parameters, t)))
+            return tuple(self._value(self.rhs, state, t))
         except ZeroDivisionError as error:
             raise ModelError(
                 f"{self.name} has no rates at {self._state(state)}: {error}; the coordinates "
@@ -159,24 +159,20 @@ class Model:
         if self.exact is None:
             raise ModelError(
                 f"no exact solution of {self.name!r} is known; integrate it with "
-                "newton_euler.motion.integration"
+                "newton_euler.integrate"
             )
-        return tuple(map(plain, self._call(self.exact, self._state(start), self.parameters, t)))
+        return tuple(self._value(self.exact, start, t))
 
     def invariant(self, name, state, t=0):
         """The value of one invariant at a state."""
         self._expect("invariant", [name], self.invariants)
-        return plain(self._call(self.invariants[name], self._state(state), self.parameters, t))
+        return self._value(self.invariants[name], state, t)
 
     def neglected(self, t, start):
         """For each :class:`Neglected` the bound of the error that it makes until ``t`` after
         ``start``, inf where none is known: a dict.
         """
-        state = self._state(start)
-        return {
-            n: plain(self._call(n.bound, state, self.parameters, t)) if n.bound else math.inf
-            for n in self.neglects
-        }
+        return {n: self._value(n.bound, start, t) if n.bound else math.inf for n in self.neglects}
 
     def changed(self, **parameters):
         """The same model with some parameters changed."""
@@ -218,6 +214,11 @@ class Model:
         vars(p).update(laws)
         return f(s, p, t)
 
+    def _value(self, f, state, t):
+        """``f(s, p, t)`` at a state, a tuple for several scalars."""
+        result = self._call(f, self._state(state), self.parameters, t)
+        return tuple(map(plain, result)) if isinstance(result, (tuple, list)) else plain(result)
+
     def _check_names(self):
         names = [*self.states, *self.parameters]
         for name in names:
@@ -247,7 +248,7 @@ class Model:
     def _check_rhs(self, numbers):
         """One call without values: it meets every name, and no branch can hide from it."""
         try:
-            count = self.compiled_rhs(*numbers).count
+            count = len(self.compiled_rhs(*numbers).leaves)
         except (AttributeError, TypeError, ZeroDivisionError) as error:
             raise ModelError(
                 f"the right-hand side of {self.name!r} fails when it is tried: {error}"

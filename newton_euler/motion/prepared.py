@@ -4,12 +4,11 @@ Models that share a right-hand side (the same scene with other parameters) share
 and what heyoka has compiled from it.
 """
 
-import ast
 import math
 from functools import cached_property
 
 from ..algebra.codegen.partial_evaluation import folded
-from ..algebra.scalars import ZERO, plain, scalar
+from ..algebra.scalars import ZERO, scalar
 from .model import Model, ModelError, cached, is_law
 
 _known = {}
@@ -27,21 +26,6 @@ class Traced:
     def __init__(self, model, free):
         self.rhs, self.arguments = model.compiled_rhs(*free), 1 + len(model.states)
         self.functions, self.integrators, self.seconds = {}, {}, 0.0
-
-    @cached_property
-    def needs(self):
-        """For each rate the names of the arguments that it depends on, a list of sets."""
-        function = ast.parse(self.rhs.source).body[0]
-        known = {a.arg: {a.arg} for a in function.args.args}
-
-        def of(node):
-            return set().union(
-                *(known.get(n.id, ()) for n in ast.walk(node) if isinstance(n, ast.Name))
-            )
-
-        for line in function.body[:-1]:
-            known[line.targets[0].id] = of(line.value)
-        return [of(rate) for rate in function.body[-1].value.elts]
 
     @cached_property
     def folded(self):
@@ -88,18 +72,18 @@ class PreparedModel:
     @cached_property
     def autonomous(self):
         """True if time does not occur in the rates."""
-        return all("t" not in needs for needs in self.traced.needs)
+        return all("t" not in needs for needs in self.traced.rhs.dependencies)
 
     @cached_property
     def constants(self):
         """What the folded right-hand side needs of the parameters, a tuple; nan where they give no
         numbers.
         """
-        rest, early = self.traced.folded
+        early = self.traced.folded[1]
         try:
             return early.on_floats(*self.p)
         except (ArithmeticError, ValueError):
-            return (math.nan,) * (rest.on_floats.__code__.co_argcount - self.traced.arguments)
+            return (math.nan,) * (len(early.leaves))
 
     @property
     def folded_rates(self):
@@ -117,13 +101,7 @@ class PreparedModel:
 
     def untraced(self, f):
         """The same without tracing."""
-        model = self.model
-
-        def value(t, *x):
-            result = model._call(f, model._state(x), model.parameters, t)
-            return tuple(map(plain, result)) if isinstance(result, tuple) else plain(result)
-
-        return value
+        return lambda t, *x: self.model._value(f, x, t)
 
     def _text(self, f):
         """The traced text of a function ``f(s, p, t)``; None if it branches on values, as an event

@@ -93,8 +93,8 @@ class Run:
     ):
         self.system, self.t0, self.t1, self.state, self.rtol = system, t0, t1, state, rtol
         self.events, self.samples, self.progress, self.step = events, samples, progress, step
-        self.calls, self.prepared = 0, perf_counter()
-        self.preparing = self.prepared - begun if begun else 0.0
+        self.calls, self.started = 0, perf_counter()
+        self.preparing = self.started - begun if begun else 0.0
 
     def by_name(self, name):
         """The motion by the method of this name, or by the one that "auto" chooses."""
@@ -117,7 +117,7 @@ class Run:
 
     def motion(self, trajectory, method, error):
         """The record; :class:`~newton_euler.motion.solution.MotionError` if the trajectory failed."""
-        cost = Cost(perf_counter() - self.prepared, self.preparing, self.calls)
+        cost = Cost(perf_counter() - self.started, self.preparing, self.calls)
         segments, occurrences = tuple(trajectory.segments), tuple(trajectory.occurrences)
         motion = Motion(
             self.system.model,

@@ -13,7 +13,7 @@ import importlib.util
 import inspect
 import math
 import sys
-from copy import copy
+from functools import cached_property
 from operator import itemgetter
 
 from .. import scalars
@@ -87,46 +87,25 @@ class Compiled:
     """What :func:`compiled` returns; call it like the formula. ``source`` is its text,
     ``operations`` the number of its operations.
 
-    count : of the scalars in the result
+    trace, leaves : the steps, and those that are the scalars in the result, from which ``build``
+        makes the result
     """
 
-    def __init__(self, f, constants, backend):
-        signature = inspect.signature(f).parameters
-        if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
-            raise TypeError(
-                f"a formula to compile names all its arguments; {f!r} takes any number of them"
-            )
-        self.parameters, self.backend, self.name = (
-            [n for n in signature if n not in constants],
+    def __init__(self, name, parameters, trace, leaves, build=tuple, defaults=(), backend="auto"):
+        self.name, self.parameters, self.trace, self.leaves, self.backend = (
+            name,
+            parameters,
+            trace,
+            leaves,
             backend,
-            getattr(f, "__name__", "formula"),
         )
-        self._defaults = {
-            n: signature[n].default
-            for n in self.parameters
-            if signature[n].default is not inspect.Parameter.empty
-        }
-        trace = Trace()
-        values = {**constants, **{n: trace.new("argument", n) for n in self.parameters}}
-        by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
-        try:
-            leaves, self._build = _builder(f(*by_place, **values))
-        except TypeError as error:
-            if "ufunc" not in str(error):
-                raise
-            # NumPy's own words for an unknown kind of number do not help
-            raise TypeError(NO_VALUE) from error
-        names = {n: f"{n}_" if n in RESERVED else n for n in self.parameters}
-        self.count, self._functions, self._seen, self._heyoka, self._buffer = (
-            len(leaves),
-            {},
-            0,
-            None,
-            None,
-        )
+        self._build, self._defaults = build, dict(defaults)
+        names = {n: f"{n}_" if n in RESERVED else n for n in parameters}
         self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
-        chooses = any(s.op == "where" for s in trace.steps)
-        self._lazy = generate(trace, names, leaves, lazy=True)[0] if chooses else self.source
+        self._lazy = (
+            generate(trace, names, leaves, lazy=True)[0] if "where(" in self.source else self.source
+        )
+        self._functions, self._seen, self._heyoka, self._buffer = {}, 0, None, None
         self.on_floats = self.on(math)
 
     def __repr__(self):
@@ -140,13 +119,19 @@ class Compiled:
                 return self._other(args)
         return self._build(self.on_floats(*args))
 
-    def rewritten(self, source):
-        """The same with another text, which returns a plain tuple by ``on`` and ``on_floats`` only."""
-        new = copy(self)
-        new.source = new._lazy = source
-        new._functions = {}
-        new.on_floats = new.on(math)
-        return new
+    @cached_property
+    def dependencies(self):
+        """For each scalar in the result the names of the arguments on which it depends, a list of
+        sets.
+        """
+        known = {}
+        for s in self.trace.steps:
+            known[s.number] = (
+                {s.args[0]}
+                if s.op == "argument"
+                else set().union(*(known[a.number] for a in s.args if isinstance(a, Step)))
+            )
+        return [known[leaf.number] if isinstance(leaf, Step) else set() for leaf in self.leaves]
 
     def on(self, library):
         """The text as a function over one library, from the arguments to the tuple of all scalars
@@ -222,7 +207,7 @@ class Compiled:
         count = math.prod(shape)
         self._seen += count
         rows = [np.broadcast_to(a, shape).reshape(-1) if a.shape else a[()] for a in args]
-        out = np.empty((self.count, count))
+        out = np.empty((len(self.leaves), count))
         (self._by_heyoka if count and self._heyoka_pays() else self._in_blocks)(np, rows, out)
         return self._build([row.reshape(shape) for row in out])
 
@@ -291,7 +276,7 @@ def _float(constant):
 def compiled(f, backend="auto", **constants):
     """``f``, traced once into straight-line text, for many fast evaluations.
 
-    f : a function of scalars that does not branch on their values (it chooses by ``where``) and
+    f : a function of scalars that does not branch on their values (it chooses by ``where``); it
         returns a scalar, a Vector, or tuples and dicts of them
     backend : "auto" (NumPy in blocks, and heyoka as soon as its compilation is earned back),
         "numpy" or "heyoka"; for arrays only
@@ -310,4 +295,26 @@ def compiled(f, backend="auto", **constants):
     """
     if backend not in ("auto", "numpy", "heyoka"):
         raise ValueError(f"backend must be 'auto', 'numpy' or 'heyoka', got {backend!r}")
-    return Compiled(f, constants, backend)
+    signature = inspect.signature(f).parameters
+    if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
+        raise TypeError(
+            f"a formula to compile names all its arguments; {f!r} takes any number of them"
+        )
+    trace, parameters = Trace(), [n for n in signature if n not in constants]
+    values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
+    by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
+    try:
+        leaves, build = _builder(f(*by_place, **values))
+    except TypeError as error:
+        if "ufunc" not in str(error):
+            raise
+        # NumPy's own words for an unknown kind of number do not help
+        raise TypeError(NO_VALUE) from error
+    defaults = {
+        n: signature[n].default
+        for n in parameters
+        if signature[n].default is not inspect.Parameter.empty
+    }
+    return Compiled(
+        getattr(f, "__name__", "formula"), parameters, trace, leaves, build, defaults, backend
+    )

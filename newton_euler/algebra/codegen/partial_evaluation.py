@@ -5,13 +5,14 @@ To heyoka a parameter inside a product is a series like any other; a constant in
 product cheap. A division is a recurrence of its own, where a product by the inverse is not.
 """
 
-import ast
 import math
 
-from .source import unused
+from .compiled import Compiled
+from .source import unused, uses
+from .trace import Step, Trace
 
 
-def folded(text, count):
+def folded(formula, count):
     """A :class:`~newton_euler.algebra.codegen.compiled.Compiled` formula in two: one that takes
     constants, and the formula of the parameters that returns these.
 
@@ -22,74 +23,57 @@ def folded(text, count):
     >>> rest, constants = folded(compiled(lambda x, m, g, l: -m*g*l*x/(m*l*l)), 1)
     >>> print(rest.source, constants.source, sep="", end="")
     def formula(x, h0, h1):
-        s0 = -(h0 * x * h1)
-        return (s0,)
+        s0 = -((h0 * x) * h1)
+        return s0,
     def formula(m, g, l):
-        return (m * g * l, 1.0 / (m * l * l),)
+        s0 = (m * g) * l
+        s1 = (1.0) / ((m * l) * l)
+        return s0, s1,
     """
-    function = ast.parse(text.source).body[0]
-    names = [a.arg for a in function.args.args]
-    if "where(" in text.source:  # what one side of a choice computes may have no value on the other
-        return text, _like(text, names[count:], [], names[count:])
-    split = _Split(names[:count], names[count:])
-    lines = [line for line in function.body[:-1] if split.keeps(line)]
-    results = [ast.unparse(split.visit(x)) for x in function.body[-1].value.elts]
-    return _like(text, [*names[:count], *split.constants.values()], lines, results), _like(
-        text, names[count:], split.early, split.constants
-    )
+    arguments, parameters = formula.parameters[:count], formula.parameters[count:]
+    needed, rest, early = uses(formula.trace, formula.leaves), Trace(), Trace()
+    chooses = any(s.op == "where" for s in formula.trace.steps if s.number in needed)
+    # the new steps by the numbers of the old ones
+    moving, fixed, constants, letter = {}, {}, {}, unused("h", formula.parameters)
 
+    def constant(x):
+        """The argument of the rest in the place of this step of the other formula."""
+        if x.number not in constants:
+            constants[x.number] = x, rest.new("argument", f"{letter}{len(constants)}")
+        return constants[x.number][1]
 
-def _like(text, names, lines, results):
-    """A formula like this one with other arguments, lines and results."""
-    body = "".join(f"    {ast.unparse(ast.fix_missing_locations(line))}\n" for line in lines)
-    return text.rewritten(
-        f"def formula({', '.join(names)}):\n{body}    return "
-        f"({''.join(f'{x}, ' for x in results).rstrip()})\n"
-    )
-
-
-class _Split(ast.NodeTransformer):
-    """Replaces each largest part of an expression that depends on parameters alone by a name;
-    ``constants`` : the names, by the text of the part.
-    """
-
-    def __init__(self, moving, parameters):
-        self.moving, self.fixed, self.early, self.constants = set(moving), set(parameters), [], {}
-        self.letter = unused("h", {n: n for n in (*moving, *parameters)})
-
-    def keeps(self, line):
-        """True for a line that depends on more, which is changed in place; others go to ``early``."""
-        fixed = self._is_fixed(line.value)
-        if fixed:
-            self.early.append(line)
-        else:
-            line.value = self.visit(line.value)
-        (self.fixed if fixed else self.moving).add(line.targets[0].id)
-        return not fixed
-
-    def visit(self, node):
-        """The expression with constants in the places of its fixed parts."""
-        if isinstance(node, ast.expr) and self._is_fixed(node):
-            return self._constant(ast.unparse(node))
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div):
-            if self._is_fixed(node.right):
-                return ast.BinOp(
-                    self.visit(node.left),
-                    ast.Mult(),
-                    self._constant(f"1.0 / ({ast.unparse(node.right)})"),
-                )
-            # a power of two, whose inverse is exact
-            if isinstance(node.right, ast.Constant) and math.frexp(node.right.value)[0] == 0.5:
-                return ast.BinOp(
-                    self.visit(node.left), ast.Mult(), ast.Constant(1.0 / node.right.value)
-                )
-        return self.generic_visit(node)
-
-    def _constant(self, expression):
-        return ast.Name(
-            self.constants.setdefault(expression, f"{self.letter}{len(self.constants)}"), ast.Load()
+    def in_rest(x):
+        return (
+            x
+            if not isinstance(x, Step)
+            else moving[x.number]
+            if x.number in moving
+            else constant(fixed[x.number])
         )
 
-    def _is_fixed(self, node):
-        names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
-        return not names & self.moving and bool(names & self.fixed)
+    for s in formula.trace.steps:
+        if s.op == "argument":
+            own, trace = (moving, rest) if s.args[0] in arguments else (fixed, early)
+            own[s.number] = trace.new("argument", s.args[0])
+        elif s.number not in needed or chooses:
+            continue
+        elif not any(isinstance(a, Step) and a.number in moving for a in s.args):
+            fixed[s.number] = early.step(
+                s.op, *(fixed[a.number] if isinstance(a, Step) else a for a in s.args)
+            )
+        elif s.op == "/" and isinstance(s.args[1], Step) and s.args[1].number in fixed:
+            moving[s.number] = rest.step(
+                "*", in_rest(s.args[0]), constant(early.step("/", 1.0, fixed[s.args[1].number]))
+            )
+        # a power of two, whose inverse is exact
+        elif s.op == "/" and type(s.args[1]) in (int, float) and math.frexp(s.args[1])[0] == 0.5:
+            moving[s.number] = rest.step("*", in_rest(s.args[0]), 1.0 / s.args[1])
+        else:
+            moving[s.number] = rest.step(s.op, *map(in_rest, s.args))
+    if chooses:  # what one side of a choice computes may have no value on the other
+        return formula, Compiled(formula.name, parameters, early, list(fixed.values()))
+    leaves = [in_rest(leaf) for leaf in formula.leaves]
+    names = [*arguments, *(step.args[0] for _, step in constants.values())]
+    return Compiled(formula.name, names, rest, leaves), Compiled(
+        formula.name, parameters, early, [x for x, _ in constants.values()]
+    )

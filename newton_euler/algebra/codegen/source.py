@@ -21,27 +21,11 @@ def generate(trace, names, outputs, lazy):
     constants that have no literal, by name; and the number of its operations. A lazy text computes
     what only one side of a choice needs under an ``if``.
     """
-    used = {}  # how often each step is, by its number
-    stack = [o for o in outputs if isinstance(o, Step)]
-    for o in stack:
-        used[o.number] = 2  # an output has a line of its own
-    needed = set()
-    while stack:
-        s = stack.pop()
-        if s.number in needed:
-            continue
-        needed.add(s.number)
-        for a in s.args:
-            if isinstance(a, Step):
-                # a condition is asked again
-                used[a.number] = used.get(a.number, 0) + (
-                    2 if s.op == "where" and a is s.args[0] else 1
-                )
-                stack.append(a)
-    steps = [s for s in trace.steps if s.number in needed]
+    used = uses(trace, outputs)
+    steps = [s for s in trace.steps if s.number in used]
     branches = _branches(steps, outputs) if lazy else {}
     text, lines, constants, operations = {}, [], {}, 0
-    line_letter, constant_letter = unused("s", names), unused("c", names)
+    line_letter, constant_letter = unused("s", names.values()), unused("c", names.values())
 
     def spelled(a):
         if isinstance(a, Step):
@@ -66,9 +50,25 @@ def generate(trace, names, outputs, lazy):
             lines.append((branches.get(s.number, ()), f"{text[s.number]} = {written}"))
     body = "".join(
         f"    {line}\n"
-        for line in [*_indented(lines, text), f"return {', '.join(map(spelled, outputs))},"]
+        for line in [
+            *_indented(lines, text),
+            f"return {', '.join(map(spelled, outputs))}{',' if outputs else '()'}",
+        ]
     )
     return f"def formula({', '.join(names.values())}):\n{body}", constants, operations
+
+
+def uses(trace, outputs):
+    """How often each step that the outputs need is used, by its number."""
+    used = {o.number: 2 for o in outputs if isinstance(o, Step)}  # an output has a line of its own
+    for s in reversed(trace.steps):
+        for a in s.args if s.number in used else ():
+            if isinstance(a, Step):
+                # a condition is asked again
+                used[a.number] = used.get(a.number, 0) + (
+                    2 if s.op == "where" and a is s.args[0] else 1
+                )
+    return used
 
 
 def _branches(steps, outputs):
@@ -106,7 +106,7 @@ def unused(letter, names):
     """The letter, after as many underscores as distinguish it with digits from the names of the
     arguments.
     """
-    while any(n.startswith(letter) and n[len(letter) :].isdigit() for n in names.values()):
+    while any(n.startswith(letter) and n[len(letter) :].isdigit() for n in names):
         letter = "_" + letter
     return letter
 

@@ -38,8 +38,8 @@ class StepError(NewtonEulerError, ArithmeticError):
 
 
 class Stepper:
-    """One run of a method from the state ``x`` at ``t`` to the ``goal`` of a trajectory, which also
-    has the ``tolerance``, a fixed ``step`` or None, and the ``samples``.
+    """One run of a method from the state ``x`` at ``t`` to the ``goal`` of a trajectory, which has
+    the ``tolerance``, the fixed ``step`` or None, and the ``samples``.
 
     t, x : reached so far; ``start`` : where it began, as a pair; ``step_times`` : the times between
         steps; ``calls`` of the right-hand side

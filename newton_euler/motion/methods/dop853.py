@@ -22,15 +22,10 @@ SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0
 # controlled in the others
 NOISE = 2e-16
 
-_STAGES = """\
-    {x}, = x; {p}
-    {a}, = f(t, {x}{args})
-{outer}
-"""
 # The error combines the estimates of orders 5 and 3 as |e5|^2/sqrt(|e5|^2 + 0.01|e3|^2) (II.10).
-_CODE = f"""\
+_CODE = """\
 def run(f, p, t, goal, x, s, k, h, tol, hmax, least, limit, keep):
-    {{x}}, = x; {{s}}, = s; {{a}}, = k; {{p}}
+    {x}, = x; {s}, = s; {a}, = k; {p}
     tried = 0
     while t < goal and limit > 0:
         if h > hmax: h = hmax
@@ -38,36 +33,36 @@ def run(f, p, t, goal, x, s, k, h, tol, hmax, least, limit, keep):
         if last: h = goal - t
         tried += 1
         try:
-{{inner}}
-            {{n}}, = f(t + h, {{y}}{{args}})
-            q = {NOISE}*max({{s}}{{one}})
-{{errors}}
-            e5 = {{e5}}; e3 = {{e3}}
-            e = h*e5/sqrt((e5 + 0.01*e3)*{{count}}) if e5 > 0.0 else e5
+{inner}
+            {n}, = f(t + h, {y}{args})
+            q = {noise}*max({s}{one})
+{errors}
+            e5 = {e5}; e3 = {e3}
+            e = h*e5/sqrt((e5 + 0.01*e3)*{count}) if e5 > 0.0 else e5
         except (ZeroDivisionError, OverflowError, ValueError):
             e = inf
         if not e <= 1.0:
-            h *= max({SHRINK}, {SAFETY}*e**-0.125) if isfinite(e) else {SHRINK}
-            if h < least: return t, ({{x}},), ({{s}},), ({{a}},), 0.0, tried
+            h *= max({shrink}, {safety}*e**-0.125) if isfinite(e) else {shrink}
+            if h < least: return t, ({x},), ({s},), ({a},), 0.0, tried
             continue
-        keep((t, h, {{x}}))
+        keep((t, h, {x}))
         t = goal if last else t + h
-        {{x}}, = {{y}},
-        {{a}}, = {{n}},
+        {x}, = {y},
+        {a}, = {n},
         limit -= 1
-{{scales}}
-        h *= min({GROW}, {SAFETY}*e**-0.125) if e > 1e-12 else {GROW}
-    return t, ({{x}},), ({{s}},), ({{a}},), h, tried
+{scales}
+        h *= min({grow}, {safety}*e**-0.125) if e > 1e-12 else {grow}
+    return t, ({x},), ({s},), ({a},), h, tried
 
 def one_step(f, p, t, h, x):
-{_STAGES}
-    return {{y}},
+{outer}
+    return {y},
 
 def polynomial(f, p, t, h, x):
-{_STAGES}
-    {{n}}, = f(t + h, {{y}}{{args}})
-{{more}}
-    return {{rows}},
+{outer}
+    {n}, = f(t + h, {y}{args})
+{more}
+    return {rows},
 """
 
 
@@ -93,7 +88,8 @@ def _text(n, constants):
     def lines(width, *parts):
         return indent("\n".join(parts), width * " ")
 
-    args = "".join(f", p{j}" for j in range(constants))
+    x, args = each("x{i}"), "".join(f", p{j}" for j in range(constants))
+    p = f"{args[2:]}, = p" if constants else ""
     body = [*stages(range(1, 12)), *(f"y{i} = x{i} + h*({_sum(WEIGHTS, i)})" for i in range(n))]
     errors = [
         f"c = tol*max(s{i}, abs(y{i})) + q; u{i} = ({_sum(ERROR_5, i)})/c; v{i} = "
@@ -101,8 +97,9 @@ def _text(n, constants):
         for i in range(n)
     ]
     return _CODE.format(
-        x=each("x{i}"), y=each("y{i}"), s=each("s{i}"), a=each("k0_{i}"), n=each("k12_{i}"), args=args, p=f"{args[2:]}, = p" if constants else "",
-        one=", 0.0" if n == 1 else "", count=n, inner=lines(12, *body), outer=lines(4, *body), errors=lines(12, *errors),
+        x=x, y=each("y{i}"), s=each("s{i}"), a=each("k0_{i}"), n=each("k12_{i}"), args=args, p=p, one=", 0.0" if n == 1 else "", count=n,
+        noise=NOISE, shrink=SHRINK, safety=SAFETY, grow=GROW, inner=lines(12, *body), errors=lines(12, *errors),
+        outer=lines(4, f"{x}, = x; {p}", f"{each('k0_{i}')}, = f(t, {x}{args})", *body),
         scales=lines(8, each("if abs(x{i}) > s{i}: s{i} = abs(x{i})", "\n")), e5=each("u{i}*u{i}", " + "), e3=each("v{i}*v{i}", " + "),
         more=lines(4, *stages((13, 14, 15))), rows=", ".join(map(_row, range(n))),
     )  # fmt: skip

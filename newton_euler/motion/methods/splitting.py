@@ -53,7 +53,7 @@ def partition(system):
     """The numbers of the states in two groups, such that no rate depends on its own group: two
     tuples, or None if there are no such groups.
     """
-    states, needs = system.model.states, system.traced.needs
+    states, needs = system.model.states, system.traced.rhs.dependencies
     if any("t" in need for need in needs):
         return None
     group = {}
@@ -80,7 +80,7 @@ def principal_moments(system):
     Three rates, each a constant times the product of the two other states, with constants that
     belong to moments.
     """
-    states, needs = system.model.states, system.traced.needs
+    states, needs = system.model.states, system.traced.rhs.dependencies
     if len(states) != 3 or any(states[i] in needs[i] or "t" in needs[i] for i in range(3)):
         return None
     try:

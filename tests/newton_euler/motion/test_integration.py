@@ -470,6 +470,14 @@ def test_a_parameter_without_a_number_is_named():
         integrate(physical_pendulum(sympy.Symbol("m"), 0.5, 0.5, 10.0), 1.0, (1.0, 0.0))
 
 
+def test_a_symbol_of_symengine_is_no_number():
+    m = pytest.importorskip("symengine").Symbol("m")
+    with pytest.raises(ModelError, match="the parameter m of 'physical pendulum' has no number"):
+        integrate(physical_pendulum(m, 0.5, 0.5, 10.0), 1.0, (1.0, 0.0))
+    with pytest.raises(ModelError, match="needs a number for omega, got m"):
+        integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 1.0, (1.0, m))
+
+
 def test_heyoka_that_is_missing_is_said(monkeypatch):
     monkeypatch.setattr("newton_euler.motion.methods.table.installed", lambda: False)
     with pytest.raises(

@@ -480,8 +480,9 @@ def test_defaults_and_keyword_arguments():
     assert g(1.0, 5.0, 6.0) == f(1.0, 5.0, z=6.0)
 
 
-def test_a_formula_without_arguments():
+def test_a_formula_without_arguments_or_without_results():
     assert compiled(lambda: 2.0)() == 2.0
+    assert compiled(lambda x: ())(1.0) == ()
 
 
 # -- errors in words
