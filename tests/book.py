@@ -12,7 +12,7 @@ from pathlib import Path
 # section | rooms of newton_euler/, and its worked examples in chapters/examples/ | first and last
 # numbered equation | E: a worked example
 SECTIONS = """
-A algebra/vectors, kinematics/curvilinear, chapters/examples/appA | 1-22 | E
+A algebra/vectors, kinematics/curvilinear_systems, chapters/examples/appA | 1-22 | E
 1.2 kinematics/paths, kinematics/frames | 1-3 |
 2.1 kinematics/frames | 1-3 |
 2.2 chapters/examples/ch02 | | E
@@ -29,7 +29,7 @@ A algebra/vectors, kinematics/curvilinear, chapters/examples/appA | 1-22 | E
 3.1 kinematics/frames, chapters/examples/ch03 | 1-3 | E
 3.2 kinematics/paths, chapters/examples/ch03 | 4-13 | E
 3.3 chapters/examples/ch03 | | E
-3.4 kinematics/curvilinear | 14-17 |
+3.4 kinematics/curvilinear_systems | 14-17 |
 3.5 kinematics/coordinates | 18-23 |
 3.6 chapters/examples/ch03 | | E
 3.7 kinematics/coordinates | 24-27 |
@@ -51,7 +51,7 @@ A algebra/vectors, kinematics/curvilinear, chapters/examples/appA | 1-22 | E
 5.6 chapters/examples/ch07 | | E
 5.8 kinematics/frames, bodies/body | 14-17 |
 5.9 kinematics/frames | 18-19 |
-5.10 dynamics/gravitation | 20-27 |
+5.10 dynamics/gravity | 20-27 |
 5.11 dynamics/constraints | 28-28 |
 6.1 dynamics/newton | 1-6 |
 6.2 chapters/examples/ch06 | | E
@@ -75,9 +75,9 @@ A algebra/vectors, kinematics/curvilinear, chapters/examples/appA | 1-22 | E
 7.8 bodies/inertia | 24-26 |
 7.9 bodies/inertia | 27-27 | E
 7.10 bodies/inertia, chapters/examples/ch07 | | E
-8.1 dynamics/angular_momentum | 1-11 |
+8.1 dynamics/momentum | 1-11 |
 8.2 dynamics/euler | 12-14 |
-8.3 dynamics/angular_momentum, dynamics/euler | 15-17 |
+8.3 dynamics/momentum, dynamics/euler | 15-17 |
 8.4 chapters/examples/ch08 | | E
 8.5 dynamics/euler | 18-19 |
 8.6 scenes/planar/sliding_sphere | | E

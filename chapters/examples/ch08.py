@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from newton_euler import Frame, Vector
 from newton_euler.chapters.examples.ch07 import three_rods
-from newton_euler.dynamics.angular_momentum import angular_momentum, resultant_moment
+from newton_euler.dynamics.momentum import angular_momentum, resultant_moment
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """Forces, constraints, Newton's and Euler's equations, work and energy (chapters 5, 6, 8, 11)."""
 
-from .angular_momentum import angular_momentum, equations_of_motion, resultant_moment
+from .momentum import angular_momentum, equations_of_motion, resultant_moment
 from .constraints import ConstraintError, degrees_of_freedom
 from .energy import (
     Audit,
@@ -23,7 +23,7 @@ from .euler import (
     planar_moment,
 )
 from .force_systems import Couple, Force, ForceError, ForceSystem, Wrench
-from .gravitation import (
+from .gravity import (
     attraction,
     gravitation,
     gravitational_field,

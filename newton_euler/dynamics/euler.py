@@ -4,7 +4,7 @@ rates and back, by an inertia matrix.
 The matrix is about the mass centre, or about a point at rest or at constant velocity (8.11);
 ``body.about(P)`` gives it. Rates are those seen from an inertial frame. For a point that moves in
 any way, and by way of any frame, see
-:func:`newton_euler.dynamics.angular_momentum.resultant_moment`.
+:func:`newton_euler.dynamics.momentum.resultant_moment`.
 Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 

@@ -24,10 +24,10 @@ from ..algebra.scalars import (
     size,
 )
 from ..bodies.admissibility import positive
-from ..kinematics.curvilinear import gradient, tangents
+from ..kinematics.curvilinear_systems import gradient, tangents
 from ..kinematics.frames import Point
 from ..kinematics.triads import norm3
-from .gravitation import G_STANDARD, K
+from .gravity import G_STANDARD, K
 from .work import work_along
 
 
@@ -102,7 +102,7 @@ def conservative_force(V, P):
     """The force F = -grad V (11.16)-(11.18) of the potential ``V`` at the Point ``P``, a Vector.
 
     V : function of the coordinates by which P is given, rectangular or others, as for
-        :func:`newton_euler.kinematics.curvilinear.gradient`; a formula of these, since what goes by
+        :func:`newton_euler.kinematics.curvilinear_systems.gradient`; a formula of these, since what goes by
         way of Points forgets their rates and would have no slope
 
     >>> from newton_euler import Frame

@@ -14,6 +14,7 @@ from pkgutil import walk_packages
 
 from ..motion.model import ModelError
 from . import catalogue
+from .ladders import Ladder, Rung, smallest
 
 
 @cache

@@ -9,7 +9,7 @@ import pytest
 from newton_euler import Frame, at
 from newton_euler.algebra.scalars import SingularError, cos, sin
 from newton_euler.kinematics.coordinates import cylindrical_coordinates, polar_coordinates
-from newton_euler.kinematics.curvilinear import curvilinear
+from newton_euler.kinematics.curvilinear_systems import curvilinear
 
 ground = Frame("ground")
 

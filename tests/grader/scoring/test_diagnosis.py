@@ -14,7 +14,7 @@ from grader.scoring.diagnosis import term_text
 from newton_euler.algebra.vectors import Vector
 from newton_euler.classroom.answers import record
 from newton_euler.classroom.forms import Form
-from newton_euler.kinematics import curvilinear as coordinates
+from newton_euler.kinematics import curvilinear_systems
 from newton_euler.kinematics import frames
 
 CH04 = problems("ch04")
@@ -270,4 +270,7 @@ def test_terms_are_named_for_what_they_are():
     )
     assert term_text("arm", frames.EQUATIONS["angular acceleration"]) == "the turning of arm"
     assert term_text("arm x rod", frames.EQUATIONS["angular acceleration"]) == "the term arm x rod"
-    assert term_text("u''", coordinates.EQUATIONS["curvilinear acceleration"]) == "the term u''"
+    assert (
+        term_text("u''", curvilinear_systems.EQUATIONS["curvilinear acceleration"])
+        == "the term u''"
+    )

@@ -18,7 +18,7 @@ from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension, Frame, at, compiled, cos, moving, radians, sin, sqrt
 from newton_euler.applications import earth as e
-from newton_euler.dynamics.gravitation import K, gravitational_field
+from newton_euler.dynamics.gravity import K, gravitational_field
 from newton_euler.dynamics.newton import relative_acceleration
 from newton_euler.motion.model import ModelError
 from newton_euler.scenes.ladders import Ladder, smallest

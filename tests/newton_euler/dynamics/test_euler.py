@@ -9,7 +9,7 @@ from newton_euler import Frame, at, moving
 from newton_euler.bodies.admissibility import MassError
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import box, cylinder, disk, rod
-from newton_euler.dynamics.angular_momentum import (
+from newton_euler.dynamics.momentum import (
     angular_momentum,
     resultant_moment,
 )

@@ -7,7 +7,7 @@ import pytest
 from newton_euler import Frame, moving
 from newton_euler.algebra.linear import solve_linear
 from newton_euler.bodies.solids import sphere
-from newton_euler.dynamics.angular_momentum import (
+from newton_euler.dynamics.momentum import (
     equations_of_motion,
 )
 from newton_euler.scenes.planar import sliding_sphere

@@ -13,7 +13,7 @@ from newton_euler import Dimension, Frame, compiled, moving
 from newton_euler.algebra.linear import solve_linear
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import rod, sphere
-from newton_euler.dynamics.angular_momentum import (
+from newton_euler.dynamics.momentum import (
     angular_momentum,
     equations_of_motion,
     resultant_moment,

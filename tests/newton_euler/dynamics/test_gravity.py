@@ -20,7 +20,7 @@ from newton_euler.dynamics import (
     mass_from_weight,
     weight,
 )
-from newton_euler.dynamics.gravitation import K
+from newton_euler.dynamics.gravity import K
 from tests.kinds import KINDS, close, number, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -26,7 +26,7 @@ from newton_euler import (
 )
 from newton_euler.algebra import SingularError
 from newton_euler.kinematics import curvilinear, curvilinear_rates, gradient
-from newton_euler.kinematics.curvilinear import tangents
+from newton_euler.kinematics.curvilinear_systems import tangents
 from tests.explicit import explicit
 from tests.kinds import KINDS, close, numbers
 
