@@ -1,0 +1,236 @@
+"""``python -m tests.honesty``: how often is a result as accurate as asked, on random models?"""
+
+import time
+from pathlib import Path
+
+import click
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+
+import tests.honesty.families  # noqa: F401
+from tests.honesty import printing, report
+from tests.honesty.cases import DRAWS, FAMILIES
+from tests.honesty.engine import METHOD_NAMES
+from tests.honesty.judge import SECONDS, TOLERANCES
+from tests.honesty.references import SECONDS as REFERENCE_SECONDS
+from tests.honesty.references import cache_folder
+from tests.honesty.workers import Plan, results
+
+HELP = """\
+Draws random models of many families, computes reference solutions with more digits than a float
+has, by two independent methods that must agree, integrates each model in every way that the engine
+offers, and counts how often the result is as accurate as asked.
+
+\b
+How to read the table; each line is one way to ask, at one tolerance:
+  met       part of the answers whose true error is not above what was asked; goal: 99.5 %
+  covers    part of the error estimates that are not below the true error; goal: 99 %
+  est/true  median of the estimate over the true error; goal: not over 100
+  inside    part of the answers whose samples on the way are within ten times what was asked
+  silent    answers whose error is over ten times what was asked and estimated; goal: none
+  refused   by a ModelError; in brackets those by auto although floats can reach it easily
+  raw       other exceptions
+  timeout   calls without an answer in --seconds
+
+Errors are those of the worst state, relative to its largest size on the way. A case whose
+reference is not reached, or whose two methods disagree, is dropped and counted. References are kept
+in --cache, so that a second run is faster.
+
+\b
+examples:
+  python -m tests.honesty                                  all families and methods: half an hour
+  python -m tests.honesty --draws 1 --methods auto,taylor  some minutes
+  python -m tests.honesty --families dry_friction,lorenz   two families
+  python -m tests.honesty --case beside_a_constant/0/2     one case, every call listed
+  python -m tests.honesty --list                           the families
+"""
+
+
+def _several(allowed):
+    def check(context, parameter, text):
+        wanted = tuple(x.strip() for x in text.split(",")) if text else ()
+        unknown = [x for x in wanted if x not in allowed]
+        if unknown:
+            raise click.BadParameter(f"there is no {unknown[0]!r}; there are {', '.join(allowed)}")
+        return wanted
+
+    return check
+
+
+def _numbers(context, parameter, text):
+    try:
+        found = tuple(float(x) for x in text.split(","))
+    except ValueError as error:
+        raise click.BadParameter(f"numbers with commas between them, got {text!r}") from error
+    if not all(0 < x < 1 for x in found):
+        raise click.BadParameter(f"a tolerance lies between 0 and 1, got {text!r}")
+    return found
+
+
+def _cases(context, parameter, texts):
+    out = []
+    for text in texts:
+        name, *numbers = text.split("/")
+        if name not in FAMILIES or len(numbers) != 2 or not all(n.isdigit() for n in numbers):
+            raise click.BadParameter(f"a case is family/seed/draw, as lorenz/0/2, got {text!r}")
+        out.append((name, *map(int, numbers)))
+    return out
+
+
+@click.command(help=HELP, context_settings={"max_content_width": 100})
+@click.option(
+    "--families", default="", callback=_several(FAMILIES), metavar="A,B", help="only these families"
+)
+@click.option(
+    "--seeds", default=1, show_default=True, type=click.IntRange(1), help="how many seeds"
+)
+@click.option("--first-seed", default=0, show_default=True, help="the first of them")
+@click.option(
+    "--draws",
+    default=DRAWS,
+    show_default=True,
+    type=click.IntRange(1),
+    help="models of each family for each seed",
+)
+@click.option(
+    "--case",
+    "cases",
+    multiple=True,
+    callback=_cases,
+    metavar="F/S/D",
+    help="this case instead, every call listed; may be repeated",
+)
+@click.option(
+    "--methods",
+    default="",
+    callback=_several(("auto", *METHOD_NAMES)),
+    metavar="A,B",
+    help="only these methods",
+)
+@click.option(
+    "--tolerances",
+    default=",".join(f"{x:g}" for x in TOLERANCES),
+    show_default=True,
+    callback=_numbers,
+    help="errors asked for",
+)
+@click.option(
+    "--without-heyoka", "heyoka", flag_value="without", help="as if heyoka were not installed"
+)
+@click.option(
+    "--with-heyoka-only",
+    "heyoka",
+    flag_value="with",
+    help="without the lines of auto that go without heyoka",
+)
+@click.option("--no-changes", is_flag=True, help="do not repeat calls nor run them in two threads")
+@click.option(
+    "--jobs", default=2, show_default=True, type=click.IntRange(1), help="cases at the same time"
+)
+@click.option("--seconds", default=SECONDS, show_default=True, help="that a call may take")
+@click.option(
+    "--reference-seconds",
+    default=REFERENCE_SECONDS,
+    show_default=True,
+    help="that a reference may take",
+)
+@click.option(
+    "--cache",
+    type=click.Path(file_okay=False, path_type=Path),
+    help="folder of the references (default: the user's cache)",
+)
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False, path_type=Path),
+    help="folder for the table, the runs and the changes as CSV and JSON",
+)
+@click.option(
+    "--worst",
+    "count",
+    default=20,
+    show_default=True,
+    help="how many of the worst answers are listed",
+)
+@click.option("--list", "listed", is_flag=True, help="list the families and end")
+def main(
+    families,
+    seeds,
+    first_seed,
+    draws,
+    cases,
+    methods,
+    tolerances,
+    heyoka,
+    no_changes,
+    jobs,
+    seconds,
+    reference_seconds,
+    cache,
+    out,
+    count,
+    listed,
+):
+    """Run it."""
+    console = Console(width=None if Console().is_terminal else 140)
+    if listed:
+        for name, f in FAMILIES.items():
+            console.print(
+                f"{name:30} {', '.join(f.tags):28} {f.__doc__.strip().splitlines()[0]}",
+                highlight=False,
+                soft_wrap=True,
+            )
+        return
+    wanted = cases or [
+        (n, seed, k)
+        for seed in range(first_seed, first_seed + seeds)
+        for n in families or FAMILIES
+        for k in range(draws)
+    ]
+    plan = Plan(
+        methods or ("auto", *METHOD_NAMES),
+        tolerances,
+        heyoka or "both",
+        seconds,
+        reference_seconds,
+        str(cache or cache_folder()),
+        not no_changes,
+    )
+    begun = time.perf_counter()
+    found = _followed(wanted, plan, jobs)
+    lines = report.table([r for f in found for r in f.runs])
+    printing.everything(console, found, lines, count, time.perf_counter() - begun, bool(cases))
+    if out:
+        report.write(out, found, lines)
+        console.print(f"written: {out}")
+
+
+def _followed(cases, plan, jobs):
+    """The results in the order of the cases; those that were finished when it is interrupted."""
+    columns = BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn()
+    found, silent = [], 0
+    with Progress(*columns, TextColumn("{task.description}"), console=Console(stderr=True)) as bar:
+        task, coming = bar.add_task("", total=len(cases)), results(cases, plan, jobs)
+        try:
+            for one in coming:
+                found.append(one)
+                silent += sum(r.silent for r in one.runs)
+                done = f"{one.case}; {silent} answers silently wrong so far"
+                bar.update(task, advance=1, description=done)
+                if not bar.console.is_terminal and len(found) % max(1, len(cases) // 10) == 0:
+                    click.echo(f"{len(found)} of {len(cases)}: {done}", err=True)
+        except KeyboardInterrupt:
+            coming.close()
+            click.echo("interrupted: what follows is of the cases that were finished", err=True)
+    order = {"/".join(map(str, c)): n for n, c in enumerate(cases)}
+    return sorted(found, key=lambda f: order[f.case])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,155 @@
+"""A case: one motion of a random model, and what its reference needs to know about it."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from random import Random
+from types import SimpleNamespace
+
+FRACTIONS = (0.13, 0.37, 0.71, 1.0)  # of the time: where states are compared, the end last
+DRAWS = 3  # of each family, for each seed
+FAMILIES = {}  # by name, filled by the decorator below
+
+
+@dataclass(frozen=True)
+class Branches:
+    """The analytic pieces of rates that have kinks or jumps.
+
+    switches : functions ``(s, p, t)``; at a zero of one of them the rates change their formula
+    rates : a function ``(s, p, t, b)``, the rates with the sign of each switch, +1 or -1, in the
+        tuple ``b`` in place of what chooses
+    """
+
+    switches: tuple
+    rates: Callable
+
+
+@dataclass(frozen=True)
+class Case:
+    """A model, its start and its time, as they go into ``integrate``.
+
+    model, t_end, start, t0 : arrays among the parameters or in the start are many motions at once
+    name, tags : family/seed/draw, and the subject with what else is special; both are filled in by
+        :func:`draw`
+    branches : :class:`Branches` where the rates have kinks, else None
+    knots : times at which the reference stops to look, where something short happens that long
+        steps would pass over
+    exact : a function ``(mp, s, p, t)`` on mpmath numbers, the states at the time t after the
+        start, or None; not shown to the engine
+    singular_at : the time at which the motion ceases to exist, or None; beyond it the only right
+        answer is a refusal
+    events : of the engine; ``event_times(mp, s, p)`` lists the times of a single event where a
+        formula gives them
+    impact : a function ``(s, p, t)``, the state after each event of ``events``, whose ``then`` does
+        the same; None if they only tell or end the motion
+    """
+
+    model: object
+    t_end: float
+    start: tuple
+    t0: float = 0.0
+    name: str = ""
+    tags: tuple = ()
+    branches: Branches | None = None
+    knots: tuple = ()
+    exact: Callable | None = None
+    singular_at: float | None = None
+    events: tuple = ()
+    event_times: Callable | None = field(default=None, repr=False)
+    impact: Callable | None = field(default=None, repr=False)
+
+    @property
+    def span(self):
+        """The time as ``integrate`` takes it."""
+        return (self.t0, self.t_end) if self.t0 else self.t_end
+
+    @property
+    def singular(self):
+        """True if no answer exists at the end."""
+        return self.singular_at is not None and self.singular_at <= self.t_end
+
+    @property
+    def times(self):
+        """The times at which states are compared, the end last."""
+        return tuple(self.t0 + f * (self.t_end - self.t0) for f in FRACTIONS[:-1]) + (self.t_end,)
+
+    @property
+    def count(self):
+        """How many motions it is."""
+        return max(
+            [1]
+            + [
+                len(x)
+                for x in (*self.start, *self.model.parameters.values())
+                if getattr(x, "shape", ())
+            ]
+        )
+
+    def member(self, k):
+        """One of many motions, as a case of its own."""
+        if self.count == 1:
+            return self
+
+        def one(x):
+            return float(x[k]) if getattr(x, "shape", ()) else x
+
+        model = replace(
+            self.model, parameters={n: one(x) for n, x in self.model.parameters.items()}
+        )
+        return replace(
+            self, model=model, start=tuple(one(x) for x in self.start), name=f"{self.name}[{k}]"
+        )
+
+    def explain(self):
+        """What reproduces it: the call, in numbers."""
+        parameters = ", ".join(f"{n}={x!r}" for n, x in self.model.parameters.items())
+        of = f"{self.name}: {self.model.name!r} with {parameters or 'no parameters'}"
+        return f"{of}; t = {self.span!r}; start {self.start!r}"
+
+
+def family(subject, *tags):
+    """Puts a function ``f(rng)`` that returns a :class:`Case` into :data:`FAMILIES`."""
+
+    def add(f):
+        f.tags = (subject, *tags)
+        known = FAMILIES.setdefault(f.__name__, f)
+        # pytest imports a file once more to look for doctests
+        if known.__code__.co_filename != f.__code__.co_filename:
+            raise ValueError(f"two families have the name {f.__name__!r}")
+        return f
+
+    return add
+
+
+def draw(name, seed, number):
+    """One case of a family: always the same one for the same seed and number.
+
+    >>> from tests.honesty import cases, families  # which fill the list
+    >>> draw = cases.draw
+    >>> draw("pendulum", 0, 1).start == draw("pendulum", 0, 1).start != draw("pendulum", 0, 2).start
+    True
+    """
+    made = FAMILIES[name]
+    return replace(
+        made(Random(f"{name}/{seed}/{number}")), name=f"{name}/{seed}/{number}", tags=made.tags
+    )
+
+
+def decades(rng, low, high):
+    """A random number whose logarithm is evenly distributed."""
+    return math.exp(rng.uniform(math.log(low), math.log(high)))
+
+
+def either(rng, x):
+    """x or -x."""
+    return rng.choice((-x, x))
+
+
+def around(t, width, count):
+    """Times at distances of ``width`` about ``t``."""
+    return tuple(t + width * k for k in range(-count, count + 1))
+
+
+def names(keys, values):
+    """Values by name, as the functions of a model take them."""
+    return SimpleNamespace(**dict(zip(keys, values, strict=True)))

@@ -1,0 +1,495 @@
+"""Run a case in every way that the engine offers, and compare each answer with the reference and
+with its own error estimate.
+
+:func:`runs_of` lists the ways, :func:`judged` takes one. :func:`repeated` and
+:func:`in_two_threads` look whether an answer depends on what ran before or beside it.
+"""
+
+import math
+import sys
+import threading
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from time import perf_counter
+
+from newton_euler import integrate, prepare
+from newton_euler.motion import ModelError
+from tests.honesty.engine import METHOD_NAMES
+from tests.honesty.limits import TimeUp, limited
+from tests.honesty.references import scales
+
+TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
+# the floor that the docstring of integrate states: no state is judged relative to less than this in
+# its unit
+UNIT = 1e-6
+GROSS = 10.0  # times what was asked for and what was estimated: then an answer is silently wrong
+EPS = 2.0**-53
+LAX = 1e3  # times the round-off of the start: an error that can be reached by any sound method
+SECONDS = 4.0  # that one run may take
+BATCHES = (3, 64)
+REPEATS, REPEAT_SECONDS = 40, 0.7  # `auto` may take another method after half a second
+THREAD_RUNS = 40
+
+PREPARED, SAMPLES, WITHOUT = "prepared", "samples", "without heyoka"
+RETURNED = ("met", "missed")
+
+
+@dataclass(frozen=True)
+class Run:
+    """One call and what came of it.
+
+    case, tags, method, way, rtol : what was asked for; ``way`` is "" for a plain ``integrate``,
+        else "prepared", "samples", "batch of 3", ...
+    taken : the name of the method that was taken, or of the exception; ``end`` : the last state
+    outcome : "met" or "missed", where it returned; "refused" in words of the engine; "raw", another
+        exception; "timeout", not within the limit
+    error : the true error of the end, see :func:`true_error`; ``unitless`` : the same without a
+        floor in units; ``inside`` : the worst on the way
+    estimate : the error estimate that came with it, or None
+    needless : True for a refusal by ``auto`` of an error that floats can reach easily, see
+        :func:`reachable`
+    seconds, words : of the call; the words of an exception or of what is wrong
+    """
+
+    case: str
+    tags: tuple
+    method: str
+    way: str
+    rtol: float
+    taken: str = ""
+    end: tuple = ()
+    outcome: str = ""
+    error: float = math.nan
+    unitless: float = math.nan
+    inside: float = math.nan
+    estimate: float | None = None
+    needless: bool = False
+    seconds: float = 0.0
+    words: str = ""
+
+    @property
+    def row(self):
+        """The name of its row in the table."""
+        return f"{self.method}, {self.way}" if self.way else self.method
+
+    @property
+    def returned(self):
+        """True if it gave an answer."""
+        return self.outcome in RETURNED
+
+    @property
+    def covers(self):
+        """True if the estimate is not below the true error.
+
+        None if there is no estimate, or no answer.
+        """
+        return None if not self.returned or self.estimate is None else self.estimate >= self.error
+
+    @property
+    def ratio(self):
+        """The estimate over the true error, which is not better known than to half a unit of the
+        last place.
+        """
+        return None if self.covers is None else self.estimate / max(self.error, EPS)
+
+    @property
+    def silent(self):
+        """True if it is wrong by more than ten times what was asked for and what was estimated."""
+        return self.returned and self.error > GROSS * max(self.rtol, self.estimate or 0.0)
+
+
+# -- the true error
+
+
+def true_error(state, true, sizes, natural, unit=UNIT):
+    """The error of a state: the largest difference of one of its numbers from the truth, over the
+    largest size of that number on the way.
+
+    No size is smaller than ``unit``, 1e-6 in its unit, as ``integrate`` says; nor, whatever the
+    unit, than a thousandth of the natural size that its coupling to the others gives it
+    (:func:`~tests.honesty.references.scales`): a rate of nutation that is zero cannot be known
+    relative to nothing. With ``unit=0`` only the latter remains, and the error is the same in
+    metres and in parsecs.
+
+    state : floats; true : decimal numbers as text. inf if a number is not finite.
+
+    >>> true_error((1.001, 1e-12), ("1.0", "0.0"), (2.0, 0.0), (2.0, 1.0))  # of 2.0, and of 0.001
+    0.0004999999999999449
+    """
+    if len(state) != len(true) or not all(map(math.isfinite, state)):
+        return math.inf
+    known = scales(sizes, natural)
+    differences = (float(abs(Fraction(x) - Fraction(y))) for x, y in zip(state, true, strict=True))
+    return max(d / max(s, unit) if d else 0.0 for d, s in zip(differences, known, strict=True))
+
+
+def events_error(found, truth, rtol):
+    """The error of the events: of the time of each over the whole time, times its weight; inf if
+    there are more or fewer.
+
+    found : (number, time) of each, in order; truth : the reference; where two events are so close
+        that an error of ``rtol`` may join them, 0
+    """
+    if truth.margin < GROSS * rtol:
+        return 0.0
+    if [n for n, _ in found] != [n for n, *_ in truth.events]:
+        return math.inf
+    span = float(Fraction(truth.times[-1])) if truth.times else 1.0
+    return max(
+        (
+            w * float(abs(Fraction(t) - Fraction(true))) / span
+            for (_, t), (_, true, w) in zip(found, truth.events, strict=True)
+        ),
+        default=0.0,
+    )
+
+
+def reachable(truth, rtol):
+    """True if a sound method in floats reaches this error by far."""
+    return truth.condition * EPS * LAX < rtol
+
+
+# -- the ways to ask
+
+
+def runs_of(case, methods=("auto", *METHOD_NAMES), tolerances=TOLERANCES, without=False):
+    """All calls for a case: pairs of method and way, each at all tolerances, as tuples (method,
+    way, rtol); ``auto`` comes first.
+
+    without : True in a process in which heyoka cannot be imported: the ways are then called so
+    """
+    if case.count > 1:
+        ways = [
+            (m, f"batch of {'64' if case.count >= 64 else '3'}")
+            for m in methods
+            if m in ("auto", "taylor", "dop853")
+        ]
+    else:
+        ways = [(m, "") for m in methods]
+        ways += [(m, SAMPLES) for m in methods if m in ("auto", "taylor")]
+        if not case.events:
+            ways += [(m, PREPARED) for m in methods if m in ("auto", "taylor") and not case.t0]
+            ways += [(m, f"batch of {n}") for m in methods if m == "auto" for n in BATCHES]
+    if without:
+        ways = [(m, f"{way}, {WITHOUT}" if way else WITHOUT) for m, way in ways]
+    ways.sort(key=lambda w: w[0] != "auto" or bool(w[1].removesuffix(WITHOUT)))
+    return [(m, way, rtol) for m, way in ways for rtol in tolerances]
+
+
+def members(case):
+    """The numbers of the motions that are looked at."""
+    n = case.count
+    return [0] if n == 1 else sorted({0, 1, n // 2, n - 1})
+
+
+def judged(case, truths, method, way, rtol, seconds=SECONDS, integrate=integrate, prepare=prepare):
+    """The :class:`Run` of one call.
+
+    truths : the references of the members that are looked at, by their numbers; of a single motion
+        {0: reference}
+    """
+    asked = Run(case.name, case.tags, method, way, rtol)
+    begun = perf_counter()
+    try:
+        with limited(seconds):
+            answers, taken = _asked(case, truths, method, way, rtol, integrate, prepare)
+            passed = perf_counter() - begun
+    except TimeUp:
+        return replace(
+            asked,
+            taken="timeout",
+            outcome="timeout",
+            seconds=seconds,
+            words=f"no answer in {seconds:g} s",
+        )
+    except ModelError as error:
+        unfit = "cannot be used" in str(error)
+        needless = method == "auto" and all(reachable(truth, rtol) for truth in truths.values())
+        return replace(
+            asked,
+            taken=type(error).__name__,
+            outcome="unfit" if unfit else "refused",
+            needless=needless,
+            seconds=perf_counter() - begun,
+            words=str(error),
+        )
+    except Exception as error:  # whatever it is, a user meets it
+        return replace(
+            asked,
+            taken=type(error).__name__,
+            outcome="raw",
+            seconds=perf_counter() - begun,
+            words=f"{type(error).__name__}: {error}",
+        )
+    worst = None
+    for k, (end, estimate, inside, found) in answers.items():
+        run = _compared(case, truths[k], end, estimate, inside, found, asked)
+        if worst is None or run.error > worst.error:
+            worst = run
+    return replace(worst, taken=taken, seconds=passed)
+
+
+def _compared(case, truth, end, estimate, inside, found, asked):
+    """One motion against its reference."""
+    rtol = asked.rtol
+    if case.singular:
+        return replace(
+            asked,
+            outcome="missed",
+            error=math.inf,
+            unitless=math.inf,
+            estimate=estimate,
+            end=end,
+            words="there is no motion at that time",
+        )
+    about = truth.sizes, truth.natural
+    error, unitless = (true_error(end, truth.states[-1], *about, unit) for unit in (UNIT, 0.0))
+    words = f"end {end!r}, true {tuple(float(Fraction(x)) for x in truth.states[-1])!r}"
+    if found is not None:
+        times = events_error(found, truth, rtol)
+        error, unitless = max(error, times), max(unitless, times)
+        if times == math.inf:
+            words = f"{len(found)} events of {len(truth.events)}"
+    rows = zip(inside, truth.states[:-1], strict=False) if inside else ()
+    worst = max((true_error(row, true, *about) for row, true in rows), default=math.nan)
+    return replace(
+        asked,
+        outcome="met" if error <= rtol else "missed",
+        error=error,
+        unitless=unitless,
+        inside=worst,
+        estimate=estimate,
+        end=end,
+        words=words,
+    )
+
+
+def _asked(case, truths, method, way, rtol, integrate, prepare):
+    """The answers by member, each (end, estimate, states inside, events), and the name of the
+    method taken.
+    """
+    way = way.removesuffix(WITHOUT).removesuffix(", ")
+    if way == PREPARED:
+        return {
+            0: (tuple(prepare(case.model, rtol, method)(case.t_end, case.start)), None, None, None)
+        }, method
+    if way.startswith("batch"):
+        return _batch(case, truths, method, int(way.rpartition(" ")[2]), rtol, integrate)
+    samples = case.times if way == SAMPLES else None
+    motion = integrate(case.model, case.span, case.start, rtol, method, case.events, samples)
+    estimate = float(motion.error)
+    end = tuple(motion.end.values())
+    begin, last = case.t0, motion.t_end
+    times = [t for t in case.times[:-1] if begin <= t <= last]
+    if samples:
+        rows = list(zip(*(x.tolist() for x in motion.states.values()), strict=True))[: len(times)]
+    else:
+        rows = (
+            list(zip(*(x.tolist() for x in motion.at(times).values()), strict=True))
+            if times
+            else []
+        )
+    found = [(_number(case, e.name), e.t) for e in motion.events] if case.events else None
+    return {0: (end, None if math.isnan(estimate) else estimate, rows, found)}, motion.method.name
+
+
+def _number(case, name):
+    named = [e.name or f"event {n + 1}" for n, e in enumerate(case.events)]
+    return named.index(name)
+
+
+def _batch(case, truths, method, count, rtol, integrate):
+    """A motion among others that start one per cent off, first, in the middle and last.
+
+    Or those of a case that is many motions itself.
+    """
+    import numpy as np
+
+    if case.count > 1:
+        start, places = case.start, {k: k for k in truths}
+    else:
+        spread = np.linspace(-0.01, 0.01, count)
+        spread[[0, count // 2, -1]] = 0.0
+        if {"singular", "near-singular"} & set(case.tags):
+            spread[:] = 0.0
+        start, places = (
+            tuple(x * (1 + spread) for x in case.start),
+            dict.fromkeys((0, count // 2, count - 1), 0),
+        )
+    motions = integrate(case.model, case.span, start, rtol, method)
+    answers = {}
+    for place, k in places.items():
+        end = tuple(float(x[place, -1]) for x in motions.states.values())
+        estimate = None if motions.error is None else float(np.asarray(motions.error)[place])
+        if k not in answers or not _same(answers[k][0], end):
+            answers[k] = _worse(answers.get(k), (end, estimate, None, None), truths[k])
+    return answers, motions.method.name
+
+
+def _worse(a, b, truth):
+    if a is None or not truth.states:
+        return b
+    return max(
+        a, b, key=lambda answer: true_error(answer[0], truth.states[-1], truth.sizes, truth.natural)
+    )
+
+
+def _same(a, b):
+    return len(a) == len(b) and all(
+        x == y or (x != x and y != y) for x, y in zip(a, b, strict=True)
+    )
+
+
+# -- whether it depends on what ran before or beside it
+
+
+@dataclass(frozen=True)
+class Change:
+    """A call that gave another answer than before: the ``case``, how it was asked, how many
+    ``answers`` of ``calls`` differ from the first.
+
+    moved : by how much, relative to the sizes; ``methods`` : the names of those that were taken
+    """
+
+    case: str
+    way: str
+    rtol: float
+    answers: int
+    calls: int
+    moved: float
+    methods: tuple
+
+    @property
+    def gross(self):
+        """True if they differ by more than twice what was asked for."""
+        return self.moved > 2 * self.rtol
+
+
+def repeated(case, truth, first, calls=REPEATS, seconds=REPEAT_SECONDS, integrate=integrate):
+    """The same calls again and again, for so many seconds: a :class:`Change` for each tolerance.
+
+    first : by tolerance the last state and the method of the first call of all
+    """
+    for rtol, before in first.items():
+        found, begun = [before], perf_counter()
+        while len(found) < 2 or (
+            len(found) <= calls and perf_counter() - begun < seconds / len(first)
+        ):
+            found.append(answer(case, rtol, integrate))
+        found = [pair for pair in found if pair[1] != "timeout"]  # which is not an answer
+        if len(found) < 2:
+            continue
+        ends, methods = zip(*found, strict=True)
+        yield _change(case, truth, "repeated", rtol, ends, methods)
+
+
+def answer(case, rtol, integrate=integrate):
+    """The last state and the method by ``auto``; an exception is an answer too."""
+    try:
+        with limited(SECONDS):
+            motion = integrate(case.model, case.span, case.start, rtol, events=case.events)
+    except TimeUp:
+        return (), "timeout"
+    except Exception as error:
+        return (), type(error).__name__
+    return tuple(motion.end.values()), motion.method.name
+
+
+def _change(case, truth, way, rtol, answers, methods):
+    first = answers[0]
+    others = [a for a in answers[1:] if not _same(a, first)]
+    moved = 0.0
+    for a in others:
+        comparable = len(a) == len(first) and truth.sizes
+        moved = max(
+            moved,
+            true_error(a, [Fraction(x) for x in first], truth.sizes, truth.natural)
+            if comparable and all(map(math.isfinite, first))
+            else math.inf,
+        )
+    return Change(
+        case.name, way, rtol, len(others), len(answers), moved, tuple(dict.fromkeys(methods))
+    )
+
+
+def in_two_threads(
+    case, truth, rtol=1e-9, calls=THREAD_RUNS, seconds=1.0, prepare=prepare, integrate=integrate
+):
+    """Two threads that ask for two motions of one model at the same time.
+
+    How many answers differ from those that each gets alone: a :class:`Change` for each way to ask.
+    """
+    other = tuple(x * (1 + 2.0**-10) for x in case.start)
+    ways = {
+        "prepared, two threads": _by_prepare(case, rtol, prepare),
+        "two threads": _by_integrate(case, rtol, integrate),
+    }
+    for way, ask in ways.items():
+        found = ask and _threads(case, truth, way, rtol, calls, seconds, ask, other)
+        if found:
+            yield found
+
+
+def _by_prepare(case, rtol, prepare):
+    if case.t0 or case.events:
+        return None
+    try:
+        run = prepare(case.model, rtol)
+    except ModelError:
+        return None
+    return lambda start: tuple(run(case.t_end, start))
+
+
+def _by_integrate(case, rtol, integrate):
+    return lambda start: tuple(
+        integrate(case.model, case.span, start, rtol, events=case.events).end.values()
+    )
+
+
+def _threads(case, truth, way, rtol, calls, seconds, ask, other):
+    def asked(start):
+        try:
+            return ask(start)
+        # an answer as well: it must be the same alone and beside another
+        except Exception as error:
+            return (type(error).__name__,)
+
+    starts = case.start, other
+    try:
+        with limited(SECONDS):
+            alone = [asked(s) for s in starts]  # they may compile, and take another method
+            begun = perf_counter()
+            alone = [asked(s) for s in starts]
+    except TimeUp:
+        return None
+    calls = max(2, min(calls, int(seconds / (perf_counter() - begun + 1e-9))))
+    found = ([], [])
+    barrier = threading.Barrier(2)
+
+    def work(n):
+        barrier.wait()
+        for _ in range(calls):
+            found[n].append(asked(starts[n]))
+
+    threads = [threading.Thread(target=work, args=(n,)) for n in range(2)]
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    try:
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+    finally:
+        sys.setswitchinterval(interval)
+    wrong, moved = 0, 0.0
+    for n in range(2):
+        change = (
+            _change(case, truth, way, rtol, [alone[n], *found[n]], ())
+            if alone[n] and type(alone[n][0]) is float
+            else None
+        )
+        if change is None:
+            wrong += sum(a != alone[n] for a in found[n])
+        else:
+            wrong, moved = wrong + change.answers, max(moved, change.moved)
+    return Change(case.name, way, rtol, wrong, 2 * calls, moved, ())

@@ -1,0 +1,33 @@
+"""A limit of seconds around a piece of work."""
+
+import signal
+import threading
+from contextlib import contextmanager
+
+
+class TimeUp(BaseException):
+    """The limit is over; no ``except Exception`` of what is measured takes it for its own."""
+
+
+@contextmanager
+def limited(seconds):
+    """Raise :class:`TimeUp` in what is inside after so many seconds.
+
+    Without an effect outside the main thread, where signals do not arrive.
+    """
+    if threading.current_thread() is not threading.main_thread() or not hasattr(
+        signal, "setitimer"
+    ):
+        yield
+        return
+
+    def ring(*_):
+        raise TimeUp
+
+    before = signal.signal(signal.SIGALRM, ring)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)

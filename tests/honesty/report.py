@@ -1,0 +1,148 @@
+"""From runs to the table.
+
+Accuracy reached and estimated, by way and tolerance, and the worst answers.
+"""
+
+import csv
+import json
+import math
+from collections import Counter, defaultdict
+from dataclasses import asdict, dataclass
+from statistics import median
+
+GOALS = {"met": 0.995, "covers": 0.99, "ratio": 100.0, "silent": 0}  # of issue 9
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line of the table: a way to ask, at one tolerance or, where ``rtol`` is None, at all.
+
+    runs, returned : how many were asked, and how many gave an answer
+    met : the part of the answers that are as accurate as asked; ``covers`` : the part of the
+        estimates that are not below the true error
+    ratio : the median of the estimate over the true error; ``inside`` : the part of the answers
+        whose samples are accurate within ten times what was asked
+    silent, refused, needless, raw, timeout : how many; ``unitless`` : the part met if no floor in
+        units were granted
+    seconds : the median of the time of a call
+    """
+
+    row: str
+    rtol: float | None
+    runs: int
+    returned: int
+    met: float
+    covers: float
+    ratio: float
+    inside: float
+    unitless: float
+    silent: int
+    refused: int
+    needless: int
+    raw: int
+    timeout: int
+    seconds: float
+
+    @property
+    def reaches_goals(self):
+        """True if it reaches the goals of issue 9; a line without answers does."""
+        covers, ratio = (self.covers, self.ratio) if not math.isnan(self.covers) else (1.0, 1.0)
+        return not self.returned or (
+            self.met >= GOALS["met"]
+            and covers >= GOALS["covers"]
+            and ratio <= GOALS["ratio"]
+            and not self.silent
+        )
+
+
+def line(row, rtol, runs):
+    """The :class:`Line` of some runs."""
+    answers = [r for r in runs if r.returned]
+    covers, inside = (
+        [r.covers for r in answers if r.covers is not None],
+        [r.inside <= 10 * r.rtol for r in answers if not math.isnan(r.inside)],
+    )
+    count = Counter(r.outcome for r in runs)
+    return Line(
+        row,
+        rtol,
+        runs=len(runs),
+        returned=len(answers),
+        met=_part(r.outcome == "met" for r in answers),
+        covers=_part(covers),
+        ratio=median([r.ratio for r in answers if r.ratio is not None] or [math.nan]),
+        inside=_part(inside),
+        unitless=_part(r.unitless <= r.rtol for r in answers),
+        silent=sum(r.silent for r in runs),
+        refused=count["refused"],
+        needless=sum(r.needless for r in runs),
+        raw=count["raw"],
+        timeout=count["timeout"],
+        seconds=median([r.seconds for r in answers] or [math.nan]),
+    )
+
+
+def _part(flags):
+    flags = list(flags)
+    return sum(flags) / len(flags) if flags else math.nan
+
+
+def table(runs):
+    """All lines: each way at each tolerance, then at all; ``auto`` first."""
+    rows = defaultdict(list)
+    for r in runs:
+        rows[r.method != "auto", r.method, "without" in r.way, len(r.way), r.row].append(r)
+    out = []
+    for (*_, row), own in sorted(rows.items()):
+        for rtol in sorted({r.rtol for r in own}, reverse=True):
+            out.append(line(row, rtol, [r for r in own if r.rtol == rtol]))
+        out.append(line(row, None, own))
+    return out
+
+
+def by_subject(runs, row="auto"):
+    """One way by the subject of the families, the worst first.
+
+    Pairs of subject and :class:`Line`.
+    """
+    subjects = defaultdict(list)
+    for r in runs:
+        if r.row == row or (r.tags[0] == "batch" and r.method == row and "without" not in r.way):
+            subjects[r.tags[0]].append(r)
+    return sorted(
+        ((s, line(row, None, found)) for s, found in subjects.items()), key=lambda pair: pair[1].met
+    )
+
+
+def worst(runs, count=20):
+    """The answers that are wrong by most against what was asked and estimated.
+
+    Of each case and way only the worst.
+    """
+    first = {}
+    for r in sorted(
+        (r for r in runs if r.outcome == "missed"),
+        key=lambda r: -r.error / max(r.rtol, r.estimate or 0.0),
+    ):
+        first.setdefault((r.case, r.row), r)
+    return list(first.values())[:count]
+
+
+def write(folder, found, lines):
+    """The table, the runs and the changes as CSV, and all of it as JSON, into a folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    runs, changes = [r for f in found for r in f.runs], [c for f in found for c in f.changes]
+    for name, records in (("table", lines), ("runs", runs), ("changes", changes)):
+        if records:
+            with open(folder / f"{name}.csv", "w", newline="") as file:
+                writer = csv.DictWriter(file, list(asdict(records[0])))
+                writer.writeheader()
+                writer.writerows(asdict(r) for r in records)
+    everything = {
+        "table": [asdict(x) for x in lines],
+        "runs": [asdict(r) for r in runs],
+        "changes": [asdict(c) for c in changes],
+        "dropped": {f.case: f.dropped for f in found if f.dropped},
+        "conditions": {f.case: f.condition for f in found},
+    }
+    (folder / "honesty.json").write_text(json.dumps(everything, default=str))

@@ -1,0 +1,236 @@
+"""Cases in processes of their own: nothing that ran for one case can help or hurt another, and a
+call that hangs is ended.
+
+Every case gets up to three processes, one after the other: one that finds its references, one that
+judges it with heyoka, one without. They are forked from a server that has imported everything, so
+that each starts in milliseconds.
+"""
+
+import multiprocessing
+import sys
+import threading
+import time
+import warnings
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass, field
+from itertools import chain
+
+from tests.honesty import judge
+from tests.honesty.cases import draw
+from tests.honesty.references import SECONDS as REFERENCE_SECONDS
+from tests.honesty.references import NoReferenceError, reference
+
+GRACE = 10.0  # seconds beyond the limit of a call after which its process is ended
+RESTARTS = 3
+LOOK = 0.5  # seconds between two looks whether to stop
+PRELOADED = (
+    "tests.honesty.judge",
+    "tests.honesty.families",
+    "numpy",
+    "scipy.integrate",
+    "mpmath",
+    "heyoka",
+)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is done with each case.
+
+    methods, tolerances : as in :func:`~tests.honesty.judge.runs_of`
+    heyoka : "both", "with" or "without"; for "both" only ``auto`` is repeated without
+    seconds : that one call may take; ``reference_seconds`` : that a reference may take; ``cache`` :
+        the folder of the references
+    changes : True to repeat calls and to run them in two threads
+    """
+
+    methods: tuple = ("auto", *judge.METHOD_NAMES)
+    tolerances: tuple = judge.TOLERANCES
+    heyoka: str = "both"
+    seconds: float = judge.SECONDS
+    reference_seconds: float = REFERENCE_SECONDS
+    cache: str = ""
+    changes: bool = True
+
+
+@dataclass
+class CaseResult:
+    """What came of one case.
+
+    ``runs``, ``changes``, its condition and the ways of its references; ``dropped`` says why there
+    is none.
+    """
+
+    case: str
+    runs: list = field(default_factory=list)
+    changes: list = field(default_factory=list)
+    condition: float = 0.0
+    ways: tuple = ()
+    dropped: str = ""
+
+
+def results(cases, plan, jobs=2):
+    """A :class:`CaseResult` for each case (family, seed, number), as they are finished.
+
+    Whoever stops asking ends the processes that still run.
+    """
+    stopped = threading.Event()
+    with ThreadPoolExecutor(jobs) as pool:
+        waiting = [pool.submit(run_case, case, plan, stopped) for case in cases]
+        try:
+            for finished in as_completed(waiting):
+                yield finished.result()
+        finally:
+            stopped.set()
+            pool.shutdown(cancel_futures=True)
+
+
+def run_case(case, plan, stopped=None):
+    """One case, in processes of its own, which are ended when the event ``stopped`` is set."""
+    stopped = stopped or threading.Event()
+    found = CaseResult("/".join(map(str, case)))
+    for kind, *message in _messages(
+        _reference_process,
+        (case, plan),
+        len(judge.members(draw(*case))) * plan.reference_seconds + GRACE,
+        stopped,
+    ):
+        if kind == "reference":
+            condition, ways = message
+            found.condition, found.ways = max(found.condition, condition), ways
+        elif kind == "dropped":
+            found.dropped = message[0]
+        elif kind == "killed":
+            found.dropped = "the process that looked for the reference did not end"
+    if found.dropped:
+        return found
+    for without in {"both": (False, True), "with": (False,), "without": (True,)}[plan.heyoka]:
+        _judge_in_processes(case, plan, without, found, stopped)
+    return found
+
+
+def _judge_in_processes(case, plan, without, found, stopped):
+    """All calls.
+
+    A process that hangs is ended, and another goes on after the call at which it hung.
+    """
+    skipped, restarts = [], 0
+    while True:
+        current, killed = None, False
+        for kind, *message in _messages(
+            _judge_process, (case, plan, without, tuple(skipped)), plan.seconds + GRACE, stopped
+        ):
+            if kind == "start":
+                current = message[0]
+                skipped.append(current)
+            elif kind == "run":
+                found.runs.append(message[0])
+            elif kind == "change":
+                found.changes.append(message[0])
+            elif kind == "killed":
+                killed = True
+        if not killed or current is None or restarts == RESTARTS or stopped.is_set():
+            return
+        restarts += 1
+        if current != "changes":
+            tags = draw(*case).tags
+            found.runs.append(
+                judge.Run(
+                    found.case,
+                    tags,
+                    *current,
+                    outcome="timeout",
+                    words="it had to be killed",
+                    seconds=plan.seconds + GRACE,
+                )
+            )
+
+
+def _messages(work, args, patience, stopped):
+    """The messages of a process; the last is ("killed",) if it was silent for too long or died."""
+    context = _context()
+    ours, theirs = context.Pipe(duplex=False)
+    process = context.Process(target=work, args=(*args, theirs), daemon=True)
+    process.start()
+    theirs.close()
+    try:
+        while True:
+            limit = time.monotonic() + patience
+            while not ours.poll(LOOK):
+                if stopped.is_set() or time.monotonic() > limit:
+                    yield ("killed",)
+                    return
+            try:
+                message = ours.recv()
+            except EOFError:
+                yield ("killed",)
+                return
+            if message[0] == "done":
+                return
+            yield message
+    finally:
+        process.kill()
+        process.join()
+        ours.close()
+
+
+def _context():
+    if "forkserver" not in multiprocessing.get_all_start_methods():
+        return multiprocessing.get_context("spawn")
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(list(PRELOADED))
+    return context
+
+
+# -- in the process of a case
+
+
+def _reference_process(case, plan, pipe):
+    import tests.honesty.families  # noqa: F401
+
+    made = draw(*case)
+    try:
+        for k in judge.members(made):
+            truth = reference(made.member(k), plan.cache, plan.reference_seconds)
+            pipe.send(("reference", truth.condition, truth.ways))
+    except NoReferenceError as error:
+        pipe.send(("dropped", str(error)))
+    pipe.send(("done",))
+
+
+def _judge_process(case, plan, without, skipped, pipe):
+    import tests.honesty.families  # noqa: F401
+
+    warnings.simplefilter("ignore")  # of SciPy, which repeats in words what its status says
+    if without:
+        sys.modules["heyoka"] = None  # what looks for it finds that it is not there
+    made = draw(*case)
+    truths = {k: reference(made.member(k), plan.cache) for k in judge.members(made)}
+    aside = without and plan.heyoka == "both"
+    methods = [m for m in plan.methods if m == "auto"] if aside else plan.methods
+    repeats = (
+        plan.changes
+        and made.count == 1
+        and not without
+        and "auto" in methods
+        and "changes" not in skipped
+    )
+    first, unfit = {}, set()
+    for call in judge.runs_of(made, methods, plan.tolerances, without):
+        method, way, _ = call
+        if call in skipped or method in unfit or (aside and "batch" in way and made.count == 1):
+            continue
+        pipe.send(("start", call))
+        run = judge.judged(made, truths, *call, seconds=plan.seconds)
+        if run.outcome == "unfit":
+            unfit.add(method)
+        else:
+            pipe.send(("run", run))
+        if call[:2] == ("auto", ""):
+            first[run.rtol] = run.end, run.taken
+    if repeats:
+        pipe.send(("start", "changes"))
+        changes = judge.repeated(made, truths[0], first), judge.in_two_threads(made, truths[0])
+        for change in chain(*changes):
+            pipe.send(("change", change))
+    pipe.send(("done",))
