@@ -1,68 +1,66 @@
-"""Linear equations for unknown rates, accelerations and reactions, over scalars of every kind, and
-what they leave open.
+"""Linear equations for unknown rates, accelerations and reactions, over scalars of every kind.
 
 Velocities are linear in rates, the Newton-Euler equations (8.21) in accelerations and forces. The
 equations are written as what must vanish and run on :class:`LinearForm` unknowns, which read off
 the coefficients, each in its own unit. :func:`solve_rates` is for the few rates of a rolling
-contact or a joint; :func:`solve_linear` for whole sets of equations with names, and it reports what
-they leave open.
+contact or a joint; :func:`solve_linear` for whole sets of equations with names, and it reports the
+unknowns that are not determined and the equations that are redundant.
 """
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from inspect import signature
 from math import prod
+from operator import add, mul
 from types import MappingProxyType
 
 from .scalars import (
     ZERO,
+    Scalar,
     ScalarError,
     Scaled,
     _Own,
-    coarseness,
     is_numeric,
     is_zero,
     least,
     outranks,
-    pi,
     plain,
-    sampled,
+    probe,
     scalar,
     short,
     size,
+    unit_roundoff,
 )
 from .vectors import FrameError, Vector
 
-# unknowns that are solved together by Cramer's rule; of more, one after the other is eliminated
+# Unknowns that Cramer's rule solves at once; its formulas grow as the factorial of their number, so
+# more are eliminated one by one.
 LARGEST_CORE = 6
 
 # Thresholds of the elimination, in round-offs of the coarsest number. Measured on 3000 surplus
-# equations of systems with 2 to 12 random unknowns and
-# condition numbers up to 1e4: what should vanish is at most 2**2 of them in a row, and 2**4 in a
-# right side; what should not, at least 2**37.
-# beside the largest coefficient of a condition: what is left of a sum of a few terms that cancel,
-# as of a turned vector's components
-LEFT_OVER = 16
-# beside the largest coefficient that was subtracted: a thousand times what is measured, for longer
-# chains of equations
+# equations of systems with 2 to 12 random unknowns and condition numbers up to 1e4: what should
+# vanish is at most 2**2 of them in a row, and 2**4 in a right side; what should not, at least 2**37.
+# Beside the largest coefficient of a condition: what is left of a sum of a few terms that cancel, as
+# of the components of a turned vector.
+CANCELLATION = 16
+# Beside the largest coefficient subtracted: a thousand times what is measured, for longer chains.
 NO_PIVOT = 2**12
-# beside the pivot, or the largest part of a sum: halfway between both measured sizes
+# Beside the pivot, or the largest part of a sum: halfway between both measured sizes.
 ABSENT = 2**19
-# beside the terms of the equation: 1e-9, so that data that agree in nine digits agree
+# Beside the terms of the equation: 1e-9, so that data that agree in nine digits agree.
 CONTRADICTION = 2**22
 AGREEMENT = 1e-9  # the same for the surplus conditions of solve_rates
-# of solve_rates, for every kind of number: 450 round-offs of a float beside the largest
-# coefficient, or the product of the rows
+# Of solve_rates, for numbers of every kind: 450 round-offs of a float, beside the largest
+# coefficient or the product of the rows.
 RATE_NOISE = 1e-13
 
 
 class LinearError(FrameError):
-    """Linear equations that contradict each other, or a question for an unknown that they leave
-    open.
+    """Linear equations contradict each other, or do not determine an unknown that is asked for.
 
-    equations : the names of the equations that are to blame
+    equations : the names of the equations concerned
     """
 
     def __init__(self, message, equations=()):
@@ -91,9 +89,7 @@ class LinearForm(_Own):
 
     @staticmethod
     def _refuse(what):
-        raise ScalarError(
-            f"{what}; the conditions must be linear in the unknowns, as velocities are in rates"
-        )
+        raise ScalarError(f"{what}; the conditions must be linear in the unknowns")
 
     def _each(self, change):
         return LinearForm(change(self.value), map(change, self.coefficients))
@@ -101,8 +97,7 @@ class LinearForm(_Own):
     def __add__(self, other):
         if isinstance(other, LinearForm):
             return LinearForm(
-                self.value + other.value,
-                (a + b for a, b in zip(self.coefficients, other.coefficients, strict=True)),
+                self.value + other.value, map(add, self.coefficients, other.coefficients)
             )
         if outranks(other, self):
             return NotImplemented
@@ -112,12 +107,6 @@ class LinearForm(_Own):
 
     def __neg__(self):
         return self._each(lambda x: -x)
-
-    def __sub__(self, other):
-        return self + -other
-
-    def __rsub__(self, other):
-        return -self + other
 
     def __mul__(self, other):
         if other is ZERO:
@@ -138,67 +127,71 @@ class LinearForm(_Own):
     def __rtruediv__(self, other):
         self._refuse("an unknown stands in a denominator")
 
-    def function(self, name, *args):
-        """The function of this name, for :func:`function`."""
+    def function(self, name: str, *args: Scalar) -> Scalar:
+        """Raises :class:`ScalarError`: a function of an unknown is not linear in it."""
         self._refuse(f"{name} is taken of an unknown")
 
     def __pow__(self, power):
         self._refuse("an unknown is raised to a power")
 
-    def pi(self):
-        """The number pi in the kind of the value."""
-        return pi(self.value)
-
 
 # -- a few rates
 
 
-def solve_rates(conditions, count):
+def solve_rates(conditions: Callable, count: int) -> tuple:
     """The unknown rates that make ``conditions`` vanish: rolling without slip, meshing gears,
     joints (4.4, 4.9).
 
     conditions : a function of ``count`` rates that returns what must be zero (scalars, Vectors, or
         a tuple of them), linear in the rates, as every velocity is
     Returns a tuple of ``count`` scalars, of the kind of the conditions. There may be more
-    conditions than rates if they agree. Raises :class:`FrameError` if the conditions leave a rate
-    open or contradict each other, and :class:`ScalarError` if they are not linear in the rates. For
-    equations with names, and a report, see :func:`solve_linear`.
+    conditions than rates if they agree. Raises :class:`LinearError` if the conditions do not
+    determine a rate or contradict each other, and :class:`ScalarError` if they are not linear in
+    the rates. For equations with names, and a report, see :func:`solve_linear`.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")
     >>> def slip(spin):  # a wheel of radius 0.5 whose centre moves at 2 along x
-    ...     wheel = ground.rotate("wheel", "y", rate=spin, origin=ground.point("C", moving(0.0, rate=2.0), 0, 0.5))
+    ...     C = ground.point("C", moving(0.0, rate=2.0), 0, 0.5)
+    ...     wheel = ground.rotate("wheel", "y", rate=spin, origin=C)
     ...     return wheel.point("contact", 0, 0, -0.5).velocity(ground)
     >>> solve_rates(slip, 1)
     (4.0,)
     """
     equations = _equations(conditions(*_unknowns(count)), count)
-    largest = _largest(c for e in equations for c in e.coefficients)
-    # others are rounding
-    used = [
-        e
+    noise = RATE_NOISE * _largest(c for e in equations for c in e.coefficients)
+    rows = [
+        e.parts()
         for e in equations
-        if any(not is_numeric(c) or size(c) > RATE_NOISE * largest for c in e.coefficients)
+        if any(not is_numeric(c) or size(c) > noise for c in e.coefficients)
     ]
-    if len(used) < count:
+    if len(rows) < count:
         raise LinearError(
-            f"{len(used)} conditions contain the rates, but {count} rates are unknown: "
-            f"{count - len(used)} more are needed"
+            f"{count} rates are unknown, but {len(rows)} conditions contain them: "
+            f"{count - len(rows)} more are needed"
         )
-    rows = [e.parts() for e in used]
-    # agreeing surplus conditions: the normal equations, which any kind of scalar can solve
-    if len(used) > count:
+    # Surplus conditions: the normal equations hold for any kind of scalar, and at any values of
+    # those without a value, where a choice of conditions could divide by zero.
+    if len(rows) > count:
         rows = [
             [sum((row[a] * row[b] for row in rows), ZERO) for b in range(count + 1)]
             for a in range(count)
         ]
     rates = _cramer([row[:count] for row in rows], [row[count] for row in rows])
-    _check_solution(equations, rates)
-    return tuple(plain(r) for r in rates)
+    terms = [[*map(mul, e.coefficients, rates), -e.right] for e in equations]
+    parts = [x for row in terms for x in row]
+    if all(map(is_numeric, parts)):
+        worst = _largest(sum(row, ZERO) for row in terms)
+        if worst > AGREEMENT * _largest(parts):
+            raise LinearError(
+                "the conditions contradict each other: with the rates that fit best, one of them "
+                f"is {worst:.3g} instead of 0"
+            )
+    return tuple(map(plain, rates))
 
 
 def _unknowns(count):
-    return [LinearForm(ZERO, (1 if n == m else ZERO for m in range(count))) for n in range(count)]
+    return [LinearForm(ZERO, (int(n == m) or ZERO for m in range(count))) for n in range(count)]
 
 
 def _largest(values):
@@ -206,10 +199,10 @@ def _largest(values):
 
 
 def _cramer(matrix, right):
-    """Linear equations over scalars of any kind: Cramer's rule, which needs neither a pivot nor a
-    comparison.
+    """The solution of linear equations over scalars of any kind: Cramer's rule, which needs neither
+    a pivot nor a comparison.
     """
-    everything = tuple(range(len(matrix)))
+    every = tuple(range(len(matrix)))
 
     @cache
     def minor(rows, columns):
@@ -222,12 +215,7 @@ def _cramer(matrix, right):
                 out = out + (-1) ** k * (first[c] * minor(rest, columns[:k] + columns[k + 1 :]))
         return out
 
-    def cofactor(n, k):
-        return (-1) ** (n + k) * minor(
-            everything[:n] + everything[n + 1 :], everything[:k] + everything[k + 1 :]
-        )
-
-    determinant = minor(everything, everything)
+    determinant = minor(every, every)
     if determinant is ZERO or (
         is_numeric(determinant)
         and least(determinant) <= RATE_NOISE * prod(_largest(row) or 1 for row in matrix)
@@ -236,25 +224,12 @@ def _cramer(matrix, right):
             "the conditions do not determine the rates: some of them say the same, or a rate "
             "does not occur in them"
         )
-    # cofactor by determinant first: what is common to both cancels in a formula without being
-    # simplified
-    return [
-        sum((cofactor(n, k) / determinant * right[n] for n in everything), ZERO) for k in everything
-    ]
 
+    def cofactor(n, k):
+        return (-1) ** (n + k) * minor(every[:n] + every[n + 1 :], every[:k] + every[k + 1 :])
 
-def _check_solution(equations, rates):
-    rows = [
-        [*(c * r for c, r in zip(e.coefficients, rates, strict=True)), -e.right] for e in equations
-    ]
-    parts = [x for row in rows for x in row]
-    if all(map(is_numeric, parts)) and (
-        worst := _largest(sum(row, ZERO) for row in rows)
-    ) > AGREEMENT * _largest(parts):
-        raise LinearError(
-            "the conditions contradict each other: with the rates that fit best, one of them "
-            f"is {worst:.3g} instead of 0"
-        )
+    # cofactor by determinant first: in a formula, what is common to both cancels unsimplified
+    return [sum((cofactor(n, k) / determinant * right[n] for n in every), ZERO) for k in every]
 
 
 # -- many unknowns, equations with names
@@ -262,16 +237,20 @@ def _check_solution(equations, rates):
 
 @dataclass(frozen=True)
 class Solution:
-    """What :func:`solve_linear` found; ``print`` it for a report in words.
+    """The solution that :func:`solve_linear` returns; ``print`` it for a report in words.
 
-    ``s.alpha`` or ``s["alpha"]`` is an unknown's value; asking for one that the equations leave
-    open raises :class:`LinearError`. Iterating gives the values in the order of the unknowns.
+    ``s.alpha`` or ``s["alpha"]`` is an unknown's value; asking for one that the equations do not
+    determine raises :class:`LinearError`. Iterating gives the values in the order of the unknowns.
 
     names : the unknowns
     values : those that are determined, by name
     undetermined : the names of the others
-    relations : sentences, as "A_x = 3 - B_x", that are all the equations say of those (for numbers)
+    relations : what the equations say of those, as "A_x = 3 - B_x" (for numbers)
     redundant : by name, the equations that follow from others, with the names of these
+
+    >>> s = solve_linear(lambda A, B: (A + B - 3.0, A - B - 1.0))
+    >>> s.A, s["B"], s.undetermined
+    (2.0, 1.0, ())
     """
 
     names: tuple
@@ -298,8 +277,8 @@ class Solution:
     def __len__(self):
         return len(self.names)
 
-    def report(self):
-        """In words, what the equations leave open and which of them say nothing new."""
+    def report(self) -> str:
+        """Sentences: which unknowns are not determined, and which equations are redundant."""
         said = []
         if self.undetermined:
             known = f": only {' and '.join(self.relations)} is known" if self.relations else ""
@@ -307,10 +286,10 @@ class Solution:
                 f"Not determined: {', '.join(self.undetermined)}{known}; more equations are "
                 "needed, or fewer unknowns"
             )
-        for name, others in self.redundant.items():
-            said.append(
-                f"The equation {name!r} says nothing new: it follows from {_quoted(others)}"
-            )
+        said += [
+            f"The equation {name!r} says nothing new: it follows from {_quoted(others)}"
+            for name, others in self.redundant.items()
+        ]
         return (
             ". ".join(said) or "The equations determine every unknown, and each of them is needed"
         )
@@ -323,7 +302,7 @@ class Solution:
         return "\n".join([*lines, self.report()])
 
 
-def solve_linear(conditions, names=None):
+def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None) -> Solution:
     """The unknown accelerations, forces and rates that make named equations vanish, with a report:
     a :class:`Solution`.
 
@@ -333,17 +312,21 @@ def solve_linear(conditions, names=None):
     names : of the unknowns, in the order of the arguments, as "a N alpha" or a tuple; default: the
         names of the arguments
 
-    Numbers are eliminated equation by equation, with a choice of pivots: what follows from the
-    equations before it is named in ``redundant``, what contradicts them raises :class:`LinearError`
-    with the names of those concerned, and what is left open is in ``undetermined``. Arrays are
-    solved for all instants. Expressions give formulas, without simplification: unknowns that stand
-    alone first, the rest by Cramer's rule. Whether SymPy's vanish is seen at a point, with numbers
-    in the place of the symbols; traced and heyoka expressions and dimensions are taken to vanish
-    only where they do by their form, and of those surplus equations are not compared.
+    Raises :class:`LinearError`, with the names of those concerned, if equations contradict others.
 
-    >>> def laws(N, F, a):  # a block of 2 kg on a slope of 0.3 rad that slides: along it, across it, friction
-    ...     return {"along": 2.0*a - 2.0*9.81*sin(0.3) + F, "across": N - 2.0*9.81*cos(0.3), "friction": F - 0.1*N}
+    Numbers are eliminated equation by equation, with a choice of pivots. Arrays are solved for all
+    instants. Expressions give formulas, without simplification: unknowns that stand alone first,
+    the rest by Cramer's rule. Whether SymPy's vanish is seen at a point, with numbers in the place
+    of the symbols; traced and heyoka expressions and dimensions are taken to vanish only where they
+    do by their form, and surplus equations of those are not compared.
+
     >>> from newton_euler import cos, sin
+    >>> def laws(N, F, a):  # a block of 2 kg slides on a slope of 0.3 rad
+    ...     return {
+    ...         "along": 2.0 * a - 2.0 * 9.81 * sin(0.3) + F,
+    ...         "across": N - 2.0 * 9.81 * cos(0.3),
+    ...         "friction": F - 0.1 * N,
+    ...     }
     >>> s = solve_linear(laws)
     >>> round(s.a, 6), round(s.N, 6)
     (1.961868, 18.743702)
@@ -352,50 +335,50 @@ def solve_linear(conditions, names=None):
     B = not determined
     Not determined: A, B: only A = 3 - B is known; more equations are needed, or fewer unknowns
     """
-    names = _names(conditions, names)
+    if names is None:
+        names = [
+            p.name
+            for p in signature(conditions).parameters.values()
+            if p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
+        ]
+    names = tuple(names.replace(",", " ").split() if isinstance(names, str) else names)
+    if not names:
+        raise LinearError("there are no unknowns: name them, as in solve_linear(laws, 'a N alpha')")
+    twice = [n for n in names if names.count(n) > 1]
+    if twice:
+        raise LinearError(f"the unknown {twice[0]!r} is named twice")
     equations = _equations(conditions(*_unknowns(len(names))), len(names))
     return _solved([e for e in equations if not all(map(is_zero, e.parts()))], names)
 
 
 def _solved(equations, names):
-    samples, faithful = _samples(equations)
+    made_up = {}
+
+    def number(x):
+        if (known := probe(x)) is not None:
+            return known
+        # numbers between 0.5 and 1.5 without a pattern (steps of the golden ratio), for expressions
+        # whose value cannot be known
+        return made_up.setdefault(id(x), (0.37 + 0.6180339887 * len(made_up)) % 1 + 0.5)
+
+    samples = [e.each(number) for e in equations]
     numbers = all(
         a is b
         for e, s in zip(equations, samples, strict=True)
         for a, b in zip(e.parts(), s.parts(), strict=True)
     )
     try:
-        found = _Elimination(samples, len(names), faithful, numbers)
+        found = _Elimination(samples, len(names), not made_up, numbers)
     except _Varies:
         return _instant_by_instant(equations, names)
     values = found.values if numbers else _of_expressions(equations, found)
     return Solution(
-        tuple(names),
+        names,
         MappingProxyType({names[k]: plain(values[k]) for k in sorted(values)}),
-        tuple(names[k] for k in found.open),
+        tuple(n for k, n in enumerate(names) if k not in found.values),
         tuple(found.relations(names)) if numbers else (),
         MappingProxyType(found.redundant()),
     )
-
-
-def _names(conditions, names):
-    if names is None:
-        parameters = signature(conditions).parameters.values()
-        names = [
-            p.name
-            for p in parameters
-            if p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
-        ]
-    names = names.replace(",", " ").split() if isinstance(names, str) else list(names)
-    twice = [n for n in names if names.count(n) > 1]
-    if twice or not names:
-        why = (
-            f"the unknown {twice[0]!r} is named twice"
-            if twice
-            else "there are no unknowns: name them, as in solve_linear(laws, 'a N alpha')"
-        )
-        raise LinearError(why)
-    return names
 
 
 @dataclass(frozen=True)
@@ -422,53 +405,25 @@ def _equations(conditions, count):
     """The conditions as equations with names: "force" of a scalar, "force.x" of a Vector, numbers
     for those without a name.
     """
-    if isinstance(conditions, Mapping):
-        named = list(conditions.items())
-    else:
-        named = [
-            (f"equation {n + 1}", x)
-            for n, x in enumerate(
-                conditions if isinstance(conditions, (tuple, list)) else (conditions,)
-            )
-        ]
+    if not isinstance(conditions, Mapping):
+        parts = conditions if isinstance(conditions, (tuple, list)) else (conditions,)
+        conditions = {f"equation {n}": x for n, x in enumerate(parts, 1)}
     return [
-        _equation(name, x, group, count)
-        for group, (title, value) in enumerate(named)
-        for name, x in _spread(title, value)
-    ]
-
-
-def _spread(name, value):
-    if isinstance(value, Vector):
-        return [(f"{name}.{axis}", scalar(x)) for axis, x in zip("xyz", value.c, strict=True)]
-    if isinstance(value, (tuple, list)):
-        return [pair for n, part in enumerate(value) for pair in _spread(f"{name}.{n + 1}", part)]
-    return [(name, scalar(value))]
-
-
-def _equation(name, x, group, count):
-    return (
         _Equation(name, x.coefficients, -x.value, group)
         if isinstance(x, LinearForm)
         else _Equation(name, (ZERO,) * count, -x, group)
-    )
+        for group, condition in enumerate(conditions.items())
+        for name, x in _scalars(*condition)
+    ]
 
 
-def _samples(equations):
-    """The equations with numbers in the place of expressions, and whether they stand for their
-    values (else: for any value).
-    """
-    made_up = {}
-
-    def number(x):
-        known = sampled(x)
-        return (
-            made_up.setdefault(id(x), (0.37 + 0.6180339887 * len(made_up)) % 1 + 0.5)
-            if known is None
-            else known
-        )
-
-    return [e.each(number) for e in equations], not made_up
+def _scalars(name, value):
+    """Pairs of a name and a scalar: the value, or its components or parts."""
+    if isinstance(value, Vector):
+        return [(f"{name}.{axis}", scalar(x)) for axis, x in zip("xyz", value.c, strict=True)]
+    if isinstance(value, (tuple, list)):
+        return [pair for n, x in enumerate(value, 1) for pair in _scalars(f"{name}.{n}", x)]
+    return [(name, scalar(value))]
 
 
 # -- numbers: equation by equation
@@ -478,15 +433,15 @@ class _Varies(Exception):
     """No unknown can serve as the pivot at all instants of the arrays."""
 
 
-def _less(row, factor, other, pivot):
-    """The row less ``factor`` times another, in which the pivot is 1."""
-    row = [a - factor * b for a, b in zip(row, other, strict=True)]
-    row[pivot] = ZERO
+def _subtracted(row, other, pivot):
+    """The row less so many times another, in which the pivot is 1, that its own pivot vanishes."""
+    row = [a - row[pivot] * b for a, b in zip(row, other, strict=True)]
+    row[pivot] = ZERO  # exactly, so that no round-off is taken for a coefficient
     return row
 
 
 class _Elimination:
-    """Equations of numbers, taken one after the other: what is new gives a pivot, what is not must
+    """Equations of numbers, eliminated one after the other: a new one gives a pivot, another must
     agree.
 
     A row is a sum of equations: its coefficients, its right side, and how much of each equation is
@@ -498,17 +453,23 @@ class _Elimination:
 
     def __init__(self, equations, count, faithful, numbers):
         self.equations, self.count, self.numbers = equations, count, numbers
-        self.round_off = float(coarseness([x for e in equations for x in e.parts()]))
+        self.round_off = float(unit_roundoff(x for e in equations for x in e.parts()))
         self.scale = self._scales()
         self.usual = self._by_group([self._relative(e.coefficients) for e in equations])
         self.rows, self.dependent = {}, {}
         for n in range(len(equations)):
-            self._take(n)
-        self.free = {pivot: self._free(pivot, row) for pivot, row in self.rows.items()}
-        self.values = {
-            pivot: row[count] for pivot, row in self.rows.items() if not self.free[pivot]
+            self._eliminate(n)
+        self.free = {  # the unknowns beside the pivot in a row
+            pivot: [
+                k
+                for k, s in enumerate(self.scale)
+                if k != pivot
+                and s
+                and size(row[k]) / s > ABSENT * self.round_off / self.scale[pivot]
+            ]
+            for pivot, row in self.rows.items()
         }
-        self.open = [k for k in range(count) if k not in self.values]
+        self.values = {k: row[count] for k, row in self.rows.items() if not self.free[k]}
         for row in self.dependent.values() if faithful else ():
             self._check(row)
 
@@ -522,16 +483,20 @@ class _Elimination:
     def _scales(self):
         """The size of the coefficients of each unknown; 0 if there are none but rounding errors."""
         noise = [
-            LEFT_OVER * self.round_off * x
+            CANCELLATION * self.round_off * x
             for x in self._by_group([e.coefficients for e in self.equations])
         ]
-        columns = zip(*(e.coefficients for e in self.equations), strict=True)
         return [
             max(
-                (size(x) for x, small in zip(c, noise, strict=True) if size(x) > small), default=0.0
+                (
+                    s
+                    for e, small in zip(self.equations, noise, strict=True)
+                    if (s := size(e.coefficients[k])) > small
+                ),
+                default=0.0,
             )
-            for c in columns
-        ] or [0.0] * self.count
+            for k in range(self.count)
+        ]
 
     def _relative(self, row, measure=size):
         """The size of the coefficients of a row, each relative to what is usual for its unknown."""
@@ -540,17 +505,12 @@ class _Elimination:
             for x, s in zip(row, self.scale, strict=False)
         ]
 
-    def _take(self, n):
-        row, usual = (
-            [
-                *self.equations[n].parts(),
-                *(int(n == m) or ZERO for m in range(len(self.equations))),
-            ],
-            self.usual[n],
-        )
+    def _eliminate(self, n):
+        own = (int(n == m) or ZERO for m in range(len(self.equations)))
+        row, usual = [*self.equations[n].parts(), *own], self.usual[n]
         for pivot, other in self.rows.items():
             if (factor := row[pivot]) is not ZERO:
-                row = _less(row, factor, other, pivot)
+                row = _subtracted(row, other, pivot)
                 usual = max(usual, *self._relative([factor * x for x in other[: self.count]]))
         pivot = self._pivot(row, NO_PIVOT * self.round_off * usual)
         if pivot is None:
@@ -558,10 +518,10 @@ class _Elimination:
             return
         row = [x / row[pivot] for x in row]
         row[pivot] = 1
-        self.rows = {
-            k: r if r[pivot] is ZERO else _less(r, r[pivot], row, pivot)
-            for k, r in self.rows.items()
-        } | {pivot: row}
+        for k, r in self.rows.items():
+            if r[pivot] is not ZERO:
+                self.rows[k] = _subtracted(r, row, pivot)
+        self.rows[pivot] = row
 
     def _pivot(self, row, noise):
         """The unknown with the largest coefficient at every instant; None if all are rounding
@@ -575,28 +535,18 @@ class _Elimination:
             raise _Varies
         return None
 
-    def _free(self, pivot, row):
-        """The unknowns beside the pivot in a row."""
-        allowed = ABSENT * self.round_off / self.scale[pivot]
-        return [
-            k for k, s in enumerate(self.scale) if k != pivot and s and size(row[k]) / s > allowed
-        ]
-
     def _check(self, row):
-        involved = self._involved(row)
-        terms = [
+        """Raises LinearError if the right side of a row without unknowns does not vanish."""
+        involved, values = self._involved(row), self.values
+        sizes = self._by_group(
             [
-                e.right,
-                *(c * self.values[k] for k, c in enumerate(e.coefficients) if k in self.values),
+                [e.right, *(c * values[k] for k, c in enumerate(e.coefficients) if k in values)]
+                for e in self.equations
             ]
-            for e in self.equations
-        ]
-        sizes = self._by_group(terms)
+        )
         own = max(size(row[self.count + 1 + n]) * sizes[n] for n in involved)
         difference = size(row[self.count])
-        if difference <= CONTRADICTION * self.round_off * own + NO_PIVOT * self.round_off * max(
-            sizes
-        ):
+        if difference <= (CONTRADICTION * own + NO_PIVOT * max(sizes)) * self.round_off:
             return
         *others, name = names = [self.equations[n].name for n in involved]
         off = f"is off by {difference:.3g}" if self.numbers else "does not hold"
@@ -610,21 +560,22 @@ class _Elimination:
 
     def _involved(self, row):
         """The equations of which a row is the sum, in their order."""
-        weights = {
-            n: size(w) * self.usual[n] for n, w in enumerate(row[self.count + 1 :]) if w is not ZERO
-        }
-        return [
-            n for n, w in weights.items() if w >= ABSENT * self.round_off * max(weights.values())
-        ]
+        own = row[self.count + 1 :]
+        weights = [0.0 if w is ZERO else size(w) * u for w, u in zip(own, self.usual, strict=True)]
+        least_weight = ABSENT * self.round_off * max(weights)
+        return [n for n, w in enumerate(weights) if own[n] is not ZERO and w >= least_weight]
 
     def relations(self, names):
         """What is known of the unknowns that are not determined, in words."""
         for pivot, free in self.free.items():
-            row = self.rows[pivot][: self.count + 1]
-            if free and not any(getattr(x, "shape", ()) for x in row):
-                yield f"{names[pivot]} = {short(row[self.count])}" + "".join(
-                    _term(row[k], names[k]) for k in free
-                )
+            row = self.rows[pivot]
+            if free and not any(getattr(x, "shape", ()) for x in row[: self.count + 1]):
+                text = f"{names[pivot]} = {short(row[self.count])}"
+                for k in free:
+                    c = float(row[k])
+                    times = "" if abs(c) == 1 else f"{abs(c):.6g} "
+                    text += f" {'-' if c > 0 else '+'} {times}{names[k]}"
+                yield text
 
     def redundant(self):
         """By name, the equations that follow from others."""
@@ -634,45 +585,30 @@ class _Elimination:
         return {last: tuple(others) for *others, last in found if others}
 
 
-def _term(coefficient, name):
-    c = float(coefficient)
-    return f" {'-' if c > 0 else '+'} {'' if abs(c) == 1 else f'{abs(c):.6g} '}{name}"
-
-
 def _instant_by_instant(equations, names):
-    """Arrays that have no common pivot: each instant by itself, then together again."""
+    """The solution for arrays that have no common pivot: each instant by itself, then together."""
     import numpy as np
 
     shape = np.broadcast_shapes(*(np.shape(x) for e in equations for x in e.parts()))
-    every = [
-        _solved(
-            [
-                e.each(lambda x: np.broadcast_to(x, shape)[n] if np.shape(x) else x)  # noqa: B023
-                for e in equations
-            ],
-            names,
-        )
-        for n in np.ndindex(shape)
-    ]
-    kinds = {s.undetermined for s in every}
-    if len(kinds) > 1:
-        left = sorted({name for kind in kinds for name in kind})
+
+    def at(n):
+        return [
+            e.each(lambda x: np.broadcast_to(x, shape)[n] if np.shape(x) else x) for e in equations
+        ]
+
+    every = [_solved(at(n), names) for n in np.ndindex(shape)]
+    undetermined = {s.undetermined for s in every}
+    if len(undetermined) > 1:
         raise LinearError(
-            f"the equations determine {', '.join(left)} at some instants and not at others; "
-            "solve these instants apart"
+            f"the equations determine {', '.join(sorted(set().union(*undetermined)))} at some "
+            "instants and not at others; solve these instants apart"
         )
     values = {
         name: np.array([float(s.values[name]) for s in every]).reshape(shape)
         for name in every[0].values
     }
     redundant = {name: others for s in every for name, others in s.redundant.items()}
-    return Solution(
-        tuple(names),
-        MappingProxyType(values),
-        every[0].undetermined,
-        (),
-        MappingProxyType(redundant),
-    )
+    return Solution(names, MappingProxyType(values), *undetermined, (), MappingProxyType(redundant))
 
 
 # -- expressions: what stands alone first, the rest by Cramer's rule
@@ -682,25 +618,17 @@ def _of_expressions(equations, found):
     """The determined unknowns as formulas, from the equations that the elimination of numbers in
     their place found to be independent.
     """
+
+    def occurs(c):
+        known = None if c is ZERO else probe(c)
+        return c is not ZERO and (known is None or size(known) > 0)
+
     rows = [
-        (
-            {
-                k: c
-                for k, c in enumerate(e.coefficients)
-                if k in found.rows and c is not ZERO and size(_sample_or_one(c))
-            },
-            e.right,
-        )
+        ({k: c for k, c in enumerate(e.coefficients) if k in found.rows and occurs(c)}, e.right)
         for n, e in enumerate(equations)
         if n not in found.dependent
     ]
     return {k: x for k, x in solve_regular(rows).items() if k in found.values}
-
-
-def _sample_or_one(x):
-    """A number for ``x``; 1 if its value cannot be known."""
-    known = sampled(x)
-    return 1.0 if known is None else known
 
 
 def solve_regular(rows):
@@ -726,15 +654,8 @@ def solve_regular(rows):
     coefficients, right = rows[n]
     if min(len(coefficients), occurring[k]) > 1 and len(rows) <= LARGEST_CORE:
         unknowns = sorted(occurring)
-        return dict(
-            zip(
-                unknowns,
-                _cramer(
-                    [[c.get(k, ZERO) for k in unknowns] for c, _ in rows], [b for _, b in rows]
-                ),
-                strict=True,
-            )
-        )
+        matrix = [[c.get(k, ZERO) for k in unknowns] for c, _ in rows]
+        return dict(zip(unknowns, _cramer(matrix, [b for _, b in rows]), strict=True))
     p, rest = coefficients[k], []
     others = {j: c for j, c in coefficients.items() if j != k}
     for c, b in rows[:n] + rows[n + 1 :]:
@@ -752,6 +673,5 @@ def solve_regular(rows):
 
 
 def _quoted(names):
-    return " and ".join(
-        [", ".join(map(repr, names[:-1])), repr(names[-1])] if len(names) > 1 else map(repr, names)
-    )
+    *first, last = map(repr, names)
+    return f"{', '.join(first)} and {last}" if first else last

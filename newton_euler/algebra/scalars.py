@@ -1,4 +1,4 @@
-"""Numbers of every kind behind one set of functions.
+"""Functions of numbers of every kind: sin, sqrt, where …, and the structural zero.
 
 Every formula of the engine is written once, in plain arithmetic, over *scalars*. A scalar is a
 Python float, a NumPy array (many instants at once), an ``mpmath.mpf``, a SymPy, SymEngine or heyoka
@@ -9,11 +9,11 @@ expression, or one of the engine's own kinds:
 ``Dimension``   no value at all, only powers of mass, length and time: a formula that runs on it has
     consistent units (:mod:`newton_euler.algebra.units`)
 ``LinearForm``  a sum of unknowns with coefficients (:mod:`newton_euler.algebra.linear`)
-``Step``        a value being traced by :func:`newton_euler.algebra.codegen.compiled.compiled`
+``Step``        a value being traced by :func:`newton_euler.algebra.codegen.compile.compiled`
 
-This is the only module that tells numbers apart. The others call ``sin``, ``sqrt`` … from here and
-otherwise use ``+ - * /``. None of the heavy libraries is imported here: a number brings its own
-library along.
+This is the only module that tests the type of a number. The others call ``sin``, ``sqrt`` … from
+here and otherwise use ``+ - * /``. None of the heavy libraries is imported here: the library of a
+number is found by the number's type.
 """
 
 import importlib
@@ -25,73 +25,66 @@ from typing import Any, TypeAlias
 from .errors import NewtonEulerError
 
 FUNCTIONS = (
-    "sin",
-    "cos",
-    "tan",
-    "asin",
-    "acos",
-    "atan",
-    "sinh",
-    "cosh",
-    "tanh",
-    "exp",
-    "log",
-    "sqrt",
-)
+    "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt",
+)  # fmt: skip
 _LIBRARIES = {"numpy", "mpmath", "sympy", "symengine", "heyoka"}
 
-
-# The type of a number of any kind. The kinds share their operators but no base class, so a type checker cannot be told more.
+# The type of a number of any kind. The kinds share their operators but no base class, so a type
+# checker cannot know more.
 Scalar: TypeAlias = Any
 
 
 class ScalarError(NewtonEulerError, TypeError):
-    """Something that is not a number of any known kind, or an operation that a kind of number does
-    not have.
-    """
+    """An argument is not a number of any known kind, or its kind does not have the operation."""
 
 
 class SingularError(NewtonEulerError, ValueError):
-    """A direction, a radius, a rate or an integral that does not exist at this place: on an axis,
-    at a pole, at an inflection, on a straight line.
+    """A direction, radius, rate or integral does not exist here: on an axis, at a pole, at an
+    inflection, on a straight line.
     """
 
 
 class _Own:
-    """Base of the kinds of number defined here. NumPy must hand operations over instead of looping
-    over them.
-    """
+    """Base of the kinds of number that the engine defines."""
 
     __slots__ = ()
-    __array_ufunc__ = None
-    _op_priority = 1000.0  # SymPy's word for the same
+    __array_ufunc__ = (
+        None  # NumPy hands operations over instead of looping over an array's elements
+    )
+    _op_priority = 1000.0  # and so does SymPy
     rank = 0  # of several kinds in one operation, the highest decides
 
-    def is_numeric(self):
-        """Whether the number has a value that can be compared."""
+    def is_numeric(self) -> bool:
+        """True if the number has a value that can be compared."""
         return False
 
-    def without_rates(self):
+    def without_rates(self) -> Scalar:
         """The value alone, for :func:`without_rates`."""
         return self
 
     def __pos__(self):
         return self
 
+    def __sub__(self, other):
+        return self + -scalar(other)
+
+    def __rsub__(self, other):
+        return -self + other
+
     def __rpow__(self, base):
         return exp(self * log(base))
 
 
 def outranks(x, kind):
-    """Whether ``x`` is a number of the engine that wraps those of ``kind``, and so carries out an
+    """True if ``x`` is a number of the engine that wraps those of ``kind``, and so carries out an
     operation with one of them.
     """
     return isinstance(x, _Own) and x.rank > kind.rank
 
 
 class Scaled:
-    """Base of what is no scalar but can be multiplied by one (vectors): the numbers defined here
-    leave the product to it.
+    """Base of what is no scalar but can be multiplied by one (vectors): it carries out the product,
+    not the numbers of the engine.
     """
 
     __slots__ = ()
@@ -99,17 +92,17 @@ class Scaled:
 
 
 class _Zero(_Own):
-    """The structural zero; there is one, :data:`ZERO`. Adding it costs nothing and leaves nothing
-    behind.
+    """The structural zero, :data:`ZERO`, the only object of its class. A sum with it is the other
+    term itself.
     """
 
     __slots__ = ()
 
-    def is_numeric(self):
+    def is_numeric(self) -> bool:
         """True: it is the number 0."""
         return True
 
-    def without_rates(self):
+    def without_rates(self) -> int:
         """The integer 0."""
         return 0
 
@@ -141,19 +134,14 @@ class _Zero(_Own):
 
     def __pow__(self, power):
         power = without_rates(power)
-        if not is_numeric(power):
-            return self
-        if power == 0:
-            return 1
-        if power < 0:
+        if is_numeric(power) and power < 0:
             raise ZeroDivisionError(f"0 to the power {power}")
-        return self
+        return 1 if is_numeric(power) and power == 0 else self
 
     def __neg__(self):
         return self
 
-    def __abs__(self):
-        return self
+    __abs__ = __neg__
 
     def __eq__(self, other):
         return isinstance(other, _Zero) or other == 0
@@ -178,8 +166,8 @@ class _Zero(_Own):
     def __reduce__(self):
         return "ZERO"
 
-    def function(self, name, *others):
-        """The function of this name, for :func:`function`."""
+    def function(self, name: str, *others: Scalar) -> Scalar:
+        """The value of this function at 0."""
         if name in ("cos", "cosh", "exp"):
             return 1
         if name in ("log", "acos"):
@@ -191,8 +179,7 @@ ZERO = _Zero()
 
 
 def scalar(x):
-    """``x`` as the engine keeps it: a literal ``0`` becomes the structural zero, anything else
-    stays what it is.
+    """The scalar ``x``; a literal ``0`` becomes the structural zero.
 
     Raises :class:`ScalarError` for what is not a number (text, None, lists).
 
@@ -201,10 +188,10 @@ def scalar(x):
     """
     if type(x) is float or isinstance(x, _Own):
         return x
-    if type(x) is int or (type(x) is bool):
+    if type(x) in (int, bool):
         return x or ZERO
     if isinstance(x, (float, int, Fraction, complex)) or (
-        _root(type(x)) in _LIBRARIES and _dtype(x) in "biufcO"
+        _root(type(x)) in _LIBRARIES and getattr(getattr(x, "dtype", 0), "kind", "O") in "biufcO"
     ):
         return x
     raise ScalarError(
@@ -214,31 +201,28 @@ def scalar(x):
 
 
 def whole(x, like):
-    """A whole number in the kind of ``like``, so that its root and its quotients are as exact as
-    ``like`` is; others unchanged.
+    """The integer ``x`` in the kind of ``like``, so that its root and its quotients are as exact as
+    ``like`` is; other numbers unchanged.
 
     >>> whole(2, 1.5)
     2
     """
-    return (
-        like * 0 + x
-        if type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine")
-        else x
-    )
+    exact = type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine")
+    return like * 0 + x if exact else x
 
 
 def plain(x):
-    """``x`` as a user meets it: the structural zero as the integer 0."""
+    """The number ``x``; the structural zero as the integer 0."""
     return 0 if x is ZERO else x
 
 
 def without_rates(x):
-    """The value of ``x`` alone, to compare or to measure it; the structural zero as the integer 0."""
+    """The value of ``x`` alone, to be compared; the structural zero as the integer 0."""
     return x.without_rates() if isinstance(x, _Own) else x
 
 
 def short(x):
-    """The number with six digits, for messages and tables; an expression or an array in full.
+    """The number as text with six digits, for messages and tables; an expression or array in full.
 
     >>> short(2 / 3)
     '0.666667'
@@ -246,14 +230,11 @@ def short(x):
     return str(x) if not is_numeric(x) or getattr(x, "shape", ()) else f"{float(x):.6g}"
 
 
-def _dtype(x):
-    return x.dtype.kind if hasattr(x, "dtype") else "O"
-
-
-_roots = {}
+_roots: dict[type, str] = {}
 
 
 def _root(kind):
+    """The name of the library that a type belongs to."""
     root = _roots.get(kind)
     if root is None:
         # SymPy's q(t) has a class without a module
@@ -263,20 +244,18 @@ def _root(kind):
 
 
 def library_of(values):
-    """The library that has functions for these values; of several, an expression decides before
+    """The module that has functions of these values; of several, the one of an expression before
     mpmath before NumPy.
     """
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
         if name in roots:
             return importlib.import_module(name)
-    if any(isinstance(v, complex) for v in values):
-        return importlib.import_module("cmath")
-    return math
+    return importlib.import_module("cmath") if complex in map(type, values) else math
 
 
 def function(name, *args):
-    """The function ``name`` (one of :data:`FUNCTIONS`, or ``atan2``) of scalars of any kind."""
+    """The function ``name`` (of :data:`FUNCTIONS`, or ``atan2``) of scalars of any kind."""
     own = [a for a in args if isinstance(a, _Own)]
     if own:
         chosen = max(own, key=lambda a: a.rank)
@@ -287,11 +266,11 @@ def function(name, *args):
 def _define(name):
     quick = getattr(math, name)
 
-    def f(x):
+    def f(x: Scalar) -> Scalar:
         return quick(x) if type(x) is float else function(name, x)
 
     f.__name__ = f.__qualname__ = name
-    f.__doc__ = f"{name} of a scalar of any kind; angles in radians."
+    f.__doc__ = f"The {name} of a scalar of any kind; angles in radians."
     return f
 
 
@@ -300,8 +279,8 @@ sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = (
 )
 
 
-def atan2(y, x):
-    """Angle of the point (x, y) from the x axis, in (-pi, pi], for scalars of any kind.
+def atan2(y: Scalar, x: Scalar) -> Scalar:
+    """The angle of the point (x, y) from the x axis, in (-pi, pi], for scalars of any kind.
 
     >>> atan2(1.0, -1.0) == 3*math.pi/4
     True
@@ -317,21 +296,21 @@ def atan2(y, x):
     return function("atan2", y, x)
 
 
-def pi(like=0.0):
-    """The number pi in the kind of ``like``: to 30 digits for an mpf, as a symbol for an
+def pi(like: Scalar = 0.0) -> Scalar:
+    """The number pi in the kind of ``like``: with all digits of an mpf, as a symbol for an
     expression.
 
     >>> pi(1.0)
     3.141592653589793
     """
     if isinstance(like, _Own):
-        return like.pi() if hasattr(like, "pi") else math.pi
+        return like.pi() if hasattr(like, "pi") else pi(getattr(like, "value", 0.0))
     library = library_of((like,))
     return +library.pi if library.__name__ == "mpmath" else getattr(library, "pi", math.pi)
 
 
-def radians(degrees):
-    """The angle in radians, exactly as far as the kind of number allows.
+def radians(degrees: Scalar) -> Scalar:
+    """The angle in radians, as exact as the kind of number allows.
 
     >>> radians(180.0) == math.pi
     True
@@ -339,9 +318,12 @@ def radians(degrees):
     return degrees * pi(degrees) / 180
 
 
-def is_numeric(x):
-    """True where ``x`` has a value that can be compared: float, array, mpf, but not an expression
-    or a dimension.
+def is_numeric(x: Scalar) -> bool:
+    """True if ``x`` has a value that can be compared: float, array, mpf, but not an expression or a
+    dimension.
+
+    >>> is_numeric(1.0), is_numeric(ZERO)
+    (True, True)
     """
     if isinstance(x, _Own):
         return x.is_numeric()
@@ -351,11 +333,11 @@ def is_numeric(x):
     )
 
 
-def of_one_kind(*values):
+def promote(*values):
     """The values, each with all the digits and instants of the others: if one is an mpf or an
-    array, all are. What is traced stays as it is.
+    array, all are. Traced values and expressions are unchanged.
 
-    >>> of_one_kind(1, 2.5)
+    >>> promote(1, 2.5)
     (1.0, 2.5)
     """
     values = tuple(map(plain, values))
@@ -366,8 +348,7 @@ def of_one_kind(*values):
 
 
 def is_comparable(x):
-    """True where ``x`` may stand in the comparison of a :func:`where`: numbers, and values that are
-    being traced.
+    """True if ``x`` can be compared for a :func:`where`: numbers, and values that are being traced.
 
     >>> from newton_euler import Dimension
     >>> is_comparable(1.0), is_comparable(Dimension(1))
@@ -376,27 +357,26 @@ def is_comparable(x):
     return is_numeric(x) or hasattr(x, "where")
 
 
-def is_zero(x):
-    """True where ``x`` is certainly zero: structurally, or a number equal to 0 (an array only if
-    all of it is).
+def is_zero(x: Scalar) -> bool:
+    """True if ``x`` is certainly zero: structurally, or a number equal to 0 (an array only if all
+    of it is).
+
+    >>> is_zero(0.0), is_zero(ZERO), is_zero(1e-300)
+    (True, True, False)
     """
     if not is_numeric(x):
         return False
     equal = without_rates(x) == 0
-    return bool(equal.all()) if hasattr(equal, "all") else bool(equal)
+    return bool(getattr(equal, "all", lambda: equal)())
 
 
 def is_positive(x):
-    """True if the number ``x`` (every one of an array) is larger than zero; an expression is not
-    looked at.
-    """
+    """True if the number ``x`` (every one of an array) is larger than zero; True of an expression."""
     return not is_numeric(x) or (least(x) > 0 and size(x - abs(x)) == 0)
 
 
 def is_finite(x):
-    """True unless ``x`` is a number (or has an element) that is nan or infinite; expressions count
-    as finite.
-    """
+    """False if ``x`` is a number (or has an element) that is nan or infinite; True of expressions."""
     if not is_numeric(x):
         return True
     x = without_rates(x)
@@ -410,28 +390,26 @@ def is_finite(x):
 
 
 def size(x):
-    """The largest absolute value in ``x``, as a float, to compare with a tolerance.
+    """The largest absolute value in ``x``, as a float, to be compared with a tolerance.
 
     >>> size(-3.0), size(ZERO)
     (3.0, 0.0)
     """
-    x = without_rates(x)
-    largest = abs(x)
+    largest = abs(without_rates(x))
     return float(largest.max(initial=0)) if hasattr(largest, "max") else float(largest)
 
 
-def where(condition, a, b):
-    """``a`` where the condition holds, else ``b``; instant by instant if it is an array of
-    conditions.
+def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
+    """``a`` where the condition holds, else ``b``; instant by instant for an array of conditions.
 
     For numbers and traced values, which can be compared; expressions and dimensions cannot. Both
-    are computed before one is chosen: a divisor that is zero where the quotient is not wanted must
+    are computed before one is chosen: a divisor that is zero where the quotient is not chosen must
     be replaced first.
 
     >>> where(2.0 > 1.0, "larger", "smaller")
     'larger'
     """
-    if isinstance(condition, _Own):
+    if hasattr(condition, "where"):
         return condition.where(a, b)
     if getattr(condition, "shape", ()):
         return importlib.import_module("numpy").where(condition, plain(a), plain(b))
@@ -439,13 +417,13 @@ def where(condition, a, b):
 
 
 def anywhere(condition):
-    """True where the condition holds; of an array of conditions, where it holds at any instant."""
+    """True if the condition holds; of an array of conditions, if it holds at any instant."""
     return bool(size(where(condition, 1, 0)))
 
 
 def epsilon(like=0.0):
-    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or for an mpf what its
-    working precision gives.
+    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or that of mpmath's working
+    precision.
 
     >>> epsilon(1.0) == 2.0**-52
     True
@@ -454,11 +432,11 @@ def epsilon(like=0.0):
     return +library.eps if library.__name__ == "mpmath" else 2.0**-52
 
 
-def coarseness(values):
-    """The largest relative round-off among numbers of several kinds; whole numbers and fractions
-    have none.
+def unit_roundoff(values):
+    """The largest relative round-off among numbers of several kinds; integers and fractions have
+    none.
 
-    >>> coarseness([1, 2.0]) == 2.0**-52
+    >>> unit_roundoff([1, 2.0]) == 2.0**-52
     True
     """
     return max(
@@ -471,11 +449,11 @@ def coarseness(values):
     )
 
 
-def unrounded(f, *values):
+def with_extra_digits(f, *values):
     """``f(*values)`` of numbers taken as exact, computed with four times their digits or more and
     rounded once: for differences in which the digits cancel.
 
-    >>> (1 + 1e-20) - 1, unrounded(lambda x: (1 + x) - 1, 1e-20)
+    >>> (1 + 1e-20) - 1, with_extra_digits(lambda x: (1 + x) - 1, 1e-20)
     (0.0, 1e-20)
     """
     mpmath, library = importlib.import_module("mpmath"), library_of(values).__name__
@@ -491,30 +469,32 @@ def unrounded(f, *values):
     return numpy.asarray(numpy.frompyfunc(once, len(values), 1)(*values), dtype=float)
 
 
-def sampled(x):
-    """A number for ``x``, to see whether it vanishes without simplifying it: a float, array or mpf
-    itself; of a SymPy or SymEngine expression its value where every symbol (and function, and
-    derivative) has a number of its own between 0.2 and 0.9; None where no value can be had.
+def probe(x):
+    """A number for ``x``, which tells whether ``x`` vanishes without simplifying it: a float, array
+    or mpf itself; of a SymPy or SymEngine expression its value where every symbol (and function,
+    and derivative) has a number of its own between 0.2 and 0.9; None if there is no value.
 
-    >>> sampled(2.0), sampled(ZERO)
+    >>> probe(2.0), probe(ZERO)
     (2.0, 0)
     """
     if _root(type(x)) not in ("sympy", "symengine"):
         return x if is_numeric(x) else None
     sympy = importlib.import_module("sympy")
     x = sympy.sympify(x)
+    # numbers by a checksum of the names: the same in every run, and without a pattern
     parts = x.free_symbols | x.atoms(sympy.core.function.AppliedUndef, sympy.Derivative)
     chosen = {p: sympy.Float(0.2 + 0.7 * zlib.crc32(str(p).encode()) / 2**32, 40) for p in parts}
     try:
         value = complex(_inside_out(x, chosen))
     except TypeError:
         return None
+    # of 40 digits, 25 are left where 15 cancel
     return 0.0 if abs(value) < 1e-25 else value.real or abs(value)
 
 
 def _inside_out(x, known):
-    """The value of a SymPy expression to 40 digits, each part computed once; evalf takes a time
-    exponential in the depth where sums cancel.
+    """The value of a SymPy expression to 40 digits, each part computed once; the time of evalf grows
+    exponentially with the depth where sums cancel.
     """
     if x not in known:
         value = x.func(*(_inside_out(a, known) for a in x.args)) if x.args else x
@@ -523,8 +503,8 @@ def _inside_out(x, known):
 
 
 def least(x):
-    """The smallest absolute value in ``x``, as a float: the instant of an array at which a divisor
-    is nearest to zero.
+    """The smallest absolute value in ``x``, as a float: that of a divisor where it is nearest to
+    zero.
     """
     smallest = abs(without_rates(x))
     return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)

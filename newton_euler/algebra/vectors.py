@@ -20,7 +20,7 @@ from .scalars import (
     is_zero,
     least,
     plain,
-    sampled,
+    probe,
     scalar,
     short,
     size,
@@ -436,7 +436,7 @@ def same(a, b, tolerance=1e-12):
     >>> same(ground.i, ground.i.expressed_in(turned)), same(ground.i, 1.001*ground.i)
     (True, False)
     """
-    difference, *lengths = (sampled(scalar(v.norm())) for v in (a - b, a, b))
+    difference, *lengths = (probe(scalar(v.norm())) for v in (a - b, a, b))
     if difference is None or None in lengths:
         raise ScalarError(f"{a} and {b} have components without values, which cannot be compared")
     return size(difference) <= tolerance * max(map(size, lengths))

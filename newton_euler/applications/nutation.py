@@ -19,7 +19,7 @@ from ..algebra.scalars import (
     atan2,
     cos,
     is_numeric,
-    of_one_kind,
+    promote,
     pi,
     scalar,
     sin,
@@ -61,7 +61,7 @@ def nutation(I0, I, mgr, theta, theta_rate, precession, spin=None, omega_z=None,
     """
     check_top(I0, I, spin, omega_z)
     b = I * (omega_z if spin is None else spin + precession * cos(theta)) / I0
-    given = of_one_kind(*map(scalar, (b, mgr / I0, theta, theta_rate, precession)))
+    given = promote(*map(scalar, (b, mgr / I0, theta, theta_rate, precession)))
     if not all(map(is_numeric, given)):
         raise GyroError(
             "the limits of nutation need numbers: the roots of a cubic with expressions have "

@@ -21,7 +21,7 @@ from ..algebra.scalars import (
     cos,
     is_numeric,
     plain,
-    sampled,
+    probe,
     scalar,
     short,
     sin,
@@ -315,7 +315,7 @@ def _function(f, what):
 
 def _compared(x, what):
     """A number to compare; of an expression its value at some values of its symbols."""
-    value = sampled(scalar(x))
+    value = probe(scalar(x))
     if value is None:
         raise EnergyError(
             f"{what} is {plain(x)!r}; an audit needs numbers, or SymPy expressions and exact=True"

@@ -18,7 +18,7 @@ from ..algebra.scalars import (
     is_finite,
     is_numeric,
     plain,
-    sampled,
+    probe,
     scalar,
     short,
     size,
@@ -266,7 +266,7 @@ def _check_curl(force, place, tolerance):
 
 def _measure(x):
     """The size of a derivative; of an expression, that at some values of its symbols."""
-    value = sampled(scalar(x))
+    value = probe(scalar(x))
     if value is None:
         raise WorkError(
             f"the derivative {plain(x)!r} of the force cannot be compared with zero; put "
@@ -285,7 +285,7 @@ def _check_loop(force, loop, n, tolerance):
     length = sum(
         norm3(tuple(b - a for a, b in zip(p, q, strict=True))) for p, q in pairwise(places)
     )
-    U = work_along(lambda *place: tuple(sampled(f) for f in force(*place)), loop, 0.0, 1.0)
+    U = work_along(lambda *place: tuple(probe(f) for f in force(*place)), loop, 0.0, 1.0)
     if size(scalar(U.value)) > max(tolerance * length * strength, 10 * U.error):
         raise NoPotential(
             f"there is no potential: round loop {n} the force does the work "

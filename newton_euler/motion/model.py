@@ -15,7 +15,7 @@ from types import MappingProxyType
 
 from ..algebra.codegen.compiled import compiled
 from ..algebra.errors import NewtonEulerError
-from ..algebra.scalars import ScalarError, is_comparable, is_zero, of_one_kind, plain, scalar
+from ..algebra.scalars import ScalarError, is_comparable, is_zero, promote, plain, scalar
 
 # values in a cache by function: functions that are made at each call, as lambdas are, would pile up
 KEPT = 64
@@ -290,12 +290,12 @@ def is_absent(x):
 
 
 def comparable(what, *values):
-    """The values as :func:`~newton_euler.algebra.scalars.of_one_kind` returns them, for an exact
+    """The values as :func:`~newton_euler.algebra.scalars.promote` returns them, for an exact
     solution whose branches compare them.
 
     ``what`` : the body, for the message; :class:`ModelError` for expressions.
     """
-    values = of_one_kind(*values)
+    values = promote(*values)
     if not all(map(is_comparable, values)):
         raise ModelError(
             f"the exact solution of the {what} needs numbers: its branches compare them; put "

@@ -6,7 +6,7 @@ no other arithmetic than that of its numbers, and no branches, so that it runs o
 traced, and through heyoka; an mpf instead takes more digits of its own.
 """
 
-from ...algebra.scalars import ZERO, unrounded
+from ...algebra.scalars import ZERO, with_extra_digits
 
 SPLITTER = 2.0**27 + 1  # cuts the 53 digits of a double in two halves
 
@@ -20,7 +20,7 @@ def doubled(f, *values):
     (0.0, True)
     """
     if any(type(x).__module__.startswith("mpmath") for x in values):
-        return unrounded(f, *values)
+        return with_extra_digits(f, *values)
     found = f(*(Doubled(x) for x in values))
     return found.high + found.low
 

@@ -13,7 +13,7 @@ from ...algebra.scalars import (
     epsilon,
     exp,
     is_numeric,
-    of_one_kind,
+    promote,
     sin,
     size,
     sqrt,
@@ -36,7 +36,7 @@ def jacobi(u, m1):
     >>> [round(x, 12) for x in jacobi(0.5, 0.0)]  # tanh, 1/cosh, 1/cosh
     [0.46211715726, 0.88681888397, 0.88681888397, 0.0]
     """
-    u, m1 = of_one_kind(u, m1)
+    u, m1 = promote(u, m1)
     wide, bound = m1 > WIDE, m1 > 0
     k1 = sqrt(where(bound, m1, 1))
     ending = _hyperbolic(where(bound, 0, u))

@@ -22,8 +22,8 @@ from ...algebra.scalars import (
     is_comparable,
     is_finite,
     is_numeric,
-    of_one_kind,
     plain,
+    promote,
     sin,
     size,
     sqrt,
@@ -128,7 +128,7 @@ def _exact(s, p, t):
     """
     given = tuple(map(plain, (s.x, s.y, s.v_x, s.v_y, p.mu, t)))
     _check(*given)
-    x, y, v_x, v_y, mu, t = of_one_kind(*given)
+    x, y, v_x, v_y, mu, t = promote(*given)
     r0, along, swept = sqrt(x * x + y * y), x * v_x + y * v_y, x * v_y - y * v_x
     beta = _beta(x, y, v_x, v_y, mu, r0)
     closed = beta * abs(swept) > 0
