@@ -1,10 +1,13 @@
-"""Scalars that carry their first and second rate in time: exact derivatives of any formula, without
-a step size.
+"""Scalars with their first and second time derivative: exact rates of any formula, without a step
+size.
 """
+
+from collections.abc import Callable
 
 from .scalars import (
     _LIBRARIES,
     ZERO,
+    Scalar,
     ScalarError,
     Scaled,
     _Own,
@@ -19,7 +22,6 @@ from .scalars import (
     function,
     is_numeric,
     log,
-    pi,
     plain,
     scalar,
     sin,
@@ -33,20 +35,25 @@ from .scalars import (
 
 
 class Moving(_Own):
-    """A scalar at one instant together with its first and second time rate (a jet of order two).
+    """A scalar at one instant with its first and second time derivative (a jet of order two).
 
-    Arithmetic and functions carry the rates along by the product and chain rules, so no step size
-    enters. Make one with :func:`moving` or :func:`at`.
+    Arithmetic and functions compute the rates by the product and chain rules, without a step size
+    (forward automatic differentiation: A. Griewank and A. Walther, Evaluating Derivatives, 2008,
+    chapter 13). Make one with :func:`moving` or :func:`at`.
+
+    >>> from newton_euler import cos
+    >>> cos(Moving(0.0, 2.0))
+    moving(1.0, rate=-0.0, acceleration=-4.0)
     """
 
     __slots__ = ("acceleration", "rate", "value")
     rank = 9  # it wraps the other kinds
 
-    def is_numeric(self):
-        """Whether its value can be compared."""
+    def is_numeric(self) -> bool:
+        """True if its value can be compared."""
         return is_numeric(self.value)
 
-    def without_rates(self):
+    def without_rates(self) -> Scalar:
         """The value alone."""
         return without_rates(self.value)
 
@@ -67,12 +74,6 @@ class Moving(_Own):
 
     def __neg__(self):
         return Moving(-self.value, -self.rate, -self.acceleration)
-
-    def __sub__(self, other):
-        return self + (-as_moving(other))
-
-    def __rsub__(self, other):
-        return as_moving(other) + (-self)
 
     def __mul__(self, other):
         if other is ZERO:
@@ -100,8 +101,7 @@ class Moving(_Own):
     def __pow__(self, power):
         if isinstance(power, Moving):
             raise ScalarError(
-                "a moving number can be raised to a constant power only; for others write "
-                "exp(power*log(x))"
+                "a moving number takes a constant power only; otherwise write exp(power*log(x))"
             )
         if power is ZERO or (type(power) in (int, float) and power in (0, 1)):
             return self if power else 1
@@ -112,8 +112,8 @@ class Moving(_Own):
             u**power, power * u ** (power - 1), power * (power - 1) * u ** (power - 2)
         )
 
-    def rests(self):
-        """Known to be constant: then a function may have no derivative here, as a square root at 0."""
+    def rests(self) -> bool:
+        """True if it is constant by structure: then a function needs no derivative at the value."""
         return self.rate is ZERO and self.acceleration is ZERO
 
     def __rpow__(self, base):
@@ -124,32 +124,27 @@ class Moving(_Own):
         """The number f(self), given f and its first two derivatives at the value."""
         return Moving(f, df * self.rate, ddf * (self.rate * self.rate) + df * self.acceleration)
 
-    def function(self, name, *args):
-        """The function of this name, for :func:`function`."""
+    def function(self, name: str, *args: Scalar) -> "Moving":
+        """The function of this name with its rates, by the chain rule."""
         if name == "atan2":
             y, x = (as_moving(a) for a in args)
             square = x.value * x.value + y.value * y.value
             rate = (x.value * y.rate - y.value * x.rate) / square
             growth = 2 * (x.value * x.rate + y.value * y.rate)
-            return Moving(
-                atan2(y.value, x.value),
-                rate,
-                (x.value * y.acceleration - y.value * x.acceleration - rate * growth) / square,
-            )
+            turn = x.value * y.acceleration - y.value * x.acceleration
+            return Moving(atan2(y.value, x.value), rate, (turn - rate * growth) / square)
         if self.rests():
             return Moving(function(name, self.value))
         return self._chain(*_DERIVATIVES[name](self.value))
 
-    def pi(self):
-        """The number pi in the kind of the value."""
-        return pi(self.value)
-
 
 def _reciprocal(f, df_inverse, ddf_factor):
+    """(f, f', f'') where 1/f' and f''/f' are given."""
     df = 1 / df_inverse
     return f, df, ddf_factor * df
 
 
+# name: (f, f', f'') at u. (1 - u)(1 + u) and not 1 - u*u, which cancels near the ends.
 _DERIVATIVES = {
     "sin": lambda u: (sin(u), cos(u), -sin(u)),
     "cos": lambda u: (cos(u), -sin(u), -cos(u)),
@@ -167,16 +162,16 @@ _DERIVATIVES = {
 
 
 def as_moving(x):
-    """``x`` itself if it is moving, else a moving number whose rates are zero by structure."""
+    """The moving number ``x``, or one of the value ``x`` whose rates are zero by structure."""
     return x if isinstance(x, Moving) else Moving(scalar(x))
 
 
-def moving(value, rate=None, acceleration=None):
+def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> Moving:
     """A scalar with its rates at the instant, for angles and coordinates that change.
 
     ``rate`` and ``acceleration`` are d/dt and d2/dt2 of ``value``, in its unit per second and per
-    second squared. One that is left out is derived if what precedes it is a SymPy or SymEngine
-    expression in the symbol ``t``, and zero otherwise.
+    second squared. Without them, the derivatives of a SymPy or SymEngine expression in the symbol
+    ``t`` are taken; those of other values are zero.
 
     >>> moving(2.0, rate=3.0)**2
     moving(4.0, rate=12.0, acceleration=18.0)
@@ -185,45 +180,41 @@ def moving(value, rate=None, acceleration=None):
         return Moving(value)
     if isinstance(value, Moving):
         if rate is not None or acceleration is not None:
-            raise ScalarError(
-                f"{value!r} already has its rates; leave out rate= and acceleration=, or pass "
-                "its value alone"
-            )
+            raise ScalarError(f"{value!r} already has its rates; leave out rate= and acceleration=")
         return value
     if callable(value) and _root(type(value)) not in _LIBRARIES:
         raise ScalarError("a function of time needs an instant: pass at(f, t) instead of f")
     value = scalar(value)
-    rate = _derived(value) if rate is None else whole(scalar(rate), value)
-    return Moving(
-        value, rate, _derived(rate) if acceleration is None else whole(scalar(acceleration), value)
-    )
+    rates = [value]
+    for x in (rate, acceleration):
+        rates.append(_derived(rates[-1]) if x is None else whole(scalar(x), value))
+    return Moving(*rates)
 
 
 def _derived(x):
-    """dx/dt of a symbolic expression in ``t``, whatever the assumptions that ``t`` was made with;
-    zero for any other number.
+    """dx/dt of a symbolic expression in the symbol named t, of any assumptions; zero for any other
+    number.
     """
     if x is ZERO or type(x) is float or _root(type(x)) not in ("sympy", "symengine"):
         return ZERO
     times = [s for s in x.free_symbols if str(s) == "t"]
     if len(times) > 1:
         raise ScalarError(
-            f"{x} holds {len(times)} different symbols named t; make one t = Symbol('t') and "
-            "use it throughout"
+            f"{x} holds {len(times)} different symbols named t; use one t = Symbol('t') throughout"
         )
     derivative = x.diff(times[0]) if times else ZERO
     return ZERO if derivative == 0 else derivative
 
 
-def at(f, t):
-    """The function of time ``f`` at the instant ``t`` (s), with its first and second rate, exactly
-    and without a step size.
+def at(f: Callable, t: Scalar) -> Moving:
+    """The function of time ``f`` at the instant ``t`` (s), with its first and second rate, exact up
+    to round-off.
 
-    ``f`` uses the functions of this module (``from newton_euler import sin, sqrt …``); ``t`` may be
-    of any kind.
+    ``f`` uses the functions of this package (``from newton_euler import sin, sqrt …``); ``t`` may
+    be of any kind.
 
     >>> at(lambda t: t**3, 2.0)
     moving(8.0, rate=12.0, acceleration=12.0)
     """
-    # a rate of the kind of t, or constants of 16 digits are multiplied before they meet it
+    # the rate 1 in the kind of t: else constants are multiplied with 16 digits before they meet t
     return as_moving(f(Moving(t, whole(1, t))))

@@ -1,28 +1,34 @@
-"""Sums that keep their terms by name: the equation they come from, the ledger of a vector, amounts
-of work and energy.
+"""Sums that keep their terms by name: of vectors, and amounts of work and energy.
 
-A result that theory writes as a sum knows its terms (``a.terms``), can be written out
-(``a.explain()``) and summed again with some of them left out or weighted
-(``a.without("coriolis")``), which is what a wrong model would give.
+A result that theory writes as a sum has its ``terms`` by name; ``explain()`` writes the sum with
+the number of its equation, and ``without("coriolis")`` is the sum of a model without this term.
 """
 
+import operator
 from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import Any
 
 from .errors import NewtonEulerError
-from .scalars import ZERO, is_numeric, plain, scalar, short, size
+from .scalars import ZERO, Scalar, is_numeric, plain, scalar, short, size
 
 
 class TermError(NewtonEulerError, ValueError):
-    """A term that a sum does not have."""
+    """A sum does not have the term that is named."""
 
 
 @dataclass(frozen=True, eq=False)
 class Equation:
     """The equation of a sum with named terms.
 
-    kind : what the sum is; number, symbol : its number in the book, and its LaTeX symbol
-    terms : each term by name as (text, LaTeX), where the name does not say it
+    kind : what the sum is, as "acceleration"
+    number, symbol : its number in the book, and its LaTeX symbol
+    terms : by name, a term as (text, LaTeX), where the name does not say it
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
+    >>> arm.point("P", 1.0, 0, 0).acceleration(ground).equation.number
+    '4.18'
     """
 
     kind: str
@@ -32,7 +38,7 @@ class Equation:
 
 
 def equations(table):
-    """{kind: :class:`Equation`} of a table {kind: (number, symbol, terms)}; read-only.
+    """A read-only table {kind: :class:`Equation`} from {kind: (number, symbol, terms)}.
 
     >>> equations({"weight": ("5.26", "W", {})})["weight"].number
     '5.26'
@@ -41,26 +47,27 @@ def equations(table):
 
 
 class NamedTerms:
-    """What is a sum whose ``terms`` are known by name."""
+    """Base of sums whose ``terms`` are known by name."""
 
     __slots__ = ()
+    reweighted: Any
 
-    def without(self, *names):
+    def without(self, *names: str) -> Scalar:
         """The sum without the terms named: ``a.without("coriolis")``."""
         return self.reweighted(**dict.fromkeys(names, 0))
 
     def _weighted(self, factors, error):
-        """Pairs of the factor named for a term (1 for others) and the term; an ``error`` if there
-        is none of that name.
+        """Pairs of the factor named for a term (1 for others) and the term; raises ``error`` for a
+        name that is not one of a term.
         """
-        unknown = [n for n in factors if n not in self.terms]
-        if unknown:
-            raise error(f"no term {unknown[0]!r}; the terms are {', '.join(self.terms) or 'none'}")
+        for n in factors:
+            if n not in self.terms:
+                raise error(f"no term {n!r}; the terms are {', '.join(self.terms) or 'none'}")
         return [(scalar(factors.get(name, 1)), term) for name, term in self.terms.items()]
 
 
 class Ledger:
-    """The named terms of a sum. ``subject`` says what of what."""
+    """The named terms of a sum; ``subject`` names the things it is about, as "P/ground"."""
 
     __slots__ = ("_make", "_terms", "equation", "subject")
 
@@ -75,91 +82,85 @@ class Ledger:
         return self._terms
 
     def mapped(self, change):
-        """The ledger with every term changed in the same way."""
+        """The ledger with ``change`` applied to every term."""
         return Ledger(
-            self.equation, self.subject, lambda: {name: change(v) for name, v in self.terms.items()}
+            self.equation, self.subject, lambda: {n: change(v) for n, v in self.terms.items()}
         )
 
 
 class Explanation:
-    """A vector written out as the sum it is. ``str()`` gives text, ``latex`` the formulas; Jupyter
-    shows the latter.
+    """A vector written as a sum of terms: ``str()`` gives text, ``latex`` the formulas, which
+    Jupyter shows.
+
+    >>> from newton_euler import Frame, moving
+    >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
+    >>> print(arm.i.rate(ground).explain())
+    rate arm/ground, equation (4.15), components in arm
+      relative  dQ/dt      [0, 0, 0]
+      rotation  omega x Q  [0, 2, 0]
+      sum                  [0, 2, 0]
     """
 
     def __init__(self, vector, ledger, unit=""):
-        self.ledger, self.unit = ledger, unit
-        self.equation = ledger.equation
+        self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = {n: t.expressed_in(vector.frame) for n, t in vector.terms.items()}
+        # components below round-off of the largest are shown as 0
         noise = 1e-14 * max(
             (size(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)), default=0.0
         )
-        self.vector, self.terms = (
-            vector.rounded(noise),
-            {n: t.rounded(noise) for n, t in terms.items()},
-        )
+        self.vector = vector.rounded(noise)
+        self.terms = {n: t.rounded(noise) for n, t in terms.items()}
 
     def __str__(self):
         unit = f" {self.unit}" if self.unit else ""
-        terms = self.terms
-        names = [f"{n}  {self.equation.terms.get(n, ('',))[0]}".rstrip() for n in terms]
-        width = max(map(len, [*names, "sum"]))
-        lines = [
-            f"{self.equation.kind} {self.ledger.subject}, equation ({self.equation.number}), "
-            f"components in {self.vector.frame.name}"
-        ]
-        for name, term in zip(names, terms.values(), strict=True):
-            lines.append(f"  {name:<{width}}  [{', '.join(short(x) for x in term)}]{unit}")
-        lines.append(f"  {'sum':<{width}}  [{', '.join(short(x) for x in self.vector)}]{unit}")
-        return "\n".join(lines)
+        names = [f"{n}  {self.equation.terms.get(n, ('',))[0]}".rstrip() for n in self.terms]
+        names.append("sum")
+        width = max(map(len, names))
+        vectors = [*self.terms.values(), self.vector]
+        return "\n".join(
+            [
+                f"{self.equation.kind} {self.ledger.subject}, equation ({self.equation.number}), "
+                f"components in {self.vector.frame.name}",
+                *(
+                    f"  {name:<{width}}  [{', '.join(map(short, v))}]{unit}"
+                    for name, v in zip(names, vectors, strict=True)
+                ),
+            ]
+        )
 
     __repr__ = __str__
 
     @property
-    def latex(self):
+    def latex(self) -> str:
         """The formula and the value of each term, as an align* environment."""
-        subject = r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
+        symbol, known = self.equation.symbol, self.equation.terms
+        total = symbol + r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
-        terms = self.terms
-        formulas = [
-            self.equation.terms[n][1]
-            if n in self.equation.terms
-            else _product(n, self.equation.symbol)
-            for n in terms
-        ]
-        rows = [
-            rf"{self.equation.symbol}{subject} &= {' + '.join(formulas)} "
-            rf"\tag{{{self.equation.number}}}"
-        ]
-        for (name, term), formula in zip(terms.items(), formulas, strict=True):
-            rows.append(rf"{formula} &= {term.latex()}{unit} && \text{{{name}}}")
-        rows.append(
-            rf"{self.equation.symbol}{subject} &= {self.vector.latex()}{unit} && \text{{sum}}"
-        )
+        formulas = [known[n][1] if n in known else _product(n, symbol) for n in self.terms]
+        rows = [rf"{total} &= {' + '.join(formulas)} \tag{{{self.equation.number}}}"]
+        values = {**self.terms, "sum": self.vector}.items()
+        for formula, (name, v) in zip([*formulas, total], values, strict=True):
+            rows.append(rf"{formula} &= {v.latex()}{unit} && \text{{{name}}}")
         return r"\begin{align*}" + r" \\ ".join(rows) + r"\end{align*}"
-
-    def _repr_latex_(self):
-        return self.latex
 
     def _repr_mimebundle_(self, **_):
         return {"text/plain": str(self), "text/latex": self.latex}
 
 
 def _product(name, symbol):
-    """LaTeX for a term named after frames: "arm" is the symbol's, "arm x rod" the cross product of
-    two rates.
+    """LaTeX for a term named after frames: "arm" is the symbol with this index, "arm x rod" the
+    cross product of two rates.
     """
-    if " x " in name:
-        return r"\times".join(
-            rf"\boldsymbol{{\omega}}_{{\text{{{part}}}}}" for part in name.split(" x ")
-        )
-    return rf"{symbol}_{{\text{{{name}}}}}"
+    parts = name.split(" x ")
+    if len(parts) > 1:
+        symbol = r"\boldsymbol{\omega}"
+    return r"\times".join(rf"{symbol}_{{\text{{{part}}}}}" for part in parts)
 
 
 def latex_number(x, digits):
     """A number with so many digits, or an expression, as LaTeX."""
-    if is_numeric(x) and not (hasattr(x, "shape") and x.shape):
-        text = f"{float(x):.{digits}g}"
-        mantissa, e, power = text.partition("e")
+    if is_numeric(x) and not getattr(x, "shape", ()):
+        mantissa, e, power = f"{float(x):.{digits}g}".partition("e")
         return rf"{mantissa}\times10^{{{int(power)}}}" if e else mantissa
     try:
         import sympy
@@ -170,6 +171,16 @@ def latex_number(x, digits):
     return body if body.replace("\\", "").isalnum() else rf"\left({body}\right)"
 
 
+def _operation(f):
+    return lambda self, other: plain(f(scalar(self.value), value_of(other)))
+
+
+def _comparison(f):
+    return lambda self, other: f(
+        self.value, plain(other.value if isinstance(other, Amount) else other)
+    )
+
+
 @dataclass(frozen=True, eq=False)
 class Amount(NamedTerms):
     """An amount of work, energy or power with its terms by name: ``U.value``,
@@ -177,11 +188,15 @@ class Amount(NamedTerms):
 
     what, number : what it is, and its equation in the book
     error : estimated error of ``value`` where it comes from an integral, in the same unit
-    It stands for its value in sums and products with numbers and with its like: ``float(U)``,
-    ``T + V``, ``2*U``.
+    It stands for its value in sums, products and comparisons with numbers and other amounts, and in
+    ``float(U)``.
+
+    >>> T, V = Amount(7.0, {"translation": 5.0, "rotation": 2.0}), Amount(3.0)
+    >>> T + V, 2 * T, T > V, T == 7.0
+    (10.0, 14.0, True, True)
     """
 
-    value: object
+    value: Scalar
     terms: dict = field(default_factory=dict)
     what: str = "work"
     number: str = "11.1"
@@ -192,42 +207,28 @@ class Amount(NamedTerms):
     def __float__(self):
         return float(self.value)
 
-    def __add__(self, other):
-        return plain(scalar(self.value) + value_of(other))
-
-    __radd__ = __add__
-
     def __neg__(self):
         return -self.value
 
-    def __sub__(self, other):
-        return plain(scalar(self.value) - value_of(other))
+    __add__ = __radd__ = _operation(operator.add)
+    __sub__ = _operation(operator.sub)
+    __rsub__ = _operation(lambda a, b: b - a)
+    __mul__ = __rmul__ = _operation(operator.mul)
+    __truediv__ = _operation(operator.truediv)
+    __eq__, __lt__, __le__, __gt__, __ge__ = map(
+        _comparison, (operator.eq, operator.lt, operator.le, operator.gt, operator.ge)
+    )
 
-    def __rsub__(self, other):
-        return plain(value_of(other) - scalar(self.value))
-
-    def __mul__(self, other):
-        return plain(scalar(self.value) * value_of(other))
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other):
-        return plain(scalar(self.value) / value_of(other))
-
-    def explain(self, unit="J"):
-        """The sum in words: its equation in the book, each term, and their sum."""
+    def explain(self, unit: str = "J") -> str:
+        """The sum as a text: the number of its equation, each term, and the sum."""
         rows = [*self.terms.items(), ("sum", self.value)]
         width = max(len(name) for name, _ in rows)
-        return "\n".join(
-            [
-                f"{self.what}, equation ({self.number})",
-                *(f"  {name:<{width}}  {short(x)} {unit}" for name, x in rows),
-            ]
-        )
+        lines = (f"  {name:<{width}}  {short(x)} {unit}" for name, x in rows)
+        return "\n".join([f"{self.what}, equation ({self.number})", *lines])
 
-    def reweighted(self, **factors):
-        """The sum of its terms, each times the factor named for it (others once): what a wrong
-        model would give.
+    def reweighted(self, **factors: Scalar) -> Scalar:
+        """The sum of its terms, each times the factor named for it (others once): the result of a
+        model with these terms left out or weighted.
 
         >>> Amount(7.0, {"translation": 5.0, "rotation": 2.0}).reweighted(rotation=0)
         5.0
@@ -236,17 +237,13 @@ class Amount(NamedTerms):
 
 
 def value_of(x):
-    """The scalar that ``x``, an :class:`Amount` or a number, stands for."""
+    """The value of ``x``, an :class:`Amount` or a number, as a scalar."""
     return scalar(x.value if isinstance(x, Amount) else x)
 
 
 def summed(terms, what="work", number="11.1", error=0.0):
     """The :class:`Amount` that is the sum of these terms, numbers by name."""
-    terms = {n: value_of(x) for n, x in terms.items()}
+    total = sum(map(value_of, terms.values()), ZERO)
     return Amount(
-        plain(sum(terms.values(), ZERO)),
-        {n: plain(x) for n, x in terms.items()},
-        what,
-        number,
-        error,
+        plain(total), {n: plain(value_of(x)) for n, x in terms.items()}, what, number, error
     )

@@ -41,9 +41,10 @@ LARGEST_CORE = 6
 
 # Thresholds of the elimination, in round-offs of the coarsest number. Measured on 3000 surplus
 # equations of systems with 2 to 12 random unknowns and condition numbers up to 1e4: what should
-# vanish is at most 2**2 of them in a row, and 2**4 in a right side; what should not, at least 2**37.
-# Beside the largest coefficient of a condition: what is left of a sum of a few terms that cancel, as
-# of the components of a turned vector.
+# vanish is at most 2**2 of them in a row, and 2**4 in a right side; what should not, at least
+# 2**37.
+# Beside the largest coefficient of a condition: what is left of a sum of a few terms that cancel,
+# as of the components of a turned vector.
 CANCELLATION = 16
 # Beside the largest coefficient subtracted: a thousand times what is measured, for longer chains.
 NO_PIVOT = 2**12
@@ -167,7 +168,7 @@ def solve_rates(conditions: Callable, count: int) -> tuple:
     ]
     if len(rows) < count:
         raise LinearError(
-            f"{count} rates are unknown, but {len(rows)} conditions contain them: "
+            f"{len(rows)} conditions contain the rates, but {count} rates are unknown: "
             f"{count - len(rows)} more are needed"
         )
     # Surplus conditions: the normal equations hold for any kind of scalar, and at any values of

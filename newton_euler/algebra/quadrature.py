@@ -1,5 +1,5 @@
-"""Integrals of a function of numbers: adaptively for floats, by the tanh-sinh rule for arrays and
-mpf, by SymPy for formulas.
+"""Integrals of a function of numbers: adaptive quadrature for floats, the tanh-sinh rule for arrays
+and mpf, SymPy for formulas.
 """
 
 from itertools import count, pairwise
@@ -23,13 +23,13 @@ from .scalars import (
 )
 
 INTERVALS = 400  # of an adaptive integral, at most; each takes 21 values
-# divisions of an adaptive cubature by dimension; each one makes 2, 4 or 8 boxes of 21^n places
+# subdivisions of an adaptive cubature by dimension; each one makes 2, 4 or 8 boxes of 21^n places
 BOXES = {1: 4000, 2: 400, 3: 40}
 _NUMBERS = count()  # so that the variables of nested integrals have names of their own
 
 
 class WorkError(NewtonEulerError, ValueError):
-    """An integral that does not converge, or a force or path that has no value where it is needed."""
+    """An integral does not converge, or a force or path has no value where it is needed."""
 
 
 def quadrature(f, start, end, rtol=1e-10, exact=False, breaks=()):
@@ -46,8 +46,7 @@ def _piece(f, start, end, rtol, exact):
         return _by_formula(f, start, end), 0.0
     if not (is_numeric(scalar(start)) and is_numeric(scalar(end))):
         raise WorkError(
-            f"the limits {start!r} and {end!r} are no numbers: pass exact=True to integrate by "
-            "formulas, or put numbers in"
+            f"the limits {start!r} and {end!r} are no numbers: pass exact=True, or put numbers in"
         )
     width = end - start
     samples = [_finite(f, start + width * (n + 0.5) / 16) for n in range(16)]
@@ -55,16 +54,15 @@ def _piece(f, start, end, rtol, exact):
     one = samples[0] + width  # an array, or an mpf of more digits than a float?
     if getattr(one, "shape", ()) or epsilon(one) < 2.0**-53:
         try:
-            value = (
-                integral(lambda s: _finite(f, start + width * s), 0 * width, 0 * width + 1) * width
+            value = width * integral(
+                lambda s: _finite(f, start + width * s), 0 * width, 0 * width + 1
             )
         except SingularError:
-            told = (
+            raise WorkError(
                 f"the integral from {start!r} to {end!r} does not settle; divide it with "
                 "breaks=(...) where the force has a corner"
-            )
-            raise WorkError(told) from None
-        # guaranteed is half of the digits; mostly it has them nearly all
+            ) from None
+        # the rule stops when its last but one value has half of the digits: mostly this one has all
         return plain(value), 1e-3 * scale * float(sqrt(epsilon(value)))
     return _adaptive(f, float(start), float(end), rtol, scale)
 
@@ -76,13 +74,10 @@ def _finite(f, x):
         raise WorkError(f"the integrand has no value at {short(x)}: {problem}") from problem
     if not is_numeric(value):
         raise WorkError(
-            f"the integrand is {plain(value)!r} at {short(x)}: pass exact=True to integrate "
-            "formulas, or put numbers in"
+            f"the integrand is {plain(value)!r} at {short(x)}: pass exact=True, or put numbers in"
         )
     if not is_finite(value):
-        raise WorkError(
-            f"the integrand is {plain(value)} at {short(x)}; look at divisions and roots there"
-        )
+        raise WorkError(f"the integrand is {plain(value)} at {short(x)}")
     return value
 
 
@@ -113,13 +108,11 @@ def _adaptive(f, start, end, rtol, scale):
 def _by_formula(f, start, end):
     import sympy
 
-    # SymEngine would lose a Dummy, and what is assumed of a symbol
+    # SymEngine would lose a Dummy, and the assumptions of a symbol
     name, q = sympy.Symbol(f"_q{next(_NUMBERS)}"), sympy.Dummy("q", real=True)
     try:
-        start, end = (sympy.sympify(plain(scalar(x))) for x in (start, end))
-        value = sympy.integrate(
-            sympy.sympify(plain(scalar(f(name)))).xreplace({name: q}), (q, start, end)
-        )
+        start, end, y = (sympy.sympify(plain(scalar(x))) for x in (start, end, f(name)))
+        value = sympy.integrate(y.xreplace({name: q}), (q, start, end))
     except (sympy.SympifyError, ScalarError) as problem:
         raise WorkError(
             f"SymPy cannot read the integrand or the limits {start!r} and {end!r}: {problem}"
@@ -148,14 +141,12 @@ def integral(f, start, end):
     """
     if not (is_numeric(start) and is_numeric(end)):
         raise ScalarError(
-            f"an integral from {start!r} to {end!r} needs numbers; of an expression take the "
-            "integral by hand or with SymPy"
+            f"an integral from {start!r} to {end!r} needs numbers; integrate by hand or with SymPy"
         )
     width, small = end - start, epsilon(end - start)
     # A place nearer to an end than a round-off of the way is rounded to the end itself, where f may
-    # be infinite. Next to 0 places are told apart to
-    # the last, and of x**-0.5 the part up to the fraction p is sqrt(p): up to the square of the
-    # round-off it is one round-off.
+    # be infinite. Next to 0 all floats are distinct, and the part of the integral of x**-0.5 up to
+    # the fraction p is sqrt(p): one round-off for p its square.
     nearest = small * small if size(start) == 0 else small
 
     def total(f, t, step):
@@ -174,7 +165,7 @@ def integral(f, start, end):
 
     step = small / small  # 1, with all digits
     found, value = first(f), None
-    # of the last but one value: its square is less than a round-off
+    # the change at the last halving: the error is about its square, less than a round-off
     allowed = 1e-3 * sqrt(small) * size(width * first(lambda x: abs(f(x))))
     for _ in range(9):
         found, step, before = found + total(f, step / 2, step), step / 2, value
@@ -182,18 +173,18 @@ def integral(f, start, end):
         if before is not None and size(value - before) <= allowed:
             return value
     raise SingularError(
-        f"the integral from {start!r} to {end!r} does not settle; is the function smooth in "
-        "between? Split it where it is not"
+        f"the integral from {start!r} to {end!r} does not settle: the function must be smooth in "
+        "between. Split it where it is not"
     )
 
 
 def cubature(f, n, rtol, name, error=WorkError):
     """The integrals of the components of ``f`` over the unit cube of ``n`` dimensions, to ``rtol``,
-    and their largest error, as estimated.
+    and the largest of their estimated errors.
 
     f : function of an array of places, one a row, that returns an array with their values as rows
-    name, error : what is integrated, for the words, and the class of what is raised where the
-        integrals do not converge
+    name, error : what is integrated, for messages, and the class of error raised if the integrals
+        do not converge
     """
     import numpy as np
     from scipy.integrate import cubature
@@ -204,15 +195,14 @@ def cubature(f, n, rtol, name, error=WorkError):
     off = float(np.max(found.error))
     if not np.isfinite(found.estimate).all():
         raise error(
-            f"the integrals over {name} are not finite: the formula or the density grows "
-            "without bound within the limits"
+            f"the integrals over {name} are not finite: the formula or the density is infinite "
+            "within the limits"
         )
     if found.status != "converged":
         raise error(
             f"the integrals over {name} did not converge: after {found.subdivisions} "
-            f"subdivisions their relative error is about {off:.1g}, and "
-            f"{rtol:.1g} was asked for. Split the body where the formula has a corner or a "
-            "jump, choose coordinates that follow its edges, or "
-            "ask for less with rtol="
+            f"subdivisions their relative error is about {off:.1g}, and {rtol:.1g} was asked for. "
+            "Split the body where the formula has a corner or a jump, choose coordinates that "
+            "follow its edges, or ask for less with rtol="
         )
     return found.estimate, off

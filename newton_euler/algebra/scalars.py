@@ -348,7 +348,7 @@ def promote(*values):
 
 
 def is_comparable(x):
-    """True if ``x`` can be compared for a :func:`where`: numbers, and values that are being traced.
+    """True if ``x`` can be compared for a :func:`where`: numbers, and values being traced.
 
     >>> from newton_euler import Dimension
     >>> is_comparable(1.0), is_comparable(Dimension(1))
@@ -371,12 +371,12 @@ def is_zero(x: Scalar) -> bool:
 
 
 def is_positive(x):
-    """True if the number ``x`` (every one of an array) is larger than zero; True of an expression."""
+    """True if the number ``x`` (all of an array) is positive; True of an expression."""
     return not is_numeric(x) or (least(x) > 0 and size(x - abs(x)) == 0)
 
 
 def is_finite(x):
-    """False if ``x`` is a number (or has an element) that is nan or infinite; True of expressions."""
+    """False if ``x`` (or an element of it) is nan or infinite; True of expressions."""
     if not is_numeric(x):
         return True
     x = without_rates(x)
@@ -422,8 +422,8 @@ def anywhere(condition):
 
 
 def epsilon(like=0.0):
-    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or that of mpmath's working
-    precision.
+    """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or that of the working
+    precision of mpmath.
 
     >>> epsilon(1.0) == 2.0**-52
     True
@@ -493,8 +493,8 @@ def probe(x):
 
 
 def _inside_out(x, known):
-    """The value of a SymPy expression to 40 digits, each part computed once; the time of evalf grows
-    exponentially with the depth where sums cancel.
+    """The value of a SymPy expression to 40 digits, each part computed once; the time of evalf
+    grows exponentially with the depth where sums cancel.
     """
     if x not in known:
         value = x.func(*(_inside_out(a, known) for a in x.args)) if x.args else x

@@ -8,19 +8,20 @@ numbers.
 import re
 from fractions import Fraction
 from functools import cache
+from operator import add, sub
 
 from .errors import NewtonEulerError
-from .scalars import ZERO, ScalarError, Scaled, _Own, exp, outranks, pi, scalar
+from .scalars import ZERO, Scalar, ScalarError, Scaled, _Own, exp, outranks, pi, scalar
 
 
 class DimensionError(ScalarError):
-    """Quantities of different dimension were added, or a function was taken of one that is not a
-    pure number.
+    """Quantities of different dimension are added, or a function is taken of one that is not a pure
+    number.
     """
 
 
 class Dimension(_Own):
-    """What remains of a quantity without its value: its powers of mass, length and time.
+    """The powers of mass, length and time in a quantity, as a scalar without a value.
 
     Angles, and numbers written in a formula, are pure. Adding unlike dimensions raises
     :class:`DimensionError`, so one run of a formula on dimensions proves its units.
@@ -34,7 +35,7 @@ class Dimension(_Own):
     rank = 1
 
     def __init__(self, mass=0, length=0, time=0):
-        self.powers = (Fraction(mass), Fraction(length), Fraction(time))
+        self.powers = tuple(map(Fraction, (mass, length, time)))
 
     def __repr__(self):
         named = [f"{n}^{p}" for n, p in zip("MLT", self.powers, strict=True) if p]
@@ -51,9 +52,9 @@ class Dimension(_Own):
             return self
         if outranks(other, self):
             return NotImplemented
-        if _as_dimension(other) != self:
+        if (other := _as_dimension(other)) != self:
             raise DimensionError(
-                f"cannot add {_as_dimension(other)} to {self}: look at the units of the two terms"
+                f"cannot add {other} to {self}: look at the units of the two terms"
             )
         return self
 
@@ -69,18 +70,14 @@ class Dimension(_Own):
             return ZERO
         if isinstance(other, Scaled) or outranks(other, self):
             return NotImplemented
-        return Dimension(
-            *(a + b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True))
-        )
+        return Dimension(*map(add, self.powers, _as_dimension(other).powers))
 
     __rmul__ = __mul__
 
     def __truediv__(self, other):
         if other is ZERO or outranks(other, self):
             return NotImplemented
-        return Dimension(
-            *(a - b for a, b in zip(self.powers, _as_dimension(other).powers, strict=True))
-        )
+        return Dimension(*map(sub, self.powers, _as_dimension(other).powers))
 
     def __rtruediv__(self, other):
         return _as_dimension(other) / self
@@ -92,22 +89,22 @@ class Dimension(_Own):
                     f"{self} is raised to a power that varies: its dimension would vary too"
                 )
             return exp(power) if isinstance(power, Dimension) else NotImplemented
-        # 1/3 is not a float
-        power = Fraction(power if isinstance(power, Fraction) else float(power)).limit_denominator(
-            1000
-        )
+        # a float is not 1/3 exactly, but the power 1/3 of L^3 is to be L
+        power = Fraction(power if isinstance(power, Fraction) else float(power))
+        power = power.limit_denominator(1000)
         return Dimension(*(a * power for a in self.powers))
 
-    def function(self, name, *args):
-        """The function of this name, for :func:`function`."""
+    def function(self, name: str, *args: Scalar) -> "Dimension":
+        """The dimension of this function of a pure number; of a square root, and an angle by atan2,
+        also of others.
+        """
         if name == "sqrt":
             return self ** Fraction(1, 2)
         if name == "atan2":
-            _ = args[0] + args[1] if args[0] is not ZERO and args[1] is not ZERO else None
+            _ = args[0] + args[1]  # of one dimension, or this raises
         elif any(self.powers):
             raise DimensionError(
-                f"{name} of a quantity with {self}: its argument must be a pure number (an "
-                "angle, a ratio)"
+                f"{name} of a quantity with {self}: its argument must be a pure number"
             )
         return Dimension()
 
@@ -119,11 +116,8 @@ def _as_dimension(x):
     return Dimension()
 
 
-_INCH, _POUND_MASS, _STANDARD_G = (
-    Fraction(254, 10000),
-    Fraction(45359237, 10**8),
-    Fraction(980665, 10**5),
-)
+# by the international agreement of 1959, and the standard gravity of 1901: exact
+_INCH, _POUND_MASS, _STANDARD_G = map(Fraction, ("0.0254", "0.45359237", "9.80665"))
 _POUND = _POUND_MASS * _STANDARD_G
 _LENGTH, _TIME, _MASS = Dimension(0, 1, 0), Dimension(0, 0, 1), Dimension(1, 0, 0)
 _PURE = Dimension()
@@ -133,17 +127,22 @@ _FORCE = _MASS * _LENGTH / _TIME**2
 UNITS = {
     "1": (1, 0, _PURE), "%": (Fraction(1, 100), 0, _PURE), "rad": (1, 0, _PURE),
     "deg": (Fraction(1, 180), 1, _PURE), "rev": (2, 1, _PURE),
-    "m": (1, 0, _LENGTH), "mm": (Fraction(1, 1000), 0, _LENGTH), "cm": (Fraction(1, 100), 0, _LENGTH), "km": (1000, 0, _LENGTH),
+    "m": (1, 0, _LENGTH), "mm": (Fraction(1, 1000), 0, _LENGTH),
+    "cm": (Fraction(1, 100), 0, _LENGTH), "km": (1000, 0, _LENGTH),
     "in": (_INCH, 0, _LENGTH), "ft": (12 * _INCH, 0, _LENGTH), "mi": (63360 * _INCH, 0, _LENGTH),
-    "s": (1, 0, _TIME), "min": (60, 0, _TIME), "h": (3600, 0, _TIME), "rpm": (Fraction(2, 60), 1, _PURE / _TIME),
-    "kg": (1, 0, _MASS), "g": (Fraction(1, 1000), 0, _MASS), "slug": (_POUND / (12 * _INCH), 0, _MASS),
-    "N": (1, 0, _FORCE), "kN": (1000, 0, _FORCE), "lb": (_POUND, 0, _FORCE), "oz": (_POUND / 16, 0, _FORCE),
-    "J": (1, 0, _FORCE * _LENGTH), "W": (1, 0, _FORCE * _LENGTH / _TIME), "Pa": (1, 0, _FORCE / _LENGTH**2),
+    "s": (1, 0, _TIME), "min": (60, 0, _TIME), "h": (3600, 0, _TIME),
+    "rpm": (Fraction(2, 60), 1, _PURE / _TIME),
+    "kg": (1, 0, _MASS), "g": (Fraction(1, 1000), 0, _MASS),
+    "slug": (_POUND / (12 * _INCH), 0, _MASS),
+    "N": (1, 0, _FORCE), "kN": (1000, 0, _FORCE),
+    "lb": (_POUND, 0, _FORCE), "oz": (_POUND / 16, 0, _FORCE),
+    "J": (1, 0, _FORCE * _LENGTH), "W": (1, 0, _FORCE * _LENGTH / _TIME),
+    "Pa": (1, 0, _FORCE / _LENGTH**2),
 }  # fmt: skip
 
 
 class UnitError(NewtonEulerError, ValueError):
-    """A unit that is not known, or not written as names joined by ``*`` and ``/``."""
+    """A unit is not known, or not written as names joined by ``*`` and ``/``."""
 
 
 class Unit:
@@ -158,85 +157,78 @@ class Unit:
     def __init__(self, text):
         self.text = text
         self.factor, self.pi_power, self.dimension = Fraction(1), 0, Dimension()
-        for sign, name, power in _parts(text):
+        for name, power in _parts(text):
             if name not in UNITS:
                 raise UnitError(f"unknown unit {name!r} in {text!r}; known are {', '.join(UNITS)}")
             factor, pi_power, dimension = UNITS[name]
-            n = sign * power
-            self.factor *= Fraction(factor) ** n
-            self.pi_power += pi_power * n
-            self.dimension = self.dimension * dimension**n
+            self.factor *= Fraction(factor) ** power
+            self.pi_power += pi_power * power
+            self.dimension *= dimension**power
 
     def __repr__(self):
         return f"Unit({self.text!r})"
 
-    def to_base(self, x):
+    def to_base(self, x: Scalar) -> Scalar:
         """The quantity of ``x`` such units, in kg, m, s and rad; ``x`` a scalar of any kind or a
         Vector.
         """
         return self._scaled(x, self.factor, self.pi_power)
 
-    def from_base(self, x):
-        """How many such units the quantity ``x``, in kg, m, s and rad, is; ``x`` a scalar of any
-        kind or a Vector.
+    def from_base(self, x: Scalar) -> Scalar:
+        """The number of such units in the quantity ``x``, which is in kg, m, s and rad; ``x`` a
+        scalar of any kind or a Vector.
         """
         return self._scaled(x, 1 / self.factor, -self.pi_power)
 
     @staticmethod
     def _scaled(x, factor, pi_power):
-        power_of_pi = pi(_telling(x)) ** abs(pi_power) if pi_power else 1
+        # the kind of a vector is that of a component that is not zero by structure
+        like = next((c for c in x.c if c is not ZERO), 0.0) if hasattr(x, "frame") else x
+        power_of_pi = pi(like) ** abs(pi_power) if pi_power else 1
         if pi_power < 0:
             x = x / power_of_pi  # first, so that 2 pi rad/s are 60 rev/min to the last digit
         if factor.numerator != 1:
-            x = x / 1 * factor.numerator  # whole numbers of an array would overflow
+            x = x / 1 * factor.numerator  # by 1: integers of an array would overflow
         if factor.denominator != 1:
             x = x / factor.denominator
         return x * power_of_pi if pi_power > 0 else x
 
 
-def _telling(x):
-    """What tells the kind of ``x``: of a vector, a component that is not zero by structure."""
-    return next((c for c in x.c if c is not ZERO), 0.0) if hasattr(x, "frame") else x
-
-
 @cache
-def unit(text):
-    """The :class:`Unit` written so; the same object each time."""
+def unit(text: str) -> Unit:
+    """The :class:`Unit` of this text; the same object each time.
+
+    >>> unit("km/h").to_base(36.0)
+    10.0
+    """
     return Unit(text)
 
 
 def pint_name(unit_text):
-    """A unit of the problems as pint writes it; pint's lb and oz are masses."""
-    names = {
-        "rev": "revolution",
-        "lb": "lbf",
-        "oz": "force_ounce",
-        "1": "dimensionless",
-        "%": "percent",
-    }
-    return re.sub(r"[A-Za-z%]+|(?<!\^)\b1\b", lambda m: names.get(m[0], m[0]), unit_text).replace(
-        "^", "**"
-    )
+    """The name of a unit in pint, in which lb and oz are masses.
+
+    >>> pint_name("lb*ft^2")
+    'lbf*ft**2'
+    """
+    names = {"rev": "revolution", "lb": "lbf", "oz": "force_ounce", "%": "percent"}
+    names["1"] = "dimensionless"
+    text = re.sub(r"[A-Za-z%]+|(?<!\^)\b1\b", lambda m: names.get(m[0], m[0]), unit_text)
+    return text.replace("^", "**")
 
 
 def _parts(text):
+    """Pairs of a unit's name and its power."""
     if not isinstance(text, str):
-        raise UnitError(
-            f"cannot read the unit {text!r}; write it as text, as in 'kg*m^2/s' or 'rev/min'"
-        )
+        raise UnitError(f"cannot read the unit {text!r}; write it as text, as in 'kg*m^2/s'")
     sign, parts = 1, []
     for token in re.split(r"([*/])", text.replace(" ", "")):
-        if token == "*":
-            continue
-        if token == "/":
-            sign = -1
+        if token in ("*", "/"):
+            sign = 1 if token == "*" else -1
             continue
         match = re.fullmatch(r"([A-Za-z%]+|1)(?:\^(-?\d+))?", token)
         if not match:
             raise UnitError(
-                f"cannot read the unit {text!r} at {token!r}; write it as in 'kg*m^2/s' or "
-                "'rev/min'"
+                f"cannot read the unit {text!r} at {token!r}; write it as in 'kg*m^2/s'"
             )
-        parts.append((sign, match[1], int(match[2] or 1)))
-        sign = 1
+        parts.append((match[1], sign * int(match[2] or 1)))
     return parts

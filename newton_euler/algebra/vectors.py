@@ -1,18 +1,20 @@
 """Vectors: three components in a frame (Appendix A of the book).
 
-A :class:`Vector` belongs to a frame but to no origin. Vectors of two frames combine as they are:
-the result is expressed in the frame of the left one. A vector that theory writes as a sum keeps its
-terms by name (``a.terms``, ``a.explain()``), and knows how it changes in time where that follows
-from how it was made (``a.rate(observer)``).
+A :class:`Vector` belongs to a frame but to no origin. Vectors of two frames can be added and
+multiplied: the result is expressed in the frame of the left one. A vector that theory writes as a
+sum keeps its terms by name (``a.terms``, ``a.explain()``). A vector that was made from moving
+quantities has a time derivative (``a.rate(observer)``).
 """
 
 from functools import reduce
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .errors import NewtonEulerError
 from .jets import Moving, moving
-from .ledger import Explanation, Ledger, NamedTerms, equations, latex_number
+from .ledger import Equation, Explanation, Ledger, NamedTerms, equations, latex_number
 from .scalars import (
     ZERO,
+    Scalar,
     ScalarError,
     Scaled,
     atan2,
@@ -27,6 +29,11 @@ from .scalars import (
     sqrt,
 )
 
+if TYPE_CHECKING:
+    import numpy as np
+
+Frame: TypeAlias = Any  # a kinematics.frames.Frame, which is in a room above this one
+
 NO_THIRD_RATE = (
     "the third time derivative of a moving quantity is not known; give coordinates with two "
     "rates only"
@@ -34,9 +41,7 @@ NO_THIRD_RATE = (
 
 
 class FrameError(NewtonEulerError, ValueError):
-    """Frames or vectors that do not belong together, or a question that leaves out the frame it is
-    asked in.
-    """
+    """Frames or vectors do not belong together, or the frame of the observer is missing."""
 
 
 # -- triples: the arithmetic behind vectors, on bare components of one frame
@@ -109,15 +114,20 @@ class Vector(Scaled, NamedTerms):
 
     # -- components
 
-    x = property(
-        lambda self: plain(self.c[0]), doc="component along the first axis of its frame (A.7)"
-    )
-    y = property(
-        lambda self: plain(self.c[1]), doc="component along the second axis of its frame (A.7)"
-    )
-    z = property(
-        lambda self: plain(self.c[2]), doc="component along the third axis of its frame (A.7)"
-    )
+    @property
+    def x(self) -> Scalar:
+        """The component along the first axis of its frame (A.7)."""
+        return plain(self.c[0])
+
+    @property
+    def y(self) -> Scalar:
+        """The component along the second axis of its frame (A.7)."""
+        return plain(self.c[1])
+
+    @property
+    def z(self) -> Scalar:
+        """The component along the third axis of its frame (A.7)."""
+        return plain(self.c[2])
 
     def __iter__(self):
         return iter(self.components())
@@ -128,6 +138,7 @@ class Vector(Scaled, NamedTerms):
     def __getitem__(self, n):
         return self.components()[n]
 
+    # without __hash__: equal vectors of two frames have different components
     def __eq__(self, other):
         """True for a vector with the same components; of another frame, up to round-off, as
         :func:`same` says; False where no frame is common.
@@ -136,45 +147,44 @@ class Vector(Scaled, NamedTerms):
             return NotImplemented
         if other.frame is self.frame:
             equal = [a == b for a, b in zip(self.c, other.c, strict=True)]
-            return all(bool(e.all()) if getattr(e, "shape", ()) else bool(e) for e in equal)
+            return all(e.all() if getattr(e, "shape", ()) else bool(e) for e in equal)
         try:
             return same(self, other)
         except FrameError:
             return False
 
-    __hash__ = None  # equal vectors of two frames have different components
-
     def __abs__(self):
         return self.norm()
 
-    def components(self, frame=None):
+    def components(self, frame: Frame = None) -> tuple:
         """The three components along the axes of ``frame`` (default: the frame it is expressed in),
         as a tuple.
         """
-        c = self.c if frame is None else self.expressed_in(frame).c
-        return tuple(plain(x) for x in c)
+        return tuple(map(plain, self.c if frame is None else self.expressed_in(frame).c))
 
-    def expressed_in(self, frame):
-        """The same vector with its components along the axes of ``frame``; its terms and its rate
-        go with it.
+    def expressed_in(self, frame: Frame) -> "Vector":
+        """The same vector with its components along the axes of ``frame``, with its terms and its
+        rate.
         """
         if frame is self.frame:
             return self
         c = self.frame.transform(self.c, frame)
-        own = self._own_rate and (lambda: self.rate(frame))
-        return Vector(
-            c, frame, own, self._ledger and self._ledger.mapped(lambda v: v.expressed_in(frame))
-        )
+        own_rate = self._own_rate and (lambda: self.rate(frame))
+        ledger = self._ledger and self._ledger.mapped(lambda v: v.expressed_in(frame))
+        return Vector(c, frame, own_rate, ledger)
 
-    def rounded(self, noise):
-        """The vector with components of at most ``noise``, round-off beside others, set to 0."""
-        return Vector(
-            tuple(ZERO if is_numeric(x) and size(x) <= noise else x for x in self.c), self.frame
-        )
+    def rounded(self, noise: float) -> "Vector":
+        """The vector with components of at most ``noise`` set to 0."""
+        c = tuple(ZERO if is_numeric(x) and size(x) <= noise else x for x in self.c)
+        return Vector(c, self.frame)
 
-    def to_array(self):
+    def to_array(self) -> "np.ndarray":
         """The components as a NumPy array of shape (3,), or (3, N) where they are arrays of N
         instants.
+
+        >>> from newton_euler import Frame
+        >>> Frame("ground").vector(1.0, 2.0, 0).to_array()
+        array([1., 2., 0.])
         """
         import numpy as np
 
@@ -184,23 +194,21 @@ class Vector(Scaled, NamedTerms):
         return f"Vector({', '.join(map(repr, self))} in {self.frame.name})"
 
     def __str__(self):
-        return f"[{', '.join(short(x) for x in self)}] in {self.frame.name}"
+        return f"[{', '.join(map(short, self))}] in {self.frame.name}"
 
     def _repr_latex_(self):
         return f"${self.latex()}$"
 
-    def latex(self, digits=5):
+    def latex(self, digits: int = 5) -> str:
         """The vector as a LaTeX formula, in the unit vectors of its frame."""
-        hats = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")
-        parts = [
-            f"{latex_number(x, digits)}\\,{hat}"
-            for x, hat in zip(self, hats, strict=True)
-            if not is_zero(x)
-        ]
-        text = parts[0] if parts else r"\mathbf{0}"
-        for part in parts[1:]:
-            text += part if part.startswith("-") else "+" + part
-        return f"\\left({text}\\right)_{{\\text{{{self.frame.name}}}}}" if parts else text
+        text = ""
+        for x, hat in zip(self, (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}"), strict=True):
+            if not is_zero(x):
+                number = latex_number(x, digits)
+                sign = "+" if text and not number.startswith("-") else ""
+                text += rf"{sign}{number}\,{hat}"
+        name = self.frame.name
+        return rf"\left({text}\right)_{{\text{{{name}}}}}" if text else r"\mathbf{0}"
 
     # -- algebra
 
@@ -212,10 +220,8 @@ class Vector(Scaled, NamedTerms):
         return other.c if other.frame is self.frame else other.expressed_in(self.frame).c
 
     def __add__(self, other):
-        f = self.frame
-        return Vector(
-            add3(self.c, self._other(other, "add")), f, lambda: self.rate(f) + other.rate(f)
-        )
+        f, c = self.frame, add3(self.c, self._other(other, "add"))
+        return Vector(c, f, lambda: self.rate(f) + other.rate(f))
 
     def __radd__(self, other):
         if type(other) is int and other == 0:  # where sum() begins
@@ -223,10 +229,8 @@ class Vector(Scaled, NamedTerms):
         return self._other(other, "add")
 
     def __sub__(self, other):
-        f = self.frame
-        return Vector(
-            sub3(self.c, self._other(other, "subtract")), f, lambda: self.rate(f) - other.rate(f)
-        )
+        f, c = self.frame, sub3(self.c, self._other(other, "subtract"))
+        return Vector(c, f, lambda: self.rate(f) - other.rate(f))
 
     def __neg__(self):
         return -1 * self
@@ -234,99 +238,85 @@ class Vector(Scaled, NamedTerms):
     def __mul__(self, s):
         if isinstance(s, Vector):
             raise FrameError("two vectors have two products: write a.dot(b) or a.cross(b)")
-        s = scalar(s)
-        if isinstance(s, Moving):
-            return Vector(
-                scale3(s.value, self.c),
-                self.frame,
-                self._own_rate and (lambda: self._product_rate(s)),
-            )
-        return self._each(lambda x: s * x, lambda v: v * s, lambda: self._product_rate(moving(s)))
-
-    def _product_rate(self, s):
-        """The rate of s times this vector in its own frame, by the product rule; ``s`` is moving."""
-        changed = self.rate(self.frame) * s
-        if s.rests():
-            return changed
-        if s.rate is None:
-            raise FrameError(NO_THIRD_RATE)
-        return self * Moving(s.rate, s.acceleration, None) + changed
-
-    def _each(self, change, whole, rate):
-        """The vector with every component changed by a factor, and its terms with it."""
-        c = ZERO3 if self.c is ZERO3 else tuple(change(x) for x in self.c)
-        return Vector(
-            c, self.frame, self._own_rate and rate, self._ledger and self._ledger.mapped(whole)
-        )
+        return self._each(scalar(s), lambda x, s: s * x, lambda v: v * s, self._product_rate)
 
     __rmul__ = __mul__
 
     def __truediv__(self, s):
         if isinstance(s, Vector):
             raise FrameError("a vector cannot be divided by a vector")
-        s = scalar(s)
-        rate = self._own_rate and (lambda: self._quotient_rate(moving(s)))
-        if isinstance(s, Moving):
-            return Vector(
-                ZERO3 if self.c is ZERO3 else tuple(x / s.value for x in self.c), self.frame, rate
-            )
         # not times 1/s: that rounds before an mpf or a fraction comes in
-        return self._each(lambda x: x / s, lambda v: v / s, rate)
+        return self._each(scalar(s), lambda x, s: x / s, lambda v: v / s, self._quotient_rate)
+
+    def _each(self, s, change, whole, rate):
+        """The vector with every component, and every term, multiplied or divided by ``s``."""
+        moves = isinstance(s, Moving)
+        value = s.value if moves else s
+        c = ZERO3 if self.c is ZERO3 else tuple(change(x, value) for x in self.c)
+        own_rate = self._own_rate and (lambda: rate(moving(s)))
+        ledger = None if moves else self._ledger and self._ledger.mapped(whole)
+        return Vector(c, self.frame, own_rate, ledger)
+
+    def _product_rate(self, s):
+        """The rate of s times this vector in its own frame; ``s`` is moving."""
+        changed = self.rate(self.frame) * s
+        return changed if s.rests() else self * _rate_of(s) + changed
 
     def _quotient_rate(self, s):
         """The rate of this vector divided by s, in its own frame; ``s`` is moving."""
         changed = self.rate(self.frame)
-        if s.rests():
-            return changed / s.value
-        if s.rate is None:
-            raise FrameError(NO_THIRD_RATE)
-        return (changed - self / s * Moving(s.rate, s.acceleration, None)) / s
+        return changed / s.value if s.rests() else (changed - self / s * _rate_of(s)) / s
 
     def __rtruediv__(self, other):
         raise FrameError(f"nothing can be divided by a vector: {other!r} / {self}")
 
-    def dot(self, other):
+    def dot(self, other: "Vector") -> Scalar:
         """The scalar product (A.2), (A.11)."""
         return plain(dot3(self.c, self._other(other, "take the dot product of")))
 
-    def cross(self, other):
+    def cross(self, other: "Vector") -> "Vector":
         """The vector product (A.4), (A.13), in the frame of the left vector; right-handed."""
         f = self.frame
         c = cross3(self.c, self._other(other, "take the cross product of"))
         return Vector(c, f, lambda: self.rate(f).cross(other) + self.cross(other.rate(f)))
 
-    def norm(self):
+    def norm(self) -> Scalar:
         """The magnitude (A.12)."""
         return plain(sqrt(dot3(self.c, self.c)))
 
-    def direction(self):
-        """The unit vector along it (A.1). A zero vector has none and raises :class:`FrameError`."""
+    def direction(self) -> "Vector":
+        """The unit vector along it (A.1). Raises :class:`FrameError` for a zero vector."""
         length = scalar(self.norm())
         if is_zero(length):
             raise FrameError("a zero vector has no direction; test its norm() before asking for it")
         return self / length
 
-    def angle_to(self, other):
-        """The angle between two vectors in rad, in [0, pi]; accurate at both ends, where an arc
-        cosine is not. FrameError for zero vectors.
+    def angle_to(self, other: "Vector") -> Scalar:
+        """The angle between two vectors in rad, in [0, pi]. Raises :class:`FrameError` for zero
+        vectors.
+
+        >>> from newton_euler import Frame
+        >>> ground = Frame("ground")
+        >>> round(ground.i.angle_to(ground.i + ground.j), 6)
+        0.785398
         """
+        # an arc cosine of the dot product loses half of the digits near 0 and pi
+        # (W. Kahan, How Futile are Mindless Assessments of Roundoff, 2006, section 12)
         across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
         if is_numeric(across) and is_numeric(along) and least(abs(across) + abs(along)) == 0:
             raise FrameError(
-                f"a zero vector makes no angle with another, but one of {self} and {other} is "
-                "zero, or too small to be squared"
+                f"one of {self} and {other} is zero, or too small to be squared: there is no angle"
             )
         return atan2(across, along)
 
     # -- change in time
 
-    def rate(self, observer=None):
+    def rate(self, observer: Frame = None) -> "Vector":
         """Its time derivative seen from the frame ``observer``: the basic kinematic equation
         (4.15), (4.27).
 
         terms: ``relative``, the rate seen in its own frame, and ``rotation``, omega x Q. Raises
-            :class:`FrameError` without an
-        observer (a vector has no rate as such), or where the vector is known at the instant only.
+        :class:`FrameError` without an observer, or if the vector is known at the instant only.
 
         >>> from newton_euler import Frame
         >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -340,43 +330,38 @@ class Vector(Scaled, NamedTerms):
         self.frame.common(observer)
         if self._own_rate is None:
             raise FrameError(
-                f"the rate of {self} is not known: it was computed for one instant. Build "
-                "it from moving quantities, "
-                "as in frame.vector(moving(x, rate=...), y, z), or ask a Point for its "
-                "velocity and acceleration"
+                f"the rate of {self} is not known: it was computed for one instant. Build it from "
+                "moving quantities, as in frame.vector(moving(x, rate=...), y, z), or ask a Point "
+                "for its velocity and acceleration"
             )
         seen = self._own_rate().expressed_in(self.frame)
         if observer is self.frame:
             return seen
-        omega = self.frame.angular_velocity(observer).expressed_in(self.frame)
-        turned = omega.cross(self)
         f = self.frame
-        ledger = Ledger(
-            EQUATIONS["rate"],
-            f"{f.name}/{observer.name}",
-            lambda: {"relative": seen, "rotation": turned},
-        )
+        turned = f.angular_velocity(observer).expressed_in(f).cross(self)
+        terms = {"relative": seen, "rotation": turned}
+        ledger = Ledger(EQUATIONS["rate"], f"{f.name}/{observer.name}", lambda: terms)
         return Vector(add3(seen.c, turned.c), f, lambda: seen.rate(f) + turned.rate(f), ledger)
 
     # -- the term ledger
 
     @property
-    def equation(self):
+    def equation(self) -> Equation | None:
         """The :class:`~newton_euler.algebra.ledger.Equation` of its named terms; None for a vector
         that is not known as a sum.
         """
         return self._ledger and self._ledger.equation
 
     @property
-    def terms(self):
+    def terms(self) -> dict:
         """The vectors whose sum it is, by name; empty for a vector that is not known as a sum."""
         return self._ledger.terms if self._ledger else {}
 
-    def explain(self, unit=""):
-        """How it is made up: the equation with its number in the book, and the value of each term.
+    def explain(self, unit: str = "") -> Explanation:
+        """The equation of its terms with the number in the book, and the value of each term: an
+        :class:`Explanation`, which prints as text and shows as a formula in Jupyter.
 
-        Returns an :class:`Explanation`; it prints as text and shows as a formula in Jupyter.
-        ``unit`` is written behind the values.
+        unit : written behind the values
         """
         if not self._ledger:
             raise FrameError(
@@ -385,9 +370,9 @@ class Vector(Scaled, NamedTerms):
             )
         return Explanation(self, self._ledger, unit)
 
-    def reweighted(self, **factors):
-        """The sum of its terms, each times the factor named for it (others once): what a wrong
-        model would give.
+    def reweighted(self, **factors: Scalar) -> "Vector":
+        """The sum of its terms, each times the factor named for it (others once): the result of a
+        model with these terms left out or weighted.
 
         >>> from newton_euler import Frame, moving
         >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -395,41 +380,39 @@ class Vector(Scaled, NamedTerms):
         >>> a, a.reweighted(coriolis=0)
         (Vector(-4.0, 12.0, 0 in arm), Vector(-4.0, 0, 0 in arm))
         """
-        return Vector(
-            sum3(
-                scale3(f, term.expressed_in(self.frame).c)
-                for f, term in self._weighted(factors, FrameError)
-            ),
-            self.frame,
-        )
+        f = self.frame
+        terms = self._weighted(factors, FrameError)
+        return Vector(sum3(scale3(s, v.expressed_in(f).c) for s, v in terms), f)
 
 
-def dot(a, b):
+def _rate_of(s):
+    """The rate of the moving number ``s``, as a moving number."""
+    if s.rate is None:
+        raise FrameError(NO_THIRD_RATE)
+    return Moving(s.rate, s.acceleration, None)
+
+
+def dot(a: Vector, b: Vector) -> Scalar:
     """The scalar product of two vectors (A.11)."""
     return a.dot(b)
 
 
-def cross(a, b):
+def cross(a: Vector, b: Vector) -> Vector:
     """The vector product of two vectors (A.13)."""
     return a.cross(b)
 
 
 def named_sum(equation, subject, terms, frame):
-    """The Vector in ``frame`` that is the sum of these, and keeps them by name."""
-    total = sum3(v.expressed_in(frame).c for v in terms.values())
-    return Vector(
-        total,
-        frame,
-        None,
-        Ledger(
-            equation, subject, lambda: {name: v.expressed_in(frame) for name, v in terms.items()}
-        ),
+    """The Vector in ``frame`` that is the sum of these terms, and keeps them by name."""
+    ledger = Ledger(
+        equation, subject, lambda: {name: v.expressed_in(frame) for name, v in terms.items()}
     )
+    return Vector(sum3(v.expressed_in(frame).c for v in terms.values()), frame, None, ledger)
 
 
-def same(a, b, tolerance=1e-12):
+def same(a: Vector, b: Vector, tolerance: float = 1e-12) -> bool:
     """True if two vectors differ by at most ``tolerance`` times the larger of their magnitudes; of
-    symbols, where these are given numbers.
+    symbols, at one set of numbers for them.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground"); turned = ground.rotate("turned", "z", angle=0.3)
@@ -440,6 +423,3 @@ def same(a, b, tolerance=1e-12):
     if difference is None or None in lengths:
         raise ScalarError(f"{a} and {b} have components without values, which cannot be compared")
     return size(difference) <= tolerance * max(map(size, lengths))
-
-
-__all__ = ["Explanation", "FrameError", "ScalarError", "Vector", "cross", "dot", "same"]
