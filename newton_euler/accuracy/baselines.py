@@ -10,7 +10,7 @@ import operator
 from functools import cache, reduce
 from itertools import repeat
 
-from ..algebra.codegen.compiled import compiled
+from ..algebra.codegen.compile import compiled
 from ..algebra.jets import moving
 from ..algebra.scalars import cos, sin, sqrt
 from ..applications.gyroscopes import steady_precession

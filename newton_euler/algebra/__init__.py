@@ -2,7 +2,7 @@
 code.
 """
 
-from .codegen.compiled import compiled
+from .codegen.compile import compiled
 from .errors import NewtonEulerError
 from .jets import Moving, at, moving
 from .ledger import Amount, Equation, Explanation, TermError

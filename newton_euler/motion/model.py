@@ -13,7 +13,7 @@ from inspect import Parameter, Signature
 from keyword import iskeyword
 from types import MappingProxyType
 
-from ..algebra.codegen.compiled import compiled
+from ..algebra.codegen.compile import compiled
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import ScalarError, is_comparable, is_zero, promote, plain, scalar
 

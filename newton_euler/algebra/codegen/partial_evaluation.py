@@ -7,13 +7,13 @@ product cheap. A division is a recurrence of its own, where a product by the inv
 
 import math
 
-from .compiled import Compiled
+from .compile import Compiled
 from .source import unused, uses
 from .trace import Step, Trace
 
 
 def folded(formula, count):
-    """A :class:`~newton_euler.algebra.codegen.compiled.Compiled` formula in two: one that takes
+    """A :class:`~newton_euler.algebra.codegen.compile.Compiled` formula in two: one that takes
     constants, and the formula of the parameters that returns these.
 
     count : the number of its first arguments that are no parameters; the first of the two takes

@@ -18,8 +18,8 @@ RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where"}
 
 def generate(trace, names, outputs, lazy):
     """The text of a function ``formula`` of the arguments ``names`` that returns the outputs; its
-    constants that have no literal, by name; and the number of its operations. A lazy text computes
-    what only one side of a choice needs under an ``if``.
+    constants that have no literal, by name; and the number of its operations. In a lazy text, steps
+    that only one side of a choice needs stand under an ``if``.
     """
     used = uses(trace, outputs)
     steps = [s for s in trace.steps if s.number in used]
@@ -43,18 +43,14 @@ def generate(trace, names, outputs, lazy):
             continue
         operations += s.op not in ("neg", "pi")
         written = _written(s.op, [spelled(a) for a in s.args], lazy)
+        # a line stays readable, and within the 200 nested parentheses that Python allows
         if used[s.number] == 1 and len(written) < 120:
             text[s.number] = f"({written})"
         else:
             text[s.number] = f"{line_letter}{len(lines)}"
             lines.append((branches.get(s.number, ()), f"{text[s.number]} = {written}"))
-    body = "".join(
-        f"    {line}\n"
-        for line in [
-            *_indented(lines, text),
-            f"return {', '.join(map(spelled, outputs))}{',' if outputs else '()'}",
-        ]
-    )
+    result = f"return {', '.join(map(spelled, outputs))}{',' if outputs else '()'}"
+    body = "".join(f"    {line}\n" for line in [*_indented(lines, text), result])
     return f"def formula({', '.join(names.values())}):\n{body}", constants, operations
 
 
@@ -64,16 +60,15 @@ def uses(trace, outputs):
     for s in reversed(trace.steps):
         for a in s.args if s.number in used else ():
             if isinstance(a, Step):
-                # a condition is asked again
-                used[a.number] = used.get(a.number, 0) + (
-                    2 if s.op == "where" and a is s.args[0] else 1
-                )
+                # a condition counts twice, to have a line: several branches can test it
+                twice = s.op == "where" and a is s.args[0]
+                used[a.number] = used.get(a.number, 0) + 1 + twice
     return used
 
 
 def _branches(steps, outputs):
-    """For each step the sides of choices that alone need it, outermost first: pairs of the number
-    of a condition known by then, and True or False.
+    """For each step the branches that alone need it, outermost first: pairs of the number of a
+    condition computed before the step, and True or False.
     """
     branches = {o.number: () for o in outputs if isinstance(o, Step)}
     for s in reversed(steps):
@@ -103,9 +98,7 @@ def _indented(lines, text):
 
 
 def unused(letter, names):
-    """The letter, after as many underscores as distinguish it with digits from the names of the
-    arguments.
-    """
+    """The letter, with as many underscores before it as make no name equal to it with digits."""
     while any(n.startswith(letter) and n[len(letter) :].isdigit() for n in names):
         letter = "_" + letter
     return letter
@@ -124,14 +117,12 @@ def _written(op, args, lazy):
 
 
 def runtime_names(library):
-    """What a text calls ``where``, ``lt`` … over this library, by name; for heyoka also absolute
-    values and powers of a number.
+    """The functions ``where``, ``lt`` … of a text over this library, by name; for heyoka also
+    absolute values and powers of a number.
     """
     if library.__name__ != "heyoka":
-        return {
-            "where": library.where if library.__name__ == "numpy" else where,
-            **{name: getattr(operator, name) for name in COMPARISONS},
-        }
+        choice = library.where if library.__name__ == "numpy" else where
+        return {"where": choice, **{name: getattr(operator, name) for name in COMPARISONS}}
     hy = library
 
     def over(f):
@@ -139,11 +130,12 @@ def runtime_names(library):
             *(a if isinstance(a, hy.expression) else hy.expression(float(a)) for a in args)
         )
 
-    comparisons = {"lt": over(hy.lt), "le": over(hy.lte), "gt": over(hy.gt), "ge": over(hy.gte)}
-    size = over(lambda x: hy.select(hy.lt(x, hy.expression(0.0)), -x, x))
     return {
-        **comparisons,
+        "lt": over(hy.lt),
+        "le": over(hy.lte),
+        "gt": over(hy.gt),
+        "ge": over(hy.gte),
         "where": over(hy.select),
-        "abs": size,
+        "abs": over(lambda x: hy.select(hy.lt(x, hy.expression(0.0)), -x, x)),
         "pow": lambda base, x: hy.expression(float(base)) ** x,
     }

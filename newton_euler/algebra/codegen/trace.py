@@ -9,9 +9,8 @@ from ..scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, plain
 
 COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 NO_VALUE = (
-    "a formula is traced without values: it must not branch on them (if, max, ==), but "
-    "chooses by where(x < y, a, b), "
-    "and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
+    "a formula is traced without values: it must not branch on them (if, max, ==), but chooses by "
+    "where(x < y, a, b), and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
 )
 
 
@@ -41,13 +40,9 @@ class Step(_Own):
         return self - other.args[0] if _negated(other) else self.trace.step("+", self, other)
 
     def __radd__(self, other):
-        return (
-            self
-            if _is(other, 0)
-            else other - self.args[0]
-            if self.op == "neg"
-            else self.trace.step("+", other, self)
-        )
+        if _is(other, 0):
+            return self
+        return other - self.args[0] if self.op == "neg" else self.trace.step("+", other, self)
 
     def __sub__(self, other):
         if _is(other, 0):
@@ -55,13 +50,9 @@ class Step(_Own):
         return self + other.args[0] if _negated(other) else self.trace.step("-", self, other)
 
     def __rsub__(self, other):
-        return (
-            -self
-            if _is(other, 0)
-            else other + self.args[0]
-            if self.op == "neg"
-            else self.trace.step("-", other, self)
-        )
+        if _is(other, 0):
+            return -self
+        return other + self.args[0] if self.op == "neg" else self.trace.step("-", other, self)
 
     def __mul__(self, other):
         if other is ZERO:
@@ -76,7 +67,7 @@ class Step(_Own):
 
     def __truediv__(self, other):
         if other is ZERO:
-            return NotImplemented  # ZERO says what is wrong
+            return NotImplemented  # ZERO raises the error
         if self.op == "neg":
             return -(self.args[0] / other)
         if _negated(other):
@@ -101,10 +92,11 @@ class Step(_Own):
 
     def function(self, name, *args):
         """The step of this function, of this step or of the arguments."""
-        if self.op == "neg" and name in ("cos", "cosh"):
-            return function(name, self.args[0])
-        if self.op == "neg" and name in ("sin", "tan", "asin", "atan", "sinh", "tanh"):
-            return -function(name, self.args[0])
+        if self.op == "neg":
+            if name in ("cos", "cosh"):
+                return function(name, self.args[0])
+            if name in ("sin", "tan", "asin", "atan", "sinh", "tanh"):
+                return -function(name, self.args[0])
         return self.trace.step(name, *(args or (self,)))
 
     def pi(self):
@@ -114,8 +106,7 @@ class Step(_Own):
     def __abs__(self):
         return abs(self.args[0]) if self.op == "neg" else self.trace.step("abs", self)
 
-    # A comparison is a step too, for `where` to choose by; it has no value that an `if` could ask
-    # for.
+    # A comparison is a step too, by which `where` chooses; it has no value for an `if`.
 
     __lt__, __le__, __gt__, __ge__ = map(_comparison, COMPARISONS)
 
@@ -165,12 +156,12 @@ class Trace:
         return self.steps[-1]
 
     def _key(self, a):
-        """What tells an argument from others: 0.0, -0.0 and 0 are three."""
+        """A key that is equal for equal arguments; those of 0.0, -0.0 and 0 differ."""
         if isinstance(a, Step):
             if a.trace is not self:
                 raise ScalarError(
-                    "a value of one formula is used inside another that is being compiled; "
-                    "pass it as an argument"
+                    "a value of one formula is used inside another that is being compiled; pass it "
+                    "as an argument"
                 )
             return "#", a.number
         if getattr(scalar(a), "shape", ()):

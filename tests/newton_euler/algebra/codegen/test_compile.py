@@ -40,7 +40,7 @@ from newton_euler import (
     where,
 )
 from newton_euler.algebra import ZERO, DimensionError, ScalarError
-from newton_euler.algebra.codegen.compiled import BLOCK
+from newton_euler.algebra.codegen.compile import BLOCK
 from newton_euler.algebra.codegen.trace import Step
 from newton_euler.algebra.jets import Moving
 from newton_euler.algebra.scalars import FUNCTIONS
@@ -218,7 +218,7 @@ def test_auto_turns_to_heyoka_only_when_it_pays(monkeypatch):
     pytest.importorskip("heyoka")
     f = compiled(lambda x: sin(x) + x, backend="auto")
     monkeypatch.setattr(
-        "newton_euler.algebra.codegen.compiled.HEYOKA_BREAK_EVEN", {True: 3000, False: 3000}
+        "newton_euler.algebra.codegen.compile.HEYOKA_BREAK_EVEN", {True: 3000, False: 3000}
     )
     x = np.linspace(0, 1, 1000)
     first = f(x)
@@ -629,7 +629,7 @@ def test_an_unknown_backend_is_refused():
 def test_without_heyoka_the_backend_says_how_to_get_it_and_auto_goes_on(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None)
     monkeypatch.setattr(
-        "newton_euler.algebra.codegen.compiled.HEYOKA_BREAK_EVEN", {True: 0, False: 0}
+        "newton_euler.algebra.codegen.compile.HEYOKA_BREAK_EVEN", {True: 0, False: 0}
     )
     x = np.array([1.0, 2.0])
     with pytest.raises(

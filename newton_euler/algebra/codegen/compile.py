@@ -1,4 +1,4 @@
-"""``compiled(f)`` runs a formula once on traced scalars and keeps what it did as straight-line
+"""``compiled(f)`` runs a formula once on traced scalars and keeps its operations as straight-line
 text, which is fast on every kind of number.
 
 Every operation is a step (:mod:`newton_euler.algebra.codegen.trace`); equal steps are one, so that
@@ -13,6 +13,7 @@ import importlib.util
 import inspect
 import math
 import sys
+from collections.abc import Callable
 from functools import cached_property
 from operator import itemgetter
 
@@ -20,6 +21,7 @@ from .. import scalars
 from ..jets import Moving
 from ..scalars import (
     FUNCTIONS,
+    Scalar,
     ScalarError,
     Scaled,
     _Own,
@@ -37,7 +39,8 @@ from .trace import NO_VALUE, Step, Trace
 BLOCK = 8192
 # the same for heyoka, whose inputs are copied together (measured: 4096 costs half as much again)
 HEYOKA_BLOCK = 1 << 15
-# instants until heyoka's compilation, and its import if it is not loaded, are earned back
+# instants (heyoka loaded: True, or not) from which on heyoka, with its compilation and import,
+# takes less time in all than NumPy (measured)
 HEYOKA_BREAK_EVEN = {True: 60_000, False: 1_500_000}
 
 
@@ -45,21 +48,21 @@ def _shape(result, leaves, keys):
     """The text of an expression that builds a result like this one from the tuple ``r`` of its
     scalars, which are appended to ``leaves``.
     """
+
+    def several(parts):
+        return f"({''.join(f'{_shape(part, leaves, keys)}, ' for part in parts)})"
+
     if hasattr(result, "tolist"):
         result = result.tolist()
     if isinstance(result, Moving):
-        parts = [
-            _shape(part, leaves, keys) for part in (result.value, result.rate, result.acceleration)
-        ]
-        return f"Moving({', '.join(f'scalar({part})' for part in parts)})"
+        parts = several((result.value, result.rate, result.acceleration))
+        return f"Moving(*map(scalar, {parts}))"
     if isinstance(result, dict):
         keys += result
-        return (
-            f"dict(zip(keys[{len(keys) - len(result)}:{len(keys)}], "
-            f"{_shape(list(result.values()), leaves, keys)}))"
-        )
+        names = f"keys[{len(keys) - len(result)}:{len(keys)}]"
+        return f"dict(zip({names}, {several(result.values())}))"
     if isinstance(result, (tuple, list, Scaled)):  # a Vector becomes the triple of its components
-        return f"({''.join(f'{_shape(part, leaves, keys)}, ' for part in result)})"
+        return several(result)
     try:
         leaves.append(scalar(result))
     except ScalarError as error:
@@ -76,35 +79,28 @@ def _builder(result):
     """
     leaves, keys = [], []
     shape = _shape(result, leaves, keys)
-    # a tuple is returned as it is
-    simple = {"r[0]": itemgetter(0), f"({''.join(f'r[{n}], ' for n in range(len(leaves)))})": tuple}
-    return leaves, simple.get(shape) or eval(
-        f"lambda r: {shape}", {"Moving": Moving, "scalar": scalar, "keys": keys}
-    )
+    if shape == "r[0]":
+        return leaves, itemgetter(0)
+    if shape == f"({''.join(f'r[{n}], ' for n in range(len(leaves)))})":
+        return leaves, tuple  # returns a tuple itself
+    return leaves, eval(f"lambda r: {shape}", {"Moving": Moving, "scalar": scalar, "keys": keys})
 
 
 class Compiled:
-    """What :func:`compiled` returns; call it like the formula. ``source`` is its text,
-    ``operations`` the number of its operations.
+    """A compiled formula, as :func:`compiled` returns it; call it like the formula. ``source`` is
+    its text, ``operations`` the number of its operations.
 
     trace, leaves : the steps, and those that are the scalars in the result, from which ``build``
         makes the result
     """
 
     def __init__(self, name, parameters, trace, leaves, build=tuple, defaults=(), backend="auto"):
-        self.name, self.parameters, self.trace, self.leaves, self.backend = (
-            name,
-            parameters,
-            trace,
-            leaves,
-            backend,
-        )
-        self._build, self._defaults = build, dict(defaults)
+        self.name, self.parameters, self.trace, self.leaves = name, parameters, trace, leaves
+        self.backend, self._build, self._defaults = backend, build, dict(defaults)
         names = {n: f"{n}_" if n in RESERVED else n for n in parameters}
         self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
-        self._lazy = (
-            generate(trace, names, leaves, lazy=True)[0] if "where(" in self.source else self.source
-        )
+        chooses = "where(" in self.source
+        self._lazy = generate(trace, names, leaves, lazy=True)[0] if chooses else self.source
         self._functions, self._seen, self._heyoka, self._buffer = {}, 0, None, None
         self.on_floats = self.on(math)
 
@@ -124,14 +120,14 @@ class Compiled:
         """For each scalar in the result the names of the arguments on which it depends, a list of
         sets.
         """
-        known = {}
+        known = []
+
+        def union(values):
+            return set().union(*(known[x.number] for x in values if isinstance(x, Step)))
+
         for s in self.trace.steps:
-            known[s.number] = (
-                {s.args[0]}
-                if s.op == "argument"
-                else set().union(*(known[a.number] for a in s.args if isinstance(a, Step)))
-            )
-        return [known[leaf.number] if isinstance(leaf, Step) else set() for leaf in self.leaves]
+            known.append({s.args[0]} if s.op == "argument" else union(s.args))
+        return [union([leaf]) for leaf in self.leaves]
 
     def on(self, library):
         """The text as a function over one library, from the arguments to the tuple of all scalars
@@ -145,7 +141,7 @@ class Compiled:
             space.update(runtime_names(library))
             rounded = name in ("math", "numpy", "heyoka")
             space.update({n: _float(c) if rounded else c for n, c in self._constants.items()})
-            # these take one number at a time
+            # only on one number at a time can a branch be skipped
             text = self._lazy if name in ("math", "mpmath") else self.source
             if library is scalars:  # whose pi differs from call to call
                 text = text.replace("(", "(pi, ", 1)
@@ -154,7 +150,7 @@ class Compiled:
         return self._functions[name]
 
     def _in_order(self, args, named):
-        first = dict(zip(self.parameters, args, strict=False))  # too few or too many: told below
+        first = dict(zip(self.parameters, args, strict=False))  # too few or too many: see wrong
         given = {**self._defaults, **first, **named}
         wrong = {
             "missing": [n for n in self.parameters if n not in given],
@@ -163,17 +159,15 @@ class Compiled:
             "left over": [repr(a) for a in args[len(self.parameters) :]],
         }
         if any(wrong.values()):
-            told = "; ".join(
-                f"{what}: {', '.join(names)}" for what, names in wrong.items() if names
-            )
+            lists = (f"; {what}: {', '.join(names)}" for what, names in wrong.items() if names)
             raise TypeError(
-                f"{self.name} takes {', '.join(self.parameters) or 'no arguments'}; {told}"
+                f"{self.name} takes {', '.join(self.parameters) or 'no arguments'}{''.join(lists)}"
             )
         return [given[n] for n in self.parameters]
 
     def _other(self, args):
         for a in args:
-            scalar(a)  # or it is no number, and the error says so
+            scalar(a)  # raises ScalarError if it is not a number
         # pi has the kind and the digits of the most exact number among them
         if any(isinstance(a, _Own) for a in args):
             values = [without_rates(a) for a in args]
@@ -181,11 +175,9 @@ class Compiled:
             others = [v for v in values if not isinstance(v, _Own) and _root(type(v)) != "builtins"]
             return self._build(self.on(scalars)(pi((traced or others or [0.0])[0]), *args))
         library = library_of(args)
-        return (
-            self._arrays(library, args)
-            if library.__name__ == "numpy"
-            else self._build(self.on(library)(*args))
-        )
+        if library.__name__ == "numpy":
+            return self._arrays(library, args)
+        return self._build(self.on(library)(*args))
 
     def _arrays(self, np, args):
         args = [np.asarray(a) for a in args]
@@ -208,17 +200,16 @@ class Compiled:
         self._seen += count
         rows = [np.broadcast_to(a, shape).reshape(-1) if a.shape else a[()] for a in args]
         out = np.empty((len(self.leaves), count))
-        (self._by_heyoka if count and self._heyoka_pays() else self._in_blocks)(np, rows, out)
+        if count and self._heyoka_pays():
+            self._by_heyoka(np, rows, out)
+        else:
+            run = self.on(np)
+            for start in range(0, count, BLOCK):
+                block = slice(start, start + BLOCK)
+                values = run(*(r[block] if r.shape else r for r in rows))
+                for row, value in zip(out, values, strict=True):
+                    row[block] = value
         return self._build([row.reshape(shape) for row in out])
-
-    def _in_blocks(self, np, rows, out):
-        run = self.on(np)
-        for start in range(0, out.shape[1], BLOCK):
-            block = slice(start, start + BLOCK)
-            for row, value in zip(
-                out, run(*(r[block] if r.shape else r for r in rows)), strict=True
-            ):
-                row[block] = value
 
     def _heyoka_pays(self):
         if self.backend == "numpy" or (
@@ -244,8 +235,8 @@ class Compiled:
         return True
 
     def _by_heyoka(self, np, rows, out):
-        """Block by block through a buffer that is kept between calls: fresh memory of this size
-        costs more than the arithmetic.
+        """Writes the results into ``out``, block by block through a buffer that is kept between
+        calls: new memory of this size costs more than the arithmetic.
         """
         count = out.shape[1]
         size = min(count, HEYOKA_BLOCK)
@@ -273,13 +264,13 @@ def _float(constant):
         return constant
 
 
-def compiled(f, backend="auto", **constants):
-    """``f``, traced once into straight-line text, for many fast evaluations.
+def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compiled:
+    """The formula ``f``, traced once into straight-line text, for many fast evaluations.
 
     f : a function of scalars that does not branch on their values (it chooses by ``where``); it
         returns a scalar, a Vector, or tuples and dicts of them
-    backend : "auto" (NumPy in blocks, and heyoka as soon as its compilation is earned back),
-        "numpy" or "heyoka"; for arrays only
+    backend : "auto" (NumPy in blocks, and heyoka as soon as that saves more time than its
+        compilation takes), "numpy" or "heyoka"; for arrays only
     constants : parameters of ``f`` to fix now; they are not parameters of the result
 
     The result takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place
@@ -297,9 +288,7 @@ def compiled(f, backend="auto", **constants):
         raise ValueError(f"backend must be 'auto', 'numpy' or 'heyoka', got {backend!r}")
     signature = inspect.signature(f).parameters
     if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
-        raise TypeError(
-            f"a formula to compile names all its arguments; {f!r} takes any number of them"
-        )
+        raise TypeError(f"a formula to compile names all its arguments, but {f!r} does not")
     trace, parameters = Trace(), [n for n in signature if n not in constants]
     values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
     by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
@@ -308,13 +297,12 @@ def compiled(f, backend="auto", **constants):
     except TypeError as error:
         if "ufunc" not in str(error):
             raise
-        # NumPy's own words for an unknown kind of number do not help
+        # NumPy's own message on an unknown kind of number does not help
         raise TypeError(NO_VALUE) from error
     defaults = {
-        n: signature[n].default
+        n: default
         for n in parameters
-        if signature[n].default is not inspect.Parameter.empty
+        if (default := signature[n].default) is not inspect.Parameter.empty
     }
-    return Compiled(
-        getattr(f, "__name__", "formula"), parameters, trace, leaves, build, defaults, backend
-    )
+    name = getattr(f, "__name__", "formula")
+    return Compiled(name, parameters, trace, leaves, build, defaults, backend)
