@@ -222,8 +222,7 @@ def _cramer(matrix, right):
         and least(determinant) <= RATE_NOISE * prod(_largest(row) or 1 for row in matrix)
     ):
         raise LinearError(
-            "the conditions do not determine the rates: some of them say the same, or a rate "
-            "does not occur in them"
+            "the conditions do not determine the rates: some are equivalent, or do not contain one"
         )
 
     def cofactor(n, k):
@@ -363,11 +362,7 @@ def _solved(equations, names):
         return made_up.setdefault(id(x), (0.37 + 0.6180339887 * len(made_up)) % 1 + 0.5)
 
     samples = [e.each(number) for e in equations]
-    numbers = all(
-        a is b
-        for e, s in zip(equations, samples, strict=True)
-        for a, b in zip(e.parts(), s.parts(), strict=True)
-    )
+    numbers = all(probe(x) is x for e in equations for x in e.parts())
     try:
         found = _Elimination(samples, len(names), not made_up, numbers)
     except _Varies:

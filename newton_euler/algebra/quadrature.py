@@ -99,9 +99,9 @@ def _adaptive(f, start, end, rtol, scale):
             )
         except IntegrationWarning as problem:
             raise WorkError(
-                f"the integral from {start:.6g} to {end:.6g} did not converge to "
-                f"{rtol:.1g}: {str(problem).split('.')[0].strip()}. Divide it with "
-                "breaks=(...) where the force has a corner or a jump, or ask for less with rtol="
+                f"the integral from {start:.6g} to {end:.6g} did not converge to {rtol:.1g}: "
+                f"{str(problem).split('.')[0].strip()}. Divide it with breaks=(...) where the "
+                "force has a corner or a jump, or pass a larger rtol="
             ) from None
 
 
@@ -195,14 +195,14 @@ def cubature(f, n, rtol, name, error=WorkError):
     off = float(np.max(found.error))
     if not np.isfinite(found.estimate).all():
         raise error(
-            f"the integrals over {name} are not finite: the formula or the density is infinite "
-            "within the limits"
+            f"the integrals over {name} are not finite: the formula or the density grows without "
+            "bound within the limits"
         )
     if found.status != "converged":
         raise error(
             f"the integrals over {name} did not converge: after {found.subdivisions} "
             f"subdivisions their relative error is about {off:.1g}, and {rtol:.1g} was asked for. "
             "Split the body where the formula has a corner or a jump, choose coordinates that "
-            "follow its edges, or ask for less with rtol="
+            "follow its edges, or pass a larger rtol="
         )
     return found.estimate, off

@@ -195,8 +195,7 @@ def scalar(x):
     ):
         return x
     raise ScalarError(
-        "expected a number (float, array, mpf, SymPy, SymEngine or heyoka expression), got "
-        f"{x!r} of type {type(x).__name__}"
+        f"expected a number (float, array, mpf or expression), got {x!r} of type {type(x).__name__}"
     )
 
 
@@ -367,7 +366,7 @@ def is_zero(x: Scalar) -> bool:
     if not is_numeric(x):
         return False
     equal = without_rates(x) == 0
-    return bool(getattr(equal, "all", lambda: equal)())
+    return bool(equal.all() if hasattr(equal, "all") else equal)
 
 
 def is_positive(x):

@@ -288,7 +288,7 @@ class Vector(Scaled, NamedTerms):
         """The unit vector along it (A.1). Raises :class:`FrameError` for a zero vector."""
         length = scalar(self.norm())
         if is_zero(length):
-            raise FrameError("a zero vector has no direction; test its norm() before asking for it")
+            raise FrameError("a zero vector has no direction; test its norm() first")
         return self / length
 
     def angle_to(self, other: "Vector") -> Scalar:
@@ -331,8 +331,7 @@ class Vector(Scaled, NamedTerms):
         if self._own_rate is None:
             raise FrameError(
                 f"the rate of {self} is not known: it was computed for one instant. Build it from "
-                "moving quantities, as in frame.vector(moving(x, rate=...), y, z), or ask a Point "
-                "for its velocity and acceleration"
+                "moving quantities, as in frame.vector(moving(x, rate=...), y, z)"
             )
         seen = self._own_rate().expressed_in(self.frame)
         if observer is self.frame:
@@ -365,8 +364,7 @@ class Vector(Scaled, NamedTerms):
         """
         if not self._ledger:
             raise FrameError(
-                f"{self} was not computed as a named sum; velocities, accelerations and rates "
-                "of points and frames are"
+                f"{self} was not computed as a named sum, as velocities and accelerations are"
             )
         return Explanation(self, self._ledger, unit)
 
