@@ -238,24 +238,30 @@ class Vector(Scaled, NamedTerms):
     def __mul__(self, s):
         if isinstance(s, Vector):
             raise FrameError("two vectors have two products: write a.dot(b) or a.cross(b)")
-        return self._each(scalar(s), lambda x, s: s * x, lambda v: v * s, self._product_rate)
+        s = scalar(s)
+        if isinstance(s, Moving):
+            rate = self._own_rate and (lambda: self._product_rate(s))
+            return Vector(scale3(s.value, self.c), self.frame, rate)
+        return self._each(lambda x: s * x, lambda v: v * s, lambda: self._product_rate(moving(s)))
 
     __rmul__ = __mul__
 
     def __truediv__(self, s):
         if isinstance(s, Vector):
             raise FrameError("a vector cannot be divided by a vector")
+        s = scalar(s)
+        rate = self._own_rate and (lambda: self._quotient_rate(moving(s)))
+        if isinstance(s, Moving):
+            c = ZERO3 if self.c is ZERO3 else tuple(x / s.value for x in self.c)
+            return Vector(c, self.frame, rate)
         # not times 1/s: that rounds before an mpf or a fraction comes in
-        return self._each(scalar(s), lambda x, s: x / s, lambda v: v / s, self._quotient_rate)
+        return self._each(lambda x: x / s, lambda v: v / s, rate)
 
-    def _each(self, s, change, whole, rate):
-        """The vector with every component, and every term, multiplied or divided by ``s``."""
-        moves = isinstance(s, Moving)
-        value = s.value if moves else s
-        c = ZERO3 if self.c is ZERO3 else tuple(change(x, value) for x in self.c)
-        own_rate = self._own_rate and (lambda: rate(moving(s)))
-        ledger = None if moves else self._ledger and self._ledger.mapped(whole)
-        return Vector(c, self.frame, own_rate, ledger)
+    def _each(self, change, whole, rate):
+        """The vector with every component changed by a factor, and its terms with it."""
+        c = ZERO3 if self.c is ZERO3 else tuple(map(change, self.c))
+        ledger = self._ledger and self._ledger.mapped(whole)
+        return Vector(c, self.frame, self._own_rate and rate, ledger)
 
     def _product_rate(self, s):
         """The rate of s times this vector in its own frame; ``s`` is moving."""
