@@ -556,10 +556,10 @@ class _Elimination:
 
     def _involved(self, row):
         """The equations of which a row is the sum, in their order."""
-        own = row[self.count + 1 :]
-        weights = [0.0 if w is ZERO else size(w) * u for w, u in zip(own, self.usual, strict=True)]
-        least_weight = ABSENT * self.round_off * max(weights)
-        return [n for n, w in enumerate(weights) if own[n] is not ZERO and w >= least_weight]
+        parts = enumerate(zip(row[self.count + 1 :], self.usual, strict=True))
+        weights = {n: size(w) * usual for n, (w, usual) in parts if w is not ZERO}
+        absent = ABSENT * self.round_off * max(weights.values())
+        return [n for n, w in weights.items() if w >= absent]
 
     def relations(self, names):
         """What is known of the unknowns that are not determined, in words."""

@@ -16,10 +16,10 @@ here and otherwise use ``+ - * /``. None of the heavy libraries is imported here
 number is found by the number's type.
 """
 
-import importlib
 import math
 import zlib
 from fractions import Fraction
+from importlib import import_module
 from typing import Any, TypeAlias
 
 from .errors import NewtonEulerError
@@ -249,8 +249,8 @@ def library_of(values):
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
         if name in roots:
-            return importlib.import_module(name)
-    return importlib.import_module("cmath") if complex in map(type, values) else math
+            return import_module(name)
+    return import_module("cmath") if complex in map(type, values) else math
 
 
 def function(name, *args):
@@ -381,10 +381,10 @@ def is_finite(x):
     x = without_rates(x)
     root = _root(type(x))
     if root == "numpy":
-        return bool(importlib.import_module("numpy").isfinite(x).all())
+        return bool(import_module("numpy").isfinite(x).all())
     # SymEngine does not know of its own floats whether they are finite
     if root in ("sympy", "symengine"):
-        return bool(importlib.import_module("sympy").sympify(x).is_finite)
+        return bool(import_module("sympy").sympify(x).is_finite)
     return abs(x) < float("inf")
 
 
@@ -411,7 +411,7 @@ def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
     if hasattr(condition, "where"):
         return condition.where(a, b)
     if getattr(condition, "shape", ()):
-        return importlib.import_module("numpy").where(condition, plain(a), plain(b))
+        return import_module("numpy").where(condition, plain(a), plain(b))
     return a if condition else b
 
 
@@ -455,7 +455,7 @@ def with_extra_digits(f, *values):
     >>> (1 + 1e-20) - 1, with_extra_digits(lambda x: (1 + x) - 1, 1e-20)
     (0.0, 1e-20)
     """
-    mpmath, library = importlib.import_module("mpmath"), library_of(values).__name__
+    mpmath, library = import_module("mpmath"), library_of(values).__name__
 
     def once(*numbers):
         with mpmath.workprec(max(256, 4 * mpmath.mp.prec)):
@@ -464,7 +464,7 @@ def with_extra_digits(f, *values):
 
     if library != "numpy":
         return once(*values)
-    numpy = importlib.import_module("numpy")
+    numpy = import_module("numpy")
     return numpy.asarray(numpy.frompyfunc(once, len(values), 1)(*values), dtype=float)
 
 
@@ -478,7 +478,7 @@ def probe(x):
     """
     if _root(type(x)) not in ("sympy", "symengine"):
         return x if is_numeric(x) else None
-    sympy = importlib.import_module("sympy")
+    sympy = import_module("sympy")
     x = sympy.sympify(x)
     # numbers by a checksum of the names: the same in every run, and without a pattern
     parts = x.free_symbols | x.atoms(sympy.core.function.AppliedUndef, sympy.Derivative)

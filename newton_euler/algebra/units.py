@@ -123,16 +123,16 @@ _LENGTH, _TIME, _MASS = Dimension(0, 1, 0), Dimension(0, 0, 1), Dimension(1, 0, 
 _PURE = Dimension()
 _FORCE = _MASS * _LENGTH / _TIME**2
 
-# name: (exact factor, power of pi in it, dimension)
+# name: (exact factor or its text, power of pi in it, dimension)
 UNITS = {
-    "1": (1, 0, _PURE), "%": (Fraction(1, 100), 0, _PURE), "rad": (1, 0, _PURE),
-    "deg": (Fraction(1, 180), 1, _PURE), "rev": (2, 1, _PURE),
-    "m": (1, 0, _LENGTH), "mm": (Fraction(1, 1000), 0, _LENGTH),
-    "cm": (Fraction(1, 100), 0, _LENGTH), "km": (1000, 0, _LENGTH),
+    "1": (1, 0, _PURE), "%": ("0.01", 0, _PURE), "rad": (1, 0, _PURE),
+    "deg": ("1/180", 1, _PURE), "rev": (2, 1, _PURE),
+    "m": (1, 0, _LENGTH), "mm": ("0.001", 0, _LENGTH),
+    "cm": ("0.01", 0, _LENGTH), "km": (1000, 0, _LENGTH),
     "in": (_INCH, 0, _LENGTH), "ft": (12 * _INCH, 0, _LENGTH), "mi": (63360 * _INCH, 0, _LENGTH),
     "s": (1, 0, _TIME), "min": (60, 0, _TIME), "h": (3600, 0, _TIME),
-    "rpm": (Fraction(2, 60), 1, _PURE / _TIME),
-    "kg": (1, 0, _MASS), "g": (Fraction(1, 1000), 0, _MASS),
+    "rpm": ("1/30", 1, _PURE / _TIME),
+    "kg": (1, 0, _MASS), "g": ("0.001", 0, _MASS),
     "slug": (_POUND / (12 * _INCH), 0, _MASS),
     "N": (1, 0, _FORCE), "kN": (1000, 0, _FORCE),
     "lb": (_POUND, 0, _FORCE), "oz": (_POUND / 16, 0, _FORCE),

@@ -199,12 +199,12 @@ class Vector(Scaled, NamedTerms):
     def _repr_latex_(self):
         return f"${self.latex()}$"
 
-    def latex(self, digits: int = 5) -> str:
+    def latex(self) -> str:
         """The vector as a LaTeX formula, in the unit vectors of its frame."""
         text = ""
         for x, hat in zip(self, (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}"), strict=True):
             if not is_zero(x):
-                number = latex_number(x, digits)
+                number = latex_number(x, 5)
                 sign = "+" if text and not number.startswith("-") else ""
                 text += rf"{sign}{number}\,{hat}"
         name = self.frame.name

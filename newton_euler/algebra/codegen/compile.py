@@ -8,13 +8,12 @@ on arrays with NumPy in blocks that stay in the cache, or through heyoka, and on
 mpmath, on symbols and on this package's own kinds.
 """
 
-import importlib
-import importlib.util
 import inspect
 import math
 import sys
 from collections.abc import Callable
 from functools import cached_property
+from importlib import import_module, util
 from operator import itemgetter
 
 from .. import scalars
@@ -217,7 +216,7 @@ class Compiled:
         ):
             return False
         if self._heyoka is None:
-            if importlib.util.find_spec("heyoka") is None:
+            if util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":
                     raise ImportError(
                         "backend='heyoka' needs heyoka: pip install 'newton-euler[fast]', or "
@@ -225,7 +224,7 @@ class Compiled:
                     )
                 self.backend = "numpy"
                 return False
-            hy = importlib.import_module("heyoka")
+            hy = import_module("heyoka")
             variables = [hy.expression(n) for n in self.parameters]
             outputs = [
                 hy.expression(float(o)) if isinstance(o, (int, float)) else o
