@@ -186,7 +186,7 @@ class Amount(NamedTerms):
     """An amount of work, energy or power with its terms by name: ``U.value``,
     ``T.terms["rotation"]``, ``T.explain()``.
 
-    what, number : what it is, and its equation in the book
+    what, number : the name of the quantity, and its equation in the book
     error : estimated error of ``value`` where it comes from an integral, in the same unit
     It stands for its value in sums, products and comparisons with numbers and other amounts, and in
     ``float(U)``.

@@ -228,7 +228,7 @@ def _cramer(matrix, right):
     def cofactor(n, k):
         return (-1) ** (n + k) * minor(every[:n] + every[n + 1 :], every[:k] + every[k + 1 :])
 
-    # cofactor by determinant first: in a formula, what is common to both cancels unsimplified
+    # cofactor by determinant first: common factors cancel in a formula that is not simplified
     return [sum((cofactor(n, k) / determinant * right[n] for n in every), ZERO) for k in every]
 
 
@@ -316,9 +316,9 @@ def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None)
 
     Numbers are eliminated equation by equation, with a choice of pivots. Arrays are solved for all
     instants. Expressions give formulas, without simplification: unknowns that stand alone first,
-    the rest by Cramer's rule. Whether SymPy's vanish is seen at a point, with numbers in the place
-    of the symbols; traced and heyoka expressions and dimensions are taken to vanish only where they
-    do by their form, and surplus equations of those are not compared.
+    the rest by Cramer's rule. SymPy coefficients are tested for zero at a point, with numbers in
+    the place of the symbols. Traced and heyoka expressions and dimensions are zero only by their
+    form, and surplus equations of those are not compared.
 
     >>> from newton_euler import cos, sin
     >>> def laws(N, F, a):  # a block of 2 kg slides on a slope of 0.3 rad

@@ -83,8 +83,8 @@ def outranks(x, kind):
 
 
 class Scaled:
-    """Base of what is no scalar but can be multiplied by one (vectors): it carries out the product,
-    not the numbers of the engine.
+    """Base of vectors and other quantities that a scalar can multiply; they carry out the product,
+    not the scalar.
     """
 
     __slots__ = ()
@@ -181,7 +181,7 @@ ZERO = _Zero()
 def scalar(x):
     """The scalar ``x``; a literal ``0`` becomes the structural zero.
 
-    Raises :class:`ScalarError` for what is not a number (text, None, lists).
+    Raises :class:`ScalarError` if ``x`` is not a number (text, None, lists).
 
     >>> scalar(0) is ZERO, scalar(0.0), scalar(1.5)
     (True, 0.0, 1.5)

@@ -397,12 +397,24 @@ def _rate_of(s):
 
 
 def dot(a: Vector, b: Vector) -> Scalar:
-    """The scalar product of two vectors (A.11)."""
+    """The scalar product of two vectors (A.11).
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> dot(ground.vector(1.0, 2.0, 0), ground.j)
+    2.0
+    """
     return a.dot(b)
 
 
 def cross(a: Vector, b: Vector) -> Vector:
-    """The vector product of two vectors (A.13)."""
+    """The vector product of two vectors (A.13).
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> cross(ground.i, ground.j) == ground.k
+    True
+    """
     return a.cross(b)
 
 
