@@ -1,5 +1,5 @@
-"""Baselines for :mod:`newton_euler.accuracy.comparisons`: the same numbers by methods of textbooks
-and by the engine, with errors against 40 digits.
+"""Textbook methods for the comparisons of :mod:`newton_euler.accuracy.comparisons`, the engine's
+methods for the same numbers, and their errors against 40 digits.
 
 Nothing else in the engine uses this module, since most of its methods are numerically poor on
 purpose.
@@ -21,12 +21,26 @@ from ..kinematics import rotations
 from ..kinematics.frames import Frame
 from .measure import relative_error
 
-DIGITS = 40
+DIGITS = 40  # of the references
+
+
+def _in_digits(f):
+    """The function that calls ``f(mpmath, …)`` in 40 digits, once for each set of arguments."""
+
+    @cache
+    def found(*arguments):
+        import mpmath
+
+        with mpmath.workdps(DIGITS):
+            return f(mpmath, *arguments)
+
+    return found
+
 
 # -- derivatives
 
 INSTANT = 1.3  # s
-# first differences: (steps away, weight)
+# first and second differences: (steps away, weight)
 FORWARD, CENTRAL = ((0, -1), (1, 1)), ((-1, -0.5), (1, 0.5))
 FORWARD_SECOND, CENTRAL_SECOND = ((0, 1), (1, -2), (2, 1)), ((-1, 1), (0, -2), (1, 1))
 
@@ -36,11 +50,8 @@ def boom_end(t):
     time t (s).
     """
     length, elevation, turned = 20 + 3 * sin(2 * t), 0.5 + 0.3 * cos(3 * t), 0.4 * t * t
-    return (
-        length * cos(elevation) * cos(turned),
-        length * cos(elevation) * sin(turned),
-        length * sin(elevation),
-    )
+    across = length * cos(elevation)
+    return across * cos(turned), across * sin(turned), length * sin(elevation)
 
 
 def difference(f, t, h, weights, order):
@@ -52,7 +63,7 @@ def difference(f, t, h, weights, order):
 
 
 def complex_step(f, t, h):
-    """f'(t) as Im f(t + i h)/h: no difference, hence no cancellation."""
+    """f'(t) as Im f(t + i h)/h: no difference, hence no cancellation (Squire and Trapp 1998)."""
     return tuple(x.imag / h for x in f(t + 1j * h))
 
 
@@ -61,19 +72,11 @@ def complex_step_second(f, t, h):
     return tuple(2 * (x - z.real) / (h * h) for x, z in zip(f(t), f(t + 1j * h), strict=True))
 
 
-def velocity(t):
-    """The velocity of the boom's end by the engine, m/s: the position of a time that carries its
-    rates.
-    """
-    return tuple(x.rate for x in boom_end(moving(t, rate=1.0)))
+def _derivatives(order, forward, central, by_complex_step, rate):
+    def engine(t):
+        # the position at a time that carries its rates
+        return tuple(getattr(x, rate) for x in boom_end(moving(t, rate=1.0)))
 
-
-def acceleration(t):
-    """The acceleration of the boom's end by the engine, m/s^2."""
-    return tuple(x.acceleration for x in boom_end(moving(t, rate=1.0)))
-
-
-def _derivatives(order, forward, central, by_complex_step, engine):
     traced = compiled(engine)
     return {
         "forward difference": lambda h: difference(boom_end, INSTANT, h, forward, order),
@@ -84,20 +87,13 @@ def _derivatives(order, forward, central, by_complex_step, engine):
     }
 
 
-FIRST_DERIVATIVES = _derivatives(1, FORWARD, CENTRAL, complex_step, velocity)
-SECOND_DERIVATIVES = _derivatives(
-    2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_second, acceleration
-)
+VELOCITIES = _derivatives(1, FORWARD, CENTRAL, complex_step, "rate")
+ACCELERATIONS = _derivatives(2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_second, "acceleration")
 
 
-@cache
-def _derivative(order):
-    import mpmath
-
-    with mpmath.workdps(DIGITS):
-        return tuple(
-            mpmath.diff(lambda t, n=n: boom_end(t)[n], mpmath.mpf(INSTANT), order) for n in range(3)
-        )
+@_in_digits
+def _derivative(mp, order):
+    return tuple(mp.diff(lambda t, n=n: boom_end(t)[n], mp.mpf(INSTANT), order) for n in range(3))
 
 
 def velocity_error(found, h):
@@ -115,16 +111,11 @@ def acceleration_error(found, h):
 AXIS, SMALL = (0.36, 0.48, 0.8), 0.01
 
 
-@cache
-def _rotation(axis, angle, times=1):
-    """The matrix of a rotation, repeated so many times, in 40 digits by the series of exp."""
-    import mpmath
-
-    with mpmath.workdps(DIGITS):
-        x, y, z = (mpmath.mpf(c) / mpmath.norm(list(axis)) for c in axis)
-        return mpmath.expm(
-            mpmath.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * mpmath.mpf(angle) * times
-        )
+@_in_digits
+def _rotation(mp, axis, angle, times=1):
+    """The matrix of a rotation, repeated so many times, by the series of exp."""
+    x, y, z = (mp.mpf(c) / mp.norm(list(axis)) for c in axis)
+    return mp.expm(mp.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * mp.mpf(angle) * times)
 
 
 def _matrix_error(R, exact):
@@ -146,9 +137,8 @@ def by_numpy(n):
 
 def by_quaternions(n):
     """The same as a product of quaternions, normalised at the end."""
-    return rotations.matrix_from_quaternion(
-        reduce(rotations.quaternion_product, repeat(rotations.quaternion(AXIS, SMALL), n))
-    )
+    q = rotations.quaternion(AXIS, SMALL)
+    return rotations.matrix_from_quaternion(reduce(rotations.quaternion_product, repeat(q, n)))
 
 
 def by_scipy(n):
@@ -164,9 +154,8 @@ def by_euler_angles(n):
     q = rotations.quaternion(AXIS, SMALL)
     angles = rotations.euler_from_quaternion(q)
     for _ in range(n - 1):
-        angles = rotations.euler_from_quaternion(
-            rotations.quaternion_product(rotations.quaternion_from_euler(*angles), q)
-        )
+        turned = rotations.quaternion_product(rotations.quaternion_from_euler(*angles), q)
+        angles = rotations.euler_from_quaternion(turned)
     return rotations.euler_matrix(*angles)
 
 
@@ -209,47 +198,36 @@ def runge_kutta(rate, s, step, steps):
         b = rate(moved(step / 2, a))
         c = rate(moved(step / 2, b))
         d = rate(moved(step, c))
-        s = moved(
-            step / 6, tuple(w + 2 * x + 2 * y + z for w, x, y, z in zip(a, b, c, d, strict=True))
-        )
+        total = [w + 2 * x + 2 * y + z for w, x, y, z in zip(a, b, c, d, strict=True)]
+        s = moved(step / 6, total)
     return s
 
 
-def _tilted(least, t):
-    return rotations.product(
-        rotations.rotation_matrix((1, 0, 0), t), rotations.rotation_matrix((0, 1, 0), least)
-    )
+def _passing(start, rate, matrix):
+    """The function that integrates such coordinates of the attitude and returns the final matrix,
+    of the least angle to the vertical.
+    """
 
+    def final(least):
+        omega = math.cos(least), 0.0, math.sin(least)  # in the body
+        about_x = rotations.rotation_matrix((1, 0, 0), BEFORE)
+        s = start(rotations.product(about_x, rotations.rotation_matrix((0, 1, 0), least)))
+        return matrix(runge_kutta(lambda s: rate(s, omega), s, (AFTER - BEFORE) / STEPS, STEPS))
 
-def _body_rates(least):
-    return math.cos(least), 0.0, math.sin(least)
-
-
-def pass_by_euler_rates(least):
-    """The final attitude by the rates of Euler's angles (10.12)."""
-    omega = _body_rates(least)
-    start = rotations.euler_angles(_tilted(least, BEFORE))
-    return rotations.euler_matrix(
-        *runge_kutta(
-            lambda s: rotations.euler_rates(*s, omega), start, (AFTER - BEFORE) / STEPS, STEPS
-        )
-    )
-
-
-def pass_by_quaternion_rate(least):
-    """The final attitude by the rate of a quaternion."""
-    omega = _body_rates(least)
-    start = rotations.quaternion_from_matrix(_tilted(least, BEFORE))
-    return rotations.matrix_from_quaternion(
-        runge_kutta(
-            lambda q: rotations.quaternion_rate(q, omega), start, (AFTER - BEFORE) / STEPS, STEPS
-        )
-    )
+    return final
 
 
 PASSES = {
-    "rates of Euler's angles": pass_by_euler_rates,
-    "rate of a quaternion": pass_by_quaternion_rate,
+    "rates of Euler's angles": _passing(
+        rotations.euler_angles,
+        lambda s, omega: rotations.euler_rates(*s, omega),  # (10.12)
+        lambda s: rotations.euler_matrix(*s),
+    ),
+    "rate of a quaternion": _passing(
+        rotations.quaternion_from_matrix,
+        rotations.quaternion_rate,
+        rotations.matrix_from_quaternion,
+    ),
 }
 
 
@@ -303,13 +281,10 @@ def _half_disk(r, angle):
 def by_quadrature(n=None):
     """The moments by the engine's integrals, in coordinates that follow the edges."""
     sheet, slope, right = Frame("sheet"), RADIUS / HEIGHT, math.pi / 2
+    of = {"frame": sheet, "density": DENSITY}
     parts = (
-        integrated(
-            _triangle, (0, HEIGHT), (-slope, slope), frame=sheet, density=DENSITY, name="triangle"
-        ),
-        integrated(
-            _half_disk, (0, RADIUS), (-right, right), frame=sheet, density=DENSITY, name="half disk"
-        ),
+        integrated(_triangle, (0, HEIGHT), (-slope, slope), **of, name="triangle"),
+        integrated(_half_disk, (0, RADIUS), (-right, right), **of, name="half disk"),
     )
     return composite("sheet", parts).about(sheet.origin).moments
 
@@ -317,14 +292,11 @@ def by_quadrature(n=None):
 def by_composition(n=None):
     """The moments by the engine's closed forms of the two parts."""
     sheet = Frame("sheet")
-    corners = (
-        sheet.origin,
-        sheet.point("A", HEIGHT, RADIUS, 0),
-        sheet.point("B", HEIGHT, -RADIUS, 0),
-    )
+    base = sheet.point("A", HEIGHT, RADIUS, 0), sheet.point("B", HEIGHT, -RADIUS, 0)
+    middle = sheet.point("M", HEIGHT, 0, 0)
     parts = (
-        simplex(*corners, density=DENSITY),
-        half_disk(RADIUS, sheet.point("M", HEIGHT, 0, 0), "z", "x", density=DENSITY),
+        simplex(sheet.origin, *base, density=DENSITY),
+        half_disk(RADIUS, middle, "z", "x", density=DENSITY),
     )
     return composite("sheet", parts).about(sheet.origin).moments
 
@@ -337,38 +309,33 @@ INERTIAS = {
 }
 
 
-@cache
-def _inertia():
+@_in_digits
+def exact_inertia(mp):
     """The moments in 40 digits, by integrals over strips of half the breadth b(x) and mass 2 rho b
     dx.
     """
-    import mpmath
+    r, h = mp.mpf(RADIUS), mp.mpf(HEIGHT)
 
-    with mpmath.workdps(DIGITS):
-        radius, height = mpmath.mpf(RADIUS), mpmath.mpf(HEIGHT)
+    def total(f):
+        sloping = mp.quad(lambda x: f(x, r * x / h), [0, h])
+        rounded = mp.quad(lambda x: f(x, mp.sqrt(r**2 - (x - h) ** 2)), [h, h + r])
+        return 2 * DENSITY * (sloping + rounded)
 
-        def total(f):
-            sloping = mpmath.quad(lambda x: f(x, radius * x / height), [0, height])
-            round_part = mpmath.quad(
-                lambda x: f(x, mpmath.sqrt(radius**2 - (x - height) ** 2)),
-                [height, height + radius],
-            )
-            return 2 * DENSITY * (sloping + round_part)
-
-        xx, yy = total(lambda x, b: b * x * x), total(lambda x, b: b**3 / 3)
-        return yy, xx, xx + yy
+    xx, yy = total(lambda x, b: b * x * x), total(lambda x, b: b**3 / 3)
+    return yy, xx, xx + yy
 
 
 def inertia_error(found, n=None):
     """The relative error of the three moments."""
-    return relative_error(found, _inertia())
+    return relative_error(found, exact_inertia())
 
 
 # -- the angle of a rotation
 
 
 def by_arc_cosine(R):
-    """The angle as arccos of (trace - 1)/2, clipped because round-off can push it out of [-1, 1]."""
+    """The angle as arccos of (trace - 1)/2, which loses half of the digits at 0 and at pi."""
+    # clipped because round-off can push it out of [-1, 1]
     return math.acos(min(1.0, max(-1.0, (R[0][0] + R[1][1] + R[2][2] - 1) / 2)))
 
 
@@ -384,27 +351,23 @@ def by_engine(R):
     return rotations.axis_angle(R)[1]
 
 
-@cache
-def _rounded_rotation(angle, from_pi):
+@_in_digits
+def _rounded_rotation(mp, angle, from_pi):
     """The matrix of the rotation by ``angle``, or by pi less that, right to the last digit of each
     entry.
     """
-    import mpmath
-
-    with mpmath.workdps(DIGITS):
-        R = _rotation(AXIS, mpmath.pi - angle if from_pi else mpmath.mpf(angle))
-        return tuple(tuple(float(R[n, m]) for m in range(3)) for n in range(3))
+    R = _rotation(AXIS, mp.pi - angle if from_pi else mp.mpf(angle))
+    return tuple(tuple(float(R[n, m]) for m in range(3)) for n in range(3))
 
 
 def _from_matrices(from_pi):
-    ways = {
-        "arc cosine of the trace": by_arc_cosine,
-        "SciPy's Rotation": by_scipy_magnitude,
-        "engine, atan2": by_engine,
-    }
     return {
-        name: lambda angle, way=way: way(_rounded_rotation(angle, from_pi))
-        for name, way in ways.items()
+        name: lambda angle, method=method: method(_rounded_rotation(angle, from_pi))
+        for name, method in (
+            ("arc cosine of the trace", by_arc_cosine),
+            ("SciPy's Rotation", by_scipy_magnitude),
+            ("engine, atan2", by_engine),
+        )
     }
 
 
@@ -416,13 +379,10 @@ def small_angle_error(found, angle):
     return abs(found - angle) / angle
 
 
-def angle_near_pi_error(found, angle):
+@_in_digits
+def angle_near_pi_error(mp, found, angle):
     """The relative error of the angle pi - angle."""
-    import mpmath
-
-    with mpmath.workdps(DIGITS):
-        exact = mpmath.pi - angle
-        return abs(found - exact) / exact
+    return abs(found / (mp.pi - angle) - 1)
 
 
 # -- steady precession
@@ -449,6 +409,10 @@ def _theta(a):
     return math.acos(a / (I0 - I))
 
 
+def _coefficients(a):
+    return (I0 - I) * math.cos(_theta(a)), I * SPIN, MGR
+
+
 def precessions(a):
     """Both rates by the engine."""
     found = steady_precession(I0, I, _theta(a), spin=SPIN, mgr=MGR)
@@ -456,23 +420,18 @@ def precessions(a):
 
 
 PRECESSIONS = {
-    "printed root": lambda a: printed_roots((I0 - I) * math.cos(_theta(a)), I * SPIN, MGR),
-    "NumPy's roots": lambda a: numpy_roots((I0 - I) * math.cos(_theta(a)), I * SPIN, MGR),
+    "printed root": lambda a: printed_roots(*_coefficients(a)),
+    "NumPy's roots": lambda a: numpy_roots(*_coefficients(a)),
     "engine": precessions,
 }
 
 
-@cache
-def _precessions(a):
-    """Both rates by the printed formula with more digits than it loses."""
-    import mpmath
-
-    with mpmath.workdps(2 * DIGITS):
-        return printed_roots(
-            (mpmath.mpf(I0) - I) * mpmath.cos(_theta(a)), mpmath.mpf(I) * SPIN, MGR
-        )
-
-
 def precession_error(found, a):
-    """The larger of the relative errors of the two rates."""
-    return max(float(abs(x / y - 1)) for x, y in zip(found, _precessions(a), strict=True))
+    """The larger of the relative errors of the two rates, against the printed formula with more
+    digits than it loses.
+    """
+    import mpmath as mp
+
+    with mp.workdps(2 * DIGITS):
+        exact = printed_roots((mp.mpf(I0) - I) * mp.cos(_theta(a)), mp.mpf(I) * SPIN, MGR)
+        return max(float(abs(x / y - 1)) for x, y in zip(found, exact, strict=True))

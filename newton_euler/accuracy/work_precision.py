@@ -21,7 +21,7 @@ from ..motion.prepared import PreparedModel
 from ..scenes import scene as scene_named
 from ..scenes.catalogue import Scene
 from .measure import Measured, timed
-from .reference import reference
+from .reference import reference_solution
 
 TOLERANCES = tuple(10.0**-n for n in range(3, 14))
 QUICK = TOLERANCES[::2]
@@ -184,8 +184,8 @@ def _seconds(call):
 
 @cache
 def final_state(scene):
-    """The last state by :func:`~newton_euler.accuracy.reference.reference`, rounded to floats."""
-    return tuple(map(float, reference(*scene.motion)))
+    """The last state by :func:`~newton_euler.accuracy.reference.reference_solution`, rounded to floats."""
+    return tuple(map(float, reference_solution(*scene.motion)))
 
 
 @cache

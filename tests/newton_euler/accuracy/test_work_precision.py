@@ -21,7 +21,7 @@ from newton_euler.accuracy.command import every_name, main
 from newton_euler.accuracy.comparisons import COMPARISONS
 from newton_euler.accuracy.measure import Measured, front, marker_style
 from newton_euler.accuracy.plots import draw_methods, draw_models, measured_models
-from newton_euler.accuracy.reference import by_extrapolation, by_heyoka, reference
+from newton_euler.accuracy.reference import by_extrapolation, by_heyoka, reference_solution
 from newton_euler.accuracy.regime_maps import MAPS
 from newton_euler.accuracy.work_precision import NAMES, WorkPrecision, work_precision
 from newton_euler.motion import ModelError
@@ -106,7 +106,7 @@ def test_references_agree_with_exact_solutions_to_28_digits(name):
     model, t, start = SCENES[name].motion
     with mp.workdps(45):
         exact = in_digits(model).solution(mp.mpf(t), [mp.mpf(x) for x in start])
-        assert apart(reference(model, t, start), exact) < 1e-28
+        assert apart(reference_solution(model, t, start), exact) < 1e-28
 
 
 QUICK_TO_EXTRAPOLATE = ("aircraft", "aircraft in space", "projectile")
