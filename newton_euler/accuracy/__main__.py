@@ -3,10 +3,12 @@
 try:
     from .command import main
 except ModuleNotFoundError as error:
-    if error.name not in ("click", "rich"):
+    missing = error.name.partition(".")[0] if error.name else ""
+    if missing not in ("click", "rich"):
         raise
     raise SystemExit(
-        f"python -m newton_euler.accuracy needs {error.name}: pip install 'newton-euler[course]'"
+        f"python -m newton_euler.accuracy needs the package {missing}: pip install "
+        "'newton-euler[course]'"
     ) from None
 
 main(prog_name="python -m newton_euler.accuracy")

@@ -78,15 +78,17 @@ def _derivatives(order, forward, central, by_complex_step, rate):
         return tuple(getattr(x, rate) for x in boom_end(moving(t, rate=1.0)))
 
     traced = compiled(engine)
-    return {
+    methods = {
         "forward difference": lambda h: difference(boom_end, INSTANT, h, forward, order),
         "central difference": lambda h: difference(boom_end, INSTANT, h, central, order),
         "complex step": lambda h: by_complex_step(boom_end, INSTANT, h),
         "engine, no step": lambda h: engine(INSTANT),
         "engine, traced": lambda h: traced(INSTANT),
     }
+    return methods, lambda found, h: relative_error(found, _derivative(order))
 
 
+# in pairs, as all below: the methods, functions of the setting, and the error of what one found
 VELOCITIES = _derivatives(1, FORWARD, CENTRAL, complex_step, "rate")
 ACCELERATIONS = _derivatives(2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_second, "acceleration")
 
@@ -94,16 +96,6 @@ ACCELERATIONS = _derivatives(2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_sec
 @_in_digits
 def _derivative(mp, order):
     return tuple(mp.diff(lambda t, n=n: boom_end(t)[n], mp.mpf(INSTANT), order) for n in range(3))
-
-
-def velocity_error(found, h):
-    """The relative error of a first derivative."""
-    return relative_error(found, _derivative(1))
-
-
-def acceleration_error(found, h):
-    """The relative error of a second derivative."""
-    return relative_error(found, _derivative(2))
 
 
 # -- products of rotations
@@ -217,23 +209,21 @@ def _passing(start, rate, matrix):
     return final
 
 
-PASSES = {
-    "rates of Euler's angles": _passing(
-        rotations.euler_angles,
-        lambda s, omega: rotations.euler_rates(*s, omega),  # (10.12)
-        lambda s: rotations.euler_matrix(*s),
-    ),
-    "rate of a quaternion": _passing(
-        rotations.quaternion_from_matrix,
-        rotations.quaternion_rate,
-        rotations.matrix_from_quaternion,
-    ),
-}
-
-
-def pass_error(R, least):
-    """The relative error of the final attitude."""
-    return _matrix_error(R, _rotation((1, 0, 0), AFTER) * _rotation((0, 1, 0), least))
+PASSES = (
+    {
+        "rates of Euler's angles": _passing(
+            rotations.euler_angles,
+            lambda s, omega: rotations.euler_rates(s[0], s[1], s[2], omega),  # (10.12)
+            lambda s: rotations.euler_matrix(*s),
+        ),
+        "rate of a quaternion": _passing(
+            rotations.quaternion_from_matrix,
+            rotations.quaternion_rate,
+            rotations.matrix_from_quaternion,
+        ),
+    },
+    lambda R, least: _matrix_error(R, _rotation((1, 0, 0), AFTER) * _rotation((0, 1, 0), least)),
+)
 
 
 # -- inertia: a flat sheet, a triangle with a half disk on its base, about the apex; x is its axis
@@ -301,14 +291,6 @@ def by_composition(n=None):
     return composite("sheet", parts).about(sheet.origin).moments
 
 
-INERTIAS = {
-    "random points": by_random_points,
-    "grid of points": by_grid,
-    "engine, quadrature": by_quadrature,
-    "engine, composition": by_composition,
-}
-
-
 @_in_digits
 def exact_inertia(mp):
     """The moments in 40 digits, by integrals over strips of half the breadth b(x) and mass 2 rho b
@@ -325,9 +307,15 @@ def exact_inertia(mp):
     return yy, xx, xx + yy
 
 
-def inertia_error(found, n=None):
-    """The relative error of the three moments."""
-    return relative_error(found, exact_inertia())
+INERTIAS = (
+    {
+        "random points": by_random_points,
+        "grid of points": by_grid,
+        "engine, quadrature": by_quadrature,
+        "engine, composition": by_composition,
+    },
+    lambda found, n: relative_error(found, exact_inertia()),
+)
 
 
 # -- the angle of a rotation
@@ -351,38 +339,26 @@ def by_engine(R):
     return rotations.axis_angle(R)[1]
 
 
-@_in_digits
-def _rounded_rotation(mp, angle, from_pi):
-    """The matrix of the rotation by ``angle``, or by pi less that, right to the last digit of each
-    entry.
-    """
-    R = _rotation(AXIS, mp.pi - angle if from_pi else mp.mpf(angle))
-    return tuple(tuple(float(R[n, m]) for m in range(3)) for n in range(3))
+def _angles(from_pi):
+    def exact(mp, angle):
+        return mp.pi - angle if from_pi else mp.mpf(angle)
 
+    @_in_digits
+    def matrix(mp, angle):
+        # right to the last digit of each entry
+        R = _rotation(AXIS, exact(mp, angle))
+        return tuple(tuple(float(R[n, m]) for m in range(3)) for n in range(3))
 
-def _from_matrices(from_pi):
-    return {
-        name: lambda angle, method=method: method(_rounded_rotation(angle, from_pi))
-        for name, method in (
-            ("arc cosine of the trace", by_arc_cosine),
-            ("SciPy's Rotation", by_scipy_magnitude),
-            ("engine, atan2", by_engine),
-        )
+    ways = {
+        "arc cosine of the trace": by_arc_cosine,
+        "SciPy's Rotation": by_scipy_magnitude,
+        "engine, atan2": by_engine,
     }
+    methods = {name: lambda angle, by=by: by(matrix(angle)) for name, by in ways.items()}
+    return methods, _in_digits(lambda mp, found, angle: abs(found / exact(mp, angle) - 1))
 
 
-ANGLES, ANGLES_NEAR_PI = _from_matrices(False), _from_matrices(True)
-
-
-def small_angle_error(found, angle):
-    """The relative error of an angle."""
-    return abs(found - angle) / angle
-
-
-@_in_digits
-def angle_near_pi_error(mp, found, angle):
-    """The relative error of the angle pi - angle."""
-    return abs(found / (mp.pi - angle) - 1)
+ANGLES, ANGLES_NEAR_PI = _angles(False), _angles(True)
 
 
 # -- steady precession
@@ -419,13 +395,6 @@ def precessions(a):
     return found.slow, found.fast
 
 
-PRECESSIONS = {
-    "printed root": lambda a: printed_roots(*_coefficients(a)),
-    "NumPy's roots": lambda a: numpy_roots(*_coefficients(a)),
-    "engine": precessions,
-}
-
-
 def precession_error(found, a):
     """The larger of the relative errors of the two rates, against the printed formula with more
     digits than it loses.
@@ -435,3 +404,13 @@ def precession_error(found, a):
     with mp.workdps(2 * DIGITS):
         exact = printed_roots((mp.mpf(I0) - I) * mp.cos(_theta(a)), mp.mpf(I) * SPIN, MGR)
         return max(float(abs(x / y - 1)) for x, y in zip(found, exact, strict=True))
+
+
+PRECESSIONS = (
+    {
+        "printed root": lambda a: printed_roots(*_coefficients(a)),
+        "NumPy's roots": lambda a: numpy_roots(*_coefficients(a)),
+        "engine": precessions,
+    },
+    precession_error,
+)
