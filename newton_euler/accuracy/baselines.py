@@ -6,9 +6,13 @@ purpose.
 """
 
 import math
-import operator
 from functools import cache, reduce
 from itertools import repeat
+from operator import mul
+
+import mpmath as mp
+import numpy as np
+from scipy.spatial.transform import Rotation
 
 from ..algebra.codegen.compiled import compiled
 from ..algebra.jets import moving
@@ -25,14 +29,12 @@ DIGITS = 40  # of the references
 
 
 def _in_digits(f):
-    """The function that calls ``f(mpmath, …)`` in 40 digits, once for each set of arguments."""
+    """The function that computes ``f`` in 40 digits, once for each set of arguments."""
 
     @cache
     def found(*arguments):
-        import mpmath
-
-        with mpmath.workdps(DIGITS):
-            return f(mpmath, *arguments)
+        with mp.workdps(DIGITS):
+            return f(*arguments)
 
     return found
 
@@ -94,7 +96,7 @@ ACCELERATIONS = _derivatives(2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_sec
 
 
 @_in_digits
-def _derivative(mp, order):
+def _derivative(order):
     return tuple(mp.diff(lambda t, n=n: boom_end(t)[n], mp.mpf(INSTANT), order) for n in range(3))
 
 
@@ -104,7 +106,7 @@ AXIS, SMALL = (0.36, 0.48, 0.8), 0.01
 
 
 @_in_digits
-def _rotation(mp, axis, angle, times=1):
+def _rotation(axis, angle, times=1):
     """The matrix of a rotation, repeated so many times, by the series of exp."""
     x, y, z = (mp.mpf(c) / mp.norm(list(axis)) for c in axis)
     return mp.expm(mp.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * mp.mpf(angle) * times)
@@ -115,45 +117,33 @@ def _matrix_error(R, exact):
     return math.sqrt(sum(float(R[n][m] - exact[n, m]) ** 2 for n in range(3) for m in range(3)) / 3)
 
 
-def by_matrices(n):
-    """n small rotations as a product of matrices."""
-    return reduce(rotations.product, repeat(rotations.rotation_matrix(AXIS, SMALL), n))
-
-
-def by_numpy(n):
-    """The same product by NumPy."""
-    import numpy as np
-
-    return reduce(np.matmul, repeat(np.array(rotations.rotation_matrix(AXIS, SMALL)), n))
+MATRIX, QUATERNION = rotations.rotation_matrix(AXIS, SMALL), rotations.quaternion(AXIS, SMALL)
 
 
 def by_quaternions(n):
-    """The same as a product of quaternions, normalised at the end."""
-    q = rotations.quaternion(AXIS, SMALL)
-    return rotations.matrix_from_quaternion(reduce(rotations.quaternion_product, repeat(q, n)))
+    """n small rotations as a product of quaternions, normalised at the end."""
+    product = reduce(rotations.quaternion_product, repeat(QUATERNION, n))
+    return rotations.matrix_from_quaternion(product)
 
 
 def by_scipy(n):
     """The same as a product of SciPy's rotations."""
-    from scipy.spatial.transform import Rotation
-
-    q0, *v = rotations.quaternion(AXIS, SMALL)
-    return reduce(operator.mul, repeat(Rotation.from_quat([*v, q0]), n)).as_matrix().tolist()
+    q0, *v = QUATERNION
+    return reduce(mul, repeat(Rotation.from_quat([*v, q0]), n)).as_matrix().tolist()
 
 
 def by_euler_angles(n):
     """The same with Euler angles 3-1-3 after each rotation."""
-    q = rotations.quaternion(AXIS, SMALL)
-    angles = rotations.euler_from_quaternion(q)
+    angles = rotations.euler_from_quaternion(QUATERNION)
     for _ in range(n - 1):
-        turned = rotations.quaternion_product(rotations.quaternion_from_euler(*angles), q)
-        angles = rotations.euler_from_quaternion(turned)
+        q = rotations.quaternion_product(rotations.quaternion_from_euler(*angles), QUATERNION)
+        angles = rotations.euler_from_quaternion(q)
     return rotations.euler_matrix(*angles)
 
 
 TURNS = {
-    "3 x 3 matrices": by_matrices,
-    "matrices, NumPy": by_numpy,
+    "3 x 3 matrices": lambda n: reduce(rotations.product, repeat(MATRIX, n)),
+    "matrices, NumPy": lambda n: reduce(np.matmul, repeat(np.array(MATRIX), n)),
     "Euler angles": by_euler_angles,
     "quaternions": by_quaternions,
     "SciPy's Rotation": by_scipy,
@@ -247,15 +237,11 @@ def _of_points(u, v):
 
 def by_random_points(n):
     """The moments of n random mass points."""
-    import numpy as np
-
     return _of_points(*np.random.default_rng(1).random((2, n)))
 
 
 def by_grid(n):
     """The moments of about n mass points in a rectangular grid."""
-    import numpy as np
-
     middles = (np.arange(k := round(n**0.5)) + 0.5) / k
     return _of_points(*(c.ravel() for c in np.meshgrid(middles, middles)))
 
@@ -292,7 +278,7 @@ def by_composition(n=None):
 
 
 @_in_digits
-def exact_inertia(mp):
+def exact_inertia():
     """The moments in 40 digits, by integrals over strips of half the breadth b(x) and mass 2 rho b
     dx.
     """
@@ -327,35 +313,23 @@ def by_arc_cosine(R):
     return math.acos(min(1.0, max(-1.0, (R[0][0] + R[1][1] + R[2][2] - 1) / 2)))
 
 
-def by_scipy_magnitude(R):
-    """The angle by SciPy's Rotation."""
-    from scipy.spatial.transform import Rotation
-
-    return float(Rotation.from_matrix(R).magnitude())
-
-
-def by_engine(R):
-    """The angle by the engine: quaternion and atan2."""
-    return rotations.axis_angle(R)[1]
-
-
 def _angles(from_pi):
-    def exact(mp, angle):
+    def exact(angle):
         return mp.pi - angle if from_pi else mp.mpf(angle)
 
     @_in_digits
-    def matrix(mp, angle):
+    def matrix(angle):
         # right to the last digit of each entry
-        R = _rotation(AXIS, exact(mp, angle))
+        R = _rotation(AXIS, exact(angle))
         return tuple(tuple(float(R[n, m]) for m in range(3)) for n in range(3))
 
     ways = {
         "arc cosine of the trace": by_arc_cosine,
-        "SciPy's Rotation": by_scipy_magnitude,
-        "engine, atan2": by_engine,
+        "SciPy's Rotation": lambda R: float(Rotation.from_matrix(R).magnitude()),
+        "engine, atan2": lambda R: rotations.axis_angle(R)[1],
     }
     methods = {name: lambda angle, by=by: by(matrix(angle)) for name, by in ways.items()}
-    return methods, _in_digits(lambda mp, found, angle: abs(found / exact(mp, angle) - 1))
+    return methods, _in_digits(lambda found, angle: abs(found / exact(angle) - 1))
 
 
 ANGLES, ANGLES_NEAR_PI = _angles(False), _angles(True)
@@ -374,19 +348,17 @@ def printed_roots(a, h, c):
     return (h - root) / (2 * a), (h + root) / (2 * a)
 
 
-def numpy_roots(a, h, c):
-    """The same roots by NumPy: eigenvalues of the companion matrix."""
-    import numpy as np
-
-    return sorted(np.roots([a, -h, c]).tolist())
-
-
 def _theta(a):
     return math.acos(a / (I0 - I))
 
 
 def _coefficients(a):
     return (I0 - I) * math.cos(_theta(a)), I * SPIN, MGR
+
+
+def by_companion_matrix(a, h, c):
+    """The same roots by NumPy: eigenvalues of the companion matrix."""
+    return sorted(np.roots([a, -h, c]).tolist())
 
 
 def precessions(a):
@@ -399,8 +371,6 @@ def precession_error(found, a):
     """The larger of the relative errors of the two rates, against the printed formula with more
     digits than it loses.
     """
-    import mpmath as mp
-
     with mp.workdps(2 * DIGITS):
         exact = printed_roots((mp.mpf(I0) - I) * mp.cos(_theta(a)), mp.mpf(I) * SPIN, MGR)
         return max(float(abs(x / y - 1)) for x, y in zip(found, exact, strict=True))
@@ -409,7 +379,7 @@ def precession_error(found, a):
 PRECESSIONS = (
     {
         "printed root": lambda a: printed_roots(*_coefficients(a)),
-        "NumPy's roots": lambda a: numpy_roots(*_coefficients(a)),
+        "NumPy's roots": lambda a: by_companion_matrix(*_coefficients(a)),
         "engine": precessions,
     },
     precession_error,
