@@ -20,7 +20,13 @@ from .work_precision import LONGEST, QUICK, TOLERANCES, work_precision
 MODELS, MAP = "models of ", "map of "
 
 
-@click.command(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.command(
+    context_settings={
+        "help_option_names": ["-h", "--help"],
+        "max_content_width": 110,
+        "show_default": True,
+    }
+)
 @click.argument("names", nargs=-1, metavar="[NAME …]")
 @click.option("--list", "only_list", is_flag=True, help="List the charts.")
 @click.option("--all", "draw_all", is_flag=True, help="Draw all of them, which takes some minutes.")
@@ -31,7 +37,6 @@ MODELS, MAP = "models of ", "map of "
     "--out",
     "folder",
     default="charts",
-    show_default=True,
     type=click.Path(path_type=Path, file_okay=False),
     help="Folder to write to.",
 )
@@ -39,7 +44,6 @@ MODELS, MAP = "models of ", "map of "
     "--format",
     "kind",
     default="png",
-    show_default=True,
     type=click.Choice(("png", "svg")),
     help="Format of the files.",
 )
@@ -63,7 +67,7 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
     a comparison, as "angle"
         where nothing is integrated: several methods for the same number
     "map of sleeping top" and others
-        which method or model holds where, over two parameters
+        the method or model to use, over two parameters
 
     How to read a chart: cost to the right, error upwards, so lower left is better. The points with
     rings are the front: every other point costs more and is no more accurate. Times are those of a
@@ -81,15 +85,14 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
     if only_list or not (names or draw_all):
         click.echo(_list(charts))
         return
-    known = {_slug(name): name for name in charts}
-    chosen = [known.get(_slug(name)) or known.get(_slug(MODELS + name)) for name in names]
-    if draw_all:
-        chosen = list(charts)
-    if None in chosen:
-        unknown = names[chosen.index(None)]
-        raise click.UsageError(f"there is no chart {unknown!r}; there are:\n\n{_list(charts)}")
+    # a scene and a ladder may have the same name, which then means the scene
+    known = {_slug(name.removeprefix(MODELS)): name for name in charts}
+    known |= {_slug(name): name for name in charts}
+    unknown = [name for name in names if _slug(name) not in known]
+    if unknown:
+        raise click.UsageError(f"there is no chart {unknown[0]!r}; there are:\n\n{_list(charts)}")
     folder.mkdir(parents=True, exist_ok=True)
-    for name in chosen:
+    for name in charts if draw_all else [known[_slug(name)] for name in names]:
         make, title = charts[name]
         figure, path = Figure(), folder / f"{_slug(name)}.{kind}"
         table = _with_progress(name, make, figure, quick)
@@ -177,5 +180,5 @@ KINDS = {
     _scene: "scenes that move, by section",
     _models: "models of a scene",
     _comparison: "comparisons where nothing moves",
-    _map: "maps of what holds where",
+    _map: "maps of parameter space",
 }

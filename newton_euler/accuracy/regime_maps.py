@@ -1,12 +1,12 @@
-"""Maps of parameter space, coloured by the method or the model that holds there, with the
-theoretical borders drawn over them.
+"""Maps of parameter space, coloured by the method to use or the model that is accurate enough, with
+the theoretical borders drawn over them.
 
 Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices,
 ``draw_map(name, ax)`` draws them.
 
 >>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees
 >>> found[0].tolist()
-['none: it nods', 'slow and fast, of one sense']
+['none: it nutates', 'slow and fast, of one sense']
 >>> found[1, 0]
 'slow and fast, of opposite sense'
 """
@@ -63,11 +63,11 @@ class Curve:
 
 @dataclass(frozen=True)
 class Map:
-    """A map.
+    """A map of parameter space.
 
-    name, title, words : what it shows; the words are for a caption
+    name, title, words : the words are for a caption
     x, y : each an :class:`Axis`
-    choices : all that may hold somewhere, in the order of the legend
+    choices : all choices, in the order of the legend
     column : a function of one x and an increasing list of y that returns the choice at each
     curves : theoretical borders
     resolution : cells along x and y that take a few seconds
@@ -280,18 +280,10 @@ def _nutation(omega_z):
 # -- what a run shows: the sleeping top
 
 CRITICAL, TILT, FALLEN = sleeping_top(I0, I, MGR, 1.0).critical, 1e-6, 0.1  # rad/s, rad, rad
-FALLS, UNDECIDED, STANDS = (
-    "falls, and a run shows it",
-    "falls, but a run does not show it yet",
-    "stands, as the criterion says",
-)
-LONGEST = 100.0  # s
-
-
-# of the quaternion: sin(tilt/2)^2 = q1^2 + q2^2
-FALL = Event(
-    lambda s, p, t: s.q1 * s.q1 + s.q2 * s.q2 - math.sin(FALLEN / 2) ** 2, 1, terminal=True
-)
+FALLS, UNDECIDED = "unstable, falls in the run", "unstable, but does not fall in the run"
+STANDS, LONGEST = "stable, by the criterion", 100.0  # s
+# a tilt of FALLEN, by the quaternion: sin(tilt/2)^2 = q1^2 + q2^2
+FALL = Event(lambda s, p, t: s.q1**2 + s.q2**2 - math.sin(FALLEN / 2) ** 2, 1, terminal=True)
 
 
 def falling_time(ratio):
@@ -305,25 +297,23 @@ def falling_time(ratio):
 
 
 def _sleeping(ratio, times):
-    fallen, stable = falling_time(ratio), sleeping_top(I0, I, MGR, ratio * CRITICAL).stable
-    return [FALLS if t >= fallen else STANDS if stable else UNDECIDED for t in times]
+    other = STANDS if sleeping_top(I0, I, MGR, ratio * CRITICAL).stable else UNDECIDED
+    fallen = falling_time(ratio)
+    return [FALLS if t >= fallen else other for t in times]
 
 
 def _theoretical_falling_time(ratio):
     """The same time by the rate of growth: |z| of I0 z'' - i I omega_z z' - mgr z = 0 from rest is
     asymptotically TILT sqrt(mgr/I0)/growth exp(growth t)/2.
     """
-    growth = np.sqrt(np.where(ratio < 1, MGR / I0 * (1 - ratio**2), np.nan))
-    return np.log(2 * FALLEN / TILT * growth / math.sqrt(MGR / I0)) / growth
+    growth = np.sqrt(np.where(ratio < 1, 1 - ratio**2, np.nan))  # over sqrt(mgr/I0)
+    return np.log(2 * FALLEN / TILT * growth) / growth / math.sqrt(MGR / I0)
 
 
 # -- existence: steady precession
 
-NONE, BOTH, OPPOSED = (
-    "none: it nods",
-    "slow and fast, of one sense",
-    "slow and fast, of opposite sense",
-)
+NONE = "none: it nutates"
+BOTH, OPPOSED = "slow and fast, of one sense", "slow and fast, of opposite sense"
 
 
 def _steady(omega_z, angles):

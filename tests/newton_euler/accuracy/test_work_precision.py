@@ -430,5 +430,5 @@ def test_all_methods_have_a_look_of_their_own():
 def test_a_map_is_drawn_by_the_command(tmp_path, capsys):
     assert run("map of steady precession", "--quick", "--out", str(tmp_path)) == 0
     told = capsys.readouterr().out
-    assert "none: it nods" in told
+    assert "none: it nutates" in told
     assert (tmp_path / "map-of-steady-precession.png").stat().st_size > 10_000
