@@ -28,7 +28,7 @@ def draw_methods(found, figure):
     methods = [p for p in points if p.method != "auto"]
     auto = [p for p in points if p.method == "auto"]
     best = chart(methods, left, order=NAMES, legend=False)
-    # the exact solution calls no right-hand side
+    # no place for 0 on a logarithmic axis
     chart([p for p in methods if p.calls], middle, cost="calls", order=NAMES, legend=False)
     for ax, costs in (left, [p.cost for p in auto]), (middle, [p.calls for p in auto]):
         ax.plot(costs, [p.error for p in auto], zorder=4, **AUTO)
@@ -37,8 +37,7 @@ def draw_methods(found, figure):
     _draw_drift(methods, auto, right)
     handles, names = left.get_legend_handles_labels()
     entries = [_entry(name, found) for name in names]
-    place = {"loc": "outside right center", "labelspacing": 0.8}
-    figure.legend(handles, entries, frameon=False, fontsize=9, **place)
+    figure.legend(handles, entries, loc="outside right center", frameon=False, fontsize=9)
     return best
 
 
@@ -104,11 +103,11 @@ def draw_models(points, ladder, figure):
             for q in points[:n]
         )
         # to the left of a point in the right half; below where another label is in the usual place
-        place, side = (
-            ((-12, -14), "right") if p.cost > middle else ((12, -16 if near else 6), "left")
-        )
-        name = p.method.removeprefix(f"{ladder.name}, ")
-        ax.annotate(name, (p.cost, height), place, textcoords="offset points", fontsize=9, ha=side)
+        place, side = (12, -16 if near else 6), "left"
+        if p.cost > middle:
+            place, side = (-12, -14), "right"
+        text = {"text": p.method.removeprefix(f"{ladder.name}, "), "fontsize": 9, "ha": side}
+        ax.annotate(xy=(p.cost, height), xytext=place, textcoords="offset points", **text)
     title = f"models of {ladder.name}, until t = {ladder.t:g}: their times and their errors"
     ax.set_title(title, fontsize=11)
     ax.set(xlabel="time of a run to 1e-9", ylabel=f"error of {ladder.of}")

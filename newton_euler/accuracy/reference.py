@@ -34,7 +34,7 @@ def reference_solution(model: Model, t: Scalar, start: Sequence[Scalar]) -> tupl
     return (by_heyoka if installed() else by_extrapolation)(model, t, start)
 
 
-def by_heyoka(model: Model, t: Scalar, start: Sequence[Scalar]) -> tuple:
+def by_heyoka(model, t, start):
     """The same states by Taylor series in heyoka's numbers of 42 digits; arithmetic and order
     differ from those of its method in floats.
 
@@ -57,7 +57,7 @@ def by_heyoka(model: Model, t: Scalar, start: Sequence[Scalar]) -> tuple:
         return tuple(mp.mpf(str(x)) for x in ta.state)
 
 
-def by_extrapolation(model: Model, t: Scalar, start: Sequence[Scalar], digits: int = 30) -> tuple:
+def by_extrapolation(model, t, start, digits=30):
     """The same states by extrapolation; ten swings of a pendulum take some seconds."""
     import mpmath as mp
 
