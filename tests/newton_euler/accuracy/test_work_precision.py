@@ -1,4 +1,4 @@
-"""precision.py, reference.py, catalogue.py, charts.py and the command: what is measured, against
+"""work_precision.py, reference.py, plots.py and the command: what is measured, against
 what, and what is drawn of it.
 """
 
