@@ -90,7 +90,8 @@ def _derivatives(order, forward, central, by_complex_step, rate):
     return methods, lambda found, h: relative_error(found, _derivative(order))
 
 
-# in pairs, as all below: the methods, functions of the setting, and the error of what one found
+# pairs, as PASSES, INERTIAS, ANGLES and PRECESSIONS: the methods, functions of the setting, and
+# the error of a result
 VELOCITIES = _derivatives(1, FORWARD, CENTRAL, complex_step, "rate")
 ACCELERATIONS = _derivatives(2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_second, "acceleration")
 
