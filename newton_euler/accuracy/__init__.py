@@ -1,11 +1,10 @@
-"""Charts of speed against accuracy: what a method costs, how large its error is, and so which
-method to choose.
+"""Speed against accuracy: the time that each method takes and the error that it makes, as charts.
 
-``python -m newton_euler.accuracy NAME`` measures and draws one; ``--help`` says more.
-:mod:`.measure` has what all charts share. :mod:`newton_euler.accuracy.work_precision` measures
-methods of integration on a scene against :mod:`.reference`, :mod:`.comparisons` the engine against
-textbook methods (:mod:`newton_euler.accuracy.baselines`) where nothing is integrated;
-:mod:`newton_euler.accuracy.plots` and :mod:`newton_euler.accuracy.regime_maps` draw.
+``python -m newton_euler.accuracy NAME`` measures and draws one chart, see :mod:`.command`.
+Times, errors and the chart itself are in :mod:`.measure`. :mod:`.work_precision` measures the
+steppers on a scene against the final states of :mod:`.reference`, and :mod:`.comparisons` the
+engine against the textbook methods of :mod:`.baselines`. :mod:`.plots` draws methods and models,
+:mod:`.regime_maps` maps of parameter space.
 """
 
 from .measure import Measured, chart, front, relative_error, timed

@@ -3,7 +3,7 @@
 try:
     from .command import main
 except ModuleNotFoundError as error:
-    missing = error.name.partition(".")[0]
+    missing = error.name.partition(".")[0] if error.name else ""
     if missing not in ("click", "rich"):
         raise
     raise SystemExit(

@@ -1,14 +1,18 @@
-"""Baselines for :mod:`newton_euler.accuracy.comparisons`: the same numbers by methods of textbooks
-and by the engine, with errors against 40 digits.
+"""Textbook methods for the comparisons of :mod:`newton_euler.accuracy.comparisons`, the engine's
+methods for the same numbers, and their errors against 40 digits.
 
 Nothing else in the engine uses this module, since most of its methods are numerically poor on
 purpose.
 """
 
 import math
-import operator
 from functools import cache, reduce
 from itertools import repeat
+from operator import mul
+
+import mpmath as mp
+import numpy as np
+from scipy.spatial.transform import Rotation
 
 from ..algebra.codegen.compile import compiled
 from ..algebra.jets import moving
@@ -21,12 +25,24 @@ from ..kinematics import rotations
 from ..kinematics.frames import Frame
 from .measure import relative_error
 
-DIGITS = 40
+DIGITS = 40  # of the references
+
+
+def _in_digits(f):
+    """The function that computes ``f`` in 40 digits, once for each set of arguments."""
+
+    @cache
+    def found(*arguments):
+        with mp.workdps(DIGITS):
+            return f(*arguments)
+
+    return found
+
 
 # -- derivatives
 
 INSTANT = 1.3  # s
-# first differences: (steps away, weight)
+# first and second differences: (steps away, weight)
 FORWARD, CENTRAL = ((0, -1), (1, 1)), ((-1, -0.5), (1, 0.5))
 FORWARD_SECOND, CENTRAL_SECOND = ((0, 1), (1, -2), (2, 1)), ((-1, 1), (0, -2), (1, 1))
 
@@ -36,11 +52,8 @@ def boom_end(t):
     time t (s).
     """
     length, elevation, turned = 20 + 3 * sin(2 * t), 0.5 + 0.3 * cos(3 * t), 0.4 * t * t
-    return (
-        length * cos(elevation) * cos(turned),
-        length * cos(elevation) * sin(turned),
-        length * sin(elevation),
-    )
+    across = length * cos(elevation)
+    return across * cos(turned), across * sin(turned), length * sin(elevation)
 
 
 def difference(f, t, h, weights, order):
@@ -52,7 +65,7 @@ def difference(f, t, h, weights, order):
 
 
 def complex_step(f, t, h):
-    """f'(t) as Im f(t + i h)/h: no difference, hence no cancellation."""
+    """f'(t) as Im f(t + i h)/h: no difference, hence no cancellation (Squire and Trapp 1998)."""
     return tuple(x.imag / h for x in f(t + 1j * h))
 
 
@@ -61,53 +74,31 @@ def complex_step_second(f, t, h):
     return tuple(2 * (x - z.real) / (h * h) for x, z in zip(f(t), f(t + 1j * h), strict=True))
 
 
-def velocity(t):
-    """The velocity of the boom's end by the engine, m/s: the position of a time that carries its
-    rates.
-    """
-    return tuple(x.rate for x in boom_end(moving(t, rate=1.0)))
+def _derivatives(order, forward, central, by_complex_step, rate):
+    def engine(t):
+        # the position at a time that carries its rates
+        return tuple(getattr(x, rate) for x in boom_end(moving(t, rate=1.0)))
 
-
-def acceleration(t):
-    """The acceleration of the boom's end by the engine, m/s^2."""
-    return tuple(x.acceleration for x in boom_end(moving(t, rate=1.0)))
-
-
-def _derivatives(order, forward, central, by_complex_step, engine):
     traced = compiled(engine)
-    return {
+    methods = {
         "forward difference": lambda h: difference(boom_end, INSTANT, h, forward, order),
         "central difference": lambda h: difference(boom_end, INSTANT, h, central, order),
         "complex step": lambda h: by_complex_step(boom_end, INSTANT, h),
         "engine, no step": lambda h: engine(INSTANT),
         "engine, traced": lambda h: traced(INSTANT),
     }
+    return methods, lambda found, h: relative_error(found, _derivative(order))
 
 
-FIRST_DERIVATIVES = _derivatives(1, FORWARD, CENTRAL, complex_step, velocity)
-SECOND_DERIVATIVES = _derivatives(
-    2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_second, acceleration
-)
+# pairs, as PASSES, INERTIAS, ANGLES and PRECESSIONS: the methods, functions of the setting, and
+# the error of a result
+VELOCITIES = _derivatives(1, FORWARD, CENTRAL, complex_step, "rate")
+ACCELERATIONS = _derivatives(2, FORWARD_SECOND, CENTRAL_SECOND, complex_step_second, "acceleration")
 
 
-@cache
+@_in_digits
 def _derivative(order):
-    import mpmath
-
-    with mpmath.workdps(DIGITS):
-        return tuple(
-            mpmath.diff(lambda t, n=n: boom_end(t)[n], mpmath.mpf(INSTANT), order) for n in range(3)
-        )
-
-
-def velocity_error(found, h):
-    """The relative error of a first derivative."""
-    return relative_error(found, _derivative(1))
-
-
-def acceleration_error(found, h):
-    """The relative error of a second derivative."""
-    return relative_error(found, _derivative(2))
+    return tuple(mp.diff(lambda t, n=n: boom_end(t)[n], mp.mpf(INSTANT), order) for n in range(3))
 
 
 # -- products of rotations
@@ -115,16 +106,11 @@ def acceleration_error(found, h):
 AXIS, SMALL = (0.36, 0.48, 0.8), 0.01
 
 
-@cache
+@_in_digits
 def _rotation(axis, angle, times=1):
-    """The matrix of a rotation, repeated so many times, in 40 digits by the series of exp."""
-    import mpmath
-
-    with mpmath.workdps(DIGITS):
-        x, y, z = (mpmath.mpf(c) / mpmath.norm(list(axis)) for c in axis)
-        return mpmath.expm(
-            mpmath.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * mpmath.mpf(angle) * times
-        )
+    """The matrix of a rotation, repeated so many times, by the series of exp."""
+    x, y, z = (mp.mpf(c) / mp.norm(list(axis)) for c in axis)
+    return mp.expm(mp.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * mp.mpf(angle) * times)
 
 
 def _matrix_error(R, exact):
@@ -132,47 +118,33 @@ def _matrix_error(R, exact):
     return math.sqrt(sum(float(R[n][m] - exact[n, m]) ** 2 for n in range(3) for m in range(3)) / 3)
 
 
-def by_matrices(n):
-    """n small rotations as a product of matrices."""
-    return reduce(rotations.product, repeat(rotations.rotation_matrix(AXIS, SMALL), n))
-
-
-def by_numpy(n):
-    """The same product by NumPy."""
-    import numpy as np
-
-    return reduce(np.matmul, repeat(np.array(rotations.rotation_matrix(AXIS, SMALL)), n))
+MATRIX, QUATERNION = rotations.rotation_matrix(AXIS, SMALL), rotations.quaternion(AXIS, SMALL)
 
 
 def by_quaternions(n):
-    """The same as a product of quaternions, normalised at the end."""
-    return rotations.matrix_from_quaternion(
-        reduce(rotations.quaternion_product, repeat(rotations.quaternion(AXIS, SMALL), n))
-    )
+    """n small rotations as a product of quaternions, normalised at the end."""
+    product = reduce(rotations.quaternion_product, repeat(QUATERNION, n))
+    return rotations.matrix_from_quaternion(product)
 
 
 def by_scipy(n):
     """The same as a product of SciPy's rotations."""
-    from scipy.spatial.transform import Rotation
-
-    q0, *v = rotations.quaternion(AXIS, SMALL)
-    return reduce(operator.mul, repeat(Rotation.from_quat([*v, q0]), n)).as_matrix().tolist()
+    q0, *v = QUATERNION
+    return reduce(mul, repeat(Rotation.from_quat([*v, q0]), n)).as_matrix().tolist()
 
 
 def by_euler_angles(n):
     """The same with Euler angles 3-1-3 after each rotation."""
-    q = rotations.quaternion(AXIS, SMALL)
-    angles = rotations.euler_from_quaternion(q)
+    angles = rotations.euler_from_quaternion(QUATERNION)
     for _ in range(n - 1):
-        angles = rotations.euler_from_quaternion(
-            rotations.quaternion_product(rotations.quaternion_from_euler(*angles), q)
-        )
+        q = rotations.quaternion_product(rotations.quaternion_from_euler(*angles), QUATERNION)
+        angles = rotations.euler_from_quaternion(q)
     return rotations.euler_matrix(*angles)
 
 
 TURNS = {
-    "3 x 3 matrices": by_matrices,
-    "matrices, NumPy": by_numpy,
+    "3 x 3 matrices": lambda n: reduce(rotations.product, repeat(MATRIX, n)),
+    "matrices, NumPy": lambda n: reduce(np.matmul, repeat(np.array(MATRIX), n)),
     "Euler angles": by_euler_angles,
     "quaternions": by_quaternions,
     "SciPy's Rotation": by_scipy,
@@ -209,53 +181,40 @@ def runge_kutta(rate, s, step, steps):
         b = rate(moved(step / 2, a))
         c = rate(moved(step / 2, b))
         d = rate(moved(step, c))
-        s = moved(
-            step / 6, tuple(w + 2 * x + 2 * y + z for w, x, y, z in zip(a, b, c, d, strict=True))
-        )
+        total = [w + 2 * x + 2 * y + z for w, x, y, z in zip(a, b, c, d, strict=True)]
+        s = moved(step / 6, total)
     return s
 
 
-def _tilted(least, t):
-    return rotations.product(
-        rotations.rotation_matrix((1, 0, 0), t), rotations.rotation_matrix((0, 1, 0), least)
-    )
+def _passing(start, rate, matrix):
+    """The function that integrates such coordinates of the attitude and returns the final matrix,
+    of the least angle to the vertical.
+    """
+
+    def final(least):
+        omega = math.cos(least), 0.0, math.sin(least)  # in the body
+        about_x = rotations.rotation_matrix((1, 0, 0), BEFORE)
+        s = start(rotations.product(about_x, rotations.rotation_matrix((0, 1, 0), least)))
+        return matrix(runge_kutta(lambda s: rate(s, omega), s, (AFTER - BEFORE) / STEPS, STEPS))
+
+    return final
 
 
-def _body_rates(least):
-    return math.cos(least), 0.0, math.sin(least)
-
-
-def pass_by_euler_rates(least):
-    """The final attitude by the rates of Euler's angles (10.12)."""
-    omega = _body_rates(least)
-    start = rotations.euler_angles(_tilted(least, BEFORE))
-    return rotations.euler_matrix(
-        *runge_kutta(
-            lambda s: rotations.euler_rates(*s, omega), start, (AFTER - BEFORE) / STEPS, STEPS
-        )
-    )
-
-
-def pass_by_quaternion_rate(least):
-    """The final attitude by the rate of a quaternion."""
-    omega = _body_rates(least)
-    start = rotations.quaternion_from_matrix(_tilted(least, BEFORE))
-    return rotations.matrix_from_quaternion(
-        runge_kutta(
-            lambda q: rotations.quaternion_rate(q, omega), start, (AFTER - BEFORE) / STEPS, STEPS
-        )
-    )
-
-
-PASSES = {
-    "rates of Euler's angles": pass_by_euler_rates,
-    "rate of a quaternion": pass_by_quaternion_rate,
-}
-
-
-def pass_error(R, least):
-    """The relative error of the final attitude."""
-    return _matrix_error(R, _rotation((1, 0, 0), AFTER) * _rotation((0, 1, 0), least))
+PASSES = (
+    {
+        "rates of Euler's angles": _passing(
+            rotations.euler_angles,
+            lambda s, omega: rotations.euler_rates(s[0], s[1], s[2], omega),  # (10.12)
+            lambda s: rotations.euler_matrix(*s),
+        ),
+        "rate of a quaternion": _passing(
+            rotations.quaternion_from_matrix,
+            rotations.quaternion_rate,
+            rotations.matrix_from_quaternion,
+        ),
+    },
+    lambda R, least: _matrix_error(R, _rotation((1, 0, 0), AFTER) * _rotation((0, 1, 0), least)),
+)
 
 
 # -- inertia: a flat sheet, a triangle with a half disk on its base, about the apex; x is its axis
@@ -279,15 +238,11 @@ def _of_points(u, v):
 
 def by_random_points(n):
     """The moments of n random mass points."""
-    import numpy as np
-
     return _of_points(*np.random.default_rng(1).random((2, n)))
 
 
 def by_grid(n):
     """The moments of about n mass points in a rectangular grid."""
-    import numpy as np
-
     middles = (np.arange(k := round(n**0.5)) + 0.5) / k
     return _of_points(*(c.ravel() for c in np.meshgrid(middles, middles)))
 
@@ -303,13 +258,10 @@ def _half_disk(r, angle):
 def by_quadrature(n=None):
     """The moments by the engine's integrals, in coordinates that follow the edges."""
     sheet, slope, right = Frame("sheet"), RADIUS / HEIGHT, math.pi / 2
+    of = {"frame": sheet, "density": DENSITY}
     parts = (
-        integrated(
-            _triangle, (0, HEIGHT), (-slope, slope), frame=sheet, density=DENSITY, name="triangle"
-        ),
-        integrated(
-            _half_disk, (0, RADIUS), (-right, right), frame=sheet, density=DENSITY, name="half disk"
-        ),
+        integrated(_triangle, (0, HEIGHT), (-slope, slope), **of, name="triangle"),
+        integrated(_half_disk, (0, RADIUS), (-right, right), **of, name="half disk"),
     )
     return composite("sheet", parts).about(sheet.origin).moments
 
@@ -317,112 +269,71 @@ def by_quadrature(n=None):
 def by_composition(n=None):
     """The moments by the engine's closed forms of the two parts."""
     sheet = Frame("sheet")
-    corners = (
-        sheet.origin,
-        sheet.point("A", HEIGHT, RADIUS, 0),
-        sheet.point("B", HEIGHT, -RADIUS, 0),
-    )
+    base = sheet.point("A", HEIGHT, RADIUS, 0), sheet.point("B", HEIGHT, -RADIUS, 0)
+    middle = sheet.point("M", HEIGHT, 0, 0)
     parts = (
-        simplex(*corners, density=DENSITY),
-        half_disk(RADIUS, sheet.point("M", HEIGHT, 0, 0), "z", "x", density=DENSITY),
+        simplex(sheet.origin, *base, density=DENSITY),
+        half_disk(RADIUS, middle, "z", "x", density=DENSITY),
     )
     return composite("sheet", parts).about(sheet.origin).moments
 
 
-INERTIAS = {
-    "random points": by_random_points,
-    "grid of points": by_grid,
-    "engine, quadrature": by_quadrature,
-    "engine, composition": by_composition,
-}
-
-
-@cache
-def _inertia():
+@_in_digits
+def exact_inertia():
     """The moments in 40 digits, by integrals over strips of half the breadth b(x) and mass 2 rho b
     dx.
     """
-    import mpmath
+    r, h = mp.mpf(RADIUS), mp.mpf(HEIGHT)
 
-    with mpmath.workdps(DIGITS):
-        radius, height = mpmath.mpf(RADIUS), mpmath.mpf(HEIGHT)
+    def total(f):
+        sloping = mp.quad(lambda x: f(x, r * x / h), [0, h])
+        rounded = mp.quad(lambda x: f(x, mp.sqrt(r**2 - (x - h) ** 2)), [h, h + r])
+        return 2 * DENSITY * (sloping + rounded)
 
-        def total(f):
-            sloping = mpmath.quad(lambda x: f(x, radius * x / height), [0, height])
-            round_part = mpmath.quad(
-                lambda x: f(x, mpmath.sqrt(radius**2 - (x - height) ** 2)),
-                [height, height + radius],
-            )
-            return 2 * DENSITY * (sloping + round_part)
-
-        xx, yy = total(lambda x, b: b * x * x), total(lambda x, b: b**3 / 3)
-        return yy, xx, xx + yy
+    xx, yy = total(lambda x, b: b * x * x), total(lambda x, b: b**3 / 3)
+    return yy, xx, xx + yy
 
 
-def inertia_error(found, n=None):
-    """The relative error of the three moments."""
-    return relative_error(found, _inertia())
+INERTIAS = (
+    {
+        "random points": by_random_points,
+        "grid of points": by_grid,
+        "engine, quadrature": by_quadrature,
+        "engine, composition": by_composition,
+    },
+    lambda found, n: relative_error(found, exact_inertia()),
+)
 
 
 # -- the angle of a rotation
 
 
 def by_arc_cosine(R):
-    """The angle as arccos of (trace - 1)/2, clipped because round-off can push it out of [-1, 1]."""
+    """The angle as arccos of (trace - 1)/2, which loses half of the digits at 0 and at pi."""
+    # clipped because round-off can push it out of [-1, 1]
     return math.acos(min(1.0, max(-1.0, (R[0][0] + R[1][1] + R[2][2] - 1) / 2)))
 
 
-def by_scipy_magnitude(R):
-    """The angle by SciPy's Rotation."""
-    from scipy.spatial.transform import Rotation
+def _angles(from_pi):
+    def exact(angle):
+        return mp.pi - angle if from_pi else mp.mpf(angle)
 
-    return float(Rotation.from_matrix(R).magnitude())
-
-
-def by_engine(R):
-    """The angle by the engine: quaternion and atan2."""
-    return rotations.axis_angle(R)[1]
-
-
-@cache
-def _rounded_rotation(angle, from_pi):
-    """The matrix of the rotation by ``angle``, or by pi less that, right to the last digit of each
-    entry.
-    """
-    import mpmath
-
-    with mpmath.workdps(DIGITS):
-        R = _rotation(AXIS, mpmath.pi - angle if from_pi else mpmath.mpf(angle))
+    @_in_digits
+    def matrix(angle):
+        # right to the last digit of each entry
+        R = _rotation(AXIS, exact(angle))
         return tuple(tuple(float(R[n, m]) for m in range(3)) for n in range(3))
 
-
-def _from_matrices(from_pi):
     ways = {
         "arc cosine of the trace": by_arc_cosine,
-        "SciPy's Rotation": by_scipy_magnitude,
-        "engine, atan2": by_engine,
+        "SciPy's Rotation": lambda R: float(Rotation.from_matrix(R).magnitude()),
+        "engine, atan2": lambda R: rotations.axis_angle(R)[1],
     }
-    return {
-        name: lambda angle, way=way: way(_rounded_rotation(angle, from_pi))
-        for name, way in ways.items()
-    }
+    methods = {name: lambda angle, by=by: by(matrix(angle)) for name, by in ways.items()}
+    return methods, _in_digits(lambda found, angle: abs(found / exact(angle) - 1))
 
 
-ANGLES, ANGLES_NEAR_PI = _from_matrices(False), _from_matrices(True)
-
-
-def small_angle_error(found, angle):
-    """The relative error of an angle."""
-    return abs(found - angle) / angle
-
-
-def angle_near_pi_error(found, angle):
-    """The relative error of the angle pi - angle."""
-    import mpmath
-
-    with mpmath.workdps(DIGITS):
-        exact = mpmath.pi - angle
-        return abs(found - exact) / exact
+ANGLES, ANGLES_NEAR_PI = _angles(False), _angles(True)
 
 
 # -- steady precession
@@ -438,15 +349,17 @@ def printed_roots(a, h, c):
     return (h - root) / (2 * a), (h + root) / (2 * a)
 
 
-def numpy_roots(a, h, c):
-    """The same roots by NumPy: eigenvalues of the companion matrix."""
-    import numpy as np
-
-    return sorted(np.roots([a, -h, c]).tolist())
-
-
 def _theta(a):
     return math.acos(a / (I0 - I))
+
+
+def _coefficients(a):
+    return (I0 - I) * math.cos(_theta(a)), I * SPIN, MGR
+
+
+def by_companion_matrix(a, h, c):
+    """The same roots by NumPy: eigenvalues of the companion matrix."""
+    return sorted(np.roots([a, -h, c]).tolist())
 
 
 def precessions(a):
@@ -455,24 +368,20 @@ def precessions(a):
     return found.slow, found.fast
 
 
-PRECESSIONS = {
-    "printed root": lambda a: printed_roots((I0 - I) * math.cos(_theta(a)), I * SPIN, MGR),
-    "NumPy's roots": lambda a: numpy_roots((I0 - I) * math.cos(_theta(a)), I * SPIN, MGR),
-    "engine": precessions,
-}
-
-
-@cache
-def _precessions(a):
-    """Both rates by the printed formula with more digits than it loses."""
-    import mpmath
-
-    with mpmath.workdps(2 * DIGITS):
-        return printed_roots(
-            (mpmath.mpf(I0) - I) * mpmath.cos(_theta(a)), mpmath.mpf(I) * SPIN, MGR
-        )
-
-
 def precession_error(found, a):
-    """The larger of the relative errors of the two rates."""
-    return max(float(abs(x / y - 1)) for x, y in zip(found, _precessions(a), strict=True))
+    """The larger of the relative errors of the two rates, against the printed formula with more
+    digits than it loses.
+    """
+    with mp.workdps(2 * DIGITS):
+        exact = printed_roots((mp.mpf(I0) - I) * mp.cos(_theta(a)), mp.mpf(I) * SPIN, MGR)
+        return max(float(abs(x / y - 1)) for x, y in zip(found, exact, strict=True))
+
+
+PRECESSIONS = (
+    {
+        "printed root": lambda a: printed_roots(*_coefficients(a)),
+        "NumPy's roots": lambda a: by_companion_matrix(*_coefficients(a)),
+        "engine": precessions,
+    },
+    precession_error,
+)

@@ -1,4 +1,4 @@
-"""The final state of a motion to 30 digits: the reference for the errors of all methods.
+"""The final state of a motion to 30 digits, against which the errors of all methods are taken.
 
 Heyoka in multiple precision takes milliseconds. Where it is not installed, and to check it, the
 right-hand side is integrated in mpmath's numbers by extrapolation (W. B. Gragg 1965): the error of
@@ -8,9 +8,11 @@ is used.
 """
 
 import importlib
+from collections.abc import Sequence
 
+from ..algebra.scalars import Scalar
 from ..motion.methods.taylor import installed
-from ..motion.model import ModelError
+from ..motion.model import Model, ModelError
 from ..motion.prepared import PreparedModel, start_state
 
 RUNS = 14  # of the midpoint rule over one step, which makes the order 28
@@ -18,18 +20,18 @@ GUARD = 10  # digits beyond those asked for
 BITS = 140  # of heyoka's numbers, which are 42 digits
 
 
-def reference(model, t, start):
+def reference_solution(model: Model, t: Scalar, start: Sequence[Scalar]) -> tuple:
     """The states at ``t`` after ``start`` at t = 0, a tuple of mpf with about 30 digits, counted
     from the largest size of each.
 
     Parameters and start are taken as exact numbers.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
-    >>> theta, omega = reference(physical_pendulum(2.0, 0.5, 0.5, 10.0), 1.0, (1.0, 0.0))
+    >>> theta, omega = reference_solution(physical_pendulum(2.0, 0.5, 0.5, 10.0), 1.0, (1.0, 0.0))
     >>> round(float(theta), 15), round(float(omega), 15)
     (-0.985198951317957, -0.497895914005568)
     """
-    return by_heyoka(model, t, start) if installed() else by_extrapolation(model, t, start)
+    return (by_heyoka if installed() else by_extrapolation)(model, t, start)
 
 
 def by_heyoka(model, t, start):
@@ -44,14 +46,10 @@ def by_heyoka(model, t, start):
     hy, system = importlib.import_module("heyoka"), PreparedModel(model)
     variables, one = [hy.expression(n) for n in model.states], hy.real(1, BITS)
     outputs = system.traced.rhs(hy.time, *variables, *(hy.par[i] for i in range(len(system.free))))
+    # + 0: a rate may be a plain number, which heyoka does not take
     equations = [(v, o + hy.expression(0.0)) for v, o in zip(variables, outputs, strict=True)]
-    ta = hy.taylor_adaptive(
-        equations,
-        [one * x for x in start_state(model, start)],
-        fp_type=hy.real,
-        prec=BITS,
-        compact_mode=True,
-    )
+    begin = [one * x for x in start_state(model, start)]
+    ta = hy.taylor_adaptive(equations, begin, fp_type=hy.real, prec=BITS, compact_mode=True)
     for i in range(len(ta.pars)):
         ta.pars[i] = one * system.p[i]
     ta.propagate_until(one * t)
@@ -77,15 +75,16 @@ def by_extrapolation(model, t, start, digits=30):
         while now < end:
             h = min(h, end - now)
             new, error = _step(rates, now, x, h, sizes)
+            # the error of a step is of order 2 RUNS - 1 in h; 1e-20: it may be zero
             factor = float(goal / (error + goal * mp.mpf("1e-20"))) ** (1 / (2 * RUNS - 1))
             if error <= goal:
                 now, x = now + h, new
                 sizes = [max(a, abs(b)) for a, b in zip(sizes, x, strict=True)]
             elif h < end * mp.mpf(10) ** -8:
                 raise ModelError(
-                    f"the motion of {model.name!r} could not be integrated beyond t = "
-                    f"{float(now):.6g}"
+                    f"{model.name!r} could not be integrated beyond t = {float(now):.6g}"
                 )
+            # usual limits of a step control: Hairer, Norsett and Wanner, II.4
             h = h * mp.mpf(min(4.0, max(0.2, 0.9 * factor)))
         return tuple(+v for v in x)
 
@@ -98,12 +97,12 @@ def _step(rates, t, x, h, sizes):
     for run in range(1, RUNS + 1):
         row = [_midpoint(rates, t, x, first, h, 2 * run)]
         for back, column in enumerate(table[-1] if table else [], start=1):
-            # + 0 x: in the digits of the states
+            # Aitken and Neville for even powers of the step; + 0 x: in the digits of the states
             weight = 1 / ((row[0][0] * 0 + run) ** 2 / (run - back) ** 2 - 1)
             row.append([a + (a - b) * weight for a, b in zip(row[-1], column, strict=True)])
         table.append(row)
-    best, before = table[-1][-1], table[-1][-2]
-    size = max(max(abs(b) for b in best), *sizes)
+    *_, before, best = table[-1]
+    size = max(*map(abs, best), *sizes)
     return best, max(abs(a - b) for a, b in zip(best, before, strict=True)) / size
 
 

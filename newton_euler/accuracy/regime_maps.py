@@ -1,12 +1,12 @@
-"""Maps of parameter space, coloured by the method or the model that holds there, with the
-theoretical borders drawn over them.
+"""Maps of parameter space, coloured by the method to use or the model that is accurate enough, with
+the theoretical borders drawn over them.
 
 Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices,
 ``draw_map(name, ax)`` draws them.
 
->>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees from the vertical
+>>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees
 >>> found[0].tolist()
-['none: it nods', 'slow and fast, of one sense']
+['none: it nutates', 'slow and fast, of one sense']
 >>> found[1, 0]
 'slow and fast, of opposite sense'
 """
@@ -15,6 +15,8 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
+
+import numpy as np
 
 from ..applications.earth import EARTH_RADIUS, EARTH_RATE
 from ..applications.gyroscopes import GyroError, least_spin, sleeping_top, steady_precession
@@ -30,24 +32,22 @@ from .measure import COLOURS
 @dataclass(frozen=True)
 class Axis:
     """An axis of a map: its ``label`` with the unit, from ``low`` to ``high``, in powers of ten if
-    ``log``.
+    the ``scale`` is "log".
     """
 
     label: str
     low: float
     high: float
-    log: bool = True
+    scale: str = "log"
 
     def edges(self, count):
         """The limits of so many cells, an array."""
-        import numpy as np
-
-        return (np.geomspace if self.log else np.linspace)(self.low, self.high, count + 1)
+        space = np.geomspace if self.scale == "log" else np.linspace
+        return space(self.low, self.high, count + 1)
 
     def centres(self, count):
         """The middles of so many cells, an array."""
-        edges = self.edges(count)
-        return (edges[1:] * edges[:-1]) ** 0.5 if self.log else (edges[1:] + edges[:-1]) / 2
+        return self.edges(2 * count)[1::2]
 
 
 @dataclass(frozen=True)
@@ -63,11 +63,11 @@ class Curve:
 
 @dataclass(frozen=True)
 class Map:
-    """A map.
+    """A map of parameter space.
 
-    name, title, words : what it shows; the words are for a caption
+    name, title, words : the words are for a caption
     x, y : each an :class:`Axis`
-    choices : all that may hold somewhere, in the order of the legend
+    choices : all choices, in the order of the legend
     column : a function of one x and an increasing list of y that returns the choice at each
     curves : theoretical borders
     resolution : cells along x and y that take a few seconds
@@ -80,16 +80,14 @@ class Map:
     y: Axis
     choices: tuple
     column: Callable
-    curves: tuple = ()
-    resolution: tuple = (36, 30)
+    curves: tuple
+    resolution: tuple
 
     def measure(self, resolution=None, progress=lambda fraction: None):
         """The choices, an array of strings: a row for each y from the lowest, a column for each x.
 
         resolution : cells along x and y
         """
-        import numpy as np
-
         across, up = resolution or self.resolution
         columns = []
         for n, x in enumerate(self.x.centres(across).tolist()):
@@ -102,52 +100,32 @@ def draw_map(name, ax, resolution=None, progress=lambda fraction: None):
     """The choices of the map of this name, measured and drawn on ``ax`` with a legend of the
     colours and of the theoretical borders.
     """
-    import numpy as np
     from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
 
     chart = MAPS[name]
     found = chart.measure(resolution, progress)
-    numbers = np.vectorize(chart.choices.index)(found)
-    colours = COLOURS[: len(chart.choices)]
-    edges = chart.x.edges(found.shape[1]), chart.y.edges(found.shape[0])
-    ax.pcolormesh(
-        *edges,
-        numbers,
-        cmap=ListedColormap(colours),
-        vmin=-0.5,
-        vmax=len(colours) - 0.5,
-        alpha=0.75,
-        linewidth=0,
-        rasterized=True,
-    )
-    handles = [
-        Patch(color=c, alpha=0.75, label=choice)
-        for c, choice in zip(colours, chart.choices, strict=True)
-        if (found == choice).any()
-    ]
-    x = chart.x.centres(800)
-    for curve, dashes in zip(chart.curves, ("-", "--", ":"), strict=False):
-        style = {"color": "black", "lw": 1.8, "ls": dashes, "label": curve.label}
-        handles += ax.plot(x, curve.y(x), **style) if curve.y else [ax.axvline(curve.x, **style)]
-    ax.set(
-        xlabel=chart.x.label,
-        ylabel=chart.y.label,
-        title=chart.title,
-        xscale="log" if chart.x.log else "linear",
-        xlim=edges[0][[0, -1]],
-    )
-    ax.set(yscale="log" if chart.y.log else "linear", ylim=edges[1][[0, -1]])
-    ax.legend(
-        handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9
-    )
+    numbers, top_number = np.vectorize(chart.choices.index)(found), len(chart.choices) - 0.5
+    colours = dict(zip(chart.choices, COLOURS, strict=False))
+    x, y = chart.x.edges(found.shape[1]), chart.y.edges(found.shape[0])
+    style = {"cmap": ListedColormap(colours.values()), "vmin": -0.5, "vmax": top_number}
+    ax.pcolormesh(x, y, numbers, alpha=0.75, linewidth=0, rasterized=True, **style)
+    shown = [(choice, colour) for choice, colour in colours.items() if (found == choice).any()]
+    handles = [Patch(color=colour, alpha=0.75, label=choice) for choice, colour in shown]
+    points = chart.x.centres(800)
+    for curve, dashes in zip(chart.curves, ("-", "--"), strict=False):
+        xs, ys = (points, curve.y(points)) if curve.y else ([curve.x] * 2, y[[0, -1]])
+        handles += ax.plot(xs, ys, color="black", lw=1.8, ls=dashes, label=curve.label)
+    ax.set(xlabel=chart.x.label, xscale=chart.x.scale, xlim=x[[0, -1]], title=chart.title)
+    ax.set(ylabel=chart.y.label, yscale=chart.y.scale, ylim=y[[0, -1]])
+    place = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0)}
+    ax.legend(handles=handles, frameon=False, fontsize=9, **place)
     return found
 
 
 # -- methods: the free body
 
-
-# of a tilt from the intermediate axis, 1/s at 1 rad/s
+# growth of a tilt from the intermediate axis, 1/s at 1 rad/s
 BODY, GROWTH = free_body(1.0, 2.0, 3.0), 1 / math.sqrt(3)
 WANTED = 1e-9  # of the rates at any time, relative to 1 rad/s
 DENSE = 100  # instants in a cell at which errors are looked for
@@ -176,12 +154,8 @@ def compile_time():
 
 def errors_until(times, motion, start):
     """The largest error of a motion until each of the times, by the exact solution."""
-    import numpy as np
-
-    exact = BODY.solution(motion.times, start)
-    worst = np.maximum.accumulate(
-        np.max([abs(x - w) for x, w in zip(exact, motion.states.values(), strict=True)], axis=0)
-    )
+    exact, states = BODY.solution(motion.times, start), list(motion.states.values())
+    worst = np.maximum.accumulate(abs(np.array(exact) - states).max(axis=0))
     return worst[np.searchsorted(motion.times, times, side="right") - 1]
 
 
@@ -189,17 +163,14 @@ def _taylor_seconds(times, start):
     """For each of the times the seconds of a Taylor series to round-off, with its compilation;
     infinite where its error is above WANTED.
     """
-    import numpy as np
-
     if not installed():
         return [math.inf] * len(times)
-    instants = np.union1d(times, np.geomspace(times[0], times[-1], DENSE * len(times)))
-    motion = integrate(BODY, times[-1], start, 1e-15, "taylor", samples=instants)
+    end = times[-1]
+    instants = np.union1d(times, np.geomspace(times[0], end, DENSE * len(times)))
+    motion = integrate(BODY, end, start, 1e-15, "taylor", samples=instants)
+    seconds = compile_time() + motion.cost.seconds * np.array(times) / end
     right = errors_until(times, motion, start) <= WANTED
-    return [
-        compile_time() + motion.cost.seconds * t / times[-1] if fine else math.inf
-        for t, fine in zip(times, right.tolist(), strict=True)
-    ]
+    return np.where(right, seconds, math.inf).tolist()
 
 
 def _dop853_seconds(t, start):
@@ -226,21 +197,20 @@ def _free_body(tilt, times):
     start, rate, longest = start_at(tilt), 0.0, 2 * compile_time()
     for t, taylor in zip(times, _taylor_seconds(times, start), strict=True):
         dop853 = math.inf
-        if rate * t < 3 * min(taylor, longest):  # a second of motion takes no less than before
+        # not measured where it would be slower anyway: a second of motion takes no less than before
+        if rate * t < 3 * min(taylor, longest):
             dop853 = _dop853_seconds(t, start)
             rate = dop853 / t
-        if min(taylor, dop853) < math.inf:
-            yield DOP853 if dop853 < taylor else TAYLOR
-        else:
+        if dop853 == taylor == math.inf:
             yield EXACT if _exact_holds(t, start) else EXACT_30
+        else:
+            yield DOP853 if dop853 < taylor else TAYLOR
 
 
 def _first_turnover(tilt):
-    """A small tilt a, half growing and half decaying, reaches a right angle after the quarter
-    period ln(4 sqrt(2)/a)/GROWTH.
+    """The quarter period ln(4 sqrt(2)/a)/GROWTH, after which a small tilt a, half growing and half
+    decaying, reaches a right angle.
     """
-    import numpy as np
-
     return np.log(4 * math.sqrt(2) / tilt) / GROWTH
 
 
@@ -250,6 +220,7 @@ def _roundoff_time(tilt):
     A round-off e of the energy changes the period by 4 e/(GROWTH a^2); after a random walk of n
     periods the time of a turnover has changed by n^(3/2) times that.
     """
+    # e = 2^-53, solved for n
     periods = (WANTED * tilt**2 / (4 * 2.0**-53)) ** (2 / 3)
     return _first_turnover(tilt) * (2 + 4 * periods)  # the first turnover is not yet affected
 
@@ -262,9 +233,8 @@ I0, I, MGR, THETA = 0.02, 0.01, 0.5, 0.6
 
 def shot(flight):
     """The ladder of a vertical shot without drag that is in the air for so many seconds."""
-    return projectile.ladder(
-        G, LATITUDE, drag=0.0, start=(0.0, 0.0, 0.0, 0.0, 0.0, G * flight / 2), t=flight
-    )
+    start = (0.0, 0.0, 0.0, 0.0, 0.0, G * flight / 2)
+    return projectile.ladder(G, LATITUDE, drag=0.0, start=start, t=flight)
 
 
 def released_top(omega_z):
@@ -280,10 +250,7 @@ def _smallest_rung(ladder_at):
     def column(x, tolerances):
         ladder = ladder_at(x)
         errors = {rung.name: ladder.error(rung, min(tolerances) / 1000) for rung in ladder.rungs}
-        return [
-            next(name for name, error in errors.items() if error <= tolerance)
-            for tolerance in tolerances
-        ]
+        return [next(name for name in errors if errors[name] <= y) for y in tolerances]
 
     return column
 
@@ -310,22 +277,13 @@ def _nutation(omega_z):
     return 2 * I0 * MGR * math.sin(THETA) / (I * omega_z) ** 2
 
 
-# -- what a run can tell: the sleeping top
+# -- what a run shows: the sleeping top
 
 CRITICAL, TILT, FALLEN = sleeping_top(I0, I, MGR, 1.0).critical, 1e-6, 0.1  # rad/s, rad, rad
-FALLS, UNDECIDED, STANDS = (
-    "falls, and a run shows it",
-    "falls, but a run does not show it yet",
-    "stands, as the criterion says",
-)
-LONGEST = 100.0  # s
-
-
-def _beyond_fallen(s, p, t):
-    return s.q1 * s.q1 + s.q2 * s.q2 - math.sin(FALLEN / 2) ** 2
-
-
-FALL = Event(_beyond_fallen, 1, terminal=True, name="falls")
+FALLS, UNDECIDED = "unstable, falls in the run", "unstable, but does not fall in the run"
+STANDS, LONGEST = "stable, by the criterion", 100.0  # s
+# a tilt of FALLEN, by the quaternion: sin(tilt/2)^2 = q1^2 + q2^2
+FALL = Event(lambda s, p, t: s.q1**2 + s.q2**2 - math.sin(FALLEN / 2) ** 2, 1, terminal=True)
 
 
 def falling_time(ratio):
@@ -333,32 +291,29 @@ def falling_time(ratio):
     0.1 rad; infinite if not within 100 s.
     """
     start = (math.cos(TILT / 2), math.sin(TILT / 2), 0.0, 0.0, 0.0, 0.0)
-    motion = integrate(
-        top.nonspinning_frame(I0, I, MGR, ratio * CRITICAL), LONGEST, start, 1e-9, events=FALL
-    )
+    model = top.nonspinning_frame(I0, I, MGR, ratio * CRITICAL)
+    motion = integrate(model, LONGEST, start, 1e-9, events=FALL)
     return motion.events[0].t if motion.events else math.inf
 
 
 def _sleeping(ratio, times):
-    fallen, stable = falling_time(ratio), sleeping_top(I0, I, MGR, ratio * CRITICAL).stable
-    return [FALLS if t >= fallen else STANDS if stable else UNDECIDED for t in times]
+    other = STANDS if sleeping_top(I0, I, MGR, ratio * CRITICAL).stable else UNDECIDED
+    fallen = falling_time(ratio)
+    return [FALLS if t >= fallen else other for t in times]
 
 
 def _theoretical_falling_time(ratio):
-    """|z| of I0 z'' - i I omega_z z' - mgr z = 0 from rest is asymptotically TILT sqrt(mgr/I0)/growth exp(growth t)/2."""
-    import numpy as np
+    """The same time by the rate of growth: |z| of I0 z'' - i I omega_z z' - mgr z = 0 from rest is
+    asymptotically TILT sqrt(mgr/I0)/growth exp(growth t)/2.
+    """
+    growth = np.sqrt(np.where(ratio < 1, 1 - ratio**2, np.nan))  # over sqrt(mgr/I0)
+    return np.log(2 * FALLEN / TILT * growth) / growth / math.sqrt(MGR / I0)
 
-    growth = np.sqrt(np.where(ratio < 1, MGR / I0 * (1 - ratio**2), np.nan))
-    return np.log(2 * FALLEN / TILT * growth / math.sqrt(MGR / I0)) / growth
 
+# -- existence: steady precession
 
-# -- where there is a motion at all: steady precession
-
-NONE, BOTH, OPPOSED = (
-    "none: it nods",
-    "slow and fast, of one sense",
-    "slow and fast, of opposite sense",
-)
+NONE = "none: it nutates"
+BOTH, OPPOSED = "slow and fast, of one sense", "slow and fast, of opposite sense"
 
 
 def _steady(omega_z, angles):
@@ -373,8 +328,6 @@ def _steady(omega_z, angles):
 
 def _limit_angle(omega_z):
     """cos(theta) = (I omega_z)^2/(4 I0 mgr), the double root of (10.33)."""
-    import numpy as np
-
     c = (I * omega_z) ** 2 / (4 * I0 * MGR)
     return np.degrees(np.arccos(np.where(c <= 1, c, np.nan)))
 
@@ -382,42 +335,47 @@ def _limit_angle(omega_z):
 _MAPS = (
     Map(
         "free body", "Free body near its intermediate axis: the cheapest integration to 1e-9",
-        "Moments 1, 2, 3, at 1 rad/s. The exact solution costs least and is the reference. "
-"Next to the separatrix each turnover multiplies the "
-        "round-off, so that no integration in floats stays right to 1e-9 for long.",
-        Axis("tilt from the intermediate axis, rad", 1e-8, 1.0), Axis("time, s", 1.0, 3e4), (DOP853, TAYLOR, EXACT, EXACT_30), _free_body,
-        (Curve("first turnover", _first_turnover), Curve("round-off grown to 1e-9", _roundoff_time)), (24, 24),
+        "Moments 1, 2, 3, at 1 rad/s, against the exact solution, which costs least. Next to the "
+        "separatrix each turnover multiplies the round-off: no integration stays right for long.",
+        Axis("tilt from the intermediate axis, rad", 1e-8, 1.0), Axis("time, s", 1.0, 3e4),
+        (DOP853, TAYLOR, EXACT, EXACT_30), _free_body,
+        (Curve("first turnover", _first_turnover),
+         Curve("round-off grown to 1e-9", _roundoff_time)), (24, 24),
     ),
     Map(
         "projectile", "Shot straight up at 45° north: the smallest model",
-        "In vacuum, the position over the whole flight, against the inverse square of an "
-"Earth that turns.",
-        Axis("time of flight, s", 1.0, 1000.0), Axis("error allowed, m", 1e-6, 1e5), rung_names(shot(1.0)), _smallest_rung(shot),
-        (Curve("centrifugal: ω² R T² cos λ/2", _centrifugal_error), Curve("less weight above: g² T⁴/(12 R)", _uniform_field_error)), (40, 60),
+        "In vacuum, the position over the whole flight, on an Earth that turns.",
+        Axis("time of flight, s", 1.0, 1000.0), Axis("error allowed, m", 1e-6, 1e5),
+        rung_names(shot(1.0)), _smallest_rung(shot),
+        (Curve("centrifugal: ω² R T² cos λ/2", _centrifugal_error),
+         Curve("less weight above: g² T⁴/(12 R)", _uniform_field_error)), (40, 60),
     ),
     Map(
-        "top", "Top let go at 0.6 rad for 5 s: the smallest model",
+        "top", "Top released at 0.6 rad for 5 s: the smallest model",
         "I0 = 0.02, I = 0.01, mgr = 0.5, transverse moments 0.1 % above and below I0; the "
-"direction of the axis against the body in three angles.",
+        "direction of the axis.",
         Axis("rate about its axis, rad/s", 10.0, 1000.0), Axis("error allowed, rad", 1e-6, 3.0),
         rung_names(released_top(200.0)), _smallest_rung(released_top),
         (Curve("nutation 2 I₀ mgr sin θ/(I ω)²", _nutation),
-         Curve("least rate of steady precession", x=least_spin(I0, I, THETA, mgr=MGR, of="omega_z"))), (36, 60),
+         Curve("least rate of steady precession",
+               x=least_spin(I0, I, THETA, mgr=MGR, of="omega_z"))), (36, 60),
     ),
     Map(
-        "sleeping top", "Top set upright, tilted by 1e-6 rad: what a run can tell",
-        "A tilt of 0.1 rad counts as fallen. Just below the critical rate no run is long "
-"enough, and the criterion alone decides.",
-        Axis("rate over the critical one, 2 √(I₀ mgr)/I", 0.8, 1.1, log=False), Axis("length of the run, s", 1.0, LONGEST),
-        (FALLS, UNDECIDED, STANDS), _sleeping,
-        (Curve("by its rate of growth", _theoretical_falling_time), Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40),
+        "sleeping top", "Top set upright, tilted by 1e-6 rad: what a run shows",
+        "A tilt of 0.1 rad counts as fallen. Just below the critical rate no run is long enough.",
+        Axis("rate over the critical one, 2 √(I₀ mgr)/I", 0.8, 1.1, "linear"),
+        Axis("length of the run, s", 1.0, LONGEST), (FALLS, UNDECIDED, STANDS), _sleeping,
+        (Curve("by its rate of growth", _theoretical_falling_time),
+         Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40),
     ),
     Map(
         "steady precession", "Where a top can precess steadily",
         "I0 = 0.02, I = 0.01, mgr = 0.5; rates of both precessions from (10.33).",
-        Axis("rate about its axis, rad/s", 0.0, 60.0, log=False), Axis("angle from the upward vertical, degrees", 0.0, 180.0, log=False),
+        Axis("rate about its axis, rad/s", 0.0, 60.0, "linear"),
+        Axis("angle from the upward vertical, degrees", 0.0, 180.0, "linear"),
         (NONE, BOTH, OPPOSED), _steady,
-        (Curve("(I ω)² = 4 I₀ mgr cos θ", _limit_angle), Curve("sleeping top: (I ω)² = 4 I₀ mgr", x=CRITICAL)), (90, 90),
+        (Curve("(I ω)² = 4 I₀ mgr cos θ", _limit_angle),
+         Curve("sleeping top: (I ω)² = 4 I₀ mgr", x=CRITICAL)), (90, 90),
     ),
 )  # fmt: skip
 MAPS = {chart.name: chart for chart in _MAPS}

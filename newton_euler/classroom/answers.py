@@ -1,5 +1,5 @@
-"""What a student's notebook imports: ``expect`` says what a problem asks for, ``receipt`` checks
-the *form* of the answers and records them.
+"""The functions ``expect`` and ``receipt`` of a student's notebook: what a problem asks for, and a
+check and a record of the *form* of the answers.
 
 The form is kind, shape, finite numbers, known symbols, and for formulas the dimension. The record
 is JSON: numbers, or trees of a few operators. Neither function holds or needs the key.
@@ -7,28 +7,32 @@ is JSON: numbers, or trees of a few operators. Neither function holds or needs t
 
 import json
 import os
+from dataclasses import dataclass
 
 from ..algebra.units import pint_name
 from ..algebra.vectors import Vector
 from .forms import SHAPES, AnswerError, Form, clipped, read_number
 from .formula_trees import NODES, dimension_hints, in_words, read_formula
 
-_expected, receipts = {}, {}
+_expected: dict = {}
+receipts: dict = {}
 
 
-def expect(problem, symbols=None, **forms):
-    """Announce what ``problem`` asks for: ``expect("4/16", v_D="vector, mm/s")``; ``symbols`` maps
-    the symbols of formulas to their units.
+def expect(problem: str, symbols: dict | None = None, **forms: str) -> None:
+    """Announce what ``problem`` asks for, each answer by its form.
+
+    symbols : maps the symbols of formulas to their units
+
+    >>> expect("0/1", v="vector, mm/s")
+    >>> expect("0/2", {"r": "m", "omega": "rad/s"}, v="expression, m/s")
     """
-    _expected[problem] = (
-        {key: Form.read(text) for key, text in forms.items()},
-        dict(symbols or {}),
-    )
+    read = {key: Form.read(text) for key, text in forms.items()}
+    _expected[problem] = read, dict(symbols or {})
 
 
-def receipt(problem, **answers):
-    """A :class:`Receipt` that says what was read of each answer to ``problem``, and is kept as one
-    JSON record; None is an open answer.
+def receipt(problem: str, **answers: object) -> "Receipt":
+    """A :class:`Receipt` that shows how each answer to ``problem`` was read. The answers are kept
+    as one JSON record; None stands for an answer that is not given yet.
 
     Raises :class:`AnswerError`, which names every answer that cannot be read.
 
@@ -38,34 +42,33 @@ def receipt(problem, **answers):
     """
     if problem not in _expected:
         raise AnswerError(
-            f"nothing is known of problem {problem!r}; run the cells of the notebook from the "
-            "top, and use the numbers written there"
+            f"nothing is known of problem {problem!r}; run the cells of the notebook from the top"
         )
     forms, symbols = _expected[problem]
-    unknown = [key for key in answers if key not in forms]
-    if unknown:
-        raise AnswerError(
-            f"problem {problem} does not ask for {unknown[0]!r}; it asks for {', '.join(forms)}"
-        )
+    for key in answers:
+        if key not in forms:
+            asked = ", ".join(forms)
+            raise AnswerError(f"problem {problem} does not ask for {key!r}; it asks for {asked}")
     read, faults = record(forms, symbols, answers)
     receipts[problem] = {"problem": problem, "answers": read, "faults": faults}
     if faults:
         raise AnswerError("\n".join(f"{problem}, {key}: {fault}" for key, fault in faults.items()))
     if os.environ.get("NBGRADER_EXECUTION") == "autograde":
         raise AnswerError(
-            f"{problem} is not graded here: nbgrader runs without this course's "
-            "configuration, so every part counts 0. "
-            "Instructors: grade with the course's nbgrader_config.py, or with python -m "
-            "grader grade"
+            f"{problem} is not graded here, since nbgrader runs without this course's "
+            "configuration; use its nbgrader_config.py, or python -m grader grade"
         )
     return Receipt(problem, read, forms, symbols)
 
 
+@dataclass(frozen=True, repr=False)
 class Receipt:
-    """What was handed in for one problem; ``json`` is the record."""
+    """The answers to one problem as they were read; ``json`` is the record."""
 
-    def __init__(self, problem, answers, forms, symbols):
-        self.problem, self.answers, self.forms, self.symbols = problem, answers, forms, symbols
+    problem: str
+    answers: dict
+    forms: dict
+    symbols: dict
 
     @property
     def json(self):
@@ -73,48 +76,36 @@ class Receipt:
         return json.dumps({"problem": self.problem, "answers": self.answers})
 
     def __repr__(self):
-        given = [
-            f"{key} = {in_words(tree)} {self.forms[key].unit}".removesuffix(" 1")
-            for key, tree in self.answers.items()
-            if tree is not None
-        ]
+        given = {key: tree for key, tree in self.answers.items() if tree is not None}
         if not given:
             return f"{self.problem}: no answer yet."
-        blank = ", ".join(key for key in self.forms if self.answers.get(key) is None)
-        text = (
-            f"{self.problem}: {'; '.join(given)}. Form checked only; the key is not "
-            f"here.{blank and f' Still open: {blank}.'}"
+        parts, hints = [], []
+        for key, tree in given.items():
+            form = self.forms[key]
+            parts.append(f"{key} = {in_words(tree)} {form.unit}".removesuffix(" 1"))
+            if form.is_formula:
+                found = dimension_hints(tree, form, self.symbols)
+                hints += [f"\n  look again at {key}: {hint}" for hint in found]
+        blank = ", ".join(key for key in self.forms if key not in given)
+        return (
+            f"{self.problem}: {'; '.join(parts)}. Form checked only; the key is not "
+            f"here.{blank and f' Still open: {blank}.'}{''.join(hints)}"
         )
-        return "\n".join([text, *self.hints()])
-
-    def hints(self):
-        """A sentence for each formula whose dimension does not fit the unit asked for, a list."""
-        formulas = [
-            (key, tree)
-            for key, tree in self.answers.items()
-            if tree is not None and self.forms[key].kind.endswith("expression")
-        ]
-        return [
-            f"  look again at {key}: {hint}"
-            for key, tree in formulas
-            for hint in dimension_hints(tree, self.forms[key], self.symbols)
-        ]
 
 
 def record(forms, symbols, answers):
     """({key: tree or None}, {key: fault}) of the answers, read according to their forms."""
     read, faults = {}, {}
     for key, form in forms.items():
+        value = answers.get(key)
         try:
-            value = answers.get(key)
             read[key] = None if value is None else _tree(value, form, symbols)
         except AnswerError as error:
             faults[key] = str(error)
         # objects of any library may fail in any way; the student is told, the rest goes on
         except Exception as error:
-            faults[key] = str(
-                form.error(f"the value given cannot be read: {type(error).__name__}: {error}")
-            )[:500]
+            fault = form.error(f"the value given cannot be read: {type(error).__name__}: {error}")
+            faults[key] = str(fault)[:500]
     return read, faults
 
 
@@ -130,10 +121,10 @@ def _tree(value, form, symbols):
     parts = _flat(value, form)
     if len(parts) != SHAPES[form.kind]:
         raise form.error(f"got {len(parts)} number{'s' * (len(parts) != 1)}: {clipped(value)}")
-    formula = form.kind.endswith("expression")
-    read = [
-        read_formula(x, form, symbols, [NODES]) if formula else read_number(x, form) for x in parts
-    ]
+    if form.is_formula:
+        read = [read_formula(x, form, symbols, [NODES]) for x in parts]
+    else:
+        read = [read_number(x, form) for x in parts]
     return read[0] if len(read) == 1 else read
 
 
@@ -152,8 +143,8 @@ def _flat(value, form):
         return list(value.components())
     if isinstance(value, dict | set):
         raise form.error(f"got a {type(value).__name__}, which has no order")
-    if getattr(value, "shape", None) == ():
-        return [value]
-    if hasattr(value, "__iter__") or hasattr(value, "shape"):
+    # an array without dimensions has __iter__, but it cannot be iterated over
+    shape = getattr(value, "shape", None)
+    if shape or (shape is None and hasattr(value, "__iter__")):
         return [x for part in value for x in _flat(part, form)]
     return [value]

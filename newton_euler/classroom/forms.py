@@ -1,4 +1,4 @@
-"""The forms of answers: what an answer must look like, and how a number is read."""
+"""The forms of answers, as "vector, mm/s", and how a number is read."""
 
 import math
 from dataclasses import dataclass
@@ -6,14 +6,9 @@ from dataclasses import dataclass
 from ..algebra.errors import NewtonEulerError
 
 SHAPES = {
-    "number": 1,
-    "vector": 3,
-    "matrix": 9,
-    "interval": 2,
-    "expression": 1,
-    "vector_expression": 3,
-    "matrix_expression": 9,
-}
+    "number": 1, "vector": 3, "matrix": 9, "interval": 2,
+    "expression": 1, "vector_expression": 3, "matrix_expression": 9,
+}  # fmt: skip
 _WORDS = {
     "number": "one number",
     "vector": "a vector, three numbers as in [1.0, 0, -2.5]",
@@ -28,49 +23,51 @@ _WORDS = {
 
 
 class AnswerError(NewtonEulerError, ValueError):
-    """An answer that cannot be read: what was expected, what came, what to do."""
+    """An answer that cannot be read. The message has what was expected, what came, what to do."""
 
 
 @dataclass(frozen=True)
 class Form:
-    """What one answer must look like: its kind, its unit, and for a choice the words."""
+    """The kind of one answer, its unit, and for a choice the words.
+
+    >>> Form.read("vector, mm/s")
+    Form(kind='vector', unit='mm/s', of=())
+    """
 
     kind: str
     unit: str
     of: tuple = ()
 
     @classmethod
-    def read(cls, text):
+    def read(cls, text: str) -> "Form":
         """The form that a notebook states as text: "vector, mm/s", "choice: stable | unstable"."""
-        kind, _, rest = (
-            part.strip() for part in text.partition(":" if text.startswith("choice") else ",")
-        )
+        separator = ":" if text.startswith("choice") else ","
+        kind, _, rest = (part.strip() for part in text.partition(separator))
         if kind not in _WORDS:
             raise AnswerError(f"no such kind of answer: {kind!r}; there are {', '.join(_WORDS)}")
-        return (
-            cls("choice", "1", tuple(w.strip() for w in rest.split("|")))
-            if kind == "choice"
-            else cls(kind, rest or "1")
-        )
+        if kind == "choice":
+            return cls(kind, "1", tuple(w.strip() for w in rest.split("|")))
+        return cls(kind, rest or "1")
 
     def __str__(self):
-        return (
-            f"choice: {' | '.join(self.of)}"
-            if self.kind == "choice"
-            else f"{self.kind}, {self.unit}"
-        )
+        choice = self.kind == "choice"
+        return f"choice: {' | '.join(self.of)}" if choice else f"{self.kind}, {self.unit}"
 
     @property
-    def words(self):
+    def is_formula(self) -> bool:
+        """True for formulas, vectors and matrices of formulas."""
+        return self.kind.endswith("expression")
+
+    @property
+    def words(self) -> str:
         """The form in words for a reader."""
         if self.kind == "choice":
             return f"one of {', '.join(map(repr, self.of))}"
-        return _WORDS[self.kind] + (
-            "" if self.kind == "count" or self.unit == "1" else f", in {self.unit}"
-        )
+        pure = self.kind == "count" or self.unit == "1"
+        return _WORDS[self.kind] + ("" if pure else f", in {self.unit}")
 
-    def error(self, fault):
-        """The :class:`AnswerError` that says what was expected, and then the fault."""
+    def error(self, fault: str) -> AnswerError:
+        """An :class:`AnswerError` with what was expected, and then the fault."""
         return AnswerError(f"expected {self.words}; {fault}")
 
 
@@ -81,14 +78,13 @@ def clipped(value):
 
 
 def read_number(x, form):
-    """The finite float that a number of any library is."""
+    """A number of any library as a finite float."""
     if x is None or isinstance(x, bool | complex):
         raise form.error(f"got {x!r}")
     free = getattr(x, "free_symbols", None)
     if free:
-        raise form.error(
-            f"{clipped(x)} still contains {', '.join(sorted(map(str, free)))}; put in the numbers"
-        )
+        names = ", ".join(sorted(map(str, free)))
+        raise form.error(f"{clipped(x)} still contains {names}; put in the numbers")
     try:
         number = float(x)
     except (TypeError, ValueError):

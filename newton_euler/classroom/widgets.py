@@ -1,16 +1,17 @@
-"""What the notebooks of the chapters need beside mechanics: figures with sliders, and error
-messages as text.
-"""
+"""Helpers for the notebooks of the chapters: figures with sliders, and error messages as text."""
 
 import textwrap
+from collections.abc import Callable
 from io import BytesIO
+from typing import Any
 
 
-def interactive_figure(draw, **sliders):
+def interactive_figure(draw: Callable[..., Any], **sliders: tuple[float, ...]) -> None:
     """Show the figure that ``draw`` returns, and a slider for each of its arguments where
     ipywidgets is installed.
 
     sliders : name=(start, lowest, highest) or (start, lowest, highest, step)
+
     The picture is an ordinary output, which stays when the page is printed or has no kernel; a
     slider draws it anew in its place.
     """
@@ -23,14 +24,9 @@ def interactive_figure(draw, **sliders):
         return
     boxes = {}
     for name, (start, low, high, *step) in sliders.items():
-        boxes[name] = FloatSlider(
-            start,
-            min=low,
-            max=high,
-            step=step[0] if step else (high - low) / 50,
-            description=name,
-            continuous_update=False,
-        )
+        limits = {"min": low, "max": high, "step": step[0] if step else (high - low) / 50}
+        # continuous_update: a drawing takes longer than the mouse to the next value
+        boxes[name] = FloatSlider(start, description=name, continuous_update=False, **limits)
 
     def redraw(_):
         shown.update(_picture(draw(**{name: box.value for name, box in boxes.items()})))
@@ -51,9 +47,10 @@ def _picture(figure):
     return Image(data=png.getvalue(), format="png")
 
 
-def error_message(f, width=100):
-    """The error that ``f()`` raises, as text of lines not longer than ``width``; AssertionError if
-    it raises none.
+def error_message(f: Callable[[], object], width: int = 100) -> str:
+    """The error that ``f()`` raises, as text of lines not longer than ``width``.
+
+    Raises AssertionError if ``f()`` raises none.
 
     >>> print(error_message(lambda: 1/0))
     ZeroDivisionError: division by zero

@@ -1,4 +1,4 @@
-"""comparisons.py, rivals.py: what each comparison claims, measured; bounds on errors, none on
+"""comparisons.py, baselines.py: what each comparison claims, measured; bounds on errors, none on
 times.
 """
 
@@ -10,7 +10,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from newton_euler.accuracy import baselines as rivals
+from newton_euler.accuracy import baselines
 from newton_euler.accuracy.comparisons import COMPARISONS, ROUND_OFF
 from newton_euler.accuracy.measure import Measured
 
@@ -112,7 +112,7 @@ def test_points_converge_slowly_and_the_engine_is_right_to_round_off_by_both_way
 
 def test_the_reference_by_strips_is_the_closed_form_in_40_digits():
     with mpmath.workdps(40):
-        r, h, rho = (mpmath.mpf(x) for x in (rivals.RADIUS, rivals.HEIGHT, rivals.DENSITY))
+        r, h, rho = (mpmath.mpf(x) for x in (baselines.RADIUS, baselines.HEIGHT, baselines.DENSITY))
         triangle, disk = (
             rho * r * h**3 / 2,
             rho * mpmath.pi * r**4 / 8
@@ -122,7 +122,7 @@ def test_the_reference_by_strips_is_the_closed_form_in_40_digits():
         across = rho * h * r**3 / 6 + rho * mpmath.pi * r**4 / 8
         exact = across, triangle + disk, across + triangle + disk
         assert (
-            max(abs(a / b - 1) for a, b in zip(rivals._inertia(), exact, strict=True))
+            max(abs(a / b - 1) for a, b in zip(baselines.exact_inertia(), exact, strict=True))
             < mpmath.mpf(10) ** -35
         )
 
@@ -190,8 +190,11 @@ def test_the_picture_has_a_row_for_each_question_and_every_way_in_it(name, measu
     for question, left, right in zip(
         comparison.questions, figure.axes[::2], figure.axes[1::2], strict=True
     ):
-        assert len(left.lines) == len(question.ways)
-        assert [t.get_text() for t in right.get_legend().get_texts()] == [*question.ways, "front"]
+        assert len(left.lines) == len(question.methods)
+        assert [t.get_text() for t in right.get_legend().get_texts()] == [
+            *question.methods,
+            "front",
+        ]
         assert any(p.question == question.what for p in best)
         assert [line.get_color() for line in left.lines] == [
             line.get_color() for line in right.lines[: len(left.lines)]
@@ -201,7 +204,7 @@ def test_the_picture_has_a_row_for_each_question_and_every_way_in_it(name, measu
 @pytest.mark.parametrize("apart", [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 5.0, 30.0])
 def test_no_numbers_on_the_axes_overlap_however_near_or_far_the_costs_are(apart, measured):
     figure, comparison = Figure(), COMPARISONS["rotations"]
-    ways = [way for q in comparison.questions for way in q.ways]
+    ways = [way for q in comparison.questions for way in q.methods]
     comparison.draw(
         [replace(p, cost=3e-6 * apart ** ways.index(p.method)) for p in measured("rotations")],
         figure,

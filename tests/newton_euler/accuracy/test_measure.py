@@ -1,7 +1,6 @@
 """measure.py: what is timed, what the front is, what the chart shows."""
 
-import time
-from itertools import pairwise
+from itertools import cycle, pairwise
 
 import matplotlib
 import mpmath as mp
@@ -28,15 +27,33 @@ point_lists = st.lists(
 )
 
 
+class Clock:
+    """A clock that goes on only when it is told to."""
+
+    now = 0.0
+
+    def __call__(self):
+        return self.now
+
+
 def test_a_time_is_that_of_one_call_and_the_first_call_does_not_count():
-    calls = []
+    calls, clock = [], Clock()
 
     def f():
-        time.sleep(1e-3 if calls else 0.05)
+        clock.now += 1e-3 if calls else 0.05
         calls.append(1)
 
-    assert 1e-3 <= timed(f, runs=3, shortest=3e-3) < 0.05
+    assert timed(f, runs=3, shortest=3e-3, clock=clock) == pytest.approx(1e-3)
     assert len(calls) > 3 * 2
+
+
+def test_other_work_of_the_machine_in_some_runs_does_not_count():
+    clock, delays = Clock(), cycle((0.0, 0.3, 0.02))
+
+    def f():
+        clock.now += 1e-3 + next(delays)
+
+    assert timed(f, runs=3, shortest=1e-3, clock=clock) == pytest.approx(1e-3)
 
 
 def test_several_functions_take_turns():

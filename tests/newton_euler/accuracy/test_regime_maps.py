@@ -81,10 +81,10 @@ def test_a_short_run_is_for_what_need_not_be_compiled_and_a_long_one_beside_the_
 
 def test_a_compilation_takes_longer_than_a_run_that_is_compiled():
     pytest.importorskip("heyoka")
-    assert (
-        maps.compile_time()
-        > integrate(maps.BODY, 1.0, maps.start_at(0.1), 1e-9, "taylor").cost.seconds
-    )
+    compiling = maps.compile_time()
+    # the least of several runs: a busy machine may delay some, but not all by a compilation
+    runs = [integrate(maps.BODY, 1.0, maps.start_at(0.1), 1e-9, "taylor") for _ in range(20)]
+    assert compiling > min(motion.cost.seconds for motion in runs)
 
 
 def test_integration_fails_where_round_off_has_grown_to_what_is_wanted():

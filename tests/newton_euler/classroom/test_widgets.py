@@ -1,4 +1,4 @@
-"""notebook.py: pictures that stay where there are no sliders, and move where there are."""
+"""widgets.py: pictures that stay where there are no sliders, and move where there are."""
 
 import sys
 
