@@ -28,13 +28,9 @@ def any_swing(length, g):
     >>> round(any_swing(5.0, 10.0).derivative((3.0, 0.0, 0.0, 0.0))[2], 9)  # -g sin(theta) cos(theta)
     -4.8
     """
-    return Model(
-        "Foucault's pendulum, any swing, Earth at rest",
-        locals(),
-        STATES,
-        _at_rest,
-        neglects=(ROTATION,),
-    )
+    name = "Foucault's pendulum, any swing, Earth at rest"
+    parameters = {"length": length, "g": g}
+    return Model(name, parameters, STATES, _at_rest, neglects=(ROTATION,))
 
 
 def full(length, g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
@@ -69,16 +65,13 @@ def ladder(
     Foucault's pendulum, small swings
     Foucault's pendulum
     """
-    still = replace(
+    name = "Foucault's pendulum, small swings"
+    still, turned = (
         air_near_low(0, g / length, rate=0),
-        name="Foucault's pendulum, small swings, Earth at rest",
-        neglects=(SIZE, ROTATION),
-    )
-    turned = replace(
         air_near_low(latitude, g / length, rate=rate),
-        name="Foucault's pendulum, small swings",
-        neglects=(SIZE,),
     )
+    still = replace(still, name=f"{name}, Earth at rest", neglects=(SIZE, ROTATION))
+    turned = replace(turned, name=name, neglects=(SIZE,))
     models = still, turned, any_swing(length, g), full(length, g, latitude, rate, radius)
     return Ladder.of_models("Foucault's pendulum", PLACE, t, start, ("x", "y"), *models)
 

@@ -33,7 +33,7 @@ from ...applications.earth import EARTH_GM
 from ...motion.model import Model, ModelError, Neglected
 from ..catalogue import scene
 from ..closed_forms.double_double import doubled
-from ..closed_forms.harmonic import stumpff
+from ..closed_forms.harmonic import constant_rate, stumpff
 from ..ladders import Ladder, Rung, observed_states
 
 POSITION = "position, m"
@@ -74,23 +74,8 @@ def orbit(mu):
     >>> [round(x, 9) for x in orbit(1.0).solution(math.pi/2, (1.0, 0.0, 0.0, 1.0))]
     [0.0, 1.0, -1.0, 0.0]
     """
-    invariants = {
-        "energy": _energy,
-        "angular_momentum": _angular_momentum,
-        "laplace_x": _laplace_x,
-        "laplace_y": _laplace_y,
-    }
-    return Model("Kepler's orbit", {"mu": mu}, ("x", "y", "v_x", "v_y"), _rates, invariants, _exact)
-
-
-def from_farthest(mu, a, e):
-    """The state (x, y, v_x, v_y) at the farthest point of the ellipse of semi-axis a and
-    eccentricity e: at x = -a(1 + e).
-
-    >>> from_farthest(1.0, 1.0, 0.0)
-    (-1.0, 0.0, 0.0, -1.0)
-    """
-    return -a * (1 + e), 0 * a, 0 * a, -sqrt(mu * (1 - e) / (a * (1 + e)))
+    states = "x", "y", "v_x", "v_y"
+    return Model("Kepler's orbit", {"mu": mu}, states, _rates, _INVARIANTS, _exact)
 
 
 def _rates(s, p, t):
@@ -103,20 +88,16 @@ def _distance(s):
     return sqrt(s.x * s.x + s.y * s.y)
 
 
-def _energy(s, p, t):
-    return (s.v_x**2 + s.v_y**2) / 2 - p.mu / _distance(s)
-
-
-def _angular_momentum(s, p, t):
+def _angular_momentum(s):
     return s.x * s.v_y - s.y * s.v_x
 
 
-def _laplace_x(s, p, t):
-    return s.v_y * _angular_momentum(s, p, t) / p.mu - s.x / _distance(s)
-
-
-def _laplace_y(s, p, t):
-    return -(s.v_x * _angular_momentum(s, p, t)) / p.mu - s.y / _distance(s)
+_INVARIANTS = {
+    "energy": lambda s, p, t: (s.v_x**2 + s.v_y**2) / 2 - p.mu / _distance(s),
+    "angular_momentum": lambda s, p, t: _angular_momentum(s),
+    "laplace_x": lambda s, p, t: s.v_y * _angular_momentum(s) / p.mu - s.x / _distance(s),
+    "laplace_y": lambda s, p, t: -s.v_x * _angular_momentum(s) / p.mu - s.y / _distance(s),
+}
 
 
 # -- the exact solution
@@ -134,8 +115,8 @@ def _exact(s, p, t):
     closed = beta * abs(swept) > 0
     if is_numeric(beta) and size(where(closed, 0, 1)):
         raise ModelError(
-            "the orbit is no ellipse (its energy is not below 0); parabolas and hyperbolas "
-            "have no closed form here, integrate them"
+            "the orbit is no ellipse (its energy is not below 0); parabolas and hyperbolas have no "
+            "closed form here, integrate them"
         )
     beta = where(closed, beta, 1)
     root = sqrt(beta)
@@ -230,7 +211,10 @@ def circle(mu, r, sense=1):
     (1.0,)
     """
     return Model(
-        "satellite, circle", locals(), ("angle",), _circle, {}, _along_circle, (ECCENTRICITY, BULGE)
+        "satellite, circle",
+        locals(),
+        **constant_rate(_circling, "angle"),
+        neglects=(ECCENTRICITY, BULGE),
     )
 
 
@@ -245,13 +229,9 @@ def over_equator(mu, oblateness, swept):
     >>> over_equator(8.0, 0.0, 4.0).derivative((2.0, 0.0, 0.0))  # on the circle
     (0.0, 0.0, 1.0)
     """
-    return Model(
-        "satellite, over an oblate Earth",
-        locals(),
-        ("r", "r_rate", "angle"),
-        _oblate_rates,
-        {"energy over mass": _oblate_energy},
-    )
+    name, states = "satellite, over an oblate Earth", ("r", "r_rate", "angle")
+    parameters = {"mu": mu, "oblateness": oblateness, "swept": swept}
+    return Model(name, parameters, states, _oblate, {"energy over mass": _oblate_energy})
 
 
 @scene(
@@ -270,31 +250,20 @@ def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3
     """
     x, y, v_x, v_y = start
     r, angle, swept = math.hypot(x, y), math.atan2(y, x), x * v_y - y * v_x
+    ellipse = replace(orbit(mu), name="satellite, ellipse", neglects=(BULGE,))
     rungs = (
         Rung(circle(mu, r, math.copysign(1.0, swept)), (angle,), _on_circle),
-        Rung(
-            replace(orbit(mu), name="satellite, ellipse", neglects=(BULGE,)),
-            start,
-            observed_states("x", "y"),
-        ),
+        Rung(ellipse, start, observed_states("x", "y")),
         Rung(over_equator(mu, oblateness, swept), (r, (x * v_x + y * v_y) / r, angle), _at_angle),
     )
     return Ladder("satellite", POSITION, t, rungs)
 
 
-def _circle(s, p, t):
-    return (_rate(p),)
-
-
-def _along_circle(s, p, t):
-    return (s.angle + _rate(p) * t,)
-
-
-def _rate(p):
+def _circling(p):
     return p.sense * sqrt(p.mu / p.r) / p.r
 
 
-def _oblate_rates(s, p, t):
+def _oblate(s, p, t):
     pull = p.mu / s.r**2 * (1 + 3 * p.oblateness / (2 * s.r**2))
     return s.r_rate, p.swept**2 / s.r**3 - pull, p.swept / s.r**2
 

@@ -10,6 +10,8 @@ the book names.
 Earth, as it does in the station, and with the air.
 """
 
+from dataclasses import replace
+
 from ...algebra.scalars import ZERO, sqrt
 from ...algebra.vectors import add3, cross3, scale3
 from ...motion.model import Model, ModelError, Neglected
@@ -30,13 +32,6 @@ def station_rate(g, radius):
     2.99
     """
     return sqrt(g / radius)
-
-
-def rim_speed(g, radius):
-    """The speed of the rim at this rate, sqrt(g radius): who runs as fast against the rotation is
-    at rest in the inertial frame, and floats.
-    """
-    return sqrt(g * radius)
 
 
 @scene(
@@ -85,18 +80,9 @@ def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=
         )
     full = body_in_air(omega, air)
     parameters = {**full.parameters, "radius": radius}
-    uniform = Model(
-        "uniform gravity in a turning station",
-        parameters,
-        STATES,
-        _uniform,
-        {},
-        _parabola,
-        (CORIOLIS, CHANGE, AIR),
-    )
-    free = Model(
-        "free body in a turning station", parameters, STATES, _rates, _INVARIANTS, _exact, (AIR,)
-    )
+    name, neglects = "uniform gravity in a turning station", (CORIOLIS, CHANGE, AIR)
+    uniform = Model(name, parameters, STATES, _uniform, {}, _parabola, neglects)
+    free = replace(free_body(omega), parameters=parameters, neglects=(AIR,))
     return Ladder.of_models("space station", POSITION, t, start, ("x", "y"), uniform, free, full)
 
 
@@ -126,13 +112,14 @@ def _inertial_velocity(s, p):
     return s.dx - p.omega * s.y, s.dy + p.omega * s.x
 
 
-def _moment(r, v):
-    return r[0] * v[1] - r[1] * v[0]
+def _angular_momentum(s, p, t):
+    wx, wy = _inertial_velocity(s, p)
+    return s.x * wy - s.y * wx
 
 
 _INVARIANTS = {
     "inertial speed, squared": lambda s, p, t: sum(v * v for v in _inertial_velocity(s, p)),
-    "angular momentum over mass": lambda s, p, t: _moment((s.x, s.y), _inertial_velocity(s, p)),
+    "angular momentum over mass": _angular_momentum,
 }
 
 
@@ -144,15 +131,14 @@ def _exact(s, p, t):
     return x, y, dx + p.omega * y, dy - p.omega * x
 
 
-# -- what may be neglected
+# -- bounds of what is neglected
 #
 # Seen in the station neither the Coriolis acceleration nor the air makes the body faster, so its
-# speed v and the distance r from the axis obey
-# v' <= omega^2 r, r' <= v: both grow no faster than those of a body on a spoke. In uniform gravity
-# no force depends on position or velocity, so the
+# speed v and the distance r from the axis obey v' <= omega^2 r, r' <= v: both grow no faster than
+# those of a body on a spoke. In uniform gravity no force depends on position or velocity, so the
 # double integral of what is left out is the error; that of the Coriolis acceleration, 2 omega x v,
-# is the integral of 2 omega x (displacement). The
-# same is true of the air, for a free body in the inertial frame.
+# is the integral of 2 omega x (displacement). The same is true of the air, for a free body in the
+# inertial frame.
 
 
 def _bounds(s, p, t):
@@ -184,7 +170,5 @@ def _by_air(s, p, t):
 
 
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)
-CHANGE = Neglected(
-    "the change of the centripetal acceleration with the place", _by_change, POSITION
-)
+CHANGE = Neglected("the change of the centripetal acceleration with place", _by_change, POSITION)
 AIR = Neglected("the air", _by_air, POSITION)

@@ -8,23 +8,12 @@ known in closed form, where an integrator of one right-hand side with sign(slip)
 drops out.
 """
 
-from dataclasses import dataclass
-
-from ...algebra.scalars import plain, scalar, where, whole
 from ...motion.model import Model
 from ..catalogue import scene
+from ..closed_forms.harmonic import uniform_acceleration
+from .rolling_sphere import inertia_ratio
 
-
-@dataclass(frozen=True)
-class RollingBegins:
-    """The instant at which sliding turns into rolling: time ``t`` from the start, place ``x``,
-    speed ``v``, angular velocity ``omega``.
-    """
-
-    t: object
-    x: object
-    v: object
-    omega: object
+STATES = ("x", "v", "omega")
 
 
 @scene(
@@ -48,10 +37,8 @@ def sliding(mu, g, radius, k=None, sense=1):
     >>> sliding(0.5, 10.0, 0.5).derivative((0.0, 3.0, 0.0))
     (3.0, -5.0, -25.0)
     """
-    parameters = {"mu": mu, "g": g, "r": radius, "k": _ratio(mu, k), "sense": sense}
-    return Model(
-        "sliding sphere", parameters, ("x", "v", "omega"), _sliding_rates, _INVARIANTS, _slid
-    )
+    parameters = {"mu": mu, "g": g, "r": radius, "k": inertia_ratio(mu, k), "sense": sense}
+    return Model("sliding sphere", parameters, STATES, _sliding, _INVARIANTS, _slid)
 
 
 @scene(
@@ -66,54 +53,23 @@ def rolling(radius, k=None):
     """The model of the sphere while it rolls on the level: only x changes. States as in
     :func:`sliding`.
     """
-    parameters = {"r": radius, "k": _ratio(radius, k)}
-    return Model(
-        "rolling sphere",
-        parameters,
-        ("x", "v", "omega"),
-        lambda s, p, t: (s.v, 0, 0),
-        {**_INVARIANTS, "slip": _slip},
-        _rolled,
-    )
+    parameters = {"r": radius, "k": inertia_ratio(radius, k)}
+    invariants = {**_INVARIANTS, "slip": _slip}
+    return Model("rolling sphere", parameters, STATES, _rolling, invariants, _rolled)
 
 
-def rolling_begins(v0, mu, g, radius, omega0=0, k=None, sense=1):
-    """When and how the sphere begins to roll: :class:`RollingBegins`. Without spin t = 2 v0/(7 mu
-    g), v = 5 v0/7, omega = -5 v0/(7 r).
-
-    sense : the sign of v0 + omega0 r, as in :func:`sliding`; with the wrong sign the time is
-        negative
-
-    >>> b = rolling_begins(7.0, 0.2, 10.0, 0.5)
-    >>> round(b.t, 12), b.v, b.omega
-    (1.0, 5.0, -10.0)
-    """
-    k = _ratio(mu, k)
-    slip = v0 + scalar(omega0) * radius
-    t = sense * slip * k / ((1 + k) * (mu * g))
-    v = (v0 - k * (scalar(omega0) * radius)) / (1 + k)
-    return RollingBegins(t, plain(t * (v0 + v) / 2), v, -v / radius)
-
-
-def sphere_at(t, v0, mu, g, radius, omega0=0, k=None, sense=1):
-    """(x, v, omega) at the time ``t``, through both regimes; for numbers and arrays of times."""
-    b = rolling_begins(v0, mu, g, radius, omega0, k, sense)
-    slid = sliding(mu, g, radius, k, sense).solution(t, (0 * v0, v0, omega0))
-    rolled = rolling(radius, k).solution(t - b.t, (b.x, b.v, b.omega))
-    return tuple(where(t < b.t, early, late) for early, late in zip(slid, rolled, strict=True))
-
-
-def _ratio(like, k):
-    return whole(2, like) / 5 if k is None else k
-
-
-def _sliding_rates(s, p, t):
-    return s.v, -p.sense * (p.mu * p.g), -p.sense * (p.mu * p.g) / (p.k * p.r)
+def _sliding(s, p, t):
+    a = -p.sense * (p.mu * p.g)
+    return s.v, a, a / (p.k * p.r)
 
 
 def _slid(s, p, t):
-    a, alpha = -p.sense * (p.mu * p.g), -p.sense * (p.mu * p.g) / (p.k * p.r)
-    return s.x + s.v * t + a * (t * t) / 2, s.v + a * t, s.omega + alpha * t
+    v, a, alpha = _sliding(s, p, t)
+    return *uniform_acceleration(s.x, v, a, t), s.omega + alpha * t
+
+
+def _rolling(s, p, t):
+    return s.v, 0, 0
 
 
 def _rolled(s, p, t):

@@ -14,9 +14,8 @@ ellipse (a circle for the symmetric body), or run away where z is the axis of th
 moment.
 """
 
-from ...algebra.scalars import is_finite, is_numeric, plain, size, sqrt, where
+from ...algebra.scalars import is_finite, is_numeric, size, sqrt, where
 from ...algebra.vectors import dot3
-from ...applications.gyroscopes import GyroError
 from ...motion.model import Model, ModelError, Neglected, comparable
 from ..catalogue import scene
 from ..closed_forms.double_double import doubled
@@ -24,8 +23,8 @@ from ..closed_forms.elliptic import coupled
 from ..closed_forms.harmonic import circular_or_hyperbolic, turned
 from ..ladders import Ladder, Rung, observed_states
 
-AXES = "xyz"
 RATES = "angular velocity, rad/s"
+STATES = "w_x", "w_y", "w_z"
 
 
 @scene(
@@ -60,34 +59,8 @@ def free_body(I_x, I_y, I_z):
     >>> [round(w, 6) for w in body.solution(20.0, (1e-7, 1.0, 1e-7))]
     [-0.003787, 0.999993, 0.002187]
     """
-    return Model(
-        "free body",
-        locals(),
-        ("w_x", "w_y", "w_z"),
-        _rates,
-        {"energy": _energy, "momentum": _momentum},
-        _exact,
-    )
-
-
-def tilt_growth(I_x, I_y, I_z, axis, rate):
-    """The rate (1/s) at which a small tilt grows while a body spins at ``rate`` about its principal
-    ``axis`` "x", "y" or "z": 0 where it does not.
-
-    For the axis n with the others u, v it is |rate| sqrt((I_n - I_u)(I_v - I_n)/(I_u I_v)), real
-    about the intermediate one alone. In the time T a tilt grows by exp(growth T). An integration in
-    floats that starts exactly on the axis stays there, and does not show the instability.
-
-    >>> tilt_growth(1.0, 2.0, 3.0, "z", 10.0), round(tilt_growth(1.0, 2.0, 3.0, "y", 3.0), 6)
-    (0.0, 1.732051)
-    """
-    if axis not in AXES:
-        raise GyroError(f"the axis is 'x', 'y' or 'z', got {axis!r}")
-    n = AXES.index(axis)
-    I = [plain(x) for x in (I_x, I_y, I_z)]
-    own, u, v = I[n], I[(n + 1) % 3], I[(n + 2) % 3]
-    square = (own - u) * (v - own) / (u * v)
-    return abs(rate) * sqrt(where(square > 0, square, abs(0.0 * square)))
+    parameters, invariants = locals(), {"energy": _energy, "momentum": _momentum}
+    return Model("free body", parameters, STATES, _rates, invariants, _exact)
 
 
 def _rates(s, p, t):
@@ -168,10 +141,11 @@ def symmetric_wobble(I_x, I_y, I_z, spin):
     return Model(
         "wobble of a symmetric body",
         locals(),
-        ("w_x", "w_y"),
+        STATES[:2],
         _symmetric,
-        exact=_symmetric_exact,
-        neglects=(ASYMMETRY,),
+        {},
+        _symmetric_exact,
+        (ASYMMETRY,),
     )
 
 
@@ -181,9 +155,7 @@ def small_wobble(I_x, I_y, I_z, spin):
     >>> small_wobble(1.0, 2.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-1.0, 5.0)
     """
-    return Model(
-        "small wobble", locals(), ("w_x", "w_y"), _small, exact=_small_exact, neglects=(PRODUCT,)
-    )
+    return Model("small wobble", locals(), STATES[:2], _small, {}, _small_exact, (PRODUCT,))
 
 
 @scene("10.8", "free body", "a symmetric body, a small wobble, any motion", ladder=True)
@@ -196,16 +168,10 @@ def ladder(I_x=1.0, I_y=1.02, I_z=1.5, start=(0.1, 0.0, 5.0), t=10.0):
     ['wobble of a symmetric body', 'small wobble', 'free body']
     """
     *across, spin = start
-    rungs = [
-        Rung(make(I_x, I_y, I_z, spin), tuple(across), _with_spin)
-        for make in (symmetric_wobble, small_wobble)
-    ]
-    return Ladder(
-        "free body",
-        RATES,
-        t,
-        (*rungs, Rung(free_body(I_x, I_y, I_z), start, observed_states("w_x", "w_y", "w_z"))),
-    )
+    wobbles = symmetric_wobble(I_x, I_y, I_z, spin), small_wobble(I_x, I_y, I_z, spin)
+    rungs = [Rung(model, tuple(across), _with_spin) for model in wobbles]
+    rungs += [Rung(free_body(I_x, I_y, I_z), start, observed_states(*STATES))]
+    return Ladder("free body", RATES, t, tuple(rungs))
 
 
 def _with_spin(s, p, t):

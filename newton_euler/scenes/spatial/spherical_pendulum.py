@@ -14,9 +14,6 @@ from dataclasses import replace
 
 from ...algebra.scalars import ZERO, cos, sin
 from ...algebra.vectors import add3, scale3
-from ...bodies.inertia import Inertia
-from ...kinematics.frames import Frame
-from ...kinematics.rotations import euler_frame
 from ...motion.model import Model, Neglected
 from ..catalogue import scene
 from ..closed_forms.harmonic import plane_oscillation
@@ -27,25 +24,6 @@ from ..particles.low_pressure import STATES
 from .top import momentum_difference, nonspinning_frame, nutation
 
 PLACE = "place of the tip in plan, m"
-
-
-def momentum(mass, length, psi, theta, phi):
-    """H about the joint, in the frame {i, j, k} that does not spin, (10.16): a Vector whose frame
-    is the parent of that of the bar.
-
-    psi, theta, phi : Euler angles 3-1-3, :func:`newton_euler.moving`; the spin phi has no influence
-    Returns H and the frame of the bar; ``H.expressed_in(bar)`` is (10.14).
-
-    >>> from newton_euler import moving
-    >>> H, bar = momentum(3.0, 2.0, moving(0.0, rate=1.0), moving(0.5, rate=2.0), 0.3)
-    >>> [round(x, 6) for x in H]
-    [8.0, 1.917702, 0]
-    """
-    ground = Frame("ground")
-    bar = euler_frame(ground, "bar", psi, theta, phi)
-    I0 = mass * (length * length) / 3
-    turning = bar.angular_velocity(ground).expressed_in(bar.parent)
-    return Inertia(bar.origin, (I0, I0, 0), frame=bar.parent, tolerance=None).times(turning), bar
 
 
 @scene(
@@ -88,7 +66,8 @@ def small_swings(length, g):
     >>> small_swings(3.0, 10.0).derivative((0.1, -0.2, 0.0, 0.2))
     (0.0, 0.2, -0.5, 1.0)
     """
-    return Model("bar, small swings", locals(), STATES, _small, {}, _small_exact, (SIZE, FRICTION))
+    damped = small_swings_with_friction(length, g, 0)
+    return replace(damped, name="bar, small swings", neglects=(SIZE, FRICTION))
 
 
 def small_swings_with_friction(length, g, friction):
@@ -139,14 +118,6 @@ def _square(p):
     return 3 * p.g / (2 * p.length)
 
 
-def _small(s, p, t):
-    return s.dx, s.dy, -_square(p) * s.x, -_square(p) * s.y
-
-
-def _small_exact(s, p, t):
-    return plane_oscillation(s, _square(p), t)
-
-
 def _damped(s, p, t):
     return s.dx, s.dy, -_square(p) * s.x - p.friction * s.dx, -_square(p) * s.y - p.friction * s.dy
 
@@ -157,11 +128,8 @@ def _damped_exact(s, p, t):
 
 def _full(s, p, t):
     r, v = below(s, p.length)
-    return (
-        s.dx,
-        s.dy,
-        *held(r, v, add3((ZERO, ZERO, -3 * p.g / 2), scale3(-p.friction, v)), p.length),
-    )
+    free = add3((ZERO, ZERO, -3 * p.g / 2), scale3(-p.friction, v))
+    return s.dx, s.dy, *held(r, v, free, p.length)
 
 
 SIZE = Neglected("the size of the swings", None, PLACE)

@@ -9,11 +9,10 @@ the vertical.
 """
 
 from dataclasses import replace
+from operator import attrgetter
 
-from ...algebra.ledger import summed
 from ...algebra.scalars import cos, plain, scalar, sin, sqrt, tan
 from ...algebra.vectors import dot3
-from ...dynamics.energy import gyroscope_energy
 from ...kinematics.rotations import (
     apply,
     matrix_from_quaternion,
@@ -26,6 +25,8 @@ from ..catalogue import scene
 from ..closed_forms.harmonic import turned
 from ..closed_forms.top import nutation_exact
 
+QUATERNION = "q0", "q1", "q2", "q3"
+_q = attrgetter(*QUATERNION)
 SPIN = 8.0  # rad/s
 # the top of the scenes, let go at 0.6 rad from the vertical, which nutates
 TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
@@ -66,22 +67,6 @@ def precession_rate(I0, I, theta, omega_z, momentum_difference):
     )
 
 
-def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
-    """T + V of a top about its fixed point, an Amount with the terms ``transverse``, ``axial`` and
-    ``weight``; constant during the motion.
-
-    I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`. V = + mgr
-    cos(theta), since theta is counted from the *upward* vertical and the moment of the weight, +
-    mgr sin(theta) (10.30), makes it grow. The book prints a minus sign here, with which the sum is
-    not constant.
-
-    >>> top_energy(1.5, 1.0, 10.0, 0.0, 0.0, 2.0, 3.0).terms
-    {'transverse': 0.0, 'axial': 12.5, 'weight': 10.0}
-    """
-    T = gyroscope_energy(I0, I, theta, theta_rate, precession, spin)
-    return summed({**T.terms, "weight": scalar(mgr) * cos(theta)}, "energy", "11.32")
-
-
 # -- theta alone
 
 
@@ -109,31 +94,26 @@ def nutation(I0, I, mgr, omega_z, momentum_difference):
     >>> [round(x, 6) for x in top.solution(0.05, (0.0, 0.1))]  # it goes through the upright
     [0.00384, 0.033918]
     """
-    return Model(
-        "top, nutation alone",
-        locals(),
-        ("theta", "theta_rate"),
-        _nutation_rates,
-        {"energy": _nutation_energy},
-        nutation_exact,
-    )
+    given, states = locals(), ("theta", "theta_rate")
+    invariants = {"energy": _nutation_energy}
+    return Model("top, nutation alone", given, states, nutation_rates, invariants, nutation_exact)
 
 
-def _sides(s, p):
-    """tan(theta/2), q, p and q/tan(theta/2)."""
+def half_tangent_sides(s, p):
+    """tan(theta/2), q, p and q/tan(theta/2), of which the quotient of :func:`nutation` consists."""
     t, q = tan(s.theta / 2), p.momentum_difference
     return t, q, 2 * (p.I * p.omega_z) + q, q / t
 
 
-def _nutation_rates(s, p, t):
-    t, q, whole, rest = _sides(s, p)
+def nutation_rates(s, p, t):
+    t, q, whole, rest = half_tangent_sides(s, p)
     slope = (whole * t + rest) * (whole * (1 + t * t) - (q + rest / t)) / (8 * p.I0)
     # sin(theta) from the tangent that is there
     return s.theta_rate, (p.mgr * (2 * t / (1 + t * t)) - slope) / p.I0
 
 
 def _nutation_energy(s, p, t):
-    t, _, whole, rest = _sides(s, p)
+    t, _, whole, rest = half_tangent_sides(s, p)
     return p.I0 * s.theta_rate**2 / 2 + (whole * t + rest) ** 2 / (8 * p.I0) + p.mgr * cos(s.theta)
 
 
@@ -158,26 +138,16 @@ def euler(I0, I, mgr, omega_z):
     0.0
     """
     parameters, states = locals(), ("psi", "theta", "phi", "psi_rate", "theta_rate")
-    return Model(
-        "top in Euler's angles",
-        parameters,
-        states,
-        _euler_rates,
-        {"energy": _euler_energy, "p_psi": _euler_vertical},
-    )
+    invariants = {"energy": _euler_energy, "p_psi": _euler_vertical}
+    return Model("top in Euler's angles", parameters, states, _euler_rates, invariants)
 
 
 def _euler_rates(s, p, t):
     sine, cosine, h = sin(s.theta), cos(s.theta), p.I * p.omega_z
     psi_acceleration = s.theta_rate * (h / p.I0 - 2 * (s.psi_rate * cosine)) / sine
     theta_acceleration = sine * (s.psi_rate**2 * cosine + (p.mgr - h * s.psi_rate) / p.I0)
-    return (
-        s.psi_rate,
-        s.theta_rate,
-        p.omega_z - s.psi_rate * cosine,
-        psi_acceleration,
-        theta_acceleration,
-    )
+    spin = p.omega_z - s.psi_rate * cosine
+    return s.psi_rate, s.theta_rate, spin, psi_acceleration, theta_acceleration
 
 
 def _euler_energy(s, p, t):
@@ -199,30 +169,26 @@ def nonspinning_frame(I0, I, mgr, omega_z):
 
     states : q0 … q3, the quaternion of the frame, and w_x, w_y, the transverse angular velocity in
         it (rad/s)
-    invariants : energy, p_psi and the norm of the quaternion. The attitude of the body follows by
-        :func:`body_quaternion`.
+    invariants : energy, p_psi and the norm of the quaternion. That of the body follows by
+        :func:`newton_euler.chapters.examples.ch10.body_quaternion`.
 
     >>> nonspinning_frame(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]  # upright: the axis of the tilting moves on
     (0.0, 5.0)
     """
-    return Model(
-        "top in the frame that does not spin",
-        locals(),
-        ("q0", "q1", "q2", "q3", "w_x", "w_y"),
-        _nonspinning_rates,
-        _NONSPINNING_INVARIANTS,
-    )
+    given, states = locals(), (*QUATERNION, "w_x", "w_y")
+    name = "top in the frame that does not spin"
+    return Model(name, given, states, _nonspinning_rates, _NONSPINNING_INVARIANTS)
 
 
 def _vertical(s):
     """The components of the vertical K in the frame."""
-    return matrix_from_quaternion((s.q0, s.q1, s.q2, s.q3))[2]
+    return matrix_from_quaternion(_q(s))[2]
 
 
 def _nonspinning_rates(s, p, t):
     x, y, _ = _vertical(s)
     h = p.I * p.omega_z
-    turning = quaternion_rate((s.q0, s.q1, s.q2, s.q3), (s.w_x, s.w_y, 0))
+    turning = quaternion_rate(_q(s), (s.w_x, s.w_y, 0))
     return *turning, (p.mgr * y - h * s.w_y) / p.I0, (h * s.w_x - p.mgr * x) / p.I0
 
 
@@ -234,14 +200,10 @@ def _nonspinning_vertical(s, p, t):
     return dot3(_vertical(s), (p.I0 * s.w_x, p.I0 * s.w_y, p.I * p.omega_z))
 
 
-def _norm(s, p, t):
-    return s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2
-
-
 _NONSPINNING_INVARIANTS = {
     "energy": _nonspinning_energy,
     "p_psi": _nonspinning_vertical,
-    "norm": _norm,
+    "norm": lambda s, p, t: s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2,
 }
 
 
@@ -273,7 +235,7 @@ def attitude(I0, I, mgr, omega_z):
 
 
 def _attitude_rates(s, p, t):
-    q0, q1, q2, q3 = q = s.q0, s.q1, s.q2, s.q3
+    q0, q1, q2, q3 = q = _q(s)
     pull, rate = 2 * p.mgr / p.I0, (p.I - p.I0) / p.I0 * p.omega_z
     turning = quaternion_rate(q, (s.w_x, s.w_y, p.omega_z))
     return (
@@ -281,16 +243,6 @@ def _attitude_rates(s, p, t):
         pull * (q2 * q3 + q0 * q1) - rate * s.w_y,
         rate * s.w_x - pull * (q1 * q3 - q0 * q2),
     )
-
-
-def body_quaternion(state, spun):
-    """The quaternion of the body, from a state of :func:`nonspinning_frame` or :func:`free` and the
-    angle omega_z t (rad) that it has spun.
-
-    >>> body_quaternion((1.0, 0, 0, 0, 0, 0), 0.0)
-    (1.0, 0.0, 0.0, 0.0)
-    """
-    return quaternion_product(tuple(state)[:4], (cos(spun / 2), 0 * spun, 0 * spun, sin(spun / 2)))
 
 
 @scene(
@@ -313,15 +265,13 @@ def free(I0, I, omega_z):
     >>> [round(x, 6) for x in body.solution(0.2, (1.0, 0, 0, 0, 1.0, 0.0))[4:]]  # I omega_z/I0 = 50 rad/s
     [-0.839072, -0.544021]
     """
-    return replace(
-        nonspinning_frame(I0, I, 0, omega_z), name="free symmetric body", exact=_free_exact
-    )
+    model = nonspinning_frame(I0, I, 0, omega_z)
+    return replace(model, name="free symmetric body", exact=_free_exact)
 
 
 def _free_exact(s, p, t):
-    q, rate = (s.q0, s.q1, s.q2, s.q3), p.I * p.omega_z / p.I0
-    about = apply(matrix_from_quaternion(q), (s.w_x, s.w_y, rate))  # H/I0 in the ground
-    moved = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), q)
-    return *quaternion_product(moved, quaternion((0, 0, 1), -rate * t)), *turned(
-        s.w_x, s.w_y, rate * t
-    )
+    start, rate = _q(s), p.I * p.omega_z / p.I0
+    about = apply(matrix_from_quaternion(start), (s.w_x, s.w_y, rate))  # H/I0 in the ground
+    moved = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), start)
+    q = quaternion_product(moved, quaternion((0, 0, 1), -rate * t))
+    return *q, *turned(s.w_x, s.w_y, rate * t)
