@@ -99,11 +99,12 @@ class RollingBegins:
 
 
 def rolling_begins(v0, mu, g, radius, omega0=0, k=None, sense=1):
-    """When and how the sphere of :func:`newton_euler.scenes.planar.sliding_sphere.sliding` begins to
-    roll (8.6): :class:`RollingBegins`. Without spin t = 2 v0/(7 mu
-    g), v = 5 v0/7, omega = -5 v0/(7 r).
+    """When and how a sliding sphere begins to roll (8.6): :class:`RollingBegins`.
 
-    sense : the sign of v0 + omega0 r, as in ``sliding``; with the wrong sign the time is
+    Without spin t = 2 v0/(7 mu g), v = 5 v0/7, omega = -5 v0/(7 r).
+
+    sense : the sign of v0 + omega0 r, as in
+        :func:`newton_euler.scenes.planar.sliding_sphere.sliding`; with the wrong sign the time is
         negative
 
     >>> b = rolling_begins(7.0, 0.2, 10.0, 0.5)
@@ -133,8 +134,8 @@ def sphere_at(t, v0, mu, g, radius, omega0=0, k=None, sense=1):
 #
 # Axes: x along the surface, y out of it, z = x cross y. The contact is at -r y from the centre.
 # ``a`` is the acceleration of the centre along x, ``alpha`` the angular acceleration about z,
-# ``friction`` the force of the surface on the body along x. ``force`` is the sum of all other forces
-# along x (all that turn the body come in ``moment``, about the centre), ``surface`` the
+# ``friction`` the force of the surface on the body along x. ``force`` is the sum of all other
+# forces along x (all that turn the body come in ``moment``, about the centre), ``surface`` the
 # acceleration of the surface along x.
 
 
@@ -175,7 +176,8 @@ def rolling(mass, radius, inertia, force=0, moment=0, surface=0):
 
     inertia : about the centre, which is the mass centre
 
-    >>> disk = rolling(2.0, 0.5, 0.25, force=6.0)  # I = m r^2/2: two thirds of the force move the centre
+    >>> # I = m r^2/2: two thirds of the force move the centre
+    >>> disk = rolling(2.0, 0.5, 0.25, force=6.0)
     >>> round(disk.a, 12), round(disk.friction, 12)
     (2.0, -2.0)
     """
@@ -191,7 +193,9 @@ def rolling(mass, radius, inertia, force=0, moment=0, surface=0):
 
 
 def slipping(mass, radius, inertia, friction, force=0, moment=0):
-    """Slipping, with the friction known, as -mu N against the slip: the accelerations (a, alpha)."""
+    """The accelerations (a, alpha) of a body that slips, with the friction known, as -mu N against
+    the slip.
+    """
     return plain((force + friction) / scalar(mass)), plain(
         (moment + radius * friction) / scalar(inertia)
     )

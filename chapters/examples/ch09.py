@@ -2,9 +2,10 @@
 disk (9.3) on a shaft, and any body on a level shaft, with its dead weight (9.5).
 
 The shaft of a disk lies along X of the ground, bearing A at -a and bearing B at b from the centre
-plane of the disk; psi is counted from Y to y of the shaft. The shaft of the rotor of (9.5) lies along
-z = Z, A at -a and B at b from O, the origin of the body's axes; X of the ground points vertically
-down, and psi is counted from it.
+plane of the disk; psi is counted from Y to y of the shaft.
+
+The shaft of the rotor of (9.5) lies along z = Z, A at -a and B at b from O, the origin of the body's
+axes; X of the ground points vertically down, and psi is counted from it.
 """
 
 from dataclasses import dataclass
@@ -41,7 +42,8 @@ def bent_disk(mass, radius, beta, a, b, psi, omega):
 
     >>> import math
     >>> rotor = bent_disk(mass=4.0, radius=0.5, beta=math.pi/4, a=0.2, b=0.3, psi=0.0, omega=10.0)
-    >>> round(rotor.reactions().A.expressed_in(rotor.shaft).y, 9)  # -m r^2 omega^2 sin(2 beta)/(8 (a + b))
+    >>> # -m r^2 omega^2 sin(2 beta)/(8 (a + b))
+    >>> round(rotor.reactions().A.expressed_in(rotor.shaft).y, 9)
     -25.0
     """
     shaft, scene = on_shaft("x", a, b, psi, omega)
@@ -98,7 +100,8 @@ def unbalanced_rotor(mass, centre, moments, products, a, b, psi, omega, alpha=0)
     The downward vertical is ``scene.ground.i``: ``scene.reactions(gravity=9.81*scene.ground.i)``.
 
     >>> scene = unbalanced_rotor(2.0, (0.1, 0, 0), (1.0, 1.0, 1.0), (0, 0, 0), 0.5, 0.5, 0.0, 3.0)
-    >>> round(scene.reactions(gravity=10.0*scene.ground.i).A.x, 6)  # -10 of the weight, -0.9 of m omega^2 x
+    >>> # -10 of the weight, -0.9 of m omega^2 x
+    >>> round(scene.reactions(gravity=10.0*scene.ground.i).A.x, 6)
     -10.9
     """
     shaft, scene = on_shaft("z", a, b, psi, omega, alpha)

@@ -49,7 +49,8 @@ def wobble_period(ellipticity, day):
     ellipticity : (I - I0)/I0, 0.003285 for the Earth. The rate is (I - I0) omega_z/I0, and with
         theta small phi' = -(I - I0) omega_z/I0.
 
-    >>> round(wobble_period(0.003285, 1.0))  # days; 14 months are observed, since the Earth is elastic
+    >>> # days; 14 months are observed, since the Earth is elastic
+    >>> round(wobble_period(0.003285, 1.0))
     304
     """
     return day / ellipticity
@@ -148,7 +149,8 @@ def spherical_pendulum_momentum(mass, length, psi, theta, phi):
     Returns H and the frame of the bar; ``H.expressed_in(bar)`` is (10.14).
 
     >>> from newton_euler import moving
-    >>> H, bar = spherical_pendulum_momentum(3.0, 2.0, moving(0.0, rate=1.0), moving(0.5, rate=2.0), 0.3)
+    >>> psi, theta = moving(0.0, rate=1.0), moving(0.5, rate=2.0)
+    >>> H, bar = spherical_pendulum_momentum(3.0, 2.0, psi, theta, 0.3)
     >>> [round(x, 6) for x in H]
     [8.0, 1.917702, 0]
     """
@@ -190,8 +192,9 @@ def body_quaternion(state, spun):
 
 
 def compass_period(I0, I, omega_z, earth_rate, latitude):
-    """The period (s) of small swings of a gyrocompass about north (10.11): 2 pi sqrt(I0/(Omega cos(latitude) (I omega_z - I0
-    Omega cos(latitude)))).
+    """The period (s) of small swings of a gyrocompass about north (10.11).
+
+    It is 2 pi sqrt(I0/(c (I omega_z - I0 c))) with c = Omega cos(latitude).
 
     >>> round(compass_period(0.002, 0.003, 1000.0, 7.292e-5, 0.8), 3)
     22.761

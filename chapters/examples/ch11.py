@@ -226,7 +226,8 @@ class Car:
     drag : the resistance on the level, of the air and the wheels, as a function of the speed; g :
         gravity
 
-    >>> car = Car(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, drag=lambda v: 0.5*v*v, g=9.81)
+    >>> drag = lambda v: 0.5*v*v
+    >>> car = Car(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, drag=drag, g=9.81)
     >>> round(car.power(20.0, 1.0, 0.0), 1)
     29111.1
     """
@@ -247,8 +248,8 @@ class Car:
         return summed(terms, "kinetic energy", "11.45")
 
     def powers(self, v, a, slope):
-        """The power at the wheels, an Amount in W with the terms ``accelerate``, ``wheels``, ``climb``
-        and ``air``.
+        """The power at the wheels, an Amount in W with the terms ``accelerate``, ``wheels``,
+        ``climb`` and ``air``.
 
         v, a : speed and acceleration; slope : inclination of the road, rad, positive uphill. It is
             the rate of (11.48).

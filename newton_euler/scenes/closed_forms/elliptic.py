@@ -94,7 +94,8 @@ def coupled(k, start, gap, t):
     By the addition theorem of Jacobi's functions (Landau and Lifshitz, Mechanics, 37): only those
     of the time are needed, no integral of the start, and its denominator is a sum of squares.
 
-    >>> [round(x, 12) for x in coupled((0.0, -1.0, 1.0), (2.0, 1.0, 0.0), 4.0, 0.25)]  # turns about x: y = cos(2 t), z = sin(2 t)
+    >>> # turns about x: y = cos(2 t), z = sin(2 t)
+    >>> [round(x, 12) for x in coupled((0.0, -1.0, 1.0), (2.0, 1.0, 0.0), 4.0, 0.25)]
     [2.0, 0.87758256189, 0.479425538604, 0.5]
     """
     (kx, ky, kz), (x, y, z) = k, start
@@ -120,7 +121,8 @@ def counted(angle, start, now, phase):
     """The ``angle`` (rad) after the point at its cosine and sine ``start`` has moved to ``now``,
     through as many turns as bring it within pi of ``angle + phase``.
 
-    >>> round(counted(0.5, (0.877582561890, 0.479425538604), (0.877582561890, 0.479425538604), 12.0), 6)  # two turns: 0.5 + 4 pi
+    >>> start = 0.877582561890, 0.479425538604
+    >>> round(counted(0.5, start, start, 12.0), 6)  # two turns: 0.5 + 4 pi
     13.066371
     """
     (c, s), (c1, s1) = start, now

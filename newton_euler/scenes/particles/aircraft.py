@@ -28,7 +28,8 @@ def _drag_of_scene(s, p, t):
 
 
 @scene(
-    "6.3", "aircraft", "an aircraft in a vertical plane, with thrust, lift and the drag of the air", 20.0, (50.0, 0.1, 0.0, 100.0),
+    "6.3", "aircraft", "flight in a vertical plane, with thrust, lift and drag",
+    20.0, (50.0, 0.1, 0.0, 100.0),
     m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=25.0,
 )  # fmt: skip
 def vertical_flight(m, g, thrust=0, drag=0, lift=0):
@@ -37,7 +38,8 @@ def vertical_flight(m, g, thrust=0, drag=0, lift=0):
     Without thrust and drag the energy v^2/2 + g y is an invariant; without lift as well the
     parabola is its exact solution.
 
-    >>> vertical_flight(2.0, 9.81, thrust=30.0, drag=10.0, lift=19.62).derivative((50.0, 0.0, 0.0, 100.0))
+    >>> plane = vertical_flight(2.0, 9.81, thrust=30.0, drag=10.0, lift=19.62)
+    >>> plane.derivative((50.0, 0.0, 0.0, 100.0))
     (10.0, 0.0, 50.0, 0.0)
     """
     parameters, coasting = locals(), is_absent(thrust) and is_absent(drag)
@@ -47,8 +49,10 @@ def vertical_flight(m, g, thrust=0, drag=0, lift=0):
 
 
 @scene(
-    "6.12", "aircraft in space", "an aircraft in a turn, banked by 0.5 rad, with a little more lift than it needs", 20.0,
-    (50.0, 0.0, 0.0, 0.0, 0.0, 100.0), m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=22.5, bank=0.5,
+    "6.12", "aircraft in space", "a climbing turn, banked by 0.5 rad",
+    20.0,
+    (50.0, 0.0, 0.0, 0.0, 0.0, 100.0),
+    m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=22.5, bank=0.5,
 )  # fmt: skip
 def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
     """The model of flight in space (6.12): states v, chi, gamma, x, y, h (h up). For bank 0 it is
@@ -56,7 +60,8 @@ def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
 
     The heading does not exist in vertical flight, gamma = pi/2 or -pi/2.
 
-    >>> turning = flight(2.0, 10.0, lift=25.0, bank=0.6435011087932844)  # sin(bank) is 0.6: a level turn
+    >>> # sin(bank) is 0.6: a level turn
+    >>> turning = flight(2.0, 10.0, lift=25.0, bank=0.6435011087932844)
     >>> [round(x, 9) + 0 for x in turning.derivative((30.0, 0.0, 0.0, 0.0, 0.0, 100.0))]
     [0.0, 0.25, 0.0, 0.0, 30.0, 0.0]
     """
@@ -158,7 +163,9 @@ def _in_space(s, p, t):
 
 
 def _along_path(s, p, lift):
-    """(v', gamma') by the forces along the path and, of the lift, its part in the vertical plane."""
+    """(v', gamma') by the forces along the path and the component of the lift in the vertical
+    plane.
+    """
     return (p.thrust - p.drag) / p.m - p.g * sin(s.gamma), (lift / p.m - p.g * cos(s.gamma)) / s.v
 
 

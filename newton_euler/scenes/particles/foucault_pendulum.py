@@ -25,7 +25,8 @@ def any_swing(length, g):
     """The pendulum on an Earth at rest, with swings of any size below the level of its support:
     states x, y, dx, dy.
 
-    >>> round(any_swing(5.0, 10.0).derivative((3.0, 0.0, 0.0, 0.0))[2], 9)  # -g sin(theta) cos(theta)
+    >>> # -g sin(theta) cos(theta)
+    >>> round(any_swing(5.0, 10.0).derivative((3.0, 0.0, 0.0, 0.0))[2], 9)
     -4.8
     """
     name = "Foucault's pendulum, any swing, Earth at rest"

@@ -22,15 +22,18 @@ DAY = 86_400.0  # s
 
 
 @scene(
-    "6.11", "low", "air that starts at rest 300 km from the centre of a low, for two days", 2 * DAY, (3e5, 0.0, 0.0, 0.0),
+    "6.11", "low", "air that starts at rest 300 km from the centre of a low, two days",
+    2 * DAY, (3e5, 0.0, 0.0, 0.0),
     latitude=radians(45.0), pressure_gradient=1e-8,
 )  # fmt: skip
 @scene(
-    "6.11", "low, friction", "air near a low with friction, which lets it run inwards", 2 * DAY, (3e5, 0.0, 0.0, 0.0),
+    "6.11", "low, friction", "air near a low with friction, which moves inwards",
+    2 * DAY, (3e5, 0.0, 0.0, 0.0),
     latitude=radians(45.0), pressure_gradient=1e-8, friction=1e-5,
 )  # fmt: skip
 @scene(
-    "6.11", "pendulum of Foucault", "67 m long, in Paris, for ten minutes, by the equations of the low", 600.0, (3.0, 0.0, 0.0, 0.0),
+    "6.11", "pendulum of Foucault", "67 m long, in Paris, ten minutes, by the equations of the low",
+    600.0, (3.0, 0.0, 0.0, 0.0),
     latitude=radians(48.85), pressure_gradient=9.81 / 67.0,
 )  # fmt: skip
 def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
@@ -44,7 +47,8 @@ def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
     solution.
 
     >>> air = air_near_low(1.5707963267948966, pressure_gradient=1e-8, rate=5e-5)
-    >>> air.derivative((0.0, -1e5, 0.0, 1.0))  # it moves to the north, to the centre, and is turned aside to the east
+    >>> # it moves to the north, to the centre, and is turned aside to the east
+    >>> air.derivative((0.0, -1e5, 0.0, 1.0))
     (0.0, 1.0, 0.0001, 0.001)
     """
     parameters, known = locals(), (_INVARIANTS, _exact) if is_absent(friction) else ()

@@ -19,18 +19,15 @@ from ...algebra.scalars import (
     atan2,
     cos,
     epsilon,
-    is_comparable,
     is_finite,
     is_numeric,
-    of_one_kind,
-    plain,
     sin,
     size,
     sqrt,
     where,
 )
 from ...applications.earth import EARTH_GM
-from ...motion.model import Model, ModelError, Neglected
+from ...motion.model import Model, ModelError, Neglected, comparable
 from ..catalogue import scene
 from ..closed_forms.double_double import doubled
 from ..closed_forms.harmonic import constant_rate, stumpff
@@ -45,7 +42,7 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 @scene(
     "5.10",
     "planet",
-    "a planet on an ellipse of eccentricity 0.44, in units of its distance and mu",
+    "a planet on an ellipse of eccentricity 0.44",
     30.0,
     (0.6, 0.8, -0.96, 0.72),
     mu=1.0,
@@ -107,9 +104,8 @@ def _exact(s, p, t):
     """The state at t by the eccentric anomaly E; traced, where no error can be raised, nan if the
     orbit is no ellipse.
     """
-    given = tuple(map(plain, (s.x, s.y, s.v_x, s.v_y, p.mu, t)))
-    _check(*given)
-    x, y, v_x, v_y, mu, t = of_one_kind(*given)
+    x, y, v_x, v_y, mu, t = comparable("orbit", s.x, s.y, s.v_x, s.v_y, p.mu, t)
+    _check(x, y, v_x, v_y, mu, t)
     r0, along, swept = sqrt(x * x + y * y), x * v_x + y * v_y, x * v_y - y * v_x
     beta = _beta(x, y, v_x, v_y, mu, r0)
     closed = beta * abs(swept) > 0
@@ -141,24 +137,17 @@ def _exact(s, p, t):
 
 
 def _check(x, y, v_x, v_y, mu, t):
-    given = x, y, v_x, v_y, mu, t
-    if not all(map(is_comparable, given)):
-        raise ModelError(
-            "Kepler's equation is solved for numbers, since it has no formula for its root; "
-            "put values in first"
-        )
-    if not all(map(is_numeric, given)):
+    state = x, y, v_x, v_y
+    if not all(map(is_numeric, (*state, mu, t))):
         return  # it is being traced
-    if not all(map(is_finite, given)) or size(where(mu <= 0, 1, 0)):
+    if not all(map(is_finite, (*state, mu, t))) or size(where(mu <= 0, 1, 0)):
         raise ModelError(
-            f"an orbit needs finite numbers and a positive mu, got mu = {mu}, state "
-            f"{(x, y, v_x, v_y)}, t = {t}"
+            f"an orbit needs finite numbers and a positive mu, got mu = {mu}, {state}, t = {t}"
         )
     one, two = x * v_y, y * v_x
     if size(where(abs(one - two) <= 4 * epsilon(one - two) * (abs(one) + abs(two)), 1, 0)):
         raise ModelError(
-            "the orbit is a straight line through the centre (angular momentum 0), where the "
-            "attraction has no bound"
+            "the orbit is a straight line through the centre: its angular momentum is 0"
         )
 
 
@@ -219,7 +208,8 @@ def circle(mu, r, sense=1):
 
 
 @scene(
-    "5.10", "satellite", "a satellite over the equator of an oblate Earth, about five times round", 30_000.0, (7e6, 0.0, 0.0),
+    "5.10", "satellite", "a satellite over the equator of an oblate Earth, five revolutions",
+    30_000.0, (7e6, 0.0, 0.0),
     mu=EARTH_GM, oblateness=EARTH_OBLATENESS, swept=7e6 * 7.6e3,
 )  # fmt: skip
 def over_equator(mu, oblateness, swept):

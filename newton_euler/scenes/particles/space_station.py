@@ -35,15 +35,15 @@ def station_rate(g, radius):
 
 
 @scene(
-    "6.7", "space station", "a body let go 20 m from the axis of a turning station, until it reaches the floor at "
-"100 m", 15.0,
+    "6.7", "space station", "a body let go 20 m from the axis, until it is at the rim", 15.0,
     (20.0, 0.0, 0.0, 0.0), omega=-station_rate(9.81, 100.0),
 )  # fmt: skip
 def free_body(omega):
     """The model of a body let go in the station (6.10): states x, y along station axes from the
     axis of rotation, dx, dy seen there.
 
-    >>> free_body(0.5).derivative((2.0, 0.0, 1.0, 1.0))  # centrifugal 0.5 along x, Coriolis 1.0 and -1.0
+    >>> # centrifugal 0.5 along x, Coriolis 1.0 and -1.0
+    >>> free_body(0.5).derivative((2.0, 0.0, 1.0, 1.0))
     (1.0, 1.0, 1.5, -1.0)
     """
     return Model("free body in a turning station", locals(), STATES, _rates, _INVARIANTS, _exact)
@@ -56,7 +56,8 @@ def body_in_air(omega, air, creep=CREEP):
     air : rho C_D A/(2 m), 1/m; creep : a speed, well below which the air resists in proportion to
         the speed, so that a body may start at rest
 
-    >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))  # 0.25 against the velocity
+    >>> # 0.25 against the velocity
+    >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))
     (3.0, 4.0, 4.35, -3.2)
     """
     return Model("body in the air of a turning station", locals(), STATES, _air_rates)
@@ -71,8 +72,11 @@ def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=
         the body reaches it.
 
     >>> from newton_euler import smallest
-    >>> [smallest(ladder(), metres).model.name for metres in (2.0, 0.1, 1e-3)]
-    ['uniform gravity in a turning station', 'free body in a turning station', 'body in the air of a turning station']
+    >>> for metres in (2.0, 0.1, 1e-3):
+    ...     print(smallest(ladder(), metres).model.name)
+    uniform gravity in a turning station
+    free body in a turning station
+    body in the air of a turning station
     """
     if omega == 0:
         raise ModelError(

@@ -74,8 +74,8 @@ def stiffness(theta, weight_moment, inertia_difference, omega, about_hinge=None)
     (m g d cos(theta) - (I_n - I_r) omega^2 cos(2 theta))/I_hinge; I_hinge is ``inertia_difference``
     unless given.
 
-    >>> stiffness(0.0, **rod(3.0, 2.0, 2.0, 9.81)) > 0, stiffness(0.0, **rod(3.0, 2.0, 4.0, 9.81)) > 0
-    (True, False)
+    >>> [stiffness(0.0, **rod(3.0, 2.0, omega, 9.81)) > 0 for omega in (2.0, 4.0)]
+    [True, False]
     """
     about_hinge = inertia_difference if about_hinge is None else about_hinge
     return (
@@ -84,7 +84,8 @@ def stiffness(theta, weight_moment, inertia_difference, omega, about_hinge=None)
 
 
 @scene(
-    "10.7", "turning shaft", "a rod hinged on a turning shaft, swinging about the angle at which it would stay", 12.0, (0.2, 0.5),
+    "10.7", "turning shaft", "a rod hinged on a turning shaft, which swings about its equilibrium",
+    12.0, (0.2, 0.5),
     **rod(3.0, 2.0, 4.0, 9.81),
 )  # fmt: skip
 def hinged(weight_moment, inertia_difference, omega, about_hinge=None):
@@ -203,7 +204,7 @@ def _apart(p, more, t):
 
 
 def _by_large(s, p, t):
-    """Small swings have an amplitude; what they leave out of the acceleration is at most a parabola."""
+    """Small swings keep their amplitude; they leave at most a parabola out of the acceleration."""
     x = s.theta - p.rest
     return _apart(p, _steepest(p) * (x * x + s.theta_rate * s.theta_rate / p.stiffness), t)
 

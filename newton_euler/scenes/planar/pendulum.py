@@ -35,7 +35,7 @@ STATES = ("theta", "omega")
 @scene(
     "11.17",
     "pendulum, over the top",
-    "a rigid pendulum let go next to the upright position",
+    "a rigid pendulum released near the upright position",
     15.0,
     (3.1, 0.0),
     m=2.0,

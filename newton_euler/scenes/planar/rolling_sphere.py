@@ -8,6 +8,8 @@ slides first: :mod:`newton_euler.scenes.planar.sliding_sphere`.
 against the air. The block needs no less calculation than the sphere, but no moment of inertia.
 """
 
+from dataclasses import replace
+
 from ...algebra.scalars import radians, sin, whole
 from ...motion.model import Model, ModelError, Neglected
 from ..catalogue import scene
@@ -86,13 +88,7 @@ def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
         invariants={"energy over mass": _block_energy},
         neglects=(ROTATION, AIR),
     )
-    sphere = Model(
-        "sphere on an incline",
-        full.parameters,
-        **constant_rate(_rolling, *STATES),
-        invariants=_INVARIANTS,
-        neglects=(AIR,),
-    )
+    sphere = replace(rolling_down(slope, g, k), parameters=full.parameters, neglects=(AIR,))
     return Ladder.of_models("sphere on an incline", WAY, t, start, ("x",), block, sphere, full)
 
 

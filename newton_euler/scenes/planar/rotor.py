@@ -20,7 +20,8 @@ STATES = ("psi", "omega")
 
 
 @scene(
-    "9.5", "rotor", "a rotor with dead weight, started from rest by a constant moment", 8.0, (0.0, 0.0),
+    "9.5", "rotor", "a rotor with dead weight, started by a constant moment",
+    8.0, (0.0, 0.0),
     mass=2.0, x=0.1, y=0.0, I=0.5, g=10.0, moment=2.5,
 )  # fmt: skip
 def turning_rotor(mass, x, y, I, g, moment=0):

@@ -44,7 +44,7 @@ def sliding(mu, g, radius, k=None, sense=1):
 @scene(
     "8.6",
     "rolling sphere",
-    "a sphere that rolls on the level: nothing changes but its place",
+    "a sphere that rolls on the level",
     2.0,
     (6.0, 5.0, -10.0),
     radius=0.5,

@@ -30,7 +30,7 @@ STATES = "w_x", "w_y", "w_z"
 @scene(
     "10.8",
     "free body",
-    "a spin about the intermediate axis, which it leaves and comes back to",
+    "a spin about the intermediate axis, which is unstable",
     50.0,
     (0.01, 1.0, 0.01),
     I_x=1.0,

@@ -6,7 +6,8 @@ from ..catalogue import scene
 
 
 @scene(
-    "10.11", "gyrocompass", "a level axis that swings about north, for two minutes", 120.0, (1.0, 0.0),
+    "10.11", "gyrocompass", "a level axis that swings about north, two minutes",
+    120.0, (1.0, 0.0),
     I0=0.002, I=0.003, omega_z=1000.0, earth_rate=7.292e-5, latitude=0.8,
 )  # fmt: skip
 def gyrocompass(I0, I, omega_z, earth_rate, latitude):

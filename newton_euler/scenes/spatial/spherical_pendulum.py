@@ -27,7 +27,8 @@ PLACE = "place of the tip in plan, m"
 
 
 @scene(
-    "10.4", "spherical pendulum", "a bar on a ball joint, pushed sideways, without a singular place", 8.0, (cos(1.2), sin(1.2), 0.0, 0.0, 0.1, 0.7),
+    "10.4", "spherical pendulum", "a bar on a ball joint, pushed sideways",
+    8.0, (cos(1.2), sin(1.2), 0.0, 0.0, 0.1, 0.7),
     mass=3.0, length=2.0, g=9.81,
 )  # fmt: skip
 def pendulum(mass, length, g):
@@ -41,19 +42,21 @@ def pendulum(mass, length, g):
 
 
 @scene(
-    "10.4", "spherical pendulum, nodding", "its angle from the vertical alone, the cyclic one eliminated", 8.0, (2.0, 0.0),
+    "10.4", "spherical pendulum, nodding", "its angle from the vertical alone",
+    8.0, (2.0, 0.0),
     mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
 )  # fmt: skip
 def nodding(mass, length, g, theta, precession):
     """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this
     rate psi': :func:`newton_euler.scenes.spatial.top.nutation`.
 
-    >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)  # falls towards theta = pi
+    >>> # falls towards theta = pi
+    >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)
     1.03829
     """
-    I0 = mass * (length * length) / 3
+    top = pendulum(mass, length, g).parameters
     return nutation(
-        I0, 0, mass * g * length / 2, 0, momentum_difference(I0, 0, theta, precession, 0)
+        **top, momentum_difference=momentum_difference(top["I0"], 0, theta, precession, 0)
     )
 
 

@@ -71,7 +71,8 @@ def precession_rate(I0, I, theta, omega_z, momentum_difference):
 
 
 @scene(
-    "10.5", "top, nutation", "the nutating top reduced to its angle from the vertical", 10.0, (0.6, 0.0),
+    "10.5", "top, nutation", "the angle of a nutating top from the vertical",
+    10.0, (0.6, 0.0),
     **TOP, momentum_difference=momentum_difference(1.0, 1.5, 0.6, 0.0, SPIN),
 )  # fmt: skip
 def nutation(I0, I, mgr, omega_z, momentum_difference):
@@ -106,6 +107,7 @@ def half_tangent_sides(s, p):
 
 
 def nutation_rates(s, p, t):
+    """The right-hand side of :func:`nutation`, (10.24)."""
     t, q, whole, rest = half_tangent_sides(s, p)
     slope = (whole * t + rest) * (whole * (1 + t * t) - (q + rest / t)) / (8 * p.I0)
     # sin(theta) from the tangent that is there
@@ -172,7 +174,8 @@ def nonspinning_frame(I0, I, mgr, omega_z):
     invariants : energy, p_psi and the norm of the quaternion. That of the body follows by
         :func:`newton_euler.chapters.examples.ch10.body_quaternion`.
 
-    >>> nonspinning_frame(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]  # upright: the axis of the tilting moves on
+    >>> # upright: the axis of the tilting moves on
+    >>> nonspinning_frame(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]
     (0.0, 5.0)
     """
     given, states = locals(), (*QUATERNION, "w_x", "w_y")
@@ -262,7 +265,8 @@ def free(I0, I, omega_z):
     The frame turns about the constant H at the rate H/I0, and back about its axis at I omega_z/I0.
 
     >>> body = free(0.02, 0.01, 100.0)
-    >>> [round(x, 6) for x in body.solution(0.2, (1.0, 0, 0, 0, 1.0, 0.0))[4:]]  # I omega_z/I0 = 50 rad/s
+    >>> # I omega_z/I0 = 50 rad/s
+    >>> [round(x, 6) for x in body.solution(0.2, (1.0, 0, 0, 0, 1.0, 0.0))[4:]]
     [-0.839072, -0.544021]
     """
     model = nonspinning_frame(I0, I, 0, omega_z)
