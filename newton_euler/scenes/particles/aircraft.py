@@ -33,7 +33,7 @@ def _drag_of_scene(s, p, t):
     m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=25.0,
 )  # fmt: skip
 def vertical_flight(m, g, thrust=0, drag=0, lift=0):
-    """The model of flight in a vertical plane (6.3): states v, gamma, x, y (y up).
+    """The Model of flight in a vertical plane (6.3): states v, gamma, x, y (y up).
 
     Without thrust and drag the energy v^2/2 + g y is an invariant; without lift as well the
     parabola is its exact solution.
@@ -55,10 +55,10 @@ def vertical_flight(m, g, thrust=0, drag=0, lift=0):
     m=2.0, g=9.81, thrust=12.0, drag=_drag_of_scene, lift=22.5, bank=0.5,
 )  # fmt: skip
 def flight(m, g, thrust=0, drag=0, lift=0, bank=0):
-    """The model of flight in space (6.12): states v, chi, gamma, x, y, h (h up). For bank 0 it is
+    """The Model of flight in space (6.12): states v, chi, gamma, x, y, h (h up). For bank 0 it is
     that of :func:`vertical_flight`.
 
-    The heading does not exist in vertical flight, gamma = pi/2 or -pi/2.
+    It is singular in vertical flight, gamma = pi/2 or -pi/2, which has no heading.
 
     >>> # sin(bank) is 0.6: a level turn
     >>> turning = flight(2.0, 10.0, lift=25.0, bank=0.6435011087932844)

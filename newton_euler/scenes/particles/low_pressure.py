@@ -1,12 +1,12 @@
-"""Air near the centre of low pressure, on the level (6.11): why storms turn counterclockwise in the
-north.
+"""Horizontal motion of air near a centre of low pressure (6.11), where it turns counterclockwise in
+the northern hemisphere.
 
-Ground axes x east, y north, small against the Earth, so that the latitude is one number; the
+The ground axes are x east and y north; the region is small, so that the latitude is one number. The
 pressure grows with the square of the distance from the centre, and ``pressure_gradient`` is its
-gradient over density and distance. The same equations, with g/length, describe the pendulum of
-Foucault.
+gradient over density and distance. With g/length for it, the equations are those of small swings of
+Foucault's pendulum.
 
-:func:`ladder` has three models of it: the Earth at rest, the Earth turning, and friction as well.
+:func:`ladder` has three models: the Earth at rest, the Earth rotating, and friction as well.
 """
 
 from ...algebra.scalars import radians, sqrt
@@ -37,17 +37,17 @@ DAY = 86_400.0  # s
     latitude=radians(48.85), pressure_gradient=9.81 / 67.0,
 )  # fmt: skip
 def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
-    """The model of a parcel of air: states x, y from the centre, dx, dy as seen from the ground
-    (6.33).
+    """The Model of a parcel of air (6.33): states x, y from the centre, and dx, dy, seen from the
+    ground.
 
-    pressure_gradient : inward acceleration over distance, 1/s^2; 0 for free air, which runs in
-        circles
+    pressure_gradient : inward acceleration over distance, 1/s^2; 0 for air on which only
+        the Coriolis acceleration acts, which moves in circles
     friction : deceleration over speed, 1/s
     Without friction, energy and absolute angular momentum are invariants, and there is an exact
     solution.
 
     >>> air = air_near_low(1.5707963267948966, pressure_gradient=1e-8, rate=5e-5)
-    >>> # it moves to the north, to the centre, and is turned aside to the east
+    >>> # it moves north, to the centre, and is deflected to the east
     >>> air.derivative((0.0, -1e5, 0.0, 1.0))
     (0.0, 1.0, 0.0001, 0.001)
     """
@@ -113,7 +113,7 @@ _INVARIANTS = {**_ENERGY, "absolute angular momentum over mass": _momentum}
 
 
 def _exact(s, p, t):
-    """In axes that turn at the rate -f/2 the parcel describes an ellipse about the centre."""
+    """In axes that rotate at the rate -f/2 the path is an ellipse about the centre."""
     half = coriolis_parameter(p.latitude, p.rate) / 2
     square = half * half + p.pressure_gradient
     x, dx = oscillation(s.x, s.dx - half * s.y, square, t)

@@ -1,5 +1,5 @@
-"""A body on its orbit about a fixed centre of attraction, in the plane of the motion: Kepler's
-problem, exact for ellipses.
+"""Kepler's problem: a body under the attraction of a fixed centre, in the plane of its orbit; exact
+for ellipses.
 
 The exact solution takes the eccentric anomaly from Kepler's equation, and the state from its
 distance to that of the closest approach: written with 1 - e and 1 - cos(E), no digits cancel,
@@ -56,7 +56,7 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
     mu=1.0,
 )
 def orbit(mu):
-    """The orbit as a Model: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
+    """The Model of an orbit: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
     over mass, and the Laplace vector's two components.
 
     mu : the constant of the attraction mu/r^2, m^3/s^2. The Laplace vector has the size of the
@@ -193,8 +193,8 @@ def _halley(E, e, rest, M):
 
 
 def circle(mu, r, sense=1):
-    """A circle of the radius r, exactly: the one state is the azimuth ``angle`` (rad); sense is 1
-    for counterclockwise, -1 for clockwise.
+    """The Model of a circular orbit of radius r: its only state is the azimuth ``angle`` (rad);
+    ``sense`` is 1 for counterclockwise, -1 for clockwise.
 
     >>> circle(8.0, 2.0).derivative((0.0,))
     (1.0,)
@@ -213,8 +213,8 @@ def circle(mu, r, sense=1):
     mu=EARTH_GM, oblateness=EARTH_OBLATENESS, swept=7e6 * 7.6e3,
 )  # fmt: skip
 def over_equator(mu, oblateness, swept):
-    """The satellite over the equator of an oblate Earth: states r, r_rate and the azimuth
-    ``angle``; ``swept`` is r^2 times the rate of the angle.
+    """The Model of a satellite over the equator of an oblate Earth: states r, r_rate and the
+    azimuth ``angle``; ``swept`` is r^2 times the rate of the angle.
 
     >>> over_equator(8.0, 0.0, 4.0).derivative((2.0, 0.0, 0.0))  # on the circle
     (0.0, 0.0, 1.0)
@@ -231,8 +231,9 @@ def over_equator(mu, oblateness, swept):
     ladder=True,
 )
 def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3), t=30_000.0):
-    """Circle, ellipse, oblate Earth: a :class:`~newton_euler.scenes.ladders.Ladder` for the
-    position in the plane, from the ``start`` x, y, v_x, v_y.
+    """The three models, circle, ellipse and oblate Earth: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for the position in the plane, from the ``start``
+    x, y, v_x, v_y.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (5e6, 1e6, 1e3)]

@@ -1,11 +1,11 @@
-"""A shot over the rotating Earth (6.9, 6.10), as a ladder of models from a flat Earth at rest to
-the full equations of motion in air.
+"""Models of a projectile over the rotating Earth (6.9, 6.10), from a flat Earth at rest to the full
+equations of motion in air.
 
-All have the states x, y, z along ground axes (east, north, up) from a place on the surface, and vx,
-vy, vz. What a model neglects is bounded as an error of the position, as long as the shot is above
-the ground. Air of uniform density decelerates it by ``drag`` times the square of its speed; drag =
-density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the ground, 1e-8 at a
-height of 70 km.
+All have the states x, y, z along ground axes (east, north, up) from a point of the surface, and vx,
+vy, vz. The bounds of what a model neglects are errors of the position, and hold as long as the
+projectile is above the ground. Air of uniform density decelerates it by ``drag`` times the square
+of its speed; drag = density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the
+ground, 1e-8 at a height of 70 km.
 
 >>> from newton_euler.scenes.ladders import smallest
 >>> for metres in (5.0, 2.0, 1.0, 0.1, 0.01):
@@ -38,12 +38,16 @@ from ..ladders import Ladder
 POSITION = "position, m"
 STATES = ("x", "y", "z", "vx", "vy", "vz")
 START = 0.0, 0.0, 0.0, 200.0, 50.0, 200.0  # of the scenes
-LARGEST = 8  # (2 omega t)^2 for which the series is summed to round-off: five hours on the Earth
+# (2 omega t)^2 up to which the series is summed to round-off: five hours on the Earth
+LARGEST = 8
 
 
 def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Free fall with constant g on an Earth at rest. The parameters other than g only bound what
-    the model neglects.
+    """The Model of free fall with constant g on an Earth at rest. The other parameters only serve
+    the bounds of what it neglects.
+
+    >>> flat(9.8).derivative((0.0, 0.0, 0.0, 1.0, 2.0, 3.0))
+    (1.0, 2.0, 3.0, 0, 0, -9.8)
     """
     return _model("flat", locals(), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
 
@@ -58,23 +62,23 @@ def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     latitude=0.8,
 )
 def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """The rotation to first order (6.24). The states vx, vy, vz are the velocity that the shot
-    would have without it.
+    """The Model with the rotation to first order (6.24). The states vx, vy, vz are the velocity
+    without the rotation.
     """
     given, neglects = locals(), (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR)
     return _model("Coriolis to first order", given, _turned, neglects, _turned_exact)
 
 
 def plumb(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Constant effective gravity, that of the origin, and the Coriolis acceleration (6.16), which
-    is solved exactly.
+    """The Model with the effective gravity of the origin, constant, and the Coriolis acceleration
+    (6.16); it has an exact solution.
     """
     given, neglects = locals(), (CENTRIFUGAL_CHANGE, CURVATURE, AIR)
     return _model("Coriolis and effective gravity", given, _uniform, neglects, _uniform_exact)
 
 
 def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Constant g on an Earth at rest, with air."""
+    """The Model with constant g on an Earth at rest, with air."""
     return _model("flat in air", locals(), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
 
 
@@ -88,14 +92,14 @@ def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     latitude=0.8,
 )
 def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular
-    momentum about the axis, in the inertial frame.
+    """The Model with all terms of (6.10) and the attraction of a sphere (5.22). Invariants: energy,
+    and angular momentum about the axis, in the inertial frame.
     """
     return _model("full", locals(), _full, (AIR,), None, _INVARIANTS)
 
 
 def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """The same in air that rotates with the Earth."""
+    """The Model of :func:`full` with air that rotates with the Earth."""
     return _model("full in air", locals(), _full_in_air)
 
 
@@ -109,10 +113,8 @@ def ladder(
     g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8,
     start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t=10.0,
 ):  # fmt: skip
-    """The models of one shot, in the order of their cost: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for its position until ``t``.
-
-    Six, or four if ``drag`` is 0.
+    """The models of one projectile, in the order of their cost, six, or four if ``drag`` is 0: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for the position until ``t``.
     """
     makers = flat, coriolis, plumb, *([flat_in_air] if drag else []), full
     makers += (full_in_air,) if drag else ()
@@ -258,7 +260,12 @@ def _added(acceleration):
     """The bound of the error by an acceleration of at most ``acceleration(p, d)`` at the distance
     d from the origin.
     """
-    return lambda s, p, t: acceleration(p, sum(_reach(s, p, t))) * t * t / 2
+
+    def bound(s, p, t):
+        start, added = _reach(s, p, t)
+        return acceleration(p, start + added) * t * t / 2
+
+    return bound
 
 
 def _by_air(s, p, t):

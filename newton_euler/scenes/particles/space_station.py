@@ -1,13 +1,13 @@
-"""A space station of radius r that turns about its axis, so that its rim feels like the ground
+"""Motion in a space station that rotates about its axis, so that bodies at its rim have weight
 (6.7).
 
-Station axes turn with it: the axis of rotation is z, along which ``omega`` is positive; the book's
-station has omega < 0. A body let go moves on a straight line at constant speed in the inertial
-frame; seen from the station its path is a spiral, or a circle, but in general not the limacon that
-the book names.
+The station axes rotate with it: the axis of rotation is z, along which ``omega`` is positive; the
+book's station has omega < 0. A body let go moves on a straight line at constant speed in the
+inertial frame; seen from the station its path is a spiral, or a circle, but in general not the
+limacon that the book names.
 
-:func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the
-Earth, as it does in the station, and with the air.
+:func:`ladder` has three models of a body let go or thrown near the rim: in uniform gravity, in
+the rotating station, and with the air.
 """
 
 from dataclasses import replace
@@ -21,7 +21,7 @@ from ..ladders import Ladder
 
 POSITION = "position, m"
 STATES = ("x", "y", "dx", "dy")
-CREEP = 0.01  # m/s
+CREEP = 0.01  # m/s, small against any throw, so that the drag has a derivative at rest
 
 
 def station_rate(g, radius):
@@ -39,7 +39,7 @@ def station_rate(g, radius):
     (20.0, 0.0, 0.0, 0.0), omega=-station_rate(9.81, 100.0),
 )  # fmt: skip
 def free_body(omega):
-    """The model of a body let go in the station (6.10): states x, y along station axes from the
+    """The Model of a free body seen in the station (6.10): states x, y along station axes from the
     axis of rotation, dx, dy seen there.
 
     >>> # centrifugal 0.5 along x, Coriolis 1.0 and -1.0
@@ -50,11 +50,11 @@ def free_body(omega):
 
 
 def body_in_air(omega, air, creep=CREEP):
-    """The same with the air, which turns with the station and resists with ``air`` times the square
-    of the speed seen there, over mass.
+    """The Model of a body in the air, which rotates with the station: the drag over the mass is
+    ``air`` times the square of the speed seen there. States as for :func:`free_body`.
 
-    air : rho C_D A/(2 m), 1/m; creep : a speed, well below which the air resists in proportion to
-        the speed, so that a body may start at rest
+    air : rho C_D A/(2 m), 1/m; creep : a speed, m/s, well below which the drag is
+        proportional to the speed, so that a body may start at rest
 
     >>> # 0.25 against the velocity
     >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))

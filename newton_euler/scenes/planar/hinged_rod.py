@@ -89,8 +89,8 @@ def stiffness(theta, weight_moment, inertia_difference, omega, about_hinge=None)
     **rod(3.0, 2.0, 4.0, 9.81),
 )  # fmt: skip
 def hinged(weight_moment, inertia_difference, omega, about_hinge=None):
-    """The swinging as a Model, states theta and theta_rate; invariant the energy seen in the
-    turning frame.
+    """The Model of swinging on a shaft at a constant rate: states theta and theta_rate; invariant
+    the energy seen in the rotating frame.
 
     >>> hinged(**rod(3.0, 2.0, 4.0, 9.81)).derivative((0.0, 1.0))
     (1.0, 0.0)
@@ -100,13 +100,13 @@ def hinged(weight_moment, inertia_difference, omega, about_hinge=None):
 
 
 def on_free_shaft(weight_moment, inertia_difference, omega, shaft, theta, about_hinge=None):
-    """The swinging on a shaft without moment, which turns at ``omega`` when the angle is ``theta``:
-    a Model like :func:`hinged`.
+    """The Model of swinging on a shaft without moment, whose rate is ``omega`` when the angle is
+    ``theta``: states as for :func:`hinged`.
 
-    shaft : moment of inertia about the vertical of all that turns, for theta = 0. The rate of the
-        shaft is no state: its angle is cyclic, and the
-    ``momentum`` about the vertical, a parameter, is constant. The larger ``shaft``, the more even
-    the rate.
+    shaft : moment of inertia about the vertical of all that rotates, for theta = 0; the larger it
+        is, the more even the rate
+    The rate of the shaft is no state: its angle is cyclic, and the angular ``momentum`` about the
+    vertical, a parameter, is constant.
 
     >>> on_free_shaft(**rod(3.0, 2.0, 4.0, 9.81), shaft=1.0, theta=0.0).derivative((0.0, 1.0))
     (1.0, 0.0)
@@ -217,4 +217,4 @@ def _by_even(s, p, t):
 
 
 LARGE = Neglected("that the swings are not small", _by_large, ANGLE)
-EVEN = Neglected("that the swings turn the shaft faster and slower", _by_even, ANGLE)
+EVEN = Neglected("the change of the rate of the shaft", _by_even, ANGLE)

@@ -44,7 +44,7 @@ STATES = ("theta", "omega")
     g=10.0,
 )
 def physical_pendulum(m, I, l, g):
-    """The motion as a Model with the states theta and omega; the energy (11.32) is an
+    """The Model of the pendulum: states theta and omega; the energy (11.32) is an
     invariant.
 
     The exact solution counts theta through all turns. It is that of a start within a few round-offs
@@ -98,7 +98,7 @@ def _exact(s, p, t):
 
 
 def small_swings(m, I, l, g):
-    """The body at small angles, exactly: a harmonic oscillator; states as for
+    """The Model of the body at small angles, a harmonic oscillator; states as for
     :func:`physical_pendulum`.
 
     >>> small_swings(2.0, 0.5, 0.5, 10.0).derivative((0.1, 0.0))
@@ -108,8 +108,11 @@ def small_swings(m, I, l, g):
 
 
 def particle(m, l, g, I=0):
-    """The whole mass at the distance l from the axis: the mathematical pendulum. I serves to bound
-    what it neglects.
+    """The Model of the mathematical pendulum, with the whole mass at the distance l from the axis.
+    I only serves the bound of what it neglects.
+
+    >>> particle(2.0, 0.5, 10.0).derivative((1.5707963267948966, 0.0))
+    (0.0, -20.0)
     """
     size = Neglected(
         "the moment of inertia about the centre of mass",
@@ -121,8 +124,9 @@ def particle(m, l, g, I=0):
 
 @scene("11.17", "physical pendulum", "small swings, a particle, a rigid body", ladder=True)
 def ladder(m=1.0, I=0.002, l=1.0, g=9.81, start=(0.3, 0.0), t=10.0):
-    """Small swings, a particle, a body: a :class:`~newton_euler.scenes.ladders.Ladder` for theta in
-    rad, until ``t`` after the start (theta, omega).
+    """The three models, small swings, particle and body: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for theta in rad, until ``t`` after the start
+    (theta, omega).
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), angle).model.name for angle in (0.1, 0.01, 0.001)]

@@ -1,11 +1,11 @@
-"""A sphere, or another round body, that rolls down an incline without slipping (11.15). One that
-slides first: :mod:`newton_euler.scenes.planar.sliding_sphere`.
+"""A sphere, or another round body, that rolls down an incline without slipping (11.15). For one
+that slides first see :mod:`newton_euler.scenes.planar.sliding_sphere`.
 
 ``k`` is the moment of inertia about the centre over m R^2: 2/5 for a solid sphere (the default),
 2/3 for a shell, 1/2 for a cylinder.
 
 :func:`ladder` has three models of it: a block that slides without friction, rolling, and rolling
-against the air. The block needs no less calculation than the sphere, but no moment of inertia.
+against the air. The block costs as much to compute as the sphere, but needs no moment of inertia.
 """
 
 from dataclasses import replace
@@ -30,8 +30,8 @@ STATES = ("x", "v")
     g=9.8,
 )
 def rolling_down(slope, g, k=None):
-    """The motion straight down a plane of inclination ``slope``: a Model with the states x (down
-    the plane) and v, and the energy over mass kept.
+    """The Model of rolling straight down a plane of inclination ``slope`` (rad): states x, down the
+    plane, and v; invariant the energy over mass.
 
     To roll, it needs a friction of k tan(slope)/(1 + k) times the normal force, which has no bound
     as the slope nears the vertical.
@@ -46,8 +46,8 @@ def rolling_down(slope, g, k=None):
 
 
 def rolling_in_air(slope, g, air, k=None):
-    """The same against the air, which resists with ``air`` m v^2; air (1/m) is rho C_D A/(2 m). For
-    a sphere that comes down: v is not negative.
+    """The Model of rolling down against a drag ``air`` m v^2; air (1/m) is rho C_D A/(2 m). v is
+    not negative.
 
     The closed form (1 + k)/air log(cosh(n t) + ...) is not used: with little air it is the
     logarithm of almost 1, in which all digits cancel.

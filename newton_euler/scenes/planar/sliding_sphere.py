@@ -3,9 +3,9 @@ rolls (8.6).
 
 x and v of the centre, omega counterclockwise when x points to the right: the lowest point moves at
 the slip v + omega r. While it slides, friction mu m g acts against the slip; when the slip is gone,
-rolling needs none. Each regime is a model with an exact solution, and the switch between them is
-known in closed form, where an integrator of one right-hand side with sign(slip) chatters. The mass
-drops out.
+rolling needs none. Each regime is a model with an exact solution, and the time of the transition
+has a closed form, :func:`newton_euler.chapters.examples.ch08.rolling_begins`; an integrator of one
+right-hand side with sign(slip) would chatter. The mass cancels.
 """
 
 from ...motion.model import Model
@@ -27,7 +27,7 @@ STATES = ("x", "v", "omega")
     radius=0.5,
 )
 def sliding(mu, g, radius, k=None, sense=1):
-    """The model of the sphere while it slides: states x, v, omega.
+    """The Model of the sphere while it slides: states x, v, omega.
 
     k : moment of inertia over m r^2; default: 2/5 of a sphere; 1/2 for a cylinder
     sense : the sign of the slip v + omega r: 1 for a sphere thrown to the right without spin
@@ -50,8 +50,11 @@ def sliding(mu, g, radius, k=None, sense=1):
     radius=0.5,
 )
 def rolling(radius, k=None):
-    """The model of the sphere while it rolls on the level: only x changes. States as in
+    """The Model of the sphere while it rolls on the level, where only x changes; states as for
     :func:`sliding`.
+
+    >>> rolling(0.5).derivative((0.0, 3.0, -6.0))
+    (3.0, 0, 0)
     """
     parameters = {"r": radius, "k": inertia_ratio(radius, k)}
     invariants = {**_INVARIANTS, "slip": _slip}

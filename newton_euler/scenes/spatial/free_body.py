@@ -1,5 +1,5 @@
-"""A body with three moments of inertia on which no moment acts, by its body rates: exact, and next
-to the separatrix too (8.14 with M = 0).
+"""A rigid body on which no moment acts, by its body rates, (8.14) with M = 0: exact, next to the
+separatrix too.
 
 Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is
 Jacobi's: with b the intermediate axis and a the one that the motion circles, w_a is a dn, w_b a sn,
@@ -48,12 +48,13 @@ STATES = "w_x", "w_y", "w_z"
     I_z=2.2,
 )
 def free_body(I_x, I_y, I_z):
-    """The free body as a Model: states w_x, w_y, w_z along its principal axes (rad/s); invariants
+    """The Model of the free body: states w_x, w_y, w_z along its principal axes (rad/s); invariants
     ``energy`` and ``momentum``, the size of H.
 
     The numbers given are taken as exact, and the exact solution is right to a few round-offs of t
     times the rate of the motion, wherever it starts: beside the separatrix, on it, or at rest about
-    an axis. t, and the states, may be arrays; expressions are refused in words.
+    an axis. t, and the states, may be arrays; expressions raise
+    :class:`~newton_euler.motion.model.ModelError`.
 
     >>> body = free_body(1.0, 2.0, 3.0)
     >>> [round(w, 6) for w in body.solution(20.0, (1e-7, 1.0, 1e-7))]
@@ -132,8 +133,8 @@ def _gap(k, I, w):
 
 
 def symmetric_wobble(I_x, I_y, I_z, spin):
-    """With the mean of I_x and I_y for both (10.36): states w_x, w_y; ``spin`` is the constant rate
-    about z.
+    """The Model with the mean of I_x and I_y for both (10.36): states w_x, w_y; ``spin`` is the
+    constant rate about z.
 
     >>> symmetric_wobble(1.0, 3.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-0.5, 2.5)
@@ -150,7 +151,7 @@ def symmetric_wobble(I_x, I_y, I_z, spin):
 
 
 def small_wobble(I_x, I_y, I_z, spin):
-    """To first order in w_x and w_y: these are the states; ``spin`` is the constant rate about z.
+    """The Model to first order in its states w_x and w_y; ``spin`` is the constant rate about z.
 
     >>> small_wobble(1.0, 2.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-1.0, 5.0)
@@ -160,8 +161,9 @@ def small_wobble(I_x, I_y, I_z, spin):
 
 @scene("10.8", "free body", "a symmetric body, a small wobble, any motion", ladder=True)
 def ladder(I_x=1.0, I_y=1.02, I_z=1.5, start=(0.1, 0.0, 5.0), t=10.0):
-    """Symmetric body, small wobble, free body: a :class:`~newton_euler.scenes.ladders.Ladder` for
-    the body rates w_x, w_y, w_z, which are the start.
+    """The three models, symmetric body, small wobble and free body: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for the body rates w_x, w_y, w_z, which are the
+    start.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), rate).model.name for rate in (0.01, 1e-4, 1e-5)]

@@ -11,7 +11,7 @@ from ..catalogue import scene
     I0=0.002, I=0.003, omega_z=1000.0, earth_rate=7.292e-5, latitude=0.8,
 )  # fmt: skip
 def gyrocompass(I0, I, omega_z, earth_rate, latitude):
-    """A gyroscope whose axis is kept level: it swings about north. A Model with the states azimuth
+    """The Model of a gyroscope whose axis is kept level, which swings about north: states azimuth
     (rad, from north) and azimuth_rate.
 
     With c = Omega cos(latitude) the axis turns at c sin(azimuth) about the level and at Omega

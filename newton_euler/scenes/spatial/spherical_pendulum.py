@@ -32,7 +32,7 @@ PLACE = "place of the tip in plan, m"
     mass=3.0, length=2.0, g=9.81,
 )  # fmt: skip
 def pendulum(mass, length, g):
-    """The pendulum as a Model without a singular position:
+    """The Model of the pendulum without a singular position, a
     :func:`newton_euler.scenes.spatial.top.nonspinning_frame`.
 
     >>> pendulum(3.0, 2.0, 9.81).parameters["I0"]
@@ -47,8 +47,8 @@ def pendulum(mass, length, g):
     mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
 )  # fmt: skip
 def nodding(mass, length, g, theta, precession):
-    """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this
-    rate psi': :func:`newton_euler.scenes.spatial.top.nutation`.
+    """The Model of the angle theta alone, for a start at ``theta`` (rad, from the upward vertical)
+    with this rate psi': :func:`newton_euler.scenes.spatial.top.nutation`.
 
     >>> # falls towards theta = pi
     >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)
@@ -64,7 +64,7 @@ def nodding(mass, length, g, theta, precession):
 
 
 def small_swings(length, g):
-    """Small swings without friction, an ellipse: states x, y, dx, dy of the tip.
+    """The Model of small swings without friction, on an ellipse: states x, y, dx, dy of the tip.
 
     >>> small_swings(3.0, 10.0).derivative((0.1, -0.2, 0.0, 0.2))
     (0.0, 0.2, -0.5, 1.0)
@@ -74,8 +74,8 @@ def small_swings(length, g):
 
 
 def small_swings_with_friction(length, g, friction):
-    """Small swings with friction, an ellipse that shrinks; friction is below 2 sqrt(3 g/(2
-    length)), the critical damping.
+    """The Model of small swings with friction, on an ellipse that shrinks; friction is below 2
+    sqrt(3 g/(2 length)), the critical damping.
     """
     return Model(
         "bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,)
@@ -83,14 +83,14 @@ def small_swings_with_friction(length, g, friction):
 
 
 def any_swing(length, g):
-    """Any swing below the level of the joint, without friction: as the tip would swing on a cord,
-    with gravity 3 g/2.
+    """The Model of any swing below the level of the joint, without friction: that of a bob on a
+    cord with the gravity 3 g/2.
     """
     return replace(on_cord(length, 1.5 * g), name="bar, any swing", neglects=(FRICTION,))
 
 
 def any_swing_with_friction(length, g, friction):
-    """The same with friction: states x, y, dx, dy of the tip."""
+    """The Model of any swing with friction: states x, y, dx, dy of the tip."""
     return Model("bar, any swing with friction", locals(), STATES, _full)
 
 
@@ -101,8 +101,8 @@ def any_swing_with_friction(length, g, friction):
     ladder=True,
 )
 def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0):
-    """Four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the place of the tip in plan,
-    m, from the ``start`` x, y, dx, dy.
+    """The four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the position of the tip
+    in plan, m, from the ``start`` x, y, dx, dy.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> for metres in (0.01, 0.001, 1e-5):

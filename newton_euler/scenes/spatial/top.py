@@ -33,8 +33,8 @@ TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
 
 
 def tilted(theta):
-    """The start of :func:`nonspinning_frame` at rest, but for the spin, at this angle from the
-    vertical.
+    """The start of :func:`nonspinning_frame` without precession and nutation, at the angle
+    ``theta`` (rad) from the vertical.
     """
     return cos(theta / 2), sin(theta / 2), 0.0, 0.0, 0.0, 0.0
 
@@ -76,8 +76,8 @@ def precession_rate(I0, I, theta, omega_z, momentum_difference):
     **TOP, momentum_difference=momentum_difference(1.0, 1.5, 0.6, 0.0, SPIN),
 )  # fmt: skip
 def nutation(I0, I, mgr, omega_z, momentum_difference):
-    """The nutation alone (10.24) with the cyclic angles eliminated: states theta, theta_rate;
-    invariant the energy, less that of spin.
+    """The Model of the nutation alone (10.24), with the cyclic angles eliminated: states theta,
+    theta_rate; invariant the energy, less that of spin.
 
     momentum_difference : from the start, by the function :func:`momentum_difference`; 0 for a
         sleeping top, and then theta = 0 is no singular place
@@ -131,8 +131,8 @@ def _nutation_energy(s, p, t):
     **TOP,
 )
 def euler(I0, I, mgr, omega_z):
-    """The top in Euler's angles (10.25): states psi, theta, phi, psi_rate, theta_rate; invariants
-    energy and p_psi. Singular at theta = 0 and pi.
+    """The Model of the top in Euler angles (10.25): states psi, theta, phi, psi_rate, theta_rate;
+    invariants energy and p_psi. Singular at theta = 0 and pi.
 
     >>> import math
     >>> top = euler(0.02, 0.01, 0.5, 100.0)
@@ -166,8 +166,8 @@ def _euler_vertical(s, p, t):
 
 @scene("10.5", "top", "a nutating top, in the frame that does not spin", 10.0, tilted(0.6), **TOP)
 def nonspinning_frame(I0, I, mgr, omega_z):
-    """The top in a frame that goes with its axis and does not turn about it, (10.20) with Omega_z =
-    0: no singular place, no fast angle.
+    """The Model of the top in a frame that follows its axis and does not rotate about it, (10.20)
+    with Omega_z = 0: it has no singular position and no fast angle.
 
     states : q0 … q3, the quaternion of the frame, and w_x, w_y, the transverse angular velocity in
         it (rad/s)
@@ -222,8 +222,8 @@ _NONSPINNING_INVARIANTS = {
     **TOP,
 )
 def attitude(I0, I, mgr, omega_z):
-    """The top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself, for pictures,
-    by the fewest operations.
+    """The Model of the top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself,
+    for animations, with the fewest operations.
 
     states : q0 … q3, the quaternion of the body, and w_x, w_y, the transverse rates in it (rad/s);
         invariants as for :func:`nonspinning_frame`
@@ -259,8 +259,8 @@ def _attitude_rates(s, p, t):
     omega_z=6.0,
 )
 def free(I0, I, omega_z):
-    """The symmetric body without moment (10.35), (10.36): the states of :func:`nonspinning_frame`,
-    with the exact solution; omega_z is not zero.
+    """The Model of a symmetric body without moment (10.35), (10.36): the states of
+    :func:`nonspinning_frame`, with the exact solution; omega_z is not zero.
 
     The frame turns about the constant H at the rate H/I0, and back about its axis at I omega_z/I0.
 

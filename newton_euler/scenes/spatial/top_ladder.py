@@ -1,5 +1,5 @@
-"""The top as a ladder: from steady precession, slow or exact, to nutation, and to a body whose two
-transverse moments are not quite equal.
+"""The ladder of models of the top: slow and exact steady precession, nutation, and a body with
+slightly different transverse moments of inertia.
 
 What is observed is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward
 vertical; I0, I, ``mgr``, omega_z as in :mod:`newton_euler.scenes.spatial.top`. The fullest models
@@ -30,8 +30,8 @@ RATES = "w_x", "w_y", "w_z"
 
 
 def top_slow_precession(I, mgr, omega_z, theta):
-    """Steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi; theta is
-    constant.
+    """The Model of steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi;
+    theta is constant.
 
     >>> top_slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
     (0.5,)
@@ -45,7 +45,7 @@ def top_slow_precession(I, mgr, omega_z, theta):
 
 
 def top_steady_precession(I0, I, mgr, omega_z, theta):
-    """Steady precession (10.33) at the slow one of its two rates.
+    """The Model of steady precession (10.33) at the slow one of its two rates.
     :class:`~newton_euler.applications.gyroscopes.GyroError` where there is none.
 
     >>> round(top_steady_precession(0.02, 0.01, 0.5, 100.0, 0.0).parameters["rate"], 6)
@@ -61,7 +61,7 @@ def top_steady_precession(I0, I, mgr, omega_z, theta):
 
 
 def top_precession_and_nutation(I0, I, mgr, omega_z, momentum_difference):
-    """Nutation (10.24), and the precession that goes with it: states theta, theta_rate, psi;
+    """The Model of nutation (10.24) with its precession: states theta, theta_rate, psi;
     parameters as for :func:`newton_euler.scenes.spatial.top.nutation`.
     """
     base = nutation(I0, I, mgr, omega_z, momentum_difference)
@@ -76,15 +76,17 @@ def top_precession_and_nutation(I0, I, mgr, omega_z, momentum_difference):
 
 
 def asymmetric_top_euler_angles(I0, I, mgr, asymmetry):
-    """The body with unequal moments in Euler's angles: states psi, theta, phi, and the body rates
-    w_x, w_y, w_z. Singular at theta = 0 and pi.
+    """The Model of the body with unequal moments in Euler angles: states psi, theta, phi, and the
+    body rates w_x, w_y, w_z. Singular at theta = 0 and pi.
     """
     given, states = locals(), ("psi", "theta", "phi", *RATES)
     return Model("top of unequal moments, Euler's angles", given, states, _euler)
 
 
 def asymmetric_top_quaternion(I0, I, mgr, asymmetry):
-    """The body with unequal moments by its quaternion: states q0 ... q3, w_x, w_y, w_z."""
+    """The Model of the body with unequal moments by its quaternion: states q0 ... q3, w_x, w_y,
+    w_z.
+    """
     return Model("top of unequal moments, quaternion", locals(), (*QUATERNION, *RATES), _quaternion)
 
 
@@ -95,8 +97,8 @@ def ladder(
     I0=0.02, I=0.01, mgr=0.5, omega_z=150.0, theta=0.6, theta_rate=0.0, precession=0.34,
     asymmetry=1e-3, t=1.0,
 ):  # fmt: skip
-    """Five models: a :class:`~newton_euler.scenes.ladders.Ladder` for the direction of the axis, a
-    unit vector, so its errors are angles.
+    """The five models: a :class:`~newton_euler.scenes.ladders.Ladder` for the direction of the
+    axis, a unit vector, so its errors are angles.
 
     theta, theta_rate, precession : at the start, where psi = phi = 0; omega_z is not zero
     A top that is too slow has no steady precession, and its ladder no such rung.
