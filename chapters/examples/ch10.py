@@ -3,7 +3,7 @@ moments (10.8), a rotor in a car (10.10), gyroscopic instruments (10.11).
 """
 
 from newton_euler import Frame, cos, pi, sin, sqrt, where
-from newton_euler.algebra.scalars import plain
+from newton_euler.algebra.scalars import plain, scalar
 from newton_euler.applications.gyroscopes import GyroError, free_precession
 from newton_euler.bodies import Inertia
 from newton_euler.bodies.solids import cylinder
@@ -201,3 +201,18 @@ def compass_period(I0, I, omega_z, earth_rate, latitude):
     """
     level = earth_rate * cos(latitude)
     return 2 * pi(level) * sqrt(I0 / (level * (I * omega_z - I0 * level)))
+
+
+def precession_rate(I0, I, theta, omega_z, momentum_difference):
+    """psi' of a top at the angle theta (10.24) from its constants: (p_psi - p_phi cos(theta))/(I0
+    sin^2(theta)), by half angles.
+
+    If ``momentum_difference`` is the integer 0 it has its limit at theta = 0.
+
+    >>> precession_rate(0.02, 0.01, 0.0, 100.0, 0)
+    25.0
+    """
+    q = scalar(momentum_difference)
+    return plain(
+        (2 * I * omega_z + q) / (4 * I0 * cos(theta / 2) ** 2) + q / (4 * I0 * sin(theta / 2) ** 2)
+    )

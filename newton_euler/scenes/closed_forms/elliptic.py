@@ -39,7 +39,11 @@ def jacobi(u, m1):
     u, m1 = of_one_kind(u, m1)
     wide, bound = m1 > WIDE, m1 > 0
     k1 = sqrt(where(bound, m1, 1))
-    ending = _hyperbolic(where(bound, 0, u))
+    # hyperbolic functions where m1 is 0
+    u0 = where(bound, 0, u)
+    e = exp(-where(abs(u0) < FAR, abs(u0), FAR))
+    sech = 2 * e / (1 + e * e)
+    ending = tanh(u0), sech, sech, 0 * u0
     if is_numeric(k1):
         return tuple(where(bound, x, y) for x, y in zip(_landen(u, k1, None), ending, strict=True))
     few, many = _landen(u, k1, FEW), _landen(u, k1, MANY)
@@ -72,14 +76,6 @@ def _landen(u, k1, count):
         cot = c / a
     sn = where(s < 0, -1, 1) / sqrt(c * c + 1)
     return sn, c * sn, dn, phase
-
-
-def _hyperbolic(u):
-    """The same where m1 is 0."""
-    far = abs(u)
-    e = exp(-where(far < FAR, far, FAR))
-    sech = 2 * e / (1 + e * e)
-    return tanh(u), sech, sech, 0 * u
 
 
 def coupled(k, start, gap, t):

@@ -3,8 +3,8 @@
 The origin is the support; z points up along the plumb line, x east and y north, and x, y are the
 position of the bob in plan. ``g`` is the effective gravity where the bob hangs at rest, and the
 latitude is that of the plumb line. The cord has a constant length, so that the acceleration of the
-bob is G - r (v.v + G.r)/length^2, where G is that of a free body (6.10). The
-bob stays below the level of its support.
+bob is G - r (v.v + G.r)/length^2, where G is that of a free body (6.10). The bob stays
+below the level of its support.
 """
 
 from dataclasses import replace

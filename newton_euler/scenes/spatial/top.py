@@ -11,7 +11,7 @@ the vertical.
 from dataclasses import replace
 from operator import attrgetter
 
-from ...algebra.scalars import cos, plain, scalar, sin, sqrt, tan
+from ...algebra.scalars import cos, sin, sqrt, tan
 from ...algebra.vectors import dot3
 from ...kinematics.rotations import (
     apply,
@@ -50,21 +50,6 @@ def momentum_difference(I0, I, theta, precession, omega_z):
     0.0
     """
     return I0 * precession * sin(theta) ** 2 - 2 * I * omega_z * sin(theta / 2) ** 2
-
-
-def precession_rate(I0, I, theta, omega_z, momentum_difference):
-    """psi' at the angle theta from the constants, (p_psi - p_phi cos(theta))/(I0 sin^2(theta)), by
-    half angles.
-
-    If ``momentum_difference`` is the integer 0 it has its limit at theta = 0.
-
-    >>> precession_rate(0.02, 0.01, 0.0, 100.0, 0)
-    25.0
-    """
-    q = scalar(momentum_difference)
-    return plain(
-        (2 * I * omega_z + q) / (4 * I0 * cos(theta / 2) ** 2) + q / (4 * I0 * sin(theta / 2) ** 2)
-    )
 
 
 # -- theta alone

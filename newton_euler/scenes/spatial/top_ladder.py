@@ -160,7 +160,7 @@ def _slow(p):
 def _axis_rates(s, p, t):
     """The rates of theta, theta_rate and psi."""
     tangent, q, whole, rest = half_tangent_sides(s, p)
-    # top.precession_rate, by the tangent that is there already
+    # (p_psi - p_phi cos(theta))/(I0 sin^2(theta)), by the tangent that is there already
     precession = (whole * (1 + tangent**2) + q + rest / tangent) / (4 * p.I0)
     return *nutation_rates(s, p, t), precession
 
