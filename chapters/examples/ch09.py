@@ -4,8 +4,8 @@ disk (9.3) on a shaft, and any body on a level shaft, with its dead weight (9.5)
 The shaft of a disk lies along X of the ground, bearing A at -a and bearing B at b from the centre
 plane of the disk; psi is counted from Y to y of the shaft.
 
-The shaft of the rotor of (9.5) lies along z = Z, A at -a and B at b from O, the origin of the axes of
-the body; X of the ground points vertically down, and psi is counted from it.
+The shaft of the rotor of (9.5) lies along z = Z, A at -a and B at b from O, the origin of the axes
+of the body; X of the ground points vertically down, and psi is counted from it.
 """
 
 from dataclasses import dataclass
