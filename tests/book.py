@@ -59,12 +59,12 @@ A algebra/vectors, kinematics/curvilinear_systems, chapters/examples/appA | 1-22
 6.4 dynamics/newton | 7-9 |
 6.5 chapters/examples/ch06 | | E
 6.6 dynamics/newton | 10-10 |
-6.7 scenes/particles/space_station | | E
+6.7 scenes/particles/space_station, chapters/examples/ch06 | | E
 6.8 applications/earth | 11-14 |
 6.9 applications/earth | 15-15 |
 6.10 applications/earth, scenes/particles/projectile | 16-31 |
 6.11 applications/earth, scenes/particles/low_pressure | 32-34 |
-6.12 scenes/particles/aircraft | | S
+6.12 scenes/particles/aircraft, chapters/examples/ch06 | | S
 7.1 bodies/body | 1-8 |
 7.2 bodies/inertia | 9-14 |
 7.3 bodies/solids, chapters/examples/ch07 | | E
@@ -80,14 +80,14 @@ A algebra/vectors, kinematics/curvilinear_systems, chapters/examples/appA | 1-22
 8.3 dynamics/momentum, dynamics/euler | 15-17 |
 8.4 chapters/examples/ch08 | | E
 8.5 dynamics/euler | 18-19 |
-8.6 scenes/planar/sliding_sphere | | E
+8.6 scenes/planar/sliding_sphere, chapters/examples/ch08 | | E
 8.7 dynamics/force_systems | 20-21 |
 9.2 applications/rotors, chapters/examples/ch09 | 1-3 |
 9.3 applications/rotors, chapters/examples/ch09 | 4-6 |
-9.5 applications/rotors, scenes/planar/rotor | 7-10 |
+9.5 applications/rotors, scenes/planar/rotor, chapters/examples/ch09 | 7-10 |
 10.2 kinematics/rotations | 1-4 |
 10.3 kinematics/rotations | 5-10 |
-10.4 scenes/spatial/spherical_pendulum | 11-16 |
+10.4 scenes/spatial/spherical_pendulum, chapters/examples/ch10 | 11-16 |
 10.5 applications/gyroscopes | 17-27 |
 10.6 applications/gyroscopes, applications/nutation | 28-34 |
 10.8 applications/gyroscopes, chapters/examples/ch10 | 35-36 |
@@ -104,10 +104,10 @@ A algebra/vectors, kinematics/curvilinear_systems, chapters/examples/appA | 1-22
 11.11 dynamics/energy | 26-33 |
 11.12 dynamics/potential, chapters/examples/ch11 | 34-35 | E
 11.14 dynamics/energy | 36-49 |
-11.15 scenes/planar/rolling_sphere | | E
-11.16 dynamics/energy, scenes/spatial/top | 50-53 | E
-11.17 scenes/planar/pendulum | | E
-11.19 scenes/particles/car_on_hill | | E"""
+11.15 scenes/planar/rolling_sphere, chapters/examples/ch11 | | E
+11.16 dynamics/energy, scenes/spatial/top, chapters/examples/ch11 | 50-53 | E
+11.17 scenes/planar/pendulum, chapters/examples/ch11 | | E
+11.19 scenes/particles/car_on_hill, chapters/examples/ch11 | | E"""
 HERE = Path(__file__).parent
 
 

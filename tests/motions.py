@@ -14,6 +14,7 @@ __all__ = [
     "SCENES",
     "SPIN",
     "free_body",
+    "from_farthest",
     "kepler",
     "oscillator",
     "reference",
@@ -49,6 +50,16 @@ def kepler():
 
     energy = {"energy": lambda s, p, t: (s.dx**2 + s.dy**2) / 2 - 1 / sqrt(s.x**2 + s.y**2)}
     return second_order("planet", {}, ("x", "y"), accelerations, invariants=energy)
+
+
+def from_farthest(mu, a, e):
+    """The state (x, y, v_x, v_y) at the farthest point of the ellipse of semi-axis a and
+    eccentricity e: at x = -a(1 + e).
+
+    >>> from_farthest(1.0, 1.0, 0.0)
+    (-1.0, 0.0, 0.0, -1.0)
+    """
+    return -a * (1 + e), 0 * a, 0 * a, -sqrt(mu * (1 - e) / (a * (1 + e)))
 
 
 def oscillator(exact=True):

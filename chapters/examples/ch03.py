@@ -106,7 +106,8 @@ def cable_load(path, tension, q, ground=None):
         the same parameter; q : its value here
     Raises :class:`~newton_euler.algebra.scalars.SingularError` where the cable is straight.
 
-    >>> print(cable_load(lambda q: (2.0*cos(q), 2.0*sin(q), 0), lambda q: 100.0, 0.3))  # a smooth post pushes outwards with T/r
+    >>> # a smooth post pushes outwards with T/r
+    >>> print(cable_load(lambda q: (2.0*cos(q), 2.0*sin(q), 0), lambda q: 100.0, 0.3))
     [0, -50, 0] in e_t, e_n, e_b of the cable
     """
     cable = frenet_along(path, q, ground or Frame("ground"), name="the cable")

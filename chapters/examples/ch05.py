@@ -22,7 +22,8 @@ class BurstingProjectile:
         during the burst.
 
     >>> import math
-    >>> shell = BurstingProjectile(180.0, 240.0, 5.0, 9.0, 6.0, 179.0, math.pi/4, 4000.0, 32.2)  # ft, s
+    >>> # ft, s
+    >>> shell = BurstingProjectile(180.0, 240.0, 5.0, 9.0, 6.0, 179.0, math.pi/4, 4000.0, 32.2)
     >>> print(shell.v_C())
     [30.779, -569.221, -149.167] in ground
     """

@@ -1,7 +1,10 @@
-"""Worked examples of chapter 6, Newton's law: a mass on a guide, the forces on the ball of a
-screw-jack.
+"""Worked examples of chapter 6, Newton's law: a mass on a guide (6.2), the forces on the ball of a
+screw-jack (6.5), the rim of a space station (6.7), the forces on an aircraft (6.12).
 """
 
+from typing import NamedTuple
+
+from newton_euler import Frame, atan2, moving, sqrt
 from newton_euler.algebra.scalars import plain
 from newton_euler.chapters.examples.ch03 import screw_jack_ball
 from newton_euler.dynamics.newton import path_force, reaction, resultant_force
@@ -46,3 +49,43 @@ def screw_jack_arm_force(ground, m, a, K, lead, t, g):
     return reaction(
         m, screw_jack_ball(ground, a, K, lead, t).acceleration(ground), weight=m * g * -ground.k
     )
+
+
+def rim_speed(g, radius):
+    """The speed of the rim of a space station on which a body at the rim weighs as much as on the
+    Earth (6.7): sqrt(g radius). A person who runs as fast against the rotation is at rest in the
+    inertial frame and has no weight.
+
+    >>> round(rim_speed(9.81, 100.0), 3)
+    31.321
+    """
+    return sqrt(g * radius)
+
+
+class FlightForces(NamedTuple):
+    """The forces of a flight: ``excess``, thrust less drag; ``lift``; and the ``bank`` angle in
+    rad, positive in a turn to the right.
+    """
+
+    excess: object
+    lift: object
+    bank: object
+
+
+def flight_forces(m, g, v, gamma, chi=0):
+    """The forces of a given flight (6.12): :class:`FlightForces`, from the moving speed, path angle
+    and heading.
+
+    v, gamma, chi : numbers, or moving ones with their first rates
+
+    >>> from newton_euler import moving
+    >>> flight_forces(2.0, 9.81, moving(50.0, rate=10.0), 0.0)  # straight and level, gaining speed
+    FlightForces(excess=20.0, lift=19.62, bank=0.0)
+    """
+    north = Frame("ground")  # i along the heading 0, k up
+    path = north.rotate("heading", "-z", chi).rotate("path", "-y", gamma)
+    force = reaction(
+        m, path.vector(moving(v), 0, 0).rate(north), weight=m * g * -north.k
+    ).expressed_in(path)
+    excess, left, up = force.c
+    return FlightForces(plain(excess), plain(sqrt(left * left + up * up)), atan2(-left, up))

@@ -1,12 +1,16 @@
 """Worked examples of chapter 8, Euler's equations: the three rods of ch07 turning about three axes,
-one after the other (8.4).
+one after the other (8.4); a round body on a surface, rolling
+or slipping (6.4, 8.5, 8.6); a sphere that slides, then rolls (8.6).
 """
 
 from dataclasses import dataclass
 
-from newton_euler import Frame, Vector
+from newton_euler import Frame, NewtonEulerError, Vector, solve_linear, where
+from newton_euler.algebra.scalars import is_numeric, plain, scalar, size
 from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.dynamics.momentum import angular_momentum, resultant_moment
+from newton_euler.scenes.planar import sliding_sphere
+from newton_euler.scenes.planar.rolling_sphere import inertia_ratio
 
 
 @dataclass(frozen=True)
@@ -79,4 +83,161 @@ def _turning(body, ground, about):
         about,
         angular_momentum(body, ground, about),
         resultant_moment(body, ground, about),
+    )
+
+
+@dataclass(frozen=True)
+class RollingBegins:
+    """The instant at which sliding turns into rolling: time ``t`` from the start, place ``x``,
+    speed ``v``, angular velocity ``omega``.
+    """
+
+    t: object
+    x: object
+    v: object
+    omega: object
+
+
+def rolling_begins(v0, mu, g, radius, omega0=0, k=None, sense=1):
+    """When and how a sliding sphere begins to roll (8.6): :class:`RollingBegins`.
+
+    Without spin t = 2 v0/(7 mu g), v = 5 v0/7, omega = -5 v0/(7 r).
+
+    sense : the sign of v0 + omega0 r, as in
+        :func:`newton_euler.scenes.planar.sliding_sphere.sliding`; with the wrong sign the time is
+        negative
+
+    >>> b = rolling_begins(7.0, 0.2, 10.0, 0.5)
+    >>> round(b.t, 12), b.v, b.omega
+    (1.0, 5.0, -10.0)
+    """
+    k = inertia_ratio(mu, k)
+    slip = v0 + scalar(omega0) * radius
+    t = sense * slip * k / ((1 + k) * (mu * g))
+    v = (v0 - k * (scalar(omega0) * radius)) / (1 + k)
+    return RollingBegins(t, plain(t * (v0 + v) / 2), v, -v / radius)
+
+
+def sphere_at(t, v0, mu, g, radius, omega0=0, k=None, sense=1):
+    """(x, v, omega) at the time ``t``, through both regimes (8.6); for numbers and arrays of times.
+
+    >>> [round(x, 9) for x in sphere_at(2.0, 7.0, 0.2, 10.0, 0.5)]
+    [11.0, 5.0, -10.0]
+    """
+    b = rolling_begins(v0, mu, g, radius, omega0, k, sense)
+    slid = sliding_sphere.sliding(mu, g, radius, k, sense).solution(t, (0 * v0, v0, omega0))
+    rolled = sliding_sphere.rolling(radius, k).solution(t - b.t, (b.x, b.v, b.omega))
+    return tuple(where(t < b.t, early, late) for early, late in zip(slid, rolled, strict=True))
+
+
+# -- 6.4, 8.5, 8.6: a round body on a surface, rolling or slipping
+#
+# Axes: x along the surface, y out of it, z = x cross y. The contact is at -r y from the centre.
+# ``a`` is the acceleration of the centre along x, ``alpha`` the angular acceleration about z,
+# ``friction`` the force of the surface on the body along x. ``force`` is the sum of all other
+# forces along x (all that turn the body come in ``moment``, about the centre), ``surface`` the
+# acceleration of the surface along x.
+
+
+class ContactError(NewtonEulerError, ValueError):
+    """A body that leaves the surface, or a question that only numbers can decide."""
+
+
+@dataclass(frozen=True)
+class Contact:
+    """How a round body moves on a surface; ``print`` it for words.
+
+    rolls : True if it rolls without slip (an array of instants or bodies: of bools)
+    a, alpha, friction : what then holds
+    needed : the friction that rolling needs; limit : what the surface can give to a body that does
+        not slip, mu N
+    """
+
+    rolls: object
+    a: object
+    alpha: object
+    friction: object
+    needed: object
+    limit: object
+
+    def __str__(self):
+        if getattr(self.rolls, "shape", ()):
+            return f"rolls: {self.rolls}"
+        compared = (
+            f"the friction needed is {float(abs(self.needed)):.6g}, the limit "
+            f"{float(self.limit):.6g}"
+        )
+        return f"{'rolls without slip' if self.rolls else 'slips'}: {compared}"
+
+
+def rolling(mass, radius, inertia, force=0, moment=0, surface=0):
+    """Rolling without slip: a, alpha and the friction it needs, a
+    :class:`newton_euler.algebra.linear.Solution`. Over scalars of every kind.
+
+    inertia : about the centre, which is the mass centre
+
+    >>> # I = m r^2/2: two thirds of the force move the centre
+    >>> disk = rolling(2.0, 0.5, 0.25, force=6.0)
+    >>> round(disk.a, 12), round(disk.friction, 12)
+    (2.0, -2.0)
+    """
+
+    def laws(a, alpha, friction):
+        return {
+            "along the surface (8.15)": mass * a - force - friction,
+            "about the centre (8.19)": inertia * alpha - moment - radius * friction,
+            "no slip": a + radius * alpha - surface,
+        }
+
+    return solve_linear(laws)
+
+
+def slipping(mass, radius, inertia, friction, force=0, moment=0):
+    """The accelerations (a, alpha) of a body that slips, with the friction known, as -mu N against
+    the slip.
+    """
+    return plain((force + friction) / scalar(mass)), plain(
+        (moment + radius * friction) / scalar(inertia)
+    )
+
+
+def contact(
+    mass, radius, inertia, normal, mu, mu_kinetic=None, force=0, moment=0, surface=0, slip=0
+):
+    """Which regime holds, and what follows: a :class:`Contact`. For numbers and arrays; expressions
+    go to :func:`rolling` and :func:`slipping`.
+
+    normal : N, the force of the surface along y; mu : coefficient of static friction, mu_kinetic :
+        of sliding friction (default: the same)
+    slip : velocity of the body's lowest point relative to the surface, v + r omega - v_surface. A
+        body that slips goes on slipping; one that does not rolls if it can: if the friction needed
+        is at most mu N. If not, it slips to the side to which it would go without friction
+    Raises :class:`ContactError` where N is negative.
+
+    >>> print(contact(2.0, 0.5, 0.25, normal=19.62, mu=0.05, force=6.0))
+    slips: the friction needed is 2, the limit 0.981
+    """
+    given = [scalar(x) for x in (normal, mu, force, moment, surface, slip, mass, radius, inertia)]
+    if not all(map(is_numeric, given)):
+        raise ContactError(
+            "which regime holds depends on values: ask rolling(...) and slipping(...), and "
+            "compare the friction with mu N"
+        )
+    if size(given[0] - abs(given[0])) > 0:
+        raise ContactError(
+            f"the normal force is {normal!r}: the surface would have to pull, so the body has "
+            "left it; it is in free flight"
+        )
+    roll, kinetic = (
+        rolling(mass, radius, inertia, force, moment, surface),
+        mu if mu_kinetic is None else mu_kinetic,
+    )
+    limit, needed = mu * normal, roll.friction
+    slip = plain(given[5])
+    sense = where(slip == 0, where(needed >= 0, 1, -1), where(slip > 0, -1, 1))
+    rolls = (slip == 0) & (abs(needed) <= limit)
+    friction = where(rolls, needed, sense * kinetic * normal)
+    a, alpha = slipping(mass, radius, inertia, friction, force, moment)
+    return Contact(
+        rolls, where(rolls, roll.a, a), where(rolls, roll.alpha, alpha), friction, needed, limit
     )

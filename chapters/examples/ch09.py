@@ -1,17 +1,24 @@
-"""Worked examples of chapter 9, rotation about a fixed axis: an off-centre disk and a bent disk on
-a shaft.
+"""Worked examples of chapter 9, rotation about a fixed axis: an off-centre disk (9.2) and a bent
+disk (9.3) on a shaft, and any body on a level shaft, with its dead weight (9.5).
 
-The shaft lies along X of the ground, bearing A at -a and bearing B at b from the centre plane of
-the disk; psi is counted from Y to y of the shaft.
+The shaft of a disk lies along X of the ground, bearing A at -a and bearing B at b from the centre
+plane of the disk; psi is counted from Y to y of the shaft.
+
+The shaft of the rotor of (9.5) lies along z = Z, A at -a and B at b from O, the origin of the axes
+of the body; X of the ground points vertically down, and psi is counted from it.
 """
 
+from dataclasses import dataclass
+
+from newton_euler import Body, Frame, Point
+from newton_euler.applications.rotors import reactions
+from newton_euler.bodies import Inertia
 from newton_euler.bodies.solids import disk
-from newton_euler.scenes.planar.rotor import on_shaft
 
 
 def off_centre_disk(mass, radius, d, a, b, psi, omega):
     """A thin disk at right angles to its shaft, with its centre off the axis (9.2): a
-    :class:`~newton_euler.scenes.planar.rotor.RotorScene`.
+    :class:`RotorScene`.
 
     d : distance of the centre from the axis, along y of the shaft; psi in rad, omega in rad/s. Any
         consistent units of mass and length.
@@ -35,9 +42,72 @@ def bent_disk(mass, radius, beta, a, b, psi, omega):
 
     >>> import math
     >>> rotor = bent_disk(mass=4.0, radius=0.5, beta=math.pi/4, a=0.2, b=0.3, psi=0.0, omega=10.0)
-    >>> round(rotor.reactions().A.expressed_in(rotor.shaft).y, 9)  # -m r^2 omega^2 sin(2 beta)/(8 (a + b))
+    >>> # -m r^2 omega^2 sin(2 beta)/(8 (a + b))
+    >>> round(rotor.reactions().A.expressed_in(rotor.shaft).y, 9)
     -25.0
     """
     shaft, scene = on_shaft("x", a, b, psi, omega)
     tilted = shaft.rotate("disk", "z", beta)
     return scene(disk(radius, tilted.point("G", 0, 0, 0), "x", mass=mass))
+
+
+@dataclass(frozen=True)
+class RotorScene:
+    """A body on a shaft: the frames ``ground`` and ``shaft``, the ``body``, its bearings A and B,
+    and O between them.
+    """
+
+    ground: Frame
+    shaft: Frame
+    body: Body
+    A: Point
+    B: Point
+    O: Point
+
+    def reactions(self, gravity=None):
+        """The :class:`newton_euler.applications.rotors.Reactions`; ``gravity`` a Vector, or None to
+        leave the weight out.
+        """
+        return reactions(self.body, self.A, self.B, self.ground, gravity, self.O)
+
+
+def on_shaft(axis, a, b, psi, omega, alpha=0):
+    """A shaft turned by psi about ``axis`` ("x" or "z") of the ground, its bearings at -a and b
+    from O.
+
+    Returns the frame of the shaft, and a function that makes the :class:`RotorScene` of a body in
+    it.
+
+    >>> from newton_euler.bodies.solids import disk
+    >>> shaft, scene = on_shaft("x", 0.2, 0.3, 0.0, 10.0)
+    >>> scene(disk(0.1, shaft, "x", mass=1.0)).reactions().A.norm()
+    0
+    """
+    ground = Frame("ground")
+    shaft = ground.rotate("shaft", axis, psi, omega, alpha)
+    A, B = (
+        shaft.point(name, *((s, 0, 0) if axis == "x" else (0, 0, s)))
+        for name, s in (("A", -a), ("B", b))
+    )
+    return shaft, lambda body: RotorScene(ground, shaft, body, A, B, shaft.point("O", 0, 0, 0))
+
+
+def unbalanced_rotor(mass, centre, moments, products, a, b, psi, omega, alpha=0):
+    """The body of (9.7)-(9.10) in its bearings: a :class:`RotorScene`.
+
+    centre : coordinates of G in the body's axes from O; moments, products : (I_xx, I_yy, I_zz) and
+        the integrals (I_xy, I_yz, I_zx) about O
+    The downward vertical is ``scene.ground.i``: ``scene.reactions(gravity=9.81*scene.ground.i)``.
+
+    >>> scene = unbalanced_rotor(2.0, (0.1, 0, 0), (1.0, 1.0, 1.0), (0, 0, 0), 0.5, 0.5, 0.0, 3.0)
+    >>> # -10 of the weight, -0.9 of m omega^2 x
+    >>> round(scene.reactions(gravity=10.0*scene.ground.i).A.x, 6)
+    -10.9
+    """
+    shaft, scene = on_shaft("z", a, b, psi, omega, alpha)
+    G = shaft.point("G", *centre)
+    return scene(
+        Body(
+            "rotor", mass, G, Inertia(shaft.point("O", 0, 0, 0), moments, products, mass, G), shaft
+        )
+    )

@@ -1,9 +1,13 @@
-"""Worked examples of chapter 10, gyroscopic motion: bodies free of moments (10.8), a rotor in a car
-(10.10), gyroscopic instruments (10.11).
+"""Worked examples of chapter 10, gyroscopic motion: a spherical pendulum (10.4), bodies free of
+moments (10.8), a rotor in a car (10.10), gyroscopic instruments (10.11).
 """
 
-from newton_euler.applications.gyroscopes import free_precession
+from newton_euler import Frame, cos, pi, sin, sqrt, where
+from newton_euler.algebra.scalars import plain, scalar
+from newton_euler.applications.gyroscopes import GyroError, free_precession
+from newton_euler.bodies import Inertia
 from newton_euler.bodies.solids import cylinder
+from newton_euler.kinematics.rotations import euler_frame, quaternion_product
 
 # -- 10.8: symmetric bodies on which no moment acts. The precession of the Earth's axis in about 26
 # 000 years is not among them: the Sun and the Moon
@@ -45,7 +49,8 @@ def wobble_period(ellipticity, day):
     ellipticity : (I - I0)/I0, 0.003285 for the Earth. The rate is (I - I0) omega_z/I0, and with
         theta small phi' = -(I - I0) omega_z/I0.
 
-    >>> round(wobble_period(0.003285, 1.0))  # days; 14 months are observed, since the Earth is elastic
+    >>> # days; 14 months are observed, since the Earth is elastic
+    >>> round(wobble_period(0.003285, 1.0))
     304
     """
     return day / ellipticity
@@ -134,3 +139,80 @@ def platform_drift(moment, I, spin):
     1e-06
     """
     return moment / (I * spin)
+
+
+def spherical_pendulum_momentum(mass, length, psi, theta, phi):
+    """The angular momentum H of a uniform bar about its ball joint, in the frame {i, j, k} that
+    does not spin, (10.16): a Vector whose frame is the parent of that of the bar.
+
+    psi, theta, phi : Euler angles 3-1-3, :func:`newton_euler.moving`; the spin phi has no influence
+    Returns H and the frame of the bar; ``H.expressed_in(bar)`` is (10.14).
+
+    >>> from newton_euler import moving
+    >>> psi, theta = moving(0.0, rate=1.0), moving(0.5, rate=2.0)
+    >>> H, bar = spherical_pendulum_momentum(3.0, 2.0, psi, theta, 0.3)
+    >>> [round(x, 6) for x in H]
+    [8.0, 1.917702, 0]
+    """
+    ground = Frame("ground")
+    bar = euler_frame(ground, "bar", psi, theta, phi)
+    I0 = mass * (length * length) / 3
+    turning = bar.angular_velocity(ground).expressed_in(bar.parent)
+    return Inertia(bar.origin, (I0, I0, 0), frame=bar.parent, tolerance=None).times(turning), bar
+
+
+def tilt_growth(I_x, I_y, I_z, axis, rate):
+    """The rate (1/s) at which a small tilt grows while a body spins at ``rate`` about its principal
+    ``axis`` "x", "y" or "z": 0 where it does not.
+
+    For the axis n with the others u, v it is |rate| sqrt((I_n - I_u)(I_v - I_n)/(I_u I_v)), real
+    about the intermediate one alone. In the time T a tilt grows by exp(growth T). An integration in
+    floats that starts exactly on the axis stays there, and does not show the instability.
+
+    >>> tilt_growth(1.0, 2.0, 3.0, "z", 10.0), round(tilt_growth(1.0, 2.0, 3.0, "y", 3.0), 6)
+    (0.0, 1.732051)
+    """
+    if axis not in ("x", "y", "z"):
+        raise GyroError(f"the axis is 'x', 'y' or 'z', got {axis!r}")
+    n = "xyz".index(axis)
+    I = [plain(x) for x in (I_x, I_y, I_z)]
+    own, u, v = I[n], I[(n + 1) % 3], I[(n + 2) % 3]
+    square = (own - u) * (v - own) / (u * v)
+    return abs(rate) * sqrt(where(square > 0, square, abs(0.0 * square)))
+
+
+def body_quaternion(state, spun):
+    """The quaternion of the body, from a state of ``nonspinning_frame`` or ``free``
+    (:mod:`newton_euler.scenes.spatial.top`) and the angle omega_z t (rad) that it has spun.
+
+    >>> body_quaternion((1.0, 0, 0, 0, 0, 0), 0.0)
+    (1.0, 0.0, 0.0, 0.0)
+    """
+    return quaternion_product(tuple(state)[:4], (cos(spun / 2), 0 * spun, 0 * spun, sin(spun / 2)))
+
+
+def compass_period(I0, I, omega_z, earth_rate, latitude):
+    """The period (s) of small swings of a gyrocompass about north (10.11).
+
+    It is 2 pi sqrt(I0/(c (I omega_z - I0 c))) with c = Omega cos(latitude).
+
+    >>> round(compass_period(0.002, 0.003, 1000.0, 7.292e-5, 0.8), 3)
+    22.761
+    """
+    level = earth_rate * cos(latitude)
+    return 2 * pi(level) * sqrt(I0 / (level * (I * omega_z - I0 * level)))
+
+
+def precession_rate(I0, I, theta, omega_z, momentum_difference):
+    """psi' of a top at the angle theta (10.24) from its constants: (p_psi - p_phi cos(theta))/(I0
+    sin^2(theta)), by half angles.
+
+    If ``momentum_difference`` is the integer 0 it has its limit at theta = 0.
+
+    >>> precession_rate(0.02, 0.01, 0.0, 100.0, 0)
+    25.0
+    """
+    q = scalar(momentum_difference)
+    return plain(
+        (2 * I * omega_z + q) / (4 * I0 * cos(theta / 2) ** 2) + q / (4 * I0 * sin(theta / 2) ** 2)
+    )

@@ -1,15 +1,20 @@
 """Worked examples of chapter 11, work and energy: a pendulum that meets a pin (11.8, 11.12),
-gravitational attraction (11.10).
+gravitational attraction (11.10), a rolling sphere (11.15), a top (11.16), a physical pendulum
+(11.17), a car on a hill (11.19).
+
+``k`` of a round body is its moment of inertia about the centre over m R^2: 2/5 for a solid sphere
+(the default), 2/3 for a shell, 1/2 for a cylinder.
 """
 
 from dataclasses import dataclass
 
-from newton_euler import cos, pi, sin, sqrt
+from newton_euler import Model, cos, pi, sin, sqrt, tan
 from newton_euler.algebra.ledger import summed
 from newton_euler.algebra.scalars import plain, scalar
-from newton_euler.dynamics.energy import speed_after
+from newton_euler.dynamics.energy import gyroscope_energy, plane_kinetic_energy, speed_after
 from newton_euler.dynamics.potential import weight_potential
 from newton_euler.dynamics.work import work_integral
+from newton_euler.scenes.planar.rolling_sphere import inertia_ratio
 
 
 @dataclass(frozen=True)
@@ -125,3 +130,160 @@ def escape_speed(r, K, M):
     11183
     """
     return plain(sqrt(2 * scalar(K) * M / r))
+
+
+def rolling_energy(m, R, speed, pivoting=0, k=None):
+    """T of the rolling body with terms ``translation``, ``rolling`` and ``pivoting`` (11.45): 7/10
+    m v^2 for a sphere that does not pivot.
+
+    pivoting : the component of omega along the normal of the plane, rad/s, which the book takes to
+        be zero. Rolling does not change it: for a sphere it only adds a constant.
+
+    >>> round(rolling_energy(2.0, 0.5, 3.0).value, 9)
+    12.6
+    """
+    k, translation = inertia_ratio(m, k), scalar(m) * speed * speed / 2
+    spun = k * (scalar(m) * R * R) * (scalar(pivoting) * pivoting) / 2
+    return summed(
+        {"translation": translation, "rolling": k * translation, "pivoting": spun},
+        "kinetic energy",
+        "11.45",
+    )
+
+
+def rolling_speed(drop, g, v0=0, k=None):
+    """The speed of the centre after a descent by ``drop``: sqrt(v0^2 + 2 g h/(1 + k)), from rest
+    sqrt(10 g h/7) for a sphere (11.49).
+
+    The contact is at rest, so its force does no work; without rolling it would be sqrt(2 g h), on
+    any incline.
+
+    >>> round(rolling_speed(0.7, 10.0), 9)
+    3.16227766
+    """
+    return speed_after(v0, scalar(g) * drop, 1 + inertia_ratio(g, k))
+
+
+def friction_needed(slope, k=None):
+    """Friction over normal force of the rolling body: k tan(slope)/(1 + k); with less, it slips.
+
+    >>> round(friction_needed(0.7853981633974483), 6)
+    0.285714
+    """
+    k = inertia_ratio(slope, k)
+    return plain(k * tan(slope) / (1 + k))
+
+
+def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
+    """T + V of a top about its fixed point, an Amount with the terms ``transverse``, ``axial`` and
+    ``weight``; constant during the motion.
+
+    I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`. V = + mgr
+    cos(theta), since theta is counted from the *upward* vertical and the moment of the weight, +
+    mgr sin(theta) (10.30), makes it grow. The book prints a minus sign here, with which the sum is
+    not constant.
+
+    >>> top_energy(1.5, 1.0, 10.0, 0.0, 0.0, 2.0, 3.0).terms
+    {'transverse': 0.0, 'axial': 12.5, 'weight': 10.0}
+    """
+    T = gyroscope_energy(I0, I, theta, theta_rate, precession, spin)
+    return summed({**T.terms, "weight": scalar(mgr) * cos(theta)}, "energy", "11.32")
+
+
+def pendulum_energy(m, I, l, g, theta, omega):
+    """T + V = (I + m l^2) omega^2/2 - m g l cos(theta), with the terms ``translation``,
+    ``rotation`` (11.51) and ``weight``, zero at the axis.
+
+    >>> pendulum_energy(2.0, 0.5, 0.5, 10.0, 0.0, 3.0).terms
+    {'translation': 2.25, 'rotation': 2.25, 'weight': -10.0}
+    """
+    T = plane_kinetic_energy(m, scalar(l) * omega, I, omega)
+    return summed(
+        {**T.terms, "weight": weight_potential(m, -(scalar(l) * cos(theta)), g)}, "energy", "11.32"
+    )
+
+
+def swing_rate(m, I, l, g, theta, theta0, omega0=0):
+    """The absolute value of omega at the angle theta, from that at theta0, without cancellation as
+    theta -> theta0.
+
+    Raises :class:`~newton_euler.dynamics.energy.EnergyError` if the pendulum does not reach theta.
+
+    >>> round(swing_rate(2.0, 0.5, 0.5, 10.0, 0.0, 1.5707963267948966), 6)
+    4.472136
+    """
+    # cos(theta) - cos(theta0)
+    drop = 2 * sin((scalar(theta0) + theta) / 2) * sin((scalar(theta0) - theta) / 2)
+    return speed_after(omega0, scalar(m) * g * l * drop, I + scalar(m) * l * l)
+
+
+@dataclass(frozen=True)
+class Car:
+    """A car on wheels that roll without slipping.
+
+    m : mass of the whole car, wheels included; wheel_mass, gyration, radius : of each wheel, its
+        radius of gyration about the axle and its radius
+    drag : the resistance on the level, of the air and the wheels, as a function of the speed; g :
+        gravity
+
+    >>> drag = lambda v: 0.5*v*v
+    >>> car = Car(m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, drag=drag, g=9.81)
+    >>> round(car.power(20.0, 1.0, 0.0), 1)
+    29111.1
+    """
+
+    m: object
+    wheel_mass: object
+    gyration: object
+    radius: object
+    drag: object
+    g: object
+    wheels: int = 4
+
+    def kinetic_energy(self, v):
+        """T at the speed v, an Amount with the terms ``translation`` and ``wheels`` (11.45),
+        (11.48).
+        """
+        terms = {"translation": scalar(self.m) * v * v / 2, "wheels": self._wheels() * v * v / 2}
+        return summed(terms, "kinetic energy", "11.45")
+
+    def powers(self, v, a, slope):
+        """The power at the wheels, an Amount in W with the terms ``accelerate``, ``wheels``,
+        ``climb`` and ``air``.
+
+        v, a : speed and acceleration; slope : inclination of the road, rad, positive uphill. It is
+            the rate of (11.48).
+        """
+        terms = {"accelerate": scalar(self.m) * v * a, "wheels": self._wheels() * v * a}
+        terms |= {
+            "climb": scalar(self.m) * self.g * v * sin(slope),
+            "air": scalar(self.drag(v)) * v,
+        }
+        return summed(terms, "power", "rate of 11.48")
+
+    def power(self, v, a, slope):
+        """The power at the wheels, W: the sum of :meth:`powers`."""
+        return self.powers(v, a, slope).value
+
+    def acceleration(self, power, v, slope):
+        """The acceleration at the speed v (not zero) that this power gives: :meth:`powers` solved
+        for a.
+        """
+        left = scalar(power) - scalar(self.m) * self.g * v * sin(slope) - scalar(self.drag(v)) * v
+        return plain(left / ((self.m + self._wheels()) * v))
+
+    def model(self, power, slope):
+        """The motion up a hill as a Model with the states s, the distance, and v; ``power`` and
+        ``slope`` numbers or laws (s, p, t).
+        """
+        return Model(
+            "car on a hill",
+            {"power": power, "slope": slope},
+            ("s", "v"),
+            lambda s, p, t: (s.v, self.acceleration(p.power, s.v, p.slope)),
+        )
+
+    def _wheels(self):
+        """The moments of inertia of the wheels over radius^2, which act as an added mass."""
+        ratio = scalar(self.gyration) / self.radius
+        return self.wheels * self.wheel_mass * (ratio * ratio)

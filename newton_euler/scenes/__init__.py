@@ -1,4 +1,4 @@
-"""Motions of the book, each a module whose functions return a Model, and ladders of models;
+"""Models of the scenes of the book, and ladders of models, from the coarsest to the fullest;
 :data:`SCENES` and :data:`LADDERS` have them by name.
 
 >>> model, t, start = scene("pendulum").motion
@@ -19,9 +19,7 @@ from .ladders import Ladder, Rung, smallest
 
 @cache
 def _table(name):
-    """One of the tables, in the order of the book. It needs all modules of scenes; to import them
-    takes about 30 ms.
-    """
+    """One of the tables, in the order of the book; importing all modules of scenes takes 30 ms."""
     for module in walk_packages(__path__, f"{__name__}."):
         import_module(module.name)
     entries = getattr(catalogue, name).values()
@@ -37,16 +35,16 @@ def __getattr__(name):
     return _table(name)
 
 
-def scene(name):
-    """The scene of this name; :class:`~newton_euler.motion.model.ModelError` lists those that there
-    are.
+def scene(name: str) -> catalogue.Scene:
+    """The scene of this name; :class:`~newton_euler.motion.model.ModelError` lists all names if
+    there is none.
     """
     return _found("SCENES", name)
 
 
-def ladder(name, **given):
-    """The :class:`~newton_euler.scenes.ladders.Ladder` of this name, for its own values, or those
-    ``given``: parameters, start and t by name.
+def ladder(name: str, **given: object) -> Ladder:
+    """The :class:`~newton_euler.scenes.ladders.Ladder` of this name, for its default values, or
+    those ``given``: parameters, start and t by name.
     """
     return _found("LADDERS", name).make(**given)
 

@@ -1,5 +1,5 @@
-"""Where the scenes that move, and the ladders of their models, are registered: by the decorator
-:func:`scene`, beside each model.
+"""The tables of scenes and of ladders of models. The decorator :func:`scene` registers a function
+that makes a model or a ladder.
 """
 
 from collections.abc import Callable
@@ -8,15 +8,17 @@ from functools import cached_property
 
 from ..motion.model import ModelError
 
-SCENES, LADDERS = {}, {}  # of the modules imported so far; all are in newton_euler.scenes
+# of the modules imported so far; all are in newton_euler.scenes
+SCENES: "dict[str, Scene]" = {}
+LADDERS: "dict[str, Scene]" = {}
 
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene: ``name``, ``section`` of the book, ``description``; ``make()`` returns the Model,
-    the time at which to end, and the start.
+    """A scene: its ``name``, ``section`` of the book and ``description``; ``make()`` returns the
+    Model, the time at which to end, and the start.
 
-    For a ladder of models ``make(**given)`` returns the Ladder.
+    For a ladder of models, ``make(**given)`` returns the Ladder.
     """
 
     name: str
@@ -25,19 +27,17 @@ class Scene:
     make: Callable
 
     @cached_property
-    def motion(self):
-        """(model, t, start), made when first asked for and then kept, since what is traced and
-        compiled belongs to the model.
-        """
+    def motion(self) -> tuple:
+        """(model, t, start), made once, since what is traced and compiled belongs to the model."""
         return self.make()
 
 
 def scene(section, name, description, t=None, start=None, ladder=False, **values):
-    """A decorator that registers the model which a function makes of these ``values``, with the
+    """A decorator that registers the model which a function returns for these ``values``, with the
     time ``t`` at which to end, and the ``start``.
 
-    With ``ladder=True`` the function makes a :class:`~newton_euler.scenes.ladders.Ladder`, and all
-    of its parameters have values.
+    With ``ladder=True`` the function returns a :class:`~newton_euler.scenes.ladders.Ladder`, and
+    all of its parameters have default values.
     """
     table = LADDERS if ladder else SCENES
     if name in table:

@@ -1,5 +1,5 @@
-"""Ladders: the models of one scene from the coarsest to the fullest, and the smallest one that a
-question needs.
+"""Ladders of models: the models of one scene from the coarsest to the fullest, and the choice of
+the cheapest one that is accurate enough.
 
 The rungs of a ladder may have different states, but from the states of each the same quantity is
 *observed*, as the position of a shot or the angle of a top. The error of a rung is the largest
@@ -14,16 +14,20 @@ bound, or whose bound is too large, is measured.
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from ..algebra.scalars import is_numeric, size
 from ..motion.model import Model, ModelError
 
-INSTANTS = 257  # at which rungs are compared
-FINER = 1e-3  # of the tolerance may be due to integration
+if TYPE_CHECKING:
+    from numpy import ndarray
+
+INSTANTS = 257  # at which rungs are compared: steps of t/256, exact in binary
+FINER = 1e-3  # of the tolerance is what integration may contribute to a measured error
 # relative errors of the states: the second is tried where the first is not enough
 ROUGH, FINEST = 1e-9, 1e-12
 
@@ -44,27 +48,26 @@ class Rung:
     observed: Callable
 
     @property
-    def name(self):
+    def name(self) -> str:
         """The name of the model."""
         return self.model.name
 
-    def bound(self, t):
+    def bound(self, t: float) -> float:
         """The bound of the error until ``t``, by what the model neglects: inf if it names nothing,
         or something without a bound.
         """
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
             raise ModelError(
-                f"the bounds of {self.name!r} have no values: give numbers for the parameters, "
-                "the start and t"
+                f"the bounds of {self.name!r} have no values: give numbers for parameters, start, t"
             )
         return float(sum(map(size, bounds))) if bounds else math.inf
 
 
 @cache
 def observed_states(*names):
-    """The function for :class:`Rung` that returns the states of these names; made once, since
-    compiled code is kept by function.
+    """The function for :class:`Rung` that returns the states of these names; made once, since the
+    cache of compiled code is by function.
     """
     return lambda s, p, t: tuple(getattr(s, n) for n in names)
 
@@ -100,29 +103,30 @@ class Ladder:
             )
 
     @classmethod
-    def of_models(cls, name, of, t, start, names, *models):
+    def of_models(
+        cls, name: str, of: str, t: float, start: tuple, names: Sequence, *models: Model
+    ) -> "Ladder":
         """The ladder of models that have the same states, and so the same start; what is observed
         are the states of these ``names``.
         """
-        return cls(
-            name, of, t, tuple(Rung(model, start, observed_states(*names)) for model in models)
-        )
+        observed = observed_states(*names)
+        return cls(name, of, t, tuple(Rung(model, start, observed) for model in models))
 
     @property
-    def fullest(self):
+    def fullest(self) -> Rung:
         """The last rung."""
         return self.rungs[-1]
 
-    def rung(self, name):
+    def rung(self, name: str) -> Rung:
         """The rung of this name."""
         found = {rung.name: rung for rung in self.rungs}
         if name not in found:
             raise ModelError(f"{self.name} has no rung {name!r}; it has {', '.join(found)}")
         return found[name]
 
-    def observe(self, rung, rtol):
-        """What is observed of a rung, an array (components, instants) over the time of the ladder;
-        its states are within ``rtol``.
+    def observe(self, rung: Rung, rtol: float) -> "ndarray":
+        """What is observed of a rung, an array (components, instants) over the time of the ladder,
+        from states with the relative error ``rtol``.
         """
         import numpy as np
 
@@ -134,12 +138,12 @@ class Ladder:
         values = prepared(rung.model).function(rung.observed)(times, *motion.states.values())
         return np.array([np.broadcast_to(v, times.shape) for v in values], dtype=float)
 
-    def observed(self, rung, accuracy):
+    def observed(self, rung: Rung, accuracy: float) -> "ndarray":
         """The same within about ``accuracy``, in the ladder's unit, if this can be reached."""
         values = self.observe(rung, ROUGH)
         return values if ROUGH * abs(values).max() <= accuracy else self.observe(rung, FINEST)
 
-    def error(self, rung, accuracy=0.0):
+    def error(self, rung: Rung, accuracy: float = 0.0) -> float:
         """The error of a rung against the fullest one: the largest distance of what is observed,
         over the whole time, in the ladder's unit.
 
@@ -158,13 +162,13 @@ class Ladder:
         except ModelError:
             return math.inf
         far = float((apart**2).sum(axis=0).max() ** 0.5)
-        return far if far == far else math.inf
+        return far if far == far else math.inf  # nan where an exact solution ends
 
-    def _kept(self, key, accuracy, found):
-        """What was found before with at least this accuracy; otherwise it is found now."""
+    def _kept(self, key, accuracy, compute):
+        """The value found before with at least this accuracy; otherwise it is computed now."""
         known = self._found.get(key)
         if known is None or known[1] > accuracy:
-            known = self._found[key] = found(), accuracy
+            known = self._found[key] = compute(), accuracy
         return known[0]
 
     @cached_property
@@ -194,31 +198,23 @@ class Choice:
     of: str
 
     @property
-    def model(self):
+    def model(self) -> Model:
         """The model of the rung."""
         return self.rung.model
 
-    def explain(self):
+    def explain(self) -> str:
         """The evidence rung by rung, and what the chosen one leaves out, as text."""
-        lines = [
-            f"for {self.of}, within {self.tolerance:.3g}:",
-            *(self._line(name, e) for name, e in self.evidence.items()),
-        ]
+        lines = [f"for {self.of}, within {self.tolerance:.3g}:"]
+        for name, e in self.evidence.items():
+            bound = f"off by at most {e.bound:.3g}" if e.bound < math.inf else "no bound is known"
+            error = "" if e.error is None else f", by {e.error:.3g} from the fullest"
+            lines.append(f"{'takes' if name == self.rung.name else 'not'} {name}: {bound}{error}")
         return "\n".join([*lines, *(f"it leaves out {n.what}" for n in self.model.neglects)])
-
-    def _line(self, name, evidence):
-        bound = (
-            f"off by at most {evidence.bound:.3g}"
-            if evidence.bound < math.inf
-            else "no bound is known"
-        )
-        measured = "" if evidence.error is None else f", by {evidence.error:.3g} from the fullest"
-        return f"{'takes' if name == self.rung.name else 'not'} {name}: {bound}{measured}"
 
     __str__ = explain
 
 
-def smallest(ladder, tolerance):
+def smallest(ladder: Ladder, tolerance: float) -> Choice:
     """The cheapest rung of a ladder whose error stays within ``tolerance`` (in the ladder's unit),
     with the evidence: a :class:`Choice`.
 

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from newton_euler.scenes.spatial.free_body import free_body, tilt_growth
+from newton_euler.chapters.examples.ch10 import tilt_growth
+from newton_euler.scenes.spatial.free_body import free_body
 from tests.kinds import close
 
 BODY = free_body(1.0, 2.0, 3.0)

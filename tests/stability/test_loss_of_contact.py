@@ -9,9 +9,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler import Model, cos, sin
+from newton_euler.chapters.examples.ch08 import ContactError, contact
 from newton_euler.motion.events import Event
 from newton_euler.motion.integration import integrate
-from newton_euler.scenes.planar.rolling_contact import ContactError, contact
 
 R, G = 2.0, 10.0
 FASTEST = math.sqrt(G * R)  # at the top; from this speed on it never touches the sphere

@@ -1,10 +1,10 @@
-"""Jacobi's elliptic functions from the *complementary* parameter m1 = 1 - k^2, and three quantities
+"""Jacobi's elliptic functions of the complementary parameter m1 = 1 - k^2, and three quantities
 whose rates are products of the two others.
 
 Next to a separatrix k^2 is so near 1 that a float does not hold it (SciPy's functions take k^2, and
 there give nonsense); m1 it holds to the last digit. Over floats, arrays and mpf, and traced.
 Accuracy: a few round-offs of the argument, for every m1 from 1 (circular functions) to 0
-    (hyperbolic ones).
+(hyperbolic ones).
 """
 
 from ...algebra.scalars import (
@@ -39,7 +39,11 @@ def jacobi(u, m1):
     u, m1 = promote(u, m1)
     wide, bound = m1 > WIDE, m1 > 0
     k1 = sqrt(where(bound, m1, 1))
-    ending = _hyperbolic(where(bound, 0, u))
+    # hyperbolic functions where m1 is 0
+    u0 = where(bound, 0, u)
+    e = exp(-where(abs(u0) < FAR, abs(u0), FAR))
+    sech = 2 * e / (1 + e * e)
+    ending = tanh(u0), sech, sech, 0 * u0
     if is_numeric(k1):
         return tuple(where(bound, x, y) for x, y in zip(_landen(u, k1, None), ending, strict=True))
     few, many = _landen(u, k1, FEW), _landen(u, k1, MANY)
@@ -74,14 +78,6 @@ def _landen(u, k1, count):
     return sn, c * sn, dn, phase
 
 
-def _hyperbolic(u):
-    """The same where m1 is 0."""
-    far = abs(u)
-    e = exp(-where(far < FAR, far, FAR))
-    sech = 2 * e / (1 + e * e)
-    return tanh(u), sech, sech, 0 * u
-
-
 def coupled(k, start, gap, t):
     """Three quantities with x' = k_x y z, y' = k_y z x and z' = k_z x y at the time ``t`` after
     ``start``, and the mean phase of their motion.
@@ -94,7 +90,8 @@ def coupled(k, start, gap, t):
     By the addition theorem of Jacobi's functions (Landau and Lifshitz, Mechanics, 37): only those
     of the time are needed, no integral of the start, and its denominator is a sum of squares.
 
-    >>> [round(x, 12) for x in coupled((0.0, -1.0, 1.0), (2.0, 1.0, 0.0), 4.0, 0.25)]  # turns about x: y = cos(2 t), z = sin(2 t)
+    >>> # turns about x: y = cos(2 t), z = sin(2 t)
+    >>> [round(x, 12) for x in coupled((0.0, -1.0, 1.0), (2.0, 1.0, 0.0), 4.0, 0.25)]
     [2.0, 0.87758256189, 0.479425538604, 0.5]
     """
     (kx, ky, kz), (x, y, z) = k, start
@@ -120,7 +117,8 @@ def counted(angle, start, now, phase):
     """The ``angle`` (rad) after the point at its cosine and sine ``start`` has moved to ``now``,
     through as many turns as bring it within pi of ``angle + phase``.
 
-    >>> round(counted(0.5, (0.877582561890, 0.479425538604), (0.877582561890, 0.479425538604), 12.0), 6)  # two turns: 0.5 + 4 pi
+    >>> start = 0.877582561890, 0.479425538604
+    >>> round(counted(0.5, start, start, 12.0), 6)  # two turns: 0.5 + 4 pi
     13.066371
     """
     (c, s), (c1, s1) = start, now

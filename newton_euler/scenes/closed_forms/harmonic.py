@@ -2,12 +2,32 @@
 towards it or away; and Stumpff's series.
 """
 
+from functools import cache
+
 from ...algebra.scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
 
 
 def uniform_acceleration(x, v, a, t):
     """x and its rate at the time t if x'' = a, from x and v at t = 0."""
     return x + (v + a * t / 2) * t, v + a * t
+
+
+@cache
+def constant_rate(of, *states):
+    """The ``states``, ``rhs`` and ``exact`` of a :class:`~newton_euler.motion.model.Model` whose
+    last state has the constant rate ``of(p)``, the first, if there are two, the last as its rate.
+
+    Made once for a module-level function ``of``, since compiled code is kept by function.
+    """
+
+    def rhs(s, p, t):
+        return *(getattr(s, n) for n in states[1:]), of(p)
+
+    def exact(s, p, t):
+        *x, v = (getattr(s, n) for n in states)
+        return uniform_acceleration(*x, v, of(p), t) if x else (v + of(p) * t,)
+
+    return {"states": states, "rhs": rhs, "exact": exact}
 
 
 def integrated_square(v, a, t):

@@ -1,11 +1,10 @@
-"""Foucault's pendulum on the rotating Earth, as a ladder: swings small or of any size, on an Earth
-at rest or rotating.
+"""Models of Foucault's pendulum: swings small or of any size, on an Earth at rest or rotating.
 
-The axes are z up the plumb line, from the point from which the bob hangs, x east and y north; x, y
-are the place of the bob in plan. So ``g`` is the effective gravity where the bob hangs at rest, and
-the latitude is that of the plumb line. A cord of constant length pulls as hard as it must, and the
-acceleration of the bob is G - r (v.v + G.r)/length^2, where G is that of a free body (6.10). The
-bob stays below the level of its support.
+The origin is the support; z points up along the plumb line, x east and y north, and x, y are the
+position of the bob in plan. ``g`` is the effective gravity where the bob hangs at rest, and the
+latitude is that of the plumb line. The cord has a constant length, so that the acceleration of the
+bob is G - r (v.v + G.r)/length^2, where G is that of a free body (6.10). The bob stays
+below the level of its support.
 """
 
 from dataclasses import replace
@@ -22,24 +21,21 @@ PLACE = "place in plan, m"
 
 
 def any_swing(length, g):
-    """The pendulum on an Earth at rest, with swings of any size below the level of its support:
+    """The Model for an Earth at rest, with swings of any size below the level of the support:
     states x, y, dx, dy.
 
-    >>> round(any_swing(5.0, 10.0).derivative((3.0, 0.0, 0.0, 0.0))[2], 9)  # -g sin(theta) cos(theta)
+    >>> # -g sin(theta) cos(theta)
+    >>> round(any_swing(5.0, 10.0).derivative((3.0, 0.0, 0.0, 0.0))[2], 9)
     -4.8
     """
-    return Model(
-        "Foucault's pendulum, any swing, Earth at rest",
-        locals(),
-        STATES,
-        _at_rest,
-        neglects=(ROTATION,),
-    )
+    name = "Foucault's pendulum, any swing, Earth at rest"
+    parameters = {"length": length, "g": g}
+    return Model(name, parameters, STATES, _at_rest, neglects=(ROTATION,))
 
 
 def full(length, g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS):
-    """Swings of any size and all terms of (6.10): with what the place in the swing changes in the
-    centrifugal acceleration and in gravity.
+    """The Model for swings of any size with all terms of (6.10): centrifugal acceleration and
+    gravity are those at the position of the bob. States x, y, dx, dy.
     """
     return Model("Foucault's pendulum", locals(), STATES, _full)
 
@@ -59,8 +55,9 @@ def ladder(
     start=(1.5, 0.0, 0.0, 0.0),
     t=100.0,
 ):
-    """Four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the place in plan, m. Length
-    and latitude are the Panthéon's; start is x, y, dx, dy.
+    """The four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the position in plan, m.
+
+    start : x, y, dx, dy; the default length and latitude are those of the Panthéon.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> for metres in (0.01, 0.005, 1e-4):
@@ -69,29 +66,26 @@ def ladder(
     Foucault's pendulum, small swings
     Foucault's pendulum
     """
-    still = replace(
+    name = "Foucault's pendulum, small swings"
+    still, turned = (
         air_near_low(0, g / length, rate=0),
-        name="Foucault's pendulum, small swings, Earth at rest",
-        neglects=(SIZE, ROTATION),
-    )
-    turned = replace(
         air_near_low(latitude, g / length, rate=rate),
-        name="Foucault's pendulum, small swings",
-        neglects=(SIZE,),
     )
+    still = replace(still, name=f"{name}, Earth at rest", neglects=(SIZE, ROTATION))
+    turned = replace(turned, name=name, neglects=(SIZE,))
     models = still, turned, any_swing(length, g), full(length, g, latitude, rate, radius)
     return Ladder.of_models("Foucault's pendulum", PLACE, t, start, ("x", "y"), *models)
 
 
 def below(s, length):
-    """Position and velocity of the bob, two triples, from its place and velocity in plan."""
+    """Position and velocity of the bob, two triples, from those in plan, below the support."""
     z = -sqrt(length**2 - s.x * s.x - s.y * s.y)
     return (s.x, s.y, z), (s.dx, s.dy, -(s.x * s.dx + s.y * s.dy) / z)
 
 
 def held(r, v, G, length):
-    """The acceleration in plan of a body that would have the acceleration G if it were free, and is
-    held at this distance from the origin.
+    """The acceleration in plan of a body held at the distance ``length`` from the origin; without
+    the cord it would be G.
     """
     return add3(G, scale3(-(dot3(v, v) + dot3(G, r)) / length**2, r))[:2]
 

@@ -1,12 +1,12 @@
-"""Air near the centre of low pressure, on the level (6.11): why storms turn counterclockwise in the
-north.
+"""Horizontal motion of air near a centre of low pressure (6.11), where it turns counterclockwise in
+the northern hemisphere.
 
-Ground axes x east, y north, small against the Earth, so that the latitude is one number; the
+The ground axes are x east and y north; the region is small, so that the latitude is one number. The
 pressure grows with the square of the distance from the centre, and ``pressure_gradient`` is its
-gradient over density and distance. The same equations, with g/length, describe the pendulum of
-Foucault.
+gradient over density and distance. With g/length for it, the equations are those of small swings of
+Foucault's pendulum.
 
-:func:`ladder` has three models of it: the Earth at rest, the Earth turning, and friction as well.
+:func:`ladder` has three models: the Earth at rest, the Earth rotating, and friction as well.
 """
 
 from ...algebra.scalars import radians, sqrt
@@ -22,38 +22,37 @@ DAY = 86_400.0  # s
 
 
 @scene(
-    "6.11", "low", "air that starts at rest 300 km from the centre of a low, for two days", 2 * DAY, (3e5, 0.0, 0.0, 0.0),
+    "6.11", "low", "air that starts at rest 300 km from the centre of a low, two days",
+    2 * DAY, (3e5, 0.0, 0.0, 0.0),
     latitude=radians(45.0), pressure_gradient=1e-8,
 )  # fmt: skip
 @scene(
-    "6.11", "low, friction", "air near a low with friction, which lets it run inwards", 2 * DAY, (3e5, 0.0, 0.0, 0.0),
+    "6.11", "low, friction", "air near a low with friction, which moves inwards",
+    2 * DAY, (3e5, 0.0, 0.0, 0.0),
     latitude=radians(45.0), pressure_gradient=1e-8, friction=1e-5,
 )  # fmt: skip
 @scene(
-    "6.11", "pendulum of Foucault", "67 m long, in Paris, for ten minutes, by the equations of the low", 600.0, (3.0, 0.0, 0.0, 0.0),
+    "6.11", "pendulum of Foucault", "67 m long, in Paris, ten minutes, by the equations of the low",
+    600.0, (3.0, 0.0, 0.0, 0.0),
     latitude=radians(48.85), pressure_gradient=9.81 / 67.0,
 )  # fmt: skip
 def air_near_low(latitude, pressure_gradient=0, friction=0, rate=EARTH_RATE):
-    """The model of a parcel of air: states x, y from the centre, dx, dy as seen from the ground
-    (6.33).
+    """The Model of a parcel of air (6.33): states x, y from the centre, and dx, dy, seen from the
+    ground.
 
-    pressure_gradient : inward acceleration over distance, 1/s^2; 0 for free air, which runs in
-        circles
+    pressure_gradient : inward acceleration over distance, 1/s^2; 0 for air on which only
+        the Coriolis acceleration acts, which moves in circles
     friction : deceleration over speed, 1/s
     Without friction, energy and absolute angular momentum are invariants, and there is an exact
     solution.
 
     >>> air = air_near_low(1.5707963267948966, pressure_gradient=1e-8, rate=5e-5)
-    >>> air.derivative((0.0, -1e5, 0.0, 1.0))  # it moves to the north, to the centre, and is turned aside to the east
+    >>> # it moves north, to the centre, and is deflected to the east
+    >>> air.derivative((0.0, -1e5, 0.0, 1.0))
     (0.0, 1.0, 0.0001, 0.001)
     """
-    return Model(
-        "air near a low",
-        locals(),
-        STATES,
-        _rates,
-        *((_INVARIANTS, _exact) if is_absent(friction) else ()),
-    )
+    parameters, known = locals(), (_INVARIANTS, _exact) if is_absent(friction) else ()
+    return Model("air near a low", parameters, STATES, _rates, *known)
 
 
 @scene("6.11", "air near a low", "Earth at rest, Earth turning, friction", ladder=True)
@@ -75,42 +74,28 @@ def ladder(
     >>> [smallest(ladder(), metres).model.name for metres in (1e5, 2e4, 1e3)]
     ['air near a low, Earth at rest', 'air near a low, without friction', 'air near a low']
     """
-    full, energy = (
-        air_near_low(latitude, pressure_gradient, friction, rate),
-        {"energy over mass": _energy},
-    )
-    still = Model(
-        "air near a low, Earth at rest",
-        full.parameters,
-        STATES,
-        _still_rates,
-        energy,
-        _still_exact,
-        (ROTATION, FRICTION),
-    )
-    smooth = Model(
-        "air near a low, without friction",
-        full.parameters,
-        STATES,
-        _smooth_rates,
-        _INVARIANTS,
-        _exact,
-        (FRICTION,),
+    full = air_near_low(latitude, pressure_gradient, friction, rate)
+    still, smooth = (
+        Model(f"air near a low, {name}", full.parameters, STATES, *functions)
+        for name, *functions in (
+            ("Earth at rest", _still, _ENERGY, _still_exact, (ROTATION, FRICTION)),
+            ("without friction", _smooth, _INVARIANTS, _exact, (FRICTION,)),
+        )
     )
     return Ladder.of_models("air near a low", POSITION, t, start, ("x", "y"), still, smooth, full)
 
 
-def _still_rates(s, p, t):
+def _still(s, p, t):
     return s.dx, s.dy, -p.pressure_gradient * s.x, -p.pressure_gradient * s.y
 
 
-def _smooth_rates(s, p, t):
+def _smooth(s, p, t):
     f = coriolis_parameter(p.latitude, p.rate)
     return s.dx, s.dy, -p.pressure_gradient * s.x + f * s.dy, -p.pressure_gradient * s.y - f * s.dx
 
 
 def _rates(s, p, t):
-    dx, dy, ddx, ddy = _smooth_rates(s, p, t)
+    dx, dy, ddx, ddy = _smooth(s, p, t)
     return dx, dy, ddx - p.friction * s.dx, ddy - p.friction * s.dy
 
 
@@ -119,24 +104,20 @@ def _energy(s, p, t):
 
 
 def _momentum(s, p, t):
-    return (
-        s.x * s.dy
-        - s.y * s.dx
-        + coriolis_parameter(p.latitude, p.rate) / 2 * (s.x * s.x + s.y * s.y)
-    )
+    half = coriolis_parameter(p.latitude, p.rate) / 2
+    return s.x * s.dy - s.y * s.dx + half * (s.x * s.x + s.y * s.y)
 
 
-_INVARIANTS = {"energy over mass": _energy, "absolute angular momentum over mass": _momentum}
+_ENERGY = {"energy over mass": _energy}
+_INVARIANTS = {**_ENERGY, "absolute angular momentum over mass": _momentum}
 
 
 def _exact(s, p, t):
-    """In axes that turn at the rate -f/2 the parcel describes an ellipse about the centre."""
+    """In axes that rotate at the rate -f/2 the path is an ellipse about the centre."""
     half = coriolis_parameter(p.latitude, p.rate) / 2
     square = half * half + p.pressure_gradient
-    (x, dx), (y, dy) = (
-        oscillation(s.x, s.dx - half * s.y, square, t),
-        oscillation(s.y, s.dy + half * s.x, square, t),
-    )
+    x, dx = oscillation(s.x, s.dx - half * s.y, square, t)
+    y, dy = oscillation(s.y, s.dy + half * s.x, square, t)
     return *turned(x, y, -half * t), *turned(dx + half * y, dy - half * x, -half * t)
 
 
@@ -144,12 +125,11 @@ def _still_exact(s, p, t):
     return plane_oscillation(s, p.pressure_gradient, t)
 
 
-# -- what may be neglected
+# -- bounds of what is neglected
 #
-# Coriolis and friction are accelerations along or across the velocity, which the energy bounds.
-# What a unit of acceleration at one instant adds to
-# the position later is sin(n u)/n with n^2 >= pressure_gradient >= 0, never more than the time u
-# passed since.
+# Coriolis and friction are accelerations along or across the velocity, which the energy bounds. A
+# unit of acceleration at one instant changes the position later by sin(n u)/n with n^2 >=
+# pressure_gradient >= 0: never by more than the time u passed since.
 
 
 def _moved(s, p, t):
@@ -162,9 +142,5 @@ def _by_rotation(s, p, t):
     return sqrt(f * f) * _moved(s, p, t)
 
 
-def _by_friction(s, p, t):
-    return p.friction * _moved(s, p, t)
-
-
 ROTATION = Neglected("the rotation of the Earth", _by_rotation, POSITION)
-FRICTION = Neglected("the friction", _by_friction, POSITION)
+FRICTION = Neglected("the friction", lambda s, p, t: p.friction * _moved(s, p, t), POSITION)

@@ -1,5 +1,5 @@
-"""A body on its orbit about a fixed centre of attraction, in the plane of the motion: Kepler's
-problem, exact for ellipses.
+"""Kepler's problem: a body under the attraction of a fixed centre, in the plane of its orbit; exact
+for ellipses.
 
 The exact solution takes the eccentric anomaly from Kepler's equation, and the state from its
 distance to that of the closest approach: written with 1 - e and 1 - cos(E), no digits cancel,
@@ -19,21 +19,18 @@ from ...algebra.scalars import (
     atan2,
     cos,
     epsilon,
-    is_comparable,
     is_finite,
     is_numeric,
-    plain,
-    promote,
     sin,
     size,
     sqrt,
     where,
 )
 from ...applications.earth import EARTH_GM
-from ...motion.model import Model, ModelError, Neglected
+from ...motion.model import Model, ModelError, Neglected, comparable
 from ..catalogue import scene
 from ..closed_forms.double_double import doubled
-from ..closed_forms.harmonic import stumpff
+from ..closed_forms.harmonic import constant_rate, stumpff
 from ..ladders import Ladder, Rung, observed_states
 
 POSITION = "position, m"
@@ -45,7 +42,7 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 @scene(
     "5.10",
     "planet",
-    "a planet on an ellipse of eccentricity 0.44, in units of its distance and mu",
+    "a planet on an ellipse of eccentricity 0.44",
     30.0,
     (0.6, 0.8, -0.96, 0.72),
     mu=1.0,
@@ -59,7 +56,7 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
     mu=1.0,
 )
 def orbit(mu):
-    """The orbit as a Model: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
+    """The Model of an orbit: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
     over mass, and the Laplace vector's two components.
 
     mu : the constant of the attraction mu/r^2, m^3/s^2. The Laplace vector has the size of the
@@ -74,23 +71,8 @@ def orbit(mu):
     >>> [round(x, 9) for x in orbit(1.0).solution(math.pi/2, (1.0, 0.0, 0.0, 1.0))]
     [0.0, 1.0, -1.0, 0.0]
     """
-    invariants = {
-        "energy": _energy,
-        "angular_momentum": _angular_momentum,
-        "laplace_x": _laplace_x,
-        "laplace_y": _laplace_y,
-    }
-    return Model("Kepler's orbit", {"mu": mu}, ("x", "y", "v_x", "v_y"), _rates, invariants, _exact)
-
-
-def from_farthest(mu, a, e):
-    """The state (x, y, v_x, v_y) at the farthest point of the ellipse of semi-axis a and
-    eccentricity e: at x = -a(1 + e).
-
-    >>> from_farthest(1.0, 1.0, 0.0)
-    (-1.0, 0.0, 0.0, -1.0)
-    """
-    return -a * (1 + e), 0 * a, 0 * a, -sqrt(mu * (1 - e) / (a * (1 + e)))
+    states = "x", "y", "v_x", "v_y"
+    return Model("Kepler's orbit", {"mu": mu}, states, _rates, _INVARIANTS, _exact)
 
 
 def _rates(s, p, t):
@@ -103,20 +85,16 @@ def _distance(s):
     return sqrt(s.x * s.x + s.y * s.y)
 
 
-def _energy(s, p, t):
-    return (s.v_x**2 + s.v_y**2) / 2 - p.mu / _distance(s)
-
-
-def _angular_momentum(s, p, t):
+def _angular_momentum(s):
     return s.x * s.v_y - s.y * s.v_x
 
 
-def _laplace_x(s, p, t):
-    return s.v_y * _angular_momentum(s, p, t) / p.mu - s.x / _distance(s)
-
-
-def _laplace_y(s, p, t):
-    return -(s.v_x * _angular_momentum(s, p, t)) / p.mu - s.y / _distance(s)
+_INVARIANTS = {
+    "energy": lambda s, p, t: (s.v_x**2 + s.v_y**2) / 2 - p.mu / _distance(s),
+    "angular_momentum": lambda s, p, t: _angular_momentum(s),
+    "laplace_x": lambda s, p, t: s.v_y * _angular_momentum(s) / p.mu - s.x / _distance(s),
+    "laplace_y": lambda s, p, t: -s.v_x * _angular_momentum(s) / p.mu - s.y / _distance(s),
+}
 
 
 # -- the exact solution
@@ -126,16 +104,15 @@ def _exact(s, p, t):
     """The state at t by the eccentric anomaly E; traced, where no error can be raised, nan if the
     orbit is no ellipse.
     """
-    given = tuple(map(plain, (s.x, s.y, s.v_x, s.v_y, p.mu, t)))
-    _check(*given)
-    x, y, v_x, v_y, mu, t = promote(*given)
+    x, y, v_x, v_y, mu, t = comparable("orbit", s.x, s.y, s.v_x, s.v_y, p.mu, t)
+    _check(x, y, v_x, v_y, mu, t)
     r0, along, swept = sqrt(x * x + y * y), x * v_x + y * v_y, x * v_y - y * v_x
     beta = _beta(x, y, v_x, v_y, mu, r0)
     closed = beta * abs(swept) > 0
     if is_numeric(beta) and size(where(closed, 0, 1)):
         raise ModelError(
-            "the orbit is no ellipse (its energy is not below 0); parabolas and hyperbolas "
-            "have no closed form here, integrate them"
+            "the orbit is no ellipse (its energy is not below 0); parabolas and hyperbolas have no "
+            "closed form here, integrate them"
         )
     beta = where(closed, beta, 1)
     root = sqrt(beta)
@@ -160,24 +137,17 @@ def _exact(s, p, t):
 
 
 def _check(x, y, v_x, v_y, mu, t):
-    given = x, y, v_x, v_y, mu, t
-    if not all(map(is_comparable, given)):
-        raise ModelError(
-            "Kepler's equation is solved for numbers, since it has no formula for its root; "
-            "put values in first"
-        )
-    if not all(map(is_numeric, given)):
+    state = x, y, v_x, v_y
+    if not all(map(is_numeric, (*state, mu, t))):
         return  # it is being traced
-    if not all(map(is_finite, given)) or size(where(mu <= 0, 1, 0)):
+    if not all(map(is_finite, (*state, mu, t))) or size(where(mu <= 0, 1, 0)):
         raise ModelError(
-            f"an orbit needs finite numbers and a positive mu, got mu = {mu}, state "
-            f"{(x, y, v_x, v_y)}, t = {t}"
+            f"an orbit needs finite numbers and a positive mu, got mu = {mu}, {state}, t = {t}"
         )
     one, two = x * v_y, y * v_x
     if size(where(abs(one - two) <= 4 * epsilon(one - two) * (abs(one) + abs(two)), 1, 0)):
         raise ModelError(
-            "the orbit is a straight line through the centre (angular momentum 0), where the "
-            "attraction has no bound"
+            "the orbit is a straight line through the centre: its angular momentum is 0"
         )
 
 
@@ -223,35 +193,35 @@ def _halley(E, e, rest, M):
 
 
 def circle(mu, r, sense=1):
-    """A circle of the radius r, exactly: the one state is the azimuth ``angle`` (rad); sense is 1
-    for counterclockwise, -1 for clockwise.
+    """The Model of a circular orbit of radius r: its only state is the azimuth ``angle`` (rad);
+    ``sense`` is 1 for counterclockwise, -1 for clockwise.
 
     >>> circle(8.0, 2.0).derivative((0.0,))
     (1.0,)
     """
     return Model(
-        "satellite, circle", locals(), ("angle",), _circle, {}, _along_circle, (ECCENTRICITY, BULGE)
+        "satellite, circle",
+        locals(),
+        **constant_rate(_circling, "angle"),
+        neglects=(ECCENTRICITY, BULGE),
     )
 
 
 @scene(
-    "5.10", "satellite", "a satellite over the equator of an oblate Earth, about five times round", 30_000.0, (7e6, 0.0, 0.0),
+    "5.10", "satellite", "a satellite over the equator of an oblate Earth, five revolutions",
+    30_000.0, (7e6, 0.0, 0.0),
     mu=EARTH_GM, oblateness=EARTH_OBLATENESS, swept=7e6 * 7.6e3,
 )  # fmt: skip
 def over_equator(mu, oblateness, swept):
-    """The satellite over the equator of an oblate Earth: states r, r_rate and the azimuth
-    ``angle``; ``swept`` is r^2 times the rate of the angle.
+    """The Model of a satellite over the equator of an oblate Earth: states r, r_rate and the
+    azimuth ``angle``; ``swept`` is r^2 times the rate of the angle.
 
     >>> over_equator(8.0, 0.0, 4.0).derivative((2.0, 0.0, 0.0))  # on the circle
     (0.0, 0.0, 1.0)
     """
-    return Model(
-        "satellite, over an oblate Earth",
-        locals(),
-        ("r", "r_rate", "angle"),
-        _oblate_rates,
-        {"energy over mass": _oblate_energy},
-    )
+    name, states = "satellite, over an oblate Earth", ("r", "r_rate", "angle")
+    parameters = {"mu": mu, "oblateness": oblateness, "swept": swept}
+    return Model(name, parameters, states, _oblate, {"energy over mass": _oblate_energy})
 
 
 @scene(
@@ -261,8 +231,9 @@ def over_equator(mu, oblateness, swept):
     ladder=True,
 )
 def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3), t=30_000.0):
-    """Circle, ellipse, oblate Earth: a :class:`~newton_euler.scenes.ladders.Ladder` for the
-    position in the plane, from the ``start`` x, y, v_x, v_y.
+    """The three models, circle, ellipse and oblate Earth: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for the position in the plane, from the ``start``
+    x, y, v_x, v_y.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (5e6, 1e6, 1e3)]
@@ -270,31 +241,20 @@ def ladder(mu=EARTH_GM, oblateness=EARTH_OBLATENESS, start=(7e6, 0.0, 0.0, 7.6e3
     """
     x, y, v_x, v_y = start
     r, angle, swept = math.hypot(x, y), math.atan2(y, x), x * v_y - y * v_x
+    ellipse = replace(orbit(mu), name="satellite, ellipse", neglects=(BULGE,))
     rungs = (
         Rung(circle(mu, r, math.copysign(1.0, swept)), (angle,), _on_circle),
-        Rung(
-            replace(orbit(mu), name="satellite, ellipse", neglects=(BULGE,)),
-            start,
-            observed_states("x", "y"),
-        ),
+        Rung(ellipse, start, observed_states("x", "y")),
         Rung(over_equator(mu, oblateness, swept), (r, (x * v_x + y * v_y) / r, angle), _at_angle),
     )
     return Ladder("satellite", POSITION, t, rungs)
 
 
-def _circle(s, p, t):
-    return (_rate(p),)
-
-
-def _along_circle(s, p, t):
-    return (s.angle + _rate(p) * t,)
-
-
-def _rate(p):
+def _circling(p):
     return p.sense * sqrt(p.mu / p.r) / p.r
 
 
-def _oblate_rates(s, p, t):
+def _oblate(s, p, t):
     pull = p.mu / s.r**2 * (1 + 3 * p.oblateness / (2 * s.r**2))
     return s.r_rate, p.swept**2 / s.r**3 - pull, p.swept / s.r**2
 

@@ -1,11 +1,11 @@
-"""A shot over the rotating Earth (6.9, 6.10), as a ladder of models from a flat Earth at rest to
-the full equations of motion in air.
+"""Models of a projectile over the rotating Earth (6.9, 6.10), from a flat Earth at rest to the full
+equations of motion in air.
 
-All have the states x, y, z along ground axes (east, north, up) from a place on the surface, and vx,
-vy, vz. What a model neglects is bounded as an error of the position, as long as the shot is above
-the ground. Air of uniform density decelerates it by ``drag`` times the square of its speed; drag =
-density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the ground, 1e-8 at a
-height of 70 km.
+All have the states x, y, z along ground axes (east, north, up) from a point of the surface, and vx,
+vy, vz. The bounds of what a model neglects are errors of the position, and hold as long as the
+projectile is above the ground. Air of uniform density decelerates it by ``drag`` times the square
+of its speed; drag = density (drag coefficient) area/(2 mass), 1/m: 2e-4 for a cannonball near the
+ground, 1e-8 at a height of 70 km.
 
 >>> from newton_euler.scenes.ladders import smallest
 >>> for metres in (5.0, 2.0, 1.0, 0.1, 0.01):
@@ -16,6 +16,8 @@ projectile, Coriolis and effective gravity
 projectile, full
 projectile, full in air
 """
+
+from operator import attrgetter
 
 from ...algebra.scalars import ZERO, cos, sqrt
 from ...algebra.vectors import ZERO3, add3, cross3, dot3, scale3, sub3
@@ -30,18 +32,22 @@ from ...applications.earth import (
 )
 from ...motion.model import Model, Neglected
 from ..catalogue import scene
-from ..closed_forms.harmonic import growth, stumpff
+from ..closed_forms.harmonic import growth, stumpff, uniform_acceleration
 from ..ladders import Ladder
 
 POSITION = "position, m"
 STATES = ("x", "y", "z", "vx", "vy", "vz")
 START = 0.0, 0.0, 0.0, 200.0, 50.0, 200.0  # of the scenes
-LARGEST = 8  # (2 omega t)^2 for which the series is summed to round-off: five hours on the Earth
+# (2 omega t)^2 up to which the series is summed to round-off: five hours on the Earth
+LARGEST = 8
 
 
 def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Free fall with constant g on an Earth at rest. The parameters other than g only bound what
-    the model neglects.
+    """The Model of free fall with constant g on an Earth at rest. The other parameters only serve
+    the bounds of what it neglects.
+
+    >>> flat(9.8).derivative((0.0, 0.0, 0.0, 1.0, 2.0, 3.0))
+    (1.0, 2.0, 3.0, 0, 0, -9.8)
     """
     return _model("flat", locals(), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
 
@@ -56,33 +62,23 @@ def flat(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     latitude=0.8,
 )
 def coriolis(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """The rotation to first order (6.24). The states vx, vy, vz are the velocity that the shot
-    would have without it.
+    """The Model with the rotation to first order (6.24). The states vx, vy, vz are the velocity
+    without the rotation.
     """
-    return _model(
-        "Coriolis to first order",
-        locals(),
-        _turned,
-        (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR),
-        _turned_exact,
-    )
+    given, neglects = locals(), (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR)
+    return _model("Coriolis to first order", given, _turned, neglects, _turned_exact)
 
 
 def plumb(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Constant effective gravity, that of the origin, and the Coriolis acceleration (6.16), which
-    is solved exactly.
+    """The Model with the effective gravity of the origin, constant, and the Coriolis acceleration
+    (6.16); it has an exact solution.
     """
-    return _model(
-        "Coriolis and effective gravity",
-        locals(),
-        _uniform,
-        (CENTRIFUGAL_CHANGE, CURVATURE, AIR),
-        _uniform_exact,
-    )
+    given, neglects = locals(), (CENTRIFUGAL_CHANGE, CURVATURE, AIR)
+    return _model("Coriolis and effective gravity", given, _uniform, neglects, _uniform_exact)
 
 
 def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """Constant g on an Earth at rest, with air."""
+    """The Model with constant g on an Earth at rest, with air."""
     return _model("flat in air", locals(), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
 
 
@@ -96,21 +92,14 @@ def flat_in_air(g, latitude=0, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     latitude=0.8,
 )
 def full(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """All terms of (6.10), and the attraction of a sphere (5.22). Invariants: energy, and angular
-    momentum about the axis, in the inertial frame.
+    """The Model with all terms of (6.10) and the attraction of a sphere (5.22). Invariants: energy,
+    and angular momentum about the axis, in the inertial frame.
     """
-    return _model(
-        "full",
-        locals(),
-        _full,
-        (AIR,),
-        None,
-        {"energy over mass": _energy, "angular momentum over mass, about the axis": _axial},
-    )
+    return _model("full", locals(), _full, (AIR,), None, _INVARIANTS)
 
 
 def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
-    """The same in air that rotates with the Earth."""
+    """The Model of :func:`full` with air that rotates with the Earth."""
     return _model("full in air", locals(), _full_in_air)
 
 
@@ -121,44 +110,23 @@ def full_in_air(g, latitude, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=0):
     ladder=True,
 )
 def ladder(
-    g=9.82,
-    latitude=0.8,
-    rate=EARTH_RATE,
-    radius=EARTH_RADIUS,
-    drag=1e-8,
-    start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0),
-    t=10.0,
-):
-    """The models of one shot, in the order of their cost: a
-    :class:`~newton_euler.scenes.ladders.Ladder` for its position until ``t``.
-
-    Six, or four if ``drag`` is 0.
+    g=9.82, latitude=0.8, rate=EARTH_RATE, radius=EARTH_RADIUS, drag=1e-8,
+    start=(0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t=10.0,
+):  # fmt: skip
+    """The models of one projectile, in the order of their cost, six, or four if ``drag`` is 0: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for the position until ``t``.
     """
-    makers = (
-        (flat, coriolis, plumb, flat_in_air, full, full_in_air)
-        if drag
-        else (flat, coriolis, plumb, full)
-    )
-    return Ladder.of_models(
-        "projectile",
-        POSITION,
-        t,
-        start,
-        STATES[:3],
-        *(make(g, latitude, rate, radius, drag) for make in makers),
-    )
+    makers = flat, coriolis, plumb, *([flat_in_air] if drag else []), full
+    makers += (full_in_air,) if drag else ()
+    models = (make(g, latitude, rate, radius, drag) for make in makers)
+    return Ladder.of_models("projectile", POSITION, t, start, STATES[:3], *models)
 
 
 def _model(name, parameters, rhs, neglects=(), exact=None, invariants=()):
     return Model(f"projectile, {name}", parameters, STATES, rhs, invariants, exact, neglects)
 
 
-def _r(s):
-    return s.x, s.y, s.z
-
-
-def _v(s):
-    return s.vx, s.vy, s.vz
+_r, _v = attrgetter(*STATES[:3]), attrgetter(*STATES[3:])
 
 
 def _down(p):
@@ -182,14 +150,8 @@ def _flat(s, p, t):
 
 
 def _parabola(s, p, t):
-    return (
-        s.x + s.vx * t,
-        s.y + s.vy * t,
-        s.z + s.vz * t - p.g * t * t / 2,
-        s.vx,
-        s.vy,
-        s.vz - p.g * t,
-    )
+    z, vz = uniform_acceleration(s.z, s.vz, -p.g, t)
+    return s.x + s.vx * t, s.y + s.vy * t, z, s.vx, s.vy, vz
 
 
 def _flat_in_air(s, p, t):
@@ -227,12 +189,8 @@ def _uniform_exact(s, p, t):
     v, g, w = _v(s), _plumb_line(p), _omega(p)
     z = 4 * dot3(w, w) * t * t
     c3, c4 = stumpff(3, z, LARGEST) / 6, stumpff(4, z, LARGEST) / 24
-    f1, f2, f3, f4 = (
-        t * (1 - z * c3),
-        t * t / 2 * (1 - 2 * z * c4),
-        t * t * t * c3,
-        t * t * t * t * c4,
-    )
+    f1, f2 = t * (1 - z * c3), t * t / 2 * (1 - 2 * z * c4)
+    f3, f4 = t * t * t * c3, t * t * t * t * c4
     moved = coriolis_series(v, g, w, [(t, t * t / 2), (f2, f3), (f3, f4)])
     return *add3(_r(s), moved), *coriolis_series(v, g, w, [(1, t), (f1, f2), (f2, f3)])
 
@@ -243,9 +201,8 @@ def _uniform_exact(s, p, t):
 def _full(s, p, t):
     omega = _omega(p)
     seen = scale3(-2, cross3(omega, _v(s)))
-    return *_v(s), *add3(
-        add3(attraction3(_r(s), p.g, p.radius), centrifugal3(_r(s), omega, p.radius)), seen
-    )
+    still = add3(attraction3(_r(s), p.g, p.radius), centrifugal3(_r(s), omega, p.radius))
+    return *_v(s), *add3(still, seen)
 
 
 def _full_in_air(s, p, t):
@@ -267,20 +224,23 @@ def _energy(s, p, t):
     return dot3(v, v) / 2 - p.g * p.radius**2 / sqrt(dot3(rho, rho))
 
 
-def _axial(s, p, t):
-    rho, v = _inertial(s, p)
-    return dot3(earth_rate3(p.latitude, 1), cross3(rho, v))
+def _angular_momentum(s, p, t):
+    return dot3(earth_rate3(p.latitude, 1), cross3(*_inertial(s, p)))
 
 
-# -- what may be neglected
+_INVARIANTS = {
+    "energy over mass": _energy,
+    "angular momentum over mass, about the axis": _angular_momentum,
+}
+
+# -- bounds of what is neglected
 #
 # Above the ground the attraction is at most g, the centrifugal acceleration at most rate^2 (R + d)
-# at the distance d from the origin, and the
-# Coriolis acceleration does no work. So d <= D(t) with D'' = g + rate^2 (R + D), and the error e of
-# a model that keeps the Coriolis term grows as
-# |e'| <= integral of what it leaves out; that the air decelerates both makes e' smaller. A Coriolis term that is left out makes the error
-# 2 omega x (integral of the displacement), and to first order the displacement itself is wrong by
-# as much. Nothing makes the speed larger than D'.
+# at the distance d from the origin, and the Coriolis acceleration does no work. So d <= D(t) with
+# D'' = g + rate^2 (R + D), and the error e of a model that keeps the Coriolis term grows as |e'| <=
+# integral of what it leaves out; that the air decelerates both makes e' smaller. A Coriolis term
+# that is left out makes the error 2 omega x (integral of the displacement), and to first order the
+# displacement itself is wrong by as much. Nothing makes the speed larger than D'.
 
 
 def _bounds(s, p):
@@ -296,27 +256,16 @@ def _reach(s, p, t):
     return start, speed * of_speed + most * of_acceleration
 
 
-def _by_coriolis(s, p, t):
-    return p.rate * t * _reach(s, p, t)[1]
+def _added(acceleration):
+    """The bound of the error by an acceleration of at most ``acceleration(p, d)`` at the distance
+    d from the origin.
+    """
 
+    def bound(s, p, t):
+        start, added = _reach(s, p, t)
+        return acceleration(p, start + added) * t * t / 2
 
-def _by_second_order(s, p, t):
-    return 2 * p.rate**2 * t * t / 3 * _reach(s, p, t)[1]
-
-
-def _by_centrifugal(s, p, t):
-    start, added = _reach(s, p, t)
-    return p.rate**2 * (p.radius * cos(p.latitude) + start + added) * t * t / 2
-
-
-def _by_centrifugal_change(s, p, t):
-    start, added = _reach(s, p, t)
-    return p.rate**2 * (start + added) * t * t / 2
-
-
-def _by_curvature(s, p, t):
-    start, added = _reach(s, p, t)
-    return 3 * p.g * (start + added) / p.radius * t * t / 2
+    return bound
 
 
 def _by_air(s, p, t):
@@ -325,13 +274,25 @@ def _by_air(s, p, t):
     return p.drag * (speed * grown + most * added) ** 2 * t * t / 2
 
 
-CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)
+CORIOLIS = Neglected(
+    "the Coriolis acceleration", lambda s, p, t: p.rate * t * _reach(s, p, t)[1], POSITION
+)
 SECOND_ORDER = Neglected(
-    "the Coriolis acceleration beyond the first order in the rotation", _by_second_order, POSITION
+    "the Coriolis acceleration beyond the first order in the rotation",
+    lambda s, p, t: 2 * p.rate**2 * t * t / 3 * _reach(s, p, t)[1],
+    POSITION,
 )
-CENTRIFUGAL = Neglected("the centrifugal acceleration", _by_centrifugal, POSITION)
+CENTRIFUGAL = Neglected(
+    "the centrifugal acceleration",
+    _added(lambda p, d: p.rate**2 * (p.radius * cos(p.latitude) + d)),
+    POSITION,
+)
 CENTRIFUGAL_CHANGE = Neglected(
-    "the change of the centrifugal acceleration with place", _by_centrifugal_change, POSITION
+    "the change of the centrifugal acceleration with place",
+    _added(lambda p, d: p.rate**2 * d),
+    POSITION,
 )
-CURVATURE = Neglected("the change of the attraction with place", _by_curvature, POSITION)
+CURVATURE = Neglected(
+    "the change of the attraction with place", _added(lambda p, d: 3 * p.g * d / p.radius), POSITION
+)
 AIR = Neglected("the air", _by_air, POSITION)

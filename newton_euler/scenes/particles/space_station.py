@@ -1,14 +1,16 @@
-"""A space station of radius r that turns about its axis, so that its rim feels like the ground
+"""Motion in a space station that rotates about its axis, so that bodies at its rim have weight
 (6.7).
 
-Station axes turn with it: the axis of rotation is z, along which ``omega`` is positive; the book's
-station has omega < 0. A body let go moves on a straight line at constant speed in the inertial
-frame; seen from the station its path is a spiral, or a circle, but in general not the limacon that
-the book names.
+The station axes rotate with it: the axis of rotation is z, along which ``omega`` is positive; the
+book's station has omega < 0. A body let go moves on a straight line at constant speed in the
+inertial frame; seen from the station its path is a spiral, or a circle, but in general not the
+limacon that the book names.
 
-:func:`ladder` has three models of a thing let go or thrown near the rim: as it would fall on the
-Earth, as it does in the station, and with the air.
+:func:`ladder` has three models of a body let go or thrown near the rim: in uniform gravity, in
+the rotating station, and with the air.
 """
+
+from dataclasses import replace
 
 from ...algebra.scalars import ZERO, sqrt
 from ...algebra.vectors import add3, cross3, scale3
@@ -19,7 +21,7 @@ from ..ladders import Ladder
 
 POSITION = "position, m"
 STATES = ("x", "y", "dx", "dy")
-CREEP = 0.01  # m/s
+CREEP = 0.01  # m/s, small against any throw, so that the drag has a derivative at rest
 
 
 def station_rate(g, radius):
@@ -32,36 +34,30 @@ def station_rate(g, radius):
     return sqrt(g / radius)
 
 
-def rim_speed(g, radius):
-    """The speed of the rim at this rate, sqrt(g radius): who runs as fast against the rotation is
-    at rest in the inertial frame, and floats.
-    """
-    return sqrt(g * radius)
-
-
 @scene(
-    "6.7", "space station", "a body let go 20 m from the axis of a turning station, until it reaches the floor at "
-"100 m", 15.0,
+    "6.7", "space station", "a body let go 20 m from the axis, until it is at the rim", 15.0,
     (20.0, 0.0, 0.0, 0.0), omega=-station_rate(9.81, 100.0),
 )  # fmt: skip
 def free_body(omega):
-    """The model of a body let go in the station (6.10): states x, y along station axes from the
+    """The Model of a free body seen in the station (6.10): states x, y along station axes from the
     axis of rotation, dx, dy seen there.
 
-    >>> free_body(0.5).derivative((2.0, 0.0, 1.0, 1.0))  # centrifugal 0.5 along x, Coriolis 1.0 and -1.0
+    >>> # centrifugal 0.5 along x, Coriolis 1.0 and -1.0
+    >>> free_body(0.5).derivative((2.0, 0.0, 1.0, 1.0))
     (1.0, 1.0, 1.5, -1.0)
     """
     return Model("free body in a turning station", locals(), STATES, _rates, _INVARIANTS, _exact)
 
 
 def body_in_air(omega, air, creep=CREEP):
-    """The same with the air, which turns with the station and resists with ``air`` times the square
-    of the speed seen there, over mass.
+    """The Model of a body in the air, which rotates with the station: the drag over the mass is
+    ``air`` times the square of the speed seen there. States as for :func:`free_body`.
 
-    air : rho C_D A/(2 m), 1/m; creep : a speed, well below which the air resists in proportion to
-        the speed, so that a body may start at rest
+    air : rho C_D A/(2 m), 1/m; creep : a speed, m/s, well below which the drag is
+        proportional to the speed, so that a body may start at rest
 
-    >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))  # 0.25 against the velocity
+    >>> # 0.25 against the velocity
+    >>> body_in_air(0.5, 0.01, creep=0.0).derivative((2.0, 0.0, 3.0, 4.0))
     (3.0, 4.0, 4.35, -3.2)
     """
     return Model("body in the air of a turning station", locals(), STATES, _air_rates)
@@ -76,8 +72,11 @@ def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=
         the body reaches it.
 
     >>> from newton_euler import smallest
-    >>> [smallest(ladder(), metres).model.name for metres in (2.0, 0.1, 1e-3)]
-    ['uniform gravity in a turning station', 'free body in a turning station', 'body in the air of a turning station']
+    >>> for metres in (2.0, 0.1, 1e-3):
+    ...     print(smallest(ladder(), metres).model.name)
+    uniform gravity in a turning station
+    free body in a turning station
+    body in the air of a turning station
     """
     if omega == 0:
         raise ModelError(
@@ -85,18 +84,9 @@ def ladder(omega=-0.3, radius=100.0, air=0.002, start=(98.5, 0.0, -2.0, 1.0), t=
         )
     full = body_in_air(omega, air)
     parameters = {**full.parameters, "radius": radius}
-    uniform = Model(
-        "uniform gravity in a turning station",
-        parameters,
-        STATES,
-        _uniform,
-        {},
-        _parabola,
-        (CORIOLIS, CHANGE, AIR),
-    )
-    free = Model(
-        "free body in a turning station", parameters, STATES, _rates, _INVARIANTS, _exact, (AIR,)
-    )
+    name, neglects = "uniform gravity in a turning station", (CORIOLIS, CHANGE, AIR)
+    uniform = Model(name, parameters, STATES, _uniform, {}, _parabola, neglects)
+    free = replace(free_body(omega), parameters=parameters, neglects=(AIR,))
     return Ladder.of_models("space station", POSITION, t, start, ("x", "y"), uniform, free, full)
 
 
@@ -126,13 +116,14 @@ def _inertial_velocity(s, p):
     return s.dx - p.omega * s.y, s.dy + p.omega * s.x
 
 
-def _moment(r, v):
-    return r[0] * v[1] - r[1] * v[0]
+def _angular_momentum(s, p, t):
+    wx, wy = _inertial_velocity(s, p)
+    return s.x * wy - s.y * wx
 
 
 _INVARIANTS = {
     "inertial speed, squared": lambda s, p, t: sum(v * v for v in _inertial_velocity(s, p)),
-    "angular momentum over mass": lambda s, p, t: _moment((s.x, s.y), _inertial_velocity(s, p)),
+    "angular momentum over mass": _angular_momentum,
 }
 
 
@@ -144,15 +135,14 @@ def _exact(s, p, t):
     return x, y, dx + p.omega * y, dy - p.omega * x
 
 
-# -- what may be neglected
+# -- bounds of what is neglected
 #
 # Seen in the station neither the Coriolis acceleration nor the air makes the body faster, so its
-# speed v and the distance r from the axis obey
-# v' <= omega^2 r, r' <= v: both grow no faster than those of a body on a spoke. In uniform gravity
-# no force depends on position or velocity, so the
+# speed v and the distance r from the axis obey v' <= omega^2 r, r' <= v: both grow no faster than
+# those of a body on a spoke. In uniform gravity no force depends on position or velocity, so the
 # double integral of what is left out is the error; that of the Coriolis acceleration, 2 omega x v,
-# is the integral of 2 omega x (displacement). The
-# same is true of the air, for a free body in the inertial frame.
+# is the integral of 2 omega x (displacement). The same is true of the air, for a free body in the
+# inertial frame.
 
 
 def _bounds(s, p, t):
@@ -184,7 +174,5 @@ def _by_air(s, p, t):
 
 
 CORIOLIS = Neglected("the Coriolis acceleration", _by_coriolis, POSITION)
-CHANGE = Neglected(
-    "the change of the centripetal acceleration with the place", _by_change, POSITION
-)
+CHANGE = Neglected("the change of the centripetal acceleration with place", _by_change, POSITION)
 AIR = Neglected("the air", _by_air, POSITION)

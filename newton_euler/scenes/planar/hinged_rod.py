@@ -10,6 +10,7 @@ the rod itself).
 that is let go.
 """
 
+from dataclasses import replace
 from math import copysign
 
 from ...algebra.scalars import acos, cos, is_numeric, plain, sin, size, sqrt
@@ -59,10 +60,9 @@ def swing_out(weight_moment, inertia_difference, omega, **_):
     """
     c = weight_moment / (inertia_difference * (omega * omega))
     if is_numeric(c) and size(c) > 1:
-        least = plain(least_rate(weight_moment, inertia_difference))
         raise GyroError(
             f"at {plain(omega)} rad/s the body hangs straight down; it swings out above "
-            f"{least} rad/s"
+            f"{plain(least_rate(weight_moment, inertia_difference))} rad/s"
         )
     return acos(c)
 
@@ -74,8 +74,8 @@ def stiffness(theta, weight_moment, inertia_difference, omega, about_hinge=None)
     (m g d cos(theta) - (I_n - I_r) omega^2 cos(2 theta))/I_hinge; I_hinge is ``inertia_difference``
     unless given.
 
-    >>> stiffness(0.0, **rod(3.0, 2.0, 2.0, 9.81)) > 0, stiffness(0.0, **rod(3.0, 2.0, 4.0, 9.81)) > 0
-    (True, False)
+    >>> [stiffness(0.0, **rod(3.0, 2.0, omega, 9.81)) > 0 for omega in (2.0, 4.0)]
+    [True, False]
     """
     about_hinge = inertia_difference if about_hinge is None else about_hinge
     return (
@@ -84,12 +84,13 @@ def stiffness(theta, weight_moment, inertia_difference, omega, about_hinge=None)
 
 
 @scene(
-    "10.7", "turning shaft", "a rod hinged on a turning shaft, swinging about the angle at which it would stay", 12.0, (0.2, 0.5),
+    "10.7", "turning shaft", "a rod hinged on a turning shaft, which swings about its equilibrium",
+    12.0, (0.2, 0.5),
     **rod(3.0, 2.0, 4.0, 9.81),
 )  # fmt: skip
 def hinged(weight_moment, inertia_difference, omega, about_hinge=None):
-    """The swinging as a Model, states theta and theta_rate; invariant the energy seen in the
-    turning frame.
+    """The Model of swinging on a shaft at a constant rate: states theta and theta_rate; invariant
+    the energy seen in the rotating frame.
 
     >>> hinged(**rod(3.0, 2.0, 4.0, 9.81)).derivative((0.0, 1.0))
     (1.0, 0.0)
@@ -99,26 +100,23 @@ def hinged(weight_moment, inertia_difference, omega, about_hinge=None):
 
 
 def on_free_shaft(weight_moment, inertia_difference, omega, shaft, theta, about_hinge=None):
-    """The swinging on a shaft without moment, which turns at ``omega`` when the angle is ``theta``:
-    a Model like :func:`hinged`.
+    """The Model of swinging on a shaft without moment, whose rate is ``omega`` when the angle is
+    ``theta``: states as for :func:`hinged`.
 
-    shaft : moment of inertia about the vertical of all that turns, for theta = 0. The rate of the
-        shaft is no state: its angle is cyclic, and the
-    ``momentum`` about the vertical, a parameter, is constant. The larger ``shaft``, the more even
-    the rate.
+    shaft : moment of inertia about the vertical of all that rotates, for theta = 0; the larger it
+        is, the more even the rate
+    The rate of the shaft is no state: its angle is cyclic, and the angular ``momentum`` about the
+    vertical, a parameter, is constant.
 
     >>> on_free_shaft(**rod(3.0, 2.0, 4.0, 9.81), shaft=1.0, theta=0.0).derivative((0.0, 1.0))
     (1.0, 0.0)
     """
     momentum = (shaft + inertia_difference * sin(theta) ** 2) * omega
-    fixed = hinged(weight_moment, inertia_difference, omega, about_hinge).parameters
-    parameters = {n: fixed[n] for n in fixed if n != "omega"} | {
-        "momentum": momentum,
-        "shaft": shaft,
-    }
-    return Model(
-        "hinged on a shaft let go", parameters, STATES, _free_rates, {"energy": _free_energy}
-    )
+    parameters = dict(hinged(weight_moment, inertia_difference, omega, about_hinge).parameters)
+    del parameters["omega"]
+    parameters |= {"momentum": momentum, "shaft": shaft}
+    invariants = {"energy": _free_energy}
+    return Model("hinged on a shaft let go", parameters, STATES, _free_rates, invariants)
 
 
 @scene("10.7", "turning shaft", "small swings, any swings, a shaft that is let go", ladder=True)
@@ -143,36 +141,14 @@ def ladder(mass=3.0, length=2.0, omega=4.0, g=9.81, shaft=400.0, start=(1.3, 0.0
             "swings have no rate of their own"
         )
     parameters = {**hinged(**data).parameters, "shaft": shaft, "rest": at, "stiffness": stiff}
-    small = Model(
-        "small swings on a turning shaft",
-        parameters,
-        STATES,
-        _small_rates,
-        {"energy": _small_energy},
-        _small_exact,
-        (LARGE, EVEN),
-    )
-    even = Model(
-        "hinged on a turning shaft",
-        parameters,
-        STATES,
-        _rates,
-        {"energy": _energy},
-        neglects=(EVEN,),
-    )
-    return Ladder.of_models(
-        "turning shaft",
-        ANGLE,
-        t,
-        start,
-        ("theta",),
-        small,
-        even,
-        on_free_shaft(**data, shaft=shaft, theta=start[0]),
-    )
+    name, energy = "small swings on a turning shaft", {"energy": _small_energy}
+    small = Model(name, parameters, STATES, _small, energy, _small_exact, (LARGE, EVEN))
+    even = replace(hinged(**data), parameters=parameters, neglects=(EVEN,))
+    free = on_free_shaft(**data, shaft=shaft, theta=start[0])
+    return Ladder.of_models("turning shaft", ANGLE, t, start, ("theta",), small, even, free)
 
 
-def _small_rates(s, p, t):
+def _small(s, p, t):
     return s.theta_rate, -p.stiffness * (s.theta - p.rest)
 
 
@@ -190,17 +166,13 @@ def _rates(s, p, t):
 
 
 def _acceleration(s, p, omega):
-    return (
-        sin(s.theta)
-        * (p.inertia_difference * (omega * omega) * cos(s.theta) - p.weight_moment)
-        / p.about_hinge
-    )
+    moment = p.inertia_difference * (omega * omega) * cos(s.theta) - p.weight_moment
+    return sin(s.theta) * moment / p.about_hinge
 
 
 def _energy(s, p, t):
-    return (
-        p.about_hinge * s.theta_rate**2 - p.inertia_difference * (p.omega * sin(s.theta)) ** 2
-    ) / 2 - p.weight_moment * cos(s.theta)
+    turning = p.inertia_difference * (p.omega * sin(s.theta)) ** 2
+    return (p.about_hinge * s.theta_rate**2 - turning) / 2 - p.weight_moment * cos(s.theta)
 
 
 def _free_rates(s, p, t):
@@ -212,17 +184,15 @@ def _about_vertical(s, p):
 
 
 def _free_energy(s, p, t):
-    return (
-        p.about_hinge * s.theta_rate**2 + p.momentum**2 / _about_vertical(s, p)
-    ) / 2 - p.weight_moment * cos(s.theta)
+    turning = p.momentum**2 / _about_vertical(s, p)
+    return (p.about_hinge * s.theta_rate**2 + turning) / 2 - p.weight_moment * cos(s.theta)
 
 
-# -- what may be neglected
+# -- bounds of what is neglected
 #
 # theta'' is a function of theta with a slope of at most L = ((I_n - I_r) omega^2 + m g d)/I_hinge
-# and a second derivative of at most twice that.
-# Two motions whose accelerations differ by ``more`` at equal angles are apart by e with |e|'' <= L
-# |e| + more: |e| <= more (cosh(sqrt(L) t) - 1)/L.
+# and a second derivative of at most twice that. Two motions whose accelerations differ by ``more``
+# at equal angles have a distance e with |e|'' <= L |e| + more: |e| <= more (cosh(sqrt(L) t) - 1)/L.
 
 
 def _steepest(p):
@@ -234,7 +204,7 @@ def _apart(p, more, t):
 
 
 def _by_large(s, p, t):
-    """Small swings have an amplitude; a parabola is left out of the acceleration."""
+    """Small swings keep their amplitude; they leave at most a parabola out of the acceleration."""
     x = s.theta - p.rest
     return _apart(p, _steepest(p) * (x * x + s.theta_rate * s.theta_rate / p.stiffness), t)
 
@@ -242,10 +212,9 @@ def _by_large(s, p, t):
 def _by_even(s, p, t):
     """The rate of the shaft lies between 1/(1 + q) and 1 + q times that at the start."""
     q = p.inertia_difference / p.shaft
-    return _apart(
-        p, p.inertia_difference * (p.omega * p.omega) * q * (2 + q) / (2 * p.about_hinge), t
-    )
+    most = p.inertia_difference * (p.omega * p.omega) / (2 * p.about_hinge)
+    return _apart(p, most * q * (2 + q), t)
 
 
 LARGE = Neglected("that the swings are not small", _by_large, ANGLE)
-EVEN = Neglected("that the swings turn the shaft faster and slower", _by_even, ANGLE)
+EVEN = Neglected("the change of the rate of the shaft", _by_even, ANGLE)

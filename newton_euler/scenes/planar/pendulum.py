@@ -10,10 +10,7 @@ costs as much to compute as the body, but does not need I.
 import math
 from dataclasses import replace
 
-from ...algebra.ledger import summed
 from ...algebra.scalars import asin, cos, scalar, sin, sqrt, where
-from ...dynamics.energy import plane_kinetic_energy, speed_after
-from ...dynamics.potential import weight_potential
 from ...motion.model import Model, Neglected, comparable
 from ..catalogue import scene
 from ..closed_forms.elliptic import counted, coupled
@@ -21,6 +18,7 @@ from ..closed_forms.harmonic import growth, oscillation
 from ..ladders import Ladder
 
 ANGLE = "angle, rad"
+STATES = ("theta", "omega")
 
 
 @scene(
@@ -37,7 +35,7 @@ ANGLE = "angle, rad"
 @scene(
     "11.17",
     "pendulum, over the top",
-    "a rigid pendulum let go next to the upright position",
+    "a rigid pendulum released near the upright position",
     15.0,
     (3.1, 0.0),
     m=2.0,
@@ -46,8 +44,8 @@ ANGLE = "angle, rad"
     g=10.0,
 )
 def physical_pendulum(m, I, l, g):
-    """The motion as a Model with the states theta and omega; the energy (11.32), by
-    :func:`pendulum_energy`, is an invariant.
+    """The Model of the pendulum: states theta and omega; the energy (11.32) is an
+    invariant.
 
     The exact solution counts theta through all turns. It is that of a start within a few round-offs
     of the one given, and from there right to a few round-offs of t times the rate of the motion:
@@ -59,14 +57,17 @@ def physical_pendulum(m, I, l, g):
     >>> [round(x, 6) for x in swing.solution(10.0, (0.0, 6.5))]  # over the top, several times
     [34.990743, 2.024268]
     """
-    return Model(
-        "physical pendulum", locals(), ("theta", "omega"), _rates, {"energy": _energy}, _exact
-    )
+    return Model("physical pendulum", locals(), STATES, _rates, {"energy": _energy}, _exact)
 
 
 def _square(p, I):
     """The square of the angular frequency of small swings."""
-    return p.m * p.g * p.l / (I + p.m * p.l * p.l)
+    return p.m * p.g * p.l / _inertia(p, I)
+
+
+def _inertia(p, I):
+    """The moment of inertia about the axis."""
+    return I + p.m * p.l * p.l
 
 
 def _rates(s, p, t):
@@ -74,7 +75,7 @@ def _rates(s, p, t):
 
 
 def _energy(s, p, t):
-    return pendulum_energy(p.m, p.I, p.l, p.g, s.theta, s.omega).value
+    return _inertia(p, p.I) * s.omega**2 / 2 - p.m * p.g * p.l * cos(s.theta)
 
 
 def _exact(s, p, t):
@@ -93,57 +94,25 @@ def _exact(s, p, t):
     return 2 * counted(half, start, now, turns), 2 * rate
 
 
-def pendulum_energy(m, I, l, g, theta, omega):
-    """T + V = (I + m l^2) omega^2/2 - m g l cos(theta), with the terms ``translation``,
-    ``rotation`` (11.51) and ``weight``, zero at the axis.
-
-    >>> pendulum_energy(2.0, 0.5, 0.5, 10.0, 0.0, 3.0).terms
-    {'translation': 2.25, 'rotation': 2.25, 'weight': -10.0}
-    """
-    T = plane_kinetic_energy(m, scalar(l) * omega, I, omega)
-    return summed(
-        {**T.terms, "weight": weight_potential(m, -(scalar(l) * cos(theta)), g)}, "energy", "11.32"
-    )
-
-
-def swing_rate(m, I, l, g, theta, theta0, omega0=0):
-    """The absolute value of omega at the angle theta, from that at theta0, without cancellation as
-    theta -> theta0.
-
-    Raises :class:`~newton_euler.dynamics.energy.EnergyError` if the pendulum does not reach theta.
-
-    >>> round(swing_rate(2.0, 0.5, 0.5, 10.0, 0.0, 1.5707963267948966), 6)
-    4.472136
-    """
-    # cos(theta) - cos(theta0)
-    drop = 2 * sin((scalar(theta0) + theta) / 2) * sin((scalar(theta0) - theta) / 2)
-    return speed_after(omega0, scalar(m) * g * l * drop, I + scalar(m) * l * l)
-
-
 # -- smaller models
 
 
 def small_swings(m, I, l, g):
-    """The body at small angles, exactly: a harmonic oscillator; states as for
+    """The Model of the body at small angles, a harmonic oscillator; states as for
     :func:`physical_pendulum`.
 
     >>> small_swings(2.0, 0.5, 0.5, 10.0).derivative((0.1, 0.0))
     (0.0, -1.0)
     """
-    return Model(
-        "pendulum, small swings",
-        locals(),
-        ("theta", "omega"),
-        _small_rates,
-        {},
-        _small_exact,
-        (SINE,),
-    )
+    return Model("pendulum, small swings", locals(), STATES, _small, {}, _small_exact, (SINE,))
 
 
 def particle(m, l, g, I=0):
-    """The whole mass at the distance l from the axis: the mathematical pendulum. I serves to bound
-    what it neglects.
+    """The Model of the mathematical pendulum, with the whole mass at the distance l from the axis.
+    I only serves the bound of what it neglects.
+
+    >>> particle(2.0, 0.5, 10.0).derivative((1.5707963267948966, 0.0))
+    (0.0, -20.0)
     """
     size = Neglected(
         "the moment of inertia about the centre of mass",
@@ -155,8 +124,9 @@ def particle(m, l, g, I=0):
 
 @scene("11.17", "physical pendulum", "small swings, a particle, a rigid body", ladder=True)
 def ladder(m=1.0, I=0.002, l=1.0, g=9.81, start=(0.3, 0.0), t=10.0):
-    """Small swings, a particle, a body: a :class:`~newton_euler.scenes.ladders.Ladder` for theta in
-    rad, until ``t`` after the start (theta, omega).
+    """The three models, small swings, particle and body: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for theta in rad, until ``t`` after the start
+    (theta, omega).
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), angle).model.name for angle in (0.1, 0.01, 0.001)]
@@ -166,7 +136,7 @@ def ladder(m=1.0, I=0.002, l=1.0, g=9.81, start=(0.3, 0.0), t=10.0):
     return Ladder.of_models("physical pendulum", ANGLE, t, start, ("theta",), *models)
 
 
-def _small_rates(s, p, t):
+def _small(s, p, t):
     return s.omega, -_square(p, p.I) * s.theta
 
 
@@ -174,7 +144,7 @@ def _small_exact(s, p, t):
     return oscillation(s.theta, s.omega, _square(p, p.I), t)
 
 
-# -- what may be neglected
+# -- bounds of what is neglected
 
 
 def _by_sine(s, p, t):

@@ -1,55 +1,23 @@
-"""A sphere, or another round body, that rolls down an incline without slipping (11.15). One that
-slides first: :mod:`newton_euler.scenes.planar.sliding_sphere`.
+"""A sphere, or another round body, that rolls down an incline without slipping (11.15). For one
+that slides first see :mod:`newton_euler.scenes.planar.sliding_sphere`.
 
 ``k`` is the moment of inertia about the centre over m R^2: 2/5 for a solid sphere (the default),
 2/3 for a shell, 1/2 for a cylinder.
 
 :func:`ladder` has three models of it: a block that slides without friction, rolling, and rolling
-against the air. The block needs no less calculation than the sphere, but no moment of inertia.
+against the air. The block costs as much to compute as the sphere, but needs no moment of inertia.
 """
 
-from ...algebra.ledger import summed
-from ...algebra.scalars import plain, radians, scalar, sin, tan, whole
-from ...dynamics.energy import speed_after
+from dataclasses import replace
+
+from ...algebra.scalars import radians, sin, whole
 from ...motion.model import Model, ModelError, Neglected
 from ..catalogue import scene
-from ..closed_forms.harmonic import integrated_square, uniform_acceleration
+from ..closed_forms.harmonic import constant_rate, integrated_square
 from ..ladders import Ladder
 
 WAY = "distance down the incline, m"
 STATES = ("x", "v")
-
-
-def rolling_energy(m, R, speed, pivoting=0, k=None):
-    """T of the rolling body with terms ``translation``, ``rolling`` and ``pivoting`` (11.45): 7/10
-    m v^2 for a sphere that does not pivot.
-
-    pivoting : the component of omega along the normal of the plane, rad/s, which the book takes to
-        be zero. Rolling does not change it: for a sphere it only adds a constant.
-
-    >>> round(rolling_energy(2.0, 0.5, 3.0).value, 9)
-    12.6
-    """
-    k, translation = _ratio(m, k), scalar(m) * speed * speed / 2
-    spun = k * (scalar(m) * R * R) * (scalar(pivoting) * pivoting) / 2
-    return summed(
-        {"translation": translation, "rolling": k * translation, "pivoting": spun},
-        "kinetic energy",
-        "11.45",
-    )
-
-
-def rolling_speed(drop, g, v0=0, k=None):
-    """The speed of the centre after a descent by ``drop``: sqrt(v0^2 + 2 g h/(1 + k)), from rest
-    sqrt(10 g h/7) for a sphere (11.49).
-
-    The contact is at rest, so its force does no work; without rolling it would be sqrt(2 g h), on
-    any incline.
-
-    >>> round(rolling_speed(0.7, 10.0), 9)
-    3.16227766
-    """
-    return speed_after(v0, scalar(g) * drop, 1 + _ratio(g, k))
 
 
 @scene(
@@ -62,24 +30,24 @@ def rolling_speed(drop, g, v0=0, k=None):
     g=9.8,
 )
 def rolling_down(slope, g, k=None):
-    """The motion straight down a plane of inclination ``slope``: a Model with the states x (down
-    the plane) and v, and the energy over mass kept.
+    """The Model of rolling straight down a plane of inclination ``slope`` (rad): states x, down the
+    plane, and v; invariant the energy over mass.
 
-    It rolls if the friction can be :func:`friction_needed` times the normal force; as the slope
-    nears the vertical, that has no bound.
+    To roll, it needs a friction of k tan(slope)/(1 + k) times the normal force, which has no bound
+    as the slope nears the vertical.
 
     >>> rolling_down(0.5235987755982988, 9.8).derivative((0.0, 0.0))[1]
     3.5
     """
-    k = _ratio(g, k)
+    k = inertia_ratio(g, k)
     return Model(
-        "sphere on an incline", locals(), STATES, _rates, {"energy over mass": _energy}, _exact
+        "sphere on an incline", locals(), **constant_rate(_rolling, *STATES), invariants=_INVARIANTS
     )
 
 
 def rolling_in_air(slope, g, air, k=None):
-    """The same against the air, which resists with ``air`` m v^2; air (1/m) is rho C_D A/(2 m). For
-    a sphere that comes down: v is not negative.
+    """The Model of rolling down against a drag ``air`` m v^2; air (1/m) is rho C_D A/(2 m). v is
+    not negative.
 
     The closed form (1 + k)/air log(cosh(n t) + ...) is not used: with little air it is the
     logarithm of almost 1, in which all digits cancel.
@@ -87,7 +55,7 @@ def rolling_in_air(slope, g, air, k=None):
     >>> rolling_in_air(0.5235987755982988, 9.8, 0.01).derivative((0.0, 7.0))[1]
     3.15
     """
-    k = _ratio(g, k)
+    k = inertia_ratio(g, k)
     return Model("sphere on an incline, in air", locals(), STATES, _air_rates)
 
 
@@ -116,80 +84,46 @@ def ladder(slope=0.3, g=9.81, air=2e-3, k=0.4, start=(0.0, 0.0), t=5.0):
     block = Model(
         "block on an incline",
         full.parameters,
-        STATES,
-        _block_rates,
-        {"energy over mass": _block_energy},
-        _block_exact,
-        (ROTATION, AIR),
+        **constant_rate(_sliding, *STATES),
+        invariants={"energy over mass": _block_energy},
+        neglects=(ROTATION, AIR),
     )
-    sphere = Model(
-        "sphere on an incline",
-        full.parameters,
-        STATES,
-        _rates,
-        {"energy over mass": _energy},
-        _exact,
-        (AIR,),
-    )
+    sphere = replace(rolling_down(slope, g, k), parameters=full.parameters, neglects=(AIR,))
     return Ladder.of_models("sphere on an incline", WAY, t, start, ("x",), block, sphere, full)
 
 
-def friction_needed(slope, k=None):
-    """Friction over normal force of the rolling body: k tan(slope)/(1 + k); with less, it slips.
-
-    >>> round(friction_needed(0.7853981633974483), 6)
-    0.285714
+def inertia_ratio(like, k):
+    """``k``, or if it is None that of a solid sphere, 2/5, exactly in the kind of number of
+    ``like``.
     """
-    k = _ratio(slope, k)
-    return plain(k * tan(slope) / (1 + k))
+    return whole(2, like) / 5 if k is None else k
 
 
-def _acceleration(p):
-    return p.g * sin(p.slope) / (1 + p.k)
+def _sliding(p):
+    return p.g * sin(p.slope)
 
 
-def _block_rates(s, p, t):
-    return s.v, p.g * sin(p.slope)
-
-
-def _block_exact(s, p, t):
-    return uniform_acceleration(s.x, s.v, p.g * sin(p.slope), t)
-
-
-def _block_energy(s, p, t):
-    return s.v * s.v / 2 - p.g * sin(p.slope) * s.x
-
-
-def _rates(s, p, t):
-    return s.v, _acceleration(p)
-
-
-def _exact(s, p, t):
-    return uniform_acceleration(s.x, s.v, _acceleration(p), t)
-
-
-def _energy(s, p, t):
-    return (1 + p.k) * s.v * s.v / 2 - p.g * sin(p.slope) * s.x
+def _rolling(p):
+    return _sliding(p) / (1 + p.k)
 
 
 def _air_rates(s, p, t):
-    return s.v, _acceleration(p) - p.air / (1 + p.k) * s.v * s.v
+    return s.v, _rolling(p) - p.air / (1 + p.k) * s.v * s.v
 
 
-# -- what may be neglected: against the air the sphere is never faster than without it
+def _block_energy(s, p, t):
+    return s.v * s.v / 2 - _sliding(p) * s.x
 
 
-def _by_rotation(s, p, t):
-    return p.g * sin(p.slope) * p.k / (1 + p.k) * (t * t) / 2
+_INVARIANTS = {
+    "energy over mass": lambda s, p, t: (1 + p.k) * s.v * s.v / 2 - _sliding(p) * s.x,
+}
 
+# -- bounds of what is neglected: against the air the sphere is never faster than without it
 
-def _by_air(s, p, t):
-    return p.air / (1 + p.k) * integrated_square(s.v, _acceleration(p), t)
-
-
-ROTATION = Neglected("the moment of inertia", _by_rotation, WAY)
-AIR = Neglected("the resistance of the air", _by_air, WAY)
-
-
-def _ratio(like, k):
-    return whole(2, like) / 5 if k is None else k
+ROTATION = Neglected("the moment of inertia", lambda s, p, t: _rolling(p) * p.k * (t * t) / 2, WAY)
+AIR = Neglected(
+    "the resistance of the air",
+    lambda s, p, t: p.air / (1 + p.k) * integrated_square(s.v, _rolling(p), t),
+    WAY,
+)

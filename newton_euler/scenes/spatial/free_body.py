@@ -1,5 +1,5 @@
-"""A body with three moments of inertia on which no moment acts, by its body rates: exact, and next
-to the separatrix too (8.14 with M = 0).
+"""A rigid body on which no moment acts, by its body rates, (8.14) with M = 0: exact, next to the
+separatrix too.
 
 Along principal axes fixed in the body I_x w_x' = (I_y - I_z) w_y w_z and cyclic. The solution is
 Jacobi's: with b the intermediate axis and a the one that the motion circles, w_a is a dn, w_b a sn,
@@ -14,9 +14,8 @@ ellipse (a circle for the symmetric body), or run away where z is the axis of th
 moment.
 """
 
-from ...algebra.scalars import is_finite, is_numeric, plain, size, sqrt, where
+from ...algebra.scalars import is_finite, is_numeric, size, sqrt, where
 from ...algebra.vectors import dot3
-from ...applications.gyroscopes import GyroError
 from ...motion.model import Model, ModelError, Neglected, comparable
 from ..catalogue import scene
 from ..closed_forms.double_double import doubled
@@ -24,14 +23,14 @@ from ..closed_forms.elliptic import coupled
 from ..closed_forms.harmonic import circular_or_hyperbolic, turned
 from ..ladders import Ladder, Rung, observed_states
 
-AXES = "xyz"
 RATES = "angular velocity, rad/s"
+STATES = "w_x", "w_y", "w_z"
 
 
 @scene(
     "10.8",
     "free body",
-    "a spin about the intermediate axis, which it leaves and comes back to",
+    "a spin about the intermediate axis, which is unstable",
     50.0,
     (0.01, 1.0, 0.01),
     I_x=1.0,
@@ -49,45 +48,20 @@ RATES = "angular velocity, rad/s"
     I_z=2.2,
 )
 def free_body(I_x, I_y, I_z):
-    """The free body as a Model: states w_x, w_y, w_z along its principal axes (rad/s); invariants
+    """The Model of the free body: states w_x, w_y, w_z along its principal axes (rad/s); invariants
     ``energy`` and ``momentum``, the size of H.
 
     The numbers given are taken as exact, and the exact solution is right to a few round-offs of t
     times the rate of the motion, wherever it starts: beside the separatrix, on it, or at rest about
-    an axis. t, and the states, may be arrays; expressions are refused in words.
+    an axis. t, and the states, may be arrays; expressions raise
+    :class:`~newton_euler.motion.model.ModelError`.
 
     >>> body = free_body(1.0, 2.0, 3.0)
     >>> [round(w, 6) for w in body.solution(20.0, (1e-7, 1.0, 1e-7))]
     [-0.003787, 0.999993, 0.002187]
     """
-    return Model(
-        "free body",
-        locals(),
-        ("w_x", "w_y", "w_z"),
-        _rates,
-        {"energy": _energy, "momentum": _momentum},
-        _exact,
-    )
-
-
-def tilt_growth(I_x, I_y, I_z, axis, rate):
-    """The rate (1/s) at which a small tilt grows while a body spins at ``rate`` about its principal
-    ``axis`` "x", "y" or "z": 0 where it does not.
-
-    For the axis n with the others u, v it is |rate| sqrt((I_n - I_u)(I_v - I_n)/(I_u I_v)), real
-    about the intermediate one alone. In the time T a tilt grows by exp(growth T). An integration in
-    floats that starts exactly on the axis stays there, and does not show the instability.
-
-    >>> tilt_growth(1.0, 2.0, 3.0, "z", 10.0), round(tilt_growth(1.0, 2.0, 3.0, "y", 3.0), 6)
-    (0.0, 1.732051)
-    """
-    if axis not in AXES:
-        raise GyroError(f"the axis is 'x', 'y' or 'z', got {axis!r}")
-    n = AXES.index(axis)
-    I = [plain(x) for x in (I_x, I_y, I_z)]
-    own, u, v = I[n], I[(n + 1) % 3], I[(n + 2) % 3]
-    square = (own - u) * (v - own) / (u * v)
-    return abs(rate) * sqrt(where(square > 0, square, abs(0.0 * square)))
+    parameters, invariants = locals(), {"energy": _energy, "momentum": _momentum}
+    return Model("free body", parameters, STATES, _rates, invariants, _exact)
 
 
 def _rates(s, p, t):
@@ -159,8 +133,8 @@ def _gap(k, I, w):
 
 
 def symmetric_wobble(I_x, I_y, I_z, spin):
-    """With the mean of I_x and I_y for both (10.36): states w_x, w_y; ``spin`` is the constant rate
-    about z.
+    """The Model with the mean of I_x and I_y for both (10.36): states w_x, w_y; ``spin`` is the
+    constant rate about z.
 
     >>> symmetric_wobble(1.0, 3.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-0.5, 2.5)
@@ -168,44 +142,38 @@ def symmetric_wobble(I_x, I_y, I_z, spin):
     return Model(
         "wobble of a symmetric body",
         locals(),
-        ("w_x", "w_y"),
+        STATES[:2],
         _symmetric,
-        exact=_symmetric_exact,
-        neglects=(ASYMMETRY,),
+        {},
+        _symmetric_exact,
+        (ASYMMETRY,),
     )
 
 
 def small_wobble(I_x, I_y, I_z, spin):
-    """To first order in w_x and w_y: these are the states; ``spin`` is the constant rate about z.
+    """The Model to first order in its states w_x and w_y; ``spin`` is the constant rate about z.
 
     >>> small_wobble(1.0, 2.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-1.0, 5.0)
     """
-    return Model(
-        "small wobble", locals(), ("w_x", "w_y"), _small, exact=_small_exact, neglects=(PRODUCT,)
-    )
+    return Model("small wobble", locals(), STATES[:2], _small, {}, _small_exact, (PRODUCT,))
 
 
 @scene("10.8", "free body", "a symmetric body, a small wobble, any motion", ladder=True)
 def ladder(I_x=1.0, I_y=1.02, I_z=1.5, start=(0.1, 0.0, 5.0), t=10.0):
-    """Symmetric body, small wobble, free body: a :class:`~newton_euler.scenes.ladders.Ladder` for
-    the body rates w_x, w_y, w_z, which are the start.
+    """The three models, symmetric body, small wobble and free body: a
+    :class:`~newton_euler.scenes.ladders.Ladder` for the body rates w_x, w_y, w_z, which are the
+    start.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> [smallest(ladder(), rate).model.name for rate in (0.01, 1e-4, 1e-5)]
     ['wobble of a symmetric body', 'small wobble', 'free body']
     """
     *across, spin = start
-    rungs = [
-        Rung(make(I_x, I_y, I_z, spin), tuple(across), _with_spin)
-        for make in (symmetric_wobble, small_wobble)
-    ]
-    return Ladder(
-        "free body",
-        RATES,
-        t,
-        (*rungs, Rung(free_body(I_x, I_y, I_z), start, observed_states("w_x", "w_y", "w_z"))),
-    )
+    wobbles = symmetric_wobble(I_x, I_y, I_z, spin), small_wobble(I_x, I_y, I_z, spin)
+    rungs = [Rung(model, tuple(across), _with_spin) for model in wobbles]
+    rungs += [Rung(free_body(I_x, I_y, I_z), start, observed_states(*STATES))]
+    return Ladder("free body", RATES, t, tuple(rungs))
 
 
 def _with_spin(s, p, t):

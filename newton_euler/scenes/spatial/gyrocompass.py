@@ -1,16 +1,17 @@
 """The gyrocompass (10.11): a gyroscope whose axis is kept level swings about north."""
 
-from ...algebra.scalars import cos, pi, sin, sqrt
+from ...algebra.scalars import cos, sin
 from ...motion.model import Model
 from ..catalogue import scene
 
 
 @scene(
-    "10.11", "gyrocompass", "a level axis that swings about north, for two minutes", 120.0, (1.0, 0.0),
+    "10.11", "gyrocompass", "a level axis that swings about north, two minutes",
+    120.0, (1.0, 0.0),
     I0=0.002, I=0.003, omega_z=1000.0, earth_rate=7.292e-5, latitude=0.8,
 )  # fmt: skip
 def gyrocompass(I0, I, omega_z, earth_rate, latitude):
-    """A gyroscope whose axis is kept level: it swings about north. A Model with the states azimuth
+    """The Model of a gyroscope whose axis is kept level, which swings about north: states azimuth
     (rad, from north) and azimuth_rate.
 
     With c = Omega cos(latitude) the axis turns at c sin(azimuth) about the level and at Omega
@@ -21,35 +22,16 @@ def gyrocompass(I0, I, omega_z, earth_rate, latitude):
     >>> compass.derivative((0.1, 0.0))[1] < 0 < compass.derivative((-0.1, 0.0))[1]  # back to north
     True
     """
-    return Model(
-        "gyrocompass",
-        locals(),
-        ("azimuth", "azimuth_rate"),
-        _compass_rates,
-        {"energy": _compass_energy},
-    )
+    return Model("gyrocompass", locals(), ("azimuth", "azimuth_rate"), _rates, {"energy": _energy})
 
 
-def compass_period(I0, I, omega_z, earth_rate, latitude):
-    """The period (s) of small swings about north: 2 pi sqrt(I0/(Omega cos(latitude) (I omega_z - I0
-    Omega cos(latitude)))).
-
-    >>> round(compass_period(0.002, 0.003, 1000.0, 7.292e-5, 0.8), 3)
-    22.761
-    """
-    level = earth_rate * cos(latitude)
-    return 2 * pi(level) * sqrt(I0 / (level * (I * omega_z - I0 * level)))
-
-
-def _compass_rates(s, p, t):
+def _rates(s, p, t):
     level = p.earth_rate * cos(p.latitude)
-    return s.azimuth_rate, -level * sin(s.azimuth) * (
-        p.I * p.omega_z - p.I0 * level * cos(s.azimuth)
-    ) / p.I0
+    momentum = p.I * p.omega_z - p.I0 * level * cos(s.azimuth)
+    return s.azimuth_rate, -level * sin(s.azimuth) * momentum / p.I0
 
 
-def _compass_energy(s, p, t):
+def _energy(s, p, t):
     level = p.earth_rate * cos(p.latitude)
-    return p.I0 * (
-        s.azimuth_rate**2 - (level * sin(s.azimuth)) ** 2
-    ) / 2 - p.I * p.omega_z * level * cos(s.azimuth)
+    square = s.azimuth_rate**2 - (level * sin(s.azimuth)) ** 2
+    return p.I0 * square / 2 - p.I * p.omega_z * level * cos(s.azimuth)

@@ -14,9 +14,6 @@ from dataclasses import replace
 
 from ...algebra.scalars import ZERO, cos, sin
 from ...algebra.vectors import add3, scale3
-from ...bodies.inertia import Inertia
-from ...kinematics.frames import Frame
-from ...kinematics.rotations import euler_frame
 from ...motion.model import Model, Neglected
 from ..catalogue import scene
 from ..closed_forms.harmonic import plane_oscillation
@@ -29,31 +26,13 @@ from .top import momentum_difference, nonspinning_frame, nutation
 PLACE = "place of the tip in plan, m"
 
 
-def momentum(mass, length, psi, theta, phi):
-    """H about the joint, in the frame {i, j, k} that does not spin, (10.16): a Vector whose frame
-    is the parent of that of the bar.
-
-    psi, theta, phi : Euler angles 3-1-3, :func:`newton_euler.moving`; the spin phi has no influence
-    Returns H and the frame of the bar; ``H.expressed_in(bar)`` is (10.14).
-
-    >>> from newton_euler import moving
-    >>> H, bar = momentum(3.0, 2.0, moving(0.0, rate=1.0), moving(0.5, rate=2.0), 0.3)
-    >>> [round(x, 6) for x in H]
-    [8.0, 1.917702, 0]
-    """
-    ground = Frame("ground")
-    bar = euler_frame(ground, "bar", psi, theta, phi)
-    I0 = mass * (length * length) / 3
-    turning = bar.angular_velocity(ground).expressed_in(bar.parent)
-    return Inertia(bar.origin, (I0, I0, 0), frame=bar.parent, tolerance=None).times(turning), bar
-
-
 @scene(
-    "10.4", "spherical pendulum", "a bar on a ball joint, pushed sideways, without a singular place", 8.0, (cos(1.2), sin(1.2), 0.0, 0.0, 0.1, 0.7),
+    "10.4", "spherical pendulum", "a bar on a ball joint, pushed sideways",
+    8.0, (cos(1.2), sin(1.2), 0.0, 0.0, 0.1, 0.7),
     mass=3.0, length=2.0, g=9.81,
 )  # fmt: skip
 def pendulum(mass, length, g):
-    """The pendulum as a Model without a singular position:
+    """The Model of the pendulum without a singular position, a
     :func:`newton_euler.scenes.spatial.top.nonspinning_frame`.
 
     >>> pendulum(3.0, 2.0, 9.81).parameters["I0"]
@@ -63,19 +42,21 @@ def pendulum(mass, length, g):
 
 
 @scene(
-    "10.4", "spherical pendulum, nodding", "its angle from the vertical alone, the cyclic one eliminated", 8.0, (2.0, 0.0),
+    "10.4", "spherical pendulum, nodding", "its angle from the vertical alone",
+    8.0, (2.0, 0.0),
     mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
 )  # fmt: skip
 def nodding(mass, length, g, theta, precession):
-    """The angle theta alone, for a start at ``theta`` (rad, from the upward vertical) with this
-    rate psi': :func:`newton_euler.scenes.spatial.top.nutation`.
+    """The Model of the angle theta alone, for a start at ``theta`` (rad, from the upward vertical)
+    with this rate psi': :func:`newton_euler.scenes.spatial.top.nutation`.
 
-    >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)  # falls towards theta = pi
+    >>> # falls towards theta = pi
+    >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)
     1.03829
     """
-    I0 = mass * (length * length) / 3
+    top = pendulum(mass, length, g).parameters
     return nutation(
-        I0, 0, mass * g * length / 2, 0, momentum_difference(I0, 0, theta, precession, 0)
+        **top, momentum_difference=momentum_difference(top["I0"], 0, theta, precession, 0)
     )
 
 
@@ -83,17 +64,18 @@ def nodding(mass, length, g, theta, precession):
 
 
 def small_swings(length, g):
-    """Small swings without friction, an ellipse: states x, y, dx, dy of the tip.
+    """The Model of small swings without friction, on an ellipse: states x, y, dx, dy of the tip.
 
     >>> small_swings(3.0, 10.0).derivative((0.1, -0.2, 0.0, 0.2))
     (0.0, 0.2, -0.5, 1.0)
     """
-    return Model("bar, small swings", locals(), STATES, _small, {}, _small_exact, (SIZE, FRICTION))
+    damped = small_swings_with_friction(length, g, 0)
+    return replace(damped, name="bar, small swings", neglects=(SIZE, FRICTION))
 
 
 def small_swings_with_friction(length, g, friction):
-    """Small swings with friction, an ellipse that shrinks; friction is below 2 sqrt(3 g/(2
-    length)), the critical damping.
+    """The Model of small swings with friction, on an ellipse that shrinks; friction is below 2
+    sqrt(3 g/(2 length)), the critical damping.
     """
     return Model(
         "bar, small swings with friction", locals(), STATES, _damped, {}, _damped_exact, (SIZE,)
@@ -101,14 +83,14 @@ def small_swings_with_friction(length, g, friction):
 
 
 def any_swing(length, g):
-    """Any swing below the level of the joint, without friction: as the tip would swing on a cord,
-    with gravity 3 g/2.
+    """The Model of any swing below the level of the joint, without friction: that of a bob on a
+    cord with the gravity 3 g/2.
     """
     return replace(on_cord(length, 1.5 * g), name="bar, any swing", neglects=(FRICTION,))
 
 
 def any_swing_with_friction(length, g, friction):
-    """The same with friction: states x, y, dx, dy of the tip."""
+    """The Model of any swing with friction: states x, y, dx, dy of the tip."""
     return Model("bar, any swing with friction", locals(), STATES, _full)
 
 
@@ -119,8 +101,8 @@ def any_swing_with_friction(length, g, friction):
     ladder=True,
 )
 def ladder(length=1.0, g=9.81, friction=0.02, start=(0.05, 0.0, 0.0, 0.1), t=5.0):
-    """Four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the place of the tip in plan,
-    m, from the ``start`` x, y, dx, dy.
+    """The four models: a :class:`~newton_euler.scenes.ladders.Ladder` for the position of the tip
+    in plan, m, from the ``start`` x, y, dx, dy.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> for metres in (0.01, 0.001, 1e-5):
@@ -139,14 +121,6 @@ def _square(p):
     return 3 * p.g / (2 * p.length)
 
 
-def _small(s, p, t):
-    return s.dx, s.dy, -_square(p) * s.x, -_square(p) * s.y
-
-
-def _small_exact(s, p, t):
-    return plane_oscillation(s, _square(p), t)
-
-
 def _damped(s, p, t):
     return s.dx, s.dy, -_square(p) * s.x - p.friction * s.dx, -_square(p) * s.y - p.friction * s.dy
 
@@ -157,11 +131,8 @@ def _damped_exact(s, p, t):
 
 def _full(s, p, t):
     r, v = below(s, p.length)
-    return (
-        s.dx,
-        s.dy,
-        *held(r, v, add3((ZERO, ZERO, -3 * p.g / 2), scale3(-p.friction, v)), p.length),
-    )
+    free = add3((ZERO, ZERO, -3 * p.g / 2), scale3(-p.friction, v))
+    return s.dx, s.dy, *held(r, v, free, p.length)
 
 
 SIZE = Neglected("the size of the swings", None, PLACE)

@@ -9,11 +9,10 @@ the vertical.
 """
 
 from dataclasses import replace
+from operator import attrgetter
 
-from ...algebra.ledger import summed
-from ...algebra.scalars import cos, plain, scalar, sin, sqrt, tan
+from ...algebra.scalars import cos, sin, sqrt, tan
 from ...algebra.vectors import dot3
-from ...dynamics.energy import gyroscope_energy
 from ...kinematics.rotations import (
     apply,
     matrix_from_quaternion,
@@ -26,14 +25,16 @@ from ..catalogue import scene
 from ..closed_forms.harmonic import turned
 from ..closed_forms.top import nutation_exact
 
+QUATERNION = "q0", "q1", "q2", "q3"
+_q = attrgetter(*QUATERNION)
 SPIN = 8.0  # rad/s
 # the top of the scenes, let go at 0.6 rad from the vertical, which nutates
 TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
 
 
 def tilted(theta):
-    """The start of :func:`nonspinning_frame` at rest, but for the spin, at this angle from the
-    vertical.
+    """The start of :func:`nonspinning_frame` without precession and nutation, at the angle
+    ``theta`` (rad) from the vertical.
     """
     return cos(theta / 2), sin(theta / 2), 0.0, 0.0, 0.0, 0.0
 
@@ -51,47 +52,17 @@ def momentum_difference(I0, I, theta, precession, omega_z):
     return I0 * precession * sin(theta) ** 2 - 2 * I * omega_z * sin(theta / 2) ** 2
 
 
-def precession_rate(I0, I, theta, omega_z, momentum_difference):
-    """psi' at the angle theta from the constants, (p_psi - p_phi cos(theta))/(I0 sin^2(theta)), by
-    half angles.
-
-    If ``momentum_difference`` is the integer 0 it has its limit at theta = 0.
-
-    >>> precession_rate(0.02, 0.01, 0.0, 100.0, 0)
-    25.0
-    """
-    q = scalar(momentum_difference)
-    return plain(
-        (2 * I * omega_z + q) / (4 * I0 * cos(theta / 2) ** 2) + q / (4 * I0 * sin(theta / 2) ** 2)
-    )
-
-
-def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
-    """T + V of a top about its fixed point, an Amount with the terms ``transverse``, ``axial`` and
-    ``weight``; constant during the motion.
-
-    I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`. V = + mgr
-    cos(theta), since theta is counted from the *upward* vertical and the moment of the weight, +
-    mgr sin(theta) (10.30), makes it grow. The book prints a minus sign here, with which the sum is
-    not constant.
-
-    >>> top_energy(1.5, 1.0, 10.0, 0.0, 0.0, 2.0, 3.0).terms
-    {'transverse': 0.0, 'axial': 12.5, 'weight': 10.0}
-    """
-    T = gyroscope_energy(I0, I, theta, theta_rate, precession, spin)
-    return summed({**T.terms, "weight": scalar(mgr) * cos(theta)}, "energy", "11.32")
-
-
 # -- theta alone
 
 
 @scene(
-    "10.5", "top, nutation", "the nutating top reduced to its angle from the vertical", 10.0, (0.6, 0.0),
+    "10.5", "top, nutation", "the angle of a nutating top from the vertical",
+    10.0, (0.6, 0.0),
     **TOP, momentum_difference=momentum_difference(1.0, 1.5, 0.6, 0.0, SPIN),
 )  # fmt: skip
 def nutation(I0, I, mgr, omega_z, momentum_difference):
-    """The nutation alone (10.24) with the cyclic angles eliminated: states theta, theta_rate;
-    invariant the energy, less that of spin.
+    """The Model of the nutation alone (10.24), with the cyclic angles eliminated: states theta,
+    theta_rate; invariant the energy, less that of spin.
 
     momentum_difference : from the start, by the function :func:`momentum_difference`; 0 for a
         sleeping top, and then theta = 0 is no singular place
@@ -109,31 +80,27 @@ def nutation(I0, I, mgr, omega_z, momentum_difference):
     >>> [round(x, 6) for x in top.solution(0.05, (0.0, 0.1))]  # it goes through the upright
     [0.00384, 0.033918]
     """
-    return Model(
-        "top, nutation alone",
-        locals(),
-        ("theta", "theta_rate"),
-        _nutation_rates,
-        {"energy": _nutation_energy},
-        nutation_exact,
-    )
+    given, states = locals(), ("theta", "theta_rate")
+    invariants = {"energy": _nutation_energy}
+    return Model("top, nutation alone", given, states, nutation_rates, invariants, nutation_exact)
 
 
-def _sides(s, p):
-    """tan(theta/2), q, p and q/tan(theta/2)."""
+def half_tangent_sides(s, p):
+    """tan(theta/2), q, p and q/tan(theta/2), of which the quotient of :func:`nutation` consists."""
     t, q = tan(s.theta / 2), p.momentum_difference
     return t, q, 2 * (p.I * p.omega_z) + q, q / t
 
 
-def _nutation_rates(s, p, t):
-    t, q, whole, rest = _sides(s, p)
+def nutation_rates(s, p, t):
+    """The right-hand side of :func:`nutation`, (10.24)."""
+    t, q, whole, rest = half_tangent_sides(s, p)
     slope = (whole * t + rest) * (whole * (1 + t * t) - (q + rest / t)) / (8 * p.I0)
     # sin(theta) from the tangent that is there
     return s.theta_rate, (p.mgr * (2 * t / (1 + t * t)) - slope) / p.I0
 
 
 def _nutation_energy(s, p, t):
-    t, _, whole, rest = _sides(s, p)
+    t, _, whole, rest = half_tangent_sides(s, p)
     return p.I0 * s.theta_rate**2 / 2 + (whole * t + rest) ** 2 / (8 * p.I0) + p.mgr * cos(s.theta)
 
 
@@ -149,8 +116,8 @@ def _nutation_energy(s, p, t):
     **TOP,
 )
 def euler(I0, I, mgr, omega_z):
-    """The top in Euler's angles (10.25): states psi, theta, phi, psi_rate, theta_rate; invariants
-    energy and p_psi. Singular at theta = 0 and pi.
+    """The Model of the top in Euler angles (10.25): states psi, theta, phi, psi_rate, theta_rate;
+    invariants energy and p_psi. Singular at theta = 0 and pi.
 
     >>> import math
     >>> top = euler(0.02, 0.01, 0.5, 100.0)
@@ -158,26 +125,16 @@ def euler(I0, I, mgr, omega_z):
     0.0
     """
     parameters, states = locals(), ("psi", "theta", "phi", "psi_rate", "theta_rate")
-    return Model(
-        "top in Euler's angles",
-        parameters,
-        states,
-        _euler_rates,
-        {"energy": _euler_energy, "p_psi": _euler_vertical},
-    )
+    invariants = {"energy": _euler_energy, "p_psi": _euler_vertical}
+    return Model("top in Euler's angles", parameters, states, _euler_rates, invariants)
 
 
 def _euler_rates(s, p, t):
     sine, cosine, h = sin(s.theta), cos(s.theta), p.I * p.omega_z
     psi_acceleration = s.theta_rate * (h / p.I0 - 2 * (s.psi_rate * cosine)) / sine
     theta_acceleration = sine * (s.psi_rate**2 * cosine + (p.mgr - h * s.psi_rate) / p.I0)
-    return (
-        s.psi_rate,
-        s.theta_rate,
-        p.omega_z - s.psi_rate * cosine,
-        psi_acceleration,
-        theta_acceleration,
-    )
+    spin = p.omega_z - s.psi_rate * cosine
+    return s.psi_rate, s.theta_rate, spin, psi_acceleration, theta_acceleration
 
 
 def _euler_energy(s, p, t):
@@ -194,35 +151,32 @@ def _euler_vertical(s, p, t):
 
 @scene("10.5", "top", "a nutating top, in the frame that does not spin", 10.0, tilted(0.6), **TOP)
 def nonspinning_frame(I0, I, mgr, omega_z):
-    """The top in a frame that goes with its axis and does not turn about it, (10.20) with Omega_z =
-    0: no singular place, no fast angle.
+    """The Model of the top in a frame that follows its axis and does not rotate about it, (10.20)
+    with Omega_z = 0: it has no singular position and no fast angle.
 
     states : q0 … q3, the quaternion of the frame, and w_x, w_y, the transverse angular velocity in
         it (rad/s)
-    invariants : energy, p_psi and the norm of the quaternion. The attitude of the body follows by
-        :func:`body_quaternion`.
+    invariants : energy, p_psi and the norm of the quaternion. That of the body follows by
+        :func:`newton_euler.chapters.examples.ch10.body_quaternion`.
 
-    >>> nonspinning_frame(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]  # upright: the axis of the tilting moves on
+    >>> # upright: the axis of the tilting moves on
+    >>> nonspinning_frame(0.02, 0.01, 0.5, 100.0).derivative((1.0, 0.0, 0.0, 0.0, 0.1, 0.0))[4:]
     (0.0, 5.0)
     """
-    return Model(
-        "top in the frame that does not spin",
-        locals(),
-        ("q0", "q1", "q2", "q3", "w_x", "w_y"),
-        _nonspinning_rates,
-        _NONSPINNING_INVARIANTS,
-    )
+    given, states = locals(), (*QUATERNION, "w_x", "w_y")
+    name = "top in the frame that does not spin"
+    return Model(name, given, states, _nonspinning_rates, _NONSPINNING_INVARIANTS)
 
 
 def _vertical(s):
     """The components of the vertical K in the frame."""
-    return matrix_from_quaternion((s.q0, s.q1, s.q2, s.q3))[2]
+    return matrix_from_quaternion(_q(s))[2]
 
 
 def _nonspinning_rates(s, p, t):
     x, y, _ = _vertical(s)
     h = p.I * p.omega_z
-    turning = quaternion_rate((s.q0, s.q1, s.q2, s.q3), (s.w_x, s.w_y, 0))
+    turning = quaternion_rate(_q(s), (s.w_x, s.w_y, 0))
     return *turning, (p.mgr * y - h * s.w_y) / p.I0, (h * s.w_x - p.mgr * x) / p.I0
 
 
@@ -234,14 +188,10 @@ def _nonspinning_vertical(s, p, t):
     return dot3(_vertical(s), (p.I0 * s.w_x, p.I0 * s.w_y, p.I * p.omega_z))
 
 
-def _norm(s, p, t):
-    return s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2
-
-
 _NONSPINNING_INVARIANTS = {
     "energy": _nonspinning_energy,
     "p_psi": _nonspinning_vertical,
-    "norm": _norm,
+    "norm": lambda s, p, t: s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2,
 }
 
 
@@ -257,8 +207,8 @@ _NONSPINNING_INVARIANTS = {
     **TOP,
 )
 def attitude(I0, I, mgr, omega_z):
-    """The top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself, for pictures,
-    by the fewest operations.
+    """The Model of the top in its own axes, (10.20) with Omega_z = omega_z: the attitude itself,
+    for animations, with the fewest operations.
 
     states : q0 … q3, the quaternion of the body, and w_x, w_y, the transverse rates in it (rad/s);
         invariants as for :func:`nonspinning_frame`
@@ -273,7 +223,7 @@ def attitude(I0, I, mgr, omega_z):
 
 
 def _attitude_rates(s, p, t):
-    q0, q1, q2, q3 = q = s.q0, s.q1, s.q2, s.q3
+    q0, q1, q2, q3 = q = _q(s)
     pull, rate = 2 * p.mgr / p.I0, (p.I - p.I0) / p.I0 * p.omega_z
     turning = quaternion_rate(q, (s.w_x, s.w_y, p.omega_z))
     return (
@@ -281,16 +231,6 @@ def _attitude_rates(s, p, t):
         pull * (q2 * q3 + q0 * q1) - rate * s.w_y,
         rate * s.w_x - pull * (q1 * q3 - q0 * q2),
     )
-
-
-def body_quaternion(state, spun):
-    """The quaternion of the body, from a state of :func:`nonspinning_frame` or :func:`free` and the
-    angle omega_z t (rad) that it has spun.
-
-    >>> body_quaternion((1.0, 0, 0, 0, 0, 0), 0.0)
-    (1.0, 0.0, 0.0, 0.0)
-    """
-    return quaternion_product(tuple(state)[:4], (cos(spun / 2), 0 * spun, 0 * spun, sin(spun / 2)))
 
 
 @scene(
@@ -304,24 +244,23 @@ def body_quaternion(state, spun):
     omega_z=6.0,
 )
 def free(I0, I, omega_z):
-    """The symmetric body without moment (10.35), (10.36): the states of :func:`nonspinning_frame`,
-    with the exact solution; omega_z is not zero.
+    """The Model of a symmetric body without moment (10.35), (10.36): the states of
+    :func:`nonspinning_frame`, with the exact solution; omega_z is not zero.
 
     The frame turns about the constant H at the rate H/I0, and back about its axis at I omega_z/I0.
 
     >>> body = free(0.02, 0.01, 100.0)
-    >>> [round(x, 6) for x in body.solution(0.2, (1.0, 0, 0, 0, 1.0, 0.0))[4:]]  # I omega_z/I0 = 50 rad/s
+    >>> # I omega_z/I0 = 50 rad/s
+    >>> [round(x, 6) for x in body.solution(0.2, (1.0, 0, 0, 0, 1.0, 0.0))[4:]]
     [-0.839072, -0.544021]
     """
-    return replace(
-        nonspinning_frame(I0, I, 0, omega_z), name="free symmetric body", exact=_free_exact
-    )
+    model = nonspinning_frame(I0, I, 0, omega_z)
+    return replace(model, name="free symmetric body", exact=_free_exact)
 
 
 def _free_exact(s, p, t):
-    q, rate = (s.q0, s.q1, s.q2, s.q3), p.I * p.omega_z / p.I0
-    about = apply(matrix_from_quaternion(q), (s.w_x, s.w_y, rate))  # H/I0 in the ground
-    moved = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), q)
-    return *quaternion_product(moved, quaternion((0, 0, 1), -rate * t)), *turned(
-        s.w_x, s.w_y, rate * t
-    )
+    start, rate = _q(s), p.I * p.omega_z / p.I0
+    about = apply(matrix_from_quaternion(start), (s.w_x, s.w_y, rate))  # H/I0 in the ground
+    moved = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), start)
+    q = quaternion_product(moved, quaternion((0, 0, 1), -rate * t))
+    return *q, *turned(s.w_x, s.w_y, rate * t)

@@ -1,5 +1,5 @@
-"""The top as a ladder: from steady precession, slow or exact, to nutation, and to a body whose two
-transverse moments are not quite equal.
+"""The ladder of models of the top: slow and exact steady precession, nutation, and a body with
+slightly different transverse moments of inertia.
 
 What is observed is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward
 vertical; I0, I, ``mgr``, omega_z as in :mod:`newton_euler.scenes.spatial.top`. The fullest models
@@ -8,6 +8,7 @@ which are singular where the axis is vertical, and by the quaternion, which is n
 """
 
 from contextlib import suppress
+from operator import attrgetter
 
 from ...algebra.scalars import cos, sin
 from ...applications.gyroscopes import GyroError, steady_precession
@@ -20,15 +21,17 @@ from ...kinematics.rotations import (
 )
 from ...motion.model import Model, Neglected
 from ..catalogue import scene
+from ..closed_forms.harmonic import constant_rate
 from ..ladders import Ladder, Rung
-from .top import _nutation_rates, _sides, momentum_difference, nutation
+from .top import QUATERNION, half_tangent_sides, momentum_difference, nutation, nutation_rates
 
 DIRECTION = "direction of the axis, rad"
+RATES = "w_x", "w_y", "w_z"
 
 
 def top_slow_precession(I, mgr, omega_z, theta):
-    """Steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi; theta is
-    constant.
+    """The Model of steady precession of a fast top, psi' = mgr/(I omega_z): the only state is psi;
+    theta is constant.
 
     >>> top_slow_precession(0.01, 0.5, 100.0, 0.6).derivative((0.0,))
     (0.5,)
@@ -36,16 +39,13 @@ def top_slow_precession(I, mgr, omega_z, theta):
     return Model(
         "top, slow precession",
         locals(),
-        ("psi",),
-        _slow,
-        {},
-        _slow_exact,
-        (NUTATION, NO_TRANSVERSE, ASYMMETRY),
+        **constant_rate(_slow, "psi"),
+        neglects=(NUTATION, NO_TRANSVERSE, ASYMMETRY),
     )
 
 
 def top_steady_precession(I0, I, mgr, omega_z, theta):
-    """Steady precession (10.33) at the slow one of its two rates.
+    """The Model of steady precession (10.33) at the slow one of its two rates.
     :class:`~newton_euler.applications.gyroscopes.GyroError` where there is none.
 
     >>> round(top_steady_precession(0.02, 0.01, 0.5, 100.0, 0.0).parameters["rate"], 6)
@@ -55,15 +55,13 @@ def top_steady_precession(I0, I, mgr, omega_z, theta):
     return Model(
         "top, steady precession",
         {"rate": rate, "theta": theta},
-        ("psi",),
-        _steady,
-        exact=_steady_exact,
+        **constant_rate(_steady, "psi"),
         neglects=(NUTATION, ASYMMETRY),
     )
 
 
 def top_precession_and_nutation(I0, I, mgr, omega_z, momentum_difference):
-    """Nutation (10.24), and the precession that goes with it: states theta, theta_rate, psi;
+    """The Model of nutation (10.24) with its precession: states theta, theta_rate, psi;
     parameters as for :func:`newton_euler.scenes.spatial.top.nutation`.
     """
     base = nutation(I0, I, mgr, omega_z, momentum_difference)
@@ -78,47 +76,32 @@ def top_precession_and_nutation(I0, I, mgr, omega_z, momentum_difference):
 
 
 def asymmetric_top_euler_angles(I0, I, mgr, asymmetry):
-    """The body with unequal moments in Euler's angles: states psi, theta, phi, and the body rates
-    w_x, w_y, w_z. Singular at theta = 0 and pi.
+    """The Model of the body with unequal moments in Euler angles: states psi, theta, phi, and the
+    body rates w_x, w_y, w_z. Singular at theta = 0 and pi.
     """
-    return Model(
-        "top of unequal moments, Euler's angles",
-        locals(),
-        ("psi", "theta", "phi", "w_x", "w_y", "w_z"),
-        _euler,
-    )
+    given, states = locals(), ("psi", "theta", "phi", *RATES)
+    return Model("top of unequal moments, Euler's angles", given, states, _euler)
 
 
 def asymmetric_top_quaternion(I0, I, mgr, asymmetry):
-    """The body with unequal moments by its quaternion: states q0 ... q3, w_x, w_y, w_z."""
-    return Model(
-        "top of unequal moments, quaternion",
-        locals(),
-        ("q0", "q1", "q2", "q3", "w_x", "w_y", "w_z"),
-        _by_quaternion,
-    )
+    """The Model of the body with unequal moments by its quaternion: states q0 ... q3, w_x, w_y,
+    w_z.
+    """
+    return Model("top of unequal moments, quaternion", locals(), (*QUATERNION, *RATES), _quaternion)
 
 
 @scene(
     "10.5", "top", "slow and steady precession, nutation, unequal transverse moments", ladder=True
 )
 def ladder(
-    I0=0.02,
-    I=0.01,
-    mgr=0.5,
-    omega_z=150.0,
-    theta=0.6,
-    theta_rate=0.0,
-    precession=0.34,
-    asymmetry=1e-3,
-    t=1.0,
-):
-    """Five models: a :class:`~newton_euler.scenes.ladders.Ladder` for the direction of the axis, a
-    unit vector, so its errors are angles.
+    I0=0.02, I=0.01, mgr=0.5, omega_z=150.0, theta=0.6, theta_rate=0.0, precession=0.34,
+    asymmetry=1e-3, t=1.0,
+):  # fmt: skip
+    """The five models: a :class:`~newton_euler.scenes.ladders.Ladder` for the direction of the
+    axis, a unit vector, so its errors are angles.
 
-    theta, theta_rate, precession : at the start, where psi = phi = 0; omega_z is not zero. A top
-        that is too slow has no steady precession, and its
-    ladder no such rung.
+    theta, theta_rate, precession : at the start, where psi = phi = 0; omega_z is not zero
+    A top that is too slow has no steady precession, and its ladder no such rung.
 
     >>> from newton_euler.scenes.ladders import smallest
     >>> for angle in (0.01, 5e-4, 5e-5, 1e-7):
@@ -130,25 +113,18 @@ def ladder(
     """
     body = theta_rate, precession * sin(theta), omega_z
     over = momentum_difference(I0, I, theta, precession, omega_z) or 0
-    rungs = (
-        Rung(top_slow_precession(I, mgr, omega_z, theta), (0.0,), _fixed),
-        *_steady_rung(I0, I, mgr, omega_z, theta),
-        Rung(
-            top_precession_and_nutation(I0, I, mgr, omega_z, over), (theta, theta_rate, 0.0), _along
-        ),
-        Rung(asymmetric_top_euler_angles(I0, I, mgr, asymmetry), (0.0, theta, 0.0, *body), _along),
-        Rung(
-            asymmetric_top_quaternion(I0, I, mgr, asymmetry),
-            (*quaternion_from_euler(0.0, theta, 0.0), *body),
-            _third,
-        ),
-    )
-    return Ladder("top", DIRECTION, t, rungs)
-
-
-def _steady_rung(*values):
+    rungs = [Rung(top_slow_precession(I, mgr, omega_z, theta), (0.0,), _fixed)]
     with suppress(GyroError):  # too slow
-        yield Rung(top_steady_precession(*values), (0.0,), _fixed)
+        rungs += [Rung(top_steady_precession(I0, I, mgr, omega_z, theta), (0.0,), _fixed)]
+    nutating = top_precession_and_nutation(I0, I, mgr, omega_z, over)
+    by_angles = asymmetric_top_euler_angles(I0, I, mgr, asymmetry)
+    by_quaternion = asymmetric_top_quaternion(I0, I, mgr, asymmetry)
+    rungs += [
+        Rung(nutating, (theta, theta_rate, 0.0), _along),
+        Rung(by_angles, (0.0, theta, 0.0, *body), _along),
+        Rung(by_quaternion, (*quaternion_from_euler(0.0, theta, 0.0), *body), _third),
+    ]
+    return Ladder("top", DIRECTION, t, tuple(rungs))
 
 
 # -- the direction of the axis
@@ -169,46 +145,29 @@ def _along(s, p, t):
 
 
 def _third(s, p, t):
-    return tuple(row[2] for row in matrix_from_quaternion((s.q0, s.q1, s.q2, s.q3)))
+    return tuple(row[2] for row in matrix_from_quaternion(_q(s)))
 
 
-# -- steady
+# -- rates
+
+_q, _w, _steady = attrgetter(*QUATERNION), attrgetter(*RATES), attrgetter("rate")
 
 
-def _slow(s, p, t):
-    return (p.mgr / (p.I * p.omega_z),)
-
-
-def _slow_exact(s, p, t):
-    return (s.psi + p.mgr / (p.I * p.omega_z) * t,)
-
-
-def _steady(s, p, t):
-    return (p.rate,)
-
-
-def _steady_exact(s, p, t):
-    return (s.psi + p.rate * t,)
-
-
-# -- moving
+def _slow(p):
+    return p.mgr / (p.I * p.omega_z)
 
 
 def _axis_rates(s, p, t):
     """The rates of theta, theta_rate and psi."""
-    tangent, q, whole, rest = _sides(s, p)
-    # top.precession_rate, by the tangent that is there already
+    tangent, q, whole, rest = half_tangent_sides(s, p)
+    # (p_psi - p_phi cos(theta))/(I0 sin^2(theta)), by the tangent that is there already
     precession = (whole * (1 + tangent**2) + q + rest / tangent) / (4 * p.I0)
-    return *_nutation_rates(s, p, t), precession
-
-
-def _moments(p):
-    return p.I0 * (1 - p.asymmetry), p.I0 * (1 + p.asymmetry), p.I
+    return *nutation_rates(s, p, t), precession
 
 
 def _body_rates(s, p, vertical):
     """Euler's equations with the moment of the weight, r k x (-mg K)."""
-    I_x, I_y, I_z = _moments(p)
+    I_x, I_y, I_z = p.I0 * (1 - p.asymmetry), p.I0 * (1 + p.asymmetry), p.I
     x, y, _ = vertical
     return (
         (p.mgr * y + (I_y - I_z) * (s.w_y * s.w_z)) / I_x,
@@ -219,16 +178,12 @@ def _body_rates(s, p, vertical):
 
 def _euler(s, p, t):
     angles = s.psi, s.theta, s.phi
-    return *euler_rates(*angles, (s.w_x, s.w_y, s.w_z)), *_body_rates(
-        s, p, euler_matrix(*angles)[2]
-    )
+    return *euler_rates(*angles, _w(s)), *_body_rates(s, p, euler_matrix(*angles)[2])
 
 
-def _by_quaternion(s, p, t):
-    q = s.q0, s.q1, s.q2, s.q3
-    return *quaternion_rate(q, (s.w_x, s.w_y, s.w_z)), *_body_rates(
-        s, p, matrix_from_quaternion(q)[2]
-    )
+def _quaternion(s, p, t):
+    q = _q(s)
+    return *quaternion_rate(q, _w(s)), *_body_rates(s, p, matrix_from_quaternion(q)[2])
 
 
 NUTATION = Neglected("the nutation", None, DIRECTION)

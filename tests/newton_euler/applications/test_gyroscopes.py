@@ -34,6 +34,12 @@ from newton_euler.applications.gyroscopes import (
 from newton_euler.applications.nutation import nutation
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import cylinder
+from newton_euler.chapters.examples.ch10 import (
+    body_quaternion,
+    compass_period,
+    precession_rate,
+    spherical_pendulum_momentum,
+)
 from newton_euler.kinematics.rotations import (
     apply,
     euler_frame,
@@ -46,8 +52,8 @@ from newton_euler.kinematics.rotations import (
 from newton_euler.motion.model import ModelError
 from newton_euler.scenes.planar.hinged_rod import hinged, least_rate, rod, stiffness, swing_out
 from newton_euler.scenes.spatial import top
-from newton_euler.scenes.spatial.gyrocompass import compass_period, gyrocompass
-from newton_euler.scenes.spatial.spherical_pendulum import momentum, nodding, pendulum
+from newton_euler.scenes.spatial.gyrocompass import gyrocompass
+from newton_euler.scenes.spatial.spherical_pendulum import nodding, pendulum
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
@@ -151,7 +157,7 @@ def test_eqn_10_5_to_10_10_three_turns_make_the_matrix(kind):
 def test_eqn_10_11_to_10_14_angular_momentum_of_the_spherical_pendulum_in_body_axes(kind):
     m, L = numbers(kind, 3, 2)
     angles = [numbers(kind, *v) for v in MOTION.values()]
-    H, bar = momentum(m, L, *(moving(*v) for v in angles))
+    H, bar = spherical_pendulum_momentum(m, L, *(moving(*v) for v in angles))
     (_, dpsi, _), (theta, dtheta, _), (phi, dphi, _) = angles
     factor = m * L * L / 3
     omega = (
@@ -167,7 +173,7 @@ def test_eqn_10_11_to_10_14_angular_momentum_of_the_spherical_pendulum_in_body_a
 def test_eqn_10_15_and_10_16_the_same_in_the_frame_that_does_not_spin(kind):
     m, L = numbers(kind, 3, 2)
     angles = [numbers(kind, *v) for v in MOTION.values()]
-    H, _ = momentum(m, L, *(moving(*v) for v in angles))
+    H, _ = spherical_pendulum_momentum(m, L, *(moving(*v) for v in angles))
     (_, dpsi, _), (theta, dtheta, _), _ = angles
     assert close(
         H, (m * L * L / 3 * dtheta, m * L * L / 3 * dpsi * sin(theta), 0), 10 * tolerance(kind)
@@ -919,7 +925,7 @@ def test_the_three_models_of_the_top_agree():
     )[-1]  # fmt: skip
     rolled = run(top.nonspinning_frame(**TOP), rolled_start(START), T)[-1]
     assert by_theta == pytest.approx((by_euler[1], by_euler[4]), abs=1e-9)
-    psi, theta, phi = euler_from_quaternion(top.body_quaternion(rolled, TOP["omega_z"] * T))
+    psi, theta, phi = euler_from_quaternion(body_quaternion(rolled, TOP["omega_z"] * T))
     assert theta == pytest.approx(by_euler[1], abs=1e-9)
     assert math.remainder(psi - by_euler[0], 2 * math.pi) == pytest.approx(0, abs=1e-9)
     assert math.remainder(phi - by_euler[2], 2 * math.pi) == pytest.approx(0, abs=1e-8)
@@ -967,7 +973,7 @@ def test_the_models_obey_eqn_10_25(kind):
         (dtheta, ddtheta),
         10 * tolerance(kind),
     )
-    assert close(top.precession_rate(I0, I, theta, wz, difference), dpsi, 10 * tolerance(kind))
+    assert close(precession_rate(I0, I, theta, wz, difference), dpsi, 10 * tolerance(kind))
 
 
 def test_the_model_of_the_top_against_lagranges_equations():

@@ -25,8 +25,9 @@ from newton_euler.applications.rotors import (
 from newton_euler.bodies.body import Body, composite, particle
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import cylinder, disk, plate, rod
+from newton_euler.chapters.examples.ch09 import unbalanced_rotor
 from newton_euler.dynamics.momentum import resultant_moment
-from newton_euler.scenes.planar.rotor import turning_rotor, unbalanced_rotor
+from newton_euler.scenes.planar.rotor import turning_rotor
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

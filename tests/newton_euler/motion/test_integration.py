@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from newton_euler import Model, sqrt
+from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.motion import ModelError, second_order
 from newton_euler.motion.events import Event
 from newton_euler.motion.integration import integrate, prepare
@@ -24,7 +25,7 @@ from newton_euler.motion.prepared import prepared
 from newton_euler.motion.solution import MotionError
 from newton_euler.scenes.particles.space_station import free_body as station_body
 from newton_euler.scenes.planar.pendulum import physical_pendulum
-from newton_euler.scenes.planar.sliding_sphere import rolling, rolling_begins, sliding, sphere_at
+from newton_euler.scenes.planar.sliding_sphere import rolling, sliding
 from newton_euler.scenes.spatial import top
 from tests.motions import (
     SCENES,

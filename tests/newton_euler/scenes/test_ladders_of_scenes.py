@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension
+from newton_euler.chapters.examples.ch11 import Car
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.model import ModelError, Named, is_law
 from newton_euler.scenes import ladder
 from newton_euler.scenes.particles import space_station
-from newton_euler.scenes.particles.car_on_hill import Car
 from newton_euler.scenes.particles.space_station import body_in_air
 from newton_euler.scenes.planar.hinged_rod import hinged, least_rate, on_free_shaft, rod
 from newton_euler.scenes.planar.rolling_sphere import rolling_in_air

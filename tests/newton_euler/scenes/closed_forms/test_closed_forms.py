@@ -21,12 +21,12 @@ from newton_euler.motion.model import ModelError
 from newton_euler.motion.prepared import PreparedModel
 from newton_euler.scenes.closed_forms.double_double import doubled
 from newton_euler.scenes.closed_forms.elliptic import counted, coupled, jacobi
-from newton_euler.scenes.particles.orbit import from_farthest, orbit
+from newton_euler.scenes.particles.orbit import orbit
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial import top
 from newton_euler.scenes.spatial.free_body import free_body
 from tests.kinds import close
-from tests.motions import reference
+from tests.motions import from_farthest, reference
 
 EPS = 2.0**-52
 # the nutating top of the benchmarks

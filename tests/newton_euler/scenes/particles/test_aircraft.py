@@ -15,7 +15,8 @@ from newton_euler import (
     moving,
     sin,
 )
-from newton_euler.scenes.particles.aircraft import flight, flight_forces, vertical_flight
+from newton_euler.chapters.examples.ch06 import flight_forces
+from newton_euler.scenes.particles.aircraft import flight, vertical_flight
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

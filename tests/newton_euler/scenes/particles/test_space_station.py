@@ -10,10 +10,11 @@ from newton_euler import (
     Frame,
     moving,
 )
+from newton_euler.chapters.examples.ch06 import rim_speed
 from newton_euler.dynamics.newton import (
     relative_acceleration,
 )
-from newton_euler.scenes.particles.space_station import free_body, rim_speed, station_rate
+from newton_euler.scenes.particles.space_station import free_body, station_rate
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -7,7 +7,7 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler.scenes.planar import rolling_contact
+from newton_euler.chapters.examples import ch08 as rolling_contact
 from tests.kinds import KINDS, numbers
 from tests.tumbling import close
 

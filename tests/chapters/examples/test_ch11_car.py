@@ -7,12 +7,12 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from newton_euler import Dimension, at, sin
+from newton_euler.chapters.examples.ch11 import Car
 from newton_euler.dynamics.energy import (
     audit,
     plane_kinetic_energy,
 )
 from newton_euler.motion.model import ModelError
-from newton_euler.scenes.particles.car_on_hill import Car
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -1,8 +1,7 @@
-"""Chapter 11, the worked examples of 11.15, 11.16, 11.17, 11.19, and audits of motions that an
-integrator made.
+"""The worked example of 11.15, a sphere that rolls down an incline, and the energy balance of a
+sphere that slides, then rolls.
 
-(11.4 is in test_ch11_work.py.) Oracles: SciPy on second-order equations of motion, energy by bodies
-in frames.
+Oracles: SciPy on second-order equations of motion, energy by bodies in frames.
 """
 
 import math
@@ -15,19 +14,15 @@ from scipy.integrate import solve_ivp
 
 from newton_euler import Frame, moving
 from newton_euler.bodies.solids import sphere
+from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
+from newton_euler.chapters.examples.ch11 import friction_needed, rolling_energy, rolling_speed
 from newton_euler.dynamics.energy import (
     audit,
     kinetic_energy,
     kinetic_energy_about,
 )
 from newton_euler.dynamics.work import power
-from newton_euler.scenes.planar.rolling_sphere import (
-    friction_needed,
-    rolling_down,
-    rolling_energy,
-    rolling_speed,
-)
-from newton_euler.scenes.planar.sliding_sphere import rolling_begins, sphere_at
+from newton_euler.scenes.planar.rolling_sphere import rolling_down
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -9,11 +9,12 @@ from scipy.integrate import solve_ivp
 
 from newton_euler import Frame, moving
 from newton_euler.bodies.body import Body
+from newton_euler.chapters.examples.ch11 import top_energy
 from newton_euler.dynamics.energy import (
     kinetic_energy,
 )
 from newton_euler.kinematics.rotations import euler_frame
-from newton_euler.scenes.spatial.top import euler, top_energy
+from newton_euler.scenes.spatial.top import euler
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

@@ -9,12 +9,13 @@ from scipy.integrate import solve_ivp
 
 from newton_euler import Frame, at, cos, moving
 from newton_euler.bodies.body import Body
+from newton_euler.chapters.examples.ch11 import pendulum_energy, swing_rate
 from newton_euler.dynamics.energy import (
     EnergyError,
     kinetic_energy,
     kinetic_energy_about,
 )
-from newton_euler.scenes.planar.pendulum import pendulum_energy, physical_pendulum, swing_rate
+from newton_euler.scenes.planar.pendulum import physical_pendulum
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)

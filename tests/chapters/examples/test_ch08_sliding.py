@@ -7,6 +7,7 @@ import pytest
 from newton_euler import Frame, moving
 from newton_euler.algebra.linear import solve_linear
 from newton_euler.bodies.solids import sphere
+from newton_euler.chapters.examples import ch08
 from newton_euler.dynamics.momentum import (
     equations_of_motion,
 )
@@ -27,7 +28,7 @@ def tolerance(kind):
 @every_kind
 def test_example_8_6_sphere_from_sliding_to_rolling(kind):
     v0, mu, g, r = numbers(kind, 7, "1/5", "9.81", "1/8")
-    begins = sliding_sphere.rolling_begins(v0, mu, g, r)
+    begins = ch08.rolling_begins(v0, mu, g, r)
     assert close(begins.t, 2 * v0 / (7 * mu * g), tolerance(kind))
     assert close(begins.v, 5 * v0 / 7, tolerance(kind))
     assert close(begins.omega, -5 * v0 / (7 * r), 100 * tolerance(kind))
@@ -93,20 +94,20 @@ def test_the_exact_solution_agrees_with_an_integration_that_stops_at_the_event()
         rtol=1e-10,
         atol=1e-12,
     )
-    begins = sliding_sphere.rolling_begins(v0, mu, g, r, omega0)
+    begins = ch08.rolling_begins(v0, mu, g, r, omega0)
     assert close(
         (run.t[-1], *run.y[:, -1].tolist()), (begins.t, begins.x, begins.v, begins.omega), 1e-8
     )
     times = np.array([0.0, begins.t / 2, begins.t, begins.t + 1])
-    x, v, omega = sliding_sphere.sphere_at(times, v0, mu, g, r, omega0)
+    x, v, omega = ch08.sphere_at(times, v0, mu, g, r, omega0)
     assert close((x[3] - x[2], v[3], omega[3]), (begins.v, begins.v, begins.omega), 1e-12)
     assert x[0] == 0
     assert v[0] == v0
 
 
 def test_a_sphere_with_too_much_forward_spin_speeds_up():
-    b = sliding_sphere.rolling_begins(1.0, 0.3, 9.81, 0.2, omega0=-30.0, sense=-1)
+    b = ch08.rolling_begins(1.0, 0.3, 9.81, 0.2, omega0=-30.0, sense=-1)
     assert b.t > 0
     assert b.v > 1.0
     # the wrong sense shows
-    assert sliding_sphere.rolling_begins(1.0, 0.3, 9.81, 0.2, omega0=-30.0).t < 0
+    assert ch08.rolling_begins(1.0, 0.3, 9.81, 0.2, omega0=-30.0).t < 0
