@@ -151,12 +151,12 @@ def animate(
     Raises :class:`AnimationError` for times that do not increase, and for too many or too large
     pictures. An example stands at the head of this module.
     """
-    times = _checked_times(times)
-    speed = _checked_speed(speed, times[-1] - times[0])
-    count = len(times)
+    instants = _checked_times(times)
+    speed = _checked_speed(speed, instants[-1] - instants[0])
+    count = len(instants)
     _check_amount(count, size, dpi)
     figures, pictures = [], []
-    for n, t in enumerate(times, 1):
+    for n, t in enumerate(instants, 1):
         figures.append(_figure(draw, t, size, dpi))
         progress(n, 2 * count)
     share_window([sketch for figure in figures for ax in figure.axes for sketch in sketches_on(ax)])
@@ -164,7 +164,7 @@ def animate(
         pictures.append(picture)
         progress(n, 2 * count)
     width, height = (round(100 * side) for side in size)
-    return Animation(tuple(pictures), times, speed, alt, (width, height))
+    return Animation(tuple(pictures), instants, speed, alt, (width, height))
 
 
 def _figure(draw, t, size, dpi):

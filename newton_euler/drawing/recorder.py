@@ -18,7 +18,6 @@ from .occlusion import painters_order
 from .primitives import Canvas
 from .projection import mean, norm3, plane_view, space_view, unit3
 
-
 Direction: TypeAlias = Vector | Sequence[float]
 Place: TypeAlias = Point | Direction
 
@@ -57,7 +56,10 @@ class Recorder:
             )
         self.ax, self.frame = ax, ground
         self.view = plane_view(plane) if plane is not None else space_view(azimuth, elevation, up)
-        self._commands, self._extent, self._longest, self._artists = [], [], {}, []
+        self._commands: list = []
+        self._artists: list = []
+        self._extent: list = []  # places that fit on the page
+        self._longest: dict = {}  # of the arrows of each kind
         self._pending, self._before, self._window = False, None, None
 
     # -- conversion of places, directions and lengths
