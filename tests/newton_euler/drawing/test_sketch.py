@@ -298,7 +298,7 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         (lambda s: Sketch(s.ax, ground, up="-z"), "up is 'x', 'y' or 'z'"),
     ],
 )
-def test_a_mistake_is_told_at_once_and_in_words(draw, words):
+def test_a_mistake_is_an_error_at_once(draw, words):
     with pytest.raises(FrameError) as caught:
         draw(sketch())
     assert words in str(caught.value)
