@@ -93,7 +93,9 @@ def _combine(values, weights, scale):
 
 
 def rate(f, t=0):
-    """df/dt of a number, vector or matrix that depends on time, by a five-point central difference."""
+    """df/dt of a number, vector or matrix as a function of time, by a five-point central
+    difference.
+    """
     with mp.workdps(DIGITS):
         h, t = mpf(STEP), mpf(t)
         return _combine([f(t - 2 * h), f(t - h), f(t + h), f(t + 2 * h)], (1, -8, 8, -1), 12 * h)

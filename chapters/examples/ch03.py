@@ -2,15 +2,17 @@
 screw-jack, one vector in three systems.
 """
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from newton_euler import Frame, Vector, at, cos, cylindrical, exp, pi, sin, sqrt
+from newton_euler import Frame, Point, Vector, at, cos, cylindrical, exp, pi, sin, sqrt
+from newton_euler.algebra.scalars import Scalar
 from newton_euler.kinematics.coordinates import T_phi, T_theta
-from newton_euler.kinematics.paths import along, at_speed, frenet_along
+from newton_euler.kinematics.paths import Frenet, along, at_speed, frenet_along
 from newton_euler.kinematics.rotations import apply
 
 
-def exponential_curve(q):
+def exponential_curve(q: Scalar) -> tuple[Scalar, ...]:
     """(x, y, z) = (e^q, sin q, q^2) at the parameter q (3.1). No units.
 
     >>> exponential_curve(0.0)
@@ -19,19 +21,20 @@ def exponential_curve(q):
     return exp(q), sin(q), q * q
 
 
-def point_on_exponential_curve(ground, q, speed, speed_rate=0):
+def point_on_exponential_curve(
+    ground: Frame, q: Scalar, speed: Scalar, speed_rate: Scalar = 0
+) -> Point:
     """The point that passes q on :func:`exponential_curve` with this speed, towards larger q (3.1):
     a moving Point of ``ground``.
 
-    speed, speed_rate : in units of x, y, z per unit of time
+    speed, speed_rate : in units of x, y, z per unit of time, and that per unit of time
 
     >>> ground = Frame("ground")
     >>> print(point_on_exponential_curve(ground, 0.0, 2.0).velocity(ground))
     [1.41421, 1.41421, 0] in ground
     """
-    return ground.point(
-        "P", *along(exponential_curve, at_speed(exponential_curve, q, speed, speed_rate))
-    )
+    moving_q = at_speed(exponential_curve, q, speed, speed_rate)
+    return ground.point("P", *along(exponential_curve, moving_q))
 
 
 @dataclass(frozen=True)
@@ -46,33 +49,37 @@ class Spring:
     (0.12, -0.16)
     """
 
-    radius: object
-    rise: object
+    radius: Scalar
+    rise: Scalar
 
-    def path(self, theta):
+    def path(self, theta: Scalar) -> tuple[Scalar, ...]:
         """(x, y, z) at the azimuth theta (rad)."""
         return self.radius * cos(theta), self.radius * sin(theta), self.rise * theta
 
-    wire = property(
-        lambda self: sqrt(self.radius**2 + self.rise**2), doc="length of wire per radian"
-    )
-    flexure = property(
-        lambda self: self.radius / (self.radius**2 + self.rise**2), doc="f, constant along the wire"
-    )
-    torsion = property(
-        lambda self: -self.rise / (self.radius**2 + self.rise**2),
-        doc="tau with the book's sign: negative for a right-handed helix",
-    )
+    @property
+    def wire(self) -> Scalar:
+        """Length of wire per radian."""
+        return sqrt(self.radius**2 + self.rise**2)
 
-    def intrinsic(self, theta, ground=None):
-        """The Frenet triad and components of a point that climbs at 1 rad/s, at the azimuth theta
-        (rad, a plain number or moving).
+    @property
+    def flexure(self) -> Scalar:
+        """f, constant along the wire."""
+        return self.radius / (self.radius**2 + self.rise**2)
+
+    @property
+    def torsion(self) -> Scalar:
+        """tau with the book's sign: negative for a right-handed helix."""
+        return -self.rise / (self.radius**2 + self.rise**2)
+
+    def intrinsic(self, theta: Scalar, ground: Frame | None = None) -> Frenet:
+        """The Frenet triad and components at the azimuth theta (rad, a number or moving) of a point
+        that rises at 1 rad/s.
         """
         return frenet_along(self.path, theta, ground or Frame("ground"), name="the wire")
 
     @staticmethod
-    def drawn_out(wire, slope):
-        """The spring with ``wire`` of length per radian whose wire rises at the angle ``slope``
+    def drawn_out(wire: Scalar, slope: Scalar) -> "Spring":
+        """The spring with the length ``wire`` per radian whose wire rises at the angle ``slope``
         (rad): 0 is flat, a right angle is straight.
 
         As the spring is drawn straight, f tends to 0 and the torsion to -1/wire, which is finite
@@ -84,12 +91,15 @@ class Spring:
         return Spring(wire * cos(slope), wire * sin(slope))
 
 
-def cable_residuals(tension, tension_rate, flexure, load):
+def cable_residuals(
+    tension: Scalar, tension_rate: Scalar, flexure: Scalar, load: Sequence[Scalar]
+) -> tuple[Scalar, ...]:
     """The three sums that vanish for a cable at rest in a horizontal plane (3.3): (dT/ds + R1, T f
     + R2, R3), force per length.
 
-    tension, tension_rate : T and dT/ds; flexure : f of the cable; load : (R1, R2, R3), the force
-        per length on the cable along e_t, e_n, e_b
+    tension, tension_rate : T and dT/ds
+    flexure : f of the cable
+    load : (R1, R2, R3), the force per length on the cable along e_t, e_n, e_b
 
     >>> cable_residuals(100.0, -2.0, 0.5, (2.0, -50.0, 0.0))
     (0.0, 0.0, 0.0)
@@ -98,16 +108,19 @@ def cable_residuals(tension, tension_rate, flexure, load):
     return tension_rate + R1, tension * flexure + R2, R3
 
 
-def cable_load(path, tension, q, ground=None):
+def cable_load(path: Callable, tension: Callable, q: Scalar, ground: Frame | None = None) -> Vector:
     """The force per length that holds a cable at rest (3.3), a Vector along e_t, e_n, e_b: R1 =
     -dT/ds, R2 = -T f, R3 = 0.
 
-    path : function of a parameter that returns (x, y, z) of the cable; tension : T as a function of
-        the same parameter; q : its value here
+    path : function of a parameter that returns (x, y, z) of the cable
+    tension : T as a function of the same parameter
+    q : the value of the parameter
+
     Raises :class:`~newton_euler.algebra.scalars.SingularError` where the cable is straight.
 
-    >>> # a smooth post pushes outwards with T/r
-    >>> print(cable_load(lambda q: (2.0*cos(q), 2.0*sin(q), 0), lambda q: 100.0, 0.3))
+    >>> def post(q):  # a smooth post of radius 2 pushes outwards with T/r
+    ...     return 2.0*cos(q), 2.0*sin(q), 0
+    >>> print(cable_load(post, lambda q: 100.0, 0.3))
     [0, -50, 0] in e_t, e_n, e_b of the cable
     """
     cable = frenet_along(path, q, ground or Frame("ground"), name="the cable")
@@ -115,13 +128,16 @@ def cable_load(path, tension, q, ground=None):
     return Vector((-T.rate / cable.speed, -T.value * cable.flexure, 0), cable.frame)
 
 
-def screw_jack_ball(ground, a, K, lead, t):
+def screw_jack_ball(ground: Frame, a: Scalar, K: Scalar, lead: Scalar, t: Scalar) -> Point:
     """The ball on the arm of a screw-jack at the time ``t`` (3.6), a Point of ``ground`` in
     cylindrical coordinates.
 
     It starts from rest at theta = 0, turns with a constant angular acceleration about the vertical
-    z axis and rises by the lead each turn.
-    a : length of the arm; K : angular acceleration, rad/s^2; lead : rise in one turn
+    z axis and rises by the lead in each turn.
+
+    a : length of the arm
+    K : angular acceleration, rad/s^2
+    lead : rise in one turn
 
     >>> ground = Frame("ground")
     >>> print(screw_jack_ball(ground, 0.1, 10.0, 0.5, 1.0).velocity(ground))
@@ -131,7 +147,7 @@ def screw_jack_ball(ground, a, K, lead, t):
     return cylindrical(ground, "ball", a, theta, theta * lead / (2 * pi(K)))
 
 
-def screw_jack_time(turns, K):
+def screw_jack_time(turns: Scalar, K: Scalar) -> Scalar:
     """The time (s) of so many turns of the screw-jack from rest (3.6): 2 sqrt(pi turns/K).
 
     >>> round(screw_jack_time(1, 10.0), 4)
@@ -140,12 +156,14 @@ def screw_jack_time(turns, K):
     return 2 * sqrt(pi(K) * turns / K)
 
 
-def three_systems(Q, theta, phi):
+def three_systems(
+    Q: Sequence[Scalar], theta: Scalar, phi: Scalar
+) -> tuple[tuple[Scalar, ...], ...]:
     """The rectangular, cylindrical and spherical components of a vector (3.8, 3.9 example 2), from
-    its rectangular components ``Q``.
+    its rectangular components ``Q``, in any unit.
 
     theta, phi : azimuth and elevation in rad; the spherical components are in the order R, theta,
-        phi (3.32), (3.38). Any unit.
+        phi (3.32), (3.38)
 
     >>> three_systems((5.0, 0, 0), 0.0, 0.0)
     ((5.0, 0, 0), (5.0, -0.0, 0.0), (5.0, 0.0, 0.0))

@@ -4,17 +4,17 @@ screw-jack (6.5), the rim of a space station (6.7), the forces on an aircraft (6
 
 from typing import NamedTuple
 
-from newton_euler import Frame, atan2, moving, sqrt
-from newton_euler.algebra.scalars import plain
+from newton_euler import Frame, Vector, atan2, moving, sqrt
+from newton_euler.algebra.scalars import Scalar, plain
 from newton_euler.chapters.examples.ch03 import screw_jack_ball
 from newton_euler.dynamics.newton import path_force, reaction, resultant_force
 
 
-def guide_force(m, v, radius, g):
+def guide_force(m: Scalar, v: Scalar, radius: Scalar, g: Scalar) -> Scalar:
     """The force of a smooth guide in a vertical plane on the mass that passes its top (6.2): m
     (v^2/radius - g), by (6.5); N if in SI.
 
-    Positive down, toward the centre of curvature; negative where the guide supports the mass; zero
+    Positive down, towards the centre of curvature; negative where the guide supports the mass; zero
     where free flight would follow the same curve. The speed v may have either sign.
 
     >>> round(guide_force(2.0, 4.8, 0.5, 9.81), 2)
@@ -24,25 +24,27 @@ def guide_force(m, v, radius, g):
     return plain(F_n - m * g)
 
 
-def screw_jack_force(ground, m, a, K, lead, t):
+def screw_jack_force(
+    ground: Frame, m: Scalar, a: Scalar, K: Scalar, lead: Scalar, t: Scalar
+) -> Vector:
     """The resultant force on the ball of
     :func:`~newton_euler.chapters.examples.ch03.screw_jack_ball` at the time ``t`` (6.5), by (6.8).
 
     A Vector along the ball's cylindrical axes, N if in SI. The book calls it the force of the arm;
     but the arm carries the weight too, see :func:`screw_jack_arm_force`.
 
-    >>> from newton_euler import Frame
     >>> print(screw_jack_force(Frame("ground"), 0.2, 0.1, 10.0, 0.5, 1.0))
     [-2, 0.2, 0.159155] in cylindrical axes of ball
     """
     return resultant_force(m, screw_jack_ball(ground, a, K, lead, t).acceleration(ground))
 
 
-def screw_jack_arm_force(ground, m, a, K, lead, t, g):
+def screw_jack_arm_force(
+    ground: Frame, m: Scalar, a: Scalar, K: Scalar, lead: Scalar, t: Scalar, g: Scalar
+) -> Vector:
     """The force of the arm on the ball at the time ``t`` (6.5): the resultant less the weight, with
     both as terms; N if in SI.
 
-    >>> from newton_euler import Frame
     >>> print(screw_jack_arm_force(Frame("ground"), 0.2, 0.1, 10.0, 0.5, 1.0, 9.81))
     [-2, 0.2, 2.12115] in cylindrical axes of ball
     """

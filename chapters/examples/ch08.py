@@ -5,8 +5,8 @@ or slipping (6.4, 8.5, 8.6); a sphere that slides, then rolls (8.6).
 
 from dataclasses import dataclass
 
-from newton_euler import Frame, NewtonEulerError, Vector, solve_linear, where
-from newton_euler.algebra.scalars import is_numeric, plain, scalar, size
+from newton_euler import Body, Frame, NewtonEulerError, Point, Vector, solve_linear, where
+from newton_euler.algebra.scalars import Scalar, is_numeric, plain, scalar, size
 from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.dynamics.momentum import angular_momentum, resultant_moment
 from newton_euler.scenes.planar import sliding_sphere
@@ -16,24 +16,25 @@ from newton_euler.scenes.planar.rolling_sphere import inertia_ratio
 @dataclass(frozen=True)
 class Turning:
     """A turning body, with its angular momentum ``H`` and the resultant moment ``M`` of the
-    external forces about ``about``, seen from ``ground``.
+    external forces, both about ``about`` and seen from ``ground``.
     """
 
-    body: object
+    body: Body
     ground: Frame
-    about: object
+    about: Frame | Point
     H: Vector
     M: Vector
 
 
-def bars_about_x(m, length, rate, acceleration):
+def bars_about_x(m: Scalar, length: Scalar, rate: Scalar, acceleration: Scalar) -> Turning:
     """The three rods turning about x (8.4, example 1), a :class:`Turning`: x is not principal, so
     that Euler's equations do not apply.
 
-    m : mass of one rod; rate, acceleration : omega in rad/s, alpha in rad/s^2. Any consistent units
-        of mass and length.
     M = (2/3 alpha, -(alpha + omega^2)/4, (alpha - omega^2)/4) m L^2 about the origin of the rods'
-    axes.
+    axes. Any consistent units of mass and length.
+
+    m : mass of one rod
+    rate, acceleration : omega in rad/s, alpha in rad/s^2
 
     >>> bars_about_x(12.0, 1.0, 2.0, 1.0).M
     Vector(8.0, -15.0, -9.0 in bars)
@@ -43,7 +44,9 @@ def bars_about_x(m, length, rate, acceleration):
     return _turning(three_rods(m, length, frame), ground, frame)
 
 
-def bars_about_principal_axis(m, length, rate, acceleration):
+def bars_about_principal_axis(
+    m: Scalar, length: Scalar, rate: Scalar, acceleration: Scalar
+) -> Turning:
     """The three rods turning about (2, 1, -1) (8.4, example 2), a :class:`Turning`: a principal
     axis, with H and M along it.
 
@@ -58,12 +61,14 @@ def bars_about_principal_axis(m, length, rate, acceleration):
     return _turning(three_rods(m, length, frame), ground, frame)
 
 
-def bars_about_mass_centre(m, length, rate, acceleration):
+def bars_about_mass_centre(
+    m: Scalar, length: Scalar, rate: Scalar, acceleration: Scalar
+) -> Turning:
     """The three rods turning about the axis through G parallel to z (8.4, example 3), a
     :class:`Turning`.
 
-    The arguments are those of :func:`bars_about_x`. M = (3 alpha - omega^2, alpha + 3 omega^2, 10
-    alpha) m L^2/12 about G, with the whole mass 3 m; the book takes the mass of one rod.
+    M = (3 alpha - omega^2, alpha + 3 omega^2, 10 alpha) m L^2/12 about G, with the whole mass 3 m;
+    the book takes the mass of one rod. The arguments are those of :func:`bars_about_x`.
 
     >>> print(bars_about_mass_centre(12.0, 1.0, 2.0, 1.0).M)
     [-1, 13, 10] in bars

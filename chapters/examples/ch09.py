@@ -11,18 +11,20 @@ of the body; X of the ground points vertically down, and psi is counted from it.
 from dataclasses import dataclass
 
 from newton_euler import Body, Frame, Point
+from newton_euler.algebra.scalars import Scalar
 from newton_euler.applications.rotors import reactions
 from newton_euler.bodies import Inertia
 from newton_euler.bodies.solids import disk
 
 
-def off_centre_disk(mass, radius, d, a, b, psi, omega):
-    """A thin disk at right angles to its shaft, with its centre off the axis (9.2): a
-    :class:`RotorScene`.
+def off_centre_disk(
+    mass: Scalar, radius: Scalar, d: Scalar, a: Scalar, b: Scalar, psi: Scalar, omega: Scalar
+) -> RotorScene:
+    """A thin disk at right angles to its shaft, with its centre off the axis (9.2). Its
+    ``reactions()`` are (9.1)-(9.3).
 
-    d : distance of the centre from the axis, along y of the shaft; psi in rad, omega in rad/s. Any
-        consistent units of mass and length.
-    Its ``reactions()`` are (9.1)-(9.3).
+    d : distance of the centre from the axis, along y of the shaft
+    psi, omega : in rad and rad/s; any consistent units of mass and length
 
     >>> rotor = off_centre_disk(mass=2.0, radius=0.1, d=0.01, a=0.2, b=0.3, psi=0.0, omega=10.0)
     >>> print(rotor.reactions().A)
@@ -32,18 +34,21 @@ def off_centre_disk(mass, radius, d, a, b, psi, omega):
     return scene(disk(radius, shaft.point("G", 0, d, 0), "x", mass=mass))
 
 
-def bent_disk(mass, radius, beta, a, b, psi, omega):
-    """A thin disk centred on its shaft, with its normal tilted by beta from the shaft towards y
-    (9.3): a RotorScene as above.
+def bent_disk(
+    mass: Scalar, radius: Scalar, beta: Scalar, a: Scalar, b: Scalar, psi: Scalar, omega: Scalar
+) -> RotorScene:
+    """A thin disk with its centre on the shaft and its normal tilted by beta from the shaft towards
+    y (9.3). Its ``reactions()`` are (9.4)-(9.6).
 
-    beta, psi in rad, omega in rad/s. Any consistent units of mass and length. Its ``reactions()``
-    are (9.4)-(9.6), along the axes of the disk, x along the normal; for those of the shaft ask
-    ``A.expressed_in(rotor.shaft)``.
+    The reactions are along the axes of the disk, x along its normal; for components along the axes
+    of the shaft use ``A.expressed_in(rotor.shaft)``.
+
+    beta, psi, omega : in rad and rad/s; any consistent units of mass and length
 
     >>> import math
     >>> rotor = bent_disk(mass=4.0, radius=0.5, beta=math.pi/4, a=0.2, b=0.3, psi=0.0, omega=10.0)
-    >>> # -m r^2 omega^2 sin(2 beta)/(8 (a + b))
-    >>> round(rotor.reactions().A.expressed_in(rotor.shaft).y, 9)
+    >>> A = rotor.reactions().A.expressed_in(rotor.shaft)
+    >>> round(A.y, 9)  # -m r^2 omega^2 sin(2 beta)/(8 (a + b))
     -25.0
     """
     shaft, scene = on_shaft("x", a, b, psi, omega)

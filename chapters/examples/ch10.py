@@ -2,25 +2,24 @@
 moments (10.8), a rotor in a car (10.10), gyroscopic instruments (10.11).
 """
 
-from newton_euler import Frame, cos, pi, sin, sqrt, where
-from newton_euler.algebra.scalars import plain, scalar
-from newton_euler.applications.gyroscopes import GyroError, free_precession
+from newton_euler import Frame, Point, cos, pi, sin, sqrt, where
+from newton_euler.algebra.scalars import Scalar, plain, scalar
+from newton_euler.applications.gyroscopes import FreePrecession, GyroError, free_precession
 from newton_euler.bodies import Inertia
 from newton_euler.bodies.solids import cylinder
 from newton_euler.kinematics.rotations import euler_frame, quaternion_product
 
-# -- 10.8: symmetric bodies on which no moment acts. The precession of the Earth's axis in about 26
-# 000 years is not among them: the Sun and the Moon
-# force it by their moments on the equatorial bulge. What is free is the wobble, with a period of
-# about 10 months if the Earth were rigid.
+# -- 10.8: symmetric bodies on which no moment acts. The precession of the Earth's axis in about
+# 26 000 years is not among them: the Sun and the Moon force it by their moments on the equatorial
+# bulge. The wobble is free; its period would be about 10 months if the Earth were rigid.
 
 
-def football(theta, spin):
+def football(theta: Scalar, spin: Scalar) -> FreePrecession:
     """The free precession of a football with I0 = 3 I (10.8): direct, at psi' = phi'/(2
     cos(theta)).
 
-    theta : rad, between the axis of symmetry and the angular momentum; spin : phi' in rad/s.
-    Returns the record of :func:`newton_euler.applications.gyroscopes.free_precession`.
+    theta : rad, between the axis of symmetry and the angular momentum
+    spin : phi' in rad/s
 
     >>> football(0.0, 10.0).rate
     5.0
@@ -28,11 +27,9 @@ def football(theta, spin):
     return free_precession(3.0, 1.0, theta, spin)
 
 
-def station_moments(radius, length, centre):
-    """The moments of inertia I0 (transverse) and I (axial) of a space station like a homogeneous
-    cylinder of unit mass (10.8).
-
-    centre : a Point; I0 and I in units of length squared
+def station_moments(radius: Scalar, length: Scalar, centre: Point) -> tuple[Scalar, Scalar]:
+    """The moments of inertia I0 (transverse) and I (axial) about ``centre`` of a space station, a
+    homogeneous cylinder of unit mass (10.8), in units of length squared.
 
     >>> from newton_euler import Frame
     >>> station_moments(3.0, 30.0, Frame("station").origin)
@@ -42,26 +39,26 @@ def station_moments(radius, length, centre):
     return across, along
 
 
-def wobble_period(ellipticity, day):
+def wobble_period(ellipticity: Scalar, day: Scalar) -> Scalar:
     """The period of the wobble of the rigid Earth, in units of ``day`` (10.8): of the axis of
-    rotation about that of symmetry, seen from the body.
+    rotation about the axis of symmetry, seen from the body.
 
-    ellipticity : (I - I0)/I0, 0.003285 for the Earth. The rate is (I - I0) omega_z/I0, and with
-        theta small phi' = -(I - I0) omega_z/I0.
+    ellipticity : (I - I0)/I0, 0.003285 for the Earth
 
-    >>> # days; 14 months are observed, since the Earth is elastic
-    >>> round(wobble_period(0.003285, 1.0))
+    The rate is (I - I0) omega_z/I0, and with theta small phi' = -(I - I0) omega_z/I0. Observed are
+    14 months, since the Earth is elastic.
+
+    >>> round(wobble_period(0.003285, 1.0))  # days
     304
     """
     return day / ellipticity
 
 
-# -- 10.10: a rotor that takes the overturning moment off the wheels of a car in a turn. Its axis is
-# parallel to the axles, and it spins against the
-#    sense of the wheels.
+# -- 10.10: a rotor in a car that balances the overturning moment in a turn. Its axis is parallel to
+# the axles, and it spins opposite to the wheels.
 
 
-def rotor_moment(mass, height, speed, turn_radius):
+def rotor_moment(mass: Scalar, height: Scalar, speed: Scalar, turn_radius: Scalar) -> Scalar:
     """The moment of the rotor on the car with which the wheels on both sides carry equal loads
     (10.10): h m v^2/r, N m if in SI.
 
@@ -73,12 +70,16 @@ def rotor_moment(mass, height, speed, turn_radius):
     return height * mass * speed * speed / turn_radius
 
 
-def rotor_spin(mass, height, speed, rotor_mass, gyration):
+def rotor_spin(
+    mass: Scalar, height: Scalar, speed: Scalar, rotor_mass: Scalar, gyration: Scalar
+) -> Scalar:
     """The spin phi' = h m v/(K^2 m_R) (rad/s) that gives this moment in every turn (10.10), from I
     psi' phi' = h m v^2/r, psi' = v/r (10.37).
 
-    gyration : the radius of gyration K of the rotor. Both masses may be given as weights. The
-        book's 1000 rad/s, 9549 rpm:
+    mass, rotor_mass : both masses, or both weights
+    gyration : the radius of gyration K of the rotor
+
+    The book's 1000 rad/s, 9549 rev/min:
 
     >>> rotor_spin(3000.0, 4.0, 100.0, 300.0, 2.0)
     1000.0
@@ -86,13 +87,23 @@ def rotor_spin(mass, height, speed, rotor_mass, gyration):
     return height * mass * speed / (gyration * gyration * rotor_mass)
 
 
-def wheel_loads(mass, height, speed, turn_radius, track, g, rotor=0.0):
+def wheel_loads(
+    mass: Scalar,
+    height: Scalar,
+    speed: Scalar,
+    turn_radius: Scalar,
+    track: Scalar,
+    g: Scalar,
+    rotor: Scalar = 0.0,
+) -> tuple[Scalar, Scalar]:
     """The vertical forces on the inner and on the outer wheels of a car in a turn (10.10), N if in
     SI.
 
-    track : distance of the wheels; rotor : angular momentum I phi' of the rotor, kg m^2/s.
-    Moments about G: (outer - inner) track/2 = h m v^2/r - I phi' v/r; with :func:`rotor_spin` both
-    forces are m g/2.
+    track : distance between inner and outer wheels
+    rotor : angular momentum I phi' of the rotor, kg m^2/s
+
+    From moments about G: (outer - inner) track/2 = h m v^2/r - I phi' v/r. With the spin of
+    :func:`rotor_spin` both forces are m g/2.
 
     >>> wheel_loads(1000.0, 0.5, 20.0, 100.0, 1.6, 10.0)
     (3750.0, 6250.0)
@@ -101,17 +112,18 @@ def wheel_loads(mass, height, speed, turn_radius, track, g, rotor=0.0):
     return mass * g / 2 - shift, mass * g / 2 + shift
 
 
-# -- 10.11: instruments. All rest on M = I psi' phi' (10.37): a moment makes the axis of a spinning
-# body precess, and turning the axis takes a moment.
+# -- 10.11: instruments, by M = I psi' phi' (10.37): a moment makes the axis of a spinning body
+# precess, and to turn the axis needs a moment.
 
 
-def uprighting_moment(I, speed, wheel_radius, steering_rate):
+def uprighting_moment(
+    I: Scalar, speed: Scalar, wheel_radius: Scalar, steering_rate: Scalar
+) -> Scalar:
     """The gyroscopic moment of a rolling bicycle wheel about the line of travel (10.11): I phi'
     psi' with phi' = v/r, N m if in SI.
 
     steering_rate : psi' in rad/s. Positive: steered to the left, the wheel leans the bicycle to the
-        right. It is not the only reason why a
-    bicycle stays upright.
+        right. It is not the only reason why a bicycle stays upright.
 
     >>> uprighting_moment(0.1, 5.0, 0.25, 0.5)
     1.0
@@ -119,7 +131,7 @@ def uprighting_moment(I, speed, wheel_radius, steering_rate):
     return I * (speed / wheel_radius) * steering_rate
 
 
-def sensed_tilt(I, spin, rate, stiffness):
+def sensed_tilt(I: Scalar, spin: Scalar, rate: Scalar, stiffness: Scalar) -> Scalar:
     """The tilt (rad) of a rate gyroscope about its line of nodes (10.11), held by a spring: I phi'
     psi'/stiffness, for small tilts.
 
@@ -131,7 +143,7 @@ def sensed_tilt(I, spin, rate, stiffness):
     return I * spin * rate / stiffness
 
 
-def platform_drift(moment, I, spin):
+def platform_drift(moment: Scalar, I: Scalar, spin: Scalar) -> Scalar:
     """The rate (rad/s) at which a friction moment in a gimbal turns the axis of an inertial
     platform (10.11): M/(I phi').
 

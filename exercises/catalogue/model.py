@@ -15,7 +15,8 @@ from newton_euler.algebra.units import unit
 from .units import in_unit
 
 KINDS = {
-    "number", "vector", "matrix", "expression", "vector_expression", "matrix_expression", "interval", "count", "choice",
+    "number", "vector", "matrix", "expression", "vector_expression", "matrix_expression",
+    "interval", "count", "choice",
 }  # fmt: skip
 SYMBOLIC = {"expression", "vector_expression", "matrix_expression"}
 
@@ -109,7 +110,7 @@ class Givens:
         return Givens({**self._values, **changes}, self._units)
 
     def stated(self, name):
-        """The bare number of the text, in its own unit: what a student uses who forgets to convert."""
+        """The number of the text in its own unit: what a student uses who forgets to convert."""
         return unit(self._units[name]).from_base(self._values[name])
 
 

@@ -18,7 +18,7 @@ from newton_euler.drawing import Sketch
 
 
 def line_AB(g):
-    """Ground with the axes of the frame at the instant; A in it; the frame of AB at A; B in that."""
+    """The ground, with the axes of the frame now; A in it; the frame AB at A, and B in it."""
     ground = Frame("ground")
     A = ground.point(
         "A", moving(0, g.v_x, g.a_Ax), moving(0, g.v_Ay, g.a_Ay), moving(0, g.v_Az, g.a_Az)

@@ -12,6 +12,12 @@ def mistakes(g):
     beta = moving(g.beta_1, rate=g.b_dot)
     from_vertical = arm.point("D", 0, g.b + g.L * sin(beta), g.L * cos(beta))
     return common_mistakes(g) | in_frame(ground, {
-        "C_at_rest": {"v_D": D.velocity(ground).without("origin"), "a_D": D.acceleration(ground).without("origin")},
-        "beta_from_the_vertical": {"v_D": from_vertical.velocity(ground), "a_D": from_vertical.acceleration(ground)},
+        "C_at_rest": {
+            "v_D": D.velocity(ground).without("origin"),
+            "a_D": D.acceleration(ground).without("origin"),
+        },
+        "beta_from_the_vertical": {
+            "v_D": from_vertical.velocity(ground),
+            "a_D": from_vertical.acceleration(ground),
+        },
     })  # fmt: skip

@@ -11,5 +11,9 @@ def mistakes(g):
     outward = arm.rotate("rod", "x", angle=g.beta_1, rate=g.b_dot, origin=rod.origin)
     D = outward.point("D", 0, g.L, 0)
     return common_mistakes(g) | in_frame(ground, {
-        "CD_outward": {"alpha_CD": outward.angular_acceleration(ground), "v_D": D.velocity(ground), "a_D": D.acceleration(ground)},
+        "CD_outward": {
+            "alpha_CD": outward.angular_acceleration(ground),
+            "v_D": D.velocity(ground),
+            "a_D": D.acceleration(ground),
+        },
     })  # fmt: skip

@@ -85,7 +85,9 @@ def wrong_accelerations_of_B(g, a):
 
 
 def in_time(g, t):
-    """Proof: the angles that bracket and disk have turned through, and the direction of the axle."""
+    """For the proof: the angles through which bracket and disk have turned, and the axle's
+    direction.
+    """
     (omega, omega_dot), (P, P_dot), _ = data(g)
     theta, phi = omega * t + omega_dot * t**2 / 2, P * t + P_dot * t**2 / 2
     return theta, phi, [-mp.sin(theta), mp.cos(theta), 0]

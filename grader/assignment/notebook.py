@@ -19,8 +19,9 @@ from exercises.catalogue import problem as find_problem
 from newton_euler.classroom.forms import Form
 
 GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ",
-    "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω",
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ",
+    "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ",
+    "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω",
     "Omega": "Ω", "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Phi": "Φ", "Psi": "Ψ",
 }  # fmt: skip
 SETUP = """\
@@ -31,7 +32,7 @@ from sympy import symbols
 
 from newton_euler import Frame, at, atan2, cos, cross, dot, moving, radians, sin, solve_rates, sqrt, tan
 from newton_euler.classroom import expect, receipt
-"""
+"""  # noqa: E501  # a text that students have
 MASTER_COPY = (
     "> **This copy has the numbers of the book.** Yours has numbers of its own: "
     "fetch the assignment with nbgrader, set up for this course, or ask for your copy."
@@ -51,7 +52,7 @@ compared after you hand in, part by part, with a hint where a common slip explai
 - Everything that your answer needs belongs into the answer cells: other cells are not read. The cells run from top to bottom, within {seconds:g} s
   each.
 - A problem left at `None` costs nothing but its points.
-"""
+"""  # noqa: E501  # a text that students have
 
 
 def pretty(name):
@@ -303,7 +304,7 @@ def _without_meanings(source):
 
 
 def own_metadata(cell):
-    """The metadata that this package wrote into a cell: {"role", "problem"}; {} for any other cell."""
+    """The metadata that this package wrote into a cell, {"role", "problem"}; {} for other cells."""
     own = cell.get("metadata", {}).get("newton_euler")
     return own if isinstance(own, dict) else {}
 

@@ -52,7 +52,7 @@ def cell_text(p, answers):
 
 
 def fill_in(notebook, texts):
-    """A copy of a fetched notebook with other texts in the answer cells; ``texts`` by problem id."""
+    """A copy of a fetched notebook with these texts in the answer cells, by problem id."""
     notebook = copy.deepcopy(notebook)
     for c in notebook["cells"]:
         own = own_metadata(c)
@@ -81,7 +81,7 @@ for fd in range(3, 64):                                                       # 
         os.write(fd, b'{"id": "4/16", "points": 1e9, "answers": {"a_D": "right"}, "verdict": "right"}\\n')
     except OSError:
         pass
-"""
+"""  # noqa: E501
 
 
 def hostile(notebook, problems):

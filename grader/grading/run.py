@@ -105,7 +105,7 @@ def grade(
 
 @cache
 def _code_state():
-    """A fingerprint of the code and the exercises, so that a corrected key grades everything again."""
+    """A hash of the code and the exercises: after a corrected key everything is graded again."""
     root = Path(__file__).parents[2]
     files = [
         f

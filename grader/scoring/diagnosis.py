@@ -8,8 +8,8 @@ from exercises.variants import SEPARATION, flat
 from newton_euler.algebra.vectors import Vector
 
 FACTORS = {
-    "rad/s against rev/min": 60 / (2 * np.pi), "rad against degrees": 180 / np.pi, "m against mm": 1000.0,
-    "ft against in": 12.0, "a factor of 2": 2.0,
+    "rad/s against rev/min": 60 / (2 * np.pi), "rad against degrees": 180 / np.pi,
+    "m against mm": 1000.0, "ft against in": 12.0, "a factor of 2": 2.0,
     "weight against mass (g = 9.81)": 9.81, "weight against mass (g = 32.2)": 32.2,
 }  # fmt: skip
 

@@ -16,7 +16,7 @@ MARK = {"right": "✓", "wrong": "✗", "unreadable": "?", "blank": "–"}
 
 @dataclass(frozen=True)
 class StudentAssignment:
-    """An assignment of one student: the trusted notebook, its problems and the student's numbers."""
+    """A student's assignment: the trusted notebook, its problems and the student's numbers."""
 
     student: str
     master: dict

@@ -11,7 +11,7 @@ from ..assignment.notebook import answer_id, own_metadata, starter
 
 @dataclass(frozen=True)
 class SubmittedAnswer:
-    """The text of the answer cell of one problem, and a note if the cell is missing or was copied."""
+    """The text of a problem's answer cell, and a note if the cell is missing or was copied."""
 
     text: str
     note: str = ""

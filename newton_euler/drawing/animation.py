@@ -1,5 +1,5 @@
-"""Animations of any motion: a function sketches the scene at one instant, and is called for many,
-in one window for all so that nothing jumps.
+"""Animations: a function draws the scene at one time, and is called for many times. All pictures
+have the same scale and the same limits.
 
 >>> from math import sin
 >>> from newton_euler import Frame
@@ -10,11 +10,11 @@ in one window for all so that nothing jumps.
 ...     bob = ground.rotate("rod", "x", angle=0.4*sin(3*t)).point("B", 0, 0, -1)
 ...     Sketch(ax, ground, plane="yz").rod((0, 0, 0), bob)
 >>> film = animate(swinging, [0.1*n for n in range(22)], alt="A pendulum swings to and fro.")
->>> film                                                     # Jupyter shows it with a button and a slider
+>>> film                                   # Jupyter shows it with a button and a slider
 Animation of 22 pictures from t = 0.0 s to t = 2.1 s: A pendulum swings to and fro.
 
 ``film.save("pendulum.html")`` or ``film.save("pendulum.gif")`` writes a file. player.html is the
-page around the pictures.
+template of the page.
 """
 
 import base64
@@ -23,59 +23,54 @@ import io
 import json
 import math
 import uuid
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 from string import Template
+from typing import Any
 
 from ..algebra.errors import NewtonEulerError
 from .recorder import share_window, sketches_on
 
 MAX_PICTURES = 600
-MAX_PIXELS = 300e6  # of all pictures together: some ten megabytes of HTML
-# of a picture: drawings have few; the files are a third as large, without a difference that can be
-# seen
+MAX_PIXELS = 300e6  # of all pictures together: about ten megabytes of HTML
+# of a picture. Measured: files a third as large as with all colours, and no visible difference
 COLOURS = 128
 
 
 class AnimationError(NewtonEulerError, ValueError):
-    """An animation that cannot be made or saved."""
+    """An animation cannot be made or saved."""
 
 
 @dataclass(frozen=True)
 class Animation:
-    """Pictures of a motion. Jupyter shows it; :meth:`save` writes it to a file.
+    """The pictures of a motion. Jupyter shows them; :meth:`save` writes them to a file.
 
-    pictures : PNG, as bytes
+    pictures : PNG files, as bytes
     times : of the pictures, in s
     speed : seconds of the motion shown in one second
     alt : what it shows, in words
-    size : width and height on the screen, in pixels of CSS
+    size : width and height on the screen, in CSS pixels
     """
 
-    pictures: tuple
-    times: tuple
+    pictures: tuple[bytes, ...]
+    times: tuple[float, ...]
     speed: float
     alt: str
-    size: tuple
+    size: tuple[int, int]
 
     def __repr__(self):
-        return (
-            f"Animation of {len(self.pictures)} pictures from {self._labels()[0]} to "
-            f"{self._labels()[-1]}{': ' * bool(self.alt)}{self.alt}"
-        )
+        first, *_, last = self._labels()
+        text = f"Animation of {len(self.pictures)} pictures from {first} to {last}"
+        return f"{text}: {self.alt}" if self.alt else text
 
     def _repr_mimebundle_(self, **_):
-        """What Jupyter shows: the page, or where HTML cannot be shown, as on paper, the first
-        picture.
-        """
-        return {
-            "text/html": self.html(),
-            "image/png": base64.b64encode(self.pictures[0]).decode(),
-            "text/plain": repr(self),
-        }
+        """What Jupyter shows: the page, or the first picture where HTML cannot be shown (print)."""
+        first = base64.b64encode(self.pictures[0]).decode()
+        return {"text/html": self.html(), "image/png": first, "text/plain": repr(self)}
 
-    def html(self):
+    def html(self) -> str:
         """The body of the page. Without scripts (in a notebook that is not trusted) it shows the
         first picture; for a reader who prefers reduced motion it waits at the first picture until
         it is played.
@@ -84,19 +79,17 @@ class Animation:
 
     def _page(self):
         pictures = [base64.b64encode(picture).decode() for picture in self.pictures]
-        data = {
-            "pictures": pictures,
-            "times": self.times,
-            "labels": self._labels(),
-            "speed": self.speed,
-        }
-        return Template(Path(__file__).with_name("player.html").read_text(encoding="utf-8")).substitute(
-            name=f"motion-{uuid.uuid4().hex[:12]}", alt=html.escape(self.alt or repr(self)), data=json.dumps(data), pace=self._pace(),
-            first=pictures[0], last=len(pictures) - 1, width=self.size[0], height=self.size[1],
+        times, labels = self.times, self._labels()
+        data = {"pictures": pictures, "times": times, "labels": labels, "speed": self.speed}
+        page = Template(Path(__file__).with_name("player.html").read_text(encoding="utf-8"))
+        return page.substitute(
+            name=f"motion-{uuid.uuid4().hex[:12]}", alt=html.escape(self.alt or repr(self)),
+            data=json.dumps(data), pace=self._pace(), first=pictures[0], last=len(pictures) - 1,
+            width=self.size[0], height=self.size[1],
         )  # fmt: skip
 
-    def save(self, path):
-        """Write a page (.html), which needs no other file, or a moving picture (.gif)."""
+    def save(self, path: str | Path) -> None:
+        """Write a page (.html), which needs no other file, or an animated picture (.gif)."""
         path = Path(path)
         if path.suffix == ".html":
             path.write_text(self._page(), encoding="utf-8")
@@ -106,8 +99,8 @@ class Animation:
             raise AnimationError(f"an animation is saved as .html or .gif; got {path.name!r}")
 
     def _save_gif(self, path):
-        """Write a GIF. It counts time in hundredths of a second, and viewers show nothing shorter
-        than two: pictures between are left out.
+        """Write a GIF. Its times are whole hundredths of a second, and viewers show no picture for
+        less than two: pictures that come sooner are left out.
         """
         from PIL import Image
 
@@ -118,56 +111,60 @@ class Animation:
                 shown.append(Image.open(io.BytesIO(picture)))
                 starts.append(start)
         waits = [10 * (b - a) for a, b in pairwise(starts)] or [1000]
-        shown[0].save(
-            path, save_all=True, append_images=shown[1:], duration=[*waits, waits[-1]], loop=0
-        )
+        waits += waits[-1:]
+        shown[0].save(path, save_all=True, append_images=shown[1:], duration=waits, loop=0)
 
     def _pace(self):
-        """How fast the animation is shown, in words; nothing if as fast as the motion."""
+        """How fast the animation is shown, in words; empty if as fast as the motion."""
         if abs(self.speed - 1) < 1e-9:
             return ""
-        return (
-            f"shown {1 / self.speed:.3g} times slower"
-            if self.speed < 1
-            else f"shown {self.speed:.3g} times faster"
-        )
+        ratio = max(self.speed, 1 / self.speed)
+        return f"shown {ratio:.3g} times {'slower' if self.speed < 1 else 'faster'}"
 
     def _labels(self):
-        """The times in words, with as many decimals as tell them apart."""
+        """The times as text, with the fewest decimals that keep them different."""
         step = min(b - a for a, b in pairwise(self.times))
         decimals = max(0, math.ceil(-math.log10(step) - 1e-9))
         return [f"t = {t:.{decimals}f} s" if decimals < 7 else f"t = {t:.7g} s" for t in self.times]
 
 
 def animate(
-    draw, times, speed=None, size=(5, 4), dpi=100, alt="", progress=lambda done, of_all: None
-):
-    """An :class:`Animation` of the scene that ``draw(t, ax)`` draws with a Sketch on ``ax`` as it
-    is at time t; called once for each.
+    draw: Callable,
+    times: Iterable[float],
+    speed: float | None = None,
+    size: tuple[float, float] = (5, 4),
+    dpi: float = 100,
+    alt: str = "",
+    progress: Callable[[int, int], Any] = lambda done, of_all: None,
+) -> Animation:
+    """An :class:`Animation` of the scene that ``draw(t, ax)`` draws with a Sketch on ``ax``; it is
+    called once for each of the times.
 
     times : of the pictures in s, increasing; they need not be evenly spaced
-    speed : seconds of the motion shown in one second; by default 1, or such that the film lasts 8 s
-        if that is too fast or too slow
+    speed : seconds of the motion shown in one second; by default 1, but for a motion shorter than
+        1 s or longer than 30 s such that the animation lasts 8 s
     size, dpi : width and height of the picture in inches, and its resolution; 200 is sharper on
-        fine screens and four times as much
-    alt : what the film shows, in words, for those who cannot see it
-    progress : called with (steps done, steps of all) after each step, for a progress bar
+        screens of high resolution, and the file is four times as large
+    alt : what the animation shows, in words, for those who cannot see it
+    progress : called with (steps done, number of steps) after each step, for a progress bar
+
+    Raises :class:`AnimationError` for times that do not increase, and for too many or too large
+    pictures. An example stands at the head of this module.
     """
-    times = _checked_times(times)
-    speed = _checked_speed(speed, times[-1] - times[0])
-    _check_amount(len(times), size, dpi)
-    figures = []
-    for t in times:
+    instants = _checked_times(times)
+    speed = _checked_speed(speed, instants[-1] - instants[0])
+    count = len(instants)
+    _check_amount(count, size, dpi)
+    figures, pictures = [], []
+    for n, t in enumerate(instants, 1):
         figures.append(_figure(draw, t, size, dpi))
-        progress(len(figures), 2 * len(times))
+        progress(n, 2 * count)
     share_window([sketch for figure in figures for ax in figure.axes for sketch in sketches_on(ax)])
-    pictures = []
-    for picture in _pictures(figures):
+    for n, picture in enumerate(_pictures(figures), count + 1):
         pictures.append(picture)
-        progress(len(times) + len(pictures), 2 * len(times))
-    return Animation(
-        tuple(pictures), times, speed, alt, (round(100 * size[0]), round(100 * size[1]))
-    )
+        progress(n, 2 * count)
+    width, height = (round(100 * side) for side in size)
+    return Animation(tuple(pictures), instants, speed, alt, (width, height))
 
 
 def _figure(draw, t, size, dpi):
@@ -183,15 +180,15 @@ def _figure(draw, t, size, dpi):
         raise
     if not sketches_on(ax):
         raise AnimationError(
-            "draw(t, ax) is to draw with Sketch(ax, ...) on the axes it is given, and did not "
-            f"at t = {t:g} s"
+            "draw(t, ax) must draw with Sketch(ax, ...) on the axes it is given, and did not at "
+            f"t = {t:g} s"
         )
     return figure
 
 
 def _pictures(figures):
-    """Each figure as a PNG, by one renderer, which keeps fonts and formulas; letters are not fitted
-    to the grid of pixels, since they would change their shape as they move over it.
+    """Each figure as a PNG, by one renderer, which keeps fonts and formulas. Hinting is off: a
+    letter fitted to the pixel grid would change its shape as it moves.
     """
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import RendererAgg
@@ -200,15 +197,14 @@ def _pictures(figures):
     width, height = (int(size) for size in figures[0].bbox.size)
     renderer = RendererAgg(width, height, figures[0].dpi)
     for n, figure in enumerate(figures):
-        figures[n] = None  # some hundred figures at once would take a lot of memory
+        figures[n] = None  # frees memory: there can be hundreds
         renderer.clear()
         with rc_context({"text.hinting": "none"}):
             figure.draw(renderer)
-        image = Image.frombytes("RGBA", (width, height), bytes(renderer.buffer_rgba())).convert(
-            "RGB"
-        )
+        image = Image.frombytes("RGBA", (width, height), bytes(renderer.buffer_rgba()))
         png = io.BytesIO()
-        image.quantize(COLOURS, Image.Quantize.MAXCOVERAGE).save(png, format="png")
+        # maximum coverage keeps the few colours of a drawing; it takes RGB only
+        image.convert("RGB").quantize(COLOURS, Image.Quantize.MAXCOVERAGE).save(png, format="png")
         yield png.getvalue()
 
 
@@ -216,16 +212,12 @@ def _checked_times(times):
     try:
         times = tuple(map(float, times))
     except (TypeError, ValueError):
-        raise AnimationError(
-            f"the times of an animation are numbers of seconds; got {times!r}"
-        ) from None
+        raise AnimationError(f"times are numbers of seconds; got {times!r}") from None
     if len(times) < 2:
         raise AnimationError(f"an animation needs two times or more, got {len(times)}")
     for a, b in pairwise(times):
-        if not (math.isfinite(a) and math.isfinite(b) and a < b):
-            raise AnimationError(
-                f"the times of an animation are finite and increase; got {a!r} and then {b!r}"
-            )
+        if not -math.inf < a < b < math.inf:
+            raise AnimationError(f"times are finite and increase; got {a!r} and then {b!r}")
     return times
 
 
@@ -234,8 +226,7 @@ def _checked_speed(speed, span):
         return 1.0 if 1 <= span <= 30 else span / 8
     if not (isinstance(speed, (int, float)) and 0 < speed < math.inf):
         raise AnimationError(
-            "speed is how many seconds of the motion are shown in one second, a positive "
-            f"number; got {speed!r}"
+            f"speed, seconds of the motion shown in one second, is a positive number; got {speed!r}"
         )
     return float(speed)
 
@@ -243,15 +234,13 @@ def _checked_speed(speed, span):
 def _check_amount(count, size, dpi):
     if count > MAX_PICTURES:
         raise AnimationError(
-            f"{count} pictures are too many for an animation, which takes {MAX_PICTURES} at most: "
-            f"give fewer times, as times[::{math.ceil(count / MAX_PICTURES)}]; 25 for each "
-            "second of the show look smooth"
+            f"{count} pictures are too many for an animation, which has {MAX_PICTURES} at most: "
+            f"give fewer times, as times[::{math.ceil(count / MAX_PICTURES)}]"
         )
     pixels = count * size[0] * size[1] * dpi**2
     if pixels > MAX_PIXELS:
         raise AnimationError(
-            f"{count} pictures of {size[0] * dpi:.0f} by {size[1] * dpi:.0f} pixels are "
-            "too much for an animation: "
-            "give fewer times, a smaller size, or a dpi of "
+            f"{count} pictures of {size[0] * dpi:.0f} by {size[1] * dpi:.0f} pixels are too much "
+            "for an animation: give fewer times, a smaller size, or a dpi of "
             f"{math.floor(dpi * math.sqrt(MAX_PIXELS / pixels))} or less"
         )

@@ -1,19 +1,17 @@
-"""The route of a cable: straight spans, tangent to the pulleys, and arcs on the pulleys between
-them.
-"""
+"""The route of a cable: straight spans tangent to the pulleys, and arcs on the pulleys."""
 
 import math
 from dataclasses import dataclass
 from itertools import pairwise, product
 
 from ..algebra.vectors import FrameError, cross3, dot3, scale3, sub3
-from .projection import norm3, on_circle
+from .projection import moved, norm3, on_circle
 
 
 @dataclass(frozen=True)
 class Pulley:
-    """The circle on a pulley on which a cable runs, of ``radius`` about ``centre``, perpendicular
-    to ``normal``; triples.
+    """The circle of a pulley on which a cable runs: ``radius`` in metres about ``centre``, in the
+    plane perpendicular to ``normal``; both triples.
     """
 
     centre: tuple
@@ -22,28 +20,28 @@ class Pulley:
 
 
 def route(stops, turns=None):
-    """The spans, a pair of places between each two stops, and the arcs, a list of places for each
-    stop (empty unless that is a pulley).
+    """The spans, a pair of places for each two neighbouring stops, and the arcs, a list of places
+    for each stop (empty unless it is a pulley).
 
-    stops : triples and pulleys; a route that ends on the pulley it began with is closed, and a belt
-    turns : for each pulley 1 or -1, the way the cable goes round it, right-handed about its normal
-        or not; by default the shortest
+    stops : triples and pulleys; a route that ends on the pulley on which it began is a closed belt
+    turns : for each pulley 1 or -1, whether the cable goes round it right-handed about its normal
+        or left-handed; by default the turns with the shortest route
     """
     turned = [n for n, stop in enumerate(stops) if isinstance(stop, Pulley)]
     closed = len(stops) > 2 and stops[0] is stops[-1] and 0 in turned
     free = turned[: len(turned) - closed]
     if turns is not None and (len(turns) != len(free) or set(turns) - {1, -1}):
         raise FrameError(
-            f"turns names for each of the {len(free)} pulleys on the way 1 or -1, right-handed "
+            f"turns gives for each of the {len(free)} pulleys on the way 1 or -1, right-handed "
             f"about its normal or not; got {turns!r}"
         )
-    if len(free) > 10 and turns is None:
+    if len(free) > 10 and turns is None:  # at most 2**10 routes are compared
         raise FrameError(
-            f"over {len(free)} pulleys the way is not searched for: say how it goes round "
-            "each, as in turns=[1, -1, ...]"
+            f"the shortest route over {len(free)} pulleys is not searched for: say how it goes "
+            "round each, as in turns=[1, -1, ...]"
         )
     routes, failure = [], None
-    for signs in [turns] if turns is not None else product((1, -1), repeat=len(free)):
+    for signs in product((1, -1), repeat=len(free)) if turns is None else [turns]:
         ways = dict(zip(free, signs, strict=True))
         if closed:
             ways[len(stops) - 1] = ways[0]
@@ -54,7 +52,7 @@ def route(stops, turns=None):
     if not routes:
         raise failure
     shortest = min(length for length, *_ in routes)
-    # of equally long ones always the first
+    # among equally long ones the first, whatever the round-off
     return next(lines for length, *lines in routes if length <= shortest * (1 + 1e-9))
 
 
@@ -74,8 +72,8 @@ def _route_with_turns(stops, ways, closed):
 
 
 def _span(a, turn_a, b, turn_b):
-    """The straight part between two stops, a pair of places, by fixed-point iteration: a tangent
-    point moves along the span when the other end moves, so that this converges at once.
+    """The straight part between two stops, a pair of places, by fixed-point iteration. In one plane
+    a tangent point stays while the other end moves along the span, so it converges at once.
     """
     P, Q = (stop.centre if isinstance(stop, Pulley) else stop for stop in (a, b))
     for _ in range(50):
@@ -88,36 +86,28 @@ def _span(a, turn_a, b, turn_b):
 
 
 def _tangent_point(pulley, P, turn):
-    """The point of the pulley at which a line from P is tangent and goes on in the sense ``turn``;
-    of a span that leaves, P is the far end and the sense the opposite one.
+    """The point of the pulley at which a cable from P arrives and goes on in the sense ``turn``;
+    for a cable that leaves towards P, give the opposite sense.
     """
-    v = sub3(P, pulley.centre)
-    v = sub3(v, scale3(dot3(v, pulley.normal), pulley.normal))
+    C, n, r = pulley.centre, pulley.normal, pulley.radius
+    v = sub3(P, C)
+    v = moved(v, -dot3(v, n), n)
     distance = norm3(v)
-    if distance <= pulley.radius:
+    if distance <= r:
         raise FrameError(
-            f"no cable runs from {P} to a pulley about {pulley.centre}: it lies within the "
-            f"radius {pulley.radius:g}"
+            f"no cable runs from {P} to a pulley about {C}: it lies within the radius {r:g}"
         )
     e1 = scale3(1 / distance, v)
-    return on_circle(
-        pulley.centre,
-        e1,
-        cross3(pulley.normal, e1),
-        pulley.radius,
-        turn * math.acos(pulley.radius / distance),
-    )
+    return on_circle(C, e1, cross3(n, e1), r, turn * math.acos(r / distance))
 
 
 def _arc(pulley, turn, arrival, leaving):
-    """Places along the pulley, from the point where the cable arrives to the point where it leaves."""
-    a, b = sub3(arrival, pulley.centre), sub3(leaving, pulley.centre)
+    """Places along the pulley, every 6 degrees, from where the cable arrives to where it leaves."""
+    C, r = pulley.centre, pulley.radius
+    a, b = sub3(arrival, C), sub3(leaving, C)
     angle = turn * math.atan2(dot3(pulley.normal, cross3(a, b)), dot3(a, b)) % (2 * math.pi)
-    if angle > 2 * math.pi - 1e-6:  # a straight cable that only just touches, but for rounding
+    if angle > 2 * math.pi - 1e-6:  # a straight cable that just touches: 0 less round-off
         angle = 0.0
-    e1, count = scale3(1 / pulley.radius, a), 1 + math.ceil(angle / math.radians(6))
+    e1, count = scale3(1 / r, a), 1 + math.ceil(angle / math.radians(6))
     e2 = cross3(pulley.normal, e1)
-    return [
-        on_circle(pulley.centre, e1, e2, pulley.radius, turn * angle * n / count)
-        for n in range(count + 1)
-    ]
+    return [on_circle(C, e1, e2, r, turn * angle * n / count) for n in range(count + 1)]

@@ -1,4 +1,4 @@
-"""Occlusion: the order in which strokes are drawn, so that the near ones hide the far ones."""
+"""Occlusion: the order in which strokes are drawn, so that near ones hide far ones."""
 
 import math
 from dataclasses import replace
@@ -10,13 +10,13 @@ from .projection import between, mean, norm3
 
 
 def painters_order(canvas):
-    """The strokes in the order of drawing, by the painter's algorithm: what is drawn later hides
-    what was drawn before.
+    """The strokes in the order of drawing (painter's algorithm: a later stroke hides an earlier
+    one).
 
     Bodies go from far to near, by the depths of their middles. That alone is wrong beside large
-    faces; therefore what lies beyond the plane of a face is always drawn before the face, what lies
-    on the eye's side after it, and a line through a face is cut in two (Newell, Newell and Sancha
-    1972). Marks and arrows lie over all bodies.
+    faces; therefore what lies behind the plane of a face is drawn before the face, what lies on the
+    eye's side after it, and a line through a face is cut in two (Newell, Newell and Sancha 1972).
+    Marks and arrows are drawn over all bodies.
     """
     bodies = [s for s in canvas.strokes if s.layer == BODY]
     faces = [s for s in bodies if _can_hide(canvas, s)]
@@ -33,9 +33,7 @@ def _can_hide(view, stroke):
 
 
 def _cut(view, stroke, faces):
-    """The pieces of a straight line between the faces that it passes through; any other stroke
-    whole.
-    """
+    """The pieces into which faces cut a straight line; any other stroke as a whole."""
     if stroke.closed or len(stroke.points) != 2:
         return [stroke]
     A, B = stroke.points
@@ -46,16 +44,12 @@ def _cut(view, stroke, faces):
             cuts.add(a / (a - b))
     if len(cuts) == 2:
         return [stroke]
-    pieces = [(between(A, B, s), between(A, B, t)) for s, t in pairwise(sorted(cuts))]
-    return [
-        replace(stroke, points=piece, depth=view.depth(mean(piece)), cut=True) for piece in pieces
-    ]
+    pieces = pairwise(between(A, B, t) for t in sorted(cuts))
+    return [replace(stroke, points=p, depth=view.depth(mean(p)), cut=True) for p in pieces]
 
 
 def _inside(view, p, corners):
-    """True if p is seen inside the polygon: a ray to the right crosses its edges an odd number of
-    times.
-    """
+    """True if p is seen inside the polygon: a ray to the right crosses an odd number of edges."""
     x, y = view.project(p)
     flat = [view.project(q) for q in corners]
     odd = False
@@ -66,8 +60,8 @@ def _inside(view, p, corners):
 
 
 def _by_planes(view, strokes, eps):
-    """Strokes sorted by depth, reordered so that the planes of the faces are obeyed too, as far as
-    these do not contradict each other.
+    """The strokes, sorted by depth, reordered to obey the planes of the faces too, as far as these
+    do not contradict each other. What is within ``eps`` (metres) of a plane lies on it.
     """
     import numpy as np
 
@@ -81,10 +75,8 @@ def _by_planes(view, strokes, eps):
     before = [set() for _ in strokes]  # what must be drawn before each
     for f in faces:
         face = strokes[f]
-        normal = np.array(face.normal) * math.copysign(
-            1 / norm3(face.normal), view.depth(face.normal)
-        )
-        height = (points - points[starts[f]]) @ normal
+        size = math.copysign(norm3(face.normal), view.depth(face.normal))  # normal to the eye
+        height = (points - points[starts[f]]) @ (np.array(face.normal) / size)
         least, most = np.minimum.reduceat(height, starts), np.maximum.reduceat(height, starts)
         meets = ((low < high[f] - eps) & (high > low[f] + eps)).all(axis=1)
         for n in np.flatnonzero(meets & (least > -eps) & (most > -eps)):
@@ -96,8 +88,8 @@ def _by_planes(view, strokes, eps):
 
 
 def _topological(items, before):
-    """The items in topological order: each after all in ``before``, else in the given order; of a
-    cycle the first comes first.
+    """The items in topological order: each after those in ``before``, otherwise in the given order;
+    a cycle starts with its first.
     """
     waiting, out = list(range(len(items))), []
     while waiting:

@@ -1,5 +1,5 @@
-"""What a figure is made of: strokes (lines and faces), the symbols drawn with them (arrows,
-supports, solids), labels, and their styles.
+"""The parts of a figure: strokes (lines and faces), the symbols made of them (arrows, supports,
+solids), labels, and their styles.
 """
 
 import math
@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..algebra.vectors import add3, cross3, scale3, sub3
-from .projection import View, circle, convex_hull, mean, perpendiculars, unit3
+from .projection import View, circle, convex_hull, mean, moved, on_plane, perpendiculars, unit3
 
-# colours that colour-blind readers tell apart (Okabe and Ito); bodies are grey
+# colours that colour-blind readers can distinguish (after Okabe and Ito 2008); bodies are grey
 KINDS = {
     "velocity": "#0072B2",
     "acceleration": "#D55E00",
@@ -17,14 +17,8 @@ KINDS = {
     "force": "#B0408A",
     "plain": "#000000",
 }
-DARK, MIDDLE, LIGHT, PALE, BLACK, WHITE = (
-    "#454a50",
-    "#c9ced4",
-    "#dde1e5",
-    "#eef0f2",
-    "#000000",
-    "#ffffff",
-)
+DARK, MIDDLE, LIGHT, PALE = "#454a50", "#c9ced4", "#dde1e5", "#eef0f2"
+BLACK, WHITE = "#000000", "#ffffff"
 DASHES = {
     "solid": "-",
     "dashed": (0, (5, 3)),
@@ -32,14 +26,15 @@ DASHES = {
     "centre": (0, (9, 2.5, 2, 2.5)),
 }
 FONT = 11  # points
+SQUARE = (1, 1), (-1, 1), (-1, -1), (1, -1)  # its corners
 
 # layers: bodies hide each other by depth; marks and then arrows lie over them
 BODY, MARK, ARROW = range(3)
 
 
 def _style(edge, width, face="none", dashes="solid", ends="round"):
-    """The arguments of a matplotlib patch; ``width`` in points. Their long names, since matplotlib
-    is slower with the short ones.
+    """The keyword arguments of a matplotlib patch; ``width`` in points. (Long names: matplotlib is
+    slower with the short ones.)
     """
     return {
         "edgecolor": edge,
@@ -79,8 +74,8 @@ STYLES = {
 
 
 class Note(NamedTuple):
-    """A label of a place on the page, ``gap`` points from it in the direction ``towards`` (an
-    angle) if there is room.
+    """A label of a place on the page, ``gap`` points from it, preferably in the direction
+    ``towards`` (an angle from the right, counter-clockwise, in radians).
     """
 
     place: tuple
@@ -94,7 +89,7 @@ class Note(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Stroke:
-    """A line, or a closed outline with its filling, through places in space."""
+    """A line, or a closed outline with its filling, through places in space (triples)."""
 
     points: list
     styles: tuple
@@ -105,28 +100,28 @@ class Stroke:
     cut: bool = False  # a piece of a line that a face cuts
 
     def drawn(self, ax, view, clip):
-        """The stroke as patches on ``ax``, one for each style. They are not clipped; ``clip`` only
-        saves matplotlib from making a path for it.
+        """The stroke as patches on ``ax``, one for each style. They are not clipped: with the path
+        ``clip`` given, matplotlib need not make one for each.
         """
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
         xy = [view.project(p) for p in self.points]
         path = Path(xy + xy[:1], closed=True) if self.closed else Path(xy)
-        changed = ({} if self.closed else {"facecolor": "none"}) | (
-            {"capstyle": "butt"} if self.cut else {}
-        )
+        changed = {"clip_on": False, "zorder": 2 + self.layer}
+        if not self.closed:
+            changed["facecolor"] = "none"
+        if self.cut:
+            changed["capstyle"] = "butt"
         for style in self.styles:
-            patch = PathPatch(
-                path, clip_on=False, zorder=2 + self.layer, **(STYLES[style] | changed)
-            )
+            patch = PathPatch(path, **(STYLES[style] | changed))
             patch.set_clip_path(clip)
             yield ax.add_artist(patch)
 
 
 class Canvas(View):
-    """A view with the strokes in space and the labels of one picture, for one length ``pt`` of a
-    point of the page.
+    """A view with the strokes and the labels of one picture; ``pt`` is the length of a point of the
+    page in metres.
     """
 
     def __init__(self, view, pt, extent, centre):
@@ -135,12 +130,11 @@ class Canvas(View):
         self.spots = [self.project(p) for p in extent] or [(0.0, 0.0)]
 
     def line(self, points, styles, layer=BODY, closed=False, depth=None, normal=None):
-        """Add a stroke. ``depth``: how near it counts as, by default the depth of its middle;
+        """Add a stroke. ``depth``: by which it is ordered, by default that of its middle;
         ``normal``: of a flat face.
         """
         styles = (styles,) if isinstance(styles, str) else styles
-        if depth is None:
-            depth = self.depth(mean(points))
+        depth = self.depth(mean(points)) if depth is None else depth
         self.spots += map(self.project, points)
         self.strokes.append(Stroke(list(points), styles, layer, closed, depth, normal))
 
@@ -160,8 +154,8 @@ class Canvas(View):
         self.line(convex_hull(self, points), style, layer, True, depth)
 
     def end(self, rim, outwards, style, layer=BODY):
-        """Add the flat end of a body; turned away from the eye it is invisible, but still separates
-        what is inside from what is outside.
+        """Add the flat end of a body. One that faces away is invisible, but still separates what is
+        inside from what is outside.
         """
         self.face(rim, style if self.depth(outwards) > 0 else (), outwards, layer)
 
@@ -184,9 +178,7 @@ class Canvas(View):
         self.line([tip, *wings], ("tip", style), layer, True)
 
     def arrow(self, tail, tip, style, layer):
-        """Add an arrow, or where it points at the eye or away from it, a circle with a dot or a
-        cross.
-        """
+        """Add an arrow; if it points at the eye or away from it, a circle with a dot or a cross."""
         v = sub3(tip, tail)
         if self.is_seen(v):
             self.line((tail, tip), style, layer)
@@ -201,14 +193,13 @@ class Canvas(View):
                     self.line((self.offset(tail, -x, -y), self.offset(tail, x, y)), style, layer)
 
     def support(self, P, normal, half):
-        """Add ground seen edge-on: a line, hatched on the far side of the normal."""
+        """Add ground seen edge-on: a line, hatched on the side opposite to the normal."""
         n = unit3(self.offset((0, 0, 0), *self.project(normal)))
         along = cross3(n, self.eye)
-        self.line((add3(P, scale3(-half, along)), add3(P, scale3(half, along))), "support")
-        slant = scale3(5 * self.pt, add3(scale3(-1, n), scale3(-0.8, along)))
+        self.line((moved(P, -half, along), moved(P, half, along)), "support")
         for k in range(-4, 6):
-            foot = add3(P, scale3(half * k / 5, along))
-            self.line((foot, add3(foot, slant)), "thin")
+            foot = moved(P, half * k / 5, along)
+            self.line((foot, moved(foot, -5 * self.pt, moved(n, 0.8, along))), "thin")
 
     def floor(self, P, normal, half):
         """Add ground seen from above or below: a hatched patch."""
@@ -216,22 +207,14 @@ class Canvas(View):
         e2 = max((e2, scale3(-1, e2)), key=lambda e: self.slant(add3(e1, e)))
 
         def corner(s, t):
-            return add3(P, add3(scale3(s, e1), scale3(t, e2)))
+            return on_plane(P, s, e1, t, e2)
 
-        back = self.depth(P) - half
-        self.line(
-            [corner(s, t) for s, t in ((1, 1), (-1, 1), (-1, -1), (1, -1))],
-            "patch",
-            closed=True,
-            depth=back,
-        )
+        back = self.depth(P) - half  # behind what stands on it
+        self.line([corner(s, t) for s, t in SQUARE], "patch", closed=True, depth=back)
         for k in range(-3, 4):
             s = k / 2
-            self.line(
-                (corner(max(-1, s - 1), max(-1, -1 - s)), corner(min(1, s + 1), min(1, 1 - s))),
-                "seam",
-                depth=back,
-            )
+            first = corner(max(-1, s - 1), max(-1, -1 - s))
+            self.line((first, corner(min(1, s + 1), min(1, 1 - s))), "seam", depth=back)
 
     def note(self, place, text, away_from=None, gap=3, colour=BLACK, weight="normal", fixed=None):
         """Add the label of a place, preferably on the side away from another place; one letter is
@@ -241,11 +224,10 @@ class Canvas(View):
             if len(text) == 1 and text.isalpha() and weight != "bold":
                 text = f"${text}$"
             x, y = self.project(sub3(place, away_from)) if away_from else (0, 0)
-            self.notes.append(
-                Note(self.project(place), text, math.atan2(y, x), gap, colour, weight, fixed)
-            )
+            towards = math.atan2(y, x)
+            self.notes.append(Note(self.project(place), text, towards, gap, colour, weight, fixed))
 
     def box(self):
-        """Left, right, bottom and top of everything that was added."""
+        """Left, right, bottom and top of all that was added, in metres on the page."""
         xs, ys = zip(*self.spots, strict=True)
         return min(xs), max(xs), min(ys), max(ys)

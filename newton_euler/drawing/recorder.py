@@ -1,13 +1,15 @@
-"""The recorder behind a sketch: it reads places and directions as triples, records commands, and
-draws them when the figure is finished.
+"""The base of a sketch: it converts places and directions to triples, records drawing commands, and
+renders them when the figure is finished.
 
-A command draws on a :class:`~newton_euler.drawing.primitives.Canvas`, on which a point of the page
-has a certain length in metres. Finishing finds the length with which everything fits on the page,
-or takes that of a :class:`Window`, which the pictures of a film share so that nothing jumps.
+A command draws on a :class:`~newton_euler.drawing.primitives.Canvas`, for which the length of a
+point of the page in metres is known. Finishing finds the length with which everything fits on the
+page, or takes that of a :class:`Window`, which the pictures of an animation share.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any, TypeAlias
 
 from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point
@@ -16,11 +18,14 @@ from .occlusion import painters_order
 from .primitives import Canvas
 from .projection import mean, norm3, plane_view, space_view, unit3
 
+Direction: TypeAlias = Vector | Sequence[float]
+Place: TypeAlias = Point | Direction
+
 
 @dataclass(frozen=True)
 class Window:
-    """What several pictures share: the length of a point in metres, the middle of the page, the
-    middle of the scene, and the places of labels, which each picture updates for the next.
+    """What several pictures share: the length of a point in metres, the middle of the page (on the
+    page), the middle of the scene (in space), and the places of labels, which each picture updates.
     """
 
     pt: float
@@ -30,37 +35,49 @@ class Window:
 
 
 class Recorder:
-    """The base of a sketch: records commands and draws them when the figure is shown or saved."""
+    """Records drawing commands, and renders them when the figure is shown or saved."""
 
-    def __init__(self, ax, ground, azimuth=35, elevation=20, up="z", plane=None):
+    def __init__(
+        self,
+        ax: Any,
+        ground: Frame,
+        azimuth: float = 35,
+        elevation: float = 20,
+        up: str = "z",
+        plane: str | None = None,
+    ):
         if not hasattr(ax, "add_patch"):
             raise FrameError(
-                f"a sketch is drawn on a matplotlib Axes, got {ax!r}; make one with fig, ax = "
-                "plt.subplots()"
+                f"a sketch is drawn on a matplotlib Axes, as of plt.subplots(); got {ax!r}"
             )
         if not isinstance(ground, Frame):
             raise FrameError(
-                f"a sketch shows a scene from its ground, a Frame; got {ground!r}. Write "
-                "Sketch(ax, ground)"
+                f"Sketch(ax, ground) shows a scene from its ground, a Frame; got {ground!r}"
             )
         self.ax, self.frame = ax, ground
         self.view = plane_view(plane) if plane is not None else space_view(azimuth, elevation, up)
-        self._commands, self._extent, self._longest, self._artists = [], [], {}, []
+        self._commands: list = []
+        self._artists: list = []
+        self._extent: list = []  # places that fit on the page
+        self._longest: dict = {}  # of the arrows of each kind
         self._pending, self._before, self._window = False, None, None
 
-    # -- what a place and a direction are
+    # -- conversion of places, directions and lengths
 
     def _place(self, P):
-        """A place as a triple of floats in the ground, which is added to the extent of the figure."""
+        """A place as a triple of floats in the ground; it is added to the extent of the figure."""
         if isinstance(P, Point):
             P = P.position(self.frame)
         return self._extend([self._triple(P, "place")])[0]
 
+    def _places(self, *places):
+        return [self._place(P) for P in places]
+
     def _triple(self, v, what):
         if isinstance(v, Point):
             raise FrameError(
-                f"a {what} is a Vector or a triple, got the point {v.name}; write B - A for "
-                "the vector from A to B"
+                f"a {what} is a Vector or a triple, got the point {v.name}; write B - A for a "
+                "vector from A to B"
             )
         try:
             v = tuple(v.components(self.frame) if isinstance(v, Vector) else v)
@@ -74,8 +91,7 @@ class Recorder:
             v = tuple(map(float, v))
         except (TypeError, ValueError):
             raise FrameError(
-                f"a sketch needs numbers, but the {what} is {v!r}; draw with one value for "
-                "each given"
+                f"a sketch needs numbers, but the {what} is {v!r}; give every symbol a value"
             ) from None
         if not all(map(math.isfinite, v)):
             raise FrameError(f"the {what} {v!r} is not finite and cannot be drawn")
@@ -84,10 +100,14 @@ class Recorder:
     def _unit(self, v):
         v = self._triple(v, "direction")
         if not norm3(v):
-            raise FrameError(
-                "a direction of length zero points nowhere; give a vector that is not zero"
-            )
+            raise FrameError("a direction of length zero points nowhere; give another vector")
         return unit3(v)
+
+    def _axes_of(self, frame):
+        """The unit vectors of a frame as triples."""
+        if not isinstance(frame, Frame):
+            raise FrameError(f"directions are the axes of a Frame, got {frame!r}")
+        return [self._triple(e, "axis") for e in (frame.i, frame.j, frame.k)]
 
     def _length(self, x):
         try:
@@ -95,7 +115,7 @@ class Recorder:
         except (TypeError, ValueError):
             size = math.nan
         if not 0 < size < math.inf:
-            raise FrameError(f"a radius, length or size is a positive number of metres; got {x!r}")
+            raise FrameError(f"a length is a positive number of metres; got {x!r}")
         return size
 
     def _extend(self, points):
@@ -108,7 +128,7 @@ class Recorder:
         self._commands.append(command)
         if not self._pending:
             self._pending, self._before = True, self.ax.get_axes_locator()
-            # matplotlib calls it at the start of every drawing
+            # matplotlib calls the locator at the start of every drawing
             self.ax.set_axes_locator(self._locate)
 
     def _locate(self, ax, renderer):
@@ -116,8 +136,8 @@ class Recorder:
         self.finish(renderer)
         return before(ax, renderer) if before else ax.get_position(original=True)
 
-    def finish(self, renderer=None):
-        """Draw what was recorded: limits to fit, equal aspect, no frame. Runs by itself when the
+    def finish(self, renderer: Any = None) -> None:
+        """Render what was recorded: limits to fit, equal aspect, no frame. Runs by itself when the
         figure is drawn; a second call does nothing.
         """
         from matplotlib.path import Path
@@ -133,19 +153,15 @@ class Recorder:
         width, height = self._page()
         window = self._window or _fitted([self], width, height)
         (x, y), pt = window.middle, window.pt
-        self.ax.set(
-            xlim=(x - width / 2 * pt, x + width / 2 * pt),
-            ylim=(y - height / 2 * pt, y + height / 2 * pt),
-        )
+        self.ax.set_xlim(x - width / 2 * pt, x + width / 2 * pt)
+        self.ax.set_ylim(y - height / 2 * pt, y + height / 2 * pt)
         self.ax.set_aspect("equal", adjustable="datalim")
         self.ax.set_axis_off()
         canvas = self._canvas(pt, window.centre)
         clip = TransformedPath(Path.unit_rectangle(), self.ax.transAxes)
-        self._artists = [
-            patch
-            for stroke in painters_order(canvas)
-            for patch in stroke.drawn(self.ax, self.view, clip)
-        ]
+        self._artists = []
+        for stroke in painters_order(canvas):
+            self._artists += stroke.drawn(self.ax, self.view, clip)
         self._artists += place_labels(self.ax, canvas, renderer, window.labels)
 
     def _page(self):
@@ -160,7 +176,7 @@ class Recorder:
 
 
 def sketches_on(ax):
-    """The sketches on these axes that are not drawn yet."""
+    """The sketches on these axes that are not rendered yet."""
     found, locator = [], ax.get_axes_locator()
     while isinstance(sketch := getattr(locator, "__self__", None), Recorder):
         found.append(sketch)
@@ -169,15 +185,15 @@ def sketches_on(ax):
 
 
 def share_window(sketches):
-    """Give one window to the sketches of many pictures of one size: one scale for all, also for
-    arrows of a kind.
+    """Give one window to the sketches of many pictures of one size: one scale for all, and for all
+    arrows of one kind.
     """
     longest = {}
     for sketch in sketches:
         for kind, size in sketch._longest.items():
             longest[kind] = max(size, longest.get(kind, 0))
     for sketch in sketches:
-        sketch._longest = longest
+        sketch._longest = longest  # before the fit, which draws arrows
     window = _fitted(sketches, *sketches[0]._page())
     for sketch in sketches:
         sketch._window = window
@@ -205,9 +221,7 @@ def _union(boxes):
 
 
 def _point(box, width, height, margin=12):
-    """The length of a point in metres with which the box fills a page of so many points."""
+    """The length of a point in metres with which the box fills a page, given in points."""
     left, right, bottom, top = box
-    return (
-        max((right - left) / (width - 2 * margin), (top - bottom) / (height - 2 * margin))
-        or 1 / width
-    )
+    pt = max((right - left) / (width - 2 * margin), (top - bottom) / (height - 2 * margin))
+    return pt or 1 / width  # a single place

@@ -1,60 +1,62 @@
-"""The bodies of a figure, true to scale: rods, disks, solids, plates, pulleys and the cables over
-them.
-"""
+"""The bodies of a figure, true to scale: rods, disks, solids, plates, pulleys and cables."""
 
 import math
+from collections.abc import Sequence
 
-from ..algebra.vectors import FrameError, add3, scale3, sub3
+from ..algebra.vectors import FrameError, scale3, sub3
 from ..kinematics.frames import Frame
 from .cables import Pulley, route
-from .primitives import DASHES
-from .projection import between, circle, norm3, normal_of, on_circle, perpendiculars, silhouette
-from .recorder import Recorder
+from .primitives import DASHES, SQUARE
+from .projection import (
+    between,
+    circle,
+    moved,
+    norm3,
+    normal_of,
+    on_circle,
+    on_plane,
+    perpendiculars,
+    silhouette,
+)
+from .recorder import Direction, Place, Recorder
 
 
 class Bodies(Recorder):
     """The methods of a sketch that draw bodies, which hide each other as they do in space."""
 
-    def rod(self, A, B):
+    def rod(self, A: Place, B: Place) -> None:
         """Draw a slender rod from A to B."""
         self._straight(A, B, "rod edge", "rod")
 
-    def shaft(self, A, B):
+    def shaft(self, A: Place, B: Place) -> None:
         """Draw a shaft from A to B with its centre line."""
         self._straight(A, B, "shaft edge", "shaft", "centre")
 
-    def line(self, A, B, style="dashed"):
+    def line(self, A: Place, B: Place, style: str = "dashed") -> None:
         """Draw a thin line from A to B, ``style`` solid, dashed, dotted or centre."""
         if style not in DASHES:
             raise FrameError(f"a line is {', '.join(DASHES)}; got {style!r}")
         self._straight(A, B, f"line {style}")
 
     def _straight(self, A, B, *styles):
-        ends = self._place(A), self._place(B)
+        ends = self._places(A, B)
         self._record(lambda canvas: canvas.line(ends, styles))
 
-    def spring(self, A, B):
+    def spring(self, A: Place, B: Place) -> None:
         """Draw a coil spring from A to B."""
-        A, B = self._place(A), self._place(B)
+        A, B = self._places(A, B)
+        zigzag = [(0.15 + 0.7 * (n + 0.5) / 12, (-1) ** n) for n in range(12)]
+        corners = [(0, 0), (0.15, 0), *zigzag, (0.85, 0), (1, 0)]
 
         @self._record
         def command(canvas):
             side = canvas.left_of(A, B)
-            swings = [
-                (0, 0),
-                (0.15, 0),
-                *((0.15 + 0.7 * (n + 0.5) / 12, (-1) ** n) for n in range(12)),
-                (0.85, 0),
-                (1, 0),
-            ]
-            canvas.line(
-                [add3(between(A, B, t), scale3(5 * s * canvas.pt, side)) for t, s in swings],
-                "spring",
-            )
+            places = [moved(between(A, B, t), 5 * s * canvas.pt, side) for t, s in corners]
+            canvas.line(places, "spring")
 
-    def disk(self, C, normal, radius, spoke=None):
-        """Draw a thin disk about C. ``spoke``: a place on its rim that is joined to C, which shows
-        how it has turned.
+    def disk(self, C: Place, normal: Direction, radius: float, spoke: Place | None = None) -> None:
+        """Draw a thin disk about C. ``spoke``: a place on its rim to which a line from C is drawn;
+        it shows how the disk has turned.
         """
         C, normal = self._place(C), self._unit(normal)
         rim = self._rim(C, normal, radius)
@@ -66,7 +68,7 @@ class Bodies(Recorder):
             if spoke:
                 canvas.line((C, spoke), "ring", depth=canvas.depth(C) + canvas.pt)
 
-    def ring(self, C, normal, radius):
+    def ring(self, C: Place, normal: Direction, radius: float) -> None:
         """Draw a circle about C without a filling."""
         rim = self._rim(self._place(C), self._unit(normal), radius)
         self._record(lambda canvas: canvas.curve([*rim, rim[0]], "ring"))
@@ -74,19 +76,21 @@ class Bodies(Recorder):
     def _rim(self, C, normal, radius):
         return self._extend(circle(C, normal, self._length(radius)))
 
-    def cone(self, apex, axis, length, radius):
+    def cone(self, apex: Place, axis: Direction, length: float, radius: float) -> None:
         """Draw a cone from its apex along ``axis`` to a base of ``radius`` at the distance
         ``length``.
         """
         apex, axis = self._place(apex), self._unit(axis)
-        base = self._rim(add3(apex, scale3(self._length(length), axis)), axis, radius)
+        base = self._rim(moved(apex, self._length(length), axis), axis, radius)
 
         @self._record
         def command(canvas):
             canvas.solid([apex, *base], "side")
             canvas.end(base, axis, "top")
 
-    def gear(self, C, normal, radius, cone_apex=None):
+    def gear(
+        self, C: Place, normal: Direction, radius: float, cone_apex: Place | None = None
+    ) -> None:
         """Draw a gear wheel about C with the pitch ``radius``; with ``cone_apex`` also the lines of
         its pitch cone.
         """
@@ -94,32 +98,26 @@ class Bodies(Recorder):
         apex = None if cone_apex is None else self._place(cone_apex)
         e1, e2 = perpendiculars(normal)
         count, tooth = 28, ((-0.3, 0.95), (-0.15, 1.05), (0.15, 1.05), (0.3, 0.95))
-        rim = self._extend(
-            [
-                on_circle(C, e1, e2, r * f, 2 * math.pi * (n + d) / count)
-                for n in range(count)
-                for d, f in tooth
-            ]
-        )
+        corners = ((f, 2 * math.pi * (n + d) / count) for n in range(count) for d, f in tooth)
+        rim = self._extend([on_circle(C, e1, e2, r * f, angle) for f, angle in corners])
 
         @self._record
         def command(canvas):
             canvas.face(rim, "body", normal)
-            canvas.line(
-                circle(C, normal, 0.18 * r, closed=True), "seam", depth=canvas.depth(C) + canvas.pt
-            )
+            hub = circle(C, normal, 0.18 * r, closed=True)
+            canvas.line(hub, "seam", depth=canvas.depth(C) + canvas.pt)
             for end in silhouette(canvas, apex, circle(C, normal, r)) if apex else ():
                 canvas.line((apex, end), "line centre")
 
-    def cylinder(self, A, B, radius):
+    def cylinder(self, A: Place, B: Place, radius: float) -> None:
         """Draw a cylinder with the axis from A to B."""
-        A, B = self._place(A), self._place(B)
+        A, B = self._places(A, B)
         axis = self._unit(sub3(B, A))
         first, last = (self._rim(P, axis, radius) for P in (A, B))
         self._record(lambda canvas: canvas.cylinder(first, last, axis, "side", "top"))
 
-    def sphere(self, C, radius):
-        """Draw a sphere about C."""
+    def sphere(self, C: Place, radius: float) -> None:
+        """Draw a sphere about C, with the front of its equator."""
         C, r = self._place(C), self._length(radius)
         outline = self._rim(C, self.view.eye, r)
         equator = circle(C, self.view.tilted(self.view.up), r)
@@ -131,61 +129,44 @@ class Bodies(Recorder):
             near = [p for p in equator[36:] + equator[:36] if canvas.depth(sub3(p, C)) > 0]
             canvas.line(near, "seam", depth=depth + canvas.pt)
 
-    def plate(self, corners):
+    def plate(self, corners: Sequence[Place]) -> None:
         """Draw a plane plate with these corners, three or more places in order."""
-        corners = [self._place(P) for P in corners]
+        corners = self._places(*corners)
         if len(corners) < 3:
             raise FrameError(f"a plate has three corners or more, got {len(corners)}")
         self._record(lambda canvas: canvas.face(corners, "body", normal_of(corners)))
 
-    def box(self, centre, frame, sizes):
+    def box(self, centre: Place, frame: Frame, sizes: Sequence[float]) -> None:
         """Draw a box about ``centre`` with its edges, of three ``sizes`` in metres, along the axes
         of ``frame``.
         """
-        if not isinstance(frame, Frame):
-            raise FrameError(
-                "box(centre, frame, sizes) takes the directions of its edges from a Frame, "
-                f"got {frame!r}"
-            )
-        C, sizes = self._place(centre), self._triple(sizes, "sizes")
-        halves = [
-            scale3(s / 2, e.components(self.frame))
-            for s, e in zip(sizes, (frame.i, frame.j, frame.k), strict=True)
-        ]
-
-        def corners(outwards, n):
-            middle, a, b = add3(C, outwards), halves[(n + 1) % 3], halves[(n + 2) % 3]
-            return [
-                add3(middle, add3(scale3(s, a), scale3(t, b)))
-                for s, t in ((1, 1), (-1, 1), (-1, -1), (1, -1))
-            ]
-
-        faces = [
-            (n, outwards, self._extend(corners(outwards, n)))
-            for n in range(3)
-            for outwards in (halves[n], scale3(-1, halves[n]))
-        ]
+        C, sizes, edges = self._place(centre), self._triple(sizes, "size"), self._axes_of(frame)
+        x, y, z = (scale3(s / 2, e) for s, e in zip(sizes, edges, strict=True))
+        faces = []
+        for style, half, a, b in (("body", x, y, z), ("side", y, z, x), ("top", z, x, y)):
+            for outwards in (half, scale3(-1, half)):
+                middle = moved(C, 1, outwards)
+                corners = self._extend([on_plane(middle, s, a, t, b) for s, t in SQUARE])
+                faces.append((corners, style, outwards))
 
         @self._record
         def command(canvas):
-            for n, outwards, face in faces:
-                if canvas.depth(outwards) > 1e-12 * norm3(sizes):
-                    canvas.face(face, ("body", "side", "top")[n], halves[n])
+            for corners, style, outwards in faces:
+                if canvas.depth(outwards) > 1e-12 * norm3(sizes):  # seen edge-on is invisible
+                    canvas.face(corners, style, outwards)
 
     # -- pulleys and cables
 
-    def pulley(self, C, normal, radius):
-        """Draw a pulley about C with its axle along ``normal``; ``radius`` is that of the bottom of
-        its groove, where a cable runs.
-
-        Returns the pulley, to be named as a stop in :meth:`cable`.
+    def pulley(self, C: Place, normal: Direction, radius: float) -> Pulley:
+        """Draw a pulley about C with its axle along ``normal``; ``radius``: of the bottom of its
+        groove, where a cable runs. Returns the pulley, which can be a stop of :meth:`cable`.
         """
         wheel = Pulley(self._place(C), self._unit(normal), self._length(radius))
         C, normal, r = wheel.centre, wheel.normal, wheel.radius
         half = 0.14 * r
 
         def ring(radius, along):
-            return circle(add3(C, scale3(along, normal)), normal, radius)
+            return circle(moved(C, along, normal), normal, radius)
 
         flanges = [self._extend(ring(1.1 * r, sign * half)) for sign in (-1, 1)]
 
@@ -197,37 +178,30 @@ class Bodies(Recorder):
                 outwards = scale3(sign, normal)
                 canvas.face(flange, "body", outwards)
                 if canvas.depth(outwards) > 0:
-                    canvas.line(
-                        circle(add3(C, scale3(half, outwards)), normal, r, closed=True),
-                        "seam",
-                        depth=depth + canvas.pt,
-                    )
-                canvas.cylinder(
-                    ring(0.16 * r, sign * half),
-                    ring(0.16 * r, sign * (half + 0.1 * r)),
-                    outwards,
-                    "joint",
-                    "joint",
-                )
+                    groove = circle(moved(C, half, outwards), normal, r, closed=True)
+                    canvas.line(groove, "seam", depth=depth + canvas.pt)
+                ends = (ring(0.16 * r, sign * x) for x in (half, half + 0.1 * r))
+                canvas.cylinder(*ends, outwards, "joint", "joint")
 
         return wheel
 
-    def cable(self, *stops, turns=None):
-        """Draw a cable from place to place. Over a pulley, as :meth:`pulley` returned it, it runs
-        in the groove and is tangent to it; one that ends on the pulley where it began is a closed
-        belt.
+    def cable(self, *stops: Place | Pulley, turns: Sequence[int] | None = None) -> None:
+        """Draw a cable from stop to stop, places and pulleys. On a pulley, as :meth:`pulley`
+        returned it, it runs in the groove; one that ends on the pulley on which it began is a
+        closed belt.
 
-        turns : which way it goes round each pulley, 1 for right-handed about the pulley's normal
-            and -1 for the other; by default the shortest of the ways
+        turns : for each pulley 1 or -1: round it right-handed about its normal, or left-handed; by
+            default the turns with the shortest cable
 
         >>> from matplotlib.figure import Figure
         >>> from newton_euler import Frame
         >>> from newton_euler.drawing.sketch import Sketch
         >>> ground = Frame("ground")
         >>> s = Sketch(Figure().add_subplot(), ground, plane="yz")
-        >>> s.cable((0, -0.2, 0), s.pulley((0, 0, 2), ground.i, 0.2), (0, 0.2, 1))  # two weights hang on it
+        >>> wheel = s.pulley((0, 0, 2), ground.i, 0.2)
+        >>> s.cable((0, -0.2, 0), wheel, (0, 0.2, 1))  # two weights hang on it
         """
-        stops = [stop if isinstance(stop, Pulley) else self._place(stop) for stop in stops]
+        stops = tuple(P if isinstance(P, Pulley) else self._place(P) for P in stops)
         if len(stops) < 2:
             raise FrameError(
                 f"a cable runs between two stops or more, places or pulleys; got {len(stops)}"
@@ -239,8 +213,8 @@ class Bodies(Recorder):
         @self._record
         def command(canvas):
             for n, (A, B) in enumerate(spans):
-                # the ends that touch a pulley have the depth of their tangent points, so that they
-                # lie over its groove or behind it as these do
+                # an end on a pulley has the depth of its tangent point: drawn over the groove, or
+                # behind it, as that point is
                 lead, tail = (
                     min(1 / 3, stop.radius / norm3(sub3(B, A))) if isinstance(stop, Pulley) else 0
                     for stop in stops[n : n + 2]

@@ -15,7 +15,7 @@ from types import MappingProxyType
 
 from ..algebra.codegen.compile import compiled
 from ..algebra.errors import NewtonEulerError
-from ..algebra.scalars import ScalarError, is_comparable, is_zero, promote, plain, scalar
+from ..algebra.scalars import ScalarError, is_comparable, is_zero, plain, promote, scalar
 
 # values in a cache by function: functions that are made at each call, as lambdas are, would pile up
 KEPT = 64

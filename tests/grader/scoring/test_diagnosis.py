@@ -14,8 +14,7 @@ from grader.scoring.diagnosis import term_text
 from newton_euler.algebra.vectors import Vector
 from newton_euler.classroom.answers import record
 from newton_euler.classroom.forms import Form
-from newton_euler.kinematics import curvilinear_systems
-from newton_euler.kinematics import frames
+from newton_euler.kinematics import curvilinear_systems, frames
 
 CH04 = problems("ch04")
 DATA = ("book", "variant")

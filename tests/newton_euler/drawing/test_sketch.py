@@ -275,7 +275,7 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         (lambda s: s.arc(O, O, (1, 0, 0), "a"), "two other places"),
         (lambda s: s.axes(O, ground, labels="xy"), "three labels"),
         (lambda s: s.axes(O, ground.k), "axes of a Frame, got"),
-        (lambda s: s.box(O, ground.k, (1, 1, 1)), "from a Frame, got"),
+        (lambda s: s.box(O, ground.k, (1, 1, 1)), "axes of a Frame, got"),
         (lambda s: s.path([O, O], lift=-1), "positive number of metres; got -1"),
         (lambda s: s.cable(O), "between two stops or more, places or pulleys; got 1"),
         (lambda s: s.cable(O, "pulley"), "a place is a Point, a Vector or three numbers"),
@@ -298,7 +298,7 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         (lambda s: Sketch(s.ax, ground, up="-z"), "up is 'x', 'y' or 'z'"),
     ],
 )
-def test_a_mistake_is_told_at_once_and_in_words(draw, words):
+def test_a_mistake_is_an_error_at_once(draw, words):
     with pytest.raises(FrameError) as caught:
         draw(sketch())
     assert words in str(caught.value)
