@@ -1,6 +1,5 @@
 """Forces, constraints, Newton's and Euler's equations, work and energy (chapters 5, 6, 8, 11)."""
 
-from .momentum import angular_momentum, equations_of_motion, resultant_moment
 from .constraints import ConstraintError, degrees_of_freedom
 from .energy import (
     Audit,
@@ -32,6 +31,7 @@ from .gravity import (
     mass_from_weight,
     weight,
 )
+from .momentum import angular_momentum, equations_of_motion, resultant_moment
 from .newton import (
     acceleration_by,
     coordinate_accelerations,

@@ -9,10 +9,6 @@ from newton_euler import Frame, at, moving
 from newton_euler.bodies.admissibility import MassError
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import box, cylinder, disk, rod
-from newton_euler.dynamics.momentum import (
-    angular_momentum,
-    resultant_moment,
-)
 from newton_euler.dynamics.euler import (
     angular_acceleration,
     euler_moment,
@@ -20,6 +16,10 @@ from newton_euler.dynamics.euler import (
     fixed_line_moment,
     fixed_line_momentum,
     planar_moment,
+)
+from newton_euler.dynamics.momentum import (
+    angular_momentum,
+    resultant_moment,
 )
 from newton_euler.dynamics.newton import resultant_force
 from tests.kinds import KINDS, numbers

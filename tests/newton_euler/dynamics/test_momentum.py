@@ -13,12 +13,12 @@ from newton_euler import Dimension, Frame, compiled, moving
 from newton_euler.algebra.linear import solve_linear
 from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import rod, sphere
+from newton_euler.dynamics.force_systems import ForceSystem
 from newton_euler.dynamics.momentum import (
     angular_momentum,
     equations_of_motion,
     resultant_moment,
 )
-from newton_euler.dynamics.force_systems import ForceSystem
 from newton_euler.dynamics.newton import resultant_force
 from newton_euler.kinematics.rotations import rotation_matrix
 from tests.kinds import KINDS, number, numbers
