@@ -5,8 +5,8 @@ weather.
 Earth is a uniform sphere. Latitude is in rad, north positive; an azimuth runs from east toward
 north, an elevation upward from the horizontal. ``rate`` is the Earth's, in rad/s; lengths and ``g``
 are in any one unit of length, only the constants below are in metres. ``g`` is the acceleration by
-attraction alone, down; functions that take a vector ``gravity`` may be given the
-:func:`effective_gravity`, which contains the centrifugal part.
+attraction alone, downward; a vector ``gravity`` may be the :func:`effective_gravity`, which
+contains the centrifugal part.
 
 >>> from newton_euler import Frame, radians
 >>> ground = ground_frame(earth_frame(Frame("stars")), radians(45.0))
@@ -20,6 +20,7 @@ from ..algebra.errors import NewtonEulerError
 from ..algebra.ledger import equations
 from ..algebra.scalars import (
     ZERO,
+    Scalar,
     cos,
     is_numeric,
     is_positive,
@@ -31,6 +32,7 @@ from ..algebra.scalars import (
     sqrt,
 )
 from ..algebra.vectors import ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
+from ..kinematics.frames import Frame
 
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
 EARTH_RADIUS = 6.371e6  # m: of the sphere of equal volume (IUGG)
@@ -58,30 +60,43 @@ EQUATIONS = equations({
     "projectile": ("6.24", r"\mathbf{r}", {
         "launch": ("v_r0 t", r"\mathbf{v}_{r0}t"),
         "fall": ("1/2 g t^2", r"\tfrac{1}{2}\mathbf{g}t^2"),
-        "launch turned": ("-omega x v_r0 t^2", r"\left(-\boldsymbol{\omega}_e\times\mathbf{v}_{r0}t^2\right)"),
-        "fall turned": ("-1/3 omega x g t^3", r"\left(-\tfrac{1}{3}\boldsymbol{\omega}_e\times\mathbf{g}t^3\right)"),
+        "launch turned": ("-omega x v_r0 t^2", r"\left(-\boldsymbol{\omega}_e\times\mathbf{v}_{r0}t^2\right)"),  # noqa: E501
+        "fall turned": ("-1/3 omega x g t^3", r"\left(-\tfrac{1}{3}\boldsymbol{\omega}_e\times\mathbf{g}t^3\right)"),  # noqa: E501
     }),
 })  # fmt: skip
 
 
 class EarthError(NewtonEulerError, ValueError):
-    """A latitude that is none, or a motion that does not exist on the rotating Earth."""
+    """A latitude out of range, or a motion that does not exist on the rotating Earth."""
 
 
 # -- frames
 
 
-def earth_frame(stars, rate=EARTH_RATE, turned=0, name="earth"):
-    """The frame of the Earth in ``stars``, a frame that does not turn; both have their origin in
+def earth_frame(
+    stars: Frame, rate: Scalar = EARTH_RATE, turned: Scalar = 0, name: str = "earth"
+) -> Frame:
+    """The frame of the Earth in ``stars``, a frame that does not rotate; both have their origin in
     its centre.
 
     Axes at longitude 0 on the equator: i to the east, j to the north (the axis of rotation), k up.
-    ``turned`` : the angle turned so far, rad.
+    ``turned`` : the angle of rotation so far, rad.
+
+    >>> from newton_euler import Frame
+    >>> stars = Frame("stars")
+    >>> print(earth_frame(stars).angular_velocity(stars))
+    [0, 7.29211e-05, 0] in earth
     """
     return stars.rotate(name, "y", turned, rate)
 
 
-def ground_frame(earth, latitude, longitude=0, radius=EARTH_RADIUS, name="ground"):
+def ground_frame(
+    earth: Frame,
+    latitude: Scalar,
+    longitude: Scalar = 0,
+    radius: Scalar = EARTH_RADIUS,
+    name: str = "ground",
+) -> Frame:
     """The ground axes at a place, as a frame with its origin there: i east, j north, k up.
 
     ``earth`` is from :func:`earth_frame`; ``latitude`` in rad, north positive, ``longitude`` in
@@ -93,27 +108,28 @@ def ground_frame(earth, latitude, longitude=0, radius=EARTH_RADIUS, name="ground
     [448, 0, 0] in ground
     """
     meridian = earth.rotate(f"meridian of {name}", "y", longitude)
-    latitude = _checked_latitude(latitude)
+    _check_latitude(latitude)
+    latitude = scalar(latitude)
     origin = meridian.point(
         f"origin of {name}", ZERO, radius * sin(latitude), radius * cos(latitude)
     )
     return meridian.rotate(name, "-x", latitude, origin=origin)
 
 
-def _checked_latitude(latitude):
+def _check_latitude(latitude):
+    # 1.5708 is pi/2 rounded up
     if is_numeric(latitude) and size(latitude) > 1.5708:
         raise EarthError(
             f"a latitude is in radians, between -pi/2 and pi/2; got {plain(latitude)!r}: write "
             "radians(45) for 45 degrees north"
         )
-    return scalar(latitude)
 
 
-def earth_rate(ground):
+def earth_rate(ground: Frame) -> Vector:
     """The angular velocity of the Earth (6.18), rad/s: (0, rate cos(latitude), rate sin(latitude))
     along ground axes.
 
-    The first frame of the tree of ``ground`` is taken for inertial.
+    The root of the tree of ``ground`` counts as inertial.
     """
     return ground.angular_velocity(ground.tree[0])
 
@@ -124,7 +140,7 @@ def earth_rate3(latitude, rate=EARTH_RATE):
     >>> earth_rate3(0.0)
     (0, 7.292115e-05, 0.0)
     """
-    _checked_latitude(latitude)
+    _check_latitude(latitude)
     return ZERO, rate * cos(latitude), rate * sin(latitude)
 
 
@@ -158,14 +174,20 @@ def _from_centre(r, radius):
 # -- apparent weight (6.8)
 
 
-def ground_acceleration(ground):
-    """The acceleration a_B of the origin of ``ground`` (6.12), toward the axis of rotation."""
+def ground_acceleration(ground: Frame) -> Vector:
+    """The acceleration a_B of the origin of ``ground`` (6.12), toward the axis of rotation.
+
+    >>> from newton_euler import Frame
+    >>> ground = ground_frame(earth_frame(Frame("stars"), 1e-4), 0.0, radius=6.4e6)
+    >>> print(ground_acceleration(ground))
+    [0, 0, -0.064] in ground
+    """
     return ground.origin.acceleration(ground.tree[0]).expressed_in(ground)
 
 
-def effective_gravity(g, ground):
-    """The acceleration of a body let go at rest, g' = -g k - a_B (6.11), along ground axes: what a
-    plumb line and a balance show.
+def effective_gravity(g: Scalar, ground: Frame) -> Vector:
+    """The acceleration of a body released at rest, g' = -g k - a_B (6.11), along ground axes: the
+    direction of a plumb line, and the g of a balance.
 
     Its terms are the ``attraction`` and the ``centrifugal`` part. The book's apparent g, g - R
     omega^2 cos(latitude)^2, is its component down; ``g'.angle_to(-ground.k)`` is the deflection of
@@ -179,11 +201,16 @@ def effective_gravity(g, ground):
     return named_sum(EQUATIONS["effective gravity"], f"in {ground.name}", parts, ground)
 
 
-def support_force(m, g, ground):
-    """The force N that the ground must exert on a body of mass ``m`` at rest on it (6.13), along
-    ground axes; without rotation m g k (6.14).
+def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
+    """The force N of the ground on a body of mass ``m`` at rest on it (6.13), along ground axes;
+    without rotation m g k (6.14).
 
     Terms: ``weight``, and ``rotation``, which keeps the body on its circle.
+
+    >>> from newton_euler import Frame
+    >>> ground = ground_frame(earth_frame(Frame("stars"), 1e-4), 0.0, radius=6.4e6)
+    >>> support_force(2.0, 10.0, ground).terms["rotation"].z
+    -0.128
     """
     parts = {
         "weight": scalar(m) * scalar(g) * ground.k,
@@ -192,9 +219,8 @@ def support_force(m, g, ground):
     return named_sum(EQUATIONS["support force"], f"in {ground.name}", parts, ground)
 
 
-def rotation_error(g, radius=EARTH_RADIUS, rate=EARTH_RATE):
-    """How much of the weight is left out at most if a body carried round a circle is taken to be in
-    an inertial frame: R omega^2/g (6.8).
+def rotation_error(g: Scalar, radius: Scalar = EARTH_RADIUS, rate: Scalar = EARTH_RATE) -> Scalar:
+    """The largest relative error of the weight if the rotation is neglected, R omega^2/g (6.8).
 
     >>> round(rotation_error(9.81), 5)
     0.00345
@@ -202,9 +228,12 @@ def rotation_error(g, radius=EARTH_RADIUS, rate=EARTH_RATE):
     return radius * rate**2 / g
 
 
-def weightless_speed(g, radius=EARTH_RADIUS):
-    """The speed along the equator, seen from the stars, at which the ground carries nothing: sqrt(g
+def weightless_speed(g: Scalar, radius: Scalar = EARTH_RADIUS) -> Scalar:
+    """The speed along the equator, seen from the stars, at which the support force is zero: sqrt(g
     R), that of a low orbit (6.8).
+
+    >>> weightless_speed(10.0, radius=6.4e6)
+    8000.0
     """
     return sqrt(g * radius)
 
@@ -212,39 +241,45 @@ def weightless_speed(g, radius=EARTH_RADIUS):
 # -- projectiles (6.9, 6.10)
 
 
-def coriolis_acceleration(omega, v):
-    """-2 omega x v: how a body that moves freely with ``v`` seems to be accelerated in a frame that
-    turns with ``omega``.
+def coriolis_acceleration(omega: Vector, v: Vector) -> Vector:
+    """The Coriolis acceleration -2 omega x v of a body with the velocity ``v`` seen from a frame
+    with the angular velocity ``omega``.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> coriolis_acceleration(2.0*ground.k, 3.0*ground.i).components()
+    (0, -12.0, 0)
     """
     return -2 * omega.cross(v)
 
 
-def apparent_acceleration(v, gravity, omega):
-    """The acceleration that is seen from the ground (6.16), of a projectile with the velocity ``v``
-    seen from there: gravity - 2 omega x v.
+def apparent_acceleration(v: Vector, gravity: Vector, omega: Vector) -> Vector:
+    """The acceleration of a projectile seen from the ground (6.16), where its velocity is ``v``:
+    gravity - 2 omega x v.
 
     All three are Vectors; terms: ``gravity``, ``coriolis``. Terms in omega^2 are left out, unless
     ``gravity`` is the effective one.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> print(apparent_acceleration(100.0*ground.i, -10.0*ground.k, 1e-4*ground.j))
+    [0, 0, -9.98] in ground
     """
-    return named_sum(
-        EQUATIONS["apparent acceleration"],
-        f"in {v.frame.name}",
-        {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)},
-        v.frame,
-    )
+    parts = {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)}
+    return named_sum(EQUATIONS["apparent acceleration"], f"in {v.frame.name}", parts, v.frame)
 
 
-def force_near_earth(m, v, a, omega):
-    """The resultant force, weight included, that a motion seen from the ground needs (6.15): m a +
-    2 m omega x v.
+def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
+    """The resultant force, weight included, on a body that moves as seen from the ground (6.15):
+    m a + 2 m omega x v.
 
-    v, a : Vectors, velocity and acceleration seen from the ground; terms ``relative``,
-        ``coriolis``. Terms in omega^2 are left out: they belong to
-    the effective gravity.
+    v, a : velocity and acceleration seen from the ground; terms ``relative``, ``coriolis``. Terms
+        in omega^2 are left out: they belong to the effective gravity.
 
     >>> from newton_euler import Frame
     >>> ground = ground_frame(earth_frame(Frame("stars")), 0.8)
-    >>> print(force_near_earth(1000.0, -30.0*ground.j, 0*ground.j, earth_rate(ground)))  # a car to the south is held by the road to the east
+    >>> v = -30.0*ground.j  # a car to the south is held by the road to the east
+    >>> print(force_near_earth(1000.0, v, 0*v, earth_rate(ground)))
     [3.13863, 0, 0] in ground
     """
     parts = {"relative": scalar(m) * a, "coriolis": -scalar(m) * coriolis_acceleration(omega, v)}
@@ -252,20 +287,25 @@ def force_near_earth(m, v, a, omega):
 
 
 def launch_direction(azimuth, elevation):
-    """The direction of a shot along ground axes, three components (6.17); azimuth from east toward
+    """The direction of a shot (6.17) as a triple along ground axes; azimuth from east toward
     north.
     """
     return cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation)
 
 
-def launch_velocity(ground, speed, azimuth, elevation):
-    """The velocity of a shot as a Vector along ground axes (6.17), seen from the ground."""
+def launch_velocity(ground: Frame, speed: Scalar, azimuth: Scalar, elevation: Scalar) -> Vector:
+    """The velocity of a shot, seen from the ground, along ground axes (6.17).
+
+    >>> from newton_euler import Frame
+    >>> print(launch_velocity(Frame("ground"), 10.0, 0.0, 0.5))
+    [8.77583, 0, 4.79426] in ground
+    """
     return ground.vector(*(speed * e for e in launch_direction(azimuth, elevation)))
 
 
-def projectile_position(t, launch, gravity, omega):
-    """Where a projectile is at time ``t`` after it left the origin (6.24), to first order in the
-    rotation.
+def projectile_position(t: Scalar, launch: Vector, gravity: Vector, omega: Vector) -> Vector:
+    """The position of a projectile at time ``t`` after it left the origin (6.24), to first order in
+    the rotation.
 
     launch, gravity, omega : Vectors, the velocity of the shot, the acceleration of free fall, the
         Earth's angular velocity
@@ -275,23 +315,21 @@ def projectile_position(t, launch, gravity, omega):
 
     >>> from newton_euler import Frame, radians
     >>> ground = ground_frame(earth_frame(Frame("stars")), radians(45.0))
-    >>> r = projectile_position(10.0, launch_velocity(ground, 100.0, 0.0, 0.5), 9.81*-ground.k, earth_rate(ground))
+    >>> launch = launch_velocity(ground, 100.0, 0.0, 0.5)
+    >>> r = projectile_position(10.0, launch, 9.81*-ground.k, earth_rate(ground))
     >>> print(r.terms["fall turned"])
     [0.168611, 0, 0] in ground
     """
     frame = launch.frame
     v, g, w = _along(frame, launch, gravity, omega)
-    terms = {"launch": scale3(t, v), "fall": scale3(t * t / 2, g)}
-    terms |= {
+    triples = {
+        "launch": scale3(t, v),
+        "fall": scale3(t * t / 2, g),
         "launch turned": scale3(-t * t, cross3(w, v)),
         "fall turned": scale3(-t * t * t / 3, cross3(w, g)),
     }
-    return named_sum(
-        EQUATIONS["projectile"],
-        f"in {frame.name}",
-        {name: Vector(c, frame) for name, c in terms.items()},
-        frame,
-    )
+    terms = {name: Vector(c, frame) for name, c in triples.items()}
+    return named_sum(EQUATIONS["projectile"], f"in {frame.name}", terms, frame)
 
 
 def _along(frame, *vectors):
@@ -309,17 +347,15 @@ def coriolis_series(v, g, w, factors):
 
 
 def _integrals(t, m, order):
-    """(t^k/k!, t^(k + 1)/(k + 1)!) for k = m ... m + ``order``: each crossing with -2 w is followed
-    by an integration.
+    """(t^k/k!, t^(k + 1)/(k + 1)!) for k = m ... m + ``order``: each factor -2 w x goes with one
+    integration.
     """
     powers = list(accumulate(range(1, m + order + 2), lambda power, k: power * t / k, initial=1))
     return list(pairwise(powers[m:]))
 
 
 def position3(t, v, g, w, order=1):
-    """The solution of (6.20) to any order in w, of triples: the way from the start. Order 1 is
-    (6.24).
-    """
+    """The displacement by (6.20), to any order in w, of triples. Order 1 is (6.24)."""
     return coriolis_series(v, g, w, _integrals(t, 1, order))
 
 
@@ -328,99 +364,151 @@ def velocity3(t, v, g, w, order=1):
     return coriolis_series(v, g, w, _integrals(t, 0, order))
 
 
-def projectile_to_order(t, launch, gravity, omega, order):
-    """Like :func:`projectile_position`, to any order in the rotation, for uniform ``gravity``: the
-    solution of (6.20) as a series.
+def projectile_to_order(
+    t: Scalar, launch: Vector, gravity: Vector, omega: Vector, order: int
+) -> Vector:
+    """The position of a projectile to any order in the rotation, for uniform ``gravity``: the
+    solution of (6.20) as a series; arguments of :func:`projectile_position`.
 
-    The rest after ``order`` is less than (2 omega t)^(order + 1)/(order + 2)! of the way; 24 orders
-    are exact to round-off within five hours.
+    The remainder after ``order`` is less than (2 omega t)^(order + 1)/(order + 2)! of the way; 24
+    orders are exact to round-off within five hours.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> print(projectile_to_order(2.0, 0*ground.i, -10.0*ground.k, 0.1*ground.j, 2))
+    [2.66667, 0, -19.7333] in ground
     """
-    return Vector(position3(t, *_along(launch.frame, launch, gravity, omega), order), launch.frame)
+    v, g, w = _along(launch.frame, launch, gravity, omega)
+    return Vector(position3(t, v, g, w, order), launch.frame)
 
 
-def projectile_velocity(t, launch, gravity, omega, order=1):
-    """The velocity seen from the ground at time ``t``: the rate of :func:`projectile_position`,
-    which is (6.22), or to a higher order.
+def projectile_velocity(
+    t: Scalar, launch: Vector, gravity: Vector, omega: Vector, order: int = 1
+) -> Vector:
+    """The velocity of a projectile seen from the ground at time ``t`` (6.22), or to a higher order:
+    the rate of :func:`projectile_position`.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> print(projectile_velocity(2.0, 0*ground.i, -10.0*ground.k, 0.1*ground.j))
+    [4, 0, -20] in ground
     """
-    return Vector(velocity3(t, *_along(launch.frame, launch, gravity, omega), order), launch.frame)
+    v, g, w = _along(launch.frame, launch, gravity, omega)
+    return Vector(velocity3(t, v, g, w, order), launch.frame)
 
 
-def projectile(t, speed, azimuth, elevation, latitude, g, rate=EARTH_RATE):
-    """The coordinates (east, north, up) of a shot at time ``t``, with the book's angles (6.25),
+def projectile(
+    t: Scalar,
+    speed: Scalar,
+    azimuth: Scalar,
+    elevation: Scalar,
+    latitude: Scalar,
+    g: Scalar,
+    rate: Scalar = EARTH_RATE,
+) -> tuple:
+    """The coordinates (east, north, up) of a shot at time ``t``, with the book's angles (6.25), to
     first order in the rotation.
 
-    >>> [round(x, 3) for x in projectile(10.0, 0.0, 0.0, 0.0, 0.0, 9.81)]  # let go from rest at the equator
+    >>> [round(x, 3) for x in projectile(10.0, 0.0, 0.0, 0.0, 0.0, 9.81)]  # a drop at the equator
     [0.238, 0.0, -490.5]
     """
     v = tuple(speed * e for e in launch_direction(azimuth, elevation))
-    return tuple(
-        plain(x) for x in position3(t, v, (ZERO, ZERO, -scalar(g)), earth_rate3(latitude, rate))
-    )
+    way = position3(t, v, (ZERO, ZERO, -scalar(g)), earth_rate3(latitude, rate))
+    return tuple(map(plain, way))
 
 
-def flight_time(speed, azimuth, elevation, latitude, g, rate=EARTH_RATE):
-    """The time until a shot is back at the level from which it came (6.26), first order in the
+def flight_time(
+    speed: Scalar,
+    azimuth: Scalar,
+    elevation: Scalar,
+    latitude: Scalar,
+    g: Scalar,
+    rate: Scalar = EARTH_RATE,
+) -> Scalar:
+    """The time until a shot is back at the level of its start (6.26), to first order in the
     rotation.
+
+    >>> flight_time(50.0, 0.0, 1.5707963267948966, 0.0, 10.0, rate=0.0)
+    10.0
     """
     e = launch_direction(azimuth, elevation)
     down = g - 2 * speed * e[0] * earth_rate3(latitude, rate)[1]
     if not is_positive(down):
         raise EarthError(
-            "at this speed the Coriolis acceleration outweighs gravity; the first order in the "
-            "rotation says nothing about such a shot"
+            "at this speed the Coriolis acceleration outweighs gravity; first order does not hold"
         )
     return 2 * speed * e[2] / down
 
 
-def shot_range(speed, azimuth, elevation, latitude, g, rate=EARTH_RATE):
-    """The distance along the ground to the point of impact (6.27)."""
+def shot_range(
+    speed: Scalar,
+    azimuth: Scalar,
+    elevation: Scalar,
+    latitude: Scalar,
+    g: Scalar,
+    rate: Scalar = EARTH_RATE,
+) -> Scalar:
+    """The distance along the ground to the point of impact (6.27).
+
+    >>> round(shot_range(100.0, 0.0, 0.7853981633974483, 0.0, 10.0, rate=0.0), 9)
+    1000.0
+    """
     t = flight_time(speed, azimuth, elevation, latitude, g, rate)
     x, y, _ = projectile(t, speed, azimuth, elevation, latitude, g, rate)
     return sqrt(x * x + y * y)
 
 
-def range_east(speed, elevation, g, rate=EARTH_RATE):
-    """The range of a shot to the east on the equator (6.30), :func:`shot_range` to first order;
+def range_east(speed: Scalar, elevation: Scalar, g: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
+    """The range of a shot to the east on the equator (6.30): :func:`shot_range` to first order;
     v0^2 sin(2 elevation)/g without rotation.
+
+    >>> round(range_east(100.0, 0.7853981633974483, 10.0), 3)
+    1000.688
     """
     turned = 4 * rate * speed**3 * sin(elevation) * (1 - 4 * cos(elevation) ** 2) / (3 * g**2)
     return speed**2 * sin(2 * elevation) / g - turned
 
 
-def range_error(speed, elevation, g, rate=EARTH_RATE):
-    """The error of leaving the rotation out of the range to the east, (R_0 - R)/R_0 (6.31), a
-    ratio: the book has 100 times this, in per cent.
+def range_error(speed: Scalar, elevation: Scalar, g: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
+    """The relative error (R_0 - R)/R_0 of the range to the east without rotation (6.31); the book
+    has 100 times this, in per cent. Negative below 60 degrees, where the rotation lengthens the
+    shot.
 
-    Negative below 60 degrees, where the rotation lengthens the shot.
+    >>> round(range_error(100.0, 0.7853981633974483, 10.0), 6)
+    -0.000688
     """
     return 2 * rate * speed * (1 - 4 * cos(elevation) ** 2) / (3 * g * cos(elevation))
 
 
-def drop_deflection(height, latitude, g, rate=EARTH_RATE):
-    """How far to the east of the plumb line a body lands that is let go from rest at ``height``:
-    (6.24) at the time sqrt(2 height/g).
+def drop_deflection(
+    height: Scalar, latitude: Scalar, g: Scalar, rate: Scalar = EARTH_RATE
+) -> Scalar:
+    """The distance to the east of the plumb line at which a body lands that is released at rest at
+    ``height``: (6.24) at the time sqrt(2 height/g).
 
     >>> round(drop_deflection(100.0, 0.0, 9.81), 4)
     0.022
     """
-    return plain(
-        position3(
-            sqrt(2 * height / g), ZERO3, (ZERO, ZERO, -scalar(g)), earth_rate3(latitude, rate)
-        )[0]
-    )
+    t, g = sqrt(2 * height / g), (ZERO, ZERO, -scalar(g))
+    return plain(position3(t, ZERO3, g, earth_rate3(latitude, rate))[0])
 
 
 # -- weather (6.11)
 
 
-def coriolis_parameter(latitude, rate=EARTH_RATE):
-    """2 omega sin(latitude), rad/s: how fast the direction of a free horizontal motion turns,
-    clockwise where it is positive, in the north.
+def coriolis_parameter(latitude: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
+    """The rate 2 omega sin(latitude), rad/s, at which the direction of a free horizontal motion
+    turns; clockwise where it is positive, in the north.
+
+    >>> round(coriolis_parameter(0.8), 9)
+    0.000104621
     """
     return 2 * earth_rate3(latitude, rate)[2]
 
 
-def wind_acceleration(speed, azimuth, latitude, rate=EARTH_RATE):
+def wind_acceleration(
+    speed: Scalar, azimuth: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE
+) -> tuple:
     """The acceleration (east, north) of air that moves freely on the level with ``speed`` toward
     ``azimuth`` (6.33), (6.34): to the right in the north, to the left in the south.
 
@@ -431,53 +519,71 @@ def wind_acceleration(speed, azimuth, latitude, rate=EARTH_RATE):
     return f * speed * sin(azimuth), -f * speed * cos(azimuth)
 
 
-def buoyancy(m, speed, azimuth, latitude, g, rate=EARTH_RATE):
-    """The vertical force that keeps air of mass ``m`` on its level (6.32): its weight, less what
-    the rotation takes off an eastward wind.
+def buoyancy(
+    m: Scalar,
+    speed: Scalar,
+    azimuth: Scalar,
+    latitude: Scalar,
+    g: Scalar,
+    rate: Scalar = EARTH_RATE,
+) -> Scalar:
+    """The vertical force that keeps air of mass ``m`` on its level (6.32): its weight, less the
+    vertical Coriolis force of an eastward wind.
+
+    >>> buoyancy(1.0, 100.0, 0.0, 0.0, 9.8, rate=1e-4)
+    9.780000000000001
     """
     return m * (g - 2 * earth_rate3(latitude, rate)[1] * speed * cos(azimuth))
 
 
-def inertial_circle(speed, latitude, rate=EARTH_RATE):
-    """The radius of the circle in which free air runs on the level, clockwise in the north:
-    speed/|2 omega sin(latitude)|, by (6.34) and (6.5).
+def inertial_circle(speed: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
+    """The radius speed/|2 omega sin(latitude)| of the circle of free air on the level, clockwise in
+    the north: by (6.34) and (6.5).
+
+    >>> round(inertial_circle(10.0, 0.8))
+    95583
     """
     return speed / _turning(latitude, rate)
 
 
-def geostrophic_wind(push, latitude, rate=EARTH_RATE):
-    """The speed of a steady wind along straight isobars, whose Coriolis acceleration balances
-    ``push``, the pressure gradient over the density.
+def geostrophic_wind(
+    pressure_gradient: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE
+) -> Scalar:
+    """The speed of a steady wind along straight isobars, whose Coriolis acceleration balances that
+    by the pressure.
 
-    In the north it has the low pressure to its left. Raises :class:`EarthError` on the equator,
-    where nothing balances the push.
+    pressure_gradient : over the density, m/s^2. In the north the low pressure is on the left.
+    Raises :class:`EarthError` on the equator, where there is no horizontal Coriolis acceleration.
 
     >>> round(geostrophic_wind(1e-3, 0.8), 2)  # 1.2 hPa in 100 km, air of 1.2 kg/m^3
     9.56
     """
-    return push / _turning(latitude, rate)
+    return pressure_gradient / _turning(latitude, rate)
 
 
-def gradient_wind(push, radius, latitude, rate=EARTH_RATE):
-    """The speed of a steady wind on a circle of ``radius`` about a centre of low pressure, push > 0
-    toward it, or of high pressure, push < 0.
+def gradient_wind(
+    pressure_gradient: Scalar, radius: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE
+) -> Scalar:
+    """The speed of a steady wind on a circle of ``radius`` about a centre of pressure, positive for
+    a cyclone: counterclockwise seen from above in the north, clockwise in the south.
 
-    v^2/radius + 2 omega |sin(latitude)| v = push; positive: a cyclone, counterclockwise seen from
-    above in the north, clockwise in the south. Raises :class:`EarthError` where a high pushes more
-    than any wind can balance. On a large circle it is the geostrophic wind.
+    pressure_gradient : G, over the density, m/s^2; positive about a low, negative about a high
+    v solves v^2/radius + 2 omega |sin(latitude)| v = G; on a large circle it is the geostrophic
+    wind. Raises :class:`EarthError` for a high with a steeper gradient than any wind can balance.
 
     >>> round(gradient_wind(1e-3, 500e3, 0.8), 2), round(gradient_wind(-1e-3, 500e3, 0.8), 2)
     (8.26, -12.59)
     """
     f = _turning(latitude, rate)
-    square = f * f + 4 * push / radius
+    square = f * f + 4 * pressure_gradient / radius
     if is_numeric(square) and size(abs(square) - square) > 0:
         raise EarthError(
-            f"no steady wind: at radius {plain(radius)!r} the Coriolis acceleration "
-            "balances an outward push of at most "
-            f"{plain(f * f * radius / 4)!r}, not {plain(-push)!r}; a high has a flat middle"
+            f"no steady wind: at radius {plain(radius)!r} the Coriolis acceleration balances an "
+            f"outward gradient of at most {plain(f * f * radius / 4)!r}, not "
+            f"{plain(-pressure_gradient)!r}; a high has a flat middle"
         )
-    return 2 * push / (f + sqrt(square))
+    # the root (sqrt(square) - f) radius/2 without its cancellation on large circles
+    return 2 * pressure_gradient / (f + sqrt(square))
 
 
 def _turning(latitude, rate):
@@ -485,7 +591,6 @@ def _turning(latitude, rate):
     f = coriolis_parameter(latitude, rate)
     if is_numeric(f) and least(f) == 0:
         raise EarthError(
-            "on the equator (or on an Earth at rest) nothing turns a horizontal wind aside: "
-            "its Coriolis acceleration is vertical"
+            "on the equator (or on an Earth at rest) nothing turns a horizontal wind aside"
         )
     return sqrt(f * f)

@@ -10,9 +10,9 @@ k/sin(theta). Gravity enters as ``mgr``, weight times distance of G from the fix
 if G lies on the side of k; its moment is mgr sin(theta) (10.30). Any other moment M about the line
 of nodes is given as ``moment``. Angles are in rad, rates in rad/s, other units any consistent ones.
 
-The quadratic equation of steady precession (10.33) is solved by a form that does not cancel, so
-that results stay exact to round-off as (I0 - I) cos(theta) vanishes, where the fast precession goes
-to infinity and the slow one to its limit (10.37).
+The quadratic equation of steady precession (10.33) is solved without cancellation: results are
+exact to round-off also as (I0 - I) cos(theta) vanishes, where the fast precession goes to infinity
+and the slow one to its limit (10.37).
 
 >>> found = steady_precession(I0=0.02, I=0.01, theta=1.0, spin=100.0, mgr=0.5)
 >>> round(found.slow, 6), round(found.fast, 4)
@@ -26,6 +26,7 @@ from ..algebra.errors import NewtonEulerError
 from ..algebra.ledger import equations
 from ..algebra.scalars import (
     ZERO,
+    Scalar,
     anywhere,
     atan,
     cos,
@@ -43,10 +44,11 @@ from ..algebra.scalars import (
 )
 from ..algebra.vectors import FrameError, Vector, named_sum
 from ..bodies.inertia import Inertia
+from ..kinematics.frames import Frame, Point
 
 
 class GyroError(NewtonEulerError, ValueError):
-    """A motion that this gyroscope cannot have, or data that determine none."""
+    """A motion that the gyroscope cannot have, or data that do not determine one."""
 
 
 # -- the axis of zero velocity
@@ -54,29 +56,29 @@ class GyroError(NewtonEulerError, ValueError):
 
 @dataclass(frozen=True)
 class InstantaneousAxis:
-    """The points of a body that are at rest, or move along the axis only: the line through
+    """The line of the points of a body that are at rest, or move along the line only: through
     ``point`` along the unit vector ``direction`` (10.1).
 
     slide : the velocity of its points along ``direction``, m/s; zero if a point of the body is at
         rest
     """
 
-    point: object
+    point: Point
     direction: Vector
-    slide: object
+    slide: Scalar
 
 
-def instantaneous_axis(body, observer):
-    """The instantaneous axis of a rigid body, the frame ``body``, seen from ``observer``: an
-    :class:`InstantaneousAxis` (10.1).
+def instantaneous_axis(body: Frame, observer: Frame) -> InstantaneousAxis:
+    """The instantaneous axis of rotation of a rigid body, seen from ``observer`` (10.1).
 
-    The point given is that of the axis nearest to the origin of ``body``; if that is at rest, it is
-    the origin itself. In a motion with no point at rest the axis is that of the screw. Raises
-    :class:`GyroError` if the body does not turn.
+    body : the frame of the body. The ``point`` is that of the axis nearest to its origin. In a
+    motion with no point at rest the axis is that of the screw. Raises :class:`GyroError` if the
+    body does not turn.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")
-    >>> wheel = ground.rotate("wheel", "-z", rate=4.0, origin=ground.point("C", moving(0.0, rate=2.0), 0.5, 0))  # rolls to the right
+    >>> C = ground.point("C", moving(0.0, rate=2.0), 0.5, 0)
+    >>> wheel = ground.rotate("wheel", "-z", rate=4.0, origin=C)  # rolls to the right
     >>> instantaneous_axis(wheel, ground).point.position(ground).components()
     (0.0, 0.0, 0)
     """
@@ -85,11 +87,11 @@ def instantaneous_axis(body, observer):
     if is_zero(rate):
         raise GyroError(
             f"{body.name} does not turn in {observer.name} at this instant: it has no "
-            "instantaneous axis, all its points move alike"
+            "instantaneous axis"
         )
     B = body.point("B", 0, 0, 0)
     v = B.velocity(observer).expressed_in(body)
-    arm = w.cross(v) / (rate * rate)
+    arm = w.cross(v) / (rate * rate)  # of v + w x arm only the part along w remains
     direction = Vector(tuple(x / rate for x in w.c), body)
     return InstantaneousAxis(body.point("on the axis", *arm.c), direction, direction.dot(v))
 
@@ -105,9 +107,9 @@ EQUATIONS = equations({
 })  # fmt: skip
 
 
-def gyro_momentum(body, ground, I0, I):
-    """H about the fixed point or G, in the frame {i, j, k} that precesses and nutates without
-    spinning (10.21); it knows its rate.
+def gyro_momentum(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
+    """The angular momentum H about the fixed point or G, in the frame {i, j, k} that precesses and
+    nutates without spinning (10.21); it knows its rate.
 
     body : the frame of the body, made by :func:`newton_euler.kinematics.rotations.euler_frame`, so
         that {i, j, k} is ``body.parent``
@@ -120,14 +122,14 @@ def gyro_momentum(body, ground, I0, I):
     1.0
     """
     f = body.parent
-    # (10.18), without a turn into the body by the angle of spin
+    # (10.18), without the rotation by the angle of spin, which would cost digits
     omega = f.angular_velocity(ground) + body.angular_velocity(f).expressed_in(f)
     return _inertia(body, I0, I).times(omega)
 
 
-def gyro_moment(body, ground, I0, I):
-    """The moment that a motion needs, about the fixed point or G (10.20)-(10.25), (10.27): a Vector
-    in {i, j, k}, the frame ``body.parent``.
+def gyro_moment(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
+    """The moment for a motion, about the fixed point or G (10.20)-(10.25), (10.27), in {i, j, k},
+    the frame ``body.parent``.
 
     body : made by :func:`newton_euler.kinematics.rotations.euler_frame` of angles that are
         :func:`newton_euler.moving`, with both rates
@@ -162,36 +164,35 @@ def _inertia(body, I0, I):
 
 
 def _check_moments(I0, I):
-    """I0 > 0 and 0 <= I <= 2 I0, as for any body; expressions pass unseen."""
+    """Raises :class:`GyroError` unless I0 > 0 and 0 <= I <= 2 I0; expressions pass."""
     I0, I = scalar(I0), scalar(I)
-    if is_numeric(I0) and anywhere(plain(I0) <= 0):
+    if not is_numeric(I0):
+        return
+    if anywhere(plain(I0) <= 0):
         raise GyroError(f"the transverse moment of inertia I0 must be positive, got {plain(I0)!r}")
-    if (
-        is_numeric(I0)
-        and is_numeric(I)
-        and (anywhere(plain(I) < 0) or anywhere(plain(I - 2 * I0) > 1e-9 * plain(I0)))
-    ):
+    # a disk has I = 2 I0, perhaps a little more by round-off
+    if is_numeric(I) and anywhere((plain(I) < 0) | (plain(I - 2 * I0) > 1e-9 * plain(I0))):
         raise GyroError(
-            f"no body of revolution has I = {plain(I)!r} with I0 = {plain(I0)!r}: I lies "
-            "between 0 and 2 I0; are they exchanged?"
+            f"no body of revolution has I = {plain(I)!r} with I0 = {plain(I0)!r}: I lies between 0 "
+            "and 2 I0; are they exchanged?"
         )
 
 
 def check_top(I0, I, spin, omega_z):
-    """Raises :class:`GyroError` unless I0 and I are those of a body, and one of its two rates about
-    the axis is given.
+    """Raises :class:`GyroError` unless a body can have I0 and I, and one of its two rates about the
+    axis is given.
     """
     _check_moments(I0, I)
     if (spin is None) == (omega_z is None):
         raise GyroError(
-            "give either spin, the rate phi' about the axis relative to the precessing plane, "
-            "or omega_z = phi' + psi' cos(theta)"
+            "give either spin, phi' relative to the precessing plane, or omega_z = phi' + psi' "
+            "cos(theta)"
         )
 
 
-def normal_moment(precession, spin, I):
-    """The moment on a body whose axis of spin is turned at right angles to itself: I psi' x phi'
-    (10.38), N m if in SI.
+def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
+    """The moment I psi' x phi' on a body whose spin axis precesses at right angles to itself
+    (10.38); N m if in SI.
 
     precession, spin : Vectors, rad/s, along psi' and phi', at right angles (:class:`GyroError`
         otherwise); I about the spin axis
@@ -202,14 +203,11 @@ def normal_moment(precession, spin, I):
     Vector(2.0, 0, 0 in ground)
     """
     along, product = scalar(precession.dot(spin)), scalar(precession.norm()) * spin.norm()
-    if (
-        is_numeric(along)
-        and is_numeric(product)
-        and anywhere(abs(plain(along)) > 1e-9 * plain(product))
-    ):
+    numbers = is_numeric(along) and is_numeric(product)
+    if numbers and anywhere(abs(plain(along)) > 1e-9 * plain(product)):
         raise GyroError(
-            f"precession {precession} and spin {spin} are not at right angles; use gyro_moment "
-            "or steady_moment(I0, I, theta, ...)"
+            f"precession {precession} and spin {spin} are not at right angles; use gyro_moment or "
+            "steady_moment(I0, I, theta, ...)"
         )
     return precession.cross(spin) * I
 
@@ -217,8 +215,8 @@ def normal_moment(precession, spin, I):
 # -- steady precession
 
 
-def steady_moment(I0, I, theta, precession, spin):
-    """The moment about the line of nodes that holds a steady precession (10.29), (10.32), (10.37).
+def steady_moment(I0: Scalar, I: Scalar, theta: Scalar, precession: Scalar, spin: Scalar) -> Scalar:
+    """The moment about the line of nodes in a steady precession (10.29), (10.32), (10.37).
 
     >>> steady_moment(0.02, 0.01, 0.5, 0.0, 100.0)
     0.0
@@ -226,11 +224,18 @@ def steady_moment(I0, I, theta, precession, spin):
     return plain(precession * sin(theta) * (I * spin - (I0 - I) * precession * cos(theta)))
 
 
-def steady_spin(I0, I, theta, precession, mgr=None, moment=None):
-    """The spin phi' of a steady precession of given rate, (10.31), (10.32) solved for it. Give
+def steady_spin(
+    I0: Scalar,
+    I: Scalar,
+    theta: Scalar,
+    precession: Scalar,
+    mgr: Scalar = None,
+    moment: Scalar = None,
+) -> Scalar:
+    """The spin phi' of a steady precession with this rate, (10.31), (10.32) solved for it. Give
     ``mgr`` or ``moment``; mgr=0 is torque-free (10.35).
 
-    Raises :class:`GyroError` if I or the precession is zero: then no spin helps.
+    Raises :class:`GyroError` if I or the precession is zero: then no spin will do.
 
     >>> steady_spin(0.02, 0.01, 0.0, 2.0, mgr=2.0)
     102.0
@@ -244,25 +249,32 @@ def steady_spin(I0, I, theta, precession, mgr=None, moment=None):
 
 @dataclass(frozen=True)
 class SteadyPrecession:
-    """What :func:`steady_precession` finds.
+    """The two steady precessions at an angle, by :func:`steady_precession`.
 
-    slow, fast : the two rates of precession psi', rad/s; ``fast`` is infinite where there is no
-        second one
+    slow, fast : the rates of precession psi', rad/s; ``fast`` is infinite where there is no second
+        one
     discriminant : (I phi')^2 - 4 mgr (I0 - I) cos(theta), or (I omega_z)^2 - 4 mgr I0 cos(theta);
         zero where both are one
     stiffness : for each of the two, the square of the angular frequency of small nutations about
         it, (rad/s)^2, see :func:`nutation_stiffness`
     """
 
-    slow: object
-    fast: object
-    discriminant: object
+    slow: Scalar
+    fast: Scalar
+    discriminant: Scalar
     stiffness: tuple
 
 
-def steady_precession(I0, I, theta, spin=None, omega_z=None, mgr=None, moment=None):
-    """Both rates of steady precession at the angle theta (10.31)-(10.33): a
-    :class:`SteadyPrecession`.
+def steady_precession(
+    I0: Scalar,
+    I: Scalar,
+    theta: Scalar,
+    spin: Scalar = None,
+    omega_z: Scalar = None,
+    mgr: Scalar = None,
+    moment: Scalar = None,
+) -> SteadyPrecession:
+    """Both rates of steady precession at the angle theta (10.31)-(10.33).
 
     Give either ``spin`` phi', relative to the precessing plane, or ``omega_z``, the whole rate
     about the axis; and either ``mgr`` or ``moment``. With a = (I0 - I) cos(theta), h = I phi' (or a
@@ -279,6 +291,7 @@ def steady_precession(I0, I, theta, spin=None, omega_z=None, mgr=None, moment=No
     """
     a, h, c = _quadratic(I0, I, theta, spin, omega_z, _over_sine(theta, mgr, moment))
     D = _discriminant(a, h, c, I, "spin" if omega_z is None else "omega_z")
+    # the root without cancellation, as in Numerical Recipes (Press et al.), section 5.6
     q = (h + _sense(h) * sqrt(D)) / 2
     _check_any_root(q, c)
     slow, fast = _quotient(c, q, 0), _quotient(q, a, math.inf)
@@ -287,9 +300,10 @@ def steady_precession(I0, I, theta, spin=None, omega_z=None, mgr=None, moment=No
 
 
 def _stiffness(I0, I, theta, psi, spin, omega_z):
-    """That of nutation about the rate psi', infinite where this is."""
-    none = is_numeric(psi) and plain(psi) == math.inf
-    psi = where(none, 0, plain(psi))
+    """The nutation stiffness about the rate psi', infinite where this is."""
+    psi = plain(psi)
+    none = is_numeric(psi) and psi == math.inf
+    psi = where(none, 0, psi)
     whole = spin + psi * cos(theta) if omega_z is None else omega_z
     return where(none, math.inf, nutation_stiffness(I0, I, theta, psi, whole))
 
@@ -297,17 +311,15 @@ def _stiffness(I0, I, theta, psi, spin, omega_z):
 def _over_sine(theta, mgr, moment):
     """c: the moment divided by sin(theta), which is finite for gravity at theta = 0."""
     if (mgr is None) == (moment is None):
-        raise GyroError(
-            "give one of mgr, weight times distance of G from the fixed point, and moment, the "
-            "moment about the line of nodes"
-        )
+        raise GyroError("give one of mgr and moment, the moment about the line of nodes")
     if moment is None:
         return scalar(mgr)
     s = sin(theta)
+    # sin(pi) in floats is 1.2e-16, half an epsilon
     if is_numeric(s) and least(s) <= 4 * epsilon(s):
         raise GyroError(
-            f"at theta = {plain(theta)!r} rad there is no line of nodes to have a moment "
-            "about; give gravity as mgr"
+            f"at theta = {plain(theta)!r} rad there is no line of nodes to have a moment about; "
+            "give gravity as mgr"
         )
     return scalar(moment) / s
 
@@ -315,20 +327,20 @@ def _over_sine(theta, mgr, moment):
 def _quadratic(I0, I, theta, spin, omega_z, c):
     check_top(I0, I, spin, omega_z)
     I0, I = scalar(I0), scalar(I)
-    return (
-        ((I0 - I) * cos(theta), I * spin, c)
-        if omega_z is None
-        else (I0 * cos(theta), I * omega_z, c)
-    )
+    if omega_z is None:
+        return (I0 - I) * cos(theta), I * spin, c
+    return I0 * cos(theta), I * omega_z, c
 
 
 def _discriminant(a, h, c, I, what):
-    """h^2 - 4 a c, zero within its rounding; refuses negative ones in words."""
-    D = h * h - 4 * (a * c)
+    """h^2 - 4 a c, zero within its rounding; raises :class:`GyroError` where it is negative."""
+    first, second = h * h, 4 * (a * c)
+    D = first - second
     if not is_numeric(D):
         return D
-    small = 8 * epsilon(D) * abs(h * h) + 8 * epsilon(D) * abs(4 * (a * c))
-    D = where(plain(D) < 0, where(plain(D + small) >= 0, 0 * D, D), D)
+    # a few roundings of the two products: at the least spin itself the difference is only these
+    slack = 8 * epsilon(D) * (abs(first) + abs(second))
+    D = where((plain(D) < 0) & (plain(D + slack) >= 0), 0 * D, D)
     if anywhere(plain(D) < 0):
         needed = (
             "without I no spin helps"
@@ -348,43 +360,45 @@ def _sense(h):
 
 
 def _check_any_root(q, c):
-    if (
-        is_numeric(q)
-        and is_numeric(c)
-        and anywhere(where(plain(q) == 0, where(plain(c) != 0, 1, 0), 0) == 1)
-    ):
+    if is_numeric(q) and is_numeric(c) and anywhere((plain(q) == 0) & (plain(c) != 0)):
         raise GyroError(
-            "no steady precession is possible: without spin a body at this angle can hold no "
-            "moment; tilt it or spin it"
+            "no steady precession is possible: without spin a body at this angle can hold no moment"
         )
 
 
 def _quotient(n, d, otherwise):
-    """n/d, and ``otherwise`` where d is zero."""
+    """n/d, or ``otherwise`` where d is zero."""
     if not is_numeric(d):
         return n / d
     none = plain(d) == 0
     return where(none, otherwise, n / where(none, 1, plain(d)))
 
 
-def least_spin(I0, I, theta, mgr=None, moment=None, of="spin"):
-    """The least spin phi' (of="spin") or whole rate (of="omega_z") for steady precession at theta,
-    in size: where the discriminant of (10.33) is 0.
+def least_spin(
+    I0: Scalar,
+    I: Scalar,
+    theta: Scalar,
+    mgr: Scalar = None,
+    moment: Scalar = None,
+    of: str = "spin",
+) -> Scalar:
+    """The least spin phi' (of="spin") or whole rate (of="omega_z"), in size, for steady precession
+    at theta: where the discriminant of (10.33) is 0.
 
     2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I; zero where every spin will do. An
     expression is taken to be real.
 
-    >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5), 4), round(least_spin(0.02, 0.01, 0.0, mgr=0.5, of="omega_z"), 4)
-    (14.1421, 20.0)
+    >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5), 4)
+    14.1421
+    >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5, of="omega_z"), 4)
+    20.0
     >>> least_spin(0.02, 0.01, 2.0, mgr=0.5)  # G below the point
     0.0
     """
     if of not in ("spin", "omega_z"):
         raise GyroError(f"of= is 'spin' (phi') or 'omega_z' (phi' + psi' cos theta), got {of!r}")
-    given = {of: 1}
-    a, _, c = _quadratic(
-        I0, I, theta, given.get("spin"), given.get("omega_z"), _over_sine(theta, mgr, moment)
-    )
+    rates = {"spin": None, "omega_z": None, of: 1}
+    a, _, c = _quadratic(I0, I, theta, **rates, c=_over_sine(theta, mgr, moment))
     return plain(_least_rate(a, c, I))
 
 
@@ -395,7 +409,9 @@ def _least_rate(a, c, I):
     return 2 * sqrt(product) / I
 
 
-def nutation_stiffness(I0, I, theta, precession, omega_z):
+def nutation_stiffness(
+    I0: Scalar, I: Scalar, theta: Scalar, precession: Scalar, omega_z: Scalar
+) -> Scalar:
     """The square of the angular frequency (rad/s)^2 of small nutations about a steady precession
     under gravity; stable where it is positive.
 
@@ -413,19 +429,26 @@ def nutation_stiffness(I0, I, theta, precession, omega_z):
 
 @dataclass(frozen=True)
 class FastSpin:
-    """The leading terms (10.34) for a fast spin, and by which part of the true value each is too
-    large (negative: too small).
+    """The leading terms (10.34) for a fast spin, and their relative errors, positive where a term
+    is too large.
     """
 
-    slow: object
-    fast: object
-    slow_error: object
-    fast_error: object
+    slow: Scalar
+    fast: Scalar
+    slow_error: Scalar
+    fast_error: Scalar
 
 
-def fast_spin(I0, I, theta, spin, mgr=None, moment=None):
-    """The precession rates approximately, for a fast spin: mgr/(I phi') and I phi'/((I0 - I)
-    cos(theta)) (10.34). A :class:`FastSpin`.
+def fast_spin(
+    I0: Scalar,
+    I: Scalar,
+    theta: Scalar,
+    spin: Scalar,
+    mgr: Scalar = None,
+    moment: Scalar = None,
+) -> FastSpin:
+    """The approximate precession rates for a fast spin: mgr/(I phi') and I phi'/((I0 - I)
+    cos(theta)) (10.34).
 
     With eps = mgr (I0 - I) cos(theta)/(I phi')^2 and s = sqrt(1 - 4 eps) the relative errors are -2
     eps/(1 + s) and 4 eps/(1 + s)^2, to leading order -eps and eps, here without approximation;
@@ -438,10 +461,11 @@ def fast_spin(I0, I, theta, spin, mgr=None, moment=None):
     a, h, c = _quadratic(I0, I, theta, spin, None, _over_sine(theta, mgr, moment))
     if is_numeric(h) and least(h) == 0:
         raise GyroError(
-            "these are approximations for a fast spin, but the spin (or I) is zero; use "
+            "these are approximations for a fast spin, but the spin or I is zero; use "
             "steady_precession"
         )
     eps = c / h * (a / h)
+    # the errors by 1 + s: 1 - s would cancel for a fast spin, where s is nearly 1
     once = 1 + sqrt(_discriminant(a, h, c, I, "spin")) / sqrt(h * h)
     return FastSpin(
         plain(c / h),
@@ -456,24 +480,23 @@ def fast_spin(I0, I, theta, spin, mgr=None, moment=None):
 
 @dataclass(frozen=True)
 class FreePrecession:
-    """The motion of a symmetric body on which no moment acts, seen from its constant angular
-    momentum H = H K.
+    """The steady precession of a symmetric body without moment, about its angular momentum H = H K.
 
-    rate : psi', rad/s; sense : "direct" or "retrograde" (None for expressions): spin and precession
-        about K in the same sense or not
+    rate : psi', rad/s
+    sense : "direct" if spin and precession about K have the same sense, else "retrograde"; None for
+        expressions
     body_cone, space_cone : half-angles (rad) of the cones that the instantaneous axis describes
         about k in the body, and about K in space
     """
 
-    rate: object
-    sense: object
-    body_cone: object
-    space_cone: object
+    rate: Scalar
+    sense: str | None
+    body_cone: Scalar
+    space_cone: Scalar
 
 
-def free_precession(I0, I, theta, spin):
-    """Steady precession without moment (10.35), (10.36): psi' = I phi'/((I0 - I) cos(theta)). A
-    :class:`FreePrecession`.
+def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreePrecession:
+    """The steady precession without moment (10.35), (10.36): psi' = I phi'/((I0 - I) cos(theta)).
 
     Direct if I < I0, retrograde if I > I0. Raises :class:`GyroError` if I = I0 or theta = pi/2:
     then the body has no spin, and turns about K as a whole. For the approach to this use
@@ -486,26 +509,17 @@ def free_precession(I0, I, theta, spin):
     _check_moments(I0, I)
     difference, c = scalar(I0) - I, cos(theta)
     if is_numeric(difference) and is_zero(difference):
-        raise GyroError(
-            "with I = I0 there is no precession: every axis is a principal one, and the body "
-            "turns about a fixed axis"
-        )
+        raise GyroError("with I = I0 there is no precession: the body turns about a fixed axis")
     if is_numeric(c) and least(c) <= 4 * epsilon(c) and not is_zero(spin):
         raise GyroError(
-            f"theta = {plain(theta)!r} rad is pi/2: H has no component along the axis of "
-            "symmetry, and the spin must be zero"
+            f"theta = {plain(theta)!r} rad is pi/2: H has no component along the axis, and the "
+            "spin must be zero"
         )
-    sense = (
-        None if not is_numeric(difference) else where(plain(difference) > 0, "direct", "retrograde")
-    )
+    sense = where(plain(difference) > 0, "direct", "retrograde") if is_numeric(difference) else None
     tilt = atan(I * tan(theta) / I0)
-    return FreePrecession(
-        plain(I * spin / (difference * c)), sense, plain(tilt), plain(_size(theta - tilt))
-    )
-
-
-def _size(x):
-    return abs(x) if is_numeric(x) else sqrt(x * x)
+    gap = theta - tilt
+    size = abs(gap) if is_numeric(gap) else sqrt(gap * gap)
+    return FreePrecession(plain(I * spin / (difference * c)), sense, plain(tilt), plain(size))
 
 
 # -- the sleeping top
@@ -513,26 +527,25 @@ def _size(x):
 
 @dataclass(frozen=True)
 class SleepingTop:
-    """Whether a top stands upright, see :func:`sleeping_top`.
+    """The stability of an upright top, by :func:`sleeping_top`.
 
-    critical : the least whole rate omega_z, rad/s; margin : (omega_z/critical)^2, infinite if it
-        stands without spin
+    critical : the least whole rate omega_z, rad/s
+    margin : (omega_z/critical)^2, infinite if it is stable without spin
     stable : True or False, None for expressions
-    growth : rate at which a small tilt grows, 1/s; zero if stable. Over the time T it grows by
-        exp(growth T): near the threshold a finite simulation cannot tell, the criterion can
+    growth : the rate at which a small tilt grows, 1/s, zero if stable: by exp(growth T) over the
+        time T. Near the threshold a finite simulation cannot decide, the criterion can
     """
 
-    critical: object
-    margin: object
-    stable: object
-    growth: object
+    critical: Scalar
+    margin: Scalar
+    stable: bool | None
+    growth: Scalar
 
 
-def sleeping_top(I0, I, mgr, omega_z):
-    """Does a top spinning upright (theta = 0) stay upright? If (I omega_z)^2 >= 4 I0 mgr: a
-    :class:`SleepingTop`.
+def sleeping_top(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> SleepingTop:
+    """The stability of a top that spins upright (theta = 0): stable if (I omega_z)^2 >= 4 I0 mgr.
 
-    At the threshold itself it does: there the effective potential is of fourth order, with a
+    It is stable at the threshold itself: there the effective potential is of fourth order, with a
     minimum. A small tilt x + i y obeys I0 z'' - i I omega_z z' - mgr z = 0. For a body that hangs
     (theta = pi) mgr is negative, and every rate will do.
 
@@ -545,8 +558,8 @@ def sleeping_top(I0, I, mgr, omega_z):
     D = h * h - 4 * c
     if not is_numeric(D):
         return SleepingTop(critical, plain(h * h / (4 * c)), None, plain(sqrt(-D) / (2 * I0)))
-    margin = where(plain(c) <= 0, math.inf, h * h / where(plain(c) <= 0, 1, 4 * plain(c)))
-    falling = where(plain(D) < 0, -D, 0 * D)
-    return SleepingTop(
-        critical, plain(margin), where(plain(D) >= 0, True, False), plain(sqrt(falling) / (2 * I0))
-    )
+    hangs = plain(c) <= 0
+    margin = where(hangs, math.inf, h * h / where(hangs, 1, 4 * plain(c)))
+    unstable = plain(D) < 0
+    growth = sqrt(where(unstable, -D, 0 * D)) / (2 * I0)
+    return SleepingTop(critical, plain(margin), where(plain(D) >= 0, True, False), plain(growth))

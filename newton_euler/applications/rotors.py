@@ -1,8 +1,8 @@
-"""Rotation about a fixed axis (chapter 9): what the two bearings of a rotor carry, and how it is
-balanced.
+"""Rotation about a fixed axis (chapter 9): the bearing forces of a rotor, its static and dynamic
+imbalance, and its balancing.
 
 A rotor is a :class:`~newton_euler.bodies.body.Body` that turns about the line AB of two bearings,
-Points that it does not move. The unit vector e points from A to B, and every rate and moment about
+Points at rest. The unit vector e points from A to B, and every rate and moment about
 the shaft is positive in the right-hand sense about e. O is a point of the axis, the bearings lie at
 -a and b from it, l = a + b. With F the rate of momentum less the weight, and N the rate of angular
 momentum about O less the moment of the weight, both bearings follow at once:
@@ -21,27 +21,38 @@ which are (9.3), (9.6) and (9.9), (9.10) for a shaft in any direction. Forces ac
 [0, -1.2, 0] in shaft
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.ledger import equations
-from ..algebra.scalars import anywhere, is_numeric, is_zero, plain, scalar, size, sqrt, where
+from ..algebra.scalars import (
+    Scalar,
+    anywhere,
+    is_numeric,
+    is_zero,
+    plain,
+    scalar,
+    size,
+    sqrt,
+    where,
+)
 from ..algebra.vectors import Vector, add3, dot3, named_sum, scale3, sum3
 from ..bodies.body import Body
-from ..kinematics.frames import Point
+from ..kinematics.frames import Frame, Point
 
 
 class RotorError(NewtonEulerError, ValueError):
-    """Bearings, planes or weights that determine nothing, or an axis that does not stay at rest."""
+    """Bearings, planes or weights that are not admissible, or an axis that is not at rest."""
 
 
 @dataclass(frozen=True)
 class Reactions:
-    """What :func:`reactions` finds: ``A`` and ``B``, the transverse forces of the bearings on the
-    shaft (N), Vectors in the frame of the body.
+    """The bearing forces ``A`` and ``B``, by :func:`reactions`: the transverse forces on the shaft
+    (N), in the frame of the body.
 
-    axial : A_e + B_e (N), the force of both along the axis, from A to B; how they share it no rigid
-        body tells
+    axial : A_e + B_e (N), the force of both along the axis, from A to B; how they share it is
+        undetermined for a rigid body
     moment : M (N m), the moment about the axis that drives the shaft (9.10)
     axis : the unit vector e from A to B
 
@@ -51,8 +62,8 @@ class Reactions:
 
     A: Vector
     B: Vector
-    axial: object
-    moment: object
+    axial: Scalar
+    moment: Scalar
     axis: Vector
 
 
@@ -67,17 +78,23 @@ EQUATIONS = equations({
 })  # fmt: skip
 
 
-def reactions(body, A, B, ground, gravity=None, about=None):
-    """The forces of two bearings on a turning body, and the moment that drives it: a
-    :class:`Reactions` (9.1)-(9.10).
+def reactions(
+    body: Body,
+    A: Point,
+    B: Point,
+    ground: Frame,
+    gravity: Vector | None = None,
+    about: Point | None = None,
+) -> Reactions:
+    """The forces of the two bearings on a rotor, and the moment that drives it (9.1)-(9.10).
 
     body : a Body whose frame turns in ``ground``; its rate, acceleration and angle are those of the
         frame
     A, B : the bearings, Points of the axis, fixed in the body or in a frame of the shaft
     gravity : the acceleration of gravity, a Vector (m/s^2); None: the dead weight is left out, as
         in (9.3)
-    about : the point O of the axis for the terms; default: the foot of the centre of mass. It does
-        not matter for the sums.
+    about : the point O of the axis for the terms; default: the foot of the centre of mass. The sums
+        do not depend on it.
     terms of A and B, in the order of (9.9): ``weight``; ``static``, from omega^2 and the distance
         of G; ``dynamic``, from omega^2 and the products of inertia about O; ``static_euler`` and
         ``dynamic_euler``, the same from the angular acceleration
@@ -100,36 +117,33 @@ def reactions(body, A, B, ground, gravity=None, about=None):
     a, b = (O - A).dot(e), (B - O).dot(e)
     at_A = {name: e.cross(N - e.cross(F) * b) / length for name, (F, N) in pairs.items()}
     at_B = {name: -e.cross(N + e.cross(F) * a) / length for name, (F, N) in pairs.items()}
-    F, N = (
-        Vector(sum3(v.c for v in part), body.frame) for part in zip(*pairs.values(), strict=True)
+    F, N = (Vector(sum3(v.c for v in v_s), e.frame) for v_s in zip(*pairs.values(), strict=True))
+    force_A, force_B = (
+        named_sum(EQUATIONS["bearing force"], f"of {name} on {body.name}", terms, e.frame)
+        for name, terms in (("A", at_A), ("B", at_B))
     )
-    at_A, at_B = (
-        named_sum(EQUATIONS["bearing force"], f"of {name} on {body.name}", at, body.frame)
-        for name, at in (("A", at_A), ("B", at_B))
-    )
-    return Reactions(at_A, at_B, F.dot(e), N.dot(e), e)
+    return Reactions(force_A, force_B, F.dot(e), N.dot(e), e)
 
 
 def _wrench(body, O, ground, gravity):
-    """For each term of (9.9), the force and the moment about O that the supports must give for it,
-    together.
-    """
-    zero, f = body.frame.vector(0, 0, 0), body.frame
-    I, d, m = body.about(O), (body.centre - O).expressed_in(f), body.mass
-    w, turning = f.angular_velocity(ground), f.angular_acceleration(ground)
+    """For each term of (9.9) the force of the supports, and their moment about O."""
+    f, m = body.frame, body.mass
+    zero = f.vector(0, 0, 0)
+    I, d = body.about(O), (body.centre - O).expressed_in(f)
+    w, alpha = f.angular_velocity(ground), f.angular_acceleration(ground)
     W = zero if gravity is None else gravity.expressed_in(f) * m
     return {
         "weight": (-W, -d.cross(W)),
         "static": (w.cross(w.cross(d)) * m, zero),
         "dynamic": (zero, w.cross(I.times(w))),
-        "static_euler": (turning.cross(d) * m, zero),
-        "dynamic_euler": (zero, I.times(turning)),
+        "static_euler": (alpha.cross(d) * m, zero),
+        "dynamic_euler": (zero, I.times(alpha)),
     }
 
 
-def shaft_axis(A, B, frame=None):
+def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple:
     """The unit vector e from bearing A to bearing B, in ``frame`` (default: that of A), and their
-    distance l (m), in that order.
+    distance l (m).
 
     Raises :class:`RotorError` if they coincide.
 
@@ -145,11 +159,9 @@ def shaft_axis(A, B, frame=None):
             )
     AB = (B - A).expressed_in(frame or A.frame)
     length = AB.norm()
+    # 1e-13 of the coordinates: their difference is round-off
     if _small(length, 1e-13 * max(_extent(A), _extent(B))):
-        raise RotorError(
-            f"the bearings {A.name} and {B.name} coincide, and one point is no axis; put them "
-            "at two places of the shaft"
-        )
+        raise RotorError(f"the bearings {A.name} and {B.name} coincide, and one point is no axis")
     return Vector(tuple(x / length for x in AB.c), AB.frame), length
 
 
@@ -159,9 +171,7 @@ def _extent(P):
 
 
 def _small(x, limit=0.0):
-    """True if a number (any one of an array) is not larger than ``limit``; an expression is not
-    looked at.
-    """
+    """True if a number (any one of an array) is not larger than ``limit``; expressions pass."""
     return is_numeric(x) and anywhere(abs(plain(x)) <= limit)
 
 
@@ -173,31 +183,28 @@ def _on_axis(body, A, e, length, about):
     off = e.cross(about - A).norm()
     if is_numeric(off) and is_numeric(length) and size(off) > 1e-9 * size(length):
         raise RotorError(
-            f"{about.name} lies {size(off):.3g} off the axis of the bearings; take a point of "
-            "the axis, or leave about= out"
+            f"{about.name} lies {size(off):.3g} off the axis of the bearings; take a point of the "
+            "axis, or leave about= out"
         )
     return about
 
 
 def _check_motion(body, A, e, length, ground):
-    """Points of the axis must rest, and the body turn about it; seen at numbers only."""
-    w, turning, v = (
-        body.frame.angular_velocity(ground),
-        body.frame.angular_acceleration(ground),
-        A.velocity(ground),
-    )
+    """Raises :class:`RotorError` unless A rests and the body turns about the axis; expressions
+    pass.
+    """
+    w, alpha = body.frame.angular_velocity(ground), body.frame.angular_acceleration(ground)
     for name, vector, scale in (
         ("its angular velocity", w.cross(e), w.norm()),
-        ("its angular acceleration", turning.cross(e), turning.norm()),
-        (f"the velocity of {A.name}", v, length * w.norm()),
+        ("its angular acceleration", alpha.cross(e), alpha.norm()),
+        (f"the velocity of {A.name}", A.velocity(ground), length * w.norm()),
     ):
-        parts = [*vector.c, scalar(scale)]
-        if all(map(is_numeric, parts)) and size(vector.norm()) > 1e-9 * size(scale):
+        # 1e-9 of the whole vector: round-off of Points and rates given in decimals
+        off = size(vector.norm()) if all(map(is_numeric, (*vector.c, scalar(scale)))) else 0
+        if off and off > 1e-9 * size(scale):
             raise RotorError(
                 f"{body.name} does not turn about its bearings as a fixed axis: {name} has "
-                f"{size(vector.norm()):.3g} across it; "
-                f"turn the frame of the body in {ground.name} about the line AB, as in "
-                "ground.rotate('shaft', 'z', rate=...)"
+                f"{off:.3g} across it; turn its frame in {ground.name} about the line AB"
             )
 
 
@@ -206,8 +213,8 @@ def _check_motion(body, A, e, length, ground):
 
 @dataclass(frozen=True)
 class Imbalance:
-    """The two things that balancing removes (9.4), Vectors at right angles to the axis, in the
-    frame of the body.
+    """The static and the dynamic imbalance (9.4), at right angles to the axis, in the frame of the
+    body.
 
     static : m d (kg m), d from the axis to G
     dynamic : the products of inertia with the axis (kg m^2), the integral of z r dm, z along the
@@ -220,9 +227,8 @@ class Imbalance:
     about: Point
 
 
-def imbalance(body, A, B, about=None):
-    """Static and dynamic imbalance of a body for the axis AB: an :class:`Imbalance`. For scalars of
-    every kind.
+def imbalance(body: Body, A: Point, B: Point, about: Point | None = None) -> Imbalance:
+    """The static and dynamic imbalance of a body for the axis AB. For scalars of every kind.
 
     about : the point O of the axis for the products of inertia; default: the foot of G, where they
         are those about G
@@ -247,13 +253,13 @@ def _across(v, e):
 
 @dataclass(frozen=True)
 class Balance:
-    """The verdict of :func:`balance`: ``static`` and ``dynamic`` are True or False; ``str()`` gives
-    it in words with its evidence.
+    """Whether a rotor is balanced, by :func:`balance`; ``str()`` gives it in words with numbers.
 
+    static, dynamic : True or False
     eccentricity : distance of G from the axis, m; product : size of the products of inertia with
         the axis about O, kg m^2
-    offset, tilt : the same as pure numbers, as parts of the radius of gyration k about O and of m
-        k^2; they are compared with ``tolerance``
+    offset, tilt : the same divided by the radius of gyration k about O, and by m k^2; they are
+        compared with ``tolerance``
     """
 
     static: bool
@@ -265,37 +271,35 @@ class Balance:
     tolerance: float
 
     @property
-    def state(self):
+    def state(self) -> str:
         """One of "both", "static", "dynamic", "neither"."""
-        return {
-            (True, True): "both",
-            (True, False): "static",
-            (False, True): "dynamic",
-            (False, False): "neither",
-        }[self.static, self.dynamic]
+        if self.static == self.dynamic:
+            return "both" if self.static else "neither"
+        return "static" if self.static else "dynamic"
 
     def __str__(self):
-        words = {True: "balanced", False: "not balanced"}
+        static, dynamic = ("" if ok else "not " for ok in (self.static, self.dynamic))
         return (
-            f"statically {words[self.static]}: G is {self.eccentricity:.3g} off the axis, "
-            f"{self.offset:.3g} of the radius of gyration; "
-            f"dynamically {words[self.dynamic]}: the products of inertia with the axis are "
-            f"{self.product:.3g}, {self.tilt:.3g} of the moment of "
-            f"inertia (tolerance {self.tolerance:.3g})"
+            f"statically {static}balanced: G is {self.eccentricity:.3g} off the axis, "
+            f"{self.offset:.3g} of the radius of gyration; dynamically {dynamic}balanced: the "
+            f"products of inertia with the axis are {self.product:.3g}, {self.tilt:.3g} of the "
+            f"moment of inertia (tolerance {self.tolerance:.3g})"
         )
 
 
-def balance(body, A, B, about=None, tolerance=1e-9):
-    """Is the rotor balanced (9.4)? A :class:`Balance`: statically, G on the axis; dynamically, the
-    axis a principal one at O.
+def balance(
+    body: Body, A: Point, B: Point, about: Point | None = None, tolerance: float = 1e-9
+) -> Balance:
+    """Whether a rotor is balanced (9.4): statically if G is on the axis, dynamically if the axis is
+    principal at O.
 
     about : the point O; default: the foot of G, so that the two are independent of each other.
         About another point a body that is not balanced statically changes its products of inertia:
         give the O of the exercise.
     tolerance : relative, of the radius of gyration k about O (the root mean square distance of the
         mass from it; at least a thousandth of AB), and of m k^2
-    Of an array every instant must be balanced. Raises :class:`RotorError` for expressions, which
-    have no size: look at :func:`imbalance` there.
+    An array is balanced if every instant is. Raises :class:`RotorError` for expressions: use
+    :func:`imbalance` there.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.solids import disk
@@ -305,17 +309,16 @@ def balance(body, A, B, about=None, tolerance=1e-9):
     'dynamic'
     """
     found = imbalance(body, A, B, about)
-    I, e, product = (
-        body.about(found.about),
-        scalar(found.static.norm()),
-        scalar(found.dynamic.norm()),
-    )
-    total = _at_least(sum(I.moments) / 2, body.mass * (shaft_axis(A, B)[1] / 1000) ** 2)  # m k^2
-    if not all(map(is_numeric, (e, product, total, body.mass))):
+    e, product = scalar(found.static.norm()), scalar(found.dynamic.norm())
+    total = sum(body.about(found.about).moments) / 2  # m k^2
+    # of a particle on the axis it is zero: at least that of the mass at a thousandth of AB
+    floor = body.mass * (shaft_axis(A, B)[1] / 1000) ** 2
+    if not all(map(is_numeric, (e, product, total, floor))):
         raise RotorError(
             f"whether {body.name} is balanced depends on the values of its expressions; put in "
             "numbers, or look at imbalance(...)"
         )
+    total = where(plain(total) < plain(floor), floor, total)
     eccentricity = e / body.mass
     offset, tilt = size(eccentricity / sqrt(total / body.mass)), size(product / total)
     return Balance(
@@ -329,19 +332,15 @@ def balance(body, A, B, about=None, tolerance=1e-9):
     )
 
 
-def _at_least(x, floor):
-    return where(plain(x) < plain(floor), floor, x) if is_numeric(x) and is_numeric(floor) else x
-
-
 # -- balancing
 
 
-def corrections(body, A, B, planes):
-    """What must be added in two planes across the axis to balance a body: two Vectors, mass times
+def corrections(body: Body, A: Point, B: Point, planes: Sequence) -> tuple:
+    """The corrections in two planes across the axis that balance a body: two Vectors, mass times
     radius from the axis (kg m).
 
-    planes : the distances (m) of the two planes from A along the axis, positive towards B; outside
-        of the bearings too
+    planes : the distances (m) of the two planes from A along the axis, positive towards B, also
+        outside of the bearings
     With U and P the static imbalance and the products of inertia about A, at z1 and z2: U1 = (P -
     z2 U)/(z2 - z1), U2 = (z1 U - P)/(z2 - z1). Raises :class:`RotorError` if the planes coincide.
 
@@ -356,31 +355,38 @@ def corrections(body, A, B, planes):
     apart = z2 - z1
     if _small(apart, 1e-13 * max(size(z) if is_numeric(z) else 0.0 for z in (z1, z2))):
         raise RotorError(
-            f"the two planes coincide, at {plain(z1)!r} and {plain(z2)!r} from {A.name}; a "
-            "couple needs two different planes"
+            f"the two planes coincide, at {plain(z1)!r} and {plain(z2)!r} from {A.name}; a couple "
+            "needs two different planes"
         )
     found = imbalance(body, A, B, about=A)
     U, P = found.static, found.dynamic
     return (P - U * z2) / apart, (U * z1 - P) / apart
 
 
-def balancing_masses(body, A, B, planes, radius=None, mass=None):
-    """Two small weights that balance a body statically and dynamically, one in each plane: two
-    Bodies, ``weight 1`` and ``weight 2``.
+def balancing_masses(
+    body: Body,
+    A: Point,
+    B: Point,
+    planes: Sequence,
+    radius: Scalar | Sequence = None,
+    mass: Scalar | Sequence = None,
+) -> tuple:
+    """Two small weights, one in each plane, that balance a body statically and dynamically: the
+    Bodies ``weight 1`` and ``weight 2``.
 
     planes : as for :func:`corrections`
-    radius : at which distance from the axis they go (m), one number or a pair; their masses follow
-    mass : how heavy they are (kg), one number or a pair; their distances follow. Give one of the
-        two.
+    radius : their distance from the axis (m), one number or a pair; their masses follow
+    mass : their mass (kg), one number or a pair; their distances follow. Give one of the two.
     ``composite("balanced", [body, *weights])`` has no dynamic reactions. Where no weight is needed
-    it has mass (or radius) zero. A hole of the same mass on the opposite side does the same. Raises
+    it has mass (or radius) zero. A hole of the same mass on the opposite side is equivalent. Raises
     :class:`RotorError` for a radius or mass that is not positive.
 
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.body import particle
     >>> shaft = Frame("shaft")
     >>> A, B = shaft.origin, shaft.point("B", 0, 0, 4.0)
-    >>> weights = balancing_masses(particle(2.0, shaft.point("P", 0.5, 0, 1.0)), A, B, (2.0, 3.0), radius=0.5)
+    >>> rotor = particle(2.0, shaft.point("P", 0.5, 0, 1.0))
+    >>> weights = balancing_masses(rotor, A, B, (2.0, 3.0), radius=0.5)
     >>> [(w.mass, w.centre.position(shaft).components()) for w in weights]
     [(4.0, (-0.5, 0, 2.0)), (2.0, (0.5, 0, 3.0))]
     """
@@ -391,39 +397,35 @@ def balancing_masses(body, A, B, planes, radius=None, mass=None):
         )
     what, given = ("radius", radius) if mass is None else ("mass", mass)
     given = given if isinstance(given, (tuple, list)) else (given, given)
-    for x in given:
-        _check_positive(what, scalar(x))
+    for x in map(scalar, given):
+        if is_numeric(x) and (_small(x) or size(x - abs(x)) > 0):
+            reason = "on the axis" if mass is None else "without mass"
+            raise RotorError(
+                f"the {what} of the balancing weights must be positive, got {plain(x)!r}: {reason} "
+                "a weight balances nothing"
+            )
     e, _ = shaft_axis(A, B, body.frame)
-    needed = corrections(body, A, B, planes)
+    needed = zip(corrections(body, A, B, planes), planes, given, strict=True)
     return tuple(
-        _weight(n, U, A, e, z, x, mass is None)
-        for n, (U, z, x) in enumerate(zip(needed, planes, given, strict=True), start=1)
+        _weight(f"weight {n}", U, A, e, z, x, mass is None)
+        for n, (U, z, x) in enumerate(needed, start=1)
     )
 
 
-def _weight(number, U, A, e, z, given, at_radius):
-    """The weight that is ``U`` (kg m), in the plane at ``z`` from A, at a given radius or of a
-    given mass.
+def _weight(name, U, A, e, z, given, at_radius):
+    """The weight of ``U`` (kg m), in the plane at ``z`` from A, at a given radius or of a given
+    mass.
     """
     length = scalar(U.norm())
-    none = is_zero(length)
-    step = U * 0 if none else U * (given / _nonzero(length)) if at_radius else U / given
+    if is_zero(length):
+        step = U * 0
+    elif at_radius:
+        # at an instant of an array at which none is needed 0/1 in place of 0/0
+        step = U * (
+            given / (where(plain(length) == 0, 1, length) if is_numeric(length) else length)
+        )
+    else:
+        step = U / given
     mass = length / given if at_radius else given
     place = add3(A.position(e.frame).c, add3(scale3(scalar(z), e.c), step.c))
-    return Body(f"weight {number}", mass, e.frame.point(f"weight {number}", *place))
-
-
-def _nonzero(x):
-    return where(plain(x) == 0, 1, x) if is_numeric(x) else x
-
-
-def _check_positive(what, x):
-    if is_numeric(x) and (_small(x) or size(x - abs(x)) > 0):
-        told = (
-            "on the axis a weight balances nothing"
-            if what == "radius"
-            else "a weight without mass balances nothing"
-        )
-        raise RotorError(
-            f"the {what} of the balancing weights must be positive, got {plain(x)!r}: {told}"
-        )
+    return Body(name, mass, e.frame.point(name, *place))

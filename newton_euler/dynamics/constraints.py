@@ -1,9 +1,9 @@
-"""Degrees of freedom and holonomic constraints (5.11): counted by the rank of the constraints,
-redundant ones named.
+"""Degrees of freedom under holonomic constraints (5.11), by the rank of the constraints; redundant
+constraints are named.
 
 A body has coordinates of its own (Table 5-1); a constraint is a function of them that must vanish
-(5.28). Whether constraints are independent is not seen from their number but from the rank of their
-Jacobian at a general configuration; derivatives are exact (no step size).
+(5.28). Constraints are independent if their Jacobian has full rank at a general configuration;
+derivatives are exact (no step size).
 """
 
 import inspect
@@ -14,7 +14,7 @@ from ..algebra.jets import Moving
 from ..algebra.scalars import is_finite, is_numeric, scalar
 from ..algebra.vectors import Vector
 
-# Table 5-1, and the coordinates that a constraint gets
+# Table 5-1, and the coordinates that are passed to a constraint
 KINDS = {
     "particle": 3,  # x, y, z
     "particle in plane": 2,  # x, y
@@ -34,9 +34,9 @@ class Freedom:
 
     redundant : names of constraints that follow from those before them (at a general
         configuration), with how many of their equations do
-    configuration : the coordinates by body at which the rank was taken
-    singular : at the configuration that was asked for, the rank is lower than in its neighbourhood:
-        instantly freer, as a linkage at its dead point
+    configuration : the coordinates by body at which the rank was computed
+    singular : True if at the configuration passed as ``at`` the rank is lower than in its
+        neighbourhood, as for a linkage at its dead point
     """
 
     count: int
@@ -50,38 +50,38 @@ class Freedom:
         return self.count
 
     def __str__(self):
-        lines = [
+        text = (
             f"{self.count} degrees of freedom: {self.unknowns} coordinates less {self.rank} "
             "independent constraints"
-        ]
-        lines += [
-            f"  redundant: {name}, {times} of its equations follow from the constraints before it"
-            for name, times in self.redundant.items()
-        ]
-        return "\n".join(
-            lines
-            + ["  the configuration is singular: nearby the constraints take away more"]
-            * self.singular
         )
+        for name, times in self.redundant.items():
+            text += f"\n  redundant: {name}, {times} of its equations follow from the constraints "
+            text += "before it"
+        return text + "\n  the configuration is singular: nearby the rank is higher" * self.singular
 
 
-def degrees_of_freedom(bodies, constraints=None, at=None, tolerance=1e-9):
-    """The :class:`Freedom` of a system of bodies under holonomic constraints (5.11): DOF = unknowns
-    - rank of the Jacobian.
+def degrees_of_freedom(
+    bodies: dict,
+    constraints: dict | None = None,
+    at: dict | None = None,
+    tolerance: float = 1e-9,
+) -> Freedom:
+    """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the
+    number of coordinates less the rank of the Jacobian.
 
     bodies : name -> kind, one of :data:`KINDS`, or a number of coordinates
     constraints : name -> function that vanishes (5.28), of the bodies it names as its parameters,
         each a tuple of coordinates (lengths and radians); it returns a scalar or a tuple of them,
         in arithmetic and with functions of this package
-    at : name -> coordinates: the configuration to look at; default: the one that Newton's method
-        finds from a fixed start in no special position
-    tolerance : a row of the Jacobian, scaled to 1, of which less than this lies outside the span of
-        the others, is dependent on them
+    at : name -> coordinates: the configuration at which the rank is computed; default: the one that
+        Newton's method finds from a fixed start in no special position
+    tolerance : a row of the Jacobian, scaled to 1, depends on those before it if less than this
+        lies outside their span
     Raises :class:`ConstraintError` if that configuration does not meet the constraints. Springs,
-    dampers and weights are forces and no constraints.
+    dampers and weights are forces, not constraints.
 
-    >>> pendulum = degrees_of_freedom({"P": "particle in plane"}, {"rod": lambda P: P[0]**2 + P[1]**2 - 1})
-    >>> pendulum.count
+    >>> rod = lambda P: P[0]**2 + P[1]**2 - 1
+    >>> degrees_of_freedom({"P": "particle in plane"}, {"rod": rod}).count
     1
     """
     system = _System(bodies, constraints or {})
@@ -100,8 +100,8 @@ class _System:
             count = KINDS.get(kind, kind)
             if type(count) is not int or count < 1:
                 raise ConstraintError(
-                    f"the kind of {name} is one of {', '.join(map(repr, KINDS))}, or a number "
-                    f"of coordinates; got {kind!r}"
+                    f"the kind of {name} is one of {', '.join(map(repr, KINDS))}, or a number of "
+                    f"coordinates; got {kind!r}"
                 )
             self.places[name] = slice(self.size, self.size + count)
             self.size += count
@@ -126,99 +126,89 @@ class _System:
             try:
                 value = f(*(tuple(q[self.places[n]]) for n in names))
             except (IndexError, ZeroDivisionError, OverflowError) as problem:
+                kinds = (f"{n} {self.places[n].stop - self.places[n].start}" for n in names)
                 raise ConstraintError(
                     f"the constraint {name!r} fails: {problem}; numbers of coordinates: "
-                    f"{self._kinds(names)}"
+                    f"{', '.join(kinds)}"
                 ) from problem
             for x in value if isinstance(value, (tuple, list, Vector)) else (value,):
                 yield name, scalar(x)
 
-    def _kinds(self, names):
-        return ", ".join(f"{n} {self.places[n].stop - self.places[n].start}" for n in names)
-
     def values(self, q):
-        import numpy as np
-
-        return np.array(
-            [float(_number(name, x)) for name, x in self.equations(list(map(float, q)))]
-        )
+        """[(name, float)] of every scalar equation."""
+        return [(name, _number(name, x)) for name, x in self.equations(list(map(float, q)))]
 
     def jacobian(self, q):
-        """Rows of equations, columns of coordinates; each column by one run on numbers that carry
-        their derivative.
+        """Rows of equations, columns of coordinates; each column from one evaluation with numbers
+        that carry their derivative.
         """
         import numpy as np
 
         columns = []
         for n in range(self.size):
             moved = [Moving(float(x), 1) if n == m else float(x) for m, x in enumerate(q)]
-            columns.append(
-                [
-                    float(_number(name, x.rate)) if isinstance(x, Moving) else 0.0
-                    for name, x in self.equations(moved)
-                ]
-            )
+            rates = ((name, getattr(x, "rate", 0.0)) for name, x in self.equations(moved))
+            columns.append([_number(name, x) for name, x in rates])
         return np.array(columns).T.reshape(-1, self.size)
 
     def settled(self, near=0.0, spread=1.0):
-        """The configuration that meets the constraints to which Newton's method of least change
-        leads from a place at random, the same each time.
+        """The configuration, meeting the constraints, to which Newton's method of least change
+        leads from a random start near ``near``, the same each time.
         """
         import numpy as np
 
         start = q = near + spread * np.random.default_rng(5).normal(size=self.size)
         # enough also where a gradient vanishes, and each step only halves the distance
         for _ in range(80):
-            off = np.abs(values := self.values(q)).max(initial=0.0) / max(1.0, np.abs(q).max())
-            if not off > 1e-13:
+            values = np.array([x for _, x in self.values(q)])
+            off = np.abs(values).max(initial=0.0) / max(1.0, np.abs(q).max())
+            if not off > 1e-13:  # round-off; also ends at nan
                 break
+            # rcond: a redundant equation must not add noise over its vanishing singular value
             q = q - np.linalg.lstsq(self.jacobian(q), values, rcond=1e-9)[0]
         if not off < 1e-9:
             names = ", ".join(name for name, _, _ in self.constraints)
+            places = ", ".join(f"{name!r}: ..." for name in self.places)
             raise ConstraintError(
-                f"no configuration was found in which all constraints hold ({names}): do "
-                "two of them contradict each other? "
-                f"If not, pass one as at={{{', '.join(f'{name!r}: ...' for name in self.places)}}}, the coordinates of every body"
+                f"no configuration was found in which all constraints hold ({names}): do they "
+                f"contradict each other? If not, pass one as at={{{places}}}, the coordinates of "
+                "every body"
             )
         self._check_gradients(start, q)
         return q
 
     def _check_gradients(self, start, q):
-        """Refuses a constraint whose gradient vanishes wherever it holds, as x**2 + y**2 = 0: it
-        hides how many coordinates it takes away.
+        """Raises :class:`ConstraintError` for a constraint whose gradient vanishes wherever it
+        holds, as x**2 + y**2 = 0: its rank is not that of its zeros.
         """
         import numpy as np
 
         before, after = (np.linalg.norm(self.jacobian(p), axis=1) for p in (start, q))
-        for (name, _), a, b in zip(self.equations(list(map(float, q))), before, after, strict=True):
-            if b < 1e-5 * a:
+        for (name, _), a, b in zip(self.values(q), before, after, strict=True):
+            if b < 1e-5 * a:  # of a double zero it falls as the square root of the residual 1e-13
                 raise ConstraintError(
-                    f"the gradient of the constraint {name!r} vanishes where it holds, so "
-                    "it does not tell how many degrees of freedom it takes; "
-                    "split it: x**2 + y**2 = 0 is x = 0 and y = 0, two constraints"
+                    f"the gradient of the constraint {name!r} vanishes where it holds; split it, "
+                    "as x**2 + y**2 = 0 into x = 0 and y = 0"
                 )
 
     def given(self, at):
         import numpy as np
 
-        missing = [name for name in self.places if name not in at]
-        if missing or len(at) != len(self.places):
+        if set(at) != set(self.places):
             raise ConstraintError(
                 f"at= gives the coordinates of every body ({', '.join(self.places)}); it has "
                 f"{', '.join(at)}"
             )
-        q = np.concatenate(
-            [np.atleast_1d(np.asarray(at[name], dtype=float)) for name in self.places]
-        )
+        q = np.concatenate([np.atleast_1d(np.asarray(at[n], dtype=float)) for n in self.places])
         if len(q) != self.size:
             raise ConstraintError(
                 f"at= holds {len(q)} numbers; the bodies have {self.size} coordinates"
             )
-        for name, x in self.equations(list(map(float, q))):
-            if abs(float(x)) > 1e-6 * max(1.0, float(abs(q).max())):
+        for name, x in self.values(q):
+            if abs(x) > 1e-6 * max(1.0, abs(q).max()):  # as exact as coordinates are typed in
                 raise ConstraintError(
-                    f"the configuration at= does not meet the constraint {name!r}: it is "
-                    f"{float(x):.3g} instead of 0"
+                    f"the configuration at= does not meet the constraint {name!r}: it is {x:.3g} "
+                    "instead of 0"
                 )
         return q
 
@@ -229,11 +219,9 @@ class _System:
         import numpy as np
 
         basis, redundant = np.zeros((0, self.size)), {}
-        for (name, _), row in zip(
-            self.equations(list(map(float, q))), self.jacobian(q), strict=True
-        ):
+        for (name, _), row in zip(self.values(q), self.jacobian(q), strict=True):
             rest = row / (np.linalg.norm(row) or 1.0)
-            # the second time removes what round-off left: twice is enough (Giraud, Langou,
+            # the second time removes what round-off left: twice is enough (Giraud, Langou and
             # Rozloznik 2005)
             for _ in range(2):
                 rest = rest - basis.T @ (basis @ rest)
@@ -248,12 +236,11 @@ class _System:
 def _number(name, x):
     if not is_numeric(x):
         raise ConstraintError(
-            f"the constraint {name!r} gives {x!r}; degrees of freedom are counted in numbers: "
-            "put numbers in for its symbols"
+            f"the constraint {name!r} gives {x!r}; put numbers in for its symbols"
         )
     if not is_finite(x):
         raise ConstraintError(
             f"the constraint {name!r} is {x} at some place; write it so that it has a value "
-            "everywhere, as x**2 + y**2 - L**2"
+            "everywhere"
         )
-    return x
+    return float(x)

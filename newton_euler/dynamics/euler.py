@@ -1,19 +1,18 @@
 """Euler's equations, rotation about a fixed line and planar motion (8.2, 8.3, 8.5): moments from
-rates and back, by an inertia matrix.
+angular velocity and acceleration, and the reverse, by an inertia matrix.
 
 The matrix is about the mass centre, or about a point at rest or at constant velocity (8.11);
 ``body.about(P)`` gives it. Rates are those seen from an inertial frame. For a point that moves in
-any way, and by way of any frame, see
-:func:`newton_euler.dynamics.momentum.resultant_moment`.
+any way, and by way of any frame, see :func:`newton_euler.dynamics.momentum.resultant_moment`.
 Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
 from ..algebra.ledger import equations
 from ..algebra.linear import LinearError, solve_regular
-from ..algebra.scalars import ZERO, is_numeric, is_zero, plain, scalar, size
+from ..algebra.scalars import ZERO, Scalar, is_numeric, is_zero, plain, scalar, size
 from ..algebra.vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
 from ..bodies.admissibility import AXES, MassError
-from ..bodies.inertia import axis_index
+from ..bodies.inertia import Inertia, axis_index
 
 EQUATIONS = equations({
     "Euler's moment": ("8.12", r"\mathbf{M}_B", {
@@ -22,7 +21,7 @@ EQUATIONS = equations({
     }),
     "Euler's moment, principal axes": ("8.13", r"\mathbf{M}_B", {
         "relative": ("I_x alpha_x, ...", r"I_{xx}\dot\omega_x,\ldots"),
-        "rotation": ("-(I_y - I_z) omega_y omega_z, ...", r"-(I_{yy}-I_{zz})\omega_y\omega_z,\ldots"),
+        "rotation": ("-(I_y - I_z) omega_y omega_z, ...", r"-(I_{yy}-I_{zz})\omega_y\omega_z,\ldots"),  # noqa: E501
     }),
     "moment of a body on a fixed line": ("8.18", r"\mathbf{M}_B", {
         "relative": ("[I] alpha e", r"[I]\dot\omega\,\hat{e}"),
@@ -30,13 +29,15 @@ EQUATIONS = equations({
     }),
     "Euler's angular acceleration": ("8.12", r"\boldsymbol{\alpha}", {
         "moment": ("M/I", r"[I]^{-1}\mathbf{M}"),
-        "gyroscopic": ("-(omega x H)/I", r"-[I]^{-1}(\boldsymbol{\Omega}\times[I]\boldsymbol{\omega})"),
+        "gyroscopic": ("-(omega x H)/I", r"-[I]^{-1}(\boldsymbol{\Omega}\times[I]\boldsymbol{\omega})"),  # noqa: E501
         "turning": ("Omega x omega", r"\boldsymbol{\Omega}\times\boldsymbol{\omega}"),
     }),
 })  # fmt: skip
 
 
-def euler_moment(inertia, omega, alpha, turning=None):
+def euler_moment(
+    inertia: Inertia, omega: Vector, alpha: Vector, turning: Vector | None = None
+) -> Vector:
     """The moment M = dH/dt + Omega x H of a rotation, H = I omega (8.12), in axes that need not be
     principal.
 
@@ -50,7 +51,8 @@ def euler_moment(inertia, omega, alpha, turning=None):
     >>> from newton_euler.bodies.inertia import Inertia
     >>> frame = Frame("frame")
     >>> wheel = Inertia(frame, (2.0, 2.0, 3.0))
-    >>> omega, Omega = frame.vector(0, 0, 10.0), frame.vector(0.5, 0, 0)  # omega stays along z of a frame that turns about x
+    >>> omega = frame.vector(0, 0, 10.0)  # stays along z of a frame that turns about x
+    >>> Omega = frame.vector(0.5, 0, 0)
     >>> euler_moment(wheel, omega, Omega.cross(omega), turning=Omega)
     Vector(0, -15.0, 0 in frame)
     """
@@ -62,17 +64,16 @@ def euler_moment(inertia, omega, alpha, turning=None):
         # of omega, seen in the frame; in the body it is alpha itself
         rate = sub3(rate, cross3(Omega, w))
     return _summed(
-        frame,
-        "Euler's moment",
         inertia,
+        "Euler's moment",
         relative=inertia.times3(rate),
         rotation=cross3(Omega, inertia.times3(w)),
     )
 
 
-def euler_moments(inertia, omega, alpha):
-    """Euler's equations (8.13), (8.14): M_x = I_xx alpha_x - (I_yy - I_zz) omega_y omega_z and
-    cyclic, in principal axes fixed in the body.
+def euler_moments(inertia: Inertia, omega: Vector, alpha: Vector) -> Vector:
+    """The moment by Euler's equations (8.13), (8.14): M_x = I_xx alpha_x -
+    (I_yy - I_zz) omega_y omega_z and cyclic, in principal axes fixed in the body.
 
     Raises :class:`MassError` if the axes of the matrix are not principal: then the equations do not
     apply.
@@ -80,28 +81,31 @@ def euler_moments(inertia, omega, alpha):
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.inertia import Inertia
     >>> body = Frame("body")
-    >>> euler_moments(Inertia(body, (1.0, 2.0, 2.5)), body.vector(1.0, 2.0, 3.0), body.vector(0, 0, 4.0))
+    >>> inertia = Inertia(body, (1.0, 2.0, 2.5))
+    >>> euler_moments(inertia, body.vector(1.0, 2.0, 3.0), body.vector(0, 0, 4.0))
     Vector(3.0, -4.5, 12.0 in body)
     """
-    _principal(
-        inertia,
-        AXES,
-        "Euler's equations (8.13) hold along principal axes",
-        "take euler_moment or resultant_moment, or I.principal().frame()",
+    _check_principal(
+        inertia, AXES, "Euler's equations (8.13) need principal axes", "take euler_moment"
     )
-    frame, I = inertia.frame, inertia.moments
-    w, a = omega.expressed_in(frame).c, alpha.expressed_in(frame).c
-    relative = ZERO3 if a is ZERO3 else tuple(I[n] * a[n] for n in range(3))
-    around = [((n + 1) % 3, (n + 2) % 3) for n in range(3)]
-    rotation = ZERO3 if w is ZERO3 else tuple(-((I[m] - I[k]) * (w[m] * w[k])) for m, k in around)
+    # a structural zero stays one, so that vanishing terms cost nothing in generated code
+    I = inertia.moments
+    w, a = omega.expressed_in(inertia.frame).c, alpha.expressed_in(inertia.frame).c
     return _summed(
-        frame, "Euler's moment, principal axes", inertia, relative=relative, rotation=rotation
+        inertia,
+        "Euler's moment, principal axes",
+        relative=ZERO3 if a is ZERO3 else tuple(x * y for x, y in zip(I, a, strict=True)),
+        rotation=ZERO3
+        if w is ZERO3
+        else tuple(-((I[m] - I[k]) * (w[m] * w[k])) for m, k in ((1, 2), (2, 0), (0, 1))),
     )
 
 
-def angular_acceleration(inertia, omega, moment, turning=None):
-    """The angular acceleration that a moment gives: alpha = I^-1 (M - Omega x H) + Omega x omega,
-    (8.12) solved; rad/s^2.
+def angular_acceleration(
+    inertia: Inertia, omega: Vector, moment: Vector, turning: Vector | None = None
+) -> Vector:
+    """The angular acceleration by a moment: alpha = I^-1 (M - Omega x H) + Omega x omega, (8.12)
+    solved; rad/s^2.
 
     moment : of the external forces about the point of ``inertia``, a Vector; about a point B that
         accelerates subtract d x m a_B first (8.9)
@@ -114,7 +118,8 @@ def angular_acceleration(inertia, omega, moment, turning=None):
     >>> from newton_euler import Frame
     >>> from newton_euler.bodies.inertia import Inertia
     >>> body = Frame("body")
-    >>> angular_acceleration(Inertia(body, (1.0, 2.0, 2.5)), body.vector(1.0, 2.0, 3.0), body.vector(3.0, -4.5, 12.0))
+    >>> inertia = Inertia(body, (1.0, 2.0, 2.5))
+    >>> angular_acceleration(inertia, body.vector(1.0, 2.0, 3.0), body.vector(3.0, -4.5, 12.0))
     Vector(0.0, 0.0, 4.0 in body)
     """
     frame = inertia.frame
@@ -126,12 +131,12 @@ def angular_acceleration(inertia, omega, moment, turning=None):
     }
     if turning is not None:
         terms["turning"] = cross3(Omega, w)
-    return _summed(frame, "Euler's angular acceleration", inertia, **terms)
+    return _summed(inertia, "Euler's angular acceleration", **terms)
 
 
-def fixed_line_momentum(inertia, rate, axis="z"):
-    """H of a body that turns about a line fixed in it and in the ground, through the point of
-    ``inertia`` (8.17), (8.16): for z H = (-I_xz, -I_yz, I_zz) omega.
+def fixed_line_momentum(inertia: Inertia, rate: Scalar, axis: str = "z") -> Vector:
+    """The angular momentum of a body that turns about a line fixed in it and in the ground, through
+    the point of ``inertia`` (8.17), (8.16): for z H = (-I_xz, -I_yz, I_zz) omega.
 
     rate : omega, about ``axis`` ("x", "y", "z", or "-z" ...) of the frame of the matrix
 
@@ -143,7 +148,9 @@ def fixed_line_momentum(inertia, rate, axis="z"):
     return Vector(scale3(scalar(rate), inertia.times3(_unit(axis))), inertia.frame)
 
 
-def fixed_line_moment(inertia, rate, acceleration, axis="z"):
+def fixed_line_moment(
+    inertia: Inertia, rate: Scalar, acceleration: Scalar, axis: str = "z"
+) -> Vector:
     """The moment about the point of ``inertia`` of a rotation about a line fixed in body and
     ground, or of planar motion (8.18).
 
@@ -158,22 +165,17 @@ def fixed_line_moment(inertia, rate, acceleration, axis="z"):
     """
     e, rate = _unit(axis), scalar(rate)
     column = inertia.times3(e)
-    relative, rotation = (
-        scale3(scalar(acceleration), column),
-        scale3(rate * rate, cross3(e, column)),
-    )
     return _summed(
-        inertia.frame,
-        "moment of a body on a fixed line",
         inertia,
-        relative=relative,
-        rotation=rotation,
+        "moment of a body on a fixed line",
+        relative=scale3(scalar(acceleration), column),
+        rotation=scale3(rate * rate, cross3(e, column)),
     )
 
 
-def planar_moment(inertia, acceleration, axis="z"):
-    """M_z = I_zz alpha, all that remains of (8.18) for a body with rotational symmetry about the
-    axis or a thin one in the plane (8.19).
+def planar_moment(inertia: Inertia, acceleration: Scalar, axis: str = "z") -> Scalar:
+    """The moment M_z = I_zz alpha, to which (8.18) reduces for a body with rotational symmetry
+    about the axis, or a thin one in the plane (8.19).
 
     Raises :class:`MassError` if a product of inertia with the axis is left: then moments across the
     axis are needed too.
@@ -184,26 +186,19 @@ def planar_moment(inertia, acceleration, axis="z"):
     10.0
     """
     n, _ = axis_index(axis)
-    _principal(
-        inertia,
-        AXES[n],
-        f"M = I alpha alone (8.19) needs a principal axis along {AXES[n]}",
-        "take fixed_line_moment",
-    )
+    law = f"M = I alpha alone (8.19) needs a principal axis along {AXES[n]}"
+    _check_principal(inertia, AXES[n], law, "take fixed_line_moment")
     return plain(inertia.moments[n] * scalar(acceleration))
 
 
-def _principal(inertia, axes, law, instead):
-    """Refuses matrices with products that belong to one of the axes; rounding errors of numbers
-    pass.
-    """
-    usual = max((size(x) for x in inertia.moments if is_numeric(x)), default=0.0)
+def _check_principal(inertia, axes, law, instead):
+    """Raises :class:`MassError` for products of inertia with one of the axes."""
+    # 1e-12 of the moments: what a rotation to principal axes leaves as round-off
+    small = 1e-12 * max((size(x) for x in inertia.moments if is_numeric(x)), default=0.0)
     left = [
         f"I_{name} = {plain(x)}"
         for name, x in zip(("xy", "yz", "zx"), inertia.products, strict=True)
-        if any(a in name for a in axes)
-        and not is_zero(x)
-        and not (is_numeric(x) and size(x) <= 1e-12 * usual)
+        if any(a in name for a in axes) and not (is_zero(x) or (is_numeric(x) and size(x) <= small))
     ]
     if left:
         raise MassError(
@@ -212,21 +207,24 @@ def _principal(inertia, axes, law, instead):
 
 
 def _divided(inertia, c):
-    """I^-1 c; the rows of a matrix without products are divided one by one."""
+    """I^-1 c; structural zeros of the matrix drop out, so that without products each component is
+    one division.
+    """
+    if c is ZERO3:
+        return c
     rows = [
         ({k: x for k, x in enumerate(map(scalar, row)) if x is not ZERO}, b)
         for row, b in zip(inertia.matrix, c, strict=True)
     ]
     try:
-        found = solve_regular(rows) if c is not ZERO3 else {}
+        found = solve_regular(rows)
     except (LinearError, ZeroDivisionError):
         raise MassError(
-            f"the matrix {inertia.matrix} about {inertia.point.name} has no inverse: about "
-            "some axis the body has no moment of inertia, as a "
-            "thin rod about its own, and no moment can act about it; write "
-            "equations_of_motion with the other components and solve_linear"
+            f"the matrix {inertia.matrix} about {inertia.point.name} has no inverse: about some "
+            "axis the body has no moment of inertia, as a thin rod about its own; use "
+            "equations_of_motion and solve_linear"
         ) from None
-    return tuple(found[k] for k in range(3)) if found else ZERO3
+    return tuple(found[k] for k in range(3))
 
 
 def _unit(axis):
@@ -234,10 +232,7 @@ def _unit(axis):
     return tuple(sign if n == m else ZERO for m in range(3))
 
 
-def _summed(frame, kind, inertia, **terms):
-    return named_sum(
-        EQUATIONS[kind],
-        f"about {inertia.point.name}",
-        {name: Vector(c, frame) for name, c in terms.items()},
-        frame,
-    )
+def _summed(inertia, kind, **triples):
+    frame = inertia.frame
+    terms = {name: Vector(c, frame) for name, c in triples.items()}
+    return named_sum(EQUATIONS[kind], f"about {inertia.point.name}", terms, frame)

@@ -1,35 +1,36 @@
 """Force systems (8.1, 8.7): forces at points and couples, their resultant, their moment about any
 point, the wrench.
 
-A rigid body feels of all its forces only the resultant force and the moment about one point:
-systems that agree in both are equivalent, and a force may be moved if the couple of its moment goes
-with it (8.20). Forces may hold unknowns of :func:`newton_euler.algebra.linear.solve_linear`.
+Forces act on a rigid body only by the resultant force and the moment about one point: systems that
+agree in both are equivalent, and a force may be moved if the couple of its moment is added (8.20).
+Forces may hold unknowns of :func:`newton_euler.algebra.linear.solve_linear`.
 
 >>> from newton_euler import Frame
 >>> ground = Frame("ground")
 >>> A = ground.point("A", 2.0, 0, 0)
->>> pull = ForceSystem({"rope": (ground.vector(0, 3.0, 0), A), "motor": Couple(ground.vector(0, 0, 1.0))})
+>>> rope, motor = (ground.vector(0, 3.0, 0), A), Couple(ground.vector(0, 0, 1.0))
+>>> pull = ForceSystem({"rope": rope, "motor": motor})
 >>> pull.moment(ground).z, pull.moment(A).z
 (7.0, 1.0)
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from ..algebra.ledger import equations
-from ..algebra.scalars import is_numeric, least, plain, scalar, short, size
+from ..algebra.scalars import Scalar, is_numeric, least, plain, scalar, short, size
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
-from ..kinematics.frames import place
+from ..kinematics.frames import Frame, Point, place
 
 EQUATIONS = equations({
     "resultant": ("8.21", r"\mathbf{F}^e", {}),
     "moment of the forces": ("8.7", r"\mathbf{M}", {}),
 })  # fmt: skip
-ROUND_OFF = 1e-12  # of the sum of the magnitudes: a resultant below it is none
+ROUND_OFF = 1e-12  # of the sum of the magnitudes: a resultant below it counts as zero
 
 
 class ForceError(FrameError):
-    """What is no force or couple, or a question about a system that it has no answer to."""
+    """Something that is not a force or couple, or a system without the result asked for."""
 
 
 @dataclass(frozen=True)
@@ -39,22 +40,19 @@ class Force:
     """
 
     vector: Vector
-    point: object
+    point: Point
     name: str = "force"
 
-    def moment(self, about):
-        """Its moment about a Point or the origin of a Frame: d x F, d from there to the point of
+    def moment(self, about: Point | Frame) -> Vector:
+        """The moment about a Point or the origin of a Frame: d x F, d from there to the point of
         the force (8.4); N m.
         """
-        return (
-            (self.point - place(about, "the point that the moment is about"))
-            .expressed_in(self.vector.frame)
-            .cross(self.vector)
-        )
+        d = self.point - place(about, "the point that the moment is about")
+        return d.expressed_in(self.vector.frame).cross(self.vector)
 
-    def moved(self, to):
-        """The equivalent system with the force at ``to`` and the couple M = CA x F, of its moment
-        about C = ``to`` (8.20).
+    def moved(self, to: Point | Frame) -> "ForceSystem":
+        """The equivalent system of the force at ``to`` and the couple of its moment about ``to``
+        (8.20).
 
         >>> from newton_euler import Frame
         >>> ground = Frame("ground")
@@ -62,10 +60,9 @@ class Force:
         force: [0, 3, 0] in ground at origin of ground
         couple of force: [0, 0, 6] in ground
         """
-        to = place(to, "the force that is moved")
-        return ForceSystem(
-            [Force(self.vector, to, self.name), Couple(self.moment(to), f"couple of {self.name}")]
-        )
+        P = place(to, "the force that is moved")
+        couple = Couple(self.moment(P), f"couple of {self.name}")
+        return ForceSystem([replace(self, point=P), couple])
 
     def __str__(self):
         return f"{self.name}: {self.vector} at {self.point.name}"
@@ -78,8 +75,8 @@ class Couple:
     vector: Vector
     name: str = "couple"
 
-    def moment(self, about=None):
-        """Its moment: about any point the same."""
+    def moment(self, about: object = None) -> Vector:
+        """The moment, about any point the same."""
         return self.vector
 
     def __str__(self):
@@ -94,11 +91,15 @@ class ForceSystem:
     frame : whose components the results have; default: that of the first vector
     """
 
-    def __init__(self, parts=(), frame=None):
-        pairs = (
-            list(parts.items()) if isinstance(parts, Mapping) else [(None, part) for part in parts]
-        )
-        self.parts = tuple(_distinct([one for name, part in pairs for one in _parts(name, part)]))
+    def __init__(self, parts: Iterable | Mapping = (), frame: Frame | None = None):
+        pairs = parts.items() if isinstance(parts, Mapping) else ((None, part) for part in parts)
+        out: list = []
+        counts: dict = {}
+        for part in (part for name, given in pairs for part in _parts(name, given)):
+            # a second "force" becomes "force 2"
+            counts[part.name] = n = counts.get(part.name, 0) + 1
+            out.append(part if n == 1 else replace(part, name=f"{part.name} {n}"))
+        self.parts = tuple(out)
         if not self.parts and frame is None:
             raise ForceError("a system without forces needs a frame: ForceSystem([], frame=ground)")
         self.frame = frame or self.parts[0].vector.frame
@@ -110,147 +111,128 @@ class ForceSystem:
         return ForceSystem([*self.parts, *ForceSystem([other]).parts], self.frame)
 
     @property
-    def force(self):
-        """The resultant force, the sum of all (8.21). terms : the forces by name."""
-        return named_sum(
-            EQUATIONS["resultant"], "", {p.name: p.vector for p in self._forces()}, self.frame
-        )
+    def force(self) -> Vector:
+        """The resultant force (8.21), with the forces by name as terms."""
+        forces = {p.name: p.vector for p in self._forces()}
+        return named_sum(EQUATIONS["resultant"], "", forces, self.frame)
 
-    def moment(self, about):
-        """The moment about a Point (or the origin of a Frame) of all forces and couples (8.7).
-        terms : their moments by name.
+    def moment(self, about: Point | Frame) -> Vector:
+        """The moment of all forces and couples about a Point or the origin of a Frame (8.7), with
+        their moments by name as terms.
         """
         about = place(about, "the point that the moment is about")
-        return named_sum(
-            EQUATIONS["moment of the forces"],
-            f"about {about.name}",
-            {p.name: p.moment(about) for p in self.parts},
-            self.frame,
-        )
+        moments = {p.name: p.moment(about) for p in self.parts}
+        subject = f"about {about.name}"
+        return named_sum(EQUATIONS["moment of the forces"], subject, moments, self.frame)
 
-    def at(self, point):
-        """The equivalent system of one force at ``point`` and one couple, the moment about it
-        (8.7).
-        """
-        point = place(point, "the forces together")
-        return ForceSystem(
-            [Force(self.force, point, "resultant"), Couple(self.moment(point), "resultant couple")],
-            self.frame,
-        )
+    def at(self, point: Point | Frame) -> "ForceSystem":
+        """The equivalent system of the resultant force at ``point`` and one couple (8.7)."""
+        P = place(point, "the forces together")
+        couple = Couple(self.moment(P), "resultant couple")
+        return ForceSystem([Force(self.force, P, "resultant"), couple], self.frame)
 
-    def equivalent(self, other, tolerance=1e-9):
+    def equivalent(self, other: "ForceSystem", tolerance: float = 1e-9) -> bool:
         """True if the other system has the same resultant force and moment, to ``tolerance`` times
-        the magnitudes in both. For numbers.
+        the magnitudes in both (8.20). For numbers.
         """
-        about = self._anywhere(other)
+        about = self._some_point(other)
         forces = max((_size(f.vector) for f in (*self._forces(), *other._forces())), default=0.0)
         moments = max((_size(p.moment(about)) for p in (*self.parts, *other.parts)), default=0.0)
         noise = self._noise(about) + other._noise(about)
-        apart = _size(self.force - other.force), _size(self.moment(about) - other.moment(about))
-        return apart[0] <= tolerance * forces and apart[1] <= tolerance * moments + noise
+        return (
+            _size(self.force - other.force) <= tolerance * forces
+            and _size(self.moment(about) - other.moment(about)) <= tolerance * moments + noise
+        )
 
     def _noise(self, about):
-        """What rounding may leave of the moments: of each force, some round-offs of its magnitude
-        times the coordinates of the points.
+        """The round-off of the moments: of each force, that of its magnitude times the coordinates
+        of the points.
         """
-        return sum(
-            ROUND_OFF
-            * _size(f.vector)
-            * (_size(f.point.position(self.frame)) + _size(about.position(self.frame)))
-            for f in self._forces()
-        )
+        arm = lambda P: _size(P.position(self.frame))  # noqa: E731
+        sizes = (_size(f.vector) * (arm(f.point) + arm(about)) for f in self._forces())
+        return ROUND_OFF * sum(sizes)
 
     def _forces(self):
         return [p for p in self.parts if isinstance(p, Force)]
 
-    def _anywhere(self, *others):
-        """A point that the system offers: that of its first force, else the origin of its frame."""
+    def _some_point(self, *others):
+        """The point of the first force, else the origin of the frame."""
         points = [f.point for s in (self, *others) for f in s._forces()]
         return points[0] if points else place(self.frame, "")
 
-    def wrench(self, about=None):
-        """The simplest equivalent system: the force on its central axis and the couple along it; a
-        :class:`Wrench`.
+    def wrench(self, about: Point | Frame | None = None) -> "Wrench":
+        """The simplest equivalent system: the force on its central axis and the couple along it.
 
-        about : the Point (or Frame) from which the axis is looked for: the answer's point is the
-            nearest to it. Default: where the first force acts
+        about : the place to which the ``point`` of the axis is nearest; default: where the first
+            force acts
 
         >>> from newton_euler import Frame
         >>> ground = Frame("ground")
-        >>> s = ForceSystem([(ground.vector(0, 0, 2.0), ground.point("A", 1.0, 0, 0)), Couple(ground.vector(0, 3.0, 4.0))])
-        >>> print(s.wrench(ground))
-        a force [0, 0, 2] in ground on the axis through (-0.5, 0, 0) of ground with a couple along it, pitch 2
+        >>> push = ground.vector(0, 0, 2.0), ground.point("A", 1.0, 0, 0)
+        >>> wrench = ForceSystem([push, Couple(ground.vector(0, 3.0, 4.0))]).wrench(ground)
+        >>> wrench.point.position(ground).components(), wrench.pitch
+        ((-0.5, 0, 0), 2.0)
         """
-        about = (
-            self._anywhere()
-            if about is None
-            else place(about, "the point that the axis is looked for from")
-        )
-        F, M = self.force, self.moment(about)
-        kind = self._kind(F, M, about)
+        P = self._some_point() if about is None else place(about, "the start of the search")
+        F, M = self.force, self.moment(P)
+        kind = self._kind(F, M, P)
         if kind in ("nothing", "couple"):
             return Wrench(kind, F, M, None, None)
         square = scalar(F.dot(F))
         pitch = plain(scalar(F.dot(M)) / square)
-        offset = (F.cross(M) / square).expressed_in(about.frame)
-        point = about.frame.point(
-            "axis of the wrench", *add3(about.position(about.frame).c, offset.c)
-        )
-        return Wrench(kind, F, F * pitch, point, pitch)
+        # M less its part along F is r x F, and r = F x M/F^2 at right angles to the axis
+        offset = (F.cross(M) / square).expressed_in(P.frame).c
+        foot = add3(P.position(P.frame).c, offset)
+        return Wrench(kind, F, F * pitch, P.frame.point("axis of the wrench", *foot), pitch)
 
     def _kind(self, F, M, about):
-        """Which degenerate case it is. Of expressions only what is zero by its form is seen."""
+        """The ``kind`` of the wrench; of expressions only a structural zero counts as zero."""
         forces = ROUND_OFF * sum(_size(f.vector) for f in self._forces())
         moments = ROUND_OFF * sum(_size(p.moment(about)) for p in self.parts) + self._noise(about)
-        if _nothing(scalar(F.norm()), forces):
-            return "nothing" if _nothing(scalar(M.norm()), moments) else "couple"
+        if _vanishes(F, forces):
+            return "nothing" if _vanishes(M, moments) else "couple"
         along = scalar(F.dot(M))
-        return (
-            "force"
-            if is_numeric(along) and size(along) <= size(scalar(F.norm())) * moments
-            else "wrench"
-        )
+        alone = is_numeric(along) and size(along) <= _size(F) * moments
+        return "force" if alone else "wrench"
 
 
 @dataclass(frozen=True)
 class Wrench:
-    """A system reduced as far as it goes; ``print`` it for words.
+    """The simplest system equivalent to another; ``print`` it for words.
 
-    kind : "wrench"; "force", a single force without couple; "couple", without a force, about which
-        every point is alike; "nothing", in balance
+    kind : "wrench"; "force", a single force without couple; "couple", without a force, the same
+        about every point; "nothing", in equilibrium
     force : the resultant; moment : the couple along it, pitch times force (of a couple: all of it)
-    point : the Point of the central axis nearest to where it was looked for; None without a force
+    point : the Point of the central axis nearest to the place named; None without a force
     pitch : couple over force (length), positive for a right-handed screw; None without a force
     """
 
     kind: str
     force: Vector
     moment: Vector
-    point: object
-    pitch: object
+    point: Point | None
+    pitch: Scalar
 
     def __str__(self):
-        if self.kind == "nothing":
-            return "in balance: neither a force nor a couple is left"
-        if self.kind == "couple":
+        if self.point is None:
             return (
                 f"a couple {self.moment}, the same about every point: there is no resultant "
                 "force, and so no axis"
+                if self.kind == "couple"
+                else "in balance: neither a force nor a couple is left"
             )
-        place = (
-            f"({', '.join(short(x) for x in self.point.position(self.point.frame))}) of "
-            f"{self.point.frame.name}"
-        )
+        at = ", ".join(map(short, self.point.position(self.point.frame)))
+        place = f"through ({at}) of {self.point.frame.name}"
         if self.kind == "force":
-            return f"a single force {self.force} on the line through {place}"
+            return f"a single force {self.force} on the line {place}"
         return (
-            f"a force {self.force} on the axis through {place} with a couple along it, pitch "
+            f"a force {self.force} on the axis {place} with a couple along it, pitch "
             f"{short(self.pitch)}"
         )
 
 
 def _parts(name, part):
-    """The forces and couples that a user means by ``part``."""
+    """The forces and couples of ``part``, named ``name`` unless that is None."""
     if isinstance(part, ForceSystem):
         return part.parts
     if isinstance(part, Couple):
@@ -267,16 +249,8 @@ def _parts(name, part):
         raise ForceError(
             f"the vector of a force is a Vector, as ground.vector(0, 0, -9.81); got {part.vector!r}"
         )
-    return [Force(part.vector, place(part.point, name or part.name), name or part.name)]
-
-
-def _distinct(parts):
-    """The parts with names that differ: a second "force" becomes "force 2"."""
-    seen, out = {}, []
-    for part in parts:
-        seen[part.name] = n = seen.get(part.name, 0) + 1
-        out.append(part if n == 1 else replace(part, name=f"{part.name} {n}"))
-    return out
+    name = name or part.name
+    return [Force(part.vector, place(part.point, name), name)]
 
 
 def _size(v):
@@ -284,13 +258,12 @@ def _size(v):
     return size(length) if is_numeric(length) else float("inf")
 
 
-def _nothing(x, noise):
-    """True if the magnitude x is rounding; for arrays at every instant, and an error if at some
-    only.
-    """
+def _vanishes(v, noise):
+    """True if the Vector is round-off; of arrays at every instant, and an error if at some only."""
+    x = scalar(v.norm())
     if is_numeric(x) and least(x) <= noise < size(x):
         raise ForceError(
-            "the forces have a resultant at some instants and at others none; ask for their "
-            "wrench at these instants apart"
+            "the forces have a resultant at some instants and at others none; ask for them "
+            "separately"
         )
     return is_numeric(x) and size(x) <= noise

@@ -1,23 +1,23 @@
-"""Forces (chapter 5): gravitation and weight.
+"""Gravitation and weight (chapter 5).
 
-Chapter 5 takes K for the constant of gravitation; its value and g are arguments everywhere, so that
-other units and other planets need nothing new. Springs and dampers, friction, moments and force
-systems belong to later chapters.
+K is the constant of gravitation, as in the book; its value and g are arguments everywhere, for
+other units and other planets.
 """
 
-from ..algebra.scalars import plain, scalar, sqrt, whole
+from ..algebra.scalars import Scalar, plain, scalar, sqrt, whole
 from ..algebra.vectors import FrameError, Vector
 from ..bodies.admissibility import MassError, positive
-from ..kinematics.frames import place
+from ..bodies.body import Body
+from ..kinematics.frames import Frame, Point, place
 
 K = 6.673e-11  # m^3/(kg s^2), as in the book; CODATA 2018 has 6.67430e-11
 G_STANDARD = 9.81  # m/s^2, the book's flat earth
 G_STANDARD_FT = 32.2  # ft/s^2
 
 
-def attraction(m1, m2, distance, K=K):
-    """The magnitude F = K m1 m2/r^2 of the attraction of two particles, or radially symmetric
-    bodies outside of each other (5.21). Newton in SI.
+def attraction(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scalar:
+    """The magnitude F = K m1 m2/r^2 of the attraction of two particles, or of radially symmetric
+    bodies outside of each other (5.21); N in SI.
 
     >>> round(attraction(5.97e24, 1.0, 6.371e6), 2)
     9.81
@@ -26,9 +26,8 @@ def attraction(m1, m2, distance, K=K):
     return plain(K * m1 * m2 / (distance * distance))
 
 
-def gravitation(on, by, K=K, frame=None):
-    """The force on one body by the attraction of the other, a Vector toward the other (5.20),
-    (5.22); the reverse has the opposite force.
+def gravitation(on: Body, by: Body, K: Scalar = K, frame: Frame | None = None) -> Vector:
+    """The force on one body by the attraction of another, toward the other (5.20), (5.22).
 
     on, by : bodies (see :func:`newton_euler.bodies.body.particle`), taken as particles in their
         centres of mass: exact for radially symmetric ones
@@ -46,8 +45,9 @@ def gravitation(on, by, K=K, frame=None):
     return r * (K * on.mass * by.mass / (distance * distance * distance))
 
 
-def gravity_at_surface(mass, radius, K=K):
-    """g = K M/R^2 at the surface of a radially symmetric planet (5.24), its rotation left out.
+def gravity_at_surface(mass: Scalar, radius: Scalar, K: Scalar = K) -> Scalar:
+    """The acceleration of gravity g = K M/R^2 at the surface of a radially symmetric planet (5.24),
+    without the effect of its rotation.
 
     >>> round(gravity_at_surface(5.972e24, 6.371e6), 3)
     9.818
@@ -55,8 +55,8 @@ def gravity_at_surface(mass, radius, K=K):
     return attraction(mass, 1, radius, K)
 
 
-def gravity_at_height(height, radius, g=G_STANDARD):
-    """The acceleration of gravity at a height above the surface, g (R/(R + h))^2, from that at the
+def gravity_at_height(height: Scalar, radius: Scalar, g: Scalar = G_STANDARD) -> Scalar:
+    """The acceleration of gravity g (R/(R + h))^2 at a height above the surface, from g at the
     surface: (5.22) against (5.23).
 
     >>> gravity_at_height(6.4e6, 6.4e6, g=8.0)
@@ -67,8 +67,8 @@ def gravity_at_height(height, radius, g=G_STANDARD):
     return plain(g * (ratio * ratio))
 
 
-def weight(body, up, g=G_STANDARD):
-    """The weight W = -m g k over a flat earth, a Vector (5.25)-(5.27).
+def weight(body: Body | Scalar, up: Vector, g: Scalar = G_STANDARD) -> Vector:
+    """The weight W = -m g k over a flat earth (5.25)-(5.27).
 
     body : a body, or its mass; up : the upward vertical, a Vector of any length, as ``ground.k``
     g : m/s^2; in English units give the mass in slug and ``g=32.2``
@@ -79,33 +79,38 @@ def weight(body, up, g=G_STANDARD):
     """
     if not isinstance(up, Vector):
         raise FrameError(f"weight needs the upward direction as a Vector, as ground.k; got {up!r}")
-    force = _mass_of(body) * g
+    try:
+        force = scalar(getattr(body, "mass", body)) * g
+    except TypeError as problem:
+        raise MassError(f"weight needs a body or a mass, got {body!r}") from problem
     square = scalar(up.dot(up))
     positive(square, "the length of the upward direction")
     # the root of a whole number is as exact as the force is
     return up * -force / sqrt(whole(square, force))
 
 
-def mass_from_weight(weight, g=G_STANDARD):
-    """m = W/g (5.26): slug from a weight in lb with ``g=32.2``."""
+def mass_from_weight(weight: Scalar, g: Scalar = G_STANDARD) -> Scalar:
+    """The mass m = W/g (5.26); in slug from a weight in lb with ``g=32.2``.
+
+    >>> mass_from_weight(64.4, g=32.2)
+    2.0
+    """
     return plain(scalar(weight) / g)
 
 
-def gravitational_field(position, mass, centre, K=K):
-    """The acceleration of gravity at a Point, toward the ``centre`` of a radially symmetric body of
-    this mass: g = -K M/r^2 e_r (5.22), (5.23).
+def gravitational_field(
+    position: Point | Frame, mass: Scalar, centre: Point | Frame, K: Scalar = K
+) -> Vector:
+    """The acceleration of gravity at a place, toward the ``centre`` of a radially symmetric body of
+    this mass: g = -K M/r^2 e_r (5.22), (5.23), in the frame of ``position``.
 
-    centre : a Point or Frame; Returns a Vector in the frame of ``position``.
+    >>> from newton_euler import Frame
+    >>> space = Frame("space")
+    >>> gravitational_field(space.point("P", 2.0, 0, 0), 8.0, space, K=1.0)
+    Vector(-2.0, 0, 0 in space)
     """
     position = place(position, "where the field is asked for")
     r = position - place(centre, "the centre of attraction")
     distance = scalar(r.norm())
     positive(distance, f"the distance of {position.name} from the centre of attraction")
     return r * -(K * mass / (distance * distance * distance))
-
-
-def _mass_of(body):
-    try:
-        return scalar(getattr(body, "mass", body))
-    except TypeError as problem:
-        raise MassError(f"weight needs a body or a mass, got {body!r}") from problem

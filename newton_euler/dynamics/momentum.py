@@ -1,5 +1,5 @@
-"""Angular momentum and the moment equation (7.1, 8.1-8.3, 8.7): which forces and moments go with a
-motion, and back.
+"""Angular momentum and the moment equation (7.1, 8.1-8.3, 8.7): forces and moments from a motion,
+and the motion from them.
 
 For every point B, however it moves, with the *relative* angular momentum H_B of (7.6) and d from B
 to the mass centre G,
@@ -16,9 +16,12 @@ for :func:`newton_euler.algebra.linear.solve_linear`. Euler's and the planar equ
 :mod:`newton_euler.dynamics.euler`. Units: any consistent ones; in SI kg, m, s, N.
 """
 
+from typing import Any
+
 from ..algebra.ledger import Ledger, equations
 from ..algebra.vectors import ZERO3, Vector
-from ..kinematics.frames import place
+from ..bodies.body import Body
+from ..kinematics.frames import Frame, Point, place
 from .force_systems import ForceSystem
 from .newton import resultant_force
 
@@ -33,8 +36,8 @@ EQUATIONS = equations({
 })  # fmt: skip
 
 
-def angular_momentum(body, observer, about=None):
-    """H of a body, the relative angular momentum of (7.6), a Vector that knows its rate; kg m^2/s.
+def angular_momentum(body: Body, observer: Frame, about: Point | Frame | None = None) -> Vector:
+    """The relative angular momentum H of a body (7.6), a Vector that knows its rate; kg m^2/s.
 
     about : G (default), a Point fixed in the body, in the ground, or moving in any way, or a Frame
         for its origin
@@ -51,7 +54,7 @@ def angular_momentum(body, observer, about=None):
     8.0
     """
     about = _point(body, about)
-    if about is not body.centre and _rides(about, body):
+    if about is not body.centre and _is_fixed(about, body):
         return body.about(about).times(body.frame.angular_velocity(observer))
     return body.angular_momentum(observer, about)
 
@@ -60,14 +63,16 @@ def _point(body, about):
     return body.centre if about is None else place(about, "the point that the moment is about")
 
 
-def _rides(point, body):
+def _is_fixed(point, body):
     """True if the point is given as fixed in the frame of the body."""
     return point.frame is body.frame and all(x.rests() for x in point.x)
 
 
-def resultant_moment(body, observer, about=None, via=None):
-    """The moment of all external forces about a point that goes with the motion of the body: (8.9),
-    (8.10), (8.11), (8.12); N m.
+def resultant_moment(
+    body: Body, observer: Frame, about: Point | Frame | None = None, via: Frame | None = None
+) -> Vector:
+    """The moment of all external forces about a point, from the motion of the body: (8.9), (8.10),
+    (8.11), (8.12); N m.
 
     observer : an inertial frame
     about : G (default), or any Point B, however it moves, or a Frame for its origin
@@ -84,8 +89,8 @@ def resultant_moment(body, observer, about=None, via=None):
     >>> bar = rod(2.0, turning.point("G", 1.0, 0, 0), "x", mass=3.0)
     >>> resultant_moment(bar, ground, about=turning).z
     20.0
-    >>> print(resultant_moment(bar, ground).explain("N m"))
-    moment about the mass centre of rod, seen from ground, by way of turning, equation (8.10), components in turning
+    >>> print(resultant_moment(bar, ground).explain("N m"))  # doctest: +ELLIPSIS
+    moment about the mass centre of rod, seen from ground, by way of turning, equation (8.10), ...
       relative  dH/dt      [0, 0, 5] N m
       rotation  omega x H  [0, 0, 0] N m
       sum                  [0, 0, 5] N m
@@ -94,41 +99,34 @@ def resultant_moment(body, observer, about=None, via=None):
     seen = f"seen from {observer.name}, by way of {via.name}"
     if about is body.centre:
         rate = angular_momentum(body, observer).expressed_in(via).rate(observer)
-        ledger = Ledger(
-            EQUATIONS["moment about the mass centre"],
-            f"of {body.name}, {seen}",
-            lambda: _rate_terms(rate, observer),
-        )
+        kind = EQUATIONS["moment about the mass centre"]
+        ledger = Ledger(kind, f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
         return Vector(rate.c, via, rate._own_rate, ledger)
-    total, terms = (_about_point_of_body if _rides(about, body) else _about_any_point)(
-        body, observer, about, via
-    )
-    return Vector(
-        total.c,
-        via,
-        None,
-        Ledger(EQUATIONS["moment"], f"of {body.name} about {about.name}, {seen}", terms),
-    )
+    route = _about_fixed_point if _is_fixed(about, body) else _about_any_point
+    total, terms = route(body, observer, about, via)
+    ledger = Ledger(EQUATIONS["moment"], f"of {body.name} about {about.name}, {seen}", terms)
+    return Vector(total.c, via, None, ledger)
 
 
-def _about_point_of_body(body, observer, B, via):
-    """The moment and its terms, with H_B = I_B omega."""
+def _about_fixed_point(body, observer, B, via):
+    """The moment and its terms about a point fixed in the body, with H_B = I_B omega."""
     rate = angular_momentum(body, observer, B).expressed_in(via).rate(observer)
     reference = _arm_times_mass(body, B, via, B.acceleration(observer))
     return rate + reference, lambda: {**_rate_terms(rate, observer), "reference": reference}
 
 
 def _about_any_point(body, observer, B, via):
-    """The moment and its terms; the motion of B cancels in their sum DH_G/Dt + d x m a_G, which is
-    computed without it.
+    """The moment and its terms; in their sum DH_G/Dt + d x m a_G the motion of B cancels, so that
+    its rates need not be known.
     """
     own = angular_momentum(body, observer).expressed_in(via).rate(observer)
     a = body.centre.acceleration(observer)
 
     def terms():
         rotation = via.angular_velocity(observer).cross(angular_momentum(body, observer, B))
-        reference = _arm_times_mass(body, B, via, B.acceleration(observer))
-        orbital = _arm_times_mass(body, B, via, a.expressed_in(via) - B.acceleration(observer))
+        a_B = B.acceleration(observer)
+        reference = _arm_times_mass(body, B, via, a_B)
+        orbital = _arm_times_mass(body, B, via, a.expressed_in(via) - a_B)
         return {"relative": own + orbital - rotation, "rotation": rotation, "reference": reference}
 
     return own + _arm_times_mass(body, B, via, a), terms
@@ -140,23 +138,21 @@ def _arm_times_mass(body, B, via, a):
 
 
 def _rate_terms(rate, observer):
-    """``relative`` and ``rotation`` of a rate in the frame by way of which it was taken; seen from
-    that frame itself nothing turns.
-    """
-    return (
-        {"relative": Vector(rate.c, rate.frame), "rotation": Vector(ZERO3, rate.frame)}
-        if rate.frame is observer
-        else dict(rate.terms)
-    )
+    """The terms ``relative`` and ``rotation`` of a rate; seen from its own frame nothing turns."""
+    if rate.frame is observer:
+        return {"relative": Vector(rate.c, observer), "rotation": Vector(ZERO3, observer)}
+    return dict(rate.terms)
 
 
-def equations_of_motion(body, forces, observer, about=None):
-    """The Newton-Euler equations (8.21) of one body, as what must vanish: for
+def equations_of_motion(
+    body: Body, forces: Any, observer: Frame, about: Point | Frame | None = None
+) -> dict:
+    """The Newton-Euler equations (8.21) of one body, as Vectors that must vanish: for
     :func:`newton_euler.algebra.linear.solve_linear`.
 
-    forces : all external forces, a :class:`newton_euler.dynamics.force_systems.ForceSystem` or what
-        makes one, as {"pin": (R, P)}; they and the motion of the body may hold unknowns, the
-        accelerations and reactions asked for
+    forces : all external forces, a :class:`newton_euler.dynamics.force_systems.ForceSystem` or the
+        parts of one, as {"pin": (R, P)}; they and the motion of the body may hold unknowns:
+        accelerations and reactions
     about : G (default), or any Point; a point where unknown forces act keeps them out of the moment
         equation
     Returns a dict of two Vectors in the frame of ``observer``, "force on beam" and "moment on beam
@@ -167,9 +163,11 @@ def equations_of_motion(body, forces, observer, about=None):
     >>> from newton_euler.algebra.linear import solve_linear
     >>> from newton_euler.bodies.solids import rod
     >>> ground = Frame("ground")
-    >>> def beam_let_go(R, alpha):  # a beam of 6 kg and 2 m, pinned at its end, at the instant when it is let go
-    ...     beam = rod(2.0, ground.rotate("beam", "z", acceleration=alpha).point("G", 1.0, 0, 0), "x", mass=6.0)
-    ...     forces = {"weight": (ground.vector(0, -60.0, 0), beam.centre), "pin": (ground.vector(0, R, 0), ground)}
+    >>> def beam_let_go(R, alpha):  # 6 kg and 2 m, pinned at its end, released at this instant
+    ...     turned = ground.rotate("beam", "z", acceleration=alpha)
+    ...     beam = rod(2.0, turned.point("G", 1.0, 0, 0), "x", mass=6.0)
+    ...     weight, pin = ground.vector(0, -60.0, 0), ground.vector(0, R, 0)
+    ...     forces = {"weight": (weight, beam.centre), "pin": (pin, ground)}
     ...     return equations_of_motion(beam, forces, ground)
     >>> s = solve_linear(beam_let_go)
     >>> round(s.R, 12), round(s.alpha, 12)
@@ -178,8 +176,7 @@ def equations_of_motion(body, forces, observer, about=None):
     if not isinstance(forces, ForceSystem):
         forces = ForceSystem(forces, observer)
     about = _point(body, about)
-    force = forces.force.expressed_in(observer) - resultant_force(
-        body.mass, body.centre.acceleration(observer)
-    )
+    motion = resultant_force(body.mass, body.centre.acceleration(observer))
+    force = forces.force.expressed_in(observer) - motion
     moment = forces.moment(about).expressed_in(observer) - resultant_moment(body, observer, about)
     return {f"force on {body.name}": force, f"moment on {body.name} about {about.name}": moment}

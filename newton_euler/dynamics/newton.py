@@ -1,5 +1,5 @@
-"""Newton's second law for the mass centre of a body (6.1)-(6.10), in every component system, both
-ways.
+"""Newton's second law for the mass centre of a body (6.1)-(6.10), in every component system: forces
+from the motion, and the motion from forces.
 
 *Motion given, which forces?* Describe the motion as a point in the system of your choice,
 ``polar(ground, "P", r, theta)``, ``spherical(…)``, ``frenet(v, a)``, ``ground.point(…)``, ask it
@@ -12,11 +12,14 @@ for its acceleration in an inertial frame, and pass this to :func:`resultant_for
 :class:`~newton_euler.motion.model.Model`.
 
 Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raises
-    :class:`~newton_euler.bodies.admissibility.MassError`.
+:class:`~newton_euler.bodies.admissibility.MassError`.
 """
+
+from collections.abc import Sequence
 
 from ..algebra.ledger import Ledger, equations
 from ..algebra.scalars import (
+    Scalar,
     SingularError,
     is_finite,
     is_numeric,
@@ -29,19 +32,23 @@ from ..algebra.vectors import FrameError, Vector, named_sum
 from ..bodies.admissibility import MassError
 from ..kinematics import coordinates as components
 from ..kinematics import frames, paths
+from ..kinematics.frames import Frame, Point
 
-_FORCES = {"acceleration": "6.10", "intrinsic acceleration": "6.5", "polar acceleration": "6.6", "cylindrical acceleration": "6.8",
-           "spherical acceleration": "6.9"}  # fmt: skip
+_FORCES = {
+    "": "6.10",
+    "intrinsic ": "6.5",
+    "polar ": "6.6",
+    "cylindrical ": "6.8",
+    "spherical ": "6.9",
+}
 _ACCELERATIONS = frames.EQUATIONS | paths.EQUATIONS | components.EQUATIONS
 
 
-def _times_m(kind, number):
-    """The equation of force m a for the acceleration of this kind."""
-    terms = {
-        name: (f"m ({text})", rf"m\left({latex}\right)")
-        for name, (text, latex) in _ACCELERATIONS[kind].terms.items()
-    }
-    return kind.replace("acceleration", "force"), (number, r"\mathbf{F}^e", terms)
+def _times_m(system, number):
+    """The entry of EQUATIONS for the force m a in these components."""
+    terms = _ACCELERATIONS[f"{system}acceleration"].terms.items()
+    by_m = {n: (f"m ({text})", rf"m\left({latex}\right)") for n, (text, latex) in terms}
+    return f"{system}force", (number, r"\mathbf{F}^e", by_m)
 
 
 EQUATIONS = equations(dict(_times_m(*item) for item in _FORCES.items()) | {
@@ -51,7 +58,7 @@ EQUATIONS = equations(dict(_times_m(*item) for item in _FORCES.items()) | {
         "origin": ("-a_O", r"\left(-\mathbf{a}_{O_2}\right)"),
         "coriolis": ("-2 omega x v_2", r"\left(-2\boldsymbol{\omega}\times\mathbf{v}_2\right)"),
         "euler": ("-omega' x r_2", r"\left(-\dot{\boldsymbol{\omega}}\times\mathbf{r}_2\right)"),
-        "centrifugal": ("-omega x (omega x r_2)", r"\left(-\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r}_2)\right)"),
+        "centrifugal": ("-omega x (omega x r_2)", r"\left(-\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r}_2)\right)"),  # noqa: E501
     }),
 })  # fmt: skip
 
@@ -65,9 +72,9 @@ def _mass(m):
 # -- the motion is given
 
 
-def resultant_force(m, a):
-    """The resultant external force that gives a body of mass ``m`` the acceleration ``a`` of its
-    mass centre: F = m a (6.1).
+def resultant_force(m: Scalar, a: Vector) -> Vector:
+    """The resultant external force on a body of mass ``m`` whose mass centre has the acceleration
+    ``a``: F = m a (6.1).
 
     a : a Vector, the acceleration in an inertial frame. Its terms, each times m, are the terms of
         the force: those of (6.5), (6.6), (6.8), (6.9) or, for an acceleration by way of a moving
@@ -83,18 +90,15 @@ def resultant_force(m, a):
     """
     F = _mass(m) * _vector(a, "the acceleration")
     kind = F.equation and F.equation.kind.replace("acceleration", "force")
-    return (
-        Vector(
-            F.c, F.frame, F._own_rate, Ledger(EQUATIONS[kind], F._ledger.subject, lambda: F.terms)
-        )
-        if kind in EQUATIONS
-        else F
-    )
+    if kind not in EQUATIONS:
+        return F
+    ledger = Ledger(EQUATIONS[kind], F._ledger.subject, lambda: F.terms)
+    return Vector(F.c, F.frame, F._own_rate, ledger)
 
 
-def reaction(m, a, **known):
-    """The one unknown force, where the motion and all other forces are known by name: R = m a -
-    (the known forces) (6.1).
+def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
+    """The one unknown force, where the motion and all other forces are known: R = m a - (the known
+    forces) (6.1).
 
     a, known : Vectors. Terms: ``inertia``, which is m a, and each known force with its sign turned.
         The result is along the axes of ``a``.
@@ -104,18 +108,15 @@ def reaction(m, a, **known):
     >>> print(reaction(2.0, ground.vector(0, 0, 1.0), weight=-2.0*9.81*ground.k))
     [0, 0, 21.62] in ground
     """
-    parts = {
-        "inertia": _mass(m) * _vector(a, "the acceleration"),
-        **{name: -_vector(F, f"the {name}") for name, F in known.items()},
-    }
-    return named_sum(
-        EQUATIONS["reaction"], f"to {', '.join(known) or 'no other force'}", parts, a.frame
-    )
+    parts = {"inertia": _mass(m) * _vector(a, "the acceleration")}
+    parts |= {name: -_vector(F, f"the {name}") for name, F in known.items()}
+    subject = f"to {', '.join(known) or 'no other force'}"
+    return named_sum(EQUATIONS["reaction"], subject, parts, a.frame)
 
 
-def path_force(m, speed, speed_rate, flexure):
-    """(F_t, F_n) of plane or space motion along the path (6.5): m v' and m v^2/rho, F_n toward the
-    centre of curvature.
+def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) -> tuple:
+    """The force components (F_t, F_n) along the path (6.5), in the plane or in space: m v' and
+    m v^2/rho, F_n positive toward the centre of curvature.
 
     flexure : 1/rho, zero on a straight path; where the turning rate theta' is known, it is theta'/v
 
@@ -129,7 +130,7 @@ def path_force(m, speed, speed_rate, flexure):
 # -- the forces are given
 
 
-def acceleration_by(m, **forces):
+def acceleration_by(m: Scalar, **forces: Vector) -> Vector:
     """The acceleration of the mass centre by the forces named, a = F/m (6.1), with F/m of each
     force as terms.
 
@@ -142,21 +143,15 @@ def acceleration_by(m, **forces):
     [1.5, 0, -9.81] in ground [1.5, 0, 0] in ground
     """
     if not forces:
-        raise FrameError(
-            "no force is given; name each of them, as in acceleration_by(m, weight=W, thrust=T)"
-        )
+        raise FrameError("no force is given; name each of them, as in acceleration_by(m, weight=W)")
     parts = _per_mass(m, forces)
-    return named_sum(
-        EQUATIONS["acceleration by forces"],
-        "of the mass centre",
-        parts,
-        next(iter(parts.values())).frame,
-    )
+    kind, frame = EQUATIONS["acceleration by forces"], next(iter(parts.values())).frame
+    return named_sum(kind, "of the mass centre", parts, frame)
 
 
-def path_rates(m, F_t, F_n, speed):
-    """(v', theta') of motion along a plane path (6.5): F_t/m and F_n/(m v), theta the direction of
-    the velocity, turning toward F_n.
+def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple:
+    """The rates (v', theta') of motion along a plane path (6.5): F_t/m and F_n/(m v), theta the
+    direction of the velocity, positive toward F_n.
 
     Raises :class:`SingularError` at rest, where the velocity has no direction.
 
@@ -165,14 +160,13 @@ def path_rates(m, F_t, F_n, speed):
     """
     m = _mass(m)
     if is_numeric(speed) and least(speed) == 0:
-        raise SingularError(
-            "at rest the velocity has no direction, which therefore has no rate; use "
-            "rectangular components to start from rest"
-        )
+        raise SingularError("at rest the velocity has no direction; use rectangular components")
     return plain(F_t / m), plain(F_n / (m * speed))
 
 
-def coordinate_accelerations(m, P, **forces):
+def coordinate_accelerations(
+    m: Scalar, P: components.CoordinatePoint, **forces: Vector | Sequence
+) -> tuple:
     """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved
     for r'', theta'', …
 
@@ -180,8 +174,9 @@ def coordinate_accelerations(m, P, **forces):
         ``spherical`` or ``curvilinear``, with the values and the first rates of its coordinates;
         second rates that it has are replaced
     forces : Vectors, or components along the local axes of P (as F_r, F_theta, F_z)
-    Returns a tuple, one for each coordinate. Raises :class:`SingularError` where a coordinate moves
-    nothing (r = 0, the pole), so that a finite force may need it to change at an infinite rate.
+    Returns a tuple, one for each coordinate. Raises :class:`SingularError` where the coordinates
+    are singular (r = 0, the pole): a scale factor is zero, and a finite force may need an infinite
+    rate.
 
     >>> from newton_euler import Frame, moving
     >>> from newton_euler.kinematics.coordinates import polar
@@ -193,25 +188,23 @@ def coordinate_accelerations(m, P, **forces):
         name: P.local.vector(*_three(F, name)) if isinstance(F, (tuple, list)) else F
         for name, F in forces.items()
     }
-    total = named_sum(
-        EQUATIONS["acceleration by forces"], f"of {P.name}", _per_mass(m, forces), P.local
-    )
-    left = (total - P.acceleration(P.ground)).expressed_in(P.local).c
+    kind, parts = EQUATIONS["acceleration by forces"], _per_mass(m, forces)
+    total = named_sum(kind, f"of {P.name}", parts, P.local)
+    # the acceleration is linear in the second rates, with the scale factors h: what is missing in
+    # that with the second rates of P, over h, is missing in them
+    missing = (total - P.acceleration(P.ground)).expressed_in(P.local).c
     if any(is_numeric(h) and least(h) == 0 for h in P.scale_factors):
         raise SingularError(
-            f"{P.name} is where one of its coordinates moves nothing: its scale factors "
-            f"are {P.scale_factors}; "
-            "turn the axes, or use rectangular components"
+            f"{P.name} is where one of its coordinates moves nothing: its scale factors are "
+            f"{P.scale_factors}; turn the axes, or use rectangular components"
         )
-    return tuple(
-        plain(q.acceleration + d / h)
-        for q, d, h in zip(P.coordinates, left, P.scale_factors, strict=False)
-    )
+    changes = zip(P.coordinates, missing, P.scale_factors, strict=False)  # two in the plane
+    return tuple(plain(q.acceleration + a / h) for q, a, h in changes)
 
 
-def relative_acceleration(m, P, observer, **forces):
-    """How ``P`` is accelerated as seen in its own moving frame (6.10): the forces over m, and what
-    the motion of the frame seems to add.
+def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector) -> Vector:
+    """The acceleration of ``P`` seen in its own moving frame (6.10): the forces over m, and the
+    terms of the motion of the frame.
 
     P : a point with its coordinates and their rates in the moving frame; second rates that it has
         are ignored
@@ -221,26 +214,19 @@ def relative_acceleration(m, P, observer, **forces):
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground"); disk = ground.rotate("disk", "z", rate=2.0)
-    >>> a = relative_acceleration(1.0, disk.point("P", moving(3.0, rate=1.0), 0, 0), ground, spring=-5.0*disk.i)
+    >>> P = disk.point("P", moving(3.0, rate=1.0), 0, 0)
+    >>> a = relative_acceleration(1.0, P, ground, spring=-5.0*disk.i)
     >>> print(a, a.terms["coriolis"])
     [7, -4, 0] in disk [0, -4, 0] in disk
     """
-    seen, frame = P.acceleration(observer, via=P.frame), P.frame
-    names = {
-        "origin": "origin",
-        "coriolis": "coriolis",
-        "euler": "euler",
-        "centrifugal": "centripetal",
-    }
-    taken = sorted(set(names) & set(forces))
-    if taken:
-        raise FrameError(f"{taken[0]!r} is a term of the moving frame; give the force another name")
-    parts = _per_mass(m, forces) | {
-        name: -seen.terms[term] for name, term in names.items() if seen.terms
-    }
-    return named_sum(
-        EQUATIONS["relative acceleration"], f"of {P.name} in {frame.name}", parts, frame
-    )
+    seen = P.acceleration(observer, via=P.frame).terms
+    names = {n: n for n in ("origin", "coriolis", "euler")} | {"centrifugal": "centripetal"}
+    for name in names:
+        if name in forces:
+            raise FrameError(f"{name!r} is a term of the moving frame; rename the force")
+    parts = _per_mass(m, forces) | {name: -seen[term] for name, term in names.items() if seen}
+    subject = f"of {P.name} in {P.frame.name}"
+    return named_sum(EQUATIONS["relative acceleration"], subject, parts, P.frame)
 
 
 def _per_mass(m, forces):
@@ -250,17 +236,13 @@ def _per_mass(m, forces):
 
 def _vector(a, what):
     if not isinstance(a, Vector):
-        raise FrameError(
-            f"{what} must be a Vector, as in ground.vector(1.0, 0, 0) or "
-            f"P.acceleration(ground); got {a!r}"
-        )
+        raise FrameError(f"{what} must be a Vector, as in ground.vector(1.0, 0, 0); got {a!r}")
     return a
 
 
 def _three(F, name):
     if len(F) > 3:
         raise FrameError(
-            f"the force {name} has {len(F)} components: {F!r}; give those along the local "
-            "axes, two in the plane"
+            f"the force {name} has {len(F)} components: {F!r}; give 3, or 2 in the plane"
         )
     return (*F, 0, 0, 0)[:3]

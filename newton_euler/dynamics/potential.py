@@ -2,18 +2,21 @@
 has one.
 
 A force that depends on the place alone has a potential V, with F = -grad V, if its work round every
-closed path is zero. Where its curl is zero this holds in a region without holes; round a hole, as
+closed path is zero. In a region without holes this is so where its curl is zero; round a hole, as
 round an axis on which the force does not exist, the circulation must be zero too, which the book
 does not say. Units: any consistent ones; in SI J.
 """
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
+from typing import Any
 
 from ..algebra.jets import Moving
 from ..algebra.quadrature import WorkError, quadrature
 from ..algebra.scalars import (
     ZERO,
+    Scalar,
     ScalarError,
     is_finite,
     is_numeric,
@@ -23,6 +26,7 @@ from ..algebra.scalars import (
     short,
     size,
 )
+from ..algebra.vectors import Vector
 from ..bodies.admissibility import positive
 from ..kinematics.curvilinear_systems import gradient, tangents
 from ..kinematics.frames import Point
@@ -32,8 +36,8 @@ from .work import work_along
 
 
 class NoPotential(WorkError):
-    """A force field without a potential: where its curl is not zero (``place``, ``curl``), or round
-    which loop it does work (``circulation``).
+    """A force field has no potential: its ``curl`` at the ``place`` is not zero, or its
+    ``circulation``, the work round a loop.
     """
 
     def __init__(self, message, place=None, curl=None, circulation=None):
@@ -44,8 +48,9 @@ class NoPotential(WorkError):
 # -- potentials of known forces
 
 
-def weight_potential(m, height, g=G_STANDARD):
-    """V = m g z (11.34), the height z of the centre of mass counted upward from any level.
+def weight_potential(m: Scalar, height: Scalar, g: Scalar = G_STANDARD) -> Scalar:
+    """The potential V = m g z of a weight (11.34), z the height of the centre of mass above any
+    level.
 
     >>> weight_potential(2.0, 3.0)
     58.86
@@ -53,9 +58,9 @@ def weight_potential(m, height, g=G_STANDARD):
     return plain(scalar(m) * g * height)
 
 
-def spring_potential(stiffness, stretch):
-    """V = K x^2/2 (11.35), x from the unloaded length, whether stretched or pressed; of a torsion
-    spring with the angle for x.
+def spring_potential(stiffness: Scalar, stretch: Scalar) -> Scalar:
+    """The potential V = K x^2/2 of a spring (11.35), x from the unloaded length, in tension or
+    compression; of a torsion spring with the angle for x.
 
     >>> spring_potential(200.0, -0.1)
     1.0
@@ -63,9 +68,9 @@ def spring_potential(stiffness, stretch):
     return plain(scalar(stiffness) * stretch * stretch / 2)
 
 
-def spring_between(stiffness, free_length, first, second):
-    """V of a straight spring between two places (11.35): its stretch is their distance less the
-    free length.
+def spring_between(stiffness: Scalar, free_length: Scalar, first: Any, second: Any) -> Scalar:
+    """The potential of a straight spring between two places (11.35): its stretch is their distance
+    less the free length.
 
     first, second : two Points, and V is that of the instant, without rates; or two triples of
         coordinates along the same axes, and V can be differentiated, as by
@@ -77,36 +82,34 @@ def spring_between(stiffness, free_length, first, second):
     50.0
     """
     if isinstance(first, Point):
-        return spring_potential(stiffness, scalar((second - first).norm()) - free_length)
-    return spring_potential(
-        stiffness,
-        norm3(tuple(scalar(b) - a for a, b in zip(first, second, strict=True))) - free_length,
-    )
+        distance = (second - first).norm()
+    else:
+        distance = norm3(tuple(scalar(b) - a for a, b in zip(first, second, strict=True)))
+    return spring_potential(stiffness, scalar(distance) - free_length)
 
 
-def gravitational_potential(m1, m2, distance, K=K):
-    """V = -K m1 m2/r of the attraction of two particles, or radially symmetric bodies outside of
-    each other (11.24); zero far away.
+def gravitational_potential(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scalar:
+    """The potential V = -K m1 m2/r of the attraction of two particles, or of radially symmetric
+    bodies outside of each other (11.24); zero at infinity.
 
     >>> gravitational_potential(6.0, 2.0, 3.0, K=1.0)
     -4.0
     """
-    positive(
-        distance.value if isinstance(distance, Moving) else scalar(distance),
-        "the distance of the two bodies",
-    )
+    r = distance.value if isinstance(distance, Moving) else scalar(distance)
+    positive(r, "the distance of the two bodies")
     return plain(-(scalar(K) * m1 * m2) / distance)
 
 
-def conservative_force(V, P):
-    """The force F = -grad V (11.16)-(11.18) of the potential ``V`` at the Point ``P``, a Vector.
+def conservative_force(V: Callable, P: Point) -> Vector:
+    """The force F = -grad V (11.16)-(11.18) of the potential ``V`` at the Point ``P``.
 
     V : function of the coordinates by which P is given, rectangular or others, as for
-        :func:`newton_euler.kinematics.curvilinear_systems.gradient`; a formula of these, since what goes by
-        way of Points forgets their rates and would have no slope
+        :func:`newton_euler.kinematics.curvilinear_systems.gradient`; a formula of these, since a
+        value by way of Points has no rates to differentiate
 
     >>> from newton_euler import Frame
-    >>> conservative_force(lambda x, y, z: 9.81*z, Frame("ground").point("P", 1.0, 2.0, 3.0)).components()
+    >>> P = Frame("ground").point("P", 1.0, 2.0, 3.0)
+    >>> conservative_force(lambda x, y, z: 9.81*z, P).components()
     (0, 0, -9.81)
     """
     return -gradient(V, P)
@@ -115,24 +118,20 @@ def conservative_force(V, P):
 # -- of a force field
 
 
-def jacobian(force, place):
-    """dF_i/dx_j of a force field at (x, y, z), exact and without a step size: three rows of three.
+def jacobian(force: Callable, place: Sequence) -> tuple:
+    """The derivatives dF_i/dx_j of a force field at (x, y, z), exact, three rows of three.
 
     force : function of x, y, z that returns three components, written with functions of this
         package
+
+    >>> jacobian(lambda x, y, z: (x*y, 0, 2*z), (1.0, 3.0, 2.0))
+    ((3.0, 1.0, 0), (0, 0, 0), (0, 0, 2))
     """
-    return tuple(
-        zip(
-            *(
-                tuple(map(plain, column))
-                for column in tangents(_checked(force), tuple(map(scalar, place)))
-            ),
-            strict=True,
-        )
-    )
+    columns = tangents(_checked(force), tuple(map(scalar, place)))
+    return tuple(tuple(map(plain, row)) for row in zip(*columns, strict=True))
 
 
-def curl(force, place):
+def curl(force: Callable, place: Sequence) -> tuple:
     """The curl of a force field at (x, y, z): (dF_z/dy - dF_y/dz, dF_x/dz - dF_z/dx, dF_y/dx -
     dF_x/dy).
 
@@ -147,21 +146,20 @@ def _antisymmetric(J):
 
 
 def _checked(force):
-    """The same force field, with three components, or words where it does not exist."""
+    """The same force field; raises :class:`WorkError` where it does not exist."""
 
     def at(*place):
-        where = tuple(plain(x.value) if isinstance(x, Moving) else plain(x) for x in place)
+        where = tuple(plain(x.value if isinstance(x, Moving) else x) for x in place)
         try:
             F = tuple(scalar(f) for f in force(*place))
         except (ArithmeticError, ValueError, ScalarError) as problem:
             raise WorkError(
-                f"the force has no value at {where}: {problem}; keep base, box and loops where "
-                "it exists"
+                f"the force has no value at {where}: {problem}; keep base, box and loops where it "
+                "exists"
             ) from problem
         if len(F) != 3:
             raise WorkError(
-                "a force field returns (F_x, F_y, F_z), with 0 for what is missing; got "
-                f"{len(F)} components at {where}"
+                f"a force field returns (F_x, F_y, F_z); got {len(F)} components at {where}"
             )
         if not all(map(is_finite, F)):
             raise WorkError(
@@ -174,57 +172,54 @@ def _checked(force):
 
 @dataclass(frozen=True)
 class Potential:
-    """The potential of ``force``, zero at ``base``: call it with x, y, z. It integrates along the
+    """The potential of ``force``, zero at ``base``: a function of x, y, z, the integral along the
     straight line from the base (11.20).
 
-    Of numbers by quadrature (a SymPy number is one: to keep it exact, ask with symbols and put it
-    in); of SymPy expressions by formulas, which may take SymPy long, or for ever; of moving
-    coordinates with the rate of V, which is -F.v (11.19), so that ``gradient(V, P)`` and
+    Of numbers by quadrature (a SymPy number is one: for an exact value pass symbols and
+    substitute); of SymPy expressions by formulas, which may not terminate; of moving coordinates
+    with the rate of V, which is -F.v (11.19), so that ``gradient(V, P)`` and
     ``at(lambda t: V(*place(t)), t)`` work.
     """
 
-    force: object
+    force: Callable
     base: tuple
     rtol: float = 1e-10
 
-    def __call__(self, x, y, z):
+    def __call__(self, x: Scalar, y: Scalar, z: Scalar) -> Scalar:
         target = tuple(scalar(c) for c in (x, y, z))
-        values = tuple(c.value if isinstance(c, Moving) else c for c in target)
-        V = self._from_base(values)
+        V = self._from_base(tuple(c.value if isinstance(c, Moving) else c for c in target))
         if not any(isinstance(c, Moving) for c in target):
             return V
-        lost = -_along(
-            self.force(*target),
-            tuple(
-                Moving(c.rate, c.acceleration) if isinstance(c, Moving) else ZERO for c in target
-            ),
-        )
-        return Moving(V, lost.value, lost.rate) if isinstance(lost, Moving) else Moving(V, lost)
+        v = (Moving(c.rate, c.acceleration) if isinstance(c, Moving) else ZERO for c in target)
+        rate = -_dot(self.force(*target), v)
+        return Moving(V, rate.value, rate.rate) if isinstance(rate, Moving) else Moving(V, rate)
 
     def _from_base(self, target):
-        line = tuple(x - a for a, x in zip(map(scalar, self.base), target, strict=True))
-        exact = not all(map(is_numeric, (*target, *map(scalar, self.base))))
+        base = tuple(map(scalar, self.base))
+        line = tuple(x - a for a, x in zip(base, target, strict=True))
+        exact = not all(map(is_numeric, (*target, *base)))
+        force = _checked(self.force)
 
         def along(s):
-            return _along(
-                _checked(self.force)(*(a + s * d for a, d in zip(self.base, line, strict=True))),
-                line,
-            )
+            return _dot(force(*(a + s * d for a, d in zip(self.base, line, strict=True))), line)
 
         # zero in the kind of the coordinates: an mpf keeps its digits
-        start = plain(0 * sum(map(plain, target)))
-        return -quadrature(
-            along, 0 if exact else start, 1 if exact else start + 1, self.rtol, exact
-        )[0]
+        start = 0 if exact else plain(0 * sum(map(plain, target)))
+        return -quadrature(along, start, start + 1, self.rtol, exact)[0]
 
 
-def _along(F, line):
+def _dot(F, line):
     return sum((scalar(f) * d for f, d in zip(F, line, strict=True)), ZERO)
 
 
-def find_potential(force, base=(0, 0, 0), box=((-1, 1),) * 3, loops=(), tolerance=1e-9):
-    """The :class:`Potential` of a force field, or the reason why there is none, as a
-    :class:`NoPotential` (11.16)-(11.18).
+def find_potential(
+    force: Callable,
+    base: Sequence = (0, 0, 0),
+    box: Sequence = ((-1, 1),) * 3,
+    loops: Sequence = (),
+    tolerance: float = 1e-9,
+) -> Potential:
+    """The potential of a force field (11.16)-(11.18).
 
     force : function of x, y, z that returns (F_x, F_y, F_z), written with functions of this
         package; symbols in it count as numbers of their own
@@ -235,14 +230,15 @@ def find_potential(force, base=(0, 0, 0), box=((-1, 1),) * 3, loops=(), toleranc
     tolerance : of the curl, on a grid of 27 places of the box, relative to the derivatives of F;
         and of the work round a loop, relative to size of F times length. A spot check: a curl that
         is zero at these places alone passes.
+    Raises :class:`NoPotential` with the reason if there is none.
 
     >>> V = find_potential(lambda x, y, z: (-2.0*x, -2.0*y, 0.0))
     >>> round(V(3.0, 4.0, 0.0), 9)
     25.0
     """
-    for place in product(
-        *([low + (high - low) * (n + 0.37) / 3 for n in range(3)] for low, high in box)
-    ):
+    # n + 0.37 of thirds: no place lies on a plane of symmetry, where a curl may vanish by chance
+    grid = ([low + (high - low) * (n + 0.37) / 3 for n in range(3)] for low, high in box)
+    for place in product(*grid):
         _check_curl(force, place, tolerance)
     for n, loop in enumerate(loops, 1):
         _check_loop(_checked(force), loop, n, tolerance)
@@ -251,45 +247,42 @@ def find_potential(force, base=(0, 0, 0), box=((-1, 1),) * 3, loops=(), toleranc
 
 def _check_curl(force, place, tolerance):
     J = jacobian(force, place)
-    largest = max(_measure(x) for row in J for x in row)
     c = _antisymmetric(J)
-    if max(map(_measure, c)) > tolerance * largest:
-        told = ", ".join(map(short, c))
-        where = ", ".join(map(short, place))
+    if max(map(_magnitude, c)) > tolerance * max(_magnitude(x) for row in J for x in row):
+        where, curl = (", ".join(map(short, triple)) for triple in (place, c))
         raise NoPotential(
-            f"there is no potential: at ({where}) the curl of the force is ({told}), not zero; "
-            "its work depends on the path",
+            f"there is no potential: at ({where}) the curl of the force is ({curl}), not zero; its "
+            "work depends on the path",
             place,
             c,
         )
 
 
-def _measure(x):
-    """The size of a derivative; of an expression, that at some values of its symbols."""
-    value = probe(scalar(x))
+def _magnitude(x):
+    """The size of a derivative; of an expression that at sample values of its symbols."""
+    value = sampled(scalar(x))
     if value is None:
         raise WorkError(
-            f"the derivative {plain(x)!r} of the force cannot be compared with zero; put "
-            "numbers or SymPy symbols in"
+            f"the derivative {plain(x)!r} of the force cannot be compared with zero; put numbers "
+            "or SymPy symbols in"
         )
     return size(value)
 
 
 def _check_loop(force, loop, n, tolerance):
     places = [tuple(plain(scalar(x)) for x in loop(k / 24)) for k in range(25)]
-    if max(size(scalar(a) - b) for a, b in zip(places[0], places[-1], strict=True)) > 1e-9 * max(
-        size(scalar(x)) for p in places for x in p
-    ):
-        raise WorkError(f"loop {n} is not closed: it leads from {places[0]} to {places[-1]}")
-    strength = max(_measure(f) for p in places for f in force(*p))
-    length = sum(
-        norm3(tuple(b - a for a, b in zip(p, q, strict=True))) for p, q in pairwise(places)
-    )
-    U = work_along(lambda *place: tuple(probe(f) for f in force(*place)), loop, 0.0, 1.0)
+    first, last = places[0], places[-1]
+    # 24 chords, for the scale of the length and of the force; the work itself is by quadrature
+    gap = max(size(scalar(a) - b) for a, b in zip(first, last, strict=True))
+    if gap > 1e-9 * max(size(scalar(x)) for p in places for x in p):
+        raise WorkError(f"loop {n} is not closed: it leads from {first} to {last}")
+    strength = max(_magnitude(f) for p in places for f in force(*p))
+    steps = (zip(p, q, strict=True) for p, q in pairwise(places))
+    length = sum(norm3(tuple(b - a for a, b in step)) for step in steps)
+    U = work_along(lambda *place: tuple(map(sampled, force(*place))), loop, 0.0, 1.0)
     if size(scalar(U.value)) > max(tolerance * length * strength, 10 * U.error):
         raise NoPotential(
-            f"there is no potential: round loop {n} the force does the work "
-            f"{short(U.value)}, though its curl is zero; the loop goes round a place "
-            "where the force does not exist, and V would grow by this much with every turn",
+            f"there is no potential: round loop {n} the force does the work {short(U.value)}, "
+            "though its curl is zero; V would grow by this with every turn",
             circulation=U.value,
         )

@@ -1,39 +1,48 @@
 """Work and power of forces and couples (11.1)-(11.11).
 
-Work belongs to a displacement, between two positions or instants; power belongs to an instant. All
-forms of the work integral are integrals of one function over one variable, by
-:func:`work_integral`:
+Work belongs to a displacement between two positions or instants, power to one instant. All forms of
+the work integral are integrals of one function over one variable, by :func:`work_integral`:
 
     U = integral of F.v dt       work_in_time(force, velocity, start, end)                    (11.2)
     U = integral of F_t ds       work_integral(F_t, s0, s1), F_t the tangential component     (11.3)
     U = integral of F ds_F       work_integral(F, s0, s1), over the displacement along F      (11.4)
     U = integral of F.dr         work_along(force, path, start, end)
-    (11.1), (11.5) U = integral of M dtheta     work_integral(M, theta0, theta1)
-    (11.11)
+                                                                                     (11.1), (11.5)
+    U = integral of M dtheta     work_integral(M, theta0, theta1)                            (11.11)
 
 A force at right angles to the velocity of its point of application does no work. Units: any
 consistent ones; in SI J and W. Velocities are those in an inertial frame.
 """
 
+from collections.abc import Callable, Sequence
+
 from ..algebra.ledger import Amount, summed
 from ..algebra.quadrature import quadrature
-from ..algebra.scalars import ZERO, plain, scalar
+from ..algebra.scalars import ZERO, Scalar, plain, scalar
 from ..algebra.vectors import FrameError, Vector
+from ..kinematics.frames import Frame, Point
 from ..kinematics.paths import along
 
 # -- the integral
 
 
-def work_integral(f, start, end, rtol=1e-10, exact=False, breaks=()):
-    """The integral of ``f`` from ``start`` to ``end``, an :class:`Amount` with its estimated error:
-    (11.2), (11.3), (11.4) or (11.11), by what f is.
+def work_integral(
+    f: Callable,
+    start: Scalar,
+    end: Scalar,
+    rtol: float = 1e-10,
+    exact: bool = False,
+    breaks: Sequence = (),
+) -> Amount:
+    """The integral of ``f`` from ``start`` to ``end`` with its estimated error: (11.2), (11.3),
+    (11.4) or (11.11), by what f is.
 
     f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the
         integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f.
         ``exact=True``: by SymPy, where f is written with functions of this package; it may take
         long
-    breaks : where f has corners or jumps, or acts for a short while only, in order; the integral is
-        divided there
+    breaks : in order, where f has corners or jumps, or begins and ends a short pulse; the integral
+        is divided there
     Raises :class:`WorkError` where it does not converge, where f is not finite, or where SymPy
     finds no formula.
 
@@ -47,7 +56,15 @@ def work_integral(f, start, end, rtol=1e-10, exact=False, breaks=()):
 # -- work
 
 
-def work_along(force, path, start, end, rtol=1e-10, exact=False, breaks=()):
+def work_along(
+    force: Callable,
+    path: Callable,
+    start: Scalar,
+    end: Scalar,
+    rtol: float = 1e-10,
+    exact: bool = False,
+    breaks: Sequence = (),
+) -> Amount:
     """The work of a force whose point of application moves along a curve (11.1), with its
     rectangular ``terms`` x, y, z (11.5).
 
@@ -77,44 +94,55 @@ def work_along(force, path, start, end, rtol=1e-10, exact=False, breaks=()):
     return summed(parts, number="11.5", error=sum(p.error for p in parts.values()))
 
 
-def work_in_time(force, velocity, start, end, rtol=1e-10, exact=False, breaks=()):
+def work_in_time(
+    force: Callable,
+    velocity: Callable,
+    start: Scalar,
+    end: Scalar,
+    rtol: float = 1e-10,
+    exact: bool = False,
+    breaks: Sequence = (),
+) -> Amount:
     """The work of a force from the instant ``start`` to ``end`` (11.2), or of a couple (11.11).
 
     force, velocity : functions of time that return Vectors or triples: the force and the velocity
         of its point of application, or the moment of a couple and the angular velocity. The others
         are those of :func:`work_integral`.
 
-    >>> round(work_in_time(lambda t: (0, 0, -19.62), lambda t: (5.0, 0, 10.0 - 9.81*t), 0.0, 1.0).value, 9)
+    >>> weight, velocity = lambda t: (0, 0, -19.62), lambda t: (5.0, 0, 10.0 - 9.81*t)
+    >>> round(work_in_time(weight, velocity, 0.0, 1.0).value, 9)
     -99.9639
     """
     return work_integral(lambda t: power(force(t), velocity(t)), start, end, rtol, exact, breaks)
 
 
-def constant_force_work(force, start, end):
-    """The work of a constant force between two Points, by whatever path: F.(r_1 - r_0) (11.6); that
-    of a weight is m g (z_0 - z_1) (11.7).
-
-    An :class:`Amount` with the ``terms`` x, y, z along the axes of the force.
+def constant_force_work(force: Vector, start: Point, end: Point) -> Amount:
+    """The work of a constant force between two Points, by any path, F.(r_1 - r_0) (11.6), with the
+    ``terms`` x, y, z along the axes of the force. That of a weight is m g (z_0 - z_1) (11.7).
 
     force : a Vector; start, end : Points of related frames, that do not move relative to each other
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
-    >>> constant_force_work(-9.81*ground.k, ground.point("A", 0, 0, 2.0), ground.point("B", 5.0, 1.0, 0)).value
+    >>> A, B = ground.point("A", 0, 0, 2.0), ground.point("B", 5.0, 1.0, 0)
+    >>> constant_force_work(-9.81*ground.k, A, B).value
     19.62
     """
-    path = (end - start).expressed_in(force.frame)
-    return summed(
-        {name: f * d for name, f, d in zip("xyz", force.c, path.c, strict=True)}, number="11.6"
-    )
+    path = (end - start).expressed_in(force.frame).c
+    terms = {name: f * d for name, f, d in zip("xyz", force.c, path, strict=True)}
+    return summed(terms, number="11.6")
 
 
 # -- power
 
 
-def power(force, velocity, observer=None):
-    """P = F.v of a force (11.8), (11.9), v the velocity of its point of application; P = M.omega of
-    a couple (11.10). Positive: it drives the body.
+def power(
+    force: Vector | Sequence,
+    velocity: Vector | Sequence | Point | Frame,
+    observer: Frame | None = None,
+) -> Scalar:
+    """The power P = F.v of a force (11.8), (11.9), v the velocity of its point of application; or
+    P = M.omega of a couple (11.10). Positive: it drives the body.
 
     velocity : a Vector, like the force; or triples both, along the same axes. With an ``observer``,
         an inertial frame: the Point at which the force acts, or the Frame on which the couple acts
@@ -122,11 +150,19 @@ def power(force, velocity, observer=None):
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> wheel = ground.rotate("wheel", "z", rate=3.0)
-    >>> power((0, 0, -2.0), (1.0, 0, 3.0)), power(5.0*ground.k, wheel, ground), power(2.0*wheel.j, wheel.point("P", 0.5, 0, 0), ground)
-    (-6.0, 15.0, 3.0)
+    >>> power((0, 0, -2.0), (1.0, 0, 3.0)), power(5.0*ground.k, wheel, ground)
+    (-6.0, 15.0)
+    >>> power(2.0*wheel.j, wheel.point("P", 0.5, 0, 0), ground)
+    3.0
     """
     if observer is not None:
-        velocity = _motion(velocity, observer)
+        seen = getattr(velocity, "angular_velocity", getattr(velocity, "velocity", None))
+        if seen is None:
+            raise FrameError(
+                "with an observer, power needs the Point at which the force acts or the Frame on "
+                f"which the couple acts; got {velocity!r}"
+            )
+        velocity = seen(observer)
     if isinstance(force, Vector) and isinstance(velocity, Vector):
         return force.dot(velocity)
     if isinstance(force, (tuple, list)) and isinstance(velocity, (tuple, list)):
@@ -134,24 +170,12 @@ def power(force, velocity, observer=None):
             sum((scalar(a) * scalar(b) for a, b in zip(force, velocity, strict=True)), ZERO)
         )
     raise FrameError(
-        "power needs two Vectors, two triples along the same axes, or a Vector, a Point or "
-        "Frame, and the observer, as in power(F, P, ground); "
-        f"got {force!r} and {velocity!r}"
+        "power needs two Vectors, two triples along the same axes, or power(F, P, ground); got "
+        f"{force!r} and {velocity!r}"
     )
 
 
-def _motion(of, observer):
-    """Velocity of a Point, angular velocity of a Frame."""
-    seen = getattr(of, "angular_velocity", getattr(of, "velocity", None))
-    if seen is None:
-        raise FrameError(
-            "with an observer, power needs the Point at which the force acts or the Frame on "
-            f"which the couple acts; got {of!r}"
-        )
-    return seen(observer)
-
-
-def pair_power(force, first, second, observer):
+def pair_power(force: Vector, first: Point, second: Point, observer: Frame) -> Scalar:
     """The power of a pair of opposite forces, ``force`` at the Point ``first`` and its opposite at
     ``second`` (11.10), (11.13): F.(v_1 - v_2).
 

@@ -134,7 +134,7 @@ def test_the_books_of_a_sphere_that_slides_and_then_rolls(v0):
     # as if it rolled all the time
     naive = audit(lambda t: kinetic_energy(motion(t), ground), 0.0, 2.0)
     assert not naive.balances()
-    assert np.allclose(naive.missing, -m * v0**2 / 7, rtol=1e-12)
+    assert np.allclose(naive.residual, -m * v0**2 / 7, rtol=1e-12)
 
 
 def test_a_formula_of_the_heat_of_the_sphere():

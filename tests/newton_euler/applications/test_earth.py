@@ -685,32 +685,30 @@ def test_free_air_runs_in_a_circle_clockwise_in_the_north():
 
 
 @pytest.mark.parametrize("latitude", [0.8, -0.8])
-@pytest.mark.parametrize("push", [1e-3, 3e-3, -1e-3])
-def test_steady_wind_on_a_circle(latitude, push):
+@pytest.mark.parametrize("G", [1e-3, 3e-3, -1e-3])
+def test_steady_wind_on_a_circle(latitude, G):
     """At this speed the equations of motion give the acceleration v^2/r toward the centre; on a
     large circle it is the geostrophic wind.
     """
     radius = 5e5
-    v = e.gradient_wind(push, radius, latitude)
+    v = e.gradient_wind(G, radius, latitude)
     sense = math.copysign(1, latitude)
-    model = air_near_low(latitude, pressure_gradient=push / radius)
+    model = air_near_low(latitude, pressure_gradient=G / radius)
     assert close(model.derivative((radius, 0.0, 0.0, sense * v))[2:], (-(v**2) / radius, 0), 1e-15)
-    assert math.copysign(1, v) == math.copysign(1, push)
-    assert e.gradient_wind(push, 1e12, latitude) == pytest.approx(
-        e.geostrophic_wind(push, latitude), rel=1e-3
+    assert math.copysign(1, v) == math.copysign(1, G)
+    assert e.gradient_wind(G, 1e12, latitude) == pytest.approx(
+        e.geostrophic_wind(G, latitude), rel=1e-3
     )
-    assert abs(e.gradient_wind(abs(push), radius, latitude)) < e.geostrophic_wind(
-        abs(push), latitude
-    )
+    assert abs(e.gradient_wind(abs(G), radius, latitude)) < e.geostrophic_wind(abs(G), latitude)
 
 
 @every_kind
 def test_geostrophic_wind_is_not_accelerated(kind):
-    push, latitude, rate = numbers(kind, "0.001", "0.8", "0.00007")
-    v = e.geostrophic_wind(push, latitude, rate)
+    G, latitude, rate = numbers(kind, "0.001", "0.8", "0.00007")
+    v = e.geostrophic_wind(G, latitude, rate)
     # to the east, low pressure to the north
     x, y = e.wind_acceleration(v, numbers(kind, 0), latitude, rate)
-    assert close((x, y + push), (0, 0), small(kind))
+    assert close((x, y + G), (0, 0), small(kind))
 
 
 def test_winds_that_do_not_exist_are_refused():

@@ -528,19 +528,19 @@ def test_eqn_11_26_27_each_conservative_force_is_minus_a_gradient(kind):
 @every_kind
 def test_eqn_11_28_29_the_change_of_T_is_potential_lost_and_work_done(kind):
     d = Driven(kind)
-    books = d.audit(kind)
-    lost = -sum(books.potentials.values())
-    assert close(books.kinetic, lost + books.works["motor"], 10 * small(kind))
-    assert close(books.missing, 0, 10 * small(kind))
-    assert books.balances()
+    balance = d.audit(kind)
+    lost = -sum(balance.potentials.values())
+    assert close(balance.kinetic, lost + balance.works["motor"], 10 * small(kind))
+    assert close(balance.residual, 0, 10 * small(kind))
+    assert balance.balances()
     by_hand = d.kinetic(d.end) + d.weight(d.end) - d.weight(0 * d.end) + d.spring(d.end)
-    assert close(books.works["motor"], by_hand, 10 * small(kind))
+    assert close(balance.works["motor"], by_hand, 10 * small(kind))
 
 
 @every_kind
 def test_eqn_11_30_31_48_the_change_of_E_is_the_work_of_the_other_forces(kind):
-    books = Driven(kind).audit(kind)
-    assert close(books.energy, books.works["motor"], 10 * small(kind))
+    balance = Driven(kind).audit(kind)
+    assert close(balance.energy, balance.works["motor"], 10 * small(kind))
 
 
 @every_kind
@@ -555,10 +555,10 @@ def test_eqn_11_32_49_without_them_E_is_constant(kind):
         "weight": lambda t: weight_potential(m, -x(t), g),
         "spring": lambda t: spring_potential(K, x(t)),
     }
-    books = audit(lambda t: m * v(t) ** 2 / 2, 0 * t, t, potentials)
-    assert close(books.energy, 0, 10 * small(kind))
-    assert books.balances()
-    assert not close(books.kinetic, 0, 0.1)
+    balance = audit(lambda t: m * v(t) ** 2 / 2, 0 * t, t, potentials)
+    assert close(balance.energy, 0, 10 * small(kind))
+    assert balance.balances()
+    assert not close(balance.kinetic, 0, 0.1)
 
 
 @every_kind
@@ -569,36 +569,36 @@ def test_eqn_11_33_friction_becomes_internal_energy(kind):
     m, mu, g, v0 = numbers(kind, 2, "0.25", 10, 3)
     stop = v0 / (mu * g)
     v = lambda t: v0 - mu * g * t
-    books = audit(
+    balance = audit(
         lambda t: m * v(t) ** 2 / 2,
         0 * stop,
         stop,
         powers={"friction": lambda t: -mu * m * g * v(t)},
         exact=kind == "sympy",
     )
-    assert close(books.heat("friction"), m * v0 * v0 / 2, 10 * small(kind))
-    assert close(books.energy + books.heat(), 0, 10 * small(kind))
+    assert close(balance.heat("friction"), m * v0 * v0 / 2, 10 * small(kind))
+    assert close(balance.energy + balance.heat(), 0, 10 * small(kind))
     with pytest.raises(EnergyError, match="no work of 'drag' is in this audit; there are friction"):
-        books.heat("drag")
+        balance.heat("drag")
 
 
 @every_kind
 @pytest.mark.parametrize("left_out", ["weight", "spring"])
-def test_a_force_left_out_is_missing_in_the_books(kind, left_out):
+def test_a_force_left_out_is_the_residual_of_the_energy_balance(kind, left_out):
     d = Driven(kind)
     all_of_them = {"weight": d.weight, "spring": d.spring}
-    books = d.audit(kind, potentials={n: f for n, f in all_of_them.items() if n != left_out})
+    balance = d.audit(kind, potentials={n: f for n, f in all_of_them.items() if n != left_out})
     change = all_of_them[left_out](d.end) - all_of_them[left_out](0 * d.end)
-    assert not books.balances()
-    assert close(books.missing, -change, 10 * small(kind))
+    assert not balance.balances()
+    assert close(balance.residual, -change, 10 * small(kind))
 
 
-def test_the_motor_left_out_is_missing_in_the_books():
+def test_the_motor_left_out_is_the_residual_of_the_energy_balance():
     d = Driven("float")
-    books = d.audit("float", powers={})
-    assert not books.balances()
-    assert books.missing == pytest.approx(d.audit("float").works["motor"], rel=1e-12)
-    assert str(books).splitlines()[-1] == f"  not accounted for    {books.missing:.6g}"
+    balance = d.audit("float", powers={})
+    assert not balance.balances()
+    assert balance.residual == pytest.approx(d.audit("float").works["motor"], rel=1e-12)
+    assert str(balance).splitlines()[-1] == f"  residual             {balance.residual:.6g}"
 
 
 def test_an_audit_in_symbols():
@@ -622,7 +622,7 @@ def test_an_audit_in_symbols():
     assert not wrong.balances()
 
 
-def test_an_audit_prints_its_books():
+def test_an_audit_prints_its_energy_balance():
     text = str(Driven("float").audit("float")).splitlines()
     assert text[0] == "energy equation (11.29), J"
     names = [
@@ -630,13 +630,13 @@ def test_an_audit_prints_its_books():
         "change of V, weight",
         "change of V, spring",
         "less work, motor",
-        "not accounted for",
+        "residual",
     ]
     assert [row.split("  ")[1].strip() for row in text[1:]] == names
     assert isinstance(Driven("float").audit("float"), Audit)
 
 
-def test_both_sides_of_the_tolerance_of_the_books():
+def test_both_sides_of_the_tolerance_of_the_energy_balance():
     drop = lambda extra: audit(
         lambda t: 50.0 * t * t + extra * t, 0.0, 1.0, powers={"push": lambda t: 100.0 * t}
     )
@@ -647,22 +647,22 @@ def test_both_sides_of_the_tolerance_of_the_books():
 
 @settings(deadline=None, max_examples=20)
 @given(st.floats(0.5, 5), st.floats(0.5, 3), st.floats(0, 0.9), st.floats(-1, 1), st.floats(-2, 2))
-def test_the_books_of_any_damped_oscillator_close(m, n, zeta, x0, v0):
+def test_the_energy_balance_of_any_damped_oscillator_closes(m, n, zeta, x0, v0):
     """Its exact solution, with the damper's heat: x = exp(-zeta n t)(a cos(d t) + b sin(d t))."""
     d = n * math.sqrt(1 - zeta * zeta)
     b = (v0 + zeta * n * x0) / d
     x = lambda t: exp(-zeta * n * t) * (x0 * cos(d * t) + b * sin(d * t))
     v = lambda t: at(x, t).rate
     powers = {"damper": lambda t: -2 * zeta * n * m * v(t) ** 2}
-    books = audit(
+    balance = audit(
         lambda t: m * v(t) ** 2 / 2,
         0.0,
         2.0,
         {"spring": lambda t: spring_potential(m * n * n, x(t))},
         powers,
     )
-    assert books.balances()
-    assert books.heat("damper") >= 0
+    assert balance.balances()
+    assert balance.heat("damper") >= 0
 
 
 @pytest.mark.parametrize(
@@ -745,7 +745,7 @@ def damped_driven():
     }
 
 
-def books_of(p, *powers, weight=1.0):
+def balance_of(p, *powers, weight=1.0):
     return audit(
         p["kinetic"],
         0.0,
@@ -756,26 +756,28 @@ def books_of(p, *powers, weight=1.0):
     )
 
 
-def test_the_books_of_a_damped_driven_pendulum_close(damped_driven):
-    books = books_of(damped_driven, "damper", "drive")
-    assert books.balances(rtol=1e-8)
-    assert books.heat("damper") > 1  # J
-    assert books.energy == pytest.approx(books.works["drive"] - books.heat("damper"), abs=1e-7)
+def test_the_energy_balance_of_a_damped_driven_pendulum_closes(damped_driven):
+    balance = balance_of(damped_driven, "damper", "drive")
+    assert balance.balances(rtol=1e-8)
+    assert balance.heat("damper") > 1  # J
+    assert balance.energy == pytest.approx(
+        balance.works["drive"] - balance.heat("damper"), abs=1e-7
+    )
 
 
 @pytest.mark.parametrize("left", ["damper", "drive"])
-def test_what_is_left_out_is_what_is_missing(damped_driven, left):
-    whole = books_of(damped_driven, "damper", "drive")
-    books = books_of(damped_driven, *({"damper", "drive"} - {left}))
-    assert not books.balances(rtol=1e-8)
-    assert books.missing == pytest.approx(whole.works[left], abs=1e-7)
+def test_the_work_left_out_is_the_residual(damped_driven, left):
+    whole = balance_of(damped_driven, "damper", "drive")
+    balance = balance_of(damped_driven, *({"damper", "drive"} - {left}))
+    assert not balance.balances(rtol=1e-8)
+    assert balance.residual == pytest.approx(whole.works[left], abs=1e-7)
 
 
-def test_a_wrong_sign_of_the_potential_is_missing_twice(damped_driven):
-    books = books_of(damped_driven, "damper", "drive", weight=-1.0)
-    assert not books.balances(rtol=1e-8)
-    right = books_of(damped_driven, "damper", "drive")
-    assert books.missing == pytest.approx(-2 * right.potentials["weight"], abs=1e-7)
+def test_a_wrong_sign_of_the_potential_leaves_twice_its_change(damped_driven):
+    balance = balance_of(damped_driven, "damper", "drive", weight=-1.0)
+    assert not balance.balances(rtol=1e-8)
+    right = balance_of(damped_driven, "damper", "drive")
+    assert balance.residual == pytest.approx(-2 * right.potentials["weight"], abs=1e-7)
 
 
 def test_a_body_without_mass_is_refused():
