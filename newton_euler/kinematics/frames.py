@@ -7,6 +7,7 @@ chain in the frame at hand and never differentiated out, which is what keeps it 
 formulas short.
 """
 
+from typing import TypeAlias
 from weakref import ref
 
 from ..algebra.jets import Moving, moving
@@ -505,6 +506,9 @@ class Point:
         self.frame.common(observer)
         via.common(observer)
         return via
+
+
+PointLike: TypeAlias = Point | Frame  # a Frame stands for its own origin
 
 
 def _origin(frame):
