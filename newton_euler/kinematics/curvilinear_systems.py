@@ -12,7 +12,7 @@ from ..algebra.ledger import equations
 from ..algebra.scalars import ZERO, SingularError, is_numeric, plain, scalar, whole
 from ..algebra.vectors import Vector, cross3, dot3, scale3
 from .coordinates import CoordinatePoint, with_rates
-from .triads import Triad, drowned, norm3, numeric3, shaken, turning_of
+from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity, turning_of
 
 EQUATIONS = equations({
     "curvilinear velocity": ("3.14", r"\mathbf{v}", {}),
@@ -88,9 +88,9 @@ def _rate(x):
 def _check(position, q, columns, factors):
     if not (all(map(is_numeric, q)) and all(map(numeric3, columns))):
         return
-    noises = shaken(lambda *p: tangents(position, p), q)
+    noises = roundoff_sensitivity(lambda *p: tangents(position, p), q)
     for n, (h, noise) in enumerate(zip(factors, noises, strict=True), 1):
-        if drowned(h, noise):
+        if below_roundoff(h, noise):
             raise SingularError(
                 f"coordinate {n} is singular here: the point does not move when it grows "
                 "(scale factor zero within rounding), "
@@ -102,12 +102,12 @@ def _check(position, q, columns, factors):
 def _check_axes(axes):
     for n, m in ((0, 1), (1, 2), (2, 0)):
         cosine = scalar(dot3(axes[n], axes[m]))
-        if drowned(1e-8, abs(cosine)):
+        if below_roundoff(1e-8, abs(cosine)):
             raise SingularError(
                 f"the coordinates are not orthogonal here: e_{n + 1} . e_{m + 1} = "
                 f"{plain(cosine)}, expected 0; this method needs orthogonal ones"
             )
-    if drowned(dot3(axes[0], cross3(axes[1], axes[2])), ZERO):
+    if below_roundoff(dot3(axes[0], cross3(axes[1], axes[2])), ZERO):
         raise SingularError(
             "the coordinates are left-handed here: e_1 x e_2 = -e_3; exchange two of them"
         )

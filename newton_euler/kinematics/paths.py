@@ -27,7 +27,7 @@ from ..algebra.scalars import (
     whole,
 )
 from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3
-from .triads import Triad, drowned, norm3, numeric3, shaken
+from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
 
 EQUATIONS = equations({
     "intrinsic velocity": ("3.12", r"\mathbf{v}", {"tangential": ("nu e_t", r"\nu\,\hat{e}_t")}),
@@ -81,7 +81,7 @@ def at_speed(path, q, speed, speed_rate=0):
     """
     _, first, second, _ = derivatives(path, q)
     stretch = norm3(first)
-    if is_numeric(stretch) and drowned(stretch, _noise(path, q)[0]):
+    if is_numeric(stretch) and below_roundoff(stretch, _noise(path, q)[0]):
         raise SingularError(
             f"the path stands still at q = {q!r}: dr/dq is zero there, and no rate of q gives "
             "it a speed; use another parameter"
@@ -96,7 +96,7 @@ def at_speed(path, q, speed, speed_rate=0):
 
 def _noise(path, q):
     """The rounding in the first and in the second derivative, as lengths."""
-    return shaken(lambda p: derivatives(path, p)[1:3], (q,))
+    return roundoff_sensitivity(lambda p: derivatives(path, p)[1:3], (q,))
 
 
 def _running(q):
@@ -267,7 +267,7 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
     _check_speed(v, speed, v_noise)
     area = norm3(turn)
     rounding = 8 * epsilon(speed) * (speed * norm3(a)) + speed * a_noise + norm3(a) * v_noise
-    if is_zero(area) or (numeric3((*v, *a)) and drowned(area, rounding)):
+    if is_zero(area) or (numeric3((*v, *a)) and below_roundoff(area, rounding)):
         raise SingularError(
             "the path is straight here, on a line or at an inflection: v x a is zero "
             "(within rounding), so e_n, e_b and the torsion do not exist "
@@ -283,7 +283,7 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
 
 
 def _check_speed(v, speed, noise):
-    if numeric3(v) and drowned(scalar(speed), noise):
+    if numeric3(v) and below_roundoff(scalar(speed), noise):
         raise SingularError(
             "the point is at rest (within rounding): a velocity of zero has no direction, "
             "so there is no e_t; "

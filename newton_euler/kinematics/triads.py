@@ -91,14 +91,14 @@ def numeric3(c):
     return all(is_numeric(x) for x in c)
 
 
-def drowned(value, noise):
+def below_roundoff(value, noise):
     """True if a numeric ``value`` >= 0 does not stand out of ``noise`` >= 0 (arrays: at any
     instant).
     """
     return anywhere(plain(value) <= plain(noise))
 
 
-def shaken(f, q):
+def roundoff_sensitivity(f, q):
     """How far each of the triples f(*q) moves, as lengths, while each of the numbers ``q`` moves by
     up to 41 units in its last place.
 
