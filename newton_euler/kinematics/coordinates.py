@@ -133,16 +133,14 @@ class CoordinatePoint(Point):
         self.scale_factors, self._equations, self._terms = scale_factors, equations, terms
 
     def velocity(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
-        """As :meth:`Point.velocity`; seen from ``ground`` in the local axes, with their terms."""
-        return self._in_local_axes("velocity", super().velocity(observer, via), observer, via)
+        """v seen from ``observer``, as for :class:`Point`; from ``ground`` in the local axes."""
+        return self._local("velocity", super().velocity(observer, via), observer, via)
 
     def acceleration(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
-        """As :meth:`Point.acceleration`; seen from ``ground`` in the local axes, with their terms."""
-        return self._in_local_axes(
-            "acceleration", super().acceleration(observer, via), observer, via
-        )
+        """a seen from ``observer``, as for :class:`Point`; from ``ground`` in the local axes."""
+        return self._local("acceleration", super().acceleration(observer, via), observer, via)
 
-    def _in_local_axes(self, what, vector, observer, via):
+    def _local(self, what, vector, observer, via):
         if observer is not self.ground or via is not None:
             return vector
         here = vector.expressed_in(self.local)

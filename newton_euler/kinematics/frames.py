@@ -71,6 +71,8 @@ class Frame:
     (0, 0.3, 0.0)
     """
 
+    parent: Any  # a Frame, or None for the root
+
     def __init__(
         self,
         name: str,
