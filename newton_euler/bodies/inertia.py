@@ -16,6 +16,7 @@ is the angular momentum.
 """
 
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -61,6 +62,8 @@ class Inertia(Scaled, NamedTerms):
     >>> I.times(body.vector(1.0, 0, 0))  # the angular momentum H = I omega (7.12)
     Vector(2.0, -0.5, 0 in body)
     """
+
+    centre: Any  # a Point, or None if unknown
 
     __slots__ = ("_terms", "centre", "frame", "mass", "moments", "point", "products")
 

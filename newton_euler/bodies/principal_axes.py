@@ -12,7 +12,7 @@ real formulas with an arc cosine, ascending.
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Any
 
 from ..algebra.scalars import (
     ZERO,
@@ -37,9 +37,6 @@ from ..kinematics.frames import Frame
 from ..kinematics.rotations import axis_angle
 from .admissibility import AXES, PRODUCTS, MassError
 
-if TYPE_CHECKING:
-    from .inertia import Inertia
-
 PAIRS = ((0, 1), (1, 2), (2, 0))  # the axes u, v of the products xy, yz, zx
 ROUND_OFF = 256  # moments nearer than so many round-offs of the largest are equal
 UNIT_AXES = ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1))
@@ -57,7 +54,7 @@ class Principal:
     in words.
     """
 
-    inertia: "Inertia"
+    inertia: Any
     moments: tuple
     axes: tuple
     noise: float = 0.0
@@ -109,7 +106,7 @@ class Principal:
         )
 
 
-def principal(inertia: "Inertia", noise: float | None = None) -> Principal:
+def principal(inertia: Any, noise: float | None = None) -> Principal:
     """Principal moments and axes of an :class:`Inertia` (7.18)-(7.20).
 
     noise : relative error of its entries, as 5e-4 for three digits; for the report only
@@ -331,7 +328,7 @@ class Symmetry:
         )
 
 
-def symmetry(inertia: "Inertia", tolerance: float = 1e-9) -> Symmetry:
+def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
     """The :class:`Symmetry` of an inertia matrix.
 
     tolerance : products and differences below it times the largest moment count as zero

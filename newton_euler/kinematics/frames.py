@@ -19,11 +19,15 @@ from ..algebra.scalars import (
     Scalar,
     ScalarError,
     cos,
+    is_finite,
+    is_numeric,
+    least,
     plain,
     scalar,
     sin,
     sqrt,
     whole,
+    without_rates,
 )
 from ..algebra.vectors import (
     NO_THIRD_RATE,
@@ -36,7 +40,6 @@ from ..algebra.vectors import (
     scale3,
     sub3,
 )
-from .rotations import divided_by_length
 
 EQUATIONS = equations({
     "velocity": ("4.17", r"\mathbf{v}", {
@@ -588,3 +591,21 @@ def axes_at(point: Point) -> Frame:
             f"point; for {point.frame.name} say frame=..., or make another point there"
         )
     return point.frame
+
+
+# -- shared with rotations
+
+
+def vanishes(x: Scalar, small: float = 0) -> bool:
+    """Whether a number is at most ``small`` in size at any instant; False for expressions."""
+    return is_numeric(x) and least(without_rates(x)) <= small
+
+
+def divided_by_length(axis, length, error):
+    """The unit vector of an axis of known length; an error if that is zero at any instant."""
+    if vanishes(length) or not is_finite(length):
+        raise error(
+            f"the axis {tuple(map(plain, axis))} has no direction: its length is "
+            f"{plain(length)}; give a vector that is not zero"
+        )
+    return tuple(x / length for x in axis)

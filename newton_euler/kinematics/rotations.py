@@ -18,7 +18,6 @@ moving numbers, and raise :class:`ScalarError` for expressions.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -31,8 +30,6 @@ from ..algebra.scalars import (
     cos,
     epsilon,
     is_finite,
-    is_numeric,
-    least,
     plain,
     scalar,
     sin,
@@ -42,9 +39,7 @@ from ..algebra.scalars import (
     without_rates,
 )
 from ..algebra.vectors import Vector, cross3, dot3, scale3
-
-if TYPE_CHECKING:
-    from .frames import Frame, Point
+from .frames import Frame, Point, divided_by_length, vanishes
 
 Matrix = Sequence[Sequence[Scalar]]  # three rows of three
 Triple = Sequence[Scalar] | Vector
@@ -125,7 +120,7 @@ def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
     return product(*(reversed(rotations) if axes == "fixed" else rotations))
 
 
-def direction_cosines(frame: "Frame", ground: "Frame") -> tuple:
+def direction_cosines(frame: Frame, ground: Frame) -> tuple:
     """The book's A (4.1), whose entries are the cosines of the angles between the axes of ``frame``
     (rows) and of ``ground`` (columns).
 
@@ -187,17 +182,7 @@ def axis_angle(R: Matrix, tolerance: float = 1e-9) -> tuple[tuple, Scalar]:
 def _unit(axis, angle):
     axis = _three(axis, "an axis")
     # a length of the kind of the angle: exact if that is
-    return divided_by_length(axis, sqrt(dot3(axis, axis) + 0 * without_rates(angle)))
-
-
-def divided_by_length(axis, length, error=RotationError):
-    """The unit vector of an axis of known length; an error if that is zero at any instant."""
-    if _vanishes(length) or not is_finite(length):
-        raise error(
-            f"the axis {tuple(map(plain, axis))} has no direction: its length is "
-            f"{plain(length)}; give a vector that is not zero"
-        )
-    return tuple(x / length for x in axis)
+    return divided_by_length(axis, sqrt(dot3(axis, axis) + 0 * without_rates(angle)), RotationError)
 
 
 def _three(v, what):
@@ -208,11 +193,6 @@ def _three(v, what):
     if len(given) != 3:
         raise RotationError(f"{what} has three components, as in (0, 0.6, 0.8); got {v!r}")
     return given
-
-
-def _vanishes(x, small=0):
-    """Whether a number is at most ``small`` in size at any instant; False for expressions."""
-    return is_numeric(x) and least(without_rates(x)) <= small
 
 
 def _length_and_direction(v):
@@ -387,7 +367,7 @@ def _four(q):
 
 def _norm2(q):
     total = dot3(q, q) + q[3] * q[3]
-    if _vanishes(total) or not is_finite(total):
+    if vanishes(total) or not is_finite(total):
         raise RotationError(
             f"{tuple(map(plain, q))} is the quaternion of no rotation: its length must be "
             "finite and not zero, at every instant"
@@ -495,7 +475,7 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
     """
     x, y, z = _three(omega, "an angular velocity")
     s = sin(theta)
-    if _vanishes(s, 4 * epsilon(without_rates(s))):
+    if vanishes(s, 4 * epsilon(without_rates(s))):
         raise RotationError(
             f"theta = {plain(theta)!r} rad: at theta = 0 and pi the axes of precession and "
             "spin coincide and the rates of Euler's angles are not determined; use "
@@ -531,13 +511,13 @@ def unwound(angles: Sequence[float], rates: Sequence[float], times: Sequence[flo
 
 
 def euler_frame(
-    parent: "Frame",
+    parent: Frame,
     name: str,
     psi: Scalar,
     theta: Scalar,
     phi: Scalar,
-    origin: "Point | None" = None,
-) -> "Frame":
+    origin: Point | None = None,
+) -> Frame:
     """The frame ``name``, placed in ``parent`` by three successive turns (10.2): psi about z, theta
     about the new x, phi about the new z.
 
