@@ -1,9 +1,8 @@
-"""Mass, centre of mass, rigid bodies (chapters 5 and 7): what a body is, as far as its motion is
-concerned.
+"""Rigid bodies: mass, centre of mass, inertia, momentum and angular momentum (chapters 5 and 7).
 
 A :class:`Body` has a name, a mass, a centre of mass and an inertia matrix, or is composed of
-others; ``body.about(P)`` is its :class:`newton_euler.bodies.inertia.Inertia` about any point, where
-the sign convention of the products is told. The solids of Appendix B are in
+others. ``body.about(P)`` is its :class:`newton_euler.bodies.inertia.Inertia` about any point; the
+sign convention of the products stands there. The solids of Appendix B are in
 :mod:`newton_euler.bodies.solids`, bodies given by a formula in
 :mod:`newton_euler.bodies.parametric`, principal axes in :mod:`newton_euler.bodies.principal_axes`.
 Units: any consistent ones; in SI kg, m, kg m^2.
@@ -13,10 +12,13 @@ Units: any consistent ones; in SI kg, m, kg m^2.
     H_B = d x m dd/dt + H_G     body.angular_momentum(ground, about=B)           (7.23)
 """
 
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
 from ..algebra.ledger import Ledger, equations
-from ..algebra.scalars import is_numeric, plain, scalar, size
-from ..algebra.vectors import ZERO3, Vector, add3
-from ..kinematics.frames import axes_at, place
+from ..algebra.scalars import Scalar, is_numeric, plain, scalar, size
+from ..algebra.vectors import Vector, sum3
+from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import MassError, positive, round_off
 from .inertia import Inertia, together
 
@@ -39,58 +41,54 @@ class Body:
     (0.6, 0.05, 0.55)
     """
 
-    def __init__(self, name, mass, centre, inertia=(0, 0, 0), frame=None, parts=()):
+    def __init__(
+        self,
+        name: str,
+        mass: Scalar,
+        centre: PointLike,
+        inertia: Inertia | Sequence[Scalar] = (0, 0, 0),
+        frame: Frame | None = None,
+        parts: Iterable["Body"] = (),
+    ):
         self.name, self.mass, self.parts = name, scalar(mass), tuple(parts)
-        self.centre = centre = place(centre, f"the centre of mass of {name}")
+        self.centre = G = place(centre, f"the centre of mass of {name}")
         if not isinstance(inertia, Inertia):
-            inertia = Inertia(
-                centre, inertia, (0, 0, 0), self.mass, centre, frame or axes_at(centre), None
-            )
+            inertia = Inertia(G, inertia, frame=frame or axes_at(G), tolerance=None)
         self.frame = frame or inertia.frame
-        self._inertia = inertia._like(
-            inertia.moments, inertia.products, mass=self.mass, centre=centre
-        )
+        self._inertia = inertia._like(inertia.moments, inertia.products, mass=self.mass, centre=G)
 
     def __repr__(self):
         return f"Body({self.name}, mass {plain(self.mass)!r}, centre {self.centre!r})"
 
     @property
-    def inertia(self):
+    def inertia(self) -> Inertia:
         """The :class:`Inertia` about the centre of mass, along the axes of the body's frame."""
         return self.about(self.centre)
 
-    def about(self, point, frame=None):
-        """The :class:`Inertia` about ``point``, along the axes of ``frame`` (default: the body's);
-        of a composite part by part (7.14), (7.26).
+    def about(self, point: PointLike, frame: Frame | None = None) -> Inertia:
+        """The :class:`Inertia` about ``point`` (7.26), of a composite that of all parts (7.14).
 
+        frame : the axes; default: those of the frame of the body
         terms : the parts by name, of a composite; else ``own`` and ``transfer``
         """
         frame, point = frame or self.frame, place(point, "the inertia matrix")
         if not self.parts:
             I = self._inertia
             return I.expressed_in(frame).about(point) if I.frame is not frame else I.about(point)
-        moments = products = ZERO3
-        terms = {}
-        for part in self.parts:
-            terms[part.name] = I = part.about(point, frame)
-            moments, products = add3(moments, I.moments), add3(products, I.products)
+        terms = {part.name: part.about(point, frame) for part in self.parts}
+        moments = sum3(I.moments for I in terms.values())
+        products = sum3(I.products for I in terms.values())
         total = Inertia(point, moments, products, self.mass, self.centre, frame, None)
         total._terms = terms
         return total
 
     def __neg__(self):
-        """The body as a hole: with negative mass."""
-        return Body(
-            self.name,
-            -self.mass,
-            self.centre,
-            -self._inertia,
-            self.frame,
-            [-part for part in self.parts],
-        )
+        """The body with negative mass, as a hole."""
+        parts = [-part for part in self.parts]
+        return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame, parts)
 
-    def check(self, tolerance=1e-9):
-        """Returns the body if mass and inertia are possible; :class:`MassError` otherwise, see
+    def check(self, tolerance: float = 1e-9) -> "Body":
+        """The body itself if its mass and inertia are possible; :class:`MassError` otherwise, see
         :meth:`Inertia.check`.
         """
         self.inertia.check(tolerance)
@@ -98,17 +96,17 @@ class Body:
 
     # -- momenta
 
-    def momentum(self, observer):
+    def momentum(self, observer: Frame) -> Vector:
         """L = m v_G seen from ``observer`` (5.2), (5.8), (7.5)."""
         return self.centre.velocity(observer) * self.mass
 
-    def angular_momentum(self, observer, about=None):
+    def angular_momentum(self, observer: Frame, about: Point | None = None) -> Vector:
         """H about G, or H_B = d x m Dd/Dt + H_G about any point B, d the vector from B to G (7.23).
 
-        It is the *relative* one of the book (7.6), formed with velocities relative to B. Where B is
-        fixed in ``observer`` it is the absolute one.
-        terms : ``orbital``, ``own``. Its rate follows:
-            ``body.angular_momentum(ground).rate(ground)``.
+        It is the *relative* angular momentum of the book (7.6), of velocities relative to B; equal
+        to the absolute one if B is fixed in ``observer``. Its rate is
+        ``body.angular_momentum(ground).rate(ground)``.
+        terms : ``orbital``, ``own``
         """
         own = self.inertia.times(self.frame.angular_velocity(observer))
         if about is None or about is self.centre:
@@ -117,14 +115,9 @@ class Body:
         orbital = (self.centre - about).expressed_in(self.frame).cross(v * self.mass)
         total = orbital + own
         subject = f"of {self.name} about {about.name}, seen from {observer.name}"
-        return Vector(
-            total.c,
-            total.frame,
-            total._own_rate,
-            Ledger(
-                EQUATIONS["angular momentum"], subject, lambda: {"orbital": orbital, "own": own}
-            ),
-        )
+        equation = EQUATIONS["angular momentum"]
+        ledger = Ledger(equation, subject, lambda: {"orbital": orbital, "own": own})
+        return Vector(total.c, total.frame, total._own_rate, ledger)
 
 
 EQUATIONS = equations({
@@ -135,14 +128,22 @@ EQUATIONS = equations({
 })  # fmt: skip
 
 
-def particle(mass, point, name="particle"):
-    """A particle of this mass at a Point: a :class:`Body` without moments of its own."""
+def particle(mass: Scalar, point: PointLike, name: str = "particle") -> Body:
+    """A particle of this mass at a point: a :class:`Body` without moments of its own.
+
+    >>> from newton_euler import Frame
+    >>> ground = Frame("ground")
+    >>> particle(2.0, ground.point("P", 3.0, 0, 0)).about(ground.origin).moments
+    (0, 18.0, 18.0)
+    """
     positive(mass, f"the mass of {name}")
-    point = place(point, name)
-    return Body(name, mass, point, frame=point.frame)
+    centre = place(point, name)
+    return Body(name, mass, centre, frame=centre.frame)
 
 
-def centre_of_mass(parts, frame=None, name="G"):
+def centre_of_mass(
+    parts: Iterable[Body | tuple[Scalar, Point]], frame: Frame | None = None, name: str = "G"
+) -> Point:
     """The centre of mass of particles and bodies together, a Point of ``frame`` (5.4), (5.9),
     (5.11).
 
@@ -155,12 +156,12 @@ def centre_of_mass(parts, frame=None, name="G"):
     >>> centre_of_mass([(1.0, ground.origin), (3.0, ground.point("P", 2.0, 0, 0))]).position(ground)
     Vector(1.5, 0, 0 in ground)
     """
-    parts = [p if isinstance(p, Body) else _pair(p) for p in parts]
-    if not parts:
+    bodies = [p if isinstance(p, Body) else _pair(p) for p in parts]
+    if not bodies:
         raise MassError(
             "the centre of mass of nothing: give at least one body or pair (mass, Point)"
         )
-    return together(parts, frame or parts[0].frame, name)[1]
+    return together(bodies, frame or bodies[0].frame, name)[1]
 
 
 def _pair(p):
@@ -171,11 +172,12 @@ def _pair(p):
         raise MassError(f"a part is a Body or a pair (mass, Point), got {p!r}") from None
 
 
-def composite(name, parts, removed=(), frame=None):
-    """A rigid body of parts, less what is removed from them: holes count with negative mass (5.11),
-    (7.14).
+def composite(
+    name: str, parts: Iterable[Body], removed: Iterable[Body] = (), frame: Frame | None = None
+) -> Body:
+    """A rigid body made of parts, with holes as parts of negative mass (5.11), (7.14).
 
-    parts, removed : bodies, with different names, all fixed in one rigid body; names are the terms
+    parts, removed : bodies, all fixed in one rigid body, with different names, which are the terms
         of ``body.about(P)``
     frame : the frame of the whole; default: that of the first part
     Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole
@@ -192,22 +194,23 @@ def composite(name, parts, removed=(), frame=None):
     parts = [*parts, *(-hole for hole in removed)]
     if not parts:
         raise MassError(f"{name} has no parts")
-    names = [part.name for part in parts]
-    twice = {n for n in names if names.count(n) > 1}
-    if twice:
+    names = sorted(part.name for part in parts)
+    twice = next((a for a, b in pairwise(names) if a == b), None)
+    if twice is not None:
         raise MassError(
-            f"{name} has two parts named {sorted(twice)[0]!r}; give them different names, as "
-            "in disk(..., name='hole 2')"
+            f"{name} has two parts named {twice!r}; give them different names, as in "
+            "disk(..., name='hole 2')"
         )
     frame = frame or parts[0].frame
     mass, centre = together(parts, frame, f"G of {name}")
     body = Body(name, mass, centre, frame=frame, parts=parts)
     if not removed:
         return body
+    # what rounding leaves of the difference of large moments
     slack = sum(round_off(part.mass, (part.centre, centre), frame) for part in parts)
-    sizes = [size(x) for part in parts for x in part.inertia.moments if is_numeric(x)]
+    slack += 1e-14 * sum(size(x) for p in parts for x in p.inertia.moments if is_numeric(x))
     try:
-        body.inertia.check(slack=slack + 1e-14 * sum(sizes))
+        body.inertia.check(slack=slack)
         return body
     except MassError as problem:
         raise MassError(

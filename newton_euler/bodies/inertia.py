@@ -1,7 +1,6 @@
-"""The inertia matrix (chapter 7): moments and products of inertia about a point, other points and
-axes, what is possible.
+"""The inertia matrix (chapter 7): moments and products of inertia about any point, along any axes.
 
-**The sign convention** of the book, stated here once: the *products of inertia* are the plain
+**The sign convention** of the book: the *products of inertia* are the plain
 integrals (7.9), (7.10)
 
     I_xy = integral of x y dm,   I_yz = integral of y z dm,   I_zx = integral of z x dm
@@ -16,13 +15,28 @@ An :class:`Inertia` is that matrix about one point, along the axes of one frame;
 is the angular momentum.
 """
 
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
 from ..algebra.jets import Moving
 from ..algebra.ledger import NamedTerms, latex_number
-from ..algebra.scalars import ZERO, Scaled, is_numeric, is_positive, is_zero, plain, scalar, sqrt
+from ..algebra.scalars import (
+    ZERO,
+    Scalar,
+    Scaled,
+    is_numeric,
+    is_positive,
+    is_zero,
+    plain,
+    scalar,
+    sqrt,
+)
 from ..algebra.vectors import ZERO3, Vector, add3, dot3, scale3, sum3
-from ..kinematics.frames import axes_at, place
+from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import AXES, MassError, check
-from .principal_axes import principal, symmetry
+from .principal_axes import Principal, Symmetry, principal, symmetry
 
 
 class Inertia(Scaled, NamedTerms):
@@ -33,9 +47,9 @@ class Inertia(Scaled, NamedTerms):
         minus sign of the matrix
     mass, centre : mass of the body and its centre of mass, a Point; needed to go to another point,
         otherwise they may be left out
-    frame : whose axes; default: those of the frame in which ``point`` is given
-    tolerance : numbers that no body can have raise :class:`MassError`, see :meth:`check`; None:
-        unchecked
+    frame : the axes; default: those of the frame in which ``point`` is given
+    tolerance : of the check that some body can have this inertia, see :meth:`check`;
+        :class:`MassError` otherwise; None: no check
 
     ``A + B`` is the inertia of two bodies together, about the point and in the frame of A; ``-A``
     that of a hole.
@@ -49,23 +63,31 @@ class Inertia(Scaled, NamedTerms):
     Vector(2.0, -0.5, 0 in body)
     """
 
+    centre: Any  # a Point, or None if unknown
+
     __slots__ = ("_terms", "centre", "frame", "mass", "moments", "point", "products")
 
     def __init__(
-        self, point, moments, products=(0, 0, 0), mass=None, centre=None, frame=None, tolerance=1e-9
+        self,
+        point: PointLike,
+        moments: Sequence[Scalar],
+        products: Sequence[Scalar] = (0, 0, 0),
+        mass: Scalar = None,
+        centre: Point | None = None,
+        frame: Frame | None = None,
+        tolerance: float | None = 1e-9,
     ):
         self.point = place(point, "an inertia matrix")
         self.frame = frame or axes_at(self.point)
-        self.moments, self.products = (
-            _three(moments, "moments (I_xx, I_yy, I_zz)"),
-            _three(products, "products (I_xy, I_yz, I_zx)"),
-        )
-        self.mass, self.centre, self._terms = None if mass is None else scalar(mass), centre, {}
+        self.moments = _three(moments, "moments (I_xx, I_yy, I_zz)")
+        self.products = _three(products, "products (I_xy, I_yz, I_zx)")
+        self.mass, self.centre = None if mass is None else scalar(mass), centre
+        self._terms: dict[str, Inertia] = {}
         if tolerance is not None:
             self.check(tolerance)
 
     def _like(self, moments, products, **changed):
-        """Another one with the same point, frame, mass and centre, except for what is changed."""
+        """An inertia with the same point, frame, mass and centre, except for what is changed."""
         same = {name: getattr(self, name) for name in ("point", "frame", "mass", "centre")}
         return Inertia(moments=moments, products=products, tolerance=None, **{**same, **changed})
 
@@ -76,19 +98,15 @@ class Inertia(Scaled, NamedTerms):
         return (xx, -xy, -zx), (-xy, yy, -yz), (-zx, -yz, zz)
 
     @property
-    def matrix(self):
+    def matrix(self) -> tuple:
         """The inertia matrix (7.13): three rows of three, minus the products off the diagonal."""
         return tuple(tuple(plain(x) for x in row) for row in self._rows())
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator:
         return iter(self.matrix)
 
-    def to_array(self):
-        """The matrix as a NumPy array of shape (3, 3), or (3, 3, N) where its entries are arrays of
-        N.
-        """
-        import numpy as np
-
+    def to_array(self) -> np.ndarray:
+        """The matrix as a NumPy array of shape (3, 3); (3, 3, N) if its entries are arrays of N."""
         entries = np.broadcast_arrays(
             *(np.asarray(x, dtype=float) for row in self.matrix for x in row)
         )
@@ -101,40 +119,36 @@ class Inertia(Scaled, NamedTerms):
         rows = r" \\ ".join(" & ".join(latex_number(x, 5) for x in row) for row in self.matrix)
         return rf"$\begin{{bmatrix}}{rows}\end{{bmatrix}}$"
 
-    # -- what it is for
+    # -- angular momentum, moments about axes
 
-    def times(self, omega):
+    def times(self, omega: Vector) -> Vector:
         """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix.
 
-        omega : the angular velocity of the body, a Vector in any related frame. H knows its rate
-            where omega does: the entries are constant in
-        the frame of the matrix, so that ``H.rate(ground)`` is I alpha + omega_frame x H. The frame
-        need not be fixed in the body if the entries stay constant in it, as for a symmetric body in
-        a frame that precesses without spinning. About the centre of mass, or about a point fixed in
-        body and ground, H is the angular momentum of the whole motion; about another point it is
-        :meth:`Body.angular_momentum` that adds the motion of G.
+        omega : the angular velocity of the body, a Vector in any related frame
+        H has a rate if omega has one: the entries are taken as constant in the frame of the matrix,
+        and ``H.rate(ground)`` is I alpha + omega_frame x H. The frame need not be fixed in the body
+        if the entries stay constant in it, as for a symmetric body in a frame that precesses
+        without spinning. About the centre of mass, or about a point fixed in body and ground, H is
+        the angular momentum of the whole motion; for other points :meth:`Body.angular_momentum`
+        adds the motion of G.
         """
         if not isinstance(omega, Vector):
             raise MassError(
                 "the inertia matrix multiplies an angular velocity, a Vector as from "
                 f"frame.angular_velocity(ground); got {omega!r}"
             )
-        w = omega.expressed_in(self.frame).c
-        return Vector(
-            self.times3(w),
-            self.frame,
-            omega._own_rate and (lambda: self.times(omega.rate(self.frame))),
-        )
+        rate = omega._own_rate and (lambda: self.times(omega.rate(self.frame)))
+        return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
 
-    def times3(self, c):
+    def times3(self, c: tuple) -> tuple:
         """The matrix times a triple of components along its axes."""
         return ZERO3 if c is ZERO3 else tuple(dot3(row, c) for row in self._rows())
 
-    def moment(self, axis):
-        """The moment of inertia about the axis through ``point``: n . I n.
+    def moment(self, axis: str | Vector) -> Scalar:
+        """The moment of inertia about an axis through ``point``: n . I n.
 
         axis : "x", "y", "z", or a Vector of any length along it. For an axis through another point
-            ask ``I.about(P).moment(axis)``.
+            use ``I.about(P).moment(axis)``.
 
         >>> from newton_euler import Frame
         >>> Inertia(Frame("body"), (2.0, 3.0, 4.0)).moment("z")
@@ -144,12 +158,12 @@ class Inertia(Scaled, NamedTerms):
             return plain(self.moments[axis_index(axis)[0]])
         square = scalar(axis.dot(axis))
         if is_zero(square):
-            raise MassError("the axis is a zero vector and has no direction")
+            raise MassError("the axis is a zero vector; give one with a direction")
         return plain(scalar(axis.dot(self.times(axis))) / square)
 
-    def radius_of_gyration(self, axis):
-        """k = sqrt(moment/mass) about the axis through ``point`` (7.27): where a ring of the same
-        mass has the same moment.
+    def radius_of_gyration(self, axis: str | Vector) -> Scalar:
+        """k = sqrt(moment/mass) about an axis through ``point`` (7.27): the radius of a ring with
+        the same mass and moment.
 
         >>> from newton_euler import Frame
         >>> G = Frame("rod").origin
@@ -161,13 +175,13 @@ class Inertia(Scaled, NamedTerms):
 
     # -- other points, other axes
 
-    def about(self, point):
+    def about(self, point: PointLike) -> "Inertia":
         """The inertia matrix about another point, along the same axes: the parallel axis theorem
         (7.25), (7.26) between any two points.
 
         Neither needs to be the centre of mass: with d1, d2 the vectors from them to G, I_xx changes
-        by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y); formed from d2 - d1,
-        so that nothing cancels.
+        by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y). The changes are
+        formed from d2 - d1, without cancellation.
         terms : ``own``, the matrix before, and ``transfer``, what is added
 
         >>> from newton_euler import Frame
@@ -182,45 +196,40 @@ class Inertia(Scaled, NamedTerms):
         for what in ("mass", "centre"):
             self._needs(what, f"going from {self.point.name} to {point.name}")
         step = (self.point - point).expressed_in(self.frame).c
-        before = (
-            ZERO3
-            if self.centre is self.point
-            else (self.centre - self.point).expressed_in(self.frame).c
-        )
-        moments, products = _transfer(self.mass, step, before)
+        to_G = ZERO3
+        if self.centre is not self.point:
+            to_G = (self.centre - self.point).expressed_in(self.frame).c
+        moments, products = _transfer(self.mass, step, to_G)
         added = self._like(moments, products, point=point, mass=ZERO)
         out = self._like(add3(self.moments, moments), add3(self.products, products), point=point)
         out._terms = {"own": self, "transfer": added}
         return out
 
-    def expressed_in(self, frame):
-        """The same inertia along the axes of ``frame`` (at this instant, if that frame turns
-        relative to its own): R I R^T.
+    def expressed_in(self, frame: Frame) -> "Inertia":
+        """The same inertia along the axes of ``frame`` at this instant: R I R^T.
 
-        What is equal in two moments and has no products turns into itself exactly: a body of
-        revolution about its axis, a sphere.
+        The result is exactly the same for a body of revolution that is turned about its axis and
+        for a sphere.
         """
         if frame is self.frame:
             return self
-        common = _common(self.moments)
+        # the unit matrix times a moment that occurs twice stays as it is; the rest is turned
+        xx, yy, zz = self.moments
+        common = xx if _equal(xx, yy) or _equal(xx, zz) else yy if _equal(yy, zz) else ZERO
         rows = [list(row) for row in self._rows()]
         for n in range(3):
-            rows[n][n] = _difference(rows[n][n], common)
+            rows[n][n] = ZERO if _equal(rows[n][n], common) else rows[n][n] - common
         half = [self.frame.transform(tuple(row), frame) for row in rows]
         turned = [self.frame.transform(column, frame) for column in zip(*half, strict=True)]
         moments = tuple(common + turned[n][n] for n in range(3))
         return self._like(moments, (-turned[1][0], -turned[2][1], -turned[2][0]), frame=frame)
 
-    def principal(self, noise=None):
-        """Principal moments and axes (7.18)-(7.20): a
-        :class:`newton_euler.bodies.principal_axes.Principal`, with a report of what is determined.
-        """
+    def principal(self, noise: float | None = None) -> Principal:
+        """Principal moments and axes (7.18)-(7.20), and how well they are determined."""
         return principal(self, noise)
 
-    def symmetry(self, tolerance=1e-9):
-        """The symmetries that the matrix shows: a
-        :class:`newton_euler.bodies.principal_axes.Symmetry`.
-        """
+    def symmetry(self, tolerance: float = 1e-9) -> Symmetry:
+        """The symmetries that the matrix shows."""
         return symmetry(self, tolerance)
 
     # -- sums
@@ -231,12 +240,9 @@ class Inertia(Scaled, NamedTerms):
         other = other.about(self.point).expressed_in(self.frame)
         known = all(x is not None for x in (self.mass, other.mass, self.centre, other.centre))
         mass, centre = together([self, other], self.frame) if known else (None, None)
-        return self._like(
-            add3(self.moments, other.moments),
-            add3(self.products, other.products),
-            mass=mass,
-            centre=centre,
-        )
+        moments = add3(self.moments, other.moments)
+        products = add3(self.products, other.products)
+        return self._like(moments, products, mass=mass, centre=centre)
 
     def __radd__(self, other):
         return self if type(other) is int and other == 0 else self + other  # where sum() begins
@@ -249,54 +255,45 @@ class Inertia(Scaled, NamedTerms):
 
     def __mul__(self, s):
         s = scalar(s)
-        return self._like(
-            scale3(s, self.moments),
-            scale3(s, self.products),
-            mass=None if self.mass is None else s * self.mass,
-        )
+        mass = None if self.mass is None else s * self.mass
+        return self._like(scale3(s, self.moments), scale3(s, self.products), mass=mass)
 
     __rmul__ = __mul__
 
     @property
-    def terms(self):
-        """The matrices whose sum it is, by name: ``own`` and ``transfer``, or the parts of a
-        composite body; empty if it is no sum.
+    def terms(self) -> dict[str, "Inertia"]:
+        """The terms of a sum by name: ``own`` and ``transfer``, or the parts of a composite body;
+        empty if it is no sum.
         """
         return self._terms
 
-    def reweighted(self, **factors):
-        """The sum of its terms, each times the factor named for it (others once): what a wrong
-        model would give. Mass and centre stay.
+    def reweighted(self, **factors: Scalar) -> "Inertia":
+        """The sum of its terms, each times the factor given for it (default: 1), as a wrong model
+        would give it. Mass and centre stay.
         """
         weighted = self._weighted(factors, MassError)
-        return self._like(
-            *(
-                sum3(scale3(factor, getattr(term, of)) for factor, term in weighted)
-                for of in ("moments", "products")
-            )
-        )
+        moments = sum3(scale3(factor, term.moments) for factor, term in weighted)
+        return self._like(moments, sum3(scale3(factor, term.products) for factor, term in weighted))
 
-    # -- can it be?
+    # -- admissibility
 
-    def check(self, tolerance=1e-9, slack=0.0):
-        """Returns the inertia if some body can have it; raises :class:`MassError` in words
-        otherwise. Expressions pass unseen.
+    def check(self, tolerance: float = 1e-9, slack: float = 0.0) -> "Inertia":
+        """The inertia itself, if some body can have it; :class:`MassError` otherwise.
 
-        Masses are positive, and so the integrals of x^2, y^2, z^2, whence the triangle inequality
-        of the moments in any axes; the products are bounded by Schwarz's inequality; the same must
-        hold about G. Tested to ``tolerance`` times the largest moment (rounded data of a thin plate
-        may need more), plus ``slack``, the round-off of what was subtracted to get here.
+        Mass is positive, and so are the integrals of x^2, y^2, z^2, hence the triangle inequality
+        of the moments along any axes; the products are bounded by Schwarz's inequality; the same
+        must hold about G. Expressions are not checked.
+        tolerance : relative to the largest moment; rounded data of a thin plate may need more
+        slack : added to that, the round-off of what was subtracted before
         """
         check(self, tolerance, slack)
         return self
 
     def _needs(self, what, purpose):
         if getattr(self, what) is None:
-            missing = (
-                "the mass of the body" if what == "mass" else "the place of its centre of mass"
-            )
+            missing = {"mass": "the mass of the body", "centre": "the place of its centre of mass"}
             raise MassError(
-                f"{purpose} needs {missing}; make it Inertia({self.point.name}, moments, "
+                f"{purpose} needs {missing[what]}; make it Inertia({self.point.name}, moments, "
                 "products, mass=..., centre=G)"
             )
 
@@ -313,29 +310,27 @@ def _three(values, what):
 
 def axis_index(name):
     """Index and sign of an axis written as "x" or "-x"."""
-    bare = name[1:] if name.startswith("-") else name
+    bare = name.removeprefix("-")
     if len(bare) != 1 or bare not in AXES:
         raise MassError(f"an axis is 'x', 'y', 'z' or one of them with a minus sign, got {name!r}")
-    return AXES.index(bare), -1 if name.startswith("-") else 1
+    return AXES.index(bare), 1 if name == bare else -1
 
 
 # the pairs of coordinates, in the order that from_second_moments takes
 SECOND_MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
 
-def from_second_moments(second):
-    """Moments (7.9) and products (7.10) of inertia from the integrals of x x, y y, z z, x y, y z, z
-    x over the mass.
+def from_second_moments(second: Sequence[Scalar]) -> tuple[tuple, tuple]:
+    """Moments (7.9) and products (7.10) of inertia from the integrals of x x, y y, z z, x y, y z,
+    z x over the mass.
     """
     xx, yy, zz, *products = second
     return (yy + zz, zz + xx, xx + yy), tuple(products)
 
 
-def _transfer(mass, step, before=ZERO3):
-    """Moments and products that are added when the point goes back by ``step``; ``before`` leads
-    from the old point to G.
-    """
-    s, p = step, add3(step, scale3(2, before))
+def _transfer(mass, s, to_G):
+    """Moments and products to add when the point moves by -s; ``to_G`` leads from it to G."""
+    p = add3(s, scale3(2, to_G))
     return from_second_moments(
         [
             mass * (s[n] * p[n]) if n == m else mass * (s[n] * p[m] + s[m] * p[n]) / 2
@@ -344,19 +339,8 @@ def _transfer(mass, step, before=ZERO3):
     )
 
 
-def _difference(a, b):
-    if a is b:
-        return ZERO
-    d = a - b
-    return ZERO if is_zero(d) else d
-
-
-def _common(moments):
-    """The moment that occurs twice, or a structural zero."""
-    for n, m in ((0, 1), (1, 2), (2, 0)):
-        if _difference(moments[n], moments[m]) is ZERO:
-            return moments[n]
-    return ZERO
+def _equal(a, b):
+    return a is b or is_zero(a - b)
 
 
 def together(parts, frame, name="G"):
@@ -380,9 +364,5 @@ def _coordinates(point, frame):
     """The coordinates of a point in a frame, with their rates there."""
     if point.frame is frame:
         return point.x
-    motion = (
-        point.position(frame),
-        point.velocity(frame).expressed_in(frame),
-        point.acceleration(frame).expressed_in(frame),
-    )
-    return tuple(Moving(*x) for x in zip(*(v.c for v in motion), strict=True))
+    motion = point.position(frame), point.velocity(frame), point.acceleration(frame)
+    return tuple(map(Moving, *(v.expressed_in(frame).c for v in motion)))

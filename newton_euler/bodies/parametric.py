@@ -1,20 +1,24 @@
 """Bodies given by a formula: mass, centre of mass and inertia as integrals over curves, surfaces
 and volumes (5.12), (5.13), (7.10).
 
-A shape is a function ``position`` of one, two or three parameters, with the limits of each. How
-much length, area or volume belongs to a step of the parameters follows from its derivatives, so any
-coordinates will do: Cartesian, polar, spherical, or made for the body.
+A shape is a function ``position`` of one, two or three parameters, with the limits of each. The
+element of length, area or volume follows from its derivatives, so any coordinates are possible:
+Cartesian, polar, spherical, or others that fit the body.
 
-Numbers are integrated by SciPy's adaptive cubature, with an error estimate and a refusal where it
-does not reach the accuracy asked for; with ``exact=True`` SymPy finds the formulas.
+Numbers are integrated by SciPy's adaptive cubature, with an error estimate, and an error if it does
+not reach the required accuracy; with ``exact=True`` SymPy finds the formulas.
 """
 
+from collections.abc import Callable
 from itertools import product
+
+import numpy as np
 
 from ..algebra.jets import Moving, as_moving
 from ..algebra.quadrature import cubature
-from ..algebra.scalars import ZERO, is_numeric, is_positive, plain, scalar, size, sqrt
+from ..algebra.scalars import ZERO, Scalar, is_numeric, is_positive, plain, scalar, size, sqrt
 from ..algebra.vectors import cross3, dot3
+from ..kinematics.frames import Frame, PointLike
 from .admissibility import MassError
 from .body import Body
 from .inertia import SECOND_MOMENTS, Inertia, from_second_moments
@@ -28,14 +32,22 @@ class IntegratedBody(Body):
         body; 0 if exact
     """
 
-    content = error = None
+    content: Scalar = None
+    error: float = 0.0
 
 
 def integrated(
-    position, *limits, frame, mass=None, density=None, exact=False, rtol=1e-10, name="body"
-):
-    """The body that the points ``position(u)``, ``position(u, v)`` or ``position(u, v, w)`` make
-    up: a wire, a shell or plate, or a solid.
+    position: Callable,
+    *limits: tuple,
+    frame: Frame,
+    mass: Scalar = None,
+    density: Scalar = None,
+    exact: bool = False,
+    rtol: float = 1e-10,
+    name: str = "body",
+) -> IntegratedBody:
+    """The body of the points ``position(u)``, ``position(u, v)`` or ``position(u, v, w)``: a wire,
+    a shell or plate, or a solid.
 
     position : function of the parameters that returns (x, y, z) in ``frame``, with functions of
         this package (sin, sqrt …)
@@ -43,17 +55,18 @@ def integrated(
         it
     mass, density : the mass, or the density per length, area or volume, a number or a function of
         x, y, z; if both are given the density is relative
-    exact : by SymPy; limits and density may hold symbols, which are taken as positive. Lengths and
-        areas are taken with a constant sign of the
-        root: a parametrisation that folds back raises an error
-    rtol : accuracy asked for; roots at the limits, as in y = -sqrt(r^2 - x^2) … sqrt(r^2 - x^2), do
+    exact : by SymPy; limits and density may hold symbols, which are taken as positive. The root in
+        lengths and areas must keep its sign: a parametrisation that folds back raises an error
+    rtol : required accuracy; roots at the limits, as in y = -sqrt(r^2 - x^2) … sqrt(r^2 - x^2), do
         no harm
-    Returns an :class:`IntegratedBody`. Raises :class:`MassError` if the integrals do not converge
-    to ``rtol``.
+    Raises :class:`MassError` if the integrals do not converge to ``rtol``.
 
     >>> from newton_euler import Frame, cos, sin
     >>> import math
-    >>> half_disk = integrated(lambda r, a: (r*cos(a), r*sin(a), 0), (0.0, 3.0), (0.0, math.pi), frame=Frame("sheet"), density=1.0)
+    >>> half_disk = integrated(
+    ...     lambda r, a: (r*cos(a), r*sin(a), 0), (0.0, 3.0), (0.0, math.pi),
+    ...     frame=Frame("sheet"), density=1.0,
+    ... )
     >>> round(half_disk.centre.position(half_disk.frame).y * math.pi, 9)  # 4 r/(3 pi)
     4.0
     """
@@ -65,18 +78,12 @@ def integrated(
     if mass is None and density is None:
         raise MassError(f"{name} needs mass=... or density=... (per length, area or volume)")
     weigh = density if callable(density) else lambda x, y, z: 1 if density is None else density
-    if exact:
-        moments, error = _exact(position, limits, weigh, name), 0.0
-    else:
-        moments, error = _numeric(position, limits, weigh, rtol, name)
-    return _body(moments, error, mass, density, frame, name)
-
-
-def _body(moments, error, mass, density, frame, name):
-    """The body from (reference, content, mass, three first, six second moments about the
-    reference).
-    """
-    reference, content, total, first, second = moments
+    reference, values, error = (
+        _exact(position, limits, weigh, name)
+        if exact
+        else _numeric(position, limits, weigh, rtol, name)
+    )
+    content, total, first, second = values[0], values[1], values[2:5], values[5:]
     if is_numeric(total) and not is_positive(total):
         raise MassError(
             f"the mass of {name} comes out as {plain(total)}; it must be positive: look at the "
@@ -85,43 +92,37 @@ def _body(moments, error, mass, density, frame, name):
     factor = 1 if mass is None else scalar(mass) / total
     m = total * factor
     d = [x / total for x in first]
-    centre = frame.point(f"G of {name}", *(_tidy(r + x) for r, x in zip(reference, d, strict=True)))
-    if is_numeric(total):  # about G at once, the transfer being taken off where it is small
+    G = frame.point(f"G of {name}", *(_tidy(r + x) for r, x in zip(reference, d, strict=True)))
+    about: PointLike = frame
+    # numbers go to G at once: their reference is near G, so that the subtraction cancels little
+    if is_numeric(total):
+        about = G
         second = [s - total * d[a] * d[b] for s, (a, b) in zip(second, SECOND_MOMENTS, strict=True)]
-    about = centre if is_numeric(total) else frame
-    body = IntegratedBody(
-        name,
-        m,
-        centre,
-        Inertia(about, *from_second_moments([factor * s for s in second]), m, centre, frame, None),
-    )
+    moments, products = from_second_moments([factor * s for s in second])
+    body = IntegratedBody(name, m, G, Inertia(about, moments, products, m, G, frame, None))
     body.content, body.error = content, error
     return body
 
 
 def _tidy(x):
-    """A fraction of polynomials without common factors; numbers as they are."""
-    if is_numeric(x):
-        return x
+    """An expression as a fraction of polynomials without common factors; numbers as they are."""
     import sympy
 
-    return sympy.cancel(x)
+    return x if is_numeric(x) else sympy.cancel(x)
 
 
 def _tangents(position, parameters):
-    """The place, and its derivatives by each parameter, on numbers that carry them along."""
-    place, tangents = None, []
-    for n in range(len(parameters)):
-        moved = [Moving(u, 1) if n == m else u for m, u in enumerate(parameters)]
-        c = [as_moving(x) for x in position(*moved)]
-        place = [x.value for x in c]
-        tangents.append(tuple(x.rate for x in c))
-    return place, tangents
+    """The position and its derivatives by each parameter, each a triple."""
+    jets = [
+        [as_moving(x) for x in position(*parameters[:n], Moving(u, 1), *parameters[n + 1 :])]
+        for n, u in enumerate(parameters)
+    ]
+    return [x.value for x in jets[0]], [tuple(x.rate for x in c) for c in jets]
 
 
 def _spanned(tangents):
-    """The triple product of three tangents, or the vector whose length is the content: the tangent,
-    or the cross product of two.
+    """The vector whose length is the content: the tangent, or the cross product of two; of three
+    tangents the triple product.
     """
     if len(tangents) == 3:
         return dot3(tangents[0], cross3(tangents[1], tangents[2]))
@@ -132,36 +133,32 @@ def _spanned(tangents):
 
 
 def _numeric(position, limits, weigh, rtol, name):
-    import numpy as np
-
     if any(not is_numeric(x) for pair in limits for x in pair if not callable(x)):
         raise MassError(
             f"the limits of {name} hold symbols: pass exact=True to integrate by formulas, or "
             "put numbers in"
         )
     n = len(limits)
-    with np.errstate(all="ignore"):  # what is not finite is told below
+    with np.errstate(all="ignore"):  # _scales and cubature refuse what is not finite
         middle, _ = _parameters(limits, [np.array([0.5])] * n)
         reference = [float(np.reshape(plain(x), -1)[0]) for x in _tangents(position, middle)[0]]
 
     def moments(points):
         with np.errstate(all="ignore"):
-            rows = _moments(position, limits, weigh, reference, points.T, np)
-        return np.stack(
-            [np.broadcast_to(np.asarray(row, dtype=float), points.shape[:1]) for row in rows],
-            axis=-1,
-        )
+            rows = _moments(position, limits, weigh, reference, points.T)
+        return np.stack([np.broadcast_to(row, len(points)) for row in rows], axis=-1).astype(float)
 
     coarse = np.array(list(product(np.linspace(0.05, 0.95, 10), repeat=n)))
-    scale = _scales(moments(coarse), name, np)
+    scale = _scales(moments(coarse), name)
     values, error = cubature(lambda points: moments(points) / scale, n, rtol, name, MassError)
-    values = (values * scale).tolist()
-    return (reference, values[0], values[1], values[2:5], values[5:]), error
+    return reference, (values * scale).tolist(), error
 
 
 def _parameters(limits, unit):
-    """The parameters for unit coordinates in (0, 1), and how much of them one step is; 3 t^2 - 2
-    t^3 smooths roots at the limits.
+    """The parameters for unit coordinates t in (0, 1), and their step per step of those.
+
+    By the substitution 3 t^2 - 2 t^3, whose rate vanishes at both ends, roots at the limits become
+    smooth.
     """
     parameters, step = [], 1
     for (a, b), t in zip(limits, unit, strict=True):
@@ -171,34 +168,22 @@ def _parameters(limits, unit):
     return parameters, step
 
 
-def _moments(position, limits, weigh, reference, unit, np):
+def _moments(position, limits, weigh, reference, unit):
+    """Content, mass, three first and six second moments about the reference, per unit of t."""
     parameters, step = _parameters(limits, list(unit))
     place, tangents = _tangents(position, parameters)
     spanned = _spanned(tangents)
+    # a sum with zeros, since the root of a structural zero is no array
     dV = step * (
         abs(spanned) if len(limits) == 3 else sqrt(dot3(spanned, spanned) + np.zeros(len(unit[0])))
     )
     dm = dV * scalar(weigh(*map(plain, place)))
-    x, y, z = (plain(p - r) for p, r in zip(place, reference, strict=True))
-    return (
-        dV,
-        dm,
-        dm * x,
-        dm * y,
-        dm * z,
-        dm * x * x,
-        dm * y * y,
-        dm * z * z,
-        dm * x * y,
-        dm * y * z,
-        dm * z * x,
-    )
+    r = [plain(p - q) for p, q in zip(place, reference, strict=True)]
+    return dV, dm, *(dm * x for x in r), *(dm * r[a] * r[b] for a, b in SECOND_MOMENTS)
 
 
-def _scales(sample, name, np):
-    """Content, mass, mass times length, and mass times length squared, roughly: what errors are
-    compared with.
-    """
+def _scales(sample, name):
+    """Rough content, mass, mass times length and mass times length squared, for relative errors."""
     if not np.isfinite(sample).all():
         raise MassError(
             f"the formula of {name} has no finite value at some of its points; look at the "
@@ -227,12 +212,12 @@ def _exact(position, limits, weigh, name):
     ]
     place = [sympy.sympify(plain(scalar(x))) for x in position(*symbols)]
     dV = _exact_content([tuple(x.diff(u) for x in place) for u in symbols])
-    dV = dV * _sense(dV, symbols, bounds, name)
+    dV *= _sense(dV, symbols, bounds, name)
 
     def total(f):
         f = sympy.expand(f * dV)
-        for u, (a, b) in reversed(list(zip(symbols, bounds, strict=True))):
-            f = sympy.integrate(f, (u, a, b))
+        for u, pair in reversed(list(zip(symbols, bounds, strict=True))):
+            f = sympy.integrate(f, (u, *pair))
         if f.has(sympy.Integral):
             raise MassError(
                 f"SymPy finds no formula for an integral over {name}; choose other "
@@ -240,14 +225,18 @@ def _exact(position, limits, weigh, name):
             )
         return f
 
-    x, y, z = place
-    rho = sympy.sympify(weigh(x, y, z))
-    second = [total(rho * place[a] * place[b]) for a, b in SECOND_MOMENTS]
-    return (ZERO, ZERO, ZERO), total(1), total(rho), [total(rho * c) for c in place], second
+    rho = sympy.sympify(weigh(*place))
+    parts = (
+        1,
+        rho,
+        *(rho * x for x in place),
+        *(rho * place[a] * place[b] for a, b in SECOND_MOMENTS),
+    )
+    return (ZERO,) * 3, [total(f) for f in parts], 0.0
 
 
 def _exact_content(tangents):
-    """The content of a unit step of the parameters, up to its sign."""
+    """The content per unit of the parameters, up to its sign."""
     import sympy
 
     spanned = _spanned(tangents)
@@ -261,16 +250,12 @@ def _exact_content(tangents):
 
 
 def _sense(dV, symbols, bounds, name):
-    """+1 or -1, so that the content is positive; looked up at sample points, with sample values for
-    the symbols of the body.
-    """
+    """The sign of the content, +1 or -1, from sample points and sample values of the symbols."""
     import sympy
 
-    others = sorted(
-        set().union(dV.free_symbols, *(x.free_symbols for pair in bounds for x in pair))
-        - set(symbols),
-        key=str,
-    )
+    free = dV.free_symbols.union(*(x.free_symbols for pair in bounds for x in pair))
+    others = sorted(free - set(symbols), key=str)
+    # unequal fractions, so that no sample point lies on an axis or plane of symmetry
     given = {s: sympy.Rational(7 + 3 * n, 10 + n) for n, s in enumerate(others)}
     signs = set()
     for fractions in product((0.11, 0.37, 0.62, 0.93), repeat=len(symbols)):

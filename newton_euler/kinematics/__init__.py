@@ -1,4 +1,4 @@
-"""Frames and points, rotations, coordinates, paths (chapters 2 to 4)."""
+"""Frames and points, rotations, coordinates, paths (chapters 2 to 4 and 10)."""
 
 from .coordinates import (
     T_phi,

@@ -4,19 +4,23 @@ Each system is a frame of local unit vectors, turned from the ground by the coor
 point in it:
 
 polar, cylindrical   (e_r, e_theta, k): turned about z by the azimuth theta, from x towards y; the
-point is at (r, 0, z) spherical            (e_R, e_theta, e_phi): turned about z by theta, then up
-                     by the **elevation** phi above the x, y plane (not the polar angle from z); the
-                     point is at (R, 0, 0)
+                     point is at (r, 0, z)
+spherical            (e_R, e_theta, e_phi): turned about z by theta, then up by the **elevation**
+                     phi above the x, y plane (not the polar angle from z); the point is at
+                     (R, 0, 0)
 
-So the one formula for relative motion (4.18) gives all of their accelerations, and the ledger has
-the terms that the book writes out. Rectangular components (3.1)-(3.3) are those of an ordinary
-point: ``ground.point("P", x, y, z).acceleration(ground)``.
+So the one formula for relative motion (4.18) gives all accelerations, and their terms are those of
+the book. Rectangular components (3.1)-(3.3) are those of an ordinary point:
+``ground.point("P", x, y, z).acceleration(ground)``.
 """
+
+from collections.abc import Callable
 
 from ..algebra.jets import Moving, moving
 from ..algebra.ledger import Ledger, equations
 from ..algebra.scalars import (
     ZERO,
+    Scalar,
     SingularError,
     atan2,
     cos,
@@ -31,15 +35,14 @@ from ..algebra.scalars import (
 from ..algebra.vectors import Vector
 from .frames import Frame, Point
 from .rotations import product
-from .triads import drowned, norm3, numeric3
+from .triads import below_roundoff, norm3, numeric3
 
-_RADIAL = ("r' e_r", r"\dot{r}\,\hat{e}_r"), ("r'' e_r", r"\ddot{r}\,\hat{e}_r")
 _PLANE_VELOCITY = {
-    "radial": _RADIAL[0],
+    "radial": ("r' e_r", r"\dot{r}\,\hat{e}_r"),
     "transverse": ("r theta' e_theta", r"r\dot{\theta}\,\hat{e}_\theta"),
 }
 _PLANE_ACCELERATION = {
-    "radial": _RADIAL[1],
+    "radial": ("r'' e_r", r"\ddot{r}\,\hat{e}_r"),
     "centripetal": ("-r theta'^2 e_r", r"-r\dot{\theta}^2\,\hat{e}_r"),
     "euler": ("r theta'' e_theta", r"r\ddot{\theta}\,\hat{e}_\theta"),
     "coriolis": ("2 r' theta' e_theta", r"2\dot{r}\dot{\theta}\,\hat{e}_\theta"),
@@ -47,8 +50,10 @@ _PLANE_ACCELERATION = {
 EQUATIONS = equations({
     "polar velocity": ("2.17", r"\mathbf{v}", _PLANE_VELOCITY),
     "polar acceleration": ("2.18", r"\mathbf{a}", _PLANE_ACCELERATION),
-    "cylindrical velocity": ("3.22", r"\mathbf{v}", _PLANE_VELOCITY | {"axial": ("z' k", r"\dot{z}\,\hat{k}")}),
-    "cylindrical acceleration": ("3.23", r"\mathbf{a}", _PLANE_ACCELERATION | {"axial": ("z'' k", r"\ddot{z}\,\hat{k}")}),
+    "cylindrical velocity": ("3.22", r"\mathbf{v}", _PLANE_VELOCITY | {
+        "axial": ("z' k", r"\dot{z}\,\hat{k}")}),
+    "cylindrical acceleration": ("3.23", r"\mathbf{a}", _PLANE_ACCELERATION | {
+        "axial": ("z'' k", r"\ddot{z}\,\hat{k}")}),
     "spherical velocity": ("3.26", r"\mathbf{v}", {
         "radial": ("R' e_R", r"\dot{R}\,\hat{e}_R"),
         "theta": ("R theta' cos phi e_theta", r"R\dot{\theta}\cos\phi\,\hat{e}_\theta"),
@@ -57,13 +62,17 @@ EQUATIONS = equations({
     "spherical acceleration": ("3.27", r"\mathbf{a}", {
         "radial": ("R'' e_R", r"\ddot{R}\,\hat{e}_R"),
         "centripetal_theta": (
-            "-R theta'^2 cos phi (cos phi e_R - sin phi e_phi)", r"-R\dot{\theta}^2\cos\phi\,(\cos\phi\,\hat{e}_R-\sin\phi\,\hat{e}_\phi)"),
+            "-R theta'^2 cos phi (cos phi e_R - sin phi e_phi)",
+            r"-R\dot{\theta}^2\cos\phi\,(\cos\phi\,\hat{e}_R-\sin\phi\,\hat{e}_\phi)"),
         "centripetal_phi": ("-R phi'^2 e_R", r"-R\dot{\phi}^2\,\hat{e}_R"),
         "euler_theta": ("R theta'' cos phi e_theta", r"R\ddot{\theta}\cos\phi\,\hat{e}_\theta"),
         "euler_phi": ("R phi'' e_phi", r"R\ddot{\phi}\,\hat{e}_\phi"),
-        "coriolis_theta": ("2 R' theta' cos phi e_theta", r"2\dot{R}\dot{\theta}\cos\phi\,\hat{e}_\theta"),
+        "coriolis_theta": (
+            "2 R' theta' cos phi e_theta", r"2\dot{R}\dot{\theta}\cos\phi\,\hat{e}_\theta"),
         "coriolis_phi": ("2 R' phi' e_phi", r"2\dot{R}\dot{\phi}\,\hat{e}_\phi"),
-        "coriolis_theta_phi": ("-2 R theta' phi' sin phi e_theta", r"-2R\dot{\theta}\dot{\phi}\sin\phi\,\hat{e}_\theta"),
+        "coriolis_theta_phi": (
+            "-2 R theta' phi' sin phi e_theta",
+            r"-2R\dot{\theta}\dot{\phi}\sin\phi\,\hat{e}_\theta"),
     }),
 })  # fmt: skip
 
@@ -71,11 +80,12 @@ EQUATIONS = equations({
 # -- frames of local unit vectors
 
 
-def cylindrical_frame(ground, theta, name="e_r, e_theta, k"):
-    """The frame with the axes e_r, e_theta, k at the azimuth ``theta`` (3.19); in the plane the
-    polar one (2.6).
+def cylindrical_frame(ground: Frame, theta: Scalar, name: str = "e_r, e_theta, k") -> Frame:
+    """The frame with the axes e_r, e_theta, k at the azimuth ``theta`` (3.19), also for polar
+    coordinates (2.6).
 
     theta : rad, from x towards y; a number or moving
+
     >>> ground = Frame("ground")
     >>> cylindrical_frame(ground, moving(0.5, rate=2.0)).i.rate(ground)
     Vector(0, 2.0, 0 in e_r, e_theta, k)
@@ -83,7 +93,9 @@ def cylindrical_frame(ground, theta, name="e_r, e_theta, k"):
     return ground.rotate(name, "z", theta)
 
 
-def spherical_frame(ground, theta, phi, name="e_R, e_theta, e_phi"):
+def spherical_frame(
+    ground: Frame, theta: Scalar, phi: Scalar, name: str = "e_R, e_theta, e_phi"
+) -> Frame:
     """The frame with the axes e_R, e_theta, e_phi at the azimuth ``theta`` and the elevation
     ``phi`` (3.25).
 
@@ -101,40 +113,34 @@ def spherical_frame(ground, theta, phi, name="e_R, e_theta, e_phi"):
 # -- points by their coordinates
 
 
-def _equations(system):
-    return {what: EQUATIONS[f"{system} {what}"] for what in ("velocity", "acceleration")}
-
-
 class CoordinatePoint(Point):
-    """A point given by curvilinear coordinates: ask it ``P.velocity(ground)``, in its local axes,
-    term by term as the book writes it.
+    """A point given by curvilinear coordinates. ``P.velocity(ground)`` and
+    ``P.acceleration(ground)`` are in its local axes, with the terms of the book; for another
+    observer, or with ``via=``, they are those of any :class:`Point`.
 
     local : the frame of the local unit vectors
     coordinates : the three (polar: two) coordinates, as moving numbers
     scale_factors : the length of path per unit of each coordinate
-    Seen from another observer, or with ``via=``, velocity and acceleration are those of any
-    :class:`Point`.
+    equations, terms : for "velocity" and "acceleration", the equation, and the function of the
+        point that returns its terms
     """
 
     __slots__ = ("_equations", "_terms", "coordinates", "ground", "local", "scale_factors")
 
     def __init__(self, name, frame, x, ground, local, coordinates, scale_factors, equations, terms):
-        super().__init__(name, frame, tuple(moving(v) for v in x))
-        self.ground, self.local, self.coordinates, self.scale_factors = (
-            ground,
-            local,
-            coordinates,
-            scale_factors,
-        )
-        self._equations, self._terms = equations, terms
+        super().__init__(name, frame, tuple(map(moving, x)))
+        self.ground, self.local, self.coordinates = ground, local, coordinates
+        self.scale_factors, self._equations, self._terms = scale_factors, equations, terms
 
-    def velocity(self, observer=None, via=None):
-        return self._told("velocity", super().velocity(observer, via), observer, via)
+    def velocity(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
+        """v seen from ``observer``, as for :class:`Point`; from ``ground`` in the local axes."""
+        return self._local("velocity", super().velocity(observer, via), observer, via)
 
-    def acceleration(self, observer=None, via=None):
-        return self._told("acceleration", super().acceleration(observer, via), observer, via)
+    def acceleration(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
+        """a seen from ``observer``, as for :class:`Point`; from ``ground`` in the local axes."""
+        return self._local("acceleration", super().acceleration(observer, via), observer, via)
 
-    def _told(self, what, vector, observer, via):
+    def _local(self, what, vector, observer, via):
         if observer is not self.ground or via is not None:
             return vector
         here = vector.expressed_in(self.local)
@@ -146,11 +152,18 @@ class CoordinatePoint(Point):
         return Vector(here.c, here.frame, here._own_rate, ledger)
 
 
-def polar(ground, name, r, theta):
+def _point(system, name, ground, local, x, coordinates, scale_factors):
+    found = {what: EQUATIONS[f"{system} {what}"] for what in ("velocity", "acceleration")}
+    return CoordinatePoint(
+        name, local, x, ground, local, coordinates, scale_factors, found, _TERMS[system]
+    )
+
+
+def polar(ground: Frame, name: str, r: Scalar, theta: Scalar) -> CoordinatePoint:
     """The point of the x, y plane with the polar coordinates ``r`` and ``theta`` (2.17), (2.18).
 
     r, theta : distance from the origin, angle in rad from x towards y; numbers or moving
-    Velocity and acceleration in ``ground`` come along e_r, e_theta; terms ``radial, transverse``
+    Velocity and acceleration in ``ground`` are along e_r, e_theta; terms ``radial, transverse``
     and ``radial, centripetal, euler, coriolis``.
 
     >>> ground = Frame("ground")
@@ -160,25 +173,16 @@ def polar(ground, name, r, theta):
     """
     local = cylindrical_frame(ground, theta, f"polar axes of {name}")
     r = moving(r)
-    return CoordinatePoint(
-        name,
-        local,
-        (r, ZERO, ZERO),
-        ground,
-        local,
-        (r, local.angle),
-        (1, plain(r.value)),
-        _equations("polar"),
-        _PLANE,
-    )
+    factors = 1, plain(r.value)
+    return _point("polar", name, ground, local, (r, ZERO, ZERO), (r, local.angle), factors)
 
 
-def cylindrical(ground, name, r, theta, z):
+def cylindrical(ground: Frame, name: str, r: Scalar, theta: Scalar, z: Scalar) -> CoordinatePoint:
     """The point with the cylindrical coordinates ``r``, ``theta`` and ``z`` (3.18).
 
     r, theta, z : distance from the z axis, azimuth in rad from x towards y, height; numbers or
         moving
-    Velocity (3.22) and acceleration (3.23) in ``ground`` come along e_r, e_theta, k; terms as for
+    Velocity (3.22) and acceleration (3.23) in ``ground`` are along e_r, e_theta, k; terms as for
     :func:`polar`, and ``axial``.
 
     >>> ground = Frame("ground")
@@ -188,48 +192,32 @@ def cylindrical(ground, name, r, theta, z):
     """
     local = cylindrical_frame(ground, theta, f"cylindrical axes of {name}")
     r, z = moving(r), moving(z)
-    return CoordinatePoint(
-        name,
-        local,
-        (r, ZERO, z),
-        ground,
-        local,
-        (r, local.angle, z),
-        (1, plain(r.value), 1),
-        _equations("cylindrical"),
-        _SPACE,
-    )
+    q, factors = (r, local.angle, z), (1, plain(r.value), 1)
+    return _point("cylindrical", name, ground, local, (r, ZERO, z), q, factors)
 
 
-def spherical(ground, name, R, theta, phi):
+def spherical(ground: Frame, name: str, R: Scalar, theta: Scalar, phi: Scalar) -> CoordinatePoint:
     """The point with the spherical coordinates ``R``, ``theta`` and ``phi`` (3.24).
 
     R, theta, phi : distance from the origin, azimuth in rad from x towards y, **elevation** in rad
         above the x, y plane; numbers or moving
-    Velocity (3.26) and acceleration (3.27) in ``ground`` come along e_R, e_theta, e_phi; terms
+    Velocity (3.26) and acceleration (3.27) in ``ground`` are along e_R, e_theta, e_phi; terms
     ``radial, theta, phi``, and ``radial`` with the ``centripetal``, ``euler`` and ``coriolis``
     terms of either angle: ``centripetal_theta``, … ``coriolis_theta_phi``. Near a pole cos phi is
-    only as good as phi: 1e-8 rad from it, the terms of theta have half of their digits.
+    only as accurate as phi: at 1e-8 rad from it the terms of theta have half of their digits.
 
     >>> ground = Frame("ground")
     >>> P = spherical(ground, "P", 2.0, moving(0.0, rate=3.0), moving(0.0, rate=4.0))
-    >>> P.velocity(ground).components(), P.acceleration(ground).terms["centripetal_phi"].components()
-    ((0, 6.0, 8.0), (-32.0, 0, 0))
+    >>> P.velocity(ground).components()
+    (0, 6.0, 8.0)
+    >>> P.acceleration(ground).terms["centripetal_phi"].components()
+    (-32.0, 0, 0)
     """
     local = spherical_frame(ground, theta, phi, f"spherical axes of {name}")
     R, theta, phi = moving(R), local.parent.angle, moving(phi)
     factors = 1, plain(R.value * cos(phi.value)), plain(R.value)
-    return CoordinatePoint(
-        name,
-        local,
-        (R, ZERO, ZERO),
-        ground,
-        local,
-        (R, theta, phi),
-        factors,
-        _equations("spherical"),
-        _SPHERE,
-    )
+    x, q = (R, ZERO, ZERO), (R, theta, phi)
+    return _point("spherical", name, ground, local, x, q, factors)
 
 
 def _plane_velocity(P):
@@ -239,18 +227,8 @@ def _plane_velocity(P):
 
 def _plane_acceleration(P):
     terms = Point.acceleration(P, P.ground, P.local).terms
-    return {
-        "radial": _part(terms["relative"], 0),
-        **{name: terms[name] for name in ("centripetal", "euler", "coriolis")},
-    }
-
-
-def _space_velocity(P):
-    return _plane_velocity(P) | {"axial": _part(Point.velocity(P, P.local), 2)}
-
-
-def _space_acceleration(P):
-    return _plane_acceleration(P) | {"axial": _part(Point.acceleration(P, P.local), 2)}
+    others = {name: terms[name] for name in ("centripetal", "euler", "coriolis")}
+    return {"radial": _part(terms["relative"], 0), **others}
 
 
 def _sphere_velocity(P):
@@ -264,14 +242,10 @@ def _sphere_velocity(P):
 
 
 def _sphere_acceleration(P):
-    """Two moving frames, one in the other: the terms of phi are those seen in the azimuth frame,
-    the terms of theta come with its turning.
-    """
+    """The terms of phi are those seen in the azimuth frame; those of theta are due to its turn."""
     azimuth = P.local.parent
-    by_phi, by_theta = (
-        Point.acceleration(P, azimuth).terms,
-        Point.acceleration(P, P.ground, azimuth).terms,
-    )
+    by_phi = Point.acceleration(P, azimuth).terms
+    by_theta = Point.acceleration(P, P.ground, azimuth).terms
     seen, twice = Point.velocity(P, azimuth).terms, 2 * azimuth.angular_velocity(P.ground)
     return {
         "radial": by_phi["relative"],
@@ -289,35 +263,38 @@ def _part(v, n):
     return Vector(tuple(x if m == n else ZERO for m, x in enumerate(v.c)), v.frame)
 
 
-_PLANE = {"velocity": _plane_velocity, "acceleration": _plane_acceleration}
-_SPACE = {"velocity": _space_velocity, "acceleration": _space_acceleration}
-_SPHERE = {"velocity": _sphere_velocity, "acceleration": _sphere_acceleration}
+_TERMS: dict[str, dict[str, Callable]] = {
+    "polar": {"velocity": _plane_velocity, "acceleration": _plane_acceleration},
+    "cylindrical": {
+        "velocity": lambda P: _plane_velocity(P) | {"axial": _part(Point.velocity(P, P.local), 2)},
+        "acceleration": lambda P: (
+            _plane_acceleration(P) | {"axial": _part(Point.acceleration(P, P.local), 2)}
+        ),
+    },
+    "spherical": {"velocity": _sphere_velocity, "acceleration": _sphere_acceleration},
+}
 
 
-# -- the other way: from motion to coordinates and their rates
+# -- coordinates and their rates from position, velocity and acceleration
 
 
-def polar_coordinates(r, v=None, a=None):
+def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
     """(r, theta) of a point at the position ``r`` in the x, y plane, with their rates if its
     velocity ``v`` and acceleration ``a`` are given.
 
     r, v, a : Vectors; components are taken along the frame of ``r``, in which v and a are seen
-    Returns plain numbers without ``v``; with it moving ones, whose ``.rate`` and ``.acceleration``
-    are r', r'', … (without ``a`` the second rates are None). theta is in (-pi, pi]. Raises
-    :class:`SingularError` at the origin, where theta and its rates do not exist, and for vectors
-    out of the plane.
+    Without ``v`` the results are plain numbers; with it moving ones, whose ``.rate`` and
+    ``.acceleration`` are r', r'', … (without ``a`` the second rates are None). theta is in
+    (-pi, pi]. Raises :class:`SingularError` at the origin, where theta and its rates do not exist,
+    and for vectors out of the plane.
 
-    >>> ground = Frame("ground")
-    >>> r, theta = polar_coordinates(ground.vector(2.0, 0, 0), v=ground.vector(0, 6.0, 0), a=ground.vector(0, 0, 0))
-    >>> r, theta
+    >>> G = Frame("ground")
+    >>> polar_coordinates(G.vector(2.0, 0, 0), v=G.vector(0, 6.0, 0), a=G.vector(0, 0, 0))
     (moving(2.0, rate=0.0, acceleration=18.0), moving(0.0, rate=3.0, acceleration=-0.0))
     """
     for vector in (r, v, a):
-        if (
-            vector is not None
-            and numeric3(vector.components(r.frame))
-            and size(vector.components(r.frame)[2]) > 0
-        ):
+        c = (0,) * 3 if vector is None else vector.components(r.frame)
+        if numeric3(c) and size(c[2]) > 0:
             raise SingularError(
                 f"polar components are for motion in the x, y plane, but {vector} has a third "
                 "one; use cylindrical_coordinates"
@@ -325,7 +302,7 @@ def polar_coordinates(r, v=None, a=None):
     return cylindrical_coordinates(r, v, a)[:2]
 
 
-def cylindrical_coordinates(r, v=None, a=None):
+def cylindrical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
     """(r, theta, z) of a point at the position ``r``, with their rates if ``v`` and ``a`` are
     given: (3.18), (3.22), (3.23) solved for them.
 
@@ -333,15 +310,16 @@ def cylindrical_coordinates(r, v=None, a=None):
     axis.
 
     >>> ground = Frame("ground")
-    >>> [x.rate for x in cylindrical_coordinates(ground.vector(2.0, 0, 1.0), v=ground.vector(5.0, 6.0, 7.0))]
+    >>> v = ground.vector(5.0, 6.0, 7.0)
+    >>> [x.rate for x in cylindrical_coordinates(ground.vector(2.0, 0, 1.0), v)]
     [5.0, 3.0, 7.0]
     """
     x, y, z = r.c
-    _refuse(sqrt(x * x + y * y), r, "on the z axis, where theta and its rates do not exist")
-    return with_rates(cylindrical, (sqrt(x * x + y * y), atan2(y, x), z), r.frame, v, a)
+    level = _off_the_axis(r, "on the z axis, where theta and its rates do not exist")
+    return with_rates(cylindrical, (level, atan2(y, x), z), r.frame, v, a)
 
 
-def spherical_coordinates(r, v=None, a=None):
+def spherical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
     """(R, theta, phi) of a point at the position ``r``, with their rates if ``v`` and ``a`` are
     given: (3.24), (3.26), (3.27) solved for them.
 
@@ -349,56 +327,59 @@ def spherical_coordinates(r, v=None, a=None):
     Raises :class:`SingularError` at the poles (the z axis) and at the origin.
 
     >>> ground = Frame("ground")
-    >>> [x.rate for x in spherical_coordinates(ground.vector(2.0, 0, 0), v=ground.vector(5.0, 6.0, 7.0))]
+    >>> v = ground.vector(5.0, 6.0, 7.0)
+    >>> [x.rate for x in spherical_coordinates(ground.vector(2.0, 0, 0), v)]
     [5.0, 3.0, 3.5]
     """
     x, y, z = r.c
-    level, R = sqrt(x * x + y * y), norm3(r.c)
-    _refuse(level, r, "at a pole (on the z axis), where theta and its rates do not exist")
+    level = _off_the_axis(r, "at a pole (on the z axis), where theta and its rates do not exist")
+    R = norm3(r.c)
 
     def here(frame, name, *q):
-        """Sine and cosine of phi from the position itself: near a pole phi is too coarse a number
-        to hold its cosine.
-        """
         P = spherical(frame, name, *q)
+        # from the position: near a pole the round-off of phi is large against cos phi
         P.local._c, P.local._s, P.scale_factors = level / R, -z / R, (1, level, R)
         return P
 
     return with_rates(here, (R, atan2(y, x), atan2(z, level)), r.frame, v, a)
 
 
-def _refuse(level, r, where):
-    if numeric3(r.c) and drowned(scalar(level), 4 * epsilon(level) * norm3(r.c)):
+def _off_the_axis(r, where):
+    """The distance from the z axis; an error if it is below round-off."""
+    x, y, _ = r.c
+    level = sqrt(x * x + y * y)
+    if numeric3(r.c) and below_roundoff(scalar(level), 4 * epsilon(level) * norm3(r.c)):
         raise SingularError(
             f"the point is {where} (distance {least(level):.3g}); describe it in "
             "rectangular components, or turn the axes so that it is elsewhere"
         )
+    return level
 
 
 def with_rates(make, q, frame, v, a):
-    """The coordinates ``q`` with their rates, found with the scale factors: q_i' = v_i / h_i, then
-    q_i'' from what a has beyond the terms of q'.
+    """The coordinates ``q`` with their rates, from the scale factors: q_i' = v_i / h_i, then q_i''
+    from the difference of ``a`` and the acceleration with q'' = 0.
+
+    make : function of (frame, name, *coordinates) that returns the :class:`CoordinatePoint`
     """
     scratch = Frame("axes")
     v, a = (None if u is None else Vector(u.expressed_in(frame).c, scratch) for u in (v, a))
     if v is None:
         return tuple(map(plain, q))
-    here = make(scratch, "P", *(Moving(x) for x in q))
+    here = make(scratch, "P", *map(Moving, q))
     rates = [d / h for d, h in zip(v.expressed_in(here.local).c, here.scale_factors, strict=True)]
     if a is None:
-        return tuple(Moving(x, d, None) for x, d in zip(q, rates, strict=True))
-    moved = make(scratch, "P", *(Moving(x, d) for x, d in zip(q, rates, strict=True)))
+        return tuple(Moving(x, rate, None) for x, rate in zip(q, rates, strict=True))
+    moved = make(scratch, "P", *map(Moving, q, rates))
     left = a.expressed_in(moved.local) - moved.acceleration(scratch)
-    return tuple(
-        Moving(x, d, dd / h)
-        for x, d, dd, h in zip(q, rates, left.c, moved.scale_factors, strict=True)
-    )
+    second = (x / h for x, h in zip(left.c, moved.scale_factors, strict=True))
+    return tuple(map(Moving, q, rates, second))
 
 
 # -- transformation of components (3.8)
 
 
-def T_theta(theta):
+def T_theta(theta: Scalar) -> tuple:
     """[T_theta] (3.34): from rectangular to cylindrical components; three rows. Its inverse is its
     transpose.
 
@@ -408,7 +389,7 @@ def T_theta(theta):
     return ((cos(theta), sin(theta), 0), (-sin(theta), cos(theta), 0), (0, 0, 1))
 
 
-def T_phi(phi):
+def T_phi(phi: Scalar) -> tuple:
     """[T_phi] (3.37): from cylindrical to spherical components; phi is the elevation.
 
     >>> T_phi(0.0)
@@ -417,7 +398,7 @@ def T_phi(phi):
     return ((cos(phi), 0, sin(phi)), (0, 1, 0), (-sin(phi), 0, cos(phi)))
 
 
-def T_theta_phi(theta, phi):
+def T_theta_phi(theta: Scalar, phi: Scalar) -> tuple:
     """[T_theta_phi] = [T_phi][T_theta] (3.36): from rectangular to spherical components.
 
     >>> T_theta_phi(0.0, 0.0)

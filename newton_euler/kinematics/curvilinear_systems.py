@@ -1,18 +1,22 @@
-"""Components in any orthogonal coordinates, from their position function alone (3.4); gradients
+"""Components in any orthogonal coordinates from their position function alone (3.4), and gradients
 (A.22).
 
-The five steps of the book: choose coordinates; write x, y, z in them (that is all that is asked for
-here); find the unit vectors; differentiate; substitute. The unit vector of a coordinate points
-where the point goes if that coordinate alone grows: e_i = (dr/dq_i)/h_i, with the *scale factor*
-h_i = abs(dr/dq_i), the length of path per unit of the coordinate.
+The book takes five steps: choose coordinates; write x, y, z in them; find the unit vectors;
+differentiate; substitute. Only the first two are left to the user. The unit vector of a coordinate
+is the direction in which the point moves if that coordinate alone increases: e_i = (dr/dq_i)/h_i,
+with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the coordinate.
 """
+
+from collections.abc import Callable, Sequence
+from itertools import combinations_with_replacement
 
 from ..algebra.jets import Moving, as_moving, at, moving
 from ..algebra.ledger import equations
-from ..algebra.scalars import ZERO, SingularError, is_numeric, plain, scalar, whole
+from ..algebra.scalars import ZERO, Scalar, SingularError, is_numeric, plain, scalar, whole
 from ..algebra.vectors import Vector, cross3, dot3, scale3
 from .coordinates import CoordinatePoint, with_rates
-from .triads import Triad, drowned, norm3, numeric3, shaken, turning_of
+from .frames import Frame, Point
+from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity, turning_of
 
 EQUATIONS = equations({
     "curvilinear velocity": ("3.14", r"\mathbf{v}", {}),
@@ -21,27 +25,35 @@ EQUATIONS = equations({
 _EQUATIONS = {what: EQUATIONS[f"curvilinear {what}"] for what in ("velocity", "acceleration")}
 
 
-def curvilinear(ground, name, position, q1, q2, q3, names=("u", "v", "w")):
-    """The point with the coordinates q1, q2, q3 of the system whose position function is
+def curvilinear(
+    ground: Frame,
+    name: str,
+    position: Callable,
+    q1: Scalar,
+    q2: Scalar,
+    q3: Scalar,
+    names: Sequence[str] = ("u", "v", "w"),
+) -> CoordinatePoint:
+    """The point with the coordinates q1, q2, q3 in the system with the position function
     ``position``.
 
     position : function of three scalars that returns (x, y, z) along the axes of ``ground``,
         written with the functions of this package
     q1, q2, q3 : the coordinates, numbers or moving; in the order that makes e_1, e_2, e_3
         right-handed
-    names : of the coordinates, for the ledger
-    Returns a :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`: velocity and
-    acceleration in ``ground`` come along e_1, e_2, e_3 (``P.local``), with one term for each rate:
-    ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form of ``position``
-    or of the rates are left out.
+    names : of the coordinates, for the names of terms
+    Velocity and acceleration in ``ground`` are along e_1, e_2, e_3 (``P.local``), with one term for
+    each rate: ``u'``, …; and ``u''``, ``u'^2``, ``u' v'``, …. Terms that are zero by the form of
+    ``position`` or of the rates are left out.
 
-    Raises :class:`SingularError` where a scale factor is zero (within rounding: a pole, an axis),
-    so that a unit vector does not exist, and for coordinates that are not orthogonal or not
-    right-handed there.
+    Raises :class:`SingularError` where a scale factor is below round-off (a pole, an axis), so that
+    a unit vector does not exist, and for coordinates that are not orthogonal or not right-handed
+    there.
 
     >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")
-    >>> P = curvilinear(ground, "P", lambda u, v, w: ((u**2 - v**2)/2, u*v, w), moving(3.0, rate=2.0), 4.0, 0.0)  # parabolic coordinates
+    >>> parabolic = lambda u, v, w: ((u**2 - v**2)/2, u*v, w)
+    >>> P = curvilinear(ground, "P", parabolic, moving(3.0, rate=2.0), 4.0, 0.0)
     >>> P.velocity(ground).x, P.scale_factors, print(P.acceleration(ground))
     [2.4, -3.2, 0] in e_1, e_2, e_3 of P
     (10.0, (5.0, 5.0, 1.0), None)
@@ -64,7 +76,7 @@ def curvilinear(ground, name, position, q1, q2, q3, names=("u", "v", "w")):
     )
 
 
-def tangents(position, q):
+def tangents(position: Callable, q: Sequence[Scalar]) -> tuple:
     """dr/dq_1, dr/dq_2, dr/dq_3, each a triple, of the position function at the coordinates ``q``;
     moving if they are.
     """
@@ -72,13 +84,10 @@ def tangents(position, q):
 
 
 def _seeded(q, n):
-    """The coordinates as moving numbers, of which the n-th grows at the rate 1 (of its own kind, so
-    that 1/3 is as exact).
-    """
-    return tuple(
-        Moving(x, whole(1, x.value if isinstance(x, Moving) else x) if m == n else ZERO)
-        for m, x in enumerate(q)
-    )
+    """The coordinates as moving numbers, of which the n-th has the rate 1."""
+    # a 1 of the kind of the coordinate, so that 1/3 is as exact
+    one = whole(1, q[n].value if isinstance(q[n], Moving) else q[n])
+    return tuple(Moving(x, one if m == n else ZERO) for m, x in enumerate(q))
 
 
 def _rate(x):
@@ -88,13 +97,13 @@ def _rate(x):
 def _check(position, q, columns, factors):
     if not (all(map(is_numeric, q)) and all(map(numeric3, columns))):
         return
-    noises = shaken(lambda *p: tangents(position, p), q)
+    noises = roundoff_sensitivity(lambda *p: tangents(position, p), q)
     for n, (h, noise) in enumerate(zip(factors, noises, strict=True), 1):
-        if drowned(h, noise):
+        if below_roundoff(h, noise):
             raise SingularError(
                 f"coordinate {n} is singular here: the point does not move when it grows "
-                "(scale factor zero within rounding), "
-                "so its unit vector does not exist; use other coordinates near this place"
+                "(scale factor zero within rounding), so its unit vector does not exist; use other "
+                "coordinates near this place"
             )
     _check_axes([tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)])
 
@@ -102,12 +111,12 @@ def _check(position, q, columns, factors):
 def _check_axes(axes):
     for n, m in ((0, 1), (1, 2), (2, 0)):
         cosine = scalar(dot3(axes[n], axes[m]))
-        if drowned(1e-8, abs(cosine)):
+        if below_roundoff(1e-8, abs(cosine)):  # 1e-8: the root of the round-off of doubles
             raise SingularError(
                 f"the coordinates are not orthogonal here: e_{n + 1} . e_{m + 1} = "
                 f"{plain(cosine)}, expected 0; this method needs orthogonal ones"
             )
-    if drowned(dot3(axes[0], cross3(axes[1], axes[2])), ZERO):
+    if below_roundoff(dot3(axes[0], cross3(axes[1], axes[2])), ZERO):
         raise SingularError(
             "the coordinates are left-handed here: e_1 x e_2 = -e_3; exchange two of them"
         )
@@ -119,52 +128,46 @@ def _moving_axes(position, q):
 
 
 def _velocity_terms(P, columns, names):
-    parts = {
-        f"{name}'": scale3(x.rate, c)
-        for name, x, c in zip(names, P.coordinates, columns, strict=True)
-    }
-    return _vectors(parts, P.ground)
+    rows = zip(names, P.coordinates, columns, strict=True)
+    return _vectors({f"{name}'": scale3(x.rate, c) for name, x, c in rows}, P.ground)
 
 
 def _acceleration_terms(P, position, columns, names):
-    """sum q_i'' r_i + sum q_i'^2 r_ii + sum 2 q_i' q_j' r_ij, with subscripts for partial
-    derivatives of the position.
+    """The terms of sum q_i'' r_i + sum q_i'^2 r_ii + sum 2 q_i' q_j' r_ij, with subscripts for
+    partial derivatives of the position.
     """
     q = P.coordinates
-    parts = {
-        f"{name}''": scale3(x.acceleration, c) for name, x, c in zip(names, q, columns, strict=True)
-    }
-    for n in range(3):
-        for m in range(n, 3):
-            second = _second(position, tuple(x.value for x in q), n, m)
-            name = f"{names[n]}'^2" if n == m else f"{names[n]}' {names[m]}'"
-            parts[name] = scale3((1 if n == m else 2) * (q[n].rate * q[m].rate), second)
+    values = tuple(x.value for x in q)
+    rows = zip(names, q, columns, strict=True)
+    parts = {f"{name}''": scale3(x.acceleration, c) for name, x, c in rows}
+    for n, m in combinations_with_replacement(range(3), 2):
+        jets = position(*_seeded(_seeded(values, m), n))
+        name = f"{names[n]}'^2" if n == m else f"{names[n]}' {names[m]}'"
+        factor = (1 if n == m else 2) * (q[n].rate * q[m].rate)
+        parts[name] = scale3(factor, tuple(_rate(_rate(x)) for x in jets))
     return _vectors(parts, P.ground)
-
-
-def _second(position, q, n, m):
-    inner = _seeded(q, m)
-    return tuple(_rate(_rate(x)) for x in position(*_seeded(inner, n)))
 
 
 def _vectors(parts, ground):
     return {name: Vector(c, ground) for name, c in parts.items() if any(x is not ZERO for x in c)}
 
 
-def curvilinear_rates(position, q, v, a=None):
-    """The coordinates ``q`` with the rates that give the velocity ``v`` and the acceleration ``a``:
-    q_i' = v_i/h_i, then q_i'' from the rest of a.
+def curvilinear_rates(
+    position: Callable, q: Sequence[Scalar], v: Vector, a: Vector | None = None
+) -> tuple:
+    """The coordinates ``q``, as moving numbers, with the rates that give the velocity ``v`` and the
+    acceleration ``a``.
 
     position, q : the position function and the three values of the coordinates, as for
         :func:`curvilinear`
-    v, a : Vectors, seen from the frame in which they are expressed and along whose axes
-        ``position`` counts
-    Returns three moving numbers; without ``a`` their second rates are None. Raises as
-    :func:`curvilinear`.
+    v, a : Vectors, seen from the frame in which they are expressed, to whose axes ``position``
+        refers
+    Without ``a`` the second rates are None. Errors as for :func:`curvilinear`.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
-    >>> rates = curvilinear_rates(lambda u, v, w: (2*u, v, w), (1.0, 0.0, 0.0), ground.vector(6.0, 0, 0), ground.vector(0, 1.0, 0))
+    >>> v, a = ground.vector(6.0, 0, 0), ground.vector(0, 1.0, 0)
+    >>> rates = curvilinear_rates(lambda u, v, w: (2*u, v, w), (1.0, 0.0, 0.0), v, a)
     >>> rates[0], rates[1].acceleration
     (moving(1.0, rate=3.0, acceleration=0), 1.0)
     """
@@ -178,14 +181,13 @@ def curvilinear_rates(position, q, v, a=None):
 # -- the gradient
 
 
-def gradient(f, P):
-    """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, exact and without a step
-    size.
+def gradient(f: Callable, P: Point) -> Vector:
+    """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, by exact derivatives.
 
     f : function of the coordinates by which P is given, written with the functions of this package:
         x, y, z along the axes of its frame, or polar, cylindrical, spherical or other orthogonal
         coordinates for a :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`
-    Returns a Vector along the axes of P's frame, or P's local axes e_i: there it is the sum of
+    The result is along the axes of P's frame, or along P's local axes e_i, where it is the sum of
     (df/dq_i)/h_i e_i. Its unit is that of f per length.
 
     >>> from newton_euler import Frame
@@ -197,4 +199,4 @@ def gradient(f, P):
     factors = getattr(P, "scale_factors", (1, 1, 1))
     slopes = [at(lambda s, n=n: f(*q[:n], s, *q[n + 1 :]), q[n]).rate for n in range(len(q))]
     c = [slope / h for slope, h in zip(slopes, factors, strict=True)]
-    return Vector(tuple(scalar(x) for x in (*c, ZERO)[:3]), getattr(P, "local", P.frame))
+    return Vector(tuple(map(scalar, (*c, ZERO)[:3])), getattr(P, "local", P.frame))

@@ -1,27 +1,33 @@
 """Frames and points in relative motion (chapters 2 and 4).
 
-A frame is placed in its parent by a turn about one axis and by its origin. From these steps
-everything follows: orientation, angular velocity and acceleration (4.20), (4.25), velocity (4.17),
-(4.28) and acceleration (4.18), (4.29) of any point seen from any frame. Rates are passed up the
-chain in the frame at hand and never differentiated out, which is what keeps it fast and its
-formulas short.
+A frame is placed in its parent by a turn about one axis and by its origin. From these steps follow
+orientation, angular velocity and acceleration (4.20), (4.25), velocity (4.17), (4.28) and
+acceleration (4.18), (4.29) of any point seen from any frame. Rates are computed along the chain of
+frames, each in the axes of its own frame, and no expression is differentiated, so that results are
+fast and formulas short.
 """
 
+from collections.abc import Sequence
+from itertools import combinations
+from typing import Any, TypeAlias
 from weakref import ref
 
 from ..algebra.jets import Moving, moving
 from ..algebra.ledger import Ledger, equations
 from ..algebra.scalars import (
     ZERO,
+    Scalar,
     ScalarError,
     cos,
     is_finite,
-    is_zero,
+    is_numeric,
+    least,
     plain,
     scalar,
     sin,
     sqrt,
     whole,
+    without_rates,
 )
 from ..algebra.vectors import (
     NO_THIRD_RATE,
@@ -46,18 +52,20 @@ EQUATIONS = equations({
         "relative": ("a_r", r"\mathbf{a}_r"),
         "coriolis": ("2 omega x v_r", r"2\boldsymbol{\omega}\times\mathbf{v}_r"),
         "euler": ("omega' x r", r"\dot{\boldsymbol{\omega}}\times\mathbf{r}"),
-        "centripetal": ("omega x (omega x r)", r"\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r})"),
+        "centripetal": (
+            "omega x (omega x r)",
+            r"\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r})"),
     }),
     "angular velocity": ("4.22", r"\boldsymbol{\omega}", {}),
     "angular acceleration": ("4.25", r"\boldsymbol{\alpha}", {}),
 })  # fmt: skip
 _AXES = {"x": 0, "y": 1, "z": 2}
-_STILL = Moving(ZERO)
+_REST = Moving(ZERO)
 
 
 class Frame:
-    """A frame of reference. ``Frame("ground")`` starts a tree; :meth:`rotate` and :meth:`translate`
-    grow it.
+    """A frame of reference. ``Frame("ground")`` is the root of a tree; :meth:`rotate` and
+    :meth:`translate` add frames to it.
 
     >>> ground = Frame("ground")
     >>> shaft = ground.rotate("shaft", "z", rate=0.6)
@@ -66,19 +74,27 @@ class Frame:
     (0, 0.3, 0.0)
     """
 
-    def __init__(self, name, parent=None, axis=None, angle=None, origin=None):
-        self.name, self.parent, self.axis = name, parent, axis
-        self.angle = angle if angle is not None else _STILL
-        self._origin = origin
+    parent: Any  # a Frame, or None for the root
+
+    def __init__(
+        self,
+        name: str,
+        parent: "Frame | None" = None,
+        axis: Any = None,
+        angle: Any = None,
+        origin: "Point | None" = None,
+    ):
+        self.name, self.parent, self.axis, self._origin = name, parent, axis, origin
+        self.angle = _REST if angle is None else angle
         # without itself, or it would not be freed as soon as nothing refers to it
-        self._above = (parent, *parent._above) if parent else ()
+        self._above: tuple[Frame, ...] = (parent, *parent._above) if parent else ()
         # weak references: a frame keeps those above it alive, not those below
-        self._relatives = parent._relatives if parent else {}
+        self._relatives: dict = parent._relatives if parent else {}
         self._relatives[ref(self, self._relatives.pop)] = None
-        self._same_origin = parent._seat if parent and origin is None else None
+        self._same_origin = parent._origin_frame if parent and origin is None else None
         if origin is not None:
             origin.origin_of = origin.origin_of or name
-        self._memo = {}
+        self._memo: dict = {}
         if self.angle.value is not ZERO:
             self._c, self._s = cos(self.angle.value), sin(self.angle.value)
 
@@ -86,75 +102,77 @@ class Frame:
         return f"Frame({' < '.join(f.name for f in (self, *self._above))})"
 
     @property
-    def tree(self):
-        """All frames that descend from the same ground and are still in use, in the order in which
-        they were made: a list, the ground first.
+    def tree(self) -> "list[Frame]":
+        """All frames that descend from the same ground and are still in use, in the order of their
+        creation, the ground first.
         """
         return [f for f in (r() for r in list(self._relatives)) if f is not None]
 
     # -- making frames, points and vectors
 
-    def rotate(self, name, axis, angle=0, rate=None, acceleration=None, origin=None):
+    def rotate(
+        self,
+        name: str,
+        axis: str | Vector | Sequence[Scalar],
+        angle: Scalar = 0,
+        rate: Scalar = None,
+        acceleration: Scalar = None,
+        origin: "Point | None" = None,
+    ) -> "Frame":
         """A new frame turned from this one about ``axis``, right-handed.
 
-        axis : "x", "y", "z" or "-x", "-y", "-z", or three components of any length along this
-            frame's axes, constant
+        axis : "x", "y", "z", "-x", "-y", "-z", or three constant components of any length along
+            the axes of this frame
         angle, rate, acceleration : rad, rad/s, rad/s^2; ``angle`` may be moving (see
             :func:`moving`, :func:`at`), or a SymPy expression in the symbol ``t``, and then has its
             rates already
-        origin : the Point of this frame (or of one above it) where the new frame's origin is;
-            default: this frame's own origin
+        origin : a Point of this frame, the origin of the new one; default: the origin of this frame
         """
         angle = moving(angle, rate, acceleration)
-        _fitting((angle,), f"the angle of {name} and its rates")
-        if isinstance(axis, str) and axis.lstrip("-") in _AXES and axis.count("-") <= 1:
-            return Frame(
-                name,
-                self,
-                _AXES[axis[-1]],
-                -angle if axis[0] == "-" else angle,
-                self._place(origin),
-            )
-        return Frame(name, self, self._unit_axis(axis, angle), angle, self._place(origin))
+        _same_shape((angle,), f"the angle of {name} and its rates")
+        unit: Any
+        if isinstance(axis, str) and axis.removeprefix("-") in _AXES:
+            unit, angle = _AXES[axis[-1]], -angle if axis[0] == "-" else angle
+        else:
+            unit = self._unit_axis(axis, angle)
+        return Frame(name, self, unit, angle, self._place(origin))
 
-    def translate(self, name, origin):
-        """A new frame with axes that stay parallel to this one's and its origin at the Point
-        ``origin``.
+    def translate(self, name: str, origin: "Point") -> "Frame":
+        """A new frame with its origin at a Point of this one, and axes that stay parallel.
+
+        >>> ground = Frame("ground")
+        >>> cart = ground.translate("cart", ground.point("A", moving(0.0, rate=3.0), 0, 0))
+        >>> cart.origin.velocity(ground)
+        Vector(3.0, 0, 0 in ground)
         """
         return Frame(name, self, origin=self._place(origin))
 
-    def point(self, name, x, y, z):
-        """The point with coordinates (x, y, z) from this frame's origin; fixed in the frame unless
+    def point(self, name: str, x: Scalar, y: Scalar, z: Scalar) -> "Point":
+        """The point with coordinates (x, y, z) from the origin of this frame; fixed in the frame
+        unless they are :func:`moving`.
+        """
+        return Point(name, self, _same_shape(map(moving, (x, y, z)), f"the coordinates of {name}"))
+
+    def vector(self, x: Scalar, y: Scalar, z: Scalar) -> Vector:
+        """The vector with these components along the axes of this frame; fixed in the frame unless
         they are :func:`moving`.
         """
-        return Point(
-            name, self, _fitting((moving(x), moving(y), moving(z)), f"the coordinates of {name}")
-        )
-
-    def vector(self, x, y, z):
-        """The vector with these components along this frame's axes; fixed in the frame unless they
-        are :func:`moving`.
-        """
-        return _moving_vector(_fitting((moving(x), moving(y), moving(z)), "the components"), self)
+        return _moving_vector(_same_shape(map(moving, (x, y, z)), "the components"), self)
 
     i = property(lambda self: self.vector(1, 0, 0), doc="unit vector of the first axis")
     j = property(lambda self: self.vector(0, 1, 0), doc="unit vector of the second axis")
     k = property(lambda self: self.vector(0, 0, 1), doc="unit vector of the third axis")
 
     @property
-    def origin(self):
-        """The origin as a Point: of the parent, in which it may move, or of this frame itself if it
-        has no parent.
+    def origin(self) -> "Point":
+        """The origin, a Point of the parent, in which it may move; of this frame itself if it has
+        no parent.
         """
-        if self._origin is not None:
-            return self._origin
-        return Point(f"origin of {self.name}", self.parent or self, (_STILL,) * 3)
+        return self._origin or Point(f"origin of {self.name}", self.parent or self, (_REST,) * 3)
 
     def _unit_axis(self, axis, angle):
         if isinstance(axis, Vector):
-            if axis.frame is not self:
-                axis = axis.expressed_in(self)
-            axis = axis.c
+            axis = axis.expressed_in(self).c
         try:
             axis = tuple(scalar(v) for v in axis)
         except (TypeError, ScalarError):
@@ -162,21 +180,14 @@ class Frame:
         if len(axis) != 3 or any(isinstance(v, Moving) for v in axis):
             raise FrameError(
                 "an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant "
-                "components, as in (0, 0.6, 0.8); "
-                "turn about a moving axis by one more frame in between"
+                "components, as in (0, 0.6, 0.8); turn about a moving axis by one more frame in "
+                "between"
             )
-        exact = next(
-            (v for v in (angle.value, angle.rate, angle.acceleration) if v is not ZERO), ZERO
-        )
         # else the root of a whole number has 16 digits, however many the angle has
+        parts = (angle.value, angle.rate, angle.acceleration)
+        exact = next((v for v in parts if v is not ZERO), ZERO)
         axis = tuple(whole(v, exact) for v in axis)
-        length = sqrt(dot3(axis, axis))
-        if is_zero(length) or not is_finite(length):
-            raise FrameError(
-                f"the axis {tuple(map(plain, axis))} has no direction: its length is "
-                f"{plain(length)}; give a vector that is not zero"
-            )
-        return tuple(v / length for v in axis)
+        return divided_by_length(axis, sqrt(dot3(axis, axis)), FrameError)
 
     def _place(self, origin):
         if origin is None:
@@ -194,9 +205,9 @@ class Frame:
 
     # -- orientation
 
-    def common(self, other):
-        """The nearest frame from which both this one and ``other`` descend; :class:`FrameError` if
-        there is none.
+    def common(self, other: "Frame") -> "Frame":
+        """The nearest frame from which both this one and ``other`` descend, one of them included;
+        :class:`FrameError` if there is none.
         """
         if not isinstance(other, Frame):
             raise FrameError(
@@ -212,10 +223,8 @@ class Frame:
             "from one ground, as in ground.rotate(...)"
         )
 
-    def transform(self, c, frame):
-        """Components ``c`` along this frame's axes, turned into components along the axes of
-        ``frame``.
-        """
+    def transform(self, c: tuple, frame: "Frame") -> tuple:
+        """The components in ``frame`` of the vector that has the components ``c`` in this one."""
         top = self.common(frame)
         if c is ZERO3:
             return c
@@ -230,12 +239,12 @@ class Frame:
         return () if top is self else (self, *self._above[: self._above.index(top)])
 
     @property
-    def _seat(self):
+    def _origin_frame(self):
         """The highest frame with the same origin."""
         return self._same_origin or self
 
     def _turn(self, c, sense):
-        """Between this frame and its parent: sense 1 from here up to the parent, -1 down."""
+        """Components in the parent from those here (sense 1), or back (sense -1)."""
         if c is ZERO3 or self.angle.value is ZERO:
             return c
         cosine, sine = self._c, self._s if sense > 0 else -self._s
@@ -248,58 +257,51 @@ class Frame:
         along = scale3((1 - cosine) * dot3(e, c), e)
         return add3(add3(scale3(cosine, c), scale3(sine, cross3(e, c))), along)
 
-    def rotation(self, observer):
-        """The matrix R that takes components here to components in ``observer``: three rows; its
-        columns are this frame's axes there.
+    def rotation(self, observer: "Frame") -> tuple:
+        """The matrix R, three rows, that takes components here to components in ``observer``; its
+        columns are the axes of this frame there.
 
         The book's A (4.1) of direction cosines is its transpose.
         """
-        columns = [
-            self.transform(tuple(1 if n == m else ZERO for n in range(3)), observer)
-            for m in range(3)
-        ]
-        return tuple(tuple(plain(columns[m][n]) for m in range(3)) for n in range(3))
+        axes = (1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1)
+        columns = [map(plain, self.transform(axis, observer)) for axis in axes]
+        return tuple(zip(*columns, strict=True))
 
     # -- angular velocity and acceleration
 
-    def angular_velocity(self, observer):
+    def angular_velocity(self, observer: "Frame") -> Vector:
         """omega of this frame seen from ``observer``, rad/s, in components of this frame (4.20),
         (4.22).
 
-        terms: one for each frame in between, named after it: its turning in its parent.
+        terms : one for each frame between, named after it: its rate of turn in its parent
         """
-        self.common(observer)
-        ledger = Ledger(
-            EQUATIONS["angular velocity"],
-            f"of {self.name} in {observer.name}",
-            lambda: self._omega_terms(observer),
-        )
+        ledger = self._ledger("angular velocity", observer, self._omega_terms)
         return Vector(
             self._omega(observer), self, lambda: self.angular_acceleration(observer), ledger
         )
 
-    def angular_acceleration(self, observer):
+    def angular_acceleration(self, observer: "Frame") -> Vector:
         """alpha of this frame seen from ``observer``, rad/s^2, in components of this frame (4.25),
         (4.26) for any number of frames.
 
-        terms: one for each frame in between, and ``"arm x rod"`` for each cross product omega_arm x
-            omega_rod of two of them.
+        terms : one for each frame between, and ``"arm x rod"`` for each cross product omega_arm x
+            omega_rod of two of them
         """
-        self.common(observer)
-        ledger = Ledger(
-            EQUATIONS["angular acceleration"],
-            f"of {self.name} in {observer.name}",
-            lambda: self._alpha_terms(observer),
-        )
+        ledger = self._ledger("angular acceleration", observer, self._alpha_terms)
         return Vector(self._alpha(observer), self, None, ledger)
 
+    def _ledger(self, what, observer, terms):
+        self.common(observer)
+        subject = f"of {self.name} in {observer.name}"
+        return Ledger(EQUATIONS[what], subject, lambda: terms(observer))
+
     def _omega(self, observer):
-        return ZERO3 if observer is self else self._remembered("omega", observer, self._new_omega)
+        return ZERO3 if observer is self else self._cached("omega", observer, self._new_omega)
 
     def _alpha(self, observer):
-        return ZERO3 if observer is self else self._remembered("alpha", observer, self._new_alpha)
+        return ZERO3 if observer is self else self._cached("alpha", observer, self._new_alpha)
 
-    def _remembered(self, what, observer, compute):
+    def _cached(self, what, observer, compute):
         memo, key = self._memo, (what, observer)
         found = memo.get(key)
         if found is None and observer not in self._above:  # else this frame would keep it alive
@@ -312,36 +314,28 @@ class Frame:
         return found
 
     def _along_axis(self, s):
-        """The triple s e, e the unit vector of the axis about which the frame turns in its parent."""
+        """The triple s e, with e the unit vector of the axis of turn in the parent."""
         if self.axis is None or s is ZERO:
             return ZERO3
-        return (
-            tuple(s if n == self.axis else ZERO for n in range(3))
-            if isinstance(self.axis, int)
-            else scale3(s, self.axis)
-        )
+        if isinstance(self.axis, int):
+            return tuple(s if n == self.axis else ZERO for n in range(3))
+        return scale3(s, self.axis)
 
     def _carried(self, observer):
-        """omega of the parent, in components of this frame: what this frame would have if it were
-        fixed in its parent.
-        """
-        return self._turn(self.parent._omega(observer), -1)
+        """omega of the parent, in components of this frame."""
+        return self._cached(
+            "carried", observer, lambda _: self._turn(self.parent._omega(observer), -1)
+        )
 
     def _new_omega(self, observer):
         if observer in self._above:
-            return add3(
-                self._remembered("carried", observer, self._carried),
-                self._along_axis(self.angle.rate),
-            )
+            return add3(self._carried(observer), self._along_axis(self.angle.rate))
         top = self.common(observer)
         return sub3(self._omega(top), observer.transform(observer._omega(top), self))
 
     def _new_alpha(self, observer):
         if observer in self._above:
-            crossed = cross3(
-                self._remembered("carried", observer, self._carried),
-                self._along_axis(self.angle.rate),
-            )
+            crossed = cross3(self._carried(observer), self._along_axis(self.angle.rate))
             own = add3(self._along_axis(self.angle.acceleration), crossed)
             return add3(self._turn(self.parent._alpha(observer), -1), own)
         top = self.common(observer)
@@ -350,51 +344,44 @@ class Frame:
         return sub3(without, cross3(carried, self._omega(observer)))
 
     def _steps(self, observer):
-        """The turns that lead from ``observer`` to here: (name, frame, sense)."""
+        """The turns that lead from ``observer`` to here: (frame, sense)."""
         top = self.common(observer)
         down = [(f, -1) for f in observer._below(top)]
         up = [(f, 1) for f in reversed(self._below(top))]
         return [(f, s) for f, s in down + up if f.axis is not None]
 
-    def _omega_terms(self, observer):
+    def _omega_terms(self, observer, rate="rate"):
         return {
-            f.name: s * Vector(f._along_axis(f.angle.rate), f).expressed_in(self)
+            f.name: s * Vector(f._along_axis(getattr(f.angle, rate)), f).expressed_in(self)
             for f, s in self._steps(observer)
         }
 
     def _alpha_terms(self, observer):
-        spins = self._omega_terms(observer)
-        terms = {
-            f.name: s * Vector(f._along_axis(f.angle.acceleration), f).expressed_in(self)
-            for f, s in self._steps(observer)
-        }
-        names = list(spins)
-        for n, first in enumerate(names):
-            for second in names[n + 1 :]:
-                terms[f"{first} x {second}"] = spins[first].cross(spins[second])
+        terms = self._omega_terms(observer, "acceleration")
+        for (n, u), (m, v) in combinations(self._omega_terms(observer).items(), 2):
+            terms[f"{n} x {m}"] = u.cross(v)
         return terms
 
 
 class Point:
-    """A point given by its coordinates in a frame; fixed there, or moving if they are. Make one
-    with ``frame.point(...)``.
+    """A point given by its coordinates in a frame, fixed there unless they are moving; made by
+    ``frame.point(...)``.
 
-    ``origin_of`` is the name of the first frame that was given the point for its origin, or None.
+    origin_of : the name of the first frame whose origin it is, or None
     """
 
     __slots__ = ("_c", "frame", "name", "origin_of", "x")
 
-    def __init__(self, name, frame, x):
-        self.name, self.frame, self.x, self.origin_of = name, frame, x, None
+    def __init__(self, name: str, frame: Frame, x: tuple):
+        self.name, self.frame, self.x = name, frame, x
+        self.origin_of: str | None = None
         self._c = _triple(v.value for v in x)
 
     def __repr__(self):
-        return (
-            f"Point({self.name} at ({', '.join(repr(plain(v)) for v in self.x)}) in "
-            f"{self.frame.name})"
-        )
+        x = ", ".join(repr(plain(v)) for v in self.x)
+        return f"Point({self.name} at ({x}) in {self.frame.name})"
 
-    def position(self, frame):
+    def position(self, frame: Frame) -> Vector:
         """The vector from the origin of ``frame`` to the point (4.16), expressed in ``frame``."""
         return Vector(self._from(frame), frame, lambda: self.velocity(frame).expressed_in(frame))
 
@@ -403,33 +390,36 @@ class Point:
         if frame is self.frame:
             return self._c
         top = self.frame.common(frame)
-        here = self._above(top)
-        return (
-            here if frame is top else top.transform(sub3(here, _origin(frame)._above(top)), frame)
-        )
+        c = self._above(top)
+        return c if frame is top else top.transform(sub3(c, _origin(frame)._above(top)), frame)
 
-    def __sub__(self, other):
+    def __sub__(self, other: "Point") -> Vector:
         """The vector from ``other`` to this point, expressed in this point's frame."""
         if not isinstance(other, Point):
             raise FrameError(f"only a point can be subtracted from a point, got {other!r}")
-        top = self.frame.common(other.frame)
-        c = top.transform(sub3(self._above(top), other._above(top)), self.frame)
         f = self.frame
+        top = f.common(other.frame)
+        c = top.transform(sub3(self._above(top), other._above(top)), f)
         return Vector(c, f, lambda: self.velocity(f) - other.velocity(f))
 
     def _above(self, top):
-        """Position from the origin of ``top``, a frame above the point's, in components of ``top``."""
+        """Position from the origin of ``top``, a frame above, in components of ``top``."""
         c, f = self._c, self.frame
         while f is not top:
             c, f = add3(f._origin._c if f._origin else ZERO3, f._turn(c, 1)), f.parent
         return c
 
-    def velocity(self, observer=None, via=None):
+    def velocity(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
         """v of the point seen from ``observer`` (4.17), (4.28), in components of the frame ``via``.
 
         via : the moving frame of the formula; default: the frame in which the point is given
-        terms: ``origin`` (velocity of the origin of ``via``), ``relative`` (seen in ``via``),
+        terms : ``origin`` (velocity of the origin of ``via``), ``relative`` (seen in ``via``),
             ``rotation`` (omega x r)
+
+        >>> ground = Frame("ground")
+        >>> arm = ground.rotate("arm", "z", rate=2.0)
+        >>> arm.point("P", 0.5, 0, 0).velocity(ground)
+        Vector(0, 1.0, 0 in arm)
         """
         via = self._checked(observer, via, "velocity")
         if observer is self.frame and via is observer:
@@ -449,17 +439,14 @@ class Point:
         def terms():
             return {"origin": origin, "relative": relative, "rotation": Vector(rotation, via)}
 
-        return Vector(
-            total, via, own_rate, Ledger(EQUATIONS["velocity"], self._subject(observer, via), terms)
-        )
+        return Vector(total, via, own_rate, self._ledger("velocity", observer, via, terms))
 
-    def acceleration(self, observer=None, via=None):
+    def acceleration(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
         """a of the point seen from ``observer`` (4.18), (4.29), in components of the frame ``via``.
 
         via : the moving frame of the formula; default: the frame in which the point is given
-        terms: ``origin`` (acceleration of the origin of ``via``), ``relative`` (seen in ``via``),
-            ``coriolis`` 2 omega x v_r,
-        ``euler`` alpha x r, ``centripetal`` omega x (omega x r)
+        terms : ``origin`` (acceleration of the origin of ``via``), ``relative`` (seen in ``via``),
+            ``coriolis`` 2 omega x v_r, ``euler`` alpha x r, ``centripetal`` omega x (omega x r)
 
         >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
         >>> P = arm.point("P", moving(1.0, rate=3.0), 0, 0)
@@ -472,28 +459,26 @@ class Point:
         if via is observer:
             return self.acceleration(observer).expressed_in(observer)
         omega, r = via._omega(observer), self._from(via)
-        origin, relative = (
-            _origin_acceleration(via, observer).expressed_in(via),
-            self.acceleration(via).expressed_in(via),
-        )
+        origin = _origin_acceleration(via, observer).expressed_in(via)
+        relative = self.acceleration(via).expressed_in(via)
         coriolis = cross3(omega, scale3(2, self.velocity(via).expressed_in(via).c))
         euler, centripetal = cross3(via._alpha(observer), r), cross3(omega, cross3(omega, r))
         total = add3(add3(add3(add3(origin.c, relative.c), coriolis), euler), centripetal)
 
         def terms():
-            computed = {"coriolis": coriolis, "euler": euler, "centripetal": centripetal}
             return {
                 "origin": origin,
                 "relative": relative,
-                **{name: Vector(c, via) for name, c in computed.items()},
+                "coriolis": Vector(coriolis, via),
+                "euler": Vector(euler, via),
+                "centripetal": Vector(centripetal, via),
             }
 
-        return Vector(
-            total, via, None, Ledger(EQUATIONS["acceleration"], self._subject(observer, via), terms)
-        )
+        return Vector(total, via, None, self._ledger("acceleration", observer, via, terms))
 
-    def _subject(self, observer, via):
-        return f"of {self.name} in {observer.name}, by way of {via.name}"
+    def _ledger(self, what, observer, via, terms):
+        subject = f"of {self.name} in {observer.name}, by way of {via.name}"
+        return Ledger(EQUATIONS[what], subject, terms)
 
     def _checked(self, observer, via, what):
         if not isinstance(observer, Frame):
@@ -507,53 +492,50 @@ class Point:
         return via
 
 
+PointLike: TypeAlias = Point | Frame  # a Frame stands for its own origin
+
+
 def _origin(frame):
     """The origin of a frame as a point of that frame."""
-    return Point(f"origin of {frame.name}", frame, (_STILL,) * 3)
+    return Point(f"origin of {frame.name}", frame, (_REST,) * 3)
 
 
 def _origin_velocity(via, observer):
     """Velocity of the origin of ``via`` seen from ``observer``."""
-    seat, observers = via._seat, observer._seat
+    seat, observers = via._origin_frame, observer._origin_frame
     if seat is observers:
         return Vector(ZERO3, via)
     if seat is not observer and seat not in observer._above:
         return seat.origin.velocity(observer)
-    rho, carried = _origin(observer)._from(seat), observer.transform(observer._omega(seat), seat)
-    return Vector(
-        sub3(cross3(carried, rho), observers.origin.velocity(seat).expressed_in(seat).c), seat
-    )
+    rho, omega = _origin(observer)._from(seat), observer.transform(observer._omega(seat), seat)
+    origin = observers.origin.velocity(seat).expressed_in(seat).c
+    return Vector(sub3(cross3(omega, rho), origin), seat)
 
 
 def _origin_acceleration(via, observer):
     """Acceleration of the origin of ``via`` seen from ``observer``; where observer descends from
     via, (4.18) solved for a_r.
     """
-    seat, observers = via._seat, observer._seat
+    seat, observers = via._origin_frame, observer._origin_frame
     if seat is observers:
         return Vector(ZERO3, via)
     if seat is not observer and seat not in observer._above:
         return seat.origin.acceleration(observer)
     rho = _origin(observer)._from(seat)
-    carried, turning = (
-        observer.transform(w, seat) for w in (observer._omega(seat), observer._alpha(seat))
-    )
-    v = _origin_velocity(seat, observer).c
-    c = sub3(
-        scale3(-1, observers.origin.acceleration(seat).expressed_in(seat).c),
-        scale3(2, cross3(carried, v)),
-    )
-    return Vector(add3(c, add3(cross3(turning, rho), cross3(carried, cross3(carried, rho)))), seat)
+    omega = observer.transform(observer._omega(seat), seat)
+    alpha = observer.transform(observer._alpha(seat), seat)
+    coriolis = scale3(2, cross3(omega, _origin_velocity(seat, observer).c))
+    turned = add3(cross3(alpha, rho), cross3(omega, cross3(omega, rho)))
+    origin = observers.origin.acceleration(seat).expressed_in(seat).c
+    return Vector(sub3(sub3(turned, coriolis), origin), seat)
 
 
 def _moving_vector(x, frame, order=0):
-    """The vector whose components are the coordinates ``x``, or their rates of an order; it knows
-    its own rate as far as they do.
-    """
+    """The vector whose components are the coordinates ``x``, or their rates of an order."""
 
     def own_rate():
         if all(v.rests() for v in x):
-            return _moving_vector((_STILL,) * 3, frame)
+            return _moving_vector((_REST,) * 3, frame)
         if order == 2:
             raise FrameError(NO_THIRD_RATE)
         return _moving_vector(x, frame, order + 1)
@@ -567,15 +549,11 @@ def _triple(values):
     return ZERO3 if x is ZERO and y is ZERO and z is ZERO else (x, y, z)
 
 
-def _fitting(numbers, what):
-    """The moving numbers, if the arrays among them and their rates fit one shape."""
-    parts = [
-        part
-        for v in numbers
-        for part in (v.value, v.rate, v.acceleration)
-        if type(part) is not float
-    ]
-    shapes = {part.shape for part in parts if getattr(part, "shape", ())}
+def _same_shape(numbers, what):
+    """The moving numbers, if the arrays among them and their rates have one shape."""
+    numbers = tuple(numbers)
+    parts = (part for v in numbers for part in (v.value, v.rate, v.acceleration))
+    shapes = {x.shape for x in parts if type(x) is not float and getattr(x, "shape", ())}
     if len(shapes) > 1:
         raise FrameError(
             f"{what} have the shapes {sorted(shapes)}; all arrays must have one shape (N,), "
@@ -584,8 +562,11 @@ def _fitting(numbers, what):
     return numbers
 
 
-def place(where, what):
-    """A place as a Point; a Frame stands for its own origin, as a point fixed in it."""
+def place(where: PointLike, what: str) -> Point:
+    """The Point itself, or of a Frame its origin, as a point fixed in it.
+
+    what : names it in the error message
+    """
     if isinstance(where, Frame):
         return where.point(f"origin of {where.name}", 0, 0, 0)
     if not isinstance(where, Point):
@@ -596,22 +577,35 @@ def place(where, what):
     return where
 
 
-def axes_at(point):
-    """The frame that a point is fixed in; :class:`FrameError` if it is also the origin of another,
-    whose axes may be the ones meant.
+def axes_at(point: Point) -> Frame:
+    """The frame that a point is fixed in; :class:`FrameError` if the point is also the origin of
+    another frame, whose axes may be meant.
     """
-    other = point.origin_of
-    if (
-        not other
-        and point.name.startswith("origin of ")
-        and point.name != f"origin of {point.frame.name}"
-    ):
-        other = point.name[len("origin of ") :]
+    other, name = point.origin_of, point.name.removeprefix("origin of ")
+    if not other and name not in (point.name, point.frame.name):
+        other = name
     if other:
         raise FrameError(
-            f"{point.name} is a point of {point.frame.name}, and the origin of {other}: "
-            f"along whose axes? For {other}, which the body turns "
-            f"with, give the frame in place of the point; for {point.frame.name} say "
-            "frame=..., or make another point there"
+            f"{point.name} is a point of {point.frame.name}, and the origin of {other}: along "
+            f"whose axes? For {other}, which the body turns with, give the frame in place of the "
+            f"point; for {point.frame.name} say frame=..., or make another point there"
         )
     return point.frame
+
+
+# -- shared with rotations
+
+
+def vanishes(x: Scalar, small: float = 0) -> bool:
+    """Whether a number is at most ``small`` in size at any instant; False for expressions."""
+    return is_numeric(x) and least(without_rates(x)) <= small
+
+
+def divided_by_length(axis, length, error):
+    """The unit vector of an axis of known length; an error if that is zero at any instant."""
+    if vanishes(length) or not is_finite(length):
+        raise error(
+            f"the axis {tuple(map(plain, axis))} has no direction: its length is "
+            f"{plain(length)}; give a vector that is not zero"
+        )
+    return tuple(x / length for x in axis)

@@ -9,15 +9,17 @@ book's sign (3.9), de_b/ds = tau e_n: it is **minus** the torsion of most other 
 for a right-handed helix.
 
 A *path* is a function of one parameter that returns the three coordinates, written with the
-functions of this package. Its derivatives are exact; no step size enters.
+functions of this package. Its derivatives are exact.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from ..algebra.jets import Moving, as_moving, moving
 from ..algebra.ledger import Ledger, equations
 from ..algebra.scalars import (
     ZERO,
+    Scalar,
     SingularError,
     epsilon,
     is_numeric,
@@ -26,8 +28,9 @@ from ..algebra.scalars import (
     scalar,
     whole,
 )
-from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3
-from .triads import Triad, drowned, norm3, numeric3, shaken
+from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3, sum3
+from .frames import Frame
+from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
 
 EQUATIONS = equations({
     "intrinsic velocity": ("3.12", r"\mathbf{v}", {"tangential": ("nu e_t", r"\nu\,\hat{e}_t")}),
@@ -41,38 +44,39 @@ EQUATIONS = equations({
 # -- paths as functions
 
 
-def along(path, q):
-    """The three coordinates of the point that is at ``q`` on the path, moving: for
+def along(path: Callable, q: Scalar) -> tuple:
+    """The three moving coordinates of the point at ``q`` on the path, for
     ``ground.point("P", *along(path, q))`` (3.1)-(3.3).
 
     path : function of the parameter, returning (x, y, z)
-    q : a moving parameter; a plain number counts as time, a parameter that grows at the rate 1
+    q : a moving parameter; a plain number is a time, with the rate 1
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> ground.point("P", *along(lambda t: (t**2, 3.0*t, 1.0), 2.0)).velocity(ground)
     Vector(4.0, 3.0, 0 in ground)
     """
-    return tuple(moving(x) for x in _three(path(_running(q))))
+    return tuple(map(moving, _three(path(_running(q)))))
 
 
-def derivatives(path, q):
+def derivatives(path: Callable, q: Scalar) -> tuple:
     """The position on the path and its first, second and third derivative by the parameter, each a
     triple; ``q`` is a plain number.
     """
     one = whole(1, q)  # a plain 1 divided by 3 would have 16 digits, however many q has
-    jets = [_jet(x) for x in _three(path(Moving(Moving(scalar(q), one), one)))]
-    orders = [
-        (x.value.value, x.value.rate, x.value.acceleration, x.rate.acceleration) for x in jets
-    ]
+    orders = []
+    # a jet of jets: the rate of the second rate is the third derivative
+    for x in map(as_moving, _three(path(Moving(Moving(scalar(q), one), one)))):
+        value, rate = as_moving(x.value), as_moving(x.rate)
+        orders.append((value.value, value.rate, value.acceleration, rate.acceleration))
     return tuple(zip(*orders, strict=True))
 
 
-def at_speed(path, q, speed, speed_rate=0):
-    """The moving parameter of a point that passes ``q`` with this speed, in the sense of growing q:
-    ``q`` with its rates.
+def at_speed(path: Callable, q: Scalar, speed: Scalar, speed_rate: Scalar = 0) -> Moving:
+    """The parameter ``q`` with its rates, for a point that passes there with this speed in the
+    direction of increasing q.
 
-    speed_rate : rate of change of the speed; 0 for constant speed
+    speed_rate : rate of change of the speed
     With r_q = dr/dq: q' = nu / abs(r_q), and q'' from nu' = q'' abs(r_q) + q'^2 (r_q . r_qq) /
     abs(r_q). Raises :class:`SingularError` where the path stands still in q (r_q = 0).
 
@@ -81,22 +85,19 @@ def at_speed(path, q, speed, speed_rate=0):
     """
     _, first, second, _ = derivatives(path, q)
     stretch = norm3(first)
-    if is_numeric(stretch) and drowned(stretch, _noise(path, q)[0]):
+    if is_numeric(stretch) and below_roundoff(stretch, _noise(path, q)[0]):
         raise SingularError(
             f"the path stands still at q = {q!r}: dr/dq is zero there, and no rate of q gives "
             "it a speed; use another parameter"
         )
     rate = scalar(speed) / stretch
-    return Moving(
-        scalar(q),
-        rate,
-        (scalar(speed_rate) - rate * rate * (dot3(first, second) / stretch)) / stretch,
-    )
+    second_rate = (scalar(speed_rate) - rate * rate * (dot3(first, second) / stretch)) / stretch
+    return Moving(scalar(q), rate, second_rate)
 
 
 def _noise(path, q):
-    """The rounding in the first and in the second derivative, as lengths."""
-    return shaken(lambda p: derivatives(path, p)[1:3], (q,))
+    """The round-off of the first and of the second derivative, as lengths."""
+    return roundoff_sensitivity(lambda p: derivatives(path, p)[1:3], (q,))
 
 
 def _running(q):
@@ -114,17 +115,12 @@ def _three(c):
     return x, y, z
 
 
-def _jet(x):
-    x = as_moving(x)
-    return Moving(*map(as_moving, (x.value, x.rate, x.acceleration)))
-
-
 # -- the Frenet triad
 
 
 @dataclass(frozen=True)
 class Frenet:
-    """A motion in its intrinsic components: what :func:`frenet` and :func:`frenet_along` return.
+    """A motion in intrinsic components, from :func:`frenet` or :func:`frenet_along`.
 
     frame : the frame of the axes e_t, e_n, e_b, in which ``velocity`` and ``acceleration`` are
         expressed
@@ -133,10 +129,10 @@ class Frenet:
     """
 
     frame: Triad
-    speed: object
-    speed_rate: object
-    flexure: object
-    _torsion: object = field(default=None, repr=False)
+    speed: Scalar
+    speed_rate: Scalar
+    flexure: Scalar
+    _torsion: Scalar = field(default=None, repr=False)
 
     e_t = property(lambda self: self.frame.i, doc="unit tangent, along the velocity (2.4), (3.4)")
     e_n = property(
@@ -150,7 +146,7 @@ class Frenet:
     )
 
     @property
-    def torsion(self):
+    def torsion(self) -> Scalar:
         """tau in 1/length, with the book's sign (3.9), (3.10)."""
         if self._torsion is None:
             raise SingularError(
@@ -160,32 +156,25 @@ class Frenet:
         return plain(self._torsion)
 
     @property
-    def velocity(self):
+    def velocity(self) -> Vector:
         """v = nu e_t (2.4), (3.12); its rate in the ground is the acceleration."""
         v = self.frame.vector(self.speed, 0, 0)
-        return Vector(
-            v.c,
-            self.frame,
-            lambda: self.frame.vector(self.speed_rate, 0, 0),
-            self._ledger("velocity", tangential=v),
-        )
+        return self._sum("velocity", lambda: self.frame.vector(self.speed_rate, 0, 0), tangential=v)
 
     @property
-    def acceleration(self):
+    def acceleration(self) -> Vector:
         """a = nu' e_t + nu^2 f e_n (2.14), (3.13); terms ``tangential`` and ``normal``."""
-        t, n = (
-            self.frame.vector(self.speed_rate, 0, 0),
-            self.frame.vector(0, self.speed * self.speed * self.flexure, 0),
-        )
-        return Vector(
-            add3(t.c, n.c), self.frame, None, self._ledger("acceleration", tangential=t, normal=n)
-        )
+        t = self.frame.vector(self.speed_rate, 0, 0)
+        n = self.frame.vector(0, self.speed * self.speed * self.flexure, 0)
+        return self._sum("acceleration", None, tangential=t, normal=n)
 
-    def _ledger(self, what, **terms):
-        return Ledger(EQUATIONS[f"intrinsic {what}"], f"in {self.frame.parent.name}", lambda: terms)
+    def _sum(self, what, own_rate, **terms):
+        subject = f"in {self.frame.parent.name}"
+        ledger = Ledger(EQUATIONS[f"intrinsic {what}"], subject, lambda: terms)
+        return Vector(sum3(v.c for v in terms.values()), self.frame, own_rate, ledger)
 
 
-def speed_rate(v, a):
+def speed_rate(v: Vector, a: Vector) -> Scalar:
     """nu' = v . a / nu, the tangential component of acceleration; it exists on a straight path too.
 
     >>> from newton_euler import Frame
@@ -193,34 +182,33 @@ def speed_rate(v, a):
     >>> speed_rate(ground.vector(3.0, 4.0, 0), ground.vector(1.0, 1.0, 0))
     1.4
     """
-    _check_speed(v.c, v.norm(), _extent(v))
+    _check_speed(v.c, v.norm(), _round_off(v))
     return v.dot(a) / v.norm()
 
 
-def flexure(v, a):
-    """f = abs(v x a) / nu^3 (3.6), the reciprocal of the radius of curvature; zero (or rounding
-    noise) on a straight path.
+def flexure(v: Vector, a: Vector) -> Scalar:
+    """f = abs(v x a) / nu^3 (3.6), the reciprocal of the radius of curvature; zero (or round-off)
+    on a straight path.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> flexure(ground.vector(2.0, 0, 0), ground.vector(0.5, 3.0, 0))
     0.75
     """
-    _check_speed(v.c, v.norm(), _extent(v))
+    _check_speed(v.c, v.norm(), _round_off(v))
     return v.cross(a).norm() / v.norm() ** 3
 
 
-def frenet(v, a, jerk=None, name="path"):
+def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path") -> Frenet:
     """The intrinsic triad and components of a motion with velocity ``v`` and acceleration ``a``
     (2.14), (3.13).
 
-    jerk : da/dt; it is needed for the torsion alone
-    v, a, jerk : Vectors, all seen from one observer; the triad hangs under the frame of ``v``
-    Returns a :class:`Frenet`.
+    v, a, jerk : Vectors, all seen from one observer; the frame of ``v`` is the parent of the triad
+    jerk : da/dt; only needed for the torsion
 
-    Raises :class:`SingularError` at rest, and where v x a is zero (a straight path, an inflection)
-    so that e_n does not exist. "Zero" means: not larger than the rounding of what it was made of.
-    The ledgers of ``v`` and ``a`` count here: if large terms cancel, rounding is what is left.
+    Raises :class:`SingularError` at rest, and where v x a is below round-off (a straight path, an
+    inflection), so that e_n does not exist. Terms of ``v`` and ``a`` that cancel add to the
+    round-off.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground")
@@ -232,19 +220,18 @@ def frenet(v, a, jerk=None, name="path"):
     """
     ground = v.frame
     third = None if jerk is None else jerk.expressed_in(ground).c
-    return _frenet(ground, v.c, a.expressed_in(ground).c, third, name, _extent(v), _extent(a))
+    return _frenet(ground, v.c, a.expressed_in(ground).c, third, name, _round_off(v), _round_off(a))
 
 
-def frenet_along(path, q, ground, name="path"):
+def frenet_along(path: Callable, q: Scalar, ground: Frame, name: str = "path") -> Frenet:
     """The intrinsic triad, flexure, torsion and components of a point moving along a path
     (3.4)-(3.13), by exact derivatives.
 
     path : function of the parameter, returning the coordinates (x, y, z) along the axes of
         ``ground``
-    q : a moving parameter (see :func:`at_speed`); a plain number counts as time, a parameter that
-        grows at the rate 1
-    Returns a :class:`Frenet`. Raises :class:`SingularError` as :func:`frenet` does: where a
-    direction changes by its own size while q moves by its round-off.
+    q : a moving parameter (see :func:`at_speed`); a plain number is a time, with the rate 1
+    Raises :class:`SingularError` as :func:`frenet` does, here where a direction changes by its own
+    size while q changes by its round-off.
 
     >>> from newton_euler import Frame, cos, sin
     >>> helix = frenet_along(lambda s: (3.0*cos(s), 3.0*sin(s), 4.0*s), 0.0, Frame("ground"))
@@ -255,7 +242,7 @@ def frenet_along(path, q, ground, name="path"):
     _, first, second, third = derivatives(path, q.value)
     v = scale3(q.rate, first)
     a = add3(scale3(q.rate * q.rate, second), scale3(q.acceleration, first))
-    noises = ZERO, ZERO
+    noises = [ZERO, ZERO]
     if numeric3(v) and numeric3(a) and is_numeric(q.value):
         noises = [noise * abs(q.rate) ** n for n, noise in enumerate(_noise(path, q.value), 1)]
     # the other parts of the jerk lie in the plane of v and a
@@ -266,13 +253,13 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
     speed, turn = norm3(v), cross3(v, a)
     _check_speed(v, speed, v_noise)
     area = norm3(turn)
+    # of the cross product itself, with a margin of 8, and from that of v and of a
     rounding = 8 * epsilon(speed) * (speed * norm3(a)) + speed * a_noise + norm3(a) * v_noise
-    if is_zero(area) or (numeric3((*v, *a)) and drowned(area, rounding)):
+    if is_zero(area) or (numeric3((*v, *a)) and below_roundoff(area, rounding)):
         raise SingularError(
-            "the path is straight here, on a line or at an inflection: v x a is zero "
-            "(within rounding), so e_n, e_b and the torsion do not exist "
-            "and the radius of curvature is infinite; the tangential component is "
-            "speed_rate(v, a), the flexure 0"
+            "the path is straight here, on a line or at an inflection: v x a is zero (within "
+            "rounding), so e_n, e_b and the torsion do not exist and the radius of curvature is "
+            "infinite; the tangential component is speed_rate(v, a), the flexure 0"
         )
     e_t, e_b = tuple(x / speed for x in v), tuple(x / area for x in turn)
     f = area / speed**3
@@ -283,26 +270,18 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
 
 
 def _check_speed(v, speed, noise):
-    if numeric3(v) and drowned(scalar(speed), noise):
+    if numeric3(v) and below_roundoff(scalar(speed), noise):
         raise SingularError(
-            "the point is at rest (within rounding): a velocity of zero has no direction, "
-            "so there is no e_t; "
-            "if the path is known, take the triad from the path with a parameter that "
+            "the point is at rest (within rounding): a velocity of zero has no direction, so there "
+            "is no e_t; if the path is known, take the triad from the path with a parameter that "
             "moves, frenet_along(path, q, ground)"
         )
 
 
-def _extent(v):
-    """The rounding to expect in a vector, as a length: of its own components and of the terms it
-    was summed from.
-    """
-    if not numeric3(v.c):
-        return ZERO
-    return 4 * epsilon(norm3(v.c)) * _gathered(v)
+def _round_off(v):
+    """The round-off to expect in a vector, as a length, from its components and its terms."""
+    return 4 * epsilon(norm3(v.c)) * _gathered(v) if numeric3(v.c) else ZERO
 
 
 def _gathered(v):
-    total = norm3(v.c)
-    for term in v.terms.values():
-        total = total + _gathered(term)
-    return total
+    return sum((_gathered(term) for term in v.terms.values()), norm3(v.c))

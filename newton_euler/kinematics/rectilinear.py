@@ -1,18 +1,20 @@
-"""Motion along a line from its acceleration, given as a function of time, of speed or of place (ch.
-2, with one coordinate).
+"""Motion along a line from its acceleration as a function of time, of velocity or of position
+(chapter 2, with one coordinate).
 
-The acceleration is dv/dt, and v = dx/dt, so that also a = v dv/dx. Each function here integrates
-one of these once or twice, to the accuracy of the numbers it gets (floats, arrays, mpf). For
-formulas integrate by hand or with SymPy.
+From a = dv/dt and v = dx/dt follows a = v dv/dx. Each function here integrates one of these once or
+twice, to the accuracy of the numbers given (floats, arrays, mpf). Formulas are left to SymPy.
 """
 
+from collections.abc import Callable
+
 from ..algebra.quadrature import integral
-from ..algebra.scalars import SingularError, anywhere, scalar, size, sqrt, where
+from ..algebra.scalars import Scalar, SingularError, anywhere, scalar, size, sqrt, where
 
 
-def from_time(a, t, x0=0.0, v0=0.0):
-    """(x, v) at the time ``t`` of a point that at time 0 is at ``x0`` with velocity ``v0``; ``a``
-    is its acceleration as a function of time.
+def from_time(a: Callable, t: Scalar, x0: Scalar = 0.0, v0: Scalar = 0.0) -> tuple[Scalar, Scalar]:
+    """(x, v) at the time ``t`` of a point that at time 0 is at ``x0`` with velocity ``v0``.
+
+    a : the acceleration as a function of time
 
     >>> x, v = from_time(lambda t: 6.0*t, 2.0, v0=1.0)
     >>> round(x, 12), round(v, 12)
@@ -21,29 +23,34 @@ def from_time(a, t, x0=0.0, v0=0.0):
     return x0 + v0 * t + integral(lambda s: (t - s) * a(s), 0 * t, t), v0 + integral(a, 0 * t, t)
 
 
-def from_speed(a, v, v0, x0=0.0):
+def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = 0.0) -> tuple[Scalar, Scalar]:
     """(t, x) at which a point reaches the velocity ``v``, starting at time 0 at ``x0`` with ``v0``.
 
-    a : the acceleration as a function of velocity. t is the integral of dv/a, x - x0 that of v
-        dv/a. Raises :class:`SingularError` if the
-    acceleration vanishes or changes its sign in between, or opposes the change, so that ``v`` is
-    not reached.
+    a : the acceleration as a function of velocity
+    t is the integral of dv/a, x - x0 that of v dv/a. Raises :class:`SingularError` if the
+    acceleration is zero or has the wrong sign between, so that ``v`` is not reached.
 
     >>> t, x = from_speed(lambda v: -0.5*v, 1.0, v0=4.0)
     >>> round(t/2, 12), round(x, 12)  # t = 2 ln 4
     (1.38629436112, 6.0)
     """
-    _check_reached(a, v, v0)
+    ahead = where(v >= v0, 1, -1)
+    for n in range(65):  # a sample: a change of sign within less than 1/64 of the way is not seen
+        if anywhere(a(v0 + (v - v0) * n / 64) * ahead <= 0) and size(v - v0) > 0:
+            raise SingularError(
+                f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes or "
+                "points the other way in between"
+            )
     return integral(lambda u: 1 / a(u), v0, v), x0 + integral(lambda u: u / a(u), v0, v)
 
 
-def from_place(a, x, x0=0.0, v0=0.0):
-    """(t, v) at which a point reaches the place ``x``, starting at time 0 at ``x0`` with ``v0``.
+def from_place(a: Callable, x: Scalar, x0: Scalar = 0.0, v0: Scalar = 0.0) -> tuple[Scalar, Scalar]:
+    """(t, v) at which a point reaches the position ``x``, starting at time 0 at ``x0`` with ``v0``.
 
-    a : the acceleration as a function of place. v^2 = v0^2 + 2 (integral of a dx), t is the
-        integral of dx/v, also from rest. Raises
-    :class:`SingularError` if v^2 would be negative: the point turns back before ``x``. Where v = 0
-    at ``x`` itself the integral does not settle: start there and go backwards.
+    a : the acceleration as a function of position
+    v^2 = v0^2 + 2 (integral of a dx), t is the integral of dx/v, also from rest. Raises
+    :class:`SingularError` if v^2 would be negative, since the point turns back before ``x``. Where
+    v = 0 at ``x`` itself the integral does not converge: start there and go backwards.
 
     >>> t, v = from_place(lambda x: 9.81, 2.0)
     >>> round(v**2, 9), round(9.81*t/v, 9)
@@ -53,9 +60,7 @@ def from_place(a, x, x0=0.0, v0=0.0):
     forward = where(way >= 0, 1, -1)
 
     def speed(s):
-        """At the distance s from the start; s is small near the start, where x0 + s would lose
-        digits.
-        """
+        # by the distance s from the start, since x0 + s would lose digits near it
         square = v0 * v0 + 2 * s * integral(lambda p: a(x0 + s * p), 0 * s, 0 * s + 1)
         if anywhere(square < 0):
             raise SingularError(
@@ -70,13 +75,3 @@ def from_place(a, x, x0=0.0, v0=0.0):
             "point first"
         )
     return integral(lambda s: forward / speed(s), 0 * way, way), forward * speed(way)
-
-
-def _check_reached(a, v, v0):
-    ahead = where(v >= v0, 1, -1)
-    for n in range(65):
-        if anywhere(a(v0 + (v - v0) * n / 64) * ahead <= 0) and size(v - v0) > 0:
-            raise SingularError(
-                f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes or "
-                "points the other way in between"
-            )

@@ -4,30 +4,32 @@ angles 3-1-3.
 A *rotation matrix* R is three rows of three scalars. It takes components in the turned axes to
 components in the fixed ones, and with them it turns vectors: its columns are the turned axes, and
 ``frame.rotation(ground)`` is one. The book's matrix A of direction cosines (4.1) is its transpose.
-All functions here speak of R, except :func:`direction_cosines`, which returns A.
+All functions here use R, except :func:`direction_cosines`, which returns A.
 
 A *quaternion* is (q0, q1, q2, q3), scalar part first: cos(angle/2), then sin(angle/2) times the
 axis. It too takes body components to ground components; q and -q are the same rotation. *Euler
 angles* are (psi, theta, phi), in the order of turning: precession about Z, nutation about the line
 of nodes, spin about the body's z axis (10.2). Angles are in radians.
 
-What builds a rotation works over scalars of every kind. What reads one (``axis_angle``,
-``quaternion_from_matrix``, ``euler_angles``) has to compare
-values: it takes floats, mpf, arrays (each entry of shape (N,), one for each instant) and SymPy
-    numbers, and refuses expressions in
-words; of moving numbers it reads the values.
+Functions that build a rotation work over scalars of every kind. Those that read one
+(``axis_angle``, ``quaternion_from_matrix``, ``euler_angles``) compare values: they take floats,
+mpf, arrays (each entry of shape (N,), one for each instant), SymPy numbers, and the values of
+moving numbers, and raise :class:`ScalarError` for expressions.
 """
+
+from collections.abc import Sequence
+
+import numpy as np
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import (
     ZERO,
+    Scalar,
     ScalarError,
     atan2,
     cos,
     epsilon,
     is_finite,
-    is_numeric,
-    least,
     plain,
     scalar,
     sin,
@@ -36,12 +38,16 @@ from ..algebra.scalars import (
     where,
     without_rates,
 )
-from ..algebra.vectors import cross3, dot3, scale3
+from ..algebra.vectors import Vector, cross3, dot3, scale3
+from .frames import Frame, Point, divided_by_length, vanishes
+
+Matrix = Sequence[Sequence[Scalar]]  # three rows of three
+Triple = Sequence[Scalar] | Vector
 
 
 class RotationError(NewtonEulerError, ValueError):
     """A matrix that is no rotation, a quaternion or axis of length zero, or Euler rates where they
-    do not exist.
+    are singular.
     """
 
 
@@ -52,13 +58,21 @@ def _rows(R):
     return tuple(tuple(plain(x) for x in row) for row in R)
 
 
-def transpose(R):
-    """The matrix with rows and columns exchanged; of a rotation the inverse (4.2)."""
-    return tuple(tuple(R[m][n] for m in range(3)) for n in range(3))
+def transpose(R: Matrix) -> tuple:
+    """The matrix with rows and columns exchanged; of a rotation the inverse (4.2).
+
+    >>> transpose(((1, 2, 3), (4, 5, 6), (7, 8, 9)))
+    ((1, 4, 7), (2, 5, 8), (3, 6, 9))
+    """
+    return tuple(zip(*R, strict=True))
 
 
-def product(*matrices):
-    """The matrix product, of any number of 3 x 3 matrices, left to right as written."""
+def product(*matrices: Matrix) -> tuple:
+    """The matrix product of any number of 3 x 3 matrices, left to right as written.
+
+    >>> product(((0, -1, 0), (1, 0, 0), (0, 0, 1)), ((2, 0, 0), (0, 3, 0), (0, 0, 4)))
+    ((0, -3, 0), (2, 0, 0), (0, 0, 4))
+    """
     first, *others = matrices
     for other in others:
         columns = transpose(other)
@@ -66,9 +80,10 @@ def product(*matrices):
     return _rows(first)
 
 
-def apply(R, v):
-    """The components R v: of the turned vector, or of the same one in the fixed axes. ``v`` is a
-    triple or a Vector.
+def apply(R: Matrix, v: Triple) -> tuple:
+    """The components R v: of the turned vector, or of the same vector in the fixed axes.
+
+    v : three components, or a Vector
 
     >>> apply(((0, -1, 0), (1, 0, 0), (0, 0, 1)), (1.0, 2.0, 3.0))
     (-2.0, 1.0, 3.0)
@@ -77,21 +92,24 @@ def apply(R, v):
     return tuple(plain(dot3(row, v)) for row in R)
 
 
-def determinant(R):
-    """The determinant: 1 for a rotation (4.4), -1 for a reflection."""
+def determinant(R: Matrix) -> Scalar:
+    """The determinant: 1 for a rotation (4.4), -1 for a reflection.
+
+    >>> determinant(((0, -1, 0), (1, 0, 0), (0, 0, 1)))
+    1
+    """
     return plain(dot3(R[0], cross3(R[1], R[2])))
 
 
-def in_sequence(*rotations, axes="fixed"):
+def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
     """The one rotation that equals these, carried out in the order given (4.2, 4.3).
 
-    axes : "fixed" if the axis of each is given in the fixed frame, "moving" if in the frame that
-        the earlier ones have turned. The order matters, and reversing it exchanges the two
-        meanings.
+    axes : "fixed" if the axis of each is given in the fixed frame, "moving" if in the frame turned
+        by the earlier ones. The reverse order exchanges the two meanings.
 
     >>> import math
-    >>> quarter_x, quarter_y = rotation_matrix((1, 0, 0), math.pi/2), rotation_matrix((0, 1, 0), math.pi/2)
-    >>> [[round(x) for x in row] for row in in_sequence(quarter_x, quarter_y)]  # columns: i = -K, j = I, k = -J
+    >>> X, Y = (rotation_matrix(axis, math.pi/2) for axis in ((1, 0, 0), (0, 1, 0)))
+    >>> [[round(x) for x in row] for row in in_sequence(X, Y)]  # columns: i = -K, j = I, k = -J
     [[0, 1, 0], [0, 0, -1], [-1, 0, 0]]
     """
     if axes not in ("fixed", "moving"):
@@ -102,9 +120,9 @@ def in_sequence(*rotations, axes="fixed"):
     return product(*(reversed(rotations) if axes == "fixed" else rotations))
 
 
-def direction_cosines(frame, ground):
-    """The book's A (4.1): its rows are the axes of ``frame``, its columns those of ``ground``, its
-    entries cosines of the angles between them.
+def direction_cosines(frame: Frame, ground: Frame) -> tuple:
+    """The book's A (4.1), whose entries are the cosines of the angles between the axes of ``frame``
+    (rows) and of ``ground`` (columns).
 
     A takes components in ``ground`` to components in ``frame`` (4.7); it is the transpose of
     ``frame.rotation(ground)``, which turns the vectors.
@@ -120,13 +138,12 @@ def direction_cosines(frame, ground):
 # -- axis and angle
 
 
-def rotation_matrix(axis, angle):
-    """The matrix of the turn by ``angle`` (rad) about ``axis``, right-handed (4.2; the formula is
-    Rodrigues').
+def rotation_matrix(axis: Triple, angle: Scalar) -> tuple:
+    """The matrix, three rows, of the turn by ``angle`` (rad) about ``axis``, right-handed (4.2, by
+    Rodrigues' formula).
 
     axis : three components of any length, or a Vector; the same in the turned and in the fixed axes
-    Returns three rows. Works over scalars of every kind; a moving angle gives moving entries.
-    Raises :class:`RotationError` for an axis of length zero.
+    A moving angle gives moving entries. Raises :class:`RotationError` for an axis of length zero.
 
     >>> [[round(x, 3) for x in row] for row in rotation_matrix((0, 0, 2), 1.0)]
     [[0.54, -0.841, 0], [0.841, 0.54, 0], [0, 0, 1]]
@@ -143,17 +160,15 @@ def rotation_matrix(axis, angle):
     ))  # fmt: skip
 
 
-def axis_angle(R, tolerance=1e-9):
-    """Euler's theorem (4.2): the axis, three components of a unit vector, and the angle in [0, pi]
-    of any rotation.
+def axis_angle(R: Matrix, tolerance: float = 1e-9) -> tuple[tuple, Scalar]:
+    """The axis, a unit triple, and the angle in [0, pi] of any rotation (Euler's theorem, 4.2).
 
     Right-handed; the axis has the same components in the turned and the fixed axes. At pi (within 8
     round-offs), where both senses are the same rotation, its first component that is not zero is
-    positive. At angle 0 there is no axis: (0, 0, 1) stands for it.
+    positive. At angle 0 no axis is determined and (0, 0, 1) is returned.
     tolerance : how far R^T R may be from 1; :class:`RotationError` beyond, and for reflections
-    Accuracy: by way of the largest component of the quaternion and atan2, so at both ends the
-        round-off of the entries and no more, where the arc
-    cosine of (R11 + R22 + R33 - 1)/2 loses half of the digits.
+    Accuracy: the round-off of the entries, also near 0 and pi, where the arc cosine of
+    (R11 + R22 + R33 - 1)/2 loses half of the digits.
 
     >>> axis, angle = axis_angle(((0, 0, 1), (1, 0, 0), (0, 1, 0)))
     >>> [round(x, 6) for x in axis], round(angle, 6)
@@ -167,13 +182,7 @@ def axis_angle(R, tolerance=1e-9):
 def _unit(axis, angle):
     axis = _three(axis, "an axis")
     # a length of the kind of the angle: exact if that is
-    length = sqrt(dot3(axis, axis) + 0 * without_rates(angle))
-    if _vanishes(length) or not is_finite(length):
-        raise RotationError(
-            f"the axis {tuple(map(plain, axis))} has no direction: its length is "
-            f"{plain(length)}; give a vector that is not zero"
-        )
-    return tuple(x / length for x in axis)
+    return divided_by_length(axis, sqrt(dot3(axis, axis) + 0 * without_rates(angle)), RotationError)
 
 
 def _three(v, what):
@@ -186,17 +195,9 @@ def _three(v, what):
     return given
 
 
-def _vanishes(x, small=0):
-    """True if a number, at any instant, is not larger than ``small`` in size; an expression is
-    taken not to vanish.
-    """
-    return is_numeric(x) and least(without_rates(x)) <= small
-
-
 def _length_and_direction(v):
-    """Of three numbers, tiny ones too, whose squares would vanish; the direction (0, 0, 1) where
-    they are all zero.
-    """
+    """Length and unit triple of three numbers; the direction is (0, 0, 1) where all are zero."""
+    # divided by the largest first: the squares of tiny numbers would underflow
     largest = abs(v[0])
     for x in v[1:]:
         largest = where(abs(x) > largest, abs(x), largest)
@@ -206,25 +207,25 @@ def _length_and_direction(v):
     return largest * length, tuple(x / length for x in v)
 
 
-# -- what is no rotation
+# -- checks
 
 
-def checked_rotation(R, tolerance=1e-9):
+def checked_rotation(R: Matrix, tolerance: float = 1e-9) -> tuple:
     """``R`` as three rows, if it is a rotation: R^T R = 1 within ``tolerance`` and determinant +1
     (4.2)-(4.4).
 
-    Raises :class:`RotationError` saying what is wrong, :class:`ScalarError` where entries are
-    expressions that have no value to look at.
+    Raises :class:`RotationError` otherwise, and :class:`ScalarError` for entries without values.
     """
     try:
-        shape = [len(row) for row in R]
+        lengths = [len(row) for row in R]
+        got = f"rows of lengths {lengths}"
     except TypeError:
-        shape = None
-    if shape != [3, 3, 3]:
+        lengths, got = [], repr(R)
+    if lengths != [3, 3, 3]:
         raise RotationError(
-            "a rotation matrix is three rows of three entries; for many instants the "
-            "entries are arrays, so that NumPy shows the shape (3, 3, N); "
-            f"got {_shape_in_words(R, shape)}"
+            "a rotation matrix is three rows of three entries; for many instants the entries are "
+            "arrays, so that NumPy shows the shape (3, 3, N); got "
+            + (f"shape {R.shape}" if hasattr(R, "shape") else got)
         )
     R = tuple(tuple(without_rates(x) for x in row) for row in R)
     gram = product(transpose(R), R)
@@ -234,15 +235,14 @@ def checked_rotation(R, tolerance=1e-9):
     except (TypeError, ValueError, RuntimeError) as problem:
         raise ScalarError(
             "to read axis, quaternion or angles from a matrix its entries must have values "
-            "(floats, mpf, arrays); "
-            f"this one has expressions, as {R[0][0]!r}. Put in numbers first, or keep the "
-            "angles that it was built from"
+            f"(floats, mpf, arrays); this one has expressions, as {R[0][0]!r}. Put in numbers "
+            "first, or keep the angles that it was built from"
         ) from problem
     if not all(error <= tolerance for error in errors):
         raise RotationError(
             f"not a rotation: R^T R differs from the unit matrix by {max(errors):.3g}, and "
-            f"{tolerance:.3g} is allowed; its columns must be "
-            "unit vectors at right angles. If the entries are rounded, say how far with tolerance="
+            f"{tolerance:.3g} is allowed; its columns must be unit vectors at right angles. If the "
+            "entries are rounded, say how far with tolerance="
         )
     if not mirrored < 1:
         raise RotationError(
@@ -252,22 +252,14 @@ def checked_rotation(R, tolerance=1e-9):
     return R
 
 
-def _shape_in_words(R, shape):
-    return (
-        f"shape {R.shape}"
-        if hasattr(R, "shape")
-        else repr(R)
-        if shape is None
-        else f"rows of lengths {shape}"
-    )
-
-
 # -- quaternions
 
 
-def quaternion(axis, angle):
+def quaternion(axis: Triple, angle: Scalar) -> tuple:
     """The unit quaternion (cos(angle/2), sin(angle/2) e) of the turn by ``angle`` (rad) about
-    ``axis`` (any length), right-handed.
+    ``axis``, right-handed.
+
+    axis : three components of any length, or a Vector
 
     >>> quaternion((0, 0, 1), 0.0)
     (1.0, 0, 0, 0.0)
@@ -276,9 +268,12 @@ def quaternion(axis, angle):
     return (cos(half), *(plain(sin(half) * x) for x in _unit(axis, angle)))
 
 
-def quaternion_product(p, q):
+def quaternion_product(p: Sequence[Scalar], q: Sequence[Scalar]) -> tuple:
     """The quaternion p q: the turn q, then p about fixed axes; its matrix is the product of the two
     matrices in the same order.
+
+    >>> quaternion_product((0.6, 0.8, 0, 0), (0.6, -0.8, 0, 0))
+    (1.0, 0.0, 0, 0)
     """
     p0, p1, p2, p3 = _four(p)
     q0, q1, q2, q3 = _four(q)
@@ -290,9 +285,10 @@ def quaternion_product(p, q):
     )
 
 
-def normalised(q):
-    """The quaternion with length 1 in the same direction; integration makes it drift.
-    :class:`RotationError` for length zero.
+def normalised(q: Sequence[Scalar]) -> tuple:
+    """The quaternion divided by its length, which drifts from 1 in integration.
+
+    Raises :class:`RotationError` for length zero.
 
     >>> normalised((3.0, 0.0, 4.0, 0.0))
     (0.6, 0.0, 0.8, 0.0)
@@ -302,16 +298,14 @@ def normalised(q):
     return tuple(plain(x / length) for x in q)
 
 
-def matrix_from_quaternion(q):
-    """The rotation matrix of a quaternion. One of any length will do and gives a true rotation: the
-    formula divides by its square.
+def matrix_from_quaternion(q: Sequence[Scalar]) -> tuple:
+    """The rotation matrix of a quaternion of any length but zero.
 
     >>> matrix_from_quaternion((1.0, 0, 0, 1.0))
     ((0.0, -1.0, 0), (1.0, 0.0, 0), (0, 0, 1))
     """
-    q = _four(q)
-    s = 2 / _norm2(q)
-    w, x, y, z = q
+    w, x, y, z = q = _four(q)
+    s = 2 / _norm2(q)  # not 2: the matrix is a rotation also if the length has drifted
     return _rows((
         (1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)),
         (s * (x * y + w * z), 1 - s * (z * z + x * x), s * (y * z - w * x)),
@@ -319,12 +313,12 @@ def matrix_from_quaternion(q):
     ))  # fmt: skip
 
 
-def quaternion_from_matrix(R, tolerance=1e-9):
+def quaternion_from_matrix(R: Matrix, tolerance: float = 1e-9) -> tuple:
     """The unit quaternion of a rotation matrix, its scalar part not negative; at an angle of pi,
     the sign of :func:`axis_angle`.
 
-    Of the four ways to it (each divides by another component) the one with the largest divisor is
-    taken, for each instant (S. W. Shepperd, Quaternion from rotation matrix, J. Guidance and
+    Of the four formulas, each with another component as divisor, the one with the largest divisor
+    is taken at each instant (S. W. Shepperd, Quaternion from rotation matrix, J. Guidance and
     Control 1, 223, 1978). Errors as for :func:`checked_rotation`.
 
     >>> quaternion_from_matrix(((1, 0, 0), (0, -1, 0), (0, 0, -1)))
@@ -343,22 +337,17 @@ def quaternion_from_matrix(R, tolerance=1e-9):
         q = tuple(where(better, new, old) for new, old in zip(rows[n], q, strict=True))
         largest = where(better, rows[n][n], largest)
     q = normalised(q)
-    round_off = epsilon(q[0])
-    sense = where(abs(q[0]) > 4 * round_off, q[0], _leading(q[1:], 64 * round_off))
+    # the sign is that of the first component beyond round-off: at pi, q0 = cos(pi/2) is noise
+    round_off, sense = epsilon(q[0]), q[3]
+    for x, noise in ((q[2], 64), (q[1], 64), (q[0], 4)):
+        sense = where(abs(x) > noise * round_off, x, sense)
     return tuple(where(sense < 0, 0 - x, x) for x in q)
 
 
-def _leading(values, small):
-    """The first of the values that is larger than ``small`` in size, or the last one."""
-    *others, chosen = values
-    for x in reversed(others):
-        chosen = where(abs(x) > small, x, chosen)
-    return chosen
+def quaternion_rate(q: Sequence[Scalar], omega: Triple) -> tuple:
+    """The rate q' = q (0, omega)/2 for the angular velocity ``omega`` in rad/s.
 
-
-def quaternion_rate(q, omega):
-    """The rate q' = q (0, omega)/2, for the angular velocity ``omega`` (rad/s) in *body*
-    components, a triple or a Vector of the body's frame.
+    omega : *body* components, a triple or a Vector of the body's frame
 
     >>> quaternion_rate((0.8, 0, 0, 0.6), (0, 0, 1.0))
     (-0.3, 0, 0, 0.4)
@@ -378,7 +367,7 @@ def _four(q):
 
 def _norm2(q):
     total = dot3(q, q) + q[3] * q[3]
-    if _vanishes(total) or not is_finite(total):
+    if vanishes(total) or not is_finite(total):
         raise RotationError(
             f"{tuple(map(plain, q))} is the quaternion of no rotation: its length must be "
             "finite and not zero, at every instant"
@@ -389,33 +378,30 @@ def _norm2(q):
 # -- Euler angles 3-1-3
 
 
-def _about_x(angle):
-    c, s = cos(angle), sin(angle)
-    return (1, ZERO, ZERO), (ZERO, c, s), (ZERO, -s, c)
-
-
-def _about_z(angle):
-    c, s = cos(angle), sin(angle)
-    return (c, s, ZERO), (-s, c, ZERO), (ZERO, ZERO, 1)
-
-
-def euler_matrix(psi, theta, phi):
+def euler_matrix(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
     """The rotation matrix, body to ground, of precession psi, nutation theta, spin phi (rad): the
     transpose of T_phi T_theta T_psi (10.10).
 
     >>> euler_matrix(0.0, 0.0, 0.0)[2]
     (0.0, 0.0, 1.0)
     """
-    return transpose(product(_about_z(phi), _about_x(theta), _about_z(psi)))
+    c, s = cos(theta), sin(theta)
+    nutation = (1, ZERO, ZERO), (ZERO, c, -s), (ZERO, s, c)
+    return product(_about_z(psi), nutation, _about_z(phi))
 
 
-def euler_angles(R, tolerance=1e-9):
+def _about_z(angle):
+    c, s = cos(angle), sin(angle)
+    return (c, -s, ZERO), (s, c, ZERO), (ZERO, ZERO, 1)
+
+
+def euler_angles(R: Matrix, tolerance: float = 1e-9) -> tuple:
     """The angles (psi, theta, phi) in rad of a rotation matrix, body to ground: psi and phi in
     (-pi, pi], theta in [0, pi] (10.5)-(10.10).
 
-    At theta = 0 only psi + phi is determined and at theta = pi only psi - phi: there, within
-    round-off, phi is 0 and psi has it all. Near these places an error of R enters psi and phi
-    divided by sin(theta), but not their sum (their difference). Errors as for
+    Singular at theta = 0, where only psi + phi is determined, and at theta = pi, where only
+    psi - phi is: there, within round-off, phi is set to 0. Near these angles an error of R enters
+    psi and phi divided by sin(theta), but not their sum (their difference). Errors as for
     :func:`checked_rotation`.
 
     >>> [round(x, 12) for x in euler_angles(euler_matrix(0.3, 0.2, 0.1))]
@@ -426,25 +412,30 @@ def euler_angles(R, tolerance=1e-9):
     return euler_from_quaternion(quaternion_from_matrix(R, tolerance))
 
 
-def quaternion_from_euler(psi, theta, phi):
+def quaternion_from_euler(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
     """The unit quaternion of the Euler angles (rad), body to ground.
 
     >>> quaternion_from_euler(0.0, 0.0, 0.0)
     (1.0, 0.0, 0.0, 0.0)
     """
-    c, s, add, subtract = cos(theta / 2), sin(theta / 2), (psi + phi) / 2, (psi - phi) / 2
-    return c * cos(add), s * cos(subtract), s * sin(subtract), c * sin(add)
+    c, s, a, b = cos(theta / 2), sin(theta / 2), (psi + phi) / 2, (psi - phi) / 2
+    return c * cos(a), s * cos(b), s * sin(b), c * sin(a)
 
 
-def euler_from_quaternion(q):
-    """The Euler angles (psi, theta, phi) of a quaternion of any length; ranges, and the choice at
-    theta = 0 and pi, as for :func:`euler_angles`.
+def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
+    """The Euler angles (psi, theta, phi) in rad of a quaternion of any length; ranges and choices
+    as for :func:`euler_angles`.
+
+    >>> [round(x, 12) for x in euler_from_quaternion(quaternion_from_euler(0.3, 0.2, 0.1))]
+    [0.3, 0.2, 0.1]
     """
     w, x, y, z = (without_rates(c) for c in normalised(q))
     # cos and sin of theta/2; (w, z) has the angle (psi + phi)/2, (x, y) (psi - phi)/2
     upright, tilted = sqrt(w * w + z * z), sqrt(x * x + y * y)
     theta = 2 * atan2(tilted, upright)
-    small = 4 * epsilon(upright)
+    small = 4 * epsilon(
+        upright
+    )  # below it the angle of a pair is noise: that of the other is taken
     x, y = (where(tilted <= small, a, b) for a, b in ((w, x), (z, y)))
     w, z = (where(upright <= small, a, b) for a, b in ((x, w), (y, z)))
     # + 0 turns -0.0 into 0.0, whose angle is pi and not -pi
@@ -453,11 +444,11 @@ def euler_from_quaternion(q):
     return psi, theta, phi
 
 
-def euler_body_rates(psi, theta, phi, rates):
-    """The angular velocity in body components (10.12), rad/s, from the angles and ``rates`` =
-    (psi', theta', phi').
+def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Scalar]) -> tuple:
+    """The angular velocity in body components (10.12), rad/s, from the angles (rad) and ``rates`` =
+    (psi', theta', phi') (rad/s).
 
-    psi has no influence; it is there so that angles travel together.
+    psi has no influence; it is a parameter so that the three angles can be passed together.
 
     >>> euler_body_rates(0.0, 0.0, 0.0, (2.0, 0.5, 3.0))
     (0.5, 0.0, 5.0)
@@ -471,69 +462,74 @@ def euler_body_rates(psi, theta, phi, rates):
     )
 
 
-def euler_rates(psi, theta, phi, omega):
+def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple:
     """The rates (psi', theta', phi') in rad/s from the angles and the angular velocity ``omega`` in
     body components: (10.12) solved for them.
 
-    Raises :class:`RotationError` where sin(theta) is zero within round-off: no rates of these
-    angles give every angular velocity there.
+    Raises :class:`RotationError` where sin(theta) is zero within round-off: Euler angles are
+    singular there.
 
-    >>> [round(x, 12) for x in euler_rates(0.3, 0.2, 0.1, euler_body_rates(0.3, 0.2, 0.1, (2.0, 0.5, 3.0)))]
+    >>> omega = euler_body_rates(0.3, 0.2, 0.1, (2.0, 0.5, 3.0))
+    >>> [round(x, 12) for x in euler_rates(0.3, 0.2, 0.1, omega)]
     [2.0, 0.5, 3.0]
     """
     x, y, z = _three(omega, "an angular velocity")
     s = sin(theta)
-    if _vanishes(s, 4 * epsilon(without_rates(s))):
+    if vanishes(s, 4 * epsilon(without_rates(s))):
         raise RotationError(
             f"theta = {plain(theta)!r} rad: at theta = 0 and pi the axes of precession and "
-            "spin coincide and the rates of Euler's angles are not "
-            "determined; use quaternion_rate, which has no such place, and read angles off "
-            "afterwards"
+            "spin coincide and the rates of Euler's angles are not determined; use "
+            "quaternion_rate, which is never singular, and compute the angles afterwards"
         )
     dpsi = (x * sin(phi) + y * cos(phi)) / s
     return plain(dpsi), plain(x * cos(phi) - y * sin(phi)), plain(z - dpsi * cos(theta))
 
 
-def unwound(angles, rates, times):
-    """Angles that were read off modulo a turn, made continuous by their rates at the same instants,
-    where steps may be of many turns.
+def unwound(angles: Sequence[float], rates: Sequence[float], times: Sequence[float]) -> np.ndarray:
+    """Angles known modulo a turn, made continuous by their rates; steps of many turns are allowed.
 
-    angles (rad), rates (rad/s), times (s) : of shape (N,). Between two instants the mean of the two
-        rates says about how far it went; the whole turns
-    that fit best are added. Raises :class:`RotationError` where more than a quarter of a turn is
-    left over: then the samples do not tell.
+    angles (rad), rates (rad/s), times (s) : of shape (N,)
+    Whole turns are added that fit best to the mean of the two rates of each step. Raises
+    :class:`RotationError` where more than a quarter of a turn is left over: then the number of
+    turns is not determined by these samples.
 
     >>> [round(float(x), 6) for x in unwound([0.0, 1.0, 2.0], [7.0, 7.4, 7.2], [0.0, 1.0, 2.0])]
     [0.0, 7.283185, 14.566371]
     """
-    import numpy as np
-
-    angles, rates, times = (np.asarray(x, dtype=float) for x in (angles, rates, times))
-    missing = np.diff(times) * (rates[1:] + rates[:-1]) / 2 - np.diff(angles)
+    q, w, t = (np.asarray(x, dtype=float) for x in (angles, rates, times))
+    missing = np.diff(t) * (w[1:] + w[:-1]) / 2 - np.diff(q)
     turns = np.round(missing / (2 * np.pi))
     left = np.abs(missing - 2 * np.pi * turns)
     if not (left <= np.pi / 2).all():
         n = int(np.argmax(left))
         raise RotationError(
-            f"between t = {times[n]:.6g} and {times[n + 1]:.6g} s the rates {rates[n]:.6g} "
-            f"and {rates[n + 1]:.6g} rad/s leave {left[n]:.3g} rad: "
-            "how many turns there were is not known; give more instants, or take the angle "
-            "itself as a state of the motion"
+            f"between t = {t[n]:.6g} and {t[n + 1]:.6g} s the rates {w[n]:.6g} "
+            f"and {w[n + 1]:.6g} rad/s leave {left[n]:.3g} rad: how many turns there were is "
+            "not known; give more instants, or take the angle itself as a state of the motion"
         )
-    return angles + 2 * np.pi * np.concatenate(([0.0], np.cumsum(turns)))
+    return q + 2 * np.pi * np.concatenate(([0.0], np.cumsum(turns)))
 
 
-def euler_frame(parent, name, psi, theta, phi, origin=None):
+def euler_frame(
+    parent: Frame,
+    name: str,
+    psi: Scalar,
+    theta: Scalar,
+    phi: Scalar,
+    origin: Point | None = None,
+) -> Frame:
     """The frame ``name``, placed in ``parent`` by three successive turns (10.2): psi about z, theta
     about the new x, phi about the new z.
 
-    The angles are numbers, or :func:`moving` with their rates. The frames in between are its
-    ``.parent``, the book's {i, j, k} that precesses and nutates without spinning, and its
-    ``.parent.parent``. ``origin`` is a Point of ``parent``.
+    psi, theta, phi : rad, numbers or :func:`moving`
+    origin : a Point of ``parent``
+    The frame between them, ``.parent``, is the book's {i, j, k} that precesses and nutates without
+    spinning.
 
     >>> from newton_euler import Frame, moving
-    >>> body = euler_frame(Frame("ground"), "top", moving(0.0, rate=2.0), 0.0, moving(0.0, rate=3.0))
-    >>> body, body.angular_velocity(body.parent.parent.parent).components()
+    >>> ground = Frame("ground")
+    >>> body = euler_frame(ground, "top", moving(0.0, rate=2.0), 0.0, moving(0.0, rate=3.0))
+    >>> body, body.angular_velocity(ground).components()
     (Frame(top < top nutated < top precessed < ground), (0.0, 0.0, 5.0))
     """
     precessed = parent.rotate(f"{name} precessed", "z", psi, origin=origin)

@@ -1,25 +1,26 @@
-"""Frames given by their axes: unit vectors that follow a path or a coordinate system, and where
-they cease to exist.
+"""Frames given by their axes, such as the unit vectors of a path or of a coordinate system.
 
 A :class:`Triad` is a :class:`~newton_euler.kinematics.frames.Frame` made from its three axes
-instead of a turn about one; vectors can be expressed in it like in any other. Where a direction is
-only rounding noise, :class:`SingularError` says so instead of normalising the noise.
+instead of a turn about one; vectors can be expressed in it as in any other frame. The functions
+below measure whether a direction is determined, or only round-off.
 """
 
+from collections.abc import Callable, Sequence
+
 from ..algebra.jets import Moving, as_moving
-from ..algebra.scalars import anywhere, epsilon, is_numeric, plain, scalar, sqrt
-from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3
-from .frames import Frame
+from ..algebra.scalars import Scalar, anywhere, epsilon, is_numeric, plain, scalar, sqrt
+from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3, sub3
+from .frames import Frame, Point
 
 
 class Triad(Frame):
-    """The frame with these axes, at this instant.
+    """The frame with given axes, at this instant.
 
     axes : three triples, the components in ``parent`` of three orthonormal vectors, right-handed;
         they are not checked
-    turning : where known, a function without arguments that returns angular velocity and
-        acceleration in ``parent``, each three components along the axes themselves (rad/s,
-        rad/s^2), or None where unknown; asking for an unknown one raises :class:`FrameError`
+    turning : function without arguments that returns angular velocity and acceleration in
+        ``parent``, each three components along the axes themselves (rad/s, rad/s^2), or None where
+        unknown; to use an unknown one raises :class:`FrameError`
 
     >>> ground = Frame("ground")
     >>> tilted = Triad("tilted", ground, ((0.6, 0.8, 0), (-0.8, 0.6, 0), (0, 0, 1)))
@@ -27,13 +28,20 @@ class Triad(Frame):
     (3.0, -4.0, 0)
     """
 
-    def __init__(self, name, parent, axes, turning=None, origin=None):
+    def __init__(
+        self,
+        name: str,
+        parent: Frame,
+        axes: Sequence[Sequence[Scalar]],
+        turning: Callable | None = None,
+        origin: Point | None = None,
+    ):
         super().__init__(name, parent, origin=origin)
-        self._axes = tuple(tuple(scalar(x) for x in axis) for axis in axes)
+        self._axes = tuple(tuple(map(scalar, axis)) for axis in axes)
         self.axis, self.angle = "axes", _Turning(self, turning)
 
     def _turn(self, c, sense):
-        """Between this frame and its parent: sense 1 from here up to the parent, -1 down."""
+        """Components in the parent from those here (sense 1), or back (sense -1)."""
         if c is ZERO3:
             return c
         if sense < 0:
@@ -46,8 +54,8 @@ class Triad(Frame):
 
 
 class _Turning:
-    """What a :class:`Triad` has in place of an angle: its angular velocity and acceleration,
-    computed when they are asked for.
+    """Angular velocity and acceleration of a :class:`Triad`, in place of an angle; computed on
+    demand.
     """
 
     def __init__(self, frame, turning):
@@ -61,18 +69,16 @@ class _Turning:
         if value is None:
             raise FrameError(
                 f"the {what} of {self.frame.name} is not known: its axes are known at this "
-                "instant only, without enough of their rates; "
-                "express the vector in the ground before differentiating it, or give the "
-                "motion with one more rate"
+                "instant only, without enough of their rates; express the vector in the ground "
+                "before differentiating it, or give the motion with one more rate"
             )
         return value
 
 
 def turning_of(axes):
-    """Angular velocity and acceleration, each along the axes, of axes whose components are
-    :class:`Moving`: omega_1 = e_2' . e_3, and so on.
+    """Angular velocity and acceleration, each along the axes, of axes with :class:`Moving`
+    components: omega_1 = e_2' . e_3, and so on.
     """
-    # the second rate of the last is not needed
     moved = [tuple(Moving(x.rate, x.acceleration) for x in axis) for axis in axes]
     omega = [as_moving(dot3(moved[(n + 1) % 3], axes[(n + 2) % 3])) for n in range(3)]
     return tuple(x.value for x in omega), tuple(x.rate for x in omega)
@@ -81,38 +87,34 @@ def turning_of(axes):
 # -- directions and rounding
 
 
-def norm3(c):
+def norm3(c: Sequence[Scalar]) -> Scalar:
     """The length of a triple."""
     return sqrt(dot3(c, c))
 
 
-def numeric3(c):
-    """True if the three components have values that can be compared."""
-    return all(is_numeric(x) for x in c)
+def numeric3(c: Sequence[Scalar]) -> bool:
+    """Whether all components have values that can be compared."""
+    return all(map(is_numeric, c))
 
 
-def drowned(value, noise):
-    """True if a numeric ``value`` >= 0 does not stand out of ``noise`` >= 0 (arrays: at any
-    instant).
-    """
+def below_roundoff(value: Scalar, noise: Scalar) -> bool:
+    """Whether ``value`` >= 0 is at most ``noise`` >= 0, its round-off (arrays: at any instant)."""
     return anywhere(plain(value) <= plain(noise))
 
 
-def shaken(f, q):
-    """How far each of the triples f(*q) moves, as lengths, while each of the numbers ``q`` moves by
-    up to 41 units in its last place.
+def roundoff_sensitivity(f: Callable, q: Sequence[Scalar]) -> list:
+    """The changes of the triples f(*q), as lengths, when each of the numbers ``q`` changes by up to
+    41 units in its last place.
 
-    It measures rounding inside f, and how sharply q determines f: a direction taken from a vector
-    no longer than this is arbitrary.
+    They measure the round-off inside f and of q: a direction taken from a vector no longer than its
+    change is arbitrary.
     """
     middle = f(*q)
     totals = [0.0] * len(middle)
     for n, x in enumerate(q):
+        # small and large, on both sides, and odd: round-off that one change hides another shows
         for units in (-29, -3, 7, 41):
             others = f(*q[:n], x * (1 + units * epsilon(x)), *q[n + 1 :])
-            moved = (
-                norm3(tuple(a - b for a, b in zip(c, d, strict=True)))
-                for c, d in zip(others, middle, strict=True)
-            )
-            totals = [total + length for total, length in zip(totals, moved, strict=True)]
+            for k, (c, d) in enumerate(zip(others, middle, strict=True)):
+                totals[k] = totals[k] + norm3(sub3(c, d))
     return totals
