@@ -19,7 +19,7 @@ from newton_euler.bodies.solids import disk
 
 def off_centre_disk(
     mass: Scalar, radius: Scalar, d: Scalar, a: Scalar, b: Scalar, psi: Scalar, omega: Scalar
-) -> RotorScene:
+) -> "RotorScene":
     """A thin disk at right angles to its shaft, with its centre off the axis (9.2). Its
     ``reactions()`` are (9.1)-(9.3).
 
@@ -36,7 +36,7 @@ def off_centre_disk(
 
 def bent_disk(
     mass: Scalar, radius: Scalar, beta: Scalar, a: Scalar, b: Scalar, psi: Scalar, omega: Scalar
-) -> RotorScene:
+) -> "RotorScene":
     """A thin disk with its centre on the shaft and its normal tilted by beta from the shaft towards
     y (9.3). Its ``reactions()`` are (9.4)-(9.6).
 

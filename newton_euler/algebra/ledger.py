@@ -5,8 +5,10 @@ the number of its equation, and ``without("coriolis")`` is the sum of a model wi
 """
 
 import operator
+import tomllib
 from dataclasses import dataclass, field
-from types import MappingProxyType
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 from .errors import NewtonEulerError
@@ -37,13 +39,17 @@ class Equation:
     terms: dict
 
 
-def equations(table):
-    """A read-only table {kind: :class:`Equation`} from {kind: (number, symbol, terms)}.
+@cache
+def equation(kind: str) -> Equation:
+    """The :class:`Equation` of this kind of sum, from ``equations.toml``.
 
-    >>> equations({"weight": ("5.26", "W", {})})["weight"].number
-    '5.26'
+    >>> equation("acceleration").number, equation("acceleration").terms["coriolis"][0]
+    ('4.18', '2 omega x v_r')
     """
-    return MappingProxyType({kind: Equation(kind, *entry) for kind, entry in table.items()})
+    with Path(__file__).with_name("equations.toml").open("rb") as file:
+        found = tomllib.load(file)[kind]
+    terms = {name: tuple(texts) for name, texts in found.get("terms", {}).items()}
+    return Equation(kind, found["number"], found["symbol"], terms)
 
 
 class NamedTerms:
@@ -69,10 +75,15 @@ class NamedTerms:
 class Ledger:
     """The named terms of a sum; ``subject`` names the things it is about, as "P/ground"."""
 
-    __slots__ = ("_make", "_terms", "equation", "subject")
+    __slots__ = ("_make", "_terms", "kind", "subject")
 
-    def __init__(self, equation, subject, make):
-        self.equation, self.subject, self._make, self._terms = equation, subject, make, None
+    def __init__(self, kind, subject, make):
+        self.kind, self.subject, self._make, self._terms = kind, subject, make, None
+
+    @property
+    def equation(self) -> Equation:
+        """The :class:`Equation` of this kind of sum."""
+        return equation(self.kind)
 
     @property
     def terms(self):
@@ -84,7 +95,7 @@ class Ledger:
     def mapped(self, change):
         """The ledger with ``change`` applied to every term."""
         return Ledger(
-            self.equation, self.subject, lambda: {n: change(v) for n, v in self.terms.items()}
+            self.kind, self.subject, lambda: {n: change(v) for n, v in self.terms.items()}
         )
 
 

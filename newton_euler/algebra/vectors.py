@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .errors import NewtonEulerError
 from .jets import Moving, moving
-from .ledger import Equation, Explanation, Ledger, NamedTerms, equations, latex_number
+from .ledger import Equation, Explanation, Ledger, NamedTerms, latex_number
 from .scalars import (
     ZERO,
     Scalar,
@@ -83,14 +83,6 @@ def sub3(a, b):
 def scale3(s, a):
     """s a."""
     return ZERO3 if a is ZERO3 else (s * a[0], s * a[1], s * a[2])
-
-
-EQUATIONS = equations({
-    "rate": ("4.15", r"\frac{D\mathbf{Q}}{Dt}", {
-        "relative": ("dQ/dt", r"\frac{d\mathbf{Q}}{dt}"),
-        "rotation": ("omega x Q", r"\boldsymbol{\omega}\times\mathbf{Q}"),
-    }),
-})  # fmt: skip
 
 
 class Vector(Scaled, NamedTerms):
@@ -345,7 +337,7 @@ class Vector(Scaled, NamedTerms):
         f = self.frame
         turned = f.angular_velocity(observer).expressed_in(f).cross(self)
         terms = {"relative": seen, "rotation": turned}
-        ledger = Ledger(EQUATIONS["rate"], f"{f.name}/{observer.name}", lambda: terms)
+        ledger = Ledger("rate", f"{f.name}/{observer.name}", lambda: terms)
         return Vector(add3(seen.c, turned.c), f, lambda: seen.rate(f) + turned.rate(f), ledger)
 
     # -- the term ledger
@@ -418,10 +410,10 @@ def cross(a: Vector, b: Vector) -> Vector:
     return a.cross(b)
 
 
-def named_sum(equation, subject, terms, frame):
+def named_sum(kind, subject, terms, frame):
     """The Vector in ``frame`` that is the sum of these terms, and keeps them by name."""
     ledger = Ledger(
-        equation, subject, lambda: {name: v.expressed_in(frame) for name, v in terms.items()}
+        kind, subject, lambda: {name: v.expressed_in(frame) for name, v in terms.items()}
     )
     return Vector(sum3(v.expressed_in(frame).c for v in terms.values()), frame, None, ledger)
 

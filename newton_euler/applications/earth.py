@@ -17,7 +17,6 @@ contains the centrifugal part.
 from itertools import accumulate, pairwise
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.ledger import equations
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -39,31 +38,6 @@ EARTH_RADIUS = 6.371e6  # m: of the sphere of equal volume (IUGG)
 EARTH_GM = 3.986004418e14  # m^3/s^2: gravitational constant times mass (WGS 84)
 EARTH_ORBIT_RATE = 1.990987e-7  # rad/s: one turn in a sidereal year of 365.25636 d
 EARTH_ORBIT_RADIUS = 1.495979e11  # m: astronomical unit (IAU 2012)
-
-EQUATIONS = equations({
-    "apparent acceleration": ("6.16", r"\mathbf{a}_r", {
-        "gravity": ("g", r"\mathbf{g}"),
-        "coriolis": ("-2 omega x v_r", r"\left(-2\boldsymbol{\omega}_e\times\mathbf{v}_r\right)"),
-    }),
-    "force near the earth": ("6.15", r"\mathbf{F}^e", {
-        "relative": ("m a_r", r"m\mathbf{a}_r"),
-        "coriolis": ("2 m omega x v_r", r"2m\boldsymbol{\omega}_e\times\mathbf{v}_r"),
-    }),
-    "support force": ("6.13", r"\mathbf{N}", {
-        "weight": ("m g k", r"mg\,\hat{k}"),
-        "rotation": ("m a_B", r"m\mathbf{a}_B"),
-    }),
-    "effective gravity": ("6.11", r"\mathbf{g}'", {
-        "attraction": ("-g k", r"\left(-g\,\hat{k}\right)"),
-        "centrifugal": ("-a_B", r"\left(-\mathbf{a}_B\right)"),
-    }),
-    "projectile": ("6.24", r"\mathbf{r}", {
-        "launch": ("v_r0 t", r"\mathbf{v}_{r0}t"),
-        "fall": ("1/2 g t^2", r"\tfrac{1}{2}\mathbf{g}t^2"),
-        "launch turned": ("-omega x v_r0 t^2", r"\left(-\boldsymbol{\omega}_e\times\mathbf{v}_{r0}t^2\right)"),  # noqa: E501
-        "fall turned": ("-1/3 omega x g t^3", r"\left(-\tfrac{1}{3}\boldsymbol{\omega}_e\times\mathbf{g}t^3\right)"),  # noqa: E501
-    }),
-})  # fmt: skip
 
 
 class EarthError(NewtonEulerError, ValueError):
@@ -198,7 +172,7 @@ def effective_gravity(g: Scalar, ground: Frame) -> Vector:
     [0, -0.00239041, -9.81983] in ground
     """
     parts = {"attraction": scalar(g) * -ground.k, "centrifugal": -ground_acceleration(ground)}
-    return named_sum(EQUATIONS["effective gravity"], f"in {ground.name}", parts, ground)
+    return named_sum("effective gravity", f"in {ground.name}", parts, ground)
 
 
 def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
@@ -216,7 +190,7 @@ def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
         "weight": scalar(m) * scalar(g) * ground.k,
         "rotation": scalar(m) * ground_acceleration(ground),
     }
-    return named_sum(EQUATIONS["support force"], f"in {ground.name}", parts, ground)
+    return named_sum("support force", f"in {ground.name}", parts, ground)
 
 
 def rotation_error(g: Scalar, radius: Scalar = EARTH_RADIUS, rate: Scalar = EARTH_RATE) -> Scalar:
@@ -266,7 +240,7 @@ def apparent_acceleration(v: Vector, gravity: Vector, omega: Vector) -> Vector:
     [0, 0, -9.98] in ground
     """
     parts = {"gravity": gravity, "coriolis": coriolis_acceleration(omega, v)}
-    return named_sum(EQUATIONS["apparent acceleration"], f"in {v.frame.name}", parts, v.frame)
+    return named_sum("apparent acceleration", f"in {v.frame.name}", parts, v.frame)
 
 
 def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
@@ -283,7 +257,7 @@ def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
     [3.13863, 0, 0] in ground
     """
     parts = {"relative": scalar(m) * a, "coriolis": -scalar(m) * coriolis_acceleration(omega, v)}
-    return named_sum(EQUATIONS["force near the earth"], f"in {v.frame.name}", parts, v.frame)
+    return named_sum("force near the earth", f"in {v.frame.name}", parts, v.frame)
 
 
 def launch_direction(azimuth, elevation):
@@ -329,7 +303,7 @@ def projectile_position(t: Scalar, launch: Vector, gravity: Vector, omega: Vecto
         "fall turned": scale3(-t * t * t / 3, cross3(w, g)),
     }
     terms = {name: Vector(c, frame) for name, c in triples.items()}
-    return named_sum(EQUATIONS["projectile"], f"in {frame.name}", terms, frame)
+    return named_sum("projectile", f"in {frame.name}", terms, frame)
 
 
 def _along(frame, *vectors):

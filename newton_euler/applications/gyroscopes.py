@@ -23,7 +23,6 @@ import math
 from dataclasses import dataclass
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.ledger import equations
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -98,14 +97,6 @@ def instantaneous_axis(body: Frame, observer: Frame) -> InstantaneousAxis:
 
 # -- moment from motion
 
-EQUATIONS = equations({
-    "gyroscopic moment": ("10.23", r"\mathbf{M}", {
-        "acceleration": ("dH/dt in {i, j, k}", r"\frac{d\mathbf{H}}{dt}"),
-        "precession": ("Omega x [I] Omega", r"\boldsymbol{\Omega}\times[I]\boldsymbol{\Omega}"),
-        "gyroscopic": ("Omega x I phi' k", r"\boldsymbol{\Omega}\times I\dot\phi\hat{k}"),
-    }),
-})  # fmt: skip
-
 
 def gyro_momentum(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
     """The angular momentum H about the fixed point or G, in the frame {i, j, k} that precesses and
@@ -150,7 +141,7 @@ def gyro_moment(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
         "precession": Omega.cross(inertia.times(Omega)),
         "gyroscopic": Omega.cross(inertia.times(spin)),
     }
-    return named_sum(EQUATIONS["gyroscopic moment"], f"on {body.name}", terms, f)
+    return named_sum("gyroscopic moment", f"on {body.name}", terms, f)
 
 
 def _inertia(body, I0, I):

@@ -25,7 +25,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.ledger import equations
 from ..algebra.scalars import (
     Scalar,
     anywhere,
@@ -65,17 +64,6 @@ class Reactions:
     axial: Scalar
     moment: Scalar
     axis: Vector
-
-
-EQUATIONS = equations({
-    "bearing force": ("9.9", r"\mathbf{A}", {
-        "weight": ("dead weight", r"\mathbf{A}_{mg}"),
-        "static": ("m omega^2 d", r"\mathbf{A}_{m\omega^2 d}"),
-        "dynamic": ("omega^2 I_xz", r"\mathbf{A}_{\omega^2 I}"),
-        "static_euler": ("m omega' d", r"\mathbf{A}_{m\dot\omega d}"),
-        "dynamic_euler": ("omega' I_xz", r"\mathbf{A}_{\dot\omega I}"),
-    }),
-})  # fmt: skip
 
 
 def reactions(
@@ -119,7 +107,7 @@ def reactions(
     at_B = {name: -e.cross(N + e.cross(F) * a) / length for name, (F, N) in pairs.items()}
     F, N = (Vector(sum3(v.c for v in v_s), e.frame) for v_s in zip(*pairs.values(), strict=True))
     force_A, force_B = (
-        named_sum(EQUATIONS["bearing force"], f"of {name} on {body.name}", terms, e.frame)
+        named_sum("bearing force", f"of {name} on {body.name}", terms, e.frame)
         for name, terms in (("A", at_A), ("B", at_B))
     )
     return Reactions(force_A, force_B, F.dot(e), N.dot(e), e)

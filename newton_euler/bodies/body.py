@@ -15,7 +15,7 @@ Units: any consistent ones; in SI kg, m, kg m^2.
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
-from ..algebra.ledger import Ledger, equations
+from ..algebra.ledger import Ledger
 from ..algebra.scalars import Scalar, is_numeric, plain, scalar, size
 from ..algebra.vectors import Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
@@ -115,17 +115,9 @@ class Body:
         orbital = (self.centre - about).expressed_in(self.frame).cross(v * self.mass)
         total = orbital + own
         subject = f"of {self.name} about {about.name}, seen from {observer.name}"
-        equation = EQUATIONS["angular momentum"]
+        equation = "angular momentum"
         ledger = Ledger(equation, subject, lambda: {"orbital": orbital, "own": own})
         return Vector(total.c, total.frame, total._own_rate, ledger)
-
-
-EQUATIONS = equations({
-    "angular momentum": ("7.23", r"\mathbf{H}_B", {
-        "orbital": ("d x m dd/dt", r"\mathbf{d}\times m\frac{D\mathbf{d}}{Dt}"),
-        "own": ("H of G", r"\bar{\mathbf{H}}"),
-    }),
-})  # fmt: skip
 
 
 def particle(mass: Scalar, point: PointLike, name: str = "particle") -> Body:

@@ -322,7 +322,7 @@ def _function(f, what):
 
 def _magnitude(x):
     """The size of an energy; of an expression that at sample values of its symbols."""
-    value = sampled(scalar(x))
+    value = probe(scalar(x))
     if value is None:
         raise EnergyError(
             f"an energy is {plain(x)!r}; an audit needs numbers, or SymPy expressions and "

@@ -7,32 +7,11 @@ any way, and by way of any frame, see :func:`newton_euler.dynamics.momentum.resu
 Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
-from ..algebra.ledger import equations
 from ..algebra.linear import LinearError, solve_regular
 from ..algebra.scalars import ZERO, Scalar, is_numeric, is_zero, plain, scalar, size
 from ..algebra.vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
 from ..bodies.admissibility import AXES, MassError
 from ..bodies.inertia import Inertia, axis_index
-
-EQUATIONS = equations({
-    "Euler's moment": ("8.12", r"\mathbf{M}_B", {
-        "relative": ("dH/dt", r"[I]\frac{d\boldsymbol{\omega}}{dt}"),
-        "rotation": ("omega x H", r"\boldsymbol{\Omega}\times[I]\boldsymbol{\omega}"),
-    }),
-    "Euler's moment, principal axes": ("8.13", r"\mathbf{M}_B", {
-        "relative": ("I_x alpha_x, ...", r"I_{xx}\dot\omega_x,\ldots"),
-        "rotation": ("-(I_y - I_z) omega_y omega_z, ...", r"-(I_{yy}-I_{zz})\omega_y\omega_z,\ldots"),  # noqa: E501
-    }),
-    "moment of a body on a fixed line": ("8.18", r"\mathbf{M}_B", {
-        "relative": ("[I] alpha e", r"[I]\dot\omega\,\hat{e}"),
-        "rotation": ("omega^2 e x [I] e", r"\omega^2\,\hat{e}\times[I]\hat{e}"),
-    }),
-    "Euler's angular acceleration": ("8.12", r"\boldsymbol{\alpha}", {
-        "moment": ("M/I", r"[I]^{-1}\mathbf{M}"),
-        "gyroscopic": ("-(omega x H)/I", r"-[I]^{-1}(\boldsymbol{\Omega}\times[I]\boldsymbol{\omega})"),  # noqa: E501
-        "turning": ("Omega x omega", r"\boldsymbol{\Omega}\times\boldsymbol{\omega}"),
-    }),
-})  # fmt: skip
 
 
 def euler_moment(
@@ -235,4 +214,4 @@ def _unit(axis):
 def _summed(inertia, kind, **triples):
     frame = inertia.frame
     terms = {name: Vector(c, frame) for name, c in triples.items()}
-    return named_sum(EQUATIONS[kind], f"about {inertia.point.name}", terms, frame)
+    return named_sum(kind, f"about {inertia.point.name}", terms, frame)

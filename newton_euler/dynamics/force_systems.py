@@ -17,15 +17,10 @@ Forces may hold unknowns of :func:`newton_euler.algebra.linear.solve_linear`.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from ..algebra.ledger import equations
 from ..algebra.scalars import Scalar, is_numeric, least, plain, scalar, short, size
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
 from ..kinematics.frames import Frame, Point, place
 
-EQUATIONS = equations({
-    "resultant": ("8.21", r"\mathbf{F}^e", {}),
-    "moment of the forces": ("8.7", r"\mathbf{M}", {}),
-})  # fmt: skip
 ROUND_OFF = 1e-12  # of the sum of the magnitudes: a resultant below it counts as zero
 
 
@@ -114,7 +109,7 @@ class ForceSystem:
     def force(self) -> Vector:
         """The resultant force (8.21), with the forces by name as terms."""
         forces = {p.name: p.vector for p in self._forces()}
-        return named_sum(EQUATIONS["resultant"], "", forces, self.frame)
+        return named_sum("resultant", "", forces, self.frame)
 
     def moment(self, about: Point | Frame) -> Vector:
         """The moment of all forces and couples about a Point or the origin of a Frame (8.7), with
@@ -123,7 +118,7 @@ class ForceSystem:
         about = place(about, "the point that the moment is about")
         moments = {p.name: p.moment(about) for p in self.parts}
         subject = f"about {about.name}"
-        return named_sum(EQUATIONS["moment of the forces"], subject, moments, self.frame)
+        return named_sum("moment of the forces", subject, moments, self.frame)
 
     def at(self, point: Point | Frame) -> "ForceSystem":
         """The equivalent system of the resultant force at ``point`` and one couple (8.7)."""

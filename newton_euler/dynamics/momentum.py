@@ -18,22 +18,12 @@ for :func:`newton_euler.algebra.linear.solve_linear`. Euler's and the planar equ
 
 from typing import Any
 
-from ..algebra.ledger import Ledger, equations
+from ..algebra.ledger import Ledger
 from ..algebra.vectors import ZERO3, Vector
 from ..bodies.body import Body
 from ..kinematics.frames import Frame, Point, place
 from .force_systems import ForceSystem
 from .newton import resultant_force
-
-_MOMENT = {
-    "relative": ("dH/dt", r"\frac{d\mathbf{H}}{dt}"),
-    "rotation": ("omega x H", r"\boldsymbol{\omega}\times\mathbf{H}"),
-    "reference": ("d x m a_B", r"\bar{\mathbf{d}}\times m\mathbf{a}_B"),
-}
-EQUATIONS = equations({
-    "moment": ("8.9", r"\mathbf{M}_B", _MOMENT),
-    "moment about the mass centre": ("8.10", r"\bar{\mathbf{M}}", _MOMENT),
-})  # fmt: skip
 
 
 def angular_momentum(body: Body, observer: Frame, about: Point | Frame | None = None) -> Vector:
@@ -99,12 +89,12 @@ def resultant_moment(
     seen = f"seen from {observer.name}, by way of {via.name}"
     if about is body.centre:
         rate = angular_momentum(body, observer).expressed_in(via).rate(observer)
-        kind = EQUATIONS["moment about the mass centre"]
+        kind = "moment about the mass centre"
         ledger = Ledger(kind, f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
         return Vector(rate.c, via, rate._own_rate, ledger)
     route = _about_fixed_point if _is_fixed(about, body) else _about_any_point
     total, terms = route(body, observer, about, via)
-    ledger = Ledger(EQUATIONS["moment"], f"of {body.name} about {about.name}, {seen}", terms)
+    ledger = Ledger("moment", f"of {body.name} about {about.name}, {seen}", terms)
     return Vector(total.c, via, None, ledger)
 
 

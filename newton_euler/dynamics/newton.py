@@ -17,7 +17,7 @@ Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raise
 
 from collections.abc import Sequence
 
-from ..algebra.ledger import Ledger, equations
+from ..algebra.ledger import Ledger
 from ..algebra.scalars import (
     Scalar,
     SingularError,
@@ -30,37 +30,11 @@ from ..algebra.scalars import (
 )
 from ..algebra.vectors import FrameError, Vector, named_sum
 from ..bodies.admissibility import MassError
-from ..kinematics import coordinates as components
-from ..kinematics import frames, paths
+from ..kinematics.coordinates import CoordinatePoint
 from ..kinematics.frames import Frame, Point
 
-_FORCES = {
-    "": "6.10",
-    "intrinsic ": "6.5",
-    "polar ": "6.6",
-    "cylindrical ": "6.8",
-    "spherical ": "6.9",
-}
-_ACCELERATIONS = frames.EQUATIONS | paths.EQUATIONS | components.EQUATIONS
-
-
-def _times_m(system, number):
-    """The entry of EQUATIONS for the force m a in these components."""
-    terms = _ACCELERATIONS[f"{system}acceleration"].terms.items()
-    by_m = {n: (f"m ({text})", rf"m\left({latex}\right)") for n, (text, latex) in terms}
-    return f"{system}force", (number, r"\mathbf{F}^e", by_m)
-
-
-EQUATIONS = equations(dict(_times_m(*item) for item in _FORCES.items()) | {
-    "acceleration by forces": ("6.1", r"\frac{1}{m}\mathbf{F}", {}),
-    "reaction": ("6.1", r"\mathbf{R}", {"inertia": ("m a", r"m\bar{\mathbf{a}}")}),
-    "relative acceleration": ("6.10", r"\mathbf{a}_2", {
-        "origin": ("-a_O", r"\left(-\mathbf{a}_{O_2}\right)"),
-        "coriolis": ("-2 omega x v_2", r"\left(-2\boldsymbol{\omega}\times\mathbf{v}_2\right)"),
-        "euler": ("-omega' x r_2", r"\left(-\dot{\boldsymbol{\omega}}\times\mathbf{r}_2\right)"),
-        "centrifugal": ("-omega x (omega x r_2)", r"\left(-\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r}_2)\right)"),  # noqa: E501
-    }),
-})  # fmt: skip
+# the kinds of acceleration whose terms, times m, are those of a force (6.5)-(6.10)
+FORCES = {f"{system}force" for system in ("", "intrinsic ", "polar ", "cylindrical ", "spherical ")}
 
 
 def _mass(m):
@@ -90,9 +64,9 @@ def resultant_force(m: Scalar, a: Vector) -> Vector:
     """
     F = _mass(m) * _vector(a, "the acceleration")
     kind = F.equation and F.equation.kind.replace("acceleration", "force")
-    if kind not in EQUATIONS:
+    if kind not in FORCES:
         return F
-    ledger = Ledger(EQUATIONS[kind], F._ledger.subject, lambda: F.terms)
+    ledger = Ledger(kind, F._ledger.subject, lambda: F.terms)
     return Vector(F.c, F.frame, F._own_rate, ledger)
 
 
@@ -111,7 +85,7 @@ def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     parts = {"inertia": _mass(m) * _vector(a, "the acceleration")}
     parts |= {name: -_vector(F, f"the {name}") for name, F in known.items()}
     subject = f"to {', '.join(known) or 'no other force'}"
-    return named_sum(EQUATIONS["reaction"], subject, parts, a.frame)
+    return named_sum("reaction", subject, parts, a.frame)
 
 
 def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) -> tuple:
@@ -145,7 +119,7 @@ def acceleration_by(m: Scalar, **forces: Vector) -> Vector:
     if not forces:
         raise FrameError("no force is given; name each of them, as in acceleration_by(m, weight=W)")
     parts = _per_mass(m, forces)
-    kind, frame = EQUATIONS["acceleration by forces"], next(iter(parts.values())).frame
+    kind, frame = "acceleration by forces", next(iter(parts.values())).frame
     return named_sum(kind, "of the mass centre", parts, frame)
 
 
@@ -164,9 +138,7 @@ def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple:
     return plain(F_t / m), plain(F_n / (m * speed))
 
 
-def coordinate_accelerations(
-    m: Scalar, P: components.CoordinatePoint, **forces: Vector | Sequence
-) -> tuple:
+def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | Sequence) -> tuple:
     """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved
     for r'', theta'', …
 
@@ -188,7 +160,7 @@ def coordinate_accelerations(
         name: P.local.vector(*_three(F, name)) if isinstance(F, (tuple, list)) else F
         for name, F in forces.items()
     }
-    kind, parts = EQUATIONS["acceleration by forces"], _per_mass(m, forces)
+    kind, parts = "acceleration by forces", _per_mass(m, forces)
     total = named_sum(kind, f"of {P.name}", parts, P.local)
     # the acceleration is linear in the second rates, with the scale factors h: what is missing in
     # that with the second rates of P, over h, is missing in them
@@ -226,7 +198,7 @@ def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector
             raise FrameError(f"{name!r} is a term of the moving frame; rename the force")
     parts = _per_mass(m, forces) | {name: -seen[term] for name, term in names.items() if seen}
     subject = f"of {P.name} in {P.frame.name}"
-    return named_sum(EQUATIONS["relative acceleration"], subject, parts, P.frame)
+    return named_sum("relative acceleration", subject, parts, P.frame)
 
 
 def _per_mass(m, forces):

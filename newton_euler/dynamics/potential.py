@@ -260,7 +260,7 @@ def _check_curl(force, place, tolerance):
 
 def _magnitude(x):
     """The size of a derivative; of an expression that at sample values of its symbols."""
-    value = sampled(scalar(x))
+    value = probe(scalar(x))
     if value is None:
         raise WorkError(
             f"the derivative {plain(x)!r} of the force cannot be compared with zero; put numbers "
@@ -279,7 +279,7 @@ def _check_loop(force, loop, n, tolerance):
     strength = max(_magnitude(f) for p in places for f in force(*p))
     steps = (zip(p, q, strict=True) for p, q in pairwise(places))
     length = sum(norm3(tuple(b - a for a, b in step)) for step in steps)
-    U = work_along(lambda *place: tuple(map(sampled, force(*place))), loop, 0.0, 1.0)
+    U = work_along(lambda *place: tuple(map(probe, force(*place))), loop, 0.0, 1.0)
     if size(scalar(U.value)) > max(tolerance * length * strength, 10 * U.error):
         raise NoPotential(
             f"there is no potential: round loop {n} the force does the work {short(U.value)}, "

@@ -17,7 +17,7 @@ the book. Rectangular components (3.1)-(3.3) are those of an ordinary point:
 from collections.abc import Callable
 
 from ..algebra.jets import Moving, moving
-from ..algebra.ledger import Ledger, equations
+from ..algebra.ledger import Ledger
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -36,46 +36,6 @@ from ..algebra.vectors import Vector
 from .frames import Frame, Point
 from .rotations import product
 from .triads import below_roundoff, norm3, numeric3
-
-_PLANE_VELOCITY = {
-    "radial": ("r' e_r", r"\dot{r}\,\hat{e}_r"),
-    "transverse": ("r theta' e_theta", r"r\dot{\theta}\,\hat{e}_\theta"),
-}
-_PLANE_ACCELERATION = {
-    "radial": ("r'' e_r", r"\ddot{r}\,\hat{e}_r"),
-    "centripetal": ("-r theta'^2 e_r", r"-r\dot{\theta}^2\,\hat{e}_r"),
-    "euler": ("r theta'' e_theta", r"r\ddot{\theta}\,\hat{e}_\theta"),
-    "coriolis": ("2 r' theta' e_theta", r"2\dot{r}\dot{\theta}\,\hat{e}_\theta"),
-}
-EQUATIONS = equations({
-    "polar velocity": ("2.17", r"\mathbf{v}", _PLANE_VELOCITY),
-    "polar acceleration": ("2.18", r"\mathbf{a}", _PLANE_ACCELERATION),
-    "cylindrical velocity": ("3.22", r"\mathbf{v}", _PLANE_VELOCITY | {
-        "axial": ("z' k", r"\dot{z}\,\hat{k}")}),
-    "cylindrical acceleration": ("3.23", r"\mathbf{a}", _PLANE_ACCELERATION | {
-        "axial": ("z'' k", r"\ddot{z}\,\hat{k}")}),
-    "spherical velocity": ("3.26", r"\mathbf{v}", {
-        "radial": ("R' e_R", r"\dot{R}\,\hat{e}_R"),
-        "theta": ("R theta' cos phi e_theta", r"R\dot{\theta}\cos\phi\,\hat{e}_\theta"),
-        "phi": ("R phi' e_phi", r"R\dot{\phi}\,\hat{e}_\phi"),
-    }),
-    "spherical acceleration": ("3.27", r"\mathbf{a}", {
-        "radial": ("R'' e_R", r"\ddot{R}\,\hat{e}_R"),
-        "centripetal_theta": (
-            "-R theta'^2 cos phi (cos phi e_R - sin phi e_phi)",
-            r"-R\dot{\theta}^2\cos\phi\,(\cos\phi\,\hat{e}_R-\sin\phi\,\hat{e}_\phi)"),
-        "centripetal_phi": ("-R phi'^2 e_R", r"-R\dot{\phi}^2\,\hat{e}_R"),
-        "euler_theta": ("R theta'' cos phi e_theta", r"R\ddot{\theta}\cos\phi\,\hat{e}_\theta"),
-        "euler_phi": ("R phi'' e_phi", r"R\ddot{\phi}\,\hat{e}_\phi"),
-        "coriolis_theta": (
-            "2 R' theta' cos phi e_theta", r"2\dot{R}\dot{\theta}\cos\phi\,\hat{e}_\theta"),
-        "coriolis_phi": ("2 R' phi' e_phi", r"2\dot{R}\dot{\phi}\,\hat{e}_\phi"),
-        "coriolis_theta_phi": (
-            "-2 R theta' phi' sin phi e_theta",
-            r"-2R\dot{\theta}\dot{\phi}\sin\phi\,\hat{e}_\theta"),
-    }),
-})  # fmt: skip
-
 
 # -- frames of local unit vectors
 
@@ -125,12 +85,12 @@ class CoordinatePoint(Point):
         point that returns its terms
     """
 
-    __slots__ = ("_equations", "_terms", "coordinates", "ground", "local", "scale_factors")
+    __slots__ = ("_system", "_terms", "coordinates", "ground", "local", "scale_factors")
 
-    def __init__(self, name, frame, x, ground, local, coordinates, scale_factors, equations, terms):
+    def __init__(self, name, frame, x, ground, local, coordinates, scale_factors, system, terms):
         super().__init__(name, frame, tuple(map(moving, x)))
         self.ground, self.local, self.coordinates = ground, local, coordinates
-        self.scale_factors, self._equations, self._terms = scale_factors, equations, terms
+        self.scale_factors, self._equations, self._terms = scale_factors, system, terms
 
     def velocity(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
         """v seen from ``observer``, as for :class:`Point`; from ``ground`` in the local axes."""
@@ -148,12 +108,12 @@ class CoordinatePoint(Point):
         def terms():
             return {name: v.expressed_in(self.local) for name, v in self._terms[what](self).items()}
 
-        ledger = Ledger(self._equations[what], f"of {self.name} in {observer.name}", terms)
+        ledger = Ledger(f"{self._system} {what}", f"of {self.name} in {observer.name}", terms)
         return Vector(here.c, here.frame, here._own_rate, ledger)
 
 
 def _point(system, name, ground, local, x, coordinates, scale_factors):
-    found = {what: EQUATIONS[f"{system} {what}"] for what in ("velocity", "acceleration")}
+    found = {what: f"{system} {what}" for what in ("velocity", "acceleration")}
     return CoordinatePoint(
         name, local, x, ground, local, coordinates, scale_factors, found, _TERMS[system]
     )

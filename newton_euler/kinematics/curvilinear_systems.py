@@ -11,18 +11,11 @@ from collections.abc import Callable, Sequence
 from itertools import combinations_with_replacement
 
 from ..algebra.jets import Moving, as_moving, at, moving
-from ..algebra.ledger import equations
 from ..algebra.scalars import ZERO, Scalar, SingularError, is_numeric, plain, scalar, whole
 from ..algebra.vectors import Vector, cross3, dot3, scale3
 from .coordinates import CoordinatePoint, with_rates
 from .frames import Frame, Point
 from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity, turning_of
-
-EQUATIONS = equations({
-    "curvilinear velocity": ("3.14", r"\mathbf{v}", {}),
-    "curvilinear acceleration": ("3.15", r"\mathbf{a}", {}),
-})  # fmt: skip
-_EQUATIONS = {what: EQUATIONS[f"curvilinear {what}"] for what in ("velocity", "acceleration")}
 
 
 def curvilinear(
@@ -72,7 +65,15 @@ def curvilinear(
         "acceleration": lambda P: _acceleration_terms(P, position, columns, names),
     }
     return CoordinatePoint(
-        name, ground, position(*q), ground, local, q, tuple(map(plain, factors)), _EQUATIONS, terms
+        name,
+        ground,
+        position(*q),
+        ground,
+        local,
+        q,
+        tuple(map(plain, factors)),
+        "curvilinear",
+        terms,
     )
 
 

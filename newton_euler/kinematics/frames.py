@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 from weakref import ref
 
 from ..algebra.jets import Moving, moving
-from ..algebra.ledger import Ledger, equations
+from ..algebra.ledger import Ledger
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -41,24 +41,6 @@ from ..algebra.vectors import (
     sub3,
 )
 
-EQUATIONS = equations({
-    "velocity": ("4.17", r"\mathbf{v}", {
-        "origin": ("v_B", r"\mathbf{v}_B"),
-        "relative": ("v_r", r"\mathbf{v}_r"),
-        "rotation": ("omega x r", r"\boldsymbol{\omega}\times\mathbf{r}"),
-    }),
-    "acceleration": ("4.18", r"\mathbf{a}", {
-        "origin": ("a_B", r"\mathbf{a}_B"),
-        "relative": ("a_r", r"\mathbf{a}_r"),
-        "coriolis": ("2 omega x v_r", r"2\boldsymbol{\omega}\times\mathbf{v}_r"),
-        "euler": ("omega' x r", r"\dot{\boldsymbol{\omega}}\times\mathbf{r}"),
-        "centripetal": (
-            "omega x (omega x r)",
-            r"\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r})"),
-    }),
-    "angular velocity": ("4.22", r"\boldsymbol{\omega}", {}),
-    "angular acceleration": ("4.25", r"\boldsymbol{\alpha}", {}),
-})  # fmt: skip
 _AXES = {"x": 0, "y": 1, "z": 2}
 _REST = Moving(ZERO)
 
@@ -293,7 +275,7 @@ class Frame:
     def _ledger(self, what, observer, terms):
         self.common(observer)
         subject = f"of {self.name} in {observer.name}"
-        return Ledger(EQUATIONS[what], subject, lambda: terms(observer))
+        return Ledger(what, subject, lambda: terms(observer))
 
     def _omega(self, observer):
         return ZERO3 if observer is self else self._cached("omega", observer, self._new_omega)
@@ -478,7 +460,7 @@ class Point:
 
     def _ledger(self, what, observer, via, terms):
         subject = f"of {self.name} in {observer.name}, by way of {via.name}"
-        return Ledger(EQUATIONS[what], subject, terms)
+        return Ledger(what, subject, terms)
 
     def _checked(self, observer, via, what):
         if not isinstance(observer, Frame):

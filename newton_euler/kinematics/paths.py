@@ -16,7 +16,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from ..algebra.jets import Moving, as_moving, moving
-from ..algebra.ledger import Ledger, equations
+from ..algebra.ledger import Ledger
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -31,15 +31,6 @@ from ..algebra.scalars import (
 from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3, sum3
 from .frames import Frame
 from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
-
-EQUATIONS = equations({
-    "intrinsic velocity": ("3.12", r"\mathbf{v}", {"tangential": ("nu e_t", r"\nu\,\hat{e}_t")}),
-    "intrinsic acceleration": ("3.13", r"\mathbf{a}", {
-        "tangential": ("nu' e_t", r"\dot{\nu}\,\hat{e}_t"),
-        "normal": ("nu^2 f e_n", r"\nu^2 f\,\hat{e}_n"),
-    }),
-})  # fmt: skip
-
 
 # -- paths as functions
 
@@ -170,7 +161,7 @@ class Frenet:
 
     def _sum(self, what, own_rate, **terms):
         subject = f"in {self.frame.parent.name}"
-        ledger = Ledger(EQUATIONS[f"intrinsic {what}"], subject, lambda: terms)
+        ledger = Ledger(f"intrinsic {what}", subject, lambda: terms)
         return Vector(sum3(v.c for v in terms.values()), self.frame, own_rate, ledger)
 
 
