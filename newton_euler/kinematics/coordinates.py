@@ -90,7 +90,7 @@ class CoordinatePoint(Point):
     def __init__(self, name, frame, x, ground, local, coordinates, scale_factors, system, terms):
         super().__init__(name, frame, tuple(map(moving, x)))
         self.ground, self.local, self.coordinates = ground, local, coordinates
-        self.scale_factors, self._equations, self._terms = scale_factors, system, terms
+        self.scale_factors, self._system, self._terms = scale_factors, system, terms
 
     def velocity(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
         """v seen from ``observer``, as for :class:`Point`; from ``ground`` in the local axes."""

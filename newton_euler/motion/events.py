@@ -1,5 +1,5 @@
-"""Events: the times at which a function of the state goes through zero, found between the steps of
-a trajectory.
+"""Events: the times at which a function of the state goes through zero, found inside the steps of a
+trajectory.
 
 In each step the function is sampled at Chebyshev points. If these resolve it, all roots of the
 interpolating polynomial are known, also two in one step, which a comparison of signs at both ends
@@ -19,16 +19,17 @@ MAX_HALVINGS = 8
 
 @dataclass(frozen=True)
 class Event:
-    """Something that happens when ``function(s, p, t)`` goes through zero: impact, loss of contact,
-    end of sliding, a turning point.
+    """A zero of ``function(s, p, t)`` to be found during a motion: impact, loss of contact, end of
+    sliding, a turning point.
 
     function : of the states, the parameters and the time, as in a :class:`Model`; smooth
     direction : 1 if only zeros count where it grows, -1 where it falls, 0 both
-    terminal : True ends the motion there
+    terminal : True if the motion ends there
     then : a function ``(s, p, t)`` that returns the model and the start with which the motion goes
-        on, ``(model, start)`` or, to change the events as well, ``(model, start, events)``; None
-        ends it. If the right-hand side becomes another, this event is no longer looked for.
-    name : by which it is listed
+        on, ``(model, start)`` or, to change the events as well, ``(model, start, events)``; if it
+        returns None, the motion ends. If the right-hand side becomes another, this event is no
+        longer looked for.
+    name : by which the motion lists it
 
     >>> landing = Event(lambda s, p, t: s.h, direction=-1, terminal=True, name="landing")
     """
@@ -40,8 +41,8 @@ class Event:
     name: str = ""
 
     @property
-    def ends(self):
-        """True if it ends the segment of the trajectory."""
+    def ends(self) -> bool:
+        """True if the event ends the segment of the trajectory."""
         return self.terminal or self.then is not None
 
 
@@ -64,7 +65,7 @@ class EventLocator:
     """
 
     def __init__(self, event, stepper, at_start):
-        self.event, self.stepper, self.at_start = event, stepper, at_start
+        self.direction, self.stepper, self.at_start = event.direction, stepper, at_start
         self.g = stepper.system.function(event.function)
         self.sign = 0 if at_start else _sign(self.g(stepper.t, *stepper.x))
 
@@ -74,28 +75,25 @@ class EventLocator:
 
         a, b = self.stepper.step_times[n : n + 2]
         start = self.stepper.start[0]
-        # a time that differs from the start
+        # the first time that differs from the start by more than round-off
         nearest = start + max(1e-13 * (b - a), 4e-16 * abs(start))
 
         def g(times):
-            times = (
-                np.maximum(np.atleast_1d(times), nearest) if self.at_start else np.atleast_1d(times)
-            )
+            times = np.atleast_1d(times)
+            if self.at_start:
+                times = np.maximum(times, nearest)
             x = self.stepper.interpolate(n, times)
             try:
                 values = np.broadcast_to(np.asarray(self.g(times, *x), dtype=float), times.shape)
-            except ValueError:  # it branches on values
-                values = np.array(
-                    [
-                        float(self.g(t, *column))
-                        for t, column in zip(times.tolist(), x.T.tolist(), strict=True)
-                    ]
-                )
+            except ValueError:  # the function branches on values
+                columns = zip(times.tolist(), *x.tolist(), strict=True)
+                values = np.array([float(self.g(*column)) for column in columns])
             return values / (times - start) if self.at_start else values
 
         out = []
         for left, right in self._brackets(g, a, b):
             t = self._refined(_root(lambda t: float(g(t)[0]), left, right), g, a, b)
+            # the end of a bracket may lie beyond b by round-off
             if a <= t <= b * (1 + 1e-15) + 1e-300 and (not self.at_start or t > start):
                 out.append(min(t, b))
         return out
@@ -104,37 +102,36 @@ class EventLocator:
         """Intervals over which the sign changes in the direction that counts."""
         import numpy as np
 
-        nodes, to_coefficients = _chebyshev()
+        nodes, transform = _chebyshev()
         values = g(a + (b - a) * nodes)
-        coefficients = to_coefficients @ values
-        largest = np.abs(coefficients).max()
-        if (
-            depth < MAX_HALVINGS
-            and np.abs(coefficients[-2:]).max() > RESOLUTION * largest > 0
-            and not _has_no_root(coefficients)
-        ):
+        c = transform @ values
+        sizes = np.abs(c)
+        unresolved = sizes[-2:].max() > RESOLUTION * sizes.max() > 0
+        if depth < MAX_HALVINGS and unresolved and not _has_no_root(c):
             middle = (a + b) / 2
             return self._brackets(g, a, middle, depth + 1) + self._brackets(g, middle, b, depth + 1)
         if self.sign == 0:
             self.sign = _sign(g(a)[0]) or _sign(values[0])
-        ends = np.array([*(a + (b - a) * x for x in _between_roots(coefficients)), b])
+        ends = np.array([*(a + (b - a) * x for x in _between_roots(c)), b])
         out, before = [], a
         for t, sign in zip(ends.tolist(), map(_sign, g(ends)), strict=True):
-            if sign and self.sign and sign != self.sign and self.event.direction in (0, sign):
+            if sign and self.sign and sign != self.sign and self.direction in (0, sign):
                 out.append((before, t))
             self.sign, before = sign or self.sign, t
         return out
 
     def _refined(self, t, g, a, b):
-        """The root near ``t`` by Newton's method with the state of a step of the method, since the
+        """The root near ``t`` by Newton's method with the state after a step to ``t``, since the
         interpolation is less accurate than a step.
         """
         length = b - a
+        # a central difference: cancellation and the third derivative both stay below 1e-8
         low, high = max(a, t - 1e-4 * length), min(b, t + 1e-4 * length)
         slope = float((g(high) - g(low))[0]) / (high - low)
-        # g is divided by the time: at a root the slope of the function is larger by that
+        # g is divided by the time since the start: at a root the slope is larger by that factor
         if self.at_start:
             slope *= t - self.stepper.start[0]
+        # two steps: the first root is already good to the error of the interpolation
         for _ in range(2):
             move = float(self.g(t, *self.stepper.state_at(t))) / slope if slope else 0.0
             if not abs(move) < 1e-3 * length:
@@ -147,11 +144,10 @@ def _sign(x):
     return int(x > 0) - int(x < 0)
 
 
-def _has_no_root(coefficients):
-    """True if the constant term is larger than all others together, as no Chebyshev polynomial
-    exceeds 1.
-    """
-    return abs(coefficients[0]) > 1.5 * abs(coefficients[1:]).sum()
+def _has_no_root(c):
+    """True if the constant coefficient is larger than all others together."""
+    # no Chebyshev polynomial exceeds 1; 1.5 leaves a margin for the terms that were cut off
+    return abs(c[0]) > 1.5 * abs(c[1:]).sum()
 
 
 @cache
@@ -161,32 +157,37 @@ def _chebyshev():
     """
     import numpy as np
 
-    angles = np.pi * (np.arange(CHEBYSHEV_POINTS)[::-1] + 0.5) / CHEBYSHEV_POINTS
-    matrix = 2 / CHEBYSHEV_POINTS * np.cos(np.outer(np.arange(CHEBYSHEV_POINTS), angles))
+    counts = np.arange(CHEBYSHEV_POINTS)
+    angles = np.pi * (counts[::-1] + 0.5) / CHEBYSHEV_POINTS
+    matrix = 2 / CHEBYSHEV_POINTS * np.cos(np.outer(counts, angles))
     matrix[0] /= 2
     return (1 + np.cos(angles)) / 2, matrix
 
 
-def _between_roots(coefficients):
-    """Points of (0, 1) that separate the roots of the polynomial."""
+def _between_roots(c):
+    """Points of (0, 1) that separate the roots of the polynomial with these coefficients."""
     import numpy as np
 
-    if _has_no_root(coefficients) or not np.isfinite(coefficients).all():
+    if _has_no_root(c) or not np.isfinite(c).all():
         return []
-    significant = np.flatnonzero(np.abs(coefficients) > 1e-15 * np.abs(coefficients).max())
-    roots = np.polynomial.chebyshev.chebroots(coefficients[: max(significant, default=0) + 1])
+    # trailing coefficients of round-off would make the companion matrix singular
+    significant = np.flatnonzero(np.abs(c) > 1e-15 * np.abs(c).max())
+    roots = np.polynomial.chebyshev.chebroots(c[: max(significant, default=0) + 1])
+    # a double root may come out as a complex pair, 1e-8 apart; 1e-6 is generous, as signs decide
     roots = np.sort(roots.real[(np.abs(roots.imag) < 1e-6) & (np.abs(roots.real) <= 1 + 1e-6)])
     return (1 + (roots[:-1] + roots[1:]) / 2) / 2
 
 
 def _root(g, a, b):
     """The root between a and b, where the signs differ, to round-off: regula falsi by the Illinois
-    rule, and every fourth time bisection.
+    rule (M. Dowell, P. Jarratt, BIT 11 (1971) 168), and every fourth time bisection.
     """
     ga, gb, side = g(a), g(b), 0
     for n in range(200):
-        if abs(b - a) <= 2.0**-52 * max(abs(a), abs(b)) or ga == 0:
-            return a if ga == 0 else (a + b) / 2
+        if ga == 0:
+            return a
+        if abs(b - a) <= 2.0**-52 * max(abs(a), abs(b)):
+            break
         t = (a + b) / 2 if n % 4 == 3 or ga * gb >= 0 else (a * gb - b * ga) / (gb - ga)
         if not min(a, b) < t < max(a, b):
             t = (a + b) / 2

@@ -1,30 +1,41 @@
-"""Integration of the motion of a model: states at any time, the estimated error, the drift of
-invariants, the cost, and the events on the way.
+"""Integration of the motion of a model: its states at any time, the estimated error, the drift of
+invariants, the cost, and the events.
 
 The methods are in :mod:`.methods.table`; how one is chosen and its error controlled, in
 :mod:`.run`; events in :mod:`.events`, the record in :mod:`.solution`.
 """
 
+from collections.abc import Callable, Iterable, Sequence
 from time import perf_counter
 
-from .batch import integrate_batch
+from .batch import Motions, integrate_batch
 from .events import Event
 from .methods.table import METHODS
-from .model import ModelError
-from .prepared import prepared, start_state
+from .model import Model, ModelError, State
+from .prepared import prepared_model, start_state
 from .run import Run, check, span, usable
+from .solution import Motion
 
 
 def integrate(
-    model, t, start, rtol=1e-9, method="auto", events=(), samples=None, progress=None, step=None
-):
-    """The motion of a model from its start: a :class:`~newton_euler.motion.solution.Motion`.
+    model: Model,
+    t: float | Sequence[float],
+    start: State,
+    rtol: float = 1e-9,
+    method: str = "auto",
+    events: Event | Iterable[Event] = (),
+    samples: int | Sequence[float] | None = None,
+    progress: Callable | None = None,
+    step: float | None = None,
+) -> Motion | Motions:
+    """The motion of a model from its start: a :class:`~newton_euler.motion.solution.Motion`, or
+    :class:`~newton_euler.motion.batch.Motions` where the start or the parameters are arrays.
 
     t : the time at which to end, from 0, or a pair (from, to)
     start : the states, in their order or by name; arrays of one length are many starts at once, as
         are arrays among the parameters of the model
-    rtol : the error that each state may have at the end, relative to its largest absolute value on
-        the way (at least 1e-6 in its unit)
+    rtol : the error that each state may have at the end, relative to its largest absolute value
+        during the motion (at least 1e-6 in its unit)
     method : one of :data:`~newton_euler.motion.methods.table.METHODS`; "auto" takes the exact
         solution if there is one, else the straight-line DOP853 until heyoka, if it is installed, is
         worth its compilation or is needed
@@ -45,53 +56,52 @@ def integrate(
     0.433788
     """
     begun = perf_counter()
-    system = prepared(model)
+    system = prepared_model(model)
     t0, t1 = span(t)
     state = start_state(model, start)
     events = (events,) if isinstance(events, Event) else tuple(events)
     check(rtol, method, events, step)
     if system.many or (state is not start and any(type(x) is not float for x in state)):
         return integrate_batch(model, t0, t1, state, rtol, method, events, samples)
-    return Run(system, t0, t1, state, rtol, events, samples, progress, step, begun).by_name(method)
+    preparing = perf_counter() - begun
+    run = Run(system, t0, t1, state, rtol, events, samples, progress, step, preparing)
+    return run.by_name(method)
 
 
-def prepare(model, rtol=1e-9, method="auto"):
+def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
     """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0 as a
     tuple: one model for many runs, as under a slider.
 
-    t, start : a float, and a tuple of floats in the order of the states. Arguments and errors are
-        as in :func:`integrate`, but there is no record, so
-    no error estimate and no drift: look at those of one run. If there is no exact solution, "auto"
-    compiles with heyoka at once, if it is installed.
+    t, start : a float, and a tuple of floats in the order of the states
+    rtol, method : as in :func:`integrate`; if there is no exact solution, "auto" compiles with
+        heyoka at once, if it is installed
+
+    Errors are as in :func:`integrate`. There is no record, so no error estimate and no drift: see
+    those of one run of :func:`integrate`.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> swing = prepare(physical_pendulum(2.0, 0.5, 0.5, 10.0))
     >>> [round(swing(10.0, (amplitude, 0.0))[0], 6) for amplitude in (0.1, 1.0)]
     [0.098256, -0.192477]
     """
-    system = prepared(model)
+    system = prepared_model(model)
     if system.many:
         raise ModelError(
             f"prepare takes a model with numbers, but parameters of {model.name!r} are arrays; "
-            "integrate runs many motions at once"
+            "take integrate"
         )
     check(rtol, method)
     if method == "auto":
-        method = (
-            "exact"
-            if model.exact
-            else "dop853"
-            if METHODS["taylor"].unusable_because(system)
-            else "taylor"
-        )
+        missing = METHODS["taylor"].unusable_because
+        method = "exact" if model.exact else "dop853" if missing(system) else "taylor"
     used = usable(method, system)
 
     def fallback(t, start):
         return tuple(integrate(model, t, start, rtol, method).end.values())
 
-    if not hasattr(used.stepper, "prepared"):
+    if not hasattr(used.stepper, "prepared_run"):
         return fallback
-    fast = used.stepper.prepared(system, rtol / used.tolerance_ratio, fallback)
+    fast = used.stepper.prepared_run(system, rtol / used.tolerance_ratio, fallback)
 
     def run(t, start):
         try:

@@ -7,19 +7,30 @@ scalars of every kind, so that a formula reads as it is printed: ``s.v*cos(s.gam
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from inspect import Parameter, Signature
 from keyword import iskeyword
 from types import MappingProxyType
+from typing import Any
 
 from ..algebra.codegen.compile import compiled
 from ..algebra.errors import NewtonEulerError
-from ..algebra.scalars import ScalarError, is_comparable, is_zero, plain, promote, scalar
+from ..algebra.scalars import (
+    Scalar,
+    ScalarError,
+    is_comparable,
+    is_zero,
+    plain,
+    promote,
+    scalar,
+)
 
+# a state: its values in the order of the states, or by name
+State = Iterable[Scalar] | Mapping[str, Scalar]
 # values in a cache by function: functions that are made at each call, as lambdas are, would pile up
 KEPT = 64
-_CHECKED = {}  # the right-hand sides that were found right: other numbers need no other check
+_CHECKED: dict = {}  # right-hand sides that were found right: other numbers need no other check
 
 
 class ModelError(NewtonEulerError, ValueError):
@@ -32,12 +43,12 @@ class Named:
     """
 
     def __init__(self, what, values):
-        self.__dict__.update(values, _what=what)
+        vars(self).update(values, _what=what)
 
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        known = ", ".join(n for n in self.__dict__ if n != "_what") or "none"
+        known = ", ".join(n for n in vars(self) if n != "_what") or "none"
         raise AttributeError(f"there is no {self._what} {name!r}; there are {known}")
 
     def __setattr__(self, name, value):
@@ -46,12 +57,16 @@ class Named:
 
 @dataclass(frozen=True)
 class Neglected:
-    """Something that a model leaves out, and how much that can matter.
+    """An effect that a model leaves out, with a bound of the error that this makes.
 
     what : in words, as "the rotation of the earth"
-    bound : a function ``(s, p, t)`` of the start, the parameters and the time passed: the error
-        that leaving it out makes until then is not larger; None where no bound is known
-    of : the quantity that the bound is of, with its unit, as "position, m"
+    bound : a function ``(s, p, t)`` of the start, the parameters and the time passed that returns
+        an upper bound of the error; None where no bound is known
+    of : the quantity whose error is bounded, with its unit, as "position, m"
+
+    >>> air = Neglected("the air", lambda s, p, t: 0.01 * t**2, "position, m")
+    >>> air.bound(None, None, 2.0)
+    0.04
     """
 
     what: str
@@ -70,14 +85,17 @@ class Model:
     rhs : a function ``(s, p, t)`` that returns the rates of the states in this order; a formula,
         without branches on values
     invariants : by name, functions ``(s, p, t)`` that keep their value during the motion
-    exact : a function ``(s, p, t)`` that returns the states at the time t after the state ``s`` at
-        t = 0; None where there is none
+    exact : the exact solution, a function ``(s, p, t)`` that returns the states at the time t after
+        the state ``s`` at t = 0; None where there is none
     neglects : what the model leaves out, a tuple of :class:`Neglected`
 
     The right-hand side is tried once, without values, when the model is made: :class:`ModelError`
     says at once what is wrong with it.
 
-    >>> fall = Model("free fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g), exact=lambda s, p, t: (s.h + s.v*t - p.g*t*t/2, s.v - p.g*t))
+    >>> def thrown(s, p, t):
+    ...     return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
+    >>> rates = lambda s, p, t: (s.v, -p.g)
+    >>> fall = Model("free fall", {"g": 9.81}, ("h", "v"), rates, exact=thrown)
     >>> fall.derivative((100.0, 0.0)), fall.solution(2.0, (100.0, 0.0))
     ((0.0, -9.81), (80.38, -19.62))
     >>> fall.changed(g=1.62).compiled_rhs()(0.0, 100.0, -3.0)
@@ -93,14 +111,10 @@ class Model:
     neglects: tuple = ()
 
     def __post_init__(self):
-        for name, of in (
-            ("parameters", dict),
-            ("invariants", dict),
-            ("states", tuple),
-            ("neglects", tuple),
-        ):
-            value = of(getattr(self, name))
-            object.__setattr__(self, name, MappingProxyType(value) if of is dict else value)
+        for name in ("parameters", "invariants"):
+            object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
+        for name in ("states", "neglects"):
+            object.__setattr__(self, name, tuple(getattr(self, name)))
         self._check_names()
         laws = tuple((n, x) for n, x in self.parameters.items() if is_law(x))
         numbers = tuple(n for n in self.parameters if n not in dict(laws))
@@ -109,109 +123,101 @@ class Model:
     def __repr__(self):
         return f"Model({self.name!r}: {', '.join(self.states)}; {', '.join(self.parameters)})"
 
-    # -- what it answers
+    def derivative(self, state: State, t: Scalar = 0) -> tuple:
+        """The rates of the states, a tuple in their order.
 
-    def derivative(self, state, t=0):
-        """The rates of the states, a tuple in their order; ``state`` is a sequence in that order or
-        a mapping by name, of scalars of any kind.
+        state : a sequence in that order or a mapping by name, of scalars of any kind
+        Raises :class:`ModelError` where the coordinates are singular.
         """
         try:
             return tuple(self._value(self.rhs, state, t))
         except ZeroDivisionError as error:
             raise ModelError(
-                f"{self.name} has no rates at {self._state(state)}: {error}; the coordinates "
-                "are singular there"
+                f"{self.name} has no rates at {self._state(state)}: {error}; its coordinates are "
+                "singular there"
             ) from error
 
-    def compiled_rhs(self, *free):
-        """The right-hand side as fast straight-line text, see :func:`newton_euler.compiled`: a
+    def compiled_rhs(self, *free: str) -> Callable:
+        """The right-hand side as fast straight-line code, see :func:`newton_euler.compiled`: a
         function ``(t, *states, *free)`` of scalars.
 
-        free : names of parameters that stay arguments; the others are fixed now. For SciPy write
-        ``lambda t, y: rhs(t, *y.tolist())``: Python's floats run three times faster than NumPy's.
+        free : names of parameters that stay arguments; the others are fixed now
+
+        For SciPy write ``lambda t, y: rhs(t, *y.tolist())``: Python's floats run three times faster
+        than NumPy's.
         """
         self._expect("parameter", free, self.parameters)
         return self._compiled(lambda s, p, t: tuple(self.rhs(s, p, t)), free)
 
     def _compiled(self, f, free):
-        """A function ``f(s, p, t)`` of this model as straight-line text, a function
+        """A function ``f(s, p, t)`` of this model as straight-line code, a function
         ``(t, *states, *free)``.
         """
 
         def values(**named):
-            return self._call(
-                f,
-                {n: named[n] for n in self.states},
-                {**self.parameters, **{n: named[n] for n in free}},
-                named["t"],
-            )
+            parameters = {**self.parameters, **{n: named[n] for n in free}}
+            return self._call(f, {n: named[n] for n in self.states}, parameters, named["t"])
 
         values.__name__ = self.name
-        values.__signature__ = Signature(
-            [Parameter(n, Parameter.POSITIONAL_OR_KEYWORD) for n in ("t", *self.states, *free)]
-        )
+        kind, names = Parameter.POSITIONAL_OR_KEYWORD, ("t", *self.states, *free)
+        values.__signature__ = Signature([Parameter(n, kind) for n in names])
         return compiled(values)
 
-    def solution(self, t, start):
-        """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple. Raises
-        :class:`ModelError` where no exact solution is known.
+    def solution(self, t: Scalar, start: State) -> tuple:
+        """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple.
+
+        Raises :class:`ModelError` where no exact solution is known.
         """
         if self.exact is None:
-            raise ModelError(
-                f"no exact solution of {self.name!r} is known; integrate it with "
-                "newton_euler.integrate"
-            )
+            raise ModelError(f"no exact solution of {self.name!r} is known; integrate it")
         return tuple(self._value(self.exact, start, t))
 
-    def invariant(self, name, state, t=0):
+    def invariant(self, name: str, state: State, t: Scalar = 0) -> Scalar:
         """The value of one invariant at a state."""
         self._expect("invariant", [name], self.invariants)
         return self._value(self.invariants[name], state, t)
 
-    def neglected(self, t, start):
-        """For each :class:`Neglected` the bound of the error that it makes until ``t`` after
-        ``start``, inf where none is known: a dict.
+    def neglected(self, t: Scalar, start: State) -> dict:
+        """A dict: for each :class:`Neglected` the bound of the error that it makes until ``t``
+        after ``start``, inf where none is known.
         """
         return {n: self._value(n.bound, start, t) if n.bound else math.inf for n in self.neglects}
 
-    def changed(self, **parameters):
-        """The same model with some parameters changed."""
+    def changed(self, **parameters: Scalar) -> "Model":
+        """The same model with some parameters changed; ``self`` stays as it is."""
         self._expect("parameter", parameters, self.parameters)
         return replace(self, parameters={**self.parameters, **parameters})
-
-    # -- how
 
     def _expect(self, what, names, known):
         for name in names:
             if name not in known:
-                raise ModelError(
-                    f"{self.name} has no {what} {name!r}; it has {', '.join(known) or 'none'}"
-                )
+                names = ", ".join(known) or "none"
+                raise ModelError(f"{self.name} has no {what} {name!r}; it has {names}")
 
     def _state(self, state):
+        """A state, given in order or by name, as a dict by name."""
+        names = self.states
         if isinstance(state, Mapping):
-            missing = [n for n in self.states if n not in state]
+            missing = ", ".join(n for n in names if n not in state)
             if missing:
                 raise ModelError(
-                    f"the state of {self.name!r} lacks {', '.join(missing)}; give all of "
-                    f"{', '.join(self.states)}"
+                    f"the state of {self.name!r} lacks {missing}; give all of {', '.join(names)}"
                 )
-            return {n: state[n] for n in self.states}
+            return {n: state[n] for n in names}
         state = tuple(state)
-        if len(state) != len(self.states):
+        if len(state) != len(names):
             raise ModelError(
-                f"{self.name} has the {len(self.states)} states {', '.join(self.states)}; got "
-                f"{len(state)} values: {state!r}"
+                f"{self.name} has the {len(names)} states {', '.join(names)}; got {len(state)} "
+                f"values: {state!r}"
             )
-        return dict(zip(self.states, state, strict=True))
+        return dict(zip(names, state, strict=True))
 
     def _call(self, f, state, parameters, t):
         """``f(s, p, t)``, with the value of each law at this state in p."""
         s = Named("state", {n: scalar(x) for n, x in state.items()})
         p = Named("parameter", {n: scalar(x) for n, x in parameters.items() if not is_law(x)})
-        # all of them see numbers only
-        laws = {n: scalar(law(s, p, t)) for n, law in parameters.items() if is_law(law)}
-        vars(p).update(laws)
+        # evaluated before any is added: a law sees the numbers only, no other law
+        vars(p).update({n: scalar(x(s, p, t)) for n, x in parameters.items() if is_law(x)})
         return f(s, p, t)
 
     def _value(self, f, state, t):
@@ -222,47 +228,39 @@ class Model:
     def _check_names(self):
         names = [*self.states, *self.parameters]
         for name in names:
-            if (
-                not isinstance(name, str)
-                or not name.isidentifier()
-                or iskeyword(name)
-                or name == "t"
-            ):
+            usual = isinstance(name, str) and name.isidentifier() and not iskeyword(name)
+            if not usual or name == "t":
                 raise ModelError(
-                    f"{name!r} cannot name a state or parameter of {self.name!r}: take a "
-                    "Python name, no keyword, and not t, the time"
+                    f"{name!r} cannot name a state or parameter of {self.name!r}: take a Python "
+                    "name other than t, the time"
                 )
-        twice = [n for n in names if names.count(n) > 1]
-        if twice:
-            raise ModelError(
-                f"{twice[0]!r} names two things in {self.name!r}; each state and parameter "
-                "needs a name of its own"
-            )
-        for name, value in self.parameters.items():
-            if not callable(value) and not _is_scalar(value):
+            if names.count(name) > 1:
                 raise ModelError(
-                    f"the parameter {name} of {self.name!r} is a number or a function (s, p, "
-                    f"t), not {value!r}"
+                    f"{name!r} names two things in {self.name!r}; each needs a name of its own"
+                )
+        for name, x in self.parameters.items():
+            if not callable(x) and not _is_scalar(x):
+                raise ModelError(
+                    f"the parameter {name} of {self.name!r} is a number or a function (s, p, t), "
+                    f"not {x!r}"
                 )
 
     def _check_rhs(self, numbers):
         """One call without values: it meets every name, and no branch can hide from it."""
+        what, states = f"the right-hand side of {self.name!r}", self.states
         try:
             count = len(self.compiled_rhs(*numbers).leaves)
         except (AttributeError, TypeError, ZeroDivisionError) as error:
+            raise ModelError(f"{what} fails when it is tried: {error}") from error
+        if count != len(states):
             raise ModelError(
-                f"the right-hand side of {self.name!r} fails when it is tried: {error}"
-            ) from error
-        if count != len(self.states):
-            raise ModelError(
-                f"the right-hand side of {self.name!r} returns {count} rates for the "
-                f"{len(self.states)} states {', '.join(self.states)}"
+                f"{what} returns {count} rates for the {len(states)} states {', '.join(states)}"
             )
 
 
 def cached(cache, key, make):
-    """The value of a key in the cache, made if it is not there; of all values the ``KEPT`` that
-    were used last stay.
+    """The value of a key in the cache, made if it is not there; only the ``KEPT`` values that were
+    used last stay.
     """
     found = cache.pop(key, cache)  # the cache itself stands for what is not in it
     cache[key] = found = make() if found is cache else found
@@ -280,12 +278,15 @@ def _is_scalar(x):
 
 
 def is_law(x):
-    """True for a function that gives a parameter; an expression can be called too, but is a number."""
+    """True for a function that gives a parameter.
+
+    An expression can be called too, but is a number.
+    """
     return callable(x) and not _is_scalar(x)
 
 
 def is_absent(x):
-    """True for a number that is 0, as a force that is left out; a law is none."""
+    """True for a number that is 0, as a force that is left out; False for a law."""
     return not is_law(x) and is_zero(scalar(x))
 
 
@@ -293,26 +294,31 @@ def comparable(what, *values):
     """The values as :func:`~newton_euler.algebra.scalars.promote` returns them, for an exact
     solution whose branches compare them.
 
-    ``what`` : the body, for the message; :class:`ModelError` for expressions.
+    what : the body, for the message
+    Raises :class:`ModelError` for expressions.
     """
     values = promote(*values)
     if not all(map(is_comparable, values)):
-        raise ModelError(
-            f"the exact solution of the {what} needs numbers: its branches compare them; put "
-            "values in first"
-        )
+        raise ModelError(f"the exact solution of the {what} needs numbers; put values in first")
     return values
 
 
-def second_order(name, parameters, coordinates, accelerations, **more):
+def second_order(
+    name: str,
+    parameters: Mapping,
+    coordinates: Sequence[str],
+    accelerations: Callable,
+    **more: Any,
+) -> Model:
     """The :class:`Model` whose states are the coordinates and their rates: equations of motion in
     state-variable form.
 
     coordinates : their names; the rate of ``x`` is the state ``dx``
-    accelerations : a function ``(s, p, t)`` that returns the second rates of the coordinates;
-        ``more`` goes to :class:`Model`
+    accelerations : a function ``(s, p, t)`` that returns the second rates of the coordinates
+    more : other arguments of :class:`Model`
 
-    >>> spring = second_order("spring", {"m": 2.0, "k": 8.0}, ("x",), lambda s, p, t: (-p.k*s.x/p.m,))
+    >>> acceleration = lambda s, p, t: (-p.k * s.x / p.m,)
+    >>> spring = second_order("spring", {"m": 2.0, "k": 8.0}, ("x",), acceleration)
     >>> spring.states, spring.derivative((0.5, 1.0))
     (('x', 'dx'), (1.0, -2.0))
     """

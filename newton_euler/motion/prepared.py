@@ -11,7 +11,7 @@ from ..algebra.codegen.partial_evaluation import folded
 from ..algebra.scalars import ZERO, scalar
 from .model import Model, ModelError, cached, is_law
 
-_known = {}
+_known: dict = {}
 
 
 class Traced:
@@ -29,14 +29,14 @@ class Traced:
 
     @cached_property
     def folded(self):
-        """The right-hand side with constants in the places of what depends on parameters alone, and
-        the formula that gives these.
+        """The right-hand side with constants in place of what depends on parameters alone, and the
+        formula that gives these constants.
         """
         return folded(self.rhs, self.arguments)
 
 
-def prepared(model):
-    """The :class:`PreparedModel` of a model, which keeps it."""
+def prepared_model(model):
+    """The :class:`PreparedModel` of a model, made once and kept in the model."""
     if not isinstance(model, Model):
         raise ModelError(f"integrate takes a Model, got {model!r}")
     found = vars(model).get("_prepared")
@@ -56,17 +56,14 @@ class PreparedModel:
     """
 
     def __init__(self, model):
-        self.model = model
-        fixed = {n: x for n, x in model.parameters.items() if is_law(x) or scalar(x) is ZERO}
-        self.free = tuple(n for n in model.parameters if n not in fixed)
-        self.p = tuple(_parameter(model, n, model.parameters[n]) for n in self.free)
+        self.model, values = model, model.parameters
+        fixed = {n: x for n, x in values.items() if is_law(x) or scalar(x) is ZERO}
+        self.free = tuple(n for n in values if n not in fixed)
+        self.p = tuple(_parameter(model, n, values[n]) for n in self.free)
         self.exact_verified = False  # its exact solution, once that has been compared with itself
         self.many = any(getattr(x, "shape", ()) for x in self.p)
-        self.traced = cached(
-            _known,
-            (model.rhs, model.states, self.free, *fixed.items()),
-            lambda: Traced(model, self.free),
-        )
+        key = model.rhs, model.states, self.free, *fixed.items()
+        self.traced = cached(_known, key, lambda: Traced(model, self.free))
         self.f = self.traced.rhs.on_floats
 
     @cached_property
@@ -83,7 +80,7 @@ class PreparedModel:
         try:
             return early.on_floats(*self.p)
         except (ArithmeticError, ValueError):
-            return (math.nan,) * (len(early.leaves))
+            return (math.nan,) * len(early.leaves)
 
     @property
     def folded_rates(self):
@@ -100,7 +97,7 @@ class PreparedModel:
         return (lambda t, *x: text(t, *x, *p)) if text else self.untraced(f)
 
     def untraced(self, f):
-        """The same without tracing."""
+        """A function ``f(s, p, t)`` as one of ``(t, *states)``, without tracing."""
         return lambda t, *x: self.model._value(f, x, t)
 
     def _text(self, f):
@@ -122,28 +119,30 @@ class PreparedModel:
         tuple of floats.
 
         Where the traced text has no value, as for an orbit that is no ellipse, the formula is
-        called as it is; :class:`ModelError` if it has none.
+        called as it is; :class:`ModelError` if it has no value either.
         """
-        f, p, model = self.model.exact, self.p, self.model
+        f, p = self.model.exact, self.p
         text, untraced = self._text(f), self.untraced(f)
         run = text.on_floats if text else lambda *_: (math.nan,)
 
         def at(t, x):
             try:
                 found = run(t, *x, *p)
+                # one test for all: a sum with nan or inf is not finite
                 if math.isfinite(sum(found)):
                     return found
             except (ArithmeticError, ValueError):
-                pass  # as below
-            error = ""
+                pass  # the formula itself may have a value
+            why = ""
             try:
                 found = tuple(map(float, untraced(t, *x)))
                 if math.isfinite(sum(found)):
                     return found
-            except ArithmeticError as raised:
-                error = f": {raised}"
+            except ArithmeticError as error:
+                why = f": {error}"
             raise ModelError(
-                f"the exact solution of {model.name!r} has no value at t = {t:.6g} after {x}{error}"
+                f"the exact solution of {self.model.name!r} has no value at t = {t:.6g} after {x}"
+                + why
             )
 
         return at
@@ -163,6 +162,7 @@ def start_state(model, start):
     """The start as a tuple of floats (or arrays) in the order of the states; :class:`ModelError`
     says what is wrong with it.
     """
+    # the usual start, tested in few calls: this is a good part of the time of a short run
     if (
         type(start) in (tuple, list)
         and len(start) == len(model.states)
@@ -170,46 +170,40 @@ def start_state(model, start):
         and math.isfinite(sum(start))
     ):
         return tuple(start)
+    names = ", ".join(model.states)
+    of = f"the start of {model.name!r}"
     if not hasattr(start, "__iter__"):
-        raise ModelError(
-            f"the start of {model.name!r} is a value for each of {', '.join(model.states)}, "
-            f"not {start!r}"
-        )
-    unknown = [n for n in start if n not in model.states] if hasattr(start, "keys") else []
+        raise ModelError(f"{of} is a value for each of {names}, not {start!r}")
+    unknown = [n for n in start if n not in model.states] if hasattr(start, "keys") else ()
     if unknown:
-        raise ModelError(
-            f"{model.name} has no state {unknown[0]!r}; its states are {', '.join(model.states)}"
-        )
-    return tuple(_state(model, n, x) for n, x in model._state(start).items())
+        raise ModelError(f"{model.name} has no state {unknown[0]!r}; its states are {names}")
 
-
-def _state(model, name, x):
-    try:
+    def number(n, x):
+        wrong = f"{of} needs a number for {n}, got {x!r}"
         if isinstance(x, (str, bool)):
-            raise TypeError
-        return _finite(x, f"the start of {model.name!r} has {name} =")
-    except (TypeError, RuntimeError) as error:  # RuntimeError: of SymEngine
-        raise ModelError(
-            f"the start of {model.name!r} needs a number for {name}, got {x!r}"
-        ) from error
+            raise ModelError(wrong)
+        return _finite(x, f"{of} has {n} =", wrong)
+
+    return tuple(number(n, x) for n, x in model._state(start).items())
 
 
 def _parameter(model, name, x):
     if type(x) is float and -math.inf < x < math.inf:
         return x
-    try:
-        return _finite(x, f"the parameter {name} of {model.name!r} is")
-    except (TypeError, RuntimeError) as error:  # RuntimeError: of SymEngine
-        raise ModelError(
-            f"the parameter {name} of {model.name!r} has no number: {x!r}; put one in with "
-            f"changed({name}=...)"
-        ) from error
+    what = f"the parameter {name} of {model.name!r}"
+    return _finite(
+        x, f"{what} is", f"{what} has no number: {x!r}; put one in with changed({name}=...)"
+    )
 
 
-def _finite(x, what):
+def _finite(x, what, no_number):
+    """``x`` as a finite float; an array as it is."""
     if getattr(x, "shape", ()):
         return x
-    x = float(x)
+    try:
+        x = float(x)
+    except (TypeError, RuntimeError) as error:  # RuntimeError: of SymEngine
+        raise ModelError(no_number) from error
     if not math.isfinite(x):
         raise ModelError(f"{what} {x!r}; a motion needs finite numbers")
     return x

@@ -3,9 +3,11 @@ error is estimated.
 """
 
 import math
+from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from time import perf_counter
+from typing import Any
 
 from .events import Event
 from .methods.table import COARSENING, MAX_COARSE_TOLERANCE, METHODS
@@ -19,53 +21,47 @@ from .trajectory import Trajectory
 HEYOKA_BREAK_EVEN = 0.5
 MAX_REFINEMENTS = 5  # of the tolerance
 SAFETY_FACTOR = 4.0  # on the error that the difference of two runs predicts
-# of a short run, which no difference shows; over n steps it grows as sqrt(n), as a random walk
+# part of the error that the difference of two runs does not show; that of a short run, and over n
+# steps it grows as sqrt(n), as a random walk
 ROUND_OFF = 2e-14
 SHORT_TAYLOR = replace(METHODS["taylor"], stepper=ShortSteps)
 
 
 def span(t):
-    """The times of start and end as floats; a single number is the end, after a start at 0."""
+    """The times of start and end as floats; a single number is the end, with the start at 0."""
     if type(t) is float and 0.0 < t < math.inf:
         return 0.0, t
     try:
         t0, t1 = map(float, t) if hasattr(t, "__iter__") else (0.0, float(t))
     except (TypeError, ValueError) as error:
-        raise ModelError(
-            f"t is the time at which to end, or a pair (from, to); got {t!r}"
-        ) from error
+        raise ModelError(f"t is the time at which to end, or (from, to); got {t!r}") from error
     if not (math.isfinite(t0) and math.isfinite(t1) and t0 < t1):
-        raise ModelError(
-            f"time runs forward: the end must come after the start, got from {t0!r} to {t1!r}"
-        )
+        raise ModelError(f"time runs forward: the end is after the start, got {t0!r} to {t1!r}")
     return t0, t1
 
 
 def check(rtol, method, events=(), step=None):
-    """Raise :class:`ModelError` for what no model can be integrated with."""
+    """Raise :class:`ModelError` for arguments with which no model can be integrated."""
     if method != "auto" and method not in METHODS:
-        raise ModelError(
-            f"there is no method {method!r}; take 'auto' or one of {', '.join(METHODS)}"
-        )
+        names = ", ".join(METHODS)
+        raise ModelError(f"there is no method {method!r}; take 'auto' or one of {names}")
     least = 1e-15 if method == "auto" else METHODS[method].min_rtol
-    if step is None and not (isinstance(rtol, (int, float)) and least <= rtol < 1):
-        below_1 = isinstance(rtol, (int, float)) and 0 < rtol < 1
-        what = (
-            f"method {method!r} cannot reach it, the least is {least:g}"
-            if below_1
-            else "it lies below 1"
-        )
-        raise ModelError(f"rtol is the error asked for, got {rtol!r}: {what}")
+    number = isinstance(rtol, (int, float))
+    if step is None and not (number and least <= rtol < 1):
+        why = "it lies below 1"
+        if number and 0 < rtol < 1:
+            why = f"method {method!r} cannot reach it, the least is {least:g}"
+        raise ModelError(f"rtol is the error asked for, got {rtol!r}: {why}")
     for event in events:
         if not isinstance(event, Event):
-            raise ModelError(f"events are made by Event(function, direction, ...), got {event!r}")
+            raise ModelError(f"events are made by Event(...), got {event!r}")
     if step is not None and not step > 0:
         raise ModelError(f"the step is a positive time, got {step!r}")
 
 
 def usable(name, system, t0=0.0):
     """The method of this name; :class:`ModelError` if it cannot be used for the model from this
-    time on.
+    start time on.
     """
     why = METHODS[name].unusable_because(system, t0)
     if why:
@@ -73,28 +69,24 @@ def usable(name, system, t0=0.0):
     return METHODS[name]
 
 
+@dataclass(eq=False)
 class Run:
-    """What is asked of one integration; :meth:`by_name` returns the
+    """The arguments of one integration; :meth:`by_name` returns the
     :class:`~newton_euler.motion.solution.Motion`.
     """
 
-    def __init__(
-        self,
-        system,
-        t0,
-        t1,
-        state,
-        rtol,
-        events=(),
-        samples=None,
-        progress=None,
-        step=None,
-        begun=None,
-    ):
-        self.system, self.t0, self.t1, self.state, self.rtol = system, t0, t1, state, rtol
-        self.events, self.samples, self.progress, self.step = events, samples, progress, step
-        self.calls, self.started = 0, perf_counter()
-        self.preparing = self.started - begun if begun else 0.0
+    system: Any
+    t0: float
+    t1: float
+    state: tuple
+    rtol: float
+    events: tuple = ()
+    samples: Any = None
+    progress: Callable | None = None
+    step: float | None = None
+    preparing: float = 0.0
+    calls: int = 0
+    started: float = field(default_factory=perf_counter)
 
     def by_name(self, name):
         """The motion by the method of this name, or by the one that "auto" chooses."""
@@ -116,58 +108,42 @@ class Run:
         return trajectory
 
     def motion(self, trajectory, method, error):
-        """The record; :class:`~newton_euler.motion.solution.MotionError` if the trajectory failed."""
+        """The :class:`~newton_euler.motion.solution.Motion` of a trajectory; raises
+        :class:`~newton_euler.motion.solution.MotionError` if that failed.
+        """
         cost = Cost(perf_counter() - self.started, self.preparing, self.calls)
-        segments, occurrences = tuple(trajectory.segments), tuple(trajectory.occurrences)
+        parts, occurrences = tuple(trajectory.segments), tuple(trajectory.occurrences)
+        model, ended = self.system.model, trajectory.ended
         motion = Motion(
-            self.system.model,
-            segments,
-            occurrences,
-            method,
-            self.rtol,
-            trajectory.ended,
-            cost,
-            self.samples,
-            error,
+            model, parts, occurrences, method, self.rtol, ended, cost, self.samples, error
         )
         if trajectory.failed:
-            raise MotionError(
-                f"{trajectory.ended}; what was reached is in the error's .reached", motion
-            )
+            raise MotionError(f"{ended}; see .reached of this error", motion)
         return motion
 
     def auto(self):
         """The motion by the exact solution if there is one, else by heyoka if its compilation has
         been or will be earned back, else by DOP853.
         """
-        system, exact, taylor, dop853 = (
-            self.system,
-            METHODS["exact"],
-            METHODS["taylor"],
-            METHODS["dop853"],
-        )
-        if not exact.unusable_because(system, self.t0):
+        system, taylor, dop853 = self.system, METHODS["taylor"], METHODS["dop853"]
+        if not METHODS["exact"].unusable_because(system, self.t0):
             try:
-                return self.by(exact)
-            # it has no value for this start, or is not accurate: there are other methods
+                return self.by(METHODS["exact"])
             except ModelError:
-                pass
-        heyoka, much = not taylor.unusable_because(system), self.rtol < dop853.min_rtol
-        if heyoka and (
-            much or system.traced.integrators or system.traced.seconds > HEYOKA_BREAK_EVEN
-        ):
+                pass  # it has no value for this start or is not accurate: there are other methods
+        heyoka, tight = not taylor.unusable_because(system), self.rtol < dop853.min_rtol
+        traced = system.traced
+        if heyoka and (tight or traced.integrators or traced.seconds > HEYOKA_BREAK_EVEN):
             try:
                 return self.by(taylor)
             # as where the rates are not analytic: |v| v at rest, which Runge-Kutta methods can pass
             except MotionError:
-                if much:
+                if tight:
                     raise
                 heyoka = False
-        if much:
-            raise ModelError(
-                f"rtol = {self.rtol:g} needs heyoka, which is not installed; without it the "
-                f"least is {dop853.min_rtol:g}"
-            )
+        if tight:
+            least = f"without it the least is {dop853.min_rtol:g}"
+            raise ModelError(f"rtol = {self.rtol:g} needs heyoka, which is not installed; {least}")
         return self.calibrated(dop853, heyoka)
 
     def by(self, method):
@@ -182,29 +158,25 @@ class Run:
         def error():
             """From a second run with shorter steps, which is much more accurate; plus round-off."""
             self.progress = None
-            return (
-                2 * trajectory.difference(self.trajectory(SHORT_TAYLOR, trajectory.tolerance))
-                + 2e-15
-            )
+            shorter = self.trajectory(SHORT_TAYLOR, trajectory.tolerance)
+            return 2 * trajectory.difference(shorter) + 2e-15
 
         return self.motion(trajectory, method, error)
 
     def verify_exact(self, trajectory):
-        """Raise :class:`ModelError` where an exact solution is none: the first one of a model is
-        compared with itself, and then it is trusted.
+        """Raise :class:`ModelError` where the exact solution is wrong: the first one of a model is
+        compared with itself, see :meth:`Trajectory.exact_error`; after that it is trusted.
 
-        Of later ones this comparison is the ``error`` of the motion, made when that is asked for.
+        For later ones this comparison is the ``error`` of the motion, made when that is asked for.
         """
         if len(trajectory.segments) == 1 and self.system.exact_verified:
             return
         error = trajectory.exact_error()
         self.system.exact_verified = error is not None and error <= self.rtol
         if not self.system.exact_verified:
-            why = (
-                "it becomes a model without one"
-                if error is None
-                else f"it is not accurate here: its error is about {error:.1g}"
-            )
+            why = "it becomes a model without one"
+            if error is not None:
+                why = f"it is not accurate here: its error is about {error:.1g}"
             raise ModelError(
                 f"the closed form of {self.system.model.name!r} does not do: {why}; take "
                 "method='auto'"
@@ -212,38 +184,33 @@ class Run:
 
     def calibrated(self, method, heyoka=False):
         """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`; with
-        ``heyoka`` by that if the first run shows that the second would take long.
+        ``heyoka`` by heyoka if the first run shows that the second would take long.
         """
-        begun = perf_counter()
-        tolerance = max(
-            min(self.rtol / method.tolerance_ratio, method.max_tolerance), method.min_tolerance
-        )
+        begun, least = perf_counter(), method.min_tolerance
+        tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), least)
         coarse = min(tolerance * COARSENING, MAX_COARSE_TOLERANCE)
         before = self.trajectory(method, coarse)
-        # order 8: steps as tolerance**(1/8)
+        # of order 8: the number of steps grows as tolerance**(-1/8)
         if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
                 return self.by(METHODS["taylor"])
         for _ in range(MAX_REFINEMENTS + 1):
             trajectory = self.trajectory(method, tolerance, before.scales)
             error = predicted_error(before, trajectory)
-            if error <= self.rtol or tolerance <= method.min_tolerance or trajectory.failed:
+            if error <= self.rtol or tolerance <= least or trajectory.failed:
                 break
-            finer = max(
-                tolerance * max(1 / COARSENING, self.rtol / error / 3), method.min_tolerance
-            )
+            # error and tolerance are proportional; a third of the rtol, as the prediction is rough
+            finer = max(tolerance * max(1 / COARSENING, self.rtol / error / 3), least)
             before, tolerance = trajectory, min(finer, tolerance / 4)
         self.system.traced.seconds += perf_counter() - begun
         return self.motion(trajectory, method, error)
 
 
 def predicted_error(before, trajectory):
-    """The error of a trajectory from its difference to one of coarser tolerance."""
+    """The error of a trajectory, predicted from its difference to one of coarser tolerance."""
     difference = before.difference(trajectory)
     if difference > 0.05:
         return difference  # the coarse one is too far off to predict anything
     steps = sum(len(segment.stepper.step_times) for segment in trajectory.segments)
-    return (
-        SAFETY_FACTOR * difference * trajectory.tolerance / before.tolerance
-        + ROUND_OFF * math.sqrt(1 + steps / 100)
-    )
+    predicted = SAFETY_FACTOR * difference * trajectory.tolerance / before.tolerance
+    return predicted + ROUND_OFF * math.sqrt(1 + steps / 100)

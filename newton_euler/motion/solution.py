@@ -1,13 +1,17 @@
-"""What an integration returns: the states of a motion, and what is known about them."""
+"""The result of an integration: the states of a motion, their error, the drift of invariants, the
+cost.
+"""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+from ..algebra.scalars import Scalar
 from .methods.base import sample_times
-from .model import ModelError
+from .model import Model, ModelError
 
 DEFAULT_SAMPLES = 101  # of a motion without steps
 
@@ -23,8 +27,8 @@ class MotionError(ModelError):
 
 
 class Cost(NamedTuple):
-    """``seconds`` of all runs, with the imports and compilations that they need; ``preparing`` the
-    model; ``calls`` of the right-hand side.
+    """``seconds`` of all runs, with the imports and compilations that they need, and of
+    ``preparing`` the model; ``calls`` of the right-hand side.
     """
 
     seconds: float
@@ -36,90 +40,82 @@ class Cost(NamedTuple):
 class Motion:
     """The motion of a model.
 
-    model, method, rtol : what was asked for; the method is the one that was used
-    segments : the parts between events at which the model changed; ``events`` : what happened, each
-        with ``name``, ``t`` and ``state``
+    model, rtol : what was asked for; ``method`` : the method that was used
+    segments : the parts between events at which the state jumped or the model changed
+    events : the :class:`~newton_euler.motion.events.Occurrence` of each event that happened
     ended : how it ended, in words; ``cost`` : a :class:`Cost`
-    times, states : of the samples; ``states["theta"]`` is an array; nan in a segment that has no
+    times, states : of the samples; ``states["theta"]`` is an array, nan in a segment that has no
         such state
     error : the estimated error at the end, of the worst state relative to its largest value (at
         least 1e-6 in its unit)
     drift : for each invariant, by name, its largest change over the samples, relative to its
         largest value
 
-    >>> from newton_euler import Model
-    >>> fall = Model("fall", {"g": 10.0}, ("h", "v"), lambda s, p, t: (s.v, -p.g), exact=lambda s, p, t: (s.h + s.v*t - p.g*t*t/2, s.v - p.g*t))
-    >>> from newton_euler.motion.integration import integrate
+    >>> from newton_euler import Model, integrate
+    >>> fall = Model("fall", {"g": 10.0}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
     >>> motion = integrate(fall, 2.0, (100.0, 0.0), samples=3)
-    >>> motion.states["h"].tolist(), motion.end["v"], motion.method.name
-    ([100.0, 95.0, 80.0], -20.0, 'exact')
+    >>> motion.states["h"].round(6).tolist(), round(motion.end["v"], 6), motion.method.name
+    ([100.0, 95.0, 80.0], -20.0, 'dop853')
     """
 
-    model: object
+    model: Model
     segments: tuple
     events: tuple
-    method: object
+    method: Any
     rtol: float
     ended: str
     cost: Cost
-    samples: object = field(default=None, repr=False)
-    estimate: object = field(default=math.nan, repr=False)
+    samples: Any = field(default=None, repr=False)
+    estimate: Any = field(default=math.nan, repr=False)
 
     @property
-    def t_end(self):
-        """The time at which it ended."""
+    def t_end(self) -> float:
+        """The time at which the motion ended."""
         return self.segments[-1].t1
 
     @cached_property
-    def end(self):
+    def end(self) -> dict:
         """The last state, by name."""
         last = self.segments[-1]
         return last.system.model._state(last.x1)
 
     @cached_property
-    def error(self):
-        """See the class; for heyoka it takes a second run with shorter steps, made when it is first
-        asked for.
+    def error(self) -> float:
+        """The estimated error at the end, see the class; for heyoka from a second run with shorter
+        steps, made when it is first asked for.
         """
         return self.estimate() if callable(self.estimate) else self.estimate
 
     @cached_property
-    def times(self):
+    def times(self) -> Scalar:
         """The times of the samples, an array."""
         import numpy as np
 
         begin, end, segments = self.segments[0].t0, self.t_end, self.segments
         if self.samples is not None:
             return sample_times(self.samples, begin, end)
-        steps = [
-            t for segment in segments for t in segment.stepper.step_times[1:] if t < segment.t1
-        ]
-        return (
-            np.array([begin, *sorted([*steps, *(segment.t1 for segment in segments)])])
-            if steps
-            else np.linspace(begin, end, DEFAULT_SAMPLES)
-        )
+        steps = [t for part in segments for t in part.stepper.step_times[1:] if t < part.t1]
+        if not steps:
+            return np.linspace(begin, end, DEFAULT_SAMPLES)
+        return np.array([begin, *sorted([*steps, *(part.t1 for part in segments)])])
 
     @cached_property
-    def states(self):
+    def states(self) -> Mapping:
         """The states at ``times``, arrays by name."""
         return MappingProxyType(self._at(self.times))
 
-    def at(self, t):
+    def at(self, t: Scalar) -> dict:
         """The states at any time of the motion, by name: numbers, or arrays for an array of times.
-        Raises :class:`ModelError` outside.
 
         As accurate as the steps, or up to ten times less for the Runge-Kutta methods, whose
-        interpolation has one order less.
+        interpolation has one order less. Raises :class:`ModelError` outside the motion.
         """
         import numpy as np
 
         times = np.atleast_1d(np.asarray(t, dtype=float))
         begin, end = self.segments[0].t0, self.t_end
         if not np.all((times >= begin) & (times <= end)):
-            raise ModelError(
-                f"the motion goes from t = {begin:g} to {end:g}; it says nothing about t = {t!r}"
-            )
+            raise ModelError(f"the motion goes from t = {begin:g} to {end:g}; got t = {t!r}")
         found = self._at(times)
         return found if np.ndim(t) else {n: float(x[0]) for n, x in found.items()}
 
@@ -128,59 +124,56 @@ class Motion:
 
         if len(self.segments) == 1:
             rows = self.segments[0].stepper.states(times)
-            # to the last bit, where the stepper interpolates
+            # the stepper interpolates: the last state would differ by round-off
             rows[:, times == self.t_end] = np.array(self.segments[0].x1)[:, None]
             return dict(zip(self.model.states, rows, strict=True))
-        names = dict.fromkeys(n for segment in self.segments for n in segment.system.model.states)
+        segments = self.segments
+        names = dict.fromkeys(n for part in segments for n in part.system.model.states)
         out = {n: np.full(len(times), math.nan) for n in names}
-        index = np.maximum(
-            np.searchsorted([segment.t0 for segment in self.segments], times, side="right") - 1, 0
-        )
+        begins = [part.t0 for part in segments]
+        index = np.maximum(np.searchsorted(begins, times, side="right") - 1, 0)
         for n in np.unique(index):
-            segment, inside = self.segments[n], index == n
-            for name, row in zip(
-                segment.system.model.states, segment.stepper.states(times[inside]), strict=True
-            ):
+            part, inside = segments[n], index == n
+            rows = part.stepper.states(times[inside])
+            for name, row in zip(part.system.model.states, rows, strict=True):
                 out[name][inside] = row
         for name, x in self.end.items():
             out[name][times == self.t_end] = x
         return out
 
     @cached_property
-    def drift(self):
-        """See the class; of several segments the largest, each compared with its own start."""
+    def drift(self) -> dict[str, float]:
+        """The drift of each invariant, by name, see the class; of several segments the largest,
+        each compared with its own start.
+        """
         import numpy as np
 
-        worst = {}
+        worst: dict[str, float] = {}
         for system, stepper, t0, t1, _ in self.segments:
             times = np.unique([t0, *self.times[(self.times >= t0) & (self.times <= t1)]])
             x = stepper.states(times) if system.model.invariants else ()
             for name, f in system.model.invariants.items():
                 values = np.broadcast_to(system.function(f)(times, *x), times.shape)
                 largest = abs(values).max()
-                worst[name] = max(
-                    worst.get(name, 0.0),
-                    float(abs(values - values[0]).max() / largest) if largest else 0.0,
-                )
+                change = float(abs(values - values[0]).max() / largest) if largest else 0.0
+                worst[name] = max(worst.get(name, 0.0), change)
         return worst
 
-    def explain(self):
-        """All of it as text, one fact a line."""
+    def explain(self) -> str:
+        """Everything that is known about the motion as text, one fact a line."""
         missed = ", not reached" if self.error > self.rtol else ""
-        lines = [
-            f"{self.model.name}, from t = {self.segments[0].t0:g} to {self.t_end:.9g}: "
-            f"{self.ended}",
-            f"method: {self.method.name} ({self.method.description})",
-            f"error of the last state: about {self.error:.1g}, asked for {self.rtol:.1g}{missed}",
-            *(f"drift of {name}: {value:.1g}" for name, value in self.drift.items()),
-            *(f"{event.name} at t = {event.t:.9g}" for event in self.events[:10]),
-        ]
-        if len(self.events) > 10:
-            lines.append(f"... and {len(self.events) - 10} more events")
         seconds, preparing, calls = self.cost
+        more = len(self.events) - 10
         return "\n".join(
             [
-                *lines,
+                f"{self.model.name}, from t = {self.segments[0].t0:g} to {self.t_end:.9g}: "
+                f"{self.ended}",
+                f"method: {self.method.name} ({self.method.description})",
+                f"error of the last state: about {self.error:.1g}, asked for {self.rtol:.1g}"
+                + missed,
+                *(f"drift of {name}: {value:.1g}" for name, value in self.drift.items()),
+                *(f"{event.name} at t = {event.t:.9g}" for event in self.events[:10]),
+                *([f"... and {more} more events"] if more > 0 else []),
                 f"cost: {1e3 * seconds:.3g} ms, {calls} calls of the right-hand side, "
                 f"{1e3 * preparing:.3g} ms to prepare",
             ]

@@ -131,11 +131,11 @@ class Ladder:
         import numpy as np
 
         from ..motion.integration import integrate
-        from ..motion.prepared import prepared
+        from ..motion.prepared import prepared_model
 
         times = np.linspace(0.0, self.t, INSTANTS)
         motion = integrate(rung.model, self.t, rung.start, rtol, samples=times)
-        values = prepared(rung.model).function(rung.observed)(times, *motion.states.values())
+        values = prepared_model(rung.model).function(rung.observed)(times, *motion.states.values())
         return np.array([np.broadcast_to(v, times.shape) for v in values], dtype=float)
 
     def observed(self, rung: Rung, accuracy: float) -> "ndarray":

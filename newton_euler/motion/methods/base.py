@@ -1,5 +1,5 @@
 """The base class of all methods of integration: a stepper goes on from one state step by step and
-gives the states in between.
+returns the states in between.
 
 The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion.methods.taylor`,
 :mod:`newton_euler.motion.methods.dop853`, :mod:`newton_euler.motion.methods.splitting`,
@@ -13,7 +13,7 @@ from ...algebra.errors import NewtonEulerError
 
 # a state that stays smaller than this, in its unit, has errors relative to this
 SMALLEST_SCALE = 1e-6
-# this many steps that are on average so much shorter than the longest one lead nowhere
+# a method makes no progress if this many steps are on average so much shorter than the longest one
 MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5
 
 
@@ -26,11 +26,7 @@ def sample_times(samples, begin, end):
     if isinstance(samples, int):
         return np.linspace(begin, end, samples)
     times = np.asarray(samples, dtype=float)
-    return (
-        times
-        if len(times) and times[0] >= begin and times[-1] <= end
-        else times[(times >= begin) & (times <= end)]
-    )
+    return times[(times >= begin) & (times <= end)]
 
 
 class StepError(NewtonEulerError, ArithmeticError):
@@ -46,28 +42,25 @@ class Stepper:
     scales : the largest absolute value of each state so far, what errors are relative to
     steps : for each step a tuple whose last elements are the state before it; empty for a method
         that does not keep them
-    A subclass has the methods ``step(limit)``, which takes at most so many steps, and
-    ``interpolate(n, times)``, which returns the states at an array of times inside step n as an
-    array (states, times).
+
+    A subclass has the methods ``begin(trajectory)``, which prepares the run, ``step(limit)``, which
+    takes at most so many steps, and ``interpolate(n, times)``, which returns the states at an array
+    of times inside step n as an array (states, times).
     """
 
     def __init__(self, system, t, x, trajectory):
-        self.system, self.t, self.x, self.goal, self.tolerance = (
-            system,
-            t,
-            tuple(x),
-            trajectory.goal,
-            trajectory.tolerance,
-        )
-        self.step_times, self.steps, self.calls, self.start = [t], [], 0, (t, tuple(x))
-        self.checked, self.longest = 0, 0.0
+        self.system, self.t, self.x, self.goal = system, t, tuple(x), trajectory.goal
+        self.tolerance, self.start = trajectory.tolerance, (t, self.x)
+        self.step_times, self.steps, self.calls, self.checked, self.longest = [t], [], 0, 0, 0.0
         self.scales = tuple([v if v > SMALLEST_SCALE else SMALLEST_SCALE for v in map(abs, x)])
         # of an earlier run: else a state that starts at zero would be followed far too accurately
         if trajectory.initial_scales:
-            self.scales = tuple(
-                max(s, 1e-6 * known)
-                for s, known in zip(self.scales, trajectory.initial_scales, strict=True)
-            )
+            known = [1e-6 * v for v in trajectory.initial_scales]
+            self.scales = tuple(map(max, self.scales, known))
+        self.begin(trajectory)
+
+    def begin(self, trajectory):
+        """Prepare the run; called once."""
 
     @property
     def checkpoints(self):
@@ -75,11 +68,8 @@ class Stepper:
         compared; none if there are few steps.
         """
         count, size = len(self.steps), len(self.x)
-        return (
-            [(self.step_times[n], self.steps[n][-size:]) for n in (3 * count // 5, 4 * count // 5)]
-            if count > 4
-            else []
-        )
+        chosen = (3 * count // 5, 4 * count // 5) if count > 4 else ()
+        return [(self.step_times[n], self.steps[n][-size:]) for n in chosen]
 
     def step_index(self, t):
         """The number of the step in which ``t`` lies."""
@@ -106,12 +96,13 @@ class Stepper:
         """Raise :class:`StepError` if the last steps are too short to get on, as where the rates
         jump between plus and minus infinity.
         """
-        if len(self.step_times) > self.checked + MAX_STALLED_STEPS:
+        count = len(self.step_times) - 1 - self.checked
+        if count >= MAX_STALLED_STEPS:
             last = self.step_times[self.checked :]
             self.longest = max(self.longest, *(b - a for a, b in pairwise(last)))
-            if self.t - last[0] < STALLED_RATIO * (len(last) - 1) * self.longest:
-                raise StepError(f"{len(last) - 1} steps have led on by {self.t - last[0]:.1g} only")
-            self.checked = len(self.step_times) - 1
+            if self.t - last[0] < STALLED_RATIO * count * self.longest:
+                raise StepError(f"{count} steps took only {self.t - last[0]:.1g} of time")
+            self.checked += count
 
     def update_scales(self):
         """Take the present state into the scales."""

@@ -18,8 +18,8 @@ from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES,
 # The new step is the old one times SAFETY*error**(-1/8), since the error estimate is of order 8 in
 # h, and between these bounds (II.4).
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0
-# of the largest state, added to each tolerance: round-off in the largest one is not to be
-# controlled in the others
+# of the largest state, added to the tolerance of each: round-off in the largest one must not
+# shorten the steps
 NOISE = 2e-16
 
 # The error combines the estimates of orders 5 and 3 as |e5|^2/sqrt(|e5|^2 + 0.01|e3|^2) (II.10).
@@ -77,31 +77,34 @@ def generated(n, constants):
 
 
 def _text(n, constants):
+    states = range(n)
+
     def each(pattern, separator=", "):
-        return separator.join(pattern.format(i=i) for i in range(n))
+        return separator.join(pattern.format(i=i) for i in states)
 
     def stages(rows):
-        for row in rows:
-            at = ", ".join(f"x{i} + h*({_sum(STAGES[row], i)})" for i in range(n))
-            yield f"{each(f'k{row}_{{i}}')}, = f(t + {NODES[row]!r}*h, {at}{args})"
+        for k in rows:
+            at = ", ".join(f"x{i} + h*({_sum(STAGES[k], i)})" for i in states)
+            yield f"{each(f'k{k}_{{i}}')}, = f(t + {NODES[k]!r}*h, {at}{args})"
 
     def lines(width, *parts):
         return indent("\n".join(parts), width * " ")
 
-    x, args = each("x{i}"), "".join(f", p{j}" for j in range(constants))
+    x, k, args = each("x{i}"), each("k0_{i}"), "".join(f", p{j}" for j in range(constants))
     p = f"{args[2:]}, = p" if constants else ""
-    body = [*stages(range(1, 12)), *(f"y{i} = x{i} + h*({_sum(WEIGHTS, i)})" for i in range(n))]
+    body = [*stages(range(1, 12)), *(f"y{i} = x{i} + h*({_sum(WEIGHTS, i)})" for i in states)]
     errors = [
         f"c = tol*max(s{i}, abs(y{i})) + q; u{i} = ({_sum(ERROR_5, i)})/c; v{i} = "
         f"({_sum(ERROR_3, i)})/c"
-        for i in range(n)
+        for i in states
     ]
     return _CODE.format(
-        x=x, y=each("y{i}"), s=each("s{i}"), a=each("k0_{i}"), n=each("k12_{i}"), args=args, p=p, one=", 0.0" if n == 1 else "", count=n,
-        noise=NOISE, shrink=SHRINK, safety=SAFETY, grow=GROW, inner=lines(12, *body), errors=lines(12, *errors),
-        outer=lines(4, f"{x}, = x; {p}", f"{each('k0_{i}')}, = f(t, {x}{args})", *body),
-        scales=lines(8, each("if abs(x{i}) > s{i}: s{i} = abs(x{i})", "\n")), e5=each("u{i}*u{i}", " + "), e3=each("v{i}*v{i}", " + "),
-        more=lines(4, *stages((13, 14, 15))), rows=", ".join(map(_row, range(n))),
+        x=x, y=each("y{i}"), s=each("s{i}"), a=k, n=each("k12_{i}"), args=args, p=p, count=n,
+        one=", 0.0" if n == 1 else "", noise=NOISE, shrink=SHRINK, safety=SAFETY, grow=GROW,
+        inner=lines(12, *body), outer=lines(4, f"{x}, = x; {p}", f"{k}, = f(t, {x}{args})", *body),
+        errors=lines(12, *errors), e5=each("u{i}*u{i}", " + "), e3=each("v{i}*v{i}", " + "),
+        scales=lines(8, each("if abs(x{i}) > s{i}: s{i} = abs(x{i})", "\n")),
+        more=lines(4, *stages((13, 14, 15))), rows=", ".join(map(_row, states)),
     )  # fmt: skip
 
 
@@ -114,48 +117,40 @@ def _row(i):
     and 1 - u by turns.
     """
     d = f"(y{i} - x{i})"
-    first = [d, f"h*k0_{i} - {d}", f"2.0*{d} - h*(k12_{i} + k0_{i})"]
-    return f"({', '.join(first + [f'h*({_sum(row, i)})' for row in INTERPOLATION])})"
+    more = [f"h*({_sum(row, i)})" for row in INTERPOLATION]
+    return f"({', '.join([d, f'h*k0_{i} - {d}', f'2.0*{d} - h*(k12_{i} + k0_{i})', *more])})"
 
 
 class Dop853(Stepper):
     """A run of DOP853; each of its ``steps`` is (time, length, *state)."""
 
-    def __init__(self, system, t, x, trajectory):
-        super().__init__(system, t, x, trajectory)
-        step, span = trajectory.step, self.goal - t
-        self.f, self.rates, self.calls = (
-            (system.folded_rates, system.constants),
-            system.rates(t, x),
-            1,
-        )
-        self.code, self._polynomial = generated(len(x), len(system.constants)), (None, None)
+    def begin(self, trajectory):
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
+        system, step, span = self.system, trajectory.step, self.goal - self.t
+        self.f = system.folded_rates, system.constants
+        self.rates, self.calls = system.rates(self.t, self.x), 1
+        self.code = generated(len(self.x), len(system.constants))
+        self._polynomial = None, None
         if step:
             self.tolerance = 1e300  # any step is accepted
-        # a first step in which the fastest state changes by half of its scale times tol^(1/8);
-        # states that start from nothing do not count
+        # else a first step in which the fastest state changes by half of its scale times
+        # tol**(1/8); states that start from nothing, with a huge rate to scale, do not count
         else:
-            fastest = max(
-                (
-                    abs(k) / s
-                    for k, s in zip(self.rates, self.scales, strict=True)
-                    if abs(k) < 1e3 * s
-                ),
-                default=0.0,
-            )
+            pairs = zip(self.rates, self.scales, strict=True)
+            fastest = max((abs(k) / s for k, s in pairs if abs(k) < 1e3 * s), default=0.0)
             self.h = 0.5 * self.tolerance**0.125 / fastest if fastest else 1e-3 * span
         self.hmax, self.h = step or span, min(step or self.h, span)
 
     def step(self, limit=inf):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         while limit > 0 and self.t < self.goal:
-            # a shorter step would not change the time
+            # the least step: a shorter one would not change the time
             done, least = len(self.steps), 4e-16 * max(abs(self.t), abs(self.goal))
             self.t, self.x, self.scales, self.rates, self.h, tried = self.code["run"](
                 *self.f, self.t, self.goal, self.x, self.scales, self.rates, self.h,
                 self.tolerance, self.hmax, least, min(limit, MAX_STALLED_STEPS), self.steps.append,
             )  # fmt: skip
-            self.calls += 12 * tried
+            self.calls += 12 * tried  # stages of a step; the first is the last of the step before
             self.step_times += [t + h for t, h, *_ in self.steps[done:]]
             self.step_times[-1] = self.t
             if self.h == 0.0:
@@ -177,15 +172,12 @@ class Dop853(Stepper):
 
         start, h, *x = self.steps[n]
         if self._polynomial[0] != n:
-            self._polynomial = (
-                n,
-                np.array(self.code["polynomial"](*self.f, start, h, x)).T[:, :, None],
-            )
+            rows = np.array(self.code["polynomial"](*self.f, start, h, x))
+            self._polynomial = n, rows.T[::-1, :, None]
             self.calls += 15
         u = (times - start) / h
         out = 0.0
-        for power, row in zip(
-            (u, 1 - u, u, 1 - u, u, 1 - u, u), self._polynomial[1][::-1], strict=True
-        ):
-            out = (out + row) * power
+        # Horner's rule, with the factors u and 1 - u by turns (II.6)
+        for k, row in enumerate(self._polynomial[1]):
+            out = (out + row) * (1 - u if k % 2 else u)
         return out + np.array(x)[:, None]

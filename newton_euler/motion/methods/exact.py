@@ -6,7 +6,7 @@ from .base import Stepper
 
 
 class Exact(Stepper):
-    """The exact solution of the model: a single step, and what lies inside is the solution too."""
+    """The exact solution of the model: one step, inside which every state is exact too."""
 
     def step(self, limit=inf):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
@@ -14,8 +14,8 @@ class Exact(Stepper):
         self.step_times.append(self.t)
 
     @staticmethod
-    def prepared(system, tolerance, fallback):
-        """The function of :func:`newton_euler.motion.integration.prepare`."""
+    def prepared_run(system, tolerance, fallback):
+        """The function that :func:`newton_euler.motion.integration.prepare` returns."""
         return system.solution
 
     def interpolate(self, n, times):

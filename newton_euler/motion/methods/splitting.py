@@ -22,27 +22,23 @@ from .base import StepError, Stepper
 MAX_STEPS = 3_000_000
 # w1, w2, w3 of Yoshida's solution A for order 6 (his table 1)
 _W6 = (-1.17767998417887, 0.235573213359357, 0.784513610477560)
+# w1 ... w7 of one of his solutions for order 8 (his table 2)
 _W8 = (
-    -1.61582374150097,
-    -2.44699182370524,
-    -0.00716989419708120,
-    2.44002732616735,
-    0.157739928123617,
-    1.82020630970714,
-    1.04242620869991,
-)
+    -1.61582374150097, -2.44699182370524, -0.00716989419708120, 2.44002732616735,
+    0.157739928123617, 1.82020630970714, 1.04242620869991,
+)  # fmt: skip
 
 
-def _symmetric(weights):
+def _symmetric(*weights):
     """The weights w_m ... w_1 w_0 w_1 ... w_m from w_1 ... w_m; their sum is 1."""
     return *weights[::-1], 1 - 2 * sum(weights), *weights
 
 
 COMPOSITIONS = {
     2: (1.0,),
-    4: _symmetric((1 / (2 - 2 ** (1 / 3)),)),
-    6: _symmetric(_W6),
-    8: _symmetric(_W8),
+    4: _symmetric(1 / (2 - 2 ** (1 / 3))),
+    6: _symmetric(*_W6),
+    8: _symmetric(*_W8),
 }
 
 
@@ -63,11 +59,9 @@ def partition(system):
             i, side = waiting.pop()
             if i not in group:
                 group[i] = side
-                waiting += [
-                    (j, 1 - side)
-                    for j, n in enumerate(states)
-                    if n in needs[i] or states[i] in needs[j]
-                ]
+                for j, n in enumerate(states):
+                    if n in needs[i] or states[i] in needs[j]:
+                        waiting.append((j, 1 - side))
             elif group[i] != side:
                 return None
     return tuple(i for i in group if not group[i]), tuple(i for i in group if group[i])
@@ -88,17 +82,16 @@ def principal_moments(system):
         probe = system.rates(0.0, (2.0, 3.0, -5.0))
     except ArithmeticError:
         return None
-    if not all(
-        isclose(x, k * v, rel_tol=1e-12, abs_tol=1e-14)
-        for x, k, v in zip(probe, (a, b, c), (-15.0, -10.0, 6.0), strict=True)
-    ):
+    products = zip(probe, (-15.0 * a, -10.0 * b, 6.0 * c), strict=True)
+    if not all(isclose(*pair, rel_tol=1e-12, abs_tol=1e-14) for pair in products):
         return None
-    # a I1 = I2 - I3, ...: three equations, of which two are enough
+    # a I1 = I2 - I3, ...: three equations, of which two are enough; the moments are the cross
+    # product of two rows, of those two that are least parallel
     rows = (a, -1.0, 1.0), (1.0, b, -1.0), (-1.0, 1.0, c)
     found = max((cross3(rows[i], rows[i - 1]) for i in range(3)), key=lambda v: sum(map(abs, v)))
     size = sum(found)
     if not size or min(x / size for x in found) <= 0:
-        return None
+        return None  # moments of inertia have one sign
     found = tuple(3 * x / size for x in found)
     return found if all(abs(dot3(row, found)) < 1e-12 for row in rows) else None
 
@@ -108,15 +101,10 @@ def principal_moments(system):
 
 def _generated(setup, flows, result):
     """A function ``move(f, p, x, h, weights)`` that returns the state after a step h."""
-    lines = [
-        *setup,
-        "for w in weights:",
-        "    e = w*h; d = 0.5*e",
-        *("    " + flow for flow in flows),
-        f"return {result},",
-    ]
+    loop = ["for w in weights:", "    e = w*h; d = 0.5*e", *("    " + flow for flow in flows)]
+    lines = ["def move(f, p, x, h, weights):", *setup, *loop, f"return {result},"]
     space = {"cos": cos, "sin": sin}
-    exec("def move(f, p, x, h, weights):\n" + "".join(f"    {line}\n" for line in lines), space)
+    exec("\n    ".join(lines), space)
     return space["move"]
 
 
@@ -147,11 +135,8 @@ def _lie_poisson():
         )
 
     setup = ["I0, I1, I2 = p", "x0, x1, x2 = x[0]*I0, x[1]*I1, x[2]*I2"]
-    return _generated(
-        setup,
-        [turn(0, "d"), turn(1, "d"), turn(2, "e"), turn(1, "d"), turn(0, "d")],
-        "x0/I0, x1/I1, x2/I2",
-    )
+    turns = [turn(0, "d"), turn(1, "d"), turn(2, "e"), turn(1, "d"), turn(0, "d")]
+    return _generated(setup, turns, "x0/I0, x1/I1, x2/I2")
 
 
 class Splitting(Stepper):
@@ -161,24 +146,18 @@ class Splitting(Stepper):
 
     order, body = 2, False
 
-    def __init__(self, system, t, x, trajectory):
-        super().__init__(system, t, x, trajectory)
-        self.weights = COMPOSITIONS[self.order]
+    def begin(self, trajectory):
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
+        system, order, span = self.system, self.order, self.goal - self.t
+        self.f, self.p, self.weights = system.f, system.p, COMPOSITIONS[order]
         if self.body:
-            self.f, self.p, self.move = None, principal_moments(system), _lie_poisson()
+            self.p, self.move = principal_moments(system), _lie_poisson()
         else:
-            self.f, self.p, self.move = (
-                system.f,
-                system.p,
-                _verlet(len(x), *partition(system), len(system.p)),
-            )
-        span = self.goal - t
-        count = span / (trajectory.step or self._time_scale() * self.tolerance ** (1 / self.order))
+            self.move = _verlet(len(self.x), *partition(system), len(self.p))
+        count = span / (trajectory.step or self._time_scale() * self.tolerance ** (1 / order))
         if count > MAX_STEPS:
-            raise ModelError(
-                f"{count:.2g} steps of order {self.order} would be needed; take a higher "
-                "order, another method, or a coarser rtol"
-            )
+            needed = f"{count:.2g} steps of order {order} would be needed"
+            raise ModelError(f"{needed}; take a higher order, another method, or a coarser rtol")
         self.count = max(1, ceil(count * (1 - 1e-12)))  # round-off must not add a step
         self.h, self.steps = span / self.count, [self.x]
 
@@ -187,17 +166,16 @@ class Splitting(Stepper):
         of the fastest oscillation.
         """
         span, k = self.goal - self.t, self.system.rates(self.t, self.x)
-        d = min(
-            [1e-3 * span]
-            + [1e-3 * s / abs(v) for s, v in zip(self.scales, k, strict=True) if abs(v) > 1e-3 * s]
-        )
+        # a difference quotient of the rates over the time d, in which no state changes much
+        pairs = zip(self.scales, k, strict=True)
+        d = 1e-3 * min([span, *(s / abs(v) for s, v in pairs if abs(v) > 1e-3 * s)])
         later = self.system.rates(self.t, tuple(x + d * v for x, v in zip(self.x, k, strict=True)))
-        changes = [
-            (s, abs(v), abs(w - v) / d)
-            for s, v, w in zip(self.scales, k, later, strict=True)
-            if s > 1e-3
-        ]
-        return min([span / 4] + [sqrt(max(s, v * d) / a) for s, v, a in changes if a > 1e-12 * s])
+        times = [span / 4]
+        for s, v, w in zip(self.scales, k, later, strict=True):
+            change = abs(w - v) / d
+            if s > 1e-3 and change > 1e-12 * s:
+                times.append(sqrt(max(s, abs(v) * d) / change))
+        return min(times)
 
     def step(self, limit=inf):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
@@ -211,12 +189,8 @@ class Splitting(Stepper):
         if len(self.steps) > self.count:
             self.step_times[-1] = self.goal
         self.x, self.t = self.steps[-1], self.step_times[-1]
-        self.scales = tuple(
-            max(s, *map(abs, column))
-            for s, column in zip(
-                self.scales, zip(*self.steps[done - 1 :], strict=True), strict=True
-            )
-        )
+        columns = zip(self.scales, *self.steps[done - 1 :], strict=True)
+        self.scales = tuple(max(map(abs, column)) for column in columns)
         self.calls += 3 * len(self.weights) * (len(self.steps) - done)
 
     def state_at(self, t):
@@ -233,8 +207,5 @@ class Splitting(Stepper):
 
 def splitting(order, body=False):
     """The stepper of this order; ``body`` for the free rigid body."""
-    return type(
-        "LiePoisson" if body else "Verlet",
-        (Splitting,),
-        {"order": order, "body": body, "__doc__": Splitting.__doc__},
-    )
+    name = "LiePoisson" if body else "Verlet"
+    return type(name, (Splitting,), {"order": order, "body": body, "__doc__": Splitting.__doc__})

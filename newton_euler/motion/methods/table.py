@@ -31,7 +31,7 @@ class Method:
     unusable_because : a function of the prepared model and the start time that says why it cannot
         be used, or returns None
     order : of convergence with a fixed step; None if it has no fixed step
-    min_rtol : the smallest error, relative to each state, that it can be asked for
+    min_rtol : the smallest rtol that it can be asked for
     calibrated : True if its tolerance is found by two runs
     tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are
         up to 100 tolerances, seldom less than one
@@ -52,41 +52,31 @@ class Method:
 
 
 def _no_exact(system, t0=0.0):
-    if system.model.exact is None:
-        return f"no exact solution of {system.model.name!r} is known"
+    model = system.model
+    if model.exact is None:
+        return f"no exact solution of {model.name!r} is known"
     if t0 and not system.autonomous:
-        return (
-            f"the rates of {system.model.name!r} depend on time, so its exact solution starts "
-            "at t = 0"
-        )
+        return f"the rates of {model.name!r} depend on time, so its exact solution starts at t = 0"
     return None
 
 
-def _no_heyoka(system, t0=0.0):
-    return (
-        None if installed() else "heyoka is not installed: pip install 'newton-euler[fast]' (Linux)"
-    )
+def _no_heyoka(*_):
+    missing = "heyoka is not installed: pip install 'newton-euler[fast]' (Linux)"
+    return None if installed() else missing
 
 
-def _no_scipy(system, t0=0.0):
-    return (
-        None if importlib.util.find_spec("scipy") else "SciPy is not installed: pip install scipy"
-    )
+def _no_scipy(*_):
+    missing = "SciPy is not installed: pip install scipy"
+    return None if importlib.util.find_spec("scipy") else missing
 
 
 def _no_groups(system, t0=0.0):
-    why = (
-        f"the states of {system.model.name!r} do not split into two groups, as places and "
-        "velocities, with no rate that needs its own group"
-    )
+    why = f"the states of {system.model.name!r} are not two groups, as places and velocities"
     return None if partition(system) else why
 
 
 def _no_body(system, t0=0.0):
-    why = (
-        f"{system.model.name!r} is not Euler's equations of a free body, three rates like a "
-        "product of the two others"
-    )
+    why = f"{system.model.name!r} is not Euler's equations of a free body"
     return None if principal_moments(system) else why
 
 
@@ -96,55 +86,25 @@ def _table():
         "taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, False, TAYLOR_MARGIN
     )
     yield Method("dop853", "Runge-Kutta of order 8 in straight-line Python", Dop853, order=8)
-    # min_rtol is what they reached in measurements; the errors of Radau are smaller than its
-    # tolerance
-    for name, order, min_rtol, *tolerances in (
+    # min_rtol is measured; the errors of Radau are smaller than its tolerance
+    for name, *options in (
         ("DOP853", 8, 1e-11),
         ("RK45", 5, 1e-12),
         ("LSODA", None, 1e-8),
-        ("Radau", 5, 1e-10, 1.0, 1e-4),
+        ("Radau", 5, 1e-10, True, 1.0, 1e-4),
     ):
-        description = f"SciPy's {name} on traced straight-line code"
-        yield Method(
-            f"scipy {name}",
-            description,
-            scipy_method(name),
-            _no_scipy,
-            order,
-            min_rtol,
-            True,
-            *tolerances,
-        )
-    # the round-off of many small steps limits these; their tolerance only sets the step, so that it
-    # may be tiny
+        what = f"SciPy's {name} on traced straight-line code"
+        yield Method(f"scipy {name}", what, scipy_method(name), _no_scipy, *options)
+    # min_rtol: limited by the round-off of many small steps; their tolerance only sets the step, so
+    # that it may be tiny
     for order, min_rtol in ((2, 1e-7), (4, 1e-9), (6, 1e-10), (8, 1e-10)):
-        name, description = (
-            ("verlet", "Verlet's method")
-            if order == 2
-            else (f"yoshida{order}", f"Yoshida's composition of order {order}")
-        )
-        yield Method(
-            name,
-            f"{description}, symplectic",
-            splitting(order),
-            _no_groups,
-            order,
-            min_rtol,
-            min_tolerance=1e-40,
-        )
-        name, description = (
-            f"lie-poisson{order}",
-            f"Lie-Poisson splitting of order {order}, keeps the angular momentum",
-        )
-        yield Method(
-            name,
-            description,
-            splitting(order, body=True),
-            _no_body,
-            order,
-            min_rtol,
-            min_tolerance=1e-40,
-        )
+        name, what = f"yoshida{order}", f"Yoshida's composition of order {order}, symplectic"
+        if order == 2:
+            name, what = "verlet", "Verlet's method, symplectic"
+        limits = {"min_rtol": min_rtol, "min_tolerance": 1e-40}
+        yield Method(name, what, splitting(order), _no_groups, order, **limits)
+        what = f"Lie-Poisson splitting of order {order}, keeps the angular momentum"
+        yield Method(f"lie-poisson{order}", what, splitting(order, True), _no_body, order, **limits)
 
 
-METHODS = {method.name: method for method in _table()}
+METHODS: dict[str, Method] = {method.name: method for method in _table()}

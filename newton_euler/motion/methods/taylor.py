@@ -1,5 +1,5 @@
 """Heyoka's Taylor method on the traced right-hand side: compiled once for a right-hand side and a
-level of accuracy, then the fastest by far.
+level of accuracy, then by far the fastest.
 
 Parameters are arguments of the compiled code, so that other values need no new compilation. F.
 Biscani, D. Izzo, Revisiting high-order Taylor methods for astrodynamics and celestial mechanics,
@@ -13,15 +13,15 @@ from math import inf, isfinite
 
 from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_times
 
-# of heyoka's tolerance, which is fixed when it compiles; the last is a float's epsilon
+# levels of heyoka's tolerance, which is fixed when it compiles; the last is a float's epsilon
 LEVELS = (*(10.0 ** (-n / 2) for n in range(8, 31)), 2.3e-16)
 # rtol over heyoka's tolerance: of 310 measured runs 3 then have an error above rtol, with a margin
 # of 10 it is 14
 TAYLOR_MARGIN = 10.0**1.5
 # heyoka's tolerance is absolute for states below 1; from this size on the margin covers that
 ABSOLUTE_SCALE = 0.1
-# of a natural step: at the orders used (8 to 20) the truncation error is then 0.6**8 to 0.6**20,
-# less than a fiftieth
+# part of a natural step: at the orders used (8 to 20) its truncation error is 0.6**8 to 0.6**20 of
+# that of a natural step, less than a fiftieth
 SHORT = 0.6
 
 
@@ -35,33 +35,30 @@ def integrator(system, tolerance, batch=None):
     """Heyoka's integrator of this right-hand side at the first level not above the tolerance; with
     ``batch`` one for so many motions at once.
     """
+    # 1.01: the levels are powers of 10 with round-off
     level = next((x for x in LEVELS if x <= 1.01 * tolerance), LEVELS[-1])
     known = system.traced.integrators
     if (level, batch) not in known:
         import numpy as np
 
-        hy = importlib.import_module("heyoka")
-        variables = [hy.expression(n) for n in system.model.states]
-        rates = system.traced.folded[0].on(hy)(
-            hy.time, *variables, *(hy.par[i] for i in range(len(system.constants)))
-        )
-        # a rate may be a plain number
-        equations = [
-            (v, rate + hy.expression(0.0)) for v, rate in zip(variables, rates, strict=True)
-        ]
+        hy, names = importlib.import_module("heyoka"), system.model.states
+        variables = [hy.expression(n) for n in names]
+        pars = [hy.par[i] for i in range(len(system.constants))]
+        rates = system.traced.folded[0].on(hy)(hy.time, *variables, *pars)
+        zero = hy.expression(0.0)  # a rate may be a plain number
+        equations = [(v, rate + zero) for v, rate in zip(variables, rates, strict=True)]
         make = hy.taylor_adaptive_batch if batch else hy.taylor_adaptive
-        known[level, batch] = make(
-            equations, np.zeros((len(variables), batch) if batch else len(variables)), tol=level
-        )
+        shape = (len(names), batch) if batch else len(names)
+        known[level, batch] = make(equations, np.zeros(shape), tol=level)
     return known[level, batch]
 
 
 def _scale(system, t, x, goal):
-    """The factor by which the tolerance must be smaller because all states are small."""
+    """The factor, at most 1, for the tolerance of a motion whose states are all small."""
     largest = max(map(abs, x))
     if largest == 0.0:  # what they may become
-        largest = max(abs(rate) for rate in system.rates(t, x)) * (goal - t)
-    return 1.0 if largest >= ABSOLUTE_SCALE or not largest > 0.0 else largest
+        largest = max(map(abs, system.rates(t, x))) * (goal - t)
+    return largest if 0.0 < largest < ABSOLUTE_SCALE else 1.0
 
 
 class Taylor(Stepper):
@@ -71,21 +68,22 @@ class Taylor(Stepper):
 
     natural = True
 
-    def __init__(self, system, t, x, trajectory):
-        super().__init__(system, t, x, trajectory)
-        self.ta = integrator(system, self.tolerance * _scale(system, t, self.x, self.goal))
+    def begin(self, trajectory):
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
+        scale = _scale(self.system, self.t, self.x, self.goal)
+        self.ta = integrator(self.system, self.tolerance * scale)
         self.series, self.kept, self.samples = [], None, trajectory.samples
 
     def _put(self, t, x):
-        pars = self.ta.pars
-        pars[:] = self.system.constants[: len(pars)]
-        self.ta.time = t
-        self.ta.state[:] = x
+        """Set the state of heyoka's integrator, which all motions of a right-hand side share."""
+        ta = self.ta
+        ta.pars[:] = self.system.constants[: len(ta.pars)]
+        ta.time, ta.state[:] = t, x
 
     @staticmethod
-    def prepared(system, tolerance, fallback):
-        """The function of :func:`newton_euler.motion.integration.prepare`; what it cannot do
-        smoothly, ``fallback(t, start)`` does or refuses in words.
+    def prepared_run(system, tolerance, fallback):
+        """The function that :func:`newton_euler.motion.integration.prepare` returns; where heyoka
+        stops on the way or its tolerance is too coarse, that is ``fallback(t, start)``.
         """
         ta = integrator(system, tolerance)
         state, pars, propagate = ta.state, ta.pars, ta.propagate_until
@@ -95,9 +93,10 @@ class Taylor(Stepper):
         def run(t, start):
             if len(start) != count or max(map(abs, start)) < ABSOLUTE_SCALE:
                 return fallback(t, start)
-            pars[:] = p
+            pars[:] = p  # another model of this right-hand side may have set its own
             ta.time = 0.0
             state[:] = start
+            # a limit, since near a singular place the steps become shorter without end
             propagate(t, max_steps=100 * MAX_STALLED_STEPS)
             x = tuple(state.tolist())
             return x if ta.time == t and isfinite(sum(x)) else fallback(t, start)
@@ -116,17 +115,12 @@ class Taylor(Stepper):
         self._put(self.t, self.x)
         while self.t < self.goal:
             _, _, longest, steps, *_ = ta.propagate_until(self.goal, max_steps=MAX_STALLED_STEPS)
-            before, self.t, self.x, self.calls = (
-                self.t,
-                ta.time,
-                tuple(ta.state.tolist()),
-                self.calls + steps * ta.order,
-            )
+            before, self.t, self.x = self.t, ta.time, tuple(ta.state.tolist())
+            self.calls += steps * ta.order
             self.longest = max(self.longest, longest)
-            if (
-                self.t < self.goal and self.t - before < STALLED_RATIO * steps * self.longest
-            ) or not isfinite(sum(self.x)):
-                self._again_by_steps()  # to see where it fails
+            stalled = self.t - before < STALLED_RATIO * steps * self.longest
+            if (self.t < self.goal and stalled) or not isfinite(sum(self.x)):
+                self._by_steps()  # to see where it fails
                 return
         self.step_times.append(self.t)
         self.update_scales()
@@ -141,13 +135,10 @@ class Taylor(Stepper):
         if not len(times) or np.any(np.diff(times) <= 0):
             return False
         found = self._grid(times if times[-1] == self.goal else np.append(times, self.goal))
-        if found is None or not isfinite(sum(found[:, -1].tolist())):
+        if found is None or not isfinite(found[:, -1].sum()):
             return False
-        self.kept, self.t, self.x = (
-            (times, found[:, : len(times)]),
-            self.goal,
-            tuple(found[:, -1].tolist()),
-        )
+        self.kept, self.t = (times, found[:, : len(times)]), self.goal
+        self.x = tuple(found[:, -1].tolist())
         self.step_times.append(self.t)
         self.update_scales()
         return True
@@ -158,20 +149,19 @@ class Taylor(Stepper):
         """
         import numpy as np
 
-        begin = self.start[0]
         self._put(*self.start)
+        begin = self.start[0]
         grid = times if times[0] == begin else np.concatenate(([begin], times))
         _, _, _, steps, *_, found = self.ta.propagate_grid(grid, max_steps=100 * MAX_STALLED_STEPS)
         self.calls += steps * self.ta.order
-        return found[len(grid) - len(times) :].T if len(found) == len(grid) else None
+        return found[-len(times) :].T if len(found) == len(grid) else None
 
-    def _again_by_steps(self):
-        self.t, self.x = self.start
-        self.step_times = [self.t]
-        self._by_steps(inf)
-
-    def _by_steps(self, limit):
+    def _by_steps(self, limit=None):
+        """Go on by so many steps and keep their series; None: all steps again from the start."""
         ta = self.ta
+        if limit is None:
+            (self.t, self.x), limit = self.start, inf
+            self.step_times = [self.t]
         self._put(self.t, self.x)
         while limit > 0 and self.t < self.goal:
             h = self.goal - self.t
@@ -181,13 +171,12 @@ class Taylor(Stepper):
                 self._put(self.t, self.x)
             ta.step(max_delta_t=h, write_tc=True)
             x = tuple(ta.state.tolist())
-            # which does not change the time
+            # a step of less than twice a float's epsilon does not change the time
             if not isfinite(sum(x)) or ta.last_h < 4e-16 * abs(self.t):
-                raise StepError(
-                    "the series has no finite terms here, or the step became too small to go on"
-                )
+                raise StepError("the series is not finite here, or the step became too small")
             self.series.append(ta.tc.copy())
-            self.t, self.x, self.calls, limit = float(ta.time), x, self.calls + ta.order, limit - 1
+            self.t, self.x, limit = float(ta.time), x, limit - 1
+            self.calls += ta.order
             self.step_times.append(self.t)
             self.update_scales()
             self.check_progress()
@@ -200,11 +189,11 @@ class Taylor(Stepper):
         if self.kept and np.array_equal(times, self.kept[0]):
             return self.kept[1]
         if not self.series and len(self.step_times) > 1:
-            if len(times) > 1 and np.all(np.diff(times) > 0):
-                found = self._grid(times)
-                if found is not None:
-                    return found
-            self._again_by_steps()
+            increasing = len(times) > 1 and np.all(np.diff(times) > 0)
+            found = self._grid(times) if increasing else None
+            if found is not None:
+                return found
+            self._by_steps()
         return super().states(times)
 
     def interpolate(self, n, times):

@@ -21,7 +21,7 @@ from newton_euler.motion.events import Event
 from newton_euler.motion.integration import integrate, prepare
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.model import KEPT
-from newton_euler.motion.prepared import prepared
+from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.solution import MotionError
 from newton_euler.scenes.particles.space_station import free_body as station_body
 from newton_euler.scenes.planar.pendulum import physical_pendulum
@@ -565,7 +565,7 @@ def test_what_parameters_alone_give_is_computed_once(scene):
     round-off.
     """
     model, _, start = SCENES[scene]
-    system = prepared(model)
+    system = prepared_model(model)
     rest, _ = system.traced.folded
     states = [x + 0.01 * n for n, x in enumerate(start, 1)]
     whole, rates = system.rates(0.3, states), system.folded_rates(0.3, *states, *system.constants)
@@ -603,7 +603,7 @@ def test_functions_made_at_each_call_do_not_pile_up():
         assert found.drift["energy"] < 1e-12
         del found
     gc.collect()
-    assert len(prepared(model).traced.functions) <= KEPT
+    assert len(prepared_model(model).traced.functions) <= KEPT
     assert [seen() for seen in first] == [None, None]
 
 
