@@ -180,8 +180,8 @@ def _figure(draw, t, size, dpi):
         raise
     if not sketches_on(ax):
         raise AnimationError(
-            "draw(t, ax) must draw with Sketch(ax, ...) on the axes it is given, and did not at "
-            f"t = {t:g} s"
+            "draw(t, ax) draws with Sketch(ax, ...) on the axes it is given, and did not at t = "
+            f"{t:g} s"
         )
     return figure
 
@@ -234,8 +234,8 @@ def _checked_speed(speed, span):
 def _check_amount(count, size, dpi):
     if count > MAX_PICTURES:
         raise AnimationError(
-            f"{count} pictures are too many for an animation, which has {MAX_PICTURES} at most: "
-            f"give fewer times, as times[::{math.ceil(count / MAX_PICTURES)}]"
+            f"{count} pictures are too many for an animation, {MAX_PICTURES} at most: give fewer "
+            f"times, as times[::{math.ceil(count / MAX_PICTURES)}]"
         )
     pixels = count * size[0] * size[1] * dpi**2
     if pixels > MAX_PIXELS:

@@ -32,8 +32,8 @@ def route(stops, turns=None):
     free = turned[: len(turned) - closed]
     if turns is not None and (len(turns) != len(free) or set(turns) - {1, -1}):
         raise FrameError(
-            f"turns gives for each of the {len(free)} pulleys on the way 1 or -1, right-handed "
-            f"about its normal or not; got {turns!r}"
+            f"turns is for each of the {len(free)} pulleys on the way 1 or -1, right-handed about "
+            f"its normal or left-handed; got {turns!r}"
         )
     if len(free) > 10 and turns is None:  # at most 2**10 routes are compared
         raise FrameError(

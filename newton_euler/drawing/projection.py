@@ -84,7 +84,7 @@ def plane_view(plane):
     """The view at a right angle to a plane; "xz" has x to the right and z up."""
     if not isinstance(plane, str) or len(plane) != 2 or len(set(plane) & set("xyz")) != 2:
         raise FrameError(
-            f"a plane is two axes, as in plane='xz' for x to the right and z up; got {plane!r}"
+            f"a plane is two axes, as in plane='xz', x to the right and z up; got {plane!r}"
         )
     return View(*(tuple(float(axis == name) for axis in "xyz") for name in plane))
 

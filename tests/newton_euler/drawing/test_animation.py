@@ -94,7 +94,7 @@ def test_the_speed_asked_for_is_kept():
     assert animate(arm, [0, 1], speed=0.5).speed == 0.5
 
 
-def test_progress_is_told_up_to_the_last_step():
+def test_progress_is_reported_up_to_the_last_step():
     steps = []
     animate(arm, [0, 1, 2], progress=lambda done, of_all: steps.append((done, of_all)))
     assert steps == [(n, 6) for n in range(1, 7)]
@@ -122,7 +122,7 @@ def test_progress_is_told_up_to_the_last_step():
         ),
     ],
 )
-def test_what_cannot_be_shown_is_told_in_words_before_anything_is_drawn(arguments, words):
+def test_what_cannot_be_shown_is_an_error_before_anything_is_drawn(arguments, words):
     with pytest.raises(AnimationError, match=words):
         animate(**({"draw": arm} | arguments))
 

@@ -39,14 +39,14 @@ def test_a_rope_over_a_pulley_hangs_down_on_both_sides():
 @pytest.mark.parametrize(
     ("turns", "expected"), [((1, 1), 5 * 0.96**0.5), ((1, -1), (25 - 9) ** 0.5)]
 )
-def test_a_leg_between_two_pulleys_is_an_outer_or_an_inner_tangent(turns, expected):
+def test_a_span_between_two_pulleys_is_an_outer_or_an_inner_tangent(turns, expected):
     """Centres 5 apart, radii 1 and 2: sqrt(d^2 - (R - r)^2) and sqrt(d^2 - (R + r)^2)."""
     spans, _ = route([Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 0.0, 0.0), Z, 2.0)], turns)
     assert length(spans) == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize("turns", [(1, 1), (1, -1), (-1, 1), (-1, -1)])
-def test_legs_are_square_to_the_radius_and_run_the_way_the_pulley_turns(turns):
+def test_spans_are_square_to_the_radius_and_run_the_way_the_pulley_turns(turns):
     wheels = [Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 1.0, 0.0), Z, 2.0)]
     spans, arcs = route([(-3.0, 2.0, 0.0), *wheels, (9.0, 0.0, 0.0)], turns)
     for wheel, turn, arriving, leaving, arc in zip(
