@@ -65,7 +65,7 @@ def euler_moments(inertia: Inertia, omega: Vector, alpha: Vector) -> Vector:
     Vector(3.0, -4.5, 12.0 in body)
     """
     _check_principal(
-        inertia, AXES, "Euler's equations (8.13) need principal axes", "take euler_moment"
+        inertia, AXES, "Euler's equations (8.13) hold along principal axes", "take euler_moment"
     )
     # a structural zero stays one, so that vanishing terms cost nothing in generated code
     I = inertia.moments
