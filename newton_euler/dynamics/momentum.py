@@ -43,10 +43,10 @@ def angular_momentum(body: Body, observer: Frame, about: Point | Frame | None = 
     >>> angular_momentum(bar, ground, about=turning).z  # m L^2/3 omega
     8.0
     """
-    about = _point(body, about)
-    if about is not body.centre and _is_fixed(about, body):
-        return body.about(about).times(body.frame.angular_velocity(observer))
-    return body.angular_momentum(observer, about)
+    B = _point(body, about)
+    if B is not body.centre and _is_fixed(B, body):
+        return body.about(B).times(body.frame.angular_velocity(observer))
+    return body.angular_momentum(observer, B)
 
 
 def _point(body, about):
