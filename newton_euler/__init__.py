@@ -19,10 +19,10 @@ __version__ = "0.2.0"
 # checkers.
 # All other public names are imported from their room: from newton_euler.dynamics import weight
 _NAMES = {
-    "algebra": """Dimension NewtonEulerError Vector acos asin at atan atan2 compiled cos cosh cross dot exp
-        log moving pi radians sin sinh solve_linear solve_rates sqrt tan tanh unit where""",
-    "kinematics": """Frame Point axis_angle cylindrical euler_frame frenet polar quaternion rotation_matrix
-        spherical""",
+    "algebra": """Dimension NewtonEulerError Vector acos asin at atan atan2 compiled cos cosh cross
+        dot exp log moving pi radians sin sinh solve_linear solve_rates sqrt tan tanh unit where""",
+    "kinematics": """Frame Point axis_angle cylindrical euler_frame frenet polar quaternion
+        rotation_matrix spherical""",
     "bodies": "Body Inertia centre_of_mass composite particle",
     "dynamics": "Couple Force ForceSystem equations_of_motion kinetic_energy work_along",
     "motion": "Event Model integrate prepare",

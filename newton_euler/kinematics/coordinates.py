@@ -113,9 +113,8 @@ class CoordinatePoint(Point):
 
 
 def _point(system, name, ground, local, x, coordinates, scale_factors):
-    found = {what: f"{system} {what}" for what in ("velocity", "acceleration")}
     return CoordinatePoint(
-        name, local, x, ground, local, coordinates, scale_factors, found, _TERMS[system]
+        name, local, x, ground, local, coordinates, scale_factors, system, _TERMS[system]
     )
 
 

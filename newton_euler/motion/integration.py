@@ -24,7 +24,7 @@ def integrate(
     rtol: float = 1e-9,
     method: str = "auto",
     events: Event | Iterable[Event] = (),
-    samples: int | Sequence[float] | None = None,
+    samples: int | Iterable[float] | None = None,
     progress: Callable | None = None,
     step: float | None = None,
 ) -> Motion | Motions:
