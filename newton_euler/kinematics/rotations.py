@@ -18,8 +18,7 @@ moving numbers, and raise :class:`ScalarError` for expressions.
 """
 
 from collections.abc import Sequence
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import (
@@ -40,6 +39,9 @@ from ..algebra.scalars import (
 )
 from ..algebra.vectors import Vector, cross3, dot3, scale3
 from .frames import Frame, Point, divided_by_length, vanishes
+
+if TYPE_CHECKING:  # importing numpy takes 0.1 s, and only one function needs it
+    import numpy as np
 
 Matrix = Sequence[Sequence[Scalar]]  # three rows of three
 Triple = Sequence[Scalar] | Vector
@@ -485,7 +487,9 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
     return plain(dpsi), plain(x * cos(phi) - y * sin(phi)), plain(z - dpsi * cos(theta))
 
 
-def unwound(angles: Sequence[float], rates: Sequence[float], times: Sequence[float]) -> np.ndarray:
+def unwound(
+    angles: Sequence[float], rates: Sequence[float], times: Sequence[float]
+) -> "np.ndarray":
     """Angles known modulo a turn, made continuous by their rates; steps of many turns are allowed.
 
     angles (rad), rates (rad/s), times (s) : of shape (N,)
@@ -496,6 +500,8 @@ def unwound(angles: Sequence[float], rates: Sequence[float], times: Sequence[flo
     >>> [round(float(x), 6) for x in unwound([0.0, 1.0, 2.0], [7.0, 7.4, 7.2], [0.0, 1.0, 2.0])]
     [0.0, 7.283185, 14.566371]
     """
+    import numpy as np
+
     q, w, t = (np.asarray(x, dtype=float) for x in (angles, rates, times))
     missing = np.diff(t) * (w[1:] + w[:-1]) / 2 - np.diff(q)
     turns = np.round(missing / (2 * np.pi))
