@@ -31,7 +31,7 @@ def test_example_8_4_1_three_bars_about_x(kind):
     )
     assert close(fixed_line_moment(e.body.about(e.about), w, a, "x"), e.M, tolerance(kind))
     with pytest.raises(
-        MassError, match=r"Euler's equations \(8\.13\) need principal axes, but .* I_xy ="
+        MassError, match=r"Euler's equations \(8\.13\) hold along principal axes, but .* I_xy ="
     ):
         euler_moments(
             e.body.about(e.about),
