@@ -303,7 +303,8 @@ class Vector(Scaled, NamedTerms):
         across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
         if is_numeric(across) and is_numeric(along) and least(abs(across) + abs(along)) == 0:
             raise FrameError(
-                f"one of {self} and {other} is zero, or too small to be squared: there is no angle"
+                f"a zero vector makes no angle, but one of {self} and {other} is zero, or too "
+                "small to be squared"
             )
         return atan2(across, along)
 

@@ -133,7 +133,7 @@ class Model:
             return tuple(self._value(self.rhs, state, t))
         except ZeroDivisionError as error:
             raise ModelError(
-                f"{self.name} has no rates at {self._state(state)}: {error}; its coordinates are "
+                f"{self.name} has no rates at {self._state(state)}: {error}; the coordinates are "
                 "singular there"
             ) from error
 
