@@ -51,3 +51,21 @@ def spherical_position(R, theta, phi):
         R * sympy.cos(phi) * sympy.sin(theta),
         R * sympy.sin(phi),
     )
+
+
+def integrated(model, start, end):
+    """States by name as functions of time, by SciPy in short steps."""
+    from scipy.integrate import solve_ivp
+
+    rhs = model.compiled_rhs()
+    run = solve_ivp(
+        lambda t, y: rhs(t, *y.tolist()),
+        (0.0, end),
+        start,
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-13,
+        max_step=0.05,
+        dense_output=True,
+    )
+    return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))

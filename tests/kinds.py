@@ -64,6 +64,11 @@ def number(x):
     return mpmath.mpf(x)
 
 
+def small(kind):
+    """Absolute, for quantities of order 10: a few round-offs of the kind."""
+    return 1e-12 if kind in ("float", "array") else mpmath.mpf(10) ** -25
+
+
 def close(a, b, tolerance=1e-12):
     """True if a and b (scalars of any kind, vectors, or nested tuples of them) differ by at most
     ``tolerance``, absolute, everywhere.

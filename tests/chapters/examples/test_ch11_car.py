@@ -2,7 +2,6 @@
 
 import math
 
-import mpmath as mp
 import pytest
 from scipy.integrate import solve_ivp
 
@@ -13,33 +12,13 @@ from newton_euler.dynamics.energy import (
     plane_kinetic_energy,
 )
 from newton_euler.motion.model import ModelError
-from tests.kinds import KINDS, close, numbers
+from tests.explicit import integrated
+from tests.kinds import KINDS, close, numbers, small
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
 MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
-
-
-def small(kind):
-    """Absolute, for quantities of order 10: a few round-offs of the kind."""
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -25
-
-
-def integrated(model, start, end):
-    """States by name as functions of time, by SciPy in short steps."""
-    rhs = model.compiled_rhs()
-    run = solve_ivp(
-        lambda t, y: rhs(t, *y.tolist()),
-        (0.0, end),
-        start,
-        "DOP853",
-        rtol=1e-12,
-        atol=1e-13,
-        max_step=0.05,
-        dense_output=True,
-    )
-    return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
 
 
 def car(kind):

@@ -6,11 +6,9 @@ Oracles: SciPy on second-order equations of motion, energy by bodies in frames.
 
 import math
 
-import mpmath as mp
 import numpy as np
 import pytest
 import sympy
-from scipy.integrate import solve_ivp
 
 from newton_euler import Frame, moving
 from newton_euler.bodies.solids import sphere
@@ -23,30 +21,10 @@ from newton_euler.dynamics.energy import (
 )
 from newton_euler.dynamics.work import power
 from newton_euler.scenes.planar.rolling_sphere import rolling_down
-from tests.kinds import KINDS, close, numbers
+from tests.explicit import integrated
+from tests.kinds import KINDS, close, numbers, small
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
-
-
-def small(kind):
-    """Absolute, for quantities of order 10: a few round-offs of the kind."""
-    return 1e-12 if kind in ("float", "array") else mp.mpf(10) ** -25
-
-
-def integrated(model, start, end):
-    """States by name as functions of time, by SciPy in short steps."""
-    rhs = model.compiled_rhs()
-    run = solve_ivp(
-        lambda t, y: rhs(t, *y.tolist()),
-        (0.0, end),
-        start,
-        "DOP853",
-        rtol=1e-12,
-        atol=1e-13,
-        max_step=0.05,
-        dense_output=True,
-    )
-    return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
 
 
 @every_kind
