@@ -6,7 +6,7 @@ import random
 
 from mpmath import mp, mpf
 
-from newton_euler.algebra.scalars import size
+from newton_euler.algebra.scalars import max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 
 from .catalogue import CatalogueError
@@ -177,7 +177,7 @@ def _gap(a, b):
 
 
 def _shown(numbers):
-    return "(" + ", ".join(f"{size(x) * (1 if x >= 0 else -1):.6g}" for x in numbers) + ")"
+    return "(" + ", ".join(f"{max_abs(x) * (1 if x >= 0 else -1):.6g}" for x in numbers) + ")"
 
 
 __all__ = ["AGREEMENT", "check", "values"]

@@ -7,7 +7,7 @@ from rich.table import Table
 
 from exercises import variants
 from exercises.catalogue import SYMBOLIC
-from newton_euler.algebra.scalars import is_numeric, plain
+from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.vectors import Vector
 
 # -- answers
@@ -48,7 +48,7 @@ def nested(value, convert):
     """An answer as a number or as nested lists, with ``convert`` applied to each entry."""
     if isinstance(value, (Vector, tuple, list)):
         return [nested(v, convert) for v in value]
-    return convert(plain(value))
+    return convert(to_plain(value))
 
 
 def _number(x):

@@ -17,7 +17,7 @@ import mpmath
 import numpy as np
 import sympy
 
-from newton_euler.algebra.scalars import plain
+from newton_euler.algebra.scalars import to_plain
 
 mpmath.mp.dps = 30  # every mpf of the tests has 30 digits
 
@@ -55,7 +55,7 @@ def number(x):
     """A scalar of any kind as something to compare: a 30 digit mpf, or an array of floats for an
     array.
     """
-    x = plain(x)
+    x = to_plain(x)
     if isinstance(x, np.ndarray):
         return x
     if isinstance(x, sympy.Basic):

@@ -5,7 +5,7 @@ boom, two cars.
 from dataclasses import dataclass
 
 from newton_euler import Frame, Point, Vector, cos, moving, polar, sin, sqrt, tan
-from newton_euler.algebra.scalars import Scalar, SingularError, is_numeric, size, where
+from newton_euler.algebra.scalars import Scalar, SingularError, is_numeric, max_abs, where
 from newton_euler.kinematics.paths import Frenet, along, frenet
 
 
@@ -83,7 +83,7 @@ def speed_in_curve(rho: Scalar, speed_rate: Scalar, acceleration: Scalar) -> Sca
     23.64
     """
     square = (acceleration - speed_rate) * (acceleration + speed_rate)
-    if is_numeric(square) and size(where(square < 0, 1, 0)) > 0:
+    if is_numeric(square) and max_abs(where(square < 0, 1, 0)) > 0:
         raise SingularError(
             f"the total acceleration {acceleration!r} is less than its tangential component "
             f"{speed_rate!r}: no speed gives that; give a larger total or a smaller speed_rate"

@@ -5,7 +5,7 @@ and 5.6 stand in ch07.)
 from dataclasses import dataclass
 
 from newton_euler import Frame, Vector, cos, sin
-from newton_euler.algebra.scalars import Scalar, plain
+from newton_euler.algebra.scalars import Scalar, to_plain
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class BurstingProjectile:
         travels ``range_B`` in that time.
         """
         speed = self.range_B / self.top()[0]
-        x, y = plain(speed * cos(self.angle_B)), plain(speed * sin(self.angle_B))
+        x, y = to_plain(speed * cos(self.angle_B)), to_plain(speed * sin(self.angle_B))
         return (ground or Frame("ground")).vector(x, y, 0)
 
     def v_C(self, ground: Frame | None = None) -> Vector:

@@ -5,7 +5,7 @@ screw-jack (6.5), the rim of a space station (6.7), the forces on an aircraft (6
 from typing import NamedTuple
 
 from newton_euler import Frame, Vector, atan2, moving, sqrt
-from newton_euler.algebra.scalars import Scalar, plain
+from newton_euler.algebra.scalars import Scalar, to_plain
 from newton_euler.chapters.examples.ch03 import screw_jack_ball
 from newton_euler.dynamics.newton import path_force, reaction, resultant_force
 
@@ -21,7 +21,7 @@ def guide_force(m: Scalar, v: Scalar, radius: Scalar, g: Scalar) -> Scalar:
     72.54
     """
     _, F_n = path_force(m, v, 0, 1 / radius)
-    return plain(F_n - m * g)
+    return to_plain(F_n - m * g)
 
 
 def screw_jack_force(
@@ -90,4 +90,4 @@ def flight_forces(m, g, v, gamma, chi=0):
         m, path.vector(moving(v), 0, 0).rate(north), weight=m * g * -north.k
     ).expressed_in(path)
     excess, left, up = force.c
-    return FlightForces(plain(excess), plain(sqrt(left * left + up * up)), atan2(-left, up))
+    return FlightForces(to_plain(excess), to_plain(sqrt(left * left + up * up)), atan2(-left, up))

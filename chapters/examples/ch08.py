@@ -6,7 +6,7 @@ or slipping (6.4, 8.5, 8.6); a sphere that slides, then rolls (8.6).
 from dataclasses import dataclass
 
 from newton_euler import Body, Frame, NewtonEulerError, Point, Vector, solve_linear, where
-from newton_euler.algebra.scalars import Scalar, is_numeric, plain, scalar, size
+from newton_euler.algebra.scalars import Scalar, is_numeric, max_abs, scalar, to_plain
 from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.dynamics.momentum import angular_momentum, resultant_moment
 from newton_euler.scenes.planar import sliding_sphere
@@ -120,7 +120,7 @@ def rolling_begins(v0, mu, g, radius, omega0=0, k=None, sense=1):
     slip = v0 + scalar(omega0) * radius
     t = sense * slip * k / ((1 + k) * (mu * g))
     v = (v0 - k * (scalar(omega0) * radius)) / (1 + k)
-    return RollingBegins(t, plain(t * (v0 + v) / 2), v, -v / radius)
+    return RollingBegins(t, to_plain(t * (v0 + v) / 2), v, -v / radius)
 
 
 def sphere_at(t, v0, mu, g, radius, omega0=0, k=None, sense=1):
@@ -201,7 +201,7 @@ def slipping(mass, radius, inertia, friction, force=0, moment=0):
     """The accelerations (a, alpha) of a body that slips, with the friction known, as -mu N against
     the slip.
     """
-    return plain((force + friction) / scalar(mass)), plain(
+    return to_plain((force + friction) / scalar(mass)), to_plain(
         (moment + radius * friction) / scalar(inertia)
     )
 
@@ -228,7 +228,7 @@ def contact(
             "which regime holds depends on values: ask rolling(...) and slipping(...), and "
             "compare the friction with mu N"
         )
-    if size(given[0] - abs(given[0])) > 0:
+    if max_abs(given[0] - abs(given[0])) > 0:
         raise ContactError(
             f"the normal force is {normal!r}: the surface would have to pull, so the body has "
             "left it; it is in free flight"
@@ -238,7 +238,7 @@ def contact(
         mu if mu_kinetic is None else mu_kinetic,
     )
     limit, needed = mu * normal, roll.friction
-    slip = plain(given[5])
+    slip = to_plain(given[5])
     sense = where(slip == 0, where(needed >= 0, 1, -1), where(slip > 0, -1, 1))
     rolls = (slip == 0) & (abs(needed) <= limit)
     friction = where(rolls, needed, sense * kinetic * normal)

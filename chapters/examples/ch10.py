@@ -3,7 +3,7 @@ moments (10.8), a rotor in a car (10.10), gyroscopic instruments (10.11).
 """
 
 from newton_euler import Frame, Point, cos, pi, sin, sqrt, where
-from newton_euler.algebra.scalars import Scalar, plain, scalar
+from newton_euler.algebra.scalars import Scalar, scalar, to_plain
 from newton_euler.applications.gyroscopes import FreePrecession, GyroError, free_precession
 from newton_euler.bodies import Inertia
 from newton_euler.bodies.solids import cylinder
@@ -187,7 +187,7 @@ def tilt_growth(I_x, I_y, I_z, axis, rate):
     if axis not in ("x", "y", "z"):
         raise GyroError(f"the axis is 'x', 'y' or 'z', got {axis!r}")
     n = "xyz".index(axis)
-    I = [plain(x) for x in (I_x, I_y, I_z)]
+    I = [to_plain(x) for x in (I_x, I_y, I_z)]
     own, u, v = I[n], I[(n + 1) % 3], I[(n + 2) % 3]
     square = (own - u) * (v - own) / (u * v)
     return abs(rate) * sqrt(where(square > 0, square, abs(0.0 * square)))
@@ -225,6 +225,6 @@ def precession_rate(I0, I, theta, omega_z, momentum_difference):
     25.0
     """
     q = scalar(momentum_difference)
-    return plain(
+    return to_plain(
         (2 * I * omega_z + q) / (4 * I0 * cos(theta / 2) ** 2) + q / (4 * I0 * sin(theta / 2) ** 2)
     )

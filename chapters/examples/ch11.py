@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from newton_euler import Model, cos, pi, sin, sqrt, tan
 from newton_euler.algebra.ledger import Amount, summed
-from newton_euler.algebra.scalars import Scalar, plain, scalar
+from newton_euler.algebra.scalars import Scalar, scalar, to_plain
 from newton_euler.dynamics.energy import gyroscope_energy, plane_kinetic_energy, speed_after
 from newton_euler.dynamics.potential import weight_potential
 from newton_euler.dynamics.work import work_integral
@@ -98,7 +98,7 @@ def attraction_field(K: Scalar, M: Scalar, m: Scalar) -> Callable:
         x, y, z = map(scalar, (x, y, z))
         square = x * x + y * y + z * z
         strength = -(scalar(K) * M * m) / (square * sqrt(square))
-        return plain(strength * x), plain(strength * y), plain(strength * z)
+        return to_plain(strength * x), to_plain(strength * y), to_plain(strength * z)
 
     return force
 
@@ -123,7 +123,7 @@ def escape_speed(r: Scalar, K: Scalar, M: Scalar) -> Scalar:
     >>> round(escape_speed(6.371e6, 6.673e-11, 5.97e24))
     11183
     """
-    return plain(sqrt(2 * scalar(K) * M / r))
+    return to_plain(sqrt(2 * scalar(K) * M / r))
 
 
 def rolling_energy(m, R, speed, pivoting=0, k=None):
@@ -165,7 +165,7 @@ def friction_needed(slope, k=None):
     0.285714
     """
     k = inertia_ratio(slope, k)
-    return plain(k * tan(slope) / (1 + k))
+    return to_plain(k * tan(slope) / (1 + k))
 
 
 def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
@@ -264,7 +264,7 @@ class Car:
         for a.
         """
         left = scalar(power) - scalar(self.m) * self.g * v * sin(slope) - scalar(self.drag(v)) * v
-        return plain(left / ((self.m + self._wheels()) * v))
+        return to_plain(left / ((self.m + self._wheels()) * v))
 
     def model(self, power, slope):
         """The motion up a hill as a Model with the states s, the distance, and v; ``power`` and

@@ -20,16 +20,16 @@ from .scalars import (
     cosh,
     exp,
     function,
+    integer_like,
     is_numeric,
     log,
-    plain,
     scalar,
     sin,
     sinh,
     sqrt,
     tan,
     tanh,
-    whole,
+    to_plain,
     without_rates,
 )
 
@@ -62,8 +62,8 @@ class Moving(_Own):
 
     def __repr__(self):
         return (
-            f"moving({plain(self.value)!r}, rate={plain(self.rate)!r}, "
-            f"acceleration={plain(self.acceleration)!r})"
+            f"moving({to_plain(self.value)!r}, rate={to_plain(self.rate)!r}, "
+            f"acceleration={to_plain(self.acceleration)!r})"
         )
 
     def __add__(self, other):
@@ -187,7 +187,7 @@ def moving(value: Scalar, rate: Scalar = None, acceleration: Scalar = None) -> M
     value = scalar(value)
     rates = [value]
     for x in (rate, acceleration):
-        rates.append(_derived(rates[-1]) if x is None else whole(scalar(x), value))
+        rates.append(_derived(rates[-1]) if x is None else integer_like(scalar(x), value))
     return Moving(*rates)
 
 
@@ -217,4 +217,4 @@ def at(f: Callable, t: Scalar) -> Moving:
     moving(8.0, rate=12.0, acceleration=12.0)
     """
     # the rate 1 in the kind of t: else constants are multiplied with 16 digits before they meet t
-    return as_moving(f(Moving(t, whole(1, t))))
+    return as_moving(f(Moving(t, integer_like(1, t))))

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from .errors import NewtonEulerError
-from .scalars import ZERO, Scalar, is_numeric, plain, scalar, short, size
+from .scalars import ZERO, Scalar, is_numeric, max_abs, scalar, short, to_plain
 
 
 class TermError(NewtonEulerError, ValueError):
@@ -117,7 +117,8 @@ class Explanation:
         terms = {n: t.expressed_in(vector.frame) for n, t in vector.terms.items()}
         # components below round-off of the largest are shown as 0
         noise = 1e-14 * max(
-            (size(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)), default=0.0
+            (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x)),
+            default=0.0,
         )
         self.vector = vector.rounded(noise)
         self.terms = {n: t.rounded(noise) for n, t in terms.items()}
@@ -183,12 +184,12 @@ def latex_number(x, digits):
 
 
 def _operation(f):
-    return lambda self, other: plain(f(scalar(self.value), value_of(other)))
+    return lambda self, other: to_plain(f(scalar(self.value), value_of(other)))
 
 
 def _comparison(f):
     return lambda self, other: f(
-        self.value, plain(other.value if isinstance(other, Amount) else other)
+        self.value, to_plain(other.value if isinstance(other, Amount) else other)
     )
 
 
@@ -244,7 +245,7 @@ class Amount(NamedTerms):
         >>> Amount(7.0, {"translation": 5.0, "rotation": 2.0}).reweighted(rotation=0)
         5.0
         """
-        return plain(sum((factor * x for factor, x in self._weighted(factors, TermError)), ZERO))
+        return to_plain(sum((factor * x for factor, x in self._weighted(factors, TermError)), ZERO))
 
 
 def value_of(x):
@@ -256,5 +257,5 @@ def summed(terms, what="work", number="11.1", error=0.0):
     """The :class:`Amount` that is the sum of these terms, numbers by name."""
     total = sum(map(value_of, terms.values()), ZERO)
     return Amount(
-        plain(total), {n: plain(value_of(x)) for n, x in terms.items()}, what, number, error
+        to_plain(total), {n: to_plain(value_of(x)) for n, x in terms.items()}, what, number, error
     )

@@ -24,13 +24,13 @@ from .scalars import (
     _Own,
     is_numeric,
     is_zero,
-    least,
+    max_abs,
+    min_abs,
     outranks,
-    plain,
     probe,
     scalar,
     short,
-    size,
+    to_plain,
     unit_roundoff,
 )
 from .vectors import FrameError, Vector
@@ -86,7 +86,7 @@ class LinearForm(_Own):
         self.value, self.coefficients = value, tuple(coefficients)
 
     def __repr__(self):
-        return f"LinearForm({plain(self.value)!r}, {tuple(map(plain, self.coefficients))!r})"
+        return f"LinearForm({to_plain(self.value)!r}, {tuple(map(to_plain, self.coefficients))!r})"
 
     @staticmethod
     def _refuse(what):
@@ -164,7 +164,7 @@ def solve_rates(conditions: Callable, count: int) -> tuple:
     rows = [
         e.parts()
         for e in equations
-        if any(not is_numeric(c) or size(c) > noise for c in e.coefficients)
+        if any(not is_numeric(c) or max_abs(c) > noise for c in e.coefficients)
     ]
     if len(rows) < count:
         raise LinearError(
@@ -188,7 +188,7 @@ def solve_rates(conditions: Callable, count: int) -> tuple:
                 "the conditions contradict each other: with the rates that fit best, one of them "
                 f"is {worst:.3g} instead of 0"
             )
-    return tuple(map(plain, rates))
+    return tuple(map(to_plain, rates))
 
 
 def _unknowns(count):
@@ -196,7 +196,7 @@ def _unknowns(count):
 
 
 def _largest(values):
-    return max((size(x) for x in values if is_numeric(x)), default=0.0)
+    return max((max_abs(x) for x in values if is_numeric(x)), default=0.0)
 
 
 def _cramer(matrix, right):
@@ -219,7 +219,7 @@ def _cramer(matrix, right):
     determinant = minor(every, every)
     if determinant is ZERO or (
         is_numeric(determinant)
-        and least(determinant) <= RATE_NOISE * prod(_largest(row) or 1 for row in matrix)
+        and min_abs(determinant) <= RATE_NOISE * prod(_largest(row) or 1 for row in matrix)
     ):
         raise LinearError(
             "the conditions do not determine the rates: some are equivalent, or do not contain one"
@@ -370,7 +370,7 @@ def _solved(equations, names):
     values = found.values if numbers else _of_expressions(equations, found)
     return Solution(
         names,
-        MappingProxyType({names[k]: plain(values[k]) for k in sorted(values)}),
+        MappingProxyType({names[k]: to_plain(values[k]) for k in sorted(values)}),
         tuple(n for k, n in enumerate(names) if k not in found.values),
         tuple(found.relations(names)) if numbers else (),
         MappingProxyType(found.redundant()),
@@ -461,7 +461,7 @@ class _Elimination:
                 for k, s in enumerate(self.scale)
                 if k != pivot
                 and s
-                and size(row[k]) / s > ABSENT * self.round_off / self.scale[pivot]
+                and max_abs(row[k]) / s > ABSENT * self.round_off / self.scale[pivot]
             ]
             for pivot, row in self.rows.items()
         }
@@ -487,14 +487,14 @@ class _Elimination:
                 (
                     s
                     for e, small in zip(self.equations, noise, strict=True)
-                    if (s := size(e.coefficients[k])) > small
+                    if (s := max_abs(e.coefficients[k])) > small
                 ),
                 default=0.0,
             )
             for k in range(self.count)
         ]
 
-    def _relative(self, row, measure=size):
+    def _relative(self, row, measure=max_abs):
         """The size of the coefficients of a row, each relative to what is usual for its unknown."""
         return [
             measure(x) / s if s and x is not ZERO else 0.0
@@ -523,7 +523,7 @@ class _Elimination:
         """The unknown with the largest coefficient at every instant; None if all are rounding
         errors.
         """
-        smallest = self._relative(row, least)
+        smallest = self._relative(row, min_abs)
         best = max(range(self.count), key=smallest.__getitem__)
         if smallest[best] > noise:
             return best
@@ -540,8 +540,8 @@ class _Elimination:
                 for e in self.equations
             ]
         )
-        own = max(size(row[self.count + 1 + n]) * sizes[n] for n in involved)
-        difference = size(row[self.count])
+        own = max(max_abs(row[self.count + 1 + n]) * sizes[n] for n in involved)
+        difference = max_abs(row[self.count])
         if difference <= (CONTRADICTION * own + NO_PIVOT * max(sizes)) * self.round_off:
             return
         *others, name = names = [self.equations[n].name for n in involved]
@@ -557,7 +557,7 @@ class _Elimination:
     def _involved(self, row):
         """The equations of which a row is the sum, in their order."""
         parts = enumerate(zip(row[self.count + 1 :], self.usual, strict=True))
-        weights = {n: size(w) * usual for n, (w, usual) in parts if w is not ZERO}
+        weights = {n: max_abs(w) * usual for n, (w, usual) in parts if w is not ZERO}
         absent = ABSENT * self.round_off * max(weights.values())
         return [n for n, w in weights.items() if w >= absent]
 
@@ -617,7 +617,7 @@ def _of_expressions(equations, found):
 
     def occurs(c):
         known = None if c is ZERO else probe(c)
-        return c is not ZERO and (known is None or size(known) > 0)
+        return c is not ZERO and (known is None or max_abs(known) > 0)
 
     rows = [
         ({k: c for k, c in enumerate(e.coefficients) if k in found.rows and occurs(c)}, e.right)
@@ -644,7 +644,11 @@ def solve_regular(rows):
     def touched(place):
         n, k = place
         c = rows[n][0]
-        return (len(c) - 1) * (occurring[k] - 1), len(c), -least(c[k]) if is_numeric(c[k]) else 1.0
+        return (
+            (len(c) - 1) * (occurring[k] - 1),
+            len(c),
+            -min_abs(c[k]) if is_numeric(c[k]) else 1.0,
+        )
 
     n, k = min(((n, k) for n, (c, _) in enumerate(rows) for k in c), key=touched)
     coefficients, right = rows[n]

@@ -13,13 +13,13 @@ from .scalars import (
     exp,
     is_finite,
     is_numeric,
+    max_abs,
     pi,
-    plain,
     scalar,
     short,
     sinh,
-    size,
     sqrt,
+    to_plain,
 )
 
 INTERVALS = 400  # of an adaptive integral, at most; each takes 21 values
@@ -50,7 +50,7 @@ def _piece(f, start, end, rtol, exact):
         )
     width = end - start
     samples = [_finite(f, start + width * (n + 0.5) / 16) for n in range(16)]
-    scale = size(scalar(width)) * sum(map(size, samples)) / 16
+    scale = max_abs(scalar(width)) * sum(map(max_abs, samples)) / 16
     one = samples[0] + width  # an array, or an mpf of more digits than a float?
     if getattr(one, "shape", ()) or epsilon(one) < 2.0**-53:
         try:
@@ -63,7 +63,7 @@ def _piece(f, start, end, rtol, exact):
                 "breaks=(...) where the force has a corner"
             ) from None
         # the rule stops when its last but one value has half of the digits: mostly this one has all
-        return plain(value), 1e-3 * scale * float(sqrt(epsilon(value)))
+        return to_plain(value), 1e-3 * scale * float(sqrt(epsilon(value)))
     return _adaptive(f, float(start), float(end), rtol, scale)
 
 
@@ -74,10 +74,11 @@ def _finite(f, x):
         raise WorkError(f"the integrand has no value at {short(x)}: {problem}") from problem
     if not is_numeric(value):
         raise WorkError(
-            f"the integrand is {plain(value)!r} at {short(x)}: pass exact=True, or put numbers in"
+            f"the integrand is {to_plain(value)!r} at {short(x)}: pass exact=True, or put "
+            "numbers in"
         )
     if not is_finite(value):
-        raise WorkError(f"the integrand is {plain(value)} at {short(x)}")
+        raise WorkError(f"the integrand is {to_plain(value)} at {short(x)}")
     return value
 
 
@@ -111,7 +112,7 @@ def _by_formula(f, start, end):
     # SymEngine would lose a Dummy, and the assumptions of a symbol
     name, q = sympy.Symbol(f"_q{next(_NUMBERS)}"), sympy.Dummy("q", real=True)
     try:
-        start, end, y = (sympy.sympify(plain(scalar(x))) for x in (start, end, f(name)))
+        start, end, y = (sympy.sympify(to_plain(scalar(x))) for x in (start, end, f(name)))
         value = sympy.integrate(y.xreplace({name: q}), (q, start, end))
     except (sympy.SympifyError, ScalarError) as problem:
         raise WorkError(
@@ -147,7 +148,7 @@ def integral(f, start, end):
     # A place nearer to an end than a round-off of the way is rounded to the end itself, where f may
     # be infinite. Next to 0 all floats are distinct, and the part of the integral of x**-0.5 up to
     # the fraction p is sqrt(p): one round-off for p its square.
-    nearest = small * small if size(start) == 0 else small
+    nearest = small * small if max_abs(start) == 0 else small
 
     def total(f, t, step):
         """Weight times f over the places at ±t, ±(t + step), …"""
@@ -166,11 +167,11 @@ def integral(f, start, end):
     step = small / small  # 1, with all digits
     found, value = first(f), None
     # the change at the last halving: the error is about its square, less than a round-off
-    allowed = 1e-3 * sqrt(small) * size(width * first(lambda x: abs(f(x))))
+    allowed = 1e-3 * sqrt(small) * max_abs(width * first(lambda x: abs(f(x))))
     for _ in range(9):
         found, step, before = found + total(f, step / 2, step), step / 2, value
         value = found * step * width
-        if before is not None and size(value - before) <= allowed:
+        if before is not None and max_abs(value - before) <= allowed:
             return value
     raise SingularError(
         f"the integral from {start!r} to {end!r} does not settle: the function must be smooth in "

@@ -199,18 +199,18 @@ def scalar(x):
     )
 
 
-def whole(x, like):
+def integer_like(x, like):
     """The integer ``x`` in the kind of ``like``, so that its root and its quotients are as exact as
     ``like`` is; other numbers unchanged.
 
-    >>> whole(2, 1.5)
+    >>> integer_like(2, 1.5)
     2
     """
     exact = type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine")
     return like * 0 + x if exact else x
 
 
-def plain(x):
+def to_plain(x):
     """The number ``x``; the structural zero as the integer 0."""
     return 0 if x is ZERO else x
 
@@ -339,7 +339,7 @@ def promote(*values):
     >>> promote(1, 2.5)
     (1.0, 2.5)
     """
-    values = tuple(map(plain, values))
+    values = tuple(map(to_plain, values))
     if not all(map(is_numeric, values)):
         return values
     like = 0.0 * sum(values)
@@ -371,7 +371,7 @@ def is_zero(x: Scalar) -> bool:
 
 def is_positive(x):
     """True if the number ``x`` (all of an array) is positive; True of an expression."""
-    return not is_numeric(x) or (least(x) > 0 and size(x - abs(x)) == 0)
+    return not is_numeric(x) or (min_abs(x) > 0 and max_abs(x - abs(x)) == 0)
 
 
 def is_finite(x):
@@ -388,10 +388,10 @@ def is_finite(x):
     return abs(x) < float("inf")
 
 
-def size(x):
+def max_abs(x):
     """The largest absolute value in ``x``, as a float, to be compared with a tolerance.
 
-    >>> size(-3.0), size(ZERO)
+    >>> max_abs(-3.0), max_abs(ZERO)
     (3.0, 0.0)
     """
     largest = abs(without_rates(x))
@@ -411,13 +411,13 @@ def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
     if hasattr(condition, "where"):
         return condition.where(a, b)
     if getattr(condition, "shape", ()):
-        return import_module("numpy").where(condition, plain(a), plain(b))
+        return import_module("numpy").where(condition, to_plain(a), to_plain(b))
     return a if condition else b
 
 
 def anywhere(condition):
     """True if the condition holds; of an array of conditions, if it holds at any instant."""
-    return bool(size(where(condition, 1, 0)))
+    return bool(max_abs(where(condition, 1, 0)))
 
 
 def epsilon(like=0.0):
@@ -501,7 +501,7 @@ def _inside_out(x, known):
     return known[x]
 
 
-def least(x):
+def min_abs(x):
     """The smallest absolute value in ``x``, as a float: that of a divisor where it is nearest to
     zero.
     """

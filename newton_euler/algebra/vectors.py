@@ -20,13 +20,13 @@ from .scalars import (
     atan2,
     is_numeric,
     is_zero,
-    least,
-    plain,
+    max_abs,
+    min_abs,
     probe,
     scalar,
     short,
-    size,
     sqrt,
+    to_plain,
 )
 
 if TYPE_CHECKING:
@@ -109,17 +109,17 @@ class Vector(Scaled, NamedTerms):
     @property
     def x(self) -> Scalar:
         """The component along the first axis of its frame (A.7)."""
-        return plain(self.c[0])
+        return to_plain(self.c[0])
 
     @property
     def y(self) -> Scalar:
         """The component along the second axis of its frame (A.7)."""
-        return plain(self.c[1])
+        return to_plain(self.c[1])
 
     @property
     def z(self) -> Scalar:
         """The component along the third axis of its frame (A.7)."""
-        return plain(self.c[2])
+        return to_plain(self.c[2])
 
     def __iter__(self):
         return iter(self.components())
@@ -152,7 +152,7 @@ class Vector(Scaled, NamedTerms):
         """The three components along the axes of ``frame`` (default: the frame it is expressed in),
         as a tuple.
         """
-        return tuple(map(plain, self.c if frame is None else self.expressed_in(frame).c))
+        return tuple(map(to_plain, self.c if frame is None else self.expressed_in(frame).c))
 
     def expressed_in(self, frame: Frame) -> "Vector":
         """The same vector with its components along the axes of ``frame``, with its terms and its
@@ -167,7 +167,7 @@ class Vector(Scaled, NamedTerms):
 
     def rounded(self, noise: float) -> "Vector":
         """The vector with components of at most ``noise`` set to 0."""
-        c = tuple(ZERO if is_numeric(x) and size(x) <= noise else x for x in self.c)
+        c = tuple(ZERO if is_numeric(x) and max_abs(x) <= noise else x for x in self.c)
         return Vector(c, self.frame)
 
     def to_array(self) -> "np.ndarray":
@@ -270,7 +270,7 @@ class Vector(Scaled, NamedTerms):
 
     def dot(self, other: "Vector") -> Scalar:
         """The scalar product (A.2), (A.11)."""
-        return plain(dot3(self.c, self._other(other, "take the dot product of")))
+        return to_plain(dot3(self.c, self._other(other, "take the dot product of")))
 
     def cross(self, other: "Vector") -> "Vector":
         """The vector product (A.4), (A.13), in the frame of the left vector; right-handed."""
@@ -280,7 +280,7 @@ class Vector(Scaled, NamedTerms):
 
     def norm(self) -> Scalar:
         """The magnitude (A.12)."""
-        return plain(sqrt(dot3(self.c, self.c)))
+        return to_plain(sqrt(dot3(self.c, self.c)))
 
     def direction(self) -> "Vector":
         """The unit vector along it (A.1). Raises :class:`FrameError` for a zero vector."""
@@ -301,7 +301,7 @@ class Vector(Scaled, NamedTerms):
         # an arc cosine of the dot product loses half of the digits near 0 and pi
         # (W. Kahan, How Futile are Mindless Assessments of Roundoff, 2006, section 12)
         across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
-        if is_numeric(across) and is_numeric(along) and least(abs(across) + abs(along)) == 0:
+        if is_numeric(across) and is_numeric(along) and min_abs(abs(across) + abs(along)) == 0:
             raise FrameError(
                 f"a zero vector makes no angle, but one of {self} and {other} is zero, or too "
                 "small to be squared"
@@ -431,4 +431,4 @@ def same(a: Vector, b: Vector, tolerance: float = 1e-12) -> bool:
     difference, *lengths = (probe(scalar(v.norm())) for v in (a - b, a, b))
     if difference is None or None in lengths:
         raise ScalarError(f"{a} and {b} have components without values, which cannot be compared")
-    return size(difference) <= tolerance * max(map(size, lengths))
+    return max_abs(difference) <= tolerance * max(map(max_abs, lengths))

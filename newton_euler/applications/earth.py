@@ -23,12 +23,12 @@ from ..algebra.scalars import (
     cos,
     is_numeric,
     is_positive,
-    least,
-    plain,
+    max_abs,
+    min_abs,
     scalar,
     sin,
-    size,
     sqrt,
+    to_plain,
 )
 from ..algebra.vectors import ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
 from ..kinematics.frames import Frame
@@ -92,9 +92,9 @@ def ground_frame(
 
 def _check_latitude(latitude):
     # 1.5708 is pi/2 rounded up
-    if is_numeric(latitude) and size(latitude) > 1.5708:
+    if is_numeric(latitude) and max_abs(latitude) > 1.5708:
         raise EarthError(
-            f"a latitude is in radians, between -pi/2 and pi/2; got {plain(latitude)!r}: write "
+            f"a latitude is in radians, between -pi/2 and pi/2; got {to_plain(latitude)!r}: write "
             "radians(45) for 45 degrees north"
         )
 
@@ -130,7 +130,7 @@ def attraction3(r, g, radius):
     x, y, z = _from_centre(r, radius)
     square = dot3((x, y, z), (x, y, z))
     factor = g * radius**2 / (square * sqrt(square))
-    return tuple(plain(-factor * q) for q in (x, y, z))
+    return tuple(to_plain(-factor * q) for q in (x, y, z))
 
 
 def centrifugal3(r, omega, radius):
@@ -388,7 +388,7 @@ def projectile(
     """
     v = tuple(speed * e for e in launch_direction(azimuth, elevation))
     way = position3(t, v, (ZERO, ZERO, -scalar(g)), earth_rate3(latitude, rate))
-    return tuple(map(plain, way))
+    return tuple(map(to_plain, way))
 
 
 def flight_time(
@@ -464,7 +464,7 @@ def drop_deflection(
     0.022
     """
     t, g = sqrt(2 * height / g), (ZERO, ZERO, -scalar(g))
-    return plain(position3(t, ZERO3, g, earth_rate3(latitude, rate))[0])
+    return to_plain(position3(t, ZERO3, g, earth_rate3(latitude, rate))[0])
 
 
 # -- weather (6.11)
@@ -550,11 +550,11 @@ def gradient_wind(
     """
     f = _turning(latitude, rate)
     square = f * f + 4 * pressure_gradient / radius
-    if is_numeric(square) and size(abs(square) - square) > 0:
+    if is_numeric(square) and max_abs(abs(square) - square) > 0:
         raise EarthError(
-            f"no steady wind: at radius {plain(radius)!r} the Coriolis acceleration balances an "
-            f"outward gradient of at most {plain(f * f * radius / 4)!r}, not "
-            f"{plain(-pressure_gradient)!r}; a high has a flat middle"
+            f"no steady wind: at radius {to_plain(radius)!r} the Coriolis acceleration balances an "
+            f"outward gradient of at most {to_plain(f * f * radius / 4)!r}, not "
+            f"{to_plain(-pressure_gradient)!r}; a high has a flat middle"
         )
     # the root (sqrt(square) - f) radius/2 without its cancellation on large circles
     return 2 * pressure_gradient / (f + sqrt(square))
@@ -563,7 +563,7 @@ def gradient_wind(
 def _turning(latitude, rate):
     """|2 omega sin(latitude)|"""
     f = coriolis_parameter(latitude, rate)
-    if is_numeric(f) and least(f) == 0:
+    if is_numeric(f) and min_abs(f) == 0:
         raise EarthError(
             "on the equator (or on an Earth at rest) nothing turns a horizontal wind aside"
         )

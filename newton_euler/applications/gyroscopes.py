@@ -32,13 +32,13 @@ from ..algebra.scalars import (
     epsilon,
     is_numeric,
     is_zero,
-    least,
-    plain,
+    min_abs,
     scalar,
     short,
     sin,
     sqrt,
     tan,
+    to_plain,
     where,
 )
 from ..algebra.vectors import FrameError, Vector, named_sum
@@ -159,12 +159,15 @@ def _check_moments(I0, I):
     I0, I = scalar(I0), scalar(I)
     if not is_numeric(I0):
         return
-    if anywhere(plain(I0) <= 0):
-        raise GyroError(f"the transverse moment of inertia I0 must be positive, got {plain(I0)!r}")
-    # a disk has I = 2 I0, perhaps a little more by round-off
-    if is_numeric(I) and anywhere((plain(I) < 0) | (plain(I - 2 * I0) > 1e-9 * plain(I0))):
+    if anywhere(to_plain(I0) <= 0):
         raise GyroError(
-            f"no body of revolution has I = {plain(I)!r} with I0 = {plain(I0)!r}: I lies between 0 "
+            f"the transverse moment of inertia I0 must be positive, got {to_plain(I0)!r}"
+        )
+    # a disk has I = 2 I0, perhaps a little more by round-off
+    if is_numeric(I) and anywhere((to_plain(I) < 0) | (to_plain(I - 2 * I0) > 1e-9 * to_plain(I0))):
+        raise GyroError(
+            f"no body of revolution has I = {to_plain(I)!r} with I0 = {to_plain(I0)!r}: I "
+            "lies between 0 "
             "and 2 I0; are they exchanged?"
         )
 
@@ -195,7 +198,7 @@ def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
     """
     along, product = scalar(precession.dot(spin)), scalar(precession.norm()) * spin.norm()
     numbers = is_numeric(along) and is_numeric(product)
-    if numbers and anywhere(abs(plain(along)) > 1e-9 * plain(product)):
+    if numbers and anywhere(abs(to_plain(along)) > 1e-9 * to_plain(product)):
         raise GyroError(
             f"precession {precession} and spin {spin} are not at right angles; use gyro_moment or "
             "steady_moment(I0, I, theta, ...)"
@@ -212,7 +215,7 @@ def steady_moment(I0: Scalar, I: Scalar, theta: Scalar, precession: Scalar, spin
     >>> steady_moment(0.02, 0.01, 0.5, 0.0, 100.0)
     0.0
     """
-    return plain(precession * sin(theta) * (I * spin - (I0 - I) * precession * cos(theta)))
+    return to_plain(precession * sin(theta) * (I * spin - (I0 - I) * precession * cos(theta)))
 
 
 def steady_spin(
@@ -233,9 +236,9 @@ def steady_spin(
     """
     c = _over_sine(theta, mgr, moment)
     for name, x in (("precession", precession), ("I", I)):
-        if is_numeric(x) and least(x) == 0:
+        if is_numeric(x) and min_abs(x) == 0:
             raise GyroError(f"the {name} is zero, and then the moment does not depend on the spin")
-    return plain((c / precession + (I0 - I) * precession * cos(theta)) / I)
+    return to_plain((c / precession + (I0 - I) * precession * cos(theta)) / I)
 
 
 @dataclass(frozen=True)
@@ -287,12 +290,12 @@ def steady_precession(
     _check_any_root(q, c)
     slow, fast = _quotient(c, q, 0), _quotient(q, a, math.inf)
     stiffness = tuple(_stiffness(I0, I, theta, psi, spin, omega_z) for psi in (slow, fast))
-    return SteadyPrecession(plain(slow), plain(fast), plain(D), stiffness)
+    return SteadyPrecession(to_plain(slow), to_plain(fast), to_plain(D), stiffness)
 
 
 def _stiffness(I0, I, theta, psi, spin, omega_z):
     """The nutation stiffness about the rate psi', infinite where this is."""
-    psi = plain(psi)
+    psi = to_plain(psi)
     none = is_numeric(psi) and psi == math.inf
     psi = where(none, 0, psi)
     whole = spin + psi * cos(theta) if omega_z is None else omega_z
@@ -307,9 +310,9 @@ def _over_sine(theta, mgr, moment):
         return scalar(mgr)
     s = sin(theta)
     # sin(pi) in floats is 1.2e-16, half an epsilon
-    if is_numeric(s) and least(s) <= 4 * epsilon(s):
+    if is_numeric(s) and min_abs(s) <= 4 * epsilon(s):
         raise GyroError(
-            f"at theta = {plain(theta)!r} rad there is no line of nodes to have a moment about; "
+            f"at theta = {to_plain(theta)!r} rad there is no line of nodes to have a moment about; "
             "give gravity as mgr"
         )
     return scalar(moment) / s
@@ -331,8 +334,8 @@ def _discriminant(a, h, c, I, what):
         return D
     # a few roundings of the two products: at the least spin itself the difference is only these
     slack = 8 * epsilon(D) * (abs(first) + abs(second))
-    D = where((plain(D) < 0) & (plain(D + slack) >= 0), 0 * D, D)
-    if anywhere(plain(D) < 0):
+    D = where((to_plain(D) < 0) & (to_plain(D + slack) >= 0), 0 * D, D)
+    if anywhere(to_plain(D) < 0):
         needed = (
             "without I no spin helps"
             if is_zero(I)
@@ -347,11 +350,11 @@ def _discriminant(a, h, c, I, what):
 
 def _sense(h):
     """The sign of h: +1 for zero. An expression is taken as different from zero."""
-    return where(plain(h) < 0, -1, 1) if is_numeric(h) else h / sqrt(h * h)
+    return where(to_plain(h) < 0, -1, 1) if is_numeric(h) else h / sqrt(h * h)
 
 
 def _check_any_root(q, c):
-    if is_numeric(q) and is_numeric(c) and anywhere((plain(q) == 0) & (plain(c) != 0)):
+    if is_numeric(q) and is_numeric(c) and anywhere((to_plain(q) == 0) & (to_plain(c) != 0)):
         raise GyroError(
             "no steady precession is possible: without spin a body at this angle can hold no moment"
         )
@@ -361,8 +364,8 @@ def _quotient(n, d, otherwise):
     """n/d, or ``otherwise`` where d is zero."""
     if not is_numeric(d):
         return n / d
-    none = plain(d) == 0
-    return where(none, otherwise, n / where(none, 1, plain(d)))
+    none = to_plain(d) == 0
+    return where(none, otherwise, n / where(none, 1, to_plain(d)))
 
 
 def least_spin(
@@ -390,13 +393,13 @@ def least_spin(
         raise GyroError(f"of= is 'spin' (phi') or 'omega_z' (phi' + psi' cos theta), got {of!r}")
     rates = {"spin": None, "omega_z": None, of: 1}
     a, _, c = _quadratic(I0, I, theta, **rates, c=_over_sine(theta, mgr, moment))
-    return plain(_least_rate(a, c, I))
+    return to_plain(_least_rate(a, c, I))
 
 
 def _least_rate(a, c, I):
     product = a * c
     if is_numeric(product):
-        product = where(plain(product) <= 0, abs(0 * product), product)
+        product = where(to_plain(product) <= 0, abs(0 * product), product)
     return 2 * sqrt(product) / I
 
 
@@ -415,7 +418,7 @@ def nutation_stiffness(
     2500.0
     """
     across, rest = precession * sin(theta), I * omega_z / I0 - 2 * (precession * cos(theta))
-    return plain(across * across + rest * rest)
+    return to_plain(across * across + rest * rest)
 
 
 @dataclass(frozen=True)
@@ -450,7 +453,7 @@ def fast_spin(
     (0.5, -0.002709)
     """
     a, h, c = _quadratic(I0, I, theta, spin, None, _over_sine(theta, mgr, moment))
-    if is_numeric(h) and least(h) == 0:
+    if is_numeric(h) and min_abs(h) == 0:
         raise GyroError(
             "these are approximations for a fast spin, but the spin or I is zero; use "
             "steady_precession"
@@ -459,10 +462,10 @@ def fast_spin(
     # the errors by 1 + s: 1 - s would cancel for a fast spin, where s is nearly 1
     once = 1 + sqrt(_discriminant(a, h, c, I, "spin")) / sqrt(h * h)
     return FastSpin(
-        plain(c / h),
-        plain(_quotient(h, a, math.inf)),
-        plain(-2 * eps / once),
-        plain(4 * eps / (once * once)),
+        to_plain(c / h),
+        to_plain(_quotient(h, a, math.inf)),
+        to_plain(-2 * eps / once),
+        to_plain(4 * eps / (once * once)),
     )
 
 
@@ -501,16 +504,20 @@ def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreeP
     difference, c = scalar(I0) - I, cos(theta)
     if is_numeric(difference) and is_zero(difference):
         raise GyroError("with I = I0 there is no precession: the body turns about a fixed axis")
-    if is_numeric(c) and least(c) <= 4 * epsilon(c) and not is_zero(spin):
+    if is_numeric(c) and min_abs(c) <= 4 * epsilon(c) and not is_zero(spin):
         raise GyroError(
-            f"theta = {plain(theta)!r} rad is pi/2: H has no component along the axis, and the "
+            f"theta = {to_plain(theta)!r} rad is pi/2: H has no component along the axis, and the "
             "spin must be zero"
         )
-    sense = where(plain(difference) > 0, "direct", "retrograde") if is_numeric(difference) else None
+    sense = (
+        where(to_plain(difference) > 0, "direct", "retrograde") if is_numeric(difference) else None
+    )
     tilt = atan(I * tan(theta) / I0)
     gap = theta - tilt
     size = abs(gap) if is_numeric(gap) else sqrt(gap * gap)
-    return FreePrecession(plain(I * spin / (difference * c)), sense, plain(tilt), plain(size))
+    return FreePrecession(
+        to_plain(I * spin / (difference * c)), sense, to_plain(tilt), to_plain(size)
+    )
 
 
 # -- the sleeping top
@@ -548,9 +555,11 @@ def sleeping_top(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Sleepin
     h, c = I * omega_z, I0 * mgr
     D = h * h - 4 * c
     if not is_numeric(D):
-        return SleepingTop(critical, plain(h * h / (4 * c)), None, plain(sqrt(-D) / (2 * I0)))
-    hangs = plain(c) <= 0
-    margin = where(hangs, math.inf, h * h / where(hangs, 1, 4 * plain(c)))
-    unstable = plain(D) < 0
+        return SleepingTop(critical, to_plain(h * h / (4 * c)), None, to_plain(sqrt(-D) / (2 * I0)))
+    hangs = to_plain(c) <= 0
+    margin = where(hangs, math.inf, h * h / where(hangs, 1, 4 * to_plain(c)))
+    unstable = to_plain(D) < 0
     growth = sqrt(where(unstable, -D, 0 * D)) / (2 * I0)
-    return SleepingTop(critical, plain(margin), where(plain(D) >= 0, True, False), plain(growth))
+    return SleepingTop(
+        critical, to_plain(margin), where(to_plain(D) >= 0, True, False), to_plain(growth)
+    )

@@ -30,10 +30,10 @@ from ..algebra.scalars import (
     anywhere,
     is_numeric,
     is_zero,
-    plain,
+    max_abs,
     scalar,
-    size,
     sqrt,
+    to_plain,
     where,
 )
 from ..algebra.vectors import Vector, add3, dot3, named_sum, scale3, sum3
@@ -155,12 +155,12 @@ def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple:
 
 def _extent(P):
     c = P.position(P.frame).c
-    return size(sqrt(dot3(c, c))) if all(map(is_numeric, c)) else 0.0
+    return max_abs(sqrt(dot3(c, c))) if all(map(is_numeric, c)) else 0.0
 
 
 def _small(x, limit=0.0):
     """True if a number (any one of an array) is not larger than ``limit``; expressions pass."""
-    return is_numeric(x) and anywhere(abs(plain(x)) <= limit)
+    return is_numeric(x) and anywhere(abs(to_plain(x)) <= limit)
 
 
 def _on_axis(body, A, e, length, about):
@@ -169,9 +169,10 @@ def _on_axis(body, A, e, length, about):
         foot = add3(A.position(body.frame).c, scale3((body.centre - A).dot(e), e.c))
         return body.frame.point("O", *foot)
     off = e.cross(about - A).norm()
-    if is_numeric(off) and is_numeric(length) and size(off) > 1e-9 * size(length):
+    if is_numeric(off) and is_numeric(length) and max_abs(off) > 1e-9 * max_abs(length):
         raise RotorError(
-            f"{about.name} lies {size(off):.3g} off the axis of the bearings; take a point of the "
+            f"{about.name} lies {max_abs(off):.3g} off the axis of the bearings; take a "
+            "point of the "
             "axis, or leave about= out"
         )
     return about
@@ -188,8 +189,8 @@ def _check_motion(body, A, e, length, ground):
         (f"the velocity of {A.name}", A.velocity(ground), length * w.norm()),
     ):
         # 1e-9 of the whole vector: round-off of Points and rates given in decimals
-        off = size(vector.norm()) if all(map(is_numeric, (*vector.c, scalar(scale)))) else 0
-        if off and off > 1e-9 * size(scale):
+        off = max_abs(vector.norm()) if all(map(is_numeric, (*vector.c, scalar(scale)))) else 0
+        if off and off > 1e-9 * max_abs(scale):
             raise RotorError(
                 f"{body.name} does not turn about its bearings as a fixed axis: {name} has "
                 f"{off:.3g} across it; turn its frame in {ground.name} about the line AB"
@@ -306,14 +307,14 @@ def balance(
             f"whether {body.name} is balanced depends on the values of its expressions; put in "
             "numbers, or look at imbalance(...)"
         )
-    total = where(plain(total) < plain(floor), floor, total)
+    total = where(to_plain(total) < to_plain(floor), floor, total)
     eccentricity = e / body.mass
-    offset, tilt = size(eccentricity / sqrt(total / body.mass)), size(product / total)
+    offset, tilt = max_abs(eccentricity / sqrt(total / body.mass)), max_abs(product / total)
     return Balance(
         offset <= tolerance,
         tilt <= tolerance,
-        size(eccentricity),
-        size(product),
+        max_abs(eccentricity),
+        max_abs(product),
         offset,
         tilt,
         tolerance,
@@ -341,9 +342,10 @@ def corrections(body: Body, A: Point, B: Point, planes: Sequence) -> tuple:
     """
     z1, z2 = (scalar(z) for z in planes)
     apart = z2 - z1
-    if _small(apart, 1e-13 * max(size(z) if is_numeric(z) else 0.0 for z in (z1, z2))):
+    if _small(apart, 1e-13 * max(max_abs(z) if is_numeric(z) else 0.0 for z in (z1, z2))):
         raise RotorError(
-            f"the two planes coincide, at {plain(z1)!r} and {plain(z2)!r} from {A.name}; a couple "
+            f"the two planes coincide, at {to_plain(z1)!r} and {to_plain(z2)!r} from "
+            f"{A.name}; a couple "
             "needs two different planes"
         )
     found = imbalance(body, A, B, about=A)
@@ -386,10 +388,11 @@ def balancing_masses(
     what, given = ("radius", radius) if mass is None else ("mass", mass)
     given = given if isinstance(given, (tuple, list)) else (given, given)
     for x in map(scalar, given):
-        if is_numeric(x) and (_small(x) or size(x - abs(x)) > 0):
+        if is_numeric(x) and (_small(x) or max_abs(x - abs(x)) > 0):
             reason = "on the axis" if mass is None else "without mass"
             raise RotorError(
-                f"the {what} of the balancing weights must be positive, got {plain(x)!r}: {reason} "
+                f"the {what} of the balancing weights must be positive, got "
+                f"{to_plain(x)!r}: {reason} "
                 "a weight balances nothing"
             )
     e, _ = shaft_axis(A, B, body.frame)
@@ -410,7 +413,7 @@ def _weight(name, U, A, e, z, given, at_radius):
     elif at_radius:
         # at an instant of an array at which none is needed 0/1 in place of 0/0
         step = U * (
-            given / (where(plain(length) == 0, 1, length) if is_numeric(length) else length)
+            given / (where(to_plain(length) == 0, 1, length) if is_numeric(length) else length)
         )
     else:
         step = U / given

@@ -3,7 +3,7 @@ the moments, Schwarz's inequality for the products.
 """
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.scalars import epsilon, is_finite, is_numeric, is_positive, plain, size
+from ..algebra.scalars import epsilon, is_finite, is_numeric, is_positive, max_abs, to_plain
 
 AXES = "xyz"
 PRODUCTS = ("xy", "yz", "zx")
@@ -19,7 +19,7 @@ def positive(x, what):
     """Raises :class:`MassError` unless ``x`` is positive and finite; ``what`` is its name."""
     if not is_positive(x) or not is_finite(x):
         raise MassError(
-            f"{what} must be positive, got {plain(x)}; to cut something out give it to "
+            f"{what} must be positive, got {to_plain(x)}; to cut something out give it to "
             "composite(..., removed=[...])"
         )
 
@@ -30,7 +30,7 @@ def check(I, tolerance, slack):
     """
     if I.mass is not None and is_numeric(I.mass) and not is_positive(I.mass):
         raise MassError(
-            f"the mass is {plain(I.mass)}; it must be positive (a removed part is subtracted: "
+            f"the mass is {to_plain(I.mass)}; it must be positive (a removed part is subtracted: "
             "composite(..., removed=[hole]))"
         )
     if all(map(is_numeric, I.moments + I.products)):
@@ -45,7 +45,7 @@ def _check_integrals(I, tolerance, slack):
     I = tr(J) - J; J is that of some masses if its principal minors are at least zero. Each minor
     is compared with its rounding: ``small`` for each factor, the others at most ``largest``.
     """
-    largest = max(map(size, I.moments + I.products))
+    largest = max(map(max_abs, I.moments + I.products))
     small, largest = tolerance * largest + slack, max(slack, largest)
     xx, yy, zz = I.moments
     if not all(map(is_finite, I.moments + I.products)):
@@ -56,16 +56,16 @@ def _check_integrals(I, tolerance, slack):
             u, (v, w) = AXES[n], [axis for axis in AXES if axis != AXES[n]]
             others = I.moments[AXES.index(v)] + I.moments[AXES.index(w)]
             raise MassError(
-                f"no body has these moments: I_{u}{u} = {plain(I.moments[n])} is larger than "
-                f"I_{v}{v} + I_{w}{w} = {plain(others)} (triangle inequality); look for a "
+                f"no body has these moments: I_{u}{u} = {to_plain(I.moments[n])} is larger than "
+                f"I_{v}{v} + I_{w}{w} = {to_plain(others)} (triangle inequality); look for a "
                 "misprint, or for moments about two points"
             )
     for (u, v), product in zip(PRODUCTS, I.products, strict=True):
         bound = squares[AXES.index(u)] * squares[AXES.index(v)]
         if _below(bound - product * product, -4 * small * largest):
             raise MassError(
-                f"no body has the product I_{u}{v} = {plain(product)} with these moments: its "
-                f"square is at most {plain(bound)}, the product of the integrals of {u}^2 and "
+                f"no body has the product I_{u}{v} = {to_plain(product)} with these moments: its "
+                f"square is at most {to_plain(bound)}, the product of the integrals of {u}^2 and "
                 f"{v}^2; is the sign convention or the unit another?"
             )
     ab, bc, ca = I.products
@@ -79,7 +79,9 @@ def _check_integrals(I, tolerance, slack):
 
 
 def _check_about_centre(I, tolerance, slack):
-    slack += round_off(I.mass, (I.point, I.centre), I.frame) + tolerance * max(map(size, I.moments))
+    slack += round_off(I.mass, (I.point, I.centre), I.frame) + tolerance * max(
+        map(max_abs, I.moments)
+    )
     try:
         _check_integrals(I.about(I.centre), 4 * tolerance, slack)
     except MassError as problem:
@@ -90,7 +92,7 @@ def _check_about_centre(I, tolerance, slack):
 
 
 def _below(x, bound):
-    return not is_positive(x - bound) and size(x - bound) > 0
+    return not is_positive(x - bound) and max_abs(x - bound) > 0
 
 
 def round_off(mass, points, frame):
@@ -100,5 +102,5 @@ def round_off(mass, points, frame):
     if not is_numeric(mass):
         return 0.0
     coordinates = (x for P in points for x in P.position(frame).c)
-    squares = sum(size(x) ** 2 for x in coordinates if is_numeric(x))
-    return 100 * epsilon() * size(mass) * squares
+    squares = sum(max_abs(x) ** 2 for x in coordinates if is_numeric(x))
+    return 100 * epsilon() * max_abs(mass) * squares

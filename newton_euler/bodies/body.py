@@ -16,7 +16,7 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 from ..algebra.ledger import Ledger
-from ..algebra.scalars import Scalar, is_numeric, plain, scalar, size
+from ..algebra.scalars import Scalar, is_numeric, max_abs, scalar, to_plain
 from ..algebra.vectors import Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import MassError, positive, round_off
@@ -58,7 +58,7 @@ class Body:
         self._inertia = inertia._like(inertia.moments, inertia.products, mass=self.mass, centre=G)
 
     def __repr__(self):
-        return f"Body({self.name}, mass {plain(self.mass)!r}, centre {self.centre!r})"
+        return f"Body({self.name}, mass {to_plain(self.mass)!r}, centre {self.centre!r})"
 
     @property
     def inertia(self) -> Inertia:
@@ -200,7 +200,7 @@ def composite(
         return body
     # what rounding leaves of the difference of large moments
     slack = sum(round_off(part.mass, (part.centre, centre), frame) for part in parts)
-    slack += 1e-14 * sum(size(x) for p in parts for x in p.inertia.moments if is_numeric(x))
+    slack += 1e-14 * sum(max_abs(x) for p in parts for x in p.inertia.moments if is_numeric(x))
     try:
         body.inertia.check(slack=slack)
         return body

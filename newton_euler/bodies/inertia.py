@@ -29,9 +29,9 @@ from ..algebra.scalars import (
     is_numeric,
     is_positive,
     is_zero,
-    plain,
     scalar,
     sqrt,
+    to_plain,
 )
 from ..algebra.vectors import ZERO3, Vector, add3, dot3, scale3, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
@@ -100,7 +100,7 @@ class Inertia(Scaled, NamedTerms):
     @property
     def matrix(self) -> tuple:
         """The inertia matrix (7.13): three rows of three, minus the products off the diagonal."""
-        return tuple(tuple(plain(x) for x in row) for row in self._rows())
+        return tuple(tuple(to_plain(x) for x in row) for row in self._rows())
 
     def __iter__(self) -> Iterator:
         return iter(self.matrix)
@@ -155,11 +155,11 @@ class Inertia(Scaled, NamedTerms):
         4.0
         """
         if isinstance(axis, str):
-            return plain(self.moments[axis_index(axis)[0]])
+            return to_plain(self.moments[axis_index(axis)[0]])
         square = scalar(axis.dot(axis))
         if is_zero(square):
             raise MassError("the axis is a zero vector; give one with a direction")
-        return plain(scalar(axis.dot(self.times(axis))) / square)
+        return to_plain(scalar(axis.dot(self.times(axis))) / square)
 
     def radius_of_gyration(self, axis: str | Vector) -> Scalar:
         """k = sqrt(moment/mass) about an axis through ``point`` (7.27): the radius of a ring with
@@ -171,7 +171,7 @@ class Inertia(Scaled, NamedTerms):
         0.5
         """
         self._needs("mass", "the radius of gyration")
-        return plain(sqrt(self.moment(axis) / self.mass))
+        return to_plain(sqrt(self.moment(axis) / self.mass))
 
     # -- other points, other axes
 
@@ -354,7 +354,7 @@ def together(parts, frame, name="G"):
             first = add3(first, scale3(part.mass, _coordinates(part.centre, frame)))
     if is_numeric(mass) and not is_positive(mass):
         raise MassError(
-            f"the total mass is {plain(mass)}; it must be positive: the removed parts weigh "
+            f"the total mass is {to_plain(mass)}; it must be positive: the removed parts weigh "
             "more than what they are cut from"
         )
     return mass, frame.point(name, *(x / mass for x in first))

@@ -16,7 +16,7 @@ import numpy as np
 
 from ..algebra.jets import Moving, as_moving
 from ..algebra.quadrature import cubature
-from ..algebra.scalars import ZERO, Scalar, is_numeric, is_positive, plain, scalar, size, sqrt
+from ..algebra.scalars import ZERO, Scalar, is_numeric, is_positive, max_abs, scalar, sqrt, to_plain
 from ..algebra.vectors import cross3, dot3
 from ..kinematics.frames import Frame, PointLike
 from .admissibility import MassError
@@ -86,7 +86,7 @@ def integrated(
     content, total, first, second = values[0], values[1], values[2:5], values[5:]
     if is_numeric(total) and not is_positive(total):
         raise MassError(
-            f"the mass of {name} comes out as {plain(total)}; it must be positive: look at the "
+            f"the mass of {name} comes out as {to_plain(total)}; it must be positive: look at the "
             "limits and the density"
         )
     factor = 1 if mass is None else scalar(mass) / total
@@ -141,7 +141,7 @@ def _numeric(position, limits, weigh, rtol, name):
     n = len(limits)
     with np.errstate(all="ignore"):  # _scales and cubature refuse what is not finite
         middle, _ = _parameters(limits, [np.array([0.5])] * n)
-        reference = [float(np.reshape(plain(x), -1)[0]) for x in _tangents(position, middle)[0]]
+        reference = [float(np.reshape(to_plain(x), -1)[0]) for x in _tangents(position, middle)[0]]
 
     def moments(points):
         with np.errstate(all="ignore"):
@@ -177,8 +177,8 @@ def _moments(position, limits, weigh, reference, unit):
     dV = step * (
         abs(spanned) if len(limits) == 3 else sqrt(dot3(spanned, spanned) + np.zeros(len(unit[0])))
     )
-    dm = dV * scalar(weigh(*map(plain, place)))
-    r = [plain(p - q) for p, q in zip(place, reference, strict=True)]
+    dm = dV * scalar(weigh(*map(to_plain, place)))
+    r = [to_plain(p - q) for p, q in zip(place, reference, strict=True)]
     return dV, dm, *(dm * x for x in r), *(dm * r[a] * r[b] for a, b in SECOND_MOMENTS)
 
 
@@ -210,7 +210,7 @@ def _exact(position, limits, weigh, name):
         tuple(sympy.sympify(x(*symbols[:n]) if callable(x) else x) for x in pair)
         for n, pair in enumerate(limits)
     ]
-    place = [sympy.sympify(plain(scalar(x))) for x in position(*symbols)]
+    place = [sympy.sympify(to_plain(scalar(x))) for x in position(*symbols)]
     dV = _exact_content([tuple(x.diff(u) for x in place) for u in symbols])
     dV *= _sense(dV, symbols, bounds, name)
 
@@ -264,7 +264,7 @@ def _sense(dV, symbols, bounds, name):
             low, high = a.subs(at), b.subs(at)
             at[u] = low + (high - low) * sympy.Float(t)
         value = float(dV.subs(at))
-        if size(value) > 0:
+        if max_abs(value) > 0:
             signs.add(value > 0)
     if len(signs) != 1:
         raise MassError(

@@ -23,13 +23,13 @@ from ..algebra.scalars import (
     is_numeric,
     is_zero,
     library_of,
+    max_abs,
     pi,
-    plain,
     scalar,
     short,
     sin,
-    size,
     sqrt,
+    to_plain,
     where,
 )
 from ..algebra.vectors import Vector, cross3, dot3, scale3
@@ -73,7 +73,7 @@ class Principal:
         """For each axis: True if its gap is at least 4 times the noise, so that the data determine
         it within about 0.25 rad.
         """
-        return tuple(size(turn) < 0.245 for turn in self.turns)  # atan(1/4) = 0.24498
+        return tuple(max_abs(turn) < 0.245 for turn in self.turns)  # atan(1/4) = 0.24498
 
     def frame(self, name: str = "principal") -> Frame:
         """A new frame along the principal axes, fixed in the frame of the inertia; for numbers, not
@@ -94,7 +94,9 @@ class Principal:
         data = f"data with a relative error of {self.noise:.2g}"
         names = [str(n) for n, fixed in enumerate(self.determined, 1) if not fixed]
         if not names:
-            return f"all axes are determined, to {max(map(size, self.turns)):.2g} rad, for {data}"
+            return (
+                f"all axes are determined, to {max(map(max_abs, self.turns)):.2g} rad, for {data}"
+            )
         rest = (
             "any axis is a principal axis"
             if len(names) == 3
@@ -127,7 +129,7 @@ def principal(inertia: Any, noise: float | None = None) -> Principal:
     entries = [x for row in rows for x in row]
     if not all(map(is_numeric, entries)):
         moments, axes = _of_expressions([list(map(scalar, row)) for row in rows])
-        return Principal(inertia, tuple(map(plain, moments)), _vectors(axes, inertia))
+        return Principal(inertia, tuple(map(to_plain, moments)), _vectors(axes, inertia))
     if any(getattr(x, "shape", ()) for x in entries):
         return _of_arrays(inertia, noise)
     return _with_report(inertia, noise, *_of_numbers(rows))
@@ -248,7 +250,7 @@ def _of_expressions(rows):
     if not coupled:
         return diagonal, UNIT_AXES
     unit = next(x for x in diagonal if not is_zero(x))
-    ratios = [[plain(x / unit) for x in row] for row in rows]
+    ratios = [[to_plain(x / unit) for x in row] for row in rows]
     # numbers times one expression, as m L^2, which is positive as a moment
     if all(is_numeric(x) for row in ratios for x in row):
         moments, axes = _of_numbers(ratios)
@@ -341,10 +343,10 @@ def symmetry(inertia: Any, tolerance: float = 1e-9) -> Symmetry:
     ('top', ('x', 'y', 'z'), ('yz', 'zx', 'xy'))
     """
     numeric = filter(is_numeric, (*inertia.moments, *inertia.products))
-    small = tolerance * max(map(size, numeric), default=0.0)
+    small = tolerance * max(map(max_abs, numeric), default=0.0)
 
     def vanishes(x):
-        return is_zero(x) or (is_numeric(x) and size(x) <= small)
+        return is_zero(x) or (is_numeric(x) and max_abs(x) <= small)
 
     left = "".join(
         name for name, x in zip(PRODUCTS, inertia.products, strict=True) if not vanishes(x)

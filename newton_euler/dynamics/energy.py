@@ -21,13 +21,13 @@ from ..algebra.scalars import (
     anywhere,
     cos,
     is_numeric,
-    plain,
+    max_abs,
     probe,
     scalar,
     short,
     sin,
-    size,
     sqrt,
+    to_plain,
 )
 from ..algebra.vectors import Vector
 from ..bodies.body import Body
@@ -92,7 +92,7 @@ def kinetic_energy_about(body: Body, point: Point, observer: Frame) -> Amount:
     relative = omega.cross((point - body.centre).expressed_in(omega.frame))
     v, scale = (v_G + relative).norm(), scalar(v_G.norm()) + relative.norm()
     # v_G + omega x r of a point at rest is a difference of equals: round-off of its two parts
-    if is_numeric(scale) and anywhere(plain(v) > 1e-9 * plain(scale)):
+    if is_numeric(scale) and anywhere(to_plain(v) > 1e-9 * to_plain(scale)):
         raise EnergyError(
             f"the point of {body.name} at {point.name} moves, at {short(v)}: (11.52) needs a point "
             f"of the body that is at rest in {observer.name}; use kinetic_energy"
@@ -198,12 +198,13 @@ def speed_after(speed: Scalar, work: Amount | Scalar, m: Scalar) -> Scalar:
     """
     U = value_of(work)
     square = scalar(speed) * speed + 2 * U / m
-    if is_numeric(square) and anywhere(plain(square) < 0):
+    if is_numeric(square) and anywhere(to_plain(square) < 0):
         raise EnergyError(
-            f"it does not get there: the work {short(plain(U))} takes more than the kinetic energy "
-            f"{short(plain(scalar(m) * speed * speed / 2))}, so it stops before"
+            f"it does not get there: the work {short(to_plain(U))} takes more than the "
+            "kinetic energy "
+            f"{short(to_plain(scalar(m) * speed * speed / 2))}, so it stops before"
         )
-    return plain(sqrt(square))
+    return to_plain(sqrt(square))
 
 
 @dataclass(frozen=True, eq=False)
@@ -228,7 +229,7 @@ class Audit:
         """The change of E = T + V (11.30): U^n (11.31), zero for a conservative system (11.32),
         (11.49).
         """
-        return plain(scalar(self.kinetic) + value_of(summed(self.potentials)))
+        return to_plain(scalar(self.kinetic) + value_of(summed(self.potentials)))
 
     def heat(self, *names: str) -> Scalar:
         """The change of internal energy, -U^n (11.33), by the forces named, as friction and drag;
@@ -300,13 +301,13 @@ def audit(
         n: work_integral(_function(p, f"the power of {n}"), start, end, rtol, exact, breaks)
         for n, p in powers.items()
     }
-    changes = {n: plain(b - a) for n, (a, b) in V.items()}
+    changes = {n: to_plain(b - a) for n, (a, b) in V.items()}
     works = {n: u.value for n, u in U.items()}
     change = T[1] - T[0]
     residual = change + value_of(summed(changes)) - value_of(summed(works))
     energies = [*T, *(x for pair in V.values() for x in pair), *works.values()]
     error, largest = sum(u.error for u in U.values()), max(map(_magnitude, energies))
-    return Audit(plain(change), changes, works, plain(residual), error, largest)
+    return Audit(to_plain(change), changes, works, to_plain(residual), error, largest)
 
 
 def _at_both(f, what, start, end):
@@ -325,7 +326,7 @@ def _magnitude(x):
     value = probe(scalar(x))
     if value is None:
         raise EnergyError(
-            f"an energy is {plain(x)!r}; an audit needs numbers, or SymPy expressions and "
+            f"an energy is {to_plain(x)!r}; an audit needs numbers, or SymPy expressions and "
             "exact=True"
         )
-    return size(scalar(value))
+    return max_abs(scalar(value))

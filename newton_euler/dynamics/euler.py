@@ -8,7 +8,7 @@ Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
 from ..algebra.linear import LinearError, solve_regular
-from ..algebra.scalars import ZERO, Scalar, is_numeric, is_zero, plain, scalar, size
+from ..algebra.scalars import ZERO, Scalar, is_numeric, is_zero, max_abs, scalar, to_plain
 from ..algebra.vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
 from ..bodies.admissibility import AXES, MassError
 from ..bodies.inertia import Inertia, axis_index
@@ -167,17 +167,18 @@ def planar_moment(inertia: Inertia, acceleration: Scalar, axis: str = "z") -> Sc
     n, _ = axis_index(axis)
     law = f"M = I alpha alone (8.19) needs a principal axis along {AXES[n]}"
     _check_principal(inertia, AXES[n], law, "take fixed_line_moment")
-    return plain(inertia.moments[n] * scalar(acceleration))
+    return to_plain(inertia.moments[n] * scalar(acceleration))
 
 
 def _check_principal(inertia, axes, law, instead):
     """Raises :class:`MassError` for products of inertia with one of the axes."""
     # 1e-12 of the moments: what a rotation to principal axes leaves as round-off
-    small = 1e-12 * max((size(x) for x in inertia.moments if is_numeric(x)), default=0.0)
+    small = 1e-12 * max((max_abs(x) for x in inertia.moments if is_numeric(x)), default=0.0)
     left = [
-        f"I_{name} = {plain(x)}"
+        f"I_{name} = {to_plain(x)}"
         for name, x in zip(("xy", "yz", "zx"), inertia.products, strict=True)
-        if any(a in name for a in axes) and not (is_zero(x) or (is_numeric(x) and size(x) <= small))
+        if any(a in name for a in axes)
+        and not (is_zero(x) or (is_numeric(x) and max_abs(x) <= small))
     ]
     if left:
         raise MassError(

@@ -17,7 +17,7 @@ Forces may hold unknowns of :func:`newton_euler.algebra.linear.solve_linear`.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from ..algebra.scalars import Scalar, is_numeric, least, plain, scalar, short, size
+from ..algebra.scalars import Scalar, is_numeric, max_abs, min_abs, scalar, short, to_plain
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
 from ..kinematics.frames import Frame, Point, place
 
@@ -174,7 +174,7 @@ class ForceSystem:
         if kind in ("nothing", "couple"):
             return Wrench(kind, F, M, None, None)
         square = scalar(F.dot(F))
-        pitch = plain(scalar(F.dot(M)) / square)
+        pitch = to_plain(scalar(F.dot(M)) / square)
         # M less its part along F is r x F, and r = F x M/F^2 at right angles to the axis
         offset = (F.cross(M) / square).expressed_in(P.frame).c
         foot = add3(P.position(P.frame).c, offset)
@@ -187,7 +187,7 @@ class ForceSystem:
         if _vanishes(F, forces):
             return "nothing" if _vanishes(M, moments) else "couple"
         along = scalar(F.dot(M))
-        alone = is_numeric(along) and size(along) <= _size(F) * moments
+        alone = is_numeric(along) and max_abs(along) <= _size(F) * moments
         return "force" if alone else "wrench"
 
 
@@ -250,15 +250,15 @@ def _parts(name, part):
 
 def _size(v):
     length = scalar(v.norm())
-    return size(length) if is_numeric(length) else float("inf")
+    return max_abs(length) if is_numeric(length) else float("inf")
 
 
 def _vanishes(v, noise):
     """True if the Vector is round-off; of arrays at every instant, and an error if at some only."""
     x = scalar(v.norm())
-    if is_numeric(x) and least(x) <= noise < size(x):
+    if is_numeric(x) and min_abs(x) <= noise < max_abs(x):
         raise ForceError(
             "the forces have a resultant at some instants and at others none; ask for them "
             "separately"
         )
-    return is_numeric(x) and size(x) <= noise
+    return is_numeric(x) and max_abs(x) <= noise

@@ -4,7 +4,7 @@ K is the constant of gravitation, as in the book; its value and g are arguments 
 other units and other planets.
 """
 
-from ..algebra.scalars import Scalar, plain, scalar, sqrt, whole
+from ..algebra.scalars import Scalar, integer_like, scalar, sqrt, to_plain
 from ..algebra.vectors import FrameError, Vector
 from ..bodies.admissibility import MassError, positive
 from ..bodies.body import Body
@@ -23,7 +23,7 @@ def attraction(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scala
     9.81
     """
     positive(scalar(distance), "the distance of the two bodies")
-    return plain(K * m1 * m2 / (distance * distance))
+    return to_plain(K * m1 * m2 / (distance * distance))
 
 
 def gravitation(on: Body, by: Body, K: Scalar = K, frame: Frame | None = None) -> Vector:
@@ -64,7 +64,7 @@ def gravity_at_height(height: Scalar, radius: Scalar, g: Scalar = G_STANDARD) ->
     """
     positive(scalar(radius), "the radius of the planet")
     ratio = radius / (radius + height)
-    return plain(g * (ratio * ratio))
+    return to_plain(g * (ratio * ratio))
 
 
 def weight(body: Body | Scalar, up: Vector, g: Scalar = G_STANDARD) -> Vector:
@@ -86,7 +86,7 @@ def weight(body: Body | Scalar, up: Vector, g: Scalar = G_STANDARD) -> Vector:
     square = scalar(up.dot(up))
     positive(square, "the length of the upward direction")
     # the root of a whole number is as exact as the force is
-    return up * -force / sqrt(whole(square, force))
+    return up * -force / sqrt(integer_like(square, force))
 
 
 def mass_from_weight(weight: Scalar, g: Scalar = G_STANDARD) -> Scalar:
@@ -95,7 +95,7 @@ def mass_from_weight(weight: Scalar, g: Scalar = G_STANDARD) -> Scalar:
     >>> mass_from_weight(64.4, g=32.2)
     2.0
     """
-    return plain(scalar(weight) / g)
+    return to_plain(scalar(weight) / g)
 
 
 def gravitational_field(

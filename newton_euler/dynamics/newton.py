@@ -24,9 +24,9 @@ from ..algebra.scalars import (
     is_finite,
     is_numeric,
     is_positive,
-    least,
-    plain,
+    min_abs,
     scalar,
+    to_plain,
 )
 from ..algebra.vectors import FrameError, Vector, named_sum
 from ..bodies.admissibility import MassError
@@ -39,7 +39,7 @@ FORCES = {f"{system}force" for system in ("", "intrinsic ", "polar ", "cylindric
 
 def _mass(m):
     if not is_positive(m) or not is_finite(m):
-        raise MassError(f"the mass must be positive and finite, got m = {plain(m)!r}")
+        raise MassError(f"the mass must be positive and finite, got m = {to_plain(m)!r}")
     return scalar(m)
 
 
@@ -98,7 +98,7 @@ def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) ->
     (0.0, 92.16)
     """
     m = _mass(m)
-    return plain(m * speed_rate), plain(m * speed * speed * flexure)
+    return to_plain(m * speed_rate), to_plain(m * speed * speed * flexure)
 
 
 # -- the forces are given
@@ -133,9 +133,9 @@ def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple:
     (1.5, 1.0)
     """
     m = _mass(m)
-    if is_numeric(speed) and least(speed) == 0:
+    if is_numeric(speed) and min_abs(speed) == 0:
         raise SingularError("at rest the velocity has no direction; use rectangular components")
-    return plain(F_t / m), plain(F_n / (m * speed))
+    return to_plain(F_t / m), to_plain(F_n / (m * speed))
 
 
 def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | Sequence) -> tuple:
@@ -165,13 +165,13 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     # the acceleration is linear in the second rates, with the scale factors h: what is missing in
     # that with the second rates of P, over h, is missing in them
     missing = (total - P.acceleration(P.ground)).expressed_in(P.local).c
-    if any(is_numeric(h) and least(h) == 0 for h in P.scale_factors):
+    if any(is_numeric(h) and min_abs(h) == 0 for h in P.scale_factors):
         raise SingularError(
             f"{P.name} is where one of its coordinates moves nothing: its scale factors are "
             f"{P.scale_factors}; turn the axes, or use rectangular components"
         )
     changes = zip(P.coordinates, missing, P.scale_factors, strict=False)  # two in the plane
-    return tuple(plain(q.acceleration + a / h) for q, a, h in changes)
+    return tuple(to_plain(q.acceleration + a / h) for q, a, h in changes)
 
 
 def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector) -> Vector:

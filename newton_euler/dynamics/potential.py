@@ -20,11 +20,11 @@ from ..algebra.scalars import (
     ScalarError,
     is_finite,
     is_numeric,
-    plain,
+    max_abs,
     probe,
     scalar,
     short,
-    size,
+    to_plain,
 )
 from ..algebra.vectors import Vector
 from ..bodies.admissibility import positive
@@ -55,7 +55,7 @@ def weight_potential(m: Scalar, height: Scalar, g: Scalar = G_STANDARD) -> Scala
     >>> weight_potential(2.0, 3.0)
     58.86
     """
-    return plain(scalar(m) * g * height)
+    return to_plain(scalar(m) * g * height)
 
 
 def spring_potential(stiffness: Scalar, stretch: Scalar) -> Scalar:
@@ -65,7 +65,7 @@ def spring_potential(stiffness: Scalar, stretch: Scalar) -> Scalar:
     >>> spring_potential(200.0, -0.1)
     1.0
     """
-    return plain(scalar(stiffness) * stretch * stretch / 2)
+    return to_plain(scalar(stiffness) * stretch * stretch / 2)
 
 
 def spring_between(stiffness: Scalar, free_length: Scalar, first: Any, second: Any) -> Scalar:
@@ -97,7 +97,7 @@ def gravitational_potential(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar 
     """
     r = distance.value if isinstance(distance, Moving) else scalar(distance)
     positive(r, "the distance of the two bodies")
-    return plain(-(scalar(K) * m1 * m2) / distance)
+    return to_plain(-(scalar(K) * m1 * m2) / distance)
 
 
 def conservative_force(V: Callable, P: Point) -> Vector:
@@ -128,7 +128,7 @@ def jacobian(force: Callable, place: Sequence) -> tuple:
     ((3.0, 1.0, 0), (0, 0, 0), (0, 0, 2))
     """
     columns = tangents(_checked(force), tuple(map(scalar, place)))
-    return tuple(tuple(map(plain, row)) for row in zip(*columns, strict=True))
+    return tuple(tuple(map(to_plain, row)) for row in zip(*columns, strict=True))
 
 
 def curl(force: Callable, place: Sequence) -> tuple:
@@ -142,14 +142,14 @@ def curl(force: Callable, place: Sequence) -> tuple:
 
 
 def _antisymmetric(J):
-    return tuple(plain(scalar(J[n][m]) - J[m][n]) for n, m in ((2, 1), (0, 2), (1, 0)))
+    return tuple(to_plain(scalar(J[n][m]) - J[m][n]) for n, m in ((2, 1), (0, 2), (1, 0)))
 
 
 def _checked(force):
     """The same force field; raises :class:`WorkError` where it does not exist."""
 
     def at(*place):
-        where = tuple(plain(x.value if isinstance(x, Moving) else x) for x in place)
+        where = tuple(to_plain(x.value if isinstance(x, Moving) else x) for x in place)
         try:
             F = tuple(scalar(f) for f in force(*place))
         except (ArithmeticError, ValueError, ScalarError) as problem:
@@ -204,7 +204,7 @@ class Potential:
             return _dot(force(*(a + s * d for a, d in zip(self.base, line, strict=True))), line)
 
         # zero in the kind of the coordinates: an mpf keeps its digits
-        start = 0 if exact else plain(0 * sum(map(plain, target)))
+        start = 0 if exact else to_plain(0 * sum(map(to_plain, target)))
         return -quadrature(along, start, start + 1, self.rtol, exact)[0]
 
 
@@ -263,24 +263,25 @@ def _magnitude(x):
     value = probe(scalar(x))
     if value is None:
         raise WorkError(
-            f"the derivative {plain(x)!r} of the force cannot be compared with zero; put numbers "
+            f"the derivative {to_plain(x)!r} of the force cannot be compared with zero; "
+            "put numbers "
             "or SymPy symbols in"
         )
-    return size(value)
+    return max_abs(value)
 
 
 def _check_loop(force, loop, n, tolerance):
-    places = [tuple(plain(scalar(x)) for x in loop(k / 24)) for k in range(25)]
+    places = [tuple(to_plain(scalar(x)) for x in loop(k / 24)) for k in range(25)]
     first, last = places[0], places[-1]
     # 24 chords, for the scale of the length and of the force; the work itself is by quadrature
-    gap = max(size(scalar(a) - b) for a, b in zip(first, last, strict=True))
-    if gap > 1e-9 * max(size(scalar(x)) for p in places for x in p):
+    gap = max(max_abs(scalar(a) - b) for a, b in zip(first, last, strict=True))
+    if gap > 1e-9 * max(max_abs(scalar(x)) for p in places for x in p):
         raise WorkError(f"loop {n} is not closed: it leads from {first} to {last}")
     strength = max(_magnitude(f) for p in places for f in force(*p))
     steps = (zip(p, q, strict=True) for p, q in pairwise(places))
     length = sum(norm3(tuple(b - a for a, b in step)) for step in steps)
     U = work_along(lambda *place: tuple(map(probe, force(*place))), loop, 0.0, 1.0)
-    if size(scalar(U.value)) > max(tolerance * length * strength, 10 * U.error):
+    if max_abs(scalar(U.value)) > max(tolerance * length * strength, 10 * U.error):
         raise NoPotential(
             f"there is no potential: round loop {n} the force does the work {short(U.value)}, "
             "though its curl is zero; V would grow by this with every turn",

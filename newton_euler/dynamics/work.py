@@ -18,7 +18,7 @@ from collections.abc import Callable, Sequence
 
 from ..algebra.ledger import Amount, summed
 from ..algebra.quadrature import quadrature
-from ..algebra.scalars import ZERO, Scalar, plain, scalar
+from ..algebra.scalars import ZERO, Scalar, scalar, to_plain
 from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point
 from ..kinematics.paths import along
@@ -83,7 +83,7 @@ def work_along(
     def component(n):
         def f(q):
             place = along(path, q)
-            return scalar(force(*(plain(x.value) for x in place))[n]) * place[n].rate
+            return scalar(force(*(to_plain(x.value) for x in place))[n]) * place[n].rate
 
         return f
 
@@ -166,7 +166,7 @@ def power(
     if isinstance(force, Vector) and isinstance(velocity, Vector):
         return force.dot(velocity)
     if isinstance(force, (tuple, list)) and isinstance(velocity, (tuple, list)):
-        return plain(
+        return to_plain(
             sum((scalar(a) * scalar(b) for a, b in zip(force, velocity, strict=True)), ZERO)
         )
     raise FrameError(

@@ -25,12 +25,12 @@ from ..algebra.scalars import (
     atan2,
     cos,
     epsilon,
-    least,
-    plain,
+    max_abs,
+    min_abs,
     scalar,
     sin,
-    size,
     sqrt,
+    to_plain,
 )
 from ..algebra.vectors import Vector
 from .frames import Frame, Point
@@ -132,7 +132,7 @@ def polar(ground: Frame, name: str, r: Scalar, theta: Scalar) -> CoordinatePoint
     """
     local = cylindrical_frame(ground, theta, f"polar axes of {name}")
     r = moving(r)
-    factors = 1, plain(r.value)
+    factors = 1, to_plain(r.value)
     return _point("polar", name, ground, local, (r, ZERO, ZERO), (r, local.angle), factors)
 
 
@@ -151,7 +151,7 @@ def cylindrical(ground: Frame, name: str, r: Scalar, theta: Scalar, z: Scalar) -
     """
     local = cylindrical_frame(ground, theta, f"cylindrical axes of {name}")
     r, z = moving(r), moving(z)
-    q, factors = (r, local.angle, z), (1, plain(r.value), 1)
+    q, factors = (r, local.angle, z), (1, to_plain(r.value), 1)
     return _point("cylindrical", name, ground, local, (r, ZERO, z), q, factors)
 
 
@@ -174,7 +174,7 @@ def spherical(ground: Frame, name: str, R: Scalar, theta: Scalar, phi: Scalar) -
     """
     local = spherical_frame(ground, theta, phi, f"spherical axes of {name}")
     R, theta, phi = moving(R), local.parent.angle, moving(phi)
-    factors = 1, plain(R.value * cos(phi.value)), plain(R.value)
+    factors = 1, to_plain(R.value * cos(phi.value)), to_plain(R.value)
     x, q = (R, ZERO, ZERO), (R, theta, phi)
     return _point("spherical", name, ground, local, x, q, factors)
 
@@ -253,7 +253,7 @@ def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = Non
     """
     for vector in (r, v, a):
         c = (0,) * 3 if vector is None else vector.components(r.frame)
-        if numeric3(c) and size(c[2]) > 0:
+        if numeric3(c) and max_abs(c[2]) > 0:
             raise SingularError(
                 f"polar components are for motion in the x, y plane, but {vector} has a third "
                 "one; use cylindrical_coordinates"
@@ -309,7 +309,7 @@ def _off_the_axis(r, where):
     level = sqrt(x * x + y * y)
     if numeric3(r.c) and below_roundoff(scalar(level), 4 * epsilon(level) * norm3(r.c)):
         raise SingularError(
-            f"the point is {where} (distance {least(level):.3g}); describe it in "
+            f"the point is {where} (distance {min_abs(level):.3g}); describe it in "
             "rectangular components, or turn the axes so that it is elsewhere"
         )
     return level
@@ -324,7 +324,7 @@ def with_rates(make, q, frame, v, a):
     scratch = Frame("axes")
     v, a = (None if u is None else Vector(u.expressed_in(frame).c, scratch) for u in (v, a))
     if v is None:
-        return tuple(map(plain, q))
+        return tuple(map(to_plain, q))
     here = make(scratch, "P", *map(Moving, q))
     rates = [d / h for d, h in zip(v.expressed_in(here.local).c, here.scale_factors, strict=True)]
     if a is None:

@@ -11,7 +11,15 @@ from collections.abc import Callable, Sequence
 from itertools import combinations_with_replacement
 
 from ..algebra.jets import Moving, as_moving, at, moving
-from ..algebra.scalars import ZERO, Scalar, SingularError, is_numeric, plain, scalar, whole
+from ..algebra.scalars import (
+    ZERO,
+    Scalar,
+    SingularError,
+    integer_like,
+    is_numeric,
+    scalar,
+    to_plain,
+)
 from ..algebra.vectors import Vector, cross3, dot3, scale3
 from .coordinates import CoordinatePoint, with_rates
 from .frames import Frame, Point
@@ -71,7 +79,7 @@ def curvilinear(
         ground,
         local,
         q,
-        tuple(map(plain, factors)),
+        tuple(map(to_plain, factors)),
         "curvilinear",
         terms,
     )
@@ -87,7 +95,7 @@ def tangents(position: Callable, q: Sequence[Scalar]) -> tuple:
 def _seeded(q, n):
     """The coordinates as moving numbers, of which the n-th has the rate 1."""
     # a 1 of the kind of the coordinate, so that 1/3 is as exact
-    one = whole(1, q[n].value if isinstance(q[n], Moving) else q[n])
+    one = integer_like(1, q[n].value if isinstance(q[n], Moving) else q[n])
     return tuple(Moving(x, one if m == n else ZERO) for m, x in enumerate(q))
 
 
@@ -115,7 +123,7 @@ def _check_axes(axes):
         if below_roundoff(1e-8, abs(cosine)):  # 1e-8: the root of the round-off of doubles
             raise SingularError(
                 f"the coordinates are not orthogonal here: e_{n + 1} . e_{m + 1} = "
-                f"{plain(cosine)}, expected 0; this method needs orthogonal ones"
+                f"{to_plain(cosine)}, expected 0; this method needs orthogonal ones"
             )
     if below_roundoff(dot3(axes[0], cross3(axes[1], axes[2])), ZERO):
         raise SingularError(

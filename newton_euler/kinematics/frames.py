@@ -19,14 +19,14 @@ from ..algebra.scalars import (
     Scalar,
     ScalarError,
     cos,
+    integer_like,
     is_finite,
     is_numeric,
-    least,
-    plain,
+    min_abs,
     scalar,
     sin,
     sqrt,
-    whole,
+    to_plain,
     without_rates,
 )
 from ..algebra.vectors import (
@@ -168,7 +168,7 @@ class Frame:
         # else the root of a whole number has 16 digits, however many the angle has
         parts = (angle.value, angle.rate, angle.acceleration)
         exact = next((v for v in parts if v is not ZERO), ZERO)
-        axis = tuple(whole(v, exact) for v in axis)
+        axis = tuple(integer_like(v, exact) for v in axis)
         return divided_by_length(axis, sqrt(dot3(axis, axis)), FrameError)
 
     def _place(self, origin):
@@ -246,7 +246,7 @@ class Frame:
         The book's A (4.1) of direction cosines is its transpose.
         """
         axes = (1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1)
-        columns = [map(plain, self.transform(axis, observer)) for axis in axes]
+        columns = [map(to_plain, self.transform(axis, observer)) for axis in axes]
         return tuple(zip(*columns, strict=True))
 
     # -- angular velocity and acceleration
@@ -360,7 +360,7 @@ class Point:
         self._c = _triple(v.value for v in x)
 
     def __repr__(self):
-        x = ", ".join(repr(plain(v)) for v in self.x)
+        x = ", ".join(repr(to_plain(v)) for v in self.x)
         return f"Point({self.name} at ({x}) in {self.frame.name})"
 
     def position(self, frame: Frame) -> Vector:
@@ -580,14 +580,14 @@ def axes_at(point: Point) -> Frame:
 
 def vanishes(x: Scalar, small: float = 0) -> bool:
     """Whether a number is at most ``small`` in size at any instant; False for expressions."""
-    return is_numeric(x) and least(without_rates(x)) <= small
+    return is_numeric(x) and min_abs(without_rates(x)) <= small
 
 
 def divided_by_length(axis, length, error):
     """The unit vector of an axis of known length; an error if that is zero at any instant."""
     if vanishes(length) or not is_finite(length):
         raise error(
-            f"the axis {tuple(map(plain, axis))} has no direction: its length is "
-            f"{plain(length)}; give a vector that is not zero"
+            f"the axis {tuple(map(to_plain, axis))} has no direction: its length is "
+            f"{to_plain(length)}; give a vector that is not zero"
         )
     return tuple(x / length for x in axis)

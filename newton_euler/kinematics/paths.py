@@ -22,11 +22,11 @@ from ..algebra.scalars import (
     Scalar,
     SingularError,
     epsilon,
+    integer_like,
     is_numeric,
     is_zero,
-    plain,
     scalar,
-    whole,
+    to_plain,
 )
 from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3, sum3
 from .frames import Frame
@@ -54,7 +54,7 @@ def derivatives(path: Callable, q: Scalar) -> tuple:
     """The position on the path and its first, second and third derivative by the parameter, each a
     triple; ``q`` is a plain number.
     """
-    one = whole(1, q)  # a plain 1 divided by 3 would have 16 digits, however many q has
+    one = integer_like(1, q)  # a plain 1 divided by 3 would have 16 digits, however many q has
     orders = []
     # a jet of jets: the rate of the second rate is the third derivative
     for x in map(as_moving, _three(path(Moving(Moving(scalar(q), one), one)))):
@@ -93,7 +93,7 @@ def _noise(path, q):
 
 def _running(q):
     q = moving(q)
-    return Moving(q.value, whole(1, q.value)) if q.rests() else q
+    return Moving(q.value, integer_like(1, q.value)) if q.rests() else q
 
 
 def _three(c):
@@ -144,7 +144,7 @@ class Frenet:
                 "the torsion needs the rate of the acceleration: pass jerk= to frenet, or the "
                 "path itself to frenet_along"
             )
-        return plain(self._torsion)
+        return to_plain(self._torsion)
 
     @property
     def velocity(self) -> Vector:
@@ -257,7 +257,7 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
     tau = None if jerk is None else -dot3(turn, jerk) / (area * area)
     turning = None if tau is None else (lambda: ((-tau * speed, ZERO, f * speed), None))
     triad = Triad(f"e_t, e_n, e_b of {name}", ground, (e_t, cross3(e_b, e_t), e_b), turning)
-    return Frenet(triad, speed, plain(dot3(v, a) / speed), plain(f), tau)
+    return Frenet(triad, speed, to_plain(dot3(v, a) / speed), to_plain(f), tau)
 
 
 def _check_speed(v, speed, noise):

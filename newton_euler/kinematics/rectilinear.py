@@ -8,7 +8,7 @@ twice, to the accuracy of the numbers given (floats, arrays, mpf). Formulas are 
 from collections.abc import Callable
 
 from ..algebra.quadrature import integral
-from ..algebra.scalars import Scalar, SingularError, anywhere, scalar, size, sqrt, where
+from ..algebra.scalars import Scalar, SingularError, anywhere, max_abs, scalar, sqrt, where
 
 
 def from_time(a: Callable, t: Scalar, x0: Scalar = 0.0, v0: Scalar = 0.0) -> tuple[Scalar, Scalar]:
@@ -36,7 +36,7 @@ def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = 0.0) -> tuple[Sc
     """
     ahead = where(v >= v0, 1, -1)
     for n in range(65):  # a sample: a change of sign within less than 1/64 of the way is not seen
-        if anywhere(a(v0 + (v - v0) * n / 64) * ahead <= 0) and size(v - v0) > 0:
+        if anywhere(a(v0 + (v - v0) * n / 64) * ahead <= 0) and max_abs(v - v0) > 0:
             raise SingularError(
                 f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes or "
                 "points the other way in between"

@@ -29,11 +29,11 @@ from ..algebra.scalars import (
     cos,
     epsilon,
     is_finite,
-    plain,
+    max_abs,
     scalar,
     sin,
-    size,
     sqrt,
+    to_plain,
     where,
     without_rates,
 )
@@ -57,7 +57,7 @@ class RotationError(NewtonEulerError, ValueError):
 
 
 def _rows(R):
-    return tuple(tuple(plain(x) for x in row) for row in R)
+    return tuple(tuple(to_plain(x) for x in row) for row in R)
 
 
 def transpose(R: Matrix) -> tuple:
@@ -91,7 +91,7 @@ def apply(R: Matrix, v: Triple) -> tuple:
     (-2.0, 1.0, 3.0)
     """
     v = _three(v, "a vector")
-    return tuple(plain(dot3(row, v)) for row in R)
+    return tuple(to_plain(dot3(row, v)) for row in R)
 
 
 def determinant(R: Matrix) -> Scalar:
@@ -100,7 +100,7 @@ def determinant(R: Matrix) -> Scalar:
     >>> determinant(((0, -1, 0), (1, 0, 0), (0, 0, 1)))
     1
     """
-    return plain(dot3(R[0], cross3(R[1], R[2])))
+    return to_plain(dot3(R[0], cross3(R[1], R[2])))
 
 
 def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
@@ -232,8 +232,8 @@ def checked_rotation(R: Matrix, tolerance: float = 1e-9) -> tuple:
     R = tuple(tuple(without_rates(x) for x in row) for row in R)
     gram = product(transpose(R), R)
     try:
-        errors = [size(gram[n][m] - int(n == m)) for n in range(3) for m in range(3)]
-        mirrored = size(determinant(R) - 1)
+        errors = [max_abs(gram[n][m] - int(n == m)) for n in range(3) for m in range(3)]
+        mirrored = max_abs(determinant(R) - 1)
     except (TypeError, ValueError, RuntimeError) as problem:
         raise ScalarError(
             "to read axis, quaternion or angles from a matrix its entries must have values "
@@ -267,7 +267,7 @@ def quaternion(axis: Triple, angle: Scalar) -> tuple:
     (1.0, 0, 0, 0.0)
     """
     half = angle / 2
-    return (cos(half), *(plain(sin(half) * x) for x in _unit(axis, angle)))
+    return (cos(half), *(to_plain(sin(half) * x) for x in _unit(axis, angle)))
 
 
 def quaternion_product(p: Sequence[Scalar], q: Sequence[Scalar]) -> tuple:
@@ -297,7 +297,7 @@ def normalised(q: Sequence[Scalar]) -> tuple:
     """
     q = _four(q)
     length = sqrt(_norm2(q))
-    return tuple(plain(x / length) for x in q)
+    return tuple(to_plain(x / length) for x in q)
 
 
 def matrix_from_quaternion(q: Sequence[Scalar]) -> tuple:
@@ -355,7 +355,7 @@ def quaternion_rate(q: Sequence[Scalar], omega: Triple) -> tuple:
     (-0.3, 0, 0, 0.4)
     """
     rate = quaternion_product(q, (ZERO, *_three(omega, "an angular velocity")))
-    return tuple(plain(x / 2) for x in rate)
+    return tuple(to_plain(x / 2) for x in rate)
 
 
 def _four(q):
@@ -371,7 +371,7 @@ def _norm2(q):
     total = dot3(q, q) + q[3] * q[3]
     if vanishes(total) or not is_finite(total):
         raise RotationError(
-            f"{tuple(map(plain, q))} is the quaternion of no rotation: its length must be "
+            f"{tuple(map(to_plain, q))} is the quaternion of no rotation: its length must be "
             "finite and not zero, at every instant"
         )
     return total
@@ -458,9 +458,9 @@ def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Sc
     dpsi, dtheta, dphi = _three(rates, "(psi', theta', phi')")
     across = dpsi * sin(theta)
     return (
-        plain(dtheta * cos(phi) + across * sin(phi)),
-        plain(across * cos(phi) - dtheta * sin(phi)),
-        plain(dphi + dpsi * cos(theta)),
+        to_plain(dtheta * cos(phi) + across * sin(phi)),
+        to_plain(across * cos(phi) - dtheta * sin(phi)),
+        to_plain(dphi + dpsi * cos(theta)),
     )
 
 
@@ -479,12 +479,12 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
     s = sin(theta)
     if vanishes(s, 4 * epsilon(without_rates(s))):
         raise RotationError(
-            f"theta = {plain(theta)!r} rad: at theta = 0 and pi the axes of precession and "
+            f"theta = {to_plain(theta)!r} rad: at theta = 0 and pi the axes of precession and "
             "spin coincide and the rates of Euler's angles are not determined; use "
             "quaternion_rate, which is never singular, and compute the angles afterwards"
         )
     dpsi = (x * sin(phi) + y * cos(phi)) / s
-    return plain(dpsi), plain(x * cos(phi) - y * sin(phi)), plain(z - dpsi * cos(theta))
+    return to_plain(dpsi), to_plain(x * cos(phi) - y * sin(phi)), to_plain(z - dpsi * cos(theta))
 
 
 def unwound(

@@ -8,7 +8,7 @@ below measure whether a direction is determined, or only round-off.
 from collections.abc import Callable, Sequence
 
 from ..algebra.jets import Moving, as_moving
-from ..algebra.scalars import Scalar, anywhere, epsilon, is_numeric, plain, scalar, sqrt
+from ..algebra.scalars import Scalar, anywhere, epsilon, is_numeric, scalar, sqrt, to_plain
 from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3, sub3
 from .frames import Frame, Point
 
@@ -99,7 +99,7 @@ def numeric3(c: Sequence[Scalar]) -> bool:
 
 def below_roundoff(value: Scalar, noise: Scalar) -> bool:
     """Whether ``value`` >= 0 is at most ``noise`` >= 0, its round-off (arrays: at any instant)."""
-    return anywhere(plain(value) <= plain(noise))
+    return anywhere(to_plain(value) <= to_plain(noise))
 
 
 def roundoff_sensitivity(f: Callable, q: Sequence[Scalar]) -> list:

@@ -21,9 +21,9 @@ from ..algebra.scalars import (
     ScalarError,
     is_comparable,
     is_zero,
-    plain,
     promote,
     scalar,
+    to_plain,
 )
 
 # a state: its values in the order of the states, or by name
@@ -223,7 +223,9 @@ class Model:
     def _value(self, f, state, t):
         """``f(s, p, t)`` at a state, a tuple for several scalars."""
         result = self._call(f, self._state(state), self.parameters, t)
-        return tuple(map(plain, result)) if isinstance(result, (tuple, list)) else plain(result)
+        return (
+            tuple(map(to_plain, result)) if isinstance(result, (tuple, list)) else to_plain(result)
+        )
 
     def _check_names(self):
         names = [*self.states, *self.parameters]

@@ -20,7 +20,7 @@ from functools import cache, cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from ..algebra.scalars import is_numeric, size
+from ..algebra.scalars import is_numeric, max_abs
 from ..motion.model import Model, ModelError
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ class Rung:
             raise ModelError(
                 f"the bounds of {self.name!r} have no values: give numbers for parameters, start, t"
             )
-        return float(sum(map(size, bounds))) if bounds else math.inf
+        return float(sum(map(max_abs, bounds))) if bounds else math.inf
 
 
 @cache

@@ -5,7 +5,7 @@ secret.
 import re
 
 from grader.assignment import problems_of
-from newton_euler.algebra.scalars import plain
+from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.vectors import Vector
 
 
@@ -16,7 +16,7 @@ def numbers_of_key(p, values):
         return (
             [y for part in x for y in flat(part)]
             if isinstance(x, (Vector, tuple, list))
-            else [plain(x)]
+            else [to_plain(x)]
         )
 
     return {

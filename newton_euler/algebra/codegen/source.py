@@ -9,7 +9,7 @@ import math
 import operator
 from itertools import takewhile
 
-from ..scalars import FUNCTIONS, _root, plain, where
+from ..scalars import FUNCTIONS, _root, to_plain, where
 from .trace import COMPARISONS, Step
 
 # names in the text that no argument can have
@@ -30,7 +30,7 @@ def generate(trace, names, outputs, lazy):
     def spelled(a):
         if isinstance(a, Step):
             return text[a.number]
-        a = a.item() if _root(type(a)) == "numpy" else plain(a)
+        a = a.item() if _root(type(a)) == "numpy" else to_plain(a)
         if type(a) in (int, float, bool) and abs(a) < math.inf:
             return f"({a!r})"
         name = f"{constant_letter}{len(constants)}"  # mpf, Fraction, inf, nan, symbols

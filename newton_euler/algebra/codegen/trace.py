@@ -5,7 +5,7 @@ A step has no value, so a formula that is traced cannot branch on one; it choose
 :func:`newton_euler.algebra.scalars.where`, which is a step too.
 """
 
-from ..scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, plain, scalar
+from ..scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, scalar, to_plain
 
 COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 NO_VALUE = (
@@ -15,7 +15,7 @@ NO_VALUE = (
 
 
 def _comparison(name):
-    return lambda self, other: self.trace.step(name, self, plain(other))
+    return lambda self, other: self.trace.step(name, self, to_plain(other))
 
 
 class Step(_Own):
@@ -112,7 +112,7 @@ class Step(_Own):
 
     def where(self, a, b):
         """The step of :func:`newton_euler.algebra.scalars.where` with this comparison."""
-        return a if a is b else self.trace.step("where", self, plain(a), plain(b))
+        return a if a is b else self.trace.step("where", self, to_plain(a), to_plain(b))
 
     def _no_value(self, *_):
         raise TypeError(NO_VALUE)

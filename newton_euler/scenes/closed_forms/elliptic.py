@@ -13,9 +13,9 @@ from ...algebra.scalars import (
     epsilon,
     exp,
     is_numeric,
+    max_abs,
     promote,
     sin,
-    size,
     sqrt,
     tanh,
     where,
@@ -61,7 +61,7 @@ def _landen(u, k1, count):
         levels.append((a, b))
         mean = (a + b) / 2
         if len(levels) == count or (
-            count is None and size((a - b) / a) <= sqrt(float(epsilon(a))) / 16
+            count is None and max_abs((a - b) / a) <= sqrt(float(epsilon(a))) / 16
         ):
             break
         a, b = mean, sqrt(a * b)

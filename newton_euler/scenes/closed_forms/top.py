@@ -6,7 +6,7 @@ that are products of the two others. A top that is pulled up is one that is pull
 below.
 """
 
-from ...algebra.scalars import cos, sin, sqrt, where, whole
+from ...algebra.scalars import cos, integer_like, sin, sqrt, where
 from ...applications.nutation import exchanged, turning_points
 from ...motion.model import comparable
 from .elliptic import counted, coupled
@@ -56,6 +56,6 @@ def _off(least, x, like):
     """
     root = sqrt(least + x * x)
     off = least > 0
-    return where(off, _signed(root, like), x) / sqrt(whole(2, root)), where(
+    return where(off, _signed(root, like), x) / sqrt(integer_like(2, root)), where(
         off, _signed(x, like) / where(off, root, 1), 1
     )

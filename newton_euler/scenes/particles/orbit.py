@@ -21,8 +21,8 @@ from ...algebra.scalars import (
     epsilon,
     is_finite,
     is_numeric,
+    max_abs,
     sin,
-    size,
     sqrt,
     where,
 )
@@ -109,7 +109,7 @@ def _exact(s, p, t):
     r0, along, swept = sqrt(x * x + y * y), x * v_x + y * v_y, x * v_y - y * v_x
     beta = _beta(x, y, v_x, v_y, mu, r0)
     closed = beta * abs(swept) > 0
-    if is_numeric(beta) and size(where(closed, 0, 1)):
+    if is_numeric(beta) and max_abs(where(closed, 0, 1)):
         raise ModelError(
             "the orbit is no ellipse (its energy is not below 0); parabolas and hyperbolas have no "
             "closed form here, integrate them"
@@ -140,12 +140,12 @@ def _check(x, y, v_x, v_y, mu, t):
     state = x, y, v_x, v_y
     if not all(map(is_numeric, (*state, mu, t))):
         return  # it is being traced
-    if not all(map(is_finite, (*state, mu, t))) or size(where(mu <= 0, 1, 0)):
+    if not all(map(is_finite, (*state, mu, t))) or max_abs(where(mu <= 0, 1, 0)):
         raise ModelError(
             f"an orbit needs finite numbers and a positive mu, got mu = {mu}, {state}, t = {t}"
         )
     one, two = x * v_y, y * v_x
-    if size(where(abs(one - two) <= 4 * epsilon(one - two) * (abs(one) + abs(two)), 1, 0)):
+    if max_abs(where(abs(one - two) <= 4 * epsilon(one - two) * (abs(one) + abs(two)), 1, 0)):
         raise ModelError(
             "the orbit is a straight line through the centre: its angular momentum is 0"
         )

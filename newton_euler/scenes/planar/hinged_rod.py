@@ -13,7 +13,7 @@ that is let go.
 from dataclasses import replace
 from math import copysign
 
-from ...algebra.scalars import acos, cos, is_numeric, plain, sin, size, sqrt
+from ...algebra.scalars import acos, cos, is_numeric, max_abs, sin, sqrt, to_plain
 from ...applications.gyroscopes import GyroError
 from ...motion.model import Model, ModelError, Neglected
 from ..catalogue import scene
@@ -59,10 +59,10 @@ def swing_out(weight_moment, inertia_difference, omega, **_):
     1.092977
     """
     c = weight_moment / (inertia_difference * (omega * omega))
-    if is_numeric(c) and size(c) > 1:
+    if is_numeric(c) and max_abs(c) > 1:
         raise GyroError(
-            f"at {plain(omega)} rad/s the body hangs straight down; it swings out above "
-            f"{plain(least_rate(weight_moment, inertia_difference))} rad/s"
+            f"at {to_plain(omega)} rad/s the body hangs straight down; it swings out above "
+            f"{to_plain(least_rate(weight_moment, inertia_difference))} rad/s"
         )
     return acos(c)
 

@@ -10,7 +10,7 @@ against the air. The block costs as much to compute as the sphere, but needs no 
 
 from dataclasses import replace
 
-from ...algebra.scalars import radians, sin, whole
+from ...algebra.scalars import integer_like, radians, sin
 from ...motion.model import Model, ModelError, Neglected
 from ..catalogue import scene
 from ..closed_forms.harmonic import constant_rate, integrated_square
@@ -96,7 +96,7 @@ def inertia_ratio(like, k):
     """``k``, or if it is None that of a solid sphere, 2/5, exactly in the kind of number of
     ``like``.
     """
-    return whole(2, like) / 5 if k is None else k
+    return integer_like(2, like) / 5 if k is None else k
 
 
 def _sliding(p):

@@ -14,7 +14,7 @@ ellipse (a circle for the symmetric body), or run away where z is the axis of th
 moment.
 """
 
-from ...algebra.scalars import is_finite, is_numeric, size, sqrt, where
+from ...algebra.scalars import is_finite, is_numeric, max_abs, sqrt, where
 from ...algebra.vectors import dot3
 from ...motion.model import Model, ModelError, Neglected, comparable
 from ..catalogue import scene
@@ -109,7 +109,7 @@ def _check(moments, w, t):
             f"the free body cannot start with {w} at moments {moments} and go to t = {t}: all "
             "must be finite"
         )
-    if any(is_numeric(I) and size(where(I > 0, 0, 1)) for I in moments):
+    if any(is_numeric(I) and max_abs(where(I > 0, 0, 1)) for I in moments):
         raise ModelError(
             f"the principal moments of the exact solution are three positive numbers, got {moments}"
         )
