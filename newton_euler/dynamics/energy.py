@@ -247,8 +247,9 @@ class Audit:
         """True if the residual is within ``rtol`` of the largest energy of the motion, and ten
         times the estimated error of the integrals.
         """
-        # ten times: the estimates of quadrature can be too small
-        return _magnitude(self.residual) <= rtol * self.largest + 10 * self.error
+        # ten times: the estimates of quadrature can be too small; products of numbers below 1e-300
+        # underflow and have few digits or none
+        return _magnitude(self.residual) <= rtol * self.largest + 10 * self.error + 1e-300
 
     def __str__(self):
         rows = {
