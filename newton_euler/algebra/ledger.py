@@ -5,10 +5,8 @@ the number of its equation, and ``without("coriolis")`` is the sum of a model wi
 """
 
 import operator
-import tomllib
 from dataclasses import dataclass, field
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from .errors import NewtonEulerError
@@ -46,6 +44,9 @@ def equation(kind: str) -> Equation:
     >>> equation("acceleration").number, equation("acceleration").terms["coriolis"][0]
     ('4.18', '2 omega x v_r')
     """
+    import tomllib  # here, since few programs explain a sum
+    from pathlib import Path
+
     with Path(__file__).with_name("equations.toml").open("rb") as file:
         found = tomllib.load(file)[kind]
     terms = {name: tuple(texts) for name, texts in found.get("terms", {}).items()}

@@ -18,8 +18,6 @@ is the angular momentum.
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-import numpy as np
-
 from ..algebra.jets import Moving
 from ..algebra.ledger import NamedTerms, latex_number
 from ..algebra.scalars import (
@@ -105,8 +103,11 @@ class Inertia(Scaled, NamedTerms):
     def __iter__(self) -> Iterator:
         return iter(self.matrix)
 
-    def to_array(self) -> np.ndarray:
+    def to_array(self) -> Any:
         """The matrix as a NumPy array of shape (3, 3); (3, 3, N) if its entries are arrays of N."""
+
+        import numpy as np
+
         entries = np.broadcast_arrays(
             *(np.asarray(x, dtype=float) for row in self.matrix for x in row)
         )

@@ -12,8 +12,6 @@ not reach the required accuracy; with ``exact=True`` SymPy finds the formulas.
 from collections.abc import Callable
 from itertools import product
 
-import numpy as np
-
 from ..algebra.jets import Moving, as_moving
 from ..algebra.quadrature import cubature
 from ..algebra.scalars import ZERO, Scalar, is_numeric, is_positive, max_abs, scalar, sqrt, to_plain
@@ -133,6 +131,8 @@ def _spanned(tangents):
 
 
 def _numeric(position, limits, weigh, rtol, name):
+    import numpy as np
+
     if any(not is_numeric(x) for pair in limits for x in pair if not callable(x)):
         raise MassError(
             f"the limits of {name} hold symbols: pass exact=True to integrate by formulas, or "
@@ -170,6 +170,9 @@ def _parameters(limits, unit):
 
 def _moments(position, limits, weigh, reference, unit):
     """Content, mass, three first and six second moments about the reference, per unit of t."""
+
+    import numpy as np
+
     parameters, step = _parameters(limits, list(unit))
     place, tangents = _tangents(position, parameters)
     spanned = _spanned(tangents)
@@ -184,6 +187,9 @@ def _moments(position, limits, weigh, reference, unit):
 
 def _scales(sample, name):
     """Rough content, mass, mass times length and mass times length squared, for relative errors."""
+
+    import numpy as np
+
     if not np.isfinite(sample).all():
         raise MassError(
             f"the formula of {name} has no finite value at some of its points; look at the "

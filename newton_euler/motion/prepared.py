@@ -188,8 +188,8 @@ def start_state(model, start):
 
 
 def _parameter(model, name, x):
-    if type(x) is float and -math.inf < x < math.inf:
-        return x
+    if (type(x) is float and -math.inf < x < math.inf) or getattr(x, "shape", ()):
+        return x  # before the messages are written: the text of an array takes milliseconds
     what = f"the parameter {name} of {model.name!r}"
     return _finite(
         x, f"{what} is", f"{what} has no number: {x!r}; put one in with changed({name}=...)"

@@ -10,7 +10,6 @@
 
 from functools import cache
 from importlib import import_module
-from pkgutil import walk_packages
 
 from ..motion.model import ModelError
 from . import catalogue
@@ -20,6 +19,8 @@ from .ladders import Ladder, Rung, smallest
 @cache
 def _table(name):
     """One of the tables, in the order of the book; importing all modules of scenes takes 30 ms."""
+    from pkgutil import walk_packages
+
     for module in walk_packages(__path__, f"{__name__}."):
         import_module(module.name)
     entries = getattr(catalogue, name).values()
