@@ -7,7 +7,6 @@ below.
 """
 
 from ...algebra.scalars import cos, integer_like, sin, sqrt, where
-from ...applications.nutation import exchanged, turning_points
 from ...motion.model import comparable
 from .elliptic import counted, coupled
 
@@ -16,6 +15,9 @@ def nutation_exact(s, p, t):
     """theta and its rate at the time t after the state ``s`` of
     :func:`newton_euler.scenes.spatial.top.nutation`, whose parameters are ``p``.
     """
+    # here: only the exact solution needs this room, which takes 30 ms to load
+    from ...applications.nutation import exchanged
+
     given = s.theta, s.theta_rate, p.I0, p.I, p.mgr, p.omega_z, p.momentum_difference, t
     theta, rate, I0, I, mgr, omega_z, q, t = comparable("top", *given)
     whole, below, start = 2 * (I * omega_z) + q, mgr < 0, (cos(theta / 2), sin(theta / 2))
@@ -30,6 +32,8 @@ def _nutation(S, C, rate, I0, mgr, q, whole, t):
     """sin(theta/2), cos(theta/2), theta' and the mean phase of turning (0 unless it turns over) at
     t, from those of the start; mgr >= 0.
     """
+    from ...applications.nutation import turning_points
+
     v = 2 * (S * S)
     rest, sum_ = (
         q * C / (2 * where(abs(q) > 0, S, 1)),
