@@ -121,3 +121,17 @@ def kepler(mp, gm, place, velocity, t):
     now = a * (1 - d * c + s * k)
     f_rate, g_rate = -mp.sqrt(gm * a) / (now * r) * k, 1 - a / now * (1 - c)
     return x * f + u * g, y * f + v * g, x * f_rate + u * g_rate, y * f_rate + v * g_rate
+
+
+def crossings_of_a_spring(T):
+    """The function (mp, s, p) of the times up to T at which a spring let go at ``s.x`` is at
+    ``p.line``.
+    """
+
+    def times(mp, s, p):
+        n, a = mp.sqrt(p.k), mp.acos(p.line / s.x)
+        turns = range(int(mp.mpf(T) * n / (2 * mp.pi)) + 2)
+        both = ((2 * mp.pi * k + sign * a) / n for k in turns for sign in (1, -1))
+        return sorted(t for t in both if 0 < t <= T)
+
+    return times

@@ -108,23 +108,13 @@ def zeros_of_a_spring_by_its_closed_form(rng):
     model, exact, w = _spring(rng)
     T = 2 * math.pi / w * decades(rng, 5.0, 2e3)
 
-    def times(mp, s, p):
-        n, a = mp.sqrt(p.k), mp.acos(p.line / s.x)
-        turns = range(int(mp.mpf(T) * n / (2 * mp.pi)) + 2)
-        return sorted(
-            t
-            for k in turns
-            for t in ((2 * mp.pi * k + a) / n, (2 * mp.pi * (k + 1) - a) / n)
-            if t <= T
-        )
-
     return Case(
         model,
         T,
         (1.0, 0.0),
         exact=exact,
         events=(Event(lambda s, p, t: s.x - p.line),),
-        event_times=times,
+        event_times=closed_forms.crossings_of_a_spring(T),
     )
 
 

@@ -23,23 +23,13 @@ def zeros_of_a_spring(rng):
     def exact(mp, s, p, t):
         return closed_forms.oscillator(mp, mp.sqrt(p.k), s.x, s.dx, t)
 
-    def times(mp, s, p):
-        n, a = mp.sqrt(p.k), mp.acos(p.line / s.x)
-        turns = range(int(mp.mpf(T) * n / (2 * mp.pi)) + 2)
-        return sorted(
-            t
-            for k in turns
-            for t in ((2 * mp.pi * k + a) / n, (2 * mp.pi * (k + 1) - a) / n)
-            if t <= T
-        )
-
     return Case(
         model,
         T,
         (1.0, 0.0),
         exact=exact,
         events=(Event(lambda s, p, t: s.x - p.line),),
-        event_times=times,
+        event_times=closed_forms.crossings_of_a_spring(T),
     )
 
 
