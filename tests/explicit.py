@@ -9,6 +9,8 @@ import functools
 
 import sympy
 
+from tests.kinds import numbers
+
 _MODULES = {"float": "numpy", "array": "numpy", "mpmath": "mpmath"}
 
 
@@ -69,3 +71,11 @@ def integrated(model, start, end):
         dense_output=True,
     )
     return lambda t: dict(zip(model.states, run.sol(t).tolist(), strict=True))
+
+
+def curve(kind):
+    """A plane curve with its first and second derivative written out by hand, and the instant."""
+    a, t = numbers(kind, "0.3", "0.7")
+    return (
+        lambda t: (t * t, a * t**3 + t, 0), lambda t: (2 * t, 3 * a * t**2 + 1, 0), lambda t: (2, 6 * a * t, 0), t,
+    )  # fmt: skip

@@ -47,6 +47,7 @@ from newton_euler import (
 )
 from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import along
+from tests.explicit import curve
 from tests.kinds import KINDS, close, first, number, numbers
 
 # what tests.kinds does to a number, instant by instant
@@ -1288,14 +1289,6 @@ ground = Frame("ground")
 
 def tolerance(kind):
     return 2e-14 if kind in ("float", "array") else mp.mpf(10) ** -26
-
-
-def curve(kind):
-    """A plane curve with its first and second derivative written out by hand, and the instant."""
-    a, t = numbers(kind, "0.3", "0.7")
-    return (
-        lambda t: (t * t, a * t**3 + t, 0), lambda t: (2 * t, 3 * a * t**2 + 1, 0), lambda t: (2, 6 * a * t, 0), t,
-    )  # fmt: skip
 
 
 @every_kind

@@ -36,6 +36,7 @@ from newton_euler.kinematics import (
     speed_rate,
 )
 from newton_euler.kinematics.paths import derivatives
+from tests.explicit import curve
 from tests.kinds import KINDS, close, numbers
 
 every_kind = pytest.mark.parametrize("kind", KINDS)
@@ -319,14 +320,6 @@ def test_a_curve_through_logarithms_and_roots():
 
 def tight(kind):
     return 2e-14 if kind in ("float", "array") else mp.mpf(10) ** -26
-
-
-def curve(kind):
-    """A plane curve with its first and second derivative written out by hand, and the instant."""
-    a, t = numbers(kind, "0.3", "0.7")
-    return (
-        lambda t: (t * t, a * t**3 + t, 0), lambda t: (2 * t, 3 * a * t**2 + 1, 0), lambda t: (2, 6 * a * t, 0), t,
-    )  # fmt: skip
 
 
 @every_kind
