@@ -4,12 +4,14 @@ from dataclasses import dataclass
 from time import perf_counter
 from types import MappingProxyType
 
+from .knots import knots
 from .methods.table import METHODS
-from .methods.taylor import ABSOLUTE_SCALE, integrator
+from .methods.taylor import MAX_PREPARED_STEPS, integrator, level_of
 from .model import ModelError
 from .prepared import PreparedModel, prepared_model
-from .run import Run, usable
-from .solution import Cost
+from .run import Run, predicted, usable
+from .solution import Cost, MotionError
+from .verified import NEAR_END, NEAR_START, SPARE
 
 MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch integrator
 
@@ -17,10 +19,7 @@ MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch
 @dataclass(frozen=True, eq=False)
 class Motions:
     """Many motions: ``times`` (samples), ``states`` by name as arrays (motions, times), ``method``,
-    ``error`` of each motion, ``cost``.
-
-    The error is None for exact solutions and for batches of heyoka, whose tolerance is far below
-    rtol.
+    the estimated ``error`` of each motion, ``cost``.
     """
 
     model: object
@@ -61,25 +60,33 @@ def integrate_batch(model, t0, t1, state, rtol, method, events, samples):
         times = np.linspace(t0, t1, samples)
     else:
         times = np.array((t0, t1) if samples is None else samples, dtype=float)
-    system, exact, taylor = PreparedModel(model), METHODS["exact"], METHODS["taylor"]
+    system, exact = PreparedModel(model), METHODS["exact"]
+
+    def one(n):
+        """The motion of this number by itself."""
+        values = {k: float(x[n]) for k, x in parameters.items()}
+        alone = prepared_model(model.changed(**values)) if values else prepared_model(model)
+        run = Run(alone, t0, t1, tuple(starts[:, n].tolist()), rtol, samples=times)
+        try:
+            return run.by_name(method)
+        except MotionError as error:
+            raise type(error)(f"motion {n + 1} of {len(starts.T)}: {error}", error.reached) from None
+
     if method in ("auto", "exact") and not exact.unusable_because(system, t0):
         used, errors, calls = exact, None, len(times)
         columns = model.changed(**{n: x[:, None] for n, x in parameters.items()})
         rows = PreparedModel(columns).function(model.exact)(times - t0, *starts[:, :, None])
         found = [np.broadcast_to(row, (starts.shape[1], len(times))) for row in rows]
-    elif method == "taylor" or (
-        method == "auto"
-        and starts.shape[1] >= MIN_HEYOKA_BATCH
-        and not taylor.unusable_because(system)
-    ):
-        used, errors = usable("taylor", system), None
-        found, calls = _taylor(system, starts, parameters, t0, times, rtol)
+    elif _by_series(system, method, starts.shape[1]):
+        used = usable("taylor", system)
+        found, errors, calls = _taylor(system, starts, parameters, t0, times, rtol)
+        # what is not as accurate as asked is done again one by one, with all care
+        for n in np.flatnonzero(~(errors <= rtol)).tolist():
+            motion = one(n)
+            found[:, n, :] = [motion.states[name] for name in model.states]
+            errors[n], calls = motion.error, calls + motion.cost.calls
     else:
-        motions = []
-        for n, start in enumerate(starts.T.tolist()):
-            one = prepared_model(model.changed(**{k: float(x[n]) for k, x in parameters.items()}))
-            run = Run(one, t0, t1, tuple(start), rtol, samples=times)
-            motions.append(run.by_name(method))
+        motions = [one(n) for n in range(starts.shape[1])]
         used, errors = motions[0].method, np.array([m.error for m in motions])
         found = [np.array([m.states[name] for m in motions]) for name in model.states]
         calls = sum(m.cost.calls for m in motions)
@@ -88,42 +95,111 @@ def integrate_batch(model, t0, t1, state, rtol, method, events, samples):
     return Motions(model, times, states, used, rtol, errors, cost)
 
 
+def _by_series(system, method, count):
+    """True if batches of heyoka are asked for, or are worth their compilation."""
+    if system.traced.branch_points:
+        return False
+    enough = method == "auto" and count >= MIN_HEYOKA_BATCH
+    return method == "taylor" or (enough and not METHODS["taylor"].unusable_because(system))
+
+
 def _taylor(system, starts, parameters, t0, times, rtol):
-    """The states (states, motions, times) and the number of calls, by batches as wide as the
-    processor's registers; the last batch is filled up with copies.
+    """The states (states, motions, times), the estimated errors, inf where heyoka stopped, and the
+    number of calls.
+
+    Motions are compared with coarser ones, but for those that begin and end close to one that was,
+    as :class:`~newton_euler.motion.verified.Verified` has it for one motion after the other.
     """
-    import heyoka
     import numpy as np
 
     if np.any(np.diff(times) <= 0) or times[0] < t0:
         raise ModelError(f"the samples of many motions must increase from t = {t0:g}")
-    width, count = heyoka.recommended_simd_size(), starts.shape[1]
-    tolerance = rtol / METHODS["taylor"].tolerance_ratio
-    # of the motion with the smallest states: heyoka's tolerance is absolute there (taylor._scale)
-    smallest = abs(starts).max(axis=0).min()
-    if 0 < smallest < ABSOLUTE_SCALE:
-        tolerance *= smallest
-    ta = integrator(system, tolerance, width)
+    method, count = METHODS["taylor"], starts.shape[1]
+    tolerance = level_of(rtol / method.tolerance_ratio)
+    other = level_of(method.other(tolerance))
     constants = system.traced.folded[1].on(np)(
         *(parameters.get(n, v) for n, v in zip(system.free, system.p, strict=True))
     )
-    p = np.array([np.broadcast_to(x, count) for x in constants], dtype=float)[: len(ta.pars)]
+    p = np.array([np.broadcast_to(x, count) for x in constants], dtype=float)
+    found, calls = _batches(system, tolerance, starts, p, t0, times)
+    ends, errors = found[:, :, -1], np.full(count, np.inf)
+    if knots(system, t0, float(times[-1])):
+        return found, errors, calls  # batches know no stops on the way
+
+    def compare(members):
+        compared, more = _batches(
+            system, other, starts[:, members], p[:, members], t0, times[-1:]
+        )
+        a, b, c = ends[:, members], compared[:, :, -1], starts[:, members]
+        sizes = np.maximum(np.maximum(abs(a), abs(b)), abs(c))
+        apart = (abs(a - b) / np.where(sizes > 0, sizes, 1.0)).max(axis=0)
+        ratio = tolerance / other
+        errors[members] = [predicted(d, ratio, tolerance) for d in apart.tolist()]
+        return more
+
+    chosen, vouching = _representatives(np.concatenate([starts, p]), ends)
+    calls += compare(chosen)
+    others = SPARE * errors[vouching]
+    rest = np.setdiff1d(np.arange(count), chosen)
+    covered = rest[others[rest] <= rtol]
+    errors[covered] = others[covered]
+    rest = np.setdiff1d(rest, covered)
+    if len(rest):
+        calls += compare(rest)
+    return found, errors, calls
+
+
+def _representatives(begins, ends):
+    """The numbers of motions to which every other one is close, and for each motion the number of
+    the one that it is close to.
+    """
+    import numpy as np
+
+    count = begins.shape[1]
+    vouching, waiting, chosen = np.arange(count), np.arange(count), []
+    while len(waiting):
+        # a cover that is no smaller than the whole is not worth its search
+        if len(chosen) > count // 4:
+            return np.arange(count), np.arange(count)
+        first = waiting[0]
+        close = np.ones(len(waiting), bool)
+        for rows, part in ((begins, NEAR_START), (ends, NEAR_END)):
+            here, there = rows[:, waiting], rows[:, first : first + 1]
+            close &= (abs(here - there) <= part * np.maximum(abs(here), abs(there))).all(axis=0)
+        close[0] = True  # also where its end is not finite
+        vouching[waiting[close]] = first
+        chosen.append(first)
+        waiting = waiting[~close]
+    return np.array(chosen), vouching
+
+
+def _batches(system, tolerance, starts, p, t0, times):
+    """The states (states, motions, times), nan where heyoka stopped on the way, and the number of
+    calls, by batches as wide as the processor's registers; the last is filled up with copies.
+    """
+    import heyoka
+    import numpy as np
+
+    width, count = heyoka.recommended_simd_size(), starts.shape[1]
     before = int(times[0] != t0)  # a grid of heyoka begins at the start
     grid = np.repeat(np.concatenate(([t0] * before, times))[:, None], width, axis=1)
-    out, steps = np.empty((len(starts), count, len(times))), 0
-    for first in range(0, count, width):
-        chosen = np.minimum(np.arange(first, first + width), count - 1)
-        ta.set_time(t0)
-        ta.state[:] = starts[:, chosen]
-        if len(p):
-            ta.pars[:] = p[:, chosen]
-        kept = out[:, first : first + width]
-        real = kept.shape[1]  # motions of this batch that are no copies
-        if len(grid) == 2:  # only the ends are asked for: no dense output
-            ta.propagate_until(times[-1])
-            kept[:, :, 0] = starts[:, first : first + width]
-            kept[:, :, -1] = ta.state[:, :real]
-        else:
-            kept[:] = np.moveaxis(ta.propagate_grid(grid)[-1][before:], 0, 2)[:, :real]
-        steps += sum(r[3] for r in ta.propagate_res)
+    out, steps = np.full((len(starts), count, len(times)), np.nan), 0
+    with integrator(system, tolerance, batch=width) as ta:
+        p = p[: len(ta.pars)]
+        for first in range(0, count, width):
+            chosen = np.minimum(np.arange(first, first + width), count - 1)
+            ta.set_time(t0)
+            ta.state[:] = starts[:, chosen]
+            if len(p):
+                ta.pars[:] = p[:, chosen]
+            kept = out[:, first : first + width]
+            real = kept.shape[1]  # motions of this batch that are no copies
+            if len(grid) == 2 or len(times) == 1:  # only the ends: no dense output
+                ta.propagate_until(times[-1], max_steps=MAX_PREPARED_STEPS)
+                kept[:, :, 0] = starts[:, first : first + width]
+                kept[:, :, -1] = np.where(ta.time == times[-1], ta.state, np.nan)[:, :real]
+            else:
+                rows = ta.propagate_grid(grid, max_steps=MAX_PREPARED_STEPS)[-1][before:]
+                kept[:, :, : len(rows)] = np.moveaxis(rows, 0, 2)[:, :real]
+            steps += sum(r[3] for r in ta.propagate_res)
     return out, steps * ta.order

@@ -13,7 +13,7 @@ from .events import Event
 from .methods.table import METHODS
 from .model import Model, ModelError, State
 from .prepared import prepared_model, start_state
-from .run import Run, check, span, usable
+from .run import Run, check, span, usable, verified_series
 from .solution import Motion
 
 
@@ -91,17 +91,22 @@ def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
             "take integrate"
         )
     check(rtol, method)
+    asked = method
     if method == "auto":
-        missing = METHODS["taylor"].unusable_because
-        method = "exact" if model.exact else "dop853" if missing(system) else "taylor"
+        series = not METHODS["taylor"].unusable_because(system) and not system.traced.branch_points
+        method = "exact" if model.exact else "taylor" if series else "dop853"
     used = usable(method, system)
 
     def fallback(t, start):
-        return tuple(integrate(model, t, start, rtol, method).end.values())
+        return tuple(integrate(model, t, start, rtol, asked).end.values())
 
-    if not hasattr(used.stepper, "prepared_run"):
+    if method == "exact":
+        fast = used.stepper.prepared_run(system, rtol, fallback)
+    elif method == "taylor" and not system.traced.branch_points:
+        verify = verified_series(system, rtol, used)
+        fast = used.stepper.prepared_run(system, rtol / used.tolerance_ratio, verify, fallback)
+    else:
         return fallback
-    fast = used.stepper.prepared_run(system, rtol / used.tolerance_ratio, fallback)
 
     def run(t, start):
         try:

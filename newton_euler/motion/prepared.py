@@ -9,7 +9,9 @@ from functools import cached_property
 
 from ..algebra.codegen.partial_evaluation import folded
 from ..algebra.scalars import ZERO, scalar
+from .analytic import branch_points, kinks
 from .model import Model, ModelError, cached, is_law
+from .verified import Verified
 
 _known: dict = {}
 
@@ -33,6 +35,16 @@ class Traced:
         formula that gives these constants.
         """
         return folded(self.rhs, self.arguments)
+
+    @cached_property
+    def kinks(self):
+        """See :func:`newton_euler.motion.analytic.kinks`."""
+        return kinks(self)
+
+    @cached_property
+    def branch_points(self):
+        """See :func:`newton_euler.motion.analytic.branch_points`."""
+        return branch_points(self)
 
 
 def prepared_model(model):
@@ -60,6 +72,7 @@ class PreparedModel:
         fixed = {n: x for n, x in values.items() if is_law(x) or scalar(x) is ZERO}
         self.free = tuple(n for n in values if n not in fixed)
         self.p = tuple(_parameter(model, n, values[n]) for n in self.free)
+        self.verified = Verified()
         self.exact_verified = False  # its exact solution, once that has been compared with itself
         self.many = any(getattr(x, "shape", ()) for x in self.p)
         key = model.rhs, model.states, self.free, *fixed.items()

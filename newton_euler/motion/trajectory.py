@@ -6,10 +6,13 @@ import math
 from typing import NamedTuple
 
 from .events import EventLocator, Occurrence
+from .knots import knots
 from .methods.base import SMALLEST_SCALE, StepError, Stepper
 from .methods.table import METHODS
+from .methods.taylor import level_of
 from .model import ModelError
 from .prepared import prepared_model, start_state
+from .sizes import NATURAL_PART, ROUND_OFF, natural_sizes
 
 # steps between two searches for events: few at first, as an event may come soon, then more, as a
 # search has a fixed cost
@@ -18,6 +21,13 @@ MAX_SEGMENTS = 20_000
 # part of the whole time: events that follow faster accumulate (Zeno), as the impacts of a ball that
 # comes to rest
 MIN_SEGMENT = 1e-9
+# part of the size that a state has during the motion below which its errors do not count
+OWN_PART = 1e-6
+# part of the difference of two runs on the way that counts as one of their ends: beside a singular
+# place it is larger than at the end
+INNER_PART = 0.05
+# part of its natural size at the start below which a state is nearly zero
+SMALL_PART = 1e-2
 ACCUMULATION = "events follow each other without end"
 
 
@@ -38,21 +48,68 @@ class Trajectory:
     ``failed`` if the method could not continue there.
 
     run : the :class:`~newton_euler.motion.run.Run` that it belongs to
-    scales : of an earlier trajectory of this run
+    known : the sizes of the states and their natural ones, as :meth:`sizes` of an earlier
+        trajectory of this run returns them; None for the first
+    scaled : True if the states are taken over their sizes where the method itself does not
+    samples : those of the run, unless others are given
     """
 
-    def __init__(self, run, method, tolerance, scales=None):
-        self.method, self.tolerance, self.initial_scales = method, tolerance, scales
+    def __init__(self, run, method, tolerance, known=None, scaled=False, samples=None):
+        self.method, self.known, self.scaled = method, known, scaled
+        self.tolerance = level_of(tolerance) if method.name == "taylor" else tolerance
         self.origin, self.goal, self.step, self.progress = run.t0, run.t1, run.step, run.progress
-        self.samples = None if run.events or run.progress else run.samples
-        self.segments, self.occurrences, self.ended, self.failed = [], [], "", False
+        self.samples = None if run.events or run.progress else samples or run.samples
+        self.segments, self.occurrences, self.ended, self.failed = [], [], "", None
+        self.natural, self.units = None, ()
         start = run.system, run.t0, run.state, run.events, None
         while start:
             start = self._segment(*start)
-        steppers = [segment.stepper for segment in self.segments]
-        self.calls = sum([stepper.calls for stepper in steppers])
-        # for the next trajectory; not after a failure, since states may grow without bounds there
-        self.scales = None if self.failed else steppers[0].scales
+        self.calls = sum([segment.stepper.calls for segment in self.segments])
+
+    def sizes(self):
+        """The largest absolute value of each state, its natural size, and that with the round-off
+        of the time: three tuples, of the first segment.
+        """
+        system, stepper, t0, t1, x1 = self.segments[0]
+        points = [stepper.start, *stepper.checkpoints, (t1, x1)]
+        seen = [max(map(abs, column)) for column in zip(*[x for _, x in points], strict=True)]
+        largest = tuple(
+            [s if s > f else v for s, f, v in zip(stepper.scales, stepper.floors, seen, strict=True)]
+        )
+        natural, noise = self.natural or (largest, largest)
+        # what the start tells about the whole, unless a state is nearly zero, or was
+        if not all(s > SMALL_PART * n > 0 for s, n in zip(largest, natural, strict=True)):
+            natural, noise = natural_sizes(system, points, largest, t1 - t0 or 1.0)
+        return largest, natural, noise
+
+    def limits(self, system, t, x):
+        """For the stepper that starts here: the least scale of each state, the round-off in each,
+        and the times that no step may pass over.
+        """
+        nothing = (0.0,) * len(x)
+        if self.method.name == "exact":
+            return nothing, nothing, ()
+        stops = () if self.step else knots(system, self.origin, self.goal)
+        series = self.method.name == "taylor"
+        if series and not self.scaled:
+            return nothing, nothing, stops
+        if self.known and not self.segments:
+            sizes, natural, noise = self.known
+        else:
+            sizes = nothing
+            start = tuple(map(abs, x))
+            natural, noise = natural_sizes(system, [(t, x)], start, self.goal - t)
+            if not self.segments:
+                self.natural = natural, noise
+        # they go with the sizes that the states have had so far, since a small error of a state that
+        # is still small may grow with it
+        floors = [
+            max(OWN_PART * s, NATURAL_PART * n) for s, n in zip(sizes, natural, strict=True)
+        ]
+        if series:  # the sizes that they will have
+            self.units = tuple(map(max, map(abs, x), sizes, natural))
+        floors = tuple([f or SMALLEST_SCALE for f in floors])
+        return floors, tuple([ROUND_OFF * n for n in noise]), stops
 
     def _segment(self, system, t, x, events, initial_event):
         """Add the segment that starts here; returns the arguments for the next one, or None."""
@@ -63,12 +120,13 @@ class Trajectory:
         try:
             stepper = method.stepper(system, t, x, self)
             found = self._follow(stepper, events, initial_event)
-        except ArithmeticError as error:
-            stepper = stepper or Stepper(system, t, x, self)
+        except ModelError:
+            raise
+        except (ArithmeticError, ValueError) as error:
+            stepper = stepper or _standing(system, t, x)
             self._fail(stepper, error)
         t1, event, x1 = found or (stepper.t, None, stepper.x)
         self.segments.append(Segment(system, stepper, t, t1, x1))
-        self.initial_scales = None  # those of the first segment
         if event:
             return self._after(event, events)
         self.ended = self.ended or f"reached t = {t1:.6g}"
@@ -125,7 +183,7 @@ class Trajectory:
         return prepared_model(model), t, start_state(model, start), events, event
 
     def _fail(self, stepper, error):
-        model, self.failed = stepper.system.model, True
+        model, self.failed = stepper.system.model, error
         place = ", ".join(f"{n} = {v:.6g}" for n, v in model._state(stepper.x).items())
         why = "are singular there"
         if isinstance(error, StepError):
@@ -147,13 +205,17 @@ class Trajectory:
         count, states = len(self.segments), a.system.model.states
         if count != len(other.segments) or states != b.system.model.states:
             return 1.0
-        pairs = [(a.x1, b.x1)]
+        scales = [v or 1.0 for v in map(max, a.stepper.scales, b.stepper.scales)]
+
+        def apart(x, y):
+            return max([abs(u - v) / s for u, v, s in zip(x, y, scales, strict=True)])
+
+        found = max(shift, apart(a.x1, b.x1))
         # earlier states too: those at the end may agree by chance
         if count == 1 and not self.failed and not other.failed:
-            pairs += [(x, b.stepper.state_at(t)) for t, x in a.stepper.checkpoints if t <= b.t1]
-        scales = list(map(max, a.stepper.scales, b.stepper.scales))
-        rows = [zip(*pair, scales, strict=True) for pair in pairs]
-        return max(shift, *(abs(u - v) / s for row in rows for u, v, s in row))
+            inner = [(x, b.stepper.state_at(t)) for t, x in a.stepper.checkpoints if t <= b.t1]
+            found = max([found, *(INNER_PART * apart(*pair) for pair in inner)])
+        return found
 
     def exact_error(self):
         """The error of an exact solution: how far its end is from that of two halves of the time,
@@ -173,3 +235,12 @@ class Trajectory:
             worst = max(worst, *errors)
         # plus the round-off of one evaluation
         return worst + 2e-16 if math.isfinite(worst) else 1.0
+
+
+def _standing(system, t, x):
+    """A stepper that has not begun."""
+    stepper = Stepper.__new__(Stepper)
+    stepper.system, stepper.t, stepper.x, stepper.start = system, t, tuple(x), (t, tuple(x))
+    stepper.step_times, stepper.steps, stepper.calls = [t], [], 0
+    stepper.scales, stepper.floors = tuple(map(abs, x)), (0.0,) * len(x)
+    return stepper

@@ -11,10 +11,11 @@ from itertools import pairwise
 
 from ...algebra.errors import NewtonEulerError
 
-# a state that stays smaller than this, in its unit, has errors relative to this
+# the scale of a state that is zero and of which nothing else is known
 SMALLEST_SCALE = 1e-6
 # a method makes no progress if this many steps are on average so much shorter than the longest one
 MAX_STALLED_STEPS, STALLED_RATIO = 2000, 1e-5
+MAX_STEPS = 5e6  # of one motion: the steps of DOP853 then take some minutes and a gigabyte
 
 
 def sample_times(samples, begin, end):
@@ -33,13 +34,19 @@ class StepError(NewtonEulerError, ArithmeticError):
     """Raised where a method cannot continue from the state that it has reached."""
 
 
+class LengthError(StepError):
+    """Raised where a method would need more steps than a computer can take or keep."""
+
+
 class Stepper:
     """One run of a method from the state ``x`` at ``t`` to the ``goal`` of a trajectory, which has
     the ``tolerance``, the fixed ``step`` or None, and the ``samples``.
 
     t, x : reached so far; ``start`` : where it began, as a pair; ``step_times`` : the times between
         steps; ``calls`` of the right-hand side
-    scales : the largest absolute value of each state so far, what errors are relative to
+    scales : the largest absolute value of each state so far, or of what it is judged by at the
+        least, what errors are relative to; ``noise`` : the round-off in each
+    stops : times between the start and the goal that no step may pass over
     steps : for each step a tuple whose last elements are the state before it; empty for a method
         that does not keep them
 
@@ -52,15 +59,16 @@ class Stepper:
         self.system, self.t, self.x, self.goal = system, t, tuple(x), trajectory.goal
         self.tolerance, self.start = trajectory.tolerance, (t, self.x)
         self.step_times, self.steps, self.calls, self.checked, self.longest = [t], [], 0, 0, 0.0
-        self.scales = tuple([v if v > SMALLEST_SCALE else SMALLEST_SCALE for v in map(abs, x)])
-        # of an earlier run: else a state that starts at zero would be followed far too accurately
-        if trajectory.initial_scales:
-            known = [1e-6 * v for v in trajectory.initial_scales]
-            self.scales = tuple(map(max, self.scales, known))
+        self.floors, self.noise, self.stops = trajectory.limits(system, t, self.x)
+        self.scales = tuple(map(max, map(abs, x), self.floors))
         self.begin(trajectory)
 
     def begin(self, trajectory):
         """Prepare the run; called once."""
+
+    def next_stop(self):
+        """The time at which the next step must end at the latest."""
+        return next((t for t in self.stops if t > self.t), self.goal)
 
     @property
     def checkpoints(self):
@@ -103,6 +111,17 @@ class Stepper:
             if self.t - last[0] < STALLED_RATIO * count * self.longest:
                 raise StepError(f"{count} steps took only {self.t - last[0]:.1g} of time")
             self.checked += count
+            self.check_length(self.checked)
+
+    def check_length(self, count):
+        """Raise :class:`LengthError` if after so many steps the whole time needs far too many."""
+        passed, whole = self.t - self.start[0], self.goal - self.start[0]
+        if passed > 0 and count * whole > MAX_STEPS * passed:
+            raise LengthError(
+                f"about {count * whole / passed:.1g} steps would be needed to t = {self.goal:.6g}; "
+                f"{MAX_STEPS:.0g} are possible, which is to about t = "
+                f"{self.start[0] + MAX_STEPS / count * passed:.1g}: take a shorter time"
+            )
 
     def update_scales(self):
         """Take the present state into the scales."""

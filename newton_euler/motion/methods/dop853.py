@@ -18,24 +18,22 @@ from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES,
 # The new step is the old one times SAFETY*error**(-1/8), since the error estimate is of order 8 in
 # h, and between these bounds (II.4).
 SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0
-# of the largest state, added to the tolerance of each: round-off in the largest one must not
-# shorten the steps
-NOISE = 2e-16
 
+# A step is what the time changes by: were it the h before rounding, the clock would drift from the
+# states, by 1e-16 of the time at each step.
 # The error combines the estimates of orders 5 and 3 as |e5|^2/sqrt(|e5|^2 + 0.01|e3|^2) (II.10).
 _CODE = """\
-def run(f, p, t, goal, x, s, k, h, tol, hmax, least, limit, keep):
-    {x}, = x; {s}, = s; {a}, = k; {p}
+def run(f, p, t, goal, x, s, q, k, h, tol, hmax, least, limit, keep):
+    {x}, = x; {s}, = s; {q}, = q; {a}, = k; {p}
     tried = 0
     while t < goal and limit > 0:
         if h > hmax: h = hmax
         last = t + 1.001*h >= goal
-        if last: h = goal - t
+        h = goal - t if last else (t + h) - t
         tried += 1
         try:
 {inner}
             {n}, = f(t + h, {y}{args})
-            q = {noise}*max({s}{one})
 {errors}
             e5 = {e5}; e3 = {e3}
             e = h*e5/sqrt((e5 + 0.01*e3)*{count}) if e5 > 0.0 else e5
@@ -94,13 +92,13 @@ def _text(n, constants):
     p = f"{args[2:]}, = p" if constants else ""
     body = [*stages(range(1, 12)), *(f"y{i} = x{i} + h*({_sum(WEIGHTS, i)})" for i in states)]
     errors = [
-        f"c = tol*max(s{i}, abs(y{i})) + q; u{i} = ({_sum(ERROR_5, i)})/c; v{i} = "
+        f"c = tol*max(s{i}, abs(y{i})) + q{i}; u{i} = ({_sum(ERROR_5, i)})/c; v{i} = "
         f"({_sum(ERROR_3, i)})/c"
         for i in states
     ]
     return _CODE.format(
-        x=x, y=each("y{i}"), s=each("s{i}"), a=k, n=each("k12_{i}"), args=args, p=p, count=n,
-        one=", 0.0" if n == 1 else "", noise=NOISE, shrink=SHRINK, safety=SAFETY, grow=GROW,
+        x=x, y=each("y{i}"), s=each("s{i}"), q=each("q{i}"), a=k, n=each("k12_{i}"), args=args, p=p, count=n,
+        shrink=SHRINK, safety=SAFETY, grow=GROW,
         inner=lines(12, *body), outer=lines(4, f"{x}, = x; {p}", f"{k}, = f(t, {x}{args})", *body),
         errors=lines(12, *errors), e5=each("u{i}*u{i}", " + "), e3=each("v{i}*v{i}", " + "),
         scales=lines(8, each("if abs(x{i}) > s{i}: s{i} = abs(x{i})", "\n")),
@@ -130,7 +128,7 @@ class Dop853(Stepper):
         self.f = system.folded_rates, system.constants
         self.rates, self.calls = system.rates(self.t, self.x), 1
         self.code = generated(len(self.x), len(system.constants))
-        self._polynomial = None, None
+        self._kept = None, None
         if step:
             self.tolerance = 1e300  # any step is accepted
         # else a first step in which the fastest state changes by half of its scale times
@@ -147,15 +145,16 @@ class Dop853(Stepper):
             # the least step: a shorter one would not change the time
             done, least = len(self.steps), 4e-16 * max(abs(self.t), abs(self.goal))
             self.t, self.x, self.scales, self.rates, self.h, tried = self.code["run"](
-                *self.f, self.t, self.goal, self.x, self.scales, self.rates, self.h,
-                self.tolerance, self.hmax, least, min(limit, MAX_STALLED_STEPS), self.steps.append,
+                *self.f, self.t, self.next_stop(), self.x, self.scales, self.noise, self.rates,
+                self.h, self.tolerance, self.hmax, least, min(limit, MAX_STALLED_STEPS),
+                self.steps.append,
             )  # fmt: skip
             self.calls += 12 * tried  # stages of a step; the first is the last of the step before
             self.step_times += [t + h for t, h, *_ in self.steps[done:]]
             self.step_times[-1] = self.t
             if self.h == 0.0:
                 raise StepError("the step became too small to go on")
-            limit -= MAX_STALLED_STEPS
+            limit -= len(self.steps) - done
             self.check_progress()
 
     def state_at(self, t):
@@ -171,13 +170,15 @@ class Dop853(Stepper):
         import numpy as np
 
         start, h, *x = self.steps[n]
-        if self._polynomial[0] != n:
-            rows = np.array(self.code["polynomial"](*self.f, start, h, x))
-            self._polynomial = n, rows.T[::-1, :, None]
+        # read once: another thread may ask the same motion for another step meanwhile
+        known, rows = self._kept
+        if known != n:
+            rows = np.array(self.code["polynomial"](*self.f, start, h, x)).T[::-1, :, None]
+            self._kept = n, rows
             self.calls += 15
         u = (times - start) / h
         out = 0.0
         # Horner's rule, with the factors u and 1 - u by turns (II.6)
-        for k, row in enumerate(self._polynomial[1]):
+        for k, row in enumerate(rows):
             out = (out + row) * (1 - u if k % 2 else u)
         return out + np.array(x)[:, None]

@@ -1,6 +1,6 @@
 """SciPy's methods of integration on the traced right-hand side."""
 
-from math import inf
+from math import inf, isfinite, nan
 
 from .base import StepError, Stepper
 
@@ -12,32 +12,47 @@ class SciPy(Stepper):
 
     def begin(self, trajectory):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
+        step = trajectory.step
+        if step:  # tolerances that any step fulfils
+            self.options = {"rtol": 0.5, "atol": 1e300, "max_step": step}
+            self.options["first_step"] = min(step, self.goal - self.t)
+        else:  # SciPy refuses an rtol below 100 times a float's epsilon
+            limits = zip(self.scales, self.noise, strict=True)
+            atol = [self.tolerance * s + q for s, q in limits]
+            self.options = {"rtol": max(self.tolerance, 2.3e-14), "atol": atol}
+        self.solver, self.calls_before = self._from_here(), 0
+
+    def _from_here(self):
+        """SciPy's solver from the present state to the next stop."""
         from scipy import integrate
 
-        f, p, step = self.system.folded_rates, self.system.constants, trajectory.step
-        if step:  # tolerances that any step fulfils
-            options = {"rtol": 0.5, "atol": 1e300, "max_step": step}
-            options["first_step"] = min(step, self.goal - self.t)
-        else:  # SciPy refuses an rtol below 100 times a float's epsilon
-            atol = [self.tolerance * s for s in self.scales]
-            options = {"rtol": max(self.tolerance, 2.3e-14), "atol": atol}
-        self.solver = getattr(integrate, type(self).__name__)(
-            lambda t, y: f(t, *y.tolist(), *p), self.t, self.x, self.goal, **options
-        )
+        f, p = self.system.folded_rates, self.system.constants
+
+        def rates(t, y):
+            # SciPy knows no singular place: it takes a rate that is not finite for a long step
+            try:
+                return f(t, *y.tolist(), *p)
+            except (ArithmeticError, ValueError):
+                return [nan] * len(y)
+
+        make = getattr(integrate, type(self).__name__)
+        return make(rates, self.t, self.x, self.next_stop(), **self.options)
 
     def step(self, limit=inf):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        solver = self.solver
-        while limit > 0 and solver.status == "running":
+        while limit > 0 and self.t < self.goal:
+            solver = self.solver
             message = solver.step()
-            if solver.status == "failed":
-                raise StepError(message)
+            if solver.status == "failed" or not isfinite(solver.y.sum()):
+                raise StepError(message or "the states are not finite")
             self.steps.append((solver.dense_output(), *self.x))
             self.t, self.x, limit = float(solver.t), tuple(solver.y.tolist()), limit - 1
             self.step_times.append(self.t)
             self.update_scales()
             self.check_progress()
-        self.calls = solver.nfev
+            if solver.status == "finished" and self.t < self.goal:
+                self.solver, self.calls_before = self._from_here(), self.calls
+            self.calls = self.calls_before + self.solver.nfev
 
     def interpolate(self, n, times):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""

@@ -173,7 +173,7 @@ class Splitting(Stepper):
         times = [span / 4]
         for s, v, w in zip(self.scales, k, later, strict=True):
             change = abs(w - v) / d
-            if s > 1e-3 and change > 1e-12 * s:
+            if change > 1e-12 * s:
                 times.append(sqrt(max(s, abs(v) * d) / change))
         return min(times)
 

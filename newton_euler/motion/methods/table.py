@@ -16,10 +16,9 @@ from .dop853 import Dop853
 from .exact import Exact
 from .scipy import scipy_method
 from .splitting import partition, principal_moments, splitting
-from .taylor import TAYLOR_MARGIN, Taylor, installed
+from .taylor import LEVELS, ShortSteps, Taylor, installed
 
-# the tolerance of the first run over that of the second, and its largest value
-COARSENING, MAX_COARSE_TOLERANCE = 1e3, 1e-2
+MAX_COARSE_TOLERANCE = 1e-4  # of a first run
 
 
 @dataclass(frozen=True)
@@ -32,11 +31,15 @@ class Method:
         be used, or returns None
     order : of convergence with a fixed step; None if it has no fixed step
     min_rtol : the smallest rtol that it can be asked for
-    calibrated : True if its tolerance is found by two runs
+    checked_by : for rates that a method may pass over, the method of the run that it is compared
+        with, whose steps are others
     tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are
         up to 100 tolerances, seldom less than one
     max_tolerance : of the first fine run, since much coarser ones predict little; ``min_tolerance``
         : the smallest that it is given
+    coarsening : the tolerance of the first run over that of the second; below 1 where a finer one
+        is as cheap
+    adaptive : True if its steps follow from errors of the order
     """
 
     name: str
@@ -45,10 +48,19 @@ class Method:
     unusable_because: Callable = lambda system, t0=0.0: None
     order: int | None = None
     min_rtol: float = 1e-13
-    calibrated: bool = True
-    tolerance_ratio: float = 30.0
+    checked_by: "Method | None" = None
+    tolerance_ratio: float = 100.0
     max_tolerance: float = 3e-6
     min_tolerance: float = 1e-14
+    coarsening: float = 1e3
+    adaptive: bool = False
+
+    def other(self, tolerance: float) -> float:
+        """The tolerance of the run with which one at this tolerance is compared."""
+        other = tolerance * self.coarsening
+        if self.coarsening > 1:
+            return max(min(other, MAX_COARSE_TOLERANCE), 10 * tolerance)
+        return other if other > self.min_tolerance else tolerance / self.coarsening
 
 
 def _no_exact(system, t0=0.0):
@@ -60,9 +72,16 @@ def _no_exact(system, t0=0.0):
     return None
 
 
-def _no_heyoka(*_):
-    missing = "heyoka is not installed: pip install 'newton-euler[fast]' (Linux)"
-    return None if installed() else missing
+def _no_heyoka(system, t0=0.0):
+    if not installed():
+        return "heyoka is not installed: pip install 'newton-euler[fast]' (Linux)"
+    kinks = system.traced.kinks if system else ()
+    if kinks:
+        return (
+            f"the rates of {system.model.name!r} choose between formulas by {', '.join(kinks)}, "
+            "and a series goes on with the one that it began with; take method='auto'"
+        )
+    return None
 
 
 def _no_scipy(*_):
@@ -81,17 +100,23 @@ def _no_body(system, t0=0.0):
 
 
 def _table():
-    yield Method("exact", "exact solution", Exact, _no_exact, min_rtol=1e-15, calibrated=False)
+    yield Method("exact", "exact solution", Exact, _no_exact, min_rtol=1e-15)
+    # its tolerance costs little, so that it is far below what is asked for from the start
+    series = {"tolerance_ratio": 10.0**1.5, "max_tolerance": 1.0, "min_tolerance": LEVELS[-1]}
+    short = Method("taylor", "shorter Taylor series", ShortSteps, **series)
+    # two orders
+    series |= {"checked_by": short, "coarsening": 1 / 54.0}
     yield Method(
-        "taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, False, TAYLOR_MARGIN
+        "taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, **series
     )
-    yield Method("dop853", "Runge-Kutta of order 8 in straight-line Python", Dop853, order=8)
+    runge_kutta = "Runge-Kutta of order 8 in straight-line Python"
+    yield Method("dop853", runge_kutta, Dop853, order=8, adaptive=True)
     # min_rtol is measured; the errors of Radau are smaller than its tolerance
     for name, *options in (
         ("DOP853", 8, 1e-11),
         ("RK45", 5, 1e-12),
         ("LSODA", None, 1e-8),
-        ("Radau", 5, 1e-10, True, 1.0, 1e-4),
+        ("Radau", 5, 1e-10, None, 1.0, 1e-4),
     ):
         what = f"SciPy's {name} on traced straight-line code"
         yield Method(f"scipy {name}", what, scipy_method(name), _no_scipy, *options)

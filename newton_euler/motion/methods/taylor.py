@@ -8,21 +8,24 @@ MNRAS 504 (2021) 2614.
 
 import importlib
 import importlib.util
-from functools import cache
-from math import inf, isfinite
+from contextlib import contextmanager
+from copy import copy
+from functools import cache, cached_property
+from math import exp, frexp, inf, isfinite, ldexp
 
 from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_times
 
-# levels of heyoka's tolerance, which is fixed when it compiles; the last is a float's epsilon
-LEVELS = (*(10.0 ** (-n / 2) for n in range(8, 31)), 2.3e-16)
-# rtol over heyoka's tolerance: of 310 measured runs 3 then have an error above rtol, with a margin
-# of 10 it is 14
-TAYLOR_MARGIN = 10.0**1.5
-# heyoka's tolerance is absolute for states below 1; from this size on the margin covers that
-ABSOLUTE_SCALE = 0.1
+# Heyoka chooses its order by its tolerance, as the least above 1 - log(tolerance)/2; the steps depend
+# on it little. These are the tolerances at which another order begins, from 3 to 19, the last a
+# float's epsilon.
+LEVELS = tuple(1.0000001 * exp(-2.0 * order) for order in range(2, 19))
 # part of a natural step: at the orders used (8 to 20) its truncation error is 0.6**8 to 0.6**20 of
 # that of a natural step, less than a fiftieth
 SHORT = 0.6
+MAX_PREPARED_STEPS = 100 * MAX_STALLED_STEPS
+# states this small or large have a scale of their own: heyoka's tolerance is relative to the
+# largest state, and absolute below 1
+ORDINARY = 0.25, 4.0
 
 
 @cache
@@ -31,34 +34,54 @@ def installed():
     return importlib.util.find_spec("heyoka") is not None
 
 
-def integrator(system, tolerance, batch=None):
-    """Heyoka's integrator of this right-hand side at the first level not above the tolerance; with
-    ``batch`` one for so many motions at once.
+def level_of(tolerance):
+    """The first of the levels that is not above the tolerance, the last if all are."""
+    return next((x for x in LEVELS if x <= tolerance), LEVELS[-1])
+
+
+def _made(system, level, scaled, batch):
+    """A new integrator, and its arrays: time, state and parameters are set through them."""
+    import numpy as np
+
+    hy, names = importlib.import_module("heyoka"), system.model.states
+    variables = [hy.expression(n) for n in names]
+    count = len(system.constants)
+    pars = [hy.par[i] for i in range(count)]
+    states = variables
+    if scaled:
+        scales = [hy.par[count + i] for i in range(len(names))]
+        states = [s * v for s, v in zip(scales, variables, strict=True)]
+    rates = system.traced.folded[0].on(hy)(hy.time, *states, *pars)
+    zero = hy.expression(0.0)  # a rate may be a plain number
+    rates = [rate + zero for rate in rates]
+    if scaled:
+        rates = [rate / s for rate, s in zip(rates, scales, strict=True)]
+    make = hy.taylor_adaptive_batch if batch else hy.taylor_adaptive
+    shape = (len(names), batch) if batch else len(names)
+    return make(list(zip(variables, rates, strict=True)), np.zeros(shape), tol=level)
+
+
+@contextmanager
+def integrator(system, tolerance, scaled=False, batch=None):
+    """An integrator of this right-hand side at the first level not above the tolerance, for one
+    user at a time; with ``scaled`` one of the states over their scales, which are its last
+    parameters, with ``batch`` one for so many motions at once.
     """
-    # 1.01: the levels are powers of 10 with round-off
-    level = next((x for x in LEVELS if x <= 1.01 * tolerance), LEVELS[-1])
-    known = system.traced.integrators
-    if (level, batch) not in known:
-        import numpy as np
-
-        hy, names = importlib.import_module("heyoka"), system.model.states
-        variables = [hy.expression(n) for n in names]
-        pars = [hy.par[i] for i in range(len(system.constants))]
-        rates = system.traced.folded[0].on(hy)(hy.time, *variables, *pars)
-        zero = hy.expression(0.0)  # a rate may be a plain number
-        equations = [(v, rate + zero) for v, rate in zip(variables, rates, strict=True)]
-        make = hy.taylor_adaptive_batch if batch else hy.taylor_adaptive
-        shape = (len(names), batch) if batch else len(names)
-        known[level, batch] = make(equations, np.zeros(shape), tol=level)
-    return known[level, batch]
+    key = level_of(tolerance), scaled, batch
+    free = system.traced.integrators.setdefault(key, [])
+    try:
+        ta = free.pop()  # of a list these are atomic: no two threads get the same
+    except IndexError:
+        ta = _made(system, *key)
+    try:
+        yield ta
+    finally:
+        free.append(ta)
 
 
-def _scale(system, t, x, goal):
-    """The factor, at most 1, for the tolerance of a motion whose states are all small."""
-    largest = max(map(abs, x))
-    if largest == 0.0:  # what they may become
-        largest = max(map(abs, system.rates(t, x))) * (goal - t)
-    return largest if 0.0 < largest < ABSOLUTE_SCALE else 1.0
+def _power_of_two(x):
+    """The power of two at or below x; multiplying by it does not round."""
+    return ldexp(1.0, frexp(x)[1] - 1) if x else 1.0
 
 
 class Taylor(Stepper):
@@ -70,36 +93,55 @@ class Taylor(Stepper):
 
     def begin(self, trajectory):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        scale = _scale(self.system, self.t, self.x, self.goal)
-        self.ta = integrator(self.system, self.tolerance * scale)
+        low, high = ORDINARY
+        scales = [_power_of_two(s) for s in trajectory.units]
+        self.units = scales if any(not low <= s <= high for s in scales) else ()
         self.series, self.kept, self.samples = [], None, trajectory.samples
 
-    def _put(self, t, x):
-        """Set the state of heyoka's integrator, which all motions of a right-hand side share."""
-        ta = self.ta
-        ta.pars[:] = self.system.constants[: len(ta.pars)]
+    def _integrator(self):
+        return integrator(self.system, self.tolerance, bool(self.units))
+
+    def _put(self, ta, t, x):
+        """Set time, state and parameters of an integrator."""
+        ta.pars[:] = (*self.system.constants, *self.units)[: len(ta.pars)]
+        if self.units:
+            x = [v / s for v, s in zip(x, self.units, strict=True)]
         ta.time, ta.state[:] = t, x
 
+    def _state(self, ta):
+        x = ta.state.tolist()
+        if self.units:
+            x = [v * s for v, s in zip(x, self.units, strict=True)]
+        return tuple(x)
+
     @staticmethod
-    def prepared_run(system, tolerance, fallback):
+    def prepared_run(system, tolerance, verify, fallback):
         """The function that :func:`newton_euler.motion.integration.prepare` returns; where heyoka
-        stops on the way or its tolerance is too coarse, that is ``fallback(t, start)``.
+        stops on the way, or ``verify(t, start, x)`` is false, that is ``fallback(t, start)``.
         """
-        ta = integrator(system, tolerance)
-        state, pars, propagate = ta.state, ta.pars, ta.propagate_until
-        p, count = pars.copy(), len(state)
-        p[:] = system.constants[: len(pars)]
+        free = system.traced.integrators.setdefault((level_of(tolerance), False, None), [])
+        p, count = system.constants, len(system.model.states)
 
         def run(t, start):
-            if len(start) != count or max(map(abs, start)) < ABSOLUTE_SCALE:
+            if len(start) != count:
                 return fallback(t, start)
-            pars[:] = p  # another model of this right-hand side may have set its own
-            ta.time = 0.0
-            state[:] = start
-            # a limit, since near a singular place the steps become shorter without end
-            propagate(t, max_steps=100 * MAX_STALLED_STEPS)
-            x = tuple(state.tolist())
-            return x if ta.time == t and isfinite(sum(x)) else fallback(t, start)
+            try:
+                ta = free.pop()
+            except IndexError:
+                ta = _made(system, level_of(tolerance), False, None)
+            try:
+                pars = ta.pars
+                if len(pars):  # another model of this right-hand side may have set its own
+                    pars[:] = p[: len(pars)]
+                ta.time = 0.0
+                ta.state[:] = start
+                # a limit, since near a singular place the steps become shorter without end
+                ta.propagate_until(t, max_steps=MAX_PREPARED_STEPS)
+                x = tuple(ta.state.tolist())
+                reached = ta.time == t and isfinite(sum(x))
+            finally:
+                free.append(ta)
+            return x if reached and verify(t, start, x) else fallback(t, start)
 
         return run
 
@@ -107,23 +149,32 @@ class Taylor(Stepper):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         if limit < inf or not self.natural:
             self._by_steps(limit)
-        elif self.samples is None or not self._by_samples():
+        elif self.stops or self.samples is None or not self._by_samples():
             self._at_once()
 
     def _at_once(self):
-        ta = self.ta
-        self._put(self.t, self.x)
-        while self.t < self.goal:
-            _, _, longest, steps, *_ = ta.propagate_until(self.goal, max_steps=MAX_STALLED_STEPS)
-            before, self.t, self.x = self.t, ta.time, tuple(ta.state.tolist())
-            self.calls += steps * ta.order
-            self.longest = max(self.longest, longest)
-            stalled = self.t - before < STALLED_RATIO * steps * self.longest
-            if (self.t < self.goal and stalled) or not isfinite(sum(self.x)):
-                self._by_steps()  # to see where it fails
+        with self._integrator() as ta:
+            self._put(ta, self.t, self.x)
+            while self.t < self.goal:
+                stop = self.next_stop()
+                _, _, longest, steps, *_ = ta.propagate_until(stop, max_steps=MAX_STALLED_STEPS)
+                before, self.t, self.x = self.t, ta.time, self._state(ta)
+                self.calls += steps * ta.order
+                self.longest = max(self.longest, longest)
+                stalled = self.t - before < STALLED_RATIO * steps * self.longest
+                if (self.t < stop and stalled) or not isfinite(sum(self.x)):
+                    break
+                self.update_scales()
+                self.check_length(self.calls / ta.order)
+            else:
+                self.step_times.append(self.t)
                 return
-        self.step_times.append(self.t)
-        self.update_scales()
+        self._begin_again()
+        self._by_steps(inf)  # to see where it fails
+
+    def _begin_again(self):
+        (self.t, self.x), self.series = self.start, []
+        self.step_times = [self.t]
 
     def _by_samples(self):
         """Go to the goal by heyoka's grid and keep the samples; False if they are in no order or
@@ -138,9 +189,9 @@ class Taylor(Stepper):
         if found is None or not isfinite(found[:, -1].sum()):
             return False
         self.kept, self.t = (times, found[:, : len(times)]), self.goal
+        self.scales = tuple(map(max, self.scales, abs(found).max(axis=1).tolist()))
         self.x = tuple(found[:, -1].tolist())
         self.step_times.append(self.t)
-        self.update_scales()
         return True
 
     def _grid(self, times):
@@ -149,37 +200,44 @@ class Taylor(Stepper):
         """
         import numpy as np
 
-        self._put(*self.start)
         begin = self.start[0]
         grid = times if times[0] == begin else np.concatenate(([begin], times))
-        _, _, _, steps, *_, found = self.ta.propagate_grid(grid, max_steps=100 * MAX_STALLED_STEPS)
-        self.calls += steps * self.ta.order
-        return found[-len(times) :].T if len(found) == len(grid) else None
+        with self._integrator() as ta:
+            self._put(ta, *self.start)
+            _, _, _, steps, *_, found = ta.propagate_grid(grid, max_steps=MAX_PREPARED_STEPS)
+            self.calls += steps * ta.order
+        if len(found) != len(grid):
+            return None
+        rows = found[-len(times) :].T
+        return rows * np.array(self.units)[:, None] if self.units else rows
 
-    def _by_steps(self, limit=None):
-        """Go on by so many steps and keep their series; None: all steps again from the start."""
-        ta = self.ta
-        if limit is None:
-            (self.t, self.x), limit = self.start, inf
-            self.step_times = [self.t]
-        self._put(self.t, self.x)
-        while limit > 0 and self.t < self.goal:
-            h = self.goal - self.t
-            if not self.natural:
-                ta.step(max_delta_t=h)
-                h = min(h, SHORT * ta.last_h)
-                self._put(self.t, self.x)
-            ta.step(max_delta_t=h, write_tc=True)
-            x = tuple(ta.state.tolist())
-            # a step of less than twice a float's epsilon does not change the time
-            if not isfinite(sum(x)) or ta.last_h < 4e-16 * abs(self.t):
-                raise StepError("the series is not finite here, or the step became too small")
-            self.series.append(ta.tc.copy())
-            self.t, self.x, limit = float(ta.time), x, limit - 1
-            self.calls += ta.order
-            self.step_times.append(self.t)
-            self.update_scales()
-            self.check_progress()
+    def _by_steps(self, limit):
+        """Go on by so many steps and keep their series."""
+        with self._integrator() as ta:
+            self._put(ta, self.t, self.x)
+            while limit > 0 and self.t < self.goal:
+                h = self.next_stop() - self.t
+                if not self.natural:
+                    ta.step(max_delta_t=h)
+                    h = min(h, SHORT * ta.last_h)
+                    self._put(ta, self.t, self.x)
+                ta.step(max_delta_t=h, write_tc=True)
+                x = self._state(ta)
+                # a step of less than twice a float's epsilon does not change the time
+                if not isfinite(sum(x)) or ta.last_h < 4e-16 * abs(self.t):
+                    raise StepError("the series is not finite here, or the step became too small")
+                tc = ta.tc.copy()
+                self.series.append(tc * self._columns() if self.units else tc)
+                self.t, self.x, limit = float(ta.time), x, limit - 1
+                self.calls += ta.order
+                self.step_times.append(self.t)
+                self.update_scales()
+                self.check_progress()
+
+    def _columns(self):
+        import numpy as np
+
+        return np.array(self.units)[:, None]
 
     def states(self, times):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
@@ -187,14 +245,20 @@ class Taylor(Stepper):
 
         times = np.asarray(times, dtype=float)
         if self.kept and np.array_equal(times, self.kept[0]):
-            return self.kept[1]
-        if not self.series and len(self.step_times) > 1:
-            increasing = len(times) > 1 and np.all(np.diff(times) > 0)
-            found = self._grid(times) if increasing else None
-            if found is not None:
-                return found
-            self._by_steps()
-        return super().states(times)
+            return self.kept[1].copy()
+        if self.series or len(self.step_times) < 2:
+            return super().states(times)
+        increasing = not self.stops and len(times) > 1 and np.all(np.diff(times) > 0)
+        found = self._grid(times) if increasing else None
+        return self.dense.states(times) if found is None else found
+
+    @cached_property
+    def dense(self):
+        """The same run by its steps; an object of its own, since several threads may ask for it."""
+        dense = copy(self)
+        dense._begin_again()
+        dense._by_steps(inf)
+        return dense
 
     def interpolate(self, n, times):
         """See :class:`~newton_euler.motion.methods.base.Stepper`; the Taylor polynomial is as
@@ -206,8 +270,8 @@ class Taylor(Stepper):
 
 
 class ShortSteps(Taylor):
-    """The same by shorter steps; the difference is the error of :class:`Taylor`, truncation and
-    round-off.
+    """The same by shorter steps, which are others than those of :class:`Taylor`: where a series
+    goes on through a place at which the rates change their formula, both end at different states.
     """
 
     natural = False

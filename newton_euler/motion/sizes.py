@@ -1,0 +1,73 @@
+"""How large a state is that happens to be nearly zero: errors are relative to the size of each
+state, and the rate of nutation of a steady precession is zero, but not known relative to nothing.
+"""
+
+# part of the natural size of a state below which it is not judged relative to its own size
+NATURAL_PART = 1e-3
+# a float's epsilon over the natural size of a state: the round-off that its rate brings into it
+ROUND_OFF = 2e-16
+
+
+def natural_sizes(system, points, sizes, span):
+    """What the coupling to the other states makes of each, and the same with the time among them:
+    two tuples.
+
+    The sum over j of abs(df_i/dx_j) size_j over the fastest rate of the linearised motion, the
+    largest of the points. It does not depend on units, and is as large as a state would be whose
+    cancelling terms did not cancel.
+
+    points : pairs (time, state) of the motion; sizes : the largest absolute value of each state;
+        span : the time of the motion, a rate below 1/span does not count
+    """
+    natural = with_time = (0.0,) * len(sizes)
+    # the second time with a step also for states that are zero
+    for _ in range(1 if all(sizes) else 2):
+        scale = [max(s, n) or 1.0 for s, n in zip(sizes, natural, strict=True)]
+        terms, of_time, fastest = [0.0] * len(sizes), [0.0] * len(sizes), 1 / span
+        for t, x in points:
+            try:
+                columns = _derivatives(system, t, x, scale, span)
+            except (ArithmeticError, ValueError):
+                continue  # no rates beside this point
+            *states, time = columns
+            for i in range(len(sizes)):
+                row = [abs(c[i]) for c in states]
+                made = sum([a * s for a, s in zip(row, sizes, strict=True)])
+                terms[i] = max(terms[i], made)
+                of_time[i] = max(of_time[i], abs(time[i] * t))
+            fastest = max(fastest, _spectral_radius(states, scale))
+        natural = tuple([x / fastest for x in terms])
+        with_time = tuple([(x + y) / fastest for x, y in zip(terms, of_time, strict=True)])
+    return natural, with_time
+
+
+def _derivatives(system, t, x, scale, span):
+    """The derivatives of the rates by each state and by time, each a list, by differences."""
+    rates, columns = system.rates(t, x), []
+    for j, s in enumerate(scale):
+        step = 1e-6 * s
+        moved = x[j] + step
+        beside = system.rates(t, (*x[:j], moved, *x[j + 1 :]))
+        step = moved - x[j] or step
+        columns.append([(b - a) / step for a, b in zip(rates, beside, strict=True)])
+    if system.autonomous:
+        return [*columns, [0.0] * len(x)]
+    later = t + 1e-6 * span
+    beside = system.rates(later, x)
+    return [*columns, [(b - a) / (later - t) for a, b in zip(rates, beside, strict=True)]]
+
+
+def _spectral_radius(columns, scale):
+    """About the spectral radius of the matrix of absolute values, by power iteration."""
+    states = range(len(scale))
+    rows = [[abs(c[i]) * s / scale[i] for c, s in zip(columns, scale, strict=True)] for i in states]
+    # the square: the matrix of an oscillator turns one state into the other and back again
+    vector, norm = [1.0] * len(scale), 0.0
+    for _ in range(3):
+        once = [sum([a * v for a, v in zip(row, vector, strict=True)]) for row in rows]
+        twice = [sum([a * v for a, v in zip(row, once, strict=True)]) for row in rows]
+        largest = max(twice)
+        if not 0.0 < largest < 1e300:
+            return largest if largest else 0.0
+        norm, vector = largest**0.5, [v / largest + 1e-12 for v in twice]
+    return norm

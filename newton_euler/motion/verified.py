@@ -1,0 +1,51 @@
+"""Runs whose error was estimated, by which runs close to them are known to be accurate: under a
+slider only one run in many is compared with another.
+"""
+
+from typing import NamedTuple
+
+# of the size of a state: so far may a start, and an end, lie from one that was verified
+NEAR_START, NEAR_END = 0.1, 0.5
+SPARE = 3.0  # times more accurate than asked was the run that vouches for others
+
+
+class _Run(NamedTuple):
+    t0: float
+    t1: float
+    start: tuple
+    end: tuple
+    error: float
+
+
+class Verified:
+    """The last verified run of a model for each rtol.
+
+    Threads may write at once: what is written is a whole record, and any of them is right.
+    """
+
+    def __init__(self):
+        self.runs: dict[float, _Run] = {}
+
+    def add(self, rtol, t0, t1, start, end, error):
+        """Keep a run whose error is not above the rtol."""
+        self.runs[rtol] = _Run(t0, t1, start, end, error)
+
+    def covers(self, rtol, t0, t1, start, end):
+        """True if this run is the one that was verified, or so close to it that it has about the
+        same error, where that left something to spare.
+        """
+        known = self.runs.get(rtol)
+        if known is None or t1 != known.t1 or t0 != known.t0:
+            return False
+        if start == known.start:
+            return True
+        return SPARE * known.error <= rtol and near(start, end, known.start, known.end)
+
+
+def near(start, end, other_start, other_end):
+    """True if two motions begin and end close to each other, each state by its own size."""
+    for a, b, c, d in zip(start, end, other_start, other_end, strict=True):
+        size = max(abs(a), abs(b), abs(c), abs(d))
+        if abs(a - c) > NEAR_START * size or abs(b - d) > NEAR_END * size:
+            return False
+    return True
