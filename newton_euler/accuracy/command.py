@@ -15,7 +15,7 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn
 
 from ..scenes import LADDERS, SCENES, ladder
 from .comparisons import COMPARISONS
-from .honesty import honesty, table, write_csv
+from .honesty import PATIENCE, honesty, table, write_csv
 from .plots import draw_honesty, draw_methods, draw_models, measured_models
 from .regime_maps import MAPS, draw_map
 from .work_precision import LONGEST, NAMES, QUICK, TOLERANCES, work_precision
@@ -166,7 +166,7 @@ def _picture(context, parameter, path):
 )
 @click.option(
     "--longest",
-    default=LONGEST,
+    default=PATIENCE,
     type=click.FloatRange(0),
     help="Seconds; a method whose run takes longer is asked for no more digits of that scene.",
 )

@@ -28,10 +28,13 @@ from ..motion.model import ModelError
 from ..motion.prepared import PreparedModel
 from ..scenes import scene as scene_named
 from .measure import Measured
-from .work_precision import LONGEST, NAMES, TOLERANCES, Reference, timed_run
+from .work_precision import NAMES, TOLERANCES, Reference, timed_run
 
 EPS = 2.0**-53  # relative errors below half a unit of the last place are not known
 GROSS = 10.0  # times what was asked for and what was told: then an answer is silently wrong
+# seconds that a run may take; with less, runs that break their promise were left out while the
+# machine was busy, and the counts depended on it
+PATIENCE = 1.0
 REFUSED, FAILED = "refused", "failed"
 
 
@@ -90,7 +93,7 @@ def honesty(
     names: Sequence[str],
     tolerances: Sequence[float] = TOLERANCES[:-1],
     methods: Sequence[str] = NAMES,
-    longest: float = LONGEST,
+    longest: float = PATIENCE,
     progress: Callable[[float, str], object] = lambda fraction, words: None,
 ) -> list[Answer]:
     """The :class:`Answer` of every method at every tolerance, on each of these scenes that it can
