@@ -143,7 +143,7 @@ def relative_costs(answers: Sequence[Answer]) -> list[Answer]:
     """
     least: dict = {}
     for a in answers:
-        if not a.absent:
+        if not a.absent and a.cost > 0:  # a coarse clock may show nothing
             key = a.problem, a.asked
             least[key] = min(least.get(key, (True, math.inf)), (not a.kept, a.cost))
     absent = True, math.nan

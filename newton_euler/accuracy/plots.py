@@ -181,7 +181,7 @@ class _Rows:
 
 def _draw_cost(ax, rows, given, relative):
     _panel(ax, rows, "What does it cost?")
-    _draw_runs(ax, rows, [(a, a.cost) for a in given])
+    _draw_runs(ax, rows, [(a, a.cost) for a in given if a.cost > 0])
     ax.set_xlabel("time over the cheapest that kept its word" if relative else "time of a run")
     if not relative:
         ax.xaxis.set_major_formatter(EngFormatter(unit="s"))

@@ -169,6 +169,14 @@ def test_costs_are_relative_to_the_cheapest_that_kept_its_word_on_the_same_probl
     assert math.isnan(found[-1].cost)
 
 
+def test_a_clock_too_coarse_to_show_a_time_spoils_nothing():
+    quick = [answer(cost=0.0), answer(cost=0.0, problem="b"), answer("slow", problem="b")]
+    assert [a.cost for a in relative_costs(quick)[1:]] == [0.0, 1.0]
+    cost, promise, *_ = drawn(quick)
+    assert [x for x, _ in marks(cost)] == [1.0]
+    assert len(marks(promise)) == 3
+
+
 def test_methods_come_from_the_cheapest_to_the_dearest_and_those_without_an_answer_last():
     found = tallies(
         [
