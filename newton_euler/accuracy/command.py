@@ -1,8 +1,10 @@
 """The command ``python -m newton_euler.accuracy NAME [NAME ...]``: measure, draw the chart, print
-the numbers.
+the numbers. ``python -m newton_euler.accuracy honesty`` does it for the honesty of the methods.
 """
 
 import re
+import sys
+from functools import partial
 from pathlib import Path
 
 import click
@@ -13,20 +15,30 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn
 
 from ..scenes import LADDERS, SCENES, ladder
 from .comparisons import COMPARISONS
-from .plots import draw_methods, draw_models, measured_models
+from .honesty import PATIENCE, honesty, table, write_csv
+from .plots import draw_honesty, draw_methods, draw_models, measured_models
 from .regime_maps import MAPS, draw_map
-from .work_precision import LONGEST, QUICK, TOLERANCES, work_precision
+from .work_precision import LONGEST, NAMES, QUICK, TOLERANCES, work_precision
 
-MODELS, MAP = "models of ", "map of "
+MODELS, MAP, HONESTY = "models of ", "map of ", "honesty"
+SETTINGS = {
+    "help_option_names": ["-h", "--help"],
+    "max_content_width": 110,
+    "show_default": True,
+}
 
 
-@click.command(
-    context_settings={
-        "help_option_names": ["-h", "--help"],
-        "max_content_width": 110,
-        "show_default": True,
-    }
-)
+class _Charts(click.Command):
+    """The command of the charts, and that of honesty if this is the first word."""
+
+    def main(self, args=None, prog_name=None, **more):
+        words = sys.argv[1:] if args is None else list(args)
+        if words[:1] == [HONESTY]:
+            return honesty_main.main(words[1:], f"{prog_name or self.name} {HONESTY}", **more)
+        return super().main(words, prog_name, **more)
+
+
+@click.command(cls=_Charts, context_settings=SETTINGS)
 @click.argument("names", nargs=-1, metavar="[NAME …]")
 @click.option("--list", "only_list", is_flag=True, help="List the charts.")
 @click.option("--all", "draw_all", is_flag=True, help="Draw all of them, which takes some minutes.")
@@ -69,6 +81,9 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
     "map of sleeping top" and others
         the method or model to use, over two parameters
 
+    The word honesty, first, is a command with options of its own: is each method as accurate as
+    asked, and is what it tells of its error true? See honesty --help.
+
     How to read a chart: cost to the right, error upwards, so lower left is better. The points with
     rings are the front: every other point costs more and is no more accurate. Times are those of a
     run after all imports and compilations; the legend says how much longer the first run took.
@@ -80,6 +95,7 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
       python -m newton_euler.accuracy --list
       python -m newton_euler.accuracy top "free body" --out charts
       python -m newton_euler.accuracy --all --models --format svg
+      python -m newton_euler.accuracy honesty --scene top
     """
     charts = {name: c for name, c in every_name().items() if c[0] is _models or not models}
     if only_list or not (names or draw_all):
@@ -95,9 +111,113 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
     for name in charts if draw_all else [known[_slug(name)] for name in names]:
         make, title = charts[name]
         figure, path = Figure(), folder / f"{_slug(name)}.{kind}"
-        table = _with_progress(name, make, figure, quick)
+        told = _with_progress(name, partial(make, name, figure, quick))
         figure.savefig(path, dpi=110)
-        click.echo(f"{name}: {title}\n{table}\nwritten: {path}\n")
+        click.echo(f"{name}: {title}\n{told}\nwritten: {path}\n")
+
+
+def _scenes(context, parameter, names):
+    known = {_slug(name): name for name in SCENES}
+    unknown = [name for name in names if _slug(name) not in known]
+    if unknown:
+        raise click.BadParameter(f"there is no {unknown[0]!r}; there are {'; '.join(SCENES)}")
+    return [known[_slug(name)] for name in names] or list(SCENES)
+
+
+def _methods(context, parameter, text):
+    wanted = [word.strip() for word in text.split(",")] if text else NAMES
+    unknown = [word for word in wanted if word not in NAMES]
+    if unknown:
+        raise click.BadParameter(f"there is no {unknown[0]!r}; there are {', '.join(NAMES)}")
+    return wanted
+
+
+def _picture(context, parameter, path):
+    if path.suffix not in (".png", ".svg", ".pdf"):
+        raise click.BadParameter(f"a picture ends in .png, .svg or .pdf, got {str(path)!r}")
+    return path
+
+
+@click.command(HONESTY, context_settings=SETTINGS)
+@click.option(
+    "--scene",
+    "scenes",
+    multiple=True,
+    callback=_scenes,
+    metavar="NAME",
+    show_default="all",
+    help="This scene, as in --list of the charts; may be repeated.",
+)
+@click.option(
+    "--methods",
+    default="",
+    callback=_methods,
+    metavar="A,B",
+    show_default="all",
+    help='Only these, as "auto,dop853".',
+)
+@click.option(
+    "--out",
+    "path",
+    default=f"charts/{HONESTY}.png",
+    type=click.Path(path_type=Path, dir_okay=False),
+    callback=_picture,
+    help="The picture; all runs are written beside it as CSV.",
+)
+@click.option(
+    "--longest",
+    default=PATIENCE,
+    type=click.FloatRange(0),
+    help="Seconds; a method whose run takes longer is asked for no more digits of that scene.",
+)
+@click.option("--quick", is_flag=True, help="Every other tolerance, and --longest 0.05.")
+def honesty_main(scenes, methods, path, longest, quick):
+    """Measure and draw whether each method keeps its word, beside what it costs.
+
+    Every method is asked for errors from 1e-3 to 1e-12 on every scene that it can use. What it
+    answers is compared with a reference of 30 digits, what it tells of its own error with the true
+    error. All scenes take some minutes, one takes seconds.
+
+    How to read the chart: a method has a row, the cheapest is at the top. A row has a mark for each
+    run, light for a coarse error asked for, dark for a fine one, and a bar at the median.
+
+    \b
+    cost              of a run and of its error estimate, after imports and compilations; on several
+                      scenes relative to the cheapest method that was as accurate as asked on the
+                      same scene: 1 is the best that can be had
+    accurate as asked the true error over the error asked for: right of 1 the promise is broken; far
+                      left of 1 more is done than was asked
+    told is true      the error told over the true one: left of 1 it is told too small, right of 100
+                      it says little. The best is little more than 1
+    ring              silently wrong: the error is over ten times what was asked and what was told
+    cross             refused: no answer, and no promise broken
+
+    \b
+    The columns, of the table as well:
+      met %      part of the answers that are as accurate as asked
+      covers %   part of the errors told that are not below the true one
+      told/true  the median
+
+    A sound method shows nothing in the red fields. One that answers little honestly refuses the
+    rest: look at the number of runs too. Marks at the edge lie beyond it.
+
+    \b
+    Examples:
+      python -m newton_euler.accuracy honesty --quick
+      python -m newton_euler.accuracy honesty --scene top --scene "free body" --out top.svg
+      python -m newton_euler.accuracy honesty --methods auto,dop853,"scipy DOP853"
+    """
+    tolerances, longest = (QUICK[:-1], 0.05) if quick else (TOLERANCES[:-1], longest)
+    answers = _with_progress(HONESTY, partial(honesty, scenes, tolerances, methods, longest))
+    if not answers:
+        raise click.UsageError(f"none of these methods can be used on {', '.join(scenes)}")
+    where = scenes[0] if len(scenes) == 1 else f"{len(scenes)} scenes"
+    figure = Figure()
+    draw_honesty(answers, figure, f"Methods of integration on {where}: honesty beside cost")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, dpi=110)
+    write_csv(answers, path.with_suffix(".csv"))
+    click.echo(f"{table(answers)}\nwritten: {path} and {path.with_suffix('.csv')}")
 
 
 def every_name():
@@ -119,10 +239,11 @@ def _list(charts):
     for kind, heading in KINDS.items():
         found = [f"  {n:{width}}  {title}" for n, (make, title) in charts.items() if make is kind]
         lines += [f"{heading}:", *found, ""] if found else []
-    return "\n".join(lines).rstrip()
+    return "\n".join([*lines, "the honesty of all methods: see honesty --help"])
 
 
-def _with_progress(name, make, figure, quick):
+def _with_progress(name, work):
+    """What ``work`` returns, a function of a function that it tells its progress."""
     console = Console(stderr=True)
     columns = "{task.description}", BarColumn(), TaskProgressColumn(), "{task.fields[words]}"
     # no auto_refresh: its thread would disturb the times that are measured
@@ -133,7 +254,7 @@ def _with_progress(name, make, figure, quick):
         def progress(fraction, words=""):
             bar.update(task, completed=fraction, words=words, refresh=True)
 
-        return make(name, figure, quick, progress)
+        return work(progress)
 
 
 # -- each kind: draws on a figure and returns the table

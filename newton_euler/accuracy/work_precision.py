@@ -138,14 +138,7 @@ class Reference:
 
     def measured(self, method, rtol):
         """The point of one method at one tolerance, and the seconds that its first run took."""
-        run = partial(self.run, method, rtol)
-        motion, first = _stopwatch(run)
-        cost = first
-        # a long first run is not repeated, unless it may have compiled code
-        if first <= LONGEST or method == "auto" or not METHODS[method].calibrated:
-            cost = _stopwatch(run)[1]
-            if cost <= LONG:
-                cost = timed(run, runs=3, shortest=1e-3)
+        motion, cost, first = timed_run(partial(self.run, method, rtol), method)
         numbers = rtol, motion.cost.calls, worst_drift(motion)
         return Measured(method, cost, self.error(motion), f"rtol = {rtol:.0e}", *numbers), first
 
@@ -157,6 +150,18 @@ def worst_drift(motion):
     ends = motion.segments[0].stepper.step_times
     sampled = replace(motion, samples=ends[:: len(ends) // 100 + 1]) if len(ends) > 100 else motion
     return max(sampled.drift.values(), default=None)
+
+
+def timed_run(run, method):
+    """What a run by a method returns, the seconds that it takes, and those that the first took."""
+    result, first = _stopwatch(run)
+    cost = first
+    # a long first run is not repeated, unless it may have compiled code
+    if first <= LONGEST or method == "auto" or not METHODS[method].calibrated:
+        cost = _stopwatch(run)[1]
+        if cost <= LONG:
+            cost = timed(run, runs=3, shortest=1e-3)
+    return result, cost, first
 
 
 def _stopwatch(call):

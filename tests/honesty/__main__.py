@@ -43,6 +43,11 @@ Errors are those of the worst state, relative to its largest size on the way. A 
 reference is not reached, or whose two methods disagree, is dropped and counted. References are kept
 in --cache, so that a second run is faster.
 
+A second table, and the chart honesty.png that --out writes, have a row for each way to ask, the
+cheapest first: its cost, of the first call of each kind with all that it prepares, over that of the
+cheapest that was as accurate as asked. `python -m newton_euler.accuracy honesty --help` explains
+the chart, and draws it for the scenes.
+
 \b
 examples:
   python -m tests.honesty                                  all families and methods: half an hour
@@ -149,7 +154,7 @@ def _cases(context, parameter, texts):
 @click.option(
     "--out",
     type=click.Path(file_okay=False, path_type=Path),
-    help="folder for the table, the runs and the changes as CSV and JSON",
+    help="folder for the table, the runs and the changes as CSV and JSON, and the chart",
 )
 @click.option(
     "--worst",

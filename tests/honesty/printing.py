@@ -6,6 +6,7 @@ from collections import Counter
 from rich.markup import escape
 from rich.table import Table
 
+from newton_euler.accuracy.honesty import table
 from tests.honesty import report
 from tests.honesty.cases import draw
 from tests.honesty.judge import EPS
@@ -22,6 +23,7 @@ def everything(console, found, lines, count, seconds, every_call=False):
             _calls(console, f)
     console.print(_table(lines))
     console.print(_subjects(report.by_subject(runs)))
+    _by_cost(console, report.answers(runs))
     changes = [c for f in found for c in f.changes]
     for way in dict.fromkeys(c.way for c in changes):
         _changes(console, way, [c for c in changes if c.way == way])
@@ -73,6 +75,12 @@ def _subjects(pairs):
         cells = str(x.returned), _percent(x.met), _percent(x.covers), _number(x.ratio)
         shown.add_row(subject, *cells, *_counts(x))
     return shown
+
+
+def _by_cost(console, answers):
+    if answers:
+        _say(console, "\n[bold]By method, the cheapest first; cost over the cheapest that met[/]")
+        _say(console, escape(table(answers)))
 
 
 def _changes(console, way, own):

@@ -1,4 +1,4 @@
-"""From runs to the table.
+"""From runs to the table and to the chart.
 
 Accuracy reached and estimated, by way and tolerance, and the worst answers.
 """
@@ -10,6 +10,12 @@ from collections import Counter, defaultdict
 from dataclasses import asdict, dataclass
 from statistics import median
 
+from matplotlib.figure import Figure
+
+from newton_euler.accuracy.honesty import FAILED, REFUSED, Answer
+from newton_euler.accuracy.plots import draw_honesty
+
+ABSENT = {"refused": REFUSED, "raw": FAILED, "timeout": FAILED}
 GOALS = {"met": 0.995, "covers": 0.99, "ratio": 100.0, "silent": 0}  # of issue 9
 
 
@@ -128,8 +134,40 @@ def worst(runs, count=20):
     return list(first.values())[:count]
 
 
+def answers(runs):
+    """The runs as :class:`~newton_euler.accuracy.honesty.Answer`, for the chart of honesty, without
+    the methods that a model cannot use.
+    """
+    return [
+        Answer(
+            r.row,
+            r.seconds,
+            r.error,
+            asked=r.rtol,
+            told=r.estimate,
+            problem=r.case,
+            absent=ABSENT.get(r.outcome, ""),
+            words=r.words,
+        )
+        for r in runs
+        if r.outcome != "unfit"
+    ]
+
+
+def _draw(path, runs):
+    given = answers(runs)
+    if given:
+        cases = {a.problem for a in given}
+        models = f"{len(cases)} random models of {len({c.split('/')[0] for c in cases})} families"
+        figure = Figure()
+        draw_honesty(given, figure, f"Methods of integration on {models}: honesty beside cost")
+        figure.savefig(path, dpi=110)
+
+
 def write(folder, found, lines):
-    """The table, the runs and the changes as CSV, and all of it as JSON, into a folder."""
+    """The table, the runs and the changes as CSV, all of it as JSON, and the chart of honesty, into
+    a folder.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     runs, changes = [r for f in found for r in f.runs], [c for f in found for c in f.changes]
     for name, records in (("table", lines), ("runs", runs), ("changes", changes)):
@@ -146,3 +184,4 @@ def write(folder, found, lines):
         "conditions": {f.case: f.condition for f in found},
     }
     (folder / "honesty.json").write_text(json.dumps(everything, default=str))
+    _draw(folder / "honesty.png", runs)

@@ -1,0 +1,358 @@
+"""honesty.py and its chart: what counts as a promise kept, what is drawn where, and the command."""
+
+import csv
+import math
+from itertools import pairwise
+from types import SimpleNamespace
+
+import matplotlib
+import pytest
+from matplotlib.figure import Figure
+
+from newton_euler.accuracy import honesty as measuring
+from newton_euler.accuracy.command import main
+from newton_euler.accuracy.honesty import (
+    COLUMNS,
+    EPS,
+    FAILED,
+    REFUSED,
+    Answer,
+    honesty,
+    percent,
+    relative_costs,
+    table,
+    tallies,
+    write_csv,
+)
+from newton_euler.accuracy.plots import PROMISE, draw_honesty
+from newton_euler.motion.solution import MotionError
+
+matplotlib.use("Agg")
+SCENE = "sphere on an incline"
+
+
+# -- what is measured
+
+
+def fake(answers):
+    """A reference whose methods answer what is in the table: (true error, error told) or an
+    exception, by method and tolerance.
+    """
+
+    class Fake:
+        def __init__(self, scene):
+            self.model = scene.motion[0]
+
+        def run(self, method, rtol):
+            found = answers[method, rtol]
+            if isinstance(found, Exception):
+                raise found
+            return SimpleNamespace(true=found[0], error=found[1])
+
+        def error(self, motion):
+            return motion.true
+
+    return Fake
+
+
+@pytest.fixture
+def liar(monkeypatch):
+    """The answers of "auto", which lies, and of "dop853", which is honest."""
+    known = {
+        ("auto", 1e-3): (5e-4, 1e-3),
+        ("auto", 1e-6): (3e-6, 5e-6),  # broken, and told
+        ("auto", 1e-9): (4e-4, 1e-10),  # silently wrong
+        ("dop853", 1e-3): (1e-4, 3e-4),
+        ("dop853", 1e-6): (1e-7, math.nan),
+        ("dop853", 1e-9): MotionError("only 1e-8 can be had", reached=None),
+    }
+    monkeypatch.setattr(measuring, "Reference", fake(known))
+    return honesty((SCENE,), (1e-3, 1e-6, 1e-9), ("auto", "dop853"))
+
+
+def test_answers_have_the_true_error_and_what_was_told(liar):
+    told = [(a.method, a.asked, a.error, a.told) for a in liar[:5]]
+    assert told == [
+        ("auto", 1e-3, 5e-4, 1e-3),
+        ("auto", 1e-6, 3e-6, 5e-6),
+        ("auto", 1e-9, 4e-4, 1e-10),
+        ("dop853", 1e-3, 1e-4, 3e-4),
+        ("dop853", 1e-6, 1e-7, None),
+    ]
+    assert [a.kept for a in liar] == [True, False, False, True, True, False]
+    assert [a.covered for a in liar] == [True, True, False, True, None, None]
+    assert [a.silent for a in liar] == [False, False, True, False, False, False]
+    assert all(a.cost > 0 for a in liar[:5])
+    assert {a.problem for a in liar} == {SCENE}
+
+
+def test_a_refusal_is_no_broken_promise_and_keeps_its_words(liar):
+    refused = liar[-1]
+    assert (refused.absent, refused.words) == (REFUSED, "only 1e-8 can be had")
+    assert math.isnan(refused.error)
+    assert refused.effectivity is None
+
+
+def test_other_errors_are_not_taken_for_refusals(monkeypatch):
+    monkeypatch.setattr(measuring, "Reference", fake({("auto", 1e-3): ZeroDivisionError()}))
+    with pytest.raises(ZeroDivisionError):
+        honesty((SCENE,), (1e-3,), ("auto",))
+
+
+def test_tallies_count_by_method(liar):
+    auto, dop853 = sorted(tallies(liar), key=lambda t: t.method)
+    assert (auto.runs, auto.silent, auto.refused, auto.failed) == (3, 1, 0, 0)
+    assert (auto.met, auto.covers) == (pytest.approx(1 / 3), pytest.approx(2 / 3))
+    assert auto.told == pytest.approx(5 / 3)  # of 2, 5/3 and 2.5e-7
+    assert (dop853.runs, dop853.silent, dop853.refused, dop853.failed) == (3, 0, 1, 0)
+    assert (dop853.met, dop853.covers, dop853.told) == (1.0, 1.0, pytest.approx(3.0))
+
+
+def test_methods_that_a_scene_cannot_use_are_not_asked():
+    found = honesty((SCENE,), (1e-3,), ("lie-poisson4", "exact"))
+    assert [a.method for a in found] == ["exact"]
+
+
+def test_a_method_that_takes_long_is_asked_for_no_more_digits():
+    found = honesty((SCENE,), (1e-3, 1e-4), ("dop853",), longest=0.0)
+    assert [a.asked for a in found] == [1e-3]
+
+
+def test_progress_is_told_scene_by_scene_and_never_goes_back():
+    told = []
+    honesty((SCENE, "low"), (1e-3,), ("exact", "auto"), progress=lambda *now: told.append(now))
+    assert [words for _, words in told] == [
+        *(f"{SCENE}: {m}" for m in ("exact", "auto")),
+        *(f"low: {m}" for m in ("exact", "auto")),
+    ]
+    assert all(a < b for (a, _), (b, _) in pairwise(told))
+    assert 0 <= told[0][0] < told[-1][0] < 1
+
+
+# -- what is counted
+
+
+def answer(method="mine", cost=1e-3, error=1e-7, asked=1e-6, told=2e-7, problem="a", absent=""):
+    return Answer(method, cost, error, asked=asked, told=told, problem=problem, absent=absent)
+
+
+def test_errors_below_half_a_unit_of_the_last_place_count_as_that():
+    assert answer(error=0.0, told=0.0).effectivity == 1.0
+    assert answer(error=0.0, told=1e-12).effectivity == 1e-12 / EPS
+    assert answer(error=0.0, told=0.0).covered
+
+
+@pytest.mark.parametrize(
+    ("error", "told", "silent"),
+    [(9e-6, 1e-9, False), (2e-5, 1e-9, True), (2e-5, 3e-6, False), (2e-5, None, True)],
+)
+def test_silently_wrong_is_over_ten_times_both_what_was_asked_and_what_was_told(
+    error, told, silent
+):
+    assert answer(error=error, told=told).silent is silent
+
+
+def test_costs_are_relative_to_the_cheapest_that_kept_its_word_on_the_same_problem():
+    found = relative_costs(
+        [
+            answer("quick and wrong", cost=1e-4, error=1e-2),
+            answer("cheapest", cost=2e-3),
+            answer("slow", cost=8e-3),
+            answer("slow", cost=1.0, problem="b", error=1.0),
+            answer("slower", cost=3.0, problem="b", error=1.0),
+            answer("slow", cost=1e-9, absent=REFUSED, problem="b"),
+            answer("slow", cost=5.0, absent=REFUSED, problem="c"),
+        ]
+    )
+    # where none kept its word, to the cheapest of all; a refusal sets no standard
+    assert [a.cost for a in found[:5]] == [pytest.approx(x) for x in (0.05, 1.0, 4.0, 1.0, 3.0)]
+    assert math.isnan(found[-1].cost)
+
+
+def test_a_clock_too_coarse_to_show_a_time_spoils_nothing():
+    quick = [answer(cost=0.0), answer(cost=0.0, problem="b"), answer("slow", problem="b")]
+    assert [a.cost for a in relative_costs(quick)[1:]] == [0.0, 1.0]
+    cost, promise, *_ = drawn(quick)
+    assert [x for x, _ in marks(cost)] == [1.0]
+    assert len(marks(promise)) == 3
+
+
+def test_methods_come_from_the_cheapest_to_the_dearest_and_those_without_an_answer_last():
+    found = tallies(
+        [
+            answer("none", absent=REFUSED, cost=1e-9),
+            answer("dear", cost=1.0),
+            answer("cheap", cost=0.1),
+        ]
+    )
+    assert [t.method for t in found] == ["cheap", "dear", "none"]
+    assert math.isnan(found[-1].met)
+
+
+def test_hundred_per_cent_are_all():
+    assert [percent(x) for x in (1.0, 1999 / 2000, 0.5, 0.0)] == ["100", "99.9", "50.0", "0.0"]
+
+
+def test_the_table_has_seconds_for_one_problem_and_ratios_for_several():
+    one = [answer(), answer("slow", cost=2e-2, error=5e-6)]
+    assert table(one).splitlines()[1].split() == [
+        *("mine", "1", "100", "100", "2", "1.0", "ms"),
+    ]
+    several = [*one, answer(problem="b", absent=FAILED, told=None)]
+    assert table(several).splitlines()[1].split() == [
+        *("mine", "2", "100", "100", "2", "1", "1", "x"),
+    ]
+    assert table(several).splitlines()[2].split() == [
+        *("slow", "1", "0.0", "0.0", "0.04", "20", "x"),
+    ]
+
+
+def test_the_csv_has_a_line_for_every_run(tmp_path):
+    write_csv([answer(), answer(told=None, absent=REFUSED)], tmp_path / "a.csv")
+    with open(tmp_path / "a.csv", newline="", encoding="utf-8") as file:
+        head, first, second = csv.reader(file)
+    assert tuple(head) == COLUMNS
+    assert dict(zip(head, first, strict=True)) == {
+        "method": "mine",
+        "problem": "a",
+        "asked": "1e-06",
+        "cost": "0.001",
+        "error": "1e-07",
+        "told": "2e-07",
+        "absent": "",
+        "words": "",
+    }
+    assert dict(zip(head, second, strict=True))["absent"] == REFUSED
+
+
+# -- what is drawn
+
+
+def drawn(answers):
+    """The four axes of the chart, which is rendered."""
+    figure = Figure()
+    draw_honesty(answers, figure, "title")
+    figure.canvas.draw()
+    return figure.axes
+
+
+def marks(ax):
+    """The places of all marks of runs, as (x, number of the row)."""
+    return sorted((x, round(y)) for points in ax.collections for x, y in points.get_offsets())
+
+
+def texts(ax):
+    return [t.get_text() for t in ax.texts]
+
+
+def test_a_broken_promise_lies_beyond_the_line_in_its_row_and_a_kept_one_before(liar):
+    cost, promise, estimate, _ = drawn(liar)
+    rows = [t.get_text() for t in cost.get_yticklabels()]
+    auto, dop853 = rows.index("auto"), rows.index("dop853")
+    # the refused run of dop853 stands beyond the edge
+    assert marks(promise) == [
+        (pytest.approx(0.1), dop853),
+        (pytest.approx(0.1), dop853),
+        (pytest.approx(0.5), auto),
+        (pytest.approx(3.0), auto),
+        (PROMISE[1], auto),  # 4e5, at the edge
+        (pytest.approx(7 * PROMISE[1]), dop853),
+    ]
+    assert [(x, row) for x, row in marks(estimate) if x < 1] == [(pytest.approx(1e-4), auto)]
+    (red, *_) = (p for p in promise.patches if p.get_x() == 1.0)
+    assert red.get_x() + red.get_width() > 3.0
+    assert texts(promise).count("1") == 1  # the number of refusals
+
+
+def test_a_silently_wrong_answer_has_a_ring_and_only_that(liar):
+    for ax in drawn(liar)[:3]:
+        rings = [line for line in ax.lines if line.get_marker() == "o"]
+        assert [len(line.get_xdata()) for line in rings] == [1]
+
+
+def test_runs_stand_in_their_row_from_coarse_to_fine_in_one_colour_for_each_tolerance(liar):
+    cost = drawn(liar)[0]
+    (points,) = (c for c in cost.collections if len(c.get_offsets()))
+    # auto first: 1e-3, 1e-6, 1e-9
+    heights = [y for _, y in points.get_offsets()][:3]
+    assert heights == sorted(heights)
+    assert len({tuple(c) for c in points.get_facecolors()}) == 3
+
+
+def test_counts_stand_beside_the_rows():
+    answers = [
+        answer("good"),
+        answer("bad", error=1.0, cost=1.0),
+        answer("mute", told=None, cost=2.0),
+        answer("lost", absent=FAILED),
+    ]
+    cost, promise, estimate, counts = drawn(answers)
+    assert [t.get_text() for t in cost.get_yticklabels()] == ["good", "bad", "mute", "lost"]
+    assert "no answer" in texts(promise)
+    assert texts(estimate).count("tells none") == 1
+    assert {"1.0 ms", "1.0 s", "2.0 s", "100", "0.0"} <= set(texts(counts))
+    assert cost.get_xlabel() == "time of a run"
+    several = drawn([*answers, answer("good", problem="b")])
+    assert several[0].get_xlabel() == "time over the cheapest that kept its word"
+
+
+def test_what_is_wrong_without_measure_is_drawn_at_the_edge():
+    _, promise, estimate, _ = drawn([answer(error=math.inf), answer("ok", told=math.inf)])
+    assert PROMISE[1] in [x for x, _ in marks(promise)]
+    assert len(marks(estimate)) == 2
+
+
+# -- the command
+
+
+def run(*arguments):
+    """Its exit code."""
+    with pytest.raises(SystemExit) as end:
+        main(arguments, prog_name="python -m newton_euler.accuracy")
+    return end.value.code
+
+
+def test_the_command_measures_prints_and_writes_picture_and_runs(tmp_path, capsys):
+    path = tmp_path / "new" / "picture.svg"
+    options = "--scene", "Sphere-on-an-incline", "--methods", "exact, auto", "--quick"
+    assert run("honesty", *options, "--out", str(path)) == 0
+    told = capsys.readouterr()
+    assert f"written: {path} and {path.with_suffix('.csv')}" in told.out
+    assert {line.split()[0] for line in told.out.splitlines()[1:3]} == {"exact", "auto"}
+    assert not told.err  # progress is for terminals
+    picture = path.read_text(encoding="utf-8")
+    assert picture.lstrip().startswith("<?xml")
+    with open(path.with_suffix(".csv"), newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert tuple(rows[0]) == COLUMNS
+    assert {r["problem"] for r in rows} == {SCENE}
+    assert [float(r["asked"]) for r in rows if r["method"] == "exact"] == [
+        1e-3,
+        1e-5,
+        1e-7,
+        1e-9,
+        1e-11,
+    ]
+    assert all(float(r["error"]) < 1e-14 for r in rows if r["method"] == "exact")
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--scene", "topp"), "there is no 'topp'; there are planet; "),
+        (("--methods", "dop"), "there is no 'dop'; there are exact, taylor"),
+        (("--out", "honesty.txt"), "a picture ends in .png, .svg or .pdf, got 'honesty.txt'"),
+        (("--scene", SCENE, "--methods", "lie-poisson4"), "none of these methods can be used"),
+    ],
+)
+def test_what_does_not_exist_is_refused_with_what_does(options, words, capsys):
+    assert run("honesty", *options) == 2
+    assert words in capsys.readouterr().err
+
+
+def test_help_explains_the_chart_and_the_list_names_it(capsys):
+    assert run("honesty", "--help") == 0
+    told = capsys.readouterr().out
+    assert all(word in told for word in ("met %", "covers %", "told/true", "ring", "cross"))
+    assert run("--list") == 0
+    assert "honesty --help" in capsys.readouterr().out
