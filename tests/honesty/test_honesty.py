@@ -519,6 +519,7 @@ def test_one_command_prints_the_table_and_what_reproduces_the_worst(tmp_path):
     assert sorted(f.name for f in (tmp_path / "out").iterdir()) == [
         "changes.csv",
         "honesty.json",
+        "honesty.png",
         "runs.csv",
         "table.csv",
     ]
