@@ -157,7 +157,7 @@ def timed_run(run, method):
     result, first = _stopwatch(run)
     cost = first
     # a long first run is not repeated, unless it may have compiled code
-    if first <= LONGEST or method == "auto" or not METHODS[method].calibrated:
+    if first <= LONGEST or method == "auto" or method in ("exact", "taylor"):
         cost = _stopwatch(run)[1]
         if cost <= LONG:
             cost = timed(run, runs=3, shortest=1e-3)
