@@ -127,6 +127,14 @@ class PreparedModel:
         return cached(self.traced.functions, f, traced)
 
     @cached_property
+    def exact_on_floats(self):
+        """The traced text of the exact solution on floats, ``(t, *states, *p)``; None if it cannot
+        be traced.
+        """
+        text = self._text(self.model.exact)
+        return text and text.on_floats
+
+    @cached_property
     def solution(self):
         """The exact solution as a function of ``(t, states)`` on floats alone, which returns a
         tuple of floats.
@@ -134,9 +142,8 @@ class PreparedModel:
         Where the traced text has no value, as for an orbit that is no ellipse, the formula is
         called as it is; :class:`ModelError` if it has no value either.
         """
-        f, p = self.model.exact, self.p
-        text, untraced = self._text(f), self.untraced(f)
-        run = text.on_floats if text else lambda *_: (math.nan,)
+        p, untraced = self.p, self.untraced(self.model.exact)
+        run = self.exact_on_floats or (lambda *_: (math.nan,))
 
         def at(t, x):
             try:
