@@ -73,7 +73,6 @@ class PreparedModel:
         self.free = tuple(n for n in values if n not in fixed)
         self.p = tuple(_parameter(model, n, values[n]) for n in self.free)
         self.verified = Verified()
-        self.exact_verified = False  # its exact solution, once that has been compared with itself
         self.many = any(getattr(x, "shape", ()) for x in self.p)
         key = model.rhs, model.states, self.free, *fixed.items()
         self.traced = cached(_known, key, lambda: Traced(model, self.free))

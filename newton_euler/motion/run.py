@@ -13,6 +13,7 @@ from typing import Any
 from .events import Event
 from .knots import knots
 from .methods.base import LengthError
+from .methods.exact import Exact, estimated_error, within
 from .methods.table import METHODS
 from .methods.taylor import level_of
 from .model import ModelError
@@ -46,10 +47,6 @@ class AccuracyError(MotionError):
     """Raised where the error that was asked for cannot be had; ``reached`` is the
     :class:`~newton_euler.motion.solution.Motion` with the error that it has.
     """
-
-
-class PhaseError(AccuracyError):
-    """Raised where the time itself, a float, is not known well enough."""
 
 
 def span(t):
@@ -161,23 +158,24 @@ class Run:
         been or will be earned back, else by DOP853; where one cannot reach what was asked for, by
         the other.
         """
+        refused = []
         if not METHODS["exact"].unusable_because(self.system, self.t0):
             try:
                 return self.by(METHODS["exact"])
-            except PhaseError:
-                raise  # no method knows the time better
+            except AccuracyError as error:
+                refused.append(error)
             except ModelError:
-                pass  # it has no value for this start or is not accurate: there are other methods
-        refused = []
+                pass  # it has no value for this start, or its model changes: there are others
         for method, heyoka in self.candidates():
             try:
                 return self.calibrated(method, True) if heyoka else self.by(method)
             except MotionError as error:
                 # a series ends where rates are not analytic, which Runge-Kutta methods can pass
-                if method.name != "taylor" and not isinstance(error, AccuracyError):
+                if method.name != "taylor" and not refused and type(error) is MotionError:
                     raise
                 refused.append(error)
-        raise min(refused, key=lambda error: error.reached.error)
+        known = [error for error in refused if type(error) is AccuracyError] or refused
+        raise min(known, key=lambda error: error.reached.error)
 
     def candidates(self):
         """The methods that "auto" tries, in order, each with True if the first run may show that
@@ -203,9 +201,7 @@ class Run:
     def by(self, method):
         """The motion by one method within rtol."""
         if method.name == "exact":
-            trajectory = self.trajectory(method, self.rtol)
-            self.verify_exact(trajectory)
-            return self.motion(trajectory, method, trajectory.exact_error)
+            return self.closed(method)
         if method.name == "taylor" and not self.system.traced.branch_points:
             return self.series(method)
         return self.calibrated(method)
@@ -236,24 +232,27 @@ class Run:
         other = self.compared(method, method.other(fine), fine, None, False, SIZE_SAMPLES)
         return predicted_error(other, trajectory, method)
 
-    def verify_exact(self, trajectory):
-        """Raise :class:`ModelError` where the exact solution is wrong: the first one of a model is
-        compared with itself, see :meth:`Trajectory.exact_error`; after that it is trusted.
-
-        For later ones this comparison is the ``error`` of the motion, made when that is asked for.
-        """
-        if len(trajectory.segments) == 1 and self.system.exact_verified:
-            return
-        error = trajectory.exact_error()
-        self.system.exact_verified = error is not None and error <= self.rtol
-        if not self.system.exact_verified:
-            why = "it becomes a model without one"
-            if error is not None:
+    def closed(self, method):
+        """The motion by the exact solution."""
+        trajectory, error, why = self.trajectory(method, self.rtol), math.nan, ""
+        for system, stepper, t0, t1, x1 in trajectory.segments:
+            given = system, t1 - t0, stepper.start[1], x1
+            if type(stepper) is not Exact:
+                why = "it becomes a model without one"
+            elif not within(*given, self.rtol):
+                error = estimated_error(*given)
                 why = f"it is not accurate here: its error is about {error:.1g}"
-            raise ModelError(
-                f"the closed form of {self.system.model.name!r} does not do: {why}; take "
-                "method='auto'"
-            )
+            if why:
+                break
+        else:
+            return self.motion(trajectory, method, trajectory.exact_error)
+        words = (
+            f"the closed form of {self.system.model.name!r} does not do: {why}, and rtol = "
+            f"{self.rtol:g} was asked for; take method='auto', or a larger rtol"
+        )
+        if math.isnan(error):
+            raise ModelError(words)
+        raise AccuracyError(words, self.motion(trajectory, method, error))
 
     def calibrated(self, method, heyoka=False):
         """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`; with
@@ -344,10 +343,10 @@ def verified_series(system, rtol, method):
     tolerance = level_of(rtol / method.tolerance_ratio)
 
     def verify(t, start, x):
+        if knots(system, 0.0, t):
+            return False  # this run did not stop there
         if system.verified.covers(rtol, 0.0, t, start, x):
             return True
-        if knots(system, 0.0, t):
-            return False
         run = Run(system, 0.0, t, start, rtol)
         other = run.compared(
             method, method.other(tolerance), tolerance, None, False, SIZE_SAMPLES

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from .events import EventLocator, Occurrence
 from .knots import knots
 from .methods.base import SMALLEST_SCALE, StepError, Stepper
+from .methods.exact import estimated_error
 from .methods.table import METHODS
 from .methods.taylor import level_of
 from .model import ModelError
@@ -218,23 +219,11 @@ class Trajectory:
         return found
 
     def exact_error(self):
-        """The error of an exact solution: how far its end is from that of two halves of the time,
-        one after the other; None if a segment is not exact.
-        """
-        worst = 0.0
-        for system, stepper, t0, t1, x1 in self.segments:
-            if type(stepper) is not METHODS["exact"].stepper:
-                return None
-            x, half = stepper.start[1], (t1 - t0) / 2
-            try:
-                twice = system.solution(half, system.solution(half, x)) if system.autonomous else x1
-            except (ArithmeticError, ModelError):
-                return 1.0
-            rows = zip(twice, x1, x, strict=True)
-            errors = [abs(u - v) / max(abs(v), abs(w), SMALLEST_SCALE) for u, v, w in rows]
-            worst = max(worst, *errors)
-        # plus the round-off of one evaluation
-        return worst + 2e-16 if math.isfinite(worst) else 1.0
+        """The error of an exact solution, see :mod:`newton_euler.motion.methods.exact`."""
+        return max(
+            estimated_error(system, t1 - t0, stepper.start[1], x1)
+            for system, stepper, t0, t1, x1 in self.segments
+        )
 
 
 def _standing(system, t, x):

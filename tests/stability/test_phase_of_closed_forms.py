@@ -204,7 +204,6 @@ def test_a_pendulum_after_a_thousand_million_seconds():
     assert 1e-8 < true < exact.estimated_error(system, t, start, end) < 100 * true
 
 
-@pytest.mark.xfail(strict=True, reason="until run.py takes it")
 def test_the_error_of_a_motion_is_this_estimate():
     model, start = physical_pendulum(2.0, 0.5, 0.5, 10.0), (1.0, 0.0)
     true, told = errors(model, 1e9, start)

@@ -46,9 +46,15 @@ class Exact(Stepper):
         self.step_times.append(self.t)
 
     @staticmethod
-    def prepared_run(system, tolerance, fallback):
+    def prepared_run(system, rtol, fallback):
         """The function that :func:`newton_euler.motion.integration.prepare` returns."""
-        return system.solution
+        solution = system.solution
+
+        def run(t, start):
+            x = solution(t, start)
+            return x if within(system, t, start, x, rtol) else fallback(t, start)
+
+        return run
 
     def interpolate(self, n, times):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
@@ -84,14 +90,20 @@ def within(system, t, x0, x1, rtol):
         powers of 2, at one place among them; where it is not clearly below ``rtol`` there, at these
         numbers themselves. So the answer does not depend on what was asked before.
     """
+    known = vars(system)
+    if known.get("exact_last") == (rtol, t, x0):  # the same again, as by a loop that times it
+        return True
     region = frexp(t)[1], *[copysign(frexp(v)[1] + SHIFT, v) if v else 0.0 for v in x0]
-    error = vars(system).setdefault("exact_errors", {}).get(region)
+    error = known.setdefault("exact_errors", {}).get(region)
     if error is None:
         until, *powers = region
         # small: else the speeds of an orbit might be too large for it
         place = tuple(copysign(ldexp(SMALL, int(abs(n) - SHIFT)), n) if n else 0.0 for n in powers)
         error = _remembered(system, region, ldexp(1.0, min(until, 1023)), place)
-    return error <= rtol / REGION_FACTOR or _remembered(system, (t, x0), t, x0) <= rtol
+    found = error <= rtol / REGION_FACTOR or _remembered(system, (t, x0), t, x0) <= rtol
+    if found:
+        system.exact_last = rtol, t, x0
+    return found
 
 
 def _remembered(system, key, t, x0):
