@@ -1,20 +1,24 @@
 """Events: the times at which a function of the state goes through zero, found inside the steps of a
-trajectory.
-
-In each step the function is sampled at Chebyshev points. If these resolve it, all roots of the
-interpolating polynomial are known, also two in one step, which a comparison of signs at both ends
-misses; if not, the interval is halved. J. P. Boyd, Computing zeros on a real interval through
-Chebyshev expansion and polynomial rootfinding, SIAM J. Numer. Anal. 40 (2002) 1666.
+trajectory by :mod:`newton_euler.motion.zeros`.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cache
+from heapq import merge
+from itertools import islice
+from math import nan
+from numbers import Real
 
-CHEBYSHEV_POINTS = 12
-# the function is resolved if its last two coefficients are smaller than this part of the largest
-RESOLUTION = 1e-7
-MAX_HALVINGS = 8
+from .methods.base import Stepper
+from .model import ModelError
+from .zeros import EPS, UnresolvedError, ZeroSearch, root
+
+# relative change of the time and of each state by which the round-off of a function is measured
+NUDGE = 2.0**-50
+
+
+class EventError(ModelError):
+    """An event whose function cannot be used, by whatever method of integration."""
 
 
 @dataclass(frozen=True)
@@ -22,7 +26,10 @@ class Event:
     """A zero of ``function(s, p, t)`` to be found during a motion: impact, loss of contact, end of
     sliding, a turning point.
 
-    function : of the states, the parameters and the time, as in a :class:`Model`; smooth
+    function : of the states, the parameters and the time, as in a :class:`Model`, which returns a
+        number. An event is where its sign changes: where it only touches zero there is none, nor
+        where the motion starts at a zero; a zero at the end is one. Smooth functions are fastest,
+        kinks and jumps take many evaluations
     direction : 1 if only zeros count where it grows, -1 where it falls, 0 both
     terminal : True if the motion ends there
     then : a function ``(s, p, t)`` that returns the model and the start with which the motion goes
@@ -30,6 +37,8 @@ class Event:
         returns None, the motion ends. If the right-hand side becomes another, this event is no
         longer looked for.
     name : by which the motion lists it
+
+    Raises :class:`~newton_euler.motion.model.ModelError` for anything else.
 
     >>> landing = Event(lambda s, p, t: s.h, direction=-1, terminal=True, name="landing")
     """
@@ -39,6 +48,22 @@ class Event:
     terminal: bool = False
     then: Callable | None = None
     name: str = ""
+
+    def __post_init__(self):
+        def expect(fits, what, got):
+            if not fits:
+                raise ModelError(f"{what}, got {got!r}")
+
+        direction, then = self.direction, self.then
+        what = "an event takes a function (s, p, t) whose zeros are looked for"
+        expect(callable(self.function), what, self.function)
+        what = "the direction of an event is 1 where its function grows, -1 where it falls, 0 both"
+        expect(type(direction) is int and direction in (-1, 0, 1), what, direction)
+        what = "terminal is True for an event that ends the motion, or False"
+        expect(type(self.terminal) is bool, what, self.terminal)
+        what = "then= of an event is a function (s, p, t) that returns (model, start), or None"
+        expect(then is None or callable(then), what, then)
+        expect(isinstance(self.name, str), "the name of an event is a text", self.name)
 
     @property
     def ends(self) -> bool:
@@ -57,145 +82,167 @@ class Occurrence:
     state: dict
 
 
+def events_in_step(locators: list, n: int) -> Iterator[tuple[float, int]]:
+    """The events in step ``n``, in order of time, as pairs (time, number of the locator); of those
+    at the same time, those that end the segment come last. The step is searched only as far as
+    pairs are taken, so that what comes after the end of a segment costs nothing.
+    """
+
+    def numbered(k):
+        return ((t, k, is_event) for t, is_event in locators[k].search(n))
+
+    def in_order(found):
+        return sorted(found, key=lambda pair: locators[pair[1]].event.ends)
+
+    found: list = []
+    for t, k, is_event in merge(*map(numbered, range(len(locators)))):
+        if found and t > found[0][0] + 4 * EPS * abs(t):
+            yield from in_order(found)
+            found = []
+        if is_event:
+            found.append((t, k))
+    yield from in_order(found)
+
+
 class EventLocator:
     """Finds one event in the steps of a stepper, in their order.
 
-    at_start : True if the segment starts with this very event, at a zero of the function, which is
-        then divided by the time since the start
+    at_start : True if the segment starts with this very event, at a zero of the function, which
+        does not count again
+
+    Raises :class:`EventError` for a function that fails or returns no number, and where its zeros
+    cannot be found.
     """
 
     def __init__(self, event, stepper, at_start):
-        self.direction, self.stepper, self.at_start = event.direction, stepper, at_start
-        self.g = stepper.system.function(event.function)
-        self.sign = 0 if at_start else _sign(self.g(stepper.t, *stepper.x))
+        self.event, self.stepper, self.at_start = event, stepper, at_start
+        self.takes_arrays = True
+        t, x = stepper.start
+        try:
+            self.g = stepper.system.function(event.function)
+            self.first = self._value(t, *x)
+        except ModelError:
+            raise
+        except (AttributeError, LookupError, NameError, TypeError) as error:
+            raise EventError(f"{self._name} fails when it is tried: {error}") from error
+        self.sign = int(self.first > 0) - int(self.first < 0)
+
+    @property
+    def _name(self):
+        of = f"event {self.event.name!r}" if self.event.name else "an event"
+        return f"the function of {of}"
 
     def roots(self, n):
-        """The times of the event in step ``n``, in order."""
-        import numpy as np
-
-        a, b = self.stepper.step_times[n : n + 2]
-        start = self.stepper.start[0]
-        # the first time that differs from the start by more than round-off
-        nearest = start + max(1e-13 * (b - a), 4e-16 * abs(start))
-
-        def g(times):
-            times = np.atleast_1d(times)
-            if self.at_start:
-                times = np.maximum(times, nearest)
-            x = self.stepper.interpolate(n, times)
-            try:
-                values = np.broadcast_to(np.asarray(self.g(times, *x), dtype=float), times.shape)
-            except ValueError:  # the function branches on values
-                columns = zip(times.tolist(), *x.tolist(), strict=True)
-                values = np.array([float(self.g(*column)) for column in columns])
-            return values / (times - start) if self.at_start else values
-
-        out = []
-        for left, right in self._brackets(g, a, b):
-            t = self._refined(_root(lambda t: float(g(t)[0]), left, right), g, a, b)
-            # the end of a bracket may lie beyond b by round-off
-            if a <= t <= b * (1 + 1e-15) + 1e-300 and (not self.at_start or t > start):
-                out.append(min(t, b))
-        return out
-
-    def _brackets(self, g, a, b, depth=0):
-        """Intervals over which the sign changes in the direction that counts."""
-        import numpy as np
-
-        nodes, transform = _chebyshev()
-        values = g(a + (b - a) * nodes)
-        c = transform @ values
-        sizes = np.abs(c)
-        unresolved = sizes[-2:].max() > RESOLUTION * sizes.max() > 0
-        if depth < MAX_HALVINGS and unresolved and not _has_no_root(c):
-            middle = (a + b) / 2
-            return self._brackets(g, a, middle, depth + 1) + self._brackets(g, middle, b, depth + 1)
-        if self.sign == 0:
-            self.sign = _sign(g(a)[0]) or _sign(values[0])
-        ends = np.array([*(a + (b - a) * x for x in _between_roots(c)), b])
-        out, before = [], a
-        for t, sign in zip(ends.tolist(), map(_sign, g(ends)), strict=True):
-            if sign and self.sign and sign != self.sign and self.direction in (0, sign):
-                out.append((before, t))
-            self.sign, before = sign or self.sign, t
-        return out
-
-    def _refined(self, t, g, a, b):
-        """The root near ``t`` by Newton's method with the state after a step to ``t``, since the
-        interpolation is less accurate than a step.
+        """The times of the event in step ``n``, in order; only the first if that ends the
+        segment.
         """
-        length = b - a
-        # a central difference: cancellation and the third derivative both stay below 1e-8
-        low, high = max(a, t - 1e-4 * length), min(b, t + 1e-4 * length)
-        slope = float((g(high) - g(low))[0]) / (high - low)
-        # g is divided by the time since the start: at a root the slope is larger by that factor
-        if self.at_start:
-            slope *= t - self.stepper.start[0]
-        # two steps: the first root is already good to the error of the interpolation
+        times = (t for t, is_event in self.search(n) if is_event)
+        return list(islice(times, 1 if self.event.ends else None))
+
+    def search(self, n):
+        """The times of the event in step ``n``, in order, as pairs (time, True); pairs (time,
+        False) between them say how far all have been found.
+        """
+        stepper, (a, b) = self.stepper, self.stepper.step_times[n : n + 2]
+
+        def values(times):
+            return self._values(times, stepper.interpolate(n, times))
+
+        def noise(times):
+            return self._noise(times, stepper.interpolate(n, times.reshape(-1)))
+
+        search = ZeroSearch(values, noise, a, b, self.sign, self.event.direction)
+        search.closed = b == stepper.goal
+        if n == 0:
+            search.start = self.first, self.at_start
+        last = a
+        try:
+            for zeros, end in search:
+                for zero in zeros:
+                    # not before the one before, as the states are not those of the interpolation
+                    last = max(self._refined(zero, a, b), last)
+                    if last > stepper.start[0]:
+                        yield last, True
+                self.sign = search.sign
+                yield max(end, last), False
+        except UnresolvedError as error:
+            raise EventError(f"{self._name} {error}") from error
+
+    def _value(self, t, *x):
+        """The value at one state, nan where there is none."""
+        try:
+            value = self.g(t, *x)
+        except ModelError:
+            raise
+        except (ArithmeticError, ValueError):  # ValueError: a root or logarithm in floats
+            return nan
+        if type(value) is float:
+            return value
+        if getattr(value, "shape", None) == ():  # a number of NumPy
+            value = value.item()
+        if isinstance(value, bool):
+            raise EventError(
+                f"{self._name} returns True or False, which has no zeros: return a number that "
+                "changes its sign, as s.h, not s.h < 0"
+            )
+        if not isinstance(value, Real):
+            raise EventError(f"{self._name} returns a real number, not {value!r}")
+        return float(value)
+
+    def _values(self, times, x):
+        """The values at an array of times with the states there, an array."""
+        import numpy as np
+
+        if self.takes_arrays:
+            try:
+                with np.errstate(all="ignore"):
+                    return np.broadcast_to(np.asarray(self.g(times, *x), float), times.shape)
+            except (TypeError, ValueError):  # the function branches on values
+                self.takes_arrays = False
+        columns = zip(times.tolist(), *x.tolist(), strict=True)
+        return np.array([self._value(*column) for column in columns])
+
+    def _noise(self, times, x):
+        """The largest round-off of the values in each row of times: by how much they change with
+        the last digits of the time and of each state, relative to its largest size in that row.
+        """
+        import numpy as np
+
+        flat = times.reshape(-1)
+        values = self._values(flat, x)
+        total = np.abs(self._values(flat * (1 + NUDGE), x) - values)
+        for k, row in enumerate(x):
+            largest = np.abs(row).reshape(times.shape).max(axis=1, keepdims=True)
+            nudged = x.copy()
+            nudged[k] += (NUDGE * np.broadcast_to(largest, times.shape)).reshape(-1)
+            total += np.abs(self._values(flat, nudged) - values)
+        return total.reshape(times.shape).max(axis=1)
+
+    def _refined(self, zero, a, b):
+        """The time of a zero with the states that the stepper reaches by a step to there, which are
+        more accurate than its interpolation.
+        """
+        stepper, (t, slope), length = self.stepper, zero, b - a
+        if type(stepper).state_at is Stepper.state_at:  # which interpolates
+            return t
+
+        def value(t):
+            return self._value(t, *stepper.state_at(t))
+
+        if not slope:
+            return self._divided(value, t, a, b)
+        # two steps: the zero is already good to the error of the interpolation
         for _ in range(2):
-            move = float(self.g(t, *self.stepper.state_at(t))) / slope if slope else 0.0
+            move = value(t) / slope
             if not abs(move) < 1e-3 * length:
                 break
             t = min(max(t - move, a), b)
         return t
 
-
-def _sign(x):
-    return int(x > 0) - int(x < 0)
-
-
-def _has_no_root(c):
-    """True if the constant coefficient is larger than all others together."""
-    # no Chebyshev polynomial exceeds 1; 1.5 leaves a margin for the terms that were cut off
-    return abs(c[0]) > 1.5 * abs(c[1:]).sum()
-
-
-@cache
-def _chebyshev():
-    """The points in (0, 1), from left to right, and the matrix from values there to coefficients of
-    Chebyshev polynomials.
-    """
-    import numpy as np
-
-    counts = np.arange(CHEBYSHEV_POINTS)
-    angles = np.pi * (counts[::-1] + 0.5) / CHEBYSHEV_POINTS
-    matrix = 2 / CHEBYSHEV_POINTS * np.cos(np.outer(counts, angles))
-    matrix[0] /= 2
-    return (1 + np.cos(angles)) / 2, matrix
-
-
-def _between_roots(c):
-    """Points of (0, 1) that separate the roots of the polynomial with these coefficients."""
-    import numpy as np
-
-    if _has_no_root(c) or not np.isfinite(c).all():
-        return []
-    # trailing coefficients of round-off would make the companion matrix singular
-    significant = np.flatnonzero(np.abs(c) > 1e-15 * np.abs(c).max())
-    roots = np.polynomial.chebyshev.chebroots(c[: max(significant, default=0) + 1])
-    # a double root may come out as a complex pair, 1e-8 apart; 1e-6 is generous, as signs decide
-    roots = np.sort(roots.real[(np.abs(roots.imag) < 1e-6) & (np.abs(roots.real) <= 1 + 1e-6)])
-    return (1 + (roots[:-1] + roots[1:]) / 2) / 2
-
-
-def _root(g, a, b):
-    """The root between a and b, where the signs differ, to round-off: regula falsi by the Illinois
-    rule (M. Dowell, P. Jarratt, BIT 11 (1971) 168), and every fourth time bisection.
-    """
-    ga, gb, side = g(a), g(b), 0
-    for n in range(200):
-        if ga == 0:
-            return a
-        if abs(b - a) <= 2.0**-52 * max(abs(a), abs(b)):
-            break
-        t = (a + b) / 2 if n % 4 == 3 or ga * gb >= 0 else (a * gb - b * ga) / (gb - ga)
-        if not min(a, b) < t < max(a, b):
-            t = (a + b) / 2
-        value = g(t)
-        if value == 0:
-            return t
-        if (value > 0) == (gb > 0):
-            b, gb, ga, side = t, value, ga / 2 if side == 1 else ga, 1
-        else:
-            a, ga, gb, side = t, value, gb / 2 if side == -1 else gb, -1
-    return (a + b) / 2
+    def _divided(self, value, t, a, b):
+        """The time near ``t``, at a kink or a jump, at which the sign of ``value`` changes."""
+        for part in (1e-9, 1e-7, 1e-5, 1e-3):
+            low, high = max(a, t - part * (b - a)), min(b, t + part * (b - a))
+            if value(low) * value(high) < 0:
+                return root(value, low, high)
+        return t

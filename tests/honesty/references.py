@@ -35,6 +35,7 @@ AGREEMENT = 1e-15  # of the two ways: a thousandth of the tightest tolerance
 SECONDS, CHECK_SECONDS = 60.0, 8.0
 MOST_INSIDE = 1000
 INSIDE = 12  # parts of a step, at whose ends switches and events are looked at
+GOLDEN = (math.sqrt(5) - 1) / 2
 EDGE = 1e-6  # of a step: a point so close to its ends tells on which side of it an extremum lies
 RUNS = 14  # of Gragg's rule over one step: order 28
 OWN = 1e-3  # of what its coupling makes of it: no state is judged more finely, see :func:`scales`
@@ -139,6 +140,8 @@ def _key(case):
     ]
     if case.exact:
         parts.append(inspect.getsource(closed_forms))
+    elif watched:
+        parts.append(inspect.getsource(_Integration))
     return hashlib.sha256(repr(parts).encode()).hexdigest()[:32]
 
 
@@ -595,7 +598,8 @@ class _Integration:
             return [h], [self._float(i, h, begun)]
         parts, turns = INSIDE, None
         while True:
-            inner = [h * k / parts for k in range(1, parts)]
+            # at unequal distances, or an oscillation that is fast could look slow
+            inner = sorted(h * (k * GOLDEN % 1.0) for k in range(1, parts))
             taus = [0.0, EDGE * h, *inner, h - EDGE * h, h]
             values = [self._float(i, tau, begun) for tau in taus]
             rises = [b > a for a, b in pairwise(values)]

@@ -6,6 +6,7 @@ from newton_euler import Event, Model, cos, sin, sqrt
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
 from tests.honesty.cases import Case, decades, family
+from tests.honesty.engine import where
 
 
 @family("events")
@@ -176,3 +177,129 @@ def beats_of_two_tones(rng):
         (1.0, 0.0),
         events=(Event(lambda s, p, t: cos(p.w * t) - s.x / 2),),
     )
+
+
+def _oscillation(rng, start, closed=True, **parameters):
+    """A spring, with or without its solution, that starts with x at ``start`` and no speed."""
+    w = decades(rng, 0.1, 10.0)
+
+    def solution(s, p, t):
+        n = sqrt(p.k)
+        return s.x * cos(n * t) + s.dx / n * sin(n * t), s.dx * cos(n * t) - n * s.x * sin(n * t)
+
+    model = second_order(
+        "spring",
+        {"k": w * w, **parameters},
+        ("x",),
+        lambda s, p, t: (-p.k * s.x,),
+        exact=solution if closed else None,
+    )
+    return model, w, (start, 0.0)
+
+
+def _moved(mp, s, p, t):
+    return closed_forms.oscillator(mp, mp.sqrt(p.k), s.x, s.dx, t)
+
+
+@family("events", "closed form")
+def thousands_of_zeros_in_one_step(rng):
+    """The closed form takes one step for all the time; in it are up to ten thousand zeros."""
+    model, w, start = _oscillation(rng, 1.0, line=rng.uniform(-0.99, 0.99))
+    T = 2 * math.pi / w * decades(rng, 1e3, 5e3)
+    event = Event(lambda s, p, t: s.x - p.line)
+    times = closed_forms.crossings_of_a_spring(T)
+    return Case(model, T, start, exact=_moved, events=(event,), event_times=times)
+
+
+@family("events", "closed form")
+def grazing_in_one_step(rng):
+    """Pairs of zeros so close together that hardly anything lies between them; or none."""
+    gap = decades(rng, 1e-10, 1e-3)
+    model, w, start = _oscillation(rng, 1.0, line=1 - gap if rng.random() < 0.7 else 1 + gap)
+    event = Event(lambda s, p, t: s.x - p.line)
+    return Case(model, rng.uniform(60.0, 200.0) / w, start, events=(event,))
+
+
+@family("events")
+def interleaved_events(rng):
+    """Three events, of the place, the speed and both, that come in turns."""
+    model, w, start = _oscillation(
+        rng, 1.0, rng.random() < 0.5, low=rng.uniform(-0.9, 0.9), c=rng.uniform(0.3, 3.0)
+    )
+    events = (
+        Event(lambda s, p, t: s.x - p.low, -1, name="falls"),
+        Event(lambda s, p, t: s.dx - sqrt(p.k) * p.low, name="fast"),
+        Event(lambda s, p, t: s.x * sqrt(p.k) - p.c * s.dx, 1, name="both"),
+    )
+    return Case(model, rng.uniform(40.0, 300.0) / w, start, events=events)
+
+
+@family("events", "kinked")
+def zeros_at_a_kink(rng):
+    """A function that crosses zero with one slope before and another one after."""
+    model, w, start = _oscillation(
+        rng, 1.0, rng.random() < 0.5, line=0.0, slope=decades(rng, 1e-3, 1e3)
+    )
+    T = 2 * math.pi / w * decades(rng, 3.0, 60.0)
+    event = Event(lambda s, p, t: where(s.x > 0, s.x, p.slope * s.x))
+    times = closed_forms.crossings_of_a_spring(T)
+    return Case(model, T, start, exact=_moved, events=(event,), event_times=times)
+
+
+@family("events", "kinked")
+def jumps_through_zero(rng):
+    """A function that is never zero, but jumps from one sign to the other."""
+    model, w, start = _oscillation(rng, 1.0, rng.random() < 0.5, line=rng.uniform(-0.8, 0.8))
+    T = 2 * math.pi / w * decades(rng, 3.0, 30.0)
+    event = Event(lambda s, p, t: where(s.x > p.line, 2.0, -1.0))
+    times = closed_forms.crossings_of_a_spring(T)
+    return Case(model, T, start, exact=_moved, events=(event,), event_times=times)
+
+
+@family("events")
+def ticks_of_a_clock(rng):
+    """Zeros of a function of the time alone, hundreds of them while the motion goes slowly."""
+    tones = decades(rng, 30.0, 3e3)
+    model, w, start = _oscillation(rng, 1.0, rng.random() < 0.5, tones=tones)
+    T = rng.uniform(1.0, 6.0) / w
+
+    def times(mp, s, p):
+        rate = p.tones * mp.sqrt(p.k)
+        return [mp.pi * n / rate for n in range(1, int(rate * T / mp.pi) + 1)]
+
+    event = Event(lambda s, p, t: sin(p.tones * sqrt(p.k) * t))
+    return Case(model, T, start, exact=_moved, events=(event,), event_times=times)
+
+
+@family("events")
+def end_after_many_others(rng):
+    """Hundreds of events that only tell, and then one that ends the motion."""
+    stop = rng.uniform(100.0, 500.0)
+    model, w, start = _oscillation(rng, 1.0, rng.random() < 0.5, line=0.3, stop=stop)
+    events = (
+        Event(lambda s, p, t: s.x - p.line, name="line"),
+        Event(lambda s, p, t: sqrt(p.k) * t - p.stop, terminal=True, name="end"),
+    )
+    return Case(model, 2 * stop / w, start, events=events)
+
+
+@family("events")
+def zeros_in_strange_units(rng):
+    """The function in units in which it is huge or tiny."""
+    model, w, start = _oscillation(
+        rng, 1.0, rng.random() < 0.5, line=rng.uniform(-0.9, 0.9), unit=decades(rng, 1e-200, 1e200)
+    )
+    T = 2 * math.pi / w * decades(rng, 3.0, 100.0)
+    event = Event(lambda s, p, t: p.unit * (s.x - p.line))
+    times = closed_forms.crossings_of_a_spring(T)
+    return Case(model, T, start, exact=_moved, events=(event,), event_times=times)
+
+
+@family("events")
+def slow_crossing(rng):
+    """A decay that comes down to a level at which it has almost no speed left."""
+    parameters = {"k": decades(rng, 0.1, 10.0), "level": decades(rng, 1e-5, 0.5)}
+    model = Model("decay", parameters, ("x",), lambda s, p, t: (-p.k * s.x,))
+    T = rng.uniform(1.1, 2.0) * math.log(1 / parameters["level"]) / parameters["k"]
+    event = Event(lambda s, p, t: s.x - p.level, -1, True, name="level")
+    return Case(model, T, (1.0,), events=(event,))

@@ -1,0 +1,161 @@
+"""Which zeros of a function are events, along a motion whose every state is known."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from newton_euler import cos, exp, sin, sqrt, where
+from newton_euler.motion import Event, integrate, second_order
+from newton_euler.motion.events import EventLocator, events_in_step
+
+
+def spring(closed):
+    def exact(s, p, t):
+        return s.x * cos(t) + s.dx * sin(t), s.dx * cos(t) - s.x * sin(t)
+
+    rates = lambda s, p, t: (-s.x,)
+    return second_order("spring", {}, ("x",), rates, exact=exact if closed else None)
+
+
+def times(function, t=20.0, start=(1.0, 0.0), closed=True, **options):
+    motion = integrate(spring(closed), t, start, events=Event(function, **options))
+    return [e.t for e in motion.events]
+
+
+PASSAGES = math.pi * (np.arange(6) + 0.5)  # of x = cos(t) through zero, to t = 20
+BOTH = pytest.mark.parametrize("closed", [True, False])
+
+
+@BOTH
+@pytest.mark.parametrize(
+    "function",
+    [
+        lambda s, p, t: s.x,
+        lambda s, p, t: 1e250 * s.x,
+        lambda s, p, t: 1e-250 * s.x,
+        lambda s, p, t: exp(-t) * s.x,
+        lambda s, p, t: s.x + abs(s.x) / 2,
+        lambda s, p, t: s.x * abs(s.x),
+        lambda s, p, t: where(s.x > 0, 1.0, -2.0),
+        lambda s, p, t: 1.0 if s.x > 0 else -2.0,
+    ],
+    ids=["x", "huge", "tiny", "decaying", "kink", "flat kink", "jump", "branch"],
+)
+def test_every_change_of_sign_is_an_event(function, closed):
+    assert times(function, closed=closed) == pytest.approx(PASSAGES, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        lambda s, p, t: s.dx**2,
+        lambda s, p, t: abs(s.x),
+        lambda s, p, t: 1 - s.x,
+        lambda s, p, t: s.x**2 + s.dx**2 - 1,
+        lambda s, p, t: 0 * s.x,
+        lambda s, p, t: where(s.x > 0, 1.0, 5.0),
+        lambda s, p, t: 1 / s.x,
+    ],
+    ids=["square", "modulus", "touching", "round-off", "zero", "jump", "pole"],
+)
+def test_without_a_passage_through_zero_there_is_no_event(function):
+    assert times(function) == []
+
+
+@BOTH
+def test_zeros_beside_a_kink_are_two(closed):
+    found = times(lambda s, p, t: abs(s.x) - 1e-6, closed=closed)
+    exact = (PASSAGES[:, None] + [-1e-6, 1e-6]).reshape(-1)
+    assert found == pytest.approx(exact, abs=1e-9)
+
+
+@BOTH
+def test_directions_share_the_zeros(closed):
+    both, up, down = (times(lambda s, p, t: s.x, closed=closed, direction=d) for d in (0, 1, -1))
+    assert (down, up) == (both[::2], both[1::2])
+
+
+@BOTH
+@pytest.mark.parametrize("start", [(0.0, 1.0), (0.0, -1.0), (math.sin(math.pi), -1.0)])
+def test_a_zero_at_the_start_does_not_count(start, closed):
+    assert times(lambda s, p, t: s.x, 3.0, start, closed) == []
+    assert times(lambda s, p, t: s.x, 4.0, start, closed) == pytest.approx([math.pi], abs=1e-9)
+
+
+@BOTH
+def test_a_zero_at_the_end_counts(closed):
+    assert times(lambda s, p, t: t - 3.0, 3.0, closed=closed) == [3.0]
+    assert times(lambda s, p, t: t - 3.0, 2.999, closed=closed) == []
+
+
+@BOTH
+def test_a_zero_is_found_before_the_function_loses_its_value(closed):
+    found = times(lambda s, p, t: sqrt(s.x) - 0.1, 3.0, closed=closed, terminal=True)
+    assert found == pytest.approx([math.acos(0.01)], abs=1e-9)
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    st.lists(
+        st.tuples(st.floats(0.1, 60.0), st.floats(0.0, 6.3), st.floats(0.2, 1.0)),
+        min_size=1,
+        max_size=4,
+    )
+)
+def test_sums_of_oscillations_change_sign_as_often_as_a_fine_grid_shows(parts):
+    def g(s, p, t):
+        return sum(a * (s.x * cos(w * t + f) + s.dx / 3) for w, f, a in parts)
+
+    t = np.linspace(0.0, 10.0, 400_001)
+    x = sum(a * (np.cos(t) * np.cos(w * t + f) - np.sin(t) / 3) for w, f, a in parts)
+    change = np.flatnonzero(np.sign(x[1:]) * np.sign(x[:-1]) < 0)
+    found = times(g, 10.0)
+    # where it just touches zero the grid is no judge
+    turn = np.flatnonzero((np.diff(x)[1:] * np.diff(x)[:-1] < 0) & (abs(x[1:-1]) < 1e-6))
+    if not len(turn) and min(abs(x[0]), abs(x[-1])) > 1e-6:
+        assert len(found) == len(change)
+        assert found == pytest.approx(t[change], abs=3e-5)
+
+
+class _Steps:
+    """A stepper that has taken one step along x = t, from 0 to 10."""
+
+    start, step_times, goal, t, x = (0.0, (0.0,)), [0.0, 10.0], 10.0, 0.0, (0.0,)
+
+    class system:
+        @staticmethod
+        def function(f):
+            return f
+
+    def interpolate(self, n, times):
+        return times[None]
+
+    def state_at(self, t):
+        return (t,)
+
+
+def test_events_come_in_order_and_those_that_end_the_segment_last():
+    steps = _Steps()
+    events = [
+        Event(lambda t, x: x - 5, terminal=True),
+        Event(lambda t, x: x - 5),
+        Event(lambda t, x: (x - 2) * (x - 7)),
+    ]
+    locators = [EventLocator(event, steps, False) for event in events]
+    found = list(events_in_step(locators, 0))
+    assert [k for _, k in found] == [2, 1, 0, 2]
+    assert [t for t, _ in found] == pytest.approx([2, 5, 5, 7], abs=1e-14)
+
+
+def test_what_comes_after_the_end_is_not_looked_for():
+    """There the other function has thousands of millions of zeros."""
+
+    def wild(t, x):
+        return np.where(x < 2, 1.0, np.sin(1e9 * x))
+
+    events = [Event(lambda t, x: x - 1, terminal=True), Event(wild)]
+    locators = [EventLocator(event, _Steps(), False) for event in events]
+    assert next(events_in_step(locators, 0)) == (pytest.approx(1.0), 0)
