@@ -82,10 +82,11 @@ class Occurrence:
     state: dict
 
 
-def events_in_step(locators: list, n: int) -> Iterator[tuple[float, int]]:
-    """The events in step ``n``, in order of time, as pairs (time, number of the locator); of those
-    at the same time, those that end the segment come last. The step is searched only as far as
-    pairs are taken, so that what comes after the end of a segment costs nothing.
+def events_in_step(locators: list, n: int) -> Iterator[list[tuple[float, int]]]:
+    """The events in step ``n``, in order of time: for each time, within round-off, a list of pairs
+    (time, number of the locator), in which those that end the segment come last. The step is
+    searched only as far as lists are taken, so that what comes after the end of a segment costs
+    nothing.
     """
 
     def numbered(k):
@@ -97,11 +98,12 @@ def events_in_step(locators: list, n: int) -> Iterator[tuple[float, int]]:
     found: list = []
     for t, k, is_event in merge(*map(numbered, range(len(locators)))):
         if found and t > found[0][0] + 4 * EPS * abs(t):
-            yield from in_order(found)
+            yield in_order(found)
             found = []
         if is_event:
             found.append((t, k))
-    yield from in_order(found)
+    if found:
+        yield in_order(found)
 
 
 class EventLocator:

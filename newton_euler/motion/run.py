@@ -10,13 +10,14 @@ from functools import partial
 from time import perf_counter
 from typing import Any
 
-from .events import Event
+from .events import Event, EventError
 from .knots import knots
 from .methods.base import LengthError
 from .methods.exact import Exact, estimated_error, within
 from .methods.table import METHODS
 from .methods.taylor import level_of
 from .model import ModelError
+from .sizes import time_round_off
 from .solution import Cost, Motion, MotionError
 from .trajectory import Trajectory
 
@@ -133,7 +134,11 @@ class Run:
         """The trajectory at a tolerance, with which one at the tolerance ``fine`` is compared; it
         starts a little beside the start.
         """
-        shift = ROUND_OFF_OF_RATES / (SAFETY * min(1.0, (fine / tolerance) ** REGULAR))
+        shift = ROUND_OFF_OF_RATES / SERIES_SAFETY
+        if tolerance > fine:
+            shift = ROUND_OFF_OF_RATES / (SAFETY * (fine / tolerance) ** REGULAR)
+        if self.events:  # the start may lie on the surface of one
+            shift = 0.0
         state = [x * (1 + (-shift if n % 2 else shift)) for n, x in enumerate(self.state)]
         trajectory = Trajectory(replace(self, state=tuple(state)), method, tolerance, *more)
         self.calls += trajectory.calls
@@ -162,6 +167,8 @@ class Run:
         if not METHODS["exact"].unusable_because(self.system, self.t0):
             try:
                 return self.by(METHODS["exact"])
+            except EventError:
+                raise
             except AccuracyError as error:
                 refused.append(error)
             except ModelError:
@@ -185,8 +192,8 @@ class Run:
         missing, tight = taylor.unusable_because(system), self.rtol < dop853.min_rtol
         if tight and missing:
             raise ModelError(
-                f"rtol = {self.rtol:g} needs heyoka, but {missing}; without it the least is "
-                f"{dop853.min_rtol:g}"
+                f"rtol = {self.rtol:g} needs heyoka, without which the least is "
+                f"{dop853.min_rtol:g}; {missing}"
             )
         traced = system.traced
         # what a series may not notice is left to a method that does
@@ -238,18 +245,18 @@ class Run:
         for system, stepper, t0, t1, x1 in trajectory.segments:
             given = system, t1 - t0, stepper.start[1], x1
             if type(stepper) is not Exact:
-                why = "it becomes a model without one"
+                why = "it becomes a model without one; take method='auto'"
             elif not within(*given, self.rtol):
                 error = estimated_error(*given)
-                why = f"it is not accurate here: its error is about {error:.1g}"
+                why = (
+                    f"it is not accurate here: its error is about {error:.1g}, and rtol = "
+                    f"{self.rtol:g} was asked for; take method='auto', or a larger rtol"
+                )
             if why:
                 break
         else:
             return self.motion(trajectory, method, trajectory.exact_error)
-        words = (
-            f"the closed form of {self.system.model.name!r} does not do: {why}, and rtol = "
-            f"{self.rtol:g} was asked for; take method='auto', or a larger rtol"
-        )
+        words = f"the closed form of {self.system.model.name!r} does not do: {why}"
         if math.isnan(error):
             raise ModelError(words)
         raise AccuracyError(words, self.motion(trajectory, method, error))
@@ -319,7 +326,10 @@ def predicted_error(before, trajectory, method):
         regular = regular and 1 / STEPS_OFF < off < STEPS_OFF
     if traced.kinks or traced.branch_points:
         regular = False
-    return predicted(difference, ratio, tolerance, regular, fine)
+    of_time = 0.0
+    for system, stepper, t0, t1, x1 in trajectory.segments[-1:]:
+        of_time = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)
+    return predicted(difference, ratio, tolerance, regular, fine) + of_time
 
 
 def predicted(difference, ratio, tolerance, regular=True, steps=0):
@@ -357,6 +367,7 @@ def verified_series(system, rtol, method):
         rows = zip(x, end, stepper.scales, strict=True)
         difference = max(abs(u - v) / (s or 1.0) for u, v, s in rows)
         error = predicted(difference, tolerance / other.tolerance, tolerance)
+        error += time_round_off(system, t, x, stepper.scales, t)
         if error <= rtol:
             system.verified.add(rtol, 0.0, t, start, x, error)
         return error <= rtol

@@ -5,7 +5,7 @@ which the state jumps or the model changes.
 import math
 from typing import NamedTuple
 
-from .events import EventLocator, Occurrence
+from .events import EventLocator, Occurrence, events_in_step
 from .knots import knots
 from .methods.base import SMALLEST_SCALE, StepError, Stepper
 from .methods.exact import estimated_error
@@ -22,8 +22,9 @@ MAX_SEGMENTS = 20_000
 # part of the whole time: events that follow faster accumulate (Zeno), as the impacts of a ball that
 # comes to rest
 MIN_SEGMENT = 1e-9
-# part of the size that a state has during the motion below which its errors do not count
-OWN_PART = 1e-6
+# part of the size that a state has during the motion below which its errors do not count; if the
+# rates jump, a small one would stop the motion where it comes to rest
+OWN_PART, KINKED_PART = 1e-6, 1e-3
 # part of the difference of two runs on the way that counts as one of their ends: beside a singular
 # place it is larger than at the end
 INNER_PART = 0.05
@@ -62,7 +63,7 @@ class Trajectory:
         self.samples = None if run.events or run.progress else samples or run.samples
         self.segments, self.occurrences, self.ended, self.failed = [], [], "", None
         self.natural, self.units = None, ()
-        start = run.system, run.t0, run.state, run.events, None
+        start = run.system, run.t0, run.state, run.events, ()
         while start:
             start = self._segment(*start)
         self.calls = sum([segment.stepper.calls for segment in self.segments])
@@ -104,15 +105,14 @@ class Trajectory:
                 self.natural = natural, noise
         # they go with the sizes that the states have had so far, since a small error of a state that
         # is still small may grow with it
-        floors = [
-            max(OWN_PART * s, NATURAL_PART * n) for s, n in zip(sizes, natural, strict=True)
-        ]
+        own = KINKED_PART if system.traced.kinks else OWN_PART
+        floors = [max(own * s, NATURAL_PART * n) for s, n in zip(sizes, natural, strict=True)]
         if series:  # the sizes that they will have
             self.units = tuple(map(max, map(abs, x), sizes, natural))
         floors = tuple([f or SMALLEST_SCALE for f in floors])
         return floors, tuple([ROUND_OFF * n for n in noise]), stops
 
-    def _segment(self, system, t, x, events, initial_event):
+    def _segment(self, system, t, x, events, initial):
         """Add the segment that starts here; returns the arguments for the next one, or None."""
         method = self.method
         if self.segments and method.unusable_because(system):
@@ -120,54 +120,65 @@ class Trajectory:
         stepper = found = None
         try:
             stepper = method.stepper(system, t, x, self)
-            found = self._follow(stepper, events, initial_event)
+            found = self._follow(stepper, events, initial)
         except ModelError:
             raise
         except (ArithmeticError, ValueError) as error:
             stepper = stepper or _standing(system, t, x)
             self._fail(stepper, error)
-        t1, event, x1 = found or (stepper.t, None, stepper.x)
+        t1, ending, x1 = found or (stepper.t, (), stepper.x)
         self.segments.append(Segment(system, stepper, t, t1, x1))
-        if event:
-            return self._after(event, events)
+        if ending:
+            return self._after(ending, events)
         self.ended = self.ended or f"reached t = {t1:.6g}"
         return None
 
-    def _follow(self, stepper, events, initial_event):
-        """Go to the goal or to the first event that ends the segment; returns that as (t, event,
-        state).
+    def _follow(self, stepper, events, initial):
+        """Go to the goal or to the first events that end the segment; returns those as (t, events,
+        state): several at one time, as where a ball comes into a corner.
+
+        initial : the events with which the segment began
         """
         if not events and not self.progress:
             stepper.step()
             return None
-        locators = [EventLocator(event, stepper, event is initial_event) for event in events]
+        locators = [EventLocator(e, stepper, any(e is i for i in initial)) for e in events]
         limit, done = FIRST_STEPS, 0
         while stepper.t < self.goal:
             stepper.step(limit)
             for n in range(done, len(stepper.step_times) - 1):
-                found = [(t, k) for k, locator in enumerate(locators) for t in locator.roots(n)]
-                for t, k in sorted(found):
-                    x, event = stepper.state_at(t), events[k]
-                    state = stepper.system.model._state(x)
-                    self.occurrences.append(Occurrence(event.name or f"event {k + 1}", t, state))
-                    if event.ends:
-                        return t, event, x
+                for found in events_in_step(locators, n):
+                    ending = [k for _, k in found if events[k].ends]
+                    for t, k in found:
+                        x, name = stepper.state_at(t), events[k].name or f"event {k + 1}"
+                        state = stepper.system.model._state(x)
+                        self.occurrences.append(Occurrence(name, t, state))
+                    if ending:
+                        return t, [events[k] for k in ending], x
             done, limit = len(stepper.step_times) - 1, min(2 * limit, MAX_STEPS)
             if self.progress:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
         return None
 
-    def _after(self, event, events):
-        """The arguments of the segment that follows an event, or None."""
+    def _after(self, ending, events):
+        """The arguments of the segment that follows the events, or None."""
         name, (system, _, t0, t, x) = self.occurrences[-1].name, self.segments[-1]
         self.ended = f"{name} at t = {t:.6g}"
-        new = event.then and system.untraced(event.then)(t, *x)
-        if new is None:
-            return None
-        if not isinstance(new, tuple) or len(new) not in (2, 3):
-            raise ModelError(
-                f"then= of {name!r} returns (model, start) or (model, start, events), not {new!r}"
-            )
+        for event in ending:
+            new = event.then and system.untraced(event.then)(t, *x)
+            if new is None:
+                return None
+            if not isinstance(new, tuple) or len(new) not in (2, 3):
+                raise ModelError(
+                    f"then= of {event.name or name!r} returns (model, start) or (model, start, "
+                    f"events), not {new!r}"
+                )
+            (model, start, *given), before = new, system.model
+            system, x = prepared_model(model), start_state(model, start)
+            if given:
+                events = tuple(given[0])
+            elif model.rhs is not before.rhs:
+                events = tuple(e for e in events if e is not event)
         count, least = len(self.segments), MIN_SEGMENT * (self.goal - self.origin)
         if count >= MAX_SEGMENTS or (count > 1 and t - t0 < least):
             self.ended = (
@@ -176,12 +187,8 @@ class Trajectory:
             return None
         if t >= self.goal:
             return None
-        self.ended, (model, start, *given) = "", new
-        if given:
-            events = tuple(given[0])
-        elif model.rhs is not system.model.rhs:
-            events = tuple(e for e in events if e is not event)
-        return prepared_model(model), t, start_state(model, start), events, event
+        self.ended = ""
+        return system, t, x, events, ending
 
     def _fail(self, stepper, error):
         model, self.failed = stepper.system.model, error

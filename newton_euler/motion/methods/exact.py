@@ -56,6 +56,12 @@ class Exact(Stepper):
 
         return run
 
+    def state_at(self, t):
+        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
+        start, x = self.start
+        self.calls += 1
+        return self.system.solution(t - start, x)
+
     def interpolate(self, n, times):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         start, x = self.start

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import cos, exp, sin, sqrt, where
-from newton_euler.motion import Event, integrate, second_order
+from newton_euler.motion import Event, Model, integrate, second_order
 from newton_euler.motion.events import EventLocator, events_in_step
 
 
@@ -145,7 +145,7 @@ def test_events_come_in_order_and_those_that_end_the_segment_last():
         Event(lambda t, x: (x - 2) * (x - 7)),
     ]
     locators = [EventLocator(event, steps, False) for event in events]
-    found = list(events_in_step(locators, 0))
+    found = [pair for pairs in events_in_step(locators, 0) for pair in pairs]
     assert [k for _, k in found] == [2, 1, 0, 2]
     assert [t for t, _ in found] == pytest.approx([2, 5, 5, 7], abs=1e-14)
 
@@ -158,4 +158,25 @@ def test_what_comes_after_the_end_is_not_looked_for():
 
     events = [Event(lambda t, x: x - 1, terminal=True), Event(wild)]
     locators = [EventLocator(event, _Steps(), False) for event in events]
-    assert next(events_in_step(locators, 0)) == (pytest.approx(1.0), 0)
+    assert next(events_in_step(locators, 0)) == [(pytest.approx(1.0), 0)]
+
+
+@pytest.mark.parametrize("method", ["exact", "dop853", "taylor"])
+def test_a_ball_in_a_corner_bounces_off_both_walls(method):
+    """Two events at one time: each has its then."""
+    if method == "taylor":
+        pytest.importorskip("heyoka")
+
+    def exact(s, p, t):
+        return s.x + s.u * t, s.y + s.v * t, s.u, s.v
+
+    ball = Model(
+        "ball", {}, ("x", "y", "u", "v"), lambda s, p, t: (s.u, s.v, 0.0, 0.0), exact=exact
+    )
+    walls = (
+        Event(lambda s, p, t: s.x, -1, then=lambda s, p, t: (ball, (0.0, s.y, -s.u, s.v))),
+        Event(lambda s, p, t: s.y, -1, then=lambda s, p, t: (ball, (s.x, 0.0, s.u, -s.v))),
+    )
+    motion = integrate(ball, 3.0, (1.0, 1.0, -1.0, -1.0), 1e-9, method, walls)
+    assert [e.name for e in motion.events] == ["event 1", "event 2"]
+    assert [motion.end[n] for n in "xyuv"] == pytest.approx([2.0, 2.0, 1.0, 1.0], abs=1e-8)

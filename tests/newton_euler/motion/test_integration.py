@@ -22,6 +22,7 @@ from newton_euler.motion.integration import integrate, prepare
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.model import KEPT
 from newton_euler.motion.prepared import prepared_model
+from newton_euler.motion.run import AccuracyError
 from newton_euler.motion.solution import MotionError
 from newton_euler.scenes.particles.space_station import free_body as station_body
 from newton_euler.scenes.planar.pendulum import physical_pendulum
@@ -202,14 +203,17 @@ def test_small_motions_are_as_accurate_as_large_ones(method, size):
         ] / size == pytest.approx(math.cos(40.0), abs=3 * rtol)
 
 
-def test_an_error_that_cannot_be_reached_is_told():
-    """Swinging over the top, the last digits of a float are not enough for 1e-12 without heyoka's
-    care.
-    """
+def test_an_error_that_cannot_be_reached_is_refused_with_what_can():
+    """Swinging over the top, the last digits of a float are not enough for 1e-13."""
     model, t, start = SCENES["pendulum, over the top"]
-    motion = integrate(model, 3 * t, start, 1e-12, "dop853")
-    assert motion.error > 1e-12
-    assert "not reached" in str(motion)
+    with pytest.raises(AccuracyError, match="and rtol = 1e-13 was asked for; ask for rtol") as told:
+        integrate(model, 3 * t, start, 1e-13, "dop853")
+    reached = told.value.reached
+    assert reached.error > 1e-13
+    assert "not reached" in str(reached)
+    could = float(str(told.value).split("ask for rtol = ")[1].split(".")[0])
+    assert reached.error < could < 20 * reached.error
+    assert integrate(model, 3 * t, start, could, "dop853").error <= could
 
 
 # -- dense output, drift, cost
@@ -486,7 +490,7 @@ def test_heyoka_that_is_missing_is_said(monkeypatch):
     ):
         swing(method="taylor")
     with pytest.raises(
-        ModelError, match="needs heyoka, which is not installed; without it the least is"
+        ModelError, match="needs heyoka, without which the least is 1e-13; heyoka is not installed"
     ):
         integrate(forced(), 1.0, (1.0, 0.0), 1e-14)
 
