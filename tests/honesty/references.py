@@ -16,7 +16,7 @@ import json
 import math
 import os
 import tempfile
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from inspect import Parameter, Signature
 from itertools import pairwise
 from pathlib import Path
@@ -81,6 +81,7 @@ def reference(case, cache=None, seconds=SECONDS):
     Raises :class:`NoReferenceError` if it is not reached in so many seconds, or if the two ways
     disagree.
     """
+    case = replace(case, model=case.written_out or case.model)
     path = Path(cache) / f"{_key(case)}.json" if cache else None
     if path and path.exists():
         known = json.loads(path.read_text())
