@@ -33,7 +33,7 @@ def fermi_pasta_ulam(rng):
     start = [rng.uniform(0.3, 1.5) * math.sin(math.pi * mode * (i + 1) / (n + 1)) for i in range(n)]
     return Case(
         second_order("Fermi, Pasta, Ulam", parameters, _named("x", n), accelerations),
-        rng.uniform(5.0, 60.0),
+        rng.uniform(5.0, 20.0),
         (*start, *[0.0] * n),
     )
 

@@ -3,7 +3,7 @@
 import math
 
 import newton_euler
-from newton_euler import Event, Model, asin, atan2, cos, sin, sqrt, tan, where
+from newton_euler import Event, Model, acos, asin, atan2, cos, sin, sqrt, tan, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
 from tests.honesty.cases import Branches, Case, decades, either, held_out
@@ -326,6 +326,49 @@ def dog_and_rabbit(rng):
         Model("dog and rabbit", parameters, ("x", "y", "phi"), rates),
         rng.uniform(5.0, 30.0),
         (rng.uniform(-3.0, -1.5), rng.uniform(-2.0, 2.0), rng.uniform(-3.0, 3.0)),
+    )
+
+
+@held_out("near-singular")
+def angle_by_arccosine(rng):
+    """A door on a torsion spring under a steady torque, by the cosine and the sine of its angle;
+    the spring takes the angle from acos, nearly of one at the turning point.
+    """
+    parameters = {"k": rng.uniform(1.0, 10.0)}
+    th = decades(rng, 1e-2, 0.3)
+    parameters["M"] = parameters["k"] * rng.uniform(0.4, 1.0)
+
+    def rates(s, p, t):
+        return -s.s * s.w, s.c * s.w, p.M - p.k * acos(s.c)
+
+    return Case(
+        Model("door", parameters, ("c", "s", "w"), rates),
+        rng.uniform(2.0, 25.0) / parameters["k"] ** 0.5,
+        (math.cos(th), math.sin(th), 0.0),
+    )
+
+
+@held_out("mechanics", "multi-scale")
+def gyro_with_damping(rng):
+    """A fast gyro in two gimbals with damping: it nutates fast and drifts slowly."""
+    parameters = {
+        "H": decades(rng, 10.0, 300.0),
+        "A": rng.uniform(0.5, 1.5),
+        "B": rng.uniform(0.5, 1.5),
+        "c": decades(rng, 1e-3, 3.0),
+        "M": rng.uniform(0.1, 3.0),
+    }
+
+    def accelerations(s, p, t):
+        return (
+            (p.M - p.c * s.da - p.H * cos(s.a) * s.db) / p.A,
+            (p.H * cos(s.a) * s.da - p.c * s.db) / p.B,
+        )
+
+    return Case(
+        second_order("gyro", parameters, ("a", "b"), accelerations),
+        rng.uniform(30.0, 300.0) / parameters["H"],
+        (rng.uniform(-0.5, 0.5), 0.0, rng.uniform(-0.1, 0.1), 0.0),
     )
 
 

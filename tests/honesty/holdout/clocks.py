@@ -242,7 +242,7 @@ def symmetric_body_for_long(rng):
 
 @held_out("long")
 def planet_beyond_newton(rng):
-    """An orbit whose perihelion moves, by a term 1/r^3 in the attraction: five to fifteen revolutions."""
+    """An orbit whose perihelion moves, by a term 1/r^3 in the attraction, five to fifteen times."""
     parameters = {"GM": 1.0, "b": decades(rng, 1e-8, 1e-2)}
 
     def accelerations(s, p, t):

@@ -55,6 +55,31 @@ def constants_as_states(rng):
     )
 
 
+@held_out("multi-scale", "units")
+def bond_beside_an_orbit(rng):
+    """A molecule in a comet: a bond of 1e-10 m and 1e-14 s, and an orbit of 1e11 m, in one model."""
+    parameters = {
+        "GM": 1.32712440018e20,
+        "D": 7.4e-19,
+        "a": rng.uniform(1.5e10, 2.5e10),
+        "r": 7.4e-11,
+        "m": decades(rng, 8e-28, 2e-26),
+    }
+
+    def rates(s, p, t):
+        R = sqrt(s.X * s.X + s.Y * s.Y)
+        e = exp(-p.a * (s.d - p.r))
+        pull = -2 * p.a * p.D * (1 - e) * e / p.m
+        return s.U, s.V, -p.GM * s.X / R**3, -p.GM * s.Y / R**3, s.w, pull
+
+    n = parameters["a"] * math.sqrt(2 * parameters["D"] / parameters["m"])
+    return Case(
+        Model("molecule in a comet", parameters, ("X", "Y", "U", "V", "d", "w"), rates),
+        rng.uniform(5.0, 40.0) / n,
+        (1.5e11, rng.uniform(-1e11, 1e11), 0.0, 3e4, 7.4e-11 * rng.uniform(0.9, 1.2), 0.0),
+    )
+
+
 @held_out("multi-scale", "tiny")
 def ripple_on_a_train(rng):
     """A train a thousand kilometres down the line, and a swing of nanometres to micrometres in it,

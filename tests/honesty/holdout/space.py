@@ -419,6 +419,28 @@ def apsides_and_nodes(rng):
     )
 
 
+@held_out("events", "late")
+def eclipses_by_the_clock_of_the_mission(rng):
+    """When a satellite enters and leaves the shadow of the Earth, from 1e5 to 1e7 s on."""
+    begin = float(round(decades(rng, 1e5, 1e7)))
+
+    def accelerations(s, p, t):
+        r = sqrt(s.x * s.x + s.y * s.y)
+        return -p.GM * s.x / r**3, -p.GM * s.y / r**3
+
+    edge = Event(lambda s, p, t: s.y - p.R, name="edge")
+    other = Event(lambda s, p, t: s.y + p.R, name="other edge")
+    r = rng.uniform(7e6, 2e7)
+    v = math.sqrt(GM_EARTH / r)
+    return Case(
+        second_order("eclipses", {"GM": GM_EARTH, "R": R_EARTH}, ("x", "y"), accelerations),
+        begin + round(2 * math.pi * r / v * rng.uniform(0.8, 2.5)),
+        (r, 0.0, 0.0, v * rng.uniform(0.98, 1.1)),
+        t0=begin,
+        events=(edge, other),
+    )
+
+
 @held_out("near-singular", "multi-scale")
 def mass_by_logarithm(rng):
     """A launch in the logarithm of the mass, by Tsiolkovsky, with the losses as states."""
