@@ -35,8 +35,8 @@ class Case:
     branches : :class:`Branches` where the rates have kinks, else None
     knots : times at which the reference stops to look, where something short happens that long
         steps would pass over
-    exact : a function ``(mp, s, p, t)`` on mpmath numbers, the states at the time t after the
-        start, or None; not shown to the engine
+    exact : a function ``(mp, s, p, t)`` on mpmath numbers, the states at the time t of the clock,
+        which shows t0 at the start, or None; not shown to the engine
     singular_at : the time at which the motion ceases to exist, or None; beyond it the only right
         answer is a refusal
     events : of the engine; ``event_times(mp, s, p)`` lists the times of a single event where a

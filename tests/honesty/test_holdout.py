@@ -1,6 +1,7 @@
 """Tests of the families of the holdout."""
 
 import math
+from fractions import Fraction
 from random import Random
 
 import pytest
@@ -152,3 +153,12 @@ def test_an_impact_of_the_reference_has_the_states_of_the_one_that_the_engine_se
     told = [e.then(s, p, 0.7)[1] for e in case.events if e.then]
     assert told
     assert len(told[0]) == len(case.impact(s, p, 0.7)) == len(case.start)
+
+
+def test_the_error_of_an_event_is_relative_to_the_time_since_the_start(cache):
+    case = draw("eclipses_by_the_clock_of_the_mission", 0, 0)
+    truth = reference(case, cache)
+    late = [(n, float(t) + 1e-5 * (case.t_end - case.t0)) for n, t, _ in truth.events]
+    weight = max(w for *_, w in truth.events)
+    assert Fraction(truth.events[0][1]) > case.t0 > case.t_end - case.t0
+    assert judge.events_error(late, truth, 1e-9, case.t0) == pytest.approx(1e-5 * weight, rel=1e-6)
