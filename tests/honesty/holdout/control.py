@@ -119,7 +119,7 @@ def pid_with_a_limit(rng):
 def motor_on_pulses(rng):
     """A motor fed by pulses of some width: current, speed and angle."""
     T = rng.uniform(0.05, 0.2)
-    n = rng.randint(4, 15)
+    n = rng.randint(4, 9)
     duty = rng.uniform(0.2, 0.8)
     parameters = {
         "U": 12.0,
@@ -148,7 +148,7 @@ def motor_on_pulses(rng):
         T,
         (0.0, 0.0, 0.0),
         branches=branches,
-        knots=tuple(T * k / (8 * n) for k in range(1, 8 * n)),
+        knots=tuple(T * k / (4 * n) for k in range(1, 4 * n)),
     )
 
 
