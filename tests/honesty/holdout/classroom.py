@@ -128,7 +128,7 @@ def kapitza(rng):
         "g": 9.81,
         "L": rng.uniform(0.2, 1.0),
         "a": rng.uniform(0.01, 0.05),
-        "W": rng.uniform(50.0, 300.0),
+        "W": rng.uniform(50.0, 150.0),
         "c": rng.uniform(0.0, 0.5),
     }
 
@@ -137,7 +137,7 @@ def kapitza(rng):
 
     return Case(
         second_order("Kapitza's pendulum", parameters, ("th",), accelerations),
-        rng.uniform(0.5, 4.0),
+        rng.uniform(0.5, 2.0),
         (either(rng, rng.uniform(0.01, 0.5)), 0.0),
     )
 

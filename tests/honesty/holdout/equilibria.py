@@ -15,7 +15,7 @@ def upright_by_pi(rng):
     model = second_order(
         "upright", parameters, ("th",), lambda s, p, t: (-p.k * sin(s.th) - p.c * s.dth,)
     )
-    return Case(model, rng.uniform(3.0, 30.0) / parameters["k"] ** 0.5, (math.pi, 0.0))
+    return Case(model, rng.uniform(3.0, 16.0) / parameters["k"] ** 0.5, (math.pi, 0.0))
 
 
 @held_out("tiny", "equilibrium")
