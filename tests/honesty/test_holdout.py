@@ -162,3 +162,12 @@ def test_the_error_of_an_event_is_relative_to_the_time_since_the_start(cache):
     weight = max(w for *_, w in truth.events)
     assert Fraction(truth.events[0][1]) > case.t0 > case.t_end - case.t0
     assert judge.events_error(late, truth, 1e-9, case.t0) == pytest.approx(1e-5 * weight, rel=1e-6)
+
+
+@pytest.mark.parametrize("number", range(DRAWS))
+def test_the_margin_is_the_depth_of_a_dip_whether_or_not_a_look_falls_into_it(number, cache):
+    """The probe is next to its sun at 1 - e; the range is that of the far end."""
+    case = draw("pairs_of_passages", 0, number)
+    e, low = case.start[0] - 1, case.model.parameters["low"]
+    depth = abs((1 - e) ** 2 - low**2) / ((1 + e) ** 2 - low**2)
+    assert reference(case, cache).margin == pytest.approx(depth, rel=1e-3)
