@@ -14,9 +14,10 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
-import tests.honesty.families  # noqa: F401
+import tests.honesty.families
+import tests.honesty.holdout  # noqa: F401
 from tests.honesty import printing, report
-from tests.honesty.cases import DRAWS, FAMILIES
+from tests.honesty.cases import DRAWS, FAMILIES, HOLDOUT
 from tests.honesty.engine import METHOD_NAMES
 from tests.honesty.judge import SECONDS, TOLERANCES
 from tests.honesty.references import SECONDS as REFERENCE_SECONDS
@@ -54,6 +55,7 @@ examples:
   python -m tests.honesty --draws 1 --methods auto,taylor  some minutes
   python -m tests.honesty --families dry_friction,lorenz   two families
   python -m tests.honesty --case beside_a_constant/0/2     one case, every call listed
+  python -m tests.honesty --holdout                        families that nobody mends it by
   python -m tests.honesty --list                           the families
 """
 
@@ -83,7 +85,11 @@ def _cases(context, parameter, texts):
     out = []
     for text in texts:
         name, *numbers = text.split("/")
-        if name not in FAMILIES or len(numbers) != 2 or not all(n.isdigit() for n in numbers):
+        if (
+            name not in {**FAMILIES, **HOLDOUT}
+            or len(numbers) != 2
+            or not all(n.isdigit() for n in numbers)
+        ):
             raise click.BadParameter(f"a case is family/seed/draw, as lorenz/0/2, got {text!r}")
         out.append((name, *map(int, numbers)))
     return out
@@ -91,8 +97,13 @@ def _cases(context, parameter, texts):
 
 @click.command(help=HELP, context_settings={"max_content_width": 100})
 @click.option(
-    "--families", default="", callback=_several(FAMILIES), metavar="A,B", help="only these families"
+    "--families",
+    default="",
+    callback=_several({**FAMILIES, **HOLDOUT}),
+    metavar="A,B",
+    help="only these families",
 )
+@click.option("--holdout", is_flag=True, help="the families of the holdout in place of the others")
 @click.option(
     "--seeds", default=1, show_default=True, type=click.IntRange(1), help="how many seeds"
 )
@@ -166,6 +177,7 @@ def _cases(context, parameter, texts):
 @click.option("--list", "listed", is_flag=True, help="list the families and end")
 def main(
     families,
+    holdout,
     seeds,
     first_seed,
     draws,
@@ -184,8 +196,9 @@ def main(
 ):
     """Run it."""
     console = Console(width=None if Console().is_terminal else 140)
+    known = HOLDOUT if holdout else FAMILIES
     if listed:
-        for name, f in FAMILIES.items():
+        for name, f in known.items():
             console.print(
                 f"{name:30} {', '.join(f.tags):28} {f.__doc__.strip().splitlines()[0]}",
                 highlight=False,
@@ -195,7 +208,7 @@ def main(
     wanted = cases or [
         (n, seed, k)
         for seed in range(first_seed, first_seed + seeds)
-        for n in families or FAMILIES
+        for n in families or known
         for k in range(draws)
     ]
     plan = Plan(

@@ -123,18 +123,18 @@ def true_error(state, true, sizes, natural, unit=UNIT):
     return max(d / max(s, unit) if d else 0.0 for d, s in zip(differences, known, strict=True))
 
 
-def events_error(found, truth, rtol):
+def events_error(found, truth, rtol, t0=0.0):
     """The error of the events: of the time of each over the whole time, times its weight; inf if
     there are more or fewer.
 
     found : (number, time) of each, in order; truth : the reference; where two events are so close
-        that an error of ``rtol`` may join them, 0
+        that an error of ``rtol`` may join them, 0; t0 : the time of the start
     """
     if truth.margin < GROSS * rtol:
         return 0.0
     if [n for n, _ in found] != [n for n, *_ in truth.events]:
         return math.inf
-    span = float(Fraction(truth.times[-1])) if truth.times else 1.0
+    span = float(Fraction(truth.times[-1]) - Fraction(t0)) if truth.times else 1.0
     return max(
         (
             w * float(abs(Fraction(t) - Fraction(true))) / span
@@ -246,7 +246,7 @@ def _compared(case, truth, end, estimate, inside, found, asked):
     error, unitless = (true_error(end, truth.states[-1], *about, unit) for unit in (UNIT, 0.0))
     words = f"end {end!r}, true {tuple(float(Fraction(x)) for x in truth.states[-1])!r}"
     if found is not None:
-        times = events_error(found, truth, rtol)
+        times = events_error(found, truth, rtol, case.t0)
         error, unitless = max(error, times), max(unitless, times)
         if times == math.inf:
             words = f"{len(found)} events of {len(truth.events)}"

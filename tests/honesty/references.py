@@ -16,7 +16,7 @@ import json
 import math
 import os
 import tempfile
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from inspect import Parameter, Signature
 from itertools import pairwise
 from pathlib import Path
@@ -82,6 +82,7 @@ def reference(case, cache=None, seconds=SECONDS):
     Raises :class:`NoReferenceError` if it is not reached in so many seconds, or if the two ways
     disagree.
     """
+    case = replace(case, model=case.written_out or case.model)
     path = Path(cache) / f"{_key(case)}.json" if cache else None
     if path and path.exists():
         known = json.loads(path.read_text())
@@ -134,7 +135,7 @@ def _key(case):
         case.knots,
         case.singular_at,
     ]
-    parts += [(e.direction, e.terminal, e.then is not None) for e in case.events]
+    parts += [("all extrema", e.direction, e.terminal, e.then is not None) for e in case.events]
     parts += [
         inspect.getsource(f) if f else None for f in (case.exact, case.event_times, case.impact)
     ]
@@ -628,6 +629,11 @@ class _Integration:
                     self.out.extrema.append((n, gb))
                 if gb * ga < 0:
                     points.append((b, gb))
+            elif not switch and (gb - ga) * (gc - gb) < 0:
+                # the bottom of a dip into which a look has fallen
+                if abs(gb) < 0.1 * largest:
+                    _, gb = self._extremum(i, a, c, begun, math.copysign(1.0, ga - gb))
+                self.out.extrema.append((n, gb))
         # the sign at the beginning is known
         points = sorted(points)[1 if self.stepper.dense else 0 :]
         grid = [0.0] + [t for t, _ in points]

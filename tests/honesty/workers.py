@@ -26,6 +26,7 @@ LOOK = 0.5  # seconds between two looks whether to stop
 PRELOADED = (
     "tests.honesty.judge",
     "tests.honesty.families",
+    "tests.honesty.holdout",
     "numpy",
     "scipy.integrate",
     "mpmath",
@@ -186,7 +187,8 @@ def _context():
 
 
 def _reference_process(case, plan, pipe):
-    import tests.honesty.families  # noqa: F401
+    import tests.honesty.families
+    import tests.honesty.holdout  # noqa: F401
 
     made = draw(*case)
     try:
@@ -199,7 +201,8 @@ def _reference_process(case, plan, pipe):
 
 
 def _judge_process(case, plan, without, skipped, pipe):
-    import tests.honesty.families  # noqa: F401
+    import tests.honesty.families
+    import tests.honesty.holdout  # noqa: F401
 
     warnings.simplefilter("ignore")  # of SciPy, which repeats in words what its status says
     if without:

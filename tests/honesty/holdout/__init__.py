@@ -1,0 +1,35 @@
+"""Families of random models that the engine is judged by, and that nobody mends it by.
+
+Written by another hand than :mod:`tests.honesty.families`; ``python -m tests.honesty --holdout``
+runs them. :data:`~tests.honesty.cases.HOLDOUT` lists them by name. Whoever looks into one to find
+out why it fails has used it up: let a new one take its place here, and move the old one to
+:mod:`tests.honesty.families`.
+"""
+
+from tests.honesty.holdout import (
+    chains,
+    chemistry,
+    classroom,
+    clocks,
+    control,
+    ends,
+    equilibria,
+    impacts,
+    many,
+    space,
+    written_styles,
+)
+
+__all__ = [
+    "chains",
+    "chemistry",
+    "classroom",
+    "clocks",
+    "control",
+    "ends",
+    "equilibria",
+    "impacts",
+    "many",
+    "space",
+    "written_styles",
+]

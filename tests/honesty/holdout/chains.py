@@ -1,0 +1,315 @@
+"""Many bodies: chains, lattices, crystals, clusters."""
+
+import math
+from itertools import pairwise
+
+from newton_euler import Model, exp, sin, where
+from newton_euler.motion import second_order
+from tests.honesty import closed_forms
+from tests.honesty.cases import Branches, Case, decades, either, held_out
+
+
+def _states(s, letter, n):
+    return [getattr(s, f"{letter}{i}") for i in range(n)]
+
+
+def _named(letter, n):
+    return tuple(f"{letter}{i}" for i in range(n))
+
+
+@held_out("smooth")
+def fermi_pasta_ulam(rng):
+    """Eight masses and springs that are a little nonlinear, the lowest mode excited."""
+    n = 8
+
+    def accelerations(s, p, t):
+        x = [0, *_states(s, "x", n), 0]
+        pull = [b - a for a, b in pairwise(x)]
+        force = [d + p.a * d * d + p.b * d * d * d for d in pull]
+        return tuple(b - a for a, b in pairwise(force))
+
+    parameters = {"a": rng.uniform(0.0, 0.5), "b": rng.uniform(0.0, 1.0)}
+    mode = rng.randint(1, 3)
+    start = [rng.uniform(0.3, 1.5) * math.sin(math.pi * mode * (i + 1) / (n + 1)) for i in range(n)]
+    return Case(
+        second_order("Fermi, Pasta, Ulam", parameters, _named("x", n), accelerations),
+        rng.uniform(5.0, 20.0),
+        (*start, *[0.0] * n),
+    )
+
+
+@held_out("smooth")
+def toda_ring(rng):
+    """A ring of six masses with exponential springs."""
+    n = 6
+
+    def accelerations(s, p, t):
+        x = _states(s, "x", n)
+        force = [exp(-p.b * (x[(i + 1) % n] - x[i])) for i in range(n)]
+        return tuple(force[i - 1] - force[i] for i in range(n))
+
+    start = [rng.uniform(-0.5, 0.5) for _ in range(2 * n)]
+    return Case(
+        second_order("Toda", {"b": rng.uniform(0.5, 2.0)}, _named("x", n), accelerations),
+        rng.uniform(5.0, 25.0),
+        tuple(start),
+    )
+
+
+@held_out("units", "chaotic")
+def argon_cluster(rng):
+    """Three argon atoms in a plane by Lennard-Jones, in metres and kilograms."""
+    n = 3
+    parameters = {"eps": 1.65e-21, "sig": 3.4e-10, "m": 6.63e-26}
+
+    def accelerations(s, p, t):
+        x, y = _states(s, "x", n), _states(s, "y", n)
+        ax, ay = [0.0 * v for v in x], [0.0 * v for v in y]
+        for i in range(n):
+            for j in range(i):
+                dx, dy = x[i] - x[j], y[i] - y[j]
+                r2 = dx * dx + dy * dy
+                q = (p.sig * p.sig / r2) ** 3
+                f = 24 * p.eps / p.m * (2 * q * q - q) / r2
+                ax[i], ay[i] = ax[i] + f * dx, ay[i] + f * dy
+                ax[j], ay[j] = ax[j] - f * dx, ay[j] - f * dy
+        return (*ax, *ay)
+
+    d, v = 3.4e-10 * 2 ** (1 / 6), 60.0
+    places = (0.0, d, d / 2, 0.0, 0.0, d * 0.87)
+    start = [x + d * rng.uniform(-0.05, 0.05) for x in places]
+    speeds = [rng.uniform(-v, v) for _ in range(6)]
+    return Case(
+        second_order("argon", parameters, _named("x", n) + _named("y", n), accelerations),
+        rng.uniform(1e-12, 5e-12),
+        (*start, *speeds),
+    )
+
+
+@held_out("stiff", "multi-scale")
+def almost_rigid_link(rng):
+    """A chain of six masses of which two are tied by a spring a hundred thousand times stiffer."""
+    n = 6
+    stiff = rng.randrange(1, n)
+    parameters = {f"k{i}": 1.0 for i in range(n)}
+    parameters[f"k{stiff}"] = decades(rng, 1e4, 3e5)
+
+    def accelerations(s, p, t):
+        x = [0, *_states(s, "x", n)]
+        force = [getattr(p, f"k{i}") * (x[i + 1] - x[i]) for i in range(n)] + [0]
+        return tuple(force[i + 1] - force[i] for i in range(n))
+
+    start = [rng.uniform(0.5, 1.0)] * n
+    return Case(
+        second_order("stiff link", parameters, _named("x", n), accelerations),
+        rng.uniform(0.3, 2.0),
+        (*start, *[0.0] * n),
+    )
+
+
+@held_out("stiff")
+def heated_rod(rng):
+    """Ten slices of a rod whose end is heated to and fro."""
+    n = 10
+    parameters = {"d": decades(rng, 1.0, 300.0), "A": rng.uniform(1.0, 50.0), "w": 2.0}
+
+    def rates(s, p, t):
+        T = [p.A * sin(p.w * t), *_states(s, "T", n)]
+        T.append(T[-1])
+        return tuple(p.d * (T[i - 1] - 2 * T[i] + T[i + 1]) for i in range(1, n + 1))
+
+    return Case(
+        Model("rod", parameters, _named("T", n), rates),
+        rng.uniform(0.5, 5.0),
+        tuple(rng.choice((0.0, 20.0)) for _ in range(n)),
+    )
+
+
+@held_out("smooth")
+def kuramoto(rng):
+    """Five clocks on a wall, each of its own rate, that pull each other along."""
+    n = 5
+    parameters = {f"w{i}": rng.uniform(-1.0, 1.0) for i in range(n)}
+    parameters["K"] = rng.uniform(0.1, 0.5)
+
+    def rates(s, p, t):
+        th = _states(s, "th", n)
+        return tuple(
+            getattr(p, f"w{i}") + p.K * sum(sin(b - th[i]) for b in th if b is not th[i])
+            for i in range(n)
+        )
+
+    return Case(
+        Model("Kuramoto", parameters, _named("th", n), rates),
+        rng.uniform(5.0, 20.0),
+        tuple(rng.uniform(-3.0, 3.0) for _ in range(n)),
+    )
+
+
+@held_out("kinked")
+def cradle(rng):
+    """Three balls in a row that push only when they touch."""
+    parameters = {"k": decades(rng, 50.0, 5e3), "g": rng.uniform(1.0, 10.0)}
+
+    def accelerations(s, p, t):
+        a, b = s.x0 - s.x1, s.x1 - s.x2
+        f, h = where(a > 0, p.k * a, 0.0), where(b > 0, p.k * b, 0.0)
+        return -p.g * s.x0 - f, -p.g * s.x1 + f - h, -p.g * s.x2 + h
+
+    def pieces(s, p, t, b):
+        f = (1 + b[0]) / 2 * p.k * (s.x0 - s.x1)
+        h = (1 + b[1]) / 2 * p.k * (s.x1 - s.x2)
+        return s.dx0, s.dx1, s.dx2, -p.g * s.x0 - f, -p.g * s.x1 + f - h, -p.g * s.x2 + h
+
+    speeds = rng.uniform(-0.3, 0.3), rng.uniform(0.0, 0.3)
+    branches = Branches((lambda s, p, t: s.x0 - s.x1, lambda s, p, t: s.x1 - s.x2), pieces)
+    return Case(
+        second_order("cradle", parameters, _named("x", 3), accelerations),
+        rng.uniform(1.5, 5.0),
+        (-rng.uniform(0.3, 1.0), 0.0, rng.uniform(0.001, 0.1), 0.0, *speeds),
+        branches=branches,
+    )
+
+
+@held_out("chaotic", "near-singular")
+def small_cluster(rng):
+    """Four stars in a plane whose attraction is softened a little."""
+    n = 4
+    parameters = {"soft": decades(rng, 1e-2, 0.2)} | {
+        f"m{i}": rng.uniform(0.5, 1.5) for i in range(n)
+    }
+
+    def accelerations(s, p, t):
+        x, y = _states(s, "x", n), _states(s, "y", n)
+        m = [getattr(p, f"m{i}") for i in range(n)]
+        ax, ay = [], []
+        for i in range(n):
+            fx, fy = 0, 0
+            for j in range(n):
+                if i != j:
+                    dx, dy = x[j] - x[i], y[j] - y[i]
+                    w = m[j] / (dx * dx + dy * dy + p.soft * p.soft) ** 1.5
+                    fx, fy = fx + w * dx, fy + w * dy
+            ax.append(fx)
+            ay.append(fy)
+        return (*ax, *ay)
+
+    angles = [2 * math.pi * (i + rng.uniform(-0.2, 0.2)) / n for i in range(n)]
+    places = [math.cos(a) for a in angles] + [math.sin(a) for a in angles]
+    speeds = [-0.5 * math.sin(a) for a in angles] + [0.5 * math.cos(a) for a in angles]
+    return Case(
+        second_order("cluster", parameters, _named("x", n) + _named("y", n), accelerations),
+        rng.uniform(0.5, 2.0),
+        (*places, *speeds),
+    )
+
+
+@held_out("smooth")
+def lattice_of_nine(rng):
+    """A field on three by three places, with a restoring force of the third power; at first it is
+    zero everywhere but at one place.
+    """
+    n = 3
+
+    def accelerations(s, p, cube):
+        u = _states(s, "u", n * n)
+
+        def at(i, j):
+            return u[(i % n) * n + j % n]
+
+        def around(i, j):
+            return at(i + 1, j) + at(i - 1, j) + at(i, j + 1) + at(i, j - 1)
+
+        return tuple(
+            around(i, j) - (4 + p.m) * at(i, j) - p.b * cube(at(i, j))
+            for i in range(n)
+            for j in range(n)
+        )
+
+    def by(cube):
+        return second_order(
+            "lattice", parameters, _named("u", n * n), lambda s, p, t: accelerations(s, p, cube)
+        )
+
+    parameters = {"m": rng.uniform(-0.5, 1.0), "b": rng.uniform(0.5, 2.0)}
+    start = [0.0] * (2 * n * n)
+    start[rng.randrange(n * n)] = rng.uniform(0.5, 1.5)
+    return Case(
+        by(lambda x: x**3),
+        rng.uniform(2.0, 8.0),
+        tuple(start),
+        # series of heyoka have no power of zero
+        written_out=by(lambda x: x * x * x),
+    )
+
+
+@held_out("tiny")
+def kink_along_pendulums(rng):
+    """Twelve pendulums in a row, tied by springs, of which the first is turned over."""
+    n = 12
+    parameters = {"k": rng.uniform(0.5, 3.0), "g": 1.0}
+
+    def accelerations(s, p, t):
+        a = _states(s, "a", n)
+        a = [a[0], *a, a[-1]]
+        return tuple(
+            p.k * (a[i - 1] - 2 * a[i] + a[i + 1]) - p.g * sin(a[i]) for i in range(1, n + 1)
+        )
+
+    start = [0.0] * (2 * n)
+    start[0], start[n] = rng.uniform(1.0, 3.0), rng.uniform(0.0, 5.0)
+    return Case(
+        second_order("row of pendulums", parameters, _named("a", n), accelerations),
+        rng.uniform(2.0, 12.0),
+        tuple(start),
+    )
+
+
+@held_out("mechanics")
+def four_spins(rng):
+    """Four magnets by Landau and Lifshitz with a little damping, in a ring."""
+    n = 4
+    parameters = {"J": rng.uniform(0.5, 2.0), "lam": rng.uniform(0.0, 0.2), "B": 0.3}
+
+    def cross(a, b):
+        return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+    def rates(s, p, t):
+        m = [tuple(getattr(s, f"{c}{i}") for c in "xyz") for i in range(n)]
+        out = []
+        for i in range(n):
+            field = [p.J * (m[i - 1][c] + m[(i + 1) % n][c]) for c in range(3)]
+            field[2] = field[2] + p.B
+            turn = cross(m[i], field)
+            damp = cross(m[i], turn)
+            out += [-a - p.lam * b for a, b in zip(turn, damp, strict=True)]
+        return tuple(out)
+
+    start = []
+    for _ in range(n):
+        z, a = rng.uniform(-1.0, 1.0), rng.uniform(0.0, 6.28)
+        start += [math.sqrt(1 - z * z) * math.cos(a), math.sqrt(1 - z * z) * math.sin(a), z]
+    states = tuple(f"{c}{i}" for i in range(n) for c in "xyz")
+    return Case(Model("spins", parameters, states, rates), rng.uniform(3.0, 20.0), tuple(start))
+
+
+@held_out("long")
+def two_modes_for_long(rng):
+    """Two masses and three springs for a thousand to a hundred thousand swings."""
+    parameters = {"k": decades(rng, 0.1, 10.0), "q": decades(rng, 1e-3, 1.0)}
+
+    def accelerations(s, p, t):
+        return -p.k * s.x - p.q * (s.x - s.y), -p.k * s.y - p.q * (s.y - s.x)
+
+    def exact(mp, s, p, t):
+        w, W = mp.sqrt(p.k), mp.sqrt(p.k + 2 * p.q)
+        a, da = closed_forms.oscillator(mp, w, (s.x + s.y) / 2, (s.dx + s.dy) / 2, t)
+        b, db = closed_forms.oscillator(mp, W, (s.x - s.y) / 2, (s.dx - s.dy) / 2, t)
+        return a + b, a - b, da + db, da - db
+
+    return Case(
+        second_order("two modes", parameters, ("x", "y"), accelerations),
+        6.28 / parameters["k"] ** 0.5 * decades(rng, 10.0, 300.0),
+        (either(rng, 1.0), 0.0, 0.0, 0.0),
+        exact=exact,
+    )
