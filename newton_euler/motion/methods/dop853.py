@@ -29,7 +29,8 @@ def run(f, p, t, goal, x, s, q, k, h, tol, hmax, least, limit, keep):
     while t < goal and limit > 0:
         if h > hmax: h = hmax
         last = t + 1.001*h >= goal
-        h = goal - t if last else (t + h) - t
+        if last: h = goal - t
+        elif h > 100.0*least: h = (t + h) - t
         tried += 1
         try:
 {inner}

@@ -216,7 +216,8 @@ class Taylor(Stepper):
         with self._integrator() as ta:
             self._put(ta, self.t, self.x)
             while limit > 0 and self.t < self.goal:
-                h = self.next_stop() - self.t
+                stop = self.next_stop()
+                h = stop - self.t
                 if not self.natural:
                     ta.step(max_delta_t=h)
                     h = min(h, SHORT * ta.last_h)
@@ -229,6 +230,8 @@ class Taylor(Stepper):
                 tc = ta.tc.copy()
                 self.series.append(tc * self._columns() if self.units else tc)
                 self.t, self.x, limit = float(ta.time), x, limit - 1
+                if abs(stop - self.t) <= 4e-16 * abs(stop):
+                    self.t = stop  # the time was rounded
                 self.calls += ta.order
                 self.step_times.append(self.t)
                 self.update_scales()
