@@ -9,7 +9,7 @@ from .methods.table import METHODS
 from .methods.taylor import MAX_PREPARED_STEPS, integrator, level_of
 from .model import ModelError
 from .prepared import PreparedModel, prepared_model
-from .run import Run, predicted, usable
+from .run import ROUND_OFF_OF_RATES, SERIES_SAFETY, Run, predicted, usable
 from .solution import Cost, MotionError
 from .verified import NEAR_END, NEAR_START, SPARE
 
@@ -120,15 +120,18 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     constants = system.traced.folded[1].on(np)(
         *(parameters.get(n, v) for n, v in zip(system.free, system.p, strict=True))
     )
-    p = np.array([np.broadcast_to(x, count) for x in constants], dtype=float)
+    p = np.array([np.broadcast_to(x, count) for x in constants], dtype=float).reshape(-1, count)
     found, calls = _batches(system, tolerance, starts, p, t0, times)
     ends, errors = found[:, :, -1], np.full(count, np.inf)
     if knots(system, t0, float(times[-1])):
         return found, errors, calls  # batches know no stops on the way
 
+    shift = 1 + ROUND_OFF_OF_RATES / SERIES_SAFETY * (-1.0) ** np.arange(len(starts))
+    beside = starts * shift[:, None]
+
     def compare(members):
         compared, more = _batches(
-            system, other, starts[:, members], p[:, members], t0, times[-1:]
+            system, other, beside[:, members], p[:, members], t0, times[-1:]
         )
         a, b, c = ends[:, members], compared[:, :, -1], starts[:, members]
         sizes = np.maximum(np.maximum(abs(a), abs(b)), abs(c))

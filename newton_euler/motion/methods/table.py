@@ -90,6 +90,8 @@ def _no_scipy(*_):
 
 
 def _no_groups(system, t0=0.0):
+    if system.traced.kinks:
+        return f"the rates of {system.model.name!r} have kinks, at which it loses its order"
     why = f"the states of {system.model.name!r} are not two groups, as places and velocities"
     return None if partition(system) else why
 

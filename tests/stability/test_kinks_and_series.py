@@ -1,0 +1,172 @@
+"""A series goes on through a place where the rates change their formula as if they did not: dry
+friction by ``where``, drag by sqrt(v*v)*v, a tank that runs empty and "refills".
+
+What is returned was compared with what was asked for, whatever ran before.
+"""
+
+import importlib.util
+import math
+
+import numpy as np
+import pytest
+
+from newton_euler import Model, prepare, sqrt, where
+from newton_euler.motion import ModelError, MotionError, integrate, second_order
+from newton_euler.motion.analytic import branch_points, kinks
+from newton_euler.motion.prepared import prepared_model
+
+HEYOKA = importlib.util.find_spec("heyoka") is not None
+needs_heyoka = pytest.mark.skipif(not HEYOKA, reason="heyoka is not installed")
+RTOL = 1e-9
+
+
+def friction():
+    """A mass on a spring and a rough floor: its swings about +-mu/k, and its end after 3.4 s."""
+    model = second_order(
+        "rough floor",
+        {"k": 4.0, "mu": 0.3},
+        ("x",),
+        lambda s, p, t: (-p.k * s.x - where(s.dx > 0, p.mu, -p.mu),),
+    )
+    # half a swing takes pi/2; it begins at 1, to the left, about +0.075; then about -0.075
+    t, turns = 3.4, int(3.4 / (math.pi / 2))
+    left = 1.0 - 2 * 0.075 * turns
+    centre = 0.075 if turns % 2 == 0 else -0.075
+    sign = 1 if turns % 2 == 0 else -1
+    amplitude = left - 0.075
+    end = centre + sign * amplitude * math.cos(2 * (t - turns * math.pi / 2))
+    return model, t, (1.0, 0.0), end
+
+
+def drag():
+    """A throw upwards in still air, the drag written as sqrt(v*v)*v, until it has come down a while:
+    its velocity, by the tangent and then the hyperbolic tangent.
+    """
+    model = Model(
+        "throw",
+        {"g": 10.0, "c": 0.1},
+        ("y", "v"),
+        lambda s, p, t: (s.v, -p.g - p.c * sqrt(s.v * s.v) * s.v),
+    )
+    up = math.atan(12.0 / 10.0)  # the terminal velocity is 10, and g over it is 1
+    return model, 3.0, (0.0, 12.0), -10.0 * math.tanh(3.0 - up)
+
+
+def tank():
+    """It is empty after 2 s; the formula goes on to a parabola that fills it again."""
+    model = Model("tank", {"c": 1.0}, ("h",), lambda s, p, t: (-p.c * sqrt(s.h),))
+    return model, 3.0, (1.0,), 0.0
+
+
+@pytest.mark.parametrize("method", ["auto", "dop853", "scipy DOP853"])
+def test_a_mass_on_a_rough_floor_ends_where_it_does_at_every_time(method):
+    if method.startswith("scipy"):
+        pytest.importorskip("scipy")
+    model, t, start, end = friction()
+    for _ in range(60 if method == "auto" else 1):  # auto used to change its method on the way
+        motion = integrate(model, t, start, RTOL, method)
+        assert abs(motion.end["x"] - end) <= motion.error <= RTOL
+    if HEYOKA:
+        prepared_model(model).traced.seconds = 1e3  # as after an hour of such calls
+        assert abs(integrate(model, t, start, RTOL).end["x"] - end) <= RTOL
+
+
+def test_a_throw_with_drag_by_a_root_comes_down():
+    model, t, start, end = drag()
+    for seconds in (0.0, 1e3):
+        prepared_model(model).traced.seconds = seconds
+        motion = integrate(model, t, start, RTOL)
+        assert abs(motion.end["v"] - end) <= motion.error * 13 <= RTOL * 13
+    assert abs(prepare(model, RTOL)(t, start)[1] - end) <= 13 * RTOL
+
+
+@pytest.mark.parametrize("method", ["auto", "dop853", "taylor"])
+def test_an_empty_tank_stays_empty_or_is_refused(method):
+    model, t, start, end = tank()
+    if method == "taylor" and not HEYOKA:
+        pytest.skip("heyoka is not installed")
+    for seconds in (0.0, 1e3):
+        prepared_model(model).traced.seconds = seconds
+        try:
+            motion = integrate(model, t, start, 1e-6, method)
+        except ModelError:
+            continue
+        assert abs(motion.end["h"] - end) <= 1e-6
+
+
+@needs_heyoka
+def test_a_series_refuses_rates_that_choose_between_formulas():
+    model, t, start, _ = friction()
+    for ask in (
+        lambda: integrate(model, t, start, RTOL, "taylor"),
+        lambda: prepare(model, RTOL, "taylor"),
+        lambda: integrate(model, t, (np.linspace(0.5, 1.5, 70), 0.0), RTOL, "taylor"),
+    ):
+        with pytest.raises(ModelError, match=r"choose between formulas by where.*method='auto'"):
+            ask()
+
+
+@needs_heyoka
+def test_a_series_that_passed_a_kink_is_refused_or_right():
+    model, t, start, end = drag()
+    try:
+        motion = integrate(model, t, start, RTOL, "taylor")
+    except MotionError as refused:
+        assert "asked for" in str(refused)
+        assert refused.reached.error > RTOL
+    else:
+        assert abs(motion.end["v"] - end) <= 13 * RTOL
+
+
+@pytest.mark.parametrize("count", [5, 80])
+def test_batches_are_compared_with_what_was_asked(count):
+    model, t, _, _ = friction()
+    x = np.linspace(0.9, 1.1, count)
+    motions = integrate(model, t, (x, 0.0), 1e-7)
+    assert motions.error.shape == (count,)
+    assert (motions.error <= 1e-7).all()
+    for n in (0, count // 2, count - 1):
+        one = integrate(model, t, (float(x[n]), 0.0), 1e-10)
+        assert abs(motions.states["x"][n, -1] - one.end["x"]) <= 1e-7 * 1.1
+
+
+@needs_heyoka
+def test_each_motion_of_a_large_batch_has_its_error_also_beside_a_separatrix():
+    """A sweep of amplitudes up to 1e-8 before the upright: those at its end need care of their own."""
+    model = second_order("pendulum", {}, ("a",), lambda s, p, t: (-_sin(s.a),))
+    a = np.concatenate([np.linspace(0.1, 3.0, 70), math.pi - 10.0 ** -np.arange(1.0, 8.0)])
+    motions = integrate(model, 20.0, (a, 0.0), 1e-8)
+    assert (motions.error <= 1e-8).all()
+    for n in (0, 35, 70, 73, 76):
+        one = integrate(model, 20.0, (float(a[n]), 0.0), 1e-10, "dop853")
+        size = max(abs(one.states["a"]))
+        assert abs(motions.states["a"][n, -1] - one.end["a"]) <= 1.1e-8 * size
+
+
+def _sin(x):
+    from newton_euler import sin
+
+    return sin(x)
+
+
+@pytest.mark.parametrize(
+    ("rate", "kinked", "branched"),
+    [
+        (lambda s, p, t: -s.x, [], []),
+        (lambda s, p, t: -abs(s.x), ["abs"], []),
+        (lambda s, p, t: where(s.x > 0, 1.0, -1.0), ["where"], []),
+        (lambda s, p, t: sqrt(s.x * s.x) * s.x, [], ["sqrt"]),
+        (lambda s, p, t: -s.x / sqrt(s.x * s.x + s.y * s.y), [], []),  # a pole
+        (lambda s, p, t: (sqrt(s.x * s.x + s.y * s.y) - p.k) / sqrt(s.x * s.x + s.y * s.y), [], []),
+        (lambda s, p, t: sqrt(1 + s.x * s.x), [], []),  # never zero
+        (lambda s, p, t: sqrt(p.k) * s.x, [], []),  # a constant
+        (lambda s, p, t: s.x**1.5, [], ["**"]),
+        (lambda s, p, t: s.x**3 + s.x**-1.5, [], []),
+        (lambda s, p, t: sqrt(1 - s.x * s.x), [], ["sqrt"]),
+    ],
+)
+def test_what_a_series_may_pass_is_read_from_the_rates(rate, kinked, branched):
+    model = Model("any", {"k": 2.0}, ("x", "y"), lambda s, p, t: (rate(s, p, t), 0.0 * s.y))
+    traced = prepared_model(model).traced
+    assert kinks(traced) == kinked
+    assert branch_points(traced) == branched
