@@ -5,11 +5,19 @@ from time import perf_counter
 from types import MappingProxyType
 
 from .knots import knots
+from .methods.exact import within
 from .methods.table import METHODS
 from .methods.taylor import MAX_PREPARED_STEPS, integrator, level_of
 from .model import ModelError
 from .prepared import PreparedModel, prepared_model
-from .run import ROUND_OFF_OF_RATES, SERIES_SAFETY, Run, predicted, usable
+from .run import (
+    ROUND_OFF_OF_RATES,
+    SERIES_SAFETY,
+    AccuracyError,
+    Run,
+    predicted,
+    usable,
+)
 from .solution import Cost, MotionError
 from .verified import NEAR_END, NEAR_START, SPARE
 
@@ -19,7 +27,7 @@ MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch
 @dataclass(frozen=True, eq=False)
 class Motions:
     """Many motions: ``times`` (samples), ``states`` by name as arrays (motions, times), ``method``,
-    the estimated ``error`` of each motion, ``cost``.
+    the estimated ``error`` of each motion, of exact solutions a bound, ``cost``.
     """
 
     model: object
@@ -62,37 +70,56 @@ def integrate_batch(model, t0, t1, state, rtol, method, events, samples):
         times = np.array((t0, t1) if samples is None else samples, dtype=float)
     system, exact = PreparedModel(model), METHODS["exact"]
 
-    def one(n):
-        """The motion of this number by itself."""
+    def alone(n):
+        """The model of the motion of this number, and its start."""
         values = {k: float(x[n]) for k, x in parameters.items()}
-        alone = prepared_model(model.changed(**values)) if values else prepared_model(model)
-        run = Run(alone, t0, t1, tuple(starts[:, n].tolist()), rtol, samples=times)
-        try:
-            return run.by_name(method)
-        except MotionError as error:
-            raise type(error)(f"motion {n + 1} of {len(starts.T)}: {error}", error.reached) from None
+        changed = model.changed(**values) if values else model
+        return prepared_model(changed), tuple(starts[:, n].tolist())
 
+    count = starts.shape[1]
+    found, errors = np.full((size, count, len(times)), np.nan), np.full(count, np.inf)
+    used, calls, refused = METHODS.get(method), 0, {}
     if method in ("auto", "exact") and not exact.unusable_because(system, t0):
-        used, errors, calls = exact, None, len(times)
+        used, calls = exact, len(times)
         columns = model.changed(**{n: x[:, None] for n, x in parameters.items()})
         rows = PreparedModel(columns).function(model.exact)(times - t0, *starts[:, :, None])
-        found = [np.broadcast_to(row, (starts.shape[1], len(times))) for row in rows]
-    elif _by_series(system, method, starts.shape[1]):
+        for row, values in zip(found, rows, strict=True):
+            row[:] = values
+        ends = found[:, :, -1]
+        begins = np.array([*starts, *(parameters[n] for n in parameters)])
+        chosen, vouching = _representatives(begins, ends)
+        for n in chosen.tolist():
+            one, x0 = alone(n)
+            # those close to it are about as accurate
+            if within(one, t1 - t0, x0, tuple(ends[:, n].tolist()), rtol / SPARE):
+                errors[vouching == n] = rtol
+    elif _by_series(system, method, count):
         used = usable("taylor", system)
         found, errors, calls = _taylor(system, starts, parameters, t0, times, rtol)
-        # what is not as accurate as asked is done again one by one, with all care
-        for n in np.flatnonzero(~(errors <= rtol)).tolist():
-            motion = one(n)
+    # what is not as accurate as asked, one by one, with all care
+    for n in np.flatnonzero(~(errors <= rtol)).tolist():
+        one, x0 = alone(n)
+        try:
+            motion = Run(one, t0, t1, x0, rtol, samples=times).by_name(method)
+        except MotionError as error:
+            motion = error.reached
+            refused[n] = error
+        errors[n], calls = motion.error, calls + motion.cost.calls
+        used = used or motion.method
+        if motion.t_end == t1:
             found[:, n, :] = [motion.states[name] for name in model.states]
-            errors[n], calls = motion.error, calls + motion.cost.calls
-    else:
-        motions = [one(n) for n in range(starts.shape[1])]
-        used, errors = motions[0].method, np.array([m.error for m in motions])
-        found = [np.array([m.states[name] for m in motions]) for name in model.states]
-        calls = sum(m.cost.calls for m in motions)
     states = MappingProxyType(dict(zip(model.states, found, strict=True)))
     cost = Cost(perf_counter() - begun, 0.0, calls)
-    return Motions(model, times, states, used, rtol, errors, cost)
+    motions = Motions(model, times, states, used, rtol, errors, cost)
+    if refused:
+        n, why = next(iter(refused.items()))
+        raise AccuracyError(
+            f"{len(refused)} of {count} motions are not as accurate as asked for, first number "
+            f"{n}: {str(why).split('. The motion')[0]}. .reached of this exception holds all "
+            f"{count} with their errors, nan where a motion did not come to its end",
+            motions,
+        )
+    return motions
 
 
 def _by_series(system, method, count):
