@@ -160,14 +160,18 @@ def _taylor(system, starts, parameters, t0, times, rtol):
         compared, more = _batches(
             system, other, beside[:, members], p[:, members], t0, times[-1:]
         )
-        a, b, c = ends[:, members], compared[:, :, -1], starts[:, members]
-        sizes = np.maximum(np.maximum(abs(a), abs(b)), abs(c))
-        apart = (abs(a - b) / np.where(sizes > 0, sizes, 1.0)).max(axis=0)
+        apart = abs(ends[:, members] - compared[:, :, -1])
+        apart = (apart / sizes[:, vouching[members]]).max(axis=0)
         ratio = tolerance / other
         errors[members] = [predicted(d, ratio, tolerance) for d in apart.tolist()]
         return more
 
     chosen, vouching = _representatives(np.concatenate([starts, p]), ends)
+    # of motions that are close to each other one shows how large a state is that is zero at the
+    # end of another
+    sizes = np.zeros_like(starts)
+    np.maximum.at(sizes.T, vouching, np.maximum(abs(starts), abs(ends)).T)
+    sizes[~(sizes > 0)] = 1.0
     calls += compare(chosen)
     others = SPARE * errors[vouching]
     rest = np.setdiff1d(np.arange(count), chosen)
@@ -187,20 +191,33 @@ def _representatives(begins, ends):
 
     count = begins.shape[1]
     vouching, waiting, chosen = np.arange(count), np.arange(count), []
+    # each in parts of what may be apart; a state by its largest size in all motions, as it may be
+    # zero at the end of one
+    rows = np.concatenate(
+        [
+            begins / (NEAR_START * _sizes(begins, (len(begins), 1))),
+            ends / (NEAR_END * _sizes(ends, (len(ends), 1))),
+        ]
+    )
     while len(waiting):
         # a cover that is no smaller than the whole is not worth its search
         if len(chosen) > count // 4:
             return np.arange(count), np.arange(count)
-        first = waiting[0]
-        close = np.ones(len(waiting), bool)
-        for rows, part in ((begins, NEAR_START), (ends, NEAR_END)):
-            here, there = rows[:, waiting], rows[:, first : first + 1]
-            close &= (abs(here - there) <= part * np.maximum(abs(here), abs(there))).all(axis=0)
+        here = rows[:, waiting]
+        close = abs(here - here[:, :1]).max(axis=0) <= 1.0
         close[0] = True  # also where its end is not finite
-        vouching[waiting[close]] = first
-        chosen.append(first)
+        vouching[waiting[close]] = waiting[0]
+        chosen.append(waiting[0])
         waiting = waiting[~close]
     return np.array(chosen), vouching
+
+
+def _sizes(rows, shape):
+    """The largest absolute value in each row, 1 where that is no number."""
+    import numpy as np
+
+    largest = abs(rows).max(axis=1, initial=0.0, where=np.isfinite(rows))
+    return np.where(largest > 0, largest, 1.0).reshape(shape)
 
 
 def _batches(system, tolerance, starts, p, t0, times):
