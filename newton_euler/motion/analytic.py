@@ -1,5 +1,5 @@
-"""Whether rates are analytic wherever the motion can come, which Taylor series need: through a
-place where the rates change their formula, a series goes on as if they did not.
+"""Whether a Taylor series sees all that the rates do: through a place where they change their
+formula, a series goes on as if they did not.
 """
 
 from ..algebra.codegen.source import uses
@@ -7,7 +7,9 @@ from ..algebra.codegen.trace import COMPARISONS, Step
 
 KINKS = {"where", "abs", *COMPARISONS}
 # sqrt(v*v) is v to a series and abs(v) to everyone else; a motion can pass the branch point
-BRANCHES = {"sqrt", "asin", "acos", "atan2", "**", "pow"}
+BRANCHES = {"sqrt", "asin", "acos", "atan2", "**"}
+# exp(-1000*h) is less than round-off in the series of a ball above the floor, and all on the floor
+HIDDEN = {"exp", "tanh", "sinh", "cosh", "pow"}
 
 
 def kinks(traced):
@@ -15,15 +17,17 @@ def kinks(traced):
     return sorted({s.op for s in _varying(traced) if s.op in KINKS} - set(COMPARISONS))
 
 
-def branch_points(traced):
-    """The operations of the rates that have a branch point which a motion could pass without
-    coming to a singular place, a sorted list: a root that is not in a denominator too.
+def hazards(traced):
+    """The operations of the rates that a series may not notice, a sorted list: those with a branch
+    point which a motion could pass without coming to a singular place, as a root that is not in a
+    denominator too, and those that vanish below round-off.
     """
     steps = _varying(traced)
     poles = {n for s in steps if s.op == "/" for n in _factors(s.args[1])}
     # a negative power is a denominator
     poles |= {n for s in steps if s.op == "**" and _negative(s.args[1]) for n in _factors(s.args[0])}
-    return sorted({s.op for s in steps if s.op in BRANCHES and not _harmless(s, poles)})
+    branches = {s.op for s in steps if s.op in BRANCHES and not _harmless(s, poles)}
+    return sorted(branches | {s.op for s in steps if s.op in HIDDEN})
 
 
 def _varying(traced):
@@ -59,8 +63,6 @@ def _harmless(step, poles):
     x = step.args[0]
     if step.op == "**" and isinstance(step.args[1], int):
         return True
-    if step.op == "pow":  # a number to the power of a step
-        return not isinstance(x, Step)
     if step.op in ("sqrt", "**"):
         return step.number in poles or (isinstance(x, Step) and x.number in poles) or _positive(x)
     return False

@@ -124,7 +124,7 @@ def integrate_batch(model, t0, t1, state, rtol, method, events, samples):
 
 def _by_series(system, method, count):
     """True if batches of heyoka are asked for, or are worth their compilation."""
-    if system.traced.branch_points:
+    if system.traced.hazards:
         return False
     enough = method == "auto" and count >= MIN_HEYOKA_BATCH
     return method == "taylor" or (enough and not METHODS["taylor"].unusable_because(system))

@@ -93,7 +93,7 @@ def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
     check(rtol, method)
     asked = method
     if method == "auto":
-        series = not METHODS["taylor"].unusable_because(system) and not system.traced.branch_points
+        series = not METHODS["taylor"].unusable_because(system) and not system.traced.hazards
         method = "exact" if model.exact else "taylor" if series else "dop853"
     used = usable(method, system)
 
@@ -102,7 +102,7 @@ def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
 
     if method == "exact":
         fast = used.stepper.prepared_run(system, rtol, fallback)
-    elif method == "taylor" and not system.traced.branch_points:
+    elif method == "taylor" and not system.traced.hazards:
         verify = verified_series(system, rtol, used)
         fast = used.stepper.prepared_run(system, rtol / used.tolerance_ratio, verify, fallback)
     else:

@@ -5,12 +5,12 @@ by every method whose steps have grown while nothing happened.
 from ..algebra.codegen.compile import Compiled
 from ..algebra.codegen.trace import Step
 
-INTERVALS = 4096  # a pulse is found if it is longer than one of these parts of the time
+INTERVALS = 16384  # a pulse is found if it is longer than one of these parts of the time
 # an interval is quiet if a function of time changes in it by less than this part of its largest
 # change in an interval, and so does in so many neighbours: what a step may pass over there is less
 # than any error that can be asked for
-QUIET, QUIET_RUN = 1e-14, 64
-MAX_EVENTS = 64  # more are no pulses but an oscillation, which no step can miss
+QUIET, QUIET_RUN = 1e-14, 4
+MAX_EVENTS = 1000  # more are no pulses but an oscillation, which no step can miss
 
 
 def knots(system, t0, t1):

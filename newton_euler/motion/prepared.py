@@ -9,7 +9,7 @@ from functools import cached_property
 
 from ..algebra.codegen.partial_evaluation import folded
 from ..algebra.scalars import ZERO, scalar
-from .analytic import branch_points, kinks
+from .analytic import hazards, kinks
 from .model import Model, ModelError, cached, is_law
 from .verified import Verified
 
@@ -42,9 +42,9 @@ class Traced:
         return kinks(self)
 
     @cached_property
-    def branch_points(self):
-        """See :func:`newton_euler.motion.analytic.branch_points`."""
-        return branch_points(self)
+    def hazards(self):
+        """See :func:`newton_euler.motion.analytic.hazards`."""
+        return hazards(self)
 
 
 def prepared_model(model):

@@ -33,6 +33,7 @@ MAX_REFINEMENTS = 5  # of the tolerance
 # median.
 SAFETY, REGULAR, IRREGULAR = 7.0, 0.9, 0.4
 SERIES_SAFETY = 3.0
+RESIDUAL_SAFETY = 3.0  # on the integral of the residual of a series that may not see all of the rates
 # the regime: so many steps at the least, and not more or fewer in the fine run than its order gives
 MIN_STEPS, STEPS_OFF = 8, 1.25
 # part of the error that the difference of two runs does not show; that of a short run, and over n
@@ -197,7 +198,7 @@ class Run:
             )
         traced = system.traced
         # what a series may not notice is left to a method that does
-        if missing or (traced.branch_points and not tight):
+        if missing or (traced.hazards and not tight):
             return [(dop853, False)]
         if tight:
             return [(taylor, False)]
@@ -209,7 +210,7 @@ class Run:
         """The motion by one method within rtol."""
         if method.name == "exact":
             return self.closed(method)
-        if method.name == "taylor" and not self.system.traced.branch_points:
+        if method.name == "taylor" and not self.system.traced.hazards:
             return self.series(method)
         return self.calibrated(method)
 
@@ -268,9 +269,8 @@ class Run:
         begun, least, scaled = perf_counter(), method.min_tolerance, method.name == "taylor"
         tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), least)
         coarse = method.other(tolerance)
-        checker = self.system.traced.branch_points and method.checked_by or method
         samples = SIZE_SAMPLES if scaled else None
-        before = self.compared(checker, coarse, tolerance, None, scaled, samples)
+        before = self.compared(method, coarse, tolerance, None, scaled, samples)
         if isinstance(before.failed, LengthError):
             return self.motion(before, method, math.nan)
         known = None if before.failed else before.sizes()
@@ -286,12 +286,12 @@ class Run:
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
             if finer > tolerance / 2:
                 # as fine as it gets: a run that is closer to it may tell more
-                before = self.compared(checker, 10 * tolerance, tolerance, known, scaled)
+                before = self.compared(method, 10 * tolerance, tolerance, known, scaled)
                 error = min(error, predicted_error(before, trajectory, method))
                 break
             before, tolerance = trajectory, finer
             if scaled:
-                before = self.compared(checker, method.other(finer), finer, known, scaled)
+                before = self.compared(method, method.other(finer), finer, known, scaled)
         self.system.traced.seconds += perf_counter() - begun
         motion = self.motion(trajectory, method, error)
         if not error <= self.rtol:
@@ -324,12 +324,14 @@ def predicted_error(before, trajectory, method):
     if method.adaptive:
         off = fine / max(coarse, 1) * ratio ** (1 / method.order)
         regular = regular and 1 / STEPS_OFF < off < STEPS_OFF
-    if traced.kinks or traced.branch_points:
+    if traced.kinks or traced.hazards:
         regular = False
-    of_time = 0.0
+    more = 0.0
     for system, stepper, t0, t1, x1 in trajectory.segments[-1:]:
-        of_time = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)
-    return predicted(difference, ratio, tolerance, regular, fine) + of_time
+        more = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)
+    if method.name == "taylor" and traced.hazards:
+        more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
+    return predicted(difference, ratio, tolerance, regular, fine) + more
 
 
 def predicted(difference, ratio, tolerance, regular=True, steps=0):

@@ -25,6 +25,9 @@ MIN_SEGMENT = 1e-9
 # part of the size that a state has during the motion below which its errors do not count; if the
 # rates jump, a small one would stop the motion where it comes to rest
 OWN_PART, KINKED_PART = 1e-6, 1e-3
+# part of the time that a step may take in the first trajectory and in later ones: two runs by the
+# same few steps would agree on what both have passed over
+LONGEST_PARTS = 0.4, 0.13
 # part of the difference of two runs on the way that counts as one of their ends: beside a singular
 # place it is larger than at the end
 INNER_PART = 0.05
@@ -63,6 +66,7 @@ class Trajectory:
         self.samples = None if run.events or run.progress else samples or run.samples
         self.segments, self.occurrences, self.ended, self.failed = [], [], "", None
         self.natural, self.units = None, ()
+        self.longest_part = LONGEST_PARTS[known is not None]
         start = run.system, run.t0, run.state, run.events, ()
         while start:
             start = self._segment(*start)

@@ -13,7 +13,7 @@ import pytest
 
 from newton_euler import Model, prepare, sqrt, where
 from newton_euler.motion import ModelError, MotionError, integrate, second_order
-from newton_euler.motion.analytic import branch_points, kinks
+from newton_euler.motion.analytic import hazards, kinks
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.run import AccuracyError
 
@@ -178,4 +178,4 @@ def test_what_a_series_may_pass_is_read_from_the_rates(rate, kinked, branched):
     model = Model("any", {"k": 2.0}, ("x", "y"), lambda s, p, t: (rate(s, p, t), 0.0 * s.y))
     traced = prepared_model(model).traced
     assert kinks(traced) == kinked
-    assert branch_points(traced) == branched
+    assert hazards(traced) == branched

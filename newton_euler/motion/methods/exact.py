@@ -19,7 +19,8 @@ NO_VALUE = ArithmeticError, ValueError, TypeError  # of a formula next to the en
 UNKNOWN = 1.0  # the error where the formula has no values nearby
 # lines through the given numbers, each with two evaluations; the multiples of the last digit by
 # which a number moves along a line are at most this
-LINES, FARTHEST = 4, 15
+LINES, FARTHEST = 6, 15
+STRAIGHT = 2e-9  # part of a radian by which a phase may move along a straight line, squared 4e-18
 SAFETY_FACTOR = 4.0  # on the largest deviation from a straight line, of LINES deviations
 # round-offs of a state, and of the phase, which are the same on all lines where constants of the
 # formula are rounded
@@ -34,7 +35,10 @@ AGREEMENT = 64.0  # of two such differences, times as near to each other as to t
 LEAST_RESIDUAL, LEAST_LATE_RESIDUAL = 1e-10, 1e-3
 # regions kept; what is added to a power of 2 so that it takes a sign; the place in a region, of 0.5
 # to 1; how much smaller than the tolerance the error has to be there
-KNOWN, SHIFT, SMALL, REGION_FACTOR = 1024, 2000.0, 17 / 32, 32.0
+KNOWN, SHIFT, REGION_FACTOR = 1024, 2000.0, 64.0
+# the places: parts of the longest time, and of the power of 2 of a start, small, as the speeds of an
+# orbit might else be too large for it; no numbers of few digits, with which rounding is less
+PLACES = (0.9731562, 0.5312907), (0.7120448, 0.5698343)
 
 
 class Exact(Stepper):
@@ -81,7 +85,7 @@ def estimated_error(system, t, x0, x1):
     try:
         size, pace = _size_and_pace(system, t, x0, x1)
         rows = zip(
-            rounding(system, t, x0, x1), residual(system, t, x0, size, pace), size, strict=True
+            rounding(system, t, x0, x1, pace), residual(system, t, x0, size, pace), size, strict=True
         )
         worst = max((a + b) / s for a, b, s in rows)
     except NO_VALUE:
@@ -103,26 +107,37 @@ def within(system, t, x0, x1, rtol):
     error = known.setdefault("exact_errors", {}).get(region)
     if error is None:
         until, *powers = region
-        # small: else the speeds of an orbit might be too large for it
-        place = tuple(copysign(ldexp(SMALL, int(abs(n) - SHIFT)), n) if n else 0.0 for n in powers)
-        error = _remembered(system, region, ldexp(1.0, min(until, 1023)), place)
+        error = max(_placed(system, ldexp(1.0, min(until, 1023)), powers, *p) for p in PLACES)
+        _keep(known["exact_errors"], region, error)
     found = error <= rtol / REGION_FACTOR or _remembered(system, (t, x0), t, x0) <= rtol
     if found:
         system.exact_last = rtol, t, x0
     return found
 
 
+def _placed(system, until, powers, time, part):
+    """The error at one place in a region."""
+    x0 = tuple(copysign(ldexp(part, int(abs(n) - SHIFT)), n) if n else 0.0 for n in powers)
+    return _found(system, time * until, x0)
+
+
+def _found(system, t, x0):
+    try:
+        return estimated_error(system, t, x0, system.solution(t, x0))
+    except NO_VALUE:
+        return UNKNOWN
+
+
 def _remembered(system, key, t, x0):
     known = vars(system)["exact_errors"]
     error = known.get(key)
-    if error is None:
-        try:
-            error = estimated_error(system, t, x0, system.solution(t, x0))
-        except NO_VALUE:
-            error = UNKNOWN
-        if len(known) >= KNOWN:
-            known.clear()  # what is forgotten is found again
-        known[key] = error
+    return _keep(known, key, _found(system, t, x0)) if error is None else error
+
+
+def _keep(known, key, error):
+    if len(known) >= KNOWN:
+        known.clear()  # what is forgotten is found again
+    known[key] = error
     return error
 
 
@@ -150,18 +165,23 @@ def _rates(system, t, x):
     return found if math.isfinite(sum(found)) else (0.0,) * len(x)
 
 
-def rounding(system, t, x0, x1):
-    """The error of each state by rounding: how far the values at numbers a few round-offs away are
-    off a straight line, plus some round-offs of the phase.
+def rounding(system, t, x0, x1, pace):
+    """The error of each state by rounding: how far the values at numbers near these are off a
+    straight line, plus some round-offs of the phase.
+
+    On half of the lines the numbers move by some round-offs, on half by as much as leaves them
+    straight: log(1 + c) has the same value for many c.
     """
     given, off = (t, *x0, *system.p), [0.0] * len(x0)
-    for line in _lines(len(given)):
+    reach = max(1.0, STRAIGHT / (EPS * FARTHEST * (1 + pace * abs(t))))
+    for number, line in enumerate(_lines(len(given))):
+        far = math.floor(reach) if number % 2 else 1
         # sums that are exact: their own rounding would be taken for that of the formula
-        moves = [n * math.ulp(a) if a else 0.0 for n, a in zip(line, given, strict=True)]
+        moves = [far * n * math.ulp(a) if a else 0.0 for n, a in zip(line, given, strict=True)]
         near = _value(system, [a + b for a, b in zip(given, moves, strict=True)])
         # not as far on the other side: there the same digits would be rounded
-        far = _value(system, [a - 3 * b for a, b in zip(given, moves, strict=True)])
-        rows = zip(off, x1, near, far, strict=True)
+        other = _value(system, [a - 3 * b for a, b in zip(given, moves, strict=True)])
+        rows = zip(off, x1, near, other, strict=True)
         off = [max(d, abs(x - (3 * u + v) / 4)) for d, x, u, v in rows]
     return [
         SAFETY_FACTOR * d + ROUND_OFFS * EPS * (abs(x) + abs(t * rate))

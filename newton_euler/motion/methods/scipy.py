@@ -20,6 +20,7 @@ class SciPy(Stepper):
             limits = zip(self.scales, self.noise, strict=True)
             atol = [self.tolerance * s + q for s, q in limits]
             self.options = {"rtol": max(self.tolerance, 2.3e-14), "atol": atol}
+            self.options["max_step"] = trajectory.longest_part * (self.goal - self.t)
         self.solver, self.calls_before = self._from_here(), 0
 
     def _from_here(self):

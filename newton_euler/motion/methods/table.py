@@ -16,7 +16,7 @@ from .dop853 import Dop853
 from .exact import Exact
 from .scipy import scipy_method
 from .splitting import partition, principal_moments, splitting
-from .taylor import LEVELS, ShortSteps, Taylor, installed
+from .taylor import LEVELS, Taylor, installed
 
 MAX_COARSE_TOLERANCE = 1e-4  # of a first run
 
@@ -31,8 +31,6 @@ class Method:
         be used, or returns None
     order : of convergence with a fixed step; None if it has no fixed step
     min_rtol : the smallest rtol that it can be asked for
-    checked_by : for rates that a method may pass over, the method of the run that it is compared
-        with, whose steps are others
     tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are
         up to 100 tolerances, seldom less than one
     max_tolerance : of the first fine run, since much coarser ones predict little; ``min_tolerance``
@@ -48,7 +46,6 @@ class Method:
     unusable_because: Callable = lambda system, t0=0.0: None
     order: int | None = None
     min_rtol: float = 1e-13
-    checked_by: "Method | None" = None
     tolerance_ratio: float = 100.0
     max_tolerance: float = 3e-6
     min_tolerance: float = 1e-14
@@ -105,9 +102,8 @@ def _table():
     yield Method("exact", "exact solution", Exact, _no_exact, min_rtol=1e-15)
     # its tolerance costs little, so that it is far below what is asked for from the start
     series = {"tolerance_ratio": 10.0**1.5, "max_tolerance": 1.0, "min_tolerance": LEVELS[-1]}
-    short = Method("taylor", "shorter Taylor series", ShortSteps, **series)
     # two orders
-    series |= {"checked_by": short, "coarsening": 1 / 54.0}
+    series |= {"coarsening": 1 / 54.0}
     yield Method(
         "taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, **series
     )
@@ -118,7 +114,7 @@ def _table():
         ("DOP853", 8, 1e-11),
         ("RK45", 5, 1e-12),
         ("LSODA", None, 1e-8),
-        ("Radau", 5, 1e-10, None, 1.0, 1e-4),
+        ("Radau", 5, 1e-10, 1.0, 1e-4),
     ):
         what = f"SciPy's {name} on traced straight-line code"
         yield Method(f"scipy {name}", what, scipy_method(name), _no_scipy, *options)

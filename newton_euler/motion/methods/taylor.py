@@ -11,6 +11,7 @@ import importlib.util
 from contextlib import contextmanager
 from copy import copy
 from functools import cache, cached_property
+from itertools import pairwise
 from math import exp, frexp, inf, isfinite, ldexp
 
 from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_times
@@ -19,10 +20,10 @@ from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_t
 # on it little. These are the tolerances at which another order begins, from 3 to 19, the last a
 # float's epsilon.
 LEVELS = tuple(1.0000001 * exp(-2.0 * order) for order in range(2, 19))
-# part of a natural step: at the orders used (8 to 20) its truncation error is 0.6**8 to 0.6**20 of
-# that of a natural step, less than a fiftieth
-SHORT = 0.6
 MAX_PREPARED_STEPS = 100 * MAX_STALLED_STEPS
+# instants at which the rates of a series are compared with those of the model: in each step, and in
+# the whole motion at the least
+IN_STEP, IN_ALL = 8, 1024
 # states this small or large have a scale of their own: heyoka's tolerance is relative to the
 # largest state, and absolute below 1
 ORDINARY = 0.25, 4.0
@@ -89,8 +90,6 @@ class Taylor(Stepper):
     something between them is asked for.
     """
 
-    natural = True
-
     def begin(self, trajectory):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         low, high = ORDINARY
@@ -147,7 +146,7 @@ class Taylor(Stepper):
 
     def step(self, limit=inf):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        if limit < inf or not self.natural:
+        if limit < inf or self.system.traced.hazards:
             self._by_steps(limit)
         elif self.stops or self.samples is None or not self._by_samples():
             self._at_once()
@@ -217,12 +216,7 @@ class Taylor(Stepper):
             self._put(ta, self.t, self.x)
             while limit > 0 and self.t < self.goal:
                 stop = self.next_stop()
-                h = stop - self.t
-                if not self.natural:
-                    ta.step(max_delta_t=h)
-                    h = min(h, SHORT * ta.last_h)
-                    self._put(ta, self.t, self.x)
-                ta.step(max_delta_t=h, write_tc=True)
+                ta.step(max_delta_t=stop - self.t, write_tc=True)
                 x = self._state(ta)
                 # a step of less than twice a float's epsilon does not change the time
                 if not isfinite(sum(x)) or ta.last_h < 4e-16 * abs(self.t):
@@ -263,6 +257,27 @@ class Taylor(Stepper):
         dense._by_steps(inf)
         return dense
 
+    def residual(self):
+        """The integral of how far the rates of the series are from those of the model, of the worst
+        state over its scale: 0 if steps were not kept.
+        """
+        import numpy as np
+        from numpy.polynomial.polynomial import polyder, polyval
+
+        count = max(IN_STEP, -(-IN_ALL // max(len(self.series), 1)))
+        # irregular, so that nothing periodic hides between them
+        fractions = (0.5 + np.arange(count) * 0.618033988749895) % 1.0
+        rates, total = self.system.traced.folded[0].on(np), np.zeros(len(self.x))
+        with np.errstate(all="ignore"):
+            for (a, b), series in zip(pairwise(self.step_times), self.series, strict=True):
+                u = (b - a) * fractions
+                x, made = polyval(u, series.T), polyval(u, polyder(series.T))
+                for n, f in enumerate(rates(a + u, *x, *self.system.constants)):
+                    total[n] += abs(made[n] - f).mean() * (b - a)
+        scales = [s or 1.0 for s in self.scales]
+        worst = float((total / scales).max())
+        return worst if isfinite(worst) else inf
+
     def interpolate(self, n, times):
         """See :class:`~newton_euler.motion.methods.base.Stepper`; the Taylor polynomial is as
         accurate as the step.
@@ -270,11 +285,3 @@ class Taylor(Stepper):
         from numpy.polynomial.polynomial import polyval
 
         return polyval(times - self.step_times[n], self.series[n].T)
-
-
-class ShortSteps(Taylor):
-    """The same by shorter steps, which are others than those of :class:`Taylor`: where a series
-    goes on through a place at which the rates change their formula, both end at different states.
-    """
-
-    natural = False
