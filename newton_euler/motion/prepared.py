@@ -7,25 +7,29 @@ and what heyoka has compiled from it.
 import math
 from functools import cached_property
 
+from ..algebra.codegen.compile import Compiled, recorded
 from ..algebra.codegen.partial_evaluation import folded
+from ..algebra.codegen.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
-from .model import Model, ModelError, cached, is_law
+from .model import Model, ModelError, cached, current, is_law
 
-_known: dict = {}
+_TRACED: dict = {}
 
 
 class Traced:
     """The text ``rhs`` of one right-hand side, a function ``(t, *states, *free)``, and what was
     made from it.
 
-    functions : the texts of other functions of the states, or None, by function; ``integrators`` of
-        heyoka
+    arguments : the number of its first arguments that are no parameters
+    functions, texts : other functions of the states, recorded or None, by function; their texts, by
+        content
+    integrators : of heyoka
     seconds : spent on integrating it, to decide whether heyoka's compilation pays
     """
 
-    def __init__(self, model, free):
-        self.rhs, self.arguments = model.compiled_rhs(*free), 1 + len(model.states)
-        self.functions, self.integrators, self.seconds = {}, {}, 0.0
+    def __init__(self, rhs, arguments):
+        self.rhs, self.arguments = rhs, arguments
+        self.functions, self.texts, self.integrators, self.seconds = {}, {}, {}, 0.0
 
     @cached_property
     def folded(self):
@@ -35,19 +39,35 @@ class Traced:
         return folded(self.rhs, self.arguments)
 
 
+class FunctionText:
+    """One traced function: its ``text`` is written when it is first needed; equal ones share it."""
+
+    def __init__(self, recording, texts):
+        self._recording, self._texts = recording, texts
+
+    @cached_property
+    def text(self):
+        """The :class:`~newton_euler.algebra.codegen.compile.Compiled` formula."""
+        found = self._recording
+        return cached(self._texts, found.content(), lambda: Compiled(*found))
+
+
 def prepared_model(model):
-    """The :class:`PreparedModel` of a model, made once and kept in the model."""
+    """The :class:`PreparedModel` of a model, kept in the model for as long as what its functions
+    read is the same.
+    """
     if not isinstance(model, Model):
         raise ModelError(f"integrate takes a Model, got {model!r}")
     found = vars(model).get("_prepared")
-    if found is None:
+    if found is None or not found.holds():
         found = PreparedModel(model)
         object.__setattr__(model, "_prepared", found)
     return found
 
 
 class PreparedModel:
-    """A model with the numbers of its parameters.
+    """A model with the numbers of its parameters, and its functions with what they read at this
+    moment: they are traced now, but those of the engine, which read nothing, when they are needed.
 
     f : the right-hand side on floats, ``f(t, *states, *p)``; ``p`` : the values of the parameters
         that are ``free``, arguments of it
@@ -62,9 +82,30 @@ class PreparedModel:
         self.p = tuple(_parameter(model, n, values[n]) for n in self.free)
         self.exact_verified = False  # its exact solution, once that has been compared with itself
         self.many = any(getattr(x, "shape", ()) for x in self.p)
-        key = model.rhs, model.states, self.free, *fixed.items()
-        self.traced = cached(_known, key, lambda: Traced(model, self.free))
-        self.f = self.traced.rhs.on_floats
+        self._fixed = tuple(fixed.items())
+        self._laws = tuple([x for x in fixed.values() if callable(x)])
+        reads, rhs = model._rhs_text(self.free, self._fixed, self._laws)
+        self.traced = cached(_TRACED, rhs, lambda: Traced(rhs, 1 + len(model.states)))
+        self.f = rhs.on_floats
+        # by identity, which costs less than to look for an equal function
+        self._now, self._reads = {}, (reads,) if reads.checks or not reads.known else ()
+        for f in self._functions:
+            if self._laws or not reads_nothing(f):
+                reads, self._now[id(f)] = self._recorded(f)
+                self._reads += (reads,)
+
+    @property
+    def _functions(self):
+        exact = self.model.exact
+        return *((exact,) if exact else ()), *self.model.invariants.values()
+
+    def holds(self):
+        """True if all that the functions of the model read is as it was."""
+        # no generator: this is part of the shortest run
+        for reads in self._reads:  # noqa: SIM110
+            if not reads.hold():
+                return False
+        return True
 
     @cached_property
     def autonomous(self):
@@ -104,14 +145,21 @@ class PreparedModel:
         """The traced text of a function ``f(s, p, t)``; None if it branches on values, as an event
         may.
         """
+        found = self._now.get(id(f), self)  # this stands for a function that is not of the model
+        found = self._recorded(f)[1] if found is self else found
+        return found and found.text
 
-        def traced():
+    def _recorded(self, f):
+        """What a function reads, and its :class:`FunctionText` or None, see :func:`current`."""
+        known = self.traced
+
+        def recording():
             try:
-                return self.model._compiled(f, self.free)
+                return FunctionText(recorded(self.model._formula(f, self.free)), known.texts)
             except (TypeError, ModelError):
                 return None
 
-        return cached(self.traced.functions, f, traced)
+        return current(known.functions, (f, *self._fixed), (f, *self._laws), recording)
 
     @cached_property
     def solution(self):
