@@ -251,6 +251,7 @@ def test_what_is_prepared_stays_as_it_was():
     run = prepare(model, method="dop853")
     before = run(T, START)
     space["G"] = 1.62
+    assert run(T, START) == before
     assert prepare(model, method="dop853")(T, START)[1] == pytest.approx(-1.62 * T)
     assert before[1] == pytest.approx(-9.81 * T)
 

@@ -40,7 +40,7 @@ BY_NAME = {"getattr", "vars", "dir"}
 class Reads:
     """What some functions read beside their arguments, as it is now.
 
-    checks : triples (get, arguments, value) that find it again
+    checks : tuples (get, a, b, value) that find it again: get(a, b) is the value
     known : False if some of it can change unseen, as the attribute of an object or an entry of a
         list; it then never counts as the same
 
@@ -66,8 +66,8 @@ class Reads:
     def hold(self):
         """True if all of it is certainly the same."""
         try:
-            for get, arguments, value in self.checks:
-                if get(*arguments) is not value:
+            for get, a, b, value in self.checks:
+                if get(a, b) is not value:
                     return False
         except ValueError:  # a variable without a value
             return False
@@ -95,16 +95,19 @@ class Reads:
             self.known = _is_constant(x)
 
     def _read_function(self, f, waiting):
-        for cell in f.__closure__ or ():
-            self._note(getattr, (cell, "cell_contents"), waiting)
-        if _is_fixed_function(f):
+        cells = f.__closure__ or ()
+        if _is_fixed_function(f):  # which gives its variables no other values
+            waiting += [cell.cell_contents for cell in cells]
             return
+        for cell in cells:
+            self._note(getattr, cell, "cell_contents", waiting)
         # a notebook that reloads a module puts new code into its functions
         for part in ("__code__", "__defaults__", "__kwdefaults__"):
-            self.checks.append((getattr, (f, part), getattr(f, part)))
+            if getattr(f, part) is not None:
+                self.checks.append((getattr, f, part, getattr(f, part)))
         waiting += f.__defaults__ or ()
         for name in f.__kwdefaults__ or ():
-            self._note(f.__kwdefaults__.get, (name, ABSENT), waiting)
+            self._note(f.__kwdefaults__.get, name, ABSENT, waiting)
         loaded, names = names_in(f.__code__)
         self.known = self.known and loaded is not None
         for name in loaded or ():
@@ -112,7 +115,7 @@ class Reads:
 
     def _note_name(self, space, name, loaded, names, waiting):
         self._noted.add((id(space), name))
-        x = self._note(space.get, (name, ABSENT), waiting)
+        x = self._note(space.get, name, ABSENT, waiting)
         if x is ABSENT:  # now, but it can come, before the built-in one
             waiting.append(vars(builtins).get(name))
         elif isinstance(x, ModuleType) and not _is_fixed(x):
@@ -121,14 +124,14 @@ class Reads:
                 if (id(vars(x)), n) not in self._noted:
                     self._note_name(vars(x), n, loaded, names, waiting)
 
-    def _note(self, get, arguments, waiting):
+    def _note(self, get, a, b, waiting):
         """Note one value that can become another, and return it."""
         x = ABSENT
         try:
-            x = get(*arguments)
+            x = get(a, b)
         except ValueError:  # a variable without a value yet
             self.known = False
-        self.checks.append((get, arguments, x))
+        self.checks.append((get, a, b, x))
         if x is not ABSENT and not isinstance(x, ModuleType):
             waiting.append(x)
         return x
