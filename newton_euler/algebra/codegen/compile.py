@@ -96,17 +96,23 @@ class Recording(NamedTuple):
     defaults: dict
     backend: str = "auto"
 
-    def content(self):
-        """Steps and result, but not the name, for a dictionary: equal for equal formulas, which
-        give equal texts and equal results.
-        """
-        key = self.trace.key
-        steps = [
-            (s.op, *s.args) if s.op == "argument" else (s.op, *map(key, s.args))
-            for s in self.trace.steps
-        ]
-        leaves = tuple(map(key, self.leaves))
-        return tuple(self.parameters), tuple(steps), leaves, self.shape, tuple(self.keys)
+
+def content(formula):
+    """Steps and result of a :class:`Recording` or :class:`Compiled`, but not its name, for a
+    dictionary: equal for equal formulas, which give equal texts and equal results.
+    """
+    key = formula.trace.key
+    steps = [
+        (s.op, *s.args) if s.op == "argument" else (s.op, *map(key, s.args))
+        for s in formula.trace.steps
+    ]
+    leaves = tuple(map(key, formula.leaves))
+    return tuple(formula.parameters), tuple(steps), leaves, formula.shape, tuple(formula.keys)
+
+
+def text_of(formula):
+    """The :class:`Compiled` of a :class:`Recording`; one that is compiled as it is."""
+    return formula if isinstance(formula, Compiled) else Compiled(*formula)
 
 
 class Compiled:
@@ -121,7 +127,7 @@ class Compiled:
         self, name, parameters, trace, leaves, shape="", keys=(), defaults=(), backend="auto"
     ):
         self.name, self.parameters, self.trace, self.leaves = name, parameters, trace, leaves
-        self.backend, self._defaults, self._shape = backend, dict(defaults), (shape, keys)
+        self.backend, self._defaults, self.shape, self.keys = backend, dict(defaults), shape, keys
         self._build = _builder(shape, keys, len(leaves)) if shape else tuple
         names = {n: f"{n}_" if n in RESERVED else n for n in parameters}
         self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
@@ -137,7 +143,7 @@ class Compiled:
         """Its steps: the text, and what was compiled from it, are made again from them."""
         steps = [(s.op, *map(_by_number, s.args)) for s in self.trace.steps]
         leaves = list(map(_by_number, self.leaves))
-        rest = *self._shape, self._defaults, self.backend
+        rest = self.shape, self.keys, self._defaults, self.backend
         return _from_steps, (self.name, list(self.parameters), steps, leaves, *rest)
 
     def __call__(self, *args, **named):
