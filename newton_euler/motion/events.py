@@ -11,6 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
+from ..algebra.codegen.portable import Portable
+
 CHEBYSHEV_POINTS = 12
 # the function is resolved if its last two coefficients are smaller than this part of the largest
 RESOLUTION = 1e-7
@@ -18,7 +20,7 @@ MAX_HALVINGS = 8
 
 
 @dataclass(frozen=True)
-class Event:
+class Event(Portable):
     """A zero of ``function(s, p, t)`` to be found during a motion: impact, loss of contact, end of
     sliding, a turning point.
 

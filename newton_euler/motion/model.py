@@ -15,7 +15,8 @@ from keyword import iskeyword
 from types import MappingProxyType
 from typing import Any
 
-from ..algebra.codegen.compile import Compiled, compiled, recorded
+from ..algebra.codegen.compile import compiled, content, recorded, text_of
+from ..algebra.codegen.portable import Portable
 from ..algebra.codegen.reads import Reads
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import (
@@ -60,7 +61,7 @@ class Named:
 
 
 @dataclass(frozen=True)
-class Neglected:
+class Neglected(Portable):
     """An effect that a model leaves out, with a bound of the error that this makes.
 
     what : in words, as "the rotation of the earth"
@@ -79,7 +80,7 @@ class Neglected:
 
 
 @dataclass(frozen=True, eq=False)
-class Model:
+class Model(Portable):
     """The equations of motion of a scene: ``s' = rhs(s, p, t)``.
 
     name : of the scene and of the rung of its ladder
@@ -99,7 +100,8 @@ class Model:
     A model keeps functions, not their values: what they read beside (s, p, t), as a global of a
     notebook, is read when it is asked, and for :func:`~newton_euler.integrate` at the beginning of
     each integration. So a change counts from the next call on, for every model; a motion, and what
-    :func:`~newton_euler.prepare` returned, stay as they were computed.
+    :func:`~newton_euler.prepare` returned, stay as they were computed. In a pickle functions of a
+    module are names; lambdas and functions of a notebook are steps, with what they read then.
 
     >>> def thrown(s, p, t):
     ...     return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
@@ -179,8 +181,7 @@ class Model:
         """
 
         def text():
-            found = recorded(self._formula(self._rates, free))
-            return cached(_BY_CONTENT, found.content(), lambda: Compiled(*found))
+            return shared(recorded(self._formula(self._rates, free)))
 
         return current(_BY_FUNCTION, (self.rhs, self.states, free, fixed), (self.rhs, *laws), text)
 
@@ -293,6 +294,13 @@ def cached(cache, key, make):
     return _keep(cache, key, make() if found is cache else found)
 
 
+def shared(formula, cache=_BY_CONTENT):
+    """The text of a formula that is recorded or compiled, one for all that are equal: a
+    :class:`~newton_euler.algebra.codegen.compile.Compiled`.
+    """
+    return cached(cache, content(formula), lambda: text_of(formula))
+
+
 def current(cache, key, functions, make):
     """The :class:`~newton_euler.algebra.codegen.reads.Reads` of these functions and the value of a
     key in the cache, a pair; made again where something that the functions read has changed.
@@ -374,7 +382,7 @@ def second_order(
 
 
 @dataclass(frozen=True)
-class StateVariables:
+class StateVariables(Portable):
     """The right-hand side of :func:`second_order`: the rates, and the accelerations."""
 
     rates: tuple

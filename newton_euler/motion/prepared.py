@@ -7,11 +7,11 @@ and what heyoka has compiled from it.
 import math
 from functools import cached_property
 
-from ..algebra.codegen.compile import Compiled, recorded
+from ..algebra.codegen.compile import recorded
 from ..algebra.codegen.partial_evaluation import folded
 from ..algebra.codegen.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
-from .model import Model, ModelError, cached, current, is_law
+from .model import Model, ModelError, cached, current, is_law, shared
 
 _TRACED: dict = {}
 
@@ -48,8 +48,7 @@ class FunctionText:
     @cached_property
     def text(self):
         """The :class:`~newton_euler.algebra.codegen.compile.Compiled` formula."""
-        found = self._recording
-        return cached(self._texts, found.content(), lambda: Compiled(*found))
+        return shared(self._recording, self._texts)
 
 
 def prepared_model(model):
@@ -85,14 +84,27 @@ class PreparedModel:
         self._fixed = tuple(fixed.items())
         self._laws = tuple([x for x in fixed.values() if callable(x)])
         reads, rhs = model._rhs_text(self.free, self._fixed, self._laws)
-        self.traced = cached(_TRACED, rhs, lambda: Traced(rhs, 1 + len(model.states)))
-        self.f = rhs.on_floats
+        self._take(rhs)
         # by identity, which costs less than to look for an equal function
         self._now, self._reads = {}, (reads,) if reads.checks or not reads.known else ()
         for f in self._functions:
             if self._laws or not reads_nothing(f):
                 reads, self._now[id(f)] = self._recorded(f)
                 self._reads += (reads,)
+
+    def _take(self, rhs):
+        """Take this text for the right-hand side."""
+        self.traced = cached(_TRACED, rhs, lambda: Traced(rhs, 1 + len(self.model.states)))
+        self.f = rhs.on_floats
+
+    def __reduce__(self):
+        """The model, and the texts of its functions as they were at its moment."""
+        texts = [
+            (n, self._now[id(f)] and self._now[id(f)].text)
+            for n, f in enumerate(self._functions)
+            if id(f) in self._now
+        ]
+        return _snapshot, (self.model, self.traced.rhs, texts, self.exact_verified)
 
     @property
     def _functions(self):
@@ -204,6 +216,17 @@ class PreparedModel:
             if np.isfinite(found).all():
                 break
         return found
+
+
+def _snapshot(model, rhs, texts, exact_verified):
+    """The :class:`PreparedModel` that was pickled."""
+    system = PreparedModel(model)
+    system.exact_verified = exact_verified
+    system._take(shared(rhs))
+    for n, text in texts:
+        now = text and FunctionText(text, system.traced.texts)
+        system._now[id(system._functions[n])] = now
+    return system
 
 
 def start_state(model, start):

@@ -50,6 +50,13 @@ class Method:
     max_tolerance: float = 3e-6
     min_tolerance: float = 1e-14
 
+    def __reduce__(self):
+        return _method, (self.name,)
+
+
+def _method(name):
+    return METHODS[name]
+
 
 def _no_exact(system, t0=0.0):
     model = system.model
