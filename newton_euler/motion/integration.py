@@ -94,19 +94,30 @@ def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
     if method == "auto":
         missing = METHODS["taylor"].unusable_because
         method = "exact" if model.exact else "dop853" if missing(system) else "taylor"
-    used = usable(method, system)
+    return Prepared(system, rtol, method)
 
-    def fallback(t, start):
-        return tuple(integrate(model, t, start, rtol, method).end.values())
 
-    if not hasattr(used.stepper, "prepared_run"):
-        return fallback
-    fast = used.stepper.prepared_run(system, rtol / used.tolerance_ratio, fallback)
+class Prepared:
+    """What :func:`prepare` returns; in a pickle, its model as it was when this was made."""
 
-    def run(t, start):
+    def __init__(self, system, rtol, method):
+        self.system, self.rtol, self.method = system, rtol, method
+        used, self._run = usable(method, system), self._by_integration
+        if hasattr(used.stepper, "prepared_run"):
+            tolerance = rtol / used.tolerance_ratio
+            self._run = used.stepper.prepared_run(system, tolerance, self._by_integration)
+
+    def __reduce__(self):
+        return Prepared, (self.system, self.rtol, self.method)
+
+    def __call__(self, t, start):
         try:
-            return fast(t, start)
+            return self._run(t, start)
         except (TypeError, ValueError):
-            return fallback(t, start)  # which says what is wrong
+            return self._by_integration(t, start)  # which says what is wrong
 
-    return run
+    def _by_integration(self, t, start):
+        t0, t1 = span(t)
+        state = start_state(self.system.model, start)
+        run = Run(self.system, t0, t1, state, self.rtol)
+        return tuple(run.by_name(self.method).end.values())
