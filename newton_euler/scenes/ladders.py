@@ -20,6 +20,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from ..algebra.codegen.portable import Portable
 from ..algebra.codegen.reads import Reads
 from ..algebra.scalars import is_numeric, max_abs
 from ..motion.model import Model, ModelError
@@ -34,7 +35,7 @@ ROUGH, FINEST = 1e-9, 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Rung:
+class Rung(Portable):
     """One model of a ladder.
 
     model : the :class:`~newton_euler.motion.model.Model`; it ``neglects`` what the fuller rungs
@@ -109,6 +110,9 @@ class Ladder:
                 f"the bounds of {self.name!r} are of different quantities and cannot be "
                 f"compared: {self.of}; {'; '.join(other)}"
             )
+
+    def __getstate__(self):
+        return {n: x for n, x in vars(self).items() if n != "_found"}
 
     @classmethod
     def of_models(

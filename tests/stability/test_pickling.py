@@ -46,6 +46,7 @@ from newton_euler.motion.model import Neglected, second_order
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.solution import MotionError
 from newton_euler.scenes import LADDERS, SCENES, ladder, scene
+from newton_euler.scenes.ladders import Ladder, Rung
 
 
 def sent(x):
@@ -103,6 +104,21 @@ def test_ladders_and_choices_can_be_sent(name):
         assert other.model.derivative(other.start) == rung.model.derivative(rung.start)
     choice = smallest(ladder("projectile"), 2.0)
     assert str(sent(choice)) == str(copy.deepcopy(choice)) == str(choice)
+
+
+@WAYS
+def test_a_ladder_of_lambdas_can_be_sent_after_it_was_measured(again):
+    rungs = [
+        Rung(Model(name, {}, ("h", "v"), rates), (0.0, 0.0), lambda s, p, t: (s.h,))
+        for name, rates in (
+            ("slow", lambda s, p, t: (s.v, -9.0)),
+            ("full", lambda s, p, t: (s.v, -10.0)),
+        )
+    ]
+    measured = Ladder("fall", "height, m", 2.0, tuple(rungs))
+    error = measured.error(rungs[0])
+    there = again(measured)
+    assert there.error(there.rungs[0]) == error
 
 
 @WAYS
