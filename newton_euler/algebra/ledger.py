@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
+from .codegen.pickles import Found
 from .errors import NewtonEulerError
 from .scalars import ZERO, Scalar, is_numeric, max_abs, scalar, short, to_plain
 
@@ -80,6 +81,9 @@ class Ledger:
 
     def __init__(self, kind, subject, make):
         self.kind, self.subject, self._make, self._terms = kind, subject, make, None
+
+    def __reduce__(self):
+        return Ledger, (self.kind, self.subject, Found(lambda: self.terms))
 
     @property
     def equation(self) -> Equation:

@@ -9,6 +9,7 @@ quantities has a time derivative (``a.rate(observer)``).
 from functools import reduce
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from .codegen.pickles import Found
 from .errors import NewtonEulerError
 from .jets import Moving, moving
 from .ledger import Equation, Explanation, Ledger, NamedTerms, latex_number
@@ -103,6 +104,15 @@ class Vector(Scaled, NamedTerms):
 
     def __init__(self, c, frame, own_rate=None, ledger=None):
         self.frame, self.c, self._own_rate, self._ledger = frame, c, own_rate, ledger
+
+    def __reduce__(self):
+        """With its rate and its terms computed: the functions that do it cannot be pickled."""
+        rate = self._own_rate
+        if self.c is ZERO3 and _rests(self):
+            rate = Resting(self.frame)
+        elif rate is not None and not isinstance(rate, (Found, Resting)):
+            rate = Found(rate)
+        return _vector, (self.c, self.frame, rate, self._ledger)
 
     # -- components
 
@@ -380,6 +390,35 @@ class Vector(Scaled, NamedTerms):
         f = self.frame
         terms = self._weighted(factors, FrameError)
         return Vector(sum3(scale3(s, v.expressed_in(f).c) for s, v in terms), f)
+
+
+class Resting:
+    """The rate of a vector that is zero and stays so, in its own frame."""
+
+    def __init__(self, frame):
+        self.frame = frame
+
+    def __call__(self):
+        return Vector(ZERO3, self.frame, self)
+
+
+def _rests(vector):
+    """True for a zero vector if its two rates, all that a motion gives, are zero by structure."""
+    for _ in range(2):
+        if vector._own_rate is None:
+            return False
+        try:
+            vector = vector._own_rate()
+        except FrameError:
+            return False
+        if vector.c is not ZERO3:
+            return False
+    return True
+
+
+def _vector(c, frame, own_rate, ledger):
+    """The :class:`Vector` that was pickled; zeros known by structure are ZERO3 again."""
+    return Vector(ZERO3 if all(x is ZERO for x in c) else c, frame, own_rate, ledger)
 
 
 def _rate_of(s):

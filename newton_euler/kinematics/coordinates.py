@@ -15,7 +15,9 @@ the book. Rectangular components (3.1)-(3.3) are those of an ordinary point:
 """
 
 from collections.abc import Callable
+from functools import partial
 
+from ..algebra.codegen.pickles import Found
 from ..algebra.jets import Moving, moving
 from ..algebra.ledger import Ledger
 from ..algebra.scalars import (
@@ -91,6 +93,12 @@ class CoordinatePoint(Point):
         super().__init__(name, frame, tuple(map(moving, x)))
         self.ground, self.local, self.coordinates = ground, local, coordinates
         self.scale_factors, self._system, self._terms = scale_factors, system, terms
+
+    def __getstate__(self):
+        values = {n: getattr(self, n) for n in (*Point.__slots__, *CoordinatePoint.__slots__)}
+        # of functions inside functions
+        values["_terms"] = {what: Found(partial(f, self)) for what, f in self._terms.items()}
+        return None, values
 
     def velocity(self, observer: Frame | None = None, via: Frame | None = None) -> Vector:
         """v seen from ``observer``, as for :class:`Point`; from ``ground`` in the local axes."""

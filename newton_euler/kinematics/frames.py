@@ -7,10 +7,12 @@ frames, each in the axes of its own frame, and no expression is differentiated, 
 fast and formulas short.
 """
 
+import os
 from collections.abc import Sequence
 from itertools import combinations
+from threading import Lock
 from typing import Any, TypeAlias
-from weakref import ref
+from weakref import WeakValueDictionary, ref
 
 from ..algebra.jets import Moving, moving
 from ..algebra.ledger import Ledger
@@ -43,6 +45,12 @@ from ..algebra.vectors import (
 
 _AXES = {"x": 0, "y": 1, "z": 2}
 _REST = Moving(ZERO)
+# frames that were pickled, by a token: one that comes back from another process is found again, so
+# that vectors which were computed there can be added to those here
+_SENT: WeakValueDictionary = WeakValueDictionary()
+_SENDING = Lock()
+# of a frame in this process alone
+_LOCAL = {"parent", "_above", "_relatives", "_memo", "_token"}
 
 
 class Frame:
@@ -68,17 +76,31 @@ class Frame:
     ):
         self.name, self.parent, self.axis, self._origin = name, parent, axis, origin
         self.angle = _REST if angle is None else angle
+        self._descend(parent)
+        self._same_origin = parent._origin_frame if parent and origin is None else None
+        if origin is not None:
+            origin.origin_of = origin.origin_of or name
+        if self.angle.value is not ZERO:
+            self._c, self._s = cos(self.angle.value), sin(self.angle.value)
+
+    def _descend(self, parent: "Frame | None") -> None:
         # without itself, or it would not be freed as soon as nothing refers to it
         self._above: tuple[Frame, ...] = (parent, *parent._above) if parent else ()
         # weak references: a frame keeps those above it alive, not those below
         self._relatives: dict = parent._relatives if parent else {}
         self._relatives[ref(self, self._relatives.pop)] = None
-        self._same_origin = parent._origin_frame if parent and origin is None else None
-        if origin is not None:
-            origin.origin_of = origin.origin_of or name
         self._memo: dict = {}
-        if self.angle.value is not ZERO:
-            self._c, self._s = cos(self.angle.value), sin(self.angle.value)
+
+    def __reduce__(self):
+        # the same in every pickle of it; setdefault: threads may come here together
+        token = vars(self).setdefault("_token", os.urandom(16))
+        _SENT[token] = self
+        state = {n: x for n, x in vars(self).items() if n not in _LOCAL}
+        return _sent_frame, (type(self), token, self.parent), state
+
+    def __setstate__(self, state):
+        if "name" not in vars(self):  # else it is here already
+            vars(self).update(state)
 
     def __repr__(self):
         return f"Frame({' < '.join(f.name for f in (self, *self._above))})"
@@ -343,6 +365,17 @@ class Frame:
         for (n, u), (m, v) in combinations(self._omega_terms(observer).items(), 2):
             terms[f"{n} x {m}"] = u.cross(v)
         return terms
+
+
+def _sent_frame(kind, token, parent):
+    """The frame with this token, if it is in this process; else a new one, without its state."""
+    with _SENDING:
+        frame = _SENT.get(token)
+        if frame is None:
+            frame = _SENT[token] = kind.__new__(kind)
+            frame._token, frame.parent = token, parent
+            frame._descend(parent)
+    return frame
 
 
 class Point:

@@ -7,6 +7,7 @@ below measure whether a direction is determined, or only round-off.
 
 from collections.abc import Callable, Sequence
 
+from ..algebra.codegen.pickles import Found
 from ..algebra.jets import Moving, as_moving
 from ..algebra.scalars import Scalar, anywhere, epsilon, is_numeric, scalar, sqrt, to_plain
 from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3, sub3
@@ -60,6 +61,9 @@ class _Turning:
 
     def __init__(self, frame, turning):
         self.frame, self.turning = frame, turning or (lambda: (None, None))
+
+    def __getstate__(self):
+        return {"frame": self.frame, "turning": Found(self.turning)}
 
     rate = property(lambda self: self._known(0, "angular velocity"))
     acceleration = property(lambda self: self._known(1, "angular acceleration"))

@@ -9,6 +9,7 @@ from itertools import islice
 from math import nan
 from numbers import Real
 
+from ..algebra.codegen.portable import Portable
 from .methods.base import Stepper
 from .model import ModelError
 from .zeros import EPS, UnresolvedError, ZeroSearch, root
@@ -22,7 +23,7 @@ class EventError(ModelError):
 
 
 @dataclass(frozen=True)
-class Event:
+class Event(Portable):
     """A zero of ``function(s, p, t)`` to be found during a motion: impact, loss of contact, end of
     sliding, a turning point.
 

@@ -95,23 +95,34 @@ def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
     if method == "auto":
         series = not METHODS["taylor"].unusable_because(system) and not system.traced.hazards
         method = "exact" if model.exact else "taylor" if series else "dop853"
-    used = usable(method, system)
+    return Prepared(system, rtol, method, asked)
 
-    def fallback(t, start):
-        return tuple(integrate(model, t, start, rtol, asked).end.values())
 
-    if method == "exact":
-        fast = used.stepper.prepared_run(system, rtol, fallback)
-    elif method == "taylor" and not system.traced.hazards:
-        verify = verified_series(system, rtol, used)
-        fast = used.stepper.prepared_run(system, rtol / used.tolerance_ratio, verify, fallback)
-    else:
-        return fallback
+class Prepared:
+    """What :func:`prepare` returns; in a pickle, its model as it was when this was made."""
 
-    def run(t, start):
+    def __init__(self, system, rtol, method, asked):
+        self.system, self.rtol, self.method, self.asked = system, rtol, method, asked
+        used, fallback = usable(method, system), self._by_integration
+        self._run = fallback
+        if method == "exact":
+            self._run = used.stepper.prepared_run(system, rtol, fallback)
+        elif method == "taylor" and not system.traced.hazards:
+            verify = verified_series(system, rtol, used)
+            tolerance = rtol / used.tolerance_ratio
+            self._run = used.stepper.prepared_run(system, tolerance, verify, fallback)
+
+    def __reduce__(self):
+        return Prepared, (self.system, self.rtol, self.method, self.asked)
+
+    def __call__(self, t, start):
         try:
-            return fast(t, start)
+            return self._run(t, start)
         except (TypeError, ValueError):
-            return fallback(t, start)  # which says what is wrong
+            return self._by_integration(t, start)  # which says what is wrong
 
-    return run
+    def _by_integration(self, t, start):
+        t0, t1 = span(t)
+        state = start_state(self.system.model, start)
+        run = Run(self.system, t0, t1, state, self.rtol)
+        return tuple(run.by_name(self.asked).end.values())

@@ -8,13 +8,16 @@ scalars of every kind, so that a formula reads as it is printed: ``s.v*cos(s.gam
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from inspect import Parameter, Signature
 from keyword import iskeyword
 from types import MappingProxyType
 from typing import Any
 
-from ..algebra.codegen.compile import compiled
+from ..algebra.codegen.compile import compiled, content, recorded, text_of
+from ..algebra.codegen.portable import Portable
+from ..algebra.codegen.reads import Reads
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import (
     Scalar,
@@ -28,9 +31,11 @@ from ..algebra.scalars import (
 
 # a state: its values in the order of the states, or by name
 State = Iterable[Scalar] | Mapping[str, Scalar]
-# values in a cache by function: functions that are made at each call, as lambdas are, would pile up
+# values in a cache: functions that are made at each call, as lambdas are, would pile up
 KEPT = 64
-_CHECKED: dict = {}  # right-hand sides that were found right: other numbers need no other check
+# texts of right-hand sides: by function, and by content, since equal texts share one compilation
+_BY_FUNCTION: dict = {}
+_BY_CONTENT: dict = {}
 
 
 class ModelError(NewtonEulerError, ValueError):
@@ -56,7 +61,7 @@ class Named:
 
 
 @dataclass(frozen=True)
-class Neglected:
+class Neglected(Portable):
     """An effect that a model leaves out, with a bound of the error that this makes.
 
     what : in words, as "the rotation of the earth"
@@ -75,7 +80,7 @@ class Neglected:
 
 
 @dataclass(frozen=True, eq=False)
-class Model:
+class Model(Portable):
     """The equations of motion of a scene: ``s' = rhs(s, p, t)``.
 
     name : of the scene and of the rung of its ladder
@@ -91,6 +96,12 @@ class Model:
 
     The right-hand side is tried once, without values, when the model is made: :class:`ModelError`
     says at once what is wrong with it.
+
+    A model keeps functions, not their values: what they read beside (s, p, t), as a global of a
+    notebook, is read when it is asked, and for :func:`~newton_euler.integrate` at the beginning of
+    each integration. So a change counts from the next call on, for every model; a motion, and what
+    :func:`~newton_euler.prepare` returned, stay as they were computed. In a pickle functions of a
+    module are names; lambdas and functions of a notebook are steps, with what they read then.
 
     >>> def thrown(s, p, t):
     ...     return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
@@ -116,9 +127,7 @@ class Model:
         for name in ("states", "neglects"):
             object.__setattr__(self, name, tuple(getattr(self, name)))
         self._check_names()
-        laws = tuple((n, x) for n, x in self.parameters.items() if is_law(x))
-        numbers = tuple(n for n in self.parameters if n not in dict(laws))
-        cached(_CHECKED, (self.rhs, self.states, numbers, laws), lambda: self._check_rhs(numbers))
+        self._check_rhs()
 
     def __repr__(self):
         return f"Model({self.name!r}: {', '.join(self.states)}; {', '.join(self.parameters)})"
@@ -147,12 +156,13 @@ class Model:
         than NumPy's.
         """
         self._expect("parameter", free, self.parameters)
-        return self._compiled(lambda s, p, t: tuple(self.rhs(s, p, t)), free)
+        return compiled(self._formula(self._rates, free))
 
-    def _compiled(self, f, free):
-        """A function ``f(s, p, t)`` of this model as straight-line code, a function
-        ``(t, *states, *free)``.
-        """
+    def _rates(self, s, p, t):
+        return tuple(self.rhs(s, p, t))
+
+    def _formula(self, f, free):
+        """A function ``f(s, p, t)`` of this model as one to compile, ``(t, *states, *free)``."""
 
         def values(**named):
             parameters = {**self.parameters, **{n: named[n] for n in free}}
@@ -161,7 +171,19 @@ class Model:
         values.__name__ = self.name
         kind, names = Parameter.POSITIONAL_OR_KEYWORD, ("t", *self.states, *free)
         values.__signature__ = Signature([Parameter(n, kind) for n in names])
-        return compiled(values)
+        return values
+
+    def _rhs_text(self, free, fixed, laws):
+        """What the right-hand side and the laws read, and its text: a pair, see :func:`current`.
+
+        free : the names of the parameters that are arguments of it
+        fixed, laws : the others as pairs (name, value); the functions among them
+        """
+
+        def text():
+            return shared(recorded(self._formula(self._rates, free)))
+
+        return current(_BY_FUNCTION, (self.rhs, self.states, free, fixed), (self.rhs, *laws), text)
 
     def solution(self, t: Scalar, start: State) -> tuple:
         """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple.
@@ -247,11 +269,13 @@ class Model:
                     f"not {x!r}"
                 )
 
-    def _check_rhs(self, numbers):
+    def _check_rhs(self):
         """One call without values: it meets every name, and no branch can hide from it."""
         what, states = f"the right-hand side of {self.name!r}", self.states
+        laws = {n: x for n, x in self.parameters.items() if is_law(x)}
+        free = tuple(n for n in self.parameters if n not in laws)
         try:
-            count = len(self.compiled_rhs(*numbers).leaves)
+            count = len(self._rhs_text(free, tuple(laws.items()), laws.values())[1].leaves)
         except (AttributeError, TypeError, ZeroDivisionError) as error:
             raise ModelError(f"{what} fails when it is tried: {error}") from error
         if count != len(states):
@@ -263,12 +287,40 @@ class Model:
 def cached(cache, key, make):
     """The value of a key in the cache, made if it is not there; only the ``KEPT`` values that were
     used last stay.
+
+    For several threads: two may make the same value, each for itself.
     """
     found = cache.pop(key, cache)  # the cache itself stands for what is not in it
-    cache[key] = found = make() if found is cache else found
+    return _keep(cache, key, make() if found is cache else found)
+
+
+def shared(formula, cache=_BY_CONTENT):
+    """The text of a formula that is recorded or compiled, one for all that are equal: a
+    :class:`~newton_euler.algebra.codegen.compile.Compiled`.
+    """
+    return cached(cache, content(formula), lambda: text_of(formula))
+
+
+def current(cache, key, functions, make):
+    """The :class:`~newton_euler.algebra.codegen.reads.Reads` of these functions and the value of a
+    key in the cache, a pair; made again where something that the functions read has changed.
+    """
+    try:
+        found = cache.pop(key, None)
+    except TypeError:  # an object with __call__ that cannot be a key
+        return Reads(*functions), make()
+    if found is None or not found[0].hold():
+        found = Reads(*functions), make()
+    return _keep(cache, key, found) if found[0].known else found
+
+
+def _keep(cache, key, value):
+    cache[key] = value
     if len(cache) > KEPT:
-        cache.pop(next(iter(cache)), None)
-    return found
+        # another thread may add or drop one meanwhile
+        with suppress(RuntimeError, StopIteration):
+            cache.pop(next(iter(cache)), None)
+    return value
 
 
 def _is_scalar(x):
@@ -325,8 +377,16 @@ def second_order(
     (('x', 'dx'), (1.0, -2.0))
     """
     rates = tuple(f"d{q}" for q in coordinates)
-
-    def rhs(s, p, t):
-        return *(getattr(s, rate) for rate in rates), *accelerations(s, p, t)
-
+    rhs = StateVariables(rates, accelerations)
     return Model(name, parameters, (*coordinates, *rates), rhs, **more)
+
+
+@dataclass(frozen=True)
+class StateVariables(Portable):
+    """The right-hand side of :func:`second_order`: the rates, and the accelerations."""
+
+    rates: tuple
+    accelerations: Callable
+
+    def __call__(self, s, p, t):
+        return *(getattr(s, rate) for rate in self.rates), *self.accelerations(s, p, t)

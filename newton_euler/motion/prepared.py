@@ -7,27 +7,31 @@ and what heyoka has compiled from it.
 import math
 from functools import cached_property
 
+from ..algebra.codegen.compile import recorded
 from ..algebra.codegen.partial_evaluation import folded
+from ..algebra.codegen.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
 from .analytic import hazards, kinks
-from .model import Model, ModelError, cached, is_law
+from .model import Model, ModelError, cached, current, is_law, shared
 from .verified import Verified
 
-_known: dict = {}
+_TRACED: dict = {}
 
 
 class Traced:
     """The text ``rhs`` of one right-hand side, a function ``(t, *states, *free)``, and what was
     made from it.
 
-    functions : the texts of other functions of the states, or None, by function; ``integrators`` of
-        heyoka
+    arguments : the number of its first arguments that are no parameters
+    functions, texts : other functions of the states, recorded or None, by function; their texts, by
+        content
+    integrators : of heyoka
     seconds : spent on integrating it, to decide whether heyoka's compilation pays
     """
 
-    def __init__(self, model, free):
-        self.rhs, self.arguments = model.compiled_rhs(*free), 1 + len(model.states)
-        self.functions, self.integrators, self.seconds = {}, {}, 0.0
+    def __init__(self, rhs, arguments):
+        self.rhs, self.arguments = rhs, arguments
+        self.functions, self.texts, self.integrators, self.seconds = {}, {}, {}, 0.0
 
     @cached_property
     def folded(self):
@@ -47,19 +51,34 @@ class Traced:
         return hazards(self)
 
 
+class FunctionText:
+    """One traced function: its ``text`` is written when it is first needed; equal ones share it."""
+
+    def __init__(self, recording, texts):
+        self._recording, self._texts = recording, texts
+
+    @cached_property
+    def text(self):
+        """The :class:`~newton_euler.algebra.codegen.compile.Compiled` formula."""
+        return shared(self._recording, self._texts)
+
+
 def prepared_model(model):
-    """The :class:`PreparedModel` of a model, made once and kept in the model."""
+    """The :class:`PreparedModel` of a model, kept in the model for as long as what its functions
+    read is the same.
+    """
     if not isinstance(model, Model):
         raise ModelError(f"integrate takes a Model, got {model!r}")
     found = vars(model).get("_prepared")
-    if found is None:
+    if found is None or not found.holds():
         found = PreparedModel(model)
         object.__setattr__(model, "_prepared", found)
     return found
 
 
 class PreparedModel:
-    """A model with the numbers of its parameters.
+    """A model with the numbers of its parameters, and its functions with what they read at this
+    moment: they are traced now, but those of the engine, which read nothing, when they are needed.
 
     f : the right-hand side on floats, ``f(t, *states, *p)``; ``p`` : the values of the parameters
         that are ``free``, arguments of it
@@ -74,9 +93,43 @@ class PreparedModel:
         self.p = tuple(_parameter(model, n, values[n]) for n in self.free)
         self.verified = Verified()
         self.many = any(getattr(x, "shape", ()) for x in self.p)
-        key = model.rhs, model.states, self.free, *fixed.items()
-        self.traced = cached(_known, key, lambda: Traced(model, self.free))
-        self.f = self.traced.rhs.on_floats
+        self._fixed = tuple(fixed.items())
+        self._laws = tuple([x for x in fixed.values() if callable(x)])
+        reads, rhs = model._rhs_text(self.free, self._fixed, self._laws)
+        self._take(rhs)
+        # by identity, which costs less than to look for an equal function
+        self._now, self._reads = {}, (reads,) if reads.checks or not reads.known else ()
+        for f in self._functions:
+            if self._laws or not reads_nothing(f):
+                reads, self._now[id(f)] = self._recorded(f)
+                self._reads += (reads,)
+
+    def _take(self, rhs):
+        """Take this text for the right-hand side."""
+        self.traced = cached(_TRACED, rhs, lambda: Traced(rhs, 1 + len(self.model.states)))
+        self.f = rhs.on_floats
+
+    def __reduce__(self):
+        """The model, and the texts of its functions as they were at its moment."""
+        texts = [
+            (n, self._now[id(f)] and self._now[id(f)].text)
+            for n, f in enumerate(self._functions)
+            if id(f) in self._now
+        ]
+        return _snapshot, (self.model, self.traced.rhs, texts)
+
+    @property
+    def _functions(self):
+        exact = self.model.exact
+        return *((exact,) if exact else ()), *self.model.invariants.values()
+
+    def holds(self):
+        """True if all that the functions of the model read is as it was."""
+        # no generator: this is part of the shortest run
+        for reads in self._reads:  # noqa: SIM110
+            if not reads.hold():
+                return False
+        return True
 
     @cached_property
     def autonomous(self):
@@ -116,14 +169,21 @@ class PreparedModel:
         """The traced text of a function ``f(s, p, t)``; None if it branches on values, as an event
         may.
         """
+        found = self._now.get(id(f), self)  # this stands for a function that is not of the model
+        found = self._recorded(f)[1] if found is self else found
+        return found and found.text
 
-        def traced():
+    def _recorded(self, f):
+        """What a function reads, and its :class:`FunctionText` or None, see :func:`current`."""
+        known = self.traced
+
+        def recording():
             try:
-                return self.model._compiled(f, self.free)
+                return FunctionText(recorded(self.model._formula(f, self.free)), known.texts)
             except (TypeError, ModelError):
                 return None
 
-        return cached(self.traced.functions, f, traced)
+        return current(known.functions, (f, *self._fixed), (f, *self._laws), recording)
 
     @cached_property
     def exact_on_floats(self):
@@ -175,6 +235,16 @@ class PreparedModel:
             if np.isfinite(found).all():
                 break
         return found
+
+
+def _snapshot(model, rhs, texts):
+    """The :class:`PreparedModel` that was pickled."""
+    system = PreparedModel(model)
+    system._take(shared(rhs))
+    for n, text in texts:
+        now = text and FunctionText(text, system.traced.texts)
+        system._now[id(system._functions[n])] = now
+    return system
 
 
 def start_state(model, start):

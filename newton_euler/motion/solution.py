@@ -6,11 +6,12 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from types import MappingProxyType
+from types import MappingProxyType, SimpleNamespace
 from typing import Any, NamedTuple
 
 from ..algebra.scalars import Scalar
 from .methods.base import sample_times
+from .methods.table import METHODS
 from .model import Model, ModelError
 
 DEFAULT_SAMPLES = 101  # of a motion without steps
@@ -24,6 +25,9 @@ class MotionError(ModelError):
     def __init__(self, message, reached):
         super().__init__(message)
         self.reached = reached
+
+    def __reduce__(self):
+        return MotionError, (str(self), self.reached)
 
 
 class Cost(NamedTuple):
@@ -67,6 +71,18 @@ class Motion:
     cost: Cost
     samples: Any = field(default=None, repr=False)
     estimate: Any = field(default=math.nan, repr=False)
+
+    def __getstate__(self):
+        """With all that is computed on demand: elsewhere it might come out otherwise, as without
+        heyoka.
+        """
+        known = {n: getattr(self, n) for n in ("times", "states", "end", "error", "drift")}
+        segments = [part._replace(stepper=_in_pickle(part.stepper)) for part in self.segments]
+        return {**vars(self), **known, "estimate": known["error"], "segments": segments}
+
+    def __setstate__(self, state):
+        segments = [part._replace(stepper=_stepper(*part.stepper)) for part in state["segments"]]
+        vars(self).update(state, segments=tuple(segments))
 
     @property
     def t_end(self) -> float:
@@ -180,3 +196,37 @@ class Motion:
         )
 
     __str__ = explain
+
+
+# what a stepper computes with, functions and integrators: no pickle has them
+REMADE = {"f", "code", "move", "solver"}
+
+
+class _Sent:
+    """A stepper from a pickle: what its ``begin`` makes is made again when it is first needed."""
+
+    def __getattr__(self, name):
+        if name not in REMADE:
+            raise AttributeError(name)
+        reached = dict(vars(self))
+        self.t, self.x = self.start
+        known = {n: reached.get(n) for n in ("samples", "units")}
+        self.begin(SimpleNamespace(step=reached.get("h"), longest_part=1.0, **known))
+        vars(self).update(reached)
+        return vars(self)[name]
+
+
+def _in_pickle(stepper):
+    """The method of a stepper by name, or else its class, and what it has reached: some classes are
+    made for the table of methods, and have no name of their own.
+    """
+    kind = type(stepper).__mro__[2] if isinstance(stepper, _Sent) else type(stepper)
+    name = next((n for n, method in METHODS.items() if method.stepper is kind), None)
+    return name, None if name else kind, {n: x for n, x in vars(stepper).items() if n not in REMADE}
+
+
+def _stepper(name, kind, state):
+    kind = METHODS[name].stepper if name else kind
+    stepper = object.__new__(type(kind.__name__, (_Sent, kind), {}))
+    vars(stepper).update(state)
+    return stepper

@@ -16,10 +16,12 @@ bound, or whose bound is too large, is measured.
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from ..algebra.codegen.portable import Portable
+from ..algebra.codegen.reads import Reads
 from ..algebra.scalars import is_numeric, max_abs
 from ..motion.model import Model, ModelError
 
@@ -33,7 +35,7 @@ ROUGH, FINEST = 1e-9, 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Rung:
+class Rung(Portable):
     """One model of a ladder.
 
     model : the :class:`~newton_euler.motion.model.Model`; it ``neglects`` what the fuller rungs
@@ -64,12 +66,19 @@ class Rung:
         return float(sum(map(max_abs, bounds))) if bounds else math.inf
 
 
-@cache
+@dataclass(frozen=True)
+class Observed:
+    """The function for :class:`Rung` that returns the states of these names."""
+
+    names: tuple
+
+    def __call__(self, s, p, t):
+        return tuple(getattr(s, n) for n in self.names)
+
+
 def observed_states(*names):
-    """The function for :class:`Rung` that returns the states of these names; made once, since the
-    cache of compiled code is by function.
-    """
-    return lambda s, p, t: tuple(getattr(s, n) for n in names)
+    """The function for :class:`Rung` that returns the states of these names."""
+    return Observed(names)
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,6 +110,9 @@ class Ladder:
                 f"the bounds of {self.name!r} are of different quantities and cannot be "
                 f"compared: {self.of}; {'; '.join(other)}"
             )
+
+    def __getstate__(self):
+        return {n: x for n, x in vars(self).items() if n != "_found"}
 
     @classmethod
     def of_models(
@@ -153,8 +165,9 @@ class Ladder:
         """
         if rung is self.fullest:
             return 0.0
-        full = self._kept(None, accuracy, lambda: self.observed(self.fullest, accuracy))
-        return self._kept(rung.name, accuracy, lambda: self._distance(rung, full, accuracy))
+        full = self.fullest
+        observed = self._kept(accuracy, [full], lambda: self.observed(full, accuracy))
+        return self._kept(accuracy, [rung, full], lambda: self._distance(rung, observed, accuracy))
 
     def _distance(self, rung, full, accuracy):
         try:
@@ -164,11 +177,15 @@ class Ladder:
         far = float((apart**2).sum(axis=0).max() ** 0.5)
         return far if far == far else math.inf  # nan where an exact solution ends
 
-    def _kept(self, key, accuracy, compute):
-        """The value found before with at least this accuracy; otherwise it is computed now."""
+    def _kept(self, accuracy, rungs, compute):
+        """The value found before for these rungs with at least this accuracy, if what their
+        functions read is the same; otherwise it is computed now.
+        """
+        key = tuple(rung.name for rung in rungs)
         known = self._found.get(key)
-        if known is None or known[1] > accuracy:
-            known = self._found[key] = compute(), accuracy
+        if known is None or known[1] > accuracy or not known[2].hold():
+            reads = Reads(*(f for rung in rungs for f in (rung.model, rung.observed)))
+            known = self._found[key] = compute(), accuracy, reads
         return known[0]
 
     @cached_property

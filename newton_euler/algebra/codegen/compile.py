@@ -15,6 +15,7 @@ from collections.abc import Callable
 from functools import cached_property
 from importlib import import_module, util
 from operator import itemgetter
+from typing import Any, NamedTuple
 
 from .. import scalars
 from ..jets import Moving
@@ -72,30 +73,62 @@ def _shape(result, leaves, keys):
     return f"r[{len(leaves) - 1}]"
 
 
-def _builder(result):
-    """The scalars in a result, and a function of a tuple of others that builds a result like this
-    one.
+def _builder(shape, keys, count):
+    """The function of ``count`` scalars that builds the result which a text of :func:`_shape`
+    describes.
     """
-    leaves, keys = [], []
-    shape = _shape(result, leaves, keys)
     if shape == "r[0]":
-        return leaves, itemgetter(0)
-    if shape == f"({''.join(f'r[{n}], ' for n in range(len(leaves)))})":
-        return leaves, tuple  # returns a tuple itself
-    return leaves, eval(f"lambda r: {shape}", {"Moving": Moving, "scalar": scalar, "keys": keys})
+        return itemgetter(0)
+    if shape == f"({''.join(f'r[{n}], ' for n in range(count))})":
+        return tuple  # returns a tuple itself
+    return eval(f"lambda r: {shape}", {"Moving": Moving, "scalar": scalar, "keys": keys})
+
+
+class Recording(NamedTuple):
+    """One formula that was traced, not yet written as text: the arguments of :class:`Compiled`."""
+
+    name: str
+    parameters: Any
+    trace: Trace
+    leaves: Any
+    shape: str
+    keys: Any
+    defaults: dict
+    backend: str = "auto"
+
+
+def content(formula):
+    """Steps and result of a :class:`Recording` or :class:`Compiled`, but not its name, for a
+    dictionary: equal for equal formulas, which give equal texts and equal results.
+    """
+    key = formula.trace.key
+    steps = [
+        (s.op, *s.args) if s.op == "argument" else (s.op, *map(key, s.args))
+        for s in formula.trace.steps
+    ]
+    leaves = tuple(map(key, formula.leaves))
+    return tuple(formula.parameters), tuple(steps), leaves, formula.shape, tuple(formula.keys)
+
+
+def text_of(formula):
+    """The :class:`Compiled` of a :class:`Recording`; one that is compiled as it is."""
+    return formula if isinstance(formula, Compiled) else Compiled(*formula)
 
 
 class Compiled:
     """A compiled formula, as :func:`compiled` returns it; call it like the formula. ``source`` is
     its text, ``operations`` the number of its operations.
 
-    trace, leaves : the steps, and those that are the scalars in the result, from which ``build``
-        makes the result
+    trace, leaves : the steps, and those that are the scalars in the result
+    shape, keys : how the result is built from these, see :func:`_shape`; default: a tuple
     """
 
-    def __init__(self, name, parameters, trace, leaves, build=tuple, defaults=(), backend="auto"):
+    def __init__(
+        self, name, parameters, trace, leaves, shape="", keys=(), defaults=(), backend="auto"
+    ):
         self.name, self.parameters, self.trace, self.leaves = name, parameters, trace, leaves
-        self.backend, self._build, self._defaults = backend, build, dict(defaults)
+        self.backend, self._defaults, self.shape, self.keys = backend, dict(defaults), shape, keys
+        self._build = _builder(shape, keys, len(leaves)) if shape else tuple
         names = {n: f"{n}_" if n in RESERVED else n for n in parameters}
         self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
         chooses = "where(" in self.source
@@ -105,6 +138,13 @@ class Compiled:
 
     def __repr__(self):
         return f"<compiled {self.name}({', '.join(self.parameters)}), {self.operations} operations>"
+
+    def __reduce__(self):
+        """Its steps: the text, and what was compiled from it, are made again from them."""
+        steps = [(s.op, *map(_by_number, s.args)) for s in self.trace.steps]
+        leaves = list(map(_by_number, self.leaves))
+        rest = self.shape, self.keys, self._defaults, self.backend
+        return _from_steps, (self.name, list(self.parameters), steps, leaves, *rest)
 
     def __call__(self, *args, **named):
         if named or len(args) != len(self.parameters):
@@ -256,6 +296,23 @@ class Compiled:
         self._buffer = buffer
 
 
+def _by_number(x):
+    """A step as a tuple of its number alone; numbers unchanged."""
+    return (x.number,) if isinstance(x, Step) else x
+
+
+def _from_steps(name, parameters, steps, leaves, *rest):
+    """The :class:`Compiled` formula that was pickled as these steps."""
+    trace = Trace()
+
+    def step(x):
+        return trace.steps[x[0]] if isinstance(x, tuple) else x
+
+    for op, *args in steps:
+        trace.new(op, *map(step, args))
+    return Compiled(name, parameters, trace, list(map(step, leaves)), *rest)
+
+
 def _float(constant):
     try:
         return float(constant)
@@ -285,14 +342,22 @@ def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compile
     """
     if backend not in ("auto", "numpy", "heyoka"):
         raise ValueError(f"backend must be 'auto', 'numpy' or 'heyoka', got {backend!r}")
+    return Compiled(*recorded(f, **constants)._replace(backend=backend))
+
+
+def recorded(f, **constants):
+    """The :class:`Recording` of the formula ``f``, see :func:`compiled`: its steps without a
+    text, which takes twice as long to write.
+    """
     signature = inspect.signature(f).parameters
     if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
         raise TypeError(f"a formula to compile names all its arguments, but {f!r} does not")
     trace, parameters = Trace(), [n for n in signature if n not in constants]
     values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
     by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
+    leaves, keys = [], []
     try:
-        leaves, build = _builder(f(*by_place, **values))
+        shape = _shape(f(*by_place, **values), leaves, keys)
     except TypeError as error:
         if "ufunc" not in str(error):
             raise
@@ -304,4 +369,4 @@ def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compile
         if (default := signature[n].default) is not inspect.Parameter.empty
     }
     name = getattr(f, "__name__", "formula")
-    return Compiled(name, parameters, trace, leaves, build, defaults, backend)
+    return Recording(name, parameters, trace, leaves, shape, keys, defaults)

@@ -144,7 +144,7 @@ class Trace:
         if any(isinstance(a, Scaled) or outranks(a, Step) for a in args):
             # the moving number or vector takes over and calls back with its parts
             return NotImplemented
-        keys = [self._key(a) for a in args]
+        keys = [self.key(a) for a in args]
         key = op, *(sorted(keys, key=repr) if op in "+*" else keys)  # sums and products commute
         if key not in self.known:
             self.known[key] = self.new(op, *args)
@@ -155,7 +155,7 @@ class Trace:
         self.steps.append(Step(self, op, args, len(self.steps)))
         return self.steps[-1]
 
-    def _key(self, a):
+    def key(self, a):
         """A key that is equal for equal arguments; those of 0.0, -0.0 and 0 differ."""
         if isinstance(a, Step):
             if a.trace is not self:

@@ -59,6 +59,13 @@ class Method:
             return max(min(other, MAX_COARSE_TOLERANCE), 10 * tolerance)
         return other if other > self.min_tolerance else tolerance / self.coarsening
 
+    def __reduce__(self):
+        return _method, (self.name,)
+
+
+def _method(name):
+    return METHODS[name]
+
 
 def _no_exact(system, t0=0.0):
     model = system.model

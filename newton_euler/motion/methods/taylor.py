@@ -93,7 +93,7 @@ class Taylor(Stepper):
     def begin(self, trajectory):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         low, high = ORDINARY
-        scales = [_power_of_two(s) for s in trajectory.units]
+        scales = [_power_of_two(s) for s in trajectory.units or ()]
         self.units = scales if any(not low <= s <= high for s in scales) else ()
         self.series, self.kept, self.samples = [], None, trajectory.samples
 

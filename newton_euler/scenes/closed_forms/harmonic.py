@@ -2,7 +2,8 @@
 towards it or away; and Stumpff's series.
 """
 
-from functools import cache
+from collections.abc import Callable
+from dataclasses import dataclass
 
 from ...algebra.scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
 
@@ -12,22 +13,28 @@ def uniform_acceleration(x, v, a, t):
     return x + (v + a * t / 2) * t, v + a * t
 
 
-@cache
 def constant_rate(of, *states):
     """The ``states``, ``rhs`` and ``exact`` of a :class:`~newton_euler.motion.model.Model` whose
     last state has the constant rate ``of(p)``, the first, if there are two, the last as its rate.
-
-    Made once for a module-level function ``of``, since compiled code is kept by function.
     """
+    return {"states": states, "rhs": _Rates(of, states), "exact": _Exact(of, states)}
 
-    def rhs(s, p, t):
-        return *(getattr(s, n) for n in states[1:]), of(p)
 
-    def exact(s, p, t):
-        *x, v = (getattr(s, n) for n in states)
-        return uniform_acceleration(*x, v, of(p), t) if x else (v + of(p) * t,)
+# classes, not functions inside a function, which could not be pickled
+@dataclass(frozen=True)
+class _Rates:
+    of: Callable
+    states: tuple
 
-    return {"states": states, "rhs": rhs, "exact": exact}
+    def __call__(self, s, p, t):
+        return *(getattr(s, n) for n in self.states[1:]), self.of(p)
+
+
+class _Exact(_Rates):
+    def __call__(self, s, p, t):
+        *x, v = (getattr(s, n) for n in self.states)
+        of = self.of(p)
+        return uniform_acceleration(*x, v, of, t) if x else (v + of * t,)
 
 
 def integrated_square(v, a, t):

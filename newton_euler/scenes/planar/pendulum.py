@@ -9,6 +9,7 @@ costs as much to compute as the body, but does not need I.
 
 import math
 from dataclasses import replace
+from functools import partial
 
 from ...algebra.scalars import asin, cos, scalar, sin, sqrt, where
 from ...motion.model import Model, Neglected, comparable
@@ -116,7 +117,7 @@ def particle(m, l, g, I=0):
     """
     size = Neglected(
         "the moment of inertia about the centre of mass",
-        lambda s, p, t: _by_size(s, p, t, scalar(I)),
+        partial(_by_size, scalar(I)),
         ANGLE,
     )
     return replace(physical_pendulum(m, 0, l, g), name="pendulum, a particle", neglects=(size,))
@@ -158,7 +159,7 @@ def _by_sine(s, p, t):
     return where(swings, n * t * amplitude**3 / 6, math.inf)
 
 
-def _by_size(s, p, t, I):
+def _by_size(I, s, p, t):
     """From rest the body moves as the particle does, but slower. From a start with a rate the two
     diverge no faster than at the upright position.
     """
