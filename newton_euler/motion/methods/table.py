@@ -131,7 +131,7 @@ def _table():
         name, what = f"yoshida{order}", f"Yoshida's composition of order {order}, symplectic"
         if order == 2:
             name, what = "verlet", "Verlet's method, symplectic"
-        limits = {"min_rtol": min_rtol, "min_tolerance": 1e-40}
+        limits = {"min_rtol": min_rtol, "min_tolerance": 1e-40, "tolerance_ratio": 30.0}
         yield Method(name, what, splitting(order), _no_groups, order, **limits)
         what = f"Lie-Poisson splitting of order {order}, keeps the angular momentum"
         yield Method(f"lie-poisson{order}", what, splitting(order, True), _no_body, order, **limits)
