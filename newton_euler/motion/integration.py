@@ -13,7 +13,7 @@ from .events import Event
 from .methods.table import METHODS
 from .model import Model, ModelError, State
 from .prepared import prepared_model, start_state
-from .run import Run, check, span, usable, verified_series
+from .run import Run, check, checked_samples, span, usable, verified_series
 from .solution import Motion
 
 
@@ -59,8 +59,13 @@ def integrate(
     system = prepared_model(model)
     t0, t1 = span(t)
     state = start_state(model, start)
-    events = (events,) if isinstance(events, Event) else tuple(events)
-    check(rtol, method, events, step)
+    if isinstance(events, Event):
+        events = (events,)
+    elif not hasattr(events, "__iter__"):
+        raise ModelError(f"events are an Event, or several, got {events!r}")
+    events = tuple(events)
+    check(rtol, method, events, step, progress)
+    samples = checked_samples(samples, t0, t1)
     if system.many or (state is not start and any(type(x) is not float for x in state)):
         return integrate_batch(model, t0, t1, state, rtol, method, events, samples)
     preparing = perf_counter() - begun

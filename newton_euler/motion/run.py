@@ -56,6 +56,8 @@ def span(t):
     if type(t) is float and 0.0 < t < math.inf:
         return 0.0, t
     try:
+        if isinstance(t, (str, bytes, bool)):
+            raise TypeError
         t0, t1 = map(float, t) if hasattr(t, "__iter__") else (0.0, float(t))
     except (TypeError, ValueError) as error:
         raise ModelError(f"t is the time at which to end, or (from, to); got {t!r}") from error
@@ -64,13 +66,13 @@ def span(t):
     return t0, t1
 
 
-def check(rtol, method, events=(), step=None):
+def check(rtol, method, events=(), step=None, progress=None):
     """Raise :class:`ModelError` for arguments with which no model can be integrated."""
-    if method != "auto" and method not in METHODS:
+    if method != "auto" and not (isinstance(method, str) and method in METHODS):
         names = ", ".join(METHODS)
         raise ModelError(f"there is no method {method!r}; take 'auto' or one of {names}")
     least = 1e-15 if method == "auto" else METHODS[method].min_rtol
-    number = isinstance(rtol, (int, float))
+    number = isinstance(rtol, (int, float)) and not isinstance(rtol, bool)
     if step is None and not (number and least <= rtol < 1):
         why = "it lies below 1"
         if number and 0 < rtol < 1:
@@ -79,8 +81,37 @@ def check(rtol, method, events=(), step=None):
     for event in events:
         if not isinstance(event, Event):
             raise ModelError(f"events are made by Event(...), got {event!r}")
-    if step is not None and not step > 0:
+    if step is not None and not (type(step) in (int, float) and 0 < step < math.inf):
         raise ModelError(f"the step is a positive time, got {step!r}")
+    if progress is not None and not callable(progress):
+        raise ModelError(f"progress is a function of the fraction that is done, got {progress!r}")
+
+
+def checked_samples(samples, t0, t1):
+    """The samples as they were given, None, a number of times, or as an array of times;
+    :class:`ModelError` for anything else, and for times outside those of the motion.
+    """
+    if samples is None or (type(samples) is int and samples > 0):
+        return samples
+    import numpy as np
+
+    what = "samples are a number of times, or times"
+    try:
+        if isinstance(samples, (str, bytes, bool)):
+            raise TypeError
+        given = list(samples) if hasattr(samples, "__next__") else samples
+        times = np.array(given, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise ModelError(f"{what}, got {samples!r}") from error
+    if times.ndim != 1 or not len(times):
+        raise ModelError(f"{what}, got {samples!r}")
+    outside = times[~((times >= t0) & (times <= t1))]
+    if len(outside):
+        raise ModelError(
+            f"{what} from t = {t0:g} to {t1:g}, where the motion is asked for; got "
+            f"{outside[0]:g} among them"
+        )
+    return times
 
 
 def usable(name, system, t0=0.0):
@@ -251,7 +282,7 @@ class Run:
                 error = estimated_error(*given)
                 why = (
                     f"it is not accurate here: its error is about {error:.1g}, and rtol = "
-                    f"{self.rtol:g} was asked for; take method='auto', or a larger rtol"
+                    f"{self.rtol:g} was asked for; take another method, or a larger rtol"
                 )
             if why:
                 break

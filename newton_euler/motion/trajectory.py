@@ -63,7 +63,8 @@ class Trajectory:
         self.method, self.known, self.scaled = method, known, scaled
         self.tolerance = level_of(tolerance) if method.name == "taylor" else tolerance
         self.origin, self.goal, self.step, self.progress = run.t0, run.t1, run.step, run.progress
-        self.samples = None if run.events or run.progress else samples or run.samples
+        samples = run.samples if samples is None else samples
+        self.samples = None if run.events or run.progress else samples
         self.segments, self.occurrences, self.ended, self.failed = [], [], "", None
         self.natural, self.units = None, ()
         self.longest_part = LONGEST_PARTS[known is not None]
