@@ -4,22 +4,15 @@ from dataclasses import dataclass
 from time import perf_counter
 from types import MappingProxyType
 
-from .knots import knots
+from .control.knots import knots
+from .control.run import ROUND_OFF_OF_RATES, SERIES_SAFETY, Run, predicted, usable
+from .control.verified import NEAR_END, NEAR_START, SPARE
 from .methods.exact import within
 from .methods.table import METHODS
 from .methods.taylor import MAX_PREPARED_STEPS, integrator, level_of
 from .model import ModelError
 from .prepared import PreparedModel, prepared_model
-from .run import (
-    ROUND_OFF_OF_RATES,
-    SERIES_SAFETY,
-    AccuracyError,
-    Run,
-    predicted,
-    usable,
-)
-from .solution import Cost, MotionError
-from .verified import NEAR_END, NEAR_START, SPARE
+from .solution import AccuracyError, Cost, MotionError
 
 MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch integrator
 
@@ -134,8 +127,9 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     """The states (states, motions, times), the estimated errors, inf where heyoka stopped, and the
     number of calls.
 
-    Motions are compared with coarser ones, but for those that begin and end close to one that was,
-    as :class:`~newton_euler.motion.verified.Verified` has it for one motion after the other.
+    Motions are compared with those of higher order, but for those that begin and end close to one
+    that was, as :class:`~newton_euler.motion.control.verified.Verified` has it for one motion after
+    the other.
     """
     import numpy as np
 
@@ -157,9 +151,7 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     beside = starts * shift[:, None]
 
     def compare(members):
-        compared, more = _batches(
-            system, other, beside[:, members], p[:, members], t0, times[-1:]
-        )
+        compared, more = _batches(system, other, beside[:, members], p[:, members], t0, times[-1:])
         apart = abs(ends[:, members] - compared[:, :, -1])
         apart = (apart / sizes[:, vouching[members]]).max(axis=0)
         ratio = tolerance / other

@@ -9,11 +9,11 @@ from collections.abc import Callable, Iterable, Sequence
 from time import perf_counter
 
 from .batch import Motions, integrate_batch
+from .control.run import Run, check, checked_samples, span, usable, verified_series
 from .events import Event
 from .methods.table import METHODS
 from .model import Model, ModelError, State
 from .prepared import prepared_model, start_state
-from .run import Run, check, checked_samples, span, usable, verified_series
 from .solution import Motion
 
 
@@ -35,18 +35,21 @@ def integrate(
     start : the states, in their order or by name; arrays of one length are many starts at once, as
         are arrays among the parameters of the model
     rtol : the error that each state may have at the end, relative to its largest absolute value
-        during the motion (at least 1e-6 in its unit)
+        during the motion; for a state that is nearly zero by cancellation, to a thousandth of what
+        its coupling to the others would make of it
     method : one of :data:`~newton_euler.motion.methods.table.METHODS`; "auto" takes the exact
-        solution if there is one, else the straight-line DOP853 until heyoka, if it is installed, is
-        worth its compilation or is needed
+        solution if there is one, else the straight-line DOP853 until heyoka, if it is installed and
+        a series sees all that the rates do, is worth its compilation; where one method cannot reach
+        what was asked for, the other
     events : an :class:`~newton_euler.motion.events.Event`, or several
     samples : times, or the number of times at equal distances; default: the ends of the steps
     progress : a function of the fraction of the time that is done, called now and then
     step : a fixed step, for methods that have an order; the error is then not controlled
 
-    Raises :class:`ModelError` for what cannot be done, and
-    :class:`~newton_euler.motion.solution.MotionError`, with what was ``reached``, if the motion
-    comes to a singular place.
+    Every answer was compared with what was asked for. Raises :class:`ModelError` for what cannot be
+    done, :class:`~newton_euler.motion.solution.MotionError`, with what was ``reached``, if the
+    motion comes to a singular place, and its subclass
+    :class:`~newton_euler.motion.solution.AccuracyError` if the error asked for cannot be had.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> motion = integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0))
@@ -81,8 +84,9 @@ def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
     rtol, method : as in :func:`integrate`; if there is no exact solution, "auto" compiles with
         heyoka at once, if it is installed
 
-    Errors are as in :func:`integrate`. There is no record, so no error estimate and no drift: see
-    those of one run of :func:`integrate`.
+    Errors are as in :func:`integrate`, and so is every answer compared with what was asked for, a
+    run of heyoka if no run close to it was (:mod:`newton_euler.motion.control.verified`). There is
+    no record, so no error estimate and no drift: see those of one run of :func:`integrate`.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> swing = prepare(physical_pendulum(2.0, 0.5, 0.5, 10.0))

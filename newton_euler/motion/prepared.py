@@ -11,9 +11,9 @@ from ..algebra.codegen.compile import recorded
 from ..algebra.codegen.partial_evaluation import folded
 from ..algebra.codegen.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
-from .analytic import hazards, kinks
+from .control.analytic import hazards, kinks
+from .control.verified import Verified
 from .model import Model, ModelError, cached, current, is_law, shared
-from .verified import Verified
 
 _TRACED: dict = {}
 
@@ -42,12 +42,12 @@ class Traced:
 
     @cached_property
     def kinks(self):
-        """See :func:`newton_euler.motion.analytic.kinks`."""
+        """See :func:`newton_euler.motion.control.analytic.kinks`."""
         return kinks(self)
 
     @cached_property
     def hazards(self):
-        """See :func:`newton_euler.motion.analytic.hazards`."""
+        """See :func:`newton_euler.motion.control.analytic.hazards`."""
         return hazards(self)
 
 

@@ -30,6 +30,12 @@ class MotionError(ModelError):
         return MotionError, (str(self), self.reached)
 
 
+class AccuracyError(MotionError):
+    """Raised where the error that was asked for cannot be had; ``reached`` is the :class:`Motion`,
+    or the :class:`~newton_euler.motion.batch.Motions`, with the error that it has.
+    """
+
+
 class Cost(NamedTuple):
     """``seconds`` of all runs, with the imports and compilations that they need, and of
     ``preparing`` the model; ``calls`` of the right-hand side.
@@ -50,8 +56,8 @@ class Motion:
     ended : how it ended, in words; ``cost`` : a :class:`Cost`
     times, states : of the samples; ``states["theta"]`` is an array, nan in a segment that has no
         such state
-    error : the estimated error at the end, of the worst state relative to its largest value (at
-        least 1e-6 in its unit)
+    error : the estimated error at the end, of the worst state relative to its largest value, or to
+        a thousandth of what its coupling to the others would make of it; nan with a fixed step
     drift : for each invariant, by name, its largest change over the samples, relative to its
         largest value
 
@@ -97,8 +103,8 @@ class Motion:
 
     @cached_property
     def error(self) -> float:
-        """The estimated error at the end, see the class; for heyoka from a second run with shorter
-        steps, made when it is first asked for.
+        """The estimated error at the end, see the class; of a closed form, and of a run of heyoka
+        beside one that was verified, made when it is first asked for.
         """
         return self.estimate() if callable(self.estimate) else self.estimate
 

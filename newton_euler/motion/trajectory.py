@@ -2,18 +2,17 @@
 which the state jumps or the model changes.
 """
 
-import math
 from typing import NamedTuple
 
+from .control.knots import knots
+from .control.sizes import NATURAL_PART, ROUND_OFF, natural_sizes
 from .events import EventLocator, Occurrence, events_in_step
-from .knots import knots
 from .methods.base import SMALLEST_SCALE, StepError, Stepper
 from .methods.exact import estimated_error
 from .methods.table import METHODS
 from .methods.taylor import level_of
 from .model import ModelError
 from .prepared import prepared_model, start_state
-from .sizes import NATURAL_PART, ROUND_OFF, natural_sizes
 
 # steps between two searches for events: few at first, as an event may come soon, then more, as a
 # search has a fixed cost
@@ -52,7 +51,7 @@ class Trajectory:
     """``segments``, ``occurrences`` of events and, in words, how the trajectory ``ended``;
     ``failed`` if the method could not continue there.
 
-    run : the :class:`~newton_euler.motion.run.Run` that it belongs to
+    run : the :class:`~newton_euler.motion.control.run.Run` that it belongs to
     known : the sizes of the states and their natural ones, as :meth:`sizes` of an earlier
         trajectory of this run returns them; None for the first
     scaled : True if the states are taken over their sizes where the method itself does not
@@ -81,7 +80,10 @@ class Trajectory:
         points = [stepper.start, *stepper.checkpoints, (t1, x1)]
         seen = [max(map(abs, column)) for column in zip(*[x for _, x in points], strict=True)]
         largest = tuple(
-            [s if s > f else v for s, f, v in zip(stepper.scales, stepper.floors, seen, strict=True)]
+            [
+                s if s > f else v
+                for s, f, v in zip(stepper.scales, stepper.floors, seen, strict=True)
+            ]
         )
         natural, noise = self.natural or (largest, largest)
         # what the start tells about the whole, unless a state is nearly zero, or was
@@ -108,8 +110,8 @@ class Trajectory:
             natural, noise = natural_sizes(system, [(t, x)], start, self.goal - t)
             if not self.segments:
                 self.natural = natural, noise
-        # they go with the sizes that the states have had so far, since a small error of a state that
-        # is still small may grow with it
+        # they go with the sizes that the states have had so far, since a small error of a state
+        # that is still small may grow with it
         own = KINKED_PART if system.traced.kinks else OWN_PART
         floors = [max(own * s, NATURAL_PART * n) for s, n in zip(sizes, natural, strict=True)]
         if series:  # the sizes that they will have

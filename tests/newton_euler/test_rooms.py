@@ -129,7 +129,7 @@ def test_an_import_that_climbs_and_a_private_name_are_seen():
         "newton_euler.kinematics.frames"
     ]
     assert climbing(
-        "newton_euler.motion.run", "def f():\n    from newton_euler.scenes import catalogue"
+        "newton_euler.motion.control.run", "def f():\n    from newton_euler.scenes import catalogue"
     ) == ["newton_euler.scenes.catalogue"]
     assert taken_privately(
         "newton_euler.bodies.body", "from ..algebra.vectors import _short, dot3"

@@ -76,9 +76,7 @@ def test_the_attitude_of_a_satellite_beside_its_orbit(method):
 @pytest.mark.parametrize("method", ["taylor", "dop853"])
 def test_the_error_does_not_depend_on_the_unit(method, unit):
     needs(method)
-    model = Model(
-        "oscillator", {"k": 1.0}, ("x", "v"), lambda s, p, t: (s.v, -p.k * s.x)
-    )
+    model = Model("oscillator", {"k": 1.0}, ("x", "v"), lambda s, p, t: (s.v, -p.k * s.x))
     for rtol in (1e-5, 1e-9):
         motion = integrate(model, 30.0, (unit, 0.0), rtol, method)
         assert abs(motion.end["x"] / unit - math.cos(30.0)) <= motion.error <= rtol

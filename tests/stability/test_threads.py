@@ -99,7 +99,9 @@ def test_models_with_other_parameters_share_their_compiled_code_but_no_numbers(b
     pytest.importorskip("heyoka")
     runs = [prepare(pendulum().changed(k=1.0 + n), 1e-9, "taylor") for n in range(4)]
     alone = [run(3.0, (0.01, 0.0))[0] for run in runs]
-    assert alone == pytest.approx([0.01 * math.cos(3 * math.sqrt(1 + n)) for n in range(4)], abs=2e-6)
+    assert alone == pytest.approx(
+        [0.01 * math.cos(3 * math.sqrt(1 + n)) for n in range(4)], abs=2e-6
+    )
     wrong = []
 
     def many(run, expected):

@@ -118,7 +118,8 @@ class Stepper:
         passed, whole = self.t - self.start[0], self.goal - self.start[0]
         if passed > 0 and count * whole > MAX_STEPS * passed:
             raise LengthError(
-                f"about {count * (whole / passed):.1g} steps would be needed to t = {self.goal:.6g}; "
+                f"about {count * (whole / passed):.1g} steps would be needed to t = "
+                f"{self.goal:.6g}; "
                 f"{MAX_STEPS:.0g} are possible, which is to about t = "
                 f"{self.start[0] + MAX_STEPS / count * passed:.1g}: take a shorter time"
             )

@@ -98,7 +98,8 @@ def _text(n, constants):
         for i in states
     ]
     return _CODE.format(
-        x=x, y=each("y{i}"), s=each("s{i}"), q=each("q{i}"), a=k, n=each("k12_{i}"), args=args, p=p, count=n,
+        x=x, y=each("y{i}"), s=each("s{i}"), q=each("q{i}"), a=k, n=each("k12_{i}"), args=args, p=p,
+        count=n,
         shrink=SHRINK, safety=SAFETY, grow=GROW,
         inner=lines(12, *body), outer=lines(4, f"{x}, = x; {p}", f"{k}, = f(t, {x}{args})", *body),
         errors=lines(12, *errors), e5=each("u{i}*u{i}", " + "), e3=each("v{i}*v{i}", " + "),

@@ -36,8 +36,8 @@ LEAST_RESIDUAL, LEAST_LATE_RESIDUAL = 1e-10, 1e-3
 # regions kept; what is added to a power of 2 so that it takes a sign; the place in a region, of 0.5
 # to 1; how much smaller than the tolerance the error has to be there
 KNOWN, SHIFT, REGION_FACTOR = 1024, 2000.0, 64.0
-# the places: parts of the longest time, and of the power of 2 of a start, small, as the speeds of an
-# orbit might else be too large for it; no numbers of few digits, with which rounding is less
+# the places: parts of the longest time, and of the power of 2 of a start, small, as the speeds of
+# an orbit might else be too large for it; no numbers of few digits, with which rounding is less
 PLACES = (0.9731562, 0.5312907), (0.7120448, 0.5698343)
 
 
@@ -85,7 +85,10 @@ def estimated_error(system, t, x0, x1):
     try:
         size, pace = _size_and_pace(system, t, x0, x1)
         rows = zip(
-            rounding(system, t, x0, x1, pace), residual(system, t, x0, size, pace), size, strict=True
+            rounding(system, t, x0, x1, pace),
+            residual(system, t, x0, size, pace),
+            size,
+            strict=True,
         )
         worst = max((a + b) / s for a, b, s in rows)
     except NO_VALUE:

@@ -1,11 +1,12 @@
 """The methods of integration as values in one table, and how the tolerance of each is found that
 gives the error asked for.
 
-What is asked for is the error of the motion, not that of a step. A calibrated method therefore runs
-at least twice, first at a tolerance a thousand times as coarse; the difference is the error of the
-coarse run, and since the error is proportional to the tolerance it predicts that of the fine one.
-If that is too large, the tolerance is reduced accordingly, and the new run measures the one before.
-Runs of heyoka cost so little that its tolerance is far below what is asked for from the start.
+What is asked for is the error of the motion, not that of a step. A method therefore runs at least
+twice. Runge-Kutta methods run first at a tolerance a thousand times as coarse; the difference is
+the error of the coarse run, and since the error is nearly proportional to the tolerance it predicts
+that of the fine one. Runs of heyoka cost so little that they are compared with one that is two
+orders higher; the difference is their error. If that is too large, the tolerance is reduced
+accordingly; if that does not help, the answer is refused.
 """
 
 import importlib.util
@@ -111,9 +112,7 @@ def _table():
     series = {"tolerance_ratio": 10.0**1.5, "max_tolerance": 1.0, "min_tolerance": LEVELS[-1]}
     # two orders
     series |= {"coarsening": 1 / 54.0}
-    yield Method(
-        "taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, **series
-    )
+    yield Method("taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, **series)
     runge_kutta = "Runge-Kutta of order 8 in straight-line Python"
     yield Method("dop853", runge_kutta, Dop853, order=8, adaptive=True)
     # min_rtol is measured; the errors of Radau are smaller than its tolerance

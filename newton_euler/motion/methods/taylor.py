@@ -16,9 +16,9 @@ from math import exp, frexp, inf, isfinite, ldexp
 
 from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_times
 
-# Heyoka chooses its order by its tolerance, as the least above 1 - log(tolerance)/2; the steps depend
-# on it little. These are the tolerances at which another order begins, from 3 to 19, the last a
-# float's epsilon.
+# Heyoka chooses its order by its tolerance, as the least above 1 - log(tolerance)/2; the steps
+# depend on it little. These are the tolerances at which another order begins, from 3 to 19, the
+# last a float's epsilon.
 LEVELS = tuple(1.0000001 * exp(-2.0 * order) for order in range(2, 19))
 MAX_PREPARED_STEPS = 100 * MAX_STALLED_STEPS
 # instants at which the rates of a series are compared with those of the model: in each step, and in

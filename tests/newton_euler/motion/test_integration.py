@@ -22,8 +22,7 @@ from newton_euler.motion.integration import integrate, prepare
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.model import KEPT
 from newton_euler.motion.prepared import prepared_model
-from newton_euler.motion.run import AccuracyError
-from newton_euler.motion.solution import MotionError
+from newton_euler.motion.solution import AccuracyError, MotionError
 from newton_euler.scenes.particles.space_station import free_body as station_body
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.planar.sliding_sphere import rolling, sliding

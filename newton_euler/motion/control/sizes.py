@@ -80,8 +80,8 @@ def _spectral_radius(columns, scale):
 
 
 def time_round_off(system, t, x, sizes, span):
-    """The error, relative to the sizes, that round-off of the time makes in rates that depend on it:
-    a clock that shows 1e9 s counts in 1e-7 s.
+    """The error, relative to the sizes, that round-off of the time makes in rates that depend on
+    it: a clock that shows 1e9 s counts in 1e-7 s.
     """
     if system.autonomous:
         return 0.0

@@ -10,16 +10,16 @@ from functools import partial
 from time import perf_counter
 from typing import Any
 
-from .events import Event, EventError
+from ..events import Event, EventError
+from ..methods.base import LengthError
+from ..methods.exact import Exact, estimated_error, within
+from ..methods.table import METHODS
+from ..methods.taylor import level_of
+from ..model import ModelError
+from ..solution import AccuracyError, Cost, Motion, MotionError
+from ..trajectory import Trajectory
 from .knots import knots
-from .methods.base import LengthError
-from .methods.exact import Exact, estimated_error, within
-from .methods.table import METHODS
-from .methods.taylor import level_of
-from .model import ModelError
 from .sizes import time_round_off
-from .solution import Cost, Motion, MotionError
-from .trajectory import Trajectory
 
 # seconds of integrating one right-hand side, after which heyoka's import and compilation would have
 # been earned back
@@ -33,7 +33,9 @@ MAX_REFINEMENTS = 5  # of the tolerance
 # median.
 SAFETY, REGULAR, IRREGULAR = 7.0, 0.9, 0.4
 SERIES_SAFETY = 3.0
-RESIDUAL_SAFETY = 3.0  # on the integral of the residual of a series that may not see all of the rates
+RESIDUAL_SAFETY = (
+    3.0  # on the integral of the residual of a series that may not see all of the rates
+)
 # the regime: so many steps at the least, and not more or fewer in the fine run than its order gives
 MIN_STEPS, STEPS_OFF = 8, 1.25
 # part of the error that the difference of two runs does not show; that of a short run, and over n
@@ -43,12 +45,6 @@ ROUND_OFF, SERIES_ROUND_OFF = 2e-14, 6e-15
 # round-off in the rates, by 25 times a float's epsilon, makes of the end; it is the same in both
 # runs, as that of the start and of parameters is.
 ROUND_OFF_OF_RATES = 5e-15
-
-
-class AccuracyError(MotionError):
-    """Raised where the error that was asked for cannot be had; ``reached`` is the
-    :class:`~newton_euler.motion.solution.Motion` with the error that it has.
-    """
 
 
 def span(t):
@@ -391,9 +387,7 @@ def verified_series(system, rtol, method):
         if system.verified.covers(rtol, 0.0, t, start, x):
             return True
         run = Run(system, 0.0, t, start, rtol)
-        other = run.compared(
-            method, method.other(tolerance), tolerance, None, False, SIZE_SAMPLES
-        )
+        other = run.compared(method, method.other(tolerance), tolerance, None, False, SIZE_SAMPLES)
         if other.failed:
             return False
         _, stepper, _, _, end = other.segments[-1]

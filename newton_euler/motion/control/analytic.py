@@ -2,8 +2,8 @@
 formula, a series goes on as if they did not.
 """
 
-from ..algebra.codegen.source import uses
-from ..algebra.codegen.trace import COMPARISONS, Step
+from ...algebra.codegen.source import uses
+from ...algebra.codegen.trace import COMPARISONS, Step
 
 KINKS = {"where", "abs", *COMPARISONS}
 # sqrt(v*v) is v to a series and abs(v) to everyone else; a motion can pass the branch point
@@ -25,7 +25,9 @@ def hazards(traced):
     steps = _varying(traced)
     poles = {n for s in steps if s.op == "/" for n in _factors(s.args[1])}
     # a negative power is a denominator
-    poles |= {n for s in steps if s.op == "**" and _negative(s.args[1]) for n in _factors(s.args[0])}
+    poles |= {
+        n for s in steps if s.op == "**" and _negative(s.args[1]) for n in _factors(s.args[0])
+    }
     branches = {s.op for s in steps if s.op in BRANCHES and not _harmless(s, poles)}
     return sorted(branches | {s.op for s in steps if s.op in HIDDEN})
 

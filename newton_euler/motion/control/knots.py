@@ -2,8 +2,8 @@
 by every method whose steps have grown while nothing happened.
 """
 
-from ..algebra.codegen.compile import Compiled
-from ..algebra.codegen.trace import Step
+from ...algebra.codegen.compile import Compiled
+from ...algebra.codegen.trace import Step
 
 INTERVALS = 16384  # a pulse is found if it is longer than one of these parts of the time
 # an interval is quiet if a function of time changes in it by less than this part of its largest
