@@ -13,6 +13,7 @@ from time import perf_counter
 from timeit import Timer
 from typing import Any
 
+from ..algebra.errors import ArgumentError, checked
 from ..algebra.scalars import Scalar, sqrt
 from ..algebra.vectors import dot3, sub3
 
@@ -46,6 +47,7 @@ class Measured:
     drift: float | None = None
 
 
+@checked
 def timed(
     *calls: Callable[[], object],
     runs: int = 9,
@@ -82,6 +84,7 @@ def _enough_calls(f, shortest, clock):
     return n
 
 
+@checked
 def relative_error(a: Sequence[Scalar], exact: Sequence[Scalar]) -> float:
     """|a - exact|/|exact| as a float, for two triples of components or Vectors of one frame.
 
@@ -95,6 +98,12 @@ def relative_error(a: Sequence[Scalar], exact: Sequence[Scalar]) -> float:
     return float(sqrt(dot3(difference, difference)) / sqrt(dot3(exact, exact)))
 
 
+def _check_cost(cost):
+    if cost not in ("cost", "calls"):
+        raise ArgumentError(f'the cost is "cost", the time, or "calls"; got {cost!r}')
+
+
+@checked
 def front(points: Sequence[Measured], cost: str = "cost") -> list[Measured]:
     """The points that no other beats, from the cheapest to the most accurate.
 
@@ -106,6 +115,7 @@ def front(points: Sequence[Measured], cost: str = "cost") -> list[Measured]:
     >>> [p.method for p in front([fine, coarse, Measured("slow", 3e-3, 1e-9)])]
     ['coarse', 'fine']
     """
+    _check_cost(cost)
     best: list[Measured] = []
     for p in sorted(points, key=attrgetter(cost, "error")):
         if not best or p.error < best[-1].error / EQUAL_WITHIN:
@@ -126,6 +136,7 @@ def log_log(ax: Any, xlabel: str, ylabel: str) -> None:
     ax.grid(True, color="#dddddd", lw=0.6)
 
 
+@checked
 def chart(
     points: Sequence[Measured],
     ax: Any,
@@ -151,6 +162,12 @@ def chart(
     def coordinates(points):
         return [getattr(p, cost) for p in points], [max(p.error, floor) for p in points]
 
+    _check_cost(cost)
+    if not 0 < float(floor) < 1:
+        raise ArgumentError(f"the floor is an error between 0 and 1, as 1e-16; got {floor!r}")
+    floor = float(floor)
+    if not hasattr(ax, "add_patch"):
+        raise ArgumentError(f"a chart is drawn on an Axes of matplotlib; got {ax!r}")
     log_log(ax, "cost of one evaluation", "relative error")
     for n, method in enumerate(dict.fromkeys([*order, *(p.method for p in points)])):
         own = [p for p in points if p.method == method]

@@ -6,7 +6,10 @@ from collections.abc import Callable
 
 from .scalars import (
     _LIBRARIES,
+    FUNCTIONS,
     ZERO,
+    DivisionError,
+    RangeError,
     Scalar,
     ScalarError,
     Scaled,
@@ -16,6 +19,7 @@ from .scalars import (
     asin,
     atan,
     atan2,
+    clipped,
     cos,
     cosh,
     exp,
@@ -24,6 +28,7 @@ from .scalars import (
     is_numeric,
     log,
     scalar,
+    shown,
     sin,
     sinh,
     sqrt,
@@ -62,8 +67,8 @@ class Moving(_Own):
 
     def __repr__(self):
         return (
-            f"moving({to_plain(self.value)!r}, rate={to_plain(self.rate)!r}, "
-            f"acceleration={to_plain(self.acceleration)!r})"
+            f"moving({shown(self.value)}, rate={shown(self.rate)}, "
+            f"acceleration={shown(self.acceleration)})"
         )
 
     def __add__(self, other):
@@ -105,7 +110,7 @@ class Moving(_Own):
             )
         if power is ZERO or (type(power) in (int, float) and power in (0, 1)):
             return self if power else 1
-        u = self.value
+        u, power = self.value, to_plain(scalar(power))
         if self.rests():
             return Moving(u**power)
         return self._chain(
@@ -118,7 +123,7 @@ class Moving(_Own):
 
     def __rpow__(self, base):
         # the logarithm in the kind of the value, with all its digits
-        return exp(self * log(self.value * 0 + base))
+        return exp(self * log(self.value * 0 + scalar(base)))
 
     def _chain(self, f, df, ddf):
         """The number f(self), given f and its first two derivatives at the value."""
@@ -126,16 +131,25 @@ class Moving(_Own):
 
     def function(self, name: str, *args: Scalar) -> "Moving":
         """The function of this name with its rates, by the chain rule."""
-        if name == "atan2":
+        if isinstance(name, str) and name == "atan2":
             y, x = (as_moving(a) for a in args)
             square = x.value * x.value + y.value * y.value
             rate = (x.value * y.rate - y.value * x.rate) / square
             growth = 2 * (x.value * x.rate + y.value * y.rate)
             turn = x.value * y.acceleration - y.value * x.acceleration
             return Moving(atan2(y.value, x.value), rate, (turn - rate * growth) / square)
+        if not isinstance(name, str) or name not in _DERIVATIVES:
+            raise ScalarError(
+                f"{clipped(name)} is not a function; there are {', '.join(FUNCTIONS)}"
+            )
         if self.rests():
             return Moving(function(name, self.value))
-        return self._chain(*_DERIVATIVES[name](self.value))
+        try:
+            return self._chain(*_DERIVATIVES[name](self.value))
+        except ZeroDivisionError as error:
+            raise DivisionError(
+                f"the rate of {name}({shown(self.value)}) does not exist: {error}"
+            ) from None
 
 
 def _reciprocal(f, df_inverse, ddf_factor):
@@ -216,5 +230,13 @@ def at(f: Callable, t: Scalar) -> Moving:
     >>> at(lambda t: t**3, 2.0)
     moving(8.0, rate=12.0, acceleration=12.0)
     """
+    if not callable(f) or isinstance(f, type):
+        raise ScalarError(
+            f"at takes a function of time, as at(lambda t: t**2, 2.0); got {clipped(f)}"
+        )
+    t = to_plain(scalar(t))
     # the rate 1 in the kind of t: else constants are multiplied with 16 digits before they meet t
-    return as_moving(f(Moving(t, integer_like(1, t))))
+    try:
+        return as_moving(f(Moving(t, integer_like(1, t))))
+    except OverflowError as error:
+        raise RangeError(f"the function is too large for a float at {shown(t)}: {error}") from error

@@ -10,8 +10,20 @@ from functools import cache
 from typing import Any
 
 from .codegen.pickles import Found
-from .errors import NewtonEulerError
-from .scalars import ZERO, Scalar, is_numeric, max_abs, scalar, short, to_plain
+from .scalars import (
+    LONGEST,
+    ZERO,
+    NewtonEulerError,
+    Scalar,
+    clipped,
+    is_numeric,
+    max_abs,
+    operations,
+    scalar,
+    short,
+    shown,
+    to_plain,
+)
 
 
 class TermError(NewtonEulerError, ValueError):
@@ -62,6 +74,9 @@ class NamedTerms:
 
     def without(self, *names: str) -> Scalar:
         """The sum without the terms named: ``a.without("coriolis")``."""
+        for n in names:
+            if not isinstance(n, str):
+                raise TermError(f"a term is named by a text, as 'coriolis'; got {clipped(n)}")
         return self.reweighted(**dict.fromkeys(names, 0))
 
     def _weighted(self, factors, error):
@@ -118,6 +133,8 @@ class Explanation:
     """
 
     def __init__(self, vector, ledger, unit=""):
+        if not isinstance(unit, str):
+            raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(unit)}")
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = {n: t.expressed_in(vector.frame) for n, t in vector.terms.items()}
         # components below round-off of the largest are shown as 0
@@ -182,6 +199,8 @@ def latex_number(x, digits):
     try:
         import sympy
 
+        if operations(x) > LONGEST:
+            return r"\text{" + shown(x).strip("<>") + "}"
         body = sympy.latex(sympy.sympify(x))
     except Exception:  # heyoka, traced and array components have no LaTeX of their own
         body = r"\text{" + str(x)[:40].replace("_", r"\_") + "}"
@@ -220,6 +239,13 @@ class Amount(NamedTerms):
     error: float = 0.0
 
     __array_ufunc__ = None
+
+    def __repr__(self):
+        terms = ", ".join(f"{n!r}: {shown(x)}" for n, x in self.terms.items())
+        return (
+            f"Amount(value={shown(self.value)}, terms={{{terms}}}, what={self.what!r}, "
+            f"number={self.number!r}, error={self.error!r})"
+        )
 
     def __float__(self):
         return float(self.value)

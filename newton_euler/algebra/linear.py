@@ -16,6 +16,7 @@ from math import prod
 from operator import add, mul
 from types import MappingProxyType
 
+from .errors import checked
 from .scalars import (
     ZERO,
     Scalar,
@@ -30,6 +31,7 @@ from .scalars import (
     probe,
     scalar,
     short,
+    shown,
     to_plain,
     unit_roundoff,
 )
@@ -82,11 +84,14 @@ class LinearForm(_Own):
     __slots__ = ("coefficients", "value")
     rank = 5
 
+    @checked
     def __init__(self, value, coefficients):
         self.value, self.coefficients = value, tuple(coefficients)
 
     def __repr__(self):
-        return f"LinearForm({to_plain(self.value)!r}, {tuple(map(to_plain, self.coefficients))!r})"
+        coefficients = ", ".join(map(shown, self.coefficients))
+        end = "," * (len(self.coefficients) == 1)
+        return f"LinearForm({shown(self.value)}, ({coefficients}{end}))"
 
     @staticmethod
     def _refuse(what):
@@ -116,6 +121,7 @@ class LinearForm(_Own):
             return NotImplemented
         if isinstance(other, LinearForm):
             self._refuse("two unknowns are multiplied")
+        other = scalar(other)
         return self._each(lambda x: x * other)
 
     __rmul__ = __mul__
@@ -123,11 +129,15 @@ class LinearForm(_Own):
     def __truediv__(self, other):
         if isinstance(other, LinearForm):
             return other.__rtruediv__(self)
-        return NotImplemented if outranks(other, self) else self._each(lambda x: x / other)
+        if outranks(other, self):
+            return NotImplemented
+        other = scalar(other)
+        return self._each(lambda x: x / other)
 
     def __rtruediv__(self, other):
         self._refuse("an unknown stands in a denominator")
 
+    @checked
     def function(self, name: str, *args: Scalar) -> Scalar:
         """Raises :class:`ScalarError`: a function of an unknown is not linear in it."""
         self._refuse(f"{name} is taken of an unknown")
@@ -139,6 +149,7 @@ class LinearForm(_Own):
 # -- a few rates
 
 
+@checked
 def solve_rates(conditions: Callable, count: int) -> tuple:
     """The unknown rates that make ``conditions`` vanish: rolling without slip, meshing gears,
     joints (4.4, 4.9).
@@ -260,9 +271,9 @@ class Solution:
     redundant: Mapping = field(default_factory=dict)
 
     def __getitem__(self, name):
-        if name in self.values:
+        if isinstance(name, str) and name in self.values:
             return self.values[name]
-        if name not in self.names:
+        if not isinstance(name, str) or name not in self.names:
             raise LinearError(f"there is no unknown {name!r}; there are {', '.join(self.names)}")
         raise LinearError(f"{name} is not determined by the equations. {self.report()}")
 
@@ -302,6 +313,7 @@ class Solution:
         return "\n".join([*lines, self.report()])
 
 
+@checked
 def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None) -> Solution:
     """The unknown accelerations, forces and rates that make named equations vanish, with a report:
     a :class:`Solution`.

@@ -4,10 +4,11 @@ and mpf, SymPy for formulas.
 
 from itertools import count, pairwise
 
-from .errors import NewtonEulerError
 from .scalars import (
+    NewtonEulerError,
     ScalarError,
     SingularError,
+    clipped,
     cosh,
     epsilon,
     exp,
@@ -15,6 +16,7 @@ from .scalars import (
     is_numeric,
     max_abs,
     pi,
+    real,
     scalar,
     short,
     sinh,
@@ -36,6 +38,8 @@ def quadrature(f, start, end, rtol=1e-10, exact=False, breaks=()):
     """(value, estimated error) of the integral of ``f`` from ``start`` to ``end``; arguments as for
     :func:`newton_euler.dynamics.work.work_integral`.
     """
+    if not 0 < real(rtol, "rtol") < 1:
+        raise WorkError(f"rtol is a relative error between 0 and 1, as 1e-10; got {clipped(rtol)}")
     pieces = [_piece(f, a, b, rtol, exact) for a, b in pairwise((start, *breaks, end))]
     return sum(value for value, _ in pieces), sum(error for _, error in pieces)
 
@@ -48,6 +52,8 @@ def _piece(f, start, end, rtol, exact):
         raise WorkError(
             f"the limits {start!r} and {end!r} are no numbers: pass exact=True, or put numbers in"
         )
+    if isinstance(start, complex) or isinstance(end, complex):
+        raise WorkError(f"the limits are real numbers, got {start!r} and {end!r}")
     width = end - start
     samples = [_finite(f, start + width * (n + 0.5) / 16) for n in range(16)]
     scale = max_abs(scalar(width)) * sum(map(max_abs, samples)) / 16

@@ -20,9 +20,7 @@ import math
 import zlib
 from fractions import Fraction
 from importlib import import_module
-from typing import Any, TypeAlias
-
-from .errors import NewtonEulerError
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 FUNCTIONS = (
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt",
@@ -30,8 +28,26 @@ FUNCTIONS = (
 _LIBRARIES = {"numpy", "mpmath", "sympy", "symengine", "heyoka"}
 
 # The type of a number of any kind. The kinds share their operators but no base class, so a type
-# checker cannot know more.
-Scalar: TypeAlias = Any
+# checker cannot know more; when a program runs, it is a class by which annotations are read.
+if TYPE_CHECKING:
+    Scalar: TypeAlias = Any
+else:
+
+    class Scalar:
+        """A number of any kind: float, array, mpf, expression."""
+
+
+class NewtonEulerError(Exception):
+    """Base of the engine's errors; each is also the built-in error that fits it, as ValueError or
+    TypeError.
+
+    >>> from newton_euler import Frame, NewtonEulerError
+    >>> try:
+    ...     Frame("ground").point("P", 1.0, 0, 0).velocity()
+    ... except NewtonEulerError as error:
+    ...     print(type(error).__name__)
+    FrameError
+    """
 
 
 class ScalarError(NewtonEulerError, TypeError):
@@ -42,6 +58,14 @@ class SingularError(NewtonEulerError, ValueError):
     """A direction, radius, rate or integral does not exist here: on an axis, at a pole, at an
     inflection, on a straight line.
     """
+
+
+class DivisionError(SingularError, ZeroDivisionError):
+    """A quotient does not exist here: its divisor is zero."""
+
+
+class RangeError(SingularError, OverflowError):
+    """A number is too large for a float."""
 
 
 class _Own:
@@ -124,18 +148,18 @@ class _Zero(_Own):
 
     def __truediv__(self, other):
         if isinstance(other, _Zero):
-            raise ZeroDivisionError("0/0: both are zero by the structure of the formula")
+            raise DivisionError("0/0: both are zero by the structure of the formula")
         return self
 
     def __rtruediv__(self, other):
-        raise ZeroDivisionError(
+        raise DivisionError(
             f"{other!r} is divided by a quantity that is zero by the structure of the formula"
         )
 
     def __pow__(self, power):
         power = without_rates(power)
         if is_numeric(power) and power < 0:
-            raise ZeroDivisionError(f"0 to the power {power}")
+            raise DivisionError(f"0 to the power {power}")
         return 1 if is_numeric(power) and power == 0 else self
 
     def __neg__(self):
@@ -181,7 +205,12 @@ ZERO = _Zero()
 def scalar(x):
     """The scalar ``x``; a literal ``0`` becomes the structural zero.
 
-    Raises :class:`ScalarError` if ``x`` is not a number (text, None, lists).
+    Whole numbers of NumPy, which overflow silently, become numbers that do not: an array of them
+    (and of bool, and of floats of fewer digits) an array of 64-bit floats, a single one a Python
+    integer. Floats have 53 bits: entries above 2**53 are rounded to the nearest float. Python's
+    integers stay exact.
+    Raises :class:`ScalarError` if ``x`` is not a number (text, None, lists), or has a unit of its
+    own, as quantities of pint and astropy have: without it they would be other numbers.
 
     >>> scalar(0) is ZERO, scalar(0.0), scalar(1.5)
     (True, 0.0, 1.5)
@@ -190,13 +219,127 @@ def scalar(x):
         return x
     if type(x) in (int, bool):
         return x or ZERO
-    if isinstance(x, (float, int, Fraction, complex)) or (
-        _root(type(x)) in _LIBRARIES and getattr(getattr(x, "dtype", 0), "kind", "O") in "biufcO"
-    ):
+    kind = _kinds.get(type(x)) or _kind(type(x))
+    if kind == "number":
         return x
+    if kind == "numpy":
+        return _of_numpy(x)
     raise ScalarError(
-        f"expected a number (float, array, mpf or expression), got {x!r} of type {type(x).__name__}"
+        f"expected a number (float, array, mpf or expression), got {clipped(x)} of type "
+        f"{type(x).__name__}{advice(x)}"
     )
+
+
+# of each type that was met: "number", "numpy", or "none"
+_kinds: dict[type, str] = {}
+
+
+def _kind(kind):
+    """Whether the objects of a type are numbers, or of NumPy, which has more than numbers."""
+    root, found = _root(kind), "none"
+    if issubclass(kind, (float, int, Fraction, complex)):
+        found = "number"  # np.float64 too
+    elif root == "numpy" and hasattr(kind, "dtype") and kind.__name__ != "matrix":
+        found = "numpy"
+    elif root == "sympy":
+        found = "number" if issubclass(kind, import_module("sympy").Expr) else found
+    elif root == "symengine":
+        found = "number" if "Matrix" not in kind.__name__ and hasattr(kind, "diff") else found
+    elif root == "mpmath":
+        found = "number" if kind.__name__ != "matrix" else found
+    elif root == "heyoka" and kind.__name__ == "expression":
+        found = "number"
+    _kinds[kind] = found
+    return found
+
+
+def _of_numpy(x):
+    """The number or array ``x`` of NumPy with at least the digits of a Python float."""
+    kind, size = x.dtype.kind, x.dtype.itemsize
+    if (kind == "f" and size >= 8) or (kind == "c" and size >= 16):
+        return x
+    array = hasattr(x, "__setitem__")
+    if kind in "biufc":
+        if array:
+            return x.astype(complex if kind == "c" else float)
+        return scalar(x.item() if kind != "b" else int(x))
+    if kind != "O" or not array:
+        raise ScalarError(
+            f"expected a number or an array of numbers, got {clipped(x)} of type "
+            f"{type(x).__name__} of {x.dtype}; convert it to floats first"
+        )
+    kinds = {type(scalar(entry)) for entry in x.flat}
+    return x.astype(float) if kinds <= {float, int, bool, Fraction, _Zero} else x
+
+
+def advice(x):
+    """What to do with a value that is no number, as the end of a message."""
+    if hasattr(x, "magnitude") and hasattr(x, "to"):
+        return "; it has a unit: pass the number in your base units, as q.to('m').magnitude"
+    if hasattr(x, "unit"):
+        return "; it has a unit: pass the number in your base units, as q.to_value('m')"
+    if isinstance(x, str):
+        return "; write numbers without quotation marks"
+    if isinstance(x, (list, tuple)):
+        return "; for many values at once pass an array, as numpy.array([...])"
+    if _root(type(x)) == "decimal":
+        return "; pass float(x), or mpmath.mpf(str(x)) for more digits"
+    if callable(x):
+        return "; a function of time needs an instant, as at(f, t)"
+    return ""
+
+
+def clipped(x):
+    """The ``repr`` of a value for a message, at most 80 characters of it."""
+    try:
+        text = shown(x)
+    except Exception:  # an object of any library may fail to describe itself
+        text = f"an object of {type(x).__name__}"
+    return text if len(text) <= 80 else text[:77] + "..."
+
+
+LONGEST = 400  # of an expression that is printed, in operations
+
+
+def shown(x):
+    """The ``repr`` of a scalar; of an expression with more than :data:`LONGEST` operations only
+    their number, since its text, in which parts that are shared are repeated, may not end.
+    """
+    if _root(type(x)) not in ("sympy", "symengine") or not hasattr(x, "args"):
+        return repr(x)
+    count = operations(x)
+    if count <= LONGEST:
+        return repr(x)
+    many = f"{count}" if count < 1e9 else f"{float(count):.1e}"
+    return f"<expression of {many} operations>"
+
+
+def operations(x):
+    """The number of operations in the text of an expression; each part is visited once."""
+    known: dict = {}
+    waiting = [x]
+    while waiting:
+        part = waiting[-1]
+        if part in known:
+            waiting.pop()
+            continue
+        missing = [a for a in part.args if a not in known]
+        if missing:
+            waiting += missing
+        else:
+            own = max(len(part.args) - 1, 1) if part.args else 0
+            known[waiting.pop()] = own + sum(known[a] for a in part.args)
+    return known[x]
+
+
+def real(x, what):
+    """One real number ``x``, as a tolerance is; ``what`` names it in the error."""
+    if type(x) is float:
+        return x
+    y = to_plain(scalar(x))
+    if not is_numeric(y) or isinstance(y, (complex, _Own)) or getattr(y, "shape", ()) or y != y:
+        raise ScalarError(f"{what} is one real number; got {clipped(x)}")
+    return y
 
 
 def integer_like(x, like):
@@ -226,7 +369,9 @@ def short(x):
     >>> short(2 / 3)
     '0.666667'
     """
-    return str(x) if not is_numeric(x) or getattr(x, "shape", ()) else f"{float(x):.6g}"
+    if is_numeric(x) and not getattr(x, "shape", ()) and not isinstance(x, complex):
+        return f"{float(x):.6g}"
+    return shown(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
 
 
 _roots: dict[type, str] = {}
@@ -242,6 +387,9 @@ def _root(kind):
     return root
 
 
+_modules: dict = {}
+
+
 def library_of(values):
     """The module that has functions of these values; of several, the one of an expression before
     mpmath before NumPy.
@@ -249,7 +397,7 @@ def library_of(values):
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
         if name in roots:
-            return import_module(name)
+            return _modules.get(name) or _modules.setdefault(name, import_module(name))
     return import_module("cmath") if complex in map(type, values) else math
 
 
@@ -259,14 +407,32 @@ def function(name, *args):
     if own:
         chosen = max(own, key=lambda a: a.rank)
         return chosen.function(name, *args) if name == "atan2" else chosen.function(name)
-    return getattr(library_of(args), name)(*args)
+    args = [0 if (x := scalar(a)) is ZERO else x for a in args]
+    try:
+        return getattr(library_of(args), name)(*args)
+    except (ValueError, OverflowError) as error:
+        raise _outside(name, args, error) from None
+    except (AttributeError, TypeError) as error:
+        given = ", ".join(map(clipped, args))
+        raise ScalarError(f"there is no {name} of {given}: {error}") from None
+
+
+def _outside(name, args, error):
+    """The error for an argument at which a function has no value, or one that is no float."""
+    kind = RangeError if isinstance(error, OverflowError) else SingularError
+    return kind(f"{name}({', '.join(map(clipped, args))}) has no value: {error}")
 
 
 def _define(name):
     quick = getattr(math, name)
 
     def f(x: Scalar) -> Scalar:
-        return quick(x) if type(x) is float else function(name, x)
+        if type(x) is float:
+            try:
+                return quick(x)
+            except (ValueError, OverflowError) as error:
+                raise _outside(name, (x,), error) from None
+        return function(name, x)
 
     f.__name__ = f.__qualname__ = name
     f.__doc__ = f"The {name} of a scalar of any kind; angles in radians."
@@ -285,7 +451,7 @@ def atan2(y: Scalar, x: Scalar) -> Scalar:
     True
     """
     if y is ZERO and x is ZERO:
-        raise ZeroDivisionError("the direction of a zero vector is undefined: atan2(0, 0)")
+        raise DivisionError("the direction of a zero vector is undefined: atan2(0, 0)")
     if type(y) is float and type(x) is float:
         return math.atan2(y, x)
     if isinstance(y, _Zero) and not isinstance(x, _Own):
@@ -304,6 +470,8 @@ def pi(like: Scalar = 0.0) -> Scalar:
     """
     if isinstance(like, _Own):
         return like.pi() if hasattr(like, "pi") else pi(getattr(like, "value", 0.0))
+    if type(like) is not float:
+        scalar(like)  # or it is no number
     library = library_of((like,))
     return +library.pi if library.__name__ == "mpmath" else getattr(library, "pi", math.pi)
 
@@ -314,6 +482,7 @@ def radians(degrees: Scalar) -> Scalar:
     >>> radians(180.0) == math.pi
     True
     """
+    degrees = to_plain(scalar(degrees))
     return degrees * pi(degrees) / 180
 
 
@@ -324,12 +493,17 @@ def is_numeric(x: Scalar) -> bool:
     >>> is_numeric(1.0), is_numeric(ZERO)
     (True, True)
     """
+    if type(x) is float:
+        return True
     if isinstance(x, _Own):
         return x.is_numeric()
+    kind = _kinds.get(type(x)) or _kind(type(x))
+    if kind != "number":
+        return kind == "numpy"
     root = _root(type(x))
-    return root in ("builtins", "numpy", "mpmath", "fractions") or (
-        root in ("sympy", "symengine") and bool(x.is_Number)
-    )
+    if root in ("sympy", "symengine"):
+        return bool(x.is_Number)
+    return root != "heyoka"
 
 
 def promote(*values):
@@ -339,7 +513,7 @@ def promote(*values):
     >>> promote(1, 2.5)
     (1.0, 2.5)
     """
-    values = tuple(map(to_plain, values))
+    values = tuple(to_plain(scalar(x)) for x in values)
     if not all(map(is_numeric, values)):
         return values
     like = 0.0 * sum(values)
@@ -371,6 +545,7 @@ def is_zero(x: Scalar) -> bool:
 
 def is_positive(x):
     """True if the number ``x`` (all of an array) is positive; True of an expression."""
+    x = without_rates(x)
     return not is_numeric(x) or (min_abs(x) > 0 and max_abs(x - abs(x)) == 0)
 
 
@@ -408,11 +583,18 @@ def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
     >>> where(2.0 > 1.0, "larger", "smaller")
     'larger'
     """
-    if hasattr(condition, "where"):
+    if isinstance(condition, _Own) and hasattr(condition, "where"):
         return condition.where(a, b)
+    if not isinstance(condition, (bool, int, float)) and _root(type(condition)) not in _LIBRARIES:
+        raise ScalarError(f"where chooses by a comparison, as x > 0, got {clipped(condition)}")
     if getattr(condition, "shape", ()):
-        return import_module("numpy").where(condition, to_plain(a), to_plain(b))
-    return a if condition else b
+        # words may be chosen too
+        a, b = (x if isinstance(x, str) else to_plain(scalar(x)) for x in (a, b))
+        return import_module("numpy").where(condition, a, b)
+    try:
+        return a if condition else b
+    except (TypeError, ValueError) as error:
+        raise ScalarError(f"{clipped(condition)} is not known to hold or not: {error}") from None
 
 
 def anywhere(condition):

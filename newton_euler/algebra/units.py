@@ -10,8 +10,20 @@ from fractions import Fraction
 from functools import cache
 from operator import add, sub
 
-from .errors import NewtonEulerError
-from .scalars import ZERO, Scalar, ScalarError, Scaled, _Own, exp, outranks, pi, scalar
+from .scalars import (
+    ZERO,
+    NewtonEulerError,
+    Scalar,
+    ScalarError,
+    Scaled,
+    _Own,
+    clipped,
+    exp,
+    outranks,
+    pi,
+    scalar,
+    to_plain,
+)
 
 
 class DimensionError(ScalarError):
@@ -35,7 +47,13 @@ class Dimension(_Own):
     rank = 1
 
     def __init__(self, mass=0, length=0, time=0):
-        self.powers = tuple(map(Fraction, (mass, length, time)))
+        try:
+            self.powers = tuple(map(Fraction, (mass, length, time)))
+        except (TypeError, ValueError, OverflowError, ZeroDivisionError):
+            raise DimensionError(
+                "the powers of mass, length and time are three numbers, as Dimension(1, 2, -2), "
+                f"not {clipped((mass, length, time))}"
+            ) from None
 
     def __repr__(self):
         named = [f"{n}^{p}" for n, p in zip("MLT", self.powers, strict=True) if p]
@@ -90,7 +108,10 @@ class Dimension(_Own):
                 )
             return exp(power) if isinstance(power, Dimension) else NotImplemented
         # a float is not 1/3 exactly, but the power 1/3 of L^3 is to be L
-        power = Fraction(power if isinstance(power, Fraction) else float(power))
+        try:
+            power = Fraction(power if isinstance(power, Fraction) else float(power))
+        except (TypeError, ValueError, OverflowError):
+            raise DimensionError(f"{self} is raised to {clipped(power)}, not a number") from None
         power = power.limit_denominator(1000)
         return Dimension(*(a * power for a in self.powers))
 
@@ -98,6 +119,8 @@ class Dimension(_Own):
         """The dimension of this function of a pure number; of a square root, and an angle by atan2,
         also of others.
         """
+        if not isinstance(name, str):
+            raise DimensionError(f"a function is named by a text, as 'sqrt'; got {clipped(name)}")
         if name == "sqrt":
             return self ** Fraction(1, 2)
         if name == "atan2":
@@ -183,25 +206,32 @@ class Unit:
     @staticmethod
     def _scaled(x, factor, pi_power):
         # the kind of a vector is that of a component that is not zero by structure
-        like = next((c for c in x.c if c is not ZERO), 0.0) if hasattr(x, "frame") else x
+        if isinstance(x, Scaled):
+            like = next((c for c in x.c if c is not ZERO), 0.0) if hasattr(x, "c") else None
+        else:
+            like = x = to_plain(scalar(x))
+        if like is None:
+            raise UnitError(f"a number or a Vector has units, got {clipped(x)}")
         power_of_pi = pi(like) ** abs(pi_power) if pi_power else 1
         if pi_power < 0:
             x = x / power_of_pi  # first, so that 2 pi rad/s are 60 rev/min to the last digit
         if factor.numerator != 1:
-            x = x / 1 * factor.numerator  # by 1: integers of an array would overflow
+            x = x / 1 * factor.numerator
         if factor.denominator != 1:
             x = x / factor.denominator
         return x * power_of_pi if pi_power > 0 else x
 
 
-@cache
 def unit(text: str) -> Unit:
     """The :class:`Unit` of this text; the same object each time.
 
     >>> unit("km/h").to_base(36.0)
     10.0
     """
-    return Unit(text)
+    return _unit(text) if isinstance(text, str) else Unit(text)  # which refuses it
+
+
+_unit = cache(Unit)
 
 
 def pint_name(unit_text):

@@ -10,24 +10,28 @@ from functools import reduce
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .codegen.pickles import Found
-from .errors import NewtonEulerError
 from .jets import Moving, moving
 from .ledger import Equation, Explanation, Ledger, NamedTerms, latex_number
 from .scalars import (
     ZERO,
+    NewtonEulerError,
     Scalar,
     ScalarError,
     Scaled,
     atan2,
+    clipped,
     is_numeric,
     is_zero,
     max_abs,
     min_abs,
     probe,
+    real,
     scalar,
     short,
+    shown,
     sqrt,
     to_plain,
+    where,
 )
 
 if TYPE_CHECKING:
@@ -138,21 +142,30 @@ class Vector(Scaled, NamedTerms):
         return 3
 
     def __getitem__(self, n):
-        return self.components()[n]
+        try:
+            return self.components()[n]
+        except (IndexError, TypeError) as error:
+            raise type(error)(
+                f"the components of a vector are v[0], v[1], v[2]; got v[{clipped(n)}]"
+            ) from None
 
-    # without __hash__: equal vectors of two frames have different components
+    # without __hash__: vectors that are equal up to round-off would need one hash for all
     def __eq__(self, other):
-        """True for a vector with the same components; of another frame, up to round-off, as
-        :func:`same` says; False where no frame is common.
+        """True for the same vector, in whichever frame it is expressed: for the same components, or
+        up to round-off as :func:`same` says; False where no frame is common, or where shapes of
+        arrays or kinds of numbers cannot be compared.
         """
         if not isinstance(other, Vector):
             return NotImplemented
-        if other.frame is self.frame:
-            equal = [a == b for a, b in zip(self.c, other.c, strict=True)]
-            return all(e.all() if getattr(e, "shape", ()) else bool(e) for e in equal)
+        if len({x.shape for x in (*self.c, *other.c) if getattr(x, "shape", ())}) > 1:
+            return False
         try:
+            if other.frame is self.frame:
+                equal = [a == b for a, b in zip(self.c, other.c, strict=True)]
+                if all(e.all() if getattr(e, "shape", ()) else bool(e) for e in equal):
+                    return True
             return same(self, other)
-        except FrameError:
+        except (FrameError, ScalarError):
             return False
 
     def __abs__(self):
@@ -177,6 +190,7 @@ class Vector(Scaled, NamedTerms):
 
     def rounded(self, noise: float) -> "Vector":
         """The vector with components of at most ``noise`` set to 0."""
+        noise = real(noise, "the noise")
         c = tuple(ZERO if is_numeric(x) and max_abs(x) <= noise else x for x in self.c)
         return Vector(c, self.frame)
 
@@ -193,7 +207,7 @@ class Vector(Scaled, NamedTerms):
         return np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in self)))
 
     def __repr__(self):
-        return f"Vector({', '.join(map(repr, self))} in {self.frame.name})"
+        return f"Vector({', '.join(map(shown, self))} in {self.frame.name})"
 
     def __str__(self):
         return f"[{', '.join(map(short, self))}] in {self.frame.name}"
@@ -436,7 +450,7 @@ def dot(a: Vector, b: Vector) -> Scalar:
     >>> dot(ground.vector(1.0, 2.0, 0), ground.j)
     2.0
     """
-    return a.dot(b)
+    return _checked(a).dot(b)
 
 
 def cross(a: Vector, b: Vector) -> Vector:
@@ -447,7 +461,13 @@ def cross(a: Vector, b: Vector) -> Vector:
     >>> cross(ground.i, ground.j) == ground.k
     True
     """
-    return a.cross(b)
+    return _checked(a).cross(b)
+
+
+def _checked(a):
+    if not isinstance(a, Vector):
+        raise FrameError(f"expected a Vector, as ground.vector(1.0, 0, 0); got {clipped(a)}")
+    return a
 
 
 def named_sum(kind, subject, terms, frame):
@@ -459,15 +479,25 @@ def named_sum(kind, subject, terms, frame):
 
 
 def same(a: Vector, b: Vector, tolerance: float = 1e-12) -> bool:
-    """True if two vectors differ by at most ``tolerance`` times the larger of their magnitudes; of
-    symbols, at one set of numbers for them.
+    """True if two vectors differ by at most ``tolerance`` times the larger of them, at every
+    instant, in the sum of the sizes of components; of symbols, at one set of numbers for them.
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground"); turned = ground.rotate("turned", "z", angle=0.3)
     >>> same(ground.i, ground.i.expressed_in(turned)), same(ground.i, 1.001*ground.i)
     (True, False)
     """
-    difference, *lengths = (probe(scalar(v.norm())) for v in (a - b, a, b))
-    if difference is None or None in lengths:
+    d, *lengths = (_size(v) for v in (_checked(a) - _checked(b), a, b))
+    if any(x is None for x in (d, *lengths)):
         raise ScalarError(f"{a} and {b} have components without values, which cannot be compared")
-    return max_abs(difference) <= tolerance * max(map(max_abs, lengths))
+    # instant by instant; so written that nan is not the same as anything
+    largest = where(lengths[0] > lengths[1], *lengths)
+    return max_abs(where(d <= real(tolerance, "the tolerance") * largest, 0, 1)) == 0
+
+
+def _size(v):
+    """The sum of the sizes of the components, which neither overflows nor underflows as squares
+    do; None where one has no value.
+    """
+    values = [probe(scalar(x)) for x in v.c]
+    return None if any(x is None for x in values) else sum(abs(x) for x in values)

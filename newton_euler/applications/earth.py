@@ -16,7 +16,7 @@ contains the centrifugal part.
 
 from itertools import accumulate, pairwise
 
-from ..algebra.errors import NewtonEulerError
+from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -31,6 +31,7 @@ from ..algebra.scalars import (
     to_plain,
 )
 from ..algebra.vectors import ZERO3, Vector, add3, cross3, dot3, named_sum, scale3
+from ..bodies.admissibility import not_negative, positive
 from ..kinematics.frames import Frame
 
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
@@ -47,6 +48,7 @@ class EarthError(NewtonEulerError, ValueError):
 # -- frames
 
 
+@checked
 def earth_frame(
     stars: Frame, rate: Scalar = EARTH_RATE, turned: Scalar = 0, name: str = "earth"
 ) -> Frame:
@@ -64,6 +66,7 @@ def earth_frame(
     return stars.rotate(name, "y", turned, rate)
 
 
+@checked
 def ground_frame(
     earth: Frame,
     latitude: Scalar,
@@ -83,6 +86,7 @@ def ground_frame(
     """
     meridian = earth.rotate(f"meridian of {name}", "y", longitude)
     _check_latitude(latitude)
+    positive(radius, "the radius of the Earth")
     latitude = scalar(latitude)
     origin = meridian.point(
         f"origin of {name}", ZERO, radius * sin(latitude), radius * cos(latitude)
@@ -99,6 +103,7 @@ def _check_latitude(latitude):
         )
 
 
+@checked
 def earth_rate(ground: Frame) -> Vector:
     """The angular velocity of the Earth (6.18), rad/s: (0, rate cos(latitude), rate sin(latitude))
     along ground axes.
@@ -148,6 +153,7 @@ def _from_centre(r, radius):
 # -- apparent weight (6.8)
 
 
+@checked
 def ground_acceleration(ground: Frame) -> Vector:
     """The acceleration a_B of the origin of ``ground`` (6.12), toward the axis of rotation.
 
@@ -159,6 +165,7 @@ def ground_acceleration(ground: Frame) -> Vector:
     return ground.origin.acceleration(ground.tree[0]).expressed_in(ground)
 
 
+@checked
 def effective_gravity(g: Scalar, ground: Frame) -> Vector:
     """The acceleration of a body released at rest, g' = -g k - a_B (6.11), along ground axes: the
     direction of a plumb line, and the g of a balance.
@@ -175,6 +182,7 @@ def effective_gravity(g: Scalar, ground: Frame) -> Vector:
     return named_sum("effective gravity", f"in {ground.name}", parts, ground)
 
 
+@checked
 def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
     """The force N of the ground on a body of mass ``m`` at rest on it (6.13), along ground axes;
     without rotation m g k (6.14).
@@ -186,6 +194,7 @@ def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
     >>> support_force(2.0, 10.0, ground).terms["rotation"].z
     -0.128
     """
+    not_negative(m, "the mass")
     parts = {
         "weight": scalar(m) * scalar(g) * ground.k,
         "rotation": scalar(m) * ground_acceleration(ground),
@@ -193,15 +202,19 @@ def support_force(m: Scalar, g: Scalar, ground: Frame) -> Vector:
     return named_sum("support force", f"in {ground.name}", parts, ground)
 
 
+@checked
 def rotation_error(g: Scalar, radius: Scalar = EARTH_RADIUS, rate: Scalar = EARTH_RATE) -> Scalar:
     """The largest relative error of the weight if the rotation is neglected, R omega^2/g (6.8).
 
     >>> round(rotation_error(9.81), 5)
     0.00345
     """
+    positive(radius, "the radius of the Earth")
+    positive(g, "the acceleration of gravity")
     return radius * rate**2 / g
 
 
+@checked
 def weightless_speed(g: Scalar, radius: Scalar = EARTH_RADIUS) -> Scalar:
     """The speed along the equator, seen from the stars, at which the support force is zero: sqrt(g
     R), that of a low orbit (6.8).
@@ -209,12 +222,14 @@ def weightless_speed(g: Scalar, radius: Scalar = EARTH_RADIUS) -> Scalar:
     >>> weightless_speed(10.0, radius=6.4e6)
     8000.0
     """
+    positive(radius, "the radius of the Earth")
     return sqrt(g * radius)
 
 
 # -- projectiles (6.9, 6.10)
 
 
+@checked
 def coriolis_acceleration(omega: Vector, v: Vector) -> Vector:
     """The Coriolis acceleration -2 omega x v of a body with the velocity ``v`` seen from a frame
     with the angular velocity ``omega``.
@@ -227,6 +242,7 @@ def coriolis_acceleration(omega: Vector, v: Vector) -> Vector:
     return -2 * omega.cross(v)
 
 
+@checked
 def apparent_acceleration(v: Vector, gravity: Vector, omega: Vector) -> Vector:
     """The acceleration of a projectile seen from the ground (6.16), where its velocity is ``v``:
     gravity - 2 omega x v.
@@ -243,6 +259,7 @@ def apparent_acceleration(v: Vector, gravity: Vector, omega: Vector) -> Vector:
     return named_sum("apparent acceleration", f"in {v.frame.name}", parts, v.frame)
 
 
+@checked
 def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
     """The resultant force, weight included, on a body that moves as seen from the ground (6.15):
     m a + 2 m omega x v.
@@ -256,6 +273,7 @@ def force_near_earth(m: Scalar, v: Vector, a: Vector, omega: Vector) -> Vector:
     >>> print(force_near_earth(1000.0, v, 0*v, earth_rate(ground)))
     [3.13863, 0, 0] in ground
     """
+    not_negative(m, "the mass")
     parts = {"relative": scalar(m) * a, "coriolis": -scalar(m) * coriolis_acceleration(omega, v)}
     return named_sum("force near the earth", f"in {v.frame.name}", parts, v.frame)
 
@@ -267,6 +285,7 @@ def launch_direction(azimuth, elevation):
     return cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation)
 
 
+@checked
 def launch_velocity(ground: Frame, speed: Scalar, azimuth: Scalar, elevation: Scalar) -> Vector:
     """The velocity of a shot, seen from the ground, along ground axes (6.17).
 
@@ -277,6 +296,7 @@ def launch_velocity(ground: Frame, speed: Scalar, azimuth: Scalar, elevation: Sc
     return ground.vector(*(speed * e for e in launch_direction(azimuth, elevation)))
 
 
+@checked
 def projectile_position(t: Scalar, launch: Vector, gravity: Vector, omega: Vector) -> Vector:
     """The position of a projectile at time ``t`` after it left the origin (6.24), to first order in
     the rotation.
@@ -338,6 +358,7 @@ def velocity3(t, v, g, w, order=1):
     return coriolis_series(v, g, w, _integrals(t, 0, order))
 
 
+@checked
 def projectile_to_order(
     t: Scalar, launch: Vector, gravity: Vector, omega: Vector, order: int
 ) -> Vector:
@@ -356,6 +377,7 @@ def projectile_to_order(
     return Vector(position3(t, v, g, w, order), launch.frame)
 
 
+@checked
 def projectile_velocity(
     t: Scalar, launch: Vector, gravity: Vector, omega: Vector, order: int = 1
 ) -> Vector:
@@ -371,6 +393,7 @@ def projectile_velocity(
     return Vector(velocity3(t, v, g, w, order), launch.frame)
 
 
+@checked
 def projectile(
     t: Scalar,
     speed: Scalar,
@@ -391,6 +414,7 @@ def projectile(
     return tuple(map(to_plain, way))
 
 
+@checked
 def flight_time(
     speed: Scalar,
     azimuth: Scalar,
@@ -414,6 +438,7 @@ def flight_time(
     return 2 * speed * e[2] / down
 
 
+@checked
 def shot_range(
     speed: Scalar,
     azimuth: Scalar,
@@ -432,6 +457,7 @@ def shot_range(
     return sqrt(x * x + y * y)
 
 
+@checked
 def range_east(speed: Scalar, elevation: Scalar, g: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
     """The range of a shot to the east on the equator (6.30): :func:`shot_range` to first order;
     v0^2 sin(2 elevation)/g without rotation.
@@ -443,6 +469,7 @@ def range_east(speed: Scalar, elevation: Scalar, g: Scalar, rate: Scalar = EARTH
     return speed**2 * sin(2 * elevation) / g - turned
 
 
+@checked
 def range_error(speed: Scalar, elevation: Scalar, g: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
     """The relative error (R_0 - R)/R_0 of the range to the east without rotation (6.31); the book
     has 100 times this, in per cent. Negative below 60 degrees, where the rotation lengthens the
@@ -454,6 +481,7 @@ def range_error(speed: Scalar, elevation: Scalar, g: Scalar, rate: Scalar = EART
     return 2 * rate * speed * (1 - 4 * cos(elevation) ** 2) / (3 * g * cos(elevation))
 
 
+@checked
 def drop_deflection(
     height: Scalar, latitude: Scalar, g: Scalar, rate: Scalar = EARTH_RATE
 ) -> Scalar:
@@ -470,6 +498,7 @@ def drop_deflection(
 # -- weather (6.11)
 
 
+@checked
 def coriolis_parameter(latitude: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
     """The rate 2 omega sin(latitude), rad/s, at which the direction of a free horizontal motion
     turns; clockwise where it is positive, in the north.
@@ -480,6 +509,7 @@ def coriolis_parameter(latitude: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
     return 2 * earth_rate3(latitude, rate)[2]
 
 
+@checked
 def wind_acceleration(
     speed: Scalar, azimuth: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE
 ) -> tuple:
@@ -493,6 +523,7 @@ def wind_acceleration(
     return f * speed * sin(azimuth), -f * speed * cos(azimuth)
 
 
+@checked
 def buoyancy(
     m: Scalar,
     speed: Scalar,
@@ -507,9 +538,11 @@ def buoyancy(
     >>> buoyancy(1.0, 100.0, 0.0, 0.0, 9.8, rate=1e-4)
     9.780000000000001
     """
+    not_negative(m, "the mass")
     return m * (g - 2 * earth_rate3(latitude, rate)[1] * speed * cos(azimuth))
 
 
+@checked
 def inertial_circle(speed: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
     """The radius speed/|2 omega sin(latitude)| of the circle of free air on the level, clockwise in
     the north: by (6.34) and (6.5).
@@ -520,6 +553,7 @@ def inertial_circle(speed: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE) 
     return speed / _turning(latitude, rate)
 
 
+@checked
 def geostrophic_wind(
     pressure_gradient: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE
 ) -> Scalar:
@@ -535,6 +569,7 @@ def geostrophic_wind(
     return pressure_gradient / _turning(latitude, rate)
 
 
+@checked
 def gradient_wind(
     pressure_gradient: Scalar, radius: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE
 ) -> Scalar:

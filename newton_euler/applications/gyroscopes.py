@@ -22,7 +22,7 @@ and the slow one to its limit (10.37).
 import math
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError
+from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -42,6 +42,7 @@ from ..algebra.scalars import (
     where,
 )
 from ..algebra.vectors import FrameError, Vector, named_sum
+from ..bodies.admissibility import not_negative
 from ..bodies.inertia import Inertia
 from ..kinematics.frames import Frame, Point
 
@@ -67,6 +68,7 @@ class InstantaneousAxis:
     slide: Scalar
 
 
+@checked
 def instantaneous_axis(body: Frame, observer: Frame) -> InstantaneousAxis:
     """The instantaneous axis of rotation of a rigid body, seen from ``observer`` (10.1).
 
@@ -98,6 +100,7 @@ def instantaneous_axis(body: Frame, observer: Frame) -> InstantaneousAxis:
 # -- moment from motion
 
 
+@checked
 def gyro_momentum(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
     """The angular momentum H about the fixed point or G, in the frame {i, j, k} that precesses and
     nutates without spinning (10.21); it knows its rate.
@@ -112,12 +115,13 @@ def gyro_momentum(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
     >>> gyro_momentum(top, ground, 0.02, 0.01).z
     1.0
     """
-    f = body.parent
+    f = _inertia(body, I0, I).frame
     # (10.18), without the rotation by the angle of spin, which would cost digits
     omega = f.angular_velocity(ground) + body.angular_velocity(f).expressed_in(f)
     return _inertia(body, I0, I).times(omega)
 
 
+@checked
 def gyro_moment(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
     """The moment for a motion, about the fixed point or G (10.20)-(10.25), (10.27), in {i, j, k},
     the frame ``body.parent``.
@@ -184,6 +188,7 @@ def check_top(I0, I, spin, omega_z):
         )
 
 
+@checked
 def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
     """The moment I psi' x phi' on a body whose spin axis precesses at right angles to itself
     (10.38); N m if in SI.
@@ -203,21 +208,25 @@ def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
             f"precession {precession} and spin {spin} are not at right angles; use gyro_moment or "
             "steady_moment(I0, I, theta, ...)"
         )
+    not_negative(I, "the moment of inertia")
     return precession.cross(spin) * I
 
 
 # -- steady precession
 
 
+@checked
 def steady_moment(I0: Scalar, I: Scalar, theta: Scalar, precession: Scalar, spin: Scalar) -> Scalar:
     """The moment about the line of nodes in a steady precession (10.29), (10.32), (10.37).
 
     >>> steady_moment(0.02, 0.01, 0.5, 0.0, 100.0)
     0.0
     """
+    _check_moments(I0, I)
     return to_plain(precession * sin(theta) * (I * spin - (I0 - I) * precession * cos(theta)))
 
 
+@checked
 def steady_spin(
     I0: Scalar,
     I: Scalar,
@@ -234,6 +243,7 @@ def steady_spin(
     >>> steady_spin(0.02, 0.01, 0.0, 2.0, mgr=2.0)
     102.0
     """
+    _check_moments(I0, I)
     c = _over_sine(theta, mgr, moment)
     for name, x in (("precession", precession), ("I", I)):
         if is_numeric(x) and min_abs(x) == 0:
@@ -259,6 +269,7 @@ class SteadyPrecession:
     stiffness: tuple
 
 
+@checked
 def steady_precession(
     I0: Scalar,
     I: Scalar,
@@ -368,6 +379,7 @@ def _quotient(n, d, otherwise):
     return where(none, otherwise, n / where(none, 1, to_plain(d)))
 
 
+@checked
 def least_spin(
     I0: Scalar,
     I: Scalar,
@@ -403,6 +415,7 @@ def _least_rate(a, c, I):
     return 2 * sqrt(product) / I
 
 
+@checked
 def nutation_stiffness(
     I0: Scalar, I: Scalar, theta: Scalar, precession: Scalar, omega_z: Scalar
 ) -> Scalar:
@@ -417,6 +430,7 @@ def nutation_stiffness(
     >>> nutation_stiffness(0.02, 0.01, 0.0, 0.0, 100.0)
     2500.0
     """
+    _check_moments(I0, I)
     across, rest = precession * sin(theta), I * omega_z / I0 - 2 * (precession * cos(theta))
     return to_plain(across * across + rest * rest)
 
@@ -433,6 +447,7 @@ class FastSpin:
     fast_error: Scalar
 
 
+@checked
 def fast_spin(
     I0: Scalar,
     I: Scalar,
@@ -489,6 +504,7 @@ class FreePrecession:
     space_cone: Scalar
 
 
+@checked
 def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreePrecession:
     """The steady precession without moment (10.35), (10.36): psi' = I phi'/((I0 - I) cos(theta)).
 
@@ -540,6 +556,7 @@ class SleepingTop:
     growth: Scalar
 
 
+@checked
 def sleeping_top(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> SleepingTop:
     """The stability of a top that spins upright (theta = 0): stable if (I omega_z)^2 >= 4 I0 mgr.
 

@@ -24,7 +24,7 @@ which are (9.3), (9.6) and (9.9), (9.10) for a shaft in any direction. Forces ac
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError
+from ..algebra.errors import NewtonEulerError, checked, checked_but
 from ..algebra.scalars import (
     Scalar,
     anywhere,
@@ -66,6 +66,7 @@ class Reactions:
     axis: Vector
 
 
+@checked
 def reactions(
     body: Body,
     A: Point,
@@ -129,6 +130,7 @@ def _wrench(body, O, ground, gravity):
     }
 
 
+@checked_but("A", "B")
 def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple:
     """The unit vector e from bearing A to bearing B, in ``frame`` (default: that of A), and their
     distance l (m).
@@ -216,6 +218,7 @@ class Imbalance:
     about: Point
 
 
+@checked
 def imbalance(body: Body, A: Point, B: Point, about: Point | None = None) -> Imbalance:
     """The static and dynamic imbalance of a body for the axis AB. For scalars of every kind.
 
@@ -276,6 +279,7 @@ class Balance:
         )
 
 
+@checked
 def balance(
     body: Body, A: Point, B: Point, about: Point | None = None, tolerance: float = 1e-9
 ) -> Balance:
@@ -324,7 +328,8 @@ def balance(
 # -- balancing
 
 
-def corrections(body: Body, A: Point, B: Point, planes: Sequence) -> tuple:
+@checked
+def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tuple:
     """The corrections in two planes across the axis that balance a body: two Vectors, mass times
     radius from the axis (kg m).
 
@@ -353,11 +358,12 @@ def corrections(body: Body, A: Point, B: Point, planes: Sequence) -> tuple:
     return (P - U * z2) / apart, (U * z1 - P) / apart
 
 
+@checked
 def balancing_masses(
     body: Body,
     A: Point,
     B: Point,
-    planes: Sequence,
+    planes: Sequence[Scalar],
     radius: Scalar | Sequence = None,
     mass: Scalar | Sequence = None,
 ) -> tuple:

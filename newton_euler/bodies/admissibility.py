@@ -2,8 +2,18 @@
 the moments, Schwarz's inequality for the products.
 """
 
+from math import inf
+
 from ..algebra.errors import NewtonEulerError
-from ..algebra.scalars import epsilon, is_finite, is_numeric, is_positive, max_abs, to_plain
+from ..algebra.scalars import (
+    epsilon,
+    is_finite,
+    is_numeric,
+    is_positive,
+    max_abs,
+    to_plain,
+    without_rates,
+)
 
 AXES = "xyz"
 PRODUCTS = ("xy", "yz", "zx")
@@ -17,11 +27,51 @@ class MassError(NewtonEulerError, ValueError):
 
 def positive(x, what):
     """Raises :class:`MassError` unless ``x`` is positive and finite; ``what`` is its name."""
+    if type(x) is float and 0 < x < inf:
+        return
     if not is_positive(x) or not is_finite(x):
         raise MassError(
             f"{what} must be positive, got {to_plain(x)}; to cut something out give it to "
             "composite(..., removed=[...])"
         )
+
+
+def not_negative(x, what):
+    """Raises :class:`MassError` if ``x``, a number, or an element of it is negative or not finite;
+    ``what`` is its name.
+    """
+    if type(x) is float and 0 <= x < inf:
+        return
+    x = without_rates(x)
+    if is_numeric(x) and not (is_finite(x) and max_abs(x - abs(x)) == 0):
+        raise MassError(f"{what} is zero or positive, got {to_plain(x)}")
+
+
+def triangle_inequality(moments, tolerance):
+    """Raises :class:`MassError` if one of three moments, numbers, is larger than the sum of the
+    others, by more than ``tolerance`` times the largest.
+    """
+    if not all(map(is_numeric, moments)):
+        return
+    if all(type(x) is float for x in moments):
+        a, b, c = sorted(moments)
+        if c <= a + b < inf:  # the usual case
+            return
+    noise = tolerance * max(map(max_abs, moments))
+    for n in range(3):
+        others = moments[n - 1] + moments[n - 2]
+        if not max_abs(moments[n]) < inf or _below(others - moments[n], -noise):
+            _refuse_moment(moments, n)
+
+
+def _refuse_moment(moments, n):
+    u, (v, w) = AXES[n], [axis for axis in AXES if axis != AXES[n]]
+    others = moments[AXES.index(v)] + moments[AXES.index(w)]
+    raise MassError(
+        f"no body has these moments: I_{u}{u} = {to_plain(moments[n])} is larger than "
+        f"I_{v}{v} + I_{w}{w} = {to_plain(others)} (triangle inequality); look for a "
+        "misprint, or for moments about two points"
+    )
 
 
 def check(I, tolerance, slack):
@@ -53,13 +103,7 @@ def _check_integrals(I, tolerance, slack):
     a, b, c = squares = (yy + zz - xx) / 2, (zz + xx - yy) / 2, (xx + yy - zz) / 2
     for n, square in enumerate(squares):
         if _below(square, -small):
-            u, (v, w) = AXES[n], [axis for axis in AXES if axis != AXES[n]]
-            others = I.moments[AXES.index(v)] + I.moments[AXES.index(w)]
-            raise MassError(
-                f"no body has these moments: I_{u}{u} = {to_plain(I.moments[n])} is larger than "
-                f"I_{v}{v} + I_{w}{w} = {to_plain(others)} (triangle inequality); look for a "
-                "misprint, or for moments about two points"
-            )
+            _refuse_moment(I.moments, n)
     for (u, v), product in zip(PRODUCTS, I.products, strict=True):
         bound = squares[AXES.index(u)] * squares[AXES.index(v)]
         if _below(bound - product * product, -4 * small * largest):

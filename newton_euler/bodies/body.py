@@ -15,12 +15,17 @@ Units: any consistent ones; in SI kg, m, kg m^2.
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
+from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import Ledger
-from ..algebra.scalars import Scalar, is_numeric, max_abs, scalar, to_plain
-from ..algebra.vectors import Vector, sum3
+from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, scalar, shown
+from ..algebra.vectors import FrameError, Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
-from .admissibility import MassError, positive, round_off
+from .admissibility import MassError, not_negative, positive, round_off, triangle_inequality
 from .inertia import Inertia, together
+
+# part of the largest moment by which moments that are given in rounded numbers may break the
+# triangle inequality; Body.check() asks for more
+ROUNDED = 1e-2
 
 
 class Body:
@@ -48,17 +53,25 @@ class Body:
         centre: PointLike,
         inertia: Inertia | Sequence[Scalar] = (0, 0, 0),
         frame: Frame | None = None,
-        parts: Iterable["Body"] = (),
+        parts: Sequence["Body"] = (),
     ):
+        if not isinstance(name, str):
+            raise MassError(f"a body has a name, a text; got {clipped(name)}")
+        if frame is not None and not isinstance(frame, Frame):
+            raise FrameError(f"the frame of {name} is a Frame; got {clipped(frame)}")
+        if not isinstance(parts, (tuple, list)) or not all(isinstance(p, Body) for p in parts):
+            raise MassError(f"the parts of {name} are bodies; got {clipped(parts)}")
         self.name, self.mass, self.parts = name, scalar(mass), tuple(parts)
         self.centre = G = place(centre, f"the centre of mass of {name}")
         if not isinstance(inertia, Inertia):
             inertia = Inertia(G, inertia, frame=frame or axes_at(G), tolerance=None)
+            not_negative(self.mass, f"the mass of {name}")
+            triangle_inequality(inertia.moments, ROUNDED)
         self.frame = frame or inertia.frame
         self._inertia = inertia._like(inertia.moments, inertia.products, mass=self.mass, centre=G)
 
     def __repr__(self):
-        return f"Body({self.name}, mass {to_plain(self.mass)!r}, centre {self.centre!r})"
+        return f"Body({self.name}, mass {shown(self.mass)}, centre {self.centre!r})"
 
     @property
     def inertia(self) -> Inertia:
@@ -71,7 +84,7 @@ class Body:
         frame : the axes; default: those of the frame of the body
         terms : the parts by name, of a composite; else ``own`` and ``transfer``
         """
-        frame, point = frame or self.frame, place(point, "the inertia matrix")
+        frame, point = self.frame if frame is None else frame, place(point, "the inertia matrix")
         if not self.parts:
             I = self._inertia
             return I.expressed_in(frame).about(point) if I.frame is not frame else I.about(point)
@@ -87,6 +100,7 @@ class Body:
         parts = [-part for part in self.parts]
         return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame, parts)
 
+    @checked
     def check(self, tolerance: float = 1e-9) -> "Body":
         """The body itself if its mass and inertia are possible; :class:`MassError` otherwise, see
         :meth:`Inertia.check`.
@@ -96,10 +110,12 @@ class Body:
 
     # -- momenta
 
+    @checked
     def momentum(self, observer: Frame) -> Vector:
         """L = m v_G seen from ``observer`` (5.2), (5.8), (7.5)."""
         return self.centre.velocity(observer) * self.mass
 
+    @checked
     def angular_momentum(self, observer: Frame, about: Point | None = None) -> Vector:
         """H about G, or H_B = d x m Dd/Dt + H_G about any point B, d the vector from B to G (7.23).
 
@@ -120,6 +136,7 @@ class Body:
         return Vector(total.c, total.frame, total._own_rate, ledger)
 
 
+@checked
 def particle(mass: Scalar, point: PointLike, name: str = "particle") -> Body:
     """A particle of this mass at a point: a :class:`Body` without moments of its own.
 
@@ -133,6 +150,7 @@ def particle(mass: Scalar, point: PointLike, name: str = "particle") -> Body:
     return Body(name, mass, centre, frame=centre.frame)
 
 
+@checked_but("parts")
 def centre_of_mass(
     parts: Iterable[Body | tuple[Scalar, Point]], frame: Frame | None = None, name: str = "G"
 ) -> Point:
@@ -159,11 +177,13 @@ def centre_of_mass(
 def _pair(p):
     try:
         mass, point = p
-        return Body(point.name, mass, point, frame=point.frame)
+        # of a part that is removed the mass is negative
+        return Body(point.name, mass, point, Inertia(point, (0, 0, 0), tolerance=None), point.frame)
     except (TypeError, ValueError, AttributeError):
         raise MassError(f"a part is a Body or a pair (mass, Point), got {p!r}") from None
 
 
+@checked
 def composite(
     name: str, parts: Iterable[Body], removed: Iterable[Body] = (), frame: Frame | None = None
 ) -> Body:
@@ -183,7 +203,11 @@ def composite(
     >>> round(part.centre.position(sheet).x, 6)
     -0.008333
     """
-    parts = [*parts, *(-hole for hole in removed)]
+    parts, removed = list(parts), list(removed)
+    for part in parts + removed:
+        if not isinstance(part, Body):
+            raise MassError(f"the parts of {name} are bodies; got {clipped(part)}")
+    parts += [-hole for hole in removed]
     if not parts:
         raise MassError(f"{name} has no parts")
     names = sorted(part.name for part in parts)

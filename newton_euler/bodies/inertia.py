@@ -18,20 +18,23 @@ is the angular momentum.
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from ..algebra.errors import checked
 from ..algebra.jets import Moving
 from ..algebra.ledger import NamedTerms, latex_number
 from ..algebra.scalars import (
     ZERO,
     Scalar,
     Scaled,
+    clipped,
     is_numeric,
     is_positive,
     is_zero,
+    real,
     scalar,
     sqrt,
     to_plain,
 )
-from ..algebra.vectors import ZERO3, Vector, add3, dot3, scale3, sum3
+from ..algebra.vectors import ZERO3, FrameError, Vector, add3, dot3, scale3, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import AXES, MassError, check
 from .principal_axes import Principal, Symmetry, principal, symmetry
@@ -76,13 +79,17 @@ class Inertia(Scaled, NamedTerms):
         tolerance: float | None = 1e-9,
     ):
         self.point = place(point, "an inertia matrix")
-        self.frame = frame or axes_at(self.point)
+        self.frame = axes_at(self.point) if frame is None else frame
         self.moments = _three(moments, "moments (I_xx, I_yy, I_zz)")
         self.products = _three(products, "products (I_xy, I_yz, I_zx)")
         self.mass, self.centre = None if mass is None else scalar(mass), centre
+        if centre is not None and not isinstance(centre, Point):
+            raise MassError(f"the centre of mass is a Point; got {clipped(centre)}")
+        if not isinstance(self.frame, Frame):
+            raise FrameError(f"the axes are those of a Frame; got {clipped(frame)}")
         self._terms: dict[str, Inertia] = {}
         if tolerance is not None:
-            self.check(tolerance)
+            self.check(real(tolerance, "the tolerance"))
 
     def _like(self, moments, products, **changed):
         """An inertia with the same point, frame, mass and centre, except for what is changed."""
@@ -141,10 +148,15 @@ class Inertia(Scaled, NamedTerms):
         rate = omega._own_rate and (lambda: self.times(omega.rate(self.frame)))
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
 
+    @checked
     def times3(self, c: tuple) -> tuple:
         """The matrix times a triple of components along its axes."""
-        return ZERO3 if c is ZERO3 else tuple(dot3(row, c) for row in self._rows())
+        if c is ZERO3:
+            return ZERO3
+        c = tuple(map(scalar, c))
+        return tuple(dot3(row, c) for row in self._rows())
 
+    @checked
     def moment(self, axis: str | Vector) -> Scalar:
         """The moment of inertia about an axis through ``point``: n . I n.
 
@@ -162,6 +174,7 @@ class Inertia(Scaled, NamedTerms):
             raise MassError("the axis is a zero vector; give one with a direction")
         return to_plain(scalar(axis.dot(self.times(axis))) / square)
 
+    @checked
     def radius_of_gyration(self, axis: str | Vector) -> Scalar:
         """k = sqrt(moment/mass) about an axis through ``point`` (7.27): the radius of a ring with
         the same mass and moment.
@@ -225,10 +238,12 @@ class Inertia(Scaled, NamedTerms):
         moments = tuple(common + turned[n][n] for n in range(3))
         return self._like(moments, (-turned[1][0], -turned[2][1], -turned[2][0]), frame=frame)
 
+    @checked
     def principal(self, noise: float | None = None) -> Principal:
         """Principal moments and axes (7.18)-(7.20), and how well they are determined."""
         return principal(self, noise)
 
+    @checked
     def symmetry(self, tolerance: float = 1e-9) -> Symmetry:
         """The symmetries that the matrix shows."""
         return symmetry(self, tolerance)
@@ -252,7 +267,7 @@ class Inertia(Scaled, NamedTerms):
         return -1 * self
 
     def __sub__(self, other):
-        return self + -other
+        return self + (-other if isinstance(other, Inertia) else other)
 
     def __mul__(self, s):
         s = scalar(s)
@@ -268,6 +283,7 @@ class Inertia(Scaled, NamedTerms):
         """
         return self._terms
 
+    @checked
     def reweighted(self, **factors: Scalar) -> "Inertia":
         """The sum of its terms, each times the factor given for it (default: 1), as a wrong model
         would give it. Mass and centre stay.
@@ -278,6 +294,7 @@ class Inertia(Scaled, NamedTerms):
 
     # -- admissibility
 
+    @checked
     def check(self, tolerance: float = 1e-9, slack: float = 0.0) -> "Inertia":
         """The inertia itself, if some body can have it; :class:`MassError` otherwise.
 
@@ -301,7 +318,7 @@ class Inertia(Scaled, NamedTerms):
 
 def _three(values, what):
     try:
-        given = tuple(scalar(x) for x in values)
+        given = tuple(scalar(x) for x in values) if len(values) == 3 else ()
     except TypeError:
         given = ()
     if len(given) != 3:

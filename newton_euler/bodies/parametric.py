@@ -12,12 +12,13 @@ not reach the required accuracy; with ``exact=True`` SymPy finds the formulas.
 from collections.abc import Callable
 from itertools import product
 
+from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving
 from ..algebra.quadrature import cubature
 from ..algebra.scalars import ZERO, Scalar, is_numeric, is_positive, max_abs, scalar, sqrt, to_plain
 from ..algebra.vectors import cross3, dot3
 from ..kinematics.frames import Frame, PointLike
-from .admissibility import MassError
+from .admissibility import MassError, positive
 from .body import Body
 from .inertia import SECOND_MOMENTS, Inertia, from_second_moments
 
@@ -34,12 +35,13 @@ class IntegratedBody(Body):
     error: float = 0.0
 
 
+@checked
 def integrated(
     position: Callable,
     *limits: tuple,
     frame: Frame,
     mass: Scalar = None,
-    density: Scalar = None,
+    density: Scalar | Callable | None = None,
     exact: bool = False,
     rtol: float = 1e-10,
     name: str = "body",
@@ -75,6 +77,8 @@ def integrated(
         )
     if mass is None and density is None:
         raise MassError(f"{name} needs mass=... or density=... (per length, area or volume)")
+    if mass is not None:
+        positive(mass, f"the mass of {name}")
     weigh = density if callable(density) else lambda x, y, z: 1 if density is None else density
     reference, values, error = (
         _exact(position, limits, weigh, name)

@@ -14,6 +14,7 @@ real formulas with an arc cosine, ascending.
 from dataclasses import dataclass
 from typing import Any
 
+from ..algebra.errors import checked
 from ..algebra.scalars import (
     ZERO,
     acos,
@@ -75,6 +76,7 @@ class Principal:
         """
         return tuple(max_abs(turn) < 0.245 for turn in self.turns)  # atan(1/4) = 0.24498
 
+    @checked
     def frame(self, name: str = "principal") -> Frame:
         """A new frame along the principal axes, fixed in the frame of the inertia; for numbers, not
         for expressions.

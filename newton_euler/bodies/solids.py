@@ -22,7 +22,8 @@ Errors: :class:`MassError` for lengths or a mass that are not positive.
 
 from typing import TypedDict, Unpack
 
-from ..algebra.scalars import ZERO, Scalar, pi, scalar, sin, sqrt
+from ..algebra.errors import checked
+from ..algebra.scalars import ZERO, Scalar, clipped, pi, scalar, sin, sqrt
 from ..algebra.vectors import add3, cross3, dot3, scale3, sub3, sum3
 from ..kinematics.frames import Point, PointLike, axes_at, place
 from .admissibility import AXES, MassError, positive
@@ -41,6 +42,7 @@ class Matter(TypedDict, total=False):
 # -- along lines
 
 
+@checked
 def rod(length: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]) -> Body:
     """A thin straight rod about its middle: 0, m L^2/12 twice (App. B).
 
@@ -50,12 +52,14 @@ def rod(length: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Mat
     return _of_revolution(name, centre, axis, m, ZERO, m * length**2 / 12)
 
 
+@checked
 def ring(radius: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]) -> Body:
     """A thin wire bent to a circle: m r^2 about its axis, m r^2/2 about a diameter."""
     name, m = _mass("ring", matter, 2 * pi(radius) * radius, radius=radius)
     return _of_revolution(name, centre, axis, m, m * radius**2, m * radius**2 / 2)
 
 
+@checked
 def arc(
     radius: Scalar,
     half_angle: Scalar,
@@ -77,6 +81,7 @@ def arc(
     return _fan(name, middle, axis, toward, m, radius * distance, m * radius**2, flatness)
 
 
+@checked
 def half_ring(
     radius: Scalar,
     middle: PointLike,
@@ -95,6 +100,7 @@ def half_ring(
 # -- flat
 
 
+@checked
 def plate(
     b: Scalar, c: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
@@ -107,12 +113,14 @@ def plate(
     return _placed(name, centre, axis, m, (bb + cc, cc, bb))
 
 
+@checked
 def disk(radius: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]) -> Body:
     """A thin round disk: m r^2/2 about its axis, m r^2/4 about a diameter (App. B)."""
     name, m = _mass("disk", matter, pi(radius) * radius**2, radius=radius)
     return _of_revolution(name, centre, axis, m, m * radius**2 / 2, m * radius**2 / 4)
 
 
+@checked
 def annulus(
     inner: Scalar, outer: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
@@ -124,6 +132,7 @@ def annulus(
     return _of_revolution(name, centre, axis, m, polar, polar / 2)
 
 
+@checked
 def sector(
     radius: Scalar,
     half_angle: Scalar,
@@ -143,6 +152,7 @@ def sector(
     return _fan(name, middle, axis, toward, m, distance, m * radius**2 / 2, flatness)
 
 
+@checked
 def half_disk(
     radius: Scalar,
     middle: PointLike,
@@ -162,6 +172,7 @@ def half_disk(
 # -- solid
 
 
+@checked
 def box(
     a: Scalar,
     b: Scalar,
@@ -175,6 +186,7 @@ def box(
     return _placed(name, centre, axis, m, _sums_of_squares(m, a, b, c, 12))
 
 
+@checked
 def cylinder(
     radius: Scalar, length: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
@@ -185,6 +197,7 @@ def cylinder(
     return _of_revolution(name, centre, axis, m, m * radius**2 / 2, across)
 
 
+@checked
 def tube(
     inner: Scalar,
     outer: Scalar,
@@ -201,6 +214,7 @@ def tube(
     return _of_revolution(name, centre, axis, m, m * squares / 2, across)
 
 
+@checked
 def wedge(
     radius: Scalar,
     half_angle: Scalar,
@@ -222,6 +236,7 @@ def wedge(
     return Body(name, m, flat.centre, add3(flat.inertia.moments, added))
 
 
+@checked
 def cone(
     radius: Scalar, height: Scalar, apex: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
@@ -236,12 +251,14 @@ def cone(
     return _of_revolution(name, apex, axis, m, 3 * m * radius**2 / 10, across, 3 * height / 4)
 
 
+@checked
 def sphere(radius: Scalar, centre: PointLike, **matter: Unpack[Matter]) -> Body:
     """A solid sphere: 2 m a^2/5 (App. B)."""
     name, m = _mass("sphere", matter, 4 * pi(radius) * radius**3 / 3, radius=radius)
     return _placed(name, centre, "x", m, (2 * m * radius**2 / 5,) * 3)
 
 
+@checked
 def hollow_sphere(
     inner: Scalar, outer: Scalar, centre: PointLike, **matter: Unpack[Matter]
 ) -> Body:
@@ -255,6 +272,7 @@ def hollow_sphere(
     return _placed(name, centre, "x", m, (2 * m * fifths / (5 * cubes),) * 3)
 
 
+@checked
 def hemisphere(
     radius: Scalar, middle: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
@@ -268,6 +286,7 @@ def hemisphere(
     return _of_revolution(name, middle, axis, m, *moments, 3 * radius / 8)
 
 
+@checked
 def ellipsoid(
     a: Scalar,
     b: Scalar,
@@ -287,6 +306,7 @@ def ellipsoid(
 # -- shells
 
 
+@checked
 def cylindrical_shell(
     radius: Scalar, length: Scalar, centre: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
@@ -297,6 +317,7 @@ def cylindrical_shell(
     return _of_revolution(name, centre, axis, m, m * radius**2, across)
 
 
+@checked
 def conical_shell(
     radius: Scalar, height: Scalar, apex: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
@@ -310,12 +331,14 @@ def conical_shell(
     return _of_revolution(name, apex, axis, m, m * radius**2 / 2, across, 2 * height / 3)
 
 
+@checked
 def spherical_shell(radius: Scalar, centre: PointLike, **matter: Unpack[Matter]) -> Body:
     """A thin hollow sphere: 2 m r^2/3."""
     name, m = _mass("spherical shell", matter, 4 * pi(radius) * radius**2, radius=radius)
     return _placed(name, centre, "x", m, (2 * m * radius**2 / 3,) * 3)
 
 
+@checked
 def hemispherical_shell(
     radius: Scalar, middle: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
@@ -331,6 +354,7 @@ def hemispherical_shell(
 # -- between points
 
 
+@checked
 def simplex(*corners: Point, **matter: Unpack[Matter]) -> Body:
     """The body between two, three or four Points: a thin rod, a thin triangular plate, a solid
     tetrahedron.
@@ -391,6 +415,8 @@ def _mass(shape, matter, content, **lengths):
 
 
 def _named(shape, mass=None, density=None, name=None):
+    if name is not None and not isinstance(name, str):
+        raise MassError(f"the name of a body is a text, as name='hole'; got {clipped(name)}")
     return name or shape, mass, density
 
 

@@ -9,6 +9,7 @@ import json
 import os
 from dataclasses import dataclass
 
+from ..algebra.errors import checked
 from ..algebra.units import pint_name
 from ..algebra.vectors import Vector
 from .forms import SHAPES, AnswerError, Form, clipped, read_number
@@ -18,6 +19,7 @@ _expected: dict = {}
 receipts: dict = {}
 
 
+@checked
 def expect(problem: str, symbols: dict | None = None, **forms: str) -> None:
     """Announce what ``problem`` asks for, each answer by its form.
 
@@ -30,6 +32,7 @@ def expect(problem: str, symbols: dict | None = None, **forms: str) -> None:
     _expected[problem] = read, dict(symbols or {})
 
 
+@checked
 def receipt(problem: str, **answers: object) -> "Receipt":
     """A :class:`Receipt` that shows how each answer to ``problem`` was read. The answers are kept
     as one JSON record; None stands for an answer that is not given yet.
@@ -141,6 +144,8 @@ def _flat(value, form):
         raise form.error(f"got the text {clipped(value)}; write it without quotation marks")
     if isinstance(value, Vector):
         return list(value.components())
+    if isinstance(value, range) and len(value) > NODES:
+        raise form.error(f"got {len(value)} numbers")
     if isinstance(value, dict | set):
         raise form.error(f"got a {type(value).__name__}, which has no order")
     # an array without dimensions has __iter__, but it cannot be iterated over

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError
+from ..algebra.errors import NewtonEulerError, checked
 
 SHAPES = {
     "number": 1, "vector": 3, "matrix": 9, "interval": 2,
@@ -39,6 +39,7 @@ class Form:
     of: tuple = ()
 
     @classmethod
+    @checked
     def read(cls, text: str) -> "Form":
         """The form that a notebook states as text: "vector, mm/s", "choice: stable | unstable"."""
         separator = ":" if text.startswith("choice") else ","
@@ -66,6 +67,7 @@ class Form:
         pure = self.kind == "count" or self.unit == "1"
         return _WORDS[self.kind] + ("" if pure else f", in {self.unit}")
 
+    @checked
     def error(self, fault: str) -> AnswerError:
         """An :class:`AnswerError` with what was expected, and then the fault."""
         return AnswerError(f"expected {self.words}; {fault}")

@@ -5,7 +5,10 @@ from collections.abc import Callable
 from io import BytesIO
 from typing import Any
 
+from ..algebra.errors import ArgumentError, checked
 
+
+@checked
 def interactive_figure(draw: Callable[..., Any], **sliders: tuple[float, ...]) -> None:
     """Show the figure that ``draw`` returns, and a slider for each of its arguments where
     ipywidgets is installed.
@@ -47,6 +50,7 @@ def _picture(figure):
     return Image(data=png.getvalue(), format="png")
 
 
+@checked
 def error_message(f: Callable[[], object], width: int = 100) -> str:
     """The error that ``f()`` raises, as text of lines not longer than ``width``.
 
@@ -55,6 +59,8 @@ def error_message(f: Callable[[], object], width: int = 100) -> str:
     >>> print(error_message(lambda: 1/0))
     ZeroDivisionError: division by zero
     """
+    if width < 1:
+        raise ArgumentError(f"the lines have a width of 1 or more, got {width}")
     try:
         result = f()
     except Exception as error:

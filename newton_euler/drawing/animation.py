@@ -31,6 +31,7 @@ from string import Template
 from typing import Any
 
 from ..algebra.errors import NewtonEulerError
+from ..algebra.scalars import clipped, real, scalar, to_plain
 from .recorder import share_window, sketches_on
 
 MAX_PICTURES = 600
@@ -90,6 +91,8 @@ class Animation:
 
     def save(self, path: str | Path) -> None:
         """Write a page (.html), which needs no other file, or an animated picture (.gif)."""
+        if not isinstance(path, (str, Path)):
+            raise AnimationError(f"an animation is saved to a path; got {clipped(path)}")
         path = Path(path)
         if path.suffix == ".html":
             path.write_text(self._page(), encoding="utf-8")
@@ -151,9 +154,15 @@ def animate(
     Raises :class:`AnimationError` for times that do not increase, and for too many or too large
     pictures. An example stands at the head of this module.
     """
+    if not isinstance(alt, str):
+        raise AnimationError(f"alt says in words what is shown; got {clipped(alt)}")
+    for name, f in (("draw", draw), ("progress", progress)):
+        if not callable(f) or isinstance(f, type):
+            raise AnimationError(f"{name} is a function; got {clipped(f)}")
     instants = _checked_times(times)
     speed = _checked_speed(speed, instants[-1] - instants[0])
     count = len(instants)
+    size, dpi = _checked_size(size, dpi)
     _check_amount(count, size, dpi)
     figures, pictures = [], []
     for n, t in enumerate(instants, 1):
@@ -210,9 +219,11 @@ def _pictures(figures):
 
 def _checked_times(times):
     try:
-        times = tuple(map(float, times))
-    except (TypeError, ValueError):
-        raise AnimationError(f"times are numbers of seconds; got {times!r}") from None
+        if hasattr(times, "__len__") and len(times) > 1000 * MAX_PICTURES:
+            raise TypeError
+        times = tuple(float(to_plain(scalar(t))) for t in times)
+    except (TypeError, ValueError, OverflowError):
+        raise AnimationError(f"times are numbers of seconds; got {clipped(times)}") from None
     if len(times) < 2:
         raise AnimationError(f"an animation needs two times or more, got {len(times)}")
     for a, b in pairwise(times):
@@ -224,11 +235,24 @@ def _checked_times(times):
 def _checked_speed(speed, span):
     if speed is None:
         return 1.0 if 1 <= span <= 30 else span / 8
-    if not (isinstance(speed, (int, float)) and 0 < speed < math.inf):
+    if not (isinstance(speed, (int, float)) and 0 < speed < 1e300):
         raise AnimationError(
             f"speed, seconds of the motion shown in one second, is a positive number; got {speed!r}"
         )
     return float(speed)
+
+
+def _checked_size(size, dpi):
+    try:
+        sides = [float(real(x, "a side")) for x in (*size, dpi)] if len(size) == 2 else []
+    except (TypeError, KeyError, OverflowError):
+        sides = []
+    if len(sides) != 3 or not all(0 < x < 1e6 and 10 <= x * sides[2] < 1e9 for x in sides[:2]):
+        raise AnimationError(
+            "size is the width and the height in inches, as (5, 4), and dpi a number of dots; got "
+            f"{clipped(size)} and {clipped(dpi)}"
+        )
+    return (sides[0], sides[1]), sides[2]
 
 
 def _check_amount(count, size, dpi):

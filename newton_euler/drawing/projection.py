@@ -2,6 +2,7 @@
 
 import math
 
+from ..algebra.scalars import real
 from ..algebra.vectors import FrameError, add3, cross3, dot3, scale3, sub3
 
 
@@ -64,10 +65,11 @@ def space_view(azimuth, elevation, up):
     """The view from the direction (azimuth, elevation), in degrees, with the axis ``up`` upwards.
     Azimuth 0 looks from the axis after ``up``, and grows towards the next.
     """
-    if up not in ("x", "y", "z"):
+    if not isinstance(up, str) or up not in ("x", "y", "z"):
         raise FrameError(
             f"up is 'x', 'y' or 'z', the axis that is vertical in the figure; got {up!r}"
         )
+    azimuth, elevation = real(azimuth, "the azimuth"), real(elevation, "the elevation")
     a, h = math.radians(azimuth), math.radians(elevation)
     n = "xyz".index(up)
 

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
+from ..algebra.scalars import scalar, to_plain
 from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point
 from .label_placement import place_labels
@@ -32,6 +33,9 @@ class Window:
     middle: tuple
     centre: tuple
     labels: dict = field(default_factory=dict)
+
+
+MAX_PLACES = 10**6  # of one curve
 
 
 class Recorder:
@@ -80,7 +84,9 @@ class Recorder:
                 "vector from A to B"
             )
         try:
-            v = tuple(v.components(self.frame) if isinstance(v, Vector) else v)
+            v = v.components(self.frame) if isinstance(v, Vector) else v
+            if not hasattr(v, "__len__") or len(v) == 3:  # what has no end is not gone through
+                v = tuple(v)
         except TypeError:
             v = (v,)
         if len(v) != 3:
@@ -88,8 +94,8 @@ class Recorder:
                 f"a {what} is a {'Point, a ' * (what == 'place')}Vector or three numbers, got {v!r}"
             )
         try:
-            v = tuple(map(float, v))
-        except (TypeError, ValueError):
+            v = tuple(map(self._float, v))
+        except (TypeError, ValueError, OverflowError):
             raise FrameError(
                 f"a sketch needs numbers, but the {what} is {v!r}; give every symbol a value"
             ) from None
@@ -111,12 +117,30 @@ class Recorder:
 
     def _length(self, x):
         try:
-            size = float(x)
-        except (TypeError, ValueError):
+            size = self._float(x)
+        except (TypeError, ValueError, OverflowError):
             size = math.nan
         if not 0 < size < math.inf:
             raise FrameError(f"a length is a positive number of metres; got {x!r}")
         return size
+
+    @staticmethod
+    def _float(x):
+        """The number ``x`` as a float; of a quantity with a unit, or of text, none."""
+        return float(to_plain(scalar(x)))
+
+    def _or_default(self, x):
+        """A length in metres, or what stands for the default: None, or 0."""
+        return x if x is None or (isinstance(x, (int, float)) and not x) else self._length(x)
+
+    def _several(self, places, what):
+        """A sequence of places."""
+        try:
+            if len(places) > MAX_PLACES:
+                raise TypeError
+            return self._places(*places)
+        except TypeError:
+            raise FrameError(f"{what} are a sequence of places; got {places!r}") from None
 
     def _extend(self, points):
         self._extent.extend(points)

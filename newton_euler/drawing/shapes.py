@@ -34,7 +34,7 @@ class Bodies(Recorder):
 
     def line(self, A: Place, B: Place, style: str = "dashed") -> None:
         """Draw a thin line from A to B, ``style`` solid, dashed, dotted or centre."""
-        if style not in DASHES:
+        if not isinstance(style, str) or style not in DASHES:
             raise FrameError(f"a line is {', '.join(DASHES)}; got {style!r}")
         self._straight(A, B, f"line {style}")
 
@@ -131,7 +131,7 @@ class Bodies(Recorder):
 
     def plate(self, corners: Sequence[Place]) -> None:
         """Draw a plane plate with these corners, three or more places in order."""
-        corners = self._places(*corners)
+        corners = self._several(corners, "the corners")
         if len(corners) < 3:
             raise FrameError(f"a plate has three corners or more, got {len(corners)}")
         self._record(lambda canvas: canvas.face(corners, "body", normal_of(corners)))

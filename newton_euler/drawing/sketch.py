@@ -53,10 +53,10 @@ class Sketch(Bodies):
         labels : three, as a string or a list, or "" for arrows without; in a list, an axis with the
             label "" is left out
         """
-        if labels and len(labels) != 3:
+        if not isinstance(labels, (str, list, tuple)) or (labels and len(labels) != 3):
             raise FrameError(f"the axes have three labels, as labels='XYZ'; got {labels!r}")
         P, units = self._place(P), self._axes_of(frame)
-        length = length and self._length(length)
+        length = self._or_default(length)
 
         @self._record
         def command(canvas):
@@ -73,7 +73,7 @@ class Sketch(Bodies):
         The longest arrow of each kind is 62 points long, the others in proportion, but no shorter
         than a quarter of it.
         """
-        if kind not in KINDS:
+        if not isinstance(kind, str) or kind not in KINDS:
             raise FrameError(f"an arrow is of the kind {', '.join(KINDS)}; got {kind!r}")
         P, v = self._place(P), self._triple(v, "direction")
         size = norm3(v)
@@ -90,7 +90,7 @@ class Sketch(Bodies):
     def turn(self, P: Place, axis: Direction, label: str = "", radius: float | None = None) -> None:
         """Draw a curved arrow about ``axis`` through P, right-handed: an angular velocity."""
         P, axis = self._place(P), self._unit(axis)
-        radius = radius and self._length(radius)
+        radius = self._or_default(radius)
 
         @self._record
         def command(canvas):
@@ -109,7 +109,7 @@ class Sketch(Bodies):
     def ground(self, P: Place, normal: Direction, size: float | None = None) -> None:
         """Draw fixed ground at P, a hatched patch that faces ``normal``, ``size`` metres wide."""
         P, normal = self._place(P), self._unit(normal)
-        size = size and self._length(size)
+        size = self._or_default(size)
 
         @self._record
         def command(canvas):
@@ -195,8 +195,8 @@ class Sketch(Bodies):
         eye for occlusion, so that a body does not hide a curve on its surface (half the radius of a
         sphere, the radius of a cylinder).
         """
-        lift = lift and self._length(lift)
-        places = [moved(P, lift, self.view.eye) for P in self._places(*points)]
+        lift = self._or_default(lift)
+        places = [moved(P, lift or 0.0, self.view.eye) for P in self._several(points, "the points")]
         self._record(lambda canvas: canvas.curve(places, "path"))
 
     def label(

@@ -9,7 +9,7 @@ derivatives are exact (no step size).
 import inspect
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError
+from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.jets import Moving
 from ..algebra.scalars import is_finite, is_numeric, scalar
 from ..algebra.vectors import Vector
@@ -60,6 +60,7 @@ class Freedom:
         return text + "\n  the configuration is singular: nearby the rank is higher" * self.singular
 
 
+@checked
 def degrees_of_freedom(
     bodies: dict,
     constraints: dict | None = None,
@@ -106,6 +107,10 @@ class _System:
             self.places[name] = slice(self.size, self.size + count)
             self.size += count
         for name, f in constraints.items():
+            if not callable(f) or isinstance(f, type):
+                raise ConstraintError(
+                    f"the constraint {name!r} is a function of bodies, as lambda P: P[0]; got {f!r}"
+                )
             parameters = inspect.signature(f).parameters
             # lambda P, L=2: ... has one body
             names = [n for n, p in parameters.items() if n in self.places or p.default is p.empty]

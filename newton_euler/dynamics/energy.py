@@ -14,11 +14,12 @@ consistent ones; in SI J and W.
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError
+from ..algebra.errors import NewtonEulerError, checked, checked_but
 from ..algebra.ledger import Amount, summed, value_of
 from ..algebra.scalars import (
     Scalar,
     anywhere,
+    clipped,
     cos,
     is_numeric,
     max_abs,
@@ -30,6 +31,7 @@ from ..algebra.scalars import (
     to_plain,
 )
 from ..algebra.vectors import Vector
+from ..bodies.admissibility import not_negative
 from ..bodies.body import Body
 from ..kinematics.frames import Frame, Point
 from .work import power, work_integral
@@ -42,6 +44,7 @@ class EnergyError(NewtonEulerError, ValueError):
 # -- kinetic energy
 
 
+@checked
 def kinetic_energy(bodies: Body | Iterable[Body], observer: Frame) -> Amount:
     """The kinetic energy T = m v.v/2 + omega.H/2 of a body (11.45), or of several together (11.42),
     seen from the inertial frame ``observer``.
@@ -60,6 +63,8 @@ def kinetic_energy(bodies: Body | Iterable[Body], observer: Frame) -> Amount:
     if not isinstance(bodies, Body):
         terms: dict = {}
         for body in bodies:
+            if not isinstance(body, Body):
+                raise EnergyError(f"the kinetic energy is that of bodies; got {clipped(body)}")
             if body.name in terms:
                 raise EnergyError(f"two bodies have the name {body.name!r}; give each its own")
             terms[body.name] = kinetic_energy(body, observer)
@@ -72,6 +77,7 @@ def kinetic_energy(bodies: Body | Iterable[Body], observer: Frame) -> Amount:
     return summed(terms, "kinetic energy", "11.45")
 
 
+@checked
 def kinetic_energy_about(body: Body, point: Point, observer: Frame) -> Amount:
     """The kinetic energy T = omega.H_B/2 of a body that turns about its point B, at rest (11.52),
     (11.53): fixed, as a pivot, or at this instant, as the contact in rolling.
@@ -101,6 +107,7 @@ def kinetic_energy_about(body: Body, point: Point, observer: Frame) -> Amount:
     return summed({"rotation": rotation}, "kinetic energy", "11.52")
 
 
+@checked
 def plane_kinetic_energy(
     m: Scalar, speed: Scalar, moment_of_inertia: Scalar, rate: Scalar
 ) -> Amount:
@@ -111,6 +118,8 @@ def plane_kinetic_energy(
     >>> plane_kinetic_energy(2.0, 3.0, 0.5, 4.0).terms
     {'translation': 9.0, 'rotation': 4.0}
     """
+    not_negative(m, "the mass")
+    not_negative(moment_of_inertia, "the moment of inertia")
     terms = {
         "translation": scalar(m) * speed * speed / 2,
         "rotation": scalar(moment_of_inertia) * rate * rate / 2,
@@ -118,6 +127,7 @@ def plane_kinetic_energy(
     return summed(terms, "kinetic energy", "11.51")
 
 
+@checked
 def gyroscope_energy(
     I0: Scalar, I: Scalar, theta: Scalar, nutation_rate: Scalar, precession: Scalar, spin: Scalar
 ) -> Amount:
@@ -130,6 +140,8 @@ def gyroscope_energy(
     >>> gyroscope_energy(1.5, 1.0, 0.0, 0.0, 2.0, 3.0).value  # upright, all about one line
     12.5
     """
+    not_negative(I0, "the transverse moment of inertia")
+    not_negative(I, "the axial moment of inertia")
     across, axial = scalar(precession) * sin(theta), scalar(spin) + precession * cos(theta)
     terms = {
         "transverse": scalar(I0) * (scalar(nutation_rate) * nutation_rate + across * across) / 2,
@@ -141,6 +153,7 @@ def gyroscope_energy(
 # -- rates
 
 
+@checked
 def kinetic_energy_rate(body: Body, observer: Frame) -> Amount:
     """The rate dT/dt of a body from its motion, in W: the terms ``translation``, m a.v (11.36), and
     ``rotation``, (dH/dt).omega (11.38), (11.40).
@@ -161,6 +174,7 @@ def kinetic_energy_rate(body: Body, observer: Frame) -> Amount:
     return summed(terms, "rate of kinetic energy", "11.36, 11.40")
 
 
+@checked
 def rigid_power(body: Body, observer: Frame, force: Vector, moment: Vector) -> Amount:
     """The power of all forces on a rigid body, F.v_G + M.omega, in W, with the terms
     ``translation`` and ``rotation`` (11.47).
@@ -185,6 +199,7 @@ def rigid_power(body: Body, observer: Frame, force: Vector, moment: Vector) -> A
 # -- the energy equation
 
 
+@checked
 def speed_after(speed: Scalar, work: Amount | Scalar, m: Scalar) -> Scalar:
     """The speed of a particle on which the work U was done: v_1 = sqrt(v_0^2 + 2 U/m) (11.12),
     (11.14).
@@ -231,6 +246,7 @@ class Audit:
         """
         return to_plain(scalar(self.kinetic) + value_of(summed(self.potentials)))
 
+    @checked
     def heat(self, *names: str) -> Scalar:
         """The change of internal energy, -U^n (11.33), by the forces named, as friction and drag;
         without names by all that have no potential.
@@ -243,6 +259,7 @@ class Audit:
             )
         return -summed({n: self.works[n] for n in names or self.works})
 
+    @checked
     def balances(self, rtol: float = 1e-9) -> bool:
         """True if the residual is within ``rtol`` of the largest energy of the motion, and ten
         times the estimated error of the integrals.
@@ -263,6 +280,7 @@ class Audit:
         return "\n".join(["energy equation (11.29), J", *lines])
 
 
+@checked_but("kinetic")
 def audit(
     kinetic: Callable,
     start: Scalar,
@@ -271,7 +289,7 @@ def audit(
     powers: dict | None = None,
     rtol: float = 1e-10,
     exact: bool = False,
-    breaks: Sequence = (),
+    breaks: Sequence[Scalar] = (),
 ) -> Audit:
     """The energy balance of a motion from the instant ``start`` to ``end``: change of T + V = work
     of the other forces (11.29), (11.48).

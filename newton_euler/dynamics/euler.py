@@ -7,6 +7,7 @@ any way, and by way of any frame, see :func:`newton_euler.dynamics.momentum.resu
 Units: in SI kg m^2, rad/s, rad/s^2, N m.
 """
 
+from ..algebra.errors import checked
 from ..algebra.linear import LinearError, solve_regular
 from ..algebra.scalars import ZERO, Scalar, is_numeric, is_zero, max_abs, scalar, to_plain
 from ..algebra.vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
@@ -14,6 +15,7 @@ from ..bodies.admissibility import AXES, MassError
 from ..bodies.inertia import Inertia, axis_index
 
 
+@checked
 def euler_moment(
     inertia: Inertia, omega: Vector, alpha: Vector, turning: Vector | None = None
 ) -> Vector:
@@ -50,6 +52,7 @@ def euler_moment(
     )
 
 
+@checked
 def euler_moments(inertia: Inertia, omega: Vector, alpha: Vector) -> Vector:
     """The moment by Euler's equations (8.13), (8.14): M_x = I_xx alpha_x -
     (I_yy - I_zz) omega_y omega_z and cyclic, in principal axes fixed in the body.
@@ -80,6 +83,7 @@ def euler_moments(inertia: Inertia, omega: Vector, alpha: Vector) -> Vector:
     )
 
 
+@checked
 def angular_acceleration(
     inertia: Inertia, omega: Vector, moment: Vector, turning: Vector | None = None
 ) -> Vector:
@@ -113,6 +117,7 @@ def angular_acceleration(
     return _summed(inertia, "Euler's angular acceleration", **terms)
 
 
+@checked
 def fixed_line_momentum(inertia: Inertia, rate: Scalar, axis: str = "z") -> Vector:
     """The angular momentum of a body that turns about a line fixed in it and in the ground, through
     the point of ``inertia`` (8.17), (8.16): for z H = (-I_xz, -I_yz, I_zz) omega.
@@ -127,6 +132,7 @@ def fixed_line_momentum(inertia: Inertia, rate: Scalar, axis: str = "z") -> Vect
     return Vector(scale3(scalar(rate), inertia.times3(_unit(axis))), inertia.frame)
 
 
+@checked
 def fixed_line_moment(
     inertia: Inertia, rate: Scalar, acceleration: Scalar, axis: str = "z"
 ) -> Vector:
@@ -152,6 +158,7 @@ def fixed_line_moment(
     )
 
 
+@checked
 def planar_moment(inertia: Inertia, acceleration: Scalar, axis: str = "z") -> Scalar:
     """The moment M_z = I_zz alpha, to which (8.18) reduces for a body with rotational symmetry
     about the axis, or a thin one in the plane (8.19).

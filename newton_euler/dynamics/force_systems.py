@@ -17,6 +17,7 @@ Forces may hold unknowns of :func:`newton_euler.algebra.linear.solve_linear`.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
+from ..algebra.errors import checked
 from ..algebra.scalars import Scalar, is_numeric, max_abs, min_abs, scalar, short, to_plain
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
 from ..kinematics.frames import Frame, Point, place
@@ -38,6 +39,11 @@ class Force:
     point: Point
     name: str = "force"
 
+    def __post_init__(self):
+        object.__setattr__(self, "vector", _vector(self.vector, "force"))
+        object.__setattr__(self, "point", place(self.point, self.name))
+
+    @checked
     def moment(self, about: Point | Frame) -> Vector:
         """The moment about a Point or the origin of a Frame: d x F, d from there to the point of
         the force (8.4); N m.
@@ -45,6 +51,7 @@ class Force:
         d = self.point - place(about, "the point that the moment is about")
         return d.expressed_in(self.vector.frame).cross(self.vector)
 
+    @checked
     def moved(self, to: Point | Frame) -> "ForceSystem":
         """The equivalent system of the force at ``to`` and the couple of its moment about ``to``
         (8.20).
@@ -70,6 +77,10 @@ class Couple:
     vector: Vector
     name: str = "couple"
 
+    def __post_init__(self):
+        object.__setattr__(self, "vector", _vector(self.vector, "couple"))
+
+    @checked
     def moment(self, about: object = None) -> Vector:
         """The moment, about any point the same."""
         return self.vector
@@ -86,6 +97,7 @@ class ForceSystem:
     frame : whose components the results have; default: that of the first vector
     """
 
+    @checked
     def __init__(self, parts: Iterable | Mapping = (), frame: Frame | None = None):
         pairs = parts.items() if isinstance(parts, Mapping) else ((None, part) for part in parts)
         out: list = []
@@ -111,6 +123,7 @@ class ForceSystem:
         forces = {p.name: p.vector for p in self._forces()}
         return named_sum("resultant", "", forces, self.frame)
 
+    @checked
     def moment(self, about: Point | Frame) -> Vector:
         """The moment of all forces and couples about a Point or the origin of a Frame (8.7), with
         their moments by name as terms.
@@ -120,12 +133,14 @@ class ForceSystem:
         subject = f"about {about.name}"
         return named_sum("moment of the forces", subject, moments, self.frame)
 
+    @checked
     def at(self, point: Point | Frame) -> "ForceSystem":
         """The equivalent system of the resultant force at ``point`` and one couple (8.7)."""
         P = place(point, "the forces together")
         couple = Couple(self.moment(P), "resultant couple")
         return ForceSystem([Force(self.force, P, "resultant"), couple], self.frame)
 
+    @checked
     def equivalent(self, other: "ForceSystem", tolerance: float = 1e-9) -> bool:
         """True if the other system has the same resultant force and moment, to ``tolerance`` times
         the magnitudes in both (8.20). For numbers.
@@ -155,6 +170,7 @@ class ForceSystem:
         points = [f.point for s in (self, *others) for f in s._forces()]
         return points[0] if points else place(self.frame, "")
 
+    @checked
     def wrench(self, about: Point | Frame | None = None) -> "Wrench":
         """The simplest equivalent system: the force on its central axis and the couple along it.
 
@@ -239,13 +255,16 @@ def _parts(name, part):
             raise ForceError(
                 f"a force is a pair (Vector, Point), a couple is Couple(Vector); got {part!r}"
             ) from None
-        part = Force(vector, point)
-    if not isinstance(part.vector, Vector):
+        return [Force(vector, point, name or "force")]
+    return [Force(part.vector, part.point, name or part.name)]
+
+
+def _vector(v, what):
+    if not isinstance(v, Vector):
         raise ForceError(
-            f"the vector of a force is a Vector, as ground.vector(0, 0, -9.81); got {part.vector!r}"
+            f"the vector of a {what} is a Vector, as ground.vector(0, 0, -9.81); got {v!r}"
         )
-    name = name or part.name
-    return [Force(part.vector, place(part.point, name), name)]
+    return v
 
 
 def _size(v):

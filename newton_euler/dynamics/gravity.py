@@ -4,9 +4,10 @@ K is the constant of gravitation, as in the book; its value and g are arguments 
 other units and other planets.
 """
 
+from ..algebra.errors import checked, checked_but
 from ..algebra.scalars import Scalar, integer_like, scalar, sqrt, to_plain
 from ..algebra.vectors import FrameError, Vector
-from ..bodies.admissibility import MassError, positive
+from ..bodies.admissibility import MassError, not_negative, positive
 from ..bodies.body import Body
 from ..kinematics.frames import Frame, Point, place
 
@@ -15,6 +16,7 @@ G_STANDARD = 9.81  # m/s^2, the book's flat earth
 G_STANDARD_FT = 32.2  # ft/s^2
 
 
+@checked
 def attraction(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scalar:
     """The magnitude F = K m1 m2/r^2 of the attraction of two particles, or of radially symmetric
     bodies outside of each other (5.21); N in SI.
@@ -23,9 +25,12 @@ def attraction(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scala
     9.81
     """
     positive(scalar(distance), "the distance of the two bodies")
+    for m in (m1, m2):
+        not_negative(m, "the mass of a body")
     return to_plain(K * m1 * m2 / (distance * distance))
 
 
+@checked
 def gravitation(on: Body, by: Body, K: Scalar = K, frame: Frame | None = None) -> Vector:
     """The force on one body by the attraction of another, toward the other (5.20), (5.22).
 
@@ -45,6 +50,7 @@ def gravitation(on: Body, by: Body, K: Scalar = K, frame: Frame | None = None) -
     return r * (K * on.mass * by.mass / (distance * distance * distance))
 
 
+@checked
 def gravity_at_surface(mass: Scalar, radius: Scalar, K: Scalar = K) -> Scalar:
     """The acceleration of gravity g = K M/R^2 at the surface of a radially symmetric planet (5.24),
     without the effect of its rotation.
@@ -55,6 +61,7 @@ def gravity_at_surface(mass: Scalar, radius: Scalar, K: Scalar = K) -> Scalar:
     return attraction(mass, 1, radius, K)
 
 
+@checked
 def gravity_at_height(height: Scalar, radius: Scalar, g: Scalar = G_STANDARD) -> Scalar:
     """The acceleration of gravity g (R/(R + h))^2 at a height above the surface, from g at the
     surface: (5.22) against (5.23).
@@ -67,6 +74,7 @@ def gravity_at_height(height: Scalar, radius: Scalar, g: Scalar = G_STANDARD) ->
     return to_plain(g * (ratio * ratio))
 
 
+@checked_but("body", "up")
 def weight(body: Body | Scalar, up: Vector, g: Scalar = G_STANDARD) -> Vector:
     """The weight W = -m g k over a flat earth (5.25)-(5.27).
 
@@ -80,24 +88,30 @@ def weight(body: Body | Scalar, up: Vector, g: Scalar = G_STANDARD) -> Vector:
     if not isinstance(up, Vector):
         raise FrameError(f"weight needs the upward direction as a Vector, as ground.k; got {up!r}")
     try:
-        force = scalar(getattr(body, "mass", body)) * g
+        m = scalar(getattr(body, "mass", body))
     except TypeError as problem:
         raise MassError(f"weight needs a body or a mass, got {body!r}") from problem
+    if not isinstance(body, Body):  # a hole has a negative mass
+        not_negative(m, "the mass")
+    force = m * g
     square = scalar(up.dot(up))
     positive(square, "the length of the upward direction")
     # the root of a whole number is as exact as the force is
     return up * -force / sqrt(integer_like(square, force))
 
 
+@checked
 def mass_from_weight(weight: Scalar, g: Scalar = G_STANDARD) -> Scalar:
     """The mass m = W/g (5.26); in slug from a weight in lb with ``g=32.2``.
 
     >>> mass_from_weight(64.4, g=32.2)
     2.0
     """
+    positive(scalar(g), "the acceleration of gravity")
     return to_plain(scalar(weight) / g)
 
 
+@checked
 def gravitational_field(
     position: Point | Frame, mass: Scalar, centre: Point | Frame, K: Scalar = K
 ) -> Vector:
@@ -109,6 +123,7 @@ def gravitational_field(
     >>> gravitational_field(space.point("P", 2.0, 0, 0), 8.0, space, K=1.0)
     Vector(-2.0, 0, 0 in space)
     """
+    not_negative(mass, "the mass of the body")
     position = place(position, "where the field is asked for")
     r = position - place(centre, "the centre of attraction")
     distance = scalar(r.norm())

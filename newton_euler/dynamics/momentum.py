@@ -18,6 +18,7 @@ for :func:`newton_euler.algebra.linear.solve_linear`. Euler's and the planar equ
 
 from typing import Any
 
+from ..algebra.errors import checked
 from ..algebra.ledger import Ledger
 from ..algebra.vectors import ZERO3, Vector
 from ..bodies.body import Body
@@ -26,6 +27,7 @@ from .force_systems import ForceSystem
 from .newton import resultant_force
 
 
+@checked
 def angular_momentum(body: Body, observer: Frame, about: Point | Frame | None = None) -> Vector:
     """The relative angular momentum H of a body (7.6), a Vector that knows its rate; kg m^2/s.
 
@@ -58,6 +60,7 @@ def _is_fixed(point, body):
     return point.frame is body.frame and all(x.rests() for x in point.x)
 
 
+@checked
 def resultant_moment(
     body: Body, observer: Frame, about: Point | Frame | None = None, via: Frame | None = None
 ) -> Vector:
@@ -134,6 +137,7 @@ def _rate_terms(rate, observer):
     return dict(rate.terms)
 
 
+@checked
 def equations_of_motion(
     body: Body, forces: Any, observer: Frame, about: Point | Frame | None = None
 ) -> dict:

@@ -17,6 +17,7 @@ Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raise
 
 from collections.abc import Sequence
 
+from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import Ledger
 from ..algebra.scalars import (
     Scalar,
@@ -46,6 +47,7 @@ def _mass(m):
 # -- the motion is given
 
 
+@checked_but("a")
 def resultant_force(m: Scalar, a: Vector) -> Vector:
     """The resultant external force on a body of mass ``m`` whose mass centre has the acceleration
     ``a``: F = m a (6.1).
@@ -70,6 +72,7 @@ def resultant_force(m: Scalar, a: Vector) -> Vector:
     return Vector(F.c, F.frame, F._own_rate, ledger)
 
 
+@checked_but("forces")
 def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     """The one unknown force, where the motion and all other forces are known: R = m a - (the known
     forces) (6.1).
@@ -88,6 +91,7 @@ def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     return named_sum("reaction", subject, parts, a.frame)
 
 
+@checked
 def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) -> tuple:
     """The force components (F_t, F_n) along the path (6.5), in the plane or in space: m v' and
     m v^2/rho, F_n positive toward the centre of curvature.
@@ -104,6 +108,7 @@ def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) ->
 # -- the forces are given
 
 
+@checked_but("forces")
 def acceleration_by(m: Scalar, **forces: Vector) -> Vector:
     """The acceleration of the mass centre by the forces named, a = F/m (6.1), with F/m of each
     force as terms.
@@ -123,6 +128,7 @@ def acceleration_by(m: Scalar, **forces: Vector) -> Vector:
     return named_sum(kind, "of the mass centre", parts, frame)
 
 
+@checked
 def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple:
     """The rates (v', theta') of motion along a plane path (6.5): F_t/m and F_n/(m v), theta the
     direction of the velocity, positive toward F_n.
@@ -138,6 +144,7 @@ def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple:
     return to_plain(F_t / m), to_plain(F_n / (m * speed))
 
 
+@checked_but("forces")
 def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | Sequence) -> tuple:
     """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved
     for r'', theta'', …
@@ -174,6 +181,7 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     return tuple(to_plain(q.acceleration + a / h) for q, a, h in changes)
 
 
+@checked_but("forces")
 def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector) -> Vector:
     """The acceleration of ``P`` seen in its own moving frame (6.10): the forces over m, and the
     terms of the motion of the frame.

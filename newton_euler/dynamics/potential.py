@@ -10,14 +10,13 @@ does not say. Units: any consistent ones; in SI J.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
-from typing import Any
 
+from ..algebra.errors import checked
 from ..algebra.jets import Moving
 from ..algebra.quadrature import WorkError, quadrature
 from ..algebra.scalars import (
     ZERO,
     Scalar,
-    ScalarError,
     is_finite,
     is_numeric,
     max_abs,
@@ -26,8 +25,8 @@ from ..algebra.scalars import (
     short,
     to_plain,
 )
-from ..algebra.vectors import Vector
-from ..bodies.admissibility import positive
+from ..algebra.vectors import FrameError, Vector
+from ..bodies.admissibility import not_negative, positive
 from ..kinematics.curvilinear_systems import gradient, tangents
 from ..kinematics.frames import Point
 from ..kinematics.triads import norm3
@@ -48,6 +47,7 @@ class NoPotential(WorkError):
 # -- potentials of known forces
 
 
+@checked
 def weight_potential(m: Scalar, height: Scalar, g: Scalar = G_STANDARD) -> Scalar:
     """The potential V = m g z of a weight (11.34), z the height of the centre of mass above any
     level.
@@ -55,9 +55,11 @@ def weight_potential(m: Scalar, height: Scalar, g: Scalar = G_STANDARD) -> Scala
     >>> weight_potential(2.0, 3.0)
     58.86
     """
+    not_negative(m, "the mass")
     return to_plain(scalar(m) * g * height)
 
 
+@checked
 def spring_potential(stiffness: Scalar, stretch: Scalar) -> Scalar:
     """The potential V = K x^2/2 of a spring (11.35), x from the unloaded length, in tension or
     compression; of a torsion spring with the angle for x.
@@ -68,7 +70,13 @@ def spring_potential(stiffness: Scalar, stretch: Scalar) -> Scalar:
     return to_plain(scalar(stiffness) * stretch * stretch / 2)
 
 
-def spring_between(stiffness: Scalar, free_length: Scalar, first: Any, second: Any) -> Scalar:
+@checked
+def spring_between(
+    stiffness: Scalar,
+    free_length: Scalar,
+    first: Point | Sequence[Scalar],
+    second: Point | Sequence[Scalar],
+) -> Scalar:
     """The potential of a straight spring between two places (11.35): its stretch is their distance
     less the free length.
 
@@ -81,13 +89,16 @@ def spring_between(stiffness: Scalar, free_length: Scalar, first: Any, second: A
     >>> spring_between(100.0, 4.0, ground.origin, ground.point("P", 3.0, 4.0, 0))
     50.0
     """
-    if isinstance(first, Point):
+    if isinstance(first, Point) or isinstance(second, Point):
+        if not (isinstance(first, Point) and isinstance(second, Point)):
+            raise FrameError("a spring is between two Points, or between two triples")
         distance = (second - first).norm()
     else:
         distance = norm3(tuple(scalar(b) - a for a, b in zip(first, second, strict=True)))
     return spring_potential(stiffness, scalar(distance) - free_length)
 
 
+@checked
 def gravitational_potential(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scalar:
     """The potential V = -K m1 m2/r of the attraction of two particles, or of radially symmetric
     bodies outside of each other (11.24); zero at infinity.
@@ -97,9 +108,12 @@ def gravitational_potential(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar 
     """
     r = distance.value if isinstance(distance, Moving) else scalar(distance)
     positive(r, "the distance of the two bodies")
+    for m in (m1, m2):
+        not_negative(m, "the mass of a body")
     return to_plain(-(scalar(K) * m1 * m2) / distance)
 
 
+@checked
 def conservative_force(V: Callable, P: Point) -> Vector:
     """The force F = -grad V (11.16)-(11.18) of the potential ``V`` at the Point ``P``.
 
@@ -118,6 +132,7 @@ def conservative_force(V: Callable, P: Point) -> Vector:
 # -- of a force field
 
 
+@checked
 def jacobian(force: Callable, place: Sequence) -> tuple:
     """The derivatives dF_i/dx_j of a force field at (x, y, z), exact, three rows of three.
 
@@ -131,6 +146,7 @@ def jacobian(force: Callable, place: Sequence) -> tuple:
     return tuple(tuple(map(to_plain, row)) for row in zip(*columns, strict=True))
 
 
+@checked
 def curl(force: Callable, place: Sequence) -> tuple:
     """The curl of a force field at (x, y, z): (dF_z/dy - dF_y/dz, dF_x/dz - dF_z/dx, dF_y/dx -
     dF_x/dy).
@@ -152,7 +168,7 @@ def _checked(force):
         where = tuple(to_plain(x.value if isinstance(x, Moving) else x) for x in place)
         try:
             F = tuple(scalar(f) for f in force(*place))
-        except (ArithmeticError, ValueError, ScalarError) as problem:
+        except (ArithmeticError, ValueError, TypeError) as problem:
             raise WorkError(
                 f"the force has no value at {where}: {problem}; keep base, box and loops where it "
                 "exists"
@@ -212,11 +228,12 @@ def _dot(F, line):
     return sum((scalar(f) * d for f, d in zip(F, line, strict=True)), ZERO)
 
 
+@checked
 def find_potential(
     force: Callable,
-    base: Sequence = (0, 0, 0),
-    box: Sequence = ((-1, 1),) * 3,
-    loops: Sequence = (),
+    base: Sequence[Scalar] = (0, 0, 0),
+    box: Sequence[Sequence[Scalar]] = ((-1, 1),) * 3,
+    loops: Sequence[Callable] = (),
     tolerance: float = 1e-9,
 ) -> Potential:
     """The potential of a force field (11.16)-(11.18).

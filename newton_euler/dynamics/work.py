@@ -16,6 +16,7 @@ consistent ones; in SI J and W. Velocities are those in an inertial frame.
 
 from collections.abc import Callable, Sequence
 
+from ..algebra.errors import checked
 from ..algebra.ledger import Amount, summed
 from ..algebra.quadrature import quadrature
 from ..algebra.scalars import ZERO, Scalar, scalar, to_plain
@@ -26,13 +27,14 @@ from ..kinematics.paths import along
 # -- the integral
 
 
+@checked
 def work_integral(
     f: Callable,
     start: Scalar,
     end: Scalar,
     rtol: float = 1e-10,
     exact: bool = False,
-    breaks: Sequence = (),
+    breaks: Sequence[Scalar] = (),
 ) -> Amount:
     """The integral of ``f`` from ``start`` to ``end`` with its estimated error: (11.2), (11.3),
     (11.4) or (11.11), by what f is.
@@ -56,6 +58,7 @@ def work_integral(
 # -- work
 
 
+@checked
 def work_along(
     force: Callable,
     path: Callable,
@@ -63,7 +66,7 @@ def work_along(
     end: Scalar,
     rtol: float = 1e-10,
     exact: bool = False,
-    breaks: Sequence = (),
+    breaks: Sequence[Scalar] = (),
 ) -> Amount:
     """The work of a force whose point of application moves along a curve (11.1), with its
     rectangular ``terms`` x, y, z (11.5).
@@ -94,6 +97,7 @@ def work_along(
     return summed(parts, number="11.5", error=sum(p.error for p in parts.values()))
 
 
+@checked
 def work_in_time(
     force: Callable,
     velocity: Callable,
@@ -101,7 +105,7 @@ def work_in_time(
     end: Scalar,
     rtol: float = 1e-10,
     exact: bool = False,
-    breaks: Sequence = (),
+    breaks: Sequence[Scalar] = (),
 ) -> Amount:
     """The work of a force from the instant ``start`` to ``end`` (11.2), or of a couple (11.11).
 
@@ -116,6 +120,7 @@ def work_in_time(
     return work_integral(lambda t: power(force(t), velocity(t)), start, end, rtol, exact, breaks)
 
 
+@checked
 def constant_force_work(force: Vector, start: Point, end: Point) -> Amount:
     """The work of a constant force between two Points, by any path, F.(r_1 - r_0) (11.6), with the
     ``terms`` x, y, z along the axes of the force. That of a weight is m g (z_0 - z_1) (11.7).
@@ -136,6 +141,7 @@ def constant_force_work(force: Vector, start: Point, end: Point) -> Amount:
 # -- power
 
 
+@checked
 def power(
     force: Vector | Sequence,
     velocity: Vector | Sequence | Point | Frame,
@@ -175,6 +181,7 @@ def power(
     )
 
 
+@checked
 def pair_power(force: Vector, first: Point, second: Point, observer: Frame) -> Scalar:
     """The power of a pair of opposite forces, ``force`` at the Point ``first`` and its opposite at
     ``second`` (11.10), (11.13): F.(v_1 - v_2).

@@ -18,6 +18,7 @@ from collections.abc import Callable
 from functools import partial
 
 from ..algebra.codegen.pickles import Found
+from ..algebra.errors import checked
 from ..algebra.jets import Moving, moving
 from ..algebra.ledger import Ledger
 from ..algebra.scalars import (
@@ -42,6 +43,7 @@ from .triads import below_roundoff, norm3, numeric3
 # -- frames of local unit vectors
 
 
+@checked
 def cylindrical_frame(ground: Frame, theta: Scalar, name: str = "e_r, e_theta, k") -> Frame:
     """The frame with the axes e_r, e_theta, k at the azimuth ``theta`` (3.19), also for polar
     coordinates (2.6).
@@ -55,6 +57,7 @@ def cylindrical_frame(ground: Frame, theta: Scalar, name: str = "e_r, e_theta, k
     return ground.rotate(name, "z", theta)
 
 
+@checked
 def spherical_frame(
     ground: Frame, theta: Scalar, phi: Scalar, name: str = "e_R, e_theta, e_phi"
 ) -> Frame:
@@ -126,6 +129,7 @@ def _point(system, name, ground, local, x, coordinates, scale_factors):
     )
 
 
+@checked
 def polar(ground: Frame, name: str, r: Scalar, theta: Scalar) -> CoordinatePoint:
     """The point of the x, y plane with the polar coordinates ``r`` and ``theta`` (2.17), (2.18).
 
@@ -144,6 +148,7 @@ def polar(ground: Frame, name: str, r: Scalar, theta: Scalar) -> CoordinatePoint
     return _point("polar", name, ground, local, (r, ZERO, ZERO), (r, local.angle), factors)
 
 
+@checked
 def cylindrical(ground: Frame, name: str, r: Scalar, theta: Scalar, z: Scalar) -> CoordinatePoint:
     """The point with the cylindrical coordinates ``r``, ``theta`` and ``z`` (3.18).
 
@@ -163,6 +168,7 @@ def cylindrical(ground: Frame, name: str, r: Scalar, theta: Scalar, z: Scalar) -
     return _point("cylindrical", name, ground, local, (r, ZERO, z), q, factors)
 
 
+@checked
 def spherical(ground: Frame, name: str, R: Scalar, theta: Scalar, phi: Scalar) -> CoordinatePoint:
     """The point with the spherical coordinates ``R``, ``theta`` and ``phi`` (3.24).
 
@@ -245,6 +251,7 @@ _TERMS: dict[str, dict[str, Callable]] = {
 # -- coordinates and their rates from position, velocity and acceleration
 
 
+@checked
 def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
     """(r, theta) of a point at the position ``r`` in the x, y plane, with their rates if its
     velocity ``v`` and acceleration ``a`` are given.
@@ -269,6 +276,7 @@ def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = Non
     return cylindrical_coordinates(r, v, a)[:2]
 
 
+@checked
 def cylindrical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
     """(r, theta, z) of a point at the position ``r``, with their rates if ``v`` and ``a`` are
     given: (3.18), (3.22), (3.23) solved for them.
@@ -286,6 +294,7 @@ def cylindrical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None
     return with_rates(cylindrical, (level, atan2(y, x), z), r.frame, v, a)
 
 
+@checked
 def spherical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
     """(R, theta, phi) of a point at the position ``r``, with their rates if ``v`` and ``a`` are
     given: (3.24), (3.26), (3.27) solved for them.
@@ -346,6 +355,7 @@ def with_rates(make, q, frame, v, a):
 # -- transformation of components (3.8)
 
 
+@checked
 def T_theta(theta: Scalar) -> tuple:
     """[T_theta] (3.34): from rectangular to cylindrical components; three rows. Its inverse is its
     transpose.
@@ -356,6 +366,7 @@ def T_theta(theta: Scalar) -> tuple:
     return ((cos(theta), sin(theta), 0), (-sin(theta), cos(theta), 0), (0, 0, 1))
 
 
+@checked
 def T_phi(phi: Scalar) -> tuple:
     """[T_phi] (3.37): from cylindrical to spherical components; phi is the elevation.
 
@@ -365,6 +376,7 @@ def T_phi(phi: Scalar) -> tuple:
     return ((cos(phi), 0, sin(phi)), (0, 1, 0), (-sin(phi), 0, cos(phi)))
 
 
+@checked
 def T_theta_phi(theta: Scalar, phi: Scalar) -> tuple:
     """[T_theta_phi] = [T_phi][T_theta] (3.36): from rectangular to spherical components.
 

@@ -10,6 +10,7 @@ with the *scale factor* h_i = abs(dr/dq_i), the length of path per unit of the c
 from collections.abc import Callable, Sequence
 from itertools import combinations_with_replacement
 
+from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving, at, moving
 from ..algebra.scalars import (
     ZERO,
@@ -26,6 +27,7 @@ from .frames import Frame, Point
 from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity, turning_of
 
 
+@checked
 def curvilinear(
     ground: Frame,
     name: str,
@@ -161,6 +163,7 @@ def _vectors(parts, ground):
     return {name: Vector(c, ground) for name, c in parts.items() if any(x is not ZERO for x in c)}
 
 
+@checked
 def curvilinear_rates(
     position: Callable, q: Sequence[Scalar], v: Vector, a: Vector | None = None
 ) -> tuple:
@@ -190,6 +193,7 @@ def curvilinear_rates(
 # -- the gradient
 
 
+@checked
 def gradient(f: Callable, P: Point) -> Vector:
     """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, by exact derivatives.
 

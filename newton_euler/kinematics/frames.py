@@ -20,6 +20,7 @@ from ..algebra.scalars import (
     ZERO,
     Scalar,
     ScalarError,
+    clipped,
     cos,
     integer_like,
     is_finite,
@@ -74,8 +75,19 @@ class Frame:
         angle: Any = None,
         origin: "Point | None" = None,
     ):
+        if not isinstance(name, str):
+            raise FrameError(f"a frame has a name, as Frame('ground'); got {clipped(name)}")
+        if parent is not None and not isinstance(parent, Frame):
+            raise FrameError(f"the parent of {name} is a Frame or None; got {clipped(parent)}")
+        if origin is not None and not isinstance(origin, Point):
+            raise FrameError(f"the origin of {name} is a Point; got {clipped(origin)}")
+        if angle is not None and not isinstance(angle, Moving):
+            raise FrameError(
+                f"the angle of {name} is a moving number: make frames by rotate, as "
+                f"ground.rotate('arm', 'z', 0.5); got {clipped(angle)}"
+            )
         self.name, self.parent, self.axis, self._origin = name, parent, axis, origin
-        self.angle = _REST if angle is None else angle
+        self.angle: Any = _REST if angle is None else angle
         self._descend(parent)
         self._same_origin = parent._origin_frame if parent and origin is None else None
         if origin is not None:
@@ -178,7 +190,7 @@ class Frame:
         if isinstance(axis, Vector):
             axis = axis.expressed_in(self).c
         try:
-            axis = tuple(scalar(v) for v in axis)
+            axis = tuple(scalar(v) for v in axis) if len(axis) == 3 else ()
         except (TypeError, ScalarError):
             axis = ()
         if len(axis) != 3 or any(isinstance(v, Moving) for v in axis):
@@ -501,7 +513,10 @@ class Point:
                 f"a point has no {what} as such, only one seen from a frame: say which, as in "
                 f"{self.name}.{what}(ground)"
             )
-        via = via or self.frame
+        if via is None:
+            via = self.frame
+        elif not isinstance(via, Frame):
+            raise FrameError(f"via is the moving Frame of the formula; got {clipped(via)}")
         self.frame.common(observer)
         via.common(observer)
         return via

@@ -15,6 +15,7 @@ functions of this package. Its derivatives are exact.
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving, moving
 from ..algebra.ledger import Ledger
 from ..algebra.scalars import (
@@ -35,6 +36,7 @@ from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
 # -- paths as functions
 
 
+@checked
 def along(path: Callable, q: Scalar) -> tuple:
     """The three moving coordinates of the point at ``q`` on the path, for
     ``ground.point("P", *along(path, q))`` (3.1)-(3.3).
@@ -63,6 +65,7 @@ def derivatives(path: Callable, q: Scalar) -> tuple:
     return tuple(zip(*orders, strict=True))
 
 
+@checked
 def at_speed(path: Callable, q: Scalar, speed: Scalar, speed_rate: Scalar = 0) -> Moving:
     """The parameter ``q`` with its rates, for a point that passes there with this speed in the
     direction of increasing q.
@@ -165,6 +168,7 @@ class Frenet:
         return Vector(sum3(v.c for v in terms.values()), self.frame, own_rate, ledger)
 
 
+@checked
 def speed_rate(v: Vector, a: Vector) -> Scalar:
     """nu' = v . a / nu, the tangential component of acceleration; it exists on a straight path too.
 
@@ -177,6 +181,7 @@ def speed_rate(v: Vector, a: Vector) -> Scalar:
     return v.dot(a) / v.norm()
 
 
+@checked
 def flexure(v: Vector, a: Vector) -> Scalar:
     """f = abs(v x a) / nu^3 (3.6), the reciprocal of the radius of curvature; zero (or round-off)
     on a straight path.
@@ -190,6 +195,7 @@ def flexure(v: Vector, a: Vector) -> Scalar:
     return v.cross(a).norm() / v.norm() ** 3
 
 
+@checked
 def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path") -> Frenet:
     """The intrinsic triad and components of a motion with velocity ``v`` and acceleration ``a``
     (2.14), (3.13).
@@ -214,6 +220,7 @@ def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path")
     return _frenet(ground, v.c, a.expressed_in(ground).c, third, name, _round_off(v), _round_off(a))
 
 
+@checked
 def frenet_along(path: Callable, q: Scalar, ground: Frame, name: str = "path") -> Frenet:
     """The intrinsic triad, flexure, torsion and components of a point moving along a path
     (3.4)-(3.13), by exact derivatives.

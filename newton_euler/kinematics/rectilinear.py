@@ -7,10 +7,12 @@ twice, to the accuracy of the numbers given (floats, arrays, mpf). Formulas are 
 
 from collections.abc import Callable
 
+from ..algebra.errors import checked
 from ..algebra.quadrature import integral
 from ..algebra.scalars import Scalar, SingularError, anywhere, max_abs, scalar, sqrt, where
 
 
+@checked
 def from_time(a: Callable, t: Scalar, x0: Scalar = 0.0, v0: Scalar = 0.0) -> tuple[Scalar, Scalar]:
     """(x, v) at the time ``t`` of a point that at time 0 is at ``x0`` with velocity ``v0``.
 
@@ -23,6 +25,7 @@ def from_time(a: Callable, t: Scalar, x0: Scalar = 0.0, v0: Scalar = 0.0) -> tup
     return x0 + v0 * t + integral(lambda s: (t - s) * a(s), 0 * t, t), v0 + integral(a, 0 * t, t)
 
 
+@checked
 def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = 0.0) -> tuple[Scalar, Scalar]:
     """(t, x) at which a point reaches the velocity ``v``, starting at time 0 at ``x0`` with ``v0``.
 
@@ -44,6 +47,7 @@ def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = 0.0) -> tuple[Sc
     return integral(lambda u: 1 / a(u), v0, v), x0 + integral(lambda u: u / a(u), v0, v)
 
 
+@checked
 def from_place(a: Callable, x: Scalar, x0: Scalar = 0.0, v0: Scalar = 0.0) -> tuple[Scalar, Scalar]:
     """(t, v) at which a point reaches the position ``x``, starting at time 0 at ``x0`` with ``v0``.
 

@@ -20,7 +20,7 @@ moving numbers, and raise :class:`ScalarError` for expressions.
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ..algebra.errors import NewtonEulerError
+from ..algebra.errors import NewtonEulerError, checked, checked_but
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -60,6 +60,7 @@ def _rows(R):
     return tuple(tuple(to_plain(x) for x in row) for row in R)
 
 
+@checked
 def transpose(R: Matrix) -> tuple:
     """The matrix with rows and columns exchanged; of a rotation the inverse (4.2).
 
@@ -69,6 +70,7 @@ def transpose(R: Matrix) -> tuple:
     return tuple(zip(*R, strict=True))
 
 
+@checked
 def product(*matrices: Matrix) -> tuple:
     """The matrix product of any number of 3 x 3 matrices, left to right as written.
 
@@ -82,6 +84,7 @@ def product(*matrices: Matrix) -> tuple:
     return _rows(first)
 
 
+@checked
 def apply(R: Matrix, v: Triple) -> tuple:
     """The components R v: of the turned vector, or of the same vector in the fixed axes.
 
@@ -94,6 +97,7 @@ def apply(R: Matrix, v: Triple) -> tuple:
     return tuple(to_plain(dot3(row, v)) for row in R)
 
 
+@checked
 def determinant(R: Matrix) -> Scalar:
     """The determinant: 1 for a rotation (4.4), -1 for a reflection.
 
@@ -103,6 +107,7 @@ def determinant(R: Matrix) -> Scalar:
     return to_plain(dot3(R[0], cross3(R[1], R[2])))
 
 
+@checked
 def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
     """The one rotation that equals these, carried out in the order given (4.2, 4.3).
 
@@ -122,6 +127,7 @@ def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
     return product(*(reversed(rotations) if axes == "fixed" else rotations))
 
 
+@checked
 def direction_cosines(frame: Frame, ground: Frame) -> tuple:
     """The book's A (4.1), whose entries are the cosines of the angles between the axes of ``frame``
     (rows) and of ``ground`` (columns).
@@ -140,6 +146,7 @@ def direction_cosines(frame: Frame, ground: Frame) -> tuple:
 # -- axis and angle
 
 
+@checked_but("axis")
 def rotation_matrix(axis: Triple, angle: Scalar) -> tuple:
     """The matrix, three rows, of the turn by ``angle`` (rad) about ``axis``, right-handed (4.2, by
     Rodrigues' formula).
@@ -162,6 +169,7 @@ def rotation_matrix(axis: Triple, angle: Scalar) -> tuple:
     ))  # fmt: skip
 
 
+@checked_but("R")
 def axis_angle(R: Matrix, tolerance: float = 1e-9) -> tuple[tuple, Scalar]:
     """The axis, a unit triple, and the angle in [0, pi] of any rotation (Euler's theorem, 4.2).
 
@@ -189,7 +197,7 @@ def _unit(axis, angle):
 
 def _three(v, what):
     try:
-        given = tuple(scalar(x) for x in v)
+        given = tuple(scalar(x) for x in v) if len(v) == 3 else ()
     except TypeError:
         given = ()
     if len(given) != 3:
@@ -257,6 +265,7 @@ def checked_rotation(R: Matrix, tolerance: float = 1e-9) -> tuple:
 # -- quaternions
 
 
+@checked_but("axis")
 def quaternion(axis: Triple, angle: Scalar) -> tuple:
     """The unit quaternion (cos(angle/2), sin(angle/2) e) of the turn by ``angle`` (rad) about
     ``axis``, right-handed.
@@ -270,6 +279,7 @@ def quaternion(axis: Triple, angle: Scalar) -> tuple:
     return (cos(half), *(to_plain(sin(half) * x) for x in _unit(axis, angle)))
 
 
+@checked
 def quaternion_product(p: Sequence[Scalar], q: Sequence[Scalar]) -> tuple:
     """The quaternion p q: the turn q, then p about fixed axes; its matrix is the product of the two
     matrices in the same order.
@@ -287,6 +297,7 @@ def quaternion_product(p: Sequence[Scalar], q: Sequence[Scalar]) -> tuple:
     )
 
 
+@checked
 def normalised(q: Sequence[Scalar]) -> tuple:
     """The quaternion divided by its length, which drifts from 1 in integration.
 
@@ -300,6 +311,7 @@ def normalised(q: Sequence[Scalar]) -> tuple:
     return tuple(to_plain(x / length) for x in q)
 
 
+@checked
 def matrix_from_quaternion(q: Sequence[Scalar]) -> tuple:
     """The rotation matrix of a quaternion of any length but zero.
 
@@ -315,6 +327,7 @@ def matrix_from_quaternion(q: Sequence[Scalar]) -> tuple:
     ))  # fmt: skip
 
 
+@checked_but("R")
 def quaternion_from_matrix(R: Matrix, tolerance: float = 1e-9) -> tuple:
     """The unit quaternion of a rotation matrix, its scalar part not negative; at an angle of pi,
     the sign of :func:`axis_angle`.
@@ -346,6 +359,7 @@ def quaternion_from_matrix(R: Matrix, tolerance: float = 1e-9) -> tuple:
     return tuple(where(sense < 0, 0 - x, x) for x in q)
 
 
+@checked
 def quaternion_rate(q: Sequence[Scalar], omega: Triple) -> tuple:
     """The rate q' = q (0, omega)/2 for the angular velocity ``omega`` in rad/s.
 
@@ -380,6 +394,7 @@ def _norm2(q):
 # -- Euler angles 3-1-3
 
 
+@checked
 def euler_matrix(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
     """The rotation matrix, body to ground, of precession psi, nutation theta, spin phi (rad): the
     transpose of T_phi T_theta T_psi (10.10).
@@ -397,6 +412,7 @@ def _about_z(angle):
     return (c, -s, ZERO), (s, c, ZERO), (ZERO, ZERO, 1)
 
 
+@checked_but("R")
 def euler_angles(R: Matrix, tolerance: float = 1e-9) -> tuple:
     """The angles (psi, theta, phi) in rad of a rotation matrix, body to ground: psi and phi in
     (-pi, pi], theta in [0, pi] (10.5)-(10.10).
@@ -414,6 +430,7 @@ def euler_angles(R: Matrix, tolerance: float = 1e-9) -> tuple:
     return euler_from_quaternion(quaternion_from_matrix(R, tolerance))
 
 
+@checked
 def quaternion_from_euler(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
     """The unit quaternion of the Euler angles (rad), body to ground.
 
@@ -424,6 +441,7 @@ def quaternion_from_euler(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
     return c * cos(a), s * cos(b), s * sin(b), c * sin(a)
 
 
+@checked
 def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
     """The Euler angles (psi, theta, phi) in rad of a quaternion of any length; ranges and choices
     as for :func:`euler_angles`.
@@ -446,6 +464,7 @@ def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
     return psi, theta, phi
 
 
+@checked
 def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Scalar]) -> tuple:
     """The angular velocity in body components (10.12), rad/s, from the angles (rad) and ``rates`` =
     (psi', theta', phi') (rad/s).
@@ -464,6 +483,7 @@ def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Sc
     )
 
 
+@checked
 def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple:
     """The rates (psi', theta', phi') in rad/s from the angles and the angular velocity ``omega`` in
     body components: (10.12) solved for them.
@@ -487,6 +507,7 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
     return to_plain(dpsi), to_plain(x * cos(phi) - y * sin(phi)), to_plain(z - dpsi * cos(theta))
 
 
+@checked
 def unwound(
     angles: Sequence[float], rates: Sequence[float], times: Sequence[float]
 ) -> "np.ndarray":
@@ -516,6 +537,7 @@ def unwound(
     return q + 2 * np.pi * np.concatenate(([0.0], np.cumsum(turns)))
 
 
+@checked
 def euler_frame(
     parent: Frame,
     name: str,

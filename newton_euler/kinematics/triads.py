@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 
 from ..algebra.codegen.pickles import Found
 from ..algebra.jets import Moving, as_moving
-from ..algebra.scalars import Scalar, anywhere, epsilon, is_numeric, scalar, sqrt, to_plain
+from ..algebra.scalars import Scalar, anywhere, clipped, epsilon, is_numeric, scalar, sqrt, to_plain
 from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3, sub3
 from .frames import Frame, Point
 
@@ -38,7 +38,14 @@ class Triad(Frame):
         origin: Point | None = None,
     ):
         super().__init__(name, parent, origin=origin)
-        self._axes = tuple(tuple(map(scalar, axis)) for axis in axes)
+        try:
+            self._axes = tuple(tuple(map(scalar, axis)) for axis in axes)
+        except TypeError:
+            raise FrameError(f"the axes of {name} are three triples; got {clipped(axes)}") from None
+        if [len(axis) for axis in self._axes] != [3, 3, 3]:
+            raise FrameError(f"the axes of {name} are three triples; got {clipped(axes)}")
+        if turning is not None and not callable(turning):
+            raise FrameError(f"turning is a function or None; got {clipped(turning)}")
         self.axis, self.angle = "axes", _Turning(self, turning)
 
     def _turn(self, c, sense):

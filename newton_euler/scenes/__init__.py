@@ -52,6 +52,6 @@ def ladder(name: str, **given: object) -> Ladder:
 
 def _found(table, name):
     known = _table(table)
-    if name not in known:
+    if not isinstance(name, str) or name not in known:
         raise ModelError(f"there is no {table.lower()[:-1]} {name!r}; there are {', '.join(known)}")
     return known[name]

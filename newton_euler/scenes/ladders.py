@@ -22,7 +22,8 @@ from typing import TYPE_CHECKING
 
 from ..algebra.codegen.portable import Portable
 from ..algebra.codegen.reads import Reads
-from ..algebra.scalars import is_numeric, max_abs
+from ..algebra.errors import checked, checked_but
+from ..algebra.scalars import Scalar, is_numeric, max_abs
 from ..motion.model import Model, ModelError
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ FINER = 1e-3  # of the tolerance is what integration may contribute to a measure
 ROUGH, FINEST = 1e-9, 1e-12
 
 
+@checked
 @dataclass(frozen=True, eq=False)
 class Rung(Portable):
     """One model of a ladder.
@@ -46,7 +48,7 @@ class Rung(Portable):
     """
 
     model: Model
-    start: tuple
+    start: tuple[Scalar, ...]
     observed: Callable
 
     @property
@@ -54,6 +56,7 @@ class Rung(Portable):
         """The name of the model."""
         return self.model.name
 
+    @checked_but("t")
     def bound(self, t: float) -> float:
         """The bound of the error until ``t``, by what the model neglects: inf if it names nothing,
         or something without a bound.
@@ -81,6 +84,7 @@ def observed_states(*names):
     return Observed(names)
 
 
+@checked
 @dataclass(frozen=True, eq=False)
 class Ladder:
     """The models of one scene, with one start, for one question.
@@ -95,7 +99,7 @@ class Ladder:
     name: str
     of: str
     t: float
-    rungs: tuple
+    rungs: tuple[Rung, ...]
 
     def __post_init__(self):
         names = [rung.name for rung in self.rungs]
@@ -115,8 +119,15 @@ class Ladder:
         return {n: x for n, x in vars(self).items() if n != "_found"}
 
     @classmethod
+    @checked
     def of_models(
-        cls, name: str, of: str, t: float, start: tuple, names: Sequence, *models: Model
+        cls,
+        name: str,
+        of: str,
+        t: float,
+        start: tuple[Scalar, ...],
+        names: Sequence[str],
+        *models: Model,
     ) -> "Ladder":
         """The ladder of models that have the same states, and so the same start; what is observed
         are the states of these ``names``.
@@ -129,6 +140,7 @@ class Ladder:
         """The last rung."""
         return self.rungs[-1]
 
+    @checked
     def rung(self, name: str) -> Rung:
         """The rung of this name."""
         found = {rung.name: rung for rung in self.rungs}
@@ -136,6 +148,7 @@ class Ladder:
             raise ModelError(f"{self.name} has no rung {name!r}; it has {', '.join(found)}")
         return found[name]
 
+    @checked
     def observe(self, rung: Rung, rtol: float) -> "ndarray":
         """What is observed of a rung, an array (components, instants) over the time of the ladder,
         from states with the relative error ``rtol``.
@@ -150,11 +163,13 @@ class Ladder:
         values = prepared_model(rung.model).function(rung.observed)(times, *motion.states.values())
         return np.array([np.broadcast_to(v, times.shape) for v in values], dtype=float)
 
+    @checked
     def observed(self, rung: Rung, accuracy: float) -> "ndarray":
         """The same within about ``accuracy``, in the ladder's unit, if this can be reached."""
         values = self.observe(rung, ROUGH)
         return values if ROUGH * abs(values).max() <= accuracy else self.observe(rung, FINEST)
 
+    @checked
     def error(self, rung: Rung, accuracy: float = 0.0) -> float:
         """The error of a rung against the fullest one: the largest distance of what is observed,
         over the whole time, in the ladder's unit.
@@ -231,6 +246,7 @@ class Choice:
     __str__ = explain
 
 
+@checked
 def smallest(ladder: Ladder, tolerance: float) -> Choice:
     """The cheapest rung of a ladder whose error stays within ``tolerance`` (in the ladder's unit),
     with the evidence: a :class:`Choice`.

@@ -5,7 +5,7 @@ demand, what it returns; for a read-only mapping, its contents.
 import copyreg
 from types import MappingProxyType
 
-from ..errors import NewtonEulerError
+from ..scalars import NewtonEulerError
 
 
 class Found:

@@ -9,7 +9,7 @@ from functools import reduce
 from inspect import Parameter, Signature
 from types import FunctionType, MappingProxyType
 
-from ..errors import NewtonEulerError
+from ..scalars import NewtonEulerError
 from .compile import compiled
 from .trace import Trace
 

@@ -336,8 +336,9 @@ def test_eqn_10_25_against_lagranges_equations():
 
 
 def test_a_frame_not_made_of_euler_angles_is_refused():
+    ground = Frame("ground")
     with pytest.raises(FrameError, match="wheel is not spun about the z axis of a frame above it"):
-        gyro_moment(Frame("ground").rotate("wheel", "x", rate=1.0), None, 1.0, 1.0)
+        gyro_moment(ground.rotate("wheel", "x", rate=1.0), ground, 1.0, 1.0)
 
 
 @pytest.mark.parametrize(

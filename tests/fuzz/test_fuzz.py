@@ -1,0 +1,107 @@
+"""Every public name refuses bad values in words: a sample here, all of them with -m slow."""
+
+import pytest
+
+from newton_euler.algebra import ScalarError
+from tests.fuzz.judge import judged, outcome, stripped, table
+from tests.fuzz.names import public_callables
+from tests.fuzz.valid import valid_calls
+
+# Python refuses 10**400 in a sum with floats, and a call of a function that takes no arguments, in
+# words of its own
+PYTHONS_OWN = (
+    "int too large to convert to float",
+    "integer division result too large",
+    "takes 0 positional arguments",
+)
+
+
+PATIENCE = 30.0  # seconds for a call: the machine may be busy
+
+
+@pytest.fixture(scope="module")
+def doors():
+    """The public names, and a valid call of each."""
+    functions = public_callables()
+    return functions, valid_calls(functions)
+
+
+def unworded(found):
+    """The calls that ended in an error from inside, or did not end."""
+    return [
+        f"{name}({argument}={bad}): {told}"
+        for name, rows in found.items()
+        for argument, bad, result, told in rows
+        if result in ("raw", "slow") and not any(words in told for words in PYTHONS_OWN)
+    ]
+
+
+def test_nearly_every_public_name_has_a_valid_call(doors):
+    functions, calls = doors
+    assert len(functions) > 400
+    # a slider needs a notebook; without_rates has no arguments
+    without = {n for n in set(functions) - set(calls) if not n.endswith(".without_rates")}
+    assert without <= {"classroom.interactive_figure"}
+
+
+def test_valid_calls_are_answered(doors):
+    functions, calls = doors
+    for name in ("kinematics.frenet", "bodies.tube", "dynamics.audit", "algebra.Vector.dot"):
+        positional, named = calls[name]
+        assert outcome(functions[name], positional, named)[0] == "answered", name
+
+
+def room_of(name):
+    return name.partition(".")[0]
+
+
+@pytest.mark.filterwarnings("ignore:.*multi-threaded:DeprecationWarning")
+@pytest.mark.parametrize(
+    "room", ["algebra", "kinematics", "bodies", "dynamics", "applications", "classroom"]
+)
+def test_a_sample_of_bad_values_is_refused_in_words(doors, room):
+    functions, calls = doors
+    chosen = {n: f for n, f in functions.items() if room_of(n) == room and n != "algebra.compiled"}
+    found = table(chosen, calls, every=30, seconds=PATIENCE)
+    assert sum(map(len, found.values())) > 10
+    assert not unworded(found)
+
+
+# motion and codegen have doors of their own; of the others the valid call takes seconds
+LEFT = ("motion.", "algebra.compiled", "accuracy.timed", "drawing.animate")
+
+
+@pytest.mark.slow
+def test_all_bad_values_are_refused_in_words(doors):
+    functions, calls = doors
+    found = table(
+        {n: f for n, f in functions.items() if not n.startswith(LEFT)}, calls, seconds=PATIENCE
+    )
+    assert not unworded(found)
+
+
+def test_an_error_from_inside_is_told_from_one_in_words():
+    def bug(x):
+        return {}[x]
+
+    def worded(x):
+        raise ScalarError("expected a number")
+
+    def endless(x):
+        while True:
+            pass
+
+    assert outcome(bug, [1], {})[0] == "raw"
+    assert outcome(worded, [1], {})[0] == "refused"
+    assert outcome(abs, [1], {})[0] == "answered"
+    assert outcome(endless, [1], {}, 0.5) == ("slow", "no answer in 0.5 s")
+
+
+def drops(q):
+    """A function that drops a unit."""
+    return float(getattr(q, "magnitude", 0.0))
+
+
+def test_a_unit_that_is_dropped_is_counted():
+    rows = judged(drops, ([1.0], {}))
+    assert stripped(rows)

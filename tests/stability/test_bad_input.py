@@ -1,0 +1,329 @@
+"""What does not belong where it is put is refused in words, and what is impossible as well: text,
+None, quantities with units, negative masses. The long run over all public names is
+``python -m tests.fuzz``.
+"""
+
+import datetime
+import time
+from concurrent.futures import ThreadPoolExecutor
+from decimal import Decimal
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+from newton_euler import (
+    Body,
+    Couple,
+    Force,
+    ForceSystem,
+    Frame,
+    Inertia,
+    NewtonEulerError,
+    at,
+    centre_of_mass,
+    cos,
+    cross,
+    dot,
+    exp,
+    frenet,
+    kinetic_energy,
+    log,
+    moving,
+    pi,
+    radians,
+    sin,
+    sqrt,
+    unit,
+    where,
+    work_along,
+)
+from newton_euler.algebra import ScalarError, SingularError, same
+from newton_euler.algebra.errors import ArgumentError, checked
+from newton_euler.algebra.scalars import LONGEST, Scalar, operations, scalar, shown
+from newton_euler.algebra.vectors import FrameError
+from newton_euler.applications import (
+    buoyancy,
+    earth_frame,
+    force_near_earth,
+    ground_frame,
+    normal_moment,
+    rotation_error,
+    steady_moment,
+    steady_spin,
+    support_force,
+)
+from newton_euler.bodies import MassError, disk, integrated
+from newton_euler.dynamics import (
+    attraction,
+    degrees_of_freedom,
+    gravitational_field,
+    gravitational_potential,
+    gravity_at_surface,
+    gyroscope_energy,
+    plane_kinetic_energy,
+    reaction,
+    weight,
+    weight_potential,
+    work_integral,
+)
+
+ground = Frame("ground")
+P = ground.point("P", 1.0, 2.0, 3.0)
+
+
+class Quantity:
+    """A number with a unit, as pint has it; text shows what is lost when the unit is dropped."""
+
+    magnitude, units = 30.0, "degree"
+
+    def to(self, unit):
+        return self
+
+    def __float__(self):
+        return 30.0
+
+    def __mul__(self, other):
+        return 30.0 * other
+
+    __rmul__ = __mul__
+
+
+class WithUnit(np.ndarray):
+    """An array with a unit, as astropy has it; np.asarray drops it."""
+
+    unit = "km"
+
+
+NO_NUMBERS = ("30", None, b"", [], {}, object(), int, np, datetime.date(2026, 1, 1), Decimal("1.5"))
+
+
+@pytest.mark.parametrize("bad", NO_NUMBERS, ids=lambda x: type(x).__name__)
+@pytest.mark.parametrize("f", [sin, sqrt, radians, pi, moving, ground.i.__mul__, unit("m").to_base])
+def test_what_is_no_number_is_refused_by_every_function_of_numbers(f, bad):
+    with pytest.raises(ScalarError, match=r"expected a number|pass at\(f, t\)"):
+        f(bad)
+
+
+def test_the_message_says_what_was_expected_what_came_and_what_to_do():
+    with pytest.raises(ScalarError) as error:
+        radians("30")
+    assert str(error.value) == (
+        "expected a number (float, array, mpf or expression), got '30' of type str; write numbers "
+        "without quotation marks"
+    )
+    with pytest.raises(
+        ScalarError, match=r"attraction: m2 is a number .* got None of type NoneType"
+    ):
+        attraction(1.0, None, 2.0)
+    with pytest.raises(FrameError, match=r"frenet: v is a Vector, as ground.vector.* got 3.0"):
+        frenet(3.0, ground.i)
+    with pytest.raises(ArgumentError, match=r"work_along: path is a function; got 3.0"):
+        work_along(lambda x, y, z: (x, y, z), 3.0, 0.0, 1.0)
+
+
+@pytest.mark.parametrize(
+    "quantity", [Quantity(), np.array([1.0, 2.0]).view(WithUnit)], ids=["pint", "astropy"]
+)
+def test_the_unit_of_a_quantity_is_never_dropped(quantity):
+    for take in (
+        radians, sin, moving, lambda q: ground.vector(q, 0, 0), lambda q: ground.i * q,
+        lambda q: disk(q, ground, mass=1.0), lambda q: attraction(q, 1.0, 1.0),
+        lambda q: ground.rotate("arm", "z", q), lambda q: unit("m").to_base(q),
+        lambda q: Inertia(ground, (q, q, q)), lambda q: at(lambda t: t, q),
+    ):  # fmt: skip
+        with pytest.raises(
+            NewtonEulerError, match=r"it has a unit|unit vector|got .*uantity|WithUnit"
+        ):
+            take(quantity)
+
+
+@pytest.mark.parametrize("name", ["pint", "astropy.units"])
+def test_quantities_of_real_libraries_are_refused(name):
+    library = pytest.importorskip(name)
+    q = library.UnitRegistry().Quantity(30.0, "degree") if name == "pint" else 30.0 * library.deg
+    for take in (radians, sin, moving, lambda q: disk(q, ground, mass=1.0)):
+        with pytest.raises(ScalarError, match="it has a unit"):
+            take(q)
+
+
+@pytest.mark.parametrize(
+    "f",
+    [
+        lambda m: attraction(m, 1.0, 1.0),
+        lambda m: attraction(1.0, m, 1.0),
+        lambda m: gravitational_field(P, m, ground),
+        lambda m: gravitational_potential(m, 1.0, 1.0),
+        lambda m: gravity_at_surface(m, 1.0),
+        lambda m: plane_kinetic_energy(m, 1.0, 1.0, 1.0),
+        lambda m: weight_potential(m, 1.0),
+        lambda m: weight(m, ground.k),
+        lambda m: buoyancy(m, 1.0, 1.0, 1.0, 9.8),
+        lambda m: force_near_earth(m, ground.i, ground.j, ground.k),
+        lambda m: support_force(m, 9.8, ground),
+        lambda m: Body("stone", m, ground),
+    ],
+)
+def test_negative_masses_are_refused_and_zero_is_a_mass(f):
+    for bad in (-1.0, np.array([1.0, -1.0]), mpmath.mpf(-1), float("nan"), float("inf")):
+        with pytest.raises(MassError):
+            f(bad)
+    for good in (0, 0.0, 2.0, sympy.Symbol("m")):
+        f(good)
+
+
+def test_moments_of_inertia_that_no_body_has_are_refused():
+    for moments in ((1.0, 1.0, 5.0), (-1.0, 1.0, 1.0), (1.0, 1.0, np.array([1.0, 5.0]))):
+        with pytest.raises(MassError, match="no body has these moments"):
+            Body("stone", 1.0, ground, moments)
+    Body("sheet of a table", 1.0, ground, (0.333, 0.333, 0.667))  # in three digits
+    Body("of symbols", 1.0, ground, sympy.symbols("A B C"))
+    for refused in (
+        lambda: plane_kinetic_energy(1.0, 1.0, -1.0, 1.0),
+        lambda: gyroscope_energy(-1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+        lambda: normal_moment(-1.0, ground.i, ground.j),
+        lambda: steady_moment(1.0, 3.0, 0.5, 1.0, 1.0),
+        lambda: steady_spin(-1.0, 1.0, 0.5, 1.0, moment=0.0),
+        lambda: integrated(lambda x: (x, 0, 0), (0.0, 1.0), frame=ground, mass=-1.0),
+        lambda: ground_frame(earth_frame(ground), 0.5, radius=-1.0),
+        lambda: rotation_error(9.8, radius=-1.0),
+    ):
+        with pytest.raises(NewtonEulerError):
+            refused()
+
+
+def test_a_hole_has_a_negative_mass():
+    hole = -disk(0.1, ground, mass=1.0)
+    assert hole.mass == -1.0
+    assert centre_of_mass([(2.0, P), (-1.0, P)]).position(ground) == P.position(ground)
+
+
+def test_frames_points_vectors_and_functions_are_asked_for_by_name():
+    wheel = disk(0.5, ground, mass=1.0)
+    for call in (
+        lambda: Frame(None), lambda: Frame("a", "parent"), lambda: Frame("a", ground, origin="O"),
+        lambda: P.velocity("ground"), lambda: P.acceleration(ground, via="arm"),
+        lambda: dot("a", ground.i), lambda: cross(1.0, ground.i), lambda: same(ground.i, 1.0),
+        lambda: kinetic_energy([1.0], ground), lambda: kinetic_energy(wheel, None),
+        lambda: Force(1.0, P), lambda: Force(ground.i, "P"), lambda: Couple(2.0),
+        lambda: ForceSystem(3.0), lambda: at("f", 1.0), lambda: unit(["m"]),
+        lambda: where("yes", 1.0, 2.0), lambda: degrees_of_freedom({"P": "particle"}, {"rod": 3}),
+        lambda: ground.i.rounded("fine"), lambda: wheel.about(None), lambda: disk(0.5, ground, mass=1.0, name=3),
+    ):  # fmt: skip
+        with pytest.raises(NewtonEulerError):
+            call()
+
+
+def test_functions_say_where_they_have_no_value():
+    for call in (
+        lambda: sqrt(-1.0), lambda: log(0.0), lambda: exp(1e6), lambda: sin(float("inf")),
+        lambda: at(sqrt, 0.0), lambda: rotation_error(0.0),
+    ):  # fmt: skip
+        with pytest.raises((SingularError, MassError)):
+            call()
+    with pytest.raises(OverflowError):  # for those who expect what Python raises
+        exp(1e6)
+    with pytest.raises(ScalarError, match="not known to hold"):
+        where(sympy.Symbol("x") > 1, 1.0, 2.0)
+
+
+def test_a_relative_error_of_an_integral_is_between_0_and_1():
+    for bad in (-1.0, 0.0, "fine", float("nan")):
+        with pytest.raises(NewtonEulerError):
+            work_integral(lambda x: x, 0.0, 1.0, rtol=bad)
+
+
+def test_a_bug_of_a_formula_is_not_dressed_as_a_mistake_of_its_user():
+    @checked
+    def forgetful(x: Scalar) -> Scalar:
+        return {}["nothing"] if x else undefined  # noqa: F821
+
+    for x, bug in ((1.0, KeyError), (0.0, NameError)):
+        with pytest.raises(bug):
+            forgetful(x)
+
+
+# -- equal vectors
+
+
+def test_a_vector_is_equal_to_itself_there_and_back():
+    """The way through another frame rounds, and no frame is better than another."""
+    turned = ground.rotate("turned", (1, 2, 3), 0.7)
+    for x in (1.0, 1e-200, 1e200, np.array([1.0, 1e-9]), mpmath.mpf(1)):
+        v = ground.vector(x, 2 * x, 3 * x)
+        back = v.expressed_in(turned).expressed_in(ground)
+        assert v == v.expressed_in(turned)
+        assert v == back
+        assert v != 1.00001 * back
+        assert 2 * v != v
+
+
+def test_vectors_of_equal_formulas_are_equal():
+    q = sympy.Symbol("q")
+    assert ground.vector((q + 1) ** 2, 0, 0) == ground.vector(q**2 + 2 * q + 1, 0, 0)
+    assert ground.vector(cos(q) ** 2 + sin(q) ** 2, 0, 0) == ground.i
+    assert ground.vector(q, 0, 0) != ground.vector(q + 1, 0, 0)
+
+
+def test_whole_and_float_components_are_equal_and_nan_is_not():
+    assert ground.vector(1, 0, 0) == ground.vector(1.0, 0.0, 0.0)
+    assert ground.vector(np.array([1, 2]), 0, 0) == ground.vector(np.array([1.0, 2.0]), 0.0, 0)
+    nan = ground.vector(float("nan"), 0, 0)
+    assert nan != nan
+    assert ground.vector(np.ones(2), 0, 0) != ground.vector(np.ones(3), 0, 0)
+    assert ground.i != Frame("another").i
+    # one instant that is small does not hide behind one that is large
+    assert ground.vector(np.array([1e9, 1.0]), 0, 0) != ground.vector(np.array([1e9, 1.1]), 0, 0)
+
+
+def test_a_vector_has_no_hash_since_round_off_would_change_it():
+    with pytest.raises(TypeError, match="unhashable"):
+        hash(ground.i)
+
+
+# -- long expressions
+
+
+def chain_of_frames(n):
+    """The reaction on a point at the end of n turning frames, in symbols."""
+    t, frame = sympy.Symbol("t"), ground
+    for k in range(n):
+        C = frame.point(f"C{k}", sympy.Symbol(f"a{k}"), 0, sympy.Symbol(f"b{k}"))
+        frame = frame.rotate(f"f{k}", "xyz"[k % 3], sympy.Function(f"q{k}")(t), origin=C)
+    a = frame.point("P", sympy.Symbol("x"), 0, 0).acceleration(ground).expressed_in(ground)
+    return reaction(sympy.Symbol("m"), a, weight=-sympy.Symbol("g") * ground.k)
+
+
+def test_the_text_of_a_long_expression_is_its_length():
+    """Written out it grows five times with every frame: of seven frames to 6 MB."""
+    R = chain_of_frames(7)
+    start = time.perf_counter()
+    for text in (repr(R), str(R), R.latex(), str(R.explain()), repr(R.terms)):
+        assert len(text) < 2000
+        assert "operations" in text
+    reading = time.perf_counter() - start
+    start = time.perf_counter()
+    chain_of_frames(7)
+    assert reading < 50 * (time.perf_counter() - start)
+
+
+def test_short_expressions_are_written_out():
+    q = sympy.Symbol("q")
+    assert shown(q**2 + 1) == "q**2 + 1"
+    assert operations(q**2 + 1) == 2
+    assert shown(sum(q**n for n in range(LONGEST))).endswith("operations>")
+    assert scalar(q) is q
+
+
+def test_the_first_call_of_a_checked_function_may_come_from_many_threads():
+    for _ in range(50):
+
+        @checked
+        def double(x: Scalar, *more: Scalar, **named: Scalar) -> Scalar:
+            return 2 * x + sum(more)
+
+        with ThreadPoolExecutor(8) as pool:
+            assert list(pool.map(lambda n, f=double: f(n, 1.0), range(8))) == [
+                2 * n + 1.0 for n in range(8)
+            ]
