@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 INSTANTS = 257  # at which rungs are compared: steps of t/256, exact in binary
 FINER = 1e-3  # of the tolerance is what integration may contribute to a measured error
 # relative errors of the states: the second is tried where the first is not enough
-ROUGH, FINEST = 1e-9, 1e-12
+ROUGH, FINEST = 1e-9, 1e-11
 
 
 @checked

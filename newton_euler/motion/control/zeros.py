@@ -13,6 +13,8 @@ Numer. Anal. 40 (2002) 1666.
 from functools import cache
 from typing import NamedTuple
 
+from ...algebra.scalars import NewtonEulerError
+
 DEGREE = 12
 # three points between the Chebyshev points, at no regular distances: a fast oscillation that looks
 # slow at those points by chance does not do so here
@@ -32,7 +34,7 @@ PICKED = [2, 7, 11]  # of the Chebyshev points, none at an end
 NEWTON_STEPS = 4
 
 
-class UnresolvedError(ArithmeticError):
+class UnresolvedError(NewtonEulerError, ArithmeticError):
     """Not all zeros of a function can be found; the text says where, and why."""
 
 
