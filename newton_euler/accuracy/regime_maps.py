@@ -23,6 +23,7 @@ from ..applications.gyroscopes import GyroError, least_spin, sleeping_top, stead
 from ..motion.events import Event
 from ..motion.integration import integrate
 from ..motion.methods.taylor import installed
+from ..motion.solution import AccuracyError
 from ..scenes.particles import projectile
 from ..scenes.spatial import top, top_ladder
 from ..scenes.spatial.free_body import free_body
@@ -159,6 +160,14 @@ def errors_until(times, motion, start):
     return worst[np.searchsorted(motion.times, times, side="right") - 1]
 
 
+def _as_accurate_as_it_gets(t, start, rtol, method, samples):
+    """The motion of the body, also where the error asked for cannot be had: the map judges it."""
+    try:
+        return integrate(BODY, t, start, rtol, method, samples=samples)
+    except AccuracyError as refused:
+        return refused.reached
+
+
 def _taylor_seconds(times, start):
     """For each of the times the seconds of a Taylor series to round-off, with its compilation;
     infinite where its error is above WANTED.
@@ -167,7 +176,7 @@ def _taylor_seconds(times, start):
         return [math.inf] * len(times)
     end = times[-1]
     instants = np.union1d(times, np.geomspace(times[0], end, DENSE * len(times)))
-    motion = integrate(BODY, end, start, 1e-15, "taylor", samples=instants)
+    motion = _as_accurate_as_it_gets(end, start, 1e-15, "taylor", instants)
     seconds = compile_time() + motion.cost.seconds * np.array(times) / end
     right = errors_until(times, motion, start) <= WANTED
     return np.where(right, seconds, math.inf).tolist()
@@ -178,7 +187,7 @@ def _dop853_seconds(t, start):
     none does.
     """
     for rtol in (1e-10, 1e-12):
-        motion = integrate(BODY, t, start, rtol, "dop853", samples=DENSE)
+        motion = _as_accurate_as_it_gets(t, start, rtol, "dop853", DENSE)
         if errors_until([t], motion, start)[0] <= WANTED:
             return motion.cost.seconds
     return math.inf

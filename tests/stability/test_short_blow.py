@@ -60,16 +60,13 @@ def test_solve_ivp_steps_over_a_blow_of_10_ms_and_reports_success(options):
     assert found.y[1, -1] == pytest.approx(1.0, abs=1e-12)  # m/s, for 2
 
 
-@pytest.mark.parametrize("method", ["dop853", "taylor", "scipy DOP853"])
-def test_the_methods_of_the_engine_step_over_a_smooth_one_too_and_their_estimate_says_nothing_of_it(
-    method,
-):
-    """What is not sampled is not known: neither tolerance nor a second run helps."""
+@pytest.mark.parametrize("method", ["auto", "dop853", "taylor", "scipy DOP853"])
+def test_the_methods_of_the_engine_look_where_a_force_changes_in_time(method):
+    """Neither tolerance nor a second run helps, but a look at the force beforehand does."""
     if method == "taylor":
         pytest.importorskip("heyoka")
     motion = integrate(SMOOTH, 10.0, (0.0, 1.0), method=method)
-    assert motion.end["v"] == pytest.approx(1.0, abs=1e-9)
-    assert motion.error < 1e-9
+    assert abs(motion.end["v"] - 2.0) <= 2 * motion.error <= 2e-9
 
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor", "scipy DOP853", "scipy RK45"])

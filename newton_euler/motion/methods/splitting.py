@@ -171,9 +171,9 @@ class Splitting(Stepper):
         d = 1e-3 * min([span, *(s / abs(v) for s, v in pairs if abs(v) > 1e-3 * s)])
         later = self.system.rates(self.t, tuple(x + d * v for x, v in zip(self.x, k, strict=True)))
         times = [span / 4]
-        for s, v, w in zip(self.scales, k, later, strict=True):
+        for s, f, v, w in zip(self.scales, self.floors, k, later, strict=True):
             change = abs(w - v) / d
-            if change > 1e-12 * s:
+            if s > f and change > 1e-12 * s:  # a state that starts at zero has no size yet
                 times.append(sqrt(max(s, abs(v) * d) / change))
         return min(times)
 

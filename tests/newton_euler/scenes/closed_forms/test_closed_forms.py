@@ -55,7 +55,7 @@ def precisely(model, t, start):
 
 def stepped(model, t, start):
     """An independent solution, to 1e-11: Runge and Kutta's."""
-    end = integrate(replace(model, exact=None), t, start, 1e-12, "dop853").end
+    end = integrate(replace(model, exact=None), t, start, 1e-11, "dop853").end
     return tuple(end[n] for n in model.states)
 
 
