@@ -14,6 +14,7 @@ from .model import ModelError
 from .prepared import PreparedModel, prepared_model
 from .solution import AccuracyError, Cost, MotionError
 
+WINDOW = 64  # motions among which those close to one are looked for
 MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch integrator
 
 
@@ -168,7 +169,7 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     others = SPARE * errors[vouching]
     rest = np.setdiff1d(np.arange(count), chosen)
     covered = rest[others[rest] <= rtol]
-    errors[covered] = others[covered]
+    errors[covered] = rtol  # no more is known
     rest = np.setdiff1d(rest, covered)
     if len(rest):
         calls += compare(rest)
@@ -195,12 +196,14 @@ def _representatives(begins, ends):
         # a cover that is no smaller than the whole is not worth its search
         if len(chosen) > count // 4:
             return np.arange(count), np.arange(count)
-        here = rows[:, waiting]
+        # those close to each other stand beside each other in a sweep
+        some = waiting[:WINDOW]
+        here = rows[:, some]
         close = abs(here - here[:, :1]).max(axis=0) <= 1.0
         close[0] = True  # also where its end is not finite
-        vouching[waiting[close]] = waiting[0]
-        chosen.append(waiting[0])
-        waiting = waiting[~close]
+        vouching[some[close]] = some[0]
+        chosen.append(some[0])
+        waiting = np.concatenate([some[~close], waiting[WINDOW:]])
     return np.array(chosen), vouching
 
 

@@ -5,7 +5,7 @@ slider only one run in many is compared with another.
 from typing import NamedTuple
 
 # of the size of a state: so far may a start, and an end, lie from one that was verified
-NEAR_START, NEAR_END = 0.1, 0.5
+NEAR_START, NEAR_END = 0.02, 0.2
 SPARE = 3.0  # times more accurate than asked was the run that vouches for others
 
 

@@ -740,14 +740,19 @@ def rate_at(angle, I0, I, wz, theta, precession):
     return (p - I * wz * math.cos(angle)) / (I0 * math.sin(angle) ** 2)
 
 
+def ordinary(low, high):
+    """Numbers with six decimals: squares of rates of 1e-106 are below the range of floats."""
+    return st.floats(low, high).map(lambda x: round(x, 6))
+
+
 @settings(max_examples=20, deadline=None)
 @given(
-    st.floats(0.1, 3.0),
-    st.floats(-3, 3),
-    st.floats(-5, 5),
-    st.floats(-30, 30),
-    st.floats(-4, 4),
-    st.floats(0.05, 1.9),
+    ordinary(0.1, 3.0),
+    ordinary(-3, 3),
+    ordinary(-5, 5),
+    ordinary(-30, 30),
+    ordinary(-4, 4),
+    ordinary(0.05, 1.9),
 )
 def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, precession, wz, mgr, I):
     I0 = 1.0
@@ -755,6 +760,8 @@ def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, prec
     assert found.theta_min - 1e-14 <= theta <= found.theta_max + 1e-14
     exact = [mp.mpf(x) for x in (I0, I, mgr, theta, theta_rate, precession)]
     true = nutation(*exact, omega_z=mp.mpf(wz))
+    # through the vertical, where the scale below is infinite, goes another test
+    assume(min(mp.sin(true.theta_min), mp.sin(true.theta_max)) > 1e-9)
     scale = 1 + 1 / abs(mp.sin(true.theta_min)) + 1 / abs(mp.sin(true.theta_max))
     assert abs(found.theta_min - true.theta_min) < 1e-7
     h = exact[1] * mp.mpf(wz)
