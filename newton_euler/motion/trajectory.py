@@ -65,7 +65,7 @@ class Trajectory:
         samples = run.samples if samples is None else samples
         self.samples = None if run.events or run.progress else samples
         self.segments, self.occurrences, self.ended, self.failed = [], [], "", None
-        self.natural, self.units = None, ()
+        self.natural, self.units, self.max_steps = None, (), run.max_steps
         self.longest_part = LONGEST_PARTS[known is not None]
         start = run.system, run.t0, run.state, run.events, ()
         while start:

@@ -11,7 +11,7 @@ from time import perf_counter
 from typing import Any
 
 from ..events import Event, EventError
-from ..methods.base import LengthError
+from ..methods.base import MAX_STEPS, LengthError
 from ..methods.exact import Exact, estimated_error, within
 from ..methods.table import METHODS
 from ..methods.taylor import level_of
@@ -24,6 +24,7 @@ from .sizes import time_round_off
 # seconds of integrating one right-hand side, after which heyoka's import and compilation would have
 # been earned back
 HEYOKA_BREAK_EVEN = 0.5
+FEW_STEPS = 1e5  # of a motion whose closed form is not accurate enough
 SIZE_SAMPLES = 33  # instants at which the size of the states is looked at
 MAX_REFINEMENTS = 5  # of the tolerance
 # A run is compared with one of a coarser tolerance. If both are in the regime in which errors are
@@ -136,6 +137,7 @@ class Run:
     progress: Callable | None = None
     step: float | None = None
     preparing: float = 0.0
+    max_steps: float = MAX_STEPS
     calls: int = 0
     started: float = field(default_factory=perf_counter)
 
@@ -199,6 +201,8 @@ class Run:
                 raise
             except AccuracyError as error:
                 refused.append(error)
+                # after a long time no method is much better, but each takes minutes
+                self.max_steps = FEW_STEPS
             except ModelError:
                 pass  # it has no value for this start, or its model changes: there are others
         for method, heyoka in self.candidates():

@@ -58,6 +58,7 @@ class Stepper:
     def __init__(self, system, t, x, trajectory):
         self.system, self.t, self.x, self.goal = system, t, tuple(x), trajectory.goal
         self.tolerance, self.start = trajectory.tolerance, (t, self.x)
+        self.max_steps = trajectory.max_steps
         self.step_times, self.steps, self.calls, self.checked, self.longest = [t], [], 0, 0, 0.0
         self.floors, self.noise, self.stops = trajectory.limits(system, t, self.x)
         self.scales = tuple(map(max, map(abs, x), self.floors))
@@ -116,12 +117,13 @@ class Stepper:
     def check_length(self, count):
         """Raise :class:`LengthError` if after so many steps the whole time needs far too many."""
         passed, whole = self.t - self.start[0], self.goal - self.start[0]
-        if passed > 0 and count * whole > MAX_STEPS * passed:
+        most = self.max_steps
+        if passed > 0 and count * whole > most * passed:
             raise LengthError(
                 f"about {count * (whole / passed):.1g} steps would be needed to t = "
                 f"{self.goal:.6g}; "
-                f"{MAX_STEPS:.0g} are possible, which is to about t = "
-                f"{self.start[0] + MAX_STEPS / count * passed:.1g}: take a shorter time"
+                f"{most:.0g} are possible, which is to about t = "
+                f"{self.start[0] + most / count * passed:.1g}: take a shorter time"
             )
 
     def update_scales(self):
