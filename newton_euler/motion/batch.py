@@ -184,35 +184,30 @@ def _representatives(begins, ends):
 
     count = begins.shape[1]
     vouching, waiting, chosen = np.arange(count), np.arange(count), []
-    # each in parts of what may be apart; a state by its largest size in all motions, as it may be
-    # zero at the end of one
-    rows = np.concatenate(
-        [
-            begins / (NEAR_START * _sizes(begins, (len(begins), 1))),
-            ends / (NEAR_END * _sizes(ends, (len(ends), 1))),
-        ]
-    )
+    states = len(ends)
+    # A state by its size at either end, or, as it may be zero at both, by its largest in all motions
+    # times how large this one is beside them, in the state in which it is the smallest.
+    sizes = abs(begins)
+    seen = np.maximum(sizes[:states], abs(ends))
+    largest = seen.max(axis=1, initial=0.0, where=np.isfinite(seen), keepdims=True)
+    parts = np.where(begins[:states] != 0, seen / np.where(largest > 0, largest, 1.0), 1.0)
+    sizes[:states] = np.maximum(seen, largest * parts.min(axis=0))
     while len(waiting):
         # a cover that is no smaller than the whole is not worth its search
         if len(chosen) > count // 4:
             return np.arange(count), np.arange(count)
         # those close to each other stand beside each other in a sweep
         some = waiting[:WINDOW]
-        here = rows[:, some]
-        close = abs(here - here[:, :1]).max(axis=0) <= 1.0
+        size = sizes[:, some]
+        size = np.maximum(size, size[:, :1])
+        here, there = begins[:, some], ends[:, some]
+        close = (abs(here - here[:, :1]) <= NEAR_START * size).all(axis=0)
+        close &= (abs(there - there[:, :1]) <= NEAR_END * size[:states]).all(axis=0)
         close[0] = True  # also where its end is not finite
         vouching[some[close]] = some[0]
         chosen.append(some[0])
         waiting = np.concatenate([some[~close], waiting[WINDOW:]])
     return np.array(chosen), vouching
-
-
-def _sizes(rows, shape):
-    """The largest absolute value in each row, 1 where that is no number."""
-    import numpy as np
-
-    largest = abs(rows).max(axis=1, initial=0.0, where=np.isfinite(rows))
-    return np.where(largest > 0, largest, 1.0).reshape(shape)
 
 
 def _batches(system, tolerance, starts, p, t0, times):
@@ -239,7 +234,9 @@ def _batches(system, tolerance, starts, p, t0, times):
             if len(grid) == 2 or len(times) == 1:  # only the ends: no dense output
                 ta.propagate_until(times[-1], max_steps=MAX_PREPARED_STEPS)
                 kept[:, :, 0] = starts[:, first : first + width]
-                kept[:, :, -1] = np.where(ta.time == times[-1], ta.state, np.nan)[:, :real]
+                kept[:, :, -1] = ta.state[:, :real]
+                if min(ta.time) < times[-1]:
+                    kept[:, ta.time[:real] < times[-1], -1] = np.nan
             else:
                 rows = ta.propagate_grid(grid, max_steps=MAX_PREPARED_STEPS)[-1][before:]
                 kept[:, :, : len(rows)] = np.moveaxis(rows, 0, 2)[:, :real]
