@@ -185,8 +185,8 @@ def _representatives(begins, ends):
     count = begins.shape[1]
     vouching, waiting, chosen = np.arange(count), np.arange(count), []
     states = len(ends)
-    # A state by its size at either end, or, as it may be zero at both, by its largest in all motions
-    # times how large this one is beside them, in the state in which it is the smallest.
+    # A state by its size at either end, or, as it may be zero at both, by its largest in all
+    # motions times how large this one is beside them, in the state in which it is the smallest.
     sizes = abs(begins)
     seen = np.maximum(sizes[:states], abs(ends))
     largest = seen.max(axis=1, initial=0.0, where=np.isfinite(seen), keepdims=True)

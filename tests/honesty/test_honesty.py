@@ -563,9 +563,7 @@ BROKEN_ONCE = [  # the case, and how it is asked
     ),
     pytest.param("beside_a_constant/0/0", "dop853", "", 1e-9, id="dop853 beside a large state"),
     pytest.param("zeros_of_a_spring_by_its_closed_form/0/1", "auto", "", 1e-6, id="lost events"),
-    pytest.param(
-        "pendulum_by_its_closed_form/0/2", "auto", "", 1e-12, id="phase of a closed form"
-    ),
+    pytest.param("pendulum_by_its_closed_form/0/2", "auto", "", 1e-12, id="phase of a closed form"),
     pytest.param(
         "tank_with_an_overflow/0/1",
         "scipy DOP853",

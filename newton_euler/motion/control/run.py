@@ -321,7 +321,7 @@ class Run:
                 error = min(error, predicted_error(before, trajectory, method))
                 break
             before, tolerance = trajectory, finer
-            if scaled:
+            if not method.adaptive:  # it starts beside the start, as the first did
                 before = self.compared(method, method.other(finer), finer, known, scaled)
         self.system.traced.seconds += perf_counter() - begun
         motion = self.motion(trajectory, method, error)
