@@ -33,10 +33,9 @@ MAX_REFINEMENTS = 5  # of the tolerance
 # 270 models, at 1e-3 to 1e-12: these cover 98 to 99 % of the true errors, 15 times too large in the
 # median.
 SAFETY, REGULAR, IRREGULAR = 7.0, 0.9, 0.4
-SERIES_SAFETY = 3.0
-RESIDUAL_SAFETY = (
-    3.0  # on the integral of the residual of a series that may not see all of the rates
-)
+# on the difference of a run of heyoka from one of higher order, which is its error, and on the
+# integral of the residual of a series that may not see all of the rates
+SERIES_SAFETY = RESIDUAL_SAFETY = 3.0
 # the regime: so many steps at the least, and not more or fewer in the fine run than its order gives
 MIN_STEPS, STEPS_OFF = 8, 1.25
 # part of the error that the difference of two runs does not show; that of a short run, and over n

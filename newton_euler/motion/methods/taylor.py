@@ -20,6 +20,7 @@ from .base import MAX_STALLED_STEPS, STALLED_RATIO, StepError, Stepper, sample_t
 # depend on it little. These are the tolerances at which another order begins, from 3 to 19, the
 # last a float's epsilon.
 LEVELS = tuple(1.0000001 * exp(-2.0 * order) for order in range(2, 19))
+MAX_KINDS = 12  # of integrators of one right-hand side that are kept
 MAX_PREPARED_STEPS = 100 * MAX_STALLED_STEPS
 # instants at which the rates of a series are compared with those of the model: in each step, and in
 # the whole motion at the least
@@ -68,8 +69,10 @@ def integrator(system, tolerance, scaled=False, batch=None):
     user at a time; with ``scaled`` one of the states over their scales, which are its last
     parameters, with ``batch`` one for so many motions at once.
     """
-    key = level_of(tolerance), scaled, batch
-    free = system.traced.integrators.setdefault(key, [])
+    key, known = (level_of(tolerance), scaled, batch), system.traced.integrators
+    free = known.setdefault(key, [])
+    if len(known) > MAX_KINDS:  # 2 MB each; those that were made first go
+        known.pop(next(iter(known)), None)
     try:
         ta = free.pop()  # of a list these are atomic: no two threads get the same
     except IndexError:
