@@ -18,7 +18,8 @@ from pathlib import Path
 import pytest
 
 SLOW_IMPORTS = "numpy", "scipy.integrate", "mpmath", "sympy", "hypothesis", "heyoka", "symengine"
-OPTIONS = "-x", "-q", "-p", "no:cacheprovider", "--no-header", "--tb=no"
+# plain: else pytest would want to rewrite modules that are imported already
+OPTIONS = "-x", "-q", "-p", "no:cacheprovider", "--assert=plain", "--tb=no"
 
 
 class TestsFailError(Exception):
