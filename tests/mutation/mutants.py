@@ -65,8 +65,8 @@ def mutants(tree: ast.AST) -> list[Mutant]:
 
 
 def _places(node, statement, always) -> Iterator[tuple]:
-    """The nodes below this one, each with its statement, and whether that always runs; not texts,
-    and not annotations.
+    """The nodes below this one, each with its statement, and whether that always runs; not
+    annotations.
     """
     for field, value in ast.iter_fields(node):
         if field in ("annotation", "returns", "decorator_list"):
@@ -77,11 +77,17 @@ def _places(node, statement, always) -> Iterator[tuple]:
             names = [ast.unparse(d) for d in getattr(node, "decorator_list", ())]
             inner = "cache" in names
         for child in value if isinstance(value, list) else [value]:
-            if isinstance(child, ast.AST) and not isinstance(child, (ast.JoinedStr, ast.Import)):
+            if isinstance(child, ast.AST) and not _is_left(child):
                 within = child if isinstance(child, ast.stmt) else statement
                 if within is not None:
                     yield child, within, inner
                 yield from _places(child, within, inner)
+
+
+def _is_left(node):
+    """True for what is not changed: texts, and strict= of zip, which only guards."""
+    guard = isinstance(node, ast.keyword) and node.arg == "strict"
+    return guard or isinstance(node, (ast.JoinedStr, ast.Import, ast.ImportFrom))
 
 
 def _lines(statement):
@@ -115,7 +121,7 @@ def _changes(node) -> Iterator[ast.AST]:
             yield ast.Call(ast.Name(NAMES[name], ast.Load()), node.args, node.keywords)
         elif name == "abs":
             yield node.args[0]
-    elif isinstance(node, ast.Return) and not _is_none(node.value):
+    elif isinstance(node, ast.Return) and not _is_nothing(node.value):
         yield ast.Return(ast.Constant(None))
     elif isinstance(node, DROPPED) and not (
         isinstance(node, ast.Expr) and isinstance(node.value, (ast.Constant, ast.JoinedStr))
@@ -132,8 +138,9 @@ def _with_test(node, test):
     return ast.If(test, node.body, node.orelse)
 
 
-def _is_none(node):
-    return node is None or (isinstance(node, ast.Constant) and node.value is None)
+def _is_nothing(node):
+    # False is changed to True, which says more than None
+    return node is None or (isinstance(node, ast.Constant) and node.value in (None, False))
 
 
 def _constants(value):

@@ -80,10 +80,10 @@ def test_the_largest_of_start_and_end_of_both_is_the_size_of_a_state(place, sign
     a, b, c, d = ((v,) for v in values)
     assert near(a, b, c, d)
     # and differences of the others as large as it allows
-    values[(place + 1) % 4] = 0.9 * (NEAR_END if place % 2 == 0 else NEAR_START)
+    values[(place + 1) % 4] = sign * 0.98 * (NEAR_END if place % 2 == 0 else NEAR_START)
     a, b, c, d = ((v,) for v in values)
     assert near(a, b, c, d)
-    values[(place + 1) % 4] = 1.1 * (NEAR_END if place % 2 == 0 else NEAR_START)
+    values[(place + 1) % 4] = sign * 1.02 * (NEAR_END if place % 2 == 0 else NEAR_START)
     a, b, c, d = ((v,) for v in values)
     assert not near(a, b, c, d)
 
