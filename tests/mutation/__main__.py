@@ -26,7 +26,7 @@ first.
 How to read the table:
   tried      mutants that were tried
   killed     by a test that failed, or did not end within --seconds
-  survived   each is listed below with its line; "no test" if no test runs it
+  survived   each is listed with its line; "no test" if no test runs it
 
 \b
 examples:
@@ -37,6 +37,9 @@ examples:
 
 Exit code 1 if any survived.
 """
+
+
+NO_TEST = "  (no test runs it)"
 
 
 def _span(context, parameter, text):
@@ -81,7 +84,7 @@ def main(files, tests, limit, seed, lines, seconds):
         TimeRemainingColumn(),
         TextColumn("{task.description}"),
     )
-    survivors = []
+    survive = False
     with Progress(*columns, console=Console(stderr=True)) as bar:
         for path in files:
             task = bar.add_task(f"{path}: without a change", total=None)
@@ -89,24 +92,28 @@ def main(files, tests, limit, seed, lines, seconds):
                 target = Target(path, list(tests) or own_tests(path))
             except TestsFailError as error:
                 raise click.ClickException(str(error)) from error
-            chosen = [m for m in mutants(target.tree) if not lines or m.line in lines]
-            if limit and limit < len(chosen):
-                picked = sorted(random.Random(seed).sample(range(len(chosen)), limit))
-                chosen = [chosen[n] for n in picked]
+            chosen = _chosen(mutants(target.tree), lines, limit, seed)
             bar.update(task, total=len(chosen))
-            alive = []
+            alive = 0
             for mutant in chosen:
                 relevant = target.relevant(mutant)
                 if not relevant or not target.killed(mutant, relevant, seconds):
-                    alive.append((path, mutant, "" if relevant else "  (no test runs it)"))
-                bar.update(task, advance=1, description=f"{path}: {len(alive)} survive")
-            table.add_row(str(path), *map(str, (len(chosen), len(chosen) - len(alive), len(alive))))
-            survivors += alive
-    for path, mutant, why in survivors:
-        text = f"{path}:{mutant.line}: {mutant}{why}"
-        console.print(text, highlight=False, markup=False, soft_wrap=True)
+                    alive += 1
+                    text = f"{path}:{mutant.line}: {mutant}{'' if relevant else NO_TEST}"
+                    console.print(text, highlight=False, markup=False, soft_wrap=True)
+                bar.update(task, advance=1, description=f"{path}: {alive} survive")
+            table.add_row(str(path), *map(str, (len(chosen), len(chosen) - alive, alive)))
+            survive |= alive > 0
     console.print(table)
-    raise SystemExit(bool(survivors))
+    raise SystemExit(survive)
+
+
+def _chosen(found, lines, limit, seed):
+    """Those in these lines, of these so many, in their order."""
+    found = [m for m in found if not lines or m.line in lines]
+    if limit and limit < len(found):
+        found = [found[n] for n in sorted(random.Random(seed).sample(range(len(found)), limit))]
+    return found
 
 
 if __name__ == "__main__":
