@@ -346,6 +346,8 @@ def test_a_prepared_series_is_not_trusted_through_a_pulse():
         ),
         (0.2, r"is large: no digit is certain, .*; the motion forgets its start; take a shorter"),
         (0.05, r"large: no digit is certain"),
+        (math.inf, r"large: no digit is certain.*shorter time"),
+        (math.nan, r"large: no digit is certain.*shorter time"),
         (0.049, r"about 0.05, .* ask for rtol = 0.1"),
     ],
 )
