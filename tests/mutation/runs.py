@@ -124,14 +124,17 @@ class Target:
         return sorted(chosen, key=self.seconds.get)
 
     def killed(self, mutant, tests: list[str], limit: float) -> bool:
-        """True if one of the tests fails with the mutant, or they take longer than the limit."""
+        """True if one of the tests fails with the mutant, or they take ten times as long as without
+        it, or longer than the limit.
+        """
         finder = _Finder(_Loader(self.name, self.path, mutant.applied(self.tree)))
 
         def run():
             sys.meta_path.insert(0, finder)
             return pytest.main([*tests, *OPTIONS])
 
-        return _forked(run, limit) != 0
+        usual = sum(self.seconds[test] for test in tests)
+        return _forked(run, min(limit, 5.0 + 10 * usual)) != 0
 
 
 def _forked(run, limit):

@@ -9,7 +9,7 @@ import sympy
 from newton_euler import Frame
 from newton_euler.algebra.scalars import epsilon
 from newton_euler.bodies import Inertia, MassError, composite, disk
-from newton_euler.bodies.admissibility import check, round_off
+from newton_euler.bodies.admissibility import check, positive, round_off
 
 TOLERANCE, SLACK = 1e-3, 0.01
 
@@ -146,6 +146,25 @@ def test_what_is_round_off_of_the_distance_is_not_refused(distance, mass):
     assert about_origin(90 * epsilon(), 0.0, distance, mass)
     with pytest.raises(MassError, match="smaller than mass and distance"):
         about_origin(120 * epsilon(), 0.0, distance, mass)
+
+
+@pytest.mark.parametrize("x", [0.0, -1.0, float("inf"), float("nan")])
+def test_what_must_be_positive_is_positive_and_finite(x):
+    positive(1e-300, "the mass")
+    with pytest.raises(MassError, match="the mass must be positive, got"):
+        positive(x, "the mass")
+
+
+@pytest.mark.parametrize("mass", [0.0, -2.0])
+def test_the_mass_of_an_inertia_is_positive_and_its_moments_are_finite(mass):
+    body = Frame("body")
+    with pytest.raises(MassError, match=r"the mass is .*; it must be positive"):
+        Inertia(body, (1.0, 1.0, 1.0), mass=mass)
+    for place in range(3):
+        moments = [1.0, 1.0, 1.0]
+        moments[place] = float("inf")
+        with pytest.raises(MassError, match="not finite"):
+            Inertia(body, tuple(moments))
 
 
 def test_the_round_off_of_a_mass_at_points_is_that_of_its_moments():

@@ -38,6 +38,7 @@ SQUARES = lambda s: s.x * s.x + s.y * s.y
         lambda s, p, t: s.x / s.y,
         lambda s, p, t: sin(s.x) * tan(s.y),
         lambda s, p, t: s.x**2 + s.x**-3,
+        lambda s, p, t: s.x**3,
         lambda s, p, t: sqrt(p.k) * asin(p.k / 4) * exp(p.k) * p.k**0.5 * s.x,
         # in a denominator, also of another term, and as its factor
         lambda s, p, t: 1 / sqrt(s.x),
@@ -62,6 +63,7 @@ SQUARES = lambda s: s.x * s.x + s.y * s.y
         lambda s, p, t: sqrt(s.x * s.x + 1),
         lambda s, p, t: sqrt(s.x * s.x + s.y * s.y + 0.5),
         lambda s, p, t: (1 + s.x * s.x) ** 0.5,
+        lambda s, p, t: (1 + s.x * s.x) ** p.k,
         lambda s, p, t: sqrt(2 * (1 + s.x * s.x)),
         lambda s, p, t: sqrt((1 + s.x * s.x) / 3),
         lambda s, p, t: sqrt((1 + s.x * s.x) / (2 + s.y * s.y)),
@@ -94,6 +96,7 @@ def test_what_a_series_sees_is_no_hazard(rate):
         (lambda s, p, t: sinh(s.x), ["sinh"]),
         (lambda s, p, t: cosh(s.x), ["cosh"]),
         (lambda s, p, t: exp(-t), ["exp"]),
+        (lambda s, p, t: 2.0 ** (-s.x), ["pow"]),
         (lambda s, p, t: 1 / asin(s.x), ["asin"]),
         # another is in the denominator
         (lambda s, p, t: sqrt(s.x) / s.y, ["sqrt"]),
@@ -137,4 +140,5 @@ def test_an_exponential_that_is_never_zero_is_one_hazard_not_two():
     assert hazards(traced(lambda s, p, t: sqrt(exp(s.x)))) == ["exp"]
     assert hazards(traced(lambda s, p, t: sqrt(cosh(s.x)))) == ["cosh"]
     assert hazards(traced(lambda s, p, t: sqrt(1 + exp(s.x)))) == ["exp"]
+    assert hazards(traced(lambda s, p, t: sqrt(1 + s.x * s.x * cosh(s.y)))) == ["cosh"]
     assert hazards(traced(lambda s, p, t: sqrt(sinh(s.x)))) == ["sinh", "sqrt"]

@@ -66,6 +66,11 @@ def test_the_pulses_of_all_rates_are_found_in_order():
     assert [round(t) for t in found] == [2, 2, 8, 8]
 
 
+def test_two_pulses_of_one_function_have_two_ends_each():
+    found = at(lambda s, p, t: bump(t, 2.0, 0.01) + bump(t, 8.0, 0.01))
+    assert found == pytest.approx([1.94, 2.06, 7.94, 8.06], abs=0.01)
+
+
 def test_a_rate_of_time_alone_is_looked_at():
     model = Model("one", {}, ("x",), lambda s, p, t: (bump(t, 5.0, 0.01),))
     assert len(knots(prepared_model(model), 0.0, 10.0)) == 2

@@ -122,11 +122,11 @@ def test_what_then_returns_is_a_model_and_a_start(given):
 
 
 def test_an_event_at_the_very_end_begins_no_segment():
-    event = Event(lambda s, p, t: s.x - 3.0, then=lambda s, p, t: (DRIFT, (0.0, 1.0)), name="wall")
+    event = Event(lambda s, p, t: t - 3.0, then=lambda s, p, t: (DRIFT, (0.0, 1.0)), name="bell")
     motion = integrate(DRIFT, 3.0, (0.0, 1.0), events=event)
     assert len(motion.segments) == 1
     assert motion.end["x"] == pytest.approx(3.0)
-    assert motion.ended == "wall at t = 3"
+    assert motion.ended == "bell at t = 3"
 
 
 def test_events_that_accumulate_end_the_motion_in_words():
