@@ -31,9 +31,9 @@ How to read the table:
 \b
 examples:
   python -m tests.mutation newton_euler/motion/events.py
-  python -m tests.mutation newton_euler/motion/run.py --limit 50
-  python -m tests.mutation newton_euler/motion/run.py --lines 301-318
-  python -m tests.mutation newton_euler/motion/knots.py --tests tests/stability/test_short_blow.py
+  python -m tests.mutation newton_euler/motion/control/run.py --limit 50
+  python -m tests.mutation newton_euler/motion/control/run.py --lines 301-318
+  python -m tests.mutation newton_euler/motion/control/knots.py --tests tests/stability/test_short_blow.py
 
 Exit code 1 if any survived.
 """
@@ -53,6 +53,8 @@ def _span(context, parameter, text):
 def own_tests(path: Path) -> list[str]:
     """The tests of a module: those of its name, else those of its folder."""
     folder = Path("tests") / path.parent
+    while not folder.exists() and folder.parent.name:
+        folder = folder.parent  # the tests of a room are not in folders
     own = folder / f"test_{path.name}"
     found = own if own.exists() else folder
     if not found.exists():

@@ -10,10 +10,7 @@ import pytest
 
 from newton_euler import Model, exp, integrate, sin, sqrt
 from newton_euler.motion import ModelError, second_order
-from newton_euler.motion.events import Event
-from newton_euler.motion.methods.table import METHODS
-from newton_euler.motion.prepared import prepared_model
-from newton_euler.motion.run import (
+from newton_euler.motion.control.run import (
     HEYOKA_BREAK_EVEN,
     IRREGULAR,
     REGULAR,
@@ -31,6 +28,9 @@ from newton_euler.motion.run import (
     usable,
     verified_series,
 )
+from newton_euler.motion.events import Event
+from newton_euler.motion.methods.table import METHODS
+from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.solution import MotionError
 
 HEYOKA = importlib.util.find_spec("heyoka") is not None
