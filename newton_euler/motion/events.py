@@ -154,9 +154,11 @@ class EventLocator:
         def noise(times):
             return self._noise(times, stepper.interpolate(n, times.reshape(-1)))
 
+        if not a < b:
+            return  # a step shorter than the last digit of the time
         search = ZeroSearch(values, noise, a, b, self.sign, self.event.direction)
         search.closed = b == stepper.goal
-        if n == 0:
+        if a == stepper.start[0]:
             search.start = self.first, self.at_start
         last = a
         try:

@@ -45,7 +45,7 @@ def _found(system, t0, t1):
             changes = abs(np.diff(np.broadcast_to(row, times.shape)))
             if np.isfinite(changes).all() and changes.max() > 0:
                 found |= _edges(np, changes > QUIET * changes.max())
-    return tuple(times[sorted(found - {0, INTERVALS})].tolist())
+    return tuple(times[sorted(found)].tolist())
 
 
 def _edges(np, busy):

@@ -331,9 +331,11 @@ class Run:
     def too_inaccurate(self, motion):
         """What is said of a motion whose error is above the rtol."""
         error, model = motion.error, self.system.model
-        had = f"about {error:.1g}" if error < 0.05 else "large: no digit is certain"
-        could = f"ask for rtol = {10.0 ** math.ceil(math.log10(error)):.0g}"
-        if error >= 0.05:
+        if error < 0.05:
+            had = f"about {error:.1g}"
+            could = f"ask for rtol = {10.0 ** math.ceil(math.log10(error)):.0g}"
+        else:  # it may be infinite, or nan
+            had = "large: no digit is certain"
             could = "the motion forgets its start; take a shorter time"
         return (
             f"{model.name}, at t = {motion.t_end:.6g}: the error by method {motion.method.name!r} "

@@ -150,6 +150,15 @@ def test_events_come_in_order_and_those_that_end_the_segment_last():
     assert [t for t, _ in found] == pytest.approx([2, 5, 5, 7], abs=1e-14)
 
 
+def test_a_step_without_length_has_no_events_and_the_start_is_that_of_the_next():
+    """Beside the goal a step may be shorter than the last digit of the time."""
+    steps = _Steps()
+    steps.step_times = [0.0, 0.0, 10.0]
+    locator = EventLocator(Event(lambda t, x: x * (x - 5)), steps, True)
+    assert locator.roots(0) == []
+    assert locator.roots(1) == pytest.approx([5.0])
+
+
 def test_what_comes_after_the_end_is_not_looked_for():
     """There the other function has thousands of millions of zeros."""
 

@@ -1,0 +1,163 @@
+"""Runs of the tests with a mutated module: each in a fork of this process, which has imported what
+is slow to import, but nothing that is tested.
+"""
+
+import ast
+import contextlib
+import importlib.util
+import os
+import pickle
+import signal
+import sys
+import tempfile
+import threading
+import time
+from importlib.machinery import SourceFileLoader
+from pathlib import Path
+
+import pytest
+
+SLOW_IMPORTS = "numpy", "scipy.integrate", "mpmath", "sympy", "hypothesis", "heyoka", "symengine"
+# plain: else pytest would want to rewrite modules that are imported already
+OPTIONS = "-x", "-q", "-p", "no:cacheprovider", "--assert=plain", "--tb=no"
+
+
+class TestsFailError(Exception):
+    """The tests fail, or there are none, without any change."""
+
+
+def warm_up():
+    """Import what the tests will need; what is not installed is not missed."""
+    for name in SLOW_IMPORTS:
+        with contextlib.suppress(ImportError):
+            importlib.import_module(name)
+
+
+def module_name(path: Path) -> str:
+    """The name by which the module of a file, relative to this folder, is imported."""
+    parts = path.with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+class _Loader(SourceFileLoader):
+    """Loads the module from a syntax tree."""
+
+    def __init__(self, name, path, tree):
+        super().__init__(name, path)
+        self.tree = tree
+
+    def get_code(self, fullname):
+        return compile(self.tree, self.path, "exec")
+
+
+class _Finder:
+    """Finds one module, by this loader."""
+
+    def __init__(self, loader):
+        self.loader = loader
+
+    def find_spec(self, name, path=None, target=None):
+        if name != self.loader.name:
+            return None
+        return importlib.util.spec_from_file_location(name, self.loader.path, loader=self.loader)
+
+
+class Watch:
+    """A plugin of pytest that notes which lines of a file each test runs, and how long it takes."""
+
+    def __init__(self, path):
+        self.path, self.reached, self.now, self.seconds = path, {}, set(), {}
+
+    @pytest.hookimpl(hookwrapper=True)
+    def pytest_runtest_protocol(self, item):
+        """Around each test."""
+        self.now, begun = set(), time.perf_counter()
+        sys.settrace(self._call)
+        threading.settrace(self._call)
+        yield
+        sys.settrace(None)
+        threading.settrace(None)
+        self.reached[item.nodeid] = self.now
+        self.seconds[item.nodeid] = time.perf_counter() - begun
+
+    def _call(self, frame, event, argument):
+        return self._line if frame.f_code.co_filename == self.path else None
+
+    def _line(self, frame, event, argument):
+        self.now.add(frame.f_lineno)
+        return self._line
+
+
+class Target:
+    """One module and the tests that are to find its mutants: ``tree`` of its source, ``reached`` by
+    each test as a set of lines, ``seconds`` that each takes.
+
+    Raises :class:`TestsFailError` if they fail without any change.
+    """
+
+    def __init__(self, path: Path, tests: list[str]):
+        self.path, self.name = str(path.resolve()), module_name(path)
+        self.tests, self.tree = tests, ast.parse(path.read_text())
+        watch = Watch(self.path)
+        with tempfile.TemporaryFile() as file:
+            code = _forked(lambda: self._watched(watch, file), 600.0)
+            if code:
+                raise TestsFailError(
+                    f"the tests {' '.join(tests)} do not pass as they are: pytest returns {code}"
+                )
+            file.seek(0)
+            self.reached, self.seconds = pickle.load(file)
+
+    def _watched(self, watch, file):
+        code = pytest.main([*self.tests, *OPTIONS], plugins=[watch])
+        pickle.dump((watch.reached, watch.seconds), file)
+        file.flush()
+        return code
+
+    def relevant(self, mutant) -> list[str]:
+        """The tests that run the mutant's lines, the shortest first."""
+        chosen = [
+            test
+            for test, lines in self.reached.items()
+            if mutant.always or not lines.isdisjoint(mutant.lines)
+        ]
+        return sorted(chosen, key=self.seconds.get)
+
+    def killed(self, mutant, tests: list[str], limit: float) -> bool:
+        """True if one of the tests fails with the mutant, or they take ten times as long as without
+        it, or longer than the limit.
+        """
+        finder = _Finder(_Loader(self.name, self.path, mutant.applied(self.tree)))
+
+        def run():
+            sys.meta_path.insert(0, finder)
+            return pytest.main([*tests, *OPTIONS])
+
+        usual = sum(self.seconds[test] for test in tests)
+        return _forked(run, min(limit, 5.0 + 10 * usual)) != 0
+
+
+def _forked(run, limit):
+    """What ``run`` returns, in a fork of this process; -1 if it takes longer than so many seconds,
+    or does not come back.
+    """
+    child = os.fork()
+    if not child:
+        code = 3
+        try:
+            silence = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(silence, 1)
+            os.dup2(silence, 2)
+            sys.dont_write_bytecode = True
+            code = int(run())
+        finally:
+            os._exit(code)
+    until = time.monotonic() + limit
+    while time.monotonic() < until:
+        done, status = os.waitpid(child, os.WNOHANG)
+        if done:
+            return os.waitstatus_to_exitcode(status)
+        time.sleep(0.01)
+    os.kill(child, signal.SIGKILL)
+    os.waitpid(child, 0)
+    return -1

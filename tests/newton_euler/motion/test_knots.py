@@ -1,0 +1,142 @@
+"""Where a method must stop to look: at the ends of pulses in functions of time, nowhere else."""
+
+import math
+
+import pytest
+
+from newton_euler import Model, cos, exp, sin, where
+from newton_euler.motion import second_order
+from newton_euler.motion.control.knots import INTERVALS, knots
+from newton_euler.motion.prepared import prepared_model
+
+WIDTH = 10.0 / INTERVALS  # of an interval of the motions here
+
+
+def at(force, t0=0.0, t1=10.0, **parameters):
+    """The stops of a mass pushed by a force(s, p, t)."""
+    model = second_order("pushed", parameters, ("x",), lambda s, p, t: (force(s, p, t) - s.x,))
+    return knots(prepared_model(model), t0, t1)
+
+
+def bump(t, centre, width):
+    return exp(-(((t - centre) / width) ** 2))
+
+
+@pytest.mark.parametrize(
+    "force",
+    [
+        lambda s, p, t: 1.0,
+        lambda s, p, t: sin(s.x),
+        lambda s, p, t: sin(3 * t),
+        lambda s, p, t: t * s.x,
+        lambda s, p, t: exp(-t) * cos(40 * t),
+        lambda s, p, t: 0 * t,
+        lambda s, p, t: 1 + bump(s.x, 0.5, 1e-3),
+    ],
+    ids=["constant", "state", "oscillation", "time itself", "decaying", "zero", "bump in space"],
+)
+def test_without_a_pulse_nothing_stops_the_motion(force):
+    assert at(force) == ()
+
+
+@pytest.mark.parametrize("width", [1e-3, 1e-2, 0.1])
+@pytest.mark.parametrize("factor", [1.0, 1e-9, -1e12])
+def test_a_pulse_has_a_beginning_and_an_end(width, factor):
+    """Both lie where it is round-off of its height: exp(-36) is 2e-16."""
+    begin, end = at(lambda s, p, t: factor * bump(t, 5.0, width))
+    assert 5.0 - 6.5 * width - WIDTH <= begin <= 5.0 - 4.5 * width
+    assert 5.0 + 4.5 * width <= end <= 5.0 + 6.5 * width + WIDTH
+
+
+def test_a_pulse_times_a_state_or_a_rate_is_found_too():
+    assert len(at(lambda s, p, t: bump(t, 5.0, 0.01) * s.x)) == 2
+    assert len(at(lambda s, p, t: sin(bump(t, 5.0, 0.01) + s.dx))) == 2
+
+
+def test_the_pulses_of_all_rates_are_found_in_order():
+    model = Model(
+        "two",
+        {"w": 0.02},
+        ("x", "y"),
+        lambda s, p, t: (bump(t, 8.0, p.w), s.x * bump(t, 2.0, p.w)),
+    )
+    found = knots(prepared_model(model), 0.0, 10.0)
+    assert len(found) == 4
+    assert list(found) == sorted(found)
+    assert [round(t) for t in found] == [2, 2, 8, 8]
+
+
+def test_two_pulses_of_one_function_have_two_ends_each():
+    found = at(lambda s, p, t: bump(t, 2.0, 0.01) + bump(t, 8.0, 0.01))
+    assert found == pytest.approx([1.94, 2.06, 7.94, 8.06], abs=0.01)
+
+
+def test_a_rate_of_time_alone_is_looked_at():
+    model = Model("one", {}, ("x",), lambda s, p, t: (bump(t, 5.0, 0.01),))
+    assert len(knots(prepared_model(model), 0.0, 10.0)) == 2
+
+
+def test_a_switch_between_constants_is_stopped_at_within_an_interval():
+    begin, end = at(lambda s, p, t: where(t > p.on, 2.0, 1.0) * s.x, on=math.e)
+    assert begin <= math.e <= end
+    assert end - begin == pytest.approx(WIDTH)
+
+
+def test_the_time_asked_for_is_looked_at_not_another():
+    force = lambda s, p, t: bump(t, 5.0, 0.01)
+    model = second_order("pushed", {}, ("x",), lambda s, p, t: (force(s, p, t) - s.x,))
+    system = prepared_model(model)
+    assert knots(system, 0.0, 4.0) == ()
+    assert len(knots(system, 0.0, 10.0)) == 2
+    assert knots(system, 6.0, 10.0) == ()
+    assert len(knots(system, 4.0, 10.0)) == 2
+    assert len(knots(system, 0.0, 10.0)) == 2
+
+
+def test_a_pulse_that_lasts_to_the_end_has_no_end_and_one_from_the_start_no_beginning():
+    (begin,) = at(lambda s, p, t: where(t > 5.0, (t - 5.0) ** 2, 0.0))
+    assert begin == pytest.approx(5.0, abs=WIDTH)
+    (end,) = at(lambda s, p, t: where(t < 5.0, (t - 5.0) ** 2, 0.0))
+    assert end == pytest.approx(5.0, abs=WIDTH)
+
+
+@pytest.mark.parametrize(("gap", "count"), [(3, 2), (4, 4)])
+def test_a_quiet_of_few_intervals_is_none(gap, count):
+    """Two pulses of one interval each, with so many quiet ones between them."""
+    first, second = (5000.5 * WIDTH, (5000.5 + 1 + gap) * WIDTH)
+
+    def force(s, p, t):
+        return where(t > first, 1.0, 0.0) + where(t > second, 1.0, 0.0)
+
+    assert len(at(force)) == count
+
+
+def test_more_than_a_thousand_pulses_are_an_oscillation():
+    def comb(pulses):
+        # exp(-1e3 (1 - cos)) : pulses of a width of 1/20 of their distance
+        return lambda s, p, t: exp(1e3 * (cos(2 * math.pi * pulses * t / 10.0) - 1))
+
+    assert len(at(comb(300))) > 500
+    assert at(comb(1200)) == ()
+
+
+def test_a_function_without_a_value_on_the_way_is_passed_over():
+    assert at(lambda s, p, t: s.x * (1 / (t - 5.0))) == ()
+    assert len(at(lambda s, p, t: s.x * (1 / (t - 5.0)) + bump(t, 2.0, 0.01) * s.x)) == 2
+
+
+@pytest.mark.parametrize(("intervals", "count"), [(4, 1), (5, 2)])
+def test_the_quiet_before_the_first_pulse_and_after_the_last_is_as_long(intervals, count):
+    first, last = (intervals + 0.5) * WIDTH, 10.0 - (intervals + 0.5) * WIDTH
+    assert len(at(lambda s, p, t: where(t > first, 1.0, 0.0))) == count
+    assert len(at(lambda s, p, t: where(t > last, 1.0, 0.0))) == count
+
+
+def test_parameters_are_those_of_the_model():
+    force = lambda s, p, t: bump(t, p.when, p.width)
+    model = second_order(
+        "pushed", {"when": 3.0, "width": 0.01}, ("x",), lambda s, p, t: (force(s, p, t),)
+    )
+    for when in (3.0, 7.0):
+        begin, end = knots(prepared_model(model.changed(when=when)), 0.0, 10.0)
+        assert begin < when < end

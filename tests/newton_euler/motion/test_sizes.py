@@ -1,0 +1,159 @@
+"""Sizes of states, from the coupling to the others; what a clock of large numbers makes of rates."""
+
+import math
+
+import numpy as np
+import pytest
+
+from newton_euler import Model, sin, sqrt, where
+from newton_euler.motion import second_order
+from newton_euler.motion.control.sizes import (
+    ROUND_OFF,
+    TIME_SAFETY,
+    _spectral_radius,
+    natural_sizes,
+    time_round_off,
+)
+from newton_euler.motion.prepared import prepared_model
+
+
+def system(rates, states=("x", "v")):
+    return prepared_model(Model("any", {}, states, lambda s, p, t: rates(s, t)))
+
+
+def oscillator(w):
+    return system(lambda s, t: (s.v, -w * w * s.x))
+
+
+@pytest.mark.parametrize("w", [1e-6, 1.0, 300.0])
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e12])
+def test_an_oscillator_has_the_sizes_of_its_amplitudes_in_every_unit(w, unit):
+    point = 0.0, (unit, 0.0)
+    natural, with_time = natural_sizes(oscillator(w), [point], (unit, w * unit), 1e9)
+    assert natural == pytest.approx((unit, w * unit), rel=1e-6)
+    assert with_time == natural
+
+
+def test_a_state_that_is_zero_is_as_large_as_the_others_make_it():
+    """At its start the place is zero: what the velocity would make of it, and that of itself."""
+    point, w = (0.0, (0.0, 6.0)), 3.0
+    natural, _ = natural_sizes(oscillator(w), [point], (0.0, 6.0), 1e9)
+    assert natural[0] == pytest.approx(2.0, rel=1e-3)
+
+
+def test_terms_that_cancel_count_as_if_they_did_not():
+    """A rate of x + y - z with x = y = 1, z = 2: natural is 4 over the rate of the motion."""
+    rates = system(lambda s, t: (s.x + s.y - s.z, 0.0 * s.x, 0.0 * s.x), ("x", "y", "z"))
+    natural, _ = natural_sizes(rates, [(0.0, (1.0, 1.0, 2.0))], (1.0, 1.0, 2.0), 1e9)
+    assert natural == pytest.approx((4.0, 0.0, 0.0), rel=1e-3)
+
+
+def test_the_slowest_rate_that_counts_is_that_of_the_whole_time():
+    """v = 2 for 5 s: 10, though nothing turns or decays."""
+    natural, _ = natural_sizes(
+        system(lambda s, t: (s.v, 0.0 * s.x)), [(0.0, (0.0, 2.0))], (0.0, 2.0), 5.0
+    )
+    assert natural == pytest.approx((10.0, 0.0), rel=1e-6)
+
+
+def test_the_largest_of_all_points_counts():
+    """The rates are x^2: it is at the second point that they change most."""
+    rates = system(lambda s, t: (s.v * s.x, 0.0 * s.x))
+    points = [(0.0, (1.0, 1.0)), (1.0, (4.0, 1.0)), (2.0, (2.0, 1.0))]
+    found = [natural_sizes(rates, [point], (4.0, 1.0), 0.01)[0][0] for point in points]
+    assert natural_sizes(rates, points, (4.0, 1.0), 0.01)[0][0] == max(found) == found[1]
+
+
+def test_a_point_without_rates_beside_it_is_left_out():
+    rates = system(lambda s, t: (1 / (s.x - 1.0), 0.0 * s.v))
+    assert natural_sizes(rates, [(0.0, (1.0, 0.0))], (1.0, 1.0), 1.0)[0] == (0.0, 0.0)
+    one = natural_sizes(rates, [(0.0, (3.0, 0.0))], (1.0, 1.0), 1.0)
+    assert one[0][0] == pytest.approx(0.25, rel=1e-4)
+    assert natural_sizes(rates, [(0.0, (1.0, 0.0)), (0.0, (3.0, 0.0))], (1.0, 1.0), 1.0) == one
+
+
+def test_beside_a_jump_the_slope_is_that_of_the_other_side():
+    """Else dry friction at rest would make the velocity as large as its jump over a step."""
+    for sign in (1.0, -1.0):
+        rates = system(lambda s, t, a=sign: (s.v, where(a * s.v > 0, -7.0, 7.0) - 4.0 * s.v))
+        natural, _ = natural_sizes(rates, [(0.0, (1.0, 0.0))], (1.0, 1.0), 1.0)
+        assert natural[1] == pytest.approx(1.0, rel=1e-2)
+
+
+def test_the_time_counts_by_how_the_rates_change_with_it():
+    """x' = 5 t: at t = 8 they change by 5 a second; times 8 s, over a rate of 1/2 s."""
+    rates = system(lambda s, t: (5.0 * t, -s.v))
+    natural, with_time = natural_sizes(rates, [(8.0, (1.0, 1.0))], (1.0, 3.0), 0.5)
+    assert natural == pytest.approx((0.0, 1.5), rel=1e-6)
+    assert with_time == pytest.approx((20.0, 1.5), rel=1e-6)
+    # the largest of several, whichever way they change
+    falling = system(lambda s, t: (-5.0 * t, -s.v))
+    points = [(8.0, (1.0, 1.0)), (0.0, (1.0, 1.0))]
+    assert natural_sizes(falling, points, (1.0, 3.0), 0.5)[1] == pytest.approx(
+        (20.0, 1.5), rel=1e-6
+    )
+
+
+@pytest.mark.parametrize(
+    "matrix",
+    [
+        [[0.0, 1.0], [1.0, 0.0]],
+        [[2.0, 0.0], [0.0, 1.0]],
+        [[0.0, 9.0], [4.0, 0.0]],
+        [[1.0, 2.0, 0.5], [0.0, 3.0, 1.0], [2.0, 0.1, 1.0]],
+        [[-1.0, 2.0], [2.0, -1.0]],
+    ],
+)
+def test_the_spectral_radius_is_about_that_of_the_absolute_values(matrix):
+    a = np.array(matrix)
+    exact = max(abs(np.linalg.eigvals(abs(a))))
+    columns = a.T.tolist()
+    assert _spectral_radius(columns, [1.0] * len(a)) == pytest.approx(exact, rel=0.02)
+    # in other units it is the same
+    scale = np.array([1e6, 1.0, 1e-3])[: len(a)]
+    columns = (a * scale[:, None] / scale).T.tolist()
+    assert _spectral_radius(columns, scale.tolist()) == pytest.approx(exact, rel=0.02)
+
+
+def test_the_spectral_radius_of_rates_that_nothing_changes_is_zero_and_of_huge_ones_huge():
+    assert _spectral_radius([[0.0, 0.0], [0.0, 0.0]], [1.0, 1.0]) == 0.0
+    assert _spectral_radius([[1e200, 0.0], [0.0, 1.0]], [1.0, 1.0]) >= 1e200
+
+
+def test_no_time_in_the_rates_no_error_by_it():
+    assert time_round_off(oscillator(1.0), 1e9, (1.0, 0.0), (1.0, 1.0), 1e9) == 0.0
+
+
+@pytest.mark.parametrize("t", [1.0, 1e9])
+def test_the_round_off_of_the_time_moves_the_phase_of_a_force(t):
+    """x' = sin(w t): in one second as far as w t round-offs of it, relative to the size."""
+    w, size = 2.0, 0.5
+    driven = system(lambda s, t: (sin(w * t), 0.0 * s.v))
+    found = time_round_off(driven, t, (0.3, 1.0), (size, 1.0), 1.0)
+    slope = abs(w * math.cos(w * t))
+    assert found == pytest.approx(TIME_SAFETY * ROUND_OFF * slope * t / size, rel=1e-2)
+
+
+def test_of_a_state_of_no_size_it_is_relative_to_what_it_would_be():
+    driven = system(lambda s, t: (2.0 * t, 0.0 * s.v))
+    found = time_round_off(driven, 1.0, (0.0, 1.0), (0.0, 1.0), 1.0)
+    assert found == pytest.approx(TIME_SAFETY * ROUND_OFF, rel=1e-6)
+    still = system(lambda s, t: (0.0 * t * s.x, 0.0 * s.v))
+    assert time_round_off(still, 1.0, (0.0, 1.0), (0.0, 1.0), 1.0) == 0.0
+
+
+def test_the_worst_state_counts():
+    driven = system(lambda s, t: (2.0 * t, 7.0 * t))
+    found = time_round_off(driven, 1.0, (1.0, 1.0), (1.0, 1.0), 1.0)
+    assert found == pytest.approx(TIME_SAFETY * ROUND_OFF * 7.0, rel=1e-6)
+
+
+def test_natural_sizes_of_rates_beyond_their_domain_beside_the_point_are_nothing():
+    rates = system(lambda s, t: (sqrt(s.x), 0.0 * s.v))
+    assert natural_sizes(rates, [(0.0, (-1.0, 0.0))], (1.0, 1.0), 1.0)[0] == (0.0, 0.0)
+
+
+def test_second_order_models_are_as_those_of_first_order():
+    model = second_order("spring", {"k": 9.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
+    natural, _ = natural_sizes(prepared_model(model), [(0.0, (1.0, 0.0))], (1.0, 3.0), 1e9)
+    assert natural == pytest.approx((1.0, 3.0), rel=1e-6)

@@ -1,0 +1,322 @@
+"""Segments between events, the scales by which states are judged, and the distance of two runs."""
+
+import importlib.util
+import math
+
+import pytest
+
+from newton_euler import Model, exp, integrate, where
+from newton_euler.motion import ModelError, second_order
+from newton_euler.motion.control.run import Run
+from newton_euler.motion.control.sizes import NATURAL_PART, ROUND_OFF
+from newton_euler.motion.events import Event
+from newton_euler.motion.methods.base import SMALLEST_SCALE, StepError
+from newton_euler.motion.methods.table import METHODS
+from newton_euler.motion.prepared import prepared_model
+from newton_euler.motion.solution import MotionError
+from newton_euler.motion.trajectory import (
+    ACCUMULATION,
+    INNER_PART,
+    KINKED_PART,
+    LONGEST_PARTS,
+    OWN_PART,
+    Trajectory,
+)
+
+HEYOKA = importlib.util.find_spec("heyoka") is not None
+needs_heyoka = pytest.mark.skipif(not HEYOKA, reason="heyoka is not installed")
+DOP853 = METHODS["dop853"]
+
+
+def spring(w=3.0, extra=0.0):
+    rates = lambda s, p, t: (-p.w * p.w * s.x + p.extra,)
+    return second_order("spring", {"w": w, "extra": extra}, ("x",), rates)
+
+
+DRIFT = Model("drift", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v))
+
+
+def run(model=None, state=(1.0, 0.0), t1=10.0, t0=0.0, **options):
+    return Run(prepared_model(model or spring()), t0, t1, state, 1e-9, **options)
+
+
+def trajectory(one, *more, tolerance=1e-9, method=DOP853):
+    return Trajectory(one, method, tolerance, *more)
+
+
+# -- events
+
+
+@pytest.mark.parametrize(
+    ("options", "ends"),
+    [
+        ({}, False),
+        ({"terminal": True}, True),
+        ({"then": lambda s, p, t: None}, True),
+        ({"terminal": True, "then": lambda s, p, t: None}, True),
+    ],
+)
+def test_either_a_terminal_event_or_one_with_then_ends_the_segment(options, ends):
+    event = Event(lambda s, p, t: s.x - 3.0, name="there", **options)
+    assert event.ends is ends
+    motion = integrate(DRIFT, 5.0, (0.0, 1.0), events=event)
+    assert [e.name for e in motion.events] == ["there"]
+    assert motion.t_end == (pytest.approx(3.0) if ends else 5.0)
+    assert motion.ended == ("there at t = 3" if ends else "reached t = 5")
+
+
+def test_an_event_without_a_name_has_its_number():
+    events = (Event(lambda s, p, t: s.x - 3.0), Event(lambda s, p, t: s.x - 2.0))
+    motion = integrate(DRIFT, 5.0, (0.0, 1.0), events=events)
+    assert [e.name for e in motion.events] == ["event 2", "event 1"]
+    assert [e.state["x"] for e in motion.events] == pytest.approx([2.0, 3.0])
+
+
+def test_after_an_event_the_motion_goes_on_from_what_then_returns():
+    back = Event(
+        lambda s, p, t: s.x - 3.0, then=lambda s, p, t: (DRIFT, (s.x, -2 * s.v)), name="wall"
+    )
+    motion = integrate(DRIFT, 4.0, (0.0, 1.0), events=back)
+    assert motion.end == pytest.approx({"x": 1.0, "v": -2.0})
+    assert [(part.t0, part.t1) for part in motion.segments] == [
+        (0.0, pytest.approx(3.0)),
+        (pytest.approx(3.0), 4.0),
+    ]
+    assert motion.ended == "reached t = 4"
+
+
+def test_then_may_give_other_events_which_replace_those_before():
+    never = Event(lambda s, p, t: s.x - 3.5, name="never")
+    later = Event(lambda s, p, t: s.x - 4.0, terminal=True, name="later")
+    first = Event(lambda s, p, t: s.x - 3.0, then=lambda s, p, t: (DRIFT, (s.x, s.v), [later]))
+    motion = integrate(DRIFT, 9.0, (0.0, 1.0), events=(first, never))
+    assert [e.name for e in motion.events] == ["event 1", "later"]
+    assert motion.t_end == pytest.approx(4.0)
+
+
+def test_an_event_that_changes_the_rates_is_no_longer_looked_for_and_others_are():
+    stop = Model("stop", {}, ("x", "v"), lambda s, p, t: (s.v, -1.0 + 0 * s.v))
+    brake = Event(lambda s, p, t: s.x - 3.0, then=lambda s, p, t: (stop, (s.x, s.v)), name="brake")
+    rest = Event(lambda s, p, t: s.v, terminal=True, name="rest")
+    passing = Event(lambda s, p, t: s.x - 3.25, name="passing")
+    back = Event(lambda s, p, t: s.x - 2.5, -1, terminal=True, name="back")
+    motion = integrate(DRIFT, 9.0, (0.0, 1.0), events=(brake, rest))
+    assert [e.name for e in motion.events] == ["brake", "rest"]
+    assert motion.end == pytest.approx({"x": 3.5, "v": 0.0}, abs=1e-9)
+    # it comes back over the place of the brake: no event there
+    motion = integrate(DRIFT, 9.0, (0.0, 1.0), events=(brake, passing, back))
+    assert [e.name for e in motion.events] == ["brake", "passing", "passing", "back"]
+
+
+def test_an_event_whose_rates_stay_is_looked_for_again():
+    wall = Event(lambda s, p, t: abs(s.x) - 1.0, 1, then=lambda s, p, t: (DRIFT, (s.x, -s.v)))
+    motion = integrate(DRIFT, 6.0, (0.0, 1.0), events=wall)
+    assert [e.t for e in motion.events] == pytest.approx([1.0, 3.0, 5.0])
+
+
+@pytest.mark.parametrize("given", [5, (DRIFT,), (DRIFT, (1.0, 1.0), (), ())])
+def test_what_then_returns_is_a_model_and_a_start(given):
+    event = Event(lambda s, p, t: s.x - 3.0, then=lambda s, p, t: given, name="wrong")
+    with pytest.raises(ModelError, match=r"then= of 'wrong' returns \(model, start\) or"):
+        integrate(DRIFT, 9.0, (0.0, 1.0), events=event)
+
+
+def test_an_event_at_the_very_end_begins_no_segment():
+    event = Event(lambda s, p, t: t - 3.0, then=lambda s, p, t: (DRIFT, (0.0, 1.0)), name="bell")
+    motion = integrate(DRIFT, 3.0, (0.0, 1.0), events=event)
+    assert len(motion.segments) == 1
+    assert motion.end["x"] == pytest.approx(3.0)
+    assert motion.ended == "bell at t = 3"
+
+
+def test_events_that_accumulate_end_the_motion_in_words():
+    """Each distance is half of that before: they end at t = 2."""
+
+    def halved(s, p, t):
+        return zeno, (0.0, s.v, s.n / 2)
+
+    zeno = Model("zeno", {}, ("x", "v", "n"), lambda s, p, t: (s.v, 0.0 * s.v, 0.0 * s.n))
+    event = Event(lambda s, p, t: s.x - s.n, then=halved, name="half")
+    motion = integrate(zeno, 3.0, (0.0, 1.0, 1.0), events=event)
+    assert motion.ended.startswith(f"{ACCUMULATION}: half at t = 2; give then=")
+    # a part of 1e-9 of the whole time ends it: 2^-n < 3e-9
+    assert len(motion.segments) == 30
+    assert motion.t_end == pytest.approx(2.0, abs=1e-8)
+
+
+def test_two_events_at_once_are_no_accumulation():
+    """The first segment may be as short as it likes."""
+    tap = Event(lambda s, p, t: s.x - 1e-12, then=lambda s, p, t: (DRIFT, (s.x, s.v)), name="tap")
+    motion = integrate(DRIFT, 3.0, (0.0, 1.0), events=tap)
+    assert motion.ended == "reached t = 3"
+
+
+@pytest.mark.parametrize("t0", [0.0, -4.0, 100.0])
+def test_progress_is_told_as_a_part_of_the_time(t0):
+    told = []
+    one = run(spring(30.0), t0=t0, t1=t0 + 10.0, progress=told.append)
+    trajectory(one)
+    assert len(told) > 3
+    assert told == sorted(told)
+    assert 0.0 < told[0] < 0.5
+    assert told[-1] == 1.0
+
+
+def test_a_step_that_cannot_be_taken_is_told_with_its_place():
+    model = Model("root", {}, ("x",), lambda s, p, t: (-1 / s.x,))
+    found = trajectory(run(model, (1.0,), 1.0))
+    assert isinstance(found.failed, StepError)
+    assert "root could not be followed beyond t = 0.5, at x = " in found.ended
+    assert found.ended.endswith(
+        "the coordinates may be singular there, or the motion leaves the model"
+    )
+    model = Model("none", {}, ("x",), lambda s, p, t: (1 / (s.x - s.x),))
+    found = trajectory(run(model, (1.0,), 1.0))
+    assert isinstance(found.failed, ArithmeticError)
+    assert "beyond t = 0, at x = 1" in found.ended
+    with pytest.raises(MotionError) as told:
+        integrate(model, 1.0, (1.0,), method="dop853")
+    assert told.value.reached.t_end == 0.0
+    assert told.value.reached.end == {"x": 1.0}
+
+
+def test_after_an_event_to_a_model_without_its_solution_the_exact_method_gives_way():
+    def exact(s, p, t):
+        return s.x + s.v * t, s.v
+
+    free = Model("free", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v), exact=exact)
+    event = Event(lambda s, p, t: s.x - 3.0, then=lambda s, p, t: (spring(), (s.x, s.v)))
+    found = trajectory(run(free, (0.0, 1.0), 5.0, events=(event,)), method=METHODS["exact"])
+    assert [type(part.stepper) for part in found.segments] == [
+        METHODS["exact"].stepper,
+        DOP853.stepper,
+    ]
+
+
+# -- scales
+
+
+def test_a_state_is_judged_at_least_by_a_part_of_its_natural_size():
+    """A spring at rest at its end: its velocity is zero, but that of the motion is w."""
+    w = 300.0
+    found = trajectory(run(spring(w)))
+    stepper = found.segments[0].stepper
+    assert stepper.floors == pytest.approx((SMALLEST_SCALE, NATURAL_PART * w), rel=1e-2)
+    assert stepper.noise == pytest.approx((0.0, ROUND_OFF * w), rel=1e-2)
+    assert stepper.stops == ()
+
+
+def test_later_runs_know_the_sizes_of_the_first():
+    w = 300.0
+    first = trajectory(run(spring(w), (1.0, 0.0)))
+    largest, natural, noise = first.sizes()
+    assert largest == pytest.approx((1.0, w), rel=1e-2)
+    assert natural == pytest.approx((1.0, w), rel=1e-2)
+    assert noise == natural
+    later = trajectory(run(spring(w), (1.0, 0.0)), (largest, (0.0, 0.0), natural))
+    assert later.segments[0].stepper.floors == pytest.approx((OWN_PART, OWN_PART * w), rel=1e-2)
+    assert later.longest_part == LONGEST_PARTS[1]
+    assert first.longest_part == LONGEST_PARTS[0]
+
+
+def test_with_kinks_a_larger_part_of_its_size_does_not_count():
+    rough = second_order("rough", {}, ("x",), lambda s, p, t: (-s.x - where(s.dx > 0, 0.1, -0.1),))
+    known = (2.0, 3.0), (0.0, 0.0), (0.0, 0.0)
+    found = trajectory(run(rough), known)
+    assert found.segments[0].stepper.floors == pytest.approx((2 * KINKED_PART, 3 * KINKED_PART))
+
+
+def test_a_state_of_which_nothing_is_known_has_the_smallest_scale():
+    still = Model("still", {}, ("x", "y"), lambda s, p, t: (0.0 * s.x, 0.0 * s.y))
+    found = trajectory(run(still, (0.0, 0.0)))
+    assert found.segments[0].stepper.floors == (SMALLEST_SCALE, SMALLEST_SCALE)
+
+
+def test_a_state_that_was_nearly_zero_at_the_start_is_judged_by_the_motion():
+    """What its rate is at the start is nothing: it is driven by what is at rest until then."""
+    rates = lambda s, p, t: (s.v, -s.x, 5.0 * s.x, 0.0)
+    model = Model("driven", {}, ("x", "v", "y", "z"), rates)
+    found = trajectory(run(model, (0.0, 1.0, 0.0, 0.0), 7.0))
+    assert found.natural[0][2] == 0.0
+    largest, natural, _ = found.sizes()
+    assert natural[2] == pytest.approx(5.0, rel=0.1)
+    assert largest[:2] == pytest.approx((1.0, 1.0), rel=0.1)
+
+
+@needs_heyoka
+def test_series_have_units_only_if_they_are_scaled():
+    taylor = METHODS["taylor"]
+    known = (4.0, 1e6), (8.0, 1e3), (0.0, 0.0)
+    plain = trajectory(run(), known, method=taylor)
+    assert plain.segments[0].stepper.floors == (0.0, 0.0)
+    assert plain.units == ()
+    scaled = trajectory(run(state=(16.0, 0.0)), known, True, method=taylor)
+    assert scaled.units == (16.0, 1e6)
+    assert scaled.segments[0].stepper.units
+
+
+def test_a_fixed_step_does_not_stop_at_pulses():
+    model = second_order("struck", {}, ("x",), lambda s, p, t: (exp(-(((t - 5.0) / 0.01) ** 2)),))
+    assert len(trajectory(run(model)).segments[0].stepper.stops) == 2
+    fixed = trajectory(run(model, step=0.1))
+    assert fixed.segments[0].stepper.stops == ()
+
+
+def test_samples_are_those_of_the_run_unless_there_are_events():
+    assert trajectory(run(samples=7)).samples == 7
+    assert trajectory(run(samples=7), None, False, 5).samples == 5
+    assert trajectory(run(samples=7, progress=lambda x: None)).samples is None
+    event = Event(lambda s, p, t: s.x)
+    assert trajectory(run(samples=7, events=(event,))).samples is None
+
+
+# -- the distance of two runs
+
+
+def test_the_distance_is_the_largest_over_the_scales():
+    a, b = (trajectory(run(state=(x, 0.0), t1=1e-3)) for x in (1.0, 1.0 + 1e-5))
+    assert a.difference(a) == 0.0
+    assert a.difference(b) == pytest.approx(1e-5, rel=1e-3)
+    assert b.difference(a) == a.difference(b)
+    a, b = (trajectory(run(DRIFT, (1.0, v), 1e-3)) for v in (1e-3, 1.001e-3))
+    assert a.difference(b) == pytest.approx(1e-3, rel=1e-2)
+    assert b.difference(a) == a.difference(b)
+
+
+def test_of_two_ends_the_time_between_counts_too():
+    event = lambda place: (Event(lambda s, p, t: s.x - place, terminal=True),)
+    slow = [trajectory(run(DRIFT, (1e6, 1.0), 10.0, events=event(1e6 + x))) for x in (5.0, 5.5)]
+    assert slow[0].difference(slow[1]) == pytest.approx(0.05)
+
+
+def test_two_runs_with_other_events_are_as_far_apart_as_can_be():
+    event = (Event(lambda s, p, t: s.x - 3.0, then=lambda s, p, t: (DRIFT, (s.x, s.v))),)
+    a = trajectory(run(DRIFT, (0.0, 1.0), 5.0, events=event))
+    b = trajectory(run(DRIFT, (0.0, 1.0), 5.0))
+    assert a.difference(b) == b.difference(a) == 1.0
+    other = Model("other", {}, ("y", "u"), lambda s, p, t: (s.u, 0.0 * s.u))
+    assert b.difference(trajectory(run(other, (0.0, 1.0), 5.0))) == 1.0
+
+
+def test_runs_that_end_at_one_place_by_chance_differ_on_the_way():
+    """After one turn every amplitude is back, but on the way they are not."""
+    t = 2 * math.pi / 3.0
+    tight = trajectory(run(t1=t), tolerance=1e-12)
+    other = trajectory(run(spring(6.0), (1.0, 0.0), t), tolerance=1e-12)
+    end = max(abs(u - v) for u, v in zip(tight.segments[0].x1, other.segments[0].x1, strict=True))
+    assert end < 1e-9
+    assert 0.1 * INNER_PART < tight.difference(other) < 3 * INNER_PART
+
+
+def test_accumulating_events_are_compared_by_their_end_only():
+    zeno = Model("zeno", {}, ("x", "v", "n"), lambda s, p, t: (s.v, 0.0 * s.v, 0.0 * s.n))
+
+    def ended(part):
+        then = lambda s, p, t: (zeno, (0.0, s.v, s.n * part))
+        return trajectory(
+            run(zeno, (0.0, 1.0, 1.0), 4.0, events=(Event(lambda s, p, t: s.x - s.n, then=then),))
+        )
+
+    a, b = ended(0.5), ended(0.6)
+    assert len(a.segments) != len(b.segments)
+    assert a.difference(b) == pytest.approx(0.5 / 4.0, rel=1e-3)  # they end at 2 and at 2.5
