@@ -139,7 +139,8 @@ class Dop853(Stepper):
             pairs = zip(self.rates, self.scales, strict=True)
             fastest = max((abs(k) / s for k, s in pairs if abs(k) < 1e3 * s), default=0.0)
             self.h = 0.5 * self.tolerance**0.125 / fastest if fastest else 1e-3 * span
-        self.hmax = step or trajectory.longest_part * span
+        # at the least what changes the time
+        self.hmax = step or max(trajectory.longest_part * span, 1e-13 * abs(self.goal))
         self.h = min(step or self.h, self.hmax)
 
     def step(self, limit=inf):

@@ -31,7 +31,7 @@ from newton_euler.motion.control.run import (
 from newton_euler.motion.events import Event
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
-from newton_euler.motion.solution import MotionError
+from newton_euler.motion.solution import AccuracyError, MotionError
 
 HEYOKA = importlib.util.find_spec("heyoka") is not None
 needs_heyoka = pytest.mark.skipif(not HEYOKA, reason="heyoka is not installed")
@@ -382,3 +382,15 @@ def test_sqrt_of_a_square_is_followed_by_runge_kutta():
     motion = integrate(drag, 3.0, (1.0,))
     assert motion.method.name == "dop853"
     assert motion.end["v"] == pytest.approx(-math.tanh(3.0 - math.pi / 4), abs=1e-9)
+
+
+@pytest.mark.parametrize("ulps", [1, 2, 3, 11])
+def test_a_time_of_a_few_roundings_ends(ulps):
+    """It hung: a step that is less than a rounding of the time does not change it."""
+    drift = Model("drift", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v))
+    begin, end = 3.0 - ulps * 2.0**-51, 3.0 + ulps * 2.0**-51
+    try:
+        motion = integrate(drift, (begin, end), (0.0, 1.0), 0.5, "dop853")
+    except AccuracyError as refused:
+        motion = refused.reached
+    assert motion.end["x"] == pytest.approx(end - begin, rel=0.5)
