@@ -31,7 +31,7 @@ from newton_euler.motion.control.run import (
 from newton_euler.motion.events import Event
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
-from newton_euler.motion.solution import AccuracyError, MotionError
+from newton_euler.motion.solution import MotionError
 
 HEYOKA = importlib.util.find_spec("heyoka") is not None
 needs_heyoka = pytest.mark.skipif(not HEYOKA, reason="heyoka is not installed")
