@@ -84,7 +84,8 @@ def test_scenes_can_be_sent(name, again):
     model, _, start = scene(name).motion
     there = again(model)
     assert there.derivative(start) == model.derivative(start)
-    assert prepared_model(there).traced is prepared_model(model).traced
+    # the same object, as long as it is among those that are kept
+    assert prepared_model(there).traced.rhs.source == prepared_model(model).traced.rhs.source
     for n in model.invariants:
         assert there.invariant(n, start) == model.invariant(n, start)
     if model.exact:
