@@ -39,6 +39,9 @@ def natural_sizes(system, points, sizes, span):
             fastest = max(fastest, _spectral_radius(states, scale))
         natural = tuple([x / fastest for x in terms])
         with_time = tuple([(x + y) / fastest for x, y in zip(terms, of_time, strict=True)])
+        # what a step of 1e-6 shows is enough for states of ordinary size
+        if all(s or not n or 1e-3 < n < 1e3 for s, n in zip(sizes, natural, strict=True)):
+            break
     return natural, with_time
 
 
@@ -69,7 +72,7 @@ def _spectral_radius(columns, scale):
     rows = [[abs(c[i]) * s / scale[i] for c, s in zip(columns, scale, strict=True)] for i in states]
     # the square: the matrix of an oscillator turns one state into the other and back again
     vector, norm = [1.0] * len(scale), 0.0
-    for _ in range(3):
+    for _ in range(2):
         once = [sum([a * v for a, v in zip(row, vector, strict=True)]) for row in rows]
         twice = [sum([a * v for a, v in zip(row, once, strict=True)]) for row in rows]
         largest = max(twice)
