@@ -13,7 +13,17 @@ from ..algebra.codegen.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
 from .control.analytic import hazards, kinks
 from .control.verified import Verified
-from .model import Model, ModelError, cached, current, is_law, shared
+from .model import (
+    Model,
+    ModelError,
+    cached,
+    current,
+    has_unit,
+    is_law,
+    real_numbers,
+    shared,
+    unit_advice,
+)
 
 _TRACED: dict = {}
 
@@ -269,7 +279,7 @@ def start_state(model, start):
 
     def number(n, x):
         wrong = f"{of} needs a number for {n}, got {x!r}"
-        if isinstance(x, (str, bool)):
+        if isinstance(x, (str, bytes, bool)):
             raise ModelError(wrong)
         return _finite(x, f"{of} has {n} =", wrong)
 
@@ -288,11 +298,14 @@ def _parameter(model, name, x):
 def _finite(x, what, no_number):
     """``x`` as a finite float; an array as it is."""
     if getattr(x, "shape", ()):
+        real_numbers(x, no_number)
         return x
     try:
+        if has_unit(x):
+            raise TypeError
         x = float(x)
-    except (TypeError, RuntimeError) as error:  # RuntimeError: of SymEngine
-        raise ModelError(no_number) from error
+    except (TypeError, ValueError, OverflowError, RuntimeError) as error:  # the last of SymEngine
+        raise ModelError(f"{no_number}{unit_advice(x)}") from error
     if not math.isfinite(x):
         raise ModelError(f"{what} {x!r}; a motion needs finite numbers")
     return x
