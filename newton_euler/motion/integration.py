@@ -75,9 +75,15 @@ def integrate(
     return run.by_name(method)
 
 
+LONGEST_TIME = 2**53  # of whole numbers, which beyond it are no floats
+
+
 def _time(t):
     """``t`` itself; :class:`ModelError` if it is no number, or has a unit."""
-    if type(t) is not float:
+    kind = type(t)
+    # the usual times, told in a moment
+    usual = kind is float or kind is int or (kind is tuple and {*map(type, t)} == {float})
+    if not usual or (kind is int and t > LONGEST_TIME):
         real_numbers(t, "t is the time at which to end, or (from, to)")
     return t
 

@@ -271,6 +271,8 @@ class Model(Portable):
 
     def _in_order(self, state):
         """A state given in order as a tuple, of no more values than are needed for a message."""
+        if type(state) is list:
+            return tuple(state)
         unordered = isinstance(state, (str, bytes, set, frozenset))
         if unordered or not hasattr(state, "__iter__") or has_unit(state):
             raise ModelError(
@@ -463,11 +465,10 @@ def has_unit(x):
     """True for a quantity of pint or astropy and a time span of NumPy: as plain numbers, which is
     what NumPy makes of them, they would be other ones.
     """
-    return (
-        (hasattr(x, "magnitude") and hasattr(x, "to"))
-        or hasattr(x, "unit")
-        or getattr(getattr(x, "dtype", None), "kind", "") in ("m", "M")
-    )
+    kind = getattr(getattr(x, "dtype", None), "kind", "")
+    if kind and type(x).__module__ == "numpy":
+        return kind in "mM"  # the usual arrays, asked for no more
+    return hasattr(x, "unit") or (hasattr(x, "magnitude") and hasattr(x, "to"))
 
 
 def unit_advice(x):
