@@ -412,7 +412,7 @@ def test_what_cannot_be_compiled_is_told_in_words():
             compiled(f)
     with pytest.raises(ScalarError, match="backend must be"):
         compiled(sin, backend=np.array(["numpy", "heyoka"]))
-    with pytest.raises(ScalarError, match="q is no argument"):
+    with pytest.raises(ScalarError, match="unexpected keyword argument 'q'"):
         compiled(lambda x: x, q=1.0)
     for f in (lambda x: 1.0 if x > 0 else 2.0, lambda x: 2 * float(x), lambda x: np.sin(x)):
         with pytest.raises(ScalarError):

@@ -380,7 +380,10 @@ def recorded(f, **constants):
         raise ScalarError(f"a formula to compile names all its arguments, but {f!r} does not")
     unknown = [n for n in constants if n not in signature]
     if unknown:
-        raise ScalarError(f"{', '.join(unknown)} is no argument of the formula {f!r}")
+        raise ScalarError(
+            f"the formula {f!r} got an unexpected keyword argument {unknown[0]!r}; it takes "
+            f"{', '.join(signature) or 'none'}"
+        )
     trace, parameters = Trace(), [n for n in signature if n not in constants]
     values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
     by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
