@@ -6,13 +6,16 @@ The methods are in :mod:`.methods.table`; how one is chosen and its error contro
 """
 
 from collections.abc import Callable, Iterable, Sequence
+from itertools import islice
 from time import perf_counter
 
+from ..algebra.errors import LONGEST_SEQUENCE
+from ..algebra.scalars import clipped
 from .batch import Motions, integrate_batch
 from .control.run import Run, check, checked_samples, span, usable, verified_series
 from .events import Event
 from .methods.table import METHODS
-from .model import Model, ModelError, State
+from .model import Model, ModelError, State, has_unit, real_numbers
 from .prepared import prepared_model, start_state
 from .solution import Motion
 
@@ -60,20 +63,56 @@ def integrate(
     """
     begun = perf_counter()
     system = prepared_model(model)
-    t0, t1 = span(t)
+    t0, t1 = span(_time(t))
     state = start_state(model, start)
-    if isinstance(events, Event):
-        events = (events,)
-    elif not hasattr(events, "__iter__"):
-        raise ModelError(f"events are an Event, or several, got {events!r}")
-    events = tuple(events)
-    check(rtol, method, events, step, progress)
-    samples = checked_samples(samples, t0, t1)
+    asked = events if type(events) is tuple else _several(events)
+    check(rtol, _name(method), asked, step, progress)
+    samples = checked_samples(_plain_samples(samples), t0, t1)
     if system.many or (state is not start and any(type(x) is not float for x in state)):
-        return integrate_batch(model, t0, t1, state, rtol, method, events, samples)
+        return integrate_batch(model, t0, t1, state, rtol, method, asked, samples)
     preparing = perf_counter() - begun
-    run = Run(system, t0, t1, state, rtol, events, samples, progress, step, preparing)
+    run = Run(system, t0, t1, state, rtol, asked, samples, progress, step, preparing)
     return run.by_name(method)
+
+
+LONGEST_TIME = 2**53  # of whole numbers, which beyond it are no floats
+
+
+def _time(t):
+    """``t`` itself; :class:`ModelError` if it is no number, or has a unit."""
+    kind = type(t)
+    # the usual times, told in a moment
+    usual = kind is float or kind is int or (kind is tuple and {*map(type, t)} == {float})
+    if not usual or (kind is int and t > LONGEST_TIME):
+        real_numbers(t, "t is the time at which to end, or (from, to)")
+    return t
+
+
+def _name(method):
+    """``method`` itself; :class:`ModelError` if it is no text."""
+    if not isinstance(method, str):
+        raise ModelError(f"method is 'auto' or one of {', '.join(METHODS)}; got {clipped(method)}")
+    return method
+
+
+def _several(events):
+    """The events as a tuple; :class:`ModelError` for what cannot be gone through."""
+    if isinstance(events, Event):
+        return (events,)
+    if not hasattr(events, "__iter__") or isinstance(events, (str, bytes, range)):
+        raise ModelError(f"events are an Event, or several, got {clipped(events)}")
+    return tuple(events)
+
+
+def _plain_samples(samples):
+    """A number of times, or None, as it is; times as an array; :class:`ModelError` for what has a
+    unit, and for all else.
+    """
+    if samples is None or isinstance(samples, (int, str)):
+        return samples
+    if hasattr(samples, "__next__"):
+        samples = list(islice(samples, LONGEST_SEQUENCE))
+    return real_numbers(samples, "samples are a number of times, or times")
 
 
 def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
@@ -99,7 +138,7 @@ def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
             f"prepare takes a model with numbers, but parameters of {model.name!r} are arrays; "
             "take integrate"
         )
-    check(rtol, method)
+    check(rtol, _name(method))
     asked = method
     if method == "auto":
         series = not METHODS["taylor"].unusable_because(system) and not system.traced.hazards
@@ -126,12 +165,20 @@ class Prepared:
 
     def __call__(self, t, start):
         try:
+            if type(sum(start, t)) is not float:  # one short test of all of them
+                _refuse_units(t, start)
             return self._run(t, start)
         except (TypeError, ValueError):
             return self._by_integration(t, start)  # which says what is wrong
 
     def _by_integration(self, t, start):
-        t0, t1 = span(t)
+        t0, t1 = span(_time(t))
         state = start_state(self.system.model, start)
         run = Run(self.system, t0, t1, state, self.rtol)
         return tuple(run.by_name(self.asked).end.values())
+
+
+def _refuse_units(t, start):
+    """Raise a TypeError where something has a unit, which a method might drop."""
+    if has_unit(t) or has_unit(start) or any(map(has_unit, start)):
+        raise TypeError("it has a unit")

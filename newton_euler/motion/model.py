@@ -11,17 +11,22 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from inspect import Parameter, Signature
+from itertools import islice
 from keyword import iskeyword
-from types import MappingProxyType
+from types import FunctionType, MappingProxyType
 from typing import Any
 
 from ..algebra.codegen.compile import compiled, content, recorded, text_of
 from ..algebra.codegen.portable import Portable
 from ..algebra.codegen.reads import Reads
-from ..algebra.errors import NewtonEulerError
+from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
 from ..algebra.scalars import (
+    DivisionError,
+    RangeError,
     Scalar,
     ScalarError,
+    advice,
+    clipped,
     is_comparable,
     is_zero,
     promote,
@@ -33,6 +38,8 @@ from ..algebra.scalars import (
 State = Iterable[Scalar] | Mapping[str, Scalar]
 # values in a cache: functions that are made at each call, as lambdas are, would pile up
 KEPT = 64
+# of a state of a wrong length, that are counted for the message
+MOST_VALUES = 1000
 # texts of right-hand sides: by function, and by content, since equal texts share one compilation
 _BY_FUNCTION: dict = {}
 _BY_CONTENT: dict = {}
@@ -60,6 +67,7 @@ class Named:
         raise AttributeError(f"the {self._what}s are only read, but {name!r} was set")
 
 
+@checked
 @dataclass(frozen=True)
 class Neglected(Portable):
     """An effect that a model leaves out, with a bound of the error that this makes.
@@ -122,11 +130,12 @@ class Model(Portable):
     neglects: tuple = ()
 
     def __post_init__(self):
-        for name in ("parameters", "invariants"):
-            object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
-        for name in ("states", "neglects"):
-            object.__setattr__(self, name, tuple(getattr(self, name)))
+        for what in ("parameters", "invariants"):
+            object.__setattr__(self, what, MappingProxyType(_by_name(what, getattr(self, what))))
+        for what in ("states", "neglects"):
+            object.__setattr__(self, what, _several(what, getattr(self, what)))
         self._check_names()
+        self._check_functions()
         self._check_rhs()
 
     def __repr__(self):
@@ -192,17 +201,41 @@ class Model(Portable):
         """
         if self.exact is None:
             raise ModelError(f"no exact solution of {self.name!r} is known; integrate it")
-        return tuple(self._value(self.exact, start, t))
+        found = self._told("exact solution", self.exact, start, t)
+        states = tuple(found) if hasattr(found, "__iter__") else ()
+        if len(states) != len(self.states):
+            raise ModelError(
+                f"the exact solution of {self.name!r} returns a value for each of "
+                f"{', '.join(self.states)}, got {clipped(found)}"
+            )
+        return states
 
     def invariant(self, name: str, state: State, t: Scalar = 0) -> Scalar:
         """The value of one invariant at a state."""
         self._expect("invariant", [name], self.invariants)
-        return self._value(self.invariants[name], state, t)
+        found = self._told(f"invariant {name!r}", self.invariants[name], state, t)
+        if not _is_scalar(found):
+            raise ModelError(
+                f"the invariant {name!r} of {self.name!r} returns a number, got {clipped(found)}"
+            )
+        return found
+
+    def _told(self, what, f, state, t):
+        """:meth:`_value`; where it does not exist, the error says of what."""
+        try:
+            return self._value(f, state, t)
+        except (ZeroDivisionError, OverflowError) as error:
+            kind = DivisionError if isinstance(error, ZeroDivisionError) else RangeError
+            raise kind(
+                f"the {what} of {self.name!r} has no value at t = {clipped(t)}, "
+                f"{clipped(state)}: {error}"
+            ) from error
 
     def neglected(self, t: Scalar, start: State) -> dict:
         """A dict: for each :class:`Neglected` the bound of the error that it makes until ``t``
         after ``start``, inf where none is known.
         """
+        start, t = self._state(start), self._time(t)  # though no bound may ask for them
         return {n: self._value(n.bound, start, t) if n.bound else math.inf for n in self.neglects}
 
     def changed(self, **parameters: Scalar) -> "Model":
@@ -212,9 +245,9 @@ class Model(Portable):
 
     def _expect(self, what, names, known):
         for name in names:
-            if name not in known:
+            if not isinstance(name, str) or name not in known:
                 names = ", ".join(known) or "none"
-                raise ModelError(f"{self.name} has no {what} {name!r}; it has {names}")
+                raise ModelError(f"{self.name} has no {what} {clipped(name)}; it has {names}")
 
     def _state(self, state):
         """A state, given in order or by name, as a dict by name."""
@@ -226,13 +259,37 @@ class Model(Portable):
                     f"the state of {self.name!r} lacks {missing}; give all of {', '.join(names)}"
                 )
             return {n: state[n] for n in names}
-        state = tuple(state)
+        if type(state) is not tuple:
+            state = self._in_order(state)
         if len(state) != len(names):
+            count = f"{len(state)} values" if len(state) <= MOST_VALUES else "more values"
             raise ModelError(
-                f"{self.name} has the {len(names)} states {', '.join(names)}; got {len(state)} "
-                f"values: {state!r}"
+                f"{self.name} has the {len(names)} states {', '.join(names)}; got {count}: "
+                f"{clipped(state)}"
             )
         return dict(zip(names, state, strict=True))
+
+    def _in_order(self, state):
+        """A state given in order as a tuple, of no more values than are needed for a message."""
+        if type(state) is list:
+            return tuple(state)
+        unordered = isinstance(state, (str, bytes, set, frozenset))
+        if unordered or not hasattr(state, "__iter__") or has_unit(state):
+            raise ModelError(
+                f"a state of {self.name!r} is a value for each of {', '.join(self.states)}, in "
+                f"this order or by name; got {clipped(state)}{unit_advice(state)}"
+            )
+        return tuple(islice(state, max(len(self.states), MOST_VALUES) + 1))
+
+    def _time(self, t):
+        """The time ``t`` as a number of any kind; :class:`ModelError` for what is none."""
+        try:
+            return t if type(t) is float else to_plain(scalar(t))
+        except ScalarError as error:
+            raise ModelError(
+                f"t is a time of {self.name!r}, a number (float, array, mpf or expression); got "
+                f"{clipped(t)} of type {type(t).__name__}{advice(t)}"
+            ) from error
 
     def _call(self, f, state, parameters, t):
         """``f(s, p, t)``, with the value of each law at this state in p."""
@@ -244,7 +301,7 @@ class Model(Portable):
 
     def _value(self, f, state, t):
         """``f(s, p, t)`` at a state, a tuple for several scalars."""
-        result = self._call(f, self._state(state), self.parameters, t)
+        result = self._call(f, self._state(state), self.parameters, self._time(t))
         return (
             tuple(map(to_plain, result)) if isinstance(result, (tuple, list)) else to_plain(result)
         )
@@ -267,6 +324,28 @@ class Model(Portable):
                 raise ModelError(
                     f"the parameter {name} of {self.name!r} is a number or a function (s, p, t), "
                     f"not {x!r}"
+                )
+
+    def _check_functions(self):
+        if not isinstance(self.name, str):
+            raise ModelError(f"the name of a model is a text, got {clipped(self.name)}")
+        for what in ("rhs", "exact"):
+            f = getattr(self, what)
+            if not _is_function(f) and not (what == "exact" and f is None):
+                raise ModelError(
+                    f"{what} of {self.name!r} is a function (s, p, t), got {clipped(f)}"
+                )
+        for name, f in self.invariants.items():
+            if not isinstance(name, str) or not _is_function(f):
+                raise ModelError(
+                    f"an invariant of {self.name!r} has a name, and is a function (s, p, t); got "
+                    f"{clipped(name)}: {clipped(f)}"
+                )
+        for x in self.neglects:
+            if not isinstance(x, Neglected):
+                raise ModelError(
+                    f"what {self.name!r} neglects is told by Neglected(what, bound, of), got "
+                    f"{clipped(x)}"
                 )
 
     def _check_rhs(self):
@@ -331,6 +410,31 @@ def _is_scalar(x):
     return True
 
 
+def _is_function(x):
+    return type(x) is FunctionType or (is_law(x) and not isinstance(x, type))
+
+
+def _by_name(what, x):
+    """A dict from a mapping or pairs; ``what`` it is, for the message."""
+    try:
+        if isinstance(x, (str, bytes)):
+            raise TypeError
+        return dict(x)
+    except (TypeError, ValueError) as error:
+        raise ModelError(
+            f"the {what} of a model are a dict of values by name, got {clipped(x)}"
+        ) from error
+
+
+def _several(what, x):
+    """A tuple from a sequence in order; ``what`` it is, for the message."""
+    if type(x) is tuple:
+        return x
+    if isinstance(x, (str, bytes, set, frozenset, range)) or not hasattr(x, "__iter__"):
+        raise ModelError(f"the {what} of a model are a tuple of them, got {clipped(x)}")
+    return tuple(x)
+
+
 def is_law(x):
     """True for a function that gives a parameter.
 
@@ -357,6 +461,49 @@ def comparable(what, *values):
     return values
 
 
+def has_unit(x):
+    """True for a quantity of pint or astropy and a time span of NumPy: as plain numbers, which is
+    what NumPy makes of them, they would be other ones.
+    """
+    kind = getattr(getattr(x, "dtype", None), "kind", "")
+    if kind and type(x).__module__ == "numpy":
+        return kind in "mM"  # the usual arrays, asked for no more
+    return hasattr(x, "unit") or (hasattr(x, "magnitude") and hasattr(x, "to"))
+
+
+def unit_advice(x):
+    """What to do with a quantity, as the end of a message; nothing for all else."""
+    return advice(x) if has_unit(x) else ""
+
+
+def real_numbers(x, what):
+    """One real number, or an array or sequence of them, as an array of floats.
+
+    what : what is expected, for the message
+    Raises :class:`ModelError` for all else, and for quantities, whose unit would be lost.
+    """
+    import numpy as np
+
+    try:
+        if has_unit(x):
+            raise TypeError
+        if isinstance(x, (list, tuple)):
+            if not set(map(type, x)) <= {float, int}:
+                x = [real_numbers(entry, what) for entry in x]
+        elif isinstance(x, range) and len(x) > LONGEST_SEQUENCE:
+            raise TypeError
+        given = np.asarray(x)
+        if given.dtype.kind not in "biufO":
+            raise TypeError
+        if given.ndim and given.dtype.kind == "O":
+            given = np.array([real_numbers(entry, what) for entry in given])
+        return given.astype(float, copy=False)
+    except (TypeError, ValueError, OverflowError, RuntimeError) as error:
+        if isinstance(error, ModelError):
+            raise  # of an entry
+        raise ModelError(f"{what}; got {clipped(x)}{unit_advice(x)}") from error
+
+
 def second_order(
     name: str,
     parameters: Mapping,
@@ -376,6 +523,11 @@ def second_order(
     >>> spring.states, spring.derivative((0.5, 1.0))
     (('x', 'dx'), (1.0, -2.0))
     """
+    coordinates = _several("coordinates", coordinates)
+    if not _is_function(accelerations):
+        raise ModelError(
+            f"accelerations of {name!r} is a function (s, p, t), got {clipped(accelerations)}"
+        )
     rates = tuple(f"d{q}" for q in coordinates)
     rhs = StateVariables(rates, accelerations)
     return Model(name, parameters, (*coordinates, *rates), rhs, **more)

@@ -13,7 +13,17 @@ from ..algebra.codegen.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
 from .control.analytic import hazards, kinks
 from .control.verified import Verified
-from .model import Model, ModelError, cached, current, is_law, shared
+from .model import (
+    Model,
+    ModelError,
+    cached,
+    current,
+    has_unit,
+    is_law,
+    real_numbers,
+    shared,
+    unit_advice,
+)
 
 _TRACED: dict = {}
 
@@ -259,6 +269,9 @@ def start_state(model, start):
         and math.isfinite(sum(start))
     ):
         return tuple(start)
+    kind = getattr(getattr(start, "dtype", None), "char", "")
+    if kind == "d" and start.ndim == 1 and type(start).__module__ == "numpy":
+        return start_state(model, tuple(start.tolist()))
     names = ", ".join(model.states)
     of = f"the start of {model.name!r}"
     if not hasattr(start, "__iter__"):
@@ -268,10 +281,15 @@ def start_state(model, start):
         raise ModelError(f"{model.name} has no state {unknown[0]!r}; its states are {names}")
 
     def number(n, x):
-        wrong = f"{of} needs a number for {n}, got {x!r}"
-        if isinstance(x, (str, bool)):
-            raise ModelError(wrong)
-        return _finite(x, f"{of} has {n} =", wrong)
+        if type(x) is float and -math.inf < x < math.inf:
+            return x  # before the messages are written
+        needed = f"{of} needs a number for {n}"
+        if getattr(x, "shape", ()):
+            real_numbers(x, needed)
+            return x
+        if isinstance(x, (str, bytes, bool)):
+            raise ModelError(f"{needed}, got {x!r}")
+        return _finite(x, f"{of} has {n} =", f"{needed}, got {x!r}")
 
     return tuple(number(n, x) for n, x in model._state(start).items())
 
@@ -286,13 +304,13 @@ def _parameter(model, name, x):
 
 
 def _finite(x, what, no_number):
-    """``x`` as a finite float; an array as it is."""
-    if getattr(x, "shape", ()):
-        return x
+    """``x`` as a finite float."""
     try:
+        if not isinstance(x, (float, int)) and has_unit(x):
+            raise TypeError
         x = float(x)
-    except (TypeError, RuntimeError) as error:  # RuntimeError: of SymEngine
-        raise ModelError(no_number) from error
+    except (TypeError, ValueError, OverflowError, RuntimeError) as error:  # the last of SymEngine
+        raise ModelError(f"{no_number}{unit_advice(x)}") from error
     if not math.isfinite(x):
         raise ModelError(f"{what} {x!r}; a motion needs finite numbers")
     return x

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from ..algebra.scalars import Scalar
 from .methods.base import sample_times
 from .methods.table import METHODS
-from .model import Model, ModelError
+from .model import Model, ModelError, real_numbers
 
 DEFAULT_SAMPLES = 101  # of a motion without steps
 
@@ -134,12 +134,16 @@ class Motion:
         """
         import numpy as np
 
-        times = np.atleast_1d(np.asarray(t, dtype=float))
+        what = "at() takes a time of the motion, or an array of times"
+        given = real_numbers(t, what)
+        if given.ndim > 1:
+            raise ModelError(f"{what} of one axis; got an array of shape {given.shape}")
+        times = np.atleast_1d(given)
         begin, end = self.segments[0].t0, self.t_end
         if not np.all((times >= begin) & (times <= end)):
             raise ModelError(f"the motion goes from t = {begin:g} to {end:g}; got t = {t!r}")
         found = self._at(times)
-        return found if np.ndim(t) else {n: float(x[0]) for n, x in found.items()}
+        return found if given.ndim else {n: float(x[0]) for n, x in found.items()}
 
     def _at(self, times):
         import numpy as np

@@ -4,6 +4,7 @@ None, quantities with units, negative masses. The long run over all public names
 """
 
 import datetime
+import itertools
 import time
 from concurrent.futures import ThreadPoolExecutor
 from decimal import Decimal
@@ -20,18 +21,22 @@ from newton_euler import (
     ForceSystem,
     Frame,
     Inertia,
+    Model,
     NewtonEulerError,
     at,
     centre_of_mass,
+    compiled,
     cos,
     cross,
     dot,
     exp,
     frenet,
+    integrate,
     kinetic_energy,
     log,
     moving,
     pi,
+    prepare,
     radians,
     sin,
     sqrt,
@@ -41,7 +46,15 @@ from newton_euler import (
 )
 from newton_euler.algebra import ScalarError, SingularError, same
 from newton_euler.algebra.errors import ArgumentError, checked
-from newton_euler.algebra.scalars import LONGEST, Scalar, operations, scalar, shown
+from newton_euler.algebra.scalars import (
+    LONGEST,
+    DivisionError,
+    RangeError,
+    Scalar,
+    operations,
+    scalar,
+    shown,
+)
 from newton_euler.algebra.vectors import FrameError
 from newton_euler.applications import (
     buoyancy,
@@ -68,6 +81,7 @@ from newton_euler.dynamics import (
     weight_potential,
     work_integral,
 )
+from newton_euler.motion import ModelError, Neglected, second_order
 
 ground = Frame("ground")
 P = ground.point("P", 1.0, 2.0, 3.0)
@@ -242,6 +256,180 @@ def test_a_bug_of_a_formula_is_not_dressed_as_a_mistake_of_its_user():
     for x, bug in ((1.0, KeyError), (0.0, NameError)):
         with pytest.raises(bug):
             forgetful(x)
+
+
+# -- models and motions
+
+
+def thrown(s, p, t):
+    return s.h + s.v * t - p.g * t * t / 2, s.v - p.g * t
+
+
+def falling(s, p, t):
+    return s.v, -p.g
+
+
+def energy(s, p, t):
+    return p.g * s.h + s.v**2 / 2
+
+
+AIR = Neglected("the air", lambda s, p, t: 0.01 * t**2, "position, m")
+FALL = Model("fall", {"g": 9.81}, ("h", "v"), falling, {"energy": energy}, thrown, (AIR,))
+START = (1.0, 0.0)
+PART_OF_MODEL = {
+    "name": 3, "parameters": None, "states": "hv", "rhs": None, "invariants": {"energy": 3},
+    "exact": 3, "neglects": AIR,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("part", PART_OF_MODEL)
+def test_each_part_of_a_model_is_asked_for_in_words(part):
+    parts = {
+        "name": "fall", "parameters": {"g": 9.81}, "states": ("h", "v"), "rhs": falling,
+    }  # fmt: skip
+    for bad in (PART_OF_MODEL[part], 3, object(), np.ones((2, 3, 4))):
+        with pytest.raises(ModelError, match=r"model|fall"):
+            Model(**{**parts, part: bad})
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: second_order("m", {}, 3, falling),
+        lambda: second_order("m", {}, ("x",), None),
+        lambda: Neglected("the air", 3, "position, m"),
+        lambda: FALL.compiled_rhs([1]),
+        lambda: FALL.solution(None, START),
+        lambda: FALL.solution(1.0, range(10**12)),
+        lambda: FALL.solution(1.0, itertools.count()),
+        lambda: FALL.derivative({1.0, 0.0}),
+        lambda: FALL.derivative(START, "now"),
+        lambda: FALL.invariant([], START),
+        lambda: FALL.neglected("now", START),
+        lambda: FALL.neglected(1.0, 3),
+        lambda: integrate(FALL, 10**400, START),
+        lambda: integrate(FALL, 1.0, (10**400, 0.0)),
+        lambda: integrate(FALL, 1.0, (b"30", 0.0)),
+        lambda: integrate(FALL, 1.0, START, method=np.array(["exact", "taylor"])),
+        lambda: integrate(FALL, 1.0, START, events=range(10**12)),
+        lambda: integrate(FALL, 1.0, START, samples=range(10**12)),
+        lambda: prepare(FALL, method=["exact"]),
+        lambda: integrate(FALL, 1.0, START).at(object()),
+        lambda: integrate(FALL, 1.0, START).at("0.5"),
+        lambda: integrate(FALL, 1.0, START).at(np.full((2, 2), 0.5)),
+    ],
+)
+def test_models_and_motions_refuse_in_words(call):
+    with pytest.raises(NewtonEulerError):
+        call()
+
+
+def test_what_a_function_of_a_model_returns_is_told_where_it_does_not_fit():
+    for exact, error in (
+        (lambda s, p, t: None, ModelError),
+        (lambda s, p, t: (1.0, 2.0), ModelError),
+        (lambda s, p, t: (1 / t,), ZeroDivisionError),
+    ):
+        model = Model("m", {}, ("x",), lambda s, p, t: (1.0,), exact=exact)
+        with pytest.raises(NewtonEulerError, match="exact solution") as told:
+            model.solution(0.0, (1.0,))
+        assert isinstance(told.value, error)
+    model = Model("m", {}, ("x",), lambda s, p, t: (1.0,), {"none": lambda s, p, t: None})
+    with pytest.raises(ModelError, match="returns a number"):
+        model.invariant("none", (1.0,))
+
+
+def in_array(x):
+    """An array of two such objects: np.array([x, x]) would go into them."""
+    array = np.empty(2, object)
+    array[0] = array[1] = x
+    return array
+
+
+MOTION = integrate(FALL, 1.0, START)
+DECAY = Model(
+    "decay", {"k": 2.0}, ("x",), lambda s, p, t: (-p.k * s.x,),
+    exact=lambda s, p, t: (s.x * exp(-p.k * t),),
+)  # fmt: skip
+TAKERS_OF_QUANTITIES = {
+    "t": lambda q: integrate(FALL, q, START),
+    "from and to": lambda q: integrate(FALL, (0.0, q), START),
+    "start": lambda q: integrate(FALL, 1.0, q),
+    "state": lambda q: integrate(FALL, 1.0, (q, 0.0)),
+    "state by name": lambda q: integrate(FALL, 1.0, {"h": q, "v": 0.0}),
+    "states": lambda q: integrate(FALL, 1.0, (in_array(q), 0.0)),
+    "parameter": lambda q: FALL.changed(g=q),
+    "parameters": lambda q: FALL.changed(g=in_array(q)),
+    "samples": lambda q: integrate(FALL, 1.0, START, samples=q),
+    "sample": lambda q: integrate(FALL, 1.0, START, samples=[0.5, q]),
+    "at": lambda q: MOTION.at(q),
+    "one at": lambda q: MOTION.at([0.5, q]),
+    "derivative": lambda q: FALL.derivative(q),
+    "derivative at": lambda q: FALL.derivative(START, q),
+    "solution": lambda q: FALL.solution(q, START),
+    "neglected": lambda q: FALL.neglected(q, START),
+    "invariant": lambda q: FALL.invariant("energy", (q, 0.0)),
+    "prepared exact": lambda q: prepare(DECAY, method="exact")(1.0, (q,)),
+    "prepared exact at": lambda q: prepare(DECAY, method="exact")(q, (1.0,)),
+    "prepared dop853": lambda q: prepare(DECAY, method="dop853")(1.0, q),
+    "compiled": lambda q: compiled(lambda x: 2 * x)(q),
+}
+
+
+@pytest.mark.parametrize("door", TAKERS_OF_QUANTITIES)
+def test_no_motion_drops_a_unit(door):
+    fractions = np.array([0.1, 0.2])
+    span = np.timedelta64(1, "s")
+    for quantity in (Quantity(), fractions.view(WithUnit), span, fractions.astype("m8[s]")):
+        with pytest.raises(NewtonEulerError):
+            TAKERS_OF_QUANTITIES[door](quantity)
+
+
+def test_a_prepared_motion_of_taylor_drops_no_unit():
+    pytest.importorskip("heyoka")
+    run = prepare(DECAY, method="taylor")
+    for t, start in ((Quantity(), (1.0,)), (1.0, (Quantity(),)), (1.0, np.ones(1).view(WithUnit))):
+        with pytest.raises(ModelError, match="it has a unit"):
+            run(t, start)
+    assert run(1, [1]) == run(np.float64(1), np.ones(1)) == run(1.0, (1.0,))
+
+
+def test_what_can_be_told_as_real_numbers_is_taken():
+    for times in ([0.5, 0.25], (0.5, mpmath.mpf(0.25)), np.array([0.5, 0.25], dtype=object)):
+        assert MOTION.at(times)["h"].tolist() == MOTION.at(np.array([0.5, 0.25]))["h"].tolist()
+        assert integrate(FALL, 1.0, START, samples=times).times.tolist() == [0.5, 0.25]
+    assert MOTION.at(1) == MOTION.end
+    assert integrate(FALL, 3.0, START, samples=(n for n in range(3))).times.tolist() == [0, 1, 2]
+    assert FALL.derivative(iter(START)) == FALL.derivative([1, 0]) == (0.0, -9.81)
+
+
+# -- compiled formulas
+
+
+def test_what_cannot_be_compiled_is_told_in_words():
+    for f in (None, 3.0, int, max, object(), np, lambda *several: 1.0):
+        with pytest.raises(ScalarError, match=r"function of scalars|to compile names"):
+            compiled(f)
+    with pytest.raises(ScalarError, match="backend must be"):
+        compiled(sin, backend=np.array(["numpy", "heyoka"]))
+    with pytest.raises(ScalarError, match="unexpected keyword argument 'q'"):
+        compiled(lambda x: x, q=1.0)
+    for f in (lambda x: 1.0 if x > 0 else 2.0, lambda x: 2 * float(x), lambda x: np.sin(x)):
+        with pytest.raises(ScalarError):
+            compiled(f)
+
+
+def test_a_compiled_formula_says_what_it_takes_and_where_it_has_no_value():
+    ratio = compiled(lambda x, y: sqrt(x) / y)
+    for args in ((1.0,), (1.0, 2.0, 3.0), (1.0, None), (1.0, "2")):
+        with pytest.raises(ScalarError):
+            ratio(*args)
+    with pytest.raises(SingularError, match=r"no value at x = -1\.0, y = 1\.0"):
+        ratio(-1.0, 1.0)
+    with pytest.raises(DivisionError, match="no value"):
+        ratio(1.0, 0.0)
+    with pytest.raises(RangeError, match="no value"):
+        compiled(exp)(1e6)
 
 
 # -- equal vectors

@@ -21,11 +21,16 @@ from .. import scalars
 from ..jets import Moving
 from ..scalars import (
     FUNCTIONS,
+    DivisionError,
+    NewtonEulerError,
+    RangeError,
     Scalar,
     ScalarError,
     Scaled,
+    SingularError,
     _Own,
     _root,
+    clipped,
     library_of,
     pi,
     scalar,
@@ -152,7 +157,10 @@ class Compiled:
         for a in args:
             if type(a) is not float:
                 return self._other(args)
-        return self._build(self.on_floats(*args))
+        try:
+            return self._build(self.on_floats(*args))
+        except (ZeroDivisionError, OverflowError, ValueError) as error:
+            raise self._no_value(args, error) from error
 
     @cached_property
     def dependencies(self):
@@ -188,6 +196,16 @@ class Compiled:
             self._functions[name] = space["formula"]
         return self._functions[name]
 
+    def _no_value(self, args, error):
+        """The error in words for one of arithmetic."""
+        if isinstance(error, NewtonEulerError):
+            return error
+        kinds = {ZeroDivisionError: DivisionError, OverflowError: RangeError}
+        given = ", ".join(f"{n} = {x!r}" for n, x in zip(self.parameters, args, strict=True))
+        return kinds.get(type(error), SingularError)(
+            f"{self.name} has no value at {given}: {error}"
+        )
+
     def _in_order(self, args, named):
         first = dict(zip(self.parameters, args, strict=False))  # too few or too many: see wrong
         given = {**self._defaults, **first, **named}
@@ -199,7 +217,7 @@ class Compiled:
         }
         if any(wrong.values()):
             lists = (f"; {what}: {', '.join(names)}" for what, names in wrong.items() if names)
-            raise TypeError(
+            raise ScalarError(
                 f"{self.name} takes {', '.join(self.parameters) or 'no arguments'}{''.join(lists)}"
             )
         return [given[n] for n in self.parameters]
@@ -340,8 +358,13 @@ def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compile
     >>> height.operations
     5
     """
+    if not callable(f) or isinstance(f, type):
+        raise ScalarError(f"compiled: f is a function of scalars; got {clipped(f)}")
+    what = "backend must be 'auto', 'numpy' or 'heyoka', got"
+    if not isinstance(backend, str):
+        raise ScalarError(f"{what} {clipped(backend)}")
     if backend not in ("auto", "numpy", "heyoka"):
-        raise ValueError(f"backend must be 'auto', 'numpy' or 'heyoka', got {backend!r}")
+        raise ValueError(f"{what} {backend!r}")
     return Compiled(*recorded(f, **constants)._replace(backend=backend))
 
 
@@ -349,9 +372,18 @@ def recorded(f, **constants):
     """The :class:`Recording` of the formula ``f``, see :func:`compiled`: its steps without a
     text, which takes twice as long to write.
     """
-    signature = inspect.signature(f).parameters
+    try:
+        signature = inspect.signature(f).parameters
+    except (TypeError, ValueError) as error:  # as of max
+        raise ScalarError(f"a formula to compile names its arguments: {error}") from error
     if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
-        raise TypeError(f"a formula to compile names all its arguments, but {f!r} does not")
+        raise ScalarError(f"a formula to compile names all its arguments, but {f!r} does not")
+    unknown = [n for n in constants if n not in signature]
+    if unknown:
+        raise ScalarError(
+            f"the formula {f!r} got an unexpected keyword argument {unknown[0]!r}; it takes "
+            f"{', '.join(signature) or 'none'}"
+        )
     trace, parameters = Trace(), [n for n in signature if n not in constants]
     values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
     by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
@@ -359,10 +391,10 @@ def recorded(f, **constants):
     try:
         shape = _shape(f(*by_place, **values), leaves, keys)
     except TypeError as error:
-        if "ufunc" not in str(error):
-            raise
         # NumPy's own message on an unknown kind of number does not help
-        raise TypeError(NO_VALUE) from error
+        if "ufunc" not in str(error) and str(error) != NO_VALUE:
+            raise
+        raise ScalarError(NO_VALUE) from error
     defaults = {
         n: default
         for n in parameters
