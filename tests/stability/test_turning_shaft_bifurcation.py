@@ -84,7 +84,7 @@ def test_small_swings_about_the_new_angle_have_the_frequency_of_the_criterion(of
         parameters = turning(ratio)
         period = 2 * math.pi / math.sqrt(stiffness(theta, **parameters))
         swing = 1e-4 * math.sqrt(off)
-        motion = integrate(hinged(**parameters), period, (theta + swing, 0.0), rtol=1e-10)
+        motion = integrate(hinged(**parameters), period, (theta + swing, 0.0), rtol=1e-9)
         assert motion.end["theta"] - theta == pytest.approx(swing, rel=1e-5)
         half = motion.at(period / 2)
         assert half["theta"] - theta == pytest.approx(-swing, rel=1e-3)
