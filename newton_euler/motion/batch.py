@@ -5,7 +5,7 @@ from time import perf_counter
 from types import MappingProxyType
 
 from .control.knots import knots
-from .control.run import ROUND_OFF_OF_RATES, SERIES_SAFETY, Run, predicted, usable
+from .control.run import ROUND_OFF_OF_RATES, SERIES_SAFETY, Run, predicted, told, usable
 from .control.verified import NEAR_END, NEAR_START, SPARE
 from .methods.exact import within
 from .methods.table import METHODS
@@ -173,7 +173,7 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     rest = np.setdiff1d(rest, covered)
     if len(rest):
         calls += compare(rest)
-    return found, errors, calls
+    return found, np.array([told(error, rtol) for error in errors.tolist()]), calls
 
 
 def _representatives(begins, ends):
