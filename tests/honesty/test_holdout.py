@@ -1,6 +1,5 @@
 """Tests of the families of the holdout."""
 
-import math
 from fractions import Fraction
 from random import Random
 
@@ -58,33 +57,11 @@ def numbers(x):
 
 
 @pytest.mark.parametrize("name", HOLDOUT)
-def test_a_family_draws_the_same_for_the_same_seed_and_others_for_another(name):
-    def described(case):
-        model = case.written_out or case.model
-        parameters = {n: numbers(x) for n, x in model.parameters.items()}
-        return (
-            model.compiled_rhs(*parameters).source,
-            parameters,
-            tuple(map(numbers, case.start)),
-            case.t0,
-            case.t_end,
-        )
-
-    first = [described(draw(name, 0, k)) for k in range(DRAWS)]
-    assert described(draw(name, 0, 1)) == first[1]
-    assert described(draw(name, 1, 1)) not in first
-    assert all(first[i] != first[j] for i in range(DRAWS) for j in range(i))
-
-
-@pytest.mark.parametrize("name", HOLDOUT)
-def test_every_draw_has_a_start_with_finite_rates_and_a_positive_time(name):
+def test_knots_lie_inside_the_motion(name):
     for k in range(DRAWS):
         case = draw(name, 0, k)
         for member in judge.members(case):
             one = case.member(member)
-            assert one.t_end > one.t0
-            assert all(map(math.isfinite, one.model.derivative(one.start, one.t0)))
-            assert list(one.times) == sorted(one.times)
             assert all(one.t0 < t < one.t_end for t in one.knots)
 
 

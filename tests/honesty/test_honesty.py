@@ -16,12 +16,13 @@ from types import SimpleNamespace
 
 import pytest
 
-import tests.honesty.families  # noqa: F401
+import tests.honesty.families
+import tests.honesty.holdout  # noqa: F401
 from newton_euler import prepare
 from newton_euler.accuracy.reference import by_extrapolation
 from newton_euler.motion import ModelError
 from tests.honesty import closed_forms, judge, references, report
-from tests.honesty.cases import DRAWS, FAMILIES, draw, names
+from tests.honesty.cases import DRAWS, FAMILIES, HOLDOUT, draw, names
 from tests.honesty.references import NoReferenceError, reference
 from tests.honesty.workers import Plan, results
 
@@ -73,12 +74,13 @@ def numbers(x):
     return tuple(x.tolist()) if getattr(x, "shape", ()) else x
 
 
-@pytest.mark.parametrize("name", FAMILIES)
+@pytest.mark.parametrize("name", [*FAMILIES, *HOLDOUT])
 def test_a_family_draws_the_same_for_the_same_seed_and_others_for_another(name):
     def described(case):
-        parameters = {n: numbers(x) for n, x in case.model.parameters.items()}
+        model = case.written_out or case.model
+        parameters = {n: numbers(x) for n, x in model.parameters.items()}
         return (
-            case.model.compiled_rhs(*parameters).source,
+            model.compiled_rhs(*parameters).source,
             parameters,
             tuple(map(numbers, case.start)),
             case.t0,
@@ -91,7 +93,7 @@ def test_a_family_draws_the_same_for_the_same_seed_and_others_for_another(name):
     assert all(first[i] != first[j] for i in range(DRAWS) for j in range(i))
 
 
-@pytest.mark.parametrize("name", FAMILIES)
+@pytest.mark.parametrize("name", [*FAMILIES, *HOLDOUT])
 def test_every_draw_has_a_start_with_finite_rates_and_a_positive_time(name):
     for k in range(DRAWS):
         case = draw(name, 0, k)
