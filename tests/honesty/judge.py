@@ -6,7 +6,6 @@ with its own error estimate.
 """
 
 import math
-import sys
 import threading
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -15,7 +14,7 @@ from time import perf_counter
 from newton_euler import integrate, prepare
 from newton_euler.motion import ModelError
 from tests.honesty.engine import METHOD_NAMES
-from tests.honesty.limits import TimeUp, limited
+from tests.honesty.limits import TimeUp, frequent_switches, limited
 from tests.honesty.references import scales
 
 TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
@@ -472,15 +471,11 @@ def _threads(case, truth, way, rtol, calls, seconds, ask, other):
             found[n].append(asked(starts[n]))
 
     threads = [threading.Thread(target=work, args=(n,)) for n in range(2)]
-    interval = sys.getswitchinterval()
-    sys.setswitchinterval(1e-6)
-    try:
+    with frequent_switches():
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-    finally:
-        sys.setswitchinterval(interval)
     wrong, moved = 0, 0.0
     for n in range(2):
         change = (

@@ -18,6 +18,7 @@ from newton_euler.motion.model import second_order
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.scenes import scene
 from newton_euler.scenes.ladders import Ladder, Rung, observed_states
+from tests.honesty.limits import frequent_switches
 
 START, T = (0.0, 0.0), 2.0
 RATES = {"G": 9.81, "sin": sin}  # what the cells of a notebook below define
@@ -372,13 +373,9 @@ def test_threads_that_change_and_integrate_do_not_mix():
                 wrong.append((seed, g, found))
 
     threads = [threading.Thread(target=work, args=(seed,)) for seed in range(4)]
-    interval = sys.getswitchinterval()
-    sys.setswitchinterval(1e-6)
-    try:
+    with frequent_switches():
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-    finally:
-        sys.setswitchinterval(interval)
     assert wrong == []

@@ -3,7 +3,6 @@ would get alone.
 """
 
 import math
-import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
 
@@ -13,6 +12,7 @@ import pytest
 from newton_euler import sin
 from newton_euler.motion import Event, integrate, prepare, second_order
 from newton_euler.scenes.planar.pendulum import physical_pendulum
+from tests.honesty.limits import frequent_switches
 
 
 def pendulum():
@@ -22,10 +22,8 @@ def pendulum():
 @pytest.fixture
 def busy():
     """Threads that take turns every microsecond."""
-    before = sys.getswitchinterval()
-    sys.setswitchinterval(1e-6)
-    yield
-    sys.setswitchinterval(before)
+    with frequent_switches():
+        yield
 
 
 def in_threads(call, arguments, threads=4):
