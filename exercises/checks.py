@@ -3,15 +3,19 @@ against the key.
 """
 
 import random
+from itertools import combinations
 
-from mpmath import mp, mpf
+import numpy as np
+from mpmath import mp, mpc, mpf
 
 from newton_euler.algebra.scalars import max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 
 from .catalogue import CatalogueError
+from .catalogue.words import WORDS, word
+from .following import earlier_answers, follow
 from .proofs import DIGITS
-from .variants import SEPARATION, distance, draw, evaluate, flat, symbol_values
+from .variants import apart, at_points, distance, draw, flat, symbol_points, symbol_values
 
 # relative, solve in floats against prove; in 50 digits they must agree to the square of it
 AGREEMENT = 1e-9
@@ -26,9 +30,43 @@ def check(p, seeds=1):
     running ``solve`` on dimensions.
     """
     faults = _fit(p) or _dimensions(p)
-    for n in range(seeds):
+    for n in _different(p, seeds):
         faults = faults or [f"{fault} (seed {n})" for fault in _agreement(p, n)]
     return faults
+
+
+def alike(p, seeds=1):
+    """Warnings, as sentences: mistakes that give the same wrong answer for all numbers, so that no
+    diagnosis can tell which of them a student made.
+    """
+    same = None
+    for n in _different(p, seeds):
+        wrong = at_points(p, values(p, n))[1]
+        pairs = {
+            (key, one, other)
+            for one, other in combinations(wrong, 2)
+            for key in wrong[one].keys() & wrong[other].keys()
+            # of few words, two mistakes often have the same
+            if p.answer(key).kind != "choice" and _same(wrong[one][key], wrong[other][key])
+        }
+        same = pairs if same is None else same & pairs
+    return [
+        f"the mistakes {one} and {other} give the same wrong {key}: whoever makes one is told both"
+        for key, one, other in sorted(same or ())
+    ]
+
+
+def _same(a, b):
+    """Whether two wrong answers, tuples of points, are one."""
+    return all(distance(x, y) <= AGREEMENT for x, y in zip(a, b, strict=True))
+
+
+def _different(p, seeds):
+    """The seeds below ``seeds`` that have numbers of their own: only the first where nothing
+    varies.
+    """
+    varies = p.symbols or any(g.vary for g in p.givens.values())
+    return range(seeds if varies else min(seeds, 1))
 
 
 def values(p, seed):
@@ -40,12 +78,12 @@ def values(p, seed):
 def _fit(p):
     """Names in the text against names in the code."""
     try:
-        g = p.base(values(p, 0))
-        named, solved, proved = (
-            p.code.mistakes(g),
-            p.code.solve(g),
-            p.code.prove(_precise(p, values(p, 0))),
-        )
+        # arrays have nan where floats raise: at this point a formula may not be real
+        g = p.base({n: np.atleast_1d(float(x)) for n, x in values(p, 0).items()})
+        with np.errstate(all="ignore"):
+            named, solved = p.code.mistakes(g), p.code.solve(g)
+        with mp.workdps(DIGITS):  # a root or a series of a proof stops when it has these digits
+            proved = p.code.prove(_precise(p, values(p, 0)))
     except CatalogueError as error:
         return [str(error)]
     missing = [m for m in p.mistakes if m not in named]
@@ -94,7 +132,7 @@ def _dimensions(p):
     faults = []
     for key, answer in answers.items():
         a = p.answer(key)
-        if a.kind in ("count", "choice"):
+        if a.kind in WORDS:
             continue
         asked = unit(a.unit).dimension
         for x in flat(answer):
@@ -111,11 +149,12 @@ def _exchanged(p, g):
         named = p.code.mistakes(g)
     except DimensionError:  # a wrong model may add unlike quantities
         return []
-    asked = {a.key: unit(a.unit).dimension for a in p.answers if a.kind not in ("count", "choice")}
+    asked = {a.key: unit(a.unit).dimension for a in p.answers if a.kind not in WORDS}
     faults = []
     for name, answers in named.items():
         for key, answer in answers.items():
-            found = {x for x in flat(answer) if isinstance(x, Dimension)} - {asked.get(key)}
+            found = {x for x in flat(answer) if isinstance(x, Dimension)}
+            found = found - {asked.get(key)} if len(found) == 1 else ()  # unlike ones are a slip
             faults += [
                 f"the mistake {name} gives {key} the dimension of {k}"
                 for k, d in asked.items()
@@ -126,43 +165,113 @@ def _exchanged(p, g):
 
 def _precise(p, given):
     with mp.workdps(DIGITS):
-        return p.base({n: mpf(repr(v)) for n, v in given.items()})
+        return p.base({n: mpf(repr(v)) for n, v in given.items()}, mpf(1))
 
 
 def _agreement(p, seed):
+    faults = []
     try:
-        given = values(p, seed)
-        right, wrong = evaluate(p, given)
+        given, right, proved, precise = _both_ways(p, values(p, seed))
     except CatalogueError as error:
         return [str(error)]
-    with mp.workdps(DIGITS):
-        g = _precise(p, given)
-        proved, precise = p.in_units(p.code.prove(g)), p.in_units(p.code.solve(g))
-    faults = []
-    for key in right:
-        a = p.answer(key)
-        if a.kind in ("count", "choice"):
-            if proved[key] != right[key][0]:
-                faults.append(f"{key}: solve says {right[key][0]}, prove says {proved[key]}")
+    for a in p.answers:
+        found = right[a.key]
+        if a.kind in WORDS:
+            faults += _word_faults(a, found[0], word(proved[a.key]))
             continue
         for numbers, tolerance, how in (
-            (right[key], AGREEMENT, "floats"),
-            (flat(precise[key]), AGREEMENT**2, "50 digits"),
+            (found, AGREEMENT, "floats"),
+            (flat(precise[a.key]), AGREEMENT**2, "50 digits"),
         ):
-            by_proof = flat(proved[key])
+            by_proof = flat(proved[a.key])
             gap = _gap(numbers, by_proof)
-            if not gap <= tolerance:
+            if not gap <= tolerance and not _both_zero(numbers, by_proof, a.atol, tolerance):
                 faults.append(
-                    f"{key}: solve in {how} and prove differ by {gap:.1e} of its size: "
+                    f"{a.key}: solve in {how} and prove differ by {gap:.1e} of its size: "
                     f"{_shown(numbers)} against {_shown(by_proof)}"
                 )
+    faults += _hidden(p, given, p.same_in_book if seed == 0 else ())
+    return faults or _following(p, given, right)
+
+
+def _both_ways(p, given):
+    """(values, solve in floats, prove, solve in 50 digits) where all of them are real: with these
+    values of the symbols, or at the first of the points at which formulas are compared.
+    """
+    points = symbol_points(p)
+    others = [
+        dict(zip(points, map(float, row), strict=True))
+        for row in zip(*points.values(), strict=True)
+    ]
+    for symbols in ({}, *others):
+        here = {**given, **symbols}
+        right = {k: x for k, (x,) in at_points(p, here)[0].items()}
+        if not all(map(_is_real, right.values())):
+            continue
+        with mp.workdps(DIGITS):
+            g = _precise(p, here)
+            proved, precise = p.in_units(p.code.prove(g)), p.in_units(p.code.solve(g))
+        if all(_is_real(flat(x)) for x in (*proved.values(), *precise.values())):
+            return here, right, proved, precise
+    told = ", ".join(f"{n} = {x:.6g}" for n, x in given.items()) or "no numbers"
+    raise CatalogueError(f"solve and prove are both real at no point: tried {told}")
+
+
+def _is_real(numbers):
+    """True of finite real numbers, and of what is no number."""
+    return all(
+        not isinstance(x, (float, complex, mpf, mpc)) or (mp.im(x) == 0 and mp.isfinite(x))
+        for x in numbers
+    )
+
+
+def _word_faults(answer, solved, proved):
+    if answer.kind == "choice" and solved not in answer.of:
+        return [f"{answer.key}: solve says {solved!r}, which is none of {', '.join(answer.of)}"]
+    if answer.kind == "count" and type(solved) is not int:
+        return [f"{answer.key}: solve gives {solved!r}, which is no whole number"]
+    if solved != proved:
+        return [f"{answer.key}: solve says {solved}, prove says {proved}"]
+    return []
+
+
+def _hidden(p, given, exempt):
+    """Mistakes that give nearly the right answer, over the points at which formulas are compared;
+    of words only with the book's numbers, since with others they may.
+    """
+    faults = []
+    right, wrong = at_points(p, {n: given[n] for n in p.givens})
+    book = all(given[n] == x for n, x in p.book_values.items())
     for name, answers in wrong.items():
-        for key, answer in answers.items():
-            if (
-                p.answer(key).kind not in ("count", "choice")
-                and distance(answer, right[key]) < SEPARATION
-            ):
-                faults.append(f"the mistake {name} gives nearly the right {key}: {_shown(answer)}")
+        for key, points in answers.items():
+            a, real = p.answer(key), list(filter(_is_real, points))
+            if a.kind == "choice" and not {x for (x,) in points} <= set(a.of):
+                faults.append(f"the mistake {name} gives {key} a word that is none of {a.of}")
+            elif not real and book:
+                faults.append(f"the mistake {name} gives no real {key}")
+            elif name in exempt or (a.kind in WORDS and not book):
+                continue
+            elif points == right[key] if a.kind in WORDS else not apart(points, right[key]):
+                faults.append(
+                    f"the mistake {name} gives nearly the right {key}: {_shown(points[0])}; if it "
+                    "does so only with the numbers of the book, write same_in_book: true"
+                )
+    return faults
+
+
+def _following(p, given, right):
+    """What ``follows`` says of right earlier answers must be the right later ones."""
+    faults, asked = [], [a.key for a in p.answers]
+    for key, earlier in earlier_answers(p).items():
+        strange = [n for n in (key, *earlier) if n not in asked]
+        if strange:
+            return [f"follows has {', '.join(strange)}; the problem asks for {', '.join(asked)}"]
+        found = follow(p, key, given, {n: right[n] for n in earlier})
+        if not distance(found, right[key]) <= AGREEMENT:
+            faults.append(
+                f"{key} does not follow from {' and '.join(earlier)}: follows gives "
+                f"{_shown(found)}, solve {_shown(right[key])}"
+            )
     return faults
 
 
@@ -176,8 +285,24 @@ def _gap(a, b):
         )
 
 
+def _both_zero(a, b, atol, tolerance):
+    """Whether a key is zero, as students' answers to it are judged, and both ways say so: nearer to
+    it than ``atol`` by the root of the relative tolerance.
+    """
+    with mp.workdps(DIGITS):
+        size = mp.sqrt(sum(mpf(x) ** 2 for x in (*a, *b)))
+        return bool(len(a) == len(b) and size <= atol * mp.sqrt(tolerance))
+
+
 def _shown(numbers):
-    return "(" + ", ".join(f"{max_abs(x) * (1 if x >= 0 else -1):.6g}" for x in numbers) + ")"
+    return (
+        "("
+        + ", ".join(
+            x if isinstance(x, str) else f"{max_abs(x) * (1 if x >= 0 else -1):.6g}"
+            for x in numbers
+        )
+        + ")"
+    )
 
 
-__all__ = ["AGREEMENT", "check", "values"]
+__all__ = ["AGREEMENT", "alike", "check", "values"]

@@ -12,10 +12,12 @@ from .algebra import cosh as cosh
 from .algebra import cross as cross
 from .algebra import dot as dot
 from .algebra import exp as exp
+from .algebra import integral as integral
 from .algebra import log as log
 from .algebra import moving as moving
 from .algebra import pi as pi
 from .algebra import radians as radians
+from .algebra import root as root
 from .algebra import sin as sin
 from .algebra import sinh as sinh
 from .algebra import solve_linear as solve_linear

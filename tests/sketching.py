@@ -6,7 +6,7 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
 from newton_euler import Frame
-from newton_euler.drawing.primitives import DARK
+from newton_euler.drawing.page.primitives import DARK
 from newton_euler.drawing.sketch import Sketch
 
 ground = Frame("ground")
@@ -32,3 +32,12 @@ def vertices(s, colour=DARK):
 
 def texts(s):
     return {t.get_text(): t for t in s.ax.texts}
+
+
+def colour_at(s, *place):
+    """The colour with which a place of the scene is seen, as "#rrggbb"."""
+    from PIL import Image
+
+    image = Image.open(io.BytesIO(png(s))).convert("RGB")
+    x, y = s.ax.transData.transform(s.view.project(place))
+    return to_hex([c / 255 for c in image.getpixel((round(x), round(image.height - y)))])

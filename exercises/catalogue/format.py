@@ -2,6 +2,7 @@
 whatever does not fit.
 """
 
+import math
 from reprlib import repr as short
 
 from newton_euler.algebra.units import unit
@@ -22,8 +23,8 @@ def read_chapter(entry, path):
 def read_problem(entry, path):
     """The problem that a file such as ``p16.yaml`` describes."""
     needed, optional = (
-        ("id", "title", "section", "text", "figure", "answers"),
-        ("givens", "symbols", "frame", "mistakes", "struck", "checked"),
+        ("id", "title", "section", "text", "answers"),
+        ("figure", "givens", "symbols", "frame", "mistakes", "struck", "checked"),
     )
     _check_keys(entry, "a problem", needed, optional)
     _check_place(entry["id"], path)
@@ -40,9 +41,10 @@ def read_problem(entry, path):
         symbols={name: _symbol(name, s) for name, s in _named(entry, "symbols").items()},
         frame=_text(entry, "frame"),
         answers=answers,
-        mistakes=_texts(entry, "mistakes"),
+        mistakes=_mistakes(_named(entry, "mistakes")),
         struck=_texts(entry, "struck"),
         checked=_checked(_named(entry, "checked"), [a.key for a in answers]),
+        same_in_book=frozenset(_same_in_book(_named(entry, "mistakes"))),
     )
 
 
@@ -62,26 +64,25 @@ def _check_place(problem_id, path):
 
 
 def _given(name, g):
-    _check_keys(g, name, ("value", "unit", "means"), ("vary", "figure"))
+    _check_keys(g, name, ("value", "unit", "means"), ("vary", "figure", "symbol"))
     if not _is_number(g["value"]):
         raise CatalogueError(
             f"{name}: value must be a number, as in 8 or 0.6, and is {short(g['value'])}"
         )
-    return Given(
-        name, g["value"], _unit(name, g), _text(g, "means"), _range(name, g), g.get("figure", False)
-    )
+    read = _unit(name, g), _text(g, "means"), _range(name, g), g.get("figure", False)
+    return Given(name, g["value"], *read, _latex(name, g))
 
 
 def _symbol(name, s):
     s = s if isinstance(s, dict) else {"unit": s}
-    _check_keys(s, name, ("unit",), ("vary",))
-    return Symbol(
-        name, _unit(name, s), _range(name, s) or SYMBOL_RANGES.get(s["unit"], OTHER_RANGE)
-    )
+    _check_keys(s, name, ("unit",), ("vary", "symbol"))
+    vary = _range(name, s) or SYMBOL_RANGES.get(s["unit"], OTHER_RANGE)
+    return Symbol(name, _unit(name, s), vary, _latex(name, s))
 
 
 def _answer(a):
-    _check_keys(a, "an answer", ("key", "kind", "means"), ("unit", "of", "atol"))
+    optional = ("unit", "of", "atol", "weight", "follow_through", "symbol")
+    _check_keys(a, "an answer", ("key", "kind", "means"), optional)
     key, kind, of, atol = _text(a, "key"), _text(a, "kind"), a.get("of", []), a.get("atol", 1e-6)
     if kind not in KINDS:
         raise CatalogueError(f"{key}: kind {kind!r} is none of {', '.join(sorted(KINDS))}")
@@ -89,9 +90,50 @@ def _answer(a):
         raise CatalogueError(
             f"{key}: of must be the list of words to choose from, and is {short(of)}"
         )
+    if (kind == "choice") != bool(of):
+        raise CatalogueError(
+            f"{key}: a choice has of: [...] with its words, and no other kind has; this is a {kind}"
+        )
+    if not all(isinstance(w, str) and not set(w) & set("|\n") for w in of):
+        raise CatalogueError(
+            f"{key}: of must be a list of words without a |, and is {short(of)}; yes and no want "
+            'quotation marks: ["yes", "no"]'
+        )
     if not _is_number(atol):
         raise CatalogueError(f"{key}: atol must be a number, as in 1e-6, and is {short(atol)}")
-    return Answer(key, kind, _unit(key, a), _text(a, "means"), tuple(of), float(atol))
+    weight = a.get("weight", 1.0)
+    if not (_is_number(weight) and 0 < weight < math.inf):
+        raise CatalogueError(
+            f"{key}: weight must be a positive number, as in 2, and is {short(weight)}"
+        )
+    follow = a.get("follow_through", 0.0)
+    if not (_is_number(follow) and 0 <= follow <= 1):
+        raise CatalogueError(
+            f"{key}: follow_through must be a number from 0 to 1, as in 0.5, and is {short(follow)}"
+        )
+    numbers = float(atol), float(weight), float(follow)
+    return Answer(key, kind, _unit(key, a), _text(a, "means"), tuple(of), *numbers, _latex(key, a))
+
+
+def _mistakes(named):
+    """{mistake: its text}; an entry is the text, or {text: ..., same_in_book: true}."""
+    for name, entry in named.items():
+        if isinstance(entry, dict):
+            _check_keys(entry, f"the mistake {name}", ("text",), ("same_in_book",))
+            if type(entry.get("same_in_book", False)) is not bool:
+                raise CatalogueError(
+                    f"{name}: same_in_book must be true or false, and is "
+                    f"{short(entry['same_in_book'])}"
+                )
+    return {
+        n: _text(entry, "text") if isinstance(entry, dict) else _text(named, n)
+        for n, entry in named.items()
+    }
+
+
+def _same_in_book(named):
+    """The mistakes that give the right answer for the numbers of the book."""
+    return [n for n, m in named.items() if isinstance(m, dict) and m.get("same_in_book")]
 
 
 def _checked(found, asked):
@@ -162,6 +204,17 @@ def _unit(name, entry):
             f'{name}: unit must be a text, as in mm/s or "1", and is {short(text)}'
         )
     unit(text)
+    return text
+
+
+def _latex(name, entry):
+    """How a quantity is printed, where its name does not say it: LaTeX of one symbol."""
+    text = _text(entry, "symbol")
+    if "$" in text or "=" in text or text.count("{") != text.count("}"):
+        raise CatalogueError(
+            rf"{name}: symbol must be the LaTeX of one symbol without dollar signs, as in "
+            rf"'\dot\beta', and is {short(text)}"
+        )
     return text
 
 

@@ -9,10 +9,12 @@ import re
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from newton_euler.algebra.scalars import scalar
-from newton_euler.algebra.units import unit
+from newton_euler.algebra.scalars import integer_like, is_numeric, scalar
+from newton_euler.algebra.units import SI, unit
+from newton_euler.classroom.notation import symbol
 
-from .units import in_unit
+from .units import in_unit, system_of
+from .words import WORDS, word, words_at
 
 KINDS = {
     "number", "vector", "matrix", "expression", "vector_expression", "matrix_expression",
@@ -49,8 +51,8 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Given:
-    """A number that a problem gives: its value in the book, its unit, and the range that it may be
-    drawn from.
+    """A number that a problem gives: its value in the book, its unit, the range that it may be
+    drawn from; ``latex`` is how it is printed, where its name does not say it.
     """
 
     name: str
@@ -59,23 +61,27 @@ class Given:
     means: str
     vary: tuple | None = None
     figure: bool = False
+    latex: str = ""
 
 
 @dataclass(frozen=True)
 class Symbol:
     """A quantity that a problem names without a number; ``vary`` is where formulas are compared,
-    ``unit`` its unit.
+    ``unit`` its unit, ``latex`` how it is printed, where its name does not say it.
     """
 
     name: str
     unit: str
     vary: tuple
+    latex: str = ""
 
 
 @dataclass(frozen=True)
 class Answer:
     """What a problem asks for. ``atol`` is the absolute tolerance, in ``unit``, for a key that is
-    zero.
+    zero; ``weight`` is its share of the problem's points, beside those of the other answers;
+    ``follow_through`` the part of them that it earns where it is wrong, but follows from a
+    student's own earlier answers; ``latex`` is how it is printed, where its key does not say it.
     """
 
     key: str
@@ -84,16 +90,19 @@ class Answer:
     means: str
     of: tuple = ()
     atol: float = 1e-6
+    weight: float = 1.0
+    follow_through: float = 0.0
+    latex: str = ""
 
 
 class Givens:
     """The numbers of a problem as attributes, in kg, m, s and rad, scalars of any kind:
-    ``g.omega``.
+    ``g.omega``. In a problem with formulas in feet and pounds, in slug, ft, s and rad.
     """
 
-    def __init__(self, values, units):
+    def __init__(self, values, units, one=1.0, system=SI):
         self.__dict__.update(values)
-        self._values, self._units = values, units
+        self._values, self._units, self._one, self._system = values, units, one, system
 
     def __repr__(self):
         return f"Givens({self._values!r})"
@@ -107,11 +116,19 @@ class Givens:
             raise CatalogueError(
                 f"no given {sorted(unknown)[0]!r}; there are {', '.join(self._values)}"
             )
-        return Givens({**self._values, **changes}, self._units)
+        return Givens({**self._values, **changes}, self._units, self._one, self._system)
+
+    @property
+    def one(self):
+        """The number 1 in the kind of the givens, as exact as they are: ``sqrt(3 * g.one)`` has all
+        digits, also in a problem that gives no number.
+        """
+        kinds = (integer_like(1, x) for x in self._values.values())
+        return next((x for x in kinds if type(x) is not int), self._one)
 
     def stated(self, name):
         """The number of the text in its own unit: what a student uses who forgets to convert."""
-        return unit(self._units[name]).from_base(self._values[name])
+        return unit(self._units[name]).from_base(self._values[name], self._system)
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,7 +136,8 @@ class Problem:
     """One problem of the book: its text, its data, and through ``code`` what it computes.
 
     ``checked`` is what was found by hand for the numbers of the book: {key: number, formula as a
-    text, or list of them}.
+    text, or list of them}. ``same_in_book`` names the mistakes that give the right answer for the
+    numbers of the book. ``figure`` is empty where there is none.
     """
 
     id: str
@@ -134,6 +152,7 @@ class Problem:
     mistakes: dict = field(default_factory=dict)
     struck: dict = field(default_factory=dict)
     checked: dict = field(default_factory=dict)
+    same_in_book: frozenset = frozenset()
 
     @property
     def chapter(self):
@@ -147,7 +166,9 @@ class Problem:
 
     @cached_property
     def code(self):
-        """The module ``pNN`` with ``solve``, ``prove``, ``mistakes`` and ``draw``."""
+        """The module ``pNN`` with ``solve``, ``prove``, ``mistakes``, and ``draw`` where there is a
+        figure.
+        """
         name = f"exercises.{self.chapter}.{self.name}"
         try:
             module = importlib.import_module(name)
@@ -157,11 +178,8 @@ class Problem:
             raise CatalogueError(
                 f"problem {self.id} has a text but no code: write {name.replace('.', '/')}.py"
             ) from None
-        missing = [
-            f
-            for f in ("solve", "prove", "mistakes", "draw")
-            if not callable(getattr(module, f, None))
-        ]
+        needed = ("solve", "prove", "mistakes", *(("draw",) if self.figure else ()))
+        missing = [f for f in needed if not callable(getattr(module, f, None))]
         if missing:
             raise CatalogueError(
                 f"{name.replace('.', '/')}.py does not define {', '.join(missing)}"
@@ -172,6 +190,11 @@ class Problem:
     def symbolic(self):
         """True if any answer is a formula in the problem's symbols."""
         return any(a.kind in SYMBOLIC for a in self.answers)
+
+    @property
+    def has_words(self):
+        """True if any answer is a word or a count."""
+        return any(a.kind in WORDS for a in self.answers)
 
     def answer(self, key):
         """The answer asked for under this key."""
@@ -189,14 +212,26 @@ class Problem:
         """Unit of each given and symbol."""
         return {n: q.unit for n, q in (*self.givens.items(), *self.symbols.items())}
 
+    @cached_property
+    def system(self):
+        """The coherent system of units in which the code sees its numbers."""
+        return system_of(self.symbols, [*self.units.values(), *(a.unit for a in self.answers)])
+
+    @property
+    def notation(self):
+        """How each given, symbol and answer is printed, in LaTeX: {name: symbol}."""
+        asked = {a.key: a.latex or symbol(a.key, "vector" in a.kind) for a in self.answers}
+        stated = (*self.givens.items(), *self.symbols.items())
+        return asked | {n: q.latex or symbol(n) for n, q in stated}
+
     @property
     def book_values(self):
         """The givens of the book, in their units."""
         return {n: g.value for n, g in self.givens.items()}
 
-    def base(self, values):
+    def base(self, values, one=1.0):
         """Givens for the code, from ``values`` in the units of the text; it must name every given
-        and symbol.
+        and symbol. ``one`` is the number 1 in the kind that is meant where there are none.
         """
         units = self.units
         missing = [n for n in units if n not in values]
@@ -208,33 +243,73 @@ class Problem:
                 else f"has no {', '.join(unknown)}; it has {', '.join(units) or 'no numbers'}"
             )
             raise CatalogueError(f"problem {self.id} {what}")
-        return Givens({n: unit(u).to_base(scalar(values[n])) for n, u in units.items()}, units)
+        given = {n: unit(u).to_base(scalar(values[n]), self.system) for n, u in units.items()}
+        return Givens(given, units, one, self.system)
 
     def in_units(self, results):
         """Results of the code (in base units) in the units of the answers; a Vector stays a Vector
-        with its terms.
+        with its terms, and a word the function that gives it.
         """
-        return {key: in_unit(value, self.answer(key)) for key, value in results.items()}
+        return {
+            key: in_unit(value, self.answer(key), self.system) for key, value in results.items()
+        }
 
-    def solve(self, values):
+    def solve(self, values, one=1.0):
         """The answers, by the engine, for ``values`` in the units of the text: {key: number,
-        Vector, matrix, pair or word}.
+        Vector, matrix, pair or word}; ``one`` as for :meth:`base`.
         """
-        results = self.code.solve(self.base(values))
+        results = self.code.solve(self.base(values, one))
         asked = [a.key for a in self.answers]
         if list(results) != asked:
             raise CatalogueError(
                 f"solve of {self.id} returns {', '.join(results)}; the problem asks for "
                 f"{', '.join(asked)}"
             )
-        return self.in_units(results)
+        (found,) = self._with_words(lambda g: [self.code.solve(g)], [results], values, one)
+        return found
+
+    def wrong(self, values, one=1.0):
+        """What the listed mistakes make of the answers: {mistake: {key: as from :meth:`solve`}}."""
+        results = self.code.mistakes(self.base(values, one))
+        found = self._with_words(
+            lambda g: self.code.mistakes(g).values(), results.values(), values, one
+        )
+        return dict(zip(results, found, strict=True))
+
+    def _with_words(self, compute, results, values, one):
+        """The ``results`` of ``compute(g)``, [{key: answer}], in units and with their words."""
+        found = [self.in_units(answers) for answers in results]
+        if not self.has_words:
+            return found
+        if all(is_numeric(x) and not getattr(x, "shape", ()) for x in values.values()):
+            return [
+                {k: word(x) if self.answer(k).kind in WORDS else x for k, x in answers.items()}
+                for answers in found
+            ]
+        words = words_at(self, lambda g: self._words_of(compute(g)), values, one)
+        return [
+            {k: words.get((n, k), x) for k, x in answers.items()} for n, answers in enumerate(found)
+        ]
+
+    def _words_of(self, results):
+        return {
+            (n, k): x
+            for n, answers in enumerate(results)
+            for k, x in answers.items()
+            if self.answer(k).kind in WORDS
+        }
 
     def formulas(self):
         """The answers with every symbol as a SymPy symbol and the givens of the book as numbers."""
-        return self.solve({**self.book_values, **self.sympy_symbols()})
-
-    def sympy_symbols(self):
-        """A real SymPy symbol for each symbol of the text."""
         import sympy
 
-        return {n: sympy.Symbol(n, real=True) for n in self.symbols}
+        return self.solve({**self.book_values, **self.sympy_symbols()}, sympy.Integer(1))
+
+    def sympy_symbols(self):
+        """A SymPy symbol for each symbol of the text: real, and positive where its range is."""
+        import sympy
+
+        def ranged(name, low):
+            return sympy.Symbol(name, **({"positive": True} if low > 0 else {"real": True}))
+
+        return {n: ranged(n, s.vary[0]) for n, s in self.symbols.items()}

@@ -1,22 +1,40 @@
 """From what the code of a problem computes to what the text asks for: units and axes of answers."""
 
-from newton_euler.algebra.scalars import ZERO, scalar
-from newton_euler.algebra.units import unit
+import re
+
+from newton_euler.algebra.scalars import ZERO, is_expression, probe, scalar
+from newton_euler.algebra.units import SI, US, unit
 from newton_euler.algebra.vectors import Vector
 
+from .words import WORDS
 
-def in_unit(value, answer):
-    """A result in base units, in the unit of its ``answer``; a Vector stays a Vector with its
-    terms.
+_US = {"ft", "in", "mi", "slug", "lb", "oz"}
+_METRIC = {"m", "mm", "cm", "km", "g", "kg", "N", "kN", "J", "W", "Pa"}
+
+
+def system_of(symbols, units):
+    """The coherent system in which a problem with these units is solved: in a formula with feet and
+    pounds no factor 0.3048 is to appear.
     """
-    if answer.kind in ("count", "choice"):
+    names = {name for text in units for name in re.findall(r"[A-Za-z]+", text)}
+    return US if symbols and names & _US and not names & _METRIC else SI
+
+
+def in_unit(value, answer, system=SI):
+    """A result in base units of the ``system``, in the unit of its ``answer``; a Vector stays a
+    Vector with its terms. A word or count, or the function that gives it, is itself. What vanishes
+    whatever the symbols are is 0.
+    """
+    if answer.kind in WORDS:
         return value
     if isinstance(value, (tuple, list)):
-        return tuple(in_unit(v, answer) for v in value)
+        return tuple(in_unit(v, answer, system) for v in value)
     if isinstance(value, Vector):
-        return unit(answer.unit).from_base(value)
+        return unit(answer.unit).from_base(value.cleared(), system)
     value = scalar(value)
-    return 0 if value is ZERO else unit(answer.unit).from_base(value)
+    if value is ZERO or (is_expression(value) and probe(value) == 0):
+        return 0
+    return unit(answer.unit).from_base(value, system)
 
 
 def in_frame(frame, answers):

@@ -26,6 +26,7 @@ def mistakes(g):
     coriolis = 2 * g.n * rise(g)
     return {
         "n_as_rad_per_s": speed_and_acceleration(*screw_in_nut(g, rise(g), g.stated("n"))),
+        "circular_only": {"speed": g.a * g.stated("n")},
         "lead_per_radian": {
             "speed": speed_and_acceleration(*screw_in_nut(g, g.lead * g.n, g.n))["speed"]
         },

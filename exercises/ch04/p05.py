@@ -37,6 +37,7 @@ def draw(g, ax):
     ground, *_ = train(AXIS, g.omega, 0)
     O, top, bottom = (0, 0, 0), (0, 0, g.r + 0.5 * g.R), (0, 0, -g.r - 0.35 * g.R)
     s = Sketch(ax, ground, plane="xz")
+    s.line(bottom, top, style="centre")  # AB, with the apex O on it
     s.shaft((0, 0, g.r), top)
     s.shaft((0, 0, -g.r), bottom)
     s.ground(bottom, normal=ground.k)

@@ -1,6 +1,7 @@
 """4/8: two points that stay a fixed distance apart, and the frame that follows them."""
 
 from exercises.catalogue import in_frame
+from exercises.following import acceleration_of
 from exercises.proofs import (
     angular_velocity,
     cross,
@@ -50,6 +51,17 @@ def solve(g):
     return in_frame(
         ground, {"omega": frame.angular_velocity(ground), "a_B": B.acceleration(ground)}
     )
+
+
+def a_B(g, omega):
+    """By the rate of omega, which is given."""
+    vector = omega.frame.vector
+    AB = vector(g.L, 0, 0)
+    a_A, omega_dot = vector(g.a_Ax, g.a_Ay, g.a_Az), vector(g.wd_x, g.wd_y, g.wd_z)
+    return a_A + acceleration_of(omega, omega_dot, AB)
+
+
+follows = {"a_B": a_B}
 
 
 def prove(g):

@@ -15,6 +15,9 @@ def solve(g):
     )
 
 
+follows = {"omega_A": lambda g, Omega: spin_against(g, AXIS, Omega, g.omega_1, 1)}
+
+
 def prove(g):
     cage, pinion = rolled(g, AXIS, g.omega_1, g.omega_2)
     in_cage = minus(angular_velocity(pinion), angular_velocity(cage))
@@ -42,15 +45,16 @@ def draw(g, ax):
             (0, sign * 0.8 * g.R, 0),
             (0, sign * out, 0),
             (side, sign * out, 0),
-            (side, sign * 0.12 * g.R, 0),
+            (side, sign * 0.05 * g.R, 0),
         ]
         for a, b in pairwise(cage):
             s.rod(a, b)
+    s.hinge((side, 0, 0), axis=ground.i)  # the cage turns on CC
     section(s, g, AXIS, pinion_sides=(1, -1))
     s.axes((0, 0, 0), ground, length=0.5 * g.r, labels=["x", "y", ""])
     s.turn((g.r + 0.6 * g.R, 0, 0), ground.i, label=r"$\omega_1$")
     s.turn((-g.r - 0.7 * g.R, 0, 0), ground.i, label=r"$\omega_2$")
-    s.turn((side, 0.7 * g.R, 0), ground.i, label=r"$\Omega$")
+    s.turn((side, 0, 0), ground.i, label=r"$\Omega$", radius=0.4 * g.R)
     s.turn((0, 1.2 * g.R, 0), ground.j, label=r"$\omega_A$")
     s.dimension((g.r, 0, 0), (g.r, -g.R, 0), label="R", offset=0.3 * g.R)
     s.dimension((0, -g.R, 0), (g.r, -g.R, 0), label="r", offset=-0.2 * g.R)

@@ -84,13 +84,15 @@ def draw(g, ax):
     ground, _, _, on_A, on_B = cones(g, -g.omega)
     O, half_gap, x = ground.point("O", 0, 0, 0), on_A.angle_to(on_B) / 2, ground.i
     s = Sketch(ax, ground, azimuth=20, elevation=15, up="y")
-    for name, axis, half_angle in (
-        ("A", x, g.beta_A),
-        ("B", -x, g.beta_B),
-        ("C", (on_A + on_B).direction(), half_gap),
+    for axis, half_angle in (
+        (x, g.beta_A),
+        (-x, g.beta_B),
+        ((on_A + on_B).direction(), half_gap),
     ):
         s.cone(O, axis, cos(half_angle), sin(half_angle))
-        s.label(axis * (0.8 * cos(half_angle)), name, offset=(-14, 0) if name == "C" else (0, -14))
+    s.label(x * cos(g.beta_A), "A", offset=(0, -14))
+    s.label(ground.vector(-cos(g.beta_B), -sin(g.beta_B), 0) * 0.8, "B", offset=-ground.j)
+    s.label((on_A + on_B).direction() * cos(half_gap), "C", offset=ground.j)
     s.line(x * -1.35, x * 1.35, style="centre")
     s.line(O, on_A, style="solid")
     s.line(O, on_B, style="solid")
@@ -99,4 +101,4 @@ def draw(g, ax):
     s.turn(x * -1.2, -x, label=r"$\omega$")
     s.arc(O, x, on_A, label=r"$\beta_A$")
     s.arc(O, -x, on_B, label=r"$\beta_B$")
-    s.label(O, "O", offset=(6, -10))
+    s.label(O, "O")

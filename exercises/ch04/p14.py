@@ -62,7 +62,7 @@ def draw(g, ax):
     A, other, contact = (
         axle.point("A", g.R, 0, 0),
         axle.point("", -g.R, 0, 0),
-        axle.point("", g.R, 0, -g.r),
+        axle.point("", -g.R, 0, -g.r),
     )
     s = Sketch(ax, ground, azimuth=-60, elevation=20)
     s.ground(O, normal=ground.k)
@@ -74,5 +74,6 @@ def draw(g, ax):
     s.axes(M, axle)
     s.turn(top, ground.k, label=r"$\omega$")
     s.dimension(M, A, label="R")
-    s.dimension(A, contact, label="r", offset=axle.i * (0.5 * g.r))
-    s.label(A, "A", offset=(-5, -9))
+    s.dimension(other, contact, label="r", offset=axle.i * (-0.5 * g.r))
+    s.dot(A)
+    s.label(A, "A")

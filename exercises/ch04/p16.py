@@ -1,10 +1,18 @@
 """4/16: the rod CD, hinged at C to an arm BC that turns about the vertical, at an obtuse angle."""
 
 from exercises.catalogue import in_frame
-from exercises.devices.elbow_arm import arm_and_rod, common_mistakes, draw, prove, solve
+from exercises.devices.elbow_arm import (
+    arm_and_rod,
+    common_mistakes,
+    draw,
+    follows,
+    prove,
+    solve,
+    steps,
+)
 from newton_euler import cos, moving, sin
 
-__all__ = ["draw", "mistakes", "prove", "solve"]
+__all__ = ["draw", "follows", "mistakes", "prove", "solve", "steps"]
 
 
 def mistakes(g):

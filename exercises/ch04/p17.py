@@ -1,9 +1,17 @@
 """4/17: the elbow arm of 4/16 at an acute angle, the rod leaning back over the shaft."""
 
 from exercises.catalogue import in_frame
-from exercises.devices.elbow_arm import arm_and_rod, common_mistakes, draw, prove, solve
+from exercises.devices.elbow_arm import (
+    arm_and_rod,
+    common_mistakes,
+    draw,
+    follows,
+    prove,
+    solve,
+    steps,
+)
 
-__all__ = ["draw", "mistakes", "prove", "solve"]
+__all__ = ["draw", "follows", "mistakes", "prove", "solve", "steps"]
 
 
 def mistakes(g):

@@ -72,7 +72,7 @@ def draw(g, ax):
     s.ground(foot, ground.k)
     s.axes(O, fork, length=1.2)
     s.line(O, e, style="dashed")
-    s.arc(O, fork.point("", 0, 1, 0), e, label=r"$\theta$")
+    s.arc(O, fork.point("", 0, 1, 0), e, label=r"$\theta$", radius=0.75)
     s.turn(fork.point("", 0, 0, -1.35), fork.k, label=r"$\Omega$")
     s.turn(arms[1][0], fork.i, label=r"$\dot\theta$")
     s.turn(mounting.point("", 0, 0.95, 0), mounting.j, label="P")

@@ -66,7 +66,7 @@ def draw(g, ax):
     s.turn(disk.point("", 0, 0, 0.5 * g.r), bracket.k, label=r"$\omega$")
     s.dimension(O, corner, label="a")
     s.dimension(corner, B, label="h")
-    s.dimension(B, A, label="r", offset=-0.4 * g.r)
+    s.dimension(B, A, label="r", offset=0)
     s.dot(A)
     s.dot(B)
     for P in (A, B, O):

@@ -3,8 +3,9 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.following import acceleration_of
 from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate, times
-from newton_euler import Frame, pi
+from newton_euler import Frame, cos, pi, sin
 from newton_euler.drawing import Sketch
 
 
@@ -29,6 +30,23 @@ def answers(space, craft, panel, A):
 
 def solve(g):
     return answers(*spacecraft_and_panel(g))
+
+
+def place(g, frame):
+    """Of A, on the axes of the spacecraft."""
+    return frame.vector(-g.d * sin(g.theta_1), g.L, g.d * cos(g.theta_1))
+
+
+def a_A(g, omega_panel, alpha_panel):
+    return acceleration_of(omega_panel, alpha_panel, place(g, omega_panel.frame))
+
+
+follows = {
+    # its components along the axes of the spacecraft are constant
+    "alpha_panel": lambda g, omega_panel: (g.omega * omega_panel.frame.k).cross(omega_panel),
+    "v_A": lambda g, omega_panel: omega_panel.cross(place(g, omega_panel.frame)),
+    "a_A": a_A,
+}
 
 
 def prove(g):

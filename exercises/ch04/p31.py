@@ -14,6 +14,9 @@ def solve(g):
     return {"speed": speed, "r": speed / g.n}
 
 
+follows = {"r": lambda g, speed: speed / g.n}
+
+
 def prove(g):
     """The speed grows with the distance from the axis: that at the distance 1, as a numerical
     derivative, gives r.
@@ -37,18 +40,18 @@ def draw(g, ax):
     r, v = solve(g)["r"], velocity(g)
     ground = v.frame
     # any direction square to v would do
-    axis = ground.vector(-g.v_z, v.norm() / 2, g.v_x).direction()
-    O, A, end = ground.point("O", 0, 0, 0), axis * (6.5 * r), axis * (4.5 * r)
+    axis = ground.vector(-g.v_z, -v.norm() / 6, g.v_x).direction()
+    O, A, end = ground.point("O", 0, 0, 0), axis * (6.8 * r), axis * (4.8 * r)
     P = end + v.cross(axis).direction() * r
-    s = Sketch(ax, ground, azimuth=-25, elevation=12)
-    s.shaft(O, axis * (1.5 * r))
-    s.cylinder(axis * (1.5 * r), end, r)
+    s = Sketch(ax, ground, azimuth=-50, elevation=12)
+    s.shaft(O, axis * (2.2 * r))
+    s.cylinder(axis * (2.2 * r), end, r)
     s.shaft(end, A)
     s.axes(O, ground)
-    s.turn(A, axis, label="n")
+    s.turn(axis * (6.2 * r), axis, label="n")
     s.line(end, P, style="solid")
     s.dimension(end, P, label="r")
     s.vector(P, v, r"$\mathbf{v}$")
     s.label(O, "O")
-    s.label(A, "A")
+    s.label(A, "A", offset=axis)
     s.label(P, "P")

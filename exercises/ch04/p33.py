@@ -3,6 +3,8 @@
 from exercises.catalogue import in_frame
 from exercises.devices import bevel_gears
 
+follows = bevel_gears.follows
+
 
 def solve(g):
     return bevel_gears.answers(g.n, g.n_C, g.tan_gamma)

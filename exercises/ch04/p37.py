@@ -1,8 +1,15 @@
 """4/37: the angular motion of a disk in a turning bracket, growing rates."""
 
-from exercises.devices.disk_in_bracket import disk_in_bracket, figure, prove_turning, turning
+from exercises.devices.disk_in_bracket import (
+    alpha_disk,
+    disk_in_bracket,
+    figure,
+    prove_turning,
+    turning,
+)
 
 draw, prove = figure, prove_turning
+follows = {"alpha_disk": alpha_disk}
 
 
 def solve(g):

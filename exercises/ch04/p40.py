@@ -1,14 +1,18 @@
 """4/40: the top of a disk on an axle that sticks out of its turning bracket."""
 
 from exercises.devices.disk_in_bracket import (
+    alpha_disk,
     disk_in_bracket,
     figure,
     prove_rim,
     prove_turning,
+    rim_from_turning,
     rim_motion,
     rim_point,
     turning,
 )
+
+follows = {"alpha_disk": alpha_disk, **rim_from_turning("A")}
 
 
 def answers(frames, r):

@@ -5,8 +5,11 @@ from exercises.devices.disk_in_two_brackets import (
     draw_two_brackets,
     frames_and_point,
     prove_rim,
+    rim_from_turning,
     wrong_alphas,
 )
+
+follows = rim_from_turning("D")
 
 
 def solve(g):

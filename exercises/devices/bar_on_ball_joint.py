@@ -51,6 +51,13 @@ def solve(g):
     return answers(*joint_motion(g))
 
 
+def v_D(g, omega):
+    return omega.cross(omega.frame.vector(-g.x_A / 2, g.h, -g.z_A / 2))
+
+
+follows = {"v_D": v_D}
+
+
 def prove(g):
     """The body turns steadily about one axis; the two rates are found from velocities that are
     numerical derivatives.

@@ -36,6 +36,10 @@ def answers(n, n_C, tan_gamma):
     )
 
 
+# along the axes of the arm, which turn about z, omega_B is constant
+follows = {"alpha_B": lambda g, omega_B: (g.n * omega_B.frame.k).cross(omega_B)}
+
+
 def proved(n, n_C, tan_gamma):
     """Equal arcs pass through the contact on the pitch circles of B and C, whose radii are as 1 to
     tan(gamma).

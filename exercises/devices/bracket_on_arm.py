@@ -77,6 +77,6 @@ def sketch(g, ax, a):
     s.dimension(C, B, label="b")
     for P in (B, D, E, G):
         s.label(P, P.name)
-    s.label(A, "A", offset=(-9, -7))
+    s.label(A, "A")
     s.label(C, "C", offset=(13, -15))
     return s, B, A

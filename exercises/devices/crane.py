@@ -29,7 +29,7 @@ def tip_in_time(g):
 def figure(g, ax, ground, house, P):
     """The figure, without axes, of these frames and P; returns the sketch."""
     O, up, foot = ground.point("O", 0, 0, 0), (0, 0, 0.6 * g.R), (0, 0, -0.3 * g.R)
-    s = Sketch(ax, ground, azimuth=-110, elevation=15)
+    s = Sketch(ax, ground, azimuth=-112, elevation=18)
     s.ground(foot, normal=ground.k, size=0.8 * g.R)
     s.cylinder(foot, (0, 0, -0.22 * g.R), 0.2 * g.R)
     s.box((-0.07 * g.R, 0, -0.11 * g.R), house, (0.34 * g.R, 0.22 * g.R, 0.22 * g.R))
@@ -38,8 +38,8 @@ def figure(g, ax, ground, house, P):
     s.line(O, up)
     s.arc(O, up, P, label=r"$\beta$")
     s.turn((0, 0, 0.5 * g.R), ground.k, label="n")
-    s.vector(P, P.velocity(house), r"$\dot\beta$", kind="rate")
-    s.dimension(O, P, label="R", offset=-0.08 * g.R)
-    s.label(O, "O")
+    s.swing(O, P, house.j, label=r"$\dot\beta$")
+    s.label(P.position(ground) * 0.55, "$R$", offset=ground.i, bold=False)
+    s.label(O, "O", offset=(9, -14))
     s.label(P, "P")
     return s

@@ -8,6 +8,7 @@ shaft. On the rim, A is at the top and B at the side on +x.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.following import acceleration_of
 from exercises.proofs import (
     angular_acceleration,
     angular_velocity,
@@ -72,6 +73,33 @@ def rim_motion(frames, name, r):
         f"v_{name}": S.velocity(ground, via=bracket),
         f"a_{name}": S.acceleration(ground, via=bracket),
     }
+
+
+def alpha_disk(g, omega_disk):
+    """Along the axes of the bracket, which turn about z."""
+    (omega, omega_dot), (_, P_dot), _ = data(g)
+    frame = omega_disk.frame
+    return frame.vector(0, P_dot, omega_dot) + (omega * frame.k).cross(omega_disk)
+
+
+def rim_from_turning(name):
+    """``follows`` of the velocity and the acceleration of A or B, by the disk as a rigid body."""
+
+    def r(g, frame):
+        return frame.vector(*(g.r if e else 0 for e in PLACES[name]))
+
+    def v(g, omega_disk):
+        (omega, _), _, b = data(g)
+        frame = omega_disk.frame
+        return frame.vector(-omega * b, 0, 0) + omega_disk.cross(r(g, frame))
+
+    def a(g, omega_disk, alpha_disk):
+        (omega, omega_dot), _, b = data(g)
+        frame = omega_disk.frame
+        centre = frame.vector(-omega_dot * b, -(omega**2) * b, 0)
+        return centre + acceleration_of(omega_disk, alpha_disk, r(g, frame))
+
+    return {f"v_{name}": v, f"a_{name}": a}
 
 
 def wrong_accelerations_of_B(g, a):

@@ -9,6 +9,7 @@ D at the side on +x.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.following import acceleration_of
 from exercises.proofs import (
     angular_acceleration,
     angular_velocity,
@@ -55,6 +56,23 @@ def answers(frames, S):
         f"v_{S.name}": S.velocity(ground),
         f"a_{S.name}": S.acceleration(ground),
     })  # fmt: skip
+
+
+def rim_from_turning(name):
+    """``follows`` of the velocity and the acceleration of C or D, by the disk as a rigid body about
+    its centre, which is at rest.
+    """
+
+    def r(g, frame):
+        return frame.vector(*(g.r if e else 0 for e in PLACES[name]))
+
+    def v(g, omega_disk):
+        return omega_disk.cross(r(g, omega_disk.frame))
+
+    def a(g, omega_disk, alpha_disk):
+        return acceleration_of(omega_disk, alpha_disk, r(g, omega_disk.frame))
+
+    return {f"v_{name}": v, f"a_{name}": a}
 
 
 def pin_and_axis(gone_round, risen):

@@ -6,7 +6,8 @@ from mpmath import mp
 
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, rate, rot, second_rate, times, transposed
-from newton_euler import Frame
+from exercises.steps import Step, terms
+from newton_euler import Frame, cos, sin
 from newton_euler.drawing import Sketch
 
 
@@ -29,6 +30,26 @@ def solve(g):
         "v_D": D.velocity(ground, via=arm),
         "a_D": D.acceleration(ground, via=arm),
     })  # fmt: skip
+
+
+def steps(g):
+    """The angular velocity of the rod, the rate of D in the arm, then the terms of the answers."""
+    ground, arm, rod, D = arm_and_rod(g)
+    omega, v_r = rod.angular_velocity(ground).expressed_in(ground), D.velocity(arm)
+    yield Step("omega_CD", omega, "rad/s", "angular velocity of CD in the ground", "4.9", "4.22")
+    yield Step("v_r", v_r.expressed_in(ground), "mm/s", "velocity of D in AB and BC", "4.8", "4.17")
+    for key, value in solve(g).items():
+        yield from terms(value, key, {"alpha_CD": "rad/s^2", "v_D": "mm/s"}.get(key, "mm/s^2"))
+
+
+def a_D(g, alpha_CD):
+    """By the angular acceleration of the rod in which D and C are fixed."""
+    right, vector = solve(g), alpha_CD.frame.vector
+    CD = vector(0, -g.L * cos(g.beta_1), g.L * sin(g.beta_1))
+    return vector(*right["a_D"]) + (alpha_CD - vector(*right["alpha_CD"])).cross(CD)
+
+
+follows = {"a_D": a_D}
 
 
 def prove(g):

@@ -38,7 +38,7 @@ def figure(g, ax, ground, turning, P):
     s.cylinder(O, nozzle.point("end", 0, 0, 1.3 * g.d), 0.035 * g.d)
     s.vector(P, nozzle.k, r"$\nu$")
     s.turn((0, 0, 1.1 * g.d), ground.k, label=r"$\omega$")
-    s.arc(O, up, P, label="tilt")
+    s.arc(O, up, P, label=r"$\gamma$", radius=0.65 * g.d)
     s.dimension(O, P, label="d")
     s.dot(P)
     s.label(O, "O")

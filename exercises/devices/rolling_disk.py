@@ -75,10 +75,10 @@ def sketch(g, ax, with_A=True):
         ground.point("foot", 0, -g.r, 0),
     )
     top, contact = ground.point("top", 0, 1.2 * g.r, 0), axle.point("contact", 0, -g.r, 0)
-    s = Sketch(ax, ground, azimuth=38, elevation=18, up="y")
+    s = Sketch(ax, ground, azimuth=-125, elevation=20, up="y")
     s.ground(foot, normal=ground.j)
     s.ring(foot, ground.j, g.R)
-    s.shaft(foot, top)
+    s.shaft(foot, origin)
     s.rod(origin, C)
     s.disk(C, axle.k, g.r, spoke=A if with_A else None)
     s.dot(C)

@@ -39,23 +39,18 @@ def figure(g, ax, ground, rising, A):
     s = Sketch(ax, ground, azimuth=-110, elevation=18)
     s.box((0, 0, low), ground, (0.9 * g.a, 0.7 * g.a, 0.3 * g.a))
     s.cylinder((0, 0, low + 0.15 * g.a), B, thick)
-    left, lowest, nearer = (
-        -200 * pi() / 180,
-        -0.1 * g.a - 2.4 * g.lead,
-        [2 * thick * x for x in s.view.eye],
-    )
-    # the near half of each turn, moved toward the eye so that it is not lost in the cylinder
-    for n in range(3):
-        turn = [
-            (w, lowest + g.lead * (n + w / (2 * pi()))) for w in (k * pi() / 24 for k in range(25))
-        ]
-        thread = [(thick * cos(left + w), thick * sin(left + w), z) for w, z in turn]
-        s.path([[x + dx for x, dx in zip(P, nearer, strict=True)] for P in thread])
-        ends = (thread[-1], (*thread[-1][:2], thread[-1][2] - g.lead))
+    lowest, right = -0.1 * g.a - 2.4 * g.lead, -20 * pi() / 180  # the edge of the screw as seen
+
+    def on_thread(turns):
+        w = right + 2 * pi() * turns
+        return thick * cos(w), thick * sin(w), lowest + g.lead * turns
+
+    s.path([on_thread(n / 40) for n in range(101)], on=(B, (0, 0, low)))
+    ends = on_thread(2), on_thread(1)
     s.rod(B, A)
     s.ground((-0.45 * g.a, 0, low - 0.15 * g.a), normal=ground.k)
     s.turn((0, 0, 0.25 * g.a), ground.k, label="n")
     s.dimension(B, A, label="a")
-    s.dimension(*ends, label="lead")
+    s.dimension(*ends, label=r"$\ell$")
     s.label(A, "A")
     return s

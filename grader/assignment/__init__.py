@@ -5,15 +5,19 @@ figures.
 """
 
 from .build import build_assignment
-from .figures import figure_png
-from .notebook import build_notebook, personal_notebook, problems_of
-from .personal import copy_to_exchange, exchange_outbound, make_personal_copies, master_notebook
+from .figures import contact_sheet, figure_faults, figure_png
+from .notebook import build_notebook, personal_notebook
+from .personal import copy_to_exchange, exchange_outbound, make_personal_copies
+from .released import master_notebook
+from .sheet import problems_of
 
 __all__ = [
     "build_assignment",
     "build_notebook",
+    "contact_sheet",
     "copy_to_exchange",
     "exchange_outbound",
+    "figure_faults",
     "figure_png",
     "make_personal_copies",
     "master_notebook",

@@ -1,12 +1,29 @@
 """Writes the source notebook of an assignment into a course folder."""
 
+import contextlib
+from dataclasses import dataclass
+from pathlib import Path
+
 from exercises import catalogue
 from exercises.catalogue import CatalogueError, problems
 
 from ..course import Course, read_roster, write_json
-from ..sandbox import CELL_SECONDS
+from ..course.creation import new_course, refuse_existing, write_pinned
+from ..sandbox import CELL_SECONDS, SECONDS
 from .figures import figure_png
 from .notebook import build_notebook
+
+
+@dataclass(frozen=True)
+class Built:
+    """What a build made: the course, the path of the source notebook, how many students are new,
+    and how the roster was read.
+    """
+
+    course: Course
+    path: Path
+    enrolled: int = 0
+    read_as: str = ""
 
 
 def select_problems(chapter, only):
@@ -20,31 +37,49 @@ def select_problems(chapter, only):
     return [p for p in found if not only or p.id in only]
 
 
-def build_assignment(course_path, chapter, students=None, only=(), update=False, bar=None):
+def build_assignment(
+    course_path,
+    chapter,
+    students=None,
+    only=(),
+    update=False,
+    bar=None,
+    name=None,
+    exchange=None,
+    id_column=None,
+):
     """Write the source notebook of a chapter into a new course, or with ``update`` into an existing
-    one; returns (course, path).
+    one; returns :class:`Built`.
 
-    students : path of a roster as CSV. only : numbers of the problems to include; default: all. bar
-        : a ``rich`` progress bar.
+    students : path of a roster as CSV; id_column : the header of its ids. only : numbers of the
+        problems to include; default: all. bar : a ``rich`` progress bar. name, exchange : of a new
+        course, see :func:`~grader.course.creation.new_course`.
     """
     selected, title = select_problems(chapter, only), catalogue.chapter(chapter).title
-    roster = read_roster(students) if students else []
+    roster = read_roster(students, id_column) if students else None
+    if not update:
+        refuse_existing(course_path)
+    opened = (
+        contextlib.nullcontext(Course(course_path))
+        if update
+        else new_course(course_path, name, exchange)
+    )
+    # before the folder is made, so that a failure leaves nothing behind
+    figures = _figures(selected, bar)
+    with opened as course:
+        path = course.source(chapter)
+        write_json(path, build_notebook(selected, title, CELL_SECONDS, SECONDS, figures=figures))
+        enrolled = course.enrol(roster.students) if roster else 0
     if update:
-        course = Course(course_path)
-    else:
-        # before the figures are drawn; the folder is made after them, so that a failure leaves
-        # nothing behind
-        Course.refuse_existing(course_path)
+        write_pinned(course.path)  # a course of an earlier version has none
+    return Built(Course(course_path), path, enrolled, roster.read_as if roster else "")
+
+
+def _figures(selected, bar):
     task = bar.add_task("drawing figures", total=len(selected)) if bar else None
     figures = {}
     for p in selected:
         figures[p.id] = figure_png(p, p.book_values)
         if bar:
             bar.advance(task)
-    course = course if update else Course.create(course_path)
-    write_json(
-        course.source(chapter), build_notebook(selected, title, CELL_SECONDS, figures=figures)
-    )
-    if roster:
-        course.enrol(roster)
-    return course, course.source(chapter)
+    return figures

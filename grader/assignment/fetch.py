@@ -10,6 +10,7 @@ import os
 import shutil
 
 from nbgrader.exchange.default import ExchangeFetchAssignment
+from nbgrader.utils import get_username
 
 FOLDER = ".personal"
 
@@ -19,15 +20,18 @@ def personal_name(course_id, assignment, student):
     return hashlib.sha256(f"{course_id}\0{assignment}\0{student}".encode()).hexdigest()[:32]
 
 
+def who_submits(student_id):
+    """The id under which nbgrader submits, so that a student fetches as who they will hand in."""
+    return student_id if student_id not in ("", "*") else get_username()
+
+
 class PersonalFetch(ExchangeFetchAssignment):
     """Copies the released assignment, then the student's own notebooks over it; never over a file
     that the student already has.
     """
 
     def copy_files(self):
-        student = self.coursedir.student_id
-        if student in ("", "*"):
-            student = os.environ.get("JUPYTERHUB_USER") or os.environ.get("USER") or ""
+        student = who_submits(self.coursedir.student_id)
         name = personal_name(self.coursedir.course_id, self.coursedir.assignment_id, student)
         own = os.path.join(self.outbound_path, FOLDER, self.coursedir.assignment_id, name)
         if not os.path.isdir(own):

@@ -16,14 +16,19 @@ import base64
 import re
 
 from exercises.catalogue import problem as find_problem
+from exercises.catalogue.sections import section_line
 from newton_euler.classroom.forms import Form
+from newton_euler.classroom.notation import (
+    GREEK,
+    bare_unit,
+    is_word,
+    number_symbol,
+    typeset_names,
+    unit_symbol,
+)
 
-GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ",
-    "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ",
-    "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω",
-    "Omega": "Ω", "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Phi": "Φ", "Psi": "Ψ",
-}  # fmt: skip
+from .sheet import own_metadata
+
 SETUP = """\
 from math import pi
 
@@ -31,7 +36,7 @@ import numpy as np
 from sympy import symbols
 
 from newton_euler import Frame, at, atan2, cos, cross, dot, moving, radians, sin, solve_rates, sqrt, tan
-from newton_euler.classroom import expect, receipt
+from newton_euler.classroom import expect, given, receipt
 """  # noqa: E501  # a text that students have
 MASTER_COPY = (
     "> **This copy has the numbers of the book.** Yours has numbers of its own: "
@@ -49,19 +54,10 @@ compared after you hand in, part by part, with a hint where a common slip explai
 - Vectors are written `[x, y, z]`, in the frame named in the problem; a `Vector` of `newton_euler` is taken too. Angles go into `sin` and `cos` in
   radians.
 - The numbers of the problem are in the cell above yours; they are your own. Where a formula is asked for, the symbols are there instead.
-- Everything that your answer needs belongs into the answer cells: other cells are not read. The cells run from top to bottom, within {seconds:g} s
-  each.
+- The cells are run once more for grading, from top to bottom, also those that you add; each within {seconds:g} s, and all of them within {total:g} s.
+  An answer is what its name holds where the receipt stands.
 - A problem left at `None` costs nothing but its points.
 """  # noqa: E501  # a text that students have
-
-
-def pretty(name):
-    """A variable name as HTML: ``omega_1`` as an italic omega with an index."""
-    base, *indices = name.split("_")
-    dots = {"dot": "\u0307", "ddot": "\u0308"}
-    mark = "".join(dots[i] for i in indices if i in dots)
-    index = ",".join(GREEK.get(i, i) for i in indices if i not in dots)
-    return f"<i>{GREEK.get(base, base)}{mark}</i>" + (f"<sub>{index}</sub>" if index else "")
 
 
 def number(x):
@@ -70,43 +66,60 @@ def number(x):
 
 
 def statement(p, values, figure=True):
-    """The text of a problem with the student's numbers, as Markdown; the figure is the attachment
-    ``figure.png``.
+    """The text of a problem with the student's numbers, as Markdown with formulas of LaTeX between
+    dollar signs; the figure is the attachment ``figure.png``.
     """
     mentioned = set()
 
-    def substitute(match):
+    def quantity_or_symbol(match):
         name = match[1]
         if name not in p.units:
             return match[0]
-        if name in p.symbols or name in mentioned:
-            return pretty(name)
+        if name in mentioned:
+            return f"${p.notation[name]}$"
         mentioned.add(name)
-        return f"{pretty(name)} = {number(values[name])}{_unit(p.givens[name].unit)}"
+        return _quantity(p, name, values)
 
-    lines = [f"## {p.id} {p.title}", "", re.sub(r"\{(\w+)\}", substitute, p.text)]
+    lines = [f"## {p.id} {p.title}", "", typeset(p.text, p, quantity_or_symbol)]
     others = [n for n in p.givens if n not in mentioned]
     if others:
-        lines += [
-            "",
-            "Given: "
-            + ", ".join(
-                f"{pretty(n)} = {number(values[n])}{_unit(p.givens[n].unit)} ({p.givens[n].means})"
-                for n in others
-            )
-            + ".",
-        ]
+        listed = (f"{_quantity(p, n, values)}, {typeset(p.givens[n].means, p)}" for n in others)
+        lines += ["", f"Given: {'; '.join(listed)}."]
     if figure:
         lines += ["", f"![Figure: {_alt(p.figure)}](attachment:figure.png)"]
     if p.frame:
-        lines += ["", f"*Components:* {p.frame}"]
+        lines += ["", f"*Components:* {typeset(p.frame, p)}"]
     lines += ["", "*Find*", ""]
-    lines += [f"- `{a.key}`: {a.means}{_unit(a.unit, ', in')}" for a in p.answers]
+    lines += [_asked(p, a) for a in p.answers]
+    lines += ["", section_line(p)] if p.section else []
     return "\n".join(lines)
 
 
-def _unit(text, before=""):
-    return "" if text == "1" else f"{before} {text}"
+def _asked(p, a):
+    symbol = "" if is_word(a.key) and not a.latex else f" ${p.notation[a.key]}$"
+    words = f": {', '.join(a.of[:-1])} or {a.of[-1]}" if a.of else ""
+    return f"- `{a.key}`:{symbol and symbol + ','} {typeset(a.means, p)}{_in_unit(a.unit)}{words}"
+
+
+def _in_unit(unit):
+    return "" if unit == "1" else f", in ${bare_unit(unit)}$"
+
+
+def typeset(text, p, replaced=None):
+    """Our own text with its names in LaTeX: each ``{name}`` by what ``replaced`` makes of the match
+    (in a formula between dollar signs: its symbol), and Greek letters that are written out.
+    """
+    parts = re.split(r"(\$[^$]*\$)", text)
+    for n, part in enumerate(parts):
+        if n % 2:  # a formula; {i} of a command stays
+            parts[n] = _NAMED.sub(lambda m: p.notation.get(m[1], m[0]), part)
+        else:
+            part = typeset_names(part, p.notation)
+            parts[n] = _NAMED.sub(replaced, part) if replaced else part
+    return "".join(parts).replace("$ = $", " = ")  # beta = {beta_1} is one formula
+
+
+_NAMED = re.compile(r"\{(\w+)\}")
 
 
 def _alt(text):
@@ -115,20 +128,32 @@ def _alt(text):
 
 def givens(p, values):
     """The source of the cell that defines a student's numbers, and the symbols of a formula."""
-    lines = [f"# {p.id}: what is given"]
-    width = max((len(f"{n} = {number(values[n])}") for n in p.givens), default=0)
-    lines += [
-        f"{f'{n} = {number(values[n])}':<{width}}  # {g.unit if g.unit != '1' else 'a ratio'}: "
-        f"{g.means}"
-        for n, g in p.givens.items()
-    ]
+    lines = definitions(p, values)
+    if p.givens:  # from which a receipt knows whether these numbers were used
+        lines.append(f'given("{p.id}", {", ".join(f"{n}={n}" for n in p.givens)})')
+    return "\n".join(lines)
+
+
+def definitions(p, values):
+    """The lines that define a student's numbers, and the symbols of a formula."""
+    lines = [f"# {p.id}: what is given", *givens_lines(p, values)]
     if p.symbols:
         names = list(p.symbols)
         lines.append(
             f'{", ".join(names)} = symbols("{" ".join(names)}", real=True)  # '
             f"{', '.join(s.unit for s in p.symbols.values())}"
         )
-    return "\n".join(lines)
+    return lines
+
+
+def givens_lines(p, values):
+    """The line of each given: its name, number, unit and meaning."""
+    width = max((len(f"{n} = {number(values[n])}") for n in p.givens), default=0)
+    return [
+        f"{f'{n} = {number(values[n])}':<{width}}  # {g.unit if g.unit != '1' else 'a ratio'}: "
+        f"{g.means}"
+        for n, g in p.givens.items()
+    ]
 
 
 def starter(p):
@@ -148,8 +173,9 @@ def receipt_cell(p):
     """The source of the locked cell that checks the form of the answers."""
     forms = ", ".join(f'{a.key}="{form(a)}"' for a in p.answers)
     symbols = f"symbols={ {n: s.unit for n, s in p.symbols.items()}!r}, " if p.symbols else ""
-    answers = ", ".join(f"{a.key}={a.key}" for a in p.answers)
-    return f'expect("{p.id}", {symbols}{forms})\nreceipt("{p.id}", {answers})'
+    own = {q: x.latex for q, x in ({a.key: a for a in p.answers} | p.symbols).items() if x.latex}
+    notation = f"notation={own!r}, " if own else ""
+    return f'expect("{p.id}", {symbols}{notation}{forms})\nreceipt("{p.id}", globals())'
 
 
 def slug(problem_id):
@@ -165,14 +191,14 @@ def answer_id(problem_id):
 # -- the whole notebook
 
 
-def build_notebook(problems, title, seconds, figures=None):
+def build_notebook(problems, title, seconds, total, figures=None):
     """The source notebook of an assignment with the numbers of the book; ``figures``: {problem id:
-    PNG}; ``seconds``: the time limit of a cell.
+    PNG}; ``seconds``: the time limit of a cell; ``total``: of all.
     """
     cells = [
         _markdown(
             "introduction",
-            INTRODUCTION.format(title=title, seconds=seconds, whose=MASTER_COPY),
+            INTRODUCTION.format(title=title, seconds=seconds, total=total, whose=MASTER_COPY),
             {"role": "introduction"},
         ),
         _code(
@@ -190,7 +216,6 @@ def build_notebook(problems, title, seconds, figures=None):
         "metadata": {
             "kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"},
             "language_info": {"name": "python"},
-            "newton_euler": {"problems": [p.id for p in problems]},
         },
         "cells": cells,
     }
@@ -218,7 +243,12 @@ def _problem_cells(p, values, figure):
     return [
         _statement_cell(p, values, figure),
         _code(f"givens-{n}", givens(p, values), {"role": "givens", "problem": p.id}),
-        _code(answer_id(p.id), answer, {"role": "answer", "problem": p.id}, graded),
+        _code(
+            answer_id(p.id),
+            answer,
+            {"role": "answer", "problem": p.id, "asked": {a.key: form(a) for a in p.answers}},
+            graded,
+        ),
         _code(f"receipt-{n}", receipt_cell(p), {"role": "receipt", "problem": p.id}, locked),
     ]
 
@@ -230,8 +260,12 @@ def _statement_cell(p, values, figure):
         {"role": "statement", "problem": p.id},
     )
     if figure is not None:
-        cell["attachments"] = {"figure.png": {"image/png": base64.b64encode(figure).decode()}}
+        cell["attachments"] = _attached(figure)
     return cell
+
+
+def _attached(figure):
+    return {"figure.png": {"image/png": base64.b64encode(figure).decode()}}
 
 
 def _markdown(cell_id, text, own):
@@ -260,55 +294,77 @@ def _code(cell_id, text, own, nbgrader=None):
 def personal_notebook(released, student, values, figures):
     """The released notebook with a student's own numbers and figures; ``values`` and ``figures`` by
     problem.
+
+    What an instructor wrote into a text or a cell of ours stays: only the numbers in it change.
     """
     cells = []
     for cell in released["cells"]:
         own = own_metadata(cell)
         role, number_of = own.get("role"), own.get("problem")
-        if role == "statement":
-            cell = {
-                **_statement_cell(
-                    find_problem(number_of), values[number_of], figures.get(number_of)
-                ),
-                "metadata": cell["metadata"],
-            }
+        if role in ("statement", "givens") and number_of in values:
+            p = find_problem(number_of)
+            change = _statement_with if role == "statement" else _givens_with
+            cell = {**cell, "source": change(p, cell["source"], values[number_of])}
+            if "figure.png" in cell.get("attachments", {}) and figures.get(number_of):
+                cell["attachments"] = {**cell["attachments"], **_attached(figures[number_of])}
         elif role == "introduction":
             cell = {
                 **cell,
                 "source": cell["source"].replace(MASTER_COPY, f"The copy of **{student}**."),
             }
-        elif role == "givens":
-            cell = {**cell, "source": givens(find_problem(number_of), values[number_of])}
         cells.append(cell)
     return {**released, "cells": cells}
 
 
-def first_differing_problem(notebook, values):
-    """The first problem whose numbers or units in a personal notebook are not those of ``values``,
-    or None.
+def _statement_with(p, text, values):
+    """The text of a problem with a student's numbers, wherever it gives one."""
+    for name in p.givens:
+        own = number_symbol(values[name])
+        text = _given_in(p.notation[name]).sub(
+            lambda m, own=own: m[1] + own if m[1] else m[0], text
+        )
+        earlier = re.escape(_earlier_markup(name)) + r" = [-+]?\d[\d.]*(?:e[-+]?\d+)?"
+        text = re.sub(earlier, f"{_earlier_markup(name)} = {number(values[name])}", text)
+    return text
+
+
+def _given_in(latex):
+    """Where a text gives a number for the symbol ``latex``; group 1 is what stands before the
+    number, and not there in ``\\bar b = 8``, which is another symbol.
     """
-    for cell in notebook["cells"]:
-        own = own_metadata(cell)
-        if own.get("role") == "givens":
-            now = givens(find_problem(own["problem"]), values[own["problem"]])
-            if _without_meanings(cell["source"]) != _without_meanings(now):
-                return own["problem"]
-    return None
+    digits = r"[-+]?\d[\d.]*(?: \\times 10\^\{-?\d+\}|e[-+]?\d+)?"
+    symbol = rf"(?<![\w\\{{}}^|]){re.escape(latex)} = "
+    return re.compile(rf"\\[a-z]+ {symbol}{digits}|({symbol}){digits}")
 
 
-def _without_meanings(source):
-    """A givens cell without the explanation behind each unit, which may be reworded while a course
-    runs.
+def _earlier_markup(name):
+    """A name as statements had it that were released before they were typeset: omega_1 as an italic
+    omega with an index.
     """
-    return re.sub(r"(#[^:\n]*):.*", r"\1", source)
+    base, *indices = name.split("_")
+    dots = {"dot": "\u0307", "ddot": "\u0308"}
+    mark = "".join(dots[i] for i in indices if i in dots)
+    index = ",".join(GREEK.get(i, i) for i in indices if i not in dots)
+    return f"<i>{GREEK.get(base, base)}{mark}</i>" + (f"<sub>{index}</sub>" if index else "")
 
 
-def own_metadata(cell):
-    """The metadata that this package wrote into a cell, {"role", "problem"}; {} for other cells."""
-    own = cell.get("metadata", {}).get("newton_euler")
-    return own if isinstance(own, dict) else {}
+def _quantity(p, name, values):
+    """A given with its number, and the name that it has in the code where that is another word."""
+    in_code = f" (`{name}`)" if (p.givens | p.symbols)[name].latex else ""
+    if name in p.symbols:
+        return f"${p.notation[name]}${in_code}"
+    stated = number_symbol(values[name]) + unit_symbol(p.givens[name].unit)
+    return f"${p.notation[name]} = {stated}${in_code}"
 
 
-def problems_of(notebook):
-    """The problems of an assignment notebook, in order."""
-    return [find_problem(i) for i in notebook["metadata"]["newton_euler"]["problems"]]
+def _givens_with(p, source, values):
+    """A cell of givens with a student's numbers in place of the book's."""
+    book, own = (
+        dict(zip(p.givens, givens_lines(p, v), strict=True)) for v in (p.book_values, values)
+    )
+    for name in p.givens:
+        if book[name] in source:
+            source = source.replace(book[name], own[name])
+        else:  # an instructor changed the line
+            source = re.sub(rf"(?m)^{name} = [-+.\w]+", f"{name} = {number(values[name])}", source)
+    return source

@@ -2,19 +2,22 @@
 
 import os
 import shutil
+import subprocess
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from exercises.catalogue import problem
 
-from ..course import CourseError, check_id, read_json, write_json
+from ..course import CourseError, check_id, write_json
 from .figures import figure_png
-from .notebook import personal_notebook, problems_of
+from .notebook import personal_notebook
+from .released import personal_path, released_notebooks, sheet_numbers
+from .sheet import problems_of
 
 
 def make_personal_copies(course, assignment, students=None, progress=None, workers=None):
     """Write the personal copies of an assignment for ``students`` (default: the roster); returns
-    {student: path}.
+    {student: path}. Those of other notebooks of the assignment with problems are beside it.
 
     Figures depend on the numbers, so they are drawn for each student, on ``workers`` processes
     (default: one per processor).
@@ -30,20 +33,22 @@ def make_personal_copies(course, assignment, students=None, progress=None, worke
             "nobody is on the roster; add students with: nbgrader db student add ID, or build "
             "--students roster.csv"
         )
-    released = course.released(assignment)
-    problems = problems_of(released)
-    values = {s: course.values(assignment, s, problems) for s in students}
-    drawn = {(p.id, _hashable(values[s][p.id])): None for s in students for p in problems}
+    notebooks = {n: x for n, x in released_notebooks(course, assignment).items() if problems_of(x)}
+    asked = sorted({p.id for x in notebooks.values() for p in problems_of(x)})
+    values = {s: sheet_numbers(course, assignment, check_id(s)) for s in students}
+    drawn = {(i, _hashable(values[s][i])): None for s in students for i in asked}
     with ProcessPoolExecutor(workers or os.cpu_count()) as pool:
         for figure, png in zip(drawn, pool.map(_draw, drawn, chunksize=8), strict=True):
             drawn[figure] = png
             if progress:
                 progress(1 / len(drawn))
     paths = {}
-    for s in map(check_id, students):
-        figures = {p.id: drawn[p.id, _hashable(values[s][p.id])] for p in problems}
+    for s in students:
+        figures = {i: drawn[i, _hashable(values[s][i])] for i in asked}
         paths[s] = course.personal_path(assignment, s)
-        write_json(paths[s], personal_notebook(released, s, values[s], figures))
+        for name, released in notebooks.items():
+            path = personal_path(course, assignment, s, name)
+            write_json(path, personal_notebook(released, s, values[s], figures))
     return paths
 
 
@@ -54,27 +59,6 @@ def _hashable(values):
 def _draw(figure):
     problem_id, values = figure
     return figure_png(problem(problem_id), dict(values))
-
-
-def master_notebook(course, assignment, student):
-    """The trusted notebook of a student: the personal copy if there is one, otherwise one made now,
-    without figures.
-    """
-    path = course.personal_path(assignment, student)
-    released = course.released(assignment)
-    if path.exists():
-        own = read_json(path)
-        if [c["id"] for c in own["cells"]] == [c["id"] for c in released["cells"]]:
-            return own
-    return personal_notebook(
-        released, student, course.values(assignment, student, problems_of(released)), {}
-    )
-
-
-def master_bytes(course, assignment, student):
-    """The bytes of the file that :func:`master_notebook` reads, to detect changes."""
-    path = course.personal_path(assignment, student)
-    return (path if path.exists() else course.released_path(assignment)).read_bytes()
 
 
 # -- the exchange
@@ -109,8 +93,9 @@ def copy_to_exchange(course, assignment, outbound, paths):
         target = folder / personal_name(course.name, assignment, student)
         shutil.rmtree(target, ignore_errors=True)
         target.mkdir()
-        shutil.copy(path, target / path.name)
-        os.chmod(target / path.name, 0o644)
+        for notebook in path.parent.glob("*.ipynb"):
+            shutil.copy(notebook, target / notebook.name)
+            os.chmod(target / notebook.name, 0o644)
         os.chmod(target, 0o755)
         _restrict_to_user(student, target)
     for place in (folder, folder.parent):
@@ -118,17 +103,22 @@ def copy_to_exchange(course, assignment, outbound, paths):
 
 
 def _restrict_to_user(student, target):
-    """Make the copy readable by the student only, if this process may (root, as on most hubs) and
-    the student is a user of the machine.
+    """Make the copy readable by the student only, if the student is a user of the machine: root
+    gives it away, as on most hubs; others may name the student in an access list, where ``setfacl``
+    is installed.
     """
-    if os.geteuid() != 0:
-        return
     try:
         import pwd
 
         user = pwd.getpwnam(student)
     except (ImportError, KeyError):
         return
-    for path in (target, *target.iterdir()):
-        os.chown(path, user.pw_uid, user.pw_gid)
-        os.chmod(path, 0o700 if path.is_dir() else 0o600)
+    paths = [target, *target.iterdir()]
+    if os.geteuid() == 0:
+        for path in paths:
+            os.chown(path, user.pw_uid, user.pw_gid)
+            os.chmod(path, 0o700 if path.is_dir() else 0o600)
+    elif tool := shutil.which("setfacl"):
+        who = f"user:{user.pw_uid}:rX,group::---,other::---"
+        # not every file system has access lists; the names of the folders are still not listed
+        subprocess.run([tool, "--modify", who, *paths], capture_output=True, check=False)

@@ -36,7 +36,7 @@ def answers_without_a_term(p, values):
     )
     if name is None:
         return right_answers(p, values), []
-    wrong = p.in_units(p.code.mistakes(p.base({**p.sympy_symbols(), **values}))[name])
+    wrong = p.wrong({**p.sympy_symbols(), **values})[name]
     return {
         **right_answers(p, values),
         **{key: literal(p.answer(key), v) for key, v in wrong.items()},

@@ -1,6 +1,8 @@
 """Grades all submissions of an assignment at once and writes nbgrader's gradebook."""
 
-from .gradebook import save_results, saved_points
-from .run import Result, grade
+from .gradebook import Entry, instructors_cells, save
+from .one import grade_one
+from .run import grade
+from .student import Result
 
-__all__ = ["Result", "grade", "save_results", "saved_points"]
+__all__ = ["Entry", "Result", "grade", "grade_one", "instructors_cells", "save"]

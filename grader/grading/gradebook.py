@@ -1,100 +1,208 @@
-"""Reads and writes the scores in nbgrader's gradebook."""
+"""Reads and writes nbgrader's gradebook, for a whole class in one transaction: all of it or none.
 
-from datetime import datetime
+What is written depends on the submissions and the gradebook alone, not on what was written before,
+so that a changed late policy, due date or timestamp is followed, and both routes agree.
+"""
+
+from collections import defaultdict
+from dataclasses import dataclass, field
+from datetime import timedelta
 from functools import cached_property
 
-from ..assignment.notebook import answer_id
-from ..submission import feedback_comment
+FEW = 100  # students, whose rows alone are read; above, those of the class are
 
 
-def points_by_cell(result):
-    """{id of the answer cell: points} of a :class:`~grader.grading.run.Result`, as
-    :func:`saved_points` reads them.
+@dataclass
+class Entry:
+    """What is written for one student.
+
+    notebooks : {name: :class:`~grader.submission.pipeline.Graded`}; of those that are missing from
+        the submission None
+    timestamp : of the submission, or None if it has none, and an earlier one stays
+    changed : False if it is the same work as at the last time, and points given by hand need no
+        second look
     """
-    return {answer_id(i): s.points for i, s in result.scores.items()}
+
+    student: str
+    notebooks: dict
+    timestamp: object = None
+    changed: bool = True
 
 
-def saved_points(book, assignment):
-    """The automatic points in the gradebook: {student: {id of the answer cell: points}}.
-
-    They differ from the recorded results after an interrupted run, a restored backup, or a run of
-    another grader.
+@dataclass
+class Total:
+    """The points of a student in the gradebook: ``points`` with what is given by hand and extra,
+    less the penalty; ``waiting`` counts the cells that wait for a person.
     """
-    from nbgrader.api import Assignment, BaseCell, Grade, SubmittedAssignment, SubmittedNotebook
 
-    rows = (
-        book.db.query(SubmittedAssignment.student_id, BaseCell.name, Grade.auto_score)
-        .select_from(Grade)
-        .join(BaseCell, BaseCell.id == Grade.cell_id)
-        .join(SubmittedNotebook, SubmittedNotebook.id == Grade.notebook_id)
-        .join(SubmittedAssignment, SubmittedAssignment.id == SubmittedNotebook.assignment_id)
-        .join(Assignment, Assignment.id == SubmittedAssignment.assignment_id)
-        .filter(Assignment.name == assignment)
-    )
-    found = {}
-    for student, cell, points in rows:
-        if cell.startswith("answer-"):
-            found.setdefault(student, {})[cell] = points
+    points: float = 0.0
+    out_of: float = 0.0
+    extra: float = 0.0
+    penalty: float = 0.0
+    waiting: int = 0
+
+
+@dataclass
+class Cells:
+    """The cells of one notebook of an assignment: ids in the gradebook by grade id."""
+
+    id: str
+    grades: dict = field(default_factory=dict)
+    comments: dict = field(default_factory=dict)
+    most: dict = field(default_factory=dict)
+
+
+def instructors_cells(book, assignment):
+    """{notebook: {grade id: (text, checksum)}} of an assignment, with the hidden tests."""
+    from nbgrader.api import Notebook, SourceCell
+
+    found = {n.name: {} for n in book.find_assignment(assignment).notebooks}
+    columns = (Notebook.name, SourceCell.name, SourceCell.source, SourceCell.checksum)
+    rows = book.db.query(*columns).join(Notebook, Notebook.id == SourceCell.notebook_id)
+    here = Notebook.assignment_id == book.find_assignment(assignment).id
+    for notebook, name, source, checksum in rows.filter(here):
+        found[notebook][name] = source, checksum
     return found
 
 
-def save_results(course, assignment, results):
-    """Write all results into nbgrader's gradebook in one transaction: all of them or none."""
-    from nbgrader.api import SubmittedAssignment, SubmittedNotebook
-
-    if not results:
-        return
-    late = _LatePenalties(course)
-    with course.gradebook() as book:
-        master = book.find_assignment(assignment)
-        students = {s.id: s for s in book.students}
-        existing = {s.student_id: s for s in master.submissions}
-        cells = {
-            n.name: ({c.name: c for c in n.grade_cells}, {c.name: c for c in n.solution_cells})
-            for n in master.notebooks
-        }
-        with book.db.no_autoflush:
-            for result in results:
-                entry = existing.get(result.student) or SubmittedAssignment(
-                    assignment=master, student=students[result.student]
-                )
-                entry.timestamp = _timestamp(course, assignment, result.student) or entry.timestamp
-                notebooks = {n.name: n for n in entry.notebooks}
-                by_cell = {answer_id(i): s for i, s in result.scores.items()}
-                for notebook in master.notebooks:
-                    own = notebooks.get(notebook.name) or SubmittedNotebook(
-                        notebook=notebook, assignment=entry
-                    )
-                    total = _write_notebook(own, *cells[notebook.name], by_cell)
-                    own.late_submission_penalty = late.penalty(
-                        result.student, total, entry.total_seconds_late
-                    )
-                book.db.add(entry)
-        book.db.commit()
-
-
-def _write_notebook(own, grade_cells, solution_cells, by_cell):
-    """Write automatic points and comments into a submitted notebook of the gradebook; returns its
-    score, with what a person has graded.
+def save(course, book, assignment, entries, only=None):
+    """Write the entries; returns {student: :class:`Total`}. ``only``: the notebook to write, and no
+    other.
     """
-    from nbgrader.api import Comment, Grade
+    students = [e.student for e in entries]
+    saving = _Saving(course, book, book.find_assignment(assignment), only, students)
+    totals = {}
+    with book.db.no_autoflush:
+        for entry in entries:
+            totals[entry.student] = saving.write(entry)
+        saving.flush()
+    book.db.commit()
+    return totals
 
-    grades, comments, total = (
-        {g.cell_id: g for g in own.grades},
-        {c.cell_id: c for c in own.comments},
-        0,
-    )
-    for name, cell in grade_cells.items():
-        grade = grades.get(cell.id) or Grade(cell_id=cell.id, notebook=own)
-        grade.auto_score = by_cell[name].points if name in by_cell else 0
-        grade.needs_manual_grade = grade.manual_score is not None
-        total += (grade.auto_score if grade.manual_score is None else grade.manual_score) + (
-            grade.extra_credit or 0
-        )
-    for name, cell in solution_cells.items():
-        comment = comments.get(cell.id) or Comment(cell_id=cell.id, notebook=own)
-        comment.auto_comment = feedback_comment(by_cell[name]) if name in by_cell else None
-    return total
+
+class _Saving:
+    """Rows of one assignment as they are, and the changes to them."""
+
+    def __init__(self, course, book, master, only, students):
+        from nbgrader import api
+
+        self.api, self.db, self.master, self.late = api, book.db, master, _LatePenalties(course)
+        self.cells = {n.name: self._cells(n) for n in master.notebooks if only in (None, n.name)}
+        self.inserts, self.updates = defaultdict(list), defaultdict(list)
+        sub, nb, grade, comment = (
+            api.SubmittedAssignment, api.SubmittedNotebook, api.Grade, api.Comment,
+        )  # fmt: skip
+        here = sub.assignment_id == master.id
+        if len(students) <= FEW:
+            here = here & sub.student_id.in_(students)
+        columns = (sub.student_id, sub.id, sub.timestamp, sub.extension)
+        self.submissions = {r[0]: r for r in self.db.query(*columns).filter(here)}
+        columns = (nb.assignment_id, nb.notebook_id, nb.id, nb.late_submission_penalty)
+        rows = self.db.query(*columns).join(sub, sub.id == nb.assignment_id).filter(here)
+        self.notebooks = {r[:2]: r for r in rows}
+        columns = (
+            grade.notebook_id, grade.cell_id, grade.id, grade.auto_score, grade.manual_score,
+            grade.extra_credit, grade.needs_manual_grade,
+        )  # fmt: skip
+        self.grades = {r[:2]: r for r in self._of_notebooks(columns, grade, here)}
+        columns = (comment.notebook_id, comment.cell_id, comment.id, comment.auto_comment)
+        self.comments = {r[:2]: r for r in self._of_notebooks(columns, comment, here)}
+
+    def _cells(self, notebook):
+        cells, graded = Cells(notebook.id), (self.api.GradeCell, self.api.TaskCell)
+        for table in graded:
+            columns = (table.name, table.id, table.max_score)
+            for name, own, most in self.db.query(*columns).filter_by(notebook_id=notebook.id):
+                cells.grades[name], cells.most[name] = own, most
+        for table in (self.api.SolutionCell, self.api.TaskCell):
+            rows = self.db.query(table.name, table.id).filter_by(notebook_id=notebook.id)
+            cells.comments.update((name, own) for name, own in rows)
+        return cells
+
+    def _of_notebooks(self, columns, table, here):
+        sub, nb = self.api.SubmittedAssignment, self.api.SubmittedNotebook
+        joined = self.db.query(*columns).join(nb, nb.id == table.notebook_id)
+        return joined.join(sub, sub.id == nb.assignment_id).filter(here)
+
+    def write(self, entry):
+        """Note the changes for one student; returns the :class:`Total`."""
+        known = self.submissions.get(entry.student)
+        _, own, timestamp, extension = known or (None, self.api.new_uuid(), None, None)
+        row = {"id": own, "timestamp": entry.timestamp or timestamp}
+        if not known:
+            row |= {"assignment_id": self.master.id, "student_id": entry.student}
+            self._insert("SubmittedAssignment", row)
+        elif row["timestamp"] != timestamp:
+            self._update("SubmittedAssignment", row)
+        seconds, total = self._seconds_late(row["timestamp"], extension), Total()
+        for name, cells in self.cells.items():
+            known = self.notebooks.get((own, cells.id))
+            _, _, notebook, before = known or (None, None, self.api.new_uuid(), None)
+            points, extra = self._write_cells(notebook, cells, entry, name, total)
+            penalty = self.late.penalty(entry.student, points + extra, seconds)
+            row = {"id": notebook, "late_submission_penalty": penalty}
+            if not known:
+                row |= {"assignment_id": own, "notebook_id": cells.id}
+                self._insert("SubmittedNotebook", row)
+            elif penalty != before:
+                self._update("SubmittedNotebook", row)
+            total.points += points + extra - (penalty or 0.0)
+            total.extra, total.penalty = total.extra + extra, total.penalty + (penalty or 0.0)
+        return total
+
+    def _write_cells(self, notebook, cells, entry, name, total):
+        """Note the changes to one notebook; returns its points, and those that are extra."""
+        graded, points, extra_points = entry.notebooks.get(name), 0.0, 0.0
+        for grade_id, cell in cells.grades.items():
+            # a notebook that was not handed in earns nothing, a cell without points in it waits
+            automatic = graded.points.get(grade_id) if graded else 0.0
+            known = self.grades.get((notebook, cell))
+            _, _, row_id, before, manual, extra, needs = known or (None,) * 7
+            waits = automatic is None if manual is None else needs or self._second_look(entry)
+            row = {"auto_score": automatic, "needs_manual_grade": waits}
+            if not known:
+                row |= {"cell_id": cell, "notebook_id": notebook}
+                self._insert("Grade", {"id": self.api.new_uuid(), **row})
+            elif (automatic, waits) != (before, needs):
+                self._update("Grade", {"id": row_id, **row})
+            points += (manual if manual is not None else automatic) or 0.0
+            extra_points += extra or 0.0
+            total.waiting += waits
+            total.out_of += cells.most[grade_id]
+        for grade_id, cell in cells.comments.items():
+            text = graded.comments.get(grade_id) if graded else None
+            known = self.comments.get((notebook, cell))
+            if not known:
+                row = {"cell_id": cell, "notebook_id": notebook, "auto_comment": text}
+                self._insert("Comment", {"id": self.api.new_uuid(), **row})
+            elif text != known[3]:
+                self._update("Comment", {"id": known[2], "auto_comment": text})
+        return points, extra_points
+
+    @staticmethod
+    def _second_look(entry):
+        """True if points that a person gave were for other work: nbgrader asks for a look at it."""
+        return entry.changed
+
+    def _seconds_late(self, timestamp, extension):
+        due = self.master.duedate
+        if due is None or timestamp is None:
+            return 0.0
+        return max(0.0, (timestamp - due - (extension or timedelta())).total_seconds())
+
+    def _insert(self, table, row):
+        self.inserts[table].append(row)
+
+    def _update(self, table, row):
+        self.updates[table].append(row)
+
+    def flush(self):
+        """Send the changes to the database."""
+        for table in ("SubmittedAssignment", "SubmittedNotebook", "Grade", "Comment"):
+            kind = getattr(self.api, table)
+            self.db.bulk_insert_mappings(kind, self.inserts[table])
+            self.db.bulk_update_mappings(kind, self.updates[table])
+        self.db.expire_all()
 
 
 class _LatePenalties:
@@ -113,21 +221,7 @@ class _LatePenalties:
 
     def penalty(self, student, score, seconds_late):
         """The penalty, between 0 and the score; None if the submission was in time."""
-        penalty = (
-            self.plugin.late_submission_penalty(student, score, seconds_late)
-            if seconds_late > 0
-            else None
-        )
-        return None if penalty is None else min(max(penalty, 0), score)
-
-
-def _timestamp(course, assignment, student):
-    path = course.path / "submitted" / student / assignment / "timestamp.txt"
-    if not path.exists():
-        return None
-    from nbgrader.utils import parse_utc
-
-    try:
-        return parse_utc(path.read_text().strip())
-    except ValueError:
-        return datetime.fromtimestamp(path.stat().st_mtime)
+        if not seconds_late > 0:
+            return None
+        penalty = self.plugin.late_submission_penalty(student, score, seconds_late)
+        return None if penalty is None else min(max(penalty, 0.0), score)

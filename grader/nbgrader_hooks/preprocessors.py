@@ -1,21 +1,24 @@
-"""Preprocessors that replace nbgrader's own: rebuild the submission, run and score its answers,
-save the scores, prepare the feedback page.
+"""Preprocessors that replace nbgrader's own: grade a submission as ``python -m grader grade`` does,
+write the gradebook, prepare the feedback page.
 """
 
 import atexit
-import copy
 
-from nbformat import from_dict
-from nbgrader import utils
-from nbgrader.preprocessors import GetGrades, NbGraderPreprocessor, SaveAutoGrades
+from nbgrader.api import Gradebook
+from nbgrader.preprocessors import GetGrades, NbGraderPreprocessor
 from traitlets import Unicode
 
-from ..assignment.notebook import own_metadata
+from ..assignment.released import released_notebooks
+from ..assignment.sheet import kind, nbgrader_metadata
 from ..course import Course
+from ..grading.gradebook import Entry, instructors_cells, save
+from ..grading.lock import alone
+from ..grading.one import autograded_path, grade_one
 from ..sandbox import Harvester
-from ..submission import pipeline
-from ..submission.rebuild import SubmittedAnswer, read_answers, rebuild_notebook
+from ..submission import read_timestamp
+from .guards import WRITTEN
 
+_graded: dict = {}  # what the first step found out, for the second
 _harvester = None
 
 
@@ -30,88 +33,82 @@ def shared_harvester():
     return _harvester
 
 
-class _CoursePreprocessor(NbGraderPreprocessor):
-    course_path = Unicode(
-        "", help="The course folder; set by grader.nbgrader_config.configure"
-    ).tag(config=True)
-
-    def _student_assignment(self, resources):
-        names = resources["nbgrader"]
-        return pipeline.student_assignment(
-            Course(self.course_path), names["assignment"], names["student"]
-        )
+def _course_path():
+    return Unicode("", help="The course folder; set by grader.nbgrader_config.configure").tag(
+        config=True
+    )
 
 
-class RebuildFromSource(_CoursePreprocessor):
-    """The first of ``Autograde.sanitize_preprocessors``: keeps only the texts of the answer cells
-    of a submission.
+def _key(resources):
+    names = resources["nbgrader"]
+    return names["db_url"], names["assignment"], names["student"], names["notebook"]
+
+
+def _with_written(resources, course_path):
+    """The resources with the path of the annotated notebook, which ``SubmissionReader`` hands on as
+    it was written.
+    """
+    names = resources["nbgrader"]
+    path = autograded_path(
+        Course(course_path), names["assignment"], names["student"], names["notebook"]
+    )
+    return {**resources, WRITTEN: path}
+
+
+class RebuildFromSource(NbGraderPreprocessor):
+    """The only one of ``Autograde.sanitize_preprocessors``: what is graded is the trusted notebook
+    with the student's work in it, not what was handed in.
     """
 
+    course_path = _course_path()
+
     def preprocess(self, notebook, resources):
-        own = self._student_assignment(resources)
-        answers = read_answers(notebook, own.problems)
-        rebuilt = copy.deepcopy(rebuild_notebook(own.master, answers))
-        rebuilt["metadata"]["newton_euler"] = {
-            **rebuilt["metadata"]["newton_euler"],
-            "notes": {i: a.note for i, a in answers.items() if a.note},
-        }
-        return from_dict(rebuilt), resources
+        names, course = resources["nbgrader"], Course(self.course_path)
+        assignment, student, name = names["assignment"], names["student"], names["notebook"]
+        with Gradebook(names["db_url"]) as book:
+            sources = instructors_cells(book, assignment)[name]
+        with alone(course):
+            _graded[_key(resources)] = grade_one(
+                course, assignment, student, name, sources, shared_harvester()
+            )
+        return notebook, _with_written(resources, self.course_path)
 
 
-class HarvestExecute(_CoursePreprocessor):
-    """Replaces ``Execute``: runs the answers in the sandbox, writes the scores into the outputs and
-    passes them on to :class:`SaveScores`.
+class HarvestExecute(NbGraderPreprocessor):
+    """Replaces ``Execute`` and what follows it: points, comments and the penalty for lateness go
+    into the gradebook at once.
     """
 
+    course_path = _course_path()
+
     def preprocess(self, notebook, resources):
-        own = self._student_assignment(resources)
-        notes = notebook["metadata"]["newton_euler"].pop("notes", {})
-        answers = {
-            i: SubmittedAnswer(a.text, notes.get(i, ""))
-            for i, a in read_answers(notebook, own.problems).items()
-        }
-        receipts, note = pipeline.run_answers(shared_harvester(), own, answers)
-        scores = pipeline.score_answers(own, answers, receipts)
-        resources["newton_euler"] = scores
-        if note:
-            self.log.warning("%s: %s", own.student, note)
-        return from_dict(pipeline.annotate(notebook, scores, note)), resources
-
-
-class SaveScores(SaveAutoGrades):
-    """Writes the points, and the feedback as a comment, into the gradebook."""
-
-    def _score_of(self, cell, resources):
-        return resources["newton_euler"].get(own_metadata(cell).get("problem"))
-
-    def _add_score(self, cell, resources):
-        grade = self.gradebook.find_grade(
-            cell.metadata["nbgrader"]["grade_id"],
-            self.notebook_id,
-            self.assignment_id,
-            self.student_id,
-        )
-        score = self._score_of(cell, resources)
-        grade.auto_score = score.points if score and utils.is_solution(cell) else 0
-        grade.needs_manual_grade = grade.manual_score is not None
-        self.gradebook.db.commit()
-
-    def _add_comment(self, cell, resources):
-        comment = self.gradebook.find_comment(
-            cell.metadata["nbgrader"]["grade_id"],
-            self.notebook_id,
-            self.assignment_id,
-            self.student_id,
-        )
-        score = self._score_of(cell, resources)
-        comment.auto_comment = pipeline.feedback_comment(score) if score else None
-        self.gradebook.db.commit()
+        names, outcome = resources["nbgrader"], _graded.pop(_key(resources))
+        course, student, name = Course(self.course_path), names["student"], names["notebook"]
+        time = read_timestamp(course.path / "submitted" / student / names["assignment"])
+        entry = Entry(student, {name: outcome.graded}, time, outcome.changed)
+        with Gradebook(names["db_url"]) as book, alone(course):
+            save(course, book, names["assignment"], [entry], only=name)
+        if outcome.graded.note:
+            self.log.warning("%s: %s", student, outcome.graded.note)
+        return notebook, _with_written(resources, self.course_path)
 
 
 class GradesAndFigures(GetGrades):
-    """For the feedback page: adds points and comments, also those of a human grader, and puts each
-    figure into its text.
+    """For the feedback page: adds points and comments, also those of a human grader, puts each
+    figure into its text, and takes the instructor's hidden tests out.
     """
+
+    course_path = _course_path()
+
+    def preprocess(self, notebook, resources):
+        names = resources["nbgrader"]
+        notebooks = released_notebooks(Course(self.course_path), names["assignment"])
+        self._seen = {
+            nbgrader_metadata(c).get("grade_id"): c["source"]
+            for c in notebooks[names["notebook"]]["cells"]
+            if kind(c) in ("test", "task", "locked")
+        }
+        return super().preprocess(notebook, resources)
 
     def _get_comment(self, cell, resources):
         super()._get_comment(cell, resources)
@@ -124,9 +121,14 @@ class GradesAndFigures(GetGrades):
         cell.metadata.nbgrader["manual_comment"] = comment.manual_comment
 
     def preprocess_cell(self, cell, resources, index):
-        for name, kinds in cell.pop("attachments", {}).items():
-            for kind, data in kinds.items():
+        seen = self._seen.get(nbgrader_metadata(cell).get("grade_id"))
+        if seen is not None:
+            cell.source = seen
+        pictures = cell.pop("attachments", {})
+        # the figure of a problem; what students attach is not shown, and could fill the memory
+        for name, kinds in pictures.items() if kind(cell) == "statement" else ():
+            for mime, data in kinds.items():
                 cell.source = cell.source.replace(
-                    f"attachment:{name}", f"data:{kind};base64,{data}"
+                    f"attachment:{name}", f"data:{mime};base64,{data}"
                 )
         return super().preprocess_cell(cell, resources, index)

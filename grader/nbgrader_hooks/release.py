@@ -1,9 +1,27 @@
-"""Replaces nbgrader's release, so that the personal copies are made with it."""
+"""Replaces nbgrader's releases: the personal copies are made with an assignment, and of the
+feedback only our own pages are published.
+"""
 
-from nbgrader.exchange.default import ExchangeReleaseAssignment
+import contextlib
+import shutil
+from pathlib import Path
+
+from nbgrader.exchange.default import ExchangeReleaseAssignment, ExchangeReleaseFeedback
+from nbgrader.utils import notebook_hash
 
 from ..assignment import copy_to_exchange, make_personal_copies
 from ..course import Course
+from ..course.files import NotTaken, read_regular
+
+MAX_PAGE = 256 * 2**20
+
+
+def _submission_secret(*folders):
+    """What names a student's page in the exchange; the student's nbgrader made it at submit."""
+    for folder in folders:
+        with contextlib.suppress(NotTaken, UnicodeDecodeError):
+            return read_regular(folder / "submission_secret.txt", 1000).decode()
+    return None
 
 
 class ReleaseWithPersonal(ExchangeReleaseAssignment):
@@ -23,3 +41,45 @@ class ReleaseWithPersonal(ExchangeReleaseAssignment):
         paths = make_personal_copies(course, assignment, students)
         copy_to_exchange(course, assignment, self.dest_path, paths)
         self.log.info("Made %d personal copies", len(paths))
+
+
+class ReleaseOwnPages(ExchangeReleaseFeedback):
+    """Publishes the feedback pages of the assignment's notebooks, for each student who handed in
+    through the exchange; nothing else that lies in the folder.
+    """
+
+    def copy_files(self):
+        course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
+        notebooks = [p.stem for p in course.released_path(assignment).parent.glob("*.ipynb")]
+        excluded = set(filter(None, self.coursedir.student_id_exclude.split(",")))
+        for folder in sorted(Path(course.path).glob(f"feedback/{self._students()}/{assignment}")):
+            student = folder.parent.name
+            if student in excluded:
+                continue
+            secret = _submission_secret(folder, course.path / "submitted" / student / assignment)
+            if secret is None:
+                self.log.warning(
+                    "%s did not hand in through the exchange; give them %s yourself",
+                    student, folder / f"{assignment}.html",
+                )  # fmt: skip
+                continue
+            for name in notebooks:
+                self._publish(
+                    student, folder / f"{name}.html", notebook_hash(secret=secret, notebook_id=name)
+                )
+
+    def _students(self):
+        return self.coursedir.student_id or "*"
+
+    def _publish(self, student, page, key):
+        try:
+            content = read_regular(page, MAX_PAGE)
+        except NotTaken as reason:
+            self.log.warning("%s of %s was not released: %s", page.name, student, reason)
+            return
+        target = Path(self.dest_path) / f"{key}.html"
+        partial = target.with_suffix(".partial")
+        partial.write_bytes(content)
+        partial.chmod(0o644)
+        shutil.move(partial, target)
+        self.log.info("Released feedback for %s", student)

@@ -2,6 +2,7 @@
 instructor and no network.
 """
 
-from .harvester import CELL_SECONDS, Harvester, HarvestError
+from .harvester import CELL_SECONDS, SECONDS, Harvester
+from .worker import HarvestError
 
-__all__ = ["CELL_SECONDS", "HarvestError", "Harvester"]
+__all__ = ["CELL_SECONDS", "SECONDS", "HarvestError", "Harvester"]

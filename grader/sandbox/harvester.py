@@ -1,115 +1,184 @@
 """Runs submissions in sandboxed processes and returns their receipts.
 
-A :class:`Harvester` keeps one process (``cage.py``) per worker, with the libraries imported and no
-key in it. A submission costs a fork of it, not the start of an interpreter.
+A :class:`Harvester` keeps one process per worker, with the libraries imported and no key in it. A
+submission costs a fork of it, not the start of an interpreter.
 """
 
 import contextlib
-import json
 import os
-import struct
-import subprocess
-import sys
+import re
+import threading
+import time
+from functools import cached_property
 from pathlib import Path
 from queue import Queue
 
+from .receipts import NOT_REACHED, read_lines
+from .worker import HarvestError, Worker
+
 CELL_SECONDS = 10.0
 SECONDS = 60.0
-_PASSED_ON = ("PATH", "LANG", "LC_ALL", "TZ", "HOME")
-_SET = {
-    "OPENBLAS_NUM_THREADS": "1",
-    "OMP_NUM_THREADS": "1",
-    "MPLBACKEND": "Agg",
-    "MPLCONFIGDIR": "/tmp",
-    "PYTHONDONTWRITEBYTECODE": "1",
-}
+MOST_TESTS = 200  # in one notebook
+MOST_TEXT = 2**20  # characters of all cells; a chapter worked out in full has 50 000
+PER_CELL = 100  # characters that a cell counts for besides its text, so that there are not too many
 
-
-class HarvestError(RuntimeError):
-    """The sandbox itself failed, because of a bug or a broken installation and not because of a
-    student's code.
-    """
+# a cell that may need IPython, which a worker then imports once, before it starts the process of
+# the student; a cell that is missed imports it itself
+_IPYTHON = re.compile(r"IPython|^[ \t]*[%!?>]|\?$|=[ \t]*[%!]", re.MULTILINE)
+KERNEL = Path("/proc/sys")
+SETTINGS = (  # that forbid user namespaces, and the value that allows them
+    ("kernel.apparmor_restrict_unprivileged_userns", "1", "0"),  # Ubuntu 24.04
+    ("kernel.unprivileged_userns_clone", "0", "1"),  # Debian 10
+    ("user.max_user_namespaces", "0", "15000"),  # Red Hat 7
+)
 
 
 class Harvester:
-    """Workers that run submissions: ``with Harvester(2) as h: h.run(setup, problems)``. ``run`` may
-    be called from several threads.
+    """Workers that run submissions: ``with Harvester(2) as h: h.run(cells)``. ``run`` may be called
+    from several threads.
+
+    sandbox : False runs student code without isolation; where the machine refuses the cage, nothing
+        else does.
     """
 
     def __init__(self, workers=None, sandbox=True):
         self.count = workers or os.cpu_count() or 1
         self.sandbox = sandbox
         self._idle, self._all = Queue(), []
+        self._starting, self._started = threading.Lock(), False
 
     def __enter__(self):
-        for _ in range(self.count):
-            self._idle.put(self._start_worker())
+        self._start()
         return self
 
+    def _start(self):
+        """Start the workers, unless they are: at the first run if not before, since a run over a
+        class of which nothing changed needs none.
+        """
+        with self._starting:
+            for _ in range(0 if self._started else self.count):
+                self._idle.put(self._start_worker())
+            self._started = True
+
     def _start_worker(self):
-        environment = {k: os.environ[k] for k in _PASSED_ON if k in os.environ} | _SET
-        process = subprocess.Popen(
-            [sys.executable, "-I", str(Path(__file__).with_name("cage.py"))],
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, cwd="/",
-        )  # fmt: skip
-        self._all.append(process)
-        return process
+        self._all.append(Worker())
+        return self._all[-1]
 
     def __exit__(self, *_):
-        for process in self._all:
-            with contextlib.suppress(OSError):
-                process.stdin.close()
-        for process in self._all:
-            try:
-                process.wait(timeout=5)
-            except subprocess.TimeoutExpired:
-                process.kill()
-                process.wait()
-            process.stdout.close()
+        for worker in self._all:
+            worker.close()  # all of them, before one is waited for
+        for worker in self._all:
+            worker.stop()
 
-    def run(self, setup, problems, seconds=SECONDS, cell_seconds=CELL_SECONDS):
-        """Run the answer cells of one submission; returns {"receipts": {id: record}, "sandbox",
-        "ended", "seconds"}.
-
-        problems : [{"id", "givens", "cell", "forms", "symbols"}], the sources of the cells and the
-            forms in which answers are read.
-        "sandbox" is "namespaces" or the reason why there is none; "ended" is "done" or the reason
-        why the run was stopped. Only ids of ``problems`` are returned, each with the first record
-        that was sent for it.
+    @cached_property
+    def sandbox_state(self):
+        """ "namespaces", or "unsandboxed: asked for"; raises :class:`HarvestError` where the
+        machine refuses the cage. Asked once, with an empty job.
         """
-        job = {
-            "setup": setup,
-            "problems": problems,
-            "seconds": seconds,
-            "cell_seconds": cell_seconds,
-            "sandbox": self.sandbox,
+        return self.run([])["sandbox"]
+
+    def run(self, cells, seconds=SECONDS, cell_seconds=CELL_SECONDS):
+        """Run the cells of one submission; returns {"receipts": {problem id: record}, "tests":
+        {name: outcome}, "errors": {name: sentence}, "sandbox", "ended", "seconds"}.
+
+        cells : in the order in which they run, dicts by "role":
+            "run": "name", "text";
+            "givens": "problem", "text", "clear" (names that are removed before);
+            "answer": "problem", "text";
+            "harvest": "problem", "forms", "symbols": the answers are read at this place;
+            "test": "name", "text" (what students see), "hidden" (the full text).
+        seconds : for all cells, and again for all tests; cell_seconds : for each.
+        "sandbox" is "namespaces" or "unsandboxed: asked for"; "ended" is "done" or the reason why
+        the run was stopped. The full text of a test reaches the cage only when all cells have run,
+        in a copy of the process that was made at its place; its outcome is {"error": sentence or
+        None, "value": of its last expression: a float, "other" or None}. Raises
+        :class:`HarvestError` if the job cannot be caged.
+        """
+        tests = [c for c in cells if c["role"] == "test"]
+        if len(tests) > MOST_TESTS:
+            raise HarvestError(
+                f"the notebook has {len(tests)} cells with tests; at most {MOST_TESTS} can be run. "
+                "Put several tests into one cell"
+            )
+        start = time.perf_counter()
+        cells = [c for c in cells if c["role"] != "run" or c["text"].strip()]
+        if (size := sum(len(c.get("text", "")) + PER_CELL for c in cells)) > MOST_TEXT:
+            return self._not_run(len(cells), size, tests)
+        state, data, outcomes = self._exchange(
+            [{k: v for k, v in c.items() if k != "hidden"} for c in cells],
+            [c["hidden"] for c in tests],
+            {
+                "seconds": seconds,
+                "cell_seconds": cell_seconds,
+                "sandbox": self.sandbox,
+                "ipython": any(_IPYTHON.search(c.get("text", "")) for c in cells),
+            },
+        )
+        receipts, errors = read_lines(
+            data,
+            {c["problem"] for c in cells if c["role"] == "harvest"},
+            {c["name"] for c in cells if c["role"] == "run"},
+        )
+        return {
+            "receipts": receipts,
+            "tests": {c["name"]: o for c, o in zip(tests, outcomes, strict=True)},
+            "errors": errors,
+            **state,
+            "seconds": round(time.perf_counter() - start, 4),
         }
-        process = self._idle.get()
+
+    def _not_run(self, count, size, tests):
+        return {
+            "receipts": {},
+            "tests": {c["name"]: dict(NOT_REACHED) for c in tests},
+            "errors": {},
+            "sandbox": self.sandbox_state,
+            "ended": f"not run: its {count} cells hold {size / 1e6:.1f} million characters, and "
+            f"{MOST_TEXT / 1e6:.1f} million are run at most",
+            "seconds": 0.0,
+        }
+
+    def _exchange(self, cells, texts, limits):
+        self._start()
+        worker = self._idle.get()
         try:
-            reply = _exchange(process, job)
+            worker = self._settled(worker)
+            state, data, outcomes = worker.run(cells, texts, limits)
         except BaseException:
-            # it has ended, or may still send a part of this reply; the next job gets a new one
-            process.kill()
-            process = self._start_worker()
+            # it has ended, or is in the middle of this job; the next job gets a new one
+            worker = self._replaced(worker)
             raise
         finally:
-            self._idle.put(process)
-        receipts, asked = {}, {p["id"] for p in problems}
-        for entry in reply["receipts"]:
-            if entry["id"] in asked:
-                receipts.setdefault(entry["id"], entry)
-        return {**reply, "receipts": receipts}
+            self._idle.put(worker)
+        if "sandbox" not in state:
+            why = state.get("refused", state["ended"])
+            raise HarvestError(
+                f"this machine refuses the cage for student code ({why}), so nothing was run. "
+                f"Grade on a machine that allows user namespaces{_how_to_allow()}, or run the code "
+                "without a cage, at your own risk: python -m grader grade --unsandboxed"
+            )
+        return state, data, outcomes
+
+    def _settled(self, worker):
+        """The worker, or another if it cannot end what an earlier job has started."""
+        try:
+            worker.settle()
+        except HarvestError:
+            return self._replaced(worker)
+        return worker
+
+    def _replaced(self, worker):
+        worker.kill()
+        self._all.remove(worker)
+        return self._start_worker()
 
 
-def _exchange(process, job):
-    data = json.dumps(job).encode()
-    try:
-        process.stdin.write(struct.pack("<I", len(data)) + data)
-        process.stdin.flush()
-        (length,) = struct.unpack("<I", process.stdout.read(4))
-        return json.loads(process.stdout.read(length))
-    except (OSError, struct.error, ValueError) as error:
-        raise HarvestError(
-            f"the process that runs student code is gone ({error}); its messages are "
-            f"above. Check that newton_euler is installed for {sys.executable}"
-        ) from error
+def _how_to_allow():
+    """The command with which an administrator allows them, where a setting of the machine forbids
+    them to ordinary users.
+    """
+    for setting, forbidden, allowed in SETTINGS:
+        with contextlib.suppress(OSError):
+            if (KERNEL / setting.replace(".", "/")).read_text().strip() == forbidden:
+                return f" (here after: sudo sysctl {setting}={allowed})"
+    return ""

@@ -2,7 +2,8 @@
 wrong one.
 """
 
-from .diagnosis import diagnose
+from .diagnosis import causes
 from .score import NO_ANSWER, Part, Score, score_receipt
+from .sheet import ScoreError
 
-__all__ = ["NO_ANSWER", "Part", "Score", "diagnose", "score_receipt"]
+__all__ = ["NO_ANSWER", "Part", "Score", "ScoreError", "causes", "score_receipt"]

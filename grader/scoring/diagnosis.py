@@ -1,142 +1,169 @@
-"""Finds the mistake that explains a wrong answer. A mistake is reported only if it alone fits the
-answer and differs clearly from the key.
+"""Finds the mistake that explains a wrong answer. A mistake is reported only if it fits the answer,
+differs clearly from the key, and is not contradicted by the parts that are right.
 """
 
-import numpy as np
+import math
+from functools import cached_property
 
-from exercises.variants import SEPARATION, flat
-from newton_euler.algebra.vectors import Vector
+from exercises.catalogue.words import WORDS
 
-FACTORS = {
-    "rad/s against rev/min": 60 / (2 * np.pi), "rad against degrees": 180 / np.pi,
-    "m against mm": 1000.0, "ft against in": 12.0, "a factor of 2": 2.0,
-    "weight against mass (g = 9.81)": 9.81, "weight against mass (g = 32.2)": 32.2,
-}  # fmt: skip
+from .fit import CLOSE, EXACT, LOOSE, Fit, is_apart
+from .slips import (
+    AS_SCALARS,
+    NUMBER_RTOL,
+    ROUNDED,
+    components,
+    is_rounded,
+    multiples,
+    pairs,
+    rates_as_scalars,
+)
+
+OR = "; or one that "  # between causes that give the same numbers
+BOTH = ", and also "  # between two mistakes that were made together
+OF_ALL_PARTS = ("listed", "unit", "book")  # groups of mistakes made once for the whole problem
+MOST = 3  # causes that are told together: more would explain nothing
+DIRECTION = "its size is right, its direction is not"
+NEAR = "it is within 3 % of the right answer: keep more digits, and round at the end"
+BOOK = "takes the numbers of the book instead of yours"
 
 
-def diagnose(problem, answer, given, key, sample, mistakes, rtol):
-    """The mistake that gives the wrong answer ``given``, as a sentence for the student, or None.
+class Elsewhere:
+    """What the other parts of a student's problem say about a cause.
 
-    Arrays have the shape (components, points); ``mistakes`` maps the names of the problem's listed
-    mistakes to the answers that they give.
+    find : a function that returns [(is right, given, key, wrong models, rtol)] of each; called only
+        where something fits
     """
-    listed = [(problem.mistakes[name], numbers) for name, numbers in mistakes.items()]
-    for candidates in (
-        lambda: listed,
-        lambda: _term_mistakes(problem, answer, sample),
-        lambda: _unit_mistakes(problem, answer, sample),
-        lambda: _whole_answer_mistakes(problem, answer, key, sample),
-    ):
-        with np.errstate(all="ignore"):
-            found = _only_fit(candidates(), given, key, rtol)
-        if found is not None:
-            return found or None
-    return None
+
+    def __init__(self, find=list):
+        self.find = find
+
+    @cached_property
+    def parts(self):
+        return self.find()
+
+    def contradicts(self, text):
+        """True if a part is right in which this mistake would show. A term can be left out, and
+        axes confused, in one part alone.
+        """
+        return any(
+            right and any(is_apart(x, key) for g, t, x in wrong if t == text and g in OF_ALL_PARTS)
+            for right, _, key, wrong, _ in self.parts
+        )
+
+    def explains(self, text):
+        """In how many other wrong parts this mistake fits."""
+        return sum(
+            any(_fits(given, key, rtol, x) for _, other, x in wrong if other == text)
+            for right, given, key, wrong, rtol in self.parts
+            if not right
+        )
 
 
-def _only_fit(candidates, given, key, rtol):
-    """The only text whose numbers fit; "" if several texts fit, None if none does."""
-    size = np.sqrt((key**2).sum(axis=0))
-    fits = []
-    for text, numbers in candidates:
-        numbers = np.asarray(numbers)
-        if numbers.shape != given.shape:
-            continue
-        own = np.sqrt((numbers**2).sum(axis=0))
-        far = np.sqrt(((numbers - key) ** 2).sum(axis=0)) >= SEPARATION * np.maximum(size, own)
-        gap = np.sqrt(((numbers - given) ** 2).sum(axis=0))
-        exists = np.isfinite(own) & np.isfinite(size)
-        if (
-            exists.any()
-            and far[exists].mean() >= 0.5
-            and (gap <= np.maximum(rtol * own, 1e-9 * size))[exists].all()
-        ):
-            fits.append((text, numbers))
-    texts = list(dict.fromkeys(text for text, _ in fits))
-    return None if not texts else texts[0] if len(texts) == 1 else ""
+def _fits(given, key, rtol, x):
+    return x == given if _is_word(key) else Fit(given, key, rtol)(x)
 
 
-def _key_with(problem, answer, sample, **changes):
-    g = problem.base(sample)
-    return problem.in_units({answer.key: problem.code.solve(g.but(**changes))[answer.key]})[
-        answer.key
+def _is_word(key):
+    return isinstance(key[0][0], str)
+
+
+def causes(diagnosis):
+    """The causes that a diagnosis names, as texts."""
+    return diagnosis.split(OR) if diagnosis else []
+
+
+def diagnose(given, key, wrong, rtol, kind="vector", factors=(), elsewhere=None):
+    """What gives the wrong answer ``given``, as a sentence for the student, or None. Of causes that
+    give the same numbers all are named.
+
+    Answers are tuples of points; ``wrong`` lists the wrong models of this answer, [(group, text,
+    points)], as :class:`~grader.scoring.numbers.Numbers` has them.
+
+    factors : {text: factor} of the units that the answer may be in by mistake
+    elsewhere : what the other parts of the problem say
+    """
+    elsewhere = elsewhere or Elsewhere()
+    if kind in WORDS:  # of few words one is soon met by chance: listed mistakes only
+        same = [text for group, text, x in wrong if group == "listed" and x == given]
+        return _told([text for text in same if not elsewhere.contradicts(text)], elsewhere)
+    fit = Fit(given, key, rtol)
+    loose = []
+    # what fits within the digits that were written goes before what fits within the tolerance
+    for hits in _stages(fit, wrong, kind, factors or {}, elsewhere):
+        best = max((level for level, _ in hits), default=0)
+        if best >= CLOSE:
+            return _told([text for level, text in hits if level == best], elsewhere)
+        loose = loose or [text for _, text in hits]
+    return _told(loose, elsewhere)
+
+
+def _told(texts, elsewhere):
+    """One cause, or several that fit alike; of these, the ones that explain most of the rest."""
+    texts = list(dict.fromkeys(texts))
+    if len(texts) > 1:
+        counts = [elsewhere.explains(t) for t in texts]
+        texts = [t for t, n in zip(texts, counts, strict=True) if n == max(counts)]
+    return OR.join(texts) if 0 < len(texts) <= MOST else None
+
+
+def _stages(fit, wrong, kind, factors, elsewhere):
+    """[(closeness, text)] of the models that fit, from what is special to what is general."""
+    near = fit.near(wrong)
+
+    def of(candidates, rtol=None, apart=True):
+        found = [(fit(x, rtol, apart), text) for text, x in candidates]
+        return [hit for hit in found if hit[0] and not elsewhere.contradicts(hit[1])]
+
+    def group(name):
+        return [(text, x) for of_group, text, x in near if of_group == name]
+
+    rounded = [(EXACT, ROUNDED)] if is_rounded(fit.given, fit.key) else []
+    yield [*of(group("listed")), *of(group("book"), apart=False), *rounded]
+    yield of(group("term"))
+    yield of(group("unit"))
+    single = NUMBER_RTOL if kind == "number" else None
+    yield [
+        *of(multiples(fit, factors), single),
+        *_of_unlike_axes(group("axes"), fit),
+        *_of_unlike_axes(group("turned"), fit),
     ]
+    rates = [x for of_group, _, x in wrong if of_group == "rate"]
+    yield of([*components(fit, kind), *rates_as_scalars(fit, rates)])
+    listed = [(text, x) for of_group, text, x in wrong if of_group == "listed"]
+    both = [pair for pair in pairs(fit, listed) if fit(pair[-1], NUMBER_RTOL)]
+    possible = [p for p in both if not any(map(elsewhere.contradicts, p[:2]))]
+    yield [(LOOSE, BOTH.join(p[:2])) for p in possible] if len(possible) == 1 else []
 
 
-def _numbers(value, sample):
-    points = max((np.size(v) for v in sample.values()), default=1)
-    return np.stack([np.broadcast_to(np.asarray(x, dtype=float), (points,)) for x in flat(value)])
+def _of_unlike_axes(models, fit):
+    """Models that fit; of frames whose axes are parallel, the first."""
+    seen, found = [fit.key], []
+    for text, x in models:
+        # a model that does not fit need not be compared with the others
+        if level := fit(x):
+            if not any(_same(x, other) for other in seen):
+                found.append((level, text))
+            seen.append(x)
+    return found
 
 
-def _term_mistakes(problem, answer, sample):
-    """Mistakes in the named terms of the key: a term left out, a term with the opposite sign, the
-    Coriolis term without its factor 2.
-    """
-    right = _key_with(problem, answer, sample)
-    if not isinstance(right, Vector) or not right.terms:
-        return
-    for name in right.terms:
-        term = term_text(name, right.equation)
-        yield f"leaves out {term}", _numbers(right.reweighted(**{name: 0}), sample)
-        yield f"has {term} with the opposite sign", _numbers(right.reweighted(**{name: -1}), sample)
-    # spherical components have three of them
-    halved = {name: 0.5 for name in right.terms if name.startswith("coriolis")}
-    if halved:
-        yield (
-            "writes the Coriolis term without the factor 2",
-            _numbers(right.reweighted(**halved), sample),
-        )
+def _same(a, b):
+    return all(math.dist(x, y) <= 1e-9 * math.hypot(*x) for x, y in zip(a, b, strict=True))
 
 
-def term_text(name, equation):
-    """The name of a term for the student, with its formula if it has one."""
-    if name in equation.terms:
-        return f"the {name} term {equation.terms[name][0]}"
-    turning = equation.kind.startswith("angular") and " x " not in name
-    return f"the turning of {name}" if turning else f"the term {name}"
+def observe(given, key, kind):
+    """What can be said of a wrong answer that no mistake explains, or None."""
+    if kind.endswith("expression") or kind in WORDS:
+        return None
+    fit = Fit(given, key, 0.005)
+    (given,), (key,), (size,) = given, key, fit.sizes
+    if size and math.dist(given, key) <= 0.03 * size:
+        return NEAR
+    off = abs(math.hypot(*given) - size)
+    return (
+        DIRECTION if kind == "vector" and off <= max(1e-4 * size, fit.rounding) and size else None
+    )
 
 
-def _unit_mistakes(problem, answer, sample):
-    """Mistakes in units: a given used with its number in degrees or revolutions, without conversion
-    to radians or seconds.
-    """
-    g = problem.base(sample)
-    for name, quantity in problem.givens.items():
-        if any(unit in quantity.unit for unit in ("deg", "rev", "rpm")):
-            wrong = _key_with(problem, answer, sample, **{name: g.stated(name)})
-            yield (
-                f"uses {name} in {quantity.unit} as if it were in radians (and seconds)",
-                _numbers(wrong, sample),
-            )
-
-
-def _whole_answer_mistakes(problem, answer, key, sample):
-    """Mistakes in the answer as a whole: its sign, a factor of units, components in another frame,
-    a transposed rotation matrix.
-    """
-    yield "has the opposite sign in every component: check the direction", -key
-    for name, factor in FACTORS.items():
-        yield f"is {factor:.4g} times too large ({name})", factor * key
-        yield f"is {factor:.4g} times too small ({name})", key / factor
-    right = _key_with(problem, answer, sample)
-    if not isinstance(right, Vector):
-        return
-    seen = [_numbers(right, sample)]
-    for frame in right.frame.tree:
-        numbers = _numbers(right.components(frame), sample)
-        if any(np.abs(numbers - other).max() <= 1e-9 * np.abs(numbers).max() for other in seen):
-            continue  # its axes are parallel to those of a frame already tried
-        seen.append(numbers)
-        yield (
-            (
-                f"has the right vector, but its components along the axes of the {frame.name}, not "
-                "those asked for"
-            ),
-            numbers,
-        )
-        turned = Vector(right.c, frame).components(right.frame)
-        wrong_way = (
-            f"turns the components the wrong way between the {frame.name} and the axes asked "
-            "for (a transposed matrix)"
-        )
-        yield wrong_way, _numbers(turned, sample)
+__all__ = ["AS_SCALARS", "BOOK", "Elsewhere", "causes", "diagnose", "observe"]

@@ -1,26 +1,33 @@
-"""Takes one submitted notebook to its scores: reads the answers, runs them in the sandbox, scores
-them, annotates the notebook.
+"""Takes one submitted notebook to its points: reads it, puts the student's work into the trusted
+notebook, runs it in the sandbox, scores it, annotates the notebook.
 """
 
+from .files import UnreadableError, parse_notebook, read_notebook
 from .pipeline import (
-    StudentAssignment,
+    Graded,
+    Sheet,
     annotate,
+    execute,
     feedback_comment,
-    run_answers,
-    score_answers,
-    student_assignment,
+    grade_notebook,
+    student_sheet,
 )
-from .rebuild import SubmittedAnswer, is_untouched, read_answers, rebuild_notebook
+from .rebuild import Work, as_handed_out, rebuild
+from .timestamps import read_timestamp
 
 __all__ = [
-    "StudentAssignment",
-    "SubmittedAnswer",
+    "Graded",
+    "Sheet",
+    "UnreadableError",
+    "Work",
     "annotate",
+    "as_handed_out",
+    "execute",
     "feedback_comment",
-    "is_untouched",
-    "read_answers",
-    "rebuild_notebook",
-    "run_answers",
-    "score_answers",
-    "student_assignment",
+    "grade_notebook",
+    "parse_notebook",
+    "read_notebook",
+    "read_timestamp",
+    "rebuild",
+    "student_sheet",
 ]

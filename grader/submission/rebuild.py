@@ -1,68 +1,209 @@
-"""Reads the answers of a submitted notebook and puts them into the trusted notebook of the student.
+"""Puts what a student wrote into the trusted notebook of the student.
 
-A submission is not trusted: only the text of its answer cells is used.
+A submission is not trusted: of its cells that belong to the sheet only the texts of answers are
+used, and of the cells that the student added the texts and the pictures.
 """
 
+import copy
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from ..assignment.notebook import answer_id, own_metadata, starter
+from ..assignment.notebook import starter
+from ..assignment.sheet import kind, nbgrader_metadata, own_metadata
+
+EDITABLE = ("answer", "hand", "solution", "plain")  # kinds of cells whose text is the student's
+# kinds whose text is ours, but in which students also work: they add imports to the one, and
+# numbers to the other
+ALSO_WORKED_IN = ("setup", "givens", "locked")
+MOST_CELLS = 500  # that a student added
+MOST_COPIES = 20  # of one cell
+MOST_TEXT = 2**20  # characters of the cells that a student added, and of each answer
+PICTURES = ("image/png", "image/jpeg", "image/gif")
+OWN = "own"  # the role of a cell that the student added
 
 
-@dataclass(frozen=True)
-class SubmittedAnswer:
-    """The text of a problem's answer cell, and a note if the cell is missing or was copied."""
+@dataclass
+class Work:
+    """What is known of a student's work besides what it does: ``notes`` by problem: that its answer
+    is missing from the submission or was copied; ``untouched``: the grade ids of the answers that
+    are as they were handed out; ``note`` on the whole.
+    """
 
-    text: str
+    notes: dict = field(default_factory=dict)
+    untouched: list = field(default_factory=list)
     note: str = ""
 
 
-def read_answers(submitted, problems):
-    """The answers in a submitted notebook: {problem id: :class:`SubmittedAnswer`}, one for each of
-    ``problems``.
+def rebuild(master, submitted):
+    """(the trusted notebook with a student's work in it, :class:`Work`): the cells of ``master`` in
+    its order, each followed by those that the student added behind it.
     """
-    found = {}
-    for cell in submitted.get("cells", []):
+    found, added, note = _sorted_out(master, submitted)
+    cells, work = [_own_cell(*own) for own in added.get(None, [])], Work(note=note)
+    for n, cell in enumerate(master["cells"]):
+        what, copies = kind(cell), found.get(n, [])
+        if what in EDITABLE:
+            now, problem = _edited(cell, what, copies)
+            if problem and what == "answer":
+                work.notes[own_metadata(cell)["problem"]] = problem
+            grade_id = nbgrader_metadata(cell).get("grade_id")
+            if grade_id and now and is_untouched(cell, now[0]["source"]):
+                work.untouched.append(grade_id)
+        else:
+            now = _trusted(cell, what, copies)
+        cells += [*now, *(_own_cell(*own) for own in added.get(n, []))]
+    return {**master, "cells": _with_ids(cells)}, work
+
+
+def _sorted_out(master, submitted):
+    """({place in the master: submitted cells that are it}, {place: [(cell, text)] that the student
+    added behind it}, what is said of them).
+    """
+    places = {}
+    for n, cell in enumerate(master["cells"]):
+        for name in cell_names(cell):
+            places.setdefault(name, n)
+    found, added, last, count, size = {}, {}, None, 0, 0
+    for cell in submitted["cells"]:
         if not isinstance(cell, dict):
             continue
-        grade_id, text = _grade_id(cell), _text(cell)
-        if grade_id.startswith("answer-"):
-            found.setdefault(grade_id, []).append(text)
-    return {p.id: _chosen(p, found.get(answer_id(p.id), [])) for p in problems}
+        n = next((places[name] for name in cell_names(cell) if name in places), None)
+        if n is not None:
+            last = n if n not in found else last
+            found.setdefault(n, []).append(cell)
+            continue
+        text = _text(cell)
+        if cell.get("cell_type") not in ("code", "markdown") or not text.strip():
+            continue
+        count, size = count + 1, size + len(text)
+        if count <= MOST_CELLS and size <= MOST_TEXT:
+            added.setdefault(last, []).append((cell, text))
+    note = ""
+    if count > MOST_CELLS or size > MOST_TEXT:
+        note = (
+            f"the notebook has {count} cells of the student's own, with {size} characters; only "
+            f"the first {MOST_CELLS} of them, with at most {MOST_TEXT} characters, were used"
+        )
+    return found, added, note
 
 
-def _chosen(p, texts):
-    """The first text that was filled in, of all cells with the id of the answer cell."""
-    if not texts:
-        return SubmittedAnswer(
-            "",
-            f"the answer cell of {p.id} is missing from the notebook; fetch the assignment "
-            "again and paste your work into it",
-        )
-    changed = [t for t in dict.fromkeys(texts) if _code_only(t) != _code_only(starter(p))]
-    chosen = changed[0] if changed else texts[0]
-    if len(texts) > 1:
-        which = "the first one that was filled in" if changed else "the first one"
-        return SubmittedAnswer(
-            chosen, f"the notebook holds {len(texts)} copies of the answer cell; {which} was graded"
-        )
-    return SubmittedAnswer(chosen)
+def _with_ids(cells):
+    """The cells, those that a student added with ids of their own."""
+    own = [c for c in cells if own_metadata(c).get("role") == OWN]
+    for n, cell in enumerate(own, 1):
+        cell["id"] = f"own-{n}"
+    return cells
+
+
+def cell_names(cell):
+    """What a cell may be known by, the surest first: its id for nbgrader, its place in a problem,
+    its id in the notebook.
+    """
+    grade_id = nbgrader_metadata(cell).get("grade_id")
+    if isinstance(grade_id, str) and grade_id:
+        yield "grade", grade_id
+    own = own_metadata(cell)
+    role, problem = own.get("role"), own.get("problem")
+    if isinstance(role, str) and isinstance(problem, str | None) and role != OWN:
+        yield "role", role, problem
+    if isinstance(cell.get("id"), str):
+        yield "id", cell["id"]
+
+
+def _trusted(cell, what, copies):
+    """The cell of the master, after what the student made of it, where that is more."""
+    if what not in ALSO_WORKED_IN:
+        return [_clean(cell)]
+    ours = _code_only(cell["source"])
+    worked = [(c, t) for c in copies[:MOST_COPIES] if _code_only(t := _text(c)) != ours]
+    worked = [(c, t) for c, t in worked if c.get("cell_type") == cell["cell_type"]]
+    return [*(_own_cell(c, t[:MOST_TEXT]) for c, t in worked), _clean(cell)]
+
+
+def _edited(cell, what, copies):
+    """([the cell of the master with the student's text], what is said if it is missing or there are
+    several). A plain cell that the student deleted is left out; of several answers to be graded by
+    hand all are kept.
+    """
+    if not copies:
+        missing = {**_clean(cell), "source": "" if what == "answer" else cell["source"]}
+        return [] if what == "plain" else [missing], _missing(cell, what)
+    texts = [_text(c)[:MOST_TEXT] for c in copies[:MOST_COPIES]]
+    changed = [n for n, t in enumerate(texts) if not is_untouched(cell, t)]
+    at = changed[0] if changed else 0
+    chosen = {**_clean(cell), "source": texts[at]}
+    if cell["cell_type"] == "markdown" and (pictures := _pictures(copies[at])):
+        chosen["attachments"] = pictures
+    cells = [chosen]
+    if what == "hand":
+        others = [({**copies[n], "cell_type": cell["cell_type"]}, texts[n]) for n in changed[1:]]
+        cells += [_own_cell(*other) for other in others]
+    if len(copies) == 1:
+        return cells, ""
+    which = "the first one that was filled in" if changed else "the first one"
+    said = f"the notebook holds {len(copies)} copies of the answer cell; {which} was graded"
+    return cells, said
+
+
+def _missing(cell, what):
+    if what != "answer":
+        return ""
+    return (
+        f"the answer cell of {own_metadata(cell)['problem']} is missing from the notebook; fetch "
+        "the assignment again and paste your work into it"
+    )
+
+
+def is_untouched(cell, text):
+    """True if this text of an answer is empty or as the ``cell`` of the master has it; in code, up
+    to comments and spaces.
+    """
+    if cell["cell_type"] != "code":
+        return text.strip() in ("", cell["source"].strip())
+    return _code_only(text) in ("", _code_only(cell["source"]))
+
+
+def as_handed_out(p, text):
+    """True if the text of an answer cell of problem ``p`` is empty or as it is handed out."""
+    return _code_only(text) in ("", _code_only(starter(p)))
 
 
 def _code_only(text):
     return re.sub(r"\s+|#[^\n]*", "", text)
 
 
-def is_untouched(p, text):
-    """True if the answer cell is empty or as it was handed out, up to comments and spaces."""
-    return _code_only(text) in ("", _code_only(starter(p)))
+def _clean(cell):
+    """A cell of the master without outputs."""
+    return {**cell, "outputs": [], "execution_count": None} if cell["cell_type"] == "code" else cell
 
 
-def _grade_id(cell):
-    try:
-        return str(cell["metadata"]["nbgrader"]["grade_id"])
-    except (KeyError, TypeError):
-        return ""
+def _own_cell(cell, text):
+    """A cell that a student added, with nothing of it but its text, and pictures."""
+    own = {
+        "cell_type": cell["cell_type"],
+        "id": OWN,
+        "metadata": {"newton_euler": {"role": OWN}},
+        "source": text,
+    }
+    if cell["cell_type"] == "code":
+        return {**own, "outputs": [], "execution_count": None}
+    pictures = _pictures(cell)
+    return {**own, "attachments": pictures} if pictures else own
+
+
+def _pictures(cell):
+    """The attachments of a cell that are pictures; nothing else is kept of them."""
+    attachments = cell.get("attachments")
+    found = {}
+    for name, kinds in attachments.items() if isinstance(attachments, dict) else ():
+        pictures = {
+            k: v
+            for k, v in (kinds.items() if isinstance(kinds, dict) else ())
+            if k in PICTURES and isinstance(v, str) and re.fullmatch(r"[A-Za-z0-9+/=\s]*", v)
+        }
+        if pictures:
+            found[name] = pictures
+    return copy.deepcopy(found)
 
 
 def _text(cell):
@@ -70,23 +211,3 @@ def _text(cell):
     text = "".join(map(str, source)) if isinstance(source, list) else str(source)
     # JSON can hold lone surrogates, which no file can
     return text.encode("utf-8", "replace").decode()
-
-
-def rebuild_notebook(master, answers):
-    """The trusted notebook ``master`` with the texts of the answers in it, and nothing else of the
-    submission.
-    """
-    cells = []
-    for cell in master["cells"]:
-        own = own_metadata(cell)
-        if own.get("role") == "answer":
-            cell = {
-                **cell,
-                "source": answers[own["problem"]].text,
-                "outputs": [],
-                "execution_count": None,
-            }
-        elif cell["cell_type"] == "code":
-            cell = {**cell, "outputs": [], "execution_count": None}
-        cells.append(cell)
-    return {**master, "cells": cells}

@@ -2,12 +2,12 @@
 code.
 """
 
+from .calculus import WorkError, integral, root
 from .codegen.compile import compiled
 from .errors import NewtonEulerError
 from .jets import Moving, at, moving
 from .ledger import Amount, Equation, Explanation, TermError
 from .linear import LinearError, LinearForm, Solution, solve_linear, solve_rates
-from .quadrature import WorkError
 from .scalars import (
     ZERO,
     ScalarError,

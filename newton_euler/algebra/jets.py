@@ -27,6 +27,7 @@ from .scalars import (
     integer_like,
     is_numeric,
     log,
+    min_abs,
     scalar,
     shown,
     sin,
@@ -35,6 +36,7 @@ from .scalars import (
     tan,
     tanh,
     to_plain,
+    where,
     without_rates,
 )
 
@@ -71,6 +73,20 @@ class Moving(_Own):
             f"acceleration={shown(self.acceleration)})"
         )
 
+    @staticmethod
+    def of(x: Scalar) -> "Moving":
+        """The moving number that ``x`` is, or one that rests."""
+        return as_moving(x)
+
+    def parts(self) -> tuple:
+        """Value, rate and acceleration."""
+        return self.value, self.rate, self.acceleration
+
+    @staticmethod
+    def of_parts(parts: tuple) -> "Moving":
+        """The moving number of these :meth:`parts`."""
+        return Moving(*parts)
+
     def __add__(self, other):
         o = as_moving(other)
         return Moving(self.value + o.value, self.rate + o.rate, self.acceleration + o.acceleration)
@@ -79,6 +95,19 @@ class Moving(_Own):
 
     def __neg__(self):
         return Moving(-self.value, -self.rate, -self.acceleration)
+
+    def __abs__(self):
+        if self.rests():
+            return Moving(abs(self.value))
+        value = to_plain(self.value)
+        if not is_numeric(value):
+            return self * (value / abs(value))
+        if min_abs(value) == 0:
+            raise DivisionError(
+                f"the rate of abs(x) does not exist where x = 0, as in {self!r}: take the sign "
+                "that x has before or after"
+            )
+        return self * where(value < 0, -1, 1)
 
     def __mul__(self, other):
         if other is ZERO:

@@ -93,6 +93,19 @@ class LinearForm(_Own):
         end = "," * (len(self.coefficients) == 1)
         return f"LinearForm({shown(self.value)}, ({coefficients}{end}))"
 
+    def of(self, x: Scalar) -> "LinearForm":
+        """The linear form that ``x`` is, or the constant one in the same unknowns."""
+        return x if isinstance(x, LinearForm) else LinearForm(x, [ZERO] * len(self.coefficients))
+
+    def parts(self) -> tuple:
+        """The value, and the coefficients in order."""
+        return self.value, *self.coefficients
+
+    @staticmethod
+    def of_parts(parts: tuple) -> "LinearForm":
+        """The linear form of these :meth:`parts`."""
+        return LinearForm(parts[0], parts[1:])
+
     @staticmethod
     def _refuse(what):
         raise ScalarError(f"{what}; the conditions must be linear in the unknowns")

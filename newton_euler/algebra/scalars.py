@@ -506,6 +506,15 @@ def is_numeric(x: Scalar) -> bool:
     return root != "heyoka"
 
 
+def is_expression(x: Scalar) -> bool:
+    """True of an expression with symbols: no number, and no kind of the engine's own.
+
+    >>> is_expression(1.0), is_expression(ZERO)
+    (False, False)
+    """
+    return not is_numeric(x) and not isinstance(x, _Own)
+
+
 def promote(*values):
     """The values, each with all the digits and instants of the others: if one is an mpf or an
     array, all are. Traced values and expressions are unchanged.
@@ -576,9 +585,9 @@ def max_abs(x):
 def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
     """``a`` where the condition holds, else ``b``; instant by instant for an array of conditions.
 
-    For numbers and traced values, which can be compared; expressions and dimensions cannot. Both
-    are computed before one is chosen: a divisor that is zero where the quotient is not chosen must
-    be replaced first.
+    For numbers, traced values and dimensions, which can be compared; expressions cannot. Both are
+    computed before one is chosen: a divisor that is zero where the quotient is not chosen must be
+    replaced first.
 
     >>> where(2.0 > 1.0, "larger", "smaller")
     'larger'

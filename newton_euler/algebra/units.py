@@ -36,7 +36,8 @@ class Dimension(_Own):
     """The powers of mass, length and time in a quantity, as a scalar without a value.
 
     Angles, and numbers written in a formula, are pure. Adding unlike dimensions raises
-    :class:`DimensionError`, so one run of a formula on dimensions proves its units.
+    :class:`DimensionError`, so one run of a formula on dimensions proves its units. They can be
+    compared within ``where``, which then has one dimension whichever value is chosen.
 
     >>> length, time = Dimension(0, 1, 0), Dimension(0, 0, 1)
     >>> length/time**2 + 2*length/time**2
@@ -66,7 +67,7 @@ class Dimension(_Own):
         return hash(self.powers)
 
     def __add__(self, other):
-        if other is ZERO:
+        if _is_nothing(other):  # with which sum() begins
             return self
         if outranks(other, self):
             return NotImplemented
@@ -84,7 +85,7 @@ class Dimension(_Own):
     __abs__ = __neg__
 
     def __mul__(self, other):
-        if other is ZERO:
+        if _is_nothing(other):
             return ZERO
         if isinstance(other, Scaled) or outranks(other, self):
             return NotImplemented
@@ -98,7 +99,17 @@ class Dimension(_Own):
         return Dimension(*map(sub, self.powers, _as_dimension(other).powers))
 
     def __rtruediv__(self, other):
-        return _as_dimension(other) / self
+        return ZERO if _is_nothing(other) else _as_dimension(other) / self
+
+    def __lt__(self, other):
+        """A comparison for :func:`~newton_euler.where`; of unlike quantities it raises."""
+        if outranks(other, self):
+            return NotImplemented
+        if to_plain(other) != 0 and _as_dimension(other) != self:
+            raise DimensionError(f"cannot compare {self} with {other}: look at their units")
+        return Compared()
+
+    __le__ = __gt__ = __ge__ = __lt__
 
     def __pow__(self, power):
         if isinstance(power, Dimension) or outranks(power, self):
@@ -115,6 +126,23 @@ class Dimension(_Own):
         power = power.limit_denominator(1000)
         return Dimension(*(a * power for a in self.powers))
 
+    def integrals(self, f, start, end):
+        """The dimensions of the integrals of a tuple of scalars, see
+        :func:`newton_euler.algebra.calculus.integral`.
+        """
+        width = end - start  # of one dimension, or this raises
+        return tuple(y * width for y in f(start + width))
+
+    def over_cube(self, f, n):
+        """The dimensions of integrals over the unit cube: those of the integrands."""
+        return tuple(f(*(0.5,) * n))
+
+    def root(self, f, low, high):
+        """The dimension of the root between ``low`` and ``high``, once f has run on it."""
+        either = high - low
+        f(low + either)
+        return _as_dimension(either)
+
     def function(self, name: str, *args: Scalar) -> "Dimension":
         """The dimension of this function of a pure number; of a square root, and an angle by atan2,
         also of others.
@@ -130,6 +158,33 @@ class Dimension(_Own):
                 f"{name} of a quantity with {self}: its argument must be a pure number"
             )
         return Dimension()
+
+
+class Compared(_Own):
+    """What comparing dimensions gives: not known to hold or not, so that :func:`where` checks that
+    both of its values have one dimension.
+    """
+
+    __slots__ = ()
+
+    def __bool__(self):
+        raise DimensionError(
+            "a comparison of dimensions has no outcome, since they have no values: choose by "
+            "where(x < y, a, b), or in a function that is called once there are numbers"
+        )
+
+    def where(self, a, b):
+        """The dimension of ``a`` and ``b``; of words the first."""
+        if isinstance(a, str) or isinstance(b, str):
+            return a
+        a, b = scalar(a), scalar(b)
+        # a sum checks that both have one dimension
+        return a + b if isinstance(a, Dimension) or isinstance(b, Dimension) else a
+
+
+def _is_nothing(x):
+    """True of a zero that is known from the structure of a formula, which has every dimension."""
+    return x is ZERO or (type(x) is int and x == 0)
 
 
 def _as_dimension(x):
@@ -168,6 +223,29 @@ class UnitError(NewtonEulerError, ValueError):
     """A unit is not known, or not written as names joined by ``*`` and ``/``."""
 
 
+class System:
+    """A coherent system of units: its units of length and mass, and the second.
+
+    >>> Unit("in").to_base(6.0, US), Unit("lb").to_base(6.0, US)
+    (0.5, 6.0)
+    """
+
+    def __init__(self, length, mass):
+        self.length, self.mass = map(Fraction, (length, mass))
+
+    def factor(self, dimension: Dimension) -> Fraction:
+        """The unit of this dimension, in kg, m and s."""
+        mass, length, _ = dimension.powers
+        if mass.denominator != 1 or length.denominator != 1:
+            raise UnitError(f"a unit has whole powers of mass and length, not {dimension}")
+        return self.mass ** int(mass) * self.length ** int(length)
+
+
+SI = System(1, 1)
+# foot, slug and second: a pound is one slug foot per second squared
+US = System(12 * _INCH, _POUND / (12 * _INCH))
+
+
 class Unit:
     """A unit, with its exact factor (a fraction times a power of pi) and its dimension.
 
@@ -191,17 +269,17 @@ class Unit:
     def __repr__(self):
         return f"Unit({self.text!r})"
 
-    def to_base(self, x: Scalar) -> Scalar:
-        """The quantity of ``x`` such units, in kg, m, s and rad; ``x`` a scalar of any kind or a
-        Vector.
+    def to_base(self, x: Scalar, system: System = SI) -> Scalar:
+        """The quantity of ``x`` such units, in kg, m, s and rad, or in the units of another
+        coherent system; ``x`` a scalar of any kind or a Vector.
         """
-        return self._scaled(x, self.factor, self.pi_power)
+        return self._scaled(x, self.factor / system.factor(self.dimension), self.pi_power)
 
-    def from_base(self, x: Scalar) -> Scalar:
-        """The number of such units in the quantity ``x``, which is in kg, m, s and rad; ``x`` a
-        scalar of any kind or a Vector.
+    def from_base(self, x: Scalar, system: System = SI) -> Scalar:
+        """The number of such units in the quantity ``x``, which is in kg, m, s and rad, or in the
+        units of another coherent system; ``x`` a scalar of any kind or a Vector.
         """
-        return self._scaled(x, 1 / self.factor, -self.pi_power)
+        return self._scaled(x, system.factor(self.dimension) / self.factor, -self.pi_power)
 
     @staticmethod
     def _scaled(x, factor, pi_power):

@@ -20,6 +20,7 @@ from .scalars import (
     Scaled,
     atan2,
     clipped,
+    is_expression,
     is_numeric,
     is_zero,
     max_abs,
@@ -193,6 +194,13 @@ class Vector(Scaled, NamedTerms):
         noise = real(noise, "the noise")
         c = tuple(ZERO if is_numeric(x) and max_abs(x) <= noise else x for x in self.c)
         return Vector(c, self.frame)
+
+    def cleared(self) -> "Vector":
+        """The vector without the components that are expressions and vanish whatever their symbols
+        are; its terms stay.
+        """
+        c = tuple(ZERO if is_expression(x) and probe(x) == 0 else x for x in self.c)
+        return Vector(c, self.frame, self._own_rate, self._ledger)
 
     def to_array(self) -> "np.ndarray":
         """The components as a NumPy array of shape (3,), or (3, N) where they are arrays of N

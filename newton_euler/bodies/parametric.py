@@ -5,17 +5,31 @@ A shape is a function ``position`` of one, two or three parameters, with the lim
 element of length, area or volume follows from its derivatives, so any coordinates are possible:
 Cartesian, polar, spherical, or others that fit the body.
 
-Numbers are integrated by SciPy's adaptive cubature, with an error estimate, and an error if it does
-not reach the required accuracy; with ``exact=True`` SymPy finds the formulas.
+Floats are integrated by SciPy's adaptive cubature, with an error estimate, and an error if it does
+not reach the required accuracy; arrays, mpf, dimensions and traced numbers by products of Gauss
+rules; with symbols, or ``exact=True``, SymPy finds the formulas.
 """
 
 from collections.abc import Callable
 from itertools import product
 
+from ..algebra.calculus.cubes import NEAR_MIDDLE, over_cube
+from ..algebra.calculus.quadrature import cubature
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving
-from ..algebra.quadrature import cubature
-from ..algebra.scalars import ZERO, Scalar, is_numeric, is_positive, max_abs, scalar, sqrt, to_plain
+from ..algebra.scalars import (
+    ZERO,
+    Scalar,
+    SingularError,
+    epsilon,
+    is_expression,
+    is_numeric,
+    is_positive,
+    max_abs,
+    scalar,
+    sqrt,
+    to_plain,
+)
 from ..algebra.vectors import cross3, dot3
 from ..kinematics.frames import Frame, PointLike
 from .admissibility import MassError, positive
@@ -55,8 +69,9 @@ def integrated(
         it
     mass, density : the mass, or the density per length, area or volume, a number or a function of
         x, y, z; if both are given the density is relative
-    exact : by SymPy; limits and density may hold symbols, which are taken as positive. The root in
-        lengths and areas must keep its sign: a parametrisation that folds back raises an error
+    exact : by SymPy, also where limits or density hold symbols, which are taken as positive. The
+        root in lengths and areas must keep its sign: a parametrisation that folds back raises an
+        error
     rtol : required accuracy; roots at the limits, as in y = -sqrt(r^2 - x^2) … sqrt(r^2 - x^2), do
         no harm
     Raises :class:`MassError` if the integrals do not converge to ``rtol``.
@@ -80,10 +95,15 @@ def integrated(
     if mass is not None:
         positive(mass, f"the mass of {name}")
     weigh = density if callable(density) else lambda x, y, z: 1 if density is None else density
+    middle = _middle(position, limits, weigh, name)
+    kinds = {_kind(x) for x in middle}
+    exact = exact or "symbols" in kinds
     reference, values, error = (
         _exact(position, limits, weigh, name)
         if exact
         else _numeric(position, limits, weigh, rtol, name)
+        if kinds == {"floats"}
+        else _of_any_kind(position, limits, weigh, name)
     )
     content, total, first, second = values[0], values[1], values[2:5], values[5:]
     if is_numeric(total) and not is_positive(total):
@@ -97,7 +117,7 @@ def integrated(
     G = frame.point(f"G of {name}", *(_tidy(r + x) for r, x in zip(reference, d, strict=True)))
     about: PointLike = frame
     # numbers go to G at once: their reference is near G, so that the subtraction cancels little
-    if is_numeric(total):
+    if not exact:
         about = G
         second = [s - total * d[a] * d[b] for s, (a, b) in zip(second, SECOND_MOMENTS, strict=True)]
     moments, products = from_second_moments([factor * s for s in second])
@@ -110,7 +130,7 @@ def _tidy(x):
     """An expression as a fraction of polynomials without common factors; numbers as they are."""
     import sympy
 
-    return x if is_numeric(x) else sympy.cancel(x)
+    return x if not is_expression(x) else sympy.cancel(x)
 
 
 def _tangents(position, parameters):
@@ -131,17 +151,53 @@ def _spanned(tangents):
     return tangents[0] if len(tangents) == 1 else cross3(*tangents)
 
 
-# -- numbers
+# -- kinds of number
+
+
+def _middle(position, limits, weigh, name):
+    """What is integrated, near the middle of the body; it has the kind of number of the body."""
+    half = [NEAR_MIDDLE] * len(limits)
+    try:
+        place = position(*_parameters(limits, half)[0])
+        middle = _moments(position, limits, weigh, (ZERO,) * 3, half)
+    except SingularError as error:
+        raise MassError(
+            f"the formula of {name} has no finite value at some of its points: {error}; look at "
+            "the limits, and at divisions and roots"
+        ) from None
+    if any(isinstance(x, Moving) for x in (*(x for pair in limits for x in pair), *place)):
+        raise MassError(
+            f"the points of {name} move: their rates and the derivatives by the parameters cannot "
+            "be told apart. Put in the values at the instant"
+        )
+    return middle
+
+
+def _kind(x):
+    if is_expression(x):
+        return "symbols"
+    floats = is_numeric(x) and not getattr(x, "shape", ()) and epsilon(x) >= 2.0**-53
+    return "floats" if floats else "others"
+
+
+def _of_any_kind(position, limits, weigh, name):
+    middle, _ = _parameters(limits, [0.5] * len(limits))
+    reference = [scalar(x) for x in position(*middle)]
+    try:
+        values = over_cube(
+            lambda *unit: _moments(position, limits, weigh, reference, unit), len(limits)
+        )
+    except SingularError as error:
+        raise MassError(f"{name}: {error}") from None
+    return reference, values, 0.0
+
+
+# -- floats
 
 
 def _numeric(position, limits, weigh, rtol, name):
     import numpy as np
 
-    if any(not is_numeric(x) for pair in limits for x in pair if not callable(x)):
-        raise MassError(
-            f"the limits of {name} hold symbols: pass exact=True to integrate by formulas, or "
-            "put numbers in"
-        )
     n = len(limits)
     with np.errstate(all="ignore"):  # _scales and cubature refuse what is not finite
         middle, _ = _parameters(limits, [np.array([0.5])] * n)
@@ -174,18 +230,12 @@ def _parameters(limits, unit):
 
 def _moments(position, limits, weigh, reference, unit):
     """Content, mass, three first and six second moments about the reference, per unit of t."""
-
-    import numpy as np
-
     parameters, step = _parameters(limits, list(unit))
     place, tangents = _tangents(position, parameters)
     spanned = _spanned(tangents)
-    # a sum with zeros, since the root of a structural zero is no array
-    dV = step * (
-        abs(spanned) if len(limits) == 3 else sqrt(dot3(spanned, spanned) + np.zeros(len(unit[0])))
-    )
-    dm = dV * scalar(weigh(*map(to_plain, place)))
-    r = [to_plain(p - q) for p, q in zip(place, reference, strict=True)]
+    dV = step * (abs(spanned) if len(limits) == 3 else sqrt(dot3(spanned, spanned)))
+    dm = dV * scalar(weigh(*place))
+    r = [p - q for p, q in zip(place, reference, strict=True)]
     return dV, dm, *(dm * x for x in r), *(dm * r[a] * r[b] for a, b in SECOND_MOMENTS)
 
 

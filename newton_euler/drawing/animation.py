@@ -32,7 +32,7 @@ from typing import Any
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.scalars import clipped, real, scalar, to_plain
-from .recorder import share_window, sketches_on
+from .page.recorder import share_window, sketches_on
 
 MAX_PICTURES = 600
 MAX_PIXELS = 300e6  # of all pictures together: about ten megabytes of HTML

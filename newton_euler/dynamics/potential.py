@@ -11,9 +11,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
 
+from ..algebra.calculus import WorkError
+from ..algebra.calculus.quadrature import quadrature
 from ..algebra.errors import checked
 from ..algebra.jets import Moving
-from ..algebra.quadrature import WorkError, quadrature
 from ..algebra.scalars import (
     ZERO,
     Scalar,

@@ -16,9 +16,11 @@ consistent ones; in SI J and W. Velocities are those in an inertial frame.
 
 from collections.abc import Callable, Sequence
 
+from ..algebra.calculus import WorkError
+from ..algebra.calculus.quadrature import quadrature
 from ..algebra.errors import checked
+from ..algebra.jets import Moving
 from ..algebra.ledger import Amount, summed
-from ..algebra.quadrature import quadrature
 from ..algebra.scalars import ZERO, Scalar, scalar, to_plain
 from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point
@@ -39,10 +41,10 @@ def work_integral(
     """The integral of ``f`` from ``start`` to ``end`` with its estimated error: (11.2), (11.3),
     (11.4) or (11.11), by what f is.
 
-    f : function of one number. Floats: by SciPy's adaptive quadrature to ``rtol``, relative to the
-        integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f.
-        ``exact=True``: by SymPy, where f is written with functions of this package; it may take
-        long
+    f : function of one number, written with functions of this package. Floats: by SciPy's adaptive
+        quadrature to ``rtol``, relative to the integral of abs(f). Arrays and mpf: to nearly their
+        accuracy, for a smooth f; likewise dimensions, moving and traced numbers. With symbols, or
+        ``exact=True``: by SymPy, which may take long
     breaks : in order, where f has corners or jumps, or begins and ends a short pulse; the integral
         is divided there
     Raises :class:`WorkError` where it does not converge, where f is not finite, or where SymPy
@@ -52,7 +54,7 @@ def work_integral(
     -1.0
     """
     value, error = quadrature(f, start, end, rtol, exact, breaks)
-    return Amount(value, error=error)
+    return Amount(to_plain(value), error=error)
 
 
 # -- work
@@ -82,6 +84,12 @@ def work_along(
     >>> round(U.value, 12)
     1.5
     """
+
+    if any(isinstance(x, Moving) for x in path(start)):
+        raise WorkError(
+            "the path moves: work is done along a curve that is fixed. Freeze it at the instant, "
+            "or follow the point of application by work_in_time(force, velocity, ...)"
+        )
 
     def component(n):
         def f(q):

@@ -216,6 +216,7 @@ class Frame:
             raise FrameError(
                 f"the origin {origin.name} is a point of {origin.frame.name}; give it as a "
                 f"point of {self.name}, the frame that is turned from"
+                + (f". {_alike(self.name)}" if origin.frame.name == self.name else "")
             )
         return origin
 
@@ -235,8 +236,8 @@ class Frame:
             if f in other._above:
                 return f
         raise FrameError(
-            f"{self.name} and {other.name} share no frame: {self!r}, {other!r}. Build both "
-            "from one ground, as in ground.rotate(...)"
+            f"{self.name} and {other.name} share no frame: {self!r}, {other!r}. "
+            + _how_to_join(self, other)
         )
 
     def transform(self, c: tuple, frame: "Frame") -> tuple:
@@ -377,6 +378,24 @@ class Frame:
         for (n, u), (m, v) in combinations(self._omega_terms(observer).items(), 2):
             terms[f"{n} x {m}"] = u.cross(v)
         return terms
+
+
+def _how_to_join(one, other):
+    """What to do where two frames share none: two trees alike come from one function, called
+    twice.
+    """
+    first, second = ((f, *f._above) for f in (one, other))
+    alike = next((f.name for f in first if f.name in {s.name for s in second}), None)
+    if alike is None:
+        return "Build both from one ground, as in ground.rotate(...)"
+    return _alike(alike)
+
+
+def _alike(name):
+    return (
+        f"These are two trees with the same names, each with its own {name}, as a function makes "
+        f"that builds its frames at every call: build once and pass the frame {name}"
+    )
 
 
 def _sent_frame(kind, token, parent):

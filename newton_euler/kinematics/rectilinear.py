@@ -2,18 +2,33 @@
 (chapter 2, with one coordinate).
 
 From a = dv/dt and v = dx/dt follows a = v dv/dx. Each function here integrates one of these once or
-twice, to the accuracy of the numbers given (floats, arrays, mpf). Formulas are left to SymPy.
+twice, to the accuracy of the numbers given, which may be of any kind. With symbols, which have no
+sign, the motion is taken to go forward and to reach what is asked for.
 """
 
 from collections.abc import Callable
 
+from ..algebra.calculus import integral
 from ..algebra.errors import checked
-from ..algebra.quadrature import integral
-from ..algebra.scalars import Scalar, SingularError, anywhere, max_abs, scalar, sqrt, where
+from ..algebra.scalars import (
+    ZERO,
+    Scalar,
+    SingularError,
+    anywhere,
+    integer_like,
+    is_numeric,
+    max_abs,
+    scalar,
+    sqrt,
+    where,
+    without_rates,
+)
 
 
 @checked
-def from_time(a: Callable, t: Scalar, x0: Scalar = 0.0, v0: Scalar = 0.0) -> tuple[Scalar, Scalar]:
+def from_time(
+    a: Callable, t: Scalar, x0: Scalar = ZERO, v0: Scalar = ZERO
+) -> tuple[Scalar, Scalar]:
     """(x, v) at the time ``t`` of a point that at time 0 is at ``x0`` with velocity ``v0``.
 
     a : the acceleration as a function of time
@@ -22,11 +37,11 @@ def from_time(a: Callable, t: Scalar, x0: Scalar = 0.0, v0: Scalar = 0.0) -> tup
     >>> round(x, 12), round(v, 12)
     (10.0, 13.0)
     """
-    return x0 + v0 * t + integral(lambda s: (t - s) * a(s), 0 * t, t), v0 + integral(a, 0 * t, t)
+    return x0 + v0 * t + integral(lambda s: (t - s) * a(s), 0, t), v0 + integral(a, 0, t)
 
 
 @checked
-def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = 0.0) -> tuple[Scalar, Scalar]:
+def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = ZERO) -> tuple[Scalar, Scalar]:
     """(t, x) at which a point reaches the velocity ``v``, starting at time 0 at ``x0`` with ``v0``.
 
     a : the acceleration as a function of velocity
@@ -37,9 +52,10 @@ def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = 0.0) -> tuple[Sc
     >>> round(t/2, 12), round(x, 12)  # t = 2 ln 4
     (1.38629436112, 6.0)
     """
-    ahead = where(v >= v0, 1, -1)
-    for n in range(65):  # a sample: a change of sign within less than 1/64 of the way is not seen
-        if anywhere(a(v0 + (v - v0) * n / 64) * ahead <= 0) and max_abs(v - v0) > 0:
+    ahead = _sense(v - v0)
+    # a sample: a change of sign within less than 1/64 of the way is not seen
+    for n in range(65) if is_numeric(ahead) and is_numeric(v) else ():
+        if _falls_below(a(v0 + (v - v0) * n / 64) * ahead, True) and max_abs(v - v0) > 0:
             raise SingularError(
                 f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes or "
                 "points the other way in between"
@@ -48,7 +64,9 @@ def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = 0.0) -> tuple[Sc
 
 
 @checked
-def from_place(a: Callable, x: Scalar, x0: Scalar = 0.0, v0: Scalar = 0.0) -> tuple[Scalar, Scalar]:
+def from_place(
+    a: Callable, x: Scalar, x0: Scalar = ZERO, v0: Scalar = ZERO
+) -> tuple[Scalar, Scalar]:
     """(t, v) at which a point reaches the position ``x``, starting at time 0 at ``x0`` with ``v0``.
 
     a : the acceleration as a function of position
@@ -61,21 +79,33 @@ def from_place(a: Callable, x: Scalar, x0: Scalar = 0.0, v0: Scalar = 0.0) -> tu
     (39.24, 1.0)
     """
     way = scalar(x) - x0
-    forward = where(way >= 0, 1, -1)
+    forward = _sense(way)
 
     def speed(s):
         # by the distance s from the start, since x0 + s would lose digits near it
-        square = v0 * v0 + 2 * s * integral(lambda p: a(x0 + s * p), 0 * s, 0 * s + 1)
-        if anywhere(square < 0):
+        square = v0 * v0 + 2 * s * integral(lambda p: a(x0 + s * p), 0, integer_like(1, s))
+        if _falls_below(square):
             raise SingularError(
                 f"the point does not reach x = {x!r}: v^2 becomes negative on the way, so it "
                 "turns back before"
             )
         return sqrt(square)
 
-    if anywhere(v0 * forward < 0):
+    if _falls_below(v0 * forward):
         raise SingularError(
             f"the point starts away from x = {x!r} (v0 = {v0!r}); follow it to its turning "
             "point first"
         )
-    return integral(lambda s: forward / speed(s), 0 * way, way), forward * speed(way)
+    return integral(lambda s: forward / speed(s), 0, way), forward * speed(way)
+
+
+def _sense(x):
+    """1 where x is positive or zero, else -1; 1 of what has no sign, dimensions and symbols."""
+    x = without_rates(x)
+    return where(x >= 0, 1, -1) if is_numeric(x) or hasattr(x, "where") else 1
+
+
+def _falls_below(x, or_equals=False):
+    """Whether a number is below zero at any instant; False of what has no value."""
+    x = without_rates(x)
+    return is_numeric(x) and anywhere(x <= 0 if or_equals else x < 0)

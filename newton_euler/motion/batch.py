@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass
 from time import perf_counter
-from types import MappingProxyType
+from types import MappingProxyType, SimpleNamespace
 
 from .control.knots import knots
-from .control.run import ROUND_OFF_OF_RATES, SERIES_SAFETY, Run, predicted, told, usable
+from .control.run import ROUND_OFF_OF_RATES, SERIES_SAFETY, TOLD_SAFETY, Run, predicted, usable
+from .control.sizes import ROUND_OFF, TIME_SAFETY, time_round_off
 from .control.verified import NEAR_END, NEAR_START, SPARE
 from .methods.exact import within
 from .methods.table import METHODS
@@ -14,7 +15,7 @@ from .model import ModelError
 from .prepared import PreparedModel, prepared_model
 from .solution import AccuracyError, Cost, MotionError
 
-WINDOW = 64  # motions among which those close to one are looked for
+BLOCK = 64  # neighbours in a sweep of which the one in the middle may vouch for the others
 MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch integrator
 
 
@@ -81,12 +82,12 @@ def integrate_batch(model, t0, t1, state, rtol, method, events, samples):
             row[:] = values
         ends = found[:, :, -1]
         begins = np.array([*starts, *(parameters[n] for n in parameters)])
-        chosen, vouching = _representatives(begins, ends)
-        for n in chosen.tolist():
+        chosen, group = _representatives(begins, ends)
+        for place, n in enumerate(chosen.tolist()):
             one, x0 = alone(n)
             # those close to it are about as accurate
             if within(one, t1 - t0, x0, tuple(ends[:, n].tolist()), rtol / SPARE):
-                errors[vouching == n] = rtol
+                errors[group == place] = rtol
     elif _by_series(system, method, count):
         used = usable("taylor", system)
         found, errors, calls = _taylor(system, starts, parameters, t0, times, rtol)
@@ -134,7 +135,7 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     """
     import numpy as np
 
-    if np.any(np.diff(times) <= 0) or times[0] < t0:
+    if np.any(np.diff(times) <= 0):
         raise ModelError(f"the samples of many motions must increase from t = {t0:g}")
     method, count = METHODS["taylor"], starts.shape[1]
     tolerance = level_of(rtol / method.tolerance_ratio)
@@ -154,37 +155,75 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     def compare(members):
         compared, more = _batches(system, other, beside[:, members], p[:, members], t0, times[-1:])
         apart = abs(ends[:, members] - compared[:, :, -1])
-        apart = (apart / sizes[:, vouching[members]]).max(axis=0)
+        apart = (apart / sizes[:, group[members]]).max(axis=0)
         ratio = tolerance / other
         errors[members] = [predicted(d, ratio, tolerance) for d in apart.tolist()]
+        ran = t0, float(times[-1]), ends[:, members], p[:, members]
+        errors[members] += _clock_errors(system, *ran, sizes[:, group[members]], rtol / 100)
         return more
 
-    chosen, vouching = _representatives(np.concatenate([starts, p]), ends)
+    chosen, group = _representatives(np.concatenate([starts, p]), ends)
     # of motions that are close to each other one shows how large a state is that is zero at the
     # end of another
-    sizes = np.zeros_like(starts)
-    np.maximum.at(sizes.T, vouching, np.maximum(abs(starts), abs(ends)).T)
+    members = np.argsort(group)
+    firsts = np.searchsorted(group, np.arange(len(chosen)), sorter=members)
+    sizes = np.maximum(abs(starts), abs(ends))[:, members]
+    sizes = np.maximum.reduceat(sizes, firsts, axis=1)
     sizes[~(sizes > 0)] = 1.0
     calls += compare(chosen)
-    others = SPARE * errors[vouching]
-    rest = np.setdiff1d(np.arange(count), chosen)
-    covered = rest[others[rest] <= rtol]
-    errors[covered] = rtol  # no more is known
-    rest = np.setdiff1d(rest, covered)
+    others = SPARE * errors[chosen][group]
+    alone = np.ones(count, dtype=bool)
+    alone[chosen] = False
+    covered = alone & (others <= rtol)
+    errors[covered] = others[covered]
+    rest = np.flatnonzero(alone & ~covered)
     if len(rest):
         calls += compare(rest)
-    return found, np.array([told(error, rtol) for error in errors.tolist()]), calls
+    told = np.maximum(errors, np.minimum(rtol, TOLD_SAFETY * errors))  # as that of one motion
+    return found, told, calls
 
 
-def _representatives(begins, ends):
-    """The numbers of motions to which every other one is close, and for each motion the number of
-    the one that it is close to.
+def _clock_errors(system, t0, t1, ends, p, sizes, enough):
+    """The error of each motion that :func:`~newton_euler.motion.control.sizes.time_round_off`
+    tells, or a bound of it that is below ``enough``.
     """
     import numpy as np
 
-    count = begins.shape[1]
-    vouching, waiting, chosen = np.arange(count), np.arange(count), []
-    states = len(ends)
+    count = ends.shape[1]
+    if system.autonomous:
+        return np.zeros(count)
+    rates, span = system.traced.folded[0], t1 - t0 or 1.0
+    later = t1 + 1e-6 * span
+    with np.errstate(all="ignore"):
+        beside, here = (
+            np.array([np.broadcast_to(row, count) for row in rates.on(np)(t, *ends, *p)])
+            for t in (later, t1)
+        )
+        # as if no state changed faster than once in the whole time
+        slope = abs((beside - here) / (later - t1) * t1) * span
+        errors = TIME_SAFETY * ROUND_OFF * (slope / sizes).max(axis=0)
+    for n in np.flatnonzero(~(errors <= enough)).tolist():
+        values = p[:, n].tolist()
+        one = SimpleNamespace(
+            autonomous=False,
+            traced=system.traced,
+            rates=lambda t, x, p=values: rates.on_floats(t, *x, *p),
+        )
+        errors[n] = time_round_off(one, t1, tuple(ends[:, n].tolist()), sizes[:, n].tolist(), span)
+    return errors
+
+
+def _representatives(begins, ends):
+    """The numbers of motions to one of which every other one is close, and for each motion the
+    place of that one among them.
+
+    Sorted, those close to each other stand beside each other: a motion that is not close to the
+    one in the middle of its block waits for smaller blocks.
+    """
+    import numpy as np
+
+    count, states = begins.shape[1], len(ends)
+    vouching, waiting = np.arange(count), np.lexsort(begins)
     # A state by its size at either end, or, as it may be zero at both, by its largest in all
     # motions times how large this one is beside them, in the state in which it is the smallest.
     sizes = abs(begins)
@@ -192,22 +231,20 @@ def _representatives(begins, ends):
     largest = seen.max(axis=1, initial=0.0, where=np.isfinite(seen), keepdims=True)
     parts = np.where(begins[:states] != 0, seen / np.where(largest > 0, largest, 1.0), 1.0)
     sizes[:states] = np.maximum(seen, largest * parts.min(axis=0))
-    while len(waiting):
-        # a cover that is no smaller than the whole is not worth its search
-        if len(chosen) > count // 4:
-            return np.arange(count), np.arange(count)
-        # those close to each other stand beside each other in a sweep
-        some = waiting[:WINDOW]
-        size = sizes[:, some]
-        size = np.maximum(size, size[:, :1])
-        here, there = begins[:, some], ends[:, some]
-        close = (abs(here - here[:, :1]) <= NEAR_START * size).all(axis=0)
-        close &= (abs(there - there[:, :1]) <= NEAR_END * size[:states]).all(axis=0)
-        close[0] = True  # also where its end is not finite
-        vouching[some[close]] = some[0]
-        chosen.append(some[0])
-        waiting = np.concatenate([some[~close], waiting[WINDOW:]])
-    return np.array(chosen), vouching
+    both = np.concatenate([begins, ends])
+    both[~np.isfinite(both)] = np.nan  # not close to anything
+    allowed = np.concatenate([NEAR_START * sizes, NEAR_END * sizes[:states]])
+    block = BLOCK
+    while block > 1:
+        first = np.arange(0, len(waiting), block)
+        middles = waiting[np.minimum(first + block // 2, len(waiting) - 1)]
+        middle = middles.repeat(block)[: len(waiting)]
+        limit = np.maximum(allowed[:, waiting], allowed[:, middle])
+        close = (abs(both[:, waiting] - both[:, middle]) <= limit).all(axis=0)
+        vouching[waiting[close]] = middle[close]
+        waiting = waiting[~close]
+        block //= 2
+    return np.unique(vouching, return_inverse=True)
 
 
 def _batches(system, tolerance, starts, p, t0, times):
@@ -222,23 +259,23 @@ def _batches(system, tolerance, starts, p, t0, times):
     grid = np.repeat(np.concatenate(([t0] * before, times))[:, None], width, axis=1)
     out, steps = np.full((len(starts), count, len(times)), np.nan), 0
     with integrator(system, tolerance, batch=width) as ta:
-        p = p[: len(ta.pars)]
+        filled = np.minimum(np.arange(count + -count % width), count - 1)
+        filled_starts, p = starts[:, filled], p[: len(ta.pars), filled]
+        state, pars = ta.state, ta.pars
         for first in range(0, count, width):
-            chosen = np.minimum(np.arange(first, first + width), count - 1)
             ta.set_time(t0)
-            ta.state[:] = starts[:, chosen]
-            if len(p):
-                ta.pars[:] = p[:, chosen]
+            state[:] = filled_starts[:, first : first + width]
+            pars[:] = p[:, first : first + width]
             kept = out[:, first : first + width]
             real = kept.shape[1]  # motions of this batch that are no copies
             if len(grid) == 2 or len(times) == 1:  # only the ends: no dense output
                 ta.propagate_until(times[-1], max_steps=MAX_PREPARED_STEPS)
                 kept[:, :, 0] = starts[:, first : first + width]
-                kept[:, :, -1] = ta.state[:, :real]
-                if min(ta.time) < times[-1]:
-                    kept[:, ta.time[:real] < times[-1], -1] = np.nan
+                kept[:, :, -1] = state[:, :real]
+                if (reached := ta.time).min() < times[-1]:
+                    kept[:, reached[:real] < times[-1], -1] = np.nan
             else:
                 rows = ta.propagate_grid(grid, max_steps=MAX_PREPARED_STEPS)[-1][before:]
                 kept[:, :, : len(rows)] = np.moveaxis(rows, 0, 2)[:, :real]
-            steps += sum(r[3] for r in ta.propagate_res)
+            steps += sum([r[3] for r in ta.propagate_res])
     return out, steps * ta.order

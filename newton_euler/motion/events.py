@@ -5,7 +5,6 @@ trajectory by :mod:`newton_euler.motion.control.zeros`.
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from heapq import merge
-from itertools import islice
 from math import nan
 from numbers import Real
 
@@ -135,13 +134,6 @@ class EventLocator:
         of = f"event {self.event.name!r}" if self.event.name else "an event"
         return f"the function of {of}"
 
-    def roots(self, n):
-        """The times of the event in step ``n``, in order; only the first if that ends the
-        segment.
-        """
-        times = (t for t, is_event in self.search(n) if is_event)
-        return list(islice(times, 1 if self.event.ends else None))
-
     def search(self, n):
         """The times of the event in step ``n``, in order, as pairs (time, True); pairs (time,
         False) between them say how far all have been found.
@@ -248,6 +240,7 @@ class EventLocator:
         """The time near ``t``, at a kink or a jump, at which the sign of ``value`` changes."""
         for part in (1e-9, 1e-7, 1e-5, 1e-3):
             low, high = max(a, t - part * (b - a)), min(b, t + part * (b - a))
-            if value(low) * value(high) < 0:
+            ends = value(low), value(high)
+            if min(ends) < 0 < max(ends):  # a product might underflow
                 return root(value, low, high)
         return t

@@ -88,7 +88,7 @@ class Trajectory:
         natural, noise = self.natural or (largest, largest)
         # what the start tells about the whole, unless a state is nearly zero, or was
         if not all(s > SMALL_PART * n > 0 for s, n in zip(largest, natural, strict=True)):
-            natural, noise = natural_sizes(system, points[-2:], largest, t1 - t0 or 1.0)
+            natural, noise = natural_sizes(system, (points[0], points[-1]), largest, t1 - t0 or 1.0)
         return largest, natural, noise
 
     def limits(self, system, t, x):

@@ -6,6 +6,7 @@ import pytest
 
 from exercises import problem, variants
 from exercises.checks import check
+from exercises.following import earlier_answers
 from newton_euler import pi
 
 P = problem("4/16")
@@ -22,11 +23,13 @@ def tamper(monkeypatch):
         for name, function in functions.items():
             monkeypatch.setattr(P.code, name, function)
         variants._compiled.cache_clear()
+        earlier_answers.cache_clear()
         return check(P, seeds=2)
 
     yield put
     monkeypatch.undo()
     variants._compiled.cache_clear()
+    earlier_answers.cache_clear()
 
 
 def changed(results, **changes):
@@ -52,6 +55,16 @@ def test_a_dropped_term_is_caught(tamper):
     ]
     assert faults[2].startswith("the mistake no_coriolis gives nearly the right a_D")
     assert all(fault.endswith(" (seed 0)") for fault in faults)
+
+
+def test_a_later_answer_that_does_not_follow_is_caught(tamper):
+    (fault,) = tamper(follows={"a_D": lambda g, alpha_CD: 2 * alpha_CD})
+    assert fault.startswith("a_D does not follow from alpha_CD: follows gives (")
+
+
+def test_following_from_what_is_not_asked_is_caught(tamper):
+    (fault,) = tamper(follows={"a_D": lambda g, alpha: alpha})
+    assert fault == "follows has alpha; the problem asks for alpha_CD, v_D, a_D (seed 0)"
 
 
 def test_a_fault_too_small_for_floats_is_caught_in_fifty_digits(tamper):

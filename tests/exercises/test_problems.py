@@ -2,13 +2,13 @@
 where its YAML says so under ``checked``.
 """
 
-import matplotlib.pyplot as plt
 import mpmath
 import numpy as np
 import pytest
 import sympy
 
 from exercises.catalogue import SYMBOLIC, chapters, problems, reading, select
+from exercises.catalogue.words import WORDS
 from exercises.checks import check, values
 from exercises.variants import flat
 
@@ -44,6 +44,9 @@ def test_solve_runs_on_arrays_of_instants(p):
     together = p.solve({n: np.array([float(v[n]) for v in students]) for n in p.units})
     for n, alone in enumerate(map(p.solve, students)):
         for key in alone:
+            if p.answer(key).kind in WORDS:
+                assert np.broadcast_to(together[key], 3)[n] == alone[key]
+                continue
             at_n = [np.broadcast_to(x, 3)[n] for x in flat(together[key])]
             assert at_n == pytest.approx([float(x) for x in flat(alone[key])], rel=1e-12, abs=1e-9)
 
@@ -51,34 +54,31 @@ def test_solve_runs_on_arrays_of_instants(p):
 @by_id
 def test_solve_keeps_the_digits_of_mpmath_numbers(p):
     with mpmath.mp.workdps(40):
-        precise = p.solve({n: mpmath.mpf(repr(float(v))) for n, v in values(p, 0).items()})
+        given = {n: mpmath.mpf(repr(float(v))) for n, v in values(p, 0).items()}
+        precise = p.solve(given, mpmath.mpf(1))
         assert all(
-            isinstance(x, mpmath.mpf) or x == 0 for answer in precise.values() for x in flat(answer)
+            isinstance(x, (int, mpmath.mpf)) or x == 0
+            for key, answer in precise.items()
+            if p.answer(key).kind not in WORDS
+            for x in flat(answer)
         )
 
 
 @pytest.mark.parametrize("p", [p for p in PROBLEMS if p.symbolic], ids=named)
 def test_formulas_are_exact_and_short(p):
-    for answer in p.formulas().values():
+    for key, answer in p.formulas().items():
+        if p.answer(key).kind not in SYMBOLIC:
+            continue
         for x in map(sympy.sympify, flat(answer)):
             assert not x.atoms(sympy.Float)
             assert sympy.count_ops(x) <= 45
-
-
-@by_id
-def test_figure_can_be_drawn_for_the_book_and_for_a_student(p):
-    for seed in (0, 1):
-        fig, ax = plt.subplots()
-        p.code.draw(p.base(values(p, seed)), ax)
-        assert ax.figure is fig
-        plt.close(fig)
 
 
 @pytest.mark.parametrize(("p", "key"), CHECKED, ids=[f"{named(p)}-{key}" for p, key in CHECKED])
 def test_answer_is_the_one_found_by_hand(p, key):
     """For the numbers of the book, or as a formula in the symbols of the text."""
     kind, found, by_hand = p.answer(key).kind, flat(p.formulas()[key]), flat(p.checked[key])
-    if kind in ("count", "choice"):
+    if kind in WORDS:
         assert found == by_hand
         return
     by_hand = [sympy.sympify(x, p.sympy_symbols()) for x in by_hand]

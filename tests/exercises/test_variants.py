@@ -27,7 +27,8 @@ def test_drawn_numbers_are_in_range_and_round(p):
             continue
         assert g.vary[0] <= x <= g.vary[1]
         assert re.fullmatch(
-            r"-?[0-9]\.?[0-9]{0,2}0?|-?[0-9]{2}\.?[0-9]?|-?[0-9]{3,4}|-?0\.[0-9]{1,3}", f"{x:.12g}"
+            r"-?[0-9]\.?[0-9]{0,2}0?|-?[0-9]{2}\.?[0-9]?|-?[0-9]{3,4}|-?[0-9]{3}0+|-?0\.[0-9]{1,4}",
+            f"{x:.12g}",
         )
 
 
@@ -45,8 +46,8 @@ def test_the_same_student_gets_the_same_numbers_and_another_one_others(p):
 def test_one_drawing_is_as_it_was_when_this_was_written():
     """Students keep their numbers from version to version, and on every machine."""
     assert numbers_of("ada", problem("4/16")) == {
-        "omega": 0.64,
-        "b_dot": 0.8,
+        "omega": 0.9,
+        "b_dot": 0.7,
         "beta_1": 136.0,
         "b": 5.2,
         "L": 24.8,
@@ -89,6 +90,17 @@ def test_objection_to_ill_conditioned_numbers():
         objection(p, {**p.book_values, "z_1": 3.98}),
     )
     assert objection(p, p.book_values) is None
+
+
+def test_objection_to_a_component_that_could_be_left_out_unseen():
+    p = problem("4/28")
+    values = {"omega": 0.94, "theta_dot": 0.1, "theta_1": 15, "L": 12, "d": 1}
+    assert re.match(r"gives v_A with a component of 2.3e-03", objection(p, values))
+
+
+def test_a_component_that_is_zero_is_no_objection():
+    assert variants._small_component((0.0, 1e-17, 3.0)) is None
+    assert variants._small_component((0.0, 0.02, 3.0)) == pytest.approx(0.02 / 3, rel=1e-3)
 
 
 def test_a_range_without_good_numbers_is_told(monkeypatch):

@@ -141,7 +141,7 @@ def more_examples():
         with contextlib.suppress(algebra.ScalarError, algebra.FrameError):
             refused()
     x = algebra.Moving(2.0, 3.0)
-    1 / x, 2.0**x, 1.0 - x
+    1 / x, 2.0**x, 1.0 - x, abs(x)
     v = ground.vector(1.0, 2.0, 2.0)
     v[0], abs(v), v.latex(), sum([v, v]), v.direction()
     arm = ground.rotate("arm", "z", rate=2.0)
@@ -175,8 +175,11 @@ def more_examples():
     s.arc(C, ground.i, ground.k, "a")
     s.dimension(C, D, "b")
     s.path([C, D])
-    for name in ("shaft", "line", "spring"):
+    for name in ("shaft", "line", "spring", "damper", "arrow"):
         getattr(s, name)(C, D)
+    s.swing(D, C, ground.j)
+    s.road([C, D])
+    s.hemisphere(C, ground.k, 0.2)
     s.disk(C, ground.j, 0.2)
     s.ring(C, ground.j, 0.2)
     s.cone(C, ground.j, 0.3, 0.2)

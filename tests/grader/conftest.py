@@ -84,6 +84,7 @@ class _Shared:
 
     def __init__(self, harvester):
         self.harvester, self.count, self.run = harvester, 1, harvester.run
+        self.sandbox = True
 
     def __enter__(self):
         return self

@@ -4,6 +4,7 @@ import atexit
 import json
 import multiprocessing
 import os
+import resource
 import shutil
 import subprocess
 import sys
@@ -43,8 +44,9 @@ def grader(*arguments, **options):
     return run(sys.executable, "-m", "grader", *map(str, arguments), **options)
 
 
-def nbgrader(*arguments, cwd, timeout=180, **more):
-    """nbgrader's command line in a folder: (exit code, everything it said).
+def nbgrader(*arguments, cwd, timeout=180, memory=None, **more):
+    """nbgrader's command line in a folder: (exit code, everything it said); ``memory`` is the
+    largest address space that it may have, in bytes.
 
     It runs in a fork of a process that has imported nbgrader, which takes two seconds of every
     command.
@@ -54,7 +56,7 @@ def nbgrader(*arguments, cwd, timeout=180, **more):
     with tempfile.NamedTemporaryFile() as output:
         process = context.Process(
             target=_nbgrader,
-            args=(list(map(str, arguments)), str(cwd), environment(**more), output.name),
+            args=(list(map(str, arguments)), str(cwd), environment(**more), output.name, memory),
         )
         process.start()
         process.join(timeout)
@@ -63,8 +65,10 @@ def nbgrader(*arguments, cwd, timeout=180, **more):
         return process.exitcode, output.read().decode()
 
 
-def _nbgrader(arguments, cwd, variables, output):
+def _nbgrader(arguments, cwd, variables, output, memory):
     """In the fork: become what a new process of nbgrader's command line would be."""
+    if memory:
+        resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     with open(output, "wb", buffering=0) as f:
         os.dup2(f.fileno(), 1)
         os.dup2(f.fileno(), 2)
@@ -116,6 +120,41 @@ def submit(course, student, notebook, assignment="ch04", name=None):
         notebook if isinstance(notebook, str) else json.dumps(notebook), encoding="utf-8"
     )
     return path
+
+
+def change_source(course, change, assignment="ch04", copies=True):
+    """Do what an instructor does: ``change(cells)`` of the source notebook, in place, then generate
+    it again and make the personal copies, unless told not to.
+    """
+    from grader.assignment import make_personal_copies
+
+    path = course.source(assignment)
+    notebook = read(path)
+    change(notebook["cells"])
+    path.write_text(json.dumps(notebook), encoding="utf-8")
+    code, out = nbgrader("generate_assignment", assignment, "--force", cwd=course.path)
+    assert code == 0, out
+    if copies:
+        make_personal_copies(course, assignment, workers=1)
+
+
+def gradebook_rows(course, assignment="ch04"):
+    """All that the gradebook holds of an assignment's submissions, in an order of its own."""
+    rows = []
+    with course.gradebook() as book:
+        for s in book.assignment_submissions(assignment):
+            for n in s.notebooks:
+                rows.append((s.student.id, s.timestamp, n.name, n.late_submission_penalty, n.score))
+                rows += [
+                    (s.student.id, g.name, g.auto_score, g.manual_score, g.extra_credit,
+                     g.needs_manual_grade)
+                    for g in n.grades
+                ]  # fmt: skip
+                rows += [
+                    (s.student.id, "comment", c.name, c.auto_comment, c.manual_comment)
+                    for c in n.comments
+                ]
+    return sorted(rows, key=repr)
 
 
 def copy_of(course, folder):

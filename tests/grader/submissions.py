@@ -81,9 +81,9 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, what is said)
     "no metadata of ours": (lambda c: {**work(c, "dan"), "metadata": {}}, 11, None, ""),
     "no nbgrader metadata": (
         lambda c: json.loads(json.dumps(work(c, "dan")).replace('"nbgrader"', '"gone"')),
-        0,
-        "4/16",
-        "the answer cell of 4/16 is missing",
+        11,
+        None,
+        "",
     ),
     "metadata of an old schema": (
         lambda c: json.loads(

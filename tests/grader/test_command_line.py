@@ -17,6 +17,10 @@ from tests.grader.courses import command
         (("prove",), "exit code 1"),
         (("figure",), "PNG"),
         (("build",), "--update"),
+        (("take-in",), "download all submissions"),
+        (("stats",), "--png"),
+        (("export",), "gradescope"),
+        (("diagnose",), "misnamed"),
         (("personal",), "hand out COURSE/personal/ASSIGNMENT/STUDENT"),
         (("grade",), "--force"),
         (("demo",), "six students"),
@@ -64,16 +68,49 @@ def test_prove_ends_with_0_if_all_holds_and_1_if_a_key_is_tampered_with(monkeypa
     assert "v_D: solve in floats and prove differ" in out
 
 
+def test_prove_warns_of_mistakes_that_give_the_same_wrong_answer():
+    code, out = command("prove", "4/13", "--seeds", 2)
+    assert code == 0
+    assert "r_cross_omega and whole_omega_reversed give the same wrong omega" in " ".join(
+        out.split()
+    )
+
+
 def test_figure_writes_a_png(tmp_path):
     code, _ = command("figure", "4/16", "--to", tmp_path / "new")
     assert code == 0
     assert (tmp_path / "new/4_16.png").read_bytes().startswith(b"\x89PNG")
 
 
+def test_figure_writes_a_contact_sheet_of_each_chapter(tmp_path):
+    from PIL import Image
+
+    code, _ = command("figure", "4/16", "4/17", "--sheet", "--to", tmp_path)
+    assert code == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["ch04_sheet.png"]
+    with Image.open(tmp_path / "ch04_sheet.png") as sheet:
+        width, height = sheet.size
+    assert width / height == pytest.approx(2 * 5.2 / 4, rel=0.01)
+
+
+def test_figure_says_what_is_hard_to_read(tmp_path, monkeypatch):
+    """With 4/16 seen along one of its axes."""
+    from newton_euler.drawing import Sketch
+
+    def along_x(self, *scene, **view):
+        return seen(self, *scene, **view | {"azimuth": 2})
+
+    seen = Sketch.__init__
+    monkeypatch.setattr(Sketch, "__init__", along_x)
+    code, out = command("figure", "4/16", "--to", tmp_path)
+    assert code == 0
+    assert "4/16: the axes X and Z are seen on one line within" in out
+
+
 WRONG = [
     (("solve",), "Missing argument"),
     (("solve", "4/99"), "there is no problem 4/99; ch04 has 4/1 to 4/43"),
-    (("solve", "5/1"), "there is no problem 5/1: the chapters with problems are"),
+    (("solve", "99/1"), "there is no problem 99/1: the chapters with problems are"),
     (("solve", "ch99"), "there is no chapter 'ch99'; there are"),
     (("solve", "4/x"), "'4/x' is not a problem number; write chapter and problem, as in 4/16"),
     (("solve", "../etc"), "is not a problem number"),
@@ -98,14 +135,18 @@ WRONG = [
     (("personal", "ch04", "--course", "{tmp}"), "is not a course folder"),
     (("build", "ch99", "--course", "{tmp}/c"), "there is no chapter 'ch99'"),
     (
-        ("build", "ch04", "--course", "{tmp}/c", "--problem", "5/1"),
-        "ch04 has no problem 5/1; it has 4/1 to 4/43",
+        ("build", "ch04", "--course", "{tmp}/c", "--problem", "99/1"),
+        "ch04 has no problem 99/1; it has 4/1 to 4/43",
     ),
     (("build", "ch04", "--course", "{tmp}/c", "--students", "{tmp}/missing.csv"), "does not exist"),
     (("build", "ch04", "--course", "{tmp}/c", "--update"), "is not a course folder"),
     (("build", "ch04", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty"),
     (("demo", "--course", "{tmp}", "--problem", "4/1"), "exists and is not empty"),
-    (("demo", "--course", "{tmp}/c", "--problem", "4/77"), "ch04 has no problem 4/77"),
+    (
+        ("demo", "--course", "{tmp}/c", "--problem", "4/1", "--problem", "5/20"),
+        "problems of one chapter, not of ch04 and ch05",
+    ),
+    (("demo", "--course", "{tmp}/c", "--problem", "4/77"), "there is no problem 4/77; ch04 has"),
     (("figure", "4/16", "--to", "{tmp}/file"), "is a file"),
 ]
 
@@ -131,3 +172,36 @@ def test_grade_says_when_there_is_nothing_to_grade(fresh):
     code, out = command("grade", "ch04", "--course", fresh.path)
     assert code == 0
     assert "Collect first: nbgrader collect ch04" in out.replace("\n", " ")
+
+
+def test_running_without_a_cage_has_a_banner_an_exit_code_and_a_word_in_every_row(fresh):
+    code, out = command("grade", "ch04", "--course", fresh.path, "--unsandboxed", "--force")
+    assert code == 3
+    said = " ".join(out.replace("│", " ").split())
+    assert said.count("Students' code runs WITHOUT A CAGE, as you") == 2  # also below the table
+    assert "UNSANDBOXED" in out
+    rows = [line.split() for line in out.splitlines()]
+    students = [row for row in rows if row and row[0] in fresh.roster()]
+    assert len(students) == 6
+    assert all("unsandboxed" in " ".join(row) for row in students)
+    for student in ("ada", "mallory"):
+        record = json.loads(fresh.record_path("ch04", student).read_text())
+        assert record["sandbox"].startswith("unsandboxed")
+
+
+def test_the_demo_can_be_run_again_in_its_folder_and_touches_no_other(tmp_path, monkeypatch):
+    from grader.demo import run as demo
+
+    def stop(*_, **__):
+        raise RuntimeError("far enough")
+
+    monkeypatch.setattr(demo, "nbgrader_api", stop)
+    for _ in range(2):
+        with pytest.raises(RuntimeError, match="far enough"):
+            command("demo", "--course", tmp_path / "d", "--problem", "4/1")
+    assert (tmp_path / "d/nbgrader_config.py").read_text().count("Exchange.root") == 1
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine/thesis.tex").write_text("x")
+    code, out = command("demo", "--course", tmp_path / "mine", "--problem", "4/1")
+    assert (code, "exists and is not empty" in out) == (2, True)
+    assert (tmp_path / "mine/thesis.tex").exists()

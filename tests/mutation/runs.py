@@ -21,6 +21,8 @@ SLOW_IMPORTS = "numpy", "scipy.integrate", "mpmath", "sympy", "hypothesis", "hey
 # plain: else pytest would want to rewrite modules that are imported already
 OPTIONS = "-x", "-q", "-p", "no:cacheprovider", "--assert=plain", "--tb=no"
 
+LATE = -100
+
 
 class TestsFailError(Exception):
     """The tests fail, or there are none, without any change."""
@@ -123,9 +125,9 @@ class Target:
         ]
         return sorted(chosen, key=self.seconds.get)
 
-    def killed(self, mutant, tests: list[str], limit: float) -> bool:
+    def killed(self, mutant, tests: list[str], limit: float) -> bool | None:
         """True if one of the tests fails with the mutant, or they take ten times as long as without
-        it, or longer than the limit.
+        it; None if they take longer than the limit, but that may be their usual time.
         """
         finder = _Finder(_Loader(self.name, self.path, mutant.applied(self.tree)))
 
@@ -134,12 +136,13 @@ class Target:
             return pytest.main([*tests, *OPTIONS])
 
         usual = sum(self.seconds[test] for test in tests)
-        return _forked(run, min(limit, 5.0 + 10 * usual)) != 0
+        code = _forked(run, min(limit, 5.0 + 10 * usual))
+        return None if code == LATE and limit < 5.0 + 10 * usual else code != 0
 
 
 def _forked(run, limit):
-    """What ``run`` returns, in a fork of this process; -1 if it takes longer than so many seconds,
-    or does not come back.
+    """What ``run`` returns, in a fork of this process; :data:`LATE` if it takes longer than so many
+    seconds, a negative number if it does not come back.
     """
     child = os.fork()
     if not child:
@@ -160,4 +163,4 @@ def _forked(run, limit):
         time.sleep(0.01)
     os.kill(child, signal.SIGKILL)
     os.waitpid(child, 0)
-    return -1
+    return LATE

@@ -97,3 +97,16 @@ def test_a_state_that_is_zero_by_cancellation_costs_nothing_and_is_not_refused(m
     motion = integrate(model, 10.0, start, 1e-9, method)
     assert motion.cost.calls < 50_000
     assert motion.error <= 1e-9
+
+
+@pytest.mark.parametrize("left", [1e-2, 1e-5, 3e-6])
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
+def test_the_speed_of_a_rocket_is_judged_by_its_size_though_hardly_any_mass_is_left(left, rtol):
+    """v' = u q/m: next to m = 0 what the mass does to the speed is as large as one likes."""
+    u, q, m0 = 3000.0, 250.0, 1e4
+    model = Model(
+        "rocket", {"u": u, "q": q}, ("v", "m"), lambda s, p, t: (p.u * p.q / s.m, -p.q + 0 * s.v)
+    )
+    motion = integrate(model, m0 / q * (1 - left), (0.0, m0), rtol, "dop853")
+    speed = u * math.log(m0 / motion.end["m"])
+    assert abs(motion.end["v"] / speed - 1) <= motion.error <= rtol

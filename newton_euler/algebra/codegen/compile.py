@@ -36,8 +36,8 @@ from ..scalars import (
     scalar,
     without_rates,
 )
-from .source import RESERVED, generate, runtime_names
-from .trace import NO_VALUE, Step, Trace
+from .source import RESERVED, WITHIN, generate, runtime_names
+from .trace import NO_VALUE, Inner, Step, Trace, keys_of, packed, unpacked
 
 # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
 # measured)
@@ -106,13 +106,8 @@ def content(formula):
     """Steps and result of a :class:`Recording` or :class:`Compiled`, but not its name, for a
     dictionary: equal for equal formulas, which give equal texts and equal results.
     """
-    key = formula.trace.key
-    steps = [
-        (s.op, *s.args) if s.op == "argument" else (s.op, *map(key, s.args))
-        for s in formula.trace.steps
-    ]
-    leaves = tuple(map(key, formula.leaves))
-    return tuple(formula.parameters), tuple(steps), leaves, formula.shape, tuple(formula.keys)
+    steps, leaves = keys_of(formula.trace), tuple(map(formula.trace.key, formula.leaves))
+    return tuple(formula.parameters), steps, leaves, formula.shape, tuple(formula.keys)
 
 
 def text_of(formula):
@@ -146,8 +141,7 @@ class Compiled:
 
     def __reduce__(self):
         """Its steps: the text, and what was compiled from it, are made again from them."""
-        steps = [(s.op, *map(_by_number, s.args)) for s in self.trace.steps]
-        leaves = list(map(_by_number, self.leaves))
+        steps, leaves = packed(self.trace, self.leaves)
         rest = self.shape, self.keys, self._defaults, self.backend
         return _from_steps, (self.name, list(self.parameters), steps, leaves, *rest)
 
@@ -187,7 +181,7 @@ class Compiled:
             }
             space.update(runtime_names(library))
             rounded = name in ("math", "numpy", "heyoka")
-            space.update({n: _float(c) if rounded else c for n, c in self._constants.items()})
+            space.update({n: _running(c, rounded) for n, c in self._constants.items()})
             # only on one number at a time can a branch be skipped
             text = self._lazy if name in ("math", "mpmath") else self.source
             if library is scalars:  # whose pi differs from call to call
@@ -274,6 +268,9 @@ class Compiled:
         ):
             return False
         if self._heyoka is None:
+            if any(s.op in WITHIN for s in self.trace.steps):
+                self.backend = "numpy"  # heyoka has neither
+                return False
             if util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":
                     raise ImportError(
@@ -314,21 +311,18 @@ class Compiled:
         self._buffer = buffer
 
 
-def _by_number(x):
-    """A step as a tuple of its number alone; numbers unchanged."""
-    return (x.number,) if isinstance(x, Step) else x
-
-
 def _from_steps(name, parameters, steps, leaves, *rest):
     """The :class:`Compiled` formula that was pickled as these steps."""
-    trace = Trace()
+    return Compiled(name, parameters, *unpacked(steps, leaves), *rest)
 
-    def step(x):
-        return trace.steps[x[0]] if isinstance(x, tuple) else x
 
-    for op, *args in steps:
-        trace.new(op, *map(step, args))
-    return Compiled(name, parameters, trace, list(map(step, leaves)), *rest)
+def _running(constant, rounded):
+    """A constant of a text as the text uses it: a formula inside it compiled, a number as a float
+    where the library has no others.
+    """
+    if isinstance(constant, Inner):
+        return Compiled("the formula inside", constant.parameters, constant.trace, constant.leaves)
+    return _float(constant) if rounded else constant
 
 
 def _float(constant):

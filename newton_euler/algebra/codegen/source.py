@@ -9,11 +9,16 @@ import math
 import operator
 from itertools import takewhile
 
-from ..scalars import FUNCTIONS, _root, to_plain, where
+from ..calculus.cubes import over_cube
+from ..calculus.integrals import integrals
+from ..calculus.roots import root
+from ..scalars import FUNCTIONS, ScalarError, _root, to_plain, where
 from .trace import COMPARISONS, Step
 
+# operations on a formula inside the formula
+WITHIN = "integral", "over_cube", "root"
 # names in the text that no argument can have
-RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where"}
+RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where", *WITHIN}
 
 
 def generate(trace, names, outputs, lazy):
@@ -109,11 +114,26 @@ def _written(op, args, lazy):
         return f"{args[0]} {op} {args[1]}"
     if op == "neg":
         return f"-{args[0]}"
+    if op == "item":  # of the values of a formula inside this one
+        return f"{args[0]}[{args[1].strip('()')}]"
     if lazy and op == "where":
         return f"{args[1]} if {args[0]} else {args[2]}"
     if lazy and op in COMPARISONS:
         return f"{args[0]} {COMPARISONS[op]} {args[1]}"
     return op if op == "pi" else f"{op}({', '.join(args)})"
+
+
+def _integral(formula, start, end, *outer):
+    """The integrals of a formula inside a text, of the arguments x and ``outer``."""
+    return integrals(lambda x: formula(x, *outer), start, end)
+
+
+def _over_cube(formula, n, *outer):
+    return over_cube(lambda *places: formula(*places, *outer), n)
+
+
+def _root_of(formula, low, high, *outer):
+    return (root(lambda x: formula(x, *outer)[0], low, high),)
 
 
 def runtime_names(library):
@@ -122,7 +142,9 @@ def runtime_names(library):
     """
     if library.__name__ != "heyoka":
         choice = library.where if library.__name__ == "numpy" else where
-        return {"where": choice, **{name: getattr(operator, name) for name in COMPARISONS}}
+        comparisons = {name: getattr(operator, name) for name in COMPARISONS}
+        within = {"integral": _integral, "over_cube": _over_cube, "root": _root_of}
+        return {"where": choice, **within, **comparisons}
     hy = library
 
     def over(f):
@@ -130,7 +152,14 @@ def runtime_names(library):
             *(a if isinstance(a, hy.expression) else hy.expression(float(a)) for a in args)
         )
 
+    def refused(*_):
+        raise ScalarError(
+            "heyoka has no integrals and roots inside a formula: take backend='numpy', or another "
+            "method of integration"
+        )
+
     return {
+        **dict.fromkeys(WITHIN, refused),
         "lt": over(hy.lt),
         "le": over(hy.lte),
         "gt": over(hy.gt),

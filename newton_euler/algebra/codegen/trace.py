@@ -114,6 +114,20 @@ class Step(_Own):
         """The step of :func:`newton_euler.algebra.scalars.where` with this comparison."""
         return a if a is b else self.trace.step("where", self, to_plain(a), to_plain(b))
 
+    # What is integrated, or whose root is taken, is traced as a formula inside this one.
+
+    def integrals(self, f, start, end):
+        """The steps of :func:`newton_euler.algebra.calculus.integral` of a tuple of scalars."""
+        return _inner("integral", f, (start, end), f((start + end) / 2))
+
+    def over_cube(self, f, n):
+        """The steps of integrals over the unit cube of ``n`` dimensions."""
+        return _inner("over_cube", f, (n,), f(*(0.5,) * n), [f"x{k}" for k in range(n)])
+
+    def root(self, f, low, high):
+        """The step of :func:`newton_euler.algebra.calculus.root`."""
+        return _inner("root", lambda x: (f(x),), (low, high), (f((low + high) / 2),))[0]
+
     def _no_value(self, *_):
         raise TypeError(NO_VALUE)
 
@@ -134,16 +148,41 @@ def _is(x, number):
 
 
 class Trace:
-    """The steps of one formula, in order; ``known`` finds equal ones."""
+    """The steps of one formula, in order; ``known`` finds equal ones.
 
-    def __init__(self):
+    outer : the trace of the formula around it, of a formula that is integrated; ``captured`` are
+        the outer steps that it reads, as arguments of its own, by their numbers
+    """
+
+    def __init__(self, outer=None):
         self.steps, self.known = [], {}
+        self.outer, self.captured = outer, {}
+
+    def around(self):
+        """The traces around this one, from within."""
+        trace = self.outer
+        while trace is not None:
+            yield trace
+            trace = trace.outer
+
+    def inward(self, a):
+        """The argument ``a`` as a step of this trace, if it is one of a trace around it."""
+        if not isinstance(a, Step) or a.trace is self or a.trace not in self.around():
+            return a
+        a = self.outer.inward(a)
+        if a.number not in self.captured:
+            self.captured[a.number] = self.new("argument", f"outer{len(self.captured)}")
+        return self.captured[a.number]
 
     def step(self, op, *args):
         """The step of this operation, a new one if there is none yet."""
         if any(isinstance(a, Scaled) or outranks(a, Step) for a in args):
             # the moving number or vector takes over and calls back with its parts
             return NotImplemented
+        for a in args:
+            if isinstance(a, Step) and a.trace is not self and self in a.trace.around():
+                return a.trace.step(op, *args)  # it is part of the inner formula
+        args = [self.inward(a) for a in args]
         keys = [self.key(a) for a in args]
         key = op, *(sorted(keys, key=repr) if op in "+*" else keys)  # sums and products commute
         if key not in self.known:
@@ -164,9 +203,79 @@ class Trace:
                     "as an argument"
                 )
             return "#", a.number
+        if isinstance(a, Inner):
+            return a.key()
         if getattr(scalar(a), "shape", ()):
             raise ScalarError(
                 "an array of instants cannot be a constant of a compiled formula; make it one "
                 "of its arguments"
             )
         return type(a), repr(a) if isinstance(a, float) else a
+
+
+# -- formulas inside a formula
+
+
+class Inner:
+    """The formula that is integrated, or whose root is taken, as a constant of the formula around
+    it. It runs as often as the rule asks for it; what it reads of the outer steps it is handed as
+    arguments, so that they are computed once.
+    """
+
+    def __init__(self, parameters, trace, leaves):
+        self.parameters, self.trace, self.leaves = parameters, trace, leaves
+
+    def key(self):
+        """Equal for equal formulas, for a dictionary."""
+        return "inner", keys_of(self.trace), tuple(map(self.trace.key, self.leaves))
+
+    def __reduce__(self):
+        return _unpacked_inner, (self.parameters, *packed(self.trace, self.leaves))
+
+
+def _inner(op, f, limits, sample, names=("x",)):
+    """The steps of ``op`` ("integral", "over_cube" or "root") of the function ``f``, which returns
+    a tuple of scalars, within limits; one for each scalar that comes out.
+    """
+    traces = [x.trace for x in (*limits, *sample) if isinstance(x, Step)]
+    outer = max(traces, key=lambda trace: len(list(trace.around())))
+    trace = Trace(outer)
+    leaves = [trace.inward(leaf) for leaf in f(*(trace.new("argument", x) for x in names))]
+    names = [*names, *(step.args[0] for step in trace.captured.values())]
+    trace.outer = None  # the formula is complete, and is kept without the outer one
+    outside = [outer.steps[number] for number in trace.captured]
+    whole = outer.step(op, Inner(names, trace, leaves), *limits, *outside)
+    return tuple(outer.step("item", whole, n) for n in range(len(leaves)))
+
+
+def keys_of(trace):
+    """The steps of a trace for a dictionary, equal for equal formulas."""
+    return tuple(
+        (s.op, *s.args) if s.op == "argument" else (s.op, *map(trace.key, s.args))
+        for s in trace.steps
+    )
+
+
+def packed(trace, leaves):
+    """The steps and leaves of a formula for a pickle, steps by their numbers."""
+
+    def by_number(x):
+        return (x.number,) if isinstance(x, Step) else x
+
+    return [(s.op, *map(by_number, s.args)) for s in trace.steps], list(map(by_number, leaves))
+
+
+def unpacked(steps, leaves):
+    """The trace and the leaves that were :func:`packed`."""
+    trace = Trace()
+
+    def step(x):
+        return trace.steps[x[0]] if isinstance(x, tuple) else x
+
+    for op, *args in steps:
+        trace.new(op, *map(step, args))
+    return trace, list(map(step, leaves))
+
+
+def _unpacked_inner(parameters, steps, leaves):
+    return Inner(parameters, *unpacked(steps, leaves))

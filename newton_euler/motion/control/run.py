@@ -69,7 +69,7 @@ def check(rtol, method, events=(), step=None, progress=None):
         names = ", ".join(METHODS)
         raise ModelError(f"there is no method {method!r}; take 'auto' or one of {names}")
     least = 1e-15 if method == "auto" else METHODS[method].min_rtol
-    number = isinstance(rtol, (int, float)) and not isinstance(rtol, bool)
+    number = isinstance(rtol, (int, float))  # True and False lie outside
     if step is None and not (number and least <= rtol < 1):
         why = "it lies below 1"
         if number and 0 < rtol < 1:
@@ -94,8 +94,6 @@ def checked_samples(samples, t0, t1):
 
     what = "samples are a number of times, or times"
     try:
-        if isinstance(samples, (str, bytes, bool)):
-            raise TypeError
         given = list(samples) if hasattr(samples, "__next__") else samples
         times = np.array(given, dtype=float)
     except (TypeError, ValueError) as error:
@@ -260,7 +258,8 @@ class Run:
                 return self.motion(trajectory, method, lambda: told(later(), self.rtol))
             error = self.series_error(method, trajectory)
             if error <= self.rtol:
-                verified.add(self.rtol, *ends, error)
+                if not self.events:  # at which it may have ended before its time, or jumped
+                    verified.add(self.rtol, *ends, error)
                 return self.motion(trajectory, method, told(error, self.rtol))
         return self.calibrated(method)
 
@@ -366,9 +365,8 @@ def predicted_error(before, trajectory, method):
         regular = regular and 1 / STEPS_OFF < off < STEPS_OFF
     if traced.kinks or traced.hazards:
         regular = False
-    more = 0.0
-    for system, stepper, t0, t1, x1 in trajectory.segments[-1:]:
-        more = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)
+    system, stepper, t0, t1, x1 = trajectory.segments[-1]
+    more = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)
     if method.name == "taylor" and traced.hazards:
         more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
     return predicted(difference, ratio, tolerance, regular, fine) + more

@@ -2,6 +2,8 @@
 state, and the rate of nutation of a steady precession is zero, but not known relative to nothing.
 """
 
+import math
+
 # part of the natural size of a state below which it is not judged relative to its own size
 NATURAL_PART = 1e-3
 # a float's epsilon over the natural size of a state: the round-off that its rate brings into it
@@ -13,18 +15,19 @@ def natural_sizes(system, points, sizes, span):
     """What the coupling to the other states makes of each, and the same with the time among them:
     two tuples.
 
-    The sum over j of abs(df_i/dx_j) size_j over the fastest rate of the linearised motion, the
-    largest of the points. It does not depend on units, and is as large as a state would be whose
-    cancelling terms did not cancel.
+    The sum over j of abs(df_i/dx_j) size_j over the fastest rate of the linearised motion. It does
+    not depend on units, and is as large as a state would be whose cancelling terms did not cancel.
+    Of the points the smallest sum counts: next to a singular place it is as large as one likes,
+    as of the speed of a rocket with hardly any mass left.
 
     points : pairs (time, state) of the motion; sizes : the largest absolute value of each state;
         span : the time of the motion, a rate below 1/span does not count
     """
     natural = with_time = (0.0,) * len(sizes)
     # the second time with a step also for states that are zero
-    for _ in range(1 if all(sizes) else 2):
+    for _ in range(2):
         scale = [max(s, n) or 1.0 for s, n in zip(sizes, natural, strict=True)]
-        terms, of_time, fastest = [0.0] * len(sizes), [0.0] * len(sizes), 1 / span
+        terms, of_time, fastest = [math.inf] * len(sizes), [0.0] * len(sizes), 1 / span
         for t, x in points:
             try:
                 columns = _derivatives(system, t, x, scale, span)
@@ -34,9 +37,10 @@ def natural_sizes(system, points, sizes, span):
             for i in range(len(sizes)):
                 row = [abs(c[i]) for c in states]
                 made = sum([a * s for a, s in zip(row, sizes, strict=True)])
-                terms[i] = max(terms[i], made)
+                terms[i] = min(terms[i], made)
                 of_time[i] = max(of_time[i], abs(time[i] * t))
             fastest = max(fastest, _spectral_radius(states, scale))
+        terms = [x if x < math.inf else 0.0 for x in terms]  # there was no point with rates
         natural = tuple([x / fastest for x in terms])
         with_time = tuple([(x + y) / fastest for x, y in zip(terms, of_time, strict=True)])
         # what a step of 1e-6 shows is enough for states of ordinary size
@@ -77,7 +81,7 @@ def _spectral_radius(columns, scale):
         twice = [sum([a * v for a, v in zip(row, once, strict=True)]) for row in rows]
         largest = max(twice)
         if not 0.0 < largest < 1e300:
-            return largest if largest else 0.0
+            return largest
         norm, vector = largest**0.5, [v / largest + 1e-12 for v in twice]
     return norm
 

@@ -321,6 +321,8 @@ def root(f, a, b, accuracy=0.0):
     time bisection.
     """
     fa, fb, side = f(a), f(b), 0
+    if fb == 0:
+        return b
     for n in range(200):
         if fa == 0:
             return a

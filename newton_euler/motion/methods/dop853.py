@@ -179,7 +179,7 @@ class Dop853(Stepper):
         if known != n:
             rows = np.array(self.code["polynomial"](*self.f, start, h, x)).T[::-1, :, None]
             self._kept = n, rows
-            self.calls += 15
+            self.calls += 16
         u = (times - start) / h
         out = 0.0
         # Horner's rule, with the factors u and 1 - u by turns (II.6)

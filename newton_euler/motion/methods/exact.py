@@ -33,6 +33,7 @@ AGREEMENT = 64.0  # of two such differences, times as near to each other as to t
 # residuals, relative to the largest rates, below which a formula is a solution: what differences
 # show after short times, and what is left of that by the phase after long ones
 LEAST_RESIDUAL, LEAST_LATE_RESIDUAL = 1e-10, 1e-3
+LEAST_NOISE = 64.0  # round-offs of a value that a difference shows
 # regions kept; what is added to a power of 2 so that it takes a sign; the place in a region, of 0.5
 # to 1; how much smaller than the tolerance the error has to be there
 KNOWN, SHIFT, REGION_FACTOR = 1024, 2000.0, 64.0
@@ -219,7 +220,9 @@ def _value(system, given):
 
 def residual(system, t, x0, size, pace):
     """The error of each state that a formula makes which is no solution of the model: its rate in
-    time less the right-hand side, times the whole time; 0 if that is no more than rounding.
+    time less the right-hand side, times the whole time. If that is no more than rounding it is the
+    rounding of the values, which a difference over a short time shows: c^2 (sqrt(1 + u) - 1) is the
+    same for all numbers near these where u is very small, but not right.
 
     At the start its value is compared instead. size, pace : as from :func:`_size_and_pace`
     """
@@ -238,9 +241,13 @@ def residual(system, t, x0, size, pace):
             moved = system.rates(u, [v * (1 + AGREEMENT * EPS) for v in x])
         except NO_VALUE:
             continue
-        one, two = (_rate(system, u, x0, max(h / pace, LEAST_STEP * u)) for h in STEPS)
+        first, second = (max(h / pace, LEAST_STEP * u) for h in STEPS)
+        one, two = _rate(system, u, x0, first), _rate(system, u, x0, second)
         for n, (a, b, rate, near, s) in enumerate(zip(one, two, rates, moved, size, strict=True)):
             off = min(abs(a - rate), abs(b - rate))
+            noise = (abs(b - rate) - abs(near - rate)) * second
+            if least == LEAST_RESIDUAL and noise > LEAST_NOISE * EPS * s:  # later there is phase
+                worst[n] = max(worst[n], SAFETY_FACTOR * noise)
             # else it is the error of the differences
             if off > max(least * pace * s, AGREEMENT * abs(a - b), abs(near - rate)):
                 worst[n] = max(worst[n], SAFETY_FACTOR * off * t)

@@ -21,7 +21,10 @@ class SciPy(Stepper):
             atol = [self.tolerance * s + q for s, q in limits]
             self.options = {"rtol": max(self.tolerance, 2.3e-14), "atol": atol}
             self.options["max_step"] = trajectory.longest_part * (self.goal - self.t)
-        self.solver, self.calls_before = self._from_here(), 0
+        # SciPy's Runge-Kutta methods would look for their first step without end
+        if not isfinite(sum(self.system.rates(self.t, self.x))):
+            raise StepError("the rates are not finite")
+        self.solver, self.calls_before = self._from_here(), 1
 
     def _from_here(self):
         """SciPy's solver from the present state to the next stop."""
@@ -51,9 +54,9 @@ class SciPy(Stepper):
             self.step_times.append(self.t)
             self.update_scales()
             self.check_progress()
+            self.calls = self.calls_before + solver.nfev
             if solver.status == "finished" and self.t < self.goal:
                 self.solver, self.calls_before = self._from_here(), self.calls
-            self.calls = self.calls_before + self.solver.nfev
 
     def interpolate(self, n, times):
         """See :class:`~newton_euler.motion.methods.base.Stepper`."""

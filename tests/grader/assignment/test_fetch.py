@@ -1,7 +1,17 @@
 """Students fetch their own copy, with nothing of the grader installed."""
 
 from grader.assignment import copy_to_exchange
+from grader.assignment.fetch import who_submits
 from tests.grader.courses import nbgrader
+
+
+def test_a_student_fetches_under_the_name_under_which_nbgrader_submits(monkeypatch):
+    monkeypatch.setenv("USER", "somebody")
+    monkeypatch.setenv("JUPYTERHUB_USER", "another")
+    from nbgrader.utils import get_username
+
+    assert who_submits("*") == who_submits("") == get_username()
+    assert who_submits("ada") == "ada"
 
 
 def fetch(course, exchange, student, home, *options):
@@ -17,10 +27,9 @@ def fetch(course, exchange, student, home, *options):
         "fetch_assignment",
         "ch04",
         f"--Exchange.root={exchange}",
+        f"--student={student}",
         *options,
         cwd=home,
-        USER=student,
-        JUPYTERHUB_USER=student,
         PYTHONPATH="",
     )
 

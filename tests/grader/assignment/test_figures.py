@@ -1,11 +1,35 @@
-"""Figures are drawn by several processes at once."""
+"""The figure of every problem can be read, and figures are drawn by several processes at once."""
 
 import multiprocessing
 from concurrent.futures import ProcessPoolExecutor
 
-from exercises import problem
-from grader.assignment import figure_png
-from newton_euler.drawing import label_placement as labels
+import pytest
+
+from exercises.catalogue import problem, select
+from exercises.checks import values
+from grader.assignment import figure_faults, figure_png
+from newton_euler.drawing.page import label_placement as labels
+
+by_id = pytest.mark.parametrize(
+    "p", [p for p in select(["all"]) if p.figure], ids=lambda p: f"figure_{p.id.replace('/', '_')}"
+)
+
+
+@by_id
+def test_it_can_be_read_for_the_book_and_for_two_students(p):
+    """No labels overlap, are crossed by lines, stand far off or leave the picture; no axes look
+    alike.
+    """
+    for seed in range(3):
+        assert figure_faults(p, values(p, seed)) == []
+
+
+@pytest.mark.slow
+@by_id
+def test_it_can_be_read_for_many_students(p):
+    for seed in range(60):
+        assert figure_faults(p, values(p, seed)) == []
+
 
 DRAWN = ["4/16", "4/10", "4/28", "4/7"]
 

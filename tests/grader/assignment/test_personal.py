@@ -1,8 +1,12 @@
 """Each student's own copy: own numbers and figures, no key, nothing of anybody else."""
 
+import os
+import pwd
+import stat
+
 import pytest
 
-from grader.assignment import make_personal_copies
+from grader.assignment import copy_to_exchange, make_personal_copies, problems_of
 from grader.assignment import notebook as nb
 from grader.assignment.fetch import personal_name
 from grader.course import CourseError
@@ -25,7 +29,7 @@ def test_what_a_student_fetches_holds_no_key_and_nobody_elses_numbers(course, st
         }
         symbolic = {
             nb.givens(p, {})
-            for p in nb.problems_of(course.released("ch04"))
+            for p in problems_of(course.released("ch04"))
             if p.symbolic and not p.givens
         }
         assert other == student or not own & others - symbolic
@@ -84,3 +88,26 @@ def test_an_empty_roster_is_told(ungraded):
         match=r"zoe: not on the roster; add the student first: nbgrader db student add zoe",
     ):
         make_personal_copies(ungraded, "ch04", ["zoe"])
+
+
+def test_a_copy_in_the_exchange_is_for_its_student_alone(course, tmp_path, monkeypatch):
+    """Without root's rights, by an access list; a student who is no user of the machine has a
+    folder whose name is not listed.
+    """
+    (tmp_path / "setfacl").write_text(f'#!/bin/sh\necho "$@" >> {tmp_path}/said\n')
+    (tmp_path / "setfacl").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    outbound = tmp_path / "outbound/ch04"
+    outbound.mkdir(parents=True)
+    paths = {s: course.personal_path("ch04", "ada") for s in ("nobody", "no such user")}
+    copy_to_exchange(course, "ch04", outbound, paths)
+    said = (tmp_path / "said").read_text()
+    own = personal_name(course.name, "ch04", "nobody")
+    assert said.startswith(
+        f"--modify user:{pwd.getpwnam('nobody').pw_uid}:rX,group::---,other::---"
+    )
+    assert said.count(own) == 2
+    assert len(said.splitlines()) == 1
+    folder = outbound.parent / ".personal/ch04"
+    assert stat.S_IMODE(folder.stat().st_mode) == 0o711

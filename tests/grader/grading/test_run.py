@@ -14,14 +14,14 @@ from tests.grader.submissions import DAMAGED, RIGHT, work
 
 
 def test_unchanged_submissions_are_not_run_again_and_changed_ones_are(fresh, monkeypatch):
-    from grader.submission import pipeline
+    from grader.grading import one
 
     ran = []
-    original = pipeline.run_answers
+    original = one.execute
     monkeypatch.setattr(
-        pipeline,
-        "run_answers",
-        lambda h, own, answers: ran.append(own.student) or original(h, own, answers),
+        one,
+        "execute",
+        lambda h, sheet, notebook: ran.append(sheet.student) or original(h, sheet, notebook),
     )
     everyone = sorted(fresh.roster())
     first = {r.student: r.points for r in grade(fresh, "ch04")}
@@ -41,11 +41,12 @@ def test_unchanged_submissions_are_not_run_again_and_changed_ones_are(fresh, mon
     assert ran == ["ada"]
 
 
-def test_a_change_of_the_exercises_grades_everything_again(fresh, monkeypatch):
-    from grader.grading import run as grading
+def test_a_change_of_the_exercises_grades_everything_again_and_runs_nothing(fresh, monkeypatch):
+    from grader.grading import one
 
     grade(fresh, "ch04", ["ada"])
-    monkeypatch.setattr(grading, "_code_state", lambda: "another key")
+    monkeypatch.setattr(one, "score_state", lambda: "another key")
+    monkeypatch.setattr(one, "execute", lambda *_: pytest.fail("it was run again"))
     (result,) = grade(fresh, "ch04", ["ada"])
     assert not result.unchanged
 
@@ -89,7 +90,7 @@ def test_a_notebook_that_is_not_text_or_huge_is_told(fresh):
     with open(path, "wb") as f:
         f.truncate(10**9)
     assert grade(fresh, "ch04", ["dan"], workers=1)[0].problem.startswith(
-        "ch04.ipynb has 1000 MB, more than the 67 MB that are read"
+        "ch04.ipynb: it has more than the 67.1 MB that are read"
     )
 
 
@@ -149,13 +150,13 @@ def test_a_student_without_submission_is_told(fresh):
 
 
 def test_a_bug_in_grading_one_submission_keeps_nobody_else_from_a_grade(fresh, monkeypatch):
-    from grader.submission import pipeline
+    from grader.grading import one
 
-    original = pipeline.score_answers
+    original = one.grade_notebook
     monkeypatch.setattr(
-        pipeline,
-        "score_answers",
-        lambda own, *rest: 1 / 0 if own.student == "ben" else original(own, *rest),
+        one,
+        "grade_notebook",
+        lambda sheet, *rest: 1 / 0 if sheet.student == "ben" else original(sheet, *rest),
     )
     results = {r.student: r for r in grade(fresh, "ch04", force=True, workers=1)}
     assert (

@@ -51,6 +51,16 @@ def test_nbgrader_autograde_under_our_configuration_gives_the_same_scores_and_co
         assert tables[0] == tables[1]
 
 
+def test_nbgrader_autograde_again_runs_nothing_again(course, fresh):
+    shutil.copytree(course.path / "scores", fresh.path / "scores", dirs_exist_ok=True)
+    kept = {p: p.read_text() for p in (fresh.path / "scores/ch04").glob("*.json")}
+    for path, text in kept.items():  # what is not run again is taken from here
+        path.write_text(text.replace('"error": null', '"error": "from the record"'))
+    code, out = nbgrader("autograde", "ch04", "--student=ada", cwd=fresh.path)
+    assert code == 0, out
+    assert "from the record" in (fresh.path / "scores/ch04/ada.json").read_text()
+
+
 def test_plain_nbgrader_gives_nobody_anything(fresh):
     """Without our steps: the cells with points have no outputs or fail; also with the tag
     skip-execution and an edited receipt cell.
@@ -58,6 +68,7 @@ def test_plain_nbgrader_gives_nobody_anything(fresh):
     (fresh.path / "nbgrader_config.py").write_text(
         "c = get_config()\nc.CourseDirectory.course_id = 'mechanics'\n"
     )
+    (fresh.path / "nbgrader_config.json").unlink()
     for s in ("ben", "cleo", "dan"):
         shutil.rmtree(fresh.path / "submitted" / s)
     edited = work(fresh, "eve")

@@ -1,8 +1,13 @@
 """nbgrader's own steps take the source notebook; its release makes the personal copies."""
 
+import shutil
+
+import pytest
+
 from exercises.catalogue import problem
-from grader.submission import is_untouched
-from tests.grader.courses import nbgrader, read, submit
+from grader.course import Course
+from grader.submission import as_handed_out
+from tests.grader.courses import command, nbgrader, read, submit
 from tests.grader.submissions import work
 
 STUDENTS = ("ada", "ben", "cleo", "dan", "eve", "mallory")
@@ -26,7 +31,7 @@ def test_nbgraders_own_generate_validate_and_release_take_the_notebook_unchanged
         if c["metadata"].get("newton_euler", {}).get("role") == "answer"
     ]
     assert [
-        is_untouched(problem(c["metadata"]["newton_euler"]["problem"]), c["source"])
+        as_handed_out(problem(c["metadata"]["newton_euler"]["problem"]), c["source"])
         for c in answers
     ] == [True] * len(answers)
     submit(ungraded, "ada", work(ungraded, "ada"))
@@ -39,3 +44,34 @@ def test_nbgraders_own_generate_validate_and_release_take_the_notebook_unchanged
     assert len(
         list((ungraded.path / "exchange/mechanics/outbound/.personal/ch04").iterdir())
     ) == len(STUDENTS)
+
+
+@pytest.mark.integration
+def test_a_course_in_a_folder_of_any_name_is_fetched_from_after_it_was_moved(tmp_path):
+    """Built, released, moved and renamed; a student fetches, submits, and is collected."""
+    roster, exchange = tmp_path / "roster.csv", tmp_path / "exchange"
+    roster.write_text("id\nada\n")
+    place, moved = tmp_path / "Méca 2026", tmp_path / "elsewhere" / "Mécanique (old)"
+    code, out = command(
+        "build", "ch04", "--course", place, "--students", roster, "--problem", "4/1",
+        "--exchange", exchange,
+    )  # fmt: skip
+    assert code == 0, out
+    for step in ("generate_assignment", "release_assignment"):
+        code, out = nbgrader(step, "ch04", cwd=place, PYTHONPATH="")
+        assert code == 0, out
+    moved.parent.mkdir()
+    place.rename(moved)
+    home = tmp_path / "home"
+    home.mkdir()
+    for file in (moved / "student").iterdir():
+        shutil.copy(file, home)
+    for step in ("fetch_assignment", "submit"):
+        code, out = nbgrader(step, "ch04", "--student=ada", cwd=home, PYTHONPATH="")
+        assert code == 0, out
+    assert "The copy of **ada**" in (home / "ch04/ch04.ipynb").read_text()
+    code, out = nbgrader("collect", "ch04", cwd=moved, PYTHONPATH="")
+    assert code == 0, out
+    assert list(Course(moved).submissions("ch04")) == ["ada"]
+    code, out = command("personal", "ch04", "--course", moved, "--exchange")
+    assert code == 0, out

@@ -10,7 +10,17 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from grader.sandbox import Harvester, HarvestError
-from tests.grader.sandbox.jobs import caged, descendants, job, still_serves
+from grader.sandbox import harvester as harvester_module
+from grader.sandbox.worker import Worker
+from tests.grader.sandbox.jobs import (
+    caged,
+    descendants,
+    job,
+    own,
+    run_caged,
+    still_serves,
+    wait_until,
+)
 from tests.grader.sandbox.test_cage import ENDINGS
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
@@ -18,37 +28,47 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Lin
 
 def test_many_jobs_in_a_row_leave_no_process_and_no_file_open(harvester):
     caged(harvester, "x = 1")
-    worker = harvester._all[-1].pid
+    worker = harvester._all[-1].process.pid
     files, before = len(os.listdir(f"/proc/{worker}/fd")), descendants()
     for _ in range(20):
         assert still_serves(harvester)
-    assert len(os.listdir(f"/proc/{worker}/fd")) == files
-    assert descendants() <= before
+    assert wait_until(lambda: len(os.listdir(f"/proc/{worker}/fd")) <= files)
+    assert wait_until(lambda: descendants() <= before)
 
 
-def test_a_worker_that_dies_is_replaced(harvester):
+def test_a_worker_that_dies_between_jobs_is_replaced(harvester):
     with Harvester(1) as one:
         assert still_serves(one)
-        one._all[-1].kill()
-        with pytest.raises(
+        one._all[-1].process.kill()
+        assert still_serves(one)
+        assert len(one._all) == 1
+
+
+def test_a_worker_that_cannot_start_is_an_error_that_says_what_to_check(monkeypatch, tmp_path):
+    script = tmp_path / "broken.py"
+    script.write_text("import sys; sys.exit('no such module')")
+    monkeypatch.setattr("grader.sandbox.worker._SCRIPT", script)
+    with (
+        Harvester(1) as one,
+        pytest.raises(
             HarvestError,
             match=r"the process that runs student code is gone .*Check that newton_euler is "
             r"installed",
-        ):
-            one.run("", job("x = 1"))
-        assert still_serves(one)
+        ),
+    ):
+        one.run(job("x = 1"))
 
 
 @pytest.mark.slow
 def test_a_fork_bomb_beside_leaves_another_worker_its_processes():
     with Harvester(2) as two, ThreadPoolExecutor(2) as pool:
-        bomb = pool.submit(two.run, "", job(ENDINGS["fork bomb"]), 3, 2)
+        bomb = pool.submit(two.run, job(ENDINGS["fork bomb"]), 3, 2)
         time.sleep(1.5)
         threads = (
             "import threading\nts = [threading.Thread(target=int) for _ in range(20)]\nfor t "
             "in ts: t.start()\nfor t in ts: t.join()\nx = 1"
         )
-        other = two.run("", job(threads), 10, 5)
+        other = two.run(job(threads), 10, 5)
         bomb.result()
     assert other["receipts"]["0/1"]["answers"] == {"x": 1.0}, other
 
@@ -56,11 +76,95 @@ def test_a_fork_bomb_beside_leaves_another_worker_its_processes():
 def test_a_worker_that_is_busy_delays_no_other():
     """The long job ends only when its worker is killed, after the other jobs have come back."""
     with ThreadPoolExecutor(1) as pool, Harvester(2) as two:
-        long = pool.submit(two.run, "", job("while True: pass"), 600, 600)
+        long = pool.submit(two.run, job("while True: pass"), 600, 600)
         while two._idle.qsize() == 2:
             time.sleep(0.01)
         assert all(still_serves(two) for _ in range(3))
         assert not long.done()
-        two._all[0].kill()
+        two._all[0].process.kill()
         with pytest.raises(HarvestError):
             long.result()
+
+
+# -- what is too much for one notebook
+
+
+def test_a_notebook_with_millions_of_characters_is_not_run(harvester):
+    cells = [own("[]\n" * 400_000), *job("x = 1")]
+    reply = harvester.run(cells)
+    assert reply["receipts"] == {}
+    assert reply["ended"] == (
+        "not run: its 4 cells hold 1.2 million characters, and 1.0 million are run at most"
+    )
+
+
+def test_nor_one_with_many_small_cells(harvester):
+    tests = [{"role": "test", "name": "t", "text": "", "hidden": "1"}]
+    reply = harvester.run([*[own("[]")] * 20_000, *job("x = 1"), *tests])
+    assert "not run: its 20004 cells" in reply["ended"]
+    assert "was not run" in reply["tests"]["t"]["error"]
+
+
+def test_empty_cells_cost_nothing(harvester):
+    reply = run_caged(harvester, [*[own("\n \n")] * 50_000, *job("x = 1")])
+    assert reply["receipts"]["0/1"]["answers"] == {"x": 1.0}
+
+
+def test_a_notebook_with_more_tests_than_can_be_run_is_an_error_of_the_course(harvester):
+    tests = [{"role": "test", "name": str(n), "text": "", "hidden": ""} for n in range(201)]
+    with pytest.raises(HarvestError, match="the notebook has 201 cells with tests; at most 200"):
+        harvester.run(tests)
+
+
+@pytest.mark.slow
+def test_as_many_tests_as_allowed_are_run(harvester):
+    tests = [{"role": "test", "name": str(n), "text": "", "hidden": str(n)} for n in range(200)]
+    reply = run_caged(harvester, tests, seconds=60)
+    assert [o["value"] for o in reply["tests"].values()] == list(range(200))
+
+
+def test_the_state_of_the_sandbox_is_known_before_any_job(harvester):
+    assert harvester.sandbox_state == run_caged(harvester, [])["sandbox"]
+
+
+@pytest.mark.parametrize(("setting", "forbidden", "allowed"), harvester_module.SETTINGS)
+def test_a_refusal_names_the_setting_that_forbids_the_cage(
+    monkeypatch, tmp_path, harvester, setting, forbidden, allowed
+):
+    file = tmp_path / setting.replace(".", "/")
+    file.parent.mkdir()
+    file.write_text(forbidden + "\n")
+    monkeypatch.setattr(harvester_module, "KERNEL", tmp_path)
+    monkeypatch.setattr(Worker, "run", lambda *_: ({"refused": "no", "ended": "x"}, b"", []))
+    with pytest.raises(HarvestError) as error:
+        harvester.run(job("x = 1"))
+    assert str(error.value) == (
+        "this machine refuses the cage for student code (no), so nothing was run. Grade on a machine "
+        f"that allows user namespaces (here after: sudo sysctl {setting}={allowed}), or run the code "
+        "without a cage, at your own risk: python -m grader grade --unsandboxed"
+    )
+
+
+NEED_IPYTHON = {
+    "%time x = 1": True,
+    "x = 1\n  !ls": True,
+    "files = !ls": True,
+    "np.cross?": True,
+    ">>> x = 1": True,
+    "from IPython.display import Math": True,
+    "x = 7 % 3 != 1": False,
+    "print('a % b')": False,
+}
+
+
+@pytest.mark.parametrize("text", NEED_IPYTHON)
+def test_ipython_is_imported_for_notebooks_that_may_need_it(monkeypatch, harvester, text):
+    asked = []
+
+    def run(worker, cells, texts, limits):
+        asked.append(limits["ipython"])
+        return {"sandbox": "namespaces", "ended": "done"}, b"", []
+
+    monkeypatch.setattr(Worker, "run", run)
+    harvester.run(job("x = 1", text))
+    assert asked == [NEED_IPYTHON[text]]

@@ -15,7 +15,7 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import Frame
+from newton_euler import Frame, compiled
 from newton_euler.algebra import scalars
 from newton_euler.algebra.jets import Moving, at, moving
 from newton_euler.algebra.scalars import (
@@ -415,6 +415,24 @@ def test_moving_numbers_wrap_every_kind(kind):
     assert close(m.acceleration, 2 * (scalars.cos(u) * ddu - scalars.sin(u) * du**2))
 
 
+def test_the_size_of_a_moving_number_has_the_rates_of_its_sign():
+    for u in (-2.0, 3.0, np.array([-2.0, 3.0]), mpmath.mpf(-2)):
+        size, root = abs(Moving(u, 5.0, -7.0)), scalars.sqrt(Moving(u, 5.0, -7.0) ** 2)
+        for part in ("value", "rate", "acceleration"):
+            assert max_abs(getattr(size, part) - getattr(root, part)) < 1e-14
+    x = sympy.Symbol("x", real=True)
+    assert abs(Moving(x, 2)).rate == 2 * x / abs(x)
+    length, speed = Dimension(0, 1, 0), Dimension(0, 1, -1)
+    assert abs(Moving(length, speed)).rate == speed
+    assert compiled(lambda u, v: abs(Moving(u, v)).rate)(-2.0, 5.0) == -5.0
+
+
+def test_the_size_of_a_moving_number_has_no_rate_at_zero():
+    assert abs(Moving(0.0)).value == 0
+    with pytest.raises(ZeroDivisionError, match=r"rate of abs\(x\) does not exist where x = 0"):
+        abs(Moving(0.0, 1.0))
+
+
 def test_moving_expressions_derive_their_rates_in_t():
     for library in ("sympy", "symengine"):
         lib = pytest.importorskip(library)
@@ -486,7 +504,8 @@ def test_dimension_algebra():
     assert Dimension() == LENGTH / LENGTH
     assert Dimension() + 1.5 == 1.5 + Dimension() == Dimension()
     assert LENGTH + ZERO == LENGTH
-    assert LENGTH * ZERO is ZERO
+    assert LENGTH * ZERO is LENGTH * 0 is 0 * LENGTH is 0 / LENGTH is ZERO
+    assert sum([LENGTH, 2 * LENGTH]) == LENGTH  # which begins with the integer 0
     assert repr(MASS * LENGTH / TIME**2) == "Dimension(M^1 L^1 T^-2)"
     assert len({LENGTH, Dimension(0, 1, 0), TIME}) == 2
     assert LENGTH != 1

@@ -10,7 +10,7 @@ from PIL import Image
 
 from newton_euler import Frame
 from newton_euler.drawing.animation import MAX_PICTURES, AnimationError, animate
-from newton_euler.drawing.recorder import share_window
+from newton_euler.drawing.page.recorder import share_window
 from newton_euler.drawing.sketch import Sketch
 from tests.sketching import ground, sketch, texts
 

@@ -10,7 +10,7 @@ import pytest
 
 from newton_euler import Frame
 from newton_euler.algebra import FrameError
-from newton_euler.drawing.primitives import KINDS
+from newton_euler.drawing.page.primitives import KINDS
 from newton_euler.drawing.sketch import Sketch
 from tests.sketching import O, ground, png, sketch, texts, vertices
 
@@ -72,6 +72,18 @@ def test_an_arc_spans_the_angle_from_the_first_direction_to_the_second():
     assert angles == pytest.approx(np.linspace(0, 2, len(angles)))
     assert np.ptp(np.hypot(x, y)) < 1e-12
     assert r"$\beta$" in texts(s)
+
+
+def test_the_arc_of_a_small_angle_is_farther_out_and_a_radius_is_kept():
+    def drawn(angle, **radius):
+        s = sketch(plane="xy")
+        s.line(O, (1, 1, 0))
+        s.arc(O, (1, 0, 0), (math.cos(angle), math.sin(angle), 0), **radius)
+        s.finish()
+        return np.hypot(*vertices(s)[-1][0]), s.drawn.pt
+
+    assert drawn(0.3, radius=0.4)[0] == pytest.approx(0.4)
+    assert [r / pt for r, pt in map(drawn, (1, 0.1))] == pytest.approx([30, 54])
 
 
 @pytest.mark.parametrize(
@@ -174,7 +186,7 @@ def everything(s):
     s.turn(B, ground.k, r"$\omega$", radius=0.2)
     s.arc(A, B, C, r"$\theta$")
     s.dimension(A, B, "b")
-    s.path([(0, 0, 0.1 * n) for n in range(7)], lift=0.1)
+    s.path([(0, 0, 0.1 * n) for n in range(7)], on=(A, ground.k))
     s.cable((1, 1, -1), s.pulley((1, 1, 1), ground.i, 0.3), C, (0, 2, 0))
     s.vector(C, (0, 0, -1), "$mg$", kind="force")
     s.label(A, "A")
@@ -276,7 +288,7 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         (lambda s: s.axes(O, ground, labels="xy"), "three labels"),
         (lambda s: s.axes(O, ground.k), "axes of a Frame, got"),
         (lambda s: s.box(O, ground.k, (1, 1, 1)), "axes of a Frame, got"),
-        (lambda s: s.path([O, O], lift=-1), "positive number of metres; got -1"),
+        (lambda s: s.path([O, O], on=-1), "a place is a Point, a Vector or three numbers"),
         (lambda s: s.cable(O), "between two stops or more, places or pulleys; got 1"),
         (lambda s: s.cable(O, "pulley"), "a place is a Point, a Vector or three numbers"),
         (

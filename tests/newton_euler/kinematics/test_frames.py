@@ -1019,6 +1019,27 @@ def test_frames_without_a_common_ancestor_are_named_at_both_ends(ask):
     assert "workshop" in str(error.value)
 
 
+def robot():
+    ground = Frame("ground")
+    return ground, ground.rotate("arm", "z", 0.2, rate=1.0)
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda ground, arm: arm.angular_velocity(ground),
+        lambda ground, arm: arm.i + ground.i,
+        lambda ground, arm: ground.rotate("rod", "x", origin=arm.parent.point("A", 1, 0, 0)),
+    ],
+)
+def test_two_trees_with_the_same_names_are_called_that(ask):
+    (ground, _), (_, arm) = robot(), robot()
+    with pytest.raises(
+        FrameError, match=r"two trees with the same names.*build once and pass the frame ground"
+    ):
+        ask(ground, arm)
+
+
 def test_nothing_has_a_velocity_a_rate_or_an_acceleration_without_an_observer():
     ground = Frame("ground")
     P = ground.point("P", 1, 2, 3)

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import cos, exp, log, sqrt
-from newton_euler.algebra import ScalarError, SingularError
-from newton_euler.algebra.quadrature import integral
+from newton_euler import Dimension, compiled, cos, exp, log, moving, sqrt
+from newton_euler.algebra import DimensionError, SingularError
+from newton_euler.algebra.calculus import integral
 from newton_euler.kinematics import from_place, from_speed, from_time
 from tests.kinds import close, numbers
 
@@ -98,8 +98,63 @@ def test_integrals_of_mpf_and_of_arrays():
     assert close(integral(cos, 0.0, ends), np.sin(ends), 1e-15)
 
 
-def test_integrals_that_do_not_settle_and_expressions_are_refused_in_words():
+def test_integrals_that_do_not_settle_are_refused_in_words():
     with pytest.raises(SingularError, match=r"does not settle.*Split it where it is not"):
         integral(lambda x: 0.0 if x < 0.3 else 1.0, 0.0, 1.0)
-    with pytest.raises(ScalarError, match=r"needs numbers.*by hand or with SymPy"):
-        integral(lambda x: x, 0, sympy.Symbol("x"))
+    with pytest.raises(SingularError, match=r"does not settle"):
+        integral(lambda x: 0.0 if x < 0.3 else 1.0, 0.0, 1.0, breaks=(0.4,))
+
+
+# -- one formula over every kind of number
+
+LENGTH, TIME = Dimension(0, 1, 0), Dimension(0, 0, 1)
+
+
+def slides(t, c, k):
+    """From rest at 0: position and velocity at t under a(t) = c - k t."""
+    return from_time(lambda s: c - k * s, t)
+
+
+def brakes(v, v0, c):
+    """The time and the way from v0 to v under a(v) = -c v^2."""
+    return from_speed(lambda u: -c * u * u, v, v0)
+
+
+def swings(x, v0, k):
+    """The time and the velocity at x under a(x) = -k x."""
+    return from_place(lambda s: -k * s, x, 0, v0)
+
+
+def test_motion_from_its_acceleration_has_the_dimensions_of_time_place_and_velocity():
+    speed = LENGTH / TIME
+    assert slides(TIME, speed / TIME, speed / TIME**2) == (LENGTH, speed)
+    assert brakes(speed, speed, 1 / LENGTH) == (TIME, LENGTH)
+    assert swings(LENGTH, speed, 1 / TIME**2) == (TIME, speed)
+    with pytest.raises(DimensionError, match="cannot add"):
+        slides(TIME, speed, speed / TIME**2)
+
+
+def test_motion_from_its_acceleration_is_traced():
+    by_hand = {
+        slides: (2.0, 3.0, 0.6, (3.0 * 2 - 0.1 * 8, 6 - 1.2)),
+        brakes: (2.0, 5.0, 0.1, ((0.5 - 0.2) / 0.1, math.log(2.5) / 0.1)),
+        swings: (0.5, 2.0, 4.0, (math.asin(0.5) / 2, math.sqrt(3.0))),
+    }
+    for motion, (*given, expected) in by_hand.items():
+        assert compiled(motion)(*given) == pytest.approx(expected, rel=1e-13)
+        many = [np.array([x, x]) for x in given]
+        assert np.allclose(compiled(motion)(*many), np.array([expected] * 2).T, rtol=1e-13)
+
+
+def test_motion_from_its_acceleration_as_a_formula():
+    t, c, k = sympy.symbols("t c k", positive=True)
+    x, v = slides(t, c, k)
+    assert sympy.expand(x - (c * t**2 / 2 - k * t**3 / 6)) == 0
+    assert sympy.expand(v - (c * t - k * t**2 / 2)) == 0
+
+
+def test_motion_from_its_acceleration_has_rates():
+    growing = moving(2.0, rate=1.0)
+    x, v = slides(growing, 3.0, 0.6)
+    assert x.rate == pytest.approx(v.value, rel=1e-13)
+    assert x.acceleration == pytest.approx(3.0 - 0.6 * 2.0, rel=1e-13)

@@ -8,23 +8,45 @@ import numpy as np
 import pytest
 
 from newton_euler import Model, cos, exp, integrate, sin
-from newton_euler.motion import ModelError, second_order
-from newton_euler.motion.batch import MIN_HEYOKA_BATCH, _by_series, _representatives
-from newton_euler.motion.control.verified import NEAR_END, NEAR_START
-from newton_euler.motion.prepared import prepared_model
+from newton_euler.motion import AccuracyError, Event, ModelError, batch, second_order
+from newton_euler.motion.batch import (
+    MIN_HEYOKA_BATCH,
+    _batches,
+    _by_series,
+    _clock_errors,
+    _representatives,
+    _taylor,
+)
+from newton_euler.motion.control.run import ROUND_OFF_OF_RATES, SERIES_ROUND_OFF, SERIES_SAFETY
+from newton_euler.motion.control.sizes import time_round_off
+from newton_euler.motion.control.verified import NEAR_END, NEAR_START, SPARE
+from newton_euler.motion.methods.table import METHODS
+from newton_euler.motion.methods.taylor import level_of
+from newton_euler.motion.prepared import PreparedModel, prepared_model
 
 HEYOKA = importlib.util.find_spec("heyoka") is not None
 needs_heyoka = pytest.mark.skipif(not HEYOKA, reason="heyoka is not installed")
+START = (1.0, 0.0)
 PENDULUM = second_order("pendulum", {"n": 1.0}, ("a",), lambda s, p, t: (-p.n * sin(s.a),))
+SPRING = second_order(
+    "spring",
+    {"w": 1.0},
+    ("x",),
+    lambda s, p, t: (-p.w * p.w * s.x,),
+    exact=lambda s, p, t: (
+        s.x * cos(p.w * t) + s.dx / p.w * sin(p.w * t),
+        s.dx * cos(p.w * t) - p.w * s.x * sin(p.w * t),
+    ),
+)
 
 
 def test_motions_close_to_each_other_have_one_representative():
     """Two clusters of starts and ends, of 20 motions each, in turn."""
     begins = np.array([[1.0, 2.0] * 20, [1e-6, 1e-6] * 20]) * np.linspace(1.0, 1.01, 40)
     ends = np.array([[5.0, -5.0] * 20]) * np.linspace(1.0, 1.01, 40)
-    chosen, vouching = _representatives(begins, ends)
-    assert chosen.tolist() == [0, 1]
-    assert vouching.tolist() == [0, 1] * 20
+    chosen, group = _representatives(begins, ends)
+    assert [n % 2 for n in chosen] == [0, 1]
+    assert group.tolist() == [0, 1] * 20
 
 
 @pytest.mark.parametrize(("part", "which", "count"), [
@@ -37,28 +59,79 @@ def test_motions_close_to_each_other_have_one_representative():
 def test_close_is_a_part_of_the_size(part, which, count, sign):
     values = {"begins": np.full((2, 12), sign * 7.0), "ends": np.full((2, 12), sign * 7.0)}
     values[which][1, 5] *= 1 - part
-    chosen, vouching = _representatives(values["begins"], values["ends"])
-    assert chosen.tolist() == [0, 5][:count]
-    assert vouching[5] == chosen[-1]
-    assert np.delete(vouching, 5).tolist() == [0] * 11
+    chosen, group = _representatives(values["begins"], values["ends"])
+    assert len(chosen) == count
+    assert np.count_nonzero(group == group[5]) == (12 if count == 1 else 1)
 
 
-@pytest.mark.parametrize(("clusters", "covered"), [(5, True), (6, True), (7, False), (20, False)])
-def test_a_cover_that_is_no_smaller_than_the_whole_is_not_looked_for(clusters, covered):
-    """Of 20 motions: the search is given up when more than a quarter of them is not enough."""
-    begins = np.resize(np.linspace(-1.0, 1.0, clusters), 20)[None]
-    chosen, vouching = _representatives(begins, np.ones((1, 20)))
-    numbers = np.arange(20)
-    assert chosen.tolist() == numbers[: clusters if covered else 20].tolist()
-    assert vouching.tolist() == (numbers % clusters if covered else numbers).tolist()
+@pytest.mark.parametrize("shuffled", [False, True])
+def test_a_sweep_has_a_representative_for_all_within_2_percent_in_any_order(shuffled):
+    sweep = np.geomspace(1.0, 1.5, 1000)
+    if shuffled:
+        sweep = np.random.default_rng(0).permutation(sweep)
+    chosen, group = _representatives(sweep[None], np.ones((1, 1000)))
+    apart = abs(sweep - sweep[chosen][group]) / np.maximum(sweep, sweep[chosen][group])
+    assert apart.max() <= NEAR_START
+    assert len(chosen) <= 2 * np.log(1.5) / (2 * NEAR_START)
 
 
-def test_a_motion_without_an_end_vouches_for_itself_only():
-    ends = np.full((1, 20), 2.0)
-    ends[0, [3, 7]] = math.nan
-    chosen, vouching = _representatives(np.ones((1, 20)), ends)
-    assert chosen.tolist() == [0, 3, 7]
-    assert vouching[[3, 7]].tolist() == [3, 7]
+def test_motions_that_are_not_close_to_any_stand_for_themselves():
+    begins = np.random.default_rng(0).uniform(-1.0, 1.0, (6, 300))
+    chosen, group = _representatives(begins, begins)
+    assert chosen.tolist() == group.tolist() == list(range(300))
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_motions_without_a_finite_end_stand_for_nobody_else(bad):
+    ends = np.ones((2, 30))
+    ends[1, ::3] = bad
+    chosen, group = _representatives(np.ones((2, 30)), ends)
+    assert set(range(0, 30, 3)) < set(chosen.tolist())
+    assert len(chosen) == 11
+    assert len(set(np.delete(group, np.arange(0, 30, 3)))) == 1
+
+
+def together(begins, ends):
+    """For each motion the least number of those that it shares a representative with."""
+    _, group = _representatives(begins, ends)
+    _, first = np.unique(group, return_index=True)
+    return first[group].tolist()
+
+
+def test_a_motion_that_is_smaller_as_a_whole_is_judged_by_the_size_of_the_larger():
+    for part, number in ((0.99, 0), (1.01, 5)):
+        both = np.full((1, 12), 7.0)
+        both[0, 5] *= 1 - part * NEAR_START
+        assert together(both, both)[5] == number
+        assert together(1 / both, 1 / both)[5] == number
+
+
+def test_the_size_of_a_state_is_that_of_its_end_whichever_way_it_points():
+    begins, ends = np.full((1, 20), 1e-3), -5.0 * np.linspace(1.0, 1.01, 20)[None]
+    assert together(begins, ends) == [0] * 20
+
+
+def test_a_state_that_is_zero_at_both_ends_is_judged_by_the_others_as_far_as_it_is_like_them():
+    """The second state comes out as nothing or 1e-8, and once as 1e-7; the motions from number 10
+    on are small beside the others in their first state, so that for them 1e-8 is not small. The
+    third state is always zero.
+    """
+    begins, ends = np.zeros((3, 20)), np.zeros((3, 20))
+    begins[0] = ends[0] = [1e-6] * 10 + [1e-9] * 10
+    ends[1] = [0.0, 1e-8] * 10
+    ends[1, 9] = 1e-7
+    # whichever stands in the middle of a block, what is not small is not together
+    found = together(begins, ends)
+    assert found[:9] == [0] * 9
+    assert found[9] == 9
+    assert found[10:] == [10, 11] * 5
+
+
+def test_motions_that_all_begin_at_zero_are_judged_by_the_largest_end():
+    ends = np.array([[1.0, 0.0, 0.15] * 7])
+    assert together(np.zeros((1, 21)), ends) == [0, 1, 1] * 7
+    ends = np.array([[1.0, 0.7] * 10])
+    assert together(np.zeros((1, 20)), ends) == [0, 1] * 10
 
 
 def system(hazards=(), kinks=()):
@@ -141,28 +214,298 @@ def test_samples_of_a_batch_increase_from_its_start(samples):
 
 @pytest.mark.parametrize("count", [1, 2, 70])
 def test_the_errors_of_a_batch_of_closed_forms_are_those_asked_for(count):
-    spring = second_order(
-        "spring",
-        {"w": 1.0},
-        ("x",),
-        lambda s, p, t: (-p.w * p.w * s.x,),
-        exact=lambda s, p, t: (
-            s.x * cos(p.w * t) + s.dx / p.w * sin(p.w * t),
-            s.dx * cos(p.w * t) - p.w * s.x * sin(p.w * t),
-        ),
-    )
     w = np.linspace(1.0, 3.0, count)
-    motions = integrate(spring.changed(w=w), (1.0, 5.0), (np.ones(count), 0.0), samples=5)
+    motions = integrate(SPRING.changed(w=w), (1.0, 5.0), (np.ones(count), 0.0), samples=5)
     assert motions.method.name == "exact"
     assert motions.times.tolist() == [1.0, 2.0, 3.0, 4.0, 5.0]
     exact = np.cos(w[:, None] * (motions.times - 1.0))
     assert abs(motions.states["x"] - exact).max() < 1e-13
-    assert (motions.error <= motions.rtol).all()
-    assert motions.cost.calls >= 5
+    assert (motions.error == motions.rtol).all()  # no more is known
+    assert motions.cost.calls == 5  # none of them was made by itself
+
+
+def test_closed_forms_are_judged_at_their_starts_and_ends_with_something_to_spare(monkeypatch):
+    judged = []
+
+    def within(system, t, x0, x1, rtol):
+        judged.append((system.model.parameters["w"], t, x0, x1, rtol))
+        return True
+
+    monkeypatch.setattr(batch, "within", within)
+    w = np.array([1.0, 1.0, 2.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0])
+    motions = integrate(SPRING.changed(w=w), (1.0, 5.0), (1.0, 0.0), 1e-9)
+    ends = [(x, pytest.approx((math.cos(4 * x), -x * math.sin(4 * x)))) for x in (1.0, 2.0)]
+    assert sorted(judged) == [(x, 4.0, (1.0, 0.0), end, 1e-9 / SPARE) for x, end in ends]
+    assert (motions.error == 1e-9).all()
+
+
+def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypatch):
+    """Here those of the faster spring, for which the second number stands."""
+    monkeypatch.setattr(batch, "within", lambda system, *_: system.model.parameters["w"] == 1.0)
+    w = np.array([1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 2.0])
+    motions = integrate(SPRING.changed(w=w), 5.0, (1.0, 0.0), 1e-9, samples=3)
+    assert (motions.error[::2] == 1e-9).all()
+    assert (motions.error[1::2] < 1e-12).all()
+    assert motions.cost.calls > 3
+    assert motions.method.name == "exact"
+
+
+def test_a_closed_form_that_is_not_accurate_is_refused_with_all_motions():
+    with pytest.raises(AccuracyError, match=r"2 of 2 .* first number 0: the closed form") as told:
+        integrate(SPRING, 1e9, (np.array([1.0, 2.0]), 0.0), 1e-9, "exact")
+    reached = told.value.reached
+    assert (reached.error > 1e-9).all()
+    assert np.isfinite(reached.states["x"]).all()
+
+
+def test_a_method_by_name_is_taken_also_where_there_is_a_closed_form():
+    motions = integrate(SPRING, 5.0, (np.array([1.0, 2.0]), 0.0), method="dop853")
+    assert motions.method.name == "dop853"
+    assert motions.cost.calls > 100
+
+
+def fresh():
+    """A model of which no other test has made an integrator."""
+    return second_order("fresh", {}, ("a",), lambda s, p, t: (-sin(s.a) - s.da / 64,))
+
+
+def test_auto_takes_for_few_motions_what_it_takes_for_one():
+    motions = integrate(fresh(), 1.0, (amplitudes(3), 0.0))
+    assert motions.method.name == integrate(fresh(), 1.0, START).method.name == "dop853"
+
+
+@needs_heyoka
+def test_auto_takes_series_for_many_motions():
+    motions = integrate(PENDULUM, 1.0, (amplitudes(MIN_HEYOKA_BATCH), 0.0))
+    assert motions.method.name == "taylor"
+
+
+@pytest.mark.parametrize(
+    ("starts", "words", "stopped"),
+    [
+        ([1.0, 3.0], "1 of 2 motions are not as accurate as asked for, first number 0", [0]),
+        ([3.0, 1.0, 4.0, 1.0], "2 of 4 .* first number 1: fall could not be followed", [1, 3]),
+    ],
+)
+def test_motions_that_stop_on_the_way_are_told_with_those_that_do_not(starts, words, stopped):
+    """x' = -1/x comes to zero at x0^2/2."""
+    fall = Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,))
+    x = np.array(starts)
+    with pytest.raises(AccuracyError, match=words) as told:
+        integrate(fall, 1.0, (x,), method="dop853", samples=[0.0, 0.25, 1.0])
+    reached = told.value.reached
+    through = np.delete(np.arange(len(x)), stopped)
+    assert np.isnan(reached.states["x"][stopped]).all()
+    assert not (reached.error[stopped] <= 1e-9).any()
+    assert reached.states["x"][through, 2] == pytest.approx(np.sqrt(x[through] ** 2 - 2))
+    assert (reached.error[through] <= 1e-9).all()
+
+
+DRIVEN = second_order("driven", {"w": 2.0}, ("x",), lambda s, p, t: (sin(p.w * t) - s.x,))
+
+
+@needs_heyoka
+@pytest.mark.parametrize(("t0", "least", "most"), [(0.0, 0.0, 5e-7), (1e9, 1e-6, 1e-4)])
+def test_the_errors_of_a_batch_contain_what_the_clock_makes_of_a_force_in_time(t0, least, most):
+    """At t = 1e9 the time is known to 1e-7 s."""
+    w = np.array([1.0, 2.0, 3.0])
+    motions = integrate(DRIVEN.changed(w=w), (t0, t0 + 0.5), START, 1e-4, "taylor")
+    assert (least <= motions.error).all()
+    assert (motions.error <= most).all()
+
+
+def test_the_errors_by_the_clock_are_those_of_each_motion_or_a_bound_of_them():
+    w, t0, t1 = np.array([1.0, 2.0, 3.0]), 900.0, 904.0
+    model, ends, sizes = DRIVEN.changed(w=w), np.ones((2, 3)), np.full((2, 3), 0.5)
+    system = PreparedModel(model)
+    each = [
+        time_round_off(PreparedModel(DRIVEN.changed(w=x)), t1, (1.0, 1.0), (0.5, 0.5), t1 - t0)
+        for x in w.tolist()
+    ]
+    found = _clock_errors(system, t0, t1, ends, w[None], sizes, 0.0)
+    assert found == pytest.approx(each, rel=1e-9, abs=0.0)
+    bounds = _clock_errors(system, t0, t1, ends, w[None], sizes, 1.0)
+    # the rate of these springs is 1/s, and the time 4 s
+    assert bounds == pytest.approx(4 * found, rel=0.01, abs=0.0)
+    # of a motion that has no end nothing is told
+    ends[:, 1] = math.nan
+    assert _clock_errors(system, t0, t1, ends, w[None], sizes, 1.0)[[0, 2]].tolist() == [
+        bounds[0],
+        bounds[2],
+    ]
+    assert _clock_errors(PreparedModel(PENDULUM), t0, t1, ends, w[None], sizes, 0.0).max() == 0.0
+
+
+class Batches:
+    """In place of runs of heyoka: the ends given, and those beside them this far off."""
+
+    def __init__(self, ends, off):
+        self.ends, self.off, self.asked = np.array(ends, dtype=float), np.array(off), []
+
+    def __call__(self, system, tolerance, starts, p, t0, times):
+        self.asked.append((tolerance, starts, p, t0, list(times)))
+        if len(self.asked) == 1:
+            found = np.repeat(self.ends[:, :, None], len(times), axis=2)
+            found[:, :, :-1] += 5.0  # only the last are the ends
+            return found, 100
+        members = [np.flatnonzero(self.asked[0][2][0] == n)[0] for n in p[0]]
+        return (self.ends + self.off)[:, members, None], 10
+
+
+def by_batches(
+    monkeypatch, ends, off, representatives=None, starts=None, rtol=1e-9, times=(0.0, 5.0)
+):
+    """What is found of motions whose parameters are their numbers, 1, 2 and so on."""
+    ends = np.array(ends, dtype=float)
+    starts = np.ones(ends.shape) if starts is None else np.array(starts, dtype=float)
+    runs = Batches(ends, off)
+    monkeypatch.setattr(batch, "_batches", runs)
+    if representatives:
+        given = tuple(map(np.array, representatives))
+        monkeypatch.setattr(batch, "_representatives", lambda *_: given)
+    numbers = {"n": 1.0 + np.arange(ends.shape[1])}
+    found = _taylor(PreparedModel(PENDULUM), starts, numbers, 0.0, np.array(times), rtol)
+    return runs, found
+
+
+def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypatch):
+    asked = []
+
+    def clock_errors(system, t0, t1, ends, p, sizes, enough):
+        asked.append((t0, t1, ends[0].tolist(), p[0].tolist(), sizes[0].tolist(), enough / 1e-9))
+        return 2e-10 * p[0]
+
+    monkeypatch.setattr(batch, "_clock_errors", clock_errors)
+    ends = [[1.0, 2.0, 4.0]] * 2
+    _, (_, errors, _) = by_batches(monkeypatch, ends, 0.0, ([0, 1], [0, 1, 1]))
+    assert asked == [
+        (0.0, 5.0, [1.0, 2.0], [1.0, 2.0], [1.0, 4.0], pytest.approx(0.01)),
+        (0.0, 5.0, [4.0], [3.0], [4.0], pytest.approx(0.01)),
+    ]
+    assert errors == pytest.approx([6e-10, 1e-9, 1e-9], rel=1e-3)
+
+
+def test_a_batch_that_may_have_passed_over_a_pulse_is_not_compared(monkeypatch):
+    asked = []
+    monkeypatch.setattr(batch, "knots", lambda system, *t: asked.append(t) or (1.0,))
+    runs, (_, errors, calls) = by_batches(monkeypatch, np.ones((2, 3)), 0.0)
+    assert asked == [(0.0, 5.0)]
+    assert np.isinf(errors).all()  # each is made by itself
+    assert (len(runs.asked), calls) == (1, 100)
+
+
+@needs_heyoka
+@pytest.mark.parametrize("names", ["", "p", "pq"])
+def test_a_batch_takes_any_number_of_parameters(names):
+    """x' = -(p + q) x, of the parameters that there are."""
+
+    def rates(s, p, t):
+        return (-(1.0 + sum(getattr(p, n) for n in names)) * s.x,)
+
+    values = {n: np.array([0.25, 0.5, 0.75]) for n in names}
+    model = Model("fading", dict.fromkeys(names, 1.0), ("x",), rates)
+    x = np.array([1.0, 2.0, 3.0])
+    found = integrate(model.changed(**values) if names else model, 2.0, (x,), method="taylor")
+    exact = x * np.exp(-2.0 * (1.0 + len(names) * np.array([0.25, 0.5, 0.75])))
+    assert found.states["x"][:, -1] == pytest.approx(exact, rel=1e-9)
+
+
+def error_of(difference):
+    """The estimated error of a series that is this far from one of higher order."""
+    return SERIES_SAFETY * difference + SERIES_ROUND_OFF
+
+
+def test_a_batch_is_compared_with_one_of_higher_order_beside_its_start(monkeypatch):
+    runs, (found, errors, calls) = by_batches(
+        monkeypatch, [[1.0, 2.0]] * 2, 1e-11, times=(0.0, 2.0, 5.0)
+    )
+    taylor, level = METHODS["taylor"], level_of(1e-9 / 10**1.5)
+    (first, begun, _, t0, times), (second, beside, p, _, last) = runs.asked
+    assert (first, second) == (level, level_of(taylor.other(level)))
+    assert (t0, times, last) == (0.0, [0.0, 2.0, 5.0], [5.0])
+    part = ROUND_OFF_OF_RATES / SERIES_SAFETY
+    shift = (beside / begun - 1)[:, 0]
+    assert shift == pytest.approx([part, -part], abs=3e-16)
+    assert p[0].tolist() == [1.0, 2.0]
+    assert found.shape == (2, 2, 3)
+    assert errors == pytest.approx(3 * error_of(np.array([1e-11, 0.5e-11])), rel=1e-3)
+    assert calls == 110
+
+
+@pytest.mark.parametrize(("part", "compared"), [(0.99, 1), (1.01, 2)])
+def test_the_rest_is_compared_too_where_those_that_vouch_have_nothing_to_spare(
+    monkeypatch, part, compared
+):
+    off = part * (1e-9 / SPARE - SERIES_ROUND_OFF) / SERIES_SAFETY
+    runs, (_, errors, calls) = by_batches(
+        monkeypatch, np.ones((2, 4)), [[off, 2e-13, 2e-13, 1e-9]] * 2, ([0], [0, 0, 0, 0])
+    )
+    members = [p[0].tolist() for _, _, p, _, _ in runs.asked[1:]]
+    assert members == [[1.0], [2.0, 3.0, 4.0]][:compared]
+    assert calls == 100 + 10 * compared
+    if compared == 1:
+        assert errors[1:].tolist() == [1e-9] * 3  # no more is known
+    else:
+        assert errors[1:] == pytest.approx([3 * error_of(2e-13)] * 2 + [error_of(1e-9)], rel=1e-3)
+
+
+def test_each_motion_is_vouched_for_by_the_one_that_it_is_close_to(monkeypatch):
+    runs, (_, errors, _) = by_batches(
+        monkeypatch,
+        np.ones((2, 4)),
+        [[1e-13, 9e-10, 1e-13, 1e-10]] * 2,
+        ([0, 1], [0, 1, 0, 1]),
+    )
+    assert [p[0].tolist() for _, _, p, _, _ in runs.asked[1:]] == [[1.0, 2.0], [4.0]]
+    # of the one that it is close to, with something to spare, and then as every error
+    assert errors[2] == pytest.approx(SPARE * errors[0], rel=1e-3)
+    assert errors[[1, 3]] == pytest.approx([error_of(9e-10), 3 * error_of(1e-10)], rel=1e-3)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("where", ["start", "end"])
+def test_a_state_that_ends_at_zero_is_as_large_as_in_the_motions_close_to_it(
+    monkeypatch, where, sign
+):
+    """The second state of the second motion, of 1e-3 at its start or at its end."""
+    values = {"start": np.zeros((2, 2)), "end": np.zeros((2, 2))}
+    values["start"][0] = values["end"][0] = 1.0
+    values[where][1, 1] = sign * 1e-3
+    _, (_, errors, _) = by_batches(
+        monkeypatch, values["end"], [[0.0] * 2, [1e-14] * 2], ([0], [0, 0]), values["start"]
+    )
+    assert errors[0] == pytest.approx(3 * error_of(1e-11), rel=1e-3)
+
+
+def test_a_state_that_is_zero_in_all_motions_counts_as_it_is(monkeypatch):
+    ends = [[1.0], [0.0]]
+    _, (_, errors, _) = by_batches(monkeypatch, ends, [[0.0], [1e-11]], None, ends)
+    assert errors == pytest.approx([3 * error_of(1e-11)], rel=1e-3)
+
+
+@needs_heyoka
+@pytest.mark.parametrize("count", [1, 3, 8, 9])  # heyoka takes 2, 4 or 8 at once
+@pytest.mark.parametrize("times", [[0.0, 1.0], [1.0], [0.5, 1.0], [0.0, 0.5, 1.0]], ids=str)
+def test_where_some_motions_stop_on_the_way_the_others_go_on(times, count):
+    """x' = -1/x comes to zero at x0^2/2: every third of these at 0.5 s."""
+    system = PreparedModel(Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,)))
+    starts = np.where(np.arange(count) % 3 == 1, 0.7, 3.0)[None]
+    p, times = np.zeros((0, count)), np.array(times)
+    found, calls = _batches(system, 1e-12, starts, p, 0.0, times)
+    assert calls > 20
+    for n, x in enumerate(starts[0]):
+        if x == 3.0:
+            assert found[0, n] == pytest.approx(np.sqrt(9.0 - 2 * times))
+        else:
+            assert np.isnan(found[0, n, -1])
+            if times[0] == 0.0:
+                assert found[0, n, 0] == x
 
 
 def test_what_no_batch_can_begin_with_is_said():
     a = amplitudes(3)
+    with pytest.raises(ModelError, match="events need one motion at a time"):
+        integrate(PENDULUM, 1.0, (a, 0.0), events=Event(lambda s, p, t: s.a))
     with pytest.raises(ModelError, match=r"lengths that do not fit together: a \(3,\), da \(2,\)"):
         integrate(PENDULUM, 1.0, (a, np.zeros(2)))
     with pytest.raises(ModelError, match="one dimension, got"):

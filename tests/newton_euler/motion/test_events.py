@@ -8,7 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import cos, exp, sin, sqrt, where
-from newton_euler.motion import Event, Model, integrate, second_order
+from newton_euler.motion import Event, Model, ModelError, integrate, second_order
+from newton_euler.motion.control.zeros import EPS
 from newton_euler.motion.events import EventLocator, events_in_step
 
 
@@ -137,6 +138,12 @@ class _Steps:
         return (t,)
 
 
+def found_in_step(function, n=0, steps=None, at_start=False):
+    """The times of one event in a step."""
+    locator = EventLocator(Event(function), steps or _Steps(), at_start)
+    return [t for t, is_event in locator.search(n) if is_event]
+
+
 def test_events_come_in_order_and_those_that_end_the_segment_last():
     steps = _Steps()
     events = [
@@ -155,8 +162,8 @@ def test_a_step_without_length_has_no_events_and_the_start_is_that_of_the_next()
     steps = _Steps()
     steps.step_times = [0.0, 0.0, 10.0]
     locator = EventLocator(Event(lambda t, x: x * (x - 5)), steps, True)
-    assert locator.roots(0) == []
-    assert locator.roots(1) == pytest.approx([5.0])
+    assert list(locator.search(0)) == []
+    assert [t for t, is_event in locator.search(1) if is_event] == pytest.approx([5.0])
 
 
 def test_what_comes_after_the_end_is_not_looked_for():
@@ -168,6 +175,93 @@ def test_what_comes_after_the_end_is_not_looked_for():
     events = [Event(lambda t, x: x - 1, terminal=True), Event(wild)]
     locators = [EventLocator(event, _Steps(), False) for event in events]
     assert next(events_in_step(locators, 0)) == [(pytest.approx(1.0), 0)]
+
+
+class _Found:
+    """A locator that has found one event at this time."""
+
+    event = Event(lambda t, x: x)
+
+    def __init__(self, t):
+        self.t = t
+
+    def search(self, n):
+        yield self.t, True
+
+
+@pytest.mark.parametrize("t", [0.0, 1.0, -1.0])
+def test_events_a_few_round_offs_apart_are_at_one_time(t):
+    together = events_in_step([_Found(t), _Found(t + 4 * EPS * abs(t))], 0)
+    assert [len(pairs) for pairs in together] == [2]
+    if t:
+        apart = events_in_step([_Found(t), _Found(t + 6 * EPS)], 0)
+        assert [len(pairs) for pairs in apart] == [1, 1]
+
+
+# -- zeros with the states of a step to there
+
+
+class _Rough(_Steps):
+    """The interpolation is ahead by this much."""
+
+    def __init__(self, ahead):
+        self.ahead = ahead
+
+    def interpolate(self, n, times):
+        return times[None] + self.ahead
+
+
+@pytest.mark.parametrize("ahead", [1e-6, -1e-6, 1e-3, -1e-3])
+def test_an_event_is_where_the_more_accurate_states_have_it(ahead):
+    found = found_in_step(lambda t, x: x * x - 25, steps=_Rough(ahead))
+    assert found == pytest.approx([5.0], abs=1e-12)
+
+
+@pytest.mark.parametrize("ahead", [0.1, -0.1])
+def test_states_that_are_far_from_the_interpolation_do_not_move_an_event(ahead):
+    """More than a thousandth of the step: it is not for Newton's method."""
+    found = found_in_step(lambda t, x: x - 5, steps=_Rough(ahead))
+    assert found == pytest.approx([5.0 - ahead], abs=1e-12)
+
+
+@pytest.mark.parametrize("size", [1, 1e-200])
+@pytest.mark.parametrize("ahead", [5e-9, -5e-7, 5e-5, 5e-3, -5e-3])
+def test_a_jump_is_where_the_more_accurate_states_have_it(ahead, size):
+    found = found_in_step(lambda t, x: size * np.where(x < 5, -1.0, 2.0), steps=_Rough(ahead))
+    assert found == pytest.approx([5.0], abs=1e-14)
+
+
+def test_states_that_are_far_from_the_interpolation_do_not_move_a_jump():
+    found = found_in_step(lambda t, x: np.where(x < 5, -1.0, 2.0), steps=_Rough(0.1))
+    assert found == pytest.approx([4.9], abs=1e-12)
+
+
+def test_an_event_beside_the_end_of_a_step_stays_in_it():
+    """It may be that of the next step as well, and the states of the two differ."""
+    assert found_in_step(lambda t, x: x - 10, steps=_Rough(1e-3)) == [10.0]
+
+
+def test_a_function_that_branches_is_given_an_array_only_once():
+    arrays = []
+
+    def branching(t, x):
+        if np.ndim(x):
+            arrays.append(x)
+        return x - 5 if x < 6 else x - 4
+
+    assert found_in_step(branching) == pytest.approx([5.0])
+    assert len(arrays) == 1
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_what_a_function_refuses_on_the_way_is_told_as_it_is(closed):
+    def table(s, p, t):
+        if t > 1.0:
+            raise ModelError("the table ends at 1 s")
+        return s.x + 2.0
+
+    with pytest.raises(ModelError, match=r"^the table ends at 1 s$"):
+        times(table, closed=closed)
 
 
 @pytest.mark.parametrize("method", ["exact", "dop853", "taylor"])

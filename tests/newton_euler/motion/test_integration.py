@@ -318,6 +318,12 @@ def test_progress_is_told():
     assert len(told) > 3
 
 
+def test_the_cost_of_preparing_is_the_time_until_the_first_run(monkeypatch):
+    clock = iter([10.0, 10.5])
+    monkeypatch.setattr("newton_euler.motion.integration.perf_counter", lambda: next(clock))
+    assert swing().cost.preparing == 0.5
+
+
 # -- events
 
 
@@ -390,6 +396,12 @@ def test_two_roots_in_one_step_are_found(method):
 def test_an_event_may_branch_on_values():
     motion = swing(events=Event(lambda s, p, t: s.omega if t > 2 else 1.0, name="turns, later"))
     assert motion.events[0].t > 2
+
+
+def test_events_may_come_one_after_the_other():
+    turns = Event(lambda s, p, t: s.omega, terminal=True, name="turns")
+    for events in (turns, [turns], (e for e in [turns])):
+        assert swing(events=events).ended.startswith("turns at t = ")
 
 
 # -- many at once
@@ -555,6 +567,59 @@ def test_a_prepared_run_is_that_of_integrate(method):
     for t, start in ((3.0, (1.0, 0.0)), (7.5, (0.2, -2.0))):
         whole = integrate(oscillator(), t, start, 1e-7, "dop853")
         assert run(t, start) == pytest.approx(tuple(whole.end.values()), abs=5e-7)
+
+
+def rough():
+    """A series does not see the corner of its drag."""
+    return Model("rough", {}, ("v",), lambda s, p, t: (-1.0 - sqrt(s.v * s.v) * s.v,))
+
+
+@pytest.mark.parametrize(
+    ("model", "method"),
+    [(oscillator(), "exact"), (oscillator(exact=False), "taylor"), (rough(), "dop853")],
+)
+def test_a_prepared_run_takes_the_fastest_method(model, method):
+    needs("taylor")
+    assert prepare(model).method == method
+
+
+@pytest.mark.parametrize("method", ["exact", "taylor"])
+def test_a_prepared_run_is_no_integration_if_it_need_not_be(method, monkeypatch):
+    needs(method)
+    run = prepare(oscillator(), 1e-7, method)
+    monkeypatch.setattr("newton_euler.motion.integration.Run", None)
+    assert run(3.0, (1.0, 0.0))[0] == pytest.approx(math.cos(6.0), abs=1e-7)
+
+
+class Quantity:
+    """With a unit that arithmetic keeps and a function of floats drops."""
+
+    unit = "s"
+
+    def __float__(self):
+        return 1.0
+
+    def _itself(self, other):
+        return self
+
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = _itself
+
+
+@pytest.mark.parametrize("method", ["exact", "taylor", "dop853"])
+@pytest.mark.parametrize(
+    ("t", "start"),
+    [
+        (Quantity(), (1.0, 0.0)),
+        (3.0, (Quantity(), 0.0)),
+        (3.0, (1.0, Quantity())),
+        (3.0, Quantity()),
+    ],
+    ids=["time", "first", "last", "all"],
+)
+def test_a_prepared_run_drops_no_unit(method, t, start):
+    needs(method)
+    with pytest.raises(ModelError):
+        prepare(oscillator(), 1e-7, method)(t, start)
 
 
 @pytest.mark.parametrize("method", ["taylor", "dop853"])

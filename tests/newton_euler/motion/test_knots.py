@@ -32,8 +32,18 @@ def bump(t, centre, width):
         lambda s, p, t: exp(-t) * cos(40 * t),
         lambda s, p, t: 0 * t,
         lambda s, p, t: 1 + bump(s.x, 0.5, 1e-3),
+        lambda s, p, t: bump(t - s.x, 5.0, 0.01),
     ],
-    ids=["constant", "state", "oscillation", "time itself", "decaying", "zero", "bump in space"],
+    ids=[
+        "constant",
+        "state",
+        "oscillation",
+        "time itself",
+        "decaying",
+        "zero",
+        "bump in space",
+        "bump that a state moves",
+    ],
 )
 def test_without_a_pulse_nothing_stops_the_motion(force):
     assert at(force) == ()
@@ -51,6 +61,7 @@ def test_a_pulse_has_a_beginning_and_an_end(width, factor):
 def test_a_pulse_times_a_state_or_a_rate_is_found_too():
     assert len(at(lambda s, p, t: bump(t, 5.0, 0.01) * s.x)) == 2
     assert len(at(lambda s, p, t: sin(bump(t, 5.0, 0.01) + s.dx))) == 2
+    assert len(at(lambda s, p, t: bump(t, 5.0, 0.01) * sin(s.x))) == 2
 
 
 def test_the_pulses_of_all_rates_are_found_in_order():
@@ -74,6 +85,26 @@ def test_two_pulses_of_one_function_have_two_ends_each():
 def test_a_rate_of_time_alone_is_looked_at():
     model = Model("one", {}, ("x",), lambda s, p, t: (bump(t, 5.0, 0.01),))
     assert len(knots(prepared_model(model), 0.0, 10.0)) == 2
+
+
+def test_beside_a_rate_that_is_a_number_a_pulse_is_found():
+    model = Model("one", {}, ("x", "y"), lambda s, p, t: (bump(t, 5.0, 0.01), 1.0))
+    assert len(knots(prepared_model(model), 0.0, 10.0)) == 2
+
+
+def test_a_rate_of_time_and_a_state_together_is_no_function_of_time():
+    model = Model("moved", {}, ("x",), lambda s, p, t: (bump(t - s.x, 5.0, 0.01),))
+    assert knots(prepared_model(model), 0.0, 10.0) == ()
+
+
+def test_a_force_that_has_no_value_at_these_parameters_stops_nothing():
+    assert at(lambda s, p, t: bump(t, 5.0, 0.01) * (1 / (p.k - 1)), k=1.0) == ()
+
+
+def test_the_stops_are_looked_for_once():
+    model = Model("one", {}, ("x",), lambda s, p, t: (bump(t, 5.0, 0.01),))
+    system = prepared_model(model)
+    assert knots(system, 0.0, 10.0) is knots(system, 0.0, 10.0)
 
 
 def test_a_switch_between_constants_is_stopped_at_within_an_interval():

@@ -5,6 +5,7 @@ it refuses, in words.
 import importlib.util
 import math
 from dataclasses import FrozenInstanceError
+from types import SimpleNamespace
 
 import mpmath as mp
 import numpy as np
@@ -14,10 +15,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from newton_euler import Dimension, Frame, at, cos, moving, polar, sin
+from newton_euler import Dimension, Frame, at, cos, exp, moving, polar, sin
 from newton_euler.algebra import ZERO
+from newton_euler.algebra.scalars import DivisionError, RangeError
 from newton_euler.dynamics import coordinate_accelerations
-from newton_euler.motion.model import Model, ModelError, second_order
+from newton_euler.motion.model import (
+    Model,
+    ModelError,
+    comparable,
+    has_unit,
+    is_absent,
+    real_numbers,
+    second_order,
+)
 from newton_euler.scenes.particles.aircraft import vertical_flight
 from newton_euler.scenes.particles.low_pressure import air_near_low
 from newton_euler.scenes.particles.projectile import flat
@@ -273,3 +283,66 @@ def test_questions_that_a_model_cannot_answer():
     ):
         with pytest.raises(ModelError, match=words):
             call()
+
+
+def test_where_a_formula_has_no_value_the_kind_of_error_is_that_of_the_numbers():
+    grows = Model(
+        "grows", {}, ("x",), lambda s, p, t: (s.x,), exact=lambda s, p, t: (exp(t) / s.x,)
+    )
+    with pytest.raises(RangeError, match="the exact solution of 'grows' has no value at t = 1000"):
+        grows.solution(1000.0, (1.0,))
+    with pytest.raises(DivisionError, match="the exact solution of 'grows' has no value at t = 1"):
+        grows.solution(1.0, (0.0,))
+
+
+def test_a_model_without_parameters_has_none():
+    model = Model("still", {}, ("x",), lambda s, p, t: (0 * s.x,))
+    with pytest.raises(ModelError, match="still has no parameter 'c'; it has none"):
+        model.changed(c=1.0)
+
+
+def test_a_text_is_no_dict_of_parameters_though_it_is_empty():
+    with pytest.raises(ModelError, match="the parameters of a model are a dict of values by name"):
+        Model("still", "", ("x",), lambda s, p, t: (0 * s.x,))
+
+
+@pytest.mark.parametrize(("count", "words"), [(1000, "1000 values"), (1001, "more values")])
+def test_of_a_state_that_is_far_too_long_not_all_is_counted(count, words):
+    with pytest.raises(ModelError, match=f"has the 2 states x, dx; got {words}: "):
+        oscillator().derivative(iter([0.0] * count))
+
+
+def test_accelerations_are_a_function():
+    with pytest.raises(ModelError, match=r"accelerations of 's' is a function \(s, p, t\), got 3"):
+        second_order("s", {}, ("x",), 3)
+
+
+# -- what is a number
+
+
+def test_a_force_that_is_zero_is_absent_and_a_law_is_there():
+    assert [is_absent(x) for x in (0, 0.0, mp.mpf(0), 1e-300, lambda s, p, t: 0.0)] == [
+        True, True, True, False, False,
+    ]  # fmt: skip
+
+
+def test_what_a_closed_form_compares_are_numbers():
+    assert comparable("orbit", 1, 2.5) == (1, 2.5)
+    with pytest.raises(ModelError, match="the exact solution of the orbit needs numbers"):
+        comparable("orbit", 1.0, sympy.Symbol("e"))
+
+
+@pytest.mark.parametrize(
+    ("attributes", "found"),
+    [(("unit",), True), (("magnitude", "to"), True), (("magnitude",), False), (("to",), False)],
+)
+def test_a_quantity_is_told_by_its_attributes(attributes, found):
+    assert has_unit(SimpleNamespace(**dict.fromkeys(attributes))) is found
+    assert has_unit(np.timedelta64(3, "s"))
+    assert not has_unit(np.float64(3.0))
+
+
+def test_numbers_in_sequences_are_an_array_and_what_is_none_is_named_alone():
+    assert real_numbers([[1, 2.5], (3, 4)], "numbers").tolist() == [[1.0, 2.5], [3.0, 4.0]]
+    with pytest.raises(ModelError, match=r"^numbers; got 'x'$"):
+        real_numbers([1.0, ["x"]], "numbers")

@@ -202,7 +202,7 @@ def test_a_state_is_judged_at_least_by_a_part_of_its_natural_size():
     found = trajectory(run(spring(w)))
     stepper = found.segments[0].stepper
     assert stepper.floors == pytest.approx((SMALLEST_SCALE, NATURAL_PART * w), rel=1e-2)
-    assert stepper.noise == pytest.approx((0.0, ROUND_OFF * w), rel=1e-2)
+    assert stepper.noise == pytest.approx((0.0, ROUND_OFF * w), rel=1e-2, abs=0.0)
     assert stepper.stops == ()
 
 
@@ -230,6 +230,33 @@ def test_a_state_of_which_nothing_is_known_has_the_smallest_scale():
     still = Model("still", {}, ("x", "y"), lambda s, p, t: (0.0 * s.x, 0.0 * s.y))
     found = trajectory(run(still, (0.0, 0.0)))
     assert found.segments[0].stepper.floors == (SMALLEST_SCALE, SMALLEST_SCALE)
+    # which is none that it has had
+    assert found.sizes()[0] == (0.0, 0.0)
+
+
+def test_the_natural_sizes_of_the_start_count_unless_a_state_was_nearly_zero():
+    w = 300.0
+    found = trajectory(run(spring(w)))
+    largest = found.sizes()[0]
+
+    def times(part):
+        return tuple([part * s for s in largest])
+
+    found.natural = times(50.0), times(60.0)
+    assert found.sizes() == (largest, times(50.0), times(60.0))
+    found.natural = times(200.0), times(60.0)
+    assert found.sizes()[1] == pytest.approx((1.0, w), rel=1e-2)
+
+
+@pytest.mark.parametrize("t1", [0.01, 100.0])
+def test_the_natural_size_of_a_place_is_as_far_as_its_velocity_brings_it(t1):
+    found = trajectory(run(DRIFT, (0.0, 1.0), t1=t1))
+    assert found.sizes()[1] == pytest.approx((t1, 0.0))
+
+
+def test_of_a_motion_that_has_not_begun_no_natural_sizes_are_known():
+    model = Model("none", {}, ("x",), lambda s, p, t: (1 / (s.x - s.x),))
+    assert trajectory(run(model, (2.0,), 1.0)).sizes() == ((2.0,), (0.0,), (0.0,))
 
 
 def test_a_state_that_was_nearly_zero_at_the_start_is_judged_by_the_motion():
@@ -283,9 +310,12 @@ def test_the_distance_is_the_largest_over_the_scales():
     assert b.difference(a) == a.difference(b)
 
 
-def test_of_two_ends_the_time_between_counts_too():
+@pytest.mark.parametrize("t0", [0.0, -4.0, 100.0])
+def test_of_two_ends_the_time_between_counts_too(t0):
     event = lambda place: (Event(lambda s, p, t: s.x - place, terminal=True),)
-    slow = [trajectory(run(DRIFT, (1e6, 1.0), 10.0, events=event(1e6 + x))) for x in (5.0, 5.5)]
+    slow = [
+        trajectory(run(DRIFT, (1e6, 1.0), t0 + 10.0, t0, events=event(1e6 + x))) for x in (5.0, 5.5)
+    ]
     assert slow[0].difference(slow[1]) == pytest.approx(0.05)
 
 

@@ -1,0 +1,45 @@
+"""A/9: the derivative of a vector function. It has numbers that vary beside the symbol t, and no
+figure.
+"""
+
+from exercises.proofs import rate
+from newton_euler import Frame, moving
+
+
+def derivative(g, t):
+    """du/dt at t: u is the position of a point, and t runs at the rate 1."""
+    axes, t = Frame("axes"), moving(t, rate=g.one)
+    u = axes.point("u", g.c_1 * t**2, g.c_2 * t**2 - g.c_3, -(t - g.c_4 * t**2))
+    return u.velocity(axes)
+
+
+def solve(g):
+    return {"dudt": derivative(g, g.t), "dudt_1": derivative(g, g.t_1)}
+
+
+def prove(g):
+    def after(start):
+        def u(s):
+            t = start + s
+            return [g.c_1 * t**2, g.c_2 * t**2 - g.c_3, -t + g.c_4 * t**2]
+
+        return u
+
+    return {"dudt": rate(after(g.t)), "dudt_1": rate(after(g.t_1))}
+
+
+def mistakes(g):
+    k = Frame("axes").k
+    right = solve(g)
+    j = right["dudt"].frame.j
+    return {
+        "minus_to_first_term": {
+            "dudt": right["dudt"] - 4 * g.c_4 * g.t * right["dudt"].frame.k,
+            "dudt_1": right["dudt_1"] - 4 * g.c_4 * g.t_1 * right["dudt_1"].frame.k,
+        },
+        "number_first": {"dudt_1": 0 * g.c_1 * k},
+        "keeps_constant": {
+            "dudt": right["dudt"] - g.c_3 * j,
+            "dudt_1": right["dudt_1"] - g.c_3 * right["dudt_1"].frame.j,
+        },
+    }

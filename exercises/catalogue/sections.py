@@ -1,0 +1,41 @@
+"""The section of the book that a problem practises, with a link to it in the notebook of its
+chapter, where there is one.
+"""
+
+import json
+import re
+from functools import cache
+from pathlib import Path
+from urllib.parse import quote
+
+from newton_euler import chapters
+
+# where `python -m newton_euler chapters` puts them, seen from the folder of an assignment
+FOLDER = "../chapters"
+
+
+def section_line(p):
+    """The line of a statement: "*Section* [4.10 Summary of the method](...)", of an appendix
+    "*Appendix* A".
+    """
+    if not p.section:
+        return ""
+    what = "Appendix" if p.section[0].isalpha() else "Section"
+    found = headings().get(p.section)
+    if found is None:
+        return f"*{what}* {p.section}"
+    notebook, heading = found
+    # JupyterLab's names of headings: their text, with hyphens between the words
+    return f"*{what}* [{heading}]({FOLDER}/{notebook}#{quote(heading.replace(' ', '-'))})"
+
+
+@cache
+def headings():
+    """{section: (name of the notebook, its heading there)} of the notebooks of the chapters."""
+    found = {}
+    for path in sorted(Path(chapters.__path__[0]).glob("ch*.ipynb")):
+        for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
+            if cell["cell_type"] == "markdown":
+                for heading in re.findall(r"(?m)^#+ (\d+\.\d+ .+)$", "".join(cell["source"])):
+                    found[heading.split()[0]] = path.name, heading.strip()
+    return found

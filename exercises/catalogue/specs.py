@@ -1,0 +1,219 @@
+"""From a chapter's spec, one YAML list of its problems, to the files of a new chapter: the texts
+as ``pNN.yaml`` and for each a ``pNN.py`` that says what is to be written.
+"""
+
+import re
+import textwrap
+from pathlib import Path
+
+import yaml
+
+from .format import read_problem
+from .model import CatalogueError, place
+from .reading import EXERCISES
+
+WIDTH = 160  # of a line of text
+# a name of a mistake is made of its first words that say something
+WORDS_OF_A_NAME = 4
+EMPTY_WORDS = {
+    "a", "an", "and", "as", "by", "for", "in", "is", "it", "its", "of", "on", "so", "that", "the",
+    "to", "with",
+}  # fmt: skip
+
+
+def write_chapter(name, spec, only=(), folder=None):
+    """Write the files of chapter ``name`` from the file ``spec``; returns their paths.
+
+    only : numbers of the problems to write; default: all. folder : of the chapters. Raises
+    :class:`CatalogueError` if a problem does not fit the format, and before anything is
+    written; a file that is there already is left alone, and if all are, that is an error too.
+    """
+    entries = _entries(name, Path(spec), only)
+    target = (folder or EXERCISES) / name
+    files = {}
+    for entry in entries:
+        stem = place(entry["id"])[1]
+        text = problem_yaml(entry)
+        try:
+            read_problem(yaml.safe_load(text), target / f"{stem}.yaml")
+        except ValueError as error:
+            raise CatalogueError(f"{spec}, problem {entry['id']}: {error}") from error
+        files[target / f"{stem}.yaml"] = text
+        files[target / f"{stem}.py"] = problem_code(entry)
+    files = {path: text for path, text in files.items() if not path.exists()}
+    if not files:
+        raise CatalogueError(
+            f"{target} has the files of all these problems; none is overwritten: delete those that "
+            "are to be written anew"
+        )
+    for path, text in {**_of_the_chapter(name, Path(spec), target), **files}.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return list(files)
+
+
+def _entries(name, spec, only):
+    found = yaml.safe_load(spec.read_text(encoding="utf-8"))
+    if not isinstance(found, list):
+        raise CatalogueError(f"{spec} must be a YAML list of problems, each beginning with - id:")
+    found = [e for e in found if place(e.get("id"))[0] == name]
+    unknown = set(only) - {e["id"] for e in found}
+    if unknown or not found:
+        ids = ", ".join(e["id"] for e in found) or "none"
+        raise CatalogueError(
+            f"{spec} has no problem {', '.join(sorted(unknown)) or f'of {name}'}; of {name} it has "
+            f"{ids}"
+        )
+    return [_mended(e) for e in found if not only or e["id"] in only]
+
+
+def _mended(entry):
+    """The entry with whole texts: in {means: speed, positive uphill} YAML takes what follows the
+    comma for a key without a value.
+    """
+
+    def whole(a):
+        rest = [k for k, x in a.items() if x is None]
+        kept = {k: x for k, x in a.items() if x is not None}
+        return {**kept, "means": ", ".join([a["means"], *rest])}
+
+    return {**entry, "answers": [whole(a) for a in entry["answers"]]}
+
+
+def _of_the_chapter(name, spec, target):
+    """``chapter.yaml``, with the title in the first comment of the spec, and ``__init__.py``."""
+    first = spec.read_text(encoding="utf-8").partition("\n")[0]
+    title = re.match(r"#\s*((?:Chapter|Appendix) \w+: [^.]+)", first)
+    files = {
+        target / "chapter.yaml": f"title: {quoted(title[1] if title else name)}\n",
+        target / "__init__.py": "",
+    }
+    return {path: text for path, text in files.items() if not path.exists()}
+
+
+# -- the text
+
+
+def problem_yaml(entry):
+    """The text of ``pNN.yaml`` from one entry of a spec, without its comments."""
+    lines = [f"id: {quoted(entry['id'])}", f"title: {_plain(entry['title'])}"]
+    lines += [f"section: {quoted(str(entry['section']))}", *_folded("text", entry["text"])]
+    if entry.get("figure") and not entry["figure"].lower().startswith("none"):
+        lines += _folded("figure", entry["figure"])
+    if entry.get("givens"):
+        lines.append("givens:")
+        lines += [f"  {n}: {{{_fields(g)}}}" for n, g in entry["givens"].items()]
+    if entry.get("symbols"):
+        symbols = (f"{n}: {_value('unit', u)}" for n, u in entry["symbols"].items())
+        lines.append(f"symbols: {{{', '.join(symbols)}}}")
+    if entry.get("frame"):
+        lines += _folded("frame", entry["frame"])
+    lines += ["answers:", *(f"  - {{{_fields(a)}}}" for a in entry["answers"])]
+    if entry.get("mistakes"):
+        lines.append("mistakes:")
+        lines += [f"  {n}: {_plain(text)}" for n, text in mistake_names(entry["mistakes"]).items()]
+    return "\n".join(lines) + "\n"
+
+
+def mistake_names(texts):
+    """{name: text} of mistakes that have no names yet, from their first words."""
+    named = {}
+    for text in texts:
+        words = re.findall(r"[a-z]+|[A-Z]\w*", text.partition(",")[0])
+        kept = [w for w in words if w not in EMPTY_WORDS][:WORDS_OF_A_NAME] or ["mistake"]
+        name, n = "_".join(kept), 1
+        while name in named:
+            n += 1
+            name = f"{'_'.join(kept)}_{n}"
+        named[name] = text
+    return named
+
+
+def _fields(mapping):
+    return ", ".join(f"{key}: {_value(key, x)}" for key, x in mapping.items())
+
+
+def _value(key, x):
+    if isinstance(x, bool):
+        return str(x).lower()
+    if isinstance(x, list):
+        return f"[{', '.join(_value(key, part) for part in x)}]"
+    if not isinstance(x, str):
+        return str(x)
+    bare = key in ("key", "kind", "unit", "of") and re.fullmatch(r"[A-Za-z]\w*([*/^]\w+)*", x)
+    return x if bare and not isinstance(yaml.safe_load(x), bool) else quoted(x)
+
+
+def _plain(text):
+    """A text on one line, in quotation marks where YAML wants them."""
+    text = " ".join(text.split())
+    try:
+        same = yaml.safe_load(f"x: {text}") == {"x": text}
+    except yaml.YAMLError:
+        same = False
+    return text if same else quoted(text)
+
+
+def quoted(text):
+    """A text as a YAML string in double quotation marks."""
+    inner = " ".join(text.split()).replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{inner}"'
+
+
+def _folded(key, text):
+    lines = textwrap.wrap(text, WIDTH - 2, break_long_words=False, break_on_hyphens=False)
+    return [f"{key}: >", *(f"  {line}" for line in lines)]
+
+
+# -- the code
+
+CODE = '''"""{id}: {what}"""
+
+
+def solve(g):
+    """By the engine: {asked}."""
+    raise NotImplementedError("{{{keys}}}")
+
+
+def steps(g):
+    """The quantities on the way to the answers, in order: yield Step(key, value, unit, means)."""
+    raise NotImplementedError
+
+
+def prove(g):
+    """The same answers on another way, without a formula of solve: see exercises.proofs."""
+    raise NotImplementedError
+
+
+def mistakes(g):
+    """What each of these makes of the answers: {mistakes}."""
+    raise NotImplementedError
+'''
+DRAW = '''
+
+def draw(g, ax):
+    """{figure}"""
+    raise NotImplementedError
+'''
+
+
+def problem_code(entry):
+    """The text of ``pNN.py``: the functions, each with what it must return."""
+    keys = [a["key"] for a in entry["answers"]]
+    text = CODE.format(
+        id=entry["id"],
+        what=_wrapped(f"{entry['title'][:1].lower()}{entry['title'][1:]}."),
+        asked=_wrapped("; ".join(f"{a['key']}, {a['means']}" for a in entry["answers"])),
+        keys=", ".join(f"'{k}': ..." for k in keys),
+        mistakes=_wrapped(", ".join(mistake_names(entry.get("mistakes") or ()))),
+    )
+    figure = entry.get("figure") or ""
+    if not figure or figure.lower().startswith("none"):
+        return text
+    return text + DRAW.format(figure=_wrapped(" ".join(figure.split())))
+
+
+def _wrapped(text):
+    """A text as a part of a docstring, without what would end it."""
+    lines = textwrap.wrap(text.replace("\\", "/").replace('"', "'"), 70, break_on_hyphens=False)
+    return "\n    ".join(lines)

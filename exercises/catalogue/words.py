@@ -1,0 +1,40 @@
+"""Words and counts: answers without a unit. The code of a problem may give them as functions
+without arguments, which are called once there are numbers: they may compare and branch.
+
+    {"sense": lambda: "ascending" if v_y > 0 else "descending"}
+"""
+
+from newton_euler.algebra.scalars import is_numeric
+
+WORDS = frozenset({"choice", "count"})
+
+
+def word(value):
+    """The word or whole number that the code of a problem returns, or a function that does."""
+    value = value() if callable(value) else value
+    if isinstance(value, str):
+        return str(value)
+    try:
+        return int(value) if int(value) == value else value
+    except (TypeError, ValueError):  # a check of the problem tells what it is
+        return value
+
+
+def words_at(p, compute, values, one):
+    """The words and counts of ``compute(g)``, {key: answer}, for ``values`` in the units of the
+    text: computed in numbers of which none is an array, so that they may branch.
+
+    A symbol without a number is at the middle of its range. Of arrays, one word for each instant.
+    """
+    import numpy as np
+
+    values = {n: x if is_numeric(x) else sum(p.symbols[n].vary) / 2 for n, x in values.items()}
+    shape = np.broadcast_shapes(*(getattr(x, "shape", ()) for x in values.values()))
+    if not shape:
+        return {k: word(x) for k, x in compute(p.base(values, one)).items()}
+    rows = {n: np.broadcast_to(x, shape).reshape(-1).tolist() for n, x in values.items()}
+    found = [
+        words_at(p, compute, dict(zip(rows, row, strict=True)), one)
+        for row in zip(*rows.values(), strict=True)
+    ]
+    return {k: np.array([x[k] for x in found], dtype=object).reshape(shape) for k in found[0]}

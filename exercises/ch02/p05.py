@@ -1,0 +1,81 @@
+"""2/5: a jet of water that comes down into a trench."""
+
+from mpmath import mp
+
+from exercises.proofs import root
+from exercises.steps import Step
+from newton_euler import Frame, cos, pi, sin
+from newton_euler.drawing import Sketch
+from newton_euler.kinematics import from_time
+
+
+def drop(g, x, up):
+    """How far the water is below the nozzle at the horizontal distance x."""
+    t = x / (g.v_0 * sin(g.phi))
+    return -from_time(lambda t: -g.g, t, v0=up)[0]
+
+
+def heights(g, up):
+    return drop(g, g.d, up), drop(g, g.d + g.w, up)
+
+
+def upward(g):
+    return g.v_0 * cos(g.phi)
+
+
+def solve(g):
+    return {"h": heights(g, upward(g))}
+
+
+def steps(g):
+    for name, x in (("near", g.d), ("far", g.d + g.w)):
+        time = x / (g.v_0 * sin(g.phi))
+        yield Step(f"t_{name}", time, "s", f"time to the {name} edge of the trench", "2.1")
+
+
+def prove(g):
+    """The height from which the jet comes down at an edge: the time to the ground by the root of
+    a quadratic equation.
+    """
+    v, u = g.v_0 * mp.cos(g.phi), g.v_0 * mp.sin(g.phi)
+
+    def range_from(h):
+        return u * (v + mp.sqrt(v**2 + 2 * g.g * h)) / g.g
+
+    def height(x):
+        return root(lambda h: range_from(h) - x, 0, 10 * x)
+
+    return {"h": [height(g.d), height(g.d + g.w)]}
+
+
+def mistakes(g):
+    rise = upward(g) ** 2 / (2 * g.g)
+    near, far = heights(g, upward(g))
+    return {
+        "from_the_horizontal": solve(g.but(phi=pi(g.phi) / 2 - g.phi)),
+        "no_upward_velocity": {"h": heights(g, 0 * g.v_0)},
+        "from_the_top": {"h": (near + rise, far + rise)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    low, high = solve(g)["h"]
+    u, v = g.v_0 * sin(g.phi), upward(g)
+    for h, x in ((low, g.d), (high, g.d + g.w)):
+        T = x / u
+        times = [T * n / 60 for n in range(61)]
+        s.path([(u * t, 0, h + v * t - g.g / 2 * t**2) for t in times])
+    depth = 0.06 * g.d
+    end = g.d + g.w
+    s.road([(-0.1 * g.d, 0, 0), (g.d, 0, 0), (g.d, 0, -depth), (end, 0, -depth), (end, 0, 0),
+            (end + 0.1 * g.d, 0, 0)])  # fmt: skip
+    nozzle = (0, 0, high)
+    up, ahead = (0, 0, high + 0.35 * g.d), (u / g.v_0 * g.d, 0, high + v / g.v_0 * g.d)
+    s.line(nozzle, up)
+    s.arc(nozzle, up, ahead, label=r"$\phi$")
+    s.vector(nozzle, ground.vector(u, 0, v), "$v_0$")
+    s.dimension((0, 0, 0), nozzle, label="h", offset=-0.06 * g.d)
+    s.dimension((0, 0, -depth), (g.d, 0, -depth), label="d", offset=0.1 * g.d)
+    s.dimension((g.d, 0, -depth), (end, 0, -depth), label="w", offset=0.1 * g.d)

@@ -1,0 +1,56 @@
+"""5/20: the degrees of freedom of a pendulum: a count is an int. The length is only drawn."""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import freedom
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import degrees_of_freedom
+
+SPACE, PLANE = "particle", "particle in plane"
+
+
+def rod(P):
+    """The particle stays at one distance, here the unit of length, from O."""
+    return sum(x * x for x in P) - 1
+
+
+def count(kind, **constraints):
+    return degrees_of_freedom({"P": kind}, constraints).count
+
+
+def solve(g):
+    return {"dof": count(PLANE, rod=rod)}
+
+
+def steps(g):
+    yield Step("coordinates", count(PLANE), "1", "coordinates of a particle in the plane", "5.11")
+    yield Step("constraints", 1, "1", "constraints: the rod keeps its length", "5.11", "5.28")
+
+
+def prove(g):
+    """By the one angle that says where P is."""
+    return {"dof": freedom(lambda q: [mp.sin(q), -mp.cos(q)], mpf("0.4"))}
+
+
+def mistakes(g):
+    return {
+        "no_rod": {"dof": count(PLANE)},
+        "no_plane": {"dof": count(SPACE, rod=rod)},
+        "neither": {"dof": count(SPACE)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    O, P = (0, 0, 0), (0.5 * g.L, 0, -(0.75**0.5) * g.L)
+    s.ground(O, normal=-ground.k)
+    s.rod(O, P)
+    s.hinge(O)
+    s.dot(P)
+    s.line(O, (0, 0, -g.L))
+    s.dimension(O, P, label="L", offset=0.12 * g.L)
+    s.label(O, "O", offset=(-14, -14))
+    s.label(P, "P")

@@ -1,0 +1,60 @@
+"""5/26: degrees of freedom, a count and a word, in a problem without numbers."""
+
+from mpmath import mpf
+
+from exercises.proofs import freedom
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import degrees_of_freedom
+
+BLOCKS = {"first": 1, "second": 1}  # one coordinate each, along the track
+
+
+def count(bodies=BLOCKS, **constraints):
+    return degrees_of_freedom(bodies, constraints).count
+
+
+def answers(dof, without):
+    """The count with springs and dampers, and the word for the count without."""
+    word = "unchanged" if without == dof else "larger" if without > dof else "smaller"
+    return {"dof": dof, "without": word}
+
+
+def solve(g):
+    # springs and dampers are forces, not constraints: the system is the same without them
+    return answers(count(), count())
+
+
+def steps(g):
+    yield Step("coordinates", count(), "1", "coordinates of the blocks, one along the track each")
+
+
+def prove(g):
+    """Any distances of the blocks are possible, whatever forces it takes."""
+    dof = freedom(lambda x, y: [x, y], mpf(1), mpf(2))
+    return {"dof": dof, "without": "unchanged"}
+
+
+def mistakes(g):
+    return {
+        "springs_hold": {"without": "larger"},
+        "rigid_link": answers(count(pair=lambda first, second: second[0] - first[0] - 1), count()),
+        "outer_pairs_hold": answers(
+            count(left=lambda first: first[0] - 1, right=lambda second: second[0] - 2), count()
+        ),
+        "two_directions": {"dof": count(dict.fromkeys(BLOCKS, "particle in plane"))},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    s.ground((0, 0, 0.5), normal=ground.i, size=1)
+    s.ground((9, 0, 0.5), normal=-ground.i, size=1)
+    s.road([(0, 0, 0), (9, 0, 0)])
+    for x in (3, 6):
+        s.box((x, 0, 0.5), ground, (1, 1, 1))
+    for start, end in ((0, 2.5), (3.5, 5.5), (6.5, 9)):
+        s.spring((start, 0, 0.75), (end, 0, 0.75))
+        s.damper((start, 0, 0.25), (end, 0, 0.25))

@@ -1,0 +1,36 @@
+"""Tools for ``prove``: explicit motions differentiated, integrals, roots and sums over mass points,
+at 50 digits.
+
+Nothing here comes from the engine. A proof writes the position of a point as a function of time,
+with rotation matrices multiplied out, and differentiates that; or it adds up a body from its mass
+points. It knows of no Coriolis term, no law of composition and no table of inertia, so it can only
+agree with ``solve`` if both are right. Vectors are lists of three mpmath numbers, matrices lists of
+rows.
+"""
+
+from .digits import DIGITS, ProofError
+from .freedom import freedom
+from .integrals import integral
+from .mass_points import ball, box, disk, mean, ring, shell
+from .motions import (
+    angular_acceleration,
+    angular_velocity,
+    cross,
+    minus,
+    plus,
+    rate,
+    rot,
+    scaled,
+    second_rate,
+    size,
+    spun,
+    times,
+    transposed,
+)
+from .roots import root
+
+__all__ = [
+    "DIGITS", "ProofError", "angular_acceleration", "angular_velocity", "ball", "box", "cross",
+    "disk", "freedom", "integral", "mean", "minus", "plus", "rate", "ring", "root", "rot", "scaled",
+    "second_rate", "shell", "size", "spun", "times", "transposed",
+]  # fmt: skip

@@ -1,0 +1,42 @@
+"""Degrees of freedom: the rank of a motion that is written in coordinates."""
+
+from mpmath import mp, mpf
+
+from .digits import DIGITS
+from .motions import rate
+
+SMALL = mpf(10) ** -10  # a pivot below this, of rates of about 1, is zero
+
+
+def freedom(position, *coordinates):
+    """The number of independent ways in which ``position(*coordinates)``, a list of numbers, can
+    change: coordinates that move nothing, or only what others move, count for nothing.
+
+    >>> freedom(lambda a, b: [mp.cos(a + b), mp.sin(a + b)], mpf(1), mpf(2))
+    1
+    """
+    with mp.workdps(DIGITS):
+        rows = []
+        for n in range(len(coordinates)):
+
+            def moved(t, n=n):
+                return position(*(q + t * (k == n) for k, q in enumerate(coordinates)))
+
+            rows.append([mpf(x) for x in rate(moved)])
+        return _rank(rows)
+
+
+def _rank(rows):
+    """By elimination with the largest entry of each column."""
+    rank = 0
+    for column in range(len(rows[0])):
+        pivot = max(rows[rank:], key=lambda row: abs(row[column]), default=None)
+        if pivot is None or abs(pivot[column]) < SMALL:
+            continue
+        rows.remove(pivot)
+        rows.insert(rank, pivot)
+        for row in rows[rank + 1 :]:
+            factor = row[column] / pivot[column]
+            row[:] = [x - factor * p for x, p in zip(row, pivot, strict=True)]
+        rank += 1
+    return rank

@@ -1,0 +1,96 @@
+"""Homogeneous bodies as mass points: sums over them are the integrals over the bodies.
+
+Each function returns a list of pairs (share of the mass, place), the place a list of three numbers
+from the centre of the body. The sum of share times f(place) is the mean of f over the body, exact
+for polynomials of x, y, z up to the degree 2 ``order`` - 1; an f that is no polynomial, as the
+attraction of a ball, needs a larger order. Places can be turned and moved like any vector.
+
+    moment = m * mean(lambda r: r[0] ** 2 + r[1] ** 2, ball(R))     2 m R^2/5
+"""
+
+from functools import cache
+
+from mpmath import mp, mpf
+
+from .digits import DIGITS, weighted
+
+ORDER = 4
+
+
+def mean(f, points):
+    """The mean of ``f`` (a number, vector or matrix) over mass points; times the mass, the integral
+    of f dm.
+    """
+    with mp.workdps(DIGITS):
+        return weighted([share for share, _ in points], [f(place) for _, place in points])
+
+
+def box(a, b, c, order=ORDER):
+    """A box with the edges a, b, c along x, y, z; with an edge 0 a plate, with two a rod."""
+    with mp.workdps(DIGITS):
+        along = [_between(-mpf(edge) / 2, mpf(edge) / 2, order) for edge in (a, b, c)]
+        return [
+            (u * v * w, [x, y, z]) for u, x in along[0] for v, y in along[1] for w, z in along[2]
+        ]
+
+
+def ring(radius, order=ORDER):
+    """A thin ring about z, with its centre at the origin."""
+    with mp.workdps(DIGITS):
+        n = 2 * order
+        turns = [2 * mp.pi * k / n for k in range(n)]
+        return [(mpf(1) / n, [radius * mp.cos(t), radius * mp.sin(t), mpf(0)]) for t in turns]
+
+
+def disk(radius, order=ORDER):
+    """A thin disk about z: rings, whose mass grows with the radius."""
+    with mp.workdps(DIGITS):
+        return [
+            (2 * share * u * w, place)
+            for share, u in _between(mpf(0), mpf(1), order + 1)
+            for w, place in ring(radius * u, order)
+        ]
+
+
+def shell(radius, order=ORDER):
+    """A thin hollow sphere: rings of equal mass at equal steps of height (Archimedes)."""
+    with mp.workdps(DIGITS):
+        return [
+            (share * w, [x, y, radius * h])
+            for share, h in _between(mpf(-1), mpf(1), order)
+            for w, (x, y, _) in ring(radius * mp.sqrt(1 - h * h), order)
+        ]
+
+
+def ball(radius, order=ORDER):
+    """A solid sphere: shells, whose mass grows with the square of the radius."""
+    with mp.workdps(DIGITS):
+        return [
+            (3 * share * u * u * w, place)
+            for share, u in _between(mpf(0), mpf(1), order + 1)
+            for w, place in shell(radius * u, order)
+        ]
+
+
+def _between(low, high, n):
+    """Pairs (share, place) of the Gauss rule of ``n`` places; the shares sum to 1."""
+    return [(w / 2, low + (high - low) * (1 + x) / 2) for w, x in _gauss(n)]
+
+
+@cache
+def _gauss(n):
+    """Weights and places of the Gauss-Legendre rule on (-1, 1): the roots of the Legendre
+    polynomial, by Newton's method.
+    """
+    with mp.workdps(DIGITS + 10):
+        pairs = []
+        for k in range(n):
+            x = mp.cos(mp.pi * (k + mpf(3) / 4) / (n + mpf(1) / 2))
+            for _ in range(8):
+                before, value = mpf(1), x
+                for m in range(2, n + 1):
+                    before, value = value, ((2 * m - 1) * x * value - (m - 1) * before) / m
+                slope = n * (before - x * value) / (1 - x * x)
+                x -= value / slope
+            pairs.append((2 / ((1 - x * x) * slope**2), x))
+        return tuple(pairs)

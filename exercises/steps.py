@@ -1,0 +1,130 @@
+"""The steps on the way to the answers of a problem: intermediate quantities in their order, each
+with its unit and the sentence that introduces it.
+
+The code of a problem lists them in ``steps(g)``, a generator of :class:`Step` in base units:
+
+    def steps(g):
+        ground, arm, rod, D = arm_and_rod(g)
+        yield Step("omega_CD", rod.angular_velocity(ground), "rad/s",
+                   "angular velocity of CD in the ground", "4.9", "4.22")
+        yield from terms(D.acceleration(ground, via=arm), "a_D", "mm/s^2")
+
+A problem without ``steps`` has the terms of its answers that are named sums.
+"""
+
+from dataclasses import dataclass, replace
+
+from newton_euler.algebra.scalars import to_plain
+from newton_euler.algebra.units import unit
+from newton_euler.algebra.vectors import Vector
+
+from .catalogue import CatalogueError
+
+
+@dataclass(frozen=True)
+class Step:
+    """An intermediate quantity.
+
+    key : its name, as in a student's notebook: "omega_CD"
+    value : a scalar of any kind, or a Vector
+    unit : in which it is stated
+    means : what it is, as "angular velocity of CD in the ground"
+    section, equation : of the book, where it is found and by which equation; "" where there is none
+    """
+
+    key: str
+    value: object
+    unit: str
+    means: str
+    section: str = ""
+    equation: str = ""
+
+    @property
+    def is_vector(self):
+        """True if it has components."""
+        return isinstance(self.value, Vector)
+
+
+def terms(vector, key, stated_in, section=""):
+    """The named terms of a velocity, an acceleration or another sum as steps: of ``a_D`` the steps
+    ``a_D_coriolis`` and so on. A term that is zero is none.
+    """
+    equation = vector.equation
+    for name, term in vector.terms.items():
+        if all(x == 0 for x in map(to_plain, term.c)):
+            continue
+        yield Step(
+            f"{key}_{_identifier(name, equation)}",
+            term.expressed_in(vector.frame),
+            stated_in,
+            f"{_described(name, equation)} in {key}",
+            section,
+            equation.number,
+        )
+
+
+def _identifier(name, equation):
+    """The name of a term as a part of a Python name: "coriolis", and of what is named after a frame
+    "of_rod".
+    """
+    plain = "".join(c if c.isalnum() else "_" for c in name).strip("_")
+    return plain if name in equation.terms else f"of_{plain}"
+
+
+def _described(name, equation):
+    """A term in words: "the coriolis term 2 omega x v_r"."""
+    if name in equation.terms:
+        return f"the {name} term {equation.terms[name][0]}"
+    turning = equation.kind.startswith("angular") and " x " not in name
+    return f"the turning of {name}" if turning else f"the term {name}"
+
+
+def steps(p, values):
+    """The steps of problem ``p`` for ``values`` in the units of the text, each in its own unit; a
+    vector stays one, with its frame.
+    """
+    g = p.base(values)
+    own = getattr(p.code, "steps", None)
+    found = list(own(g) if own else _from_answers(p, g))
+    _check_names(p, found)
+    return [replace(s, value=unit(s.unit).from_base(s.value, p.system)) for s in found]
+
+
+def _from_answers(p, g):
+    for key, value in p.code.solve(g).items():
+        if isinstance(value, Vector) and value.terms:
+            yield from terms(value, key, p.answer(key).unit, p.section)
+
+
+def _check_names(p, found):
+    taken = {a.key for a in p.answers} | set(p.units)
+    for s in found:
+        if not s.key.isidentifier() or s.key in taken:
+            raise CatalogueError(
+                f"{p.id}: the step {s.key!r} must have a name of its own, of letters, digits "
+                "and _; givens, answers and other steps have other names"
+            )
+        taken.add(s.key)
+
+
+def faults(p, values):
+    """What is wrong with the steps of ``p``, as sentences: names, and units by running them on
+    dimensions.
+    """
+    try:
+        steps(p, values)
+    except CatalogueError as error:
+        return [str(error)]
+    own = getattr(p.code, "steps", None)
+    if own is None:
+        return []
+    g = p.base(dict.fromkeys(p.units, 1.0)).but(
+        **{n: unit(u).dimension for n, u in p.units.items()}
+    )
+    wrong = []
+    for s in own(g):
+        asked = unit(s.unit).dimension
+        for x in s.value.c if s.is_vector else (s.value,):
+            if x != asked and not (not x or not any(asked.powers)):
+                wrong.append(f"the step {s.key} is stated in {s.unit}, {asked}, and has {x}")
+    return wrong

@@ -1,0 +1,101 @@
+"""The numbers of each student's sheet. They are drawn once, kept in COURSE/numbers, and are what is
+graded from then on, whatever the ranges of an exercise say later.
+"""
+
+import json
+import re
+
+from newton_euler.algebra.units import unit
+
+from ..course import CourseError, write_json
+from .sheet import own_metadata, tasks
+
+
+def kept_numbers(course, assignment, student, problems):
+    """One student's numbers in the units that the exercises have today: {problem id: {name:
+    number}}. What is not kept yet is drawn, and kept.
+    """
+    path = numbers_path(course, assignment, student)
+    kept = _read(path)
+    missing = [p for p in problems if p.id not in kept]
+    if missing:
+        handed_out = _handed_out(course, assignment, student)
+        drawn = course.values(assignment, student, missing)
+        values = {p.id: {**drawn[p.id], **handed_out.get(p.id, {})} for p in missing}
+        kept |= keep_numbers(course, assignment, student, missing, values, kept)
+    return {p.id: _today(p, kept[p.id], path) for p in problems}
+
+
+def keep_numbers(course, assignment, student, problems, values, before=None):
+    """Write the numbers of these problems, with those that were kept ``before``; returns what the
+    file holds: {problem id: {name: [number, unit]}}.
+    """
+    kept = {
+        **(before or {}),
+        **{
+            p.id: {n: [x, p.givens[n].unit] for n, x in values[p.id].items() if n in p.givens}
+            for p in problems
+        },
+    }
+    write_json(numbers_path(course, assignment, student), kept)
+    return kept
+
+
+def numbers_path(course, assignment, student):
+    """The file that keeps the numbers of a student's sheet."""
+    return course.path / "numbers" / assignment / f"{student}.json"
+
+
+def _read(path):
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return {}
+    except ValueError as error:
+        raise CourseError(
+            f"{path} is damaged ({error}); put it back from a backup, or delete it, and the "
+            "numbers are drawn again from the course's secret"
+        ) from error
+
+
+def _today(p, kept, path):
+    values = {}
+    for name, given in p.givens.items():
+        if name not in kept:
+            raise CourseError(
+                f"{p.id} has a given {name} now, which the sheets do not have ({path}). Grade with "
+                "the version of the exercises that they were made with, or hand out new sheets "
+                f"after deleting {p.id} from that file"
+            )
+        number, text = kept[name]
+        values[name] = number if text == given.unit else _converted(p, name, number, text)
+    return values
+
+
+def _converted(p, name, number, text):
+    there, here = unit(text), unit(p.givens[name].unit)
+    if there.dimension != here.dimension:
+        raise CourseError(
+            f"{p.id} gives {name} in {p.givens[name].unit} now, and in {text} on the sheets; grade "
+            "with the version of the exercises that they were made with"
+        )
+    return here.from_base(there.to_base(number))
+
+
+def _handed_out(course, assignment, student):
+    """{problem id: {name: number}} in a copy that was made before numbers were kept."""
+    path = course.personal_path(assignment, student)
+    if not path.exists():
+        return {}
+    found = {}
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    for cell in notebook["cells"]:
+        own = own_metadata(cell)
+        if own.get("role") == "givens":
+            lines = re.findall(r"(?m)^(\w+) = (-?[\d.]+(?:e[-+]?\d+)?)\b", "".join(cell["source"]))
+            found[own["problem"]] = {name: _number(text) for name, text in lines}
+    return {i: values for i, values in found.items() if i in tasks(notebook)}
+
+
+def _number(text):
+    return int(text) if re.fullmatch(r"-?\d+", text) else float(text)

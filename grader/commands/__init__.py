@@ -1,0 +1,24 @@
+"""The commands of ``python -m grader``, in the order in which ``--help`` lists them."""
+
+from .courses import build, demo, grade, personal, retry, take_in
+from .exercises import diagnose, figure, new, prove, solution, solve
+from .results import export, stats
+
+COMMANDS = (
+    solve,
+    solution,
+    prove,
+    figure,
+    diagnose,
+    new,
+    build,
+    personal,
+    take_in,
+    grade,
+    retry,
+    stats,
+    export,
+    demo,
+)
+
+__all__ = ["COMMANDS"]

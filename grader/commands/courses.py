@@ -1,0 +1,314 @@
+"""Commands that make a course and run it."""
+
+import shlex
+import sys
+from pathlib import Path
+
+import click
+from rich.panel import Panel
+
+from .shared import COURSE, console, progress_bar
+
+UNSANDBOXED = 3  # exit code
+
+
+@click.command()
+@click.argument("chapter")
+@COURSE
+@click.option(
+    "--students",
+    type=click.Path(exists=True, dir_okay=False),
+    help="The roster: a CSV file as Canvas, Moodle, Gradescope or a registrar exports it.",
+)
+@click.option(
+    "--id-column",
+    metavar="HEADER",
+    help="The column of the roster that holds the ids; they must be the names under which the "
+    "students log in, if they use nbgrader's exchange. Default: the first of the usual ones.",
+)
+@click.option(
+    "--problem",
+    "only",
+    multiple=True,
+    metavar="4/16",
+    help="Only these problems of the chapter; may be repeated.",
+)
+@click.option("--due", metavar="'2027-01-31 23:59 Europe/Berlin'", help="The due date.")
+@click.option("--name", help="The name of a new course; default: that of the folder.")
+@click.option(
+    "--exchange",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="nbgrader's exchange for a new course: a folder that students reach. It is made where it "
+    "does not exist. Default: nbgrader's own.",
+)
+@click.option(
+    "--update",
+    is_flag=True,
+    help="Add the assignment to a course that exists; replaces a source notebook of the same name.",
+)
+def build(chapter, course_path, students, id_column, only, due, name, exchange, update):
+    """Make an nbgrader assignment from a chapter.
+
+    The course folder is new, or with --update an existing one.
+    """
+    from ..assignment import build_assignment
+    from ..course.due import due_date, set_due
+
+    if update and (name or exchange):
+        raise click.UsageError(
+            "--name and --exchange are for a new course; of this one they stand in course.json "
+            "and nbgrader_config.py"
+        )
+    when = due_date(due) if due else None
+    with progress_bar() as bar:
+        built = build_assignment(
+            course_path, chapter, students, only, update, bar, name, exchange, id_column
+        )
+    course = built.course
+    if when:
+        set_due(course, chapter, when)
+        click.echo(f"Due {when:%Y-%m-%d %H:%M} UTC")
+    if students:
+        click.echo(f"Enrolled {built.enrolled} students ({built.read_as})")
+    click.echo(f"Wrote {built.path}")
+    click.echo(
+        f"Next:  cd {shlex.quote(str(course.path))} && nbgrader generate_assignment {chapter} && "
+        f"nbgrader release_assignment {chapter}"
+    )
+    if not (enrolled := len(course.roster())):
+        click.echo(
+            "The roster is empty: add students first (build --update --students roster.csv), "
+            "since every student gets different numbers."
+        )
+    else:
+        click.echo(f"{enrolled} students are on the roster of the course {course.name}.")
+
+
+@click.command()
+@click.argument("assignment")
+@COURSE
+@click.option(
+    "--student",
+    "students",
+    multiple=True,
+    help="Only for this student; may be repeated. Default: all on the roster.",
+)
+@click.option(
+    "--exchange",
+    is_flag=True,
+    help="Also copy them to nbgrader's exchange, for students who were added after the release.",
+)
+def personal(assignment, course_path, students, exchange):
+    """Write each student's own copy of an assignment.
+
+    The assignment must be generated for release; each copy has its student's own numbers and
+    figures.
+
+    Without an exchange, hand out COURSE/personal/ASSIGNMENT/STUDENT/ASSIGNMENT.ipynb yourself: to
+    that student only.
+    """
+    from ..assignment import copy_to_exchange, exchange_outbound, make_personal_copies
+    from ..course import Course
+
+    course = Course(course_path)
+    with progress_bar() as bar:
+        task = bar.add_task("figures", total=1.0)
+        paths = make_personal_copies(
+            course, assignment, students or None, lambda share: bar.advance(task, share)
+        )
+    if exchange:
+        copy_to_exchange(course, assignment, exchange_outbound(course, assignment), paths)
+    for student, path in paths.items():
+        click.echo(f"{student}: {path}")
+
+
+@click.command()
+@click.argument("assignment")
+@COURSE
+@click.option("--student", "students", multiple=True, help="Only this student; may be repeated.")
+@click.option("--force", is_flag=True, help="Also grade submissions again that have not changed.")
+@click.option(
+    "--workers",
+    type=click.IntRange(1),
+    help="Processes that run student code; default: one per processor.",
+)
+@click.option(
+    "--scheduler",
+    metavar="tcp://HOST:8786",
+    help="Spread the work over the workers of this Dask cluster (pip install -e '.[cluster]'). "
+    "They must have the same version of this checkout, reach the course folder under the same "
+    "path, and allow the cage. If one dies, another does its work; the gradebook is written here.",
+)
+@click.option(
+    "--unsandboxed",
+    is_flag=True,
+    help="Run student code without isolation, with resource limits only; only for code that you "
+    "trust.",
+)
+@click.option("--verbose", "-v", is_flag=True, help="Also print every diagnosis.")
+def grade(assignment, course_path, students, force, workers, scheduler, unsandboxed, verbose):
+    """Grade the submissions of an assignment.
+
+    Runs the answers of the notebooks in COURSE/submitted in a sandbox, scores them, and writes
+    gradebook and annotated notebooks.
+
+    \b
+    Exit codes:  0  all submissions are graded
+                 1  some could not be graded; the others are
+                 2  wrong use, or a course that is not in order; nothing was graded
+                 3  --unsandboxed was given, and all submissions are graded
+    """
+    from ..course import Course
+    from ..grading import grade as grade_submissions
+    from ..reports import diagnosis_table, gradebook_table, shown
+
+    if scheduler and workers:
+        raise click.UsageError("--workers is for this machine; a cluster has its own")
+    course = Course(course_path)
+    if unsandboxed:
+        _warn_unsandboxed()
+    with progress_bar() as bar:
+        task = bar.add_task("grading", total=len(students) or len(course.submissions(assignment)))
+        results = grade_submissions(
+            course,
+            assignment,
+            students,
+            force,
+            workers,
+            not unsandboxed,
+            lambda r: bar.advance(task),
+            scheduler,
+            bar.console.print,
+        )
+    if not results:
+        click.echo(
+            f"Nothing to grade: {course.path / 'submitted'} holds no {assignment}. Collect "
+            f"first: nbgrader collect {assignment}"
+        )
+        return
+    console.print(gradebook_table(results))
+    if verbose:
+        console.print(diagnosis_table(results))
+    for r in results:
+        if r.problem:
+            console.print(
+                f"[red]Not graded:[/] {shown(r.student)} {shown(r.problem)}.", soft_wrap=True
+            )
+    click.echo(f"Feedback pages: cd {course.path} && nbgrader generate_feedback {assignment}")
+    if any(r.problem for r in results):
+        sys.exit(1)
+    if unsandboxed:
+        _warn_unsandboxed()
+        sys.exit(UNSANDBOXED)
+
+
+def _warn_unsandboxed():
+    console.print(
+        Panel(
+            "Students' code runs WITHOUT A CAGE, as you: it can read and change all that you can, "
+            'this course\'s secret and gradebook too. Every grade says "unsandboxed".',
+            title="UNSANDBOXED",
+            border_style="red",
+        )
+    )
+
+
+@click.command()
+@click.argument("assignment")
+@COURSE
+@click.option("--student", required=True, help="Who may try again.")
+@click.option(
+    "--back", type=click.IntRange(1), metavar="N", help="Let the earlier attempt N count again."
+)
+@click.option("--exchange", is_flag=True, help="Also copy the new sheet to nbgrader's exchange.")
+def retry(assignment, course_path, student, back, exchange):
+    """Give a student another sheet, with fresh numbers.
+
+    The earlier attempt is set aside in COURSE/attempts; its grade stands until the new sheet is
+    handed in and graded, which then counts. With --back the earlier one counts again: grade after
+    it.
+    """
+    from ..assignment import copy_to_exchange, exchange_outbound
+    from ..assignment.attempts import new_attempt, put_back
+    from ..course import Course
+
+    course = Course(course_path)
+    if back:
+        put_back(course, assignment, student, back)
+        click.echo(f"Attempt {back} counts again: python -m grader grade {assignment} --course …")
+        return
+    number, path = new_attempt(course, assignment, student)
+    if exchange:
+        outbound = exchange_outbound(course, assignment)
+        copy_to_exchange(course, assignment, outbound, {student: path})
+    click.echo(f"Attempt {number} of {student}: {path}")
+
+
+@click.command("take-in")
+@click.argument("assignment")
+@click.argument("archive", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@COURSE
+@click.option("--replace", is_flag=True, help="Also where a student has already handed in.")
+@click.option(
+    "--times",
+    is_flag=True,
+    help="Take the times of the files in the archive, as UTC, for the times of submission.",
+)
+def take_in(assignment, archive, course_path, replace, times):
+    """Take students' work from a zip archive, without nbgrader's exchange.
+
+    ARCHIVE is what a learning platform gives as "download all submissions". A notebook is a
+    student's if its name, or that of its folder, holds their id or their whole name and nobody
+    else's; the table says what fitted whom. Exit code 1 if something was left out.
+    """
+    from ..course import Course
+    from ..course import take_in as take
+    from ..reports import taken_in_table
+
+    taken = take(Course(course_path), assignment, archive, replace, times)
+    console.print(taken_in_table(taken))
+    click.echo(
+        f"{len(taken.taken)} taken in, {len(taken.kept)} kept as they were, "
+        f"{len(taken.refused)} left out"
+    )
+    if taken.refused:
+        sys.exit(1)
+
+
+@click.command()
+@click.option(
+    "--course",
+    "course_path",
+    default=Path("demo-course"),
+    type=click.Path(path_type=Path),
+    show_default=True,
+    help="A folder that does not exist yet; an earlier demo in it is made anew.",
+)
+@click.option(
+    "--problem",
+    "only",
+    multiple=True,
+    metavar="4/16",
+    help="Only these problems, which is faster; may be repeated.",
+)
+def demo(course_path, only):
+    """Run all steps on an example course, of chapter 4 or of that of the problems that are named.
+
+    Builds and releases an assignment, plays six students who fetch and submit it, grades them, and
+    writes their feedback pages.
+    """
+    from ..demo import run_demo
+
+    run_demo(course_path, _chapter_of(only), only, console, progress_bar)
+
+
+def _chapter_of(only):
+    """The chapter of these problems; chapter 4 where none is named."""
+    from exercises.catalogue import select
+
+    found = list(dict.fromkeys(p.chapter for p in select(only))) or ["ch04"]
+    if len(found) > 1:
+        raise click.UsageError(
+            f"a demo hands out problems of one chapter, not of {' and '.join(found)}"
+        )
+    return found[0]

@@ -1,0 +1,228 @@
+"""Commands about the exercises: their answers, proofs, figures and mistakes."""
+
+import json
+import math
+import sys
+from pathlib import Path
+
+import click
+from rich.markup import escape
+
+from .shared import console, progress_bar
+
+
+@click.command()
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 | all …")
+@click.option("--seed", type=int, help="Draw a variant of the numbers instead of the book's.")
+@click.option(
+    "--given",
+    "changed",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Replace a given, in the unit of the text: --given omega=0.9. May be repeated.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
+@click.option("--explain", is_flag=True, help="Also print the terms of every answer that is a sum.")
+def solve(names, seed, changed, as_json, explain):
+    """Print the answers of problems.
+
+    The numbers are those of the book, of a variant (--seed), or your own (--given). Formulas are
+    printed in the symbols of the text; --given also replaces a symbol by a number.
+    """
+    from exercises.catalogue import select
+
+    from ..reports import answers_json, answers_text, solve_problem, terms_text
+
+    problems = select(names)
+    changes = dict(_pair(c) for c in changed)
+    for name in changes:
+        if not any(name in p.units for p in problems):
+            raise click.UsageError(
+                f"none of these problems has a given {name!r}; {problems[0].id} has "
+                f"{', '.join(problems[0].units) or 'none'}"
+            )
+    out = {}
+    for p in problems:
+        try:
+            results = solve_problem(p, seed, {n: v for n, v in changes.items() if n in p.units})
+        except (ArithmeticError, ValueError) as error:
+            if not changes:
+                raise
+            raise click.UsageError(
+                f"{p.id} has no answer for {', '.join(changed)}: {error}"
+            ) from error
+        out[p.id] = answers_json(p, results)
+        if not as_json:
+            console.print(answers_text(p, results))
+            if explain:
+                console.print(terms_text(p, results))
+    if as_json:
+        click.echo(json.dumps(out, indent=1))
+
+
+def _pair(text):
+    name, _, value = text.partition("=")
+    try:
+        number = float(value)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise click.UsageError(
+            f"--given {text}: expected NAME=VALUE with a number, as in --given omega=0.9"
+        )
+    return name.strip(), number
+
+
+@click.command()
+@click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
+@click.option(
+    "--seeds",
+    default=3,
+    show_default=True,
+    type=click.IntRange(1),
+    help="How many sets of numbers to check: the book's and drawn ones.",
+)
+def prove(names, seeds):
+    """Check the keys, units and mistakes of problems.
+
+    Every key must agree with its independent proof, every formula with its unit, and every listed
+    mistake must differ from the key; exit code 1 if a check fails. Two mistakes that give the same
+    wrong answer are a warning.
+    """
+    from exercises.catalogue import select
+    from exercises.checks import AGREEMENT, alike, check
+
+    problems, failed = select(names or ("all",)), 0
+    with progress_bar() as bar:
+        task = bar.add_task("proving", total=len(problems))
+        for p in problems:
+            faults = check(p, seeds)
+            failed += bool(faults)
+            for fault in faults:
+                bar.console.print(f"[red]{p.id}[/]: {escape(fault)}")
+            for warning in () if faults else alike(p, seeds):
+                bar.console.print(f"[yellow]{p.id}[/]: {escape(warning)}")
+            bar.advance(task)
+    mistakes = sum(len(p.mistakes) for p in problems)
+    click.echo(f"{len(problems) - failed} passed, {failed} failed")
+    if failed:
+        sys.exit(1)
+    click.echo(
+        f"Every key agrees with its proof to {AGREEMENT:g} (floats) and {AGREEMENT**2:g} (50 "
+        f"digits) for {seeds} sets of numbers;"
+    )
+    click.echo(
+        f"all units are right; {mistakes} listed mistakes give answers that differ from the key."
+    )
+
+
+@click.command()
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 …")
+@click.option("--seed", type=int, help="Draw a variant of the numbers instead of the book's.")
+@click.option(
+    "--to",
+    "folder",
+    default=Path("."),
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder to write to; default: here.",
+)
+@click.option("--sheet", is_flag=True, help="Write one contact sheet for each chapter instead.")
+def figure(names, seed, folder, sheet):
+    """Write the figure of each problem as a PNG file, and say what is hard to read in it."""
+    from exercises.catalogue import select
+
+    from ..assignment import contact_sheet, figure_faults, figure_png
+    from ..reports import given_values
+
+    def values_of(p):
+        return given_values(p, seed, {})
+
+    folder.mkdir(parents=True, exist_ok=True)
+    asked = select(names)
+    problems = [p for p in asked if p.figure]
+    for p in asked if len(asked) < 4 else ():  # of whole chapters it goes without saying
+        if not p.figure:
+            click.echo(f"{p.id} has no figure")
+    if sheet:
+        for chapter in dict.fromkeys(p.chapter for p in problems):
+            path = folder / f"{chapter}_sheet.png"
+            chosen = [p for p in problems if p.chapter == chapter]
+            path.write_bytes(contact_sheet(chosen, values_of))
+            click.echo(path)
+        return
+    for p in problems:
+        path = folder / f"{p.id.replace('/', '_')}.png"
+        path.write_bytes(figure_png(p, values_of(p)))
+        click.echo(path)
+        for fault in figure_faults(p, values_of(p)):
+            console.print(f"[yellow]{p.id}[/]: {escape(fault)}")
+
+
+@click.command()
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 …")
+@click.option("--seed", type=int, help="Draw a variant of the numbers instead of the book's.")
+def solution(names, seed):
+    """Print the worked solution of each problem, as Markdown: text, steps, terms, answers."""
+    from exercises.catalogue import select
+
+    from ..assignment.solution import worked_solution
+    from ..reports import given_values
+
+    for p in select(names):
+        click.echo(worked_solution(p, {**p.sympy_symbols(), **given_values(p, seed, {})}) + "\n")
+
+
+@click.command()
+@click.argument("chapter", metavar="ch02")
+@click.option(
+    "--spec",
+    required=True,
+    type=click.Path(path_type=Path, exists=True, dir_okay=False),
+    help="The chapter's problems as one YAML list.",
+)
+@click.option("--only", multiple=True, metavar="2/4", help="Only this problem. May be repeated.")
+@click.option(
+    "--to",
+    "folder",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder of the chapters; default: the exercises.",
+)
+def new(chapter, spec, only, folder):
+    """Write the files of a new chapter's problems from a spec.
+
+    Each problem becomes pNN.yaml, and a pNN.py that says what is to be written. Files that are
+    there already are left as they are; if all are, nothing is written, with exit code 2.
+    """
+    from exercises.catalogue.specs import write_chapter
+
+    for path in write_chapter(chapter, spec, only, folder):
+        click.echo(path)
+
+
+@click.command()
+@click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
+@click.option(
+    "--draws",
+    default=3,
+    show_default=True,
+    type=click.IntRange(1),
+    help="How many sets of numbers to take: the book's and drawn ones.",
+)
+def diagnose(names, draws):
+    """Print how often the listed mistakes of problems are recognised.
+
+    Each mistake is made with each set of numbers and scored as a student's answer: it is named, or
+    misnamed as another, or stays unnamed; passed would be taken for right, and ends with exit
+    code 1.
+    """
+    from exercises.catalogue import select
+
+    from ..reports import diagnosis_shares, shares_table
+
+    problems = select(names or ("all",))
+    with progress_bar() as bar:
+        task = bar.add_task("making mistakes", total=len(problems))
+        found = diagnosis_shares(problems, draws, lambda: bar.advance(task))
+    console.print(shares_table(found))
+    if any(counts["passed"] for counts in found.values()):
+        sys.exit(1)

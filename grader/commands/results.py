@@ -1,0 +1,78 @@
+"""Commands that report on graded assignments."""
+
+from pathlib import Path
+
+import click
+
+from .shared import COURSE, console
+
+FILE = click.Path(path_type=Path, dir_okay=False)
+
+
+@click.command()
+@click.argument("assignment")
+@COURSE
+@click.option("--csv", "csv_path", type=FILE, help="Also write them to this file.")
+@click.option("--png", "png_path", type=FILE, help="Also draw them into this file.")
+def stats(assignment, course_path, csv_path, png_path):
+    """Print statistics of a graded assignment, part by part.
+
+    The difficulty is the mean share of the points, so that 1 is easy; the discrimination is the
+    correlation with the points of all other parts. The file of --csv has every mistake with its
+    frequency.
+    """
+    from ..course import Course
+    from ..reports import (
+        part_statistics,
+        statistics_csv,
+        statistics_figure,
+        statistics_table,
+    )
+
+    parts = part_statistics(Course(course_path), assignment)
+    console.print(statistics_table(parts))
+    if csv_path:
+        statistics_csv(parts, csv_path)
+        click.echo(f"Wrote {csv_path}")
+    if png_path:
+        statistics_figure(parts, png_path)
+        click.echo(f"Wrote {png_path}")
+
+
+@click.command()
+@click.argument("assignment")
+@COURSE
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["parts", "canvas", "moodle", "gradescope"]),
+    default="parts",
+    show_default=True,
+    help="A line for every part of every student, or the file that a learning platform imports.",
+)
+@click.option(
+    "--to", "path", type=FILE, help="The file to write; default: ASSIGNMENT-FORMAT.csv, here."
+)
+def export(assignment, course_path, form, path):
+    """Write the results of a graded assignment as CSV.
+
+    The points are those of the gradebook, with what a person gave and extra credit, and without
+    the penalty for lateness.
+
+    \b
+    Canvas:      Gradebook > Import
+    Moodle:      Grades > Import > CSV file; map from "Email address", or from "Username" or
+                 "ID number", which hold the ids of the roster
+    Gradescope:  has no import; these are the columns of its own download
+    """
+    from ..course import Course
+    from ..reports import export as write
+
+    path = path or Path(f"{assignment}-{form}.csv")
+    waiting = write(Course(course_path), assignment, form, path)
+    click.echo(f"Wrote {path}")
+    if waiting:
+        click.echo(
+            f"{waiting} students have cells that wait for a person (nbgrader's formgrader); their "
+            "points are not final."
+        )

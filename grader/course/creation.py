@@ -1,0 +1,120 @@
+"""Makes a course folder, whole or not at all."""
+
+import contextlib
+import hashlib
+import os
+import secrets
+import shutil
+from pathlib import Path
+
+from .files import write_json, write_text
+from .folder import SECRET_BYTES, UNFINISHED, Course
+from .identity import CourseError, course_id
+
+TEMPLATES = Path(__file__).with_name("templates")
+FETCH = Path(__file__).parents[1] / "assignment" / "fetch.py"
+MADE = {  # what a build puts into a folder
+    UNFINISHED, ".course_secret", ".gitignore", "course.json", "gradebook.db",
+    "gradebook.db-journal", "nbgrader_config.json", "nbgrader_config.py", "source", "student",
+}  # fmt: skip
+
+
+def refuse_existing(path):
+    """Raise :class:`CourseError` if the folder holds more than what a killed build left."""
+    path = Path(path)
+    if not path.exists():
+        return
+    names = {p.name for p in path.iterdir()}
+    if UNFINISHED in names:
+        names = {n for n in names - MADE if not _is_partial(n)}
+    if names:
+        raise CourseError(
+            f"{path} exists and is not empty; name a new folder, or add to the course in "
+            "it with build --update"
+        )
+
+
+@contextlib.contextmanager
+def new_course(path, name=None, exchange=None):
+    """A new course without students or assignments, in a folder that is empty or does not exist
+    yet. If the block does not end well, nothing is left of it.
+
+    name : of the course, from which its id follows; default: the folder's. exchange : nbgrader's
+        exchange folder, if it is not nbgrader's default.
+    The folder is marked until the block has ended: what a killed build leaves is made again by the
+    next one.
+    """
+    refuse_existing(path)
+    path = Path(path).resolve()
+    if bad := sorted(set("%?#+") & set(str(path))):
+        raise CourseError(f"{path}: nbgrader cannot work in a folder with {bad[0]!r} in its path")
+    existed = path.exists()
+    path.mkdir(parents=True, exist_ok=True)
+    _empty(path)
+    try:
+        _write_all(path, course_id(name or path.name), exchange)
+        course = object.__new__(Course)  # Course(path) refuses what is marked as unfinished
+        course.path = path
+        yield course
+        (path / UNFINISHED).unlink()
+    except BaseException:
+        _empty(path)
+        if not existed:
+            path.rmdir()
+        raise
+
+
+def _write_all(path, name, exchange):
+    (path / UNFINISHED).touch()
+    path.chmod(0o700)  # personal copies, submissions and the secret are nobody else's business
+    secret = secrets.token_bytes(SECRET_BYTES)
+    write_text(path / ".course_secret", secret.hex() + "\n")
+    write_json(
+        path / "course.json", {"id": name, "secret_sha256": hashlib.sha256(secret).hexdigest()}
+    )
+    write_text(path / ".gitignore", _template("gitignore.in"), 0o644)
+    student = path / "student"
+    student.mkdir(mode=0o755)
+    shutil.copy(FETCH, student / "newton_euler_fetch.py")
+    root = f"c.Exchange.root = {str(Path(exchange).resolve())!r}\n" if exchange else ""
+    write_text(
+        student / "nbgrader_config.py",
+        _template("student_config.py.in").replace("{name}", repr(name)) + root,
+        0o644,
+    )
+    if exchange:
+        _make_exchange(Path(exchange))
+    write_pinned(path)
+    write_text(path / "nbgrader_config.py", _template("nbgrader_config.py.in") + root, 0o644)
+
+
+def write_pinned(path):
+    """Write nbgrader_config.json: the classes without which nbgrader must not go on."""
+    write_text(path / "nbgrader_config.json", _template("nbgrader_config.json"), 0o644)
+
+
+def _make_exchange(folder):
+    if not folder.exists():
+        folder.mkdir(parents=True)
+        folder.chmod(0o777)  # nbgrader asks for it: everybody submits there
+    elif not os.access(folder, os.W_OK | os.X_OK):
+        raise CourseError(f"the exchange {folder} cannot be written; name a folder of your own")
+
+
+def _is_partial(name):
+    return name.startswith(".") and name.endswith(".partial")
+
+
+def _empty(path):
+    for place in list(path.iterdir()):
+        if place.name == UNFINISHED or not (place.name in MADE or _is_partial(place.name)):
+            continue
+        if place.is_dir():
+            shutil.rmtree(place)
+        else:
+            place.unlink(missing_ok=True)
+    (path / UNFINISHED).unlink(missing_ok=True)
+
+
+def _template(file):
+    return (TEMPLATES / file).read_text(encoding="utf-8")

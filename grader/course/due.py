@@ -1,0 +1,31 @@
+"""The due date of an assignment."""
+
+from datetime import UTC, datetime
+from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
+
+from .identity import CourseError
+
+
+def due_date(text):
+    """The time that a text names, in UTC: "2027-01-31 23:59 Europe/Berlin",
+    "2027-01-31T23:59+01:00"; without a zone, in that of this machine.
+    """
+    text = text.strip()
+    when, _, zone = text.rpartition(" ")
+    try:
+        if zone and ":" not in zone:  # not the time of the day
+            found = datetime.fromisoformat(when).replace(tzinfo=ZoneInfo(zone))
+        else:
+            found = datetime.fromisoformat(text)
+        return found.astimezone(UTC)
+    except (ValueError, OverflowError, OSError, ZoneInfoNotFoundError) as error:
+        raise CourseError(
+            f"--due {text!r}: expected a date, a time and the name of a zone, as in "
+            "'2027-01-31 23:59 Europe/Berlin' or '2027-01-31 22:59 UTC'"
+        ) from error
+
+
+def set_due(course, assignment, when):
+    """Set the due date of an assignment in nbgrader's gradebook, which keeps it without a zone."""
+    with course.gradebook() as book:
+        book.update_or_create_assignment(assignment, duedate=when.replace(tzinfo=None))

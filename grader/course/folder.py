@@ -1,0 +1,265 @@
+"""A course folder: its paths, its students, its secret, and from the secret each student's numbers.
+
+COURSE/nbgrader_config.py   nbgrader's configuration for this course, with the instructor's settings
+COURSE/nbgrader_config.json names the classes that must be there; nbgrader stops where they are not
+COURSE/course.json          the id of the course, and a hash of its secret
+COURSE/.course_secret       32 random bytes, from which every student's numbers are derived. Back it
+                            up; never publish it
+COURSE/gradebook.db         nbgrader's gradebook; its students are the roster
+COURSE/source/ release/ submitted/ autograded/ feedback/     nbgrader's folders
+COURSE/numbers/             the numbers that each student was given
+COURSE/scores/              result and diagnosis of every answer, as JSON
+COURSE/personal/            each student's own copy of an assignment, as fetched
+COURSE/student/             configuration for the students' side of the exchange; holds no secret
+"""
+
+import contextlib
+import hashlib
+import json
+import os
+import sys
+from functools import cached_property, lru_cache
+from pathlib import Path
+
+from exercises import variants
+
+from .files import read_json
+from .identity import CourseError, check_id, same_student
+
+SECRET_BYTES = 32
+UNFINISHED = ".unfinished_build"  # stands in a folder while a course is made in it
+
+_DATABASE_TROUBLES = {  # what SQLite says: what to do
+    "locked": "another program is writing to it; wait until it has ended, then run this again. "
+    "Nothing was lost",
+    "readonly": "it cannot be written; give yourself write permission for it and for its folder",
+    "full": "the disk is full; make room, then run this again",
+    "unable to open": "it cannot be opened; give yourself permission for it and for its folder",
+    "not a database": "it is damaged; restore it from a backup",
+    "malformed": "it is damaged; restore it from a backup",
+    "no such": "it is of another version of nbgrader; back it up, then run: nbgrader db upgrade",
+}
+
+
+class Course:
+    """A course in a folder that :func:`grader.course.creation.new_course` made."""
+
+    def __init__(self, path):
+        self.path = Path(path).resolve()
+        if (self.path / UNFINISHED).exists():
+            raise CourseError(
+                f"{path} is a course that was being made when its build was interrupted; run "
+                "the same build again, without --update: it begins afresh"
+            )
+        if not (self.path / "nbgrader_config.py").exists():
+            raise CourseError(
+                f"{path} is not a course folder: it has no nbgrader_config.py. Make one "
+                f"with: python -m grader build ch04 --course {path}"
+            )
+
+    @cached_property
+    def _identity(self):
+        """What course.json holds; {} for a course of an earlier version, which has none."""
+        path = self.path / "course.json"
+        if not path.exists():
+            return {}
+        try:
+            found = json.loads(path.read_text(encoding="utf-8"))
+            return {"id": str(found["id"]), "secret_sha256": str(found["secret_sha256"])}
+        except (ValueError, LookupError, TypeError) as error:
+            raise CourseError(
+                f"{path} is damaged ({error}); restore it from a backup: it holds the id of the "
+                "course, under which students fetch and submit"
+            ) from error
+
+    @cached_property
+    def name(self):
+        """The id of the course in nbgrader's exchange and gradebook. It was written when the course
+        was made and does not follow the name of the folder.
+        """
+        if self._identity:
+            return self._identity["id"]
+        return str(self.config().CourseDirectory.get("course_id", "")) or self.path.name
+
+    @cached_property
+    def secret(self):
+        """The bytes from which every student's numbers are derived."""
+        path = self.path / ".course_secret"
+        if not path.exists():
+            raise CourseError(
+                f"{path} is missing; without it no student's numbers can be derived. "
+                "Restore it from a backup; a new one changes all numbers"
+            )
+        try:
+            secret = bytes.fromhex(path.read_text(encoding="ascii").strip())
+        except ValueError:
+            secret = b""
+        if len(secret) < SECRET_BYTES:
+            raise CourseError(
+                f"{path} is damaged: expected one line of {2 * SECRET_BYTES} hexadecimal digits. "
+                "Restore it from a backup; a new one changes all numbers"
+            )
+        made_with = self._identity.get("secret_sha256")
+        if made_with and made_with != hashlib.sha256(secret).hexdigest():
+            raise CourseError(
+                f"{path} is not the secret that the course was made with: every student's numbers "
+                "would be others, and their right answers wrong. Restore it from a backup"
+            )
+        return secret
+
+    def config(self):
+        """The traitlets configuration that the course's nbgrader_config.py sets, including the
+        instructor's own settings.
+        """
+        from traitlets.config.loader import PyFileConfigLoader
+
+        try:
+            return PyFileConfigLoader("nbgrader_config.py", path=str(self.path)).load_config()
+        except Exception as error:  # it is a program of the instructor's
+            line = getattr(error, "lineno", None)
+            where = f", line {line}" if line else ""
+            raise CourseError(
+                f"{self.path / 'nbgrader_config.py'}{where} does not run "
+                f"({type(error).__name__}: {error}); mend it first: without the settings in it "
+                "nothing is graded"
+            ) from error
+
+    # -- assignments
+
+    def source(self, assignment):
+        """The path of an assignment's source notebook."""
+        return self.path / "source" / assignment / f"{assignment}.ipynb"
+
+    def released_path(self, assignment):
+        """The path of the notebook that nbgrader generated for release."""
+        return self.path / "release" / assignment / f"{assignment}.ipynb"
+
+    def released(self, assignment):
+        """The notebook that nbgrader generated for release, as a dict."""
+        path = self.released_path(assignment)
+        if not path.exists():
+            where = (
+                "generate it with: nbgrader generate_assignment"
+                if self.source(assignment).exists()
+                else "build it with: python -m grader build"
+            )
+            raise CourseError(
+                f"there is no released {assignment} in {self.path}; {where} {assignment}"
+            )
+        return _read_once(path, path.stat().st_mtime_ns)
+
+    def personal_path(self, assignment, student):
+        """The path of a student's own copy of an assignment."""
+        return self.path / "personal" / assignment / student / f"{assignment}.ipynb"
+
+    def record_path(self, assignment, student):
+        """The path of the recorded result of a student's submission."""
+        # not in autograded/: nbgrader copies that to the students
+        return self.path / "scores" / assignment / f"{student}.json"
+
+    def values(self, assignment, student, problems):
+        """One student's numbers, derived from the secret alone: {problem id: {name: number}}."""
+        return {
+            p.id: variants.draw(p, variants.seed(self.secret, assignment, student, p.id))
+            for p in problems
+        }
+
+    def submissions(self, assignment):
+        """{student: path of the submitted notebook} of an assignment, including students who are
+        not on the roster.
+        """
+        found = {}
+        for folder in sorted((self.path / "submitted").glob(f"*/{assignment}")):
+            found[folder.parent.name] = folder / f"{assignment}.ipynb"
+        return found
+
+    # -- students
+
+    db_url = property(
+        lambda self: f"sqlite:///{self.path / 'gradebook.db'}",
+        doc="The URL of nbgrader's gradebook.",
+    )
+
+    @contextlib.contextmanager
+    def gradebook(self):
+        """nbgrader's gradebook, as a context manager; :class:`CourseError` if it cannot be used."""
+        with _without_slow_imports():
+            from nbgrader.api import Gradebook
+        from sqlalchemy.exc import DatabaseError
+
+        # nbgrader runs `alembic` by name; it is installed beside the running Python
+        own = os.path.dirname(sys.executable)
+        if own not in os.environ.get("PATH", "").split(os.pathsep):
+            os.environ["PATH"] = own + os.pathsep + os.environ.get("PATH", "")
+        try:
+            with Gradebook(self.db_url, self.name) as book:
+                yield book
+        except DatabaseError as error:
+            said = str(error.orig)
+            advice = next((do for what, do in _DATABASE_TROUBLES.items() if what in said), "")
+            raise CourseError(
+                f"the gradebook {self.path / 'gradebook.db'} could not be used ({said})"
+                + (f": {advice}" if advice else "")
+            ) from error
+
+    def roster(self):
+        """The sorted ids of the students in the gradebook; :class:`CourseError` where two would
+        share a folder on some machines.
+        """
+        with self.gradebook() as book:
+            ids = sorted(s.id for s in book.students)
+        known = {}
+        for i in ids:  # nbgrader adds students too, and does not compare
+            if (other := known.setdefault(same_student(i), i)) != i:
+                raise CourseError(
+                    f"the students {other!r} and {i!r} on the roster differ by upper and lower "
+                    f"case only; remove one with: nbgrader db student remove {i}"
+                )
+        return ids
+
+    def enrol(self, students):
+        """Add students to the roster: ids, or dicts with id, first_name, last_name, email,
+        lms_user_id; returns how many are new.
+        """
+        new = 0
+        with self.gradebook() as book:
+            before = {s.id for s in book.students}
+            enrolled = {same_student(i): i for i in before}
+            for s in students:
+                s = dict(s) if isinstance(s, dict) else {"id": s}
+                student_id = check_id(s.pop("id"))
+                present = enrolled.setdefault(same_student(student_id), student_id)
+                if present != student_id:
+                    raise CourseError(
+                        f"{student_id!r} differs from {present!r}, who is on the roster, by upper "
+                        "and lower case only: on some machines they would share one folder. Write "
+                        f"{present!r} if it is the same student, else give one another id"
+                    )
+                new += student_id not in before
+                book.update_or_create_student(student_id, **{k: v for k, v in s.items() if v})
+        return new
+
+
+@contextlib.contextmanager
+def _without_slow_imports():
+    """While nbgrader is imported: without the grammar of internationalised addresses, which
+    jsonschema imports where it is installed. To build it takes longer than all else, and notebooks
+    have none to check.
+    """
+    name = "rfc3987_syntax"
+    if name in sys.modules:
+        yield
+        return
+    sys.modules[name] = None  # type: ignore[assignment]  # makes its import fail
+    try:
+        yield
+    finally:
+        del sys.modules[name]
+
+
+@lru_cache(maxsize=2)
+def _read_once(path, changed):
+    """:func:`read_json` with a cache, since a run reads the released notebook for every student;
+    the result must not be modified.
+    """
+    return read_json(path)

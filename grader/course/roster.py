@@ -1,0 +1,225 @@
+"""Reads lists of students as registrars and learning platforms export them: Canvas, Moodle,
+Gradescope, spreadsheets, nbgrader.
+
+Separators and encodings differ, and so do the names of the columns; which were taken is kept, so
+that it can be told.
+"""
+
+import codecs
+import csv
+import io
+import re
+from dataclasses import dataclass
+
+from .identity import CourseError, check_id, same_student
+
+SEPARATORS = ",;\t|"
+MAX_BYTES = 10 * 2**20
+
+# names of columns, in lower case and without signs; the first that is there is taken.
+# nbgrader's own `id` comes before all; a login name before a number, since the exchange knows
+# students by their login; an e-mail address only where there is nothing else
+COLUMNS = {
+    "id": (
+        "sisloginid", "loginid", "username", "login", "netid", "benutzername", "anmeldename",
+        "identifiant", "studentid", "sid", "sisuserid", "sisid", "idnumber", "studentnumber",
+        "matrikelnummer", "matriculationnumber", "matrikelnr", "matrnr", "numeroetudiant",
+        "numéroétudiant", "orgdefinedid", "userid", "uid", "id",
+        "email", "emailaddress", "mail", "emailadresse", "courriel", "adressedecourriel",
+    ),
+    "first_name": (
+        "firstname", "givenname", "givennames", "forename", "vorname", "prénom", "prenom",
+    ),
+    "last_name": ("lastname", "surname", "familyname", "nachname", "familienname", "nom"),
+    "email": (
+        "email", "emailaddress", "mail", "emailadresse", "courriel", "adressedecourriel",
+    ),
+    "full_name": ("student", "name", "fullname", "studentname", "students", "nomcomplet"),
+}  # fmt: skip
+PLATFORM_ID = "id"  # beside a login name: the number by which Canvas knows the student
+# rows of a gradebook that are no student
+NOT_A_STUDENT = re.compile(r"points possible|student, test|test student", re.I)
+
+
+@dataclass(frozen=True)
+class Roster:
+    """The students of a file, as dicts with id, first_name, last_name, email, lms_user_id as far as
+    they are known, and in words how the file was read.
+    """
+
+    students: list
+    read_as: str
+
+
+def read_roster(path, id_column=None):
+    """The :class:`Roster` in a CSV file; otherwise :class:`CourseError`, which names the line.
+
+    id_column : the header of the column of ids; default: the first of the usual names.
+    """
+    content, encoding = _decoded(path)
+    first, *_ = content.split("\n", 1)
+    if first.strip().lower().startswith("sep="):  # a spreadsheet's own hint
+        content = content[len(first) + 1 :]
+    header = content.split("\n", 1)[0]
+    separator = max(SEPARATORS, key=lambda s: len(_recognised(_fields(header, s))))
+    if not _recognised(_fields(header, separator)):
+        separator = max(SEPARATORS, key=header.count)
+    rows = _rows(path, content, separator)
+    if not rows:
+        raise CourseError(f"{path}: {_EXPECTED}; got no rows")
+    (_, names), *rows = rows
+    columns = _columns(path, names, id_column)
+    students = [
+        _student(path, line, row, names, columns) for line, row in rows if not _is_no_student(row)
+    ]
+    if not students:
+        raise CourseError(f"{path}: {_EXPECTED}; got no rows below the header {names}")
+    _refuse_doubles(path, students)
+    spoken = {"\t": "tabs", ";": "semicolons", ",": "commas", "|": "bars"}[separator]
+    return Roster(
+        [s for _, s in students],
+        f"ids from the column {names[columns['id']]!r}, {encoding}, separated by {spoken}",
+    )
+
+
+_EXPECTED = (
+    "expected a CSV file whose first line names the columns, one of them the ids of the students "
+    "(as id, username, SIS Login ID, Student ID, Email address), and a line for each student"
+)
+
+
+def _decoded(path):
+    """The text of a file and the name of its encoding."""
+    with open(path, "rb") as f:
+        raw = f.read(MAX_BYTES + 1)
+    if len(raw) > MAX_BYTES:
+        raise CourseError(f"{path} has more than {MAX_BYTES / 1e6:.0f} MB; is it the roster?")
+    if raw[:4] == b"PK\3\4":
+        raise CourseError(f"{path} is a spreadsheet; save it as CSV and name that file")
+    if raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        tried = (("utf-16", "UTF-16"),)
+    elif b"\0" in raw[:100]:  # every other byte of a Latin text
+        tried = (("utf-16-le" if raw[1:2] == b"\0" else "utf-16-be", "UTF-16"),)
+    else:
+        tried = (("utf-8-sig", "UTF-8"), ("cp1252", "Windows-1252"), ("latin-1", "Latin-1"))
+    for encoding, name in tried:
+        try:
+            text = raw.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+        return text.replace("\r\n", "\n").replace("\r", "\n"), name
+    raise CourseError(f"{path} cannot be read as text; save it again as 'CSV UTF-8'")
+
+
+def _fields(line, separator):
+    try:
+        return next(csv.reader([line], delimiter=separator), [])
+    except csv.Error:
+        return []
+
+
+def _rows(path, content, separator):
+    """[(number of the line, fields)] without empty rows; an unclosed quotation mark is an error."""
+    reader = csv.reader(
+        io.StringIO(content), delimiter=separator, strict=True, skipinitialspace=True
+    )
+    rows, line = [], 1
+    advice = (
+        "; a quotation mark that is never closed takes the following students with it. Close it, "
+        "or remove it"
+    )
+    while True:
+        try:
+            fields = next(reader)
+        except StopIteration:
+            return rows
+        except csv.Error as error:
+            raise CourseError(f"{path}, line {line}: {error}{advice}") from error
+        if any("\n" in field for field in fields):
+            raise CourseError(
+                f"{path}, line {line}: a field goes on in line {reader.line_num}{advice}"
+            )
+        if any(field.strip() for field in fields):
+            rows.append((line, [field.strip() for field in fields]))
+        line = reader.line_num + 1
+
+
+def _key(header):
+    return re.sub(r"[\W_]+", "", header).casefold()
+
+
+def _recognised(names):
+    known = {name for group in COLUMNS.values() for name in group}
+    return [n for n in names if _key(n) in known]
+
+
+def _columns(path, names, id_column):
+    """{what: number of the column} of the columns that are taken."""
+    keys = [_key(n) for n in names]
+    columns = {
+        what: keys.index(name)
+        for what, usual in COLUMNS.items()
+        for name in reversed(usual)
+        if name in keys
+    }
+    if id_column is not None:
+        if id_column not in names:
+            raise CourseError(f"{path} has no column {id_column!r}; it has {names}")
+        columns["id"] = names.index(id_column)
+    elif "id" in names:  # nbgrader's own format, where it stands in small letters
+        columns["id"] = names.index("id")
+    if "id" not in columns:
+        raise CourseError(f"{path}: {_EXPECTED}; got the columns {names}")
+    if PLATFORM_ID in keys and keys.index(PLATFORM_ID) != columns["id"]:
+        columns["lms_user_id"] = keys.index(PLATFORM_ID)
+    if "first_name" in columns and "last_name" not in columns and "full_name" in columns:
+        columns["last_name"] = columns["full_name"]  # Vorname beside Name
+    if "first_name" in columns:
+        columns.pop("full_name", None)
+    return columns
+
+
+def _is_no_student(row):
+    return any(NOT_A_STUDENT.fullmatch(field) for field in row)
+
+
+def _student(path, line, row, names, columns):
+    """(line, student) of one row."""
+    if any(row[len(names) :]):
+        raise CourseError(
+            f"{path}, line {line}: {len(row)} fields under a header of {len(names)}; put a name "
+            f"that holds the separator into quotation marks. Got {row}"
+        )
+    row = row + [""] * (len(names) - len(row))
+    student = {what: row[n] for what, n in columns.items() if row[n]}
+    if "full_name" in student:
+        student.update(_split_name(student.pop("full_name")))
+    if not student.get("id"):
+        raise CourseError(f"{path}, line {line}: no id in the column {names[columns['id']]!r}")
+    try:
+        check_id(student["id"])
+    except CourseError as error:
+        raise CourseError(f"{path}, line {line}: {error}") from None
+    return line, student
+
+
+def _split_name(name):
+    """First and last name of "Doe, Jane" or "Jane Doe"."""
+    last, comma, first = name.partition(",")
+    if not comma:
+        first, _, last = name.rpartition(" ")
+    return {k: v.strip() for k, v in (("first_name", first), ("last_name", last)) if v.strip()}
+
+
+def _refuse_doubles(path, students):
+    seen = {}
+    for line, student in students:
+        earlier = seen.setdefault(same_student(student["id"]), (line, student["id"]))
+        if earlier[0] == line:
+            continue
+        if earlier[1] == student["id"]:
+            raise CourseError(f"{path}, line {line}: the id {student['id']!r} is there twice")
+        raise CourseError(
+            f"{path}, line {line}: the id {student['id']!r} differs from {earlier[1]!r} in line "
+            f"{earlier[0]} by upper and lower case only; on some machines they would share a folder"
+        )

@@ -1,0 +1,189 @@
+"""Takes students' work from a zip archive, as a learning platform gives it, into the course:
+without nbgrader's exchange.
+
+Names in an archive are the students' own, and so is every byte in it: a name is only compared with
+the roster and never used as a path, links are not followed, and sizes are counted while reading.
+"""
+
+import contextlib
+import re
+import stat
+import unicodedata
+import zipfile
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import PurePosixPath
+
+from .files import PRIVATE, write_text
+from .identity import CourseError, same_student
+
+MAX_BYTES = 64 * 2**20  # of one notebook, as the grader reads
+MAX_TOTAL = 4 * 2**30
+MAX_ENTRIES = 20_000
+WORDS = re.compile(r"[^\W_]+")
+
+
+@dataclass
+class TakenIn:
+    """What became of the files of an archive: {student: name in the archive}, and for the others
+    [(name, reason)].
+    """
+
+    taken: dict = field(default_factory=dict)
+    kept: list = field(default_factory=list)
+    refused: list = field(default_factory=list)
+
+
+def take_in(course, assignment, archive, replace=False, times=False):
+    """Put each notebook of a zip archive into COURSE/submitted, as its student's work; returns
+    :class:`TakenIn`.
+
+    A file is a student's if its name, or that of its folder, holds their id or their whole name,
+    and nobody else's.
+    replace : also where the student has already handed in. times : the times of the files in the
+        archive, read as UTC, are those of submission; otherwise none is kept, and nobody is late.
+    """
+    course.released(assignment)  # CourseError if there is no such assignment
+    with course.gradebook() as book:
+        students = {s.id: _names(s) for s in book.students}
+    if not students:
+        raise CourseError("nobody is on the roster, so that no file can be anybody's; enrol first")
+    result = TakenIn()
+    try:
+        with zipfile.ZipFile(archive) as z:
+            entries = z.infolist()
+            if len(entries) > MAX_ENTRIES:
+                raise CourseError(f"{archive} has {len(entries)} entries, more than a class has")
+            chosen = _chosen(entries, assignment, students, result)
+            _write(course, assignment, z, chosen, (replace, times), result)
+    except (zipfile.BadZipFile, NotImplementedError, EOFError) as error:
+        raise CourseError(f"{archive} is not a zip archive that can be read ({error})") from error
+    return result
+
+
+def _names(student):
+    """The words of a student's name, and the id, as :func:`_words` gives them."""
+    name = f"{student.first_name or ''} {student.last_name or ''}"
+    mail = (student.email or "").partition("@")[0]
+    return {
+        "ids": [w for w in (_words(student.id), _words(student.lms_user_id or ""), _words(mail))
+                if w],
+        "name": set(_words(name)) if student.first_name and student.last_name else set(),
+    }  # fmt: skip
+
+
+def _words(text):
+    """Words in lower case without accents: ["jane", "doe", "4711"] of "Doé_Jane-4711"."""
+    plain = unicodedata.normalize("NFKD", text)
+    plain = "".join(c for c in plain if not unicodedata.combining(c))
+    return WORDS.findall(plain.casefold())
+
+
+def owners(name, students):
+    """The students whose id or whole name is in the name of a file or of its folder."""
+    # Canvas runs the parts of a name together: doejane_4711_815_work.ipynb
+    places = [_words(part) for part in PurePosixPath(name.removesuffix(".ipynb")).parts]
+    return [
+        s for s, own in students.items() for place in [p for p in places if _is_named(own, p)][:1]
+    ]
+
+
+def _is_named(own, words):
+    return any(_holds(words, i) for i in own["ids"]) or (
+        own["name"] and (own["name"] <= set(words) or _run_together(own["name"], words))
+    )
+
+
+def _holds(words, wanted):
+    n = len(wanted)
+    return any(words[k : k + n] == wanted for k in range(len(words) - n + 1))
+
+
+def _run_together(name, words):
+    return any(len(w) == sum(map(len, name)) and all(part in w for part in name) for w in words)
+
+
+def _chosen(entries, assignment, students, result):
+    """{student: their notebook in the archive}; what is nobody's, or one of several, is refused:
+    a file that a student named after another must not take the place of that one's work.
+    """
+    found = {}
+    for entry in entries:
+        if entry.is_dir():
+            continue
+        why = _refusal(entry)
+        fits = [] if why else owners(entry.filename, students)
+        if len(fits) == 1:
+            found.setdefault(fits[0], []).append(entry)
+        else:
+            why = why or (
+                f"its name fits several students: {', '.join(fits)}"
+                if fits
+                else "its name fits nobody on the roster"
+            )
+            result.refused.append((entry.filename, why))
+    chosen = {}
+    for student, own in found.items():
+        named = [e for e in own if _holds(_words(e.filename), _words(assignment))]
+        if len(candidates := named or own) == 1:
+            chosen[student] = candidates[0]
+        rest = [e for e in own if e is not chosen.get(student)]
+        why = (
+            f"{chosen[student].filename} was taken for {student}"
+            if student in chosen
+            else f"one of {len(candidates)} that fit {student}; leave the right one in the archive"
+        )
+        result.refused += [(e.filename, why) for e in rest]
+    return chosen
+
+
+def _refusal(entry):
+    kind = stat.S_IFMT(entry.external_attr >> 16)
+    if kind not in (0, stat.S_IFREG):
+        return "a link or a special file"
+    if not entry.filename.endswith(".ipynb"):
+        return "not a notebook"
+    path = PurePosixPath(entry.filename.replace("\\", "/"))
+    if path.is_absolute() or ".." in path.parts or ":" in path.parts[0]:
+        return "its name leads out of the archive"
+    if "__MACOSX" in path.parts or path.name.startswith("."):
+        return "not a notebook"  # macOS writes such companions
+    if entry.flag_bits & 1:
+        return "it is encrypted"
+    if entry.file_size > MAX_BYTES:
+        return f"it has more than the {MAX_BYTES / 1e6:.0f} MB that are read"
+    return ""
+
+
+def _write(course, assignment, archive, chosen, how, result):
+    (replace, times), total = how, 0
+    present = {same_student(s): s for s in course.submissions(assignment)}
+    for student, entry in sorted(chosen.items()):
+        if same_student(student) in present and not replace:
+            result.kept.append((student, entry.filename))
+            continue
+        with archive.open(entry) as f:
+            content = f.read(MAX_BYTES + 1)  # the size that an archive tells may be a lie
+        total += len(content)
+        if len(content) > MAX_BYTES or total > MAX_TOTAL:
+            why = "it is larger than it says, or all together are too large"
+            result.refused.append((entry.filename, why))
+            continue
+        _put(course, assignment, student, content, entry.date_time if times else None)
+        result.taken[student] = entry.filename
+
+
+def _put(course, assignment, student, content, date):
+    folder = course.path / "submitted" / student / assignment
+    folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+    for earlier in ("timestamp.txt", "submission_secret.txt"):
+        (folder / earlier).unlink(missing_ok=True)
+    if date:
+        with contextlib.suppress(ValueError):  # month 0 in a careless archive
+            when = datetime(*date, tzinfo=UTC)
+            write_text(folder / "timestamp.txt", f"{when:%Y-%m-%d %H:%M:%S} UTC\n")
+    path = folder / f"{assignment}.ipynb"
+    partial = folder / f".{path.name}.partial"
+    partial.write_bytes(content)
+    partial.chmod(PRIVATE)
+    partial.replace(path)

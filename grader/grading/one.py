@@ -1,0 +1,135 @@
+"""Grades one notebook of one submission: from its record where nothing changed, from what is kept
+of its run where only the key or the points changed, else by running it.
+"""
+
+import os
+import shutil
+from dataclasses import dataclass
+
+from ..assignment.attempts import is_work_of_earlier
+from ..assignment.released import personal_path, released_hashes
+from ..assignment.sheet import kind, nbgrader_metadata
+from ..course import load_json, write_notebook
+from ..submission import (
+    Graded,
+    UnreadableError,
+    Work,
+    annotate,
+    execute,
+    grade_notebook,
+    parse_notebook,
+    read_notebook,
+    rebuild,
+    student_sheet,
+)
+from ..submission.execute import Executed
+from ..submission.files import BESIDE
+from .records import (
+    fingerprint,
+    graded_as_json,
+    graded_from_json,
+    problem_state,
+    read_record,
+    run_state,
+    score_state,
+    scores_of,
+    write_record,
+)
+
+
+@dataclass
+class Outcome:
+    """What one notebook earns; ``changed``: the work is not that of the last time; ``reused``:
+    nothing was computed.
+    """
+
+    graded: Graded
+    changed: bool
+    reused: bool
+
+
+def grade_one(course, assignment, student, name, sources, harvester, force=False):
+    """Grade COURSE/submitted/STUDENT/ASSIGNMENT/NAME.ipynb; writes the record and the annotated
+    notebook and returns the :class:`Outcome`.
+
+    sources : of :func:`~grader.grading.gradebook.instructors_cells`, for this notebook
+    """
+    submitted = course.path / "submitted" / student / assignment / f"{name}.ipynb"
+    content = read_notebook(submitted)
+    if number := is_work_of_earlier(course, assignment, student, name, content):
+        raise UnreadableError(
+            f"{submitted.name} is that of attempt {number}, whose grade stays; the new sheet has "
+            "not been handed in"
+        )
+    path = course.record_path(assignment, student)
+    record = read_record(path)
+    before = record["notebooks"].get(name, {})
+    sheet = student_sheet(course, assignment, student, name, sources)
+    state = _state(sheet, content, harvester.sandbox)
+    changed = before.get("content") != state["content"]
+    entry = {} if force else before
+    annotated = autograded_path(course, assignment, student, name)
+    as_built = entry.get("built") == state["built"] and annotated.exists()
+    if as_built and entry["scored"] == state["scored"]:
+        return Outcome(graded_from_json(entry), changed, True)
+    ran = entry.get("ran") == state["ran"]
+    executed, notebook = Executed(**entry["executed"]) if ran else None, None
+    if ran and as_built:
+        work = Work(**entry["work"])
+    else:
+        notebook, work = rebuild(sheet.master, parse_notebook(submitted.name, content))
+        executed = executed or execute(harvester, sheet, notebook)
+    kept = {i for i in state["scored"] if ran and entry["scored"].get(i) == state["scored"][i]}
+    graded = grade_notebook(sheet, work, executed, scores_of(entry, kept) if kept else {})
+    now = graded_as_json(graded)
+    if notebook is None and any(entry[key] != now[key] for key in now):
+        notebook = load_json(annotated.read_bytes())
+    if notebook is not None:
+        earlier = entry["note"] if as_built else ""
+        write_notebook(annotated, annotate(notebook, graded, sources, earlier))
+        _copy_beside(submitted.parent, annotated.parent)
+    parts = {"executed": vars(executed), "work": vars(work)}
+    record["notebooks"][name] = {**state, **parts, **now}
+    write_record(path, record)
+    return Outcome(graded, changed, False)
+
+
+def _state(sheet, content, sandbox):
+    """What an entry of a record is good for, as hashes: "ran", the run in the sandbox; "built", the
+    annotated notebook; "scored", the score of each problem; and "content", the submission.
+    """
+    released, what_runs = released_hashes(sheet.course, sheet.assignment, sheet.name)
+    submitted, common = fingerprint(content), score_state()
+    tests = [nbgrader_metadata(c)["grade_id"] for c in sheet.released["cells"] if kind(c) == "test"]
+    hidden = [sheet.sources[name][0] for name in tests if name in sheet.sources]
+    ran = fingerprint(
+        run_state(), sheet.course.secret, submitted, what_runs, hidden, sheet.values, sandbox
+    )
+    return {
+        "content": submitted,
+        "ran": ran,
+        "built": fingerprint(ran, released, sheet.sources, _stamp(sheet)),
+        "scored": {
+            i: fingerprint(common, problem_state(i), repr(t)) for i, t in sheet.tasks.items()
+        },
+    }
+
+
+def _stamp(sheet):
+    """When the student's copy, which has the figures, was written last."""
+    path = personal_path(sheet.course, sheet.assignment, sheet.student, sheet.name)
+    return path.stat().st_mtime_ns if path.exists() else 0
+
+
+def autograded_path(course, assignment, student, name):
+    """The path of the annotated notebook, nbgrader's own."""
+    return course.path / "autograded" / student / assignment / f"{name}.ipynb"
+
+
+def _copy_beside(source, target):
+    """The small files that nbgrader wrote at submission, which it looks for in autograded/."""
+    for name in BESIDE:
+        path = source / name
+        if path.is_file() and not path.is_symlink() and path.stat().st_size < 10_000:
+            shutil.copyfile(path, target / name)
+            os.chmod(target / name, 0o644)

@@ -1,0 +1,115 @@
+"""Grades one submission, which may hold several notebooks."""
+
+import os
+from dataclasses import dataclass, field
+
+from ..course import CourseError
+from ..sandbox import HarvestError
+from ..submission import UnreadableError, read_timestamp
+from .gradebook import Entry
+from .one import grade_one
+
+
+@dataclass
+class Result:
+    """The result of one submission, or in ``problem`` the reason why it was not graded.
+
+    scores : {problem id: :class:`~grader.scoring.Score`}
+    points, out_of, extra, penalty : as the gradebook has them: automatic or given by hand, with
+        extra credit, less the penalty for lateness
+    waiting : number of cells that wait for a person
+    sandbox : "namespaces", or "unsandboxed: …"
+    """
+
+    student: str
+    scores: dict = field(default_factory=dict)
+    points: float = 0.0
+    out_of: float = 0.0
+    extra: float = 0.0
+    penalty: float = 0.0
+    waiting: int = 0
+    sandbox: str = "namespaces"
+    note: str = ""
+    problem: str = ""
+    unchanged: bool = False
+
+    def diagnoses(self):
+        """The explained wrong answers: [(problem id, key, sentence)]."""
+        return [
+            (i, p.key, p.diagnosis) for i, s in self.scores.items() for p in s.parts if p.diagnosis
+        ]
+
+
+@dataclass(frozen=True)
+class Run:
+    """What is common to all submissions of one run."""
+
+    course: object
+    assignment: str
+    force: bool
+    names: list
+    sources: dict
+    roster: set
+
+    def grade(self, student, harvester):
+        """(the :class:`Result` of one submission, what to write or None); never raises."""
+        if self.roster is not None and student not in self.roster:
+            return self.not_on_roster(student)
+        try:
+            return self._grade(student, harvester)
+        except UnreadableError as error:
+            why = f"{error}; ask for it again. An earlier grade stays as it is"
+        except (CourseError, HarvestError) as error:
+            why = f"could not be graded: {error}"
+        except Exception as error:  # one submission must not stop the grading of the others
+            why = (
+                "could not be graded, which is a bug of the grader: "
+                f"{type(error).__name__}: {error}. An earlier grade stays as it is"
+            )
+        return Result(student, problem=why), None
+
+    @staticmethod
+    def not_on_roster(student):
+        """What :meth:`grade` returns for somebody unknown."""
+        why = (
+            "is not on the roster; check the folder's name, or add the student with: nbgrader "
+            f"db student add {student}"
+        )
+        return Result(student, problem=why), None
+
+    def _grade(self, student, harvester):
+        folder = self.course.path / "submitted" / student / self.assignment
+        there = [n for n in self.names if os.path.lexists(folder / f"{n}.ipynb")]
+        if not there:
+            raise UnreadableError(_missing(folder, self.names))
+        outcomes = {
+            n: grade_one(
+                self.course, self.assignment, student, n, self.sources[n], harvester, self.force
+            )
+            for n in there
+        }
+        graded = {n: o.graded for n, o in outcomes.items()}
+        timestamp, notes = read_timestamp(folder), [g.note for g in graded.values()]
+        if timestamp is None and os.path.lexists(folder / "timestamp.txt"):
+            notes.append("timestamp.txt holds no time: it is not known when this was handed in")
+        notes += [f"{n}.ipynb was not handed in" for n in self.names if n not in there]
+        result = Result(
+            student,
+            {i: s for g in graded.values() for i, s in g.scores.items()},
+            sandbox=min((g.sandbox for g in graded.values()), key=lambda s: s == "namespaces"),
+            note="; ".join(n for n in notes if n),
+            unchanged=all(o.reused for o in outcomes.values()),
+        )
+        changed = any(o.changed for o in outcomes.values())
+        return result, Entry(student, graded, timestamp, changed)
+
+
+def _missing(folder, names):
+    others = sorted(f.name for f in folder.glob("*.ipynb")) if folder.is_dir() else []
+    found = (
+        f"it holds {', '.join(others)}; if that is the work, rename it"
+        if others
+        else "it holds no notebook"
+    )
+    asked = " and ".join(f"{n}.ipynb" for n in names)
+    return f"expected the notebook {asked} in {folder}, and {found}"

@@ -1,0 +1,96 @@
+"""The page of nbgrader's formgrader on which a person grades: without the student's name, and
+without anything that a student wrote and that would run in the grader's browser.
+"""
+
+import html
+import re
+
+from jinja2 import pass_context
+from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
+from nbconvert.preprocessors import Preprocessor
+
+from ..assignment.sheet import kind, own_metadata
+from ..submission.mathml import mathml
+
+WHOSE = re.compile(r"The copy of \*\*.*?\*\*\.")
+BY_STUDENTS = ("own", "hand", "plain")  # kinds of cells whose text is the student's
+PICTURES = ("image/png", "image/jpeg", "image/gif")
+MOST_PICTURES = 2**26  # characters of all pictures in one text
+# the time of the Markdown library grows with the square of some texts: 1 MB would take hours
+LONGEST = 20_000  # characters that are read as Markdown; an essay of 3000 words
+# commands of MathJax that make links, or set attributes of elements
+COMMANDS = re.compile(
+    r"(?:\\|&#92;|&#x5c;|&bsol;)(?=(?:href|require|class|cssId|style|data)\b)", re.IGNORECASE
+)
+
+
+class WithoutName(Preprocessor):
+    """Removes the student's name from the introduction of a notebook."""
+
+    def preprocess_cell(self, cell, resources, index):
+        if own_metadata(cell).get("role") == "introduction":
+            cell.source = WHOSE.sub("", cell.source)
+        return cell, resources
+
+
+@pass_context
+def markdown2html(context, source):
+    """In place of nbconvert's filter, which lets scripts through: a student's text has none."""
+    cell = context.get("cell", {})
+    attachments = cell.get("attachments", {})
+    if kind(cell) in BY_STUDENTS:
+        return student_html(source, attachments)
+    return html_with_mathml(source, attachments)
+
+
+def html_with_mathml(text, attachments=None):
+    """Markdown of the course as HTML, its formulas in MathML: the formgrader has no MathJax where
+    there is no network, and the feedback page runs no scripts.
+    """
+    renderer = _Renderer(escape=False, attachments=attachments or {})
+    return MarkdownWithMath(renderer=renderer).render(text)
+
+
+class _Renderer(IPythonRenderer):
+    def inline_math(self, body):
+        return mathml(body)
+
+    def block_math(self, body):
+        return mathml(body, "block")
+
+
+def student_html(text, attachments=None):
+    """Markdown of a student as HTML: its own HTML is shown as text, links do not run, and of
+    pictures only those are shown that came with it. A long text is shown as it was written.
+    """
+    if len(text) > LONGEST:
+        page = f"<pre>{html.escape(text)}</pre>"
+    else:
+        page = MarkdownWithMath(renderer=_StudentRenderer(attachments or {})).render(text)
+    return COMMANDS.sub(r"\g<0> ", page)
+
+
+class _StudentRenderer(IPythonRenderer):
+    def __init__(self, attachments):
+        # no anchors: an id could be that of a field of the page
+        super().__init__(
+            escape=True,
+            allow_harmful_protocols=False,
+            attachments=attachments,
+            exclude_anchor_links=True,
+        )
+        self._left = MOST_PICTURES
+
+    def image(self, text, url, title=None):
+        kinds = self.attachments.get(url.removeprefix("attachment:"), {})
+        found = next(((k, kinds[k]) for k in PICTURES if k in kinds), None)
+        alt = self.escape_html(text)
+        # one picture may be meant many times: a small file would become a huge page
+        if found is None or not url.startswith("attachment:") or len(found[1]) > self._left:
+            return f"<em>[{alt}]</em>"
+        self._left -= len(found[1])
+        alt = alt.replace('"', "&quot;")
+        return f'<img src="data:{found[0]};base64,{found[1]}" alt="{alt}">'
+
+    def block_mermaidjs(self, code):
+        return self.block_code(code)

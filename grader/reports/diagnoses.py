@@ -1,0 +1,78 @@
+"""How often the grader recognises the mistakes that the exercises list: named, misnamed, or left
+without a name.
+"""
+
+from collections import Counter
+
+from exercises.catalogue.words import WORDS
+from exercises.variants import draw
+from newton_euler.classroom.answers import record
+from newton_euler.classroom.forms import Form
+
+from ..scoring import causes, score_receipt
+from .tables import plain_table
+
+OUTCOMES = ("named", "misnamed", "unnamed", "passed")
+
+
+def diagnosis_shares(problems, draws, progress=None):
+    """{problem id: Counter of :data:`OUTCOMES`} over the book's numbers and ``draws`` - 1 drawn
+    sets: each listed mistake is made, written as a student would, and scored.
+
+    named: told in its own words, beside others that give the same; misnamed: told as another;
+    unnamed: wrong without an explanation; passed: taken for right.
+    """
+    found = {}
+    for p in problems:
+        found[p.id] = Counter()
+        for n in range(draws if p.givens else 1):
+            values = p.book_values if n == 0 else draw(p, f"diagnose {n}".encode())
+            found[p.id].update(_outcomes(p, values))
+        if progress:
+            progress()
+    return found
+
+
+def _outcomes(p, values):
+    right = p.solve({**p.sympy_symbols(), **values})
+    for name, answers in p.wrong({**p.sympy_symbols(), **values}).items():
+        if name in p.same_in_book and values == p.book_values:
+            continue
+        # a mistake in a word may give the right one
+        made = {k: x for k, x in answers.items() if p.answer(k).kind not in WORDS or x != right[k]}
+        for key, tree in _trees(p, made).items():
+            part = next(
+                x for x in score_receipt(p, values, {"answers": {key: tree}}).parts if x.key == key
+            )
+            yield _outcome(part, p.mistakes[name])
+
+
+def _trees(p, answers):
+    """Answers as a student's receipt holds them."""
+    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers if a.key in answers}
+    read, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
+    if faults:
+        raise ValueError(f"a listed mistake of {p.id} cannot be handed in: {faults}")
+    return read
+
+
+def _outcome(part, text):
+    if part.verdict == "right":
+        return "passed"
+    named = causes(part.diagnosis)
+    return "unnamed" if not named else "named" if text in named else "misnamed"
+
+
+def shares_table(found):
+    """The shares as a table for the terminal, with their sum."""
+    table = plain_table("Listed mistakes", "problem", ">made", *(f">{name} %" for name in OUTCOMES))
+    for problem_id, counts in found.items():
+        table.add_row(problem_id, *_row(counts))
+    table.add_section()
+    table.add_row("all", *_row(sum(found.values(), Counter())))
+    return table
+
+
+def _row(counts):
+    made = sum(counts.values())
+    return str(made), *(f"{100 * counts[o] / made:.1f}" if made else "–" for o in OUTCOMES)

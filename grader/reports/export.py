@@ -1,0 +1,80 @@
+"""Writes results as CSV: every part of every student, and the files that Canvas, Moodle and
+Gradescope know.
+"""
+
+import csv
+
+from .records import entries, lines, questions
+
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet would run a text that begins so
+
+
+def export(course, assignment, form, path):
+    """Write the results of an assignment to ``path`` in one of :data:`FORMATS`; returns how many
+    students have cells that wait for a person.
+    """
+    found, maximum = lines(course, assignment)
+    rows = FORMATS[form](course, assignment, found, maximum)
+    # with a byte-order mark Canvas and Moodle take UTF-8 too, and a spreadsheet needs it
+    with open(path, "w", newline="", encoding="utf-8-sig" if form == "parts" else "utf-8") as f:
+        csv.writer(f).writerows(rows)
+    return sum(line.waiting for line in found)
+
+
+def _parts(course, assignment, found, maximum):
+    people = {line.id: line for line in found}
+    yield (
+        "student", "last_name", "first_name", "problem", "part", "points", "out_of", "verdict",
+        "message", "diagnosis",
+    )  # fmt: skip
+    parts = entries(course, assignment)
+    for e in (*parts, *questions(course, assignment, parts)):
+        person = people.get(e.student)
+        names = (person.last_name, person.first_name) if person else ("", "")
+        yield (
+            e.student, *map(_safe, names), e.problem, e.key, _number(e.points), _number(e.out_of),
+            e.verdict, _safe(e.message), _safe(e.diagnosis or ""),
+        )  # fmt: skip
+
+
+def _safe(text):
+    return f"'{text}" if text.startswith(_FORMULA) else text
+
+
+def _canvas(course, assignment, found, maximum):
+    """Canvas finds a student by its own ID, else by the login; it takes the second line for the
+    maximum. The assignment must have the same name there, or becomes a new one.
+    """
+    yield ("Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment)
+    yield ("    Points Possible", "", "", "", "", _number(maximum))
+    for line in found:
+        name = ", ".join(filter(None, (line.last_name, line.first_name))) or line.id
+        yield (name, line.lms_user_id, "", line.id, "", _number(line.points))
+
+
+def _moodle(course, assignment, found, maximum):
+    """Moodle asks at the import which column says who it is: "Email address" or "ID number", or
+    "Username", which holds the same id.
+    """
+    yield ("First name", "Last name", "ID number", "Username", "Email address", assignment)
+    for line in found:
+        names = (line.first_name, line.last_name)
+        yield (*names, line.id, line.id, line.email, _number(line.points))
+
+
+def _gradescope(course, assignment, found, maximum):
+    """The columns of Gradescope's own download of grades."""
+    yield (
+        "First Name", "Last Name", "SID", "Email", "Sections", assignment,
+        f"{assignment} - Max Points",
+    )  # fmt: skip
+    for line in found:
+        names = (line.first_name, line.last_name)
+        yield (*names, line.id, line.email, "", _number(line.points), _number(maximum))
+
+
+def _number(x):
+    return "" if x is None else f"{x:.10g}"
+
+
+FORMATS = {"parts": _parts, "canvas": _canvas, "moodle": _moodle, "gradescope": _gradescope}

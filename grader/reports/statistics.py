@@ -1,0 +1,147 @@
+"""Statistics of an assignment, part by part: how difficult it was, how well it tells strong from
+weak students, and which mistakes were made.
+"""
+
+import csv
+from collections import Counter, defaultdict
+from dataclasses import dataclass
+
+import numpy as np
+
+from .records import BY_HAND, entries, questions
+from .tables import VERDICTS, plain_table, shown
+
+FEWEST = 5  # students below which a correlation says nothing
+
+
+@dataclass(frozen=True)
+class PartStatistics:
+    """The statistics of one part of a problem.
+
+    difficulty : mean share of its points, so that 1 is easy. discrimination : correlation of its
+        points with those of all other parts; None if too few students handed in or all got the
+        same. verdicts, mistakes : how many of each.
+    """
+
+    problem: str
+    key: str
+    students: int
+    out_of: float
+    difficulty: float
+    discrimination: float | None
+    verdicts: Counter
+    mistakes: Counter
+
+
+def part_statistics(course, assignment):
+    """The :class:`PartStatistics` of every part, in the order of the notebook, and below them those
+    of the instructor's own questions, which have no verdicts.
+    """
+    by_part, totals = defaultdict(list), Counter()
+    parts = entries(course, assignment)
+    own = [e for e in questions(course, assignment, parts) if e.key != BY_HAND]
+    for e in (*parts, *own):
+        by_part[e.problem, e.key].append(e)
+        totals[e.student] += e.points
+    return [_of_part(*part, found, totals) for part, found in by_part.items()]
+
+
+def _of_part(problem, key, found, totals):
+    points = np.array([e.points for e in found])
+    rest = np.array([totals[e.student] for e in found]) - points
+    out_of = max(e.out_of for e in found)
+    return PartStatistics(
+        problem,
+        key,
+        len(found),
+        out_of,
+        float(points.mean() / out_of) if out_of else 0.0,
+        _correlation(points, rest),
+        Counter(e.verdict for e in found),
+        Counter(e.diagnosis for e in found if e.diagnosis),
+    )
+
+
+def _correlation(x, y):
+    if len(x) < FEWEST or np.ptp(x) == 0 or np.ptp(y) == 0:
+        return None
+    return float(np.corrcoef(x, y)[0, 1])
+
+
+def statistics_table(parts):
+    """The statistics as a table for the terminal, each part with its most frequent mistake."""
+    columns = ("problem", "part", ">diff.", ">discr.", *(f">{m}" for m in VERDICTS.values()))
+    table = plain_table(
+        "Statistics  (diff.: mean share of the points; discr.: correlation with the rest)",
+        *columns,
+        "most frequent mistake",
+    )
+    for p in parts:
+        mistake, count = p.mistakes.most_common(1)[0] if p.mistakes else ("", 0)
+        table.add_row(
+            p.problem,
+            p.key,
+            f"{p.difficulty:.2f}",
+            _two_digits(p.discrimination),
+            *(str(p.verdicts[v]) for v in VERDICTS),
+            shown(f"{count}× {mistake}") if count else "",
+        )
+    return table
+
+
+def _two_digits(x):
+    return "–" if x is None else f"{x:.2f}"
+
+
+def statistics_csv(parts, path):
+    """Write the statistics as CSV: a line for each part, below it one for each mistake, with the
+    columns of the part left empty.
+    """
+    with open(path, "w", newline="", encoding="utf-8-sig") as f:
+        writer = csv.writer(f)
+        writer.writerow(
+            ("problem", "part", "students", "out_of", "difficulty", "discrimination", *VERDICTS,
+             "mistake", "times")
+        )  # fmt: skip
+        for p in parts:
+            own = (p.problem, p.key, p.students, f"{p.out_of:g}", f"{p.difficulty:.4f}",
+                   "" if p.discrimination is None else f"{p.discrimination:.4f}",
+                   *(p.verdicts[v] for v in VERDICTS))  # fmt: skip
+            writer.writerow((*own, "", ""))
+            empty = [""] * (len(own) - 2)
+            writer.writerows((p.problem, p.key, *empty, *m) for m in p.mistakes.most_common())
+
+
+def statistics_figure(parts, path):
+    """Write the statistics as a picture: a bar of verdicts for each part, and a dot for its
+    discrimination.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    # also told apart in grey and by those who see few colours
+    colours = {"right": "#1b7f5c", "wrong": "#d1622b", "unreadable": "#8a6fb0", "blank": "#c9c9c9"}
+    figure = Figure(figsize=(8, 1.2 + 0.26 * len(parts)), dpi=120, layout="constrained")
+    FigureCanvasAgg(figure)
+    ax = figure.add_subplot()
+    places, left = np.arange(len(parts)), np.zeros(len(parts))
+    for verdict, colour in colours.items():
+        shares = np.array([p.verdicts[verdict] / p.students for p in parts])
+        ax.barh(places, shares, left=left, color=colour, label=verdict, height=0.8)
+        left += shares
+    known = [(n, p.discrimination) for n, p in zip(places, parts, strict=True)
+             if p.discrimination is not None]  # fmt: skip
+    if known:
+        ax.plot(
+            [max(0.0, d) for _, d in known],
+            [n for n, _ in known],
+            "ko",
+            markersize=4,
+            label="discrimination",
+        )
+    ax.set_yticks(places, [f"{p.problem} {p.key}" for p in parts], fontsize=8)
+    ax.invert_yaxis()
+    ax.set_xlim(0, 1)
+    ax.set_xlabel("share of the students; dots: discrimination")
+    figure.legend(loc="outside upper center", ncols=5, fontsize=8, frameon=False)
+    figure.savefig(path, format="png")

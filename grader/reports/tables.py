@@ -1,0 +1,134 @@
+"""The results of a run of the grader as tables for the terminal, which fit into 80 columns.
+
+Whatever a student wrote (names of files, messages of their code) is shown without control
+characters.
+"""
+
+from collections import Counter
+from statistics import mean, median
+
+from rich import box
+from rich.markup import escape
+from rich.table import Table
+
+CAGED = "namespaces"  # what Result.sandbox says of a run in the cage
+VERDICTS = {"right": "✓", "wrong": "✗", "unreadable": "?", "blank": "–"}
+
+
+def plain_table(title, *columns):
+    """A table without vertical lines; ``columns`` are names, those of numbers with a ``>`` before
+    them.
+    """
+    table = Table(title=title, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)
+    for name in columns:
+        right = name.startswith(">")
+        table.add_column(
+            name.removeprefix(">"),
+            justify="right" if right else "left",
+            no_wrap=right,
+            overflow="fold",
+        )
+    return table
+
+
+def shown(text):
+    """A text for a cell of a table: without markup and control characters."""
+    return escape("".join(c if c.isprintable() else "\ufffd" for c in str(text)))
+
+
+def gradebook_table(results):
+    """A table with one row per student (points, number of answers by verdict, remark), and a
+    summary of the class.
+    """
+    columns = ("student", ">points", ">%", *(f">{m}" for m in VERDICTS.values()), "remark")
+    table = plain_table("Gradebook  (✓ right, ✗ wrong, ? not read, – blank)", *columns)
+    # what ran without a cage may have changed the others' results too
+    uncaged = any(r.sandbox != CAGED for r in results)
+    for r in results:
+        if r.problem:
+            table.add_row(shown(r.student), "–", "–", *[""] * 4, "[red]not graded, see below[/]")
+            continue
+        found = Counter(p.verdict for s in r.scores.values() for p in s.parts)
+        table.add_row(
+            shown(r.student),
+            f"{r.points:.4g}/{r.out_of:g}",
+            _percent(r),
+            *(str(found[v]) for v in VERDICTS),
+            shown("; ".join([*(["unsandboxed"] if uncaged else []), *_remarks(r)])),
+        )
+    _add_summary(table, results)
+    return table
+
+
+def _percent(result):
+    return f"{100 * result.points / result.out_of:.0f}" if result.out_of else "–"
+
+
+def _remarks(r):
+    """What is to be said of a result: what waits, was taken off or added, and the most frequent
+    diagnosis.
+    """
+    if r.waiting:
+        yield f"{r.waiting} to grade by hand"
+    if r.penalty:
+        yield f"{r.penalty:g} off for lateness"
+    if r.extra:
+        yield f"{r.extra:g} extra"
+    if text := _most_frequent(r):
+        yield text
+
+
+def _most_frequent(result):
+    """The most frequent diagnosis of a result; without any, its most frequent note."""
+    diagnoses = Counter(text for _, _, text in result.diagnoses())
+    if diagnoses:
+        (text, count) = diagnoses.most_common(1)[0]
+        others = sum(diagnoses.values()) - count
+        return f"{text} ({count}×)" + (f", and {others} more" if others else "")
+    notes = Counter(s.note.split(",")[0] for s in result.scores.values() if s.note)
+    if notes:
+        return notes.most_common(1)[0][0]
+    return "" if result.note == result.sandbox else result.note  # which the row says anyway
+
+
+def _add_summary(table, results):
+    graded = [r for r in results if not r.problem]
+    if len(graded) < 2:
+        return
+    table.add_section()
+    for name, middle in (("mean", mean), ("median", median)):
+        shares = [r.points / r.out_of for r in graded if r.out_of]
+        points = middle([r.points for r in graded])
+        table.add_row(
+            name, f"{points:.4g}", f"{100 * middle(shares):.0f}" if shares else "–", *[""] * 5
+        )
+    found = Counter(p.verdict for r in graded for s in r.scores.values() for p in s.parts)
+    waiting = sum(r.waiting for r in graded)
+    said = [f"{len(graded)} graded"]
+    said += [f"{len(results) - len(graded)} not"] if len(results) > len(graded) else []
+    said += [f"{waiting} cells wait for a person"] if waiting else []
+    table.add_row("all", "", "", *(str(found[v]) for v in VERDICTS), ", ".join(said))
+
+
+def diagnosis_table(results, most=None):
+    """A table of the diagnoses by student and problem: all, or the first ``most``."""
+    rows = [(r.student, *entry) for r in results for entry in r.diagnoses()]
+    left_out = f" (the first {most} of {len(rows)})" if most and len(rows) > most else ""
+    table = plain_table(f"Diagnoses{left_out}", "student", "problem", "answer", "diagnosis")
+    for row in rows[:most]:
+        table.add_row(*map(shown, row))
+    return table
+
+
+def taken_in_table(taken):
+    """A table of what became of the files of an archive, from a
+    :class:`~grader.course.take_in.TakenIn`.
+    """
+    table = plain_table("Work in the archive", "student", "file", "what became of it")
+    for student, name in taken.taken.items():
+        table.add_row(shown(student), shown(name), "[green]taken in[/]")
+    for student, name in taken.kept:
+        table.add_row(shown(student), shown(name), "had handed in before; --replace takes this one")
+    for name, why in taken.refused:
+        table.add_row("–", shown(name), f"[red]left out:[/] {shown(why)}")
+    return table

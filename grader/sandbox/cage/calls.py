@@ -1,0 +1,79 @@
+"""Forbids system calls that no answer needs, by libseccomp, which systemd brings to most Linux
+machines. Without the library the namespaces stand alone.
+
+It is called through ctypes: its own Python binding is not on PyPI, and the one that is
+(pyseccomp) has had no release since 2021.
+"""
+
+import ctypes
+import errno
+import functools
+
+FORBIDDEN = (
+    "add_key", "keyctl", "request_key", "ptrace", "process_vm_readv", "process_vm_writev",
+    "process_madvise", "pidfd_getfd", "kcmp", "unshare", "setns", "mount", "umount2",
+    "pivot_root", "chroot", "open_tree", "move_mount", "fsopen", "fsconfig", "fsmount",
+    "fspick", "mount_setattr", "name_to_handle_at", "open_by_handle_at", "bpf",
+    "perf_event_open", "userfaultfd", "io_uring_setup", "io_uring_enter", "io_uring_register",
+    "memfd_create", "memfd_secret", "shmget", "shmat", "msgget", "semget", "mq_open",
+    "init_module", "finit_module", "delete_module", "kexec_load", "kexec_file_load", "reboot",
+    "swapon", "swapoff", "acct", "quotactl", "syslog", "lookup_dcookie", "iopl", "ioperm",
+    "modify_ldt", "fanotify_init",
+    "setsid",  # the scheduler shares the processor among sessions: one submission is one
+)  # fmt: skip
+NEW_USER_NAMESPACE = 0x10000000
+LAST_FAMILY = 10  # of sockets: AF_INET6; beyond are netlink, AF_ALG, and AF_VSOCK to the host
+_ALLOW, _ERRNO = 0x7FFF0000, 0x00050000
+_GREATER, _MASKED_EQUAL = 6, 7
+_NO_NEW_PRIVS = 3  # an attribute of a filter: here it is set already, or the process has the right
+
+
+class _Comparison(ctypes.Structure):
+    _fields_ = (
+        ("argument", ctypes.c_uint),
+        ("operator", ctypes.c_int),
+        ("a", ctypes.c_uint64),
+        ("b", ctypes.c_uint64),
+    )
+
+
+@functools.cache
+def library():
+    """libseccomp, or None where it is not installed; to be called before the root is changed."""
+    try:
+        found = ctypes.CDLL("libseccomp.so.2")
+    except OSError:
+        return None
+    found.seccomp_init.restype = ctypes.c_void_p
+    return found
+
+
+def forbid():
+    """Make the calls fail with EPERM in this process and all that it starts; False without the
+    library.
+    """
+    if library() is None:
+        return False
+    context = ctypes.c_void_p(library().seccomp_init(ctypes.c_uint32(_ALLOW)))
+    for name in FORBIDDEN:
+        _add(context, name, errno.EPERM)
+    user = NEW_USER_NAMESPACE
+    _add(context, "clone", errno.EPERM, _Comparison(0, _MASKED_EQUAL, user, user))
+    # its flags stand in memory, which a filter cannot read; the C library then takes clone
+    _add(context, "clone3", errno.ENOSYS)
+    _add(context, "socket", errno.EPERM, _Comparison(0, _GREATER, LAST_FAMILY, 0))
+    failed = library().seccomp_load(context)
+    library().seccomp_release(context)
+    if failed:
+        raise OSError(-failed, "the kernel takes no filter of system calls")
+    return True
+
+
+def _add(context, name, error, *comparisons):
+    number = library().seccomp_syscall_resolve_name(name.encode())
+    if number < 0:  # not a call of this machine, or newer than the library
+        return
+    array = (_Comparison * len(comparisons))(*comparisons)
+    library().seccomp_rule_add_array(
+        context, ctypes.c_uint32(_ERRNO | error), number, len(comparisons), array
+    )

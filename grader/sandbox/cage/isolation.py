@@ -1,0 +1,336 @@
+"""The isolation of a process: Linux namespaces (user, mount, pid, network, ipc, uts), a read-only
+root with nothing but the interpreter and its libraries, resource limits, an unprivileged user,
+no capabilities, no new privileges, a session and a keyring of its own.
+"""
+
+import contextlib
+import ctypes
+import errno
+import functools
+import importlib
+import os
+import platform
+import resource
+import signal
+import sys
+import sysconfig
+
+MEMORY = 3 * 2**30
+PROCESSES = 64
+TMPFS = "size=64m,nr_inodes=20000"  # empty files take memory too
+CLONE = {
+    "mount": 0x20000,
+    "uts": 0x4000000,
+    "ipc": 0x8000000,
+    "user": 0x10000000,
+    "pid": 0x20000000,
+    "net": 0x40000000,
+}
+MS_RDONLY, MS_NOSUID, MS_NODEV, MS_REMOUNT, MS_BIND, MS_REC, MS_PRIVATE = (
+    1,
+    2,
+    4,
+    32,
+    4096,
+    16384,
+    1 << 18,
+)
+KEYCTL_JOIN_SESSION_KEYRING = 1
+PR_SET_DUMPABLE, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS = 4, 24, 38
+SYSCALLS = {  # numbers of the calls that the C library does not offer
+    "x86_64": {"clone": 56, "pivot_root": 155, "keyctl": 250},
+    "aarch64": {"clone": 220, "pivot_root": 41, "keyctl": 219},
+}
+NOBODY = 65534
+
+
+class Refused(OSError):
+    """The kernel does not allow a namespace, a mount, or a limit."""
+
+
+def _libc():
+    return ctypes.CDLL(None, use_errno=True)
+
+
+def _call(function, *args):
+    if function(*args) != 0:
+        error = ctypes.get_errno()
+        raise Refused(error, os.strerror(error))
+
+
+def _syscall(name):
+    try:
+        return SYSCALLS[platform.machine()][name]
+    except KeyError:
+        raise Refused(0, f"no number of {name} for {platform.machine()}") from None
+
+
+def fork_into_namespaces():
+    """As ``os.fork``, but the child is the first process of namespaces of its own, which it has to
+    claim.
+
+    ``unshare`` would need one more process, since it does not change the pid namespace of its
+    caller. Python has no clone; around one of its own it wants what ``os.fork`` does.
+    """
+    if sys.platform != "linux":
+        raise Refused(0, f"{sys.platform} has no namespaces")
+    number, python = _syscall("clone"), ctypes.pythonapi
+    if (threads := len(os.listdir("/proc/self/task"))) > 1:
+        # clone does not tell libraries of it, as fork does: some would wait for their threads
+        raise Refused(0, f"a library has started {threads - 1} threads in the worker")
+    kinds = [k for k in CLONE if k != "user" or os.geteuid() != 0]
+    call = ctypes.PyDLL(None, use_errno=True).syscall  # PyDLL: the lock of the interpreter is kept
+    python.PyOS_BeforeFork()
+    pid = call(number, sum(CLONE[k] for k in kinds) | signal.SIGCHLD, None, None, None, None)
+    if pid == 0:
+        python.PyOS_AfterFork_Child()
+        return 0
+    python.PyOS_AfterFork_Parent()
+    if pid < 0:
+        error = ctypes.get_errno()
+        raise Refused(error, os.strerror(error))
+    return pid
+
+
+def claim_namespaces(uid, gid):
+    """In the first process, before anything else: keep the ids that it had outside."""
+    if uid != 0:  # root has made no user namespace
+        proc = open_proc()
+        _map_user(proc, uid, gid)
+        os.close(proc)
+
+
+def join_keyring():
+    """A session keyring of its own: the instructor's can be read, filled and revoked by any process
+    that has it.
+    """
+    number = SYSCALLS.get(platform.machine(), {}).get("keyctl")
+    if sys.platform != "linux" or number is None:
+        return  # no keyrings; or no namespaces either, which is told when they are entered
+    if _libc().syscall(number, KEYCTL_JOIN_SESSION_KEYRING, None) < 0:
+        error = ctypes.get_errno()
+        if error != errno.ENOSYS:  # a kernel without keyrings has none to protect
+            raise Refused(error, f"no keyring of its own: {os.strerror(error)}")
+
+
+def forbid_shared_memory():
+    """In the new ipc namespace: no System V segments and queues, whose memory belongs to no
+    process. Where the kernel does not let an ordinary user write this, seccomp and the limits on
+    mapped memory are left.
+    """
+    for name in ("shmmni", "msgmni"):
+        with contextlib.suppress(OSError), open(f"/proc/sys/kernel/{name}", "w") as f:
+            f.write("0")
+
+
+def open_proc():
+    """An open /proc, for what must be written there after the new root, which has none, is made."""
+    return os.open("/proc", os.O_PATH | os.O_DIRECTORY)
+
+
+def forbid_user_namespaces(proc):
+    """Enter a user namespace in which no further one can be made; closes ``proc``.
+
+    A process in it has no rights over the first process, which is outside, though of the same user.
+    """
+    libc, ids = _libc(), (os.geteuid(), os.getegid())
+    libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0)  # else its own files in /proc belong to root
+    _call(libc.unshare, CLONE["user"])
+    _map_user(proc, *ids)
+    _write(proc, "sys/user/max_user_namespaces", "0")
+    os.close(proc)
+
+
+def _map_user(proc, uid, gid):
+    """In a new user namespace, keep the ids; without a map they would be "nobody"."""
+    _write(proc, "self/setgroups", "deny")
+    _write(proc, "self/uid_map", f"{uid} {uid} 1")
+    _write(proc, "self/gid_map", f"{gid} {gid} 1")
+
+
+def _write(folder, path, text):
+    fd = os.open(path, os.O_WRONLY, dir_fd=folder)
+    try:
+        os.write(fd, text.encode())
+    finally:
+        os.close(fd)
+
+
+# -- the root
+
+
+@functools.cache
+def readable_places():
+    """(folders, links) that student code may read: interpreter, installed libraries, engine,
+    chapters; never the course or the exercises. Looked up once in a worker.
+    """
+    engine = os.path.dirname(os.path.abspath(importlib.import_module("newton_euler").__file__))
+    # in a checkout they are beside the engine
+    chapters = importlib.import_module("newton_euler.chapters").__path__
+    wanted = [
+        engine,
+        *chapters,
+        "/usr/lib",
+        "/usr/lib64",
+        "/usr/local/lib",
+        "/lib",
+        "/lib64",
+        "/etc/ld.so.cache",
+        "/usr/share/zoneinfo",
+    ]
+    # not the whole prefixes: /usr and /usr/local also contain /usr/local/share/nbgrader/exchange
+    wanted += [
+        os.path.join(prefix, lib)
+        for prefix in (sys.base_prefix, sys.prefix, sys.base_exec_prefix, sys.exec_prefix)
+        for lib in ("lib", "lib64")
+    ]
+    wanted += [sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")]
+    wanted += [
+        p
+        for p in sys.path
+        if os.path.isdir(p) and os.path.basename(p) in ("site-packages", "dist-packages")
+    ]
+    found = []
+    for place in sorted({os.path.realpath(p) for p in wanted if os.path.exists(p)}, key=len):
+        if place != "/" and not any(place == f or place.startswith(f + "/") for f in found):
+            found.append(place)
+    links = [(p, os.path.realpath(p)) for p in wanted if os.path.islink(p)]
+    return found, links
+
+
+def _mount(libc, source, target, kind, flags, data=None):
+    text = [x.encode() if isinstance(x, str) else x for x in (source, target, kind, data)]
+    _call(libc.mount, text[0], text[1], text[2], ctypes.c_ulong(flags), text[3])
+
+
+def build_root():
+    """Make a new root on tmpfs that contains the readable places and nothing else, and change to
+    it.
+    """
+    libc = _libc()
+    places, links = readable_places()
+    _mount(libc, None, "/", None, MS_REC | MS_PRIVATE)
+    root = _mount_point(places)
+    _mount(libc, "cage", root, "tmpfs", MS_NOSUID | MS_NODEV, TMPFS + ",mode=755")
+    os.makedirs(root + "/tmp")  # before the places, since one of them may be in it
+    _mount(libc, "scratch", root + "/tmp", "tmpfs", MS_NOSUID | MS_NODEV, TMPFS + ",mode=1777")
+    for place in places:
+        target = root + place
+        if os.path.isdir(place):
+            os.makedirs(target, exist_ok=True)
+        else:
+            os.makedirs(os.path.dirname(target), exist_ok=True)
+            open(target, "w").close()
+        _mount(libc, place, target, None, MS_BIND | MS_REC)
+        _mount(
+            libc,
+            None,
+            target,
+            None,
+            MS_BIND | MS_REMOUNT | MS_RDONLY | MS_NOSUID | _kept_flags(place),
+        )
+    for link, real in links:
+        with contextlib.suppress(FileExistsError):
+            os.makedirs(os.path.dirname(root + link), exist_ok=True)
+            os.symlink(real, root + link)
+    for device in ("null", "zero", "urandom"):
+        os.makedirs(root + "/dev", exist_ok=True)
+        open(f"{root}/dev/{device}", "w").close()
+        _mount(libc, f"/dev/{device}", f"{root}/dev/{device}", None, MS_BIND)
+    os.makedirs(root + "/.old")
+    _call(libc.syscall, _syscall("pivot_root"), root.encode(), (root + "/.old").encode())
+    os.chdir("/")
+    _call(libc.umount2, b"/.old", 2)
+    os.rmdir("/.old")
+    _mount(libc, None, "/", None, MS_BIND | MS_REMOUNT | MS_RDONLY | MS_NOSUID | MS_NODEV)
+    os.chdir("/tmp")
+
+
+def _mount_point(places):
+    """An existing folder to mount the new root on; it contains none of the places that the new root
+    must show.
+    """
+    for folder in ("/mnt", "/srv", "/media", "/opt", "/var/tmp", "/tmp"):
+        if os.path.isdir(folder) and not any(
+            p == folder or p.startswith(folder + "/") for p in places
+        ):
+            return folder
+    raise Refused(
+        2,
+        "no folder to mount the cage on: all of /mnt, /srv, /media, /opt, /var/tmp and /tmp "
+        "hold parts of Python",
+    )
+
+
+def _kept_flags(place):
+    """The flags of the mount that a remount in a user namespace must keep."""
+    flags = os.statvfs(place).f_flag
+    return (
+        (flags & os.ST_NODEV and MS_NODEV)
+        | (flags & os.ST_NOEXEC and 8)
+        | (flags & os.ST_NOATIME and 1024)
+        | (flags & os.ST_RELATIME and 1 << 21)
+    )
+
+
+# -- limits and privileges
+
+
+def limit(seconds, used, tests=0):
+    """Limit processor time, memory beyond what is ``used``, files and processes; ``tests`` copies
+    come on top.
+    """
+    for what, value in (
+        (resource.RLIMIT_CPU, int(seconds) + 1),
+        (resource.RLIMIT_AS, used + MEMORY),
+        (resource.RLIMIT_FSIZE, 16 * 2**20),
+        (resource.RLIMIT_NOFILE, 64 + tests),
+        (resource.RLIMIT_NPROC, PROCESSES + tests),
+        (resource.RLIMIT_CORE, 0),
+    ):
+        hard = resource.getrlimit(what)[1]
+        value = value if hard == resource.RLIM_INFINITY else min(value, hard)
+        resource.setrlimit(what, (value, value))
+
+
+def memory_in_use():
+    """The bytes of address space of this process; 0 where there is no /proc, as on macOS."""
+    try:
+        with open("/proc/self/statm") as f:
+            return int(f.read().split()[0]) * resource.getpagesize()
+    except OSError:
+        return 0
+
+
+def become(uid):
+    """Become this user, if this is root."""
+    if os.geteuid() == 0:
+        os.setgroups([])
+        try:
+            os.setresgid(uid, uid, uid)
+            os.setresuid(uid, uid, uid)
+        except OSError:  # few users are mapped, as in some containers
+            os.setresgid(NOBODY, NOBODY, NOBODY)
+            os.setresuid(NOBODY, NOBODY, NOBODY)
+
+
+def drop_capabilities():
+    """Give up all capabilities, for ever: the creator of a user namespace has all of them in it and
+    could make the mounts writable again.
+    """
+    if sys.platform != "linux":
+        return
+    libc = _libc()
+    for capability in range(64):
+        libc.prctl(PR_CAPBSET_DROP, capability, 0, 0, 0)
+    _call(libc.capset, (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)())
+    libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
+
+
+def close_all_but(*kept):
+    """Close every file of this process but the standard ones and those that are named."""
+    low = 3
+    for fd in sorted(kept):
+        os.closerange(low, fd)
+        low = fd + 1
+    os.closerange(low, 1024)

@@ -1,0 +1,93 @@
+"""The libraries that student code may use: imported once, and put back as they were before a test
+runs.
+"""
+
+import gc
+import importlib
+import sys
+
+PRELOAD = (
+    "numpy",
+    "sympy",
+    "mpmath",
+    "scipy.linalg",
+    "scipy.optimize",
+    "scipy.integrate",
+    "numpy.testing",
+    "newton_euler",
+    "newton_euler.kinematics",  # which the first cell of every notebook imports names from
+    "newton_euler.classroom.answers",
+)
+# what the tests of an instructor are written with, and what runs them; all of scipy would double
+# the cost
+TRUSTED = (
+    "cage",
+    "os",
+    "posix",
+    "json",
+    "struct",
+    "signal",
+    "ast",
+    "builtins",
+    "math",
+    "cmath",
+    "operator",
+    "fractions",
+    "decimal",
+    "numbers",
+    "unittest",
+    "numpy",
+    "sympy",
+    "mpmath",
+    "newton_euler",
+)
+_as_imported: list = []
+
+
+def load():
+    """Import the libraries, and remember what their modules hold."""
+    for name in PRELOAD:
+        importlib.import_module(name)
+    _warm_up()
+    _as_imported[:] = [
+        (module, dict(vars(module)))
+        for name, module in list(sys.modules.items())
+        if name.partition(".")[0] in TRUSTED
+    ]
+
+
+def load_ipython():
+    """Import IPython, which takes as long as a notebook, when the first notebook needs it."""
+    if "IPython" not in sys.modules:
+        importlib.import_module("IPython.core.inputtransformer2")
+        importlib.import_module("IPython.display")
+        gc.freeze()
+
+
+def restore():
+    """Put back what student code has replaced in the modules: a test that calls
+    ``numpy.testing.assert_allclose`` is to mean numpy's.
+
+    This stops what is simple. A test runs in the student's process, and one who knows this code can
+    deceive it; answers in receipts are compared elsewhere, by code that no student reaches.
+    """
+    sys.settrace(None)
+    sys.setprofile(None)
+    gc.callbacks.clear()
+    for module, held in _as_imported:
+        now = vars(module)
+        for name, value in held.items():
+            if now.get(name) is not value:
+                now[name] = value
+
+
+def _warm_up():
+    """What every submission would have to repeat: the first sum imports sympy.tensor, which takes
+    as long as all cells of a notebook together.
+    """
+    sympy = sys.modules["sympy"]
+    x, y = sympy.symbols("x y", real=True)
+    str(
+        sympy.sqrt(sympy.sin(x) ** 2 / 3 + y * sympy.tan(x) - sympy.Abs(y))
+        + sympy.Matrix([x + y, x, sympy.atan2(y, x)]).dot([y, x, 1]) * sympy.cos(x + y)
+    )

@@ -1,0 +1,230 @@
+"""Imports what student code may use, then waits for jobs. For each job it forks a chain of
+processes, watches it, and ends it with all its descendants:
+
+    this process   reads no job and no result: what one student wrote cannot be found in the
+                   memory that the next one gets a copy of
+    the first      pid 1 of the namespace: builds the root, keeps the time, runs no student code
+    the student    unprivileged; reads the job, runs the cells, writes receipts into a pipe
+    the copies     of the student, one for each test, wait for the text of the test
+
+A job comes as a line of JSON ({"seconds", "cell_seconds", "sandbox", "tests"}) with files: the
+job, the receipts, the state, and a socket for each test. The grader reads the pipes itself.
+"""
+
+import contextlib
+import gc
+import json
+import os
+import select
+import signal
+import socket
+import time
+
+from . import calls, isolation, libraries, watch
+from .cells import Notebook
+from .memory import TOTAL, Group, Watch
+
+GRACE = 5.0  # seconds that a job may take longer than its limits before it is ended from outside
+TOO_MUCH = f"stopped at {TOTAL / 2**30:g} GB of memory"
+END = b"end\n"  # what the grader says at the end of each job
+MOST_TESTS = 200  # in one notebook; the kernel passes at most 253 files at a time
+
+
+def main(fd):
+    """Serve jobs over the socket ``fd`` until the grader closes it."""
+    libraries.load()
+    watch.adopt_orphans()
+    gc.collect()
+    gc.freeze()
+    calls.library(), isolation.readable_places()  # looked up once, not after each fork
+    control, group = socket.socket(fileno=fd), Group.make()
+    try:
+        while request := _receive(control):
+            if not _serve(control, group, *request):
+                break
+    finally:
+        if group:
+            group.remove()
+    os._exit(0)  # to take the libraries down in order would cost more than a notebook
+
+
+def _receive(control):
+    """(job, files) of the next request, or None after the last."""
+    data, fds = b"", []
+    with contextlib.suppress(OSError):  # the grader may have gone without reading the last reply
+        while not data.endswith(b"\n"):
+            part, more, _, _ = socket.recv_fds(control, 4096, MOST_TESTS + 10)
+            fds += more
+            if not part:
+                return None
+            data += part
+        return json.loads(data), fds
+    return None
+
+
+def _serve(control, group, job, fds):
+    """Run one job until the grader asks to end it, or it takes too much, and reply how it ended;
+    False if the grader is gone.
+    """
+    if job["ipython"]:
+        libraries.load_ipython()
+    worker = os.getpid()
+    # a separate user for each worker, so that limits counted by user do not affect other workers
+    job = {**job, "uid": 2**20 + worker, "ids": (os.geteuid(), os.getegid())}
+    kills, pid = group.kills() if group else 0, None
+    try:
+        if group:
+            group.allow(job["tests"])
+        pid = isolation.fork_into_namespaces() if job["sandbox"] else os.fork()
+    except OSError as error:
+        _say(fds[2], refused=str(error))
+    if pid == 0:
+        try:
+            watch.die_with(worker)
+            control.close()
+            _first(job, group, *fds[:3], fds[3:])
+        finally:
+            os._exit(1)
+    for fd in fds:
+        os.close(fd)
+    why = _wait(control, Watch(job["tests"]), time.monotonic() + 2 * job["seconds"] + GRACE)
+    if group:
+        group.kill()
+        if group.kills() > kills:
+            why = TOO_MUCH
+    if pid is not None:
+        watch.end(pid)
+    with contextlib.suppress(OSError):  # the grader may be gone
+        control.sendall(json.dumps({"ended": why}).encode() + b"\n")
+        return control.recv(len(END)) == END  # also after a job that ended without being asked
+    return False
+
+
+def _wait(control, memory, deadline):
+    """Why a job is to be ended: "" if the grader asks for it, or is gone."""
+    while (now := time.monotonic()) < deadline:
+        if select.select([control], [], [], max(min(memory.next, deadline) - now, 0))[0]:
+            return ""
+        if time.monotonic() >= memory.next and memory.exceeded():
+            return TOO_MUCH
+    return "stopped from outside"
+
+
+# -- in the chain
+
+
+def _first(job, group, work, receipts, state, tests):
+    """Isolate this process, fork the student's, keep its time, then wait for its copies. Never
+    returns.
+    """
+    try:
+        _isolate(job, group, (work, receipts, state, *tests))
+    except OSError as error:
+        _refuse(state, error)
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # of what it does not handle nothing reaches it
+    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGCHLD})
+    first = os.getpid()
+    student = os.fork()
+    if student == 0:
+        try:
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGCHLD})
+            _student(job, work, receipts, state, tests, first)
+        finally:
+            os._exit(0)
+    isolation.close_all_but(state)
+    ended = _reaped(student, time.monotonic() + job["seconds"])
+    if not ended:
+        os.kill(student, signal.SIGKILL)
+    _say(state, ended="done" if ended else f"stopped after {job['seconds']:g} s")
+    if tests:
+        with contextlib.suppress(ChildProcessError):
+            while True:
+                os.waitpid(-1, 0)
+    os._exit(0)
+
+
+def _isolate(job, group, files):
+    """Put this process, and all that it will fork, into the cage."""
+    if job["sandbox"]:
+        isolation.claim_namespaces(*job["ids"])
+    if group:
+        group.enter()
+    os.setsid()  # a signal to the group of a student's process stays among that student's
+    isolation.join_keyring()
+    _drop_files(*files)
+    job["used"] = isolation.memory_in_use()
+    if job["sandbox"]:
+        isolation.forbid_shared_memory()
+        job["proc"] = isolation.open_proc()
+        isolation.build_root()
+    else:
+        watch.adopt_orphans()
+        os.chdir("/tmp")  # where students may write
+
+
+def _drop_files(*kept):
+    null = os.open(os.devnull, os.O_RDWR)
+    for fd in (0, 1, 2):
+        os.dup2(null, fd)
+    isolation.close_all_but(*kept)
+
+
+def _say(state, **record):
+    with contextlib.suppress(OSError):  # the grader may be gone
+        os.write(state, json.dumps(record).encode() + b"\n")
+
+
+def _refuse(state, error):
+    _say(state, refused=str(error)[:300])
+    os._exit(3)
+
+
+def _child_or(seconds):
+    """Wait until a child has changed, or so long."""
+    if hasattr(signal, "sigtimedwait"):
+        signal.sigtimedwait({signal.SIGCHLD}, seconds)
+    else:  # macOS
+        time.sleep(min(seconds, 0.01))
+
+
+def _give_up_rights(job, tests, first):
+    """Make this process one that can do nothing but run the cells."""
+    os.setsid()
+    isolation.limit(job["seconds"], job["used"], tests)
+    isolation.become(job["uid"])
+    if job["sandbox"]:
+        isolation.forbid_user_namespaces(job["proc"])
+    isolation.drop_capabilities()
+    calls.forbid()
+    watch.die_with(first)
+
+
+def _reaped(student, deadline):
+    """Wait for the student's process, and reap all others that end; False at the deadline."""
+    while (left := deadline - time.monotonic()) > 0:
+        pid, status = os.waitpid(-1, os.WNOHANG | os.WUNTRACED)
+        if pid and os.WIFSTOPPED(status):
+            os.kill(pid, signal.SIGCONT)
+        elif pid == student:
+            return True
+        elif not pid:
+            _child_or(left)
+    return False
+
+
+def _student(job, work, receipts, state, tests, first):
+    """Give up all rights and run the cells of the job."""
+    try:
+        _give_up_rights(job, len(tests), first)
+    except OSError as error:
+        _refuse(state, error)
+    _say(state, sandbox="namespaces" if job["sandbox"] else "unsandboxed: asked for")
+    os.close(state)
+    with open(work, "rb") as f:
+        cells = json.loads(f.read())
+    Notebook(job["cell_seconds"], lambda line: _write(receipts, line), tests).run(cells)
+
+
+def _write(fd, data):
+    while data:
+        data = data[os.write(fd, data) :]

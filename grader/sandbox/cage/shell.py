@@ -1,0 +1,193 @@
+"""What a notebook has besides Python, as far as a cell needs it to run as it ran for the student:
+magics, ``?`` and ``!``, ``display``, ``get_ipython()``, ``_``, top-level ``await``.
+
+IPython's own transformer reads what is not Python. A magic that runs Python (``%time``,
+``%%capture``) runs it; all others do nothing.
+"""
+
+import ast
+import builtins
+import inspect
+import linecache
+import re
+import sys
+import types
+
+FILE = "<cell {}>"  # the file name of a cell, by its number
+# options of %time and %timeit, which stand before the expression
+_OPTIONS = re.compile(r"^(?:\s*(?:-[nrpv]\s*\d+|-[tcqo]+|--no-raise-error|--)(?=\s|$))*\s*")
+_RUN = ("time", "prun", "memit", "mprun", "capture")
+_PYLAB = (
+    "import numpy\nimport matplotlib\nfrom matplotlib import pylab, mlab, pyplot\n"
+    "np, plt = numpy, pyplot\nfrom matplotlib.pylab import *\nfrom numpy import *\n"
+)
+
+
+class Shell:
+    """Runs cells in one namespace, ``names``, the module ``__main__`` of the student."""
+
+    def __init__(self):
+        sys.path.insert(0, "")  # for modules that a cell has written
+        module = types.ModuleType("__main__")
+        sys.modules["__main__"] = module  # where dataclasses and pickle look names up
+        self.names = module.__dict__
+        self._count = 0  # of the texts that were run
+        self._displayed = {"_": "", "__": "", "___": ""}
+        self._loop = None
+        self.names.update(
+            __builtins__=builtins,
+            display=_display,
+            get_ipython=lambda: self.ipython,
+            **self._displayed,
+        )
+        self.ipython = _IPython(self)
+
+    def run(self, text):
+        """Run a cell; returns the value of its last expression that a notebook would show."""
+        value, shown = self._run_text(text, self.names)
+        if not shown or value is None:
+            return None
+        self._keep(value)
+        return value
+
+    def _run_text(self, text, names):
+        """(the value of the last expression, whether a notebook shows it)."""
+        self._count += 1
+        file = FILE.format(self._count)
+        tree, text = _parse(text, file)
+        # as in IPython, so that inspect.getsource finds the functions of a cell
+        linecache.cache[file] = len(text), None, text.splitlines(True), file
+        last = None
+        if tree.body and isinstance(tree.body[-1], ast.Expr):
+            last = ast.Expression(tree.body.pop().value)
+        self._execute(tree, file, "exec", names)
+        value = None if last is None else self._execute(last, file, "eval", names)
+        return value, not _is_quiet(text)
+
+    def _execute(self, tree, file, mode, names):
+        code = compile(tree, file, mode, ast.PyCF_ALLOW_TOP_LEVEL_AWAIT)
+        value = eval(code, names)
+        if code.co_flags & inspect.CO_COROUTINE:
+            return self._wait(value)
+        return value
+
+    def _wait(self, coroutine):
+        if self._loop is None:
+            import asyncio
+
+            self._loop = asyncio.new_event_loop()
+            asyncio.set_event_loop(self._loop)
+        return self._loop.run_until_complete(coroutine)
+
+    def _keep(self, value):
+        """Put a value that was shown into ``_``, unless the student has a ``_`` of his own."""
+        if any(self.names.get(name) is not old for name, old in self._displayed.items()):
+            return
+        self._displayed = {
+            "_": value,
+            "__": self._displayed["_"],
+            "___": self._displayed["__"],
+        }
+        self.names.update(self._displayed)
+
+    def run_python(self, text, names=None):
+        """Run the Python in a magic; returns the value of its last expression."""
+        return self._run_text(text, self.names if names is None else names)[0]
+
+
+def is_cell(file):
+    """True for the file name of a cell."""
+    return file.startswith("<cell ")
+
+
+def _parse(text, file):
+    """(the tree of a cell, the Python of it)."""
+    try:
+        return ast.parse(text, file), text
+    except SyntaxError:
+        # valid Python means the same to IPython; what is not goes through its transformer, which
+        # is the slow one
+        from IPython.core.inputtransformer2 import TransformerManager
+
+        text = TransformerManager().transform_cell(text)
+        return ast.parse(text, file), text
+
+
+def _is_quiet(text):
+    """True if the last line ends in a semicolon, which keeps a notebook from showing the value."""
+    last = text.rstrip().rpartition("\n")[2]
+    return last.partition("#")[0].rstrip().endswith(";") or last.endswith(";")
+
+
+def _display(*values, **_):
+    """In place of IPython's ``display``: nobody looks."""
+
+
+class _IPython:
+    """In place of the shell that ``get_ipython()`` returns."""
+
+    def __init__(self, shell):
+        self._shell = shell
+        self.user_ns = shell.names
+
+    def run_line_magic(self, name, line, *_, **__):
+        """Run the Python in a line magic."""
+        if name == "pylab":
+            self._shell.run_python(_PYLAB)
+        if name == "timeit":
+            return self._time_it(_OPTIONS.sub("", line))
+        if name in _RUN and name != "capture":
+            return self._shell.run_python(_OPTIONS.sub("", line))
+        return None
+
+    def run_cell_magic(self, name, line, cell):
+        """Run the Python under a cell magic."""
+        if name == "timeit":
+            return self._time_it(f"{_OPTIONS.sub('', line)}\n{cell}")
+        if name == "time":
+            return self._shell.run_python(f"{_OPTIONS.sub('', line)}\n{cell}")
+        if name == "writefile":
+            *options, file = line.split()
+            with open(file, "a" if "-a" in options else "w") as f:
+                f.write(cell)
+        if name in _RUN:
+            value = self._shell.run_python(cell)
+            return None if name == "capture" else value
+        return None
+
+    magic = run_line_magic
+
+    def _time_it(self, text):
+        """Run it once; its names do not stay, as with IPython, where it is timed in a function."""
+        self._shell.run_python(text, dict(self._shell.names))
+
+    def run_cell(self, text, *_, **__):
+        """Run a cell within a cell."""
+        self._shell.run_python(text)
+
+    ex = run_cell
+
+    def ev(self, text):
+        """The value of an expression."""
+        return eval(text, self.user_ns)
+
+    def getoutput(self, *_, **__):
+        """The output of a shell command, which does not run."""
+        return []
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return _Nothing()
+
+
+class _Nothing:
+    """What the shell has besides: it can be called, has every attribute, and does nothing."""
+
+    def __call__(self, *_, **__):
+        return None
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return self

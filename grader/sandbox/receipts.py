@@ -1,0 +1,81 @@
+"""What comes out of the cage, read as data: bytes up to a limit, lines of JSON of a known form."""
+
+import json
+
+OUTPUT_LIMIT = 2**20  # bytes of the receipts of one submission
+LINE_LIMIT = 2**16  # bytes of one line; the cage sends none that is longer
+MOST_LINES = 10_000  # that are read; a notebook has one for each problem and each error
+OUTCOME_LIMIT = 2**13  # bytes of the outcome of one test
+ERROR_LIMIT = 500  # characters of an error
+# of nested lists in a receipt; writing JSON that is nested deeper would exceed the recursion limit
+DEPTH = 400
+NOT_REACHED = {
+    "error": "the test was not run: the notebook ended before it, or its process ended",
+    "value": None,
+}
+
+
+def read_lines(data, problems, names):
+    """({problem id: receipt}, {name: error}): the lines of ``data`` that are receipts of these
+    problems or errors of these cells, of each the first.
+    """
+    receipts, errors = {}, {}
+    for line in data.split(b"\n", MOST_LINES)[:MOST_LINES]:
+        entry = _entry(line)
+        number, name = entry.get("id"), entry.get("name")
+        if isinstance(number, str) and number in problems:
+            receipts.setdefault(
+                number, {k: entry.get(k) for k in ("id", "answers", "faults", "error")}
+            )
+        elif isinstance(name, str) and name in names and isinstance(entry.get("error"), str):
+            errors.setdefault(name, entry["error"][:ERROR_LIMIT])
+    return receipts, errors
+
+
+def read_outcome(data, token):
+    """The outcome of a test, {"error", "value"}: the first line of ``data`` with this token;
+    :data:`NOT_REACHED` if there is none.
+    """
+    for line in data.split(b"\n"):
+        entry = _entry(line)
+        if entry.get("token") == token:
+            return _outcome(entry.get("error", ""), entry.get("value"))
+    return dict(NOT_REACHED)
+
+
+def _outcome(error, value):
+    if isinstance(error, str) and error:
+        return {"error": error[:ERROR_LIMIT], "value": None}
+    if error is None and (value is None or value == "other" or _is_finite(value)):
+        return {"error": None, "value": value}
+    return dict(NOT_REACHED)
+
+
+def _is_finite(value):
+    return isinstance(value, int | float) and not isinstance(value, bool) and value - value == 0
+
+
+def _entry(line):
+    if len(line) > LINE_LIMIT:
+        return {}
+    try:
+        entry = json.loads(line)
+        if b"\\ud" in line.lower():  # halves of characters, which no file and no database takes
+            entry = json.loads(json.dumps(entry, ensure_ascii=False).encode("utf-8", "replace"))
+    except (ValueError, RecursionError):
+        return {}
+    return entry if isinstance(entry, dict) and _is_shallow(entry) else {}
+
+
+def _is_shallow(value):
+    level = [value]
+    for _ in range(DEPTH):
+        level = [
+            x
+            for v in level
+            if isinstance(v, (list, dict))
+            for x in (v.values() if isinstance(v, dict) else v)
+        ]
+        if not level:
+            return True
+    return False

@@ -1,0 +1,238 @@
+"""One process that runs submissions (``cage/``), and the exchange with it.
+
+The process starts what runs a job, watches it and ends it. Jobs, receipts and tests pass it by, as
+files that it hands on, so that a submission finds nothing of another in its memory.
+"""
+
+import contextlib
+import fcntl
+import json
+import os
+import secrets
+import selectors
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from .receipts import OUTCOME_LIMIT, OUTPUT_LIMIT, read_outcome
+
+_SCRIPT = Path(__file__).parent / "cage" / "__main__.py"
+_PASSED_ON = ("PATH", "LANG", "LC_ALL", "TZ", "HOME")
+_SET = {
+    "OPENBLAS_NUM_THREADS": "1",
+    "OMP_NUM_THREADS": "1",
+    "MPLBACKEND": "Agg",
+    "MPLCONFIGDIR": "/tmp",
+    "PYTHONDONTWRITEBYTECODE": "1",
+}
+_PAUSE = 0.05  # seconds between two looks at the receipts
+_GRACE = 5.0  # seconds for what is not a student's: starting a process, ending a test
+_END_SECONDS = 60.0  # to end a submission that has filled the machine with processes
+
+
+class HarvestError(RuntimeError):
+    """The sandbox itself failed or is refused; it is not because of a student's code, and nothing
+    of it counts.
+    """
+
+
+class Worker:
+    """A started process; ``run`` is called by one thread at a time."""
+
+    def __init__(self):
+        environment = {k: os.environ[k] for k in _PASSED_ON if k in os.environ} | _SET
+        self._owed = False  # the reply to the last job
+        self._control, theirs = socket.socketpair()
+        with theirs:
+            # a session of its own: a Ctrl-C for the grader is the grader's to handle
+            self.process = subprocess.Popen(
+                [sys.executable, "-I", str(_SCRIPT), str(theirs.fileno())],
+                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, pass_fds=[theirs.fileno()],
+                env=environment, cwd="/", start_new_session=True,
+            )  # fmt: skip
+
+    def close(self):
+        """Tell the process that no more jobs come."""
+        self._control.close()
+
+    def stop(self):
+        """Let the process end by itself, or kill it."""
+        self.close()
+        try:
+            self.process.wait(timeout=_GRACE)
+        except subprocess.TimeoutExpired:
+            self.kill()
+
+    def kill(self):
+        """Kill the process; what it started dies with it."""
+        self._control.close()
+        self.process.kill()
+        self.process.wait()
+
+    def run(self, cells, texts, limits):
+        """Run a job; returns ({"sandbox", "ended"}, bytes of the receipts, [outcome of a test]).
+
+        texts : of the tests, in order, not in ``cells``. limits : {"seconds", "cell_seconds",
+            "sandbox", "ipython"}. When it returns the process still ends what the job has started;
+            ``settle`` waits for that.
+        """
+        with _Files(cells, len(texts)) as files, self._or_gone():
+            line = json.dumps({**limits, "tests": len(texts)}).encode() + b"\n"
+            socket.send_fds(self._control, [line], files.theirs)
+            files.close_theirs()
+            self._owed = True
+            state, data = self._listen(files, limits["seconds"] + _GRACE)
+            outcomes = _run_tests(files.tests, texts, limits) if "sandbox" in state else []
+            self._control.sendall(b"end\n")
+        # the first process says how the cells ended, unless it was ended before it could
+        if "ended" not in state:
+            state["ended"] = self.settle() or "stopped from outside"
+        return state, data, outcomes
+
+    def settle(self):
+        """Wait until all that the last job has started is gone; returns why it was ended from
+        outside, if it was.
+        """
+        if not self._owed:
+            return ""
+        reply = b""
+        with self._or_gone():
+            self._control.settimeout(_END_SECONDS)
+            while not reply.endswith(b"\n"):
+                if not (chunk := self._control.recv(4096)):
+                    raise OSError("it has closed its socket")
+                reply += chunk
+            self._control.settimeout(None)
+        self._owed = False
+        return json.loads(reply)["ended"]
+
+    @contextlib.contextmanager
+    def _or_gone(self):
+        try:
+            yield
+        except (OSError, ValueError) as error:
+            raise HarvestError(
+                f"the process that runs student code is gone ({error}); its messages are above. "
+                f"Check that newton_euler is installed for {sys.executable}"
+            ) from error
+
+    def _listen(self, files, seconds):
+        """(what the first process said, the bytes of the receipts), until the student's process
+        has ended, sends too much, or is ended from outside.
+        """
+        said, data, deadline = b"", b"", time.monotonic() + seconds
+        with selectors.DefaultSelector() as ready:
+            ready.register(files.state, selectors.EVENT_READ)
+            ready.register(self._control, selectors.EVENT_READ)
+            while "ended" not in _state(said) and len(data) <= OUTPUT_LIMIT:
+                # not woken by each receipt, which would take the time of the scorer's process
+                found = ready.select(_PAUSE)
+                data += _rest(files.receipts, OUTPUT_LIMIT + 1 - len(data))
+                if any(key.fd != files.state for key, _ in found) or time.monotonic() > deadline:
+                    break
+                if found:
+                    said += (chunk := os.read(files.state, 4096))
+                    if not chunk:
+                        break
+        data += _rest(files.receipts, OUTPUT_LIMIT + 1 - len(data))
+        state = _state(said)
+        if len(data) > OUTPUT_LIMIT:
+            state["ended"] = f"stopped after {OUTPUT_LIMIT} bytes of output"
+        return state, data
+
+
+class _Files:
+    """The files of one job: our ends, and ``theirs`` in the order in which the cage takes them."""
+
+    def __init__(self, cells, tests):
+        self._stack = contextlib.ExitStack()
+        job = self._stack.enter_context(_file_of(json.dumps(cells).encode()))
+        self.receipts, receipts_end = self._pipe()
+        os.set_blocking(self.receipts, False)
+        with contextlib.suppress(OSError, AttributeError):  # a system that cannot
+            fcntl.fcntl(receipts_end, fcntl.F_SETPIPE_SZ, OUTPUT_LIMIT)
+        self.state, state_end = self._pipe()
+        pairs = [socket.socketpair() for _ in range(tests)]
+        self.tests = [self._stack.enter_context(ours) for ours, _ in pairs]
+        self._theirs = [receipts_end, state_end, *(their.detach() for _, their in pairs)]
+        self.theirs = [job.fileno(), *self._theirs]
+
+    def _pipe(self):
+        ours, theirs = os.pipe()
+        self._stack.callback(os.close, ours)
+        return ours, theirs
+
+    def close_theirs(self):
+        """Close the ends that were handed on; otherwise nobody's end would be seen."""
+        for fd in self._theirs:
+            os.close(fd)
+        self._theirs = []
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close_theirs()
+        self._stack.close()
+
+
+def _file_of(data):
+    """A file without a name that holds ``data``, to be read from its beginning."""
+    if hasattr(os, "memfd_create"):
+        file = os.fdopen(os.memfd_create("job"), "w+b", buffering=0)
+    else:
+        file = tempfile.TemporaryFile(buffering=0)  # noqa: SIM115  # the caller closes it
+    file.write(data)
+    file.seek(0)
+    return file
+
+
+def _state(said):
+    """{"sandbox" or "refused", "ended"} of the lines that have come."""
+    state = {}
+    for line in said.split(b"\n")[:-1]:
+        state.update(json.loads(line))
+    return state
+
+
+def _rest(fd, most):
+    """What is in a pipe that does not block, at most so many bytes."""
+    data = b""
+    with contextlib.suppress(BlockingIOError):
+        while len(data) < most and (chunk := os.read(fd, 65536)):
+            data += chunk
+    return data
+
+
+def _run_tests(sockets, texts, limits):
+    """The outcomes of the tests, one after the other; all together take no longer than the
+    notebook may.
+    """
+    deadline = time.monotonic() + limits["seconds"]
+    outcomes = []
+    for pair, text in zip(sockets, texts, strict=True):
+        left = min(deadline - time.monotonic(), limits["cell_seconds"] + _GRACE)
+        token = secrets.token_hex()  # what was written before the text was sent has another
+        sent = json.dumps({"token": token, "text": text}).encode()
+        outcomes.append(read_outcome(_ask(pair, sent, token, left), token))
+    return outcomes
+
+
+def _ask(pair, text, token, seconds):
+    """What comes from the other end of a socket after the text of a test was sent, up to the line
+    with the token, its end, or a limit.
+    """
+    data, deadline = b"", time.monotonic() + seconds
+    with contextlib.suppress(OSError):  # also when the time is over
+        pair.settimeout(max(seconds, 0.001))
+        pair.sendall(struct.pack("<I", len(text)) + text)
+        while len(data) < OUTCOME_LIMIT and not (token.encode() in data and data.endswith(b"\n")):
+            pair.settimeout(max(deadline - time.monotonic(), 0.001))
+            if not (chunk := pair.recv(OUTCOME_LIMIT)):
+                break
+            data += chunk
+    return data

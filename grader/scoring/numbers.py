@@ -1,0 +1,203 @@
+"""The numbers of one student's problem: the key, and the answers that wrong models give.
+
+What a problem computes is traced once into straight-line text, so that the numbers of a student
+cost microseconds. Answers are tuples of points, as in :mod:`~grader.scoring.tolerance`.
+"""
+
+from functools import cache, cached_property
+from itertools import islice
+
+import numpy as np
+
+from exercises.catalogue import SYMBOLIC
+from exercises.catalogue import problem as find_problem
+from exercises.catalogue.words import WORDS
+from exercises.following import earlier_answers, follow
+from exercises.variants import as_points, flat, symbol_points, traced
+from newton_euler.classroom.forms import SHAPES
+
+from .sheet import ScoreError
+from .wrong_models import wrong_models
+
+
+class Numbers:
+    """Key and wrong answers of ``problem`` for a student's ``values``."""
+
+    def __init__(self, problem, values):
+        self.problem, self.sample = problem, _sample(problem, values)
+        self._wrong = {}
+
+    @property
+    def symbols(self):
+        """The points of each symbol, as arrays."""
+        return {n: self.sample[n] for n in self.problem.symbols}
+
+    @cached_property
+    def key(self):
+        """{answer: points} of the right answers; of a word or count, ((word,),)."""
+        found = _run(_key_formula, self.problem, self.sample)
+        answers = self.problem.answers
+        return {
+            a.key: ((_one_word(a, x),),) if a.kind in WORDS else _points(a, x)
+            for a, x in zip(answers, found, strict=True)
+        }
+
+    def wrong(self, key):
+        """[(group, text, points)] of every wrong model of the answer ``key`` that can be told."""
+        if key not in self._wrong and self.problem.answer(key).kind in WORDS:
+            self._wrong[key] = self._wrong_words(key)
+        elif key not in self._wrong:
+            labels, found = self._models
+            self._wrong[key] = [
+                (group, text, _points(self.problem.answer(key), x))
+                for (other, group, text), x in zip(labels, found, strict=True)
+                if other == key
+            ]
+        return self._wrong[key]
+
+    def _wrong_words(self, key):
+        """Every listed mistake in the word or count ``key``, as for :meth:`wrong`."""
+        answer = self.problem.answer(key)
+        return [
+            ("listed", self.problem.mistakes[name], ((_one_word(answer, (answers[key],)),),))
+            for name, answers in self._wrong_answers.items()
+            if key in answers
+        ]
+
+    @cached_property
+    def _wrong_answers(self):
+        with np.errstate(all="ignore"):
+            return self.problem.wrong(self.sample)
+
+    @cached_property
+    def _models(self):
+        return _run_wrong(self.problem, self.sample)
+
+    @cached_property
+    def book(self):
+        """{answer: points} for the book's numbers; {} if the student has these."""
+        same = all(self.sample[n] == value for n, value in self.problem.book_values.items())
+        return {} if same else _of_book(self.problem.id)
+
+    def following(self, key, earlier):
+        """The points of the answer ``key`` that follows from a student's ``earlier`` answers,
+        {answer: points}; None if there is no such answer.
+        """
+        numbers = [
+            x for name in earlier_answers(self.problem)[key] for x in _columns(earlier[name])
+        ]
+        run = _traced_following(self.problem.id, key)
+        try:
+            with np.errstate(all="ignore"):
+                return _points(self.problem.answer(key), run(*self.sample.values(), *numbers))
+        except (ArithmeticError, ValueError):  # a student's number may be one that has no sequel
+            return None
+
+
+def numbers_of(problem, values):
+    """The :class:`Numbers` of a problem; those of a problem without givens are the same for all."""
+    return Numbers(problem, values) if problem.givens else _without_givens(problem.id)
+
+
+@cache
+def _without_givens(problem_id):
+    return Numbers(find_problem(problem_id), {})
+
+
+@cache
+def _of_book(problem_id):
+    p = find_problem(problem_id)
+    return Numbers(p, p.book_values).key
+
+
+def _sample(problem, values):
+    """Values of all givens and symbols; symbols as arrays of seeded points, the same for all
+    students.
+    """
+    missing = [n for n in problem.givens if n not in values]
+    if missing:
+        raise ScoreError(
+            f"the sheet has no number for {', '.join(missing)}, which problem {problem.id} gives "
+            "today. Grade with the version of the exercises that the sheet was made with"
+        )
+    return {**{n: float(values[n]) for n in problem.givens}, **symbol_points(problem)}
+
+
+def _points(answer, components):
+    """The points of an answer: of a number that stands beside formulas, in a problem with symbols,
+    the one that it is at all of them.
+    """
+    points = as_points(components)
+    return points if answer.kind in SYMBOLIC else points[:1]
+
+
+def _one_word(answer, found):
+    """The word or count, which is the same at all points."""
+    words = {x for part in found for x in np.atleast_1d(part).tolist()}
+    if len(words) != 1:
+        raise ScoreError(
+            f"the {answer.kind} {answer.key} depends on the symbols: {', '.join(map(str, words))}; "
+            "give the symbols ranges in which it is one"
+        )
+    return words.pop()
+
+
+def _key_formula(problem, values):
+    answers = problem.solve(values)
+    return tuple(flat(answers[a.key]) for a in problem.answers)
+
+
+@cache
+def _traced_key(problem_id):
+    return traced(find_problem(problem_id), _key_formula)
+
+
+def _run(formula, problem, sample):
+    run = _traced_key(problem.id)
+    with np.errstate(all="ignore"):
+        return run(**sample) if run else formula(problem, sample)
+
+
+@cache
+def _traced_wrong(problem_id):
+    """(labels, formula) of the wrong models; the labels are filled when the formula is traced."""
+    labels = []
+
+    def formula(problem, values):
+        models = wrong_models(problem, values)
+        labels[:] = [model[:3] for model in models]
+        return tuple(numbers for *_, numbers in models)
+
+    return labels, traced(find_problem(problem_id), formula)
+
+
+def _run_wrong(problem, sample):
+    labels, run = _traced_wrong(problem.id)
+    with np.errstate(all="ignore"):
+        if run:
+            return labels, run(**sample)
+        models = wrong_models(problem, sample)
+        return [model[:3] for model in models], [numbers for *_, numbers in models]
+
+
+@cache
+def _traced_following(problem_id, key):
+    """``follows`` of one answer, called with the values and the components of earlier answers."""
+    p = find_problem(problem_id)
+    counts = {name: SHAPES[p.answer(name).kind] for name in earlier_answers(p)[key]}
+    names = [f"{name}_{n}_" for name, count in counts.items() for n in range(count)]
+
+    def formula(problem, values):
+        numbers = iter([values[name] for name in names])
+        earlier = {name: tuple(islice(numbers, count)) for name, count in counts.items()}
+        return follow(problem, key, {n: values[n] for n in problem.units}, earlier)
+
+    def untraced(*numbers):
+        return formula(p, dict(zip((*p.units, *names), numbers, strict=True)))
+
+    return traced(p, formula, names) or untraced
+
+
+def _columns(points):
+    """The components of an answer from its points: floats, or arrays of several points."""
+    return points[0] if len(points) == 1 else tuple(np.array(points).T)

@@ -1,0 +1,130 @@
+"""The wrong models of a problem, computed: its listed mistakes, and those that can be made in any
+problem (a term left out or turned, degrees for radians, axes of another frame).
+"""
+
+import re
+
+from exercises.catalogue.words import WORDS
+from exercises.variants import flat
+from newton_euler.algebra.vectors import Vector
+
+# the terms of the equations of relative motion; their symbols v_B, a_B would be taken for the
+# velocity and acceleration of a point B of the problem
+RELATIVE_MOTION = {
+    ("velocity", "origin"): "the velocity of the origin of the moving frame",
+    ("velocity", "relative"): "the velocity relative to the moving frame, v_r",
+    ("velocity", "rotation"): "the term omega x r",
+    ("acceleration", "origin"): "the acceleration of the origin of the moving frame",
+    ("acceleration", "relative"): "the acceleration relative to the moving frame, a_r",
+    ("acceleration", "euler"): "the term alpha x r",
+}
+
+
+def wrong_models(problem, values):
+    """[(answer, group, text, numbers)] of every wrong model, for ``values`` in the units of the
+    text; ``text`` tells a student what the model does.
+
+    The groups are "listed", "term", "unit", "axes" and "turned" for another frame, and "rate" for
+    the rates of turning that an angular velocity is the sum of. Those of words and counts are not
+    traced; they are found apart.
+    """
+    g = problem.base(values)
+    right = problem.in_units(problem.code.solve(g))
+    found = []
+    for name, answers in problem.code.mistakes(g).items():
+        for key, x in problem.in_units(answers).items():
+            found.append((key, "listed", problem.mistakes[name], flat(x)))
+    for key, answer in right.items():
+        if isinstance(answer, Vector):
+            found += [(key, "term", text, flat(v)) for text, v in _terms(answer, problem)]
+            found += [(key, "rate", name, flat(v)) for name, v in _rates(answer)]
+            found += [(key, *model) for model in _frames(answer, problem)]
+    for text, changes in _units(problem, g):
+        for key, x in problem.in_units(problem.code.solve(g.but(**changes))).items():
+            found.append((key, "unit", text, flat(x)))
+    return [model for model in found if problem.answer(model[0]).kind not in WORDS]
+
+
+def _terms(right, problem):
+    """Mistakes in the named terms of the key: a term left out, a term with the opposite sign, the
+    Coriolis term without its factor 2.
+    """
+    for name in right.terms or ():
+        term = term_text(name, right.equation, problem)
+        yield f"leaves out {term}", right.reweighted(**{name: 0})
+        yield f"has {term} with the opposite sign", right.reweighted(**{name: -1})
+    # spherical components have three of them
+    halved = {name: 0.5 for name in right.terms or () if name.startswith("coriolis")}
+    if halved:
+        yield "writes the Coriolis term without the factor 2", right.reweighted(**halved)
+
+
+def _rates(right):
+    """The rates of turning whose sum is an angular velocity."""
+    if right.terms and right.equation.kind == "angular velocity":
+        for name, term in right.terms.items():
+            yield name, term.expressed_in(right.frame)
+
+
+def term_text(name, equation, problem=None):
+    """A term in the words of the problem, with its formula if it has one."""
+    if (equation.kind, name) in RELATIVE_MOTION:
+        return RELATIVE_MOTION[equation.kind, name]
+    if name in equation.terms:
+        return f"the {name.replace('coriolis', 'Coriolis')} term {equation.terms[name][0]}"
+    if not equation.kind.startswith("angular"):
+        return f"the term {name}"
+    if " x " not in name:
+        return f"the turning {_of_frame(name, problem)}"
+    first, second = (_of_frame(n, problem) for n in name.split(" x "))
+    return f"the cross product of the turning {first} and the turning {second}"
+
+
+def _of_frame(name, problem):
+    """A frame in the words of the problem, after "the turning": "of the arm", "about y"."""
+    if name.startswith("about ") or name in ("x", "y", "z"):
+        return f"about {name.removeprefix('about ')}"
+    return f"of {_body(name)}" if _is_said(name, problem) else "of a moving frame"
+
+
+def _body(name):
+    return name if not name.islower() or len(name) == 1 else f"the {name}"
+
+
+def _is_said(name, problem):
+    """True if the name of a frame is a word of the problem, and not of its solution only."""
+    if problem is None:
+        return True
+    text = " ".join((problem.text, problem.figure, problem.frame))
+    return re.search(rf"\b{re.escape(name)}\b", text) is not None
+
+
+def _units(problem, g):
+    """Givens used with their number in degrees or revolutions, without conversion."""
+    for name, quantity in problem.givens.items():
+        if any(unit in quantity.unit for unit in ("deg", "rev", "rpm")):
+            yield (
+                f"uses {name} in {quantity.unit} as if it were in radians (and seconds)",
+                {name: g.stated(name)},
+            )
+
+
+def _frames(right, problem):
+    """Components along the axes of other frames, and those turned the wrong way."""
+    for frame in right.frame.tree:
+        if frame is right.frame:
+            continue
+        said = _is_said(frame.name, problem) and not frame.name.startswith("about ")
+        name = _body(frame.name) if said else "another frame"
+        yield (
+            "axes",
+            f"has the right vector, but its components along the axes of {name}, not those asked "
+            "for",
+            right.components(frame),
+        )
+        yield (
+            "turned",
+            f"turns the components the wrong way between {name} and the axes asked for (a "
+            "transposed matrix)",
+            Vector(right.c, frame).components(right.frame),
+        )

@@ -1,0 +1,48 @@
+"""Reads the notebook of a submission, which a student wrote: a regular file of the student's own
+folder, and not too large.
+"""
+
+from ..course.files import NotTaken, load_json, read_regular
+
+# beside the notebook, of nbgrader's own; its release_feedback reads them
+BESIDE = ("timestamp.txt", "submission_secret.txt")
+MAX_BYTES = 64 * 2**20  # of a submitted notebook
+MAX_VALUES = 4_000_000  # brackets, commas and colons of its JSON, which cost up to 64 bytes each
+
+
+class UnreadableError(ValueError):
+    """The notebook of a submission is missing or cannot be read; the message is a sentence about
+    it.
+    """
+
+
+def read_notebook(path):
+    """The bytes of a submitted notebook; raises :class:`UnreadableError`."""
+    for folder in (path.parent, path.parent.parent):  # of the assignment and of the student
+        if folder.is_symlink():
+            raise UnreadableError(f"{folder.name} is a link, not a folder of the student's own")
+    try:
+        return read_regular(path, MAX_BYTES)
+    except NotTaken as error:
+        raise UnreadableError(f"{path.name}: {error}") from error
+
+
+def parse_notebook(name, content):
+    """The submitted notebook as a dict with a list of cells; raises :class:`UnreadableError`."""
+    # most outputs are text: a notebook with so many values is none that a student made
+    if len(content) > MAX_VALUES and sum(map(content.count, (b"[", b"{", b",", b":"))) > MAX_VALUES:
+        raise UnreadableError(
+            f"{name} holds more than {MAX_VALUES} values; have its outputs cleared"
+        )
+    try:
+        submitted = load_json(content)
+    except (ValueError, RecursionError) as error:
+        what = (
+            "is empty"
+            if not content.strip()
+            else f"is damaged and cannot be read as a notebook ({error})"
+        )
+        raise UnreadableError(f"{name} {what}") from error
+    if not isinstance(submitted, dict) or not isinstance(submitted.get("cells"), list):
+        raise UnreadableError(f"{name} is not a notebook of format 4: it has no list of cells")
+    return submitted

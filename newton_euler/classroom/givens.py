@@ -1,0 +1,156 @@
+"""With which numbers an answer was computed: problems share names such as ``omega``, and cells may
+run in any order.
+
+``given`` ends a problem's cell of numbers. From its first call on, IPython's cells are watched:
+when a name gets a value, what the given names held at the start of that cell is remembered. Outside
+IPython nothing is watched.
+"""
+
+import ast
+import sys
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..algebra.errors import checked
+from .forms import clipped
+
+
+@checked
+def given(problem: str, **values: object) -> None:
+    """Record the numbers that ``problem`` gives, by name; the last line of their cell.
+
+    >>> given("0/1", omega=0.6, b=8)
+    """
+    _given[problem] = values
+    watch = watching()
+    for name in values:
+        watch.givers[name] = problem
+        watch.changers.pop(name, None)
+
+
+_given: dict[str, dict[str, Any]] = {}
+
+
+@dataclass(frozen=True)
+class _Held:
+    """What a given name held at the start of a cell: its value, the problem that gave it last, and
+    the cell that changed it since, if one did.
+    """
+
+    value: Any
+    giver: str
+    changer: Any = None
+
+
+@dataclass
+class Watch:
+    """Follows the cells of one IPython shell; ``shell`` is None outside IPython."""
+
+    shell: Any = None
+    givers: dict = field(default_factory=dict)
+    changers: dict = field(default_factory=dict)
+    held: dict = field(default_factory=dict)
+    before: dict = field(default_factory=dict)
+    # {name: (what was held at the start of the cell in which it got its value, that cell)}
+    computed: dict = field(default_factory=dict)
+
+    def start(self, info=None):
+        """Before a cell: keep what all names hold."""
+        names = self.shell.user_ns
+        self.before = dict(names)
+        self.held = {
+            name: _Held(names[name], giver, self.changers.get(name))
+            for name, giver in self.givers.items()
+            if name in names
+        }
+
+    def end(self, result):
+        """After a cell: the names that it set were computed with what was held at its start."""
+        cell, failed = _cell_of(result), result.error_in_exec is not None
+        # a cell that sets a name to an equal small number leaves the same object
+        stored = set() if failed else _stored(getattr(result.info, "raw_cell", ""))
+        nothing = object()
+        for name, value in self.shell.user_ns.items():
+            if name in stored or self.before.get(name, nothing) is not value:
+                self.computed[name] = self.held, cell
+                own = _given.get(self.givers.get(name, ""), {})
+                if own.get(name, value) is not value:
+                    self.changers[name] = cell
+
+
+def _cell_of(result):
+    """What identifies a cell, also after it was edited, where the front end says it."""
+    info = result.info
+    return getattr(info, "cell_id", None) or getattr(info, "raw_cell", None)
+
+
+def _stored(text):
+    """The names that the text of a cell sets."""
+    try:
+        nodes = ast.walk(ast.parse(text))
+    except (SyntaxError, ValueError):  # a magic, or an error that IPython tells
+        return set()
+    return {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+
+
+_watch = Watch()
+
+
+def watching() -> Watch:
+    """The watch on the shell that runs this; it starts at the first call."""
+    shell = _shell()
+    if shell is not None and shell is not _watch.shell:
+        _watch.__init__(shell)  # type: ignore[misc]
+        shell.events.register("pre_run_cell", _watch.start)
+        shell.events.register("post_run_cell", _watch.end)
+        _watch.start()
+    return _watch
+
+
+def _shell():
+    """IPython's shell; None where there is none, or one that does not tell its cells."""
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython else None
+    return shell if hasattr(shell, "events") and hasattr(shell, "user_ns") else None
+
+
+def in_notebook() -> bool:
+    """True in the kernel of a notebook, which can show more than text."""
+    return getattr(_shell(), "kernel", None) is not None
+
+
+def stale(problem: str, answers: dict, names_of_answers: set) -> str:
+    """A sentence on the first of ``answers`` that was computed with other numbers than ``problem``
+    gives; "" if there is none.
+
+    names_of_answers : of all problems; what is computed under such a name is no given number
+    """
+    watch = watching()
+    for key, value in answers.items():
+        if watch.shell is None or value is None or key not in watch.computed:
+            continue
+        held, cell = watch.computed[key]
+        if watch.shell.user_ns.get(key) is not value:
+            continue
+        for name, own in _given.get(problem, {}).items():
+            was = held.get(name)
+            if was is None or _same(was.value, own):
+                continue
+            # the student's own change of the problem's number, as from degrees to radians
+            converted = was.giver == problem and was.changer not in (None, cell)
+            if not converted or name in names_of_answers:
+                return (
+                    f"{key} was computed when {name} was {clipped(was.value)}; {problem} gives "
+                    f"{clipped(own)}: run the cell of its givens, then yours"
+                )
+    return ""
+
+
+def _same(a, b):
+    if a is b:
+        return True
+    try:
+        equal = a == b
+        return bool(equal.all()) if hasattr(equal, "all") else bool(equal)
+    except Exception:  # objects of any library may refuse to be compared
+        return False

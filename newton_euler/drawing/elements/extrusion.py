@@ -1,0 +1,57 @@
+"""A plane outline with holes, drawn out to a body: plates, disks and tubes with a thickness."""
+
+import math
+
+from ...algebra.vectors import cross3, dot3, scale3
+from ..page.projection import moved, norm3, normal_of
+
+SMOOTH = math.cos(math.radians(25))  # of the angle below which two faces of a wall are one
+
+
+def extrude(canvas, outline, holes, along, normal, style="body"):
+    """Add the body between a plane outline and the same outline moved by ``along``, with its
+    holes; where ``along`` is zero, the one face with this normal.
+    """
+    if not norm3(along):
+        canvas.face(outline, style, normal, holes=holes)
+        return
+    loops = [outline, *holes]
+    for loop, sense in zip(loops, (1, *[-1] * len(holes)), strict=True):
+        # with the material on the left as one goes round, seen against ``along``
+        if dot3(normal_of(loop), along) * sense < 0:
+            loop = loop[::-1]
+        for wall in _seen_walls(canvas, loop, along):
+            _add_wall(canvas, wall, along, "side" if sense > 0 else "inside")
+    for step, outwards in ((0, scale3(-1, along)), (1, along)):
+        face, *bores = ([moved(P, step, along) for P in loop] for loop in loops)
+        canvas.end(face, outwards, style, holes=bores)
+
+
+def _seen_walls(canvas, loop, along):
+    """The runs of the loop's edges, as lists of places, over which the wall faces the eye and has
+    no sharp edge.
+    """
+    edges = list(zip(loop, loop[1:] + loop[:1], strict=True))
+    normals = [cross3(tuple(b - a for a, b in zip(*edge, strict=True)), along) for edge in edges]
+    seen = [canvas.depth(n) > 1e-9 * norm3(n) for n in normals]
+
+    def goes_on(n):
+        a, b = normals[n - 1], normals[n]
+        return seen[n - 1] and seen[n] and dot3(a, b) > SMOOTH * norm3(a) * norm3(b)
+
+    start = next((n for n in range(len(edges)) if not goes_on(n)), 0)
+    runs = []
+    for n in (*range(start, len(edges)), *range(start)):
+        if not seen[n]:
+            continue
+        if runs and n != start and goes_on(n):
+            runs[-1].append(edges[n][1])
+        else:
+            runs.append(list(edges[n]))
+    return runs
+
+
+def _add_wall(canvas, run, along, style):
+    wall = [*run, *(moved(P, 1, along) for P in reversed(run))]
+    flat = len(run) == 2
+    canvas.line(wall, style, closed=True, normal=normal_of(wall) if flat else None)

@@ -1,0 +1,144 @@
+"""Label placement: each label goes beside its place, where it covers the fewest lines and no other
+label.
+"""
+
+import os
+from itertools import pairwise
+
+from .primitives import FONT, STYLES
+
+
+def place_labels(ax, canvas, renderer, before):
+    """The labels as texts on ``ax``. ``before``: their places in the previous picture of an
+    animation, which is updated.
+
+    Greedy: one label after the other takes the cheapest of 16 directions and 4 distances, and stays
+    there; trying all combinations would take too long. The cost counts what the label would cover,
+    the angle from its preferred direction and the distance; a place other than that of the previous
+    picture costs more, so that labels do not jump.
+    """
+    import numpy as np
+
+    _share_parser(renderer)
+    covered, taken = points_on_lines(np, canvas), np.empty((2, 0, 2))
+    # the edges of the figure, in points from where the drawing has its origin
+    left_bottom, right_top = (
+        ax.transData.inverted().transform(ax.figure.bbox.get_points()) / canvas.pt
+    )
+    angles = np.radians(np.arange(0, 360, 22.5))
+    turns, rings = (a.ravel() for a in np.meshgrid(angles, [0, 7, 15, 26]))
+    for note in placing_order(canvas.notes):
+        order = canvas.notes.index(note)
+        artist = ax.annotate(
+            note.text, note.place, (0, 0), textcoords="offset points", ha="center", va="center",
+            color=note.colour, fontsize=FONT, fontweight=note.weight, zorder=9,
+            annotation_clip=False,
+        )  # fmt: skip
+        half = artist.get_window_extent(renderer).size * 72 / ax.figure.dpi / 2
+        angles = note.towards + turns
+        directions = np.stack((np.cos(angles), np.sin(angles)), axis=1)
+        shifts = [note.fixed] if note.fixed else directions * (half + note.gap + rings[:, None])
+        middles = np.array(note.place) / canvas.pt + shifts
+        low, high = middles - half - (1.5, 1), middles + half + (1.5, 1)
+        best = 0
+        if not note.fixed:
+            off = ((low < left_bottom) | (high > right_top)).any(axis=1)
+            # weights by trial, on the figures of chapter 4
+            cost = 2 * _overlaps(covered, covered, low, high) + 50 * _overlaps(*taken, low, high)
+            cost = cost + 100 * off + 4 * (1 - np.cos(turns)) + 0.4 * rings
+            if (order, note.text) in before:
+                cost += 12 * (np.arange(len(cost)) != before[order, note.text])
+            before[order, note.text] = best = np.argmin(cost)
+        artist.set_position(shifts[best])
+        taken = np.concatenate((taken, [low[best : best + 1], high[best : best + 1]]), axis=1)
+        yield artist
+
+
+def placing_order(notes):
+    """The labels in the order in which they are placed: first those that stay where they are told
+    to.
+    """
+    return sorted(notes, key=lambda note: note.fixed is None)
+
+
+def _overlaps(lows, highs, low, high):
+    """How many of the boxes (lows, highs) overlap each box (low, high); each is given by two
+    corners, and a point is a box without size.
+    """
+    near = ((highs > low.min(axis=0)) & (lows < high.max(axis=0))).all(axis=1)  # most are not
+    meets = (lows[near] < high[:, None]) & (highs[near] > low[:, None])
+    return meets.all(axis=2).sum(axis=1)
+
+
+def points_on_lines(np, canvas, step=3):
+    """Positions, in points and ``step`` apart, along all lines and along the edges of thick ones:
+    what a label should not cover. What a later stroke hides does not count.
+    """
+    ends, widths, owners = [], [], []
+    for number, stroke in enumerate(canvas.strokes):
+        for outline in stroke.outlines() if stroke.styles else ():
+            flat = [canvas.project(p) for p in outline]
+            ends += pairwise(flat + flat[:1] * stroke.closed)
+            new = len(ends) - len(widths)
+            widths += [STYLES[stroke.styles[0]]["linewidth"]] * new
+            owners += [number] * new
+    if not ends:
+        return np.empty((0, 2))
+    a, b = np.moveaxis(np.array(ends) / canvas.pt, 1, 0)
+    widths, owners = np.array(widths), np.array(owners)
+    thick = widths > 3
+    along = (b - a)[thick]
+    halves = widths[thick] / 2 / np.maximum(np.hypot(*along.T), 1e-9)
+    side = along[:, ::-1] * (-1, 1) * halves[:, None]
+    a, b = (np.concatenate((p, p[thick] + side, p[thick] - side)) for p in (a, b))
+    owners = np.concatenate((owners, owners[thick], owners[thick]))
+    count = np.ceil(np.hypot(*(b - a).T) / step).astype(int) + 1
+    line = np.repeat(np.arange(len(count)), count)
+    share = (np.arange(len(line)) - np.repeat(np.cumsum(count) - count, count)) / count[line]
+    points = a[line] + share[:, None] * (b - a)[line]
+    return points[_seen(np, canvas, points, owners[line])]
+
+
+def _seen(np, canvas, points, owners):
+    """For each point, True unless a stroke that is drawn after its owner, with a filling, hides it.
+
+    owners : for each point the number of its stroke
+    """
+    from matplotlib.path import Path
+
+    seen = np.full(len(points), True)
+    for number, stroke in enumerate(canvas.strokes):
+        if not (stroke.closed and any(STYLES[s]["facecolor"] != "none" for s in stroke.styles)):
+            continue
+        outline, *holes = (
+            np.array([canvas.project(p) for p in places]) / canvas.pt
+            for places in stroke.outlines()
+        )
+        low, high = outline.min(axis=0), outline.max(axis=0)
+        near = np.flatnonzero(
+            seen & (owners < number) & ((points > low) & (points < high)).all(axis=1)
+        )
+        if len(near):
+            covered = Path(outline).contains_points(points[near])
+            for hole in holes:
+                covered &= ~Path(hole).contains_points(points[near])
+            seen[near[covered]] = False
+    return seen
+
+
+_parsers: dict = {}
+# a parsed formula holds open font files; processes that share one get each other's bytes
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_parsers.clear)
+
+
+def _share_parser(renderer):
+    """Let renderers with the same settings for formulas share one parser: parsing takes
+    milliseconds, and matplotlib keeps the result for one renderer only, that is for one figure.
+    """
+    if hasattr(renderer, "mathtext_parser"):
+        from matplotlib import rcParams
+
+        settings = (rcParams[name] for name in rcParams if name.startswith("mathtext."))
+        key = type(renderer), *settings
+        renderer.mathtext_parser = _parsers.setdefault(key, renderer.mathtext_parser)

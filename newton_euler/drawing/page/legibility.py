@@ -1,0 +1,96 @@
+"""What makes a figure hard to read: labels that overlap, are crossed by lines,
+stand far off or leave the picture, axes that look alike.
+
+It is found from what was recorded and from the boxes of the labels, without looking at pixels.
+"""
+
+import math
+from itertools import combinations
+from typing import Any
+
+from ...algebra.vectors import sub3
+from .label_placement import placing_order, points_on_lines
+from .recorder import sketches_on
+
+ALIKE = 10  # degrees between two axes, as seen, below which they are hard to tell apart
+CROSSED = 3  # points on lines, 3 points of the page apart, that a label may cover
+STRAY = 22  # points of the page by which a label may stand off
+
+
+def faults(ax: Any) -> list[str]:
+    """What is hard to read in the sketches on ``ax``, in sentences; the figure is finished by it.
+
+    >>> from matplotlib.figure import Figure
+    >>> from newton_euler import Frame
+    >>> from newton_euler.drawing.sketch import Sketch
+    >>> from newton_euler.drawing.page.legibility import faults
+    >>> ax, ground = Figure().add_subplot(), Frame("ground")
+    >>> s = Sketch(ax, ground, azimuth=2)
+    >>> s.axes((0, 0, 0), ground)
+    >>> print(*faults(ax))
+    the axes x and z are seen on one line within 6 degrees; choose another azimuth or elevation
+    """
+    sketches = sketches_on(ax)
+    _draw(ax.figure)
+    found = _label_faults(ax)
+    for drawn in (sketch.drawn for sketch in sketches):
+        found += [fault for triad in drawn.triads for fault in _alike(drawn, *triad)]
+        found += _strays(ax, drawn)
+    return found
+
+
+def _draw(figure):
+    """Draw a figure, which finishes its sketches and places their labels."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    FigureCanvasAgg(figure).draw()
+
+
+def _alike(view, origin, axes):
+    """The faults of one system of axes. One that points at the eye is drawn as a circle."""
+    seen = [(text, view.project(v)) for tip, text in axes if view.is_seen(v := sub3(tip, origin))]
+    for (one, a), (other, b) in combinations(seen, 2):
+        apart = math.degrees(math.atan2(abs(a[0] * b[1] - a[1] * b[0]), a[0] * b[0] + a[1] * b[1]))
+        apart = min(apart, 180 - apart)
+        if apart < ALIKE:
+            yield (
+                f"the axes {one} and {other} are seen on one line within {apart:.0f} degrees; "
+                "choose another azimuth or elevation"
+            )
+
+
+def _label_faults(ax):
+    """Labels that leave the picture, and those that overlap."""
+    found = []
+    boxes = [(text.get_text(), text.get_window_extent()) for text in ax.texts]
+    page = ax.figure.bbox
+    for text, box in boxes:
+        if box.x0 < page.x0 or box.x1 > page.x1 or box.y0 < page.y0 or box.y1 > page.y1:
+            found.append(
+                f"the label {text} is partly outside of the picture; shorten it or move it"
+            )
+    for (one, a), (other, b) in combinations(boxes, 2):
+        if a.overlaps(b):
+            found.append(
+                f"the labels {one} and {other} overlap; leave more room, or give an offset"
+            )
+    return found
+
+
+def _strays(ax, drawn):
+    """Labels that lines cross, and those far from what they name."""
+    import numpy as np
+
+    covered, to_points = points_on_lines(np, drawn), ax.transData.inverted()
+    for text, note in zip(ax.texts, placing_order(drawn.notes), strict=True):
+        low, high = to_points.transform(text.get_window_extent().get_points()) / drawn.pt
+        crossed = ((covered > low) & (covered < high)).all(axis=1).sum()
+        place = np.array(note.place) / drawn.pt
+        away = np.hypot(*np.maximum(0, np.maximum(low - place, place - high)))
+        if crossed > CROSSED:
+            yield f"lines cross the label {note.text}; leave more room, or give an offset"
+        if away > STRAY:
+            yield (
+                f"the label {note.text} stands {away:.0f} points from its place, where it found "
+                "room; leave more room there"
+            )

@@ -1,0 +1,286 @@
+"""The parts of a figure: strokes (lines and faces), the symbols made of them (arrows, supports,
+solids), labels, and their styles.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ...algebra.vectors import add3, cross3, scale3, sub3
+from .projection import (
+    View,
+    circle,
+    convex_hull,
+    mean,
+    moved,
+    normal_of,
+    on_plane,
+    perpendiculars,
+    unit3,
+)
+
+# colours that colour-blind readers can distinguish (after Okabe and Ito 2008); bodies are grey
+KINDS = {
+    "velocity": "#0072B2",
+    "acceleration": "#D55E00",
+    "rate": "#008060",
+    "force": "#B0408A",
+    "plain": "#000000",
+}
+DARK, SHADED, MIDDLE, LIGHT, PALE = "#454a50", "#aab1b9", "#c9ced4", "#dde1e5", "#eef0f2"
+BLACK, WHITE = "#000000", "#ffffff"
+DASHES = {
+    "solid": "-",
+    "dashed": (0, (5, 3)),
+    "dotted": (0, (1, 2)),
+    "centre": (0, (9, 2.5, 2, 2.5)),
+}
+FONT = 11  # points
+SQUARE = (1, 1), (-1, 1), (-1, -1), (1, -1)  # its corners
+
+# layers: bodies hide each other by depth; marks and then arrows lie over them
+BODY, MARK, ARROW = range(3)
+
+
+def _style(edge, width, face="none", dashes="solid", ends="round"):
+    """The keyword arguments of a matplotlib patch; ``width`` in points. (Long names: matplotlib is
+    slower with the short ones.)
+    """
+    return {
+        "edgecolor": edge,
+        "facecolor": face,
+        "linewidth": width,
+        "linestyle": DASHES[dashes],
+        "capstyle": ends,
+        "joinstyle": "round",
+    }
+
+
+STYLES = {
+    "thin": _style(DARK, 0.9),
+    "body": _style(DARK, 1.1, LIGHT),
+    "side": _style(DARK, 1.1, MIDDLE),
+    "top": _style(DARK, 1.1, PALE),
+    "inside": _style(DARK, 1.1, SHADED),
+    "seam": _style(DARK, 0.7),
+    "ring": _style(DARK, 1.4),
+    "rod edge": _style(DARK, 5.6),
+    "rod": _style(LIGHT, 3.6),
+    "shaft edge": _style(DARK, 9.5, ends="butt"),
+    "shaft": _style(LIGHT, 7.5, ends="butt"),
+    "centre": _style(DARK, 0.7, dashes="centre", ends="butt"),
+    "cable": _style(DARK, 1.4),
+    "spring": _style(DARK, 1.2),
+    "wire": _style(DARK, 2.6),
+    "patch": _style("none", 0, "#f1ede4"),
+    "support": _style(DARK, 1.3),
+    "tip": _style(WHITE, 1.5, WHITE),
+    "joint": _style(BLACK, 1.2, WHITE),
+    "dot": _style(BLACK, 0.5, BLACK),
+    "axis": _style(BLACK, 1.0, BLACK),
+    "measure": _style(BLACK, 0.7, BLACK),
+    "path": _style("#6b6f75", 1.1),
+    **{f"line {name}": _style(DARK, 0.9, dashes=name, ends="butt") for name in DASHES},
+    **{kind: _style(colour, 1.8, colour) for kind, colour in KINDS.items()},
+}
+
+
+class Note(NamedTuple):
+    """A label of a place on the page, ``gap`` points from it, preferably in the direction
+    ``towards`` (an angle from the right, counter-clockwise, in radians).
+    """
+
+    place: tuple
+    text: str
+    towards: float
+    gap: float
+    colour: str
+    weight: str
+    fixed: tuple | None  # points to the right and up, if it is not to be moved
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A line, or a closed outline with its filling, through places in space (triples)."""
+
+    points: list
+    styles: tuple
+    layer: int
+    closed: bool
+    depth: float
+    normal: tuple | None = None  # of a flat face
+    cut: bool = False  # a piece of a line that a face cuts
+    holes: tuple = ()  # in its filling, each a list of places
+
+    def outlines(self):
+        """The line, or the outline, and the outlines of the holes."""
+        return [self.points, *self.holes]
+
+    def drawn(self, ax, view, clip):
+        """The stroke as patches on ``ax``, one for each style. They are not clipped: with the path
+        ``clip`` given, matplotlib need not make one for each.
+        """
+        from matplotlib.patches import PathPatch
+        from matplotlib.path import Path
+
+        xy = [view.project(p) for p in self.points]
+        path = Path(xy + xy[:1], closed=True) if self.closed else Path(xy)
+        if self.holes:
+            path = Path.make_compound_path(path, *_holes_in(view, self))
+        changed = {"clip_on": False, "zorder": 2 + self.layer}
+        if not self.closed:
+            changed["facecolor"] = "none"
+        if self.cut:
+            changed["capstyle"] = "butt"
+        for style in self.styles:
+            patch = PathPatch(path, **(STYLES[style] | changed))
+            patch.set_clip_path(clip)
+            yield ax.add_artist(patch)
+
+
+def _holes_in(view, stroke):
+    """The holes of a face as paths that run the other way round: matplotlib fills what a path winds
+    round, and a hole must wind back.
+    """
+    from matplotlib.path import Path
+
+    sense = view.depth(normal_of(stroke.points))
+    for hole in stroke.holes:
+        xy = [view.project(p) for p in hole]
+        if view.depth(normal_of(hole)) * sense > 0:
+            xy.reverse()
+        yield Path(xy + xy[:1], closed=True)
+
+
+class Canvas(View):
+    """A view with the strokes and the labels of one picture; ``pt`` is the length of a point of the
+    page in metres.
+    """
+
+    def __init__(self, view, pt, extent, centre):
+        super().__init__(view.right, view.up)
+        self.pt, self.centre, self.strokes, self.notes = pt, centre, [], []
+        self.triads = []  # of each system of axes drawn, its origin and its pairs (tip, label)
+        self.spots = [self.project(p) for p in extent] or [(0.0, 0.0)]
+
+    def line(self, points, styles, layer=BODY, closed=False, depth=None, normal=None, holes=()):
+        """Add a stroke. ``depth``: by which it is ordered, by default that of its middle;
+        ``normal``: of a flat face; ``holes``: their outlines.
+        """
+        styles = (styles,) if isinstance(styles, str) else styles
+        depth = self.depth(mean(points)) if depth is None else depth
+        self.spots += map(self.project, points)
+        stroke = Stroke(list(points), styles, layer, closed, depth, normal, holes=tuple(holes))
+        self.strokes.append(stroke)
+
+    def curve(self, points, style):
+        """Add a curve through the points, in pieces, so that each has a depth of its own."""
+        for n in range(0, len(points) - 1, 4):
+            self.line(points[n : n + 5], style)
+
+    def face(self, corners, style, normal, layer=BODY, holes=()):
+        """Add a plane face."""
+        self.line(corners, style, layer, True, None, normal, holes)
+
+    def solid(self, points, style, layer=BODY, depth=None):
+        """Add the outline of a convex body."""
+        if depth is None:
+            depth = (self.depth(mean(points)) + max(map(self.depth, points))) / 2
+        self.line(convex_hull(self, points), style, layer, True, depth)
+
+    def end(self, rim, outwards, style, layer=BODY, holes=()):
+        """Add the flat end of a body. One that faces away is invisible, but still separates what is
+        inside from what is outside.
+        """
+        self.face(rim, style if self.depth(outwards) > 0 else (), outwards, layer, holes)
+
+    def shell(self, points, rim, outwards):
+        """Add a convex vessel that is open at its rim, on the side ``outwards``: what is in it is
+        seen through the rim, and hidden by the near wall.
+        """
+        depths = [self.depth(p) for p in points]
+        if self.depth(outwards) <= 0:
+            self.solid(points, "side")
+            return
+        self.line(rim, "inside", closed=True, depth=min(depths))
+        wall = convex_hull(self, points)
+        self.line(wall, "side", closed=True, depth=max(depths), holes=[rim])
+
+    def cylinder(self, first, last, axis, side, top, layer=BODY):
+        """Add a cylinder between two rims."""
+        self.solid(first + last, side, layer)
+        self.end(first, scale3(-1, axis), top, layer)
+        self.end(last, axis, top, layer)
+
+    def disc(self, P, radius, style, layer=MARK):
+        """Add a circle on the page, radius in points."""
+        self.line(circle(P, self.eye, radius * self.pt, 24), style, layer, closed=True)
+
+    def head(self, tail, tip, style, layer, size=8):
+        """Add an arrowhead at ``tip``, ``size`` points long."""
+        x, y = self.project(sub3(tip, tail))
+        length = math.hypot(x, y) or 1.0
+        x, y = size * self.pt * x / length, size * self.pt * y / length
+        wings = (self.offset(tip, -x - w * y, -y + w * x) for w in (0.32, -0.32))
+        self.line([tip, *wings], ("tip", style), layer, True)
+
+    def arrow(self, tail, tip, style, layer):
+        """Add an arrow; if it points at the eye or away from it, a circle with a dot or a cross."""
+        v = sub3(tip, tail)
+        if self.is_seen(v):
+            self.line((tail, tip), style, layer)
+            self.head(tail, tip, style, layer, min(8, 0.6 * math.hypot(*self.project(v)) / self.pt))
+        else:
+            self.disc(tail, 4, "joint", layer)
+            if self.depth(v) > 0:
+                self.disc(tail, 1.3, style, layer)
+            else:
+                x = 2.8 * self.pt
+                for y in (-x, x):
+                    self.line((self.offset(tail, -x, -y), self.offset(tail, x, y)), style, layer)
+
+    def support(self, P, normal, half):
+        """Add ground seen edge-on: a line, hatched on the side opposite to the normal."""
+        n = unit3(self.offset((0, 0, 0), *self.project(normal)))
+        along = cross3(n, self.eye)
+        self.line((moved(P, -half, along), moved(P, half, along)), "support")
+        for k in range(-4, 6):
+            self.hatch(moved(P, half * k / 5, along), along)
+
+    def hatch(self, P, along):
+        """Add a short hatching line at P of ground that runs along a unit vector in the page, on
+        its right.
+        """
+        n = cross3(self.eye, along)
+        self.line((P, moved(P, -5 * self.pt, moved(n, 0.8, along))), "thin")
+
+    def floor(self, P, normal, half):
+        """Add ground seen from above or below: a hatched patch."""
+        e1, e2 = (scale3(half, e) for e in perpendiculars(normal))
+        e2 = max((e2, scale3(-1, e2)), key=lambda e: self.slant(add3(e1, e)))
+
+        def corner(s, t):
+            return on_plane(P, s, e1, t, e2)
+
+        back = self.depth(P) - half  # behind what stands on it
+        self.line([corner(s, t) for s, t in SQUARE], "patch", closed=True, depth=back)
+        for k in range(-3, 4):
+            s = k / 2
+            first = corner(max(-1, s - 1), max(-1, -1 - s))
+            self.line((first, corner(min(1, s + 1), min(1, 1 - s))), "seam", depth=back)
+
+    def note(self, place, text, away_from=None, gap=3, colour=BLACK, weight="normal", fixed=None):
+        """Add the label of a place, preferably on the side away from another place; one letter is
+        italic, as a symbol in print, unless bold.
+        """
+        if text:
+            if len(text) == 1 and text.isalpha() and weight != "bold":
+                text = f"${text}$"
+            x, y = self.project(sub3(place, away_from)) if away_from else (0, 0)
+            towards = math.atan2(y, x)
+            self.notes.append(Note(self.project(place), text, towards, gap, colour, weight, fixed))
+
+    def box(self):
+        """Left, right, bottom and top of all that was added, in metres on the page."""
+        xs, ys = zip(*self.spots, strict=True)
+        return min(xs), max(xs), min(ys), max(ys)

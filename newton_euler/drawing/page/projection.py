@@ -1,0 +1,187 @@
+"""The orthographic projection of a figure, and geometry of triples, circles and outlines."""
+
+import math
+
+from ...algebra.scalars import real
+from ...algebra.vectors import FrameError, add3, cross3, dot3, scale3, sub3
+
+
+class View:
+    """An orthographic projection: the unit vectors to the right, up, and towards the eye, as
+    components along the axes of the ground.
+    """
+
+    def __init__(self, right, up):
+        self.right, self.up, self.eye = right, up, cross3(right, up)
+
+    def project(self, p):
+        """The coordinates of the place p on the page, to the right and up."""
+        return dot3(p, self.right), dot3(p, self.up)
+
+    def depth(self, p):
+        """The coordinate of p towards the eye."""
+        return dot3(p, self.eye)
+
+    def offset(self, p, x, y):
+        """The place that is seen at (x, y) from p, at the depth of p."""
+        return on_plane(p, x, self.right, y, self.up)
+
+    def is_seen(self, v):
+        """False if v is within 6 degrees of the line of sight, and looks like a dot."""
+        return math.hypot(*self.project(v)) > 0.1 * norm3(v)
+
+    def slant(self, v):
+        """A measure of how well a direction suits hatching: large if steep, and larger if it leans
+        to the right.
+        """
+        x, y = self.project(v)
+        angle = math.atan2(y, x)
+        return abs(math.sin(angle)) + 0.2 * math.sin(2 * angle)
+
+    def left_of(self, A, B):
+        """The unit vector in the page at a right angle to AB, to its left."""
+        x, y = self.project(sub3(B, A))
+        size = math.hypot(x, y)
+        return self.offset((0, 0, 0), -y / size, x / size) if size else self.up
+
+    def tilted(self, axis):
+        """The axis; or, if a circle about it is seen nearly edge-on, a direction near it about
+        which a circle is seen as an ellipse.
+        """
+        d = self.depth(axis)
+        if abs(d) >= 0.3:  # the circle's axes are as 3 to 10
+            return axis
+        return unit3(moved(axis, math.copysign(0.3, d if abs(d) > 1e-9 else 1), self.eye))
+
+    def perpendiculars(self, axis):
+        """Two unit vectors that form a right-handed triple with ``axis``, the first towards the
+        eye.
+        """
+        e1 = perpendicular_towards(axis, self.eye)
+        return e1, cross3(axis, e1)
+
+
+def space_view(azimuth, elevation, up):
+    """The view from the direction (azimuth, elevation), in degrees, with the axis ``up`` upwards.
+    Azimuth 0 looks from the axis after ``up``, and grows towards the next.
+    """
+    if not isinstance(up, str) or up not in ("x", "y", "z"):
+        raise FrameError(
+            f"up is 'x', 'y' or 'z', the axis that is vertical in the figure; got {up!r}"
+        )
+    azimuth, elevation = real(azimuth, "the azimuth"), real(elevation, "the elevation")
+    a, h = math.radians(azimuth), math.radians(elevation)
+    n = "xyz".index(up)
+
+    def turned(first, second, vertical):
+        out = [0.0, 0.0, 0.0]
+        out[(n + 1) % 3], out[(n + 2) % 3], out[n] = first, second, vertical
+        return tuple(out)
+
+    right = turned(-math.sin(a), math.cos(a), 0.0)
+    return View(right, turned(-math.sin(h) * math.cos(a), -math.sin(h) * math.sin(a), math.cos(h)))
+
+
+def plane_view(plane):
+    """The view at a right angle to a plane; "xz" has x to the right and z up."""
+    if not isinstance(plane, str) or len(plane) != 2 or len(set(plane) & set("xyz")) != 2:
+        raise FrameError(
+            f"a plane is two axes, as in plane='xz', x to the right and z up; got {plane!r}"
+        )
+    return View(*(tuple(float(axis == name) for axis in "xyz") for name in plane))
+
+
+# -- geometry of triples
+
+
+def norm3(v):
+    """The magnitude of v, a float."""
+    return math.sqrt(dot3(v, v))
+
+
+def unit3(v):
+    """The unit vector along v."""
+    return scale3(1 / norm3(v), v)
+
+
+def moved(P, s, v):
+    """The place P + s v."""
+    return add3(P, scale3(s, v))
+
+
+def on_plane(P, s, a, t, b):
+    """The place P + s a + t b."""
+    return add3(P, moved(scale3(s, a), t, b))
+
+
+def between(A, B, t):
+    """The place at the fraction t of the way from A to B."""
+    return moved(A, t, sub3(B, A))
+
+
+def mean(points):
+    """The mean of several places."""
+    return tuple(sum(c) / len(points) for c in zip(*points, strict=True))
+
+
+def perpendicular_towards(axis, target):
+    """The unit vector at a right angle to ``axis`` that is nearest to ``target``."""
+    v = moved(target, -dot3(axis, target), axis)
+    return perpendiculars(axis)[0] if norm3(v) < 1e-6 else unit3(v)
+
+
+def perpendiculars(axis):
+    """Two unit vectors that form a right-handed triple with ``axis``."""
+    # from the axis of the ground that is farthest from parallel
+    least = min(range(3), key=lambda n: abs(axis[n]))
+    e1 = perpendicular_towards(axis, tuple(float(n == least) for n in range(3)))
+    return e1, cross3(axis, e1)
+
+
+def on_circle(C, e1, e2, radius, angle):
+    """The place on a circle about C at an angle from e1 towards e2."""
+    return on_plane(C, radius * math.cos(angle), e1, radius * math.sin(angle), e2)
+
+
+def circle(C, normal, radius, count=60, closed=False):
+    """Places on a circle, right-handed about ``normal``; ``closed`` repeats the first."""
+    e1, e2 = perpendiculars(normal)
+    return [on_circle(C, e1, e2, radius, 2 * math.pi * n / count) for n in range(count + closed)]
+
+
+def normal_of(corners):
+    """The normal of a plane polygon, of twice its area, by Newell's sum of cross products."""
+    total = (0.0, 0.0, 0.0)
+    for p, q in zip(corners, corners[1:] + corners[:1], strict=True):
+        total = add3(total, cross3(p, q))
+    return total
+
+
+def convex_hull(view, points):
+    """The points on the convex hull as seen on the page, counter-clockwise.
+
+    By Andrew's monotone chain (1979): of the points sorted from left to right, those at turns to
+    the right are removed, which leaves the lower half; backwards, the upper half.
+    """
+    ordered = sorted(points, key=view.project)
+
+    def half(points):
+        out = []
+        for p in points:
+            while out[1:] and view.depth(cross3(sub3(out[-1], out[-2]), sub3(p, out[-1]))) <= 0:
+                out.pop()
+            out.append(p)
+        return out[:-1]
+
+    return half(ordered) + half(ordered[::-1])
+
+
+def silhouette(view, apex, rim):
+    """The two places of the rim at which lines from the apex look tangent; none if the apex is
+    seen inside the rim.
+    """
+    outline = convex_hull(view, [apex, *rim])
+    if apex not in outline:
+        return ()
+    n = outline.index(apex)
+    return outline[n - 1], outline[(n + 1) % len(outline)]

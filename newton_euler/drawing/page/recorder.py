@@ -1,0 +1,272 @@
+"""The base of a sketch: it converts places and directions to triples, records drawing commands, and
+renders them when the figure is finished.
+
+A command draws on a :class:`~newton_euler.drawing.page.primitives.Canvas`, for which the length of
+a point of the page in metres is known. Finishing finds the length with which everything fits on the
+page, or takes that of a :class:`Window`, which the pictures of an animation share.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+from ...algebra.scalars import scalar, to_plain
+from ...algebra.vectors import FrameError, Vector, cross3, dot3, sub3
+from ...kinematics.frames import Frame, Point
+from .label_placement import place_labels
+from .occlusion import painters_order
+from .primitives import Canvas
+from .projection import circle, mean, moved, norm3, plane_view, space_view, unit3
+
+Direction: TypeAlias = Vector | Sequence[float]
+Place: TypeAlias = Point | Direction
+
+
+@dataclass(frozen=True)
+class Window:
+    """What several pictures share: the length of a point in metres, the middle of the page (on the
+    page), the middle of the scene (in space), and the places of labels, which each picture updates.
+    """
+
+    pt: float
+    middle: tuple
+    centre: tuple
+    labels: dict = field(default_factory=dict)
+
+
+MAX_PLACES = 10**6  # of one curve
+
+
+class Recorder:
+    """Records drawing commands, and renders them when the figure is shown or saved."""
+
+    def __init__(
+        self,
+        ax: Any,
+        ground: Frame,
+        azimuth: float = 35,
+        elevation: float = 20,
+        up: str = "z",
+        plane: str | None = None,
+    ):
+        if not hasattr(ax, "add_patch"):
+            raise FrameError(
+                f"a sketch is drawn on a matplotlib Axes, as of plt.subplots(); got {ax!r}"
+            )
+        if not isinstance(ground, Frame):
+            raise FrameError(
+                f"Sketch(ax, ground) shows a scene from its ground, a Frame; got {ground!r}"
+            )
+        self.ax, self.frame = ax, ground
+        self.view = plane_view(plane) if plane is not None else space_view(azimuth, elevation, up)
+        self._commands: list = []
+        self._artists: list = []
+        self._extent: list = []  # places that fit on the page
+        self._longest: dict = {}  # of the arrows of each kind
+        self._pending, self._before, self._window = False, None, None
+        self.drawn: Canvas | None = None  # what was rendered last
+
+    # -- conversion of places, directions and lengths
+
+    def _place(self, P):
+        """A place as a triple of floats in the ground; it is added to the extent of the figure."""
+        return self._extend([self._triple_of(P)])[0]
+
+    def _triple_of(self, P):
+        """A place as a triple of floats in the ground."""
+        return self._triple(P.position(self.frame) if isinstance(P, Point) else P, "place")
+
+    def _places(self, *places):
+        return [self._place(P) for P in places]
+
+    def _triple(self, v, what):
+        if isinstance(v, Point):
+            raise FrameError(
+                f"a {what} is a Vector or a triple, got the point {v.name}; write B - A for a "
+                "vector from A to B"
+            )
+        try:
+            v = v.components(self.frame) if isinstance(v, Vector) else v
+            if not hasattr(v, "__len__") or len(v) == 3:  # what has no end is not gone through
+                v = tuple(v)
+        except TypeError:
+            v = (v,)
+        if len(v) != 3:
+            raise FrameError(
+                f"a {what} is a {'Point, a ' * (what == 'place')}Vector or three numbers, got {v!r}"
+            )
+        try:
+            v = tuple(map(self._float, v))
+        except (TypeError, ValueError, OverflowError):
+            raise FrameError(
+                f"a sketch needs numbers, but the {what} is {v!r}; give every symbol a value"
+            ) from None
+        if not all(map(math.isfinite, v)):
+            raise FrameError(f"the {what} {v!r} is not finite and cannot be drawn")
+        return v
+
+    def _unit(self, v):
+        v = self._triple(v, "direction")
+        if not norm3(v):
+            raise FrameError("a direction of length zero points nowhere; give another vector")
+        return unit3(v)
+
+    def _axes_of(self, frame):
+        """The unit vectors of a frame as triples."""
+        if not isinstance(frame, Frame):
+            raise FrameError(f"directions are the axes of a Frame, got {frame!r}")
+        return [self._triple(e, "axis") for e in (frame.i, frame.j, frame.k)]
+
+    def _length(self, x):
+        try:
+            size = self._float(x)
+        except (TypeError, ValueError, OverflowError):
+            size = math.nan
+        if not 0 < size < math.inf:
+            raise FrameError(f"a length is a positive number of metres; got {x!r}")
+        return size
+
+    @staticmethod
+    def _float(x):
+        """The number ``x`` as a float; of a quantity with a unit, or of text, none."""
+        return float(to_plain(scalar(x)))
+
+    def _or_default(self, x):
+        """A length in metres, or what stands for the default: None, or 0."""
+        return x if x is None or (isinstance(x, (int, float)) and not x) else self._length(x)
+
+    def _several(self, places, what):
+        """A sequence of places."""
+        try:
+            if len(places) > MAX_PLACES:
+                raise TypeError
+            return self._places(*places)
+        except TypeError:
+            raise FrameError(f"{what} are a sequence of places; got {places!r}") from None
+
+    def _rim(self, C, normal, radius):
+        """The places of a circle, added to the extent of the figure."""
+        return self._extend(circle(C, normal, self._length(radius)))
+
+    @staticmethod
+    def _circle_through(A, C, axis):
+        """Of the circle through A about an axis through C: its centre, the unit vectors to A and
+        a quarter turn on, and its radius; triples.
+        """
+        centre = moved(C, dot3(sub3(A, C), axis), axis)
+        out = sub3(A, centre)
+        radius = norm3(out)
+        if radius <= 1e-12 * norm3(sub3(A, C)):
+            raise FrameError(f"a circle needs a place off its axis; {A} lies on that through {C}")
+        e1 = unit3(out)
+        return centre, e1, cross3(axis, e1), radius
+
+    def _extend(self, points):
+        self._extent.extend(points)
+        return points
+
+    # -- recording and finishing
+
+    def _record(self, command):
+        self._commands.append(command)
+        if not self._pending:
+            self._pending, self._before = True, self.ax.get_axes_locator()
+            # matplotlib calls the locator at the start of every drawing
+            self.ax.set_axes_locator(self._locate)
+
+    def _locate(self, ax, renderer):
+        before = self._before
+        self.finish(renderer)
+        return before(ax, renderer) if before else ax.get_position(original=True)
+
+    def finish(self, renderer: Any = None) -> None:
+        """Render what was recorded: limits to fit, equal aspect, no frame. Runs by itself when the
+        figure is drawn; a second call does nothing.
+        """
+        from matplotlib.path import Path
+        from matplotlib.transforms import TransformedPath
+
+        if not self._pending:
+            return
+        self._pending = False
+        if self.ax.get_axes_locator() == self._locate:
+            self.ax.set_axes_locator(self._before)
+        for artist in self._artists:
+            artist.remove()
+        width, height = self._page()
+        window = self._window or _fitted([self], width, height)
+        (x, y), pt = window.middle, window.pt
+        self.ax.set_xlim(x - width / 2 * pt, x + width / 2 * pt)
+        self.ax.set_ylim(y - height / 2 * pt, y + height / 2 * pt)
+        self.ax.set_aspect("equal", adjustable="datalim")
+        self.ax.set_axis_off()
+        canvas = self.drawn = self._canvas(pt, window.centre)
+        clip = TransformedPath(Path.unit_rectangle(), self.ax.transAxes)
+        self._artists = []
+        canvas.strokes = painters_order(canvas)
+        for stroke in canvas.strokes:
+            self._artists += stroke.drawn(self.ax, self.view, clip)
+        self._artists += place_labels(self.ax, canvas, renderer, window.labels)
+
+    def _page(self):
+        """Width and height of the axes in points."""
+        return tuple(size * 72 / self.ax.figure.dpi for size in self.ax.bbox.size)
+
+    def _canvas(self, pt, centre):
+        canvas = Canvas(self.view, pt, self._extent, centre)
+        for command in self._commands:
+            command(canvas)
+        return canvas
+
+
+def sketches_on(ax):
+    """The sketches on these axes that are not rendered yet."""
+    found, locator = [], ax.get_axes_locator()
+    while isinstance(sketch := getattr(locator, "__self__", None), Recorder):
+        found.append(sketch)
+        locator = sketch._before
+    return found
+
+
+def share_window(sketches):
+    """Give one window to the sketches of many pictures of one size: one scale for all, and for all
+    arrows of one kind.
+    """
+    longest = {}
+    for sketch in sketches:
+        for kind, size in sketch._longest.items():
+            longest[kind] = max(size, longest.get(kind, 0))
+    for sketch in sketches:
+        sketch._longest = longest  # before the fit, which draws arrows
+    window = _fitted(sketches, *sketches[0]._page())
+    for sketch in sketches:
+        sketch._window = window
+
+
+def _fitted(sketches, width, height):
+    """The window that holds all sketches, by fixed-point iteration: symbols have sizes in points,
+    so the length of a point depends on them.
+    """
+    places = [P for sketch in sketches for P in sketch._extent]
+    centre = mean(places) if places else (0.0, 0.0, 0.0)
+    box = _union(Canvas(sketch.view, 0, sketch._extent, centre).box() for sketch in sketches)
+    for _ in range(5):
+        pt = _point(box, width, height)
+        box = _union(sketch._canvas(pt, centre).box() for sketch in sketches)
+        if abs(_point(box, width, height) / pt - 1) < 0.02:
+            break
+    left, right, bottom, top = box
+    return Window(pt, ((left + right) / 2, (bottom + top) / 2), centre)
+
+
+def _union(boxes):
+    lefts, rights, bottoms, tops = zip(*boxes, strict=True)
+    return min(lefts), max(rights), min(bottoms), max(tops)
+
+
+def _point(box, width, height, margin=12):
+    """The length of a point in metres with which the box fills a page, given in points."""
+    left, right, bottom, top = box
+    pt = max((right - left) / (width - 2 * margin), (top - bottom) / (height - 2 * margin))
+    return pt or 1 / width  # a single place

@@ -1,0 +1,86 @@
+"""Everything that a sketch can draw, each with the lines that draw it: the page for authors that
+``python -m newton_euler.drawing`` writes, and the examples that the tests draw. vocabulary.txt has
+the entries, vocabulary.html the page around them.
+"""
+
+import base64
+import html
+import io
+import re
+from functools import cache
+from pathlib import Path
+from string import Template
+from typing import Any, NamedTuple
+
+from .sketch import Sketch
+
+HERE = Path(__file__).parent
+
+
+class Entry(NamedTuple):
+    """One picture of the page: its section, what it shows, the view, the lines that draw it."""
+
+    section: str
+    shows: str
+    view: str
+    code: str
+
+
+@cache
+def _entries():
+    """The lines that come before every entry, and the entries."""
+    text = (HERE / "vocabulary.txt").read_text(encoding="utf-8")
+    preamble, *sections = re.split(r"^== ", text, flags=re.MULTILINE)
+    found = []
+    for section in sections:
+        title, *items = re.split(r"^-- ", section, flags=re.MULTILINE)
+        for item in items:
+            shows, view, code = re.fullmatch(
+                r"([^\n]*) \[([^\n]*)\]\n(.*)", item, re.DOTALL
+            ).groups()
+            found.append(Entry(title.strip(), shows, view, code.strip()))
+    return re.sub(r"^#.*\n", "", preamble, flags=re.MULTILINE).strip(), tuple(found)
+
+
+def entries() -> tuple[Entry, ...]:
+    """All entries, in the order of the page."""
+    return _entries()[1]
+
+
+def draw(entry: Entry, ax: Any) -> Sketch:
+    """Draw an entry on ``ax``; returns the sketch."""
+    names: dict[str, Any] = {"ax": ax}
+    exec(f"{_entries()[0]}\n{_lines(entry)}", names)  # our own text
+    return names["s"]
+
+
+def _lines(entry):
+    return f"s = Sketch(ax, ground, {entry.view})\n{entry.code}"
+
+
+def page() -> str:
+    """The page as HTML that needs no other file."""
+    preamble, found = _entries()
+    sections = dict.fromkeys(entry.section for entry in found)
+    parts = [
+        f"<h2>{title}</h2>\n" + "".join(_figure(e) for e in found if e.section == title)
+        for title in sections
+    ]
+    template = Template((HERE / "vocabulary.html").read_text(encoding="utf-8"))
+    return template.substitute(preamble=html.escape(preamble), parts="\n".join(parts))
+
+
+def _figure(entry):
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(2.8, 2.1), dpi=140)
+    draw(entry, figure.add_axes((0.02, 0.02, 0.96, 0.96)))
+    out = io.BytesIO()
+    figure.savefig(out, format="png")
+    data = base64.b64encode(out.getvalue()).decode()
+    alt = html.escape(f"Drawing: {entry.shows}.", quote=True)
+    return (
+        f'<figure><img alt="{alt}" width="280" src="data:image/png;base64,{data}">'
+        f"<figcaption>{html.escape(entry.shows)}</figcaption>"
+        f"<pre>{html.escape(_lines(entry))}</pre></figure>\n"
+    )

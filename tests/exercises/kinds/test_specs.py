@@ -1,0 +1,121 @@
+"""A chapter's spec becomes the files of its problems."""
+
+import ast
+
+import pytest
+import yaml
+
+from exercises.catalogue import CatalogueError
+from exercises.catalogue.format import read_problem
+from exercises.catalogue.specs import mistake_names, write_chapter
+from grader.commands.exercises import new
+
+SPEC = """\
+# Chapter 2: planar kinematics. Problems 2/1 .. 2/2.
+
+# 2/1: a digit is unreadable in the scan; 2 is chosen.
+- id: "2/1"
+  title: Collar, sliding
+  section: "2.3"
+  text: >
+    A collar moves with {v}. Which way does it go: "up"?
+  figure: >
+    A rod "AB" and a collar.
+  givens:
+    v: {value: 5, unit: ft/s, means: "speed", vary: [2, 10], figure: true}
+  answers:
+    - {key: sense, kind: choice, of: ["yes", "no"], unit: "1", means: whether it rises}
+    - {key: a, kind: number, unit: 1/s, means: rate, positive upward}
+  mistakes:
+    - "leaves out the rate of v, so that a = 0"
+    - leaves out the rate of v
+- id: "2/2"
+  title: Gradient
+  section: "2.1"
+  text: Find it.
+  figure: None needed.
+  givens: {}
+  symbols: {x: "1", omega: rad/s}
+  answers: [{key: g, kind: expression, unit: rad/s, means: gradient}]
+  mistakes: []
+"""
+
+
+@pytest.fixture
+def spec(tmp_path):
+    path = tmp_path / "ch02.yaml"
+    path.write_text(SPEC)
+    return path
+
+
+def written(spec, *only):
+    return write_chapter("ch02", spec, only, spec.parent / "to")
+
+
+def test_each_problem_has_a_text_that_can_be_read_and_a_code_to_be_written(spec):
+    paths = written(spec)
+    assert [p.name for p in paths] == ["p01.yaml", "p01.py", "p02.yaml", "p02.py"]
+    p = read_problem(yaml.safe_load(paths[0].read_text()), paths[0])
+    assert p.title == "Collar, sliding"
+    assert p.text == 'A collar moves with {v}. Which way does it go: "up"?'
+    assert p.answers[0].of == ("yes", "no")
+    assert p.answers[1].means == "rate, positive upward"
+    assert list(p.mistakes.values()) == [
+        "leaves out the rate of v, so that a = 0", "leaves out the rate of v",
+    ]  # fmt: skip
+    assert "scan" not in paths[0].read_text()
+    functions = [x.name for x in ast.parse(paths[1].read_text()).body[1:]]
+    assert functions == ["solve", "steps", "prove", "mistakes", "draw"]
+
+
+def test_a_problem_that_needs_no_figure_has_none(spec):
+    text, code = written(spec, "2/2")
+    p = read_problem(yaml.safe_load(text.read_text()), text)
+    assert (p.figure, p.symbols["omega"].unit) == ("", "rad/s")
+    assert "def draw" not in code.read_text()
+
+
+def test_the_chapter_has_its_title(spec):
+    written(spec)
+    home = spec.parent / "to" / "ch02"
+    assert (home / "chapter.yaml").read_text() == 'title: "Chapter 2: planar kinematics"\n'
+    assert (home / "__init__.py").exists()
+
+
+def test_nothing_is_overwritten(spec):
+    _, code = written(spec, "2/2")
+    code.write_text("mine")
+    assert len(written(spec)) == 2
+    assert code.read_text() == "mine"
+    with pytest.raises(CatalogueError, match="none is overwritten: delete those that are to be"):
+        written(spec)
+
+
+@pytest.mark.parametrize(
+    ("chapter", "only", "told"),
+    [
+        ("ch02", ["2/9"], "has no problem 2/9; of ch02 it has 2/1, 2/2"),
+        ("ch03", [], "has no problem of ch03; of ch03 it has none"),
+    ],
+)
+def test_what_is_not_in_the_spec_is_told(spec, chapter, only, told):
+    with pytest.raises(CatalogueError, match=told):
+        write_chapter(chapter, spec, only, spec.parent)
+
+
+def test_a_problem_that_does_not_fit_the_format_is_told_and_nothing_is_written(spec):
+    spec.write_text(SPEC.replace("kind: number", "kind: nmber"))
+    with pytest.raises(CatalogueError, match=r"problem 2/1: a: kind 'nmber' is none of"):
+        written(spec)
+    assert not (spec.parent / "to").exists()
+
+
+def test_names_of_mistakes_are_identifiers_and_differ():
+    names = mistake_names(["takes 2*omega x v the other way", "takes 2*omega x v", "2 for 3"])
+    assert list(names) == ["takes_omega_x_v", "takes_omega_x_v_2", "mistake"]
+
+
+def test_the_command_prints_the_paths(spec, capsys):
+    to = str(spec.parent / "to")
+    new.main(["ch02", "--spec", str(spec), "--to", to, "--only", "2/1"], standalone_mode=False)
+    assert capsys.readouterr().out.split() == [f"{to}/ch02/p01.yaml", f"{to}/ch02/p01.py"]

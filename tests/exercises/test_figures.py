@@ -1,0 +1,67 @@
+"""What single figures show: rotations as rotations, slopes that are hatched, axles and faces that can
+be seen.
+"""
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from exercises.catalogue import problem
+from exercises.checks import values
+from newton_euler.drawing.page.recorder import sketches_on
+
+
+def drawn(problem_id, seed=0):
+    """The numbers, in base units, and the sketch of a problem, finished."""
+    p = problem(problem_id)
+    ax = Figure(figsize=(5.2, 4)).add_subplot()
+    g = p.base(values(p, seed))
+    p.code.draw(g, ax)
+    (sketch,) = sketches_on(ax)
+    sketch.finish()
+    return g, sketch
+
+
+def strokes(sketch, style):
+    return [np.array(s.points) for s in sketch.drawn.strokes if style in s.styles]
+
+
+@pytest.mark.parametrize(("problem_id", "radius"), [("4/4", "R"), ("4/15", "L")])
+def test_the_rate_of_an_arm_is_drawn_as_an_arc_about_its_hinge(problem_id, radius):
+    g, sketch = drawn(problem_id)
+    radii = [np.linalg.norm(arc, axis=1) for arc in strokes(sketch, "rate")]
+    assert any(np.allclose(r, getattr(g, radius)) and len(r) > 10 for r in radii)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_4_6_hatches_its_slope_and_the_roller_touches_it(seed):
+    g, sketch = drawn("4/6", seed)
+    (slope,) = strokes(sketch, "support")
+    along = slope[1] - slope[0]
+    assert np.arctan2(-along[2], along[0]) == pytest.approx(float(g.incline))
+    to_centre = np.cross(along / np.linalg.norm(along), -slope[0])  # O is the origin
+    assert np.linalg.norm(to_centre) == pytest.approx(0.3 * float(g.b))
+
+
+def test_4_10_turns_the_cage_about_the_line_of_the_axles():
+    _, sketch = drawn("4/10")
+    arcs = np.concatenate(strokes(sketch, "rate"))
+    radius = 0.4 * float(drawn("4/10")[0].R)
+    widest = arcs[np.abs(np.abs(arcs[:, 1]) - radius) < 0.02 * radius]
+    assert len(widest) > 0
+
+
+@pytest.mark.parametrize("problem_id", ["4/22", "4/23", "4/30"])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_axle_of_the_rolling_disk_is_in_front_of_the_disk(problem_id, seed):
+    _, sketch = drawn(problem_id, seed)
+    order = [s.styles for s in sketch.drawn.strokes]
+    assert order.index(("rod edge", "rod")) > order.index(("body",))
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_4_31_shows_the_end_face_on_which_P_is(seed):
+    """At a third of its true width or more, whatever the velocity is."""
+    _, sketch = drawn("4/31", seed)
+    (face,) = [s for s in sketch.drawn.strokes if s.styles == ("top",)]
+    assert sketch.drawn.depth(face.normal) / np.linalg.norm(face.normal) > 1 / 3

@@ -1,0 +1,83 @@
+"""The steps on the way to the answers, and the worked solution that is made of them."""
+
+from types import SimpleNamespace
+
+import pytest
+import sympy
+
+from exercises.catalogue import CatalogueError, problem, select
+from exercises.steps import Step, faults, steps
+from exercises.variants import draw
+from grader.assignment.notebook import typeset
+from grader.assignment.solution import worked_solution
+
+ALL = select(["all"])
+# for every symbol
+AT = dict.fromkeys({x for p in ALL for x in p.sympy_symbols().values()}, 0.7)
+
+
+def shown(p, values):
+    return {s.key: s for s in steps(p, values)}
+
+
+def test_steps_of_4_16_stand_in_the_units_and_axes_of_the_answers():
+    p = problem("4/16")
+    found = shown(p, p.book_values)
+    assert list(found)[:2] == ["omega_CD", "v_r"]
+    # the shaft turns with 0.6 about Z; beta grows about -X at 0.45
+    assert [float(x) for x in found["omega_CD"].value.c] == pytest.approx([-0.45, 0, 0.6])
+    # 16 mm * 0.45 rad/s, perpendicular to CD at 120 degrees
+    assert [float(x) for x in found["v_r"].value.c] == pytest.approx([0, 7.2 * 3**0.5 / 2, -3.6])
+    assert found["a_D_coriolis"].equation == "4.18"
+    assert "2 omega x v_r" in found["a_D_coriolis"].means
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_the_terms_among_the_steps_add_up_to_the_answers(p):
+    values = {**draw(p, b"steps"), **p.sympy_symbols()}
+    answers, found = p.solve(values), steps(p, values)
+    assert faults(p, values) == []
+    for key, answer in answers.items():
+        own = [s.value for s in found if s.key.startswith(f"{key}_")]
+        if not (own and getattr(answer, "terms", None)):
+            continue
+        for n in range(3):
+            gap = sympy.sympify(sum(v.c[n] for v in own) - answer.c[n])
+            size = max(abs(complex(sympy.N(x, subs=AT))) for x in answer.c)
+            assert abs(complex(sympy.N(gap, subs=AT))) <= 1e-9 * size
+
+
+def with_steps(monkeypatch, *found):
+    p = problem("4/16")
+    monkeypatch.setattr(p.code, "steps", lambda g: [f(g) for f in found])
+    return p
+
+
+def test_a_step_with_the_name_of_an_answer_or_a_given_is_refused(monkeypatch):
+    for key in ("a_D", "omega", "not a name"):
+        p = with_steps(monkeypatch, lambda g, key=key: Step(key, g.omega, "rad/s", "the rate"))
+        with pytest.raises(CatalogueError, match=f"4/16: the step {key!r} must have a name"):
+            steps(p, p.book_values)
+
+
+def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
+    p = with_steps(monkeypatch, lambda g: Step("rate", g.omega * g.b, "rad/s", "the rate"))
+    assert faults(p, p.book_values) == [
+        "the step rate is stated in rad/s, Dimension(T^-1), and has Dimension(L^1 T^-1)"
+    ]
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_worked_solution_has_the_students_numbers_and_every_answer(p):
+    values = {**draw(p, b"solution"), **p.sympy_symbols()}
+    text = worked_solution(p, values)
+    for a in p.answers:
+        assert typeset(a.means, p)[1:] in text
+    for name, given in p.givens.items():
+        assert f"{values[name]:.6g}" in text, given
+
+
+def test_a_problem_without_sums_has_no_steps_of_its_own():
+    p = SimpleNamespace(id="0/1", code=SimpleNamespace(solve=lambda g: {"x": 2.0}), units={},
+                        answers=(), base=lambda values: None)  # fmt: skip
+    assert steps(p, {}) == []

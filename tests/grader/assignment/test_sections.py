@@ -1,0 +1,39 @@
+"""Each statement names the section that it practises, and links to it where a notebook has it."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from exercises.catalogue import problem, select
+from exercises.catalogue.sections import headings, section_line
+from grader.assignment.notebook import statement
+from newton_euler import chapters
+
+
+def test_a_section_links_to_its_heading_in_the_notebook_of_the_chapter():
+    assert section_line(problem("4/16")) == (
+        "*Section* [4.10 Summary of the method]"
+        "(../chapters/ch04_relative_motion.ipynb#4.10-Summary-of-the-method)"
+    )
+
+
+def test_a_section_without_a_notebook_and_an_appendix_are_named():
+    assert section_line(replace(problem("4/16"), section="99.1")) == "*Section* 99.1"
+    assert section_line(problem("A/7")) == "*Appendix* A"
+
+
+def test_the_notebooks_of_the_links_are_there():
+    folder = Path(chapters.__path__[0])
+    assert all((folder / name).exists() for name, _ in headings().values())
+
+
+@pytest.mark.parametrize("p", select(["all"]), ids=lambda p: p.id.replace("/", "_"))
+def test_every_statement_ends_with_its_section(p):
+    assert statement(p, p.book_values).endswith(section_line(p))
+    assert p.section in section_line(p)
+
+
+def test_the_words_of_a_choice_are_in_the_statement():
+    p = problem("2/18")
+    assert "line of sight: away, toward or across" in statement(p, p.book_values)

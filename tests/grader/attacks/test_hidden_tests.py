@@ -1,0 +1,125 @@
+"""An instructor's hidden tests beside hostile code: what stands, and what a test that runs in the
+student's own process cannot promise.
+"""
+
+import sys
+
+import pytest
+
+from tests.grader.sandbox.jobs import caged, own, problem, run_caged
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
+HIDDEN = "assert square(-7) == 49, 'hidden words'"
+WRONG = "def square(x): return 0"
+
+
+def notebook(text, hidden=HIDDEN):
+    """A student's cell, a test, a cell behind it, and a problem that reads ``x``."""
+    return [
+        own(text),
+        {"role": "test", "name": "t", "text": "", "hidden": hidden},
+        own("seen = globals().get('seen')"),
+        *problem("0/1", "x = seen"),
+    ]
+
+
+def outcome(harvester, text, hidden=HIDDEN, **limits):
+    return run_caged(harvester, notebook(text, hidden), **limits)["tests"]["t"]
+
+
+FORGED = {  # each with a wrong answer, made without reading the code of the cage
+    "written ahead, to all files": f"""
+        {WRONG}
+        import os
+        for fd in range(3, 64):
+            try: os.write(fd, b'{{"error": null, "value": 4}}\\n' * 20)
+            except OSError: pass
+    """,
+    "written by the answer": """
+        def square(x):
+            import os
+            for fd in range(3, 64):
+                try: os.write(fd, b'\\n{"token": "", "error": null, "value": 4.0}\\n')
+                except OSError: pass
+            os._exit(0)
+    """,
+    "the process ends": "def square(x):\n    import os\n    os._exit(0)",
+    "SystemExit": "def square(x): raise SystemExit(0)",
+    "a process that ends well": "def square(x):\n    import sys\n    sys.exit()",
+    "never returns": "def square(x):\n    while True: pass",
+    "kills who waits": "def square(x):\n    import os, signal\n    os.kill(os.getppid(), signal.SIGKILL)",
+    "assertions that are not": f"{WRONG}\nimport builtins\nbuiltins.AssertionError = Warning",
+    "optimised away": f"{WRONG}\nimport sys\n__debug__1 = False\nsys.flags = None",
+    "another compile": f"{WRONG}\nimport builtins\nbuiltins.compile = lambda *_, **__: compile('1', '', 'eval')",
+    "another ast": f"{WRONG}\nimport ast\nast.parse = lambda *_: compile('4', '', 'exec', ast.PyCF_ONLY_AST)",
+    "an audit hook": f"""
+        {WRONG}
+        import sys
+        def hook(event, arguments):
+            if event in ("compile", "exec"): raise KeyboardInterrupt
+        sys.addaudithook(hook)
+    """,
+    "a profile of the test": f"{WRONG}\nimport sys\nsys.setprofile(lambda *_: 1 / 0)",
+    "a display hook": f"{WRONG}\nimport sys\nsys.displayhook = sys.excepthook = lambda *_: 4",
+    "no answer": "del_this = 1",
+}
+
+
+@pytest.mark.parametrize("how", FORGED)
+def test_a_forged_outcome_earns_nothing(harvester, how):
+    found = outcome(harvester, _dedented(FORGED[how]), seconds=8, cell_seconds=1)
+    assert found["error"] is not None, found
+
+
+def _dedented(text):
+    """Without the indentation of this file, which the one line that is put in has not."""
+    return "\n".join(line.removeprefix(8 * " ") for line in text.splitlines())
+
+
+LEAKS = {  # how code that is called by the test tries to tell what it sees; ``told`` is the text
+    "into a variable": "globals()['seen'] = told",
+    "into every file": "import os\n    for fd in range(1, 64):\n        try: os.write(fd, told.encode())\n"
+                       "        except OSError: pass",
+    "into the receipts": "import os, json\n    line = json.dumps({'id': '0/1', 'answers': {'x': 1.0}, "
+                         "'error': told}).encode()\n    for fd in range(1, 64):\n        try: os.write(fd, b'\\n' "
+                         "+ line + b'\\n')\n        except OSError: pass",
+    "into a file": "open('/tmp/told', 'w').write(told)",
+    "into another process": "import os, time\n    if os.fork() == 0:\n        time.sleep(30)",
+    "into an error": "raise ValueError(told)",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("how", LEAKS)
+def test_what_a_test_says_reaches_no_receipt_and_no_later_submission(harvester, how):
+    spy = (
+        "import os\nseen = open('/tmp/told').read() if os.path.exists('/tmp/told') else None\n"
+        "def square(x):\n    import sys\n"
+        "    told = str(sys._getframe(1).f_code.co_consts)\n    " + LEAKS[how] + "\n    return 0"
+    )
+    for _ in range(2):
+        reply = run_caged(harvester, notebook(spy), seconds=8, cell_seconds=1)
+        assert reply["tests"]["t"]["error"] is not None
+        assert "hidden words" not in str(reply["receipts"]) + str(reply["errors"])
+    after = caged(harvester, "import os\nx = os.path.exists('/tmp/told')")
+    assert "hidden words" not in str(after)
+    assert after["receipts"]["0/1"]["answers"].get("x") in (None, 0.0)
+
+
+DECEIVED = {  # by which a test can be passed: known, and said in the README
+    "an object that is equal to all": (
+        "class Any:\n    def __eq__(self, _): return True\n    __hash__ = None\n"
+        "def square(x): return Any()"
+    ),
+    "the frame of the test": (
+        "def square(x):\n    import sys\n    f = sys._getframe(1)\n"
+        "    return next(c for c in f.f_code.co_consts if isinstance(c, int) and c > 7)"
+    ),
+}
+
+
+@pytest.mark.parametrize("how", DECEIVED)
+def test_what_a_test_in_the_students_process_cannot_promise(harvester, how):
+    """A test of this kind is deceived in plain nbgrader too; our own problems have none. If one of
+    these ever fails, take it out of the README.
+    """
+    assert outcome(harvester, DECEIVED[how]) == {"error": None, "value": None}

@@ -1,0 +1,162 @@
+"""A course folder is made whole or not at all, and belongs to its owner alone."""
+
+import os
+import signal
+import stat
+import subprocess
+import sys
+import time
+
+import pytest
+
+from grader.course import Course, CourseError
+from grader.course.creation import MADE, UNFINISHED, new_course
+from tests.grader.courses import REPOSITORY, command, environment, run
+
+
+def test_a_course_folder_that_exists_is_left_as_it_is(tmp_path):
+    (tmp_path / "notes.txt").write_text("mine")
+    code, out = command("build", "ch04", "--course", tmp_path, "--problem", "4/1")
+    assert code == 2
+    assert (
+        "exists and is not empty; name a new folder, or add to the course in it with build --update"
+    ) in out
+    assert os.listdir(tmp_path) == ["notes.txt"]
+
+
+def test_build_says_how_many_it_enrolled_and_how_the_roster_was_read(tmp_path):
+    roster = tmp_path / "roster.csv"
+    roster.write_text("Vorname;Nachname;Matrikelnummer\nAda;L.;1001\nBen;M.;1002\n")
+    place = tmp_path / "Méca 2026"
+    code, out = command(
+        "build", "ch04", "--course", place, "--students", roster, "--problem", "4/1",
+        "--due", "2027-01-31 23:59 Europe/Berlin", "--exchange", tmp_path / "exchange",
+    )  # fmt: skip
+    assert code == 0, out
+    said = " ".join(out.split())
+    assert "Enrolled 2 students (ids from the column 'Matrikelnummer', UTF-8, sep" in said
+    assert "2 students are on the roster of the course Meca-2026." in said
+    assert "Due 2027-01-31 22:59 UTC" in said
+    assert "'Next" not in said
+    assert stat.S_IMODE((tmp_path / "exchange").stat().st_mode) == 0o777
+    course = Course(place)
+    assert course.config().Exchange.root == str(tmp_path / "exchange")
+    with course.gradebook() as book:
+        assert str(book.find_assignment("ch04").duedate) == "2027-01-31 22:59:00"
+    roster.write_text("id\n1002\n1003\n")
+    code, out = command(
+        "build", "ch04", "--course", place, "--students", roster, "--problem", "4/1", "--update"
+    )
+    assert "Enrolled 1 students" in out
+    assert "3 students are on the roster" in out
+
+
+@pytest.mark.parametrize("text", ["soon", "2027-13-01 10:00", "2027-01-31 23:59 Mars/Base"])
+def test_a_due_date_that_is_none_is_told(tmp_path, text):
+    code, out = command("build", "ch04", "--course", tmp_path / "c", "--due", text)
+    assert code == 2
+    assert "expected a date, a time and the name of a zone" in " ".join(out.split())
+    assert not (tmp_path / "c").exists()
+
+
+def test_the_course_folder_and_what_is_in_it_are_readable_by_their_owner_alone(tmp_path):
+    before = os.umask(0)
+    try:
+        with new_course(tmp_path / "c") as course:
+            pass
+    finally:
+        os.umask(before)
+    assert stat.S_IMODE(course.path.stat().st_mode) == 0o700
+    assert stat.S_IMODE((course.path / ".course_secret").stat().st_mode) == 0o600
+
+
+def test_personal_copies_are_readable_by_their_owner_alone(course):
+    for path in (course.path / "personal").rglob("*.ipynb"):
+        assert stat.S_IMODE(path.stat().st_mode) == 0o600
+
+
+def test_git_sees_no_secret_and_nothing_about_students(course, tmp_path):
+    git = ("git", "-C", str(course.path))
+    code, out = run(*git, "init", "-q")
+    try:
+        code, out = run(*git, "status", "--porcelain", "--untracked-files=all")
+    finally:
+        run("rm", "-rf", str(course.path / ".git"))
+    assert code == 0, out
+    seen = {line[3:].strip('"').split("/")[0] for line in out.splitlines()}
+    assert seen == {
+        ".gitignore", ".newton_euler_demo", "course.json", "nbgrader_config.json",
+        "nbgrader_config.py", "release", "source", "student",
+    }  # fmt: skip
+
+
+def test_a_failure_leaves_nothing_of_a_course(tmp_path):
+    (tmp_path / "empty").mkdir()
+    for place in (tmp_path / "new", tmp_path / "empty"):
+        with pytest.raises(ZeroDivisionError), new_course(place):
+            _ = 1 / 0
+    assert not (tmp_path / "new").exists()
+    assert os.listdir(tmp_path / "empty") == []
+
+
+BUILD = """
+import os, signal, sys
+from grader.course import Course, folder
+from grader.assignment import build
+whole = build.write_json
+def dies(*a, **k):
+    if sys.argv[2] == "source": os.kill(os.getpid(), signal.SIGKILL)
+    whole(*a, **k)
+build.write_json = dies
+Course.enrol = lambda *a: os.kill(os.getpid(), signal.SIGKILL)
+build.build_assignment(sys.argv[1], "ch04", sys.argv[3], ("4/1",))
+"""
+
+
+@pytest.mark.parametrize("when", ["source", "enrol"])
+def test_what_a_killed_build_leaves_is_made_anew_by_the_next(tmp_path, when):
+    roster = tmp_path / "roster.csv"
+    roster.write_text("id\nada\n")
+    place = tmp_path / "c"
+    code, _ = run(sys.executable, "-c", BUILD, str(place), when, str(roster))
+    assert code == -signal.SIGKILL
+    assert (place / UNFINISHED).exists()
+    code, out = command("build", "ch04", "--course", place, "--update")
+    assert code == 2
+    assert "run the same build again, without --update: it begins afresh" in " ".join(out.split())
+    code, out = command(
+        "build", "ch04", "--course", place, "--students", roster, "--problem", "4/1"
+    )
+    assert code == 0, out
+    assert Course(place).roster() == ["ada"]
+    assert not (place / UNFINISHED).exists()
+    assert {p.name for p in place.iterdir()} <= MADE
+
+
+def test_files_of_somebody_else_in_an_unfinished_course_are_not_removed(tmp_path):
+    (tmp_path / UNFINISHED).touch()
+    (tmp_path / "thesis.tex").write_text("mine")
+    with pytest.raises(CourseError, match="exists and is not empty"), new_course(tmp_path):
+        pass
+    assert (tmp_path / "thesis.tex").exists()
+
+
+@pytest.mark.slow
+def test_a_build_killed_at_any_time_can_be_run_again(tmp_path):
+    roster = tmp_path / "roster.csv"
+    roster.write_text("id\nada\nben\n")
+    arguments = ("build", "ch04", "--students", str(roster), "--problem", "4/1", "--course")
+    for n in range(12):
+        place = tmp_path / f"c{n}"
+        process = subprocess.Popen(
+            [sys.executable, "-m", "grader", *arguments, str(place)],
+            env=environment(), cwd=REPOSITORY, stdout=subprocess.DEVNULL,
+        )  # fmt: skip
+        time.sleep(1.5 + 0.4 * n)
+        process.kill()
+        process.wait()
+        code, out = command(*arguments, place)
+        if code:  # it had ended in time
+            code, out = command(*arguments, place, "--update")
+        assert code == 0, out
+        assert Course(place).roster() == ["ada", "ben"]

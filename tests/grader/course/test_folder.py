@@ -1,0 +1,129 @@
+"""A course folder: its id, its secret, its gradebook."""
+
+import shutil
+import sqlite3
+
+import pytest
+
+from grader.course import Course, CourseError
+from grader.grading import grade
+from tests.grader.courses import command, points
+
+BAD_SECRETS = {
+    "not hexadecimal": (
+        "not hexadecimal",
+        "is damaged: expected one line of 64 hexadecimal digits",
+    ),
+    "empty": ("", "is damaged: expected one line of 64 hexadecimal digits"),
+    "short": ("ab" * 31, "is damaged: expected one line of 64 hexadecimal digits"),
+    "another": ("ab" * 32, "is not the secret that the course was made with"),
+}
+
+
+def test_a_course_without_its_secret_says_what_to_do(fresh):
+    (fresh.path / ".course_secret").unlink()
+    with pytest.raises(
+        CourseError,
+        match=r"is missing; without it no student's numbers can be derived. Restore it from a "
+        r"backup",
+    ):
+        grade(Course(fresh.path), "ch04")
+
+
+@pytest.mark.parametrize("how", BAD_SECRETS)
+def test_an_empty_short_or_changed_secret_is_refused_before_anybody_is_graded(fresh, how):
+    text, words = BAD_SECRETS[how]
+    before = points(fresh)
+    (fresh.path / ".course_secret").write_text(text)
+    with pytest.raises(CourseError, match=words):
+        grade(Course(fresh.path), "ch04")
+    code, out = command("grade", "ch04", "--course", fresh.path)
+    assert (code, "Traceback" in out) == (2, False)
+    assert points(fresh) == before
+
+
+def test_the_id_of_a_course_stays_when_its_folder_is_renamed(fresh, tmp_path):
+    assert fresh.name == "mechanics"
+    moved = shutil.move(fresh.path, tmp_path / "Mécanique 2026 (old)")
+    assert Course(moved).name == "mechanics"
+    assert sum(r.points for r in grade(Course(moved), "ch04")) > 0
+
+
+def test_the_configuration_of_a_course_names_no_place(course):
+    for name in ("nbgrader_config.py", "nbgrader_config.json", "course.json"):
+        text = (course.path / name).read_text()
+        assert str(course.path) not in text
+        assert "/course/" not in text
+    from tests.grader.courses import REPOSITORY
+
+    assert str(REPOSITORY) not in (course.path / "nbgrader_config.py").read_text()
+
+
+def test_a_damaged_identity_is_told(fresh):
+    (fresh.path / "course.json").write_text("{")
+    with pytest.raises(CourseError, match=r"course.json is damaged .* restore it from a backup"):
+        _ = Course(fresh.path).name
+
+
+def test_ids_that_differ_from_one_on_the_roster_by_case_only_are_refused(fresh):
+    with pytest.raises(CourseError, match="'Ada' differs from 'ada', who is on the roster, by"):
+        fresh.enrol(["Ada"])
+    with pytest.raises(CourseError, match="differs from"):
+        fresh.enrol(["zoe\u0301", "zo\u00e9"])  # an accent of its own, and within the letter
+    assert fresh.enrol(["ada", "new"]) == 1
+
+
+def test_ids_that_differ_by_case_only_are_also_noticed_where_nbgrader_added_them(fresh):
+    with fresh.gradebook() as book:
+        book.add_student("ADA")
+    with pytest.raises(CourseError, match=r"'ADA' and 'ada' on the roster differ .* remove ada"):
+        fresh.roster()
+
+
+# -- the gradebook
+
+
+def test_a_locked_gradebook_is_told_in_a_sentence_and_nothing_is_lost(fresh):
+    before = points(fresh)
+    lock = sqlite3.connect(fresh.path / "gradebook.db")
+    lock.execute("BEGIN EXCLUSIVE")
+    try:
+        code, out = command("grade", "ch04", "--course", fresh.path)
+    finally:
+        lock.close()
+    assert code == 2
+    assert "another program is writing to it; wait until it has ended" in " ".join(out.split())
+    assert "Traceback" not in out
+    assert points(fresh) == before
+
+
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        (
+            "attempt to write a readonly database",
+            "cannot be written; give yourself write permission",
+        ),
+        ("database or disk is full", "the disk is full; make room"),
+        ("unable to open database file", "cannot be opened"),
+        ("no such column: student.lms_user_id", "nbgrader db upgrade"),
+    ],
+)
+def test_what_the_database_says_is_told_with_what_to_do(fresh, said, words):
+    from sqlalchemy.exc import OperationalError
+
+    with pytest.raises(CourseError, match=words), fresh.gradebook():
+        raise OperationalError("INSERT", {}, sqlite3.OperationalError(said))
+
+
+def test_a_gradebook_that_is_none_is_told(fresh):
+    (fresh.path / "gradebook.db").write_bytes(b"not a database at all" * 100)
+    with pytest.raises(CourseError, match=r"could not be used .*it is damaged; restore it from"):
+        fresh.roster()
+
+
+def test_an_error_in_the_instructors_configuration_names_the_line(fresh):
+    with open(fresh.path / "nbgrader_config.py", "a") as f:
+        f.write("\nc.Exchange.root = (\n")
+    with pytest.raises(CourseError, match=r"nbgrader_config.py, line \d+ does not run"):
+        fresh.config()

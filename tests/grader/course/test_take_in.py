@@ -1,0 +1,163 @@
+"""Work from a zip archive, as learning platforms give it: what fits whom, and what is left out."""
+
+import io
+import stat
+import zipfile
+
+import pytest
+
+from grader.course import CourseError, take_in
+from grader.grading import grade
+from tests.grader.courses import command, submit
+from tests.grader.submissions import work
+
+pytestmark = pytest.mark.integration
+
+
+@pytest.fixture
+def named(ungraded):
+    """The course of the demo, its students with names as a registrar has them."""
+    ungraded.enrol(
+        [
+            {"id": "ada", "first_name": "Ada", "last_name": "Lovelace", "lms_user_id": "4711"},
+            {"id": "ben", "first_name": "Ben", "last_name": "Müller-Lüdenscheidt"},
+            {"id": "cleo", "first_name": "Cléo", "last_name": "de Mérode"},
+            {"id": "dan", "email": "daniel.g@uni.edu"},
+        ]
+    )
+    return ungraded
+
+
+def archive(path, files):
+    """A zip archive of {name: text, bytes or ZipInfo}."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as z:
+        for name, content in files.items():
+            z.writestr(name, content)
+    return path
+
+
+PLATFORMS = {
+    "Canvas": ("lovelaceada_4711_98765_ch04.ipynb", "ada"),
+    "Canvas, late": ("lovelaceada_LATE_4711_98765_ch04-1.ipynb", "ada"),
+    "Moodle": ("Ben Müller-Lüdenscheidt_123_assignsubmission_file_/ch04.ipynb", "ben"),
+    "Moodle, name with accents": ("Cléo de Mérode_124_assignsubmission_file_/work.ipynb", "cleo"),
+    "last name first": ("de Mérode, Cléo/ch04.ipynb", "cleo"),
+    "the id": ("dan.ipynb", "dan"),
+    "a folder of the id": ("submissions/eve/ch04.ipynb", "eve"),
+    "the address": ("daniel.g@uni.edu/ch04.ipynb", "dan"),
+}
+
+
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_names_of_the_platforms_are_recognised(named, tmp_path, platform):
+    name, student = PLATFORMS[platform]
+    found = take_in(named, "ch04", archive(tmp_path / "w.zip", {name: "{}"}))
+    assert found.taken == {student: name}
+    path = named.path / "submitted" / student / "ch04/ch04.ipynb"
+    assert path.read_text() == "{}"
+    assert stat.S_IMODE(path.stat().st_mode) == 0o600
+    assert not (path.parent / "timestamp.txt").exists()
+
+
+def test_what_was_taken_in_is_graded(named, tmp_path):
+    import json
+
+    files = {f"{s}_1_ch04.ipynb": json.dumps(work(named, s)) for s in ("ada", "ben")}
+    path = archive(tmp_path / "w.zip", files)
+    code, out = command("take-in", "ch04", path, "--course", named.path)
+    assert code == 0, out
+    assert "2 taken in, 0 kept as they were, 0 left out" in out
+    assert {r.student: r.points for r in grade(named, "ch04")} == {"ada": 11, "ben": 11}
+
+
+def link(name, target):
+    info = zipfile.ZipInfo(name)
+    info.external_attr = (stat.S_IFLNK | 0o777) << 16
+    return info, target
+
+
+REFUSED = {
+    "/etc/ada.ipynb": "leads out of the archive",
+    "../../ada.ipynb": "leads out of the archive",
+    "a/../../../ben/ch04.ipynb": "leads out of the archive",
+    "..\\..\\ada.ipynb": "leads out of the archive",
+    "C:/ada.ipynb": "leads out of the archive",
+    "ada/solution.py": "not a notebook",
+    "__MACOSX/ada/._ch04.ipynb": "not a notebook",
+    "nobody/ch04.ipynb": "fits nobody on the roster",
+    "ada/ben/ch04.ipynb": "fits several students: ada, ben",
+    "adaptive/ch04.ipynb": "fits nobody on the roster",
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_leads_elsewhere_or_fits_nobody_is_left_out_and_said(named, tmp_path, name):
+    before = sorted(p for p in tmp_path.rglob("*") if p.suffix != ".zip")
+    code, out = command(
+        "take-in", "ch04", archive(tmp_path / "w.zip", {name: "{}"}), "--course", named.path
+    )
+    assert code == 1
+    assert REFUSED[name] in " ".join(out.split())
+    after = sorted(p for p in tmp_path.rglob("*") if p.suffix != ".zip")
+    assert [p for p in after if p not in before and "gradebook" not in p.name] == []
+
+
+def test_a_link_in_an_archive_is_left_out(named, tmp_path):
+    with zipfile.ZipFile(tmp_path / "w.zip", "w") as z:
+        z.writestr(*link("ada.ipynb", "../../../.course_secret"))
+    found = take_in(named, "ch04", tmp_path / "w.zip")
+    assert found.refused == [("ada.ipynb", "a link or a special file")]
+    assert not named.submissions("ch04")
+
+
+def test_a_file_that_a_student_named_after_another_takes_nobodys_place(named, tmp_path):
+    files = {"ben_1_ch04.ipynb": "{}", "x_2_ch04_ben.ipynb": '{"a": 1}'}
+    found = take_in(named, "ch04", archive(tmp_path / "w.zip", files))
+    assert found.taken == {}
+    assert all("one of 2 that fit ben" in why for _, why in found.refused)
+
+
+def test_the_notebook_of_the_assignment_is_chosen_among_others_of_the_student(named, tmp_path):
+    files = {"ben/ch04.ipynb": "{}", "ben/scratch.ipynb": "{}"}
+    found = take_in(named, "ch04", archive(tmp_path / "w.zip", files))
+    assert found.taken == {"ben": "ben/ch04.ipynb"}
+    assert found.refused == [("ben/scratch.ipynb", "ben/ch04.ipynb was taken for ben")]
+
+
+def test_work_that_is_there_is_kept_unless_it_is_to_be_replaced(named, tmp_path):
+    submit(named, "ada", "mine")
+    (named.path / "submitted/ada/ch04/timestamp.txt").write_text("2026-01-01 10:00:00 UTC")
+    path = archive(tmp_path / "w.zip", {"ada.ipynb": "{}"})
+    assert take_in(named, "ch04", path).kept == [("ada", "ada.ipynb")]
+    assert named.submissions("ch04")["ada"].read_text() == "mine"
+    assert take_in(named, "ch04", path, replace=True, times=True).taken == {"ada": "ada.ipynb"}
+    assert named.submissions("ch04")["ada"].read_text() == "{}"
+    assert "2026-01-01" not in (named.path / "submitted/ada/ch04/timestamp.txt").read_text()
+
+
+def test_a_bomb_costs_only_itself(named, tmp_path, monkeypatch):
+    from grader.course import take_in as module
+
+    monkeypatch.setattr(__import__("sys").modules["grader.course.take_in"], "MAX_BYTES", 1000)
+    assert module
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as z:
+        z.writestr("ada.ipynb", b"[" * 100_000)
+        z.writestr("ben.ipynb", b"{}")
+    raw = bytearray(data.getvalue())
+    for place in (raw.find(b"PK\1\2") + 24,):  # the size that the directory tells: a lie
+        raw[place : place + 4] = (5).to_bytes(4, "little")
+    (tmp_path / "w.zip").write_bytes(raw)
+    try:
+        found = take_in(named, "ch04", tmp_path / "w.zip")
+    except CourseError:
+        return  # zipfile itself noticed
+    assert set(found.taken) <= {"ben", "ada"}
+    assert all(p.stat().st_size <= 1000 for p in named.submissions("ch04").values())
+
+
+@pytest.mark.parametrize("content", [b"", b"not a zip", b"PK\3\4 damaged"])
+def test_what_is_no_archive_is_told(named, tmp_path, content):
+    (tmp_path / "w.zip").write_bytes(content)
+    code, out = command("take-in", "ch04", tmp_path / "w.zip", "--course", named.path)
+    assert (code, "is not a zip archive that can be read" in " ".join(out.split())) == (2, True)

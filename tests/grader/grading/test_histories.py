@@ -1,0 +1,126 @@
+"""After any history of changes, ``python -m grader grade`` and ``nbgrader autograde`` leave the same
+gradebook and the same notebooks.
+"""
+
+import copy
+import random
+import shutil
+from datetime import datetime, timedelta
+
+import nbformat
+import pytest
+
+from grader.grading import grade
+from tests.grader.courses import change_source, copy_of, gradebook_rows, nbgrader, submit
+from tests.grader.grading.test_instructors_cells import OWN, with_texts
+from tests.grader.submissions import work
+
+STUDENTS = ("ada", "ben", "dan")
+CELLS = {
+    "right": {},
+    "a wrong part": {"p4_16": "v_D = [1, 2, 3]"},
+    "an error": {"p4_1": "1/0"},
+    "blank": {"p4_1": "", "p4_31": ""},
+}
+
+
+def resubmit(course, rng):
+    student = rng.choice(STUDENTS)
+    notebook = work(course, student, **CELLS[rng.choice(list(CELLS))])
+    essay, square = rng.choice(["", "Why not."]), rng.choice(["", "def square(x): return x*x"])
+    submit(course, student, with_texts(notebook, essay=essay, square=square))
+    day = rng.randint(1, 28)
+    text = rng.choice([f"2026-10-{day:02d} 10:00:00.000000 UTC", "no time", ""])
+    (course.path / "submitted" / student / "ch04" / "timestamp.txt").write_text(text)
+
+
+def by_hand(course, rng):
+    with course.gradebook() as book:
+        for name in rng.sample(["essay", "at_home", "answer-4-16"], 2):
+            try:
+                row = book.find_grade(name, "ch04", "ch04", rng.choice(STUDENTS))
+            except Exception:  # nothing was handed in, or the cell is not there
+                continue
+            row.manual_score, row.extra_credit = rng.choice([None, 1.5]), rng.choice([None, 0.5])
+            row.needs_manual_grade = row.auto_score is None and row.manual_score is None
+        book.db.commit()
+
+
+def other_due_date(course, rng):
+    with course.gradebook() as book:
+        due = datetime(2026, 10, 1) + timedelta(days=rng.randint(0, 27))
+        book.find_assignment("ch04").duedate = rng.choice([None, due])
+        book.db.commit()
+
+
+def late_policy(course, rng):
+    path, config = course.path / "my_policy.py", course.path / "nbgrader_config.py"
+    if not path.exists():
+        config.write_text(
+            config.read_text() + "\nimport sys\nsys.path.insert(0, c.CourseDirectory.root)\n"
+            "c.AssignLatePenalties.plugin_class = 'my_policy.Policy'\n"
+        )
+    path.write_text(
+        "from nbgrader.plugins import LateSubmissionPlugin\n\n\n"
+        "class Policy(LateSubmissionPlugin):\n"
+        "    def late_submission_penalty(self, student_id, score, total_seconds_late):\n"
+        f"        return {rng.choice(['None', 'score / 4', '2.0', '-1', '1e9'])}\n"
+    )
+
+
+def other_points(course, rng):
+    def change(cells):
+        for c in cells:
+            marks = c["metadata"].get("nbgrader", {})
+            if marks.get("grade") and marks.get("points") and rng.random() < 0.3:
+                marks["points"] = rng.randint(1, 9)
+
+    change_source(course, change)
+
+
+def forgotten(course, rng):
+    for folder in rng.sample(["scores", "autograded"], rng.randint(1, 2)):
+        shutil.rmtree(course.path / folder, ignore_errors=True)
+
+
+def graded_once(course, rng):
+    grade(course, "ch04", force=rng.random() < 0.3)
+
+
+CHANGES = (resubmit, resubmit, by_hand, other_due_date, late_policy, other_points, forgotten,
+           graded_once, graded_once)  # fmt: skip
+
+
+def notebooks(course):
+    found = {}
+    for path in sorted((course.path / "autograded").glob("*/ch04/*")):
+        name = str(path.relative_to(course.path))
+        found[name] = nbformat.read(path, 4).cells if path.suffix == ".ipynb" else path.read_text()
+    return found
+
+
+@pytest.mark.parametrize(
+    "seed", [*range(3), *(pytest.param(s, marks=pytest.mark.slow) for s in range(3, 20))]
+)
+def test_both_routes_agree_after_a_random_history(ungraded, tmp_path, seed):
+    rng = random.Random(f"history {seed}")
+    change_source(ungraded, lambda cells: cells.extend(copy.deepcopy(OWN)))
+    resubmit(ungraded, rng)
+    history = [rng.choice(CHANGES) for _ in range(10)]
+    for change in history:
+        change(ungraded, rng)
+    other = copy_of(ungraded, tmp_path / "other" / ungraded.path.name)
+    for name in ("scores", "autograded"):
+        if (ungraded.path / name).exists():
+            shutil.copytree(ungraded.path / name, other.path / name, dirs_exist_ok=True)
+    grade(ungraded, "ch04")
+    code, out = nbgrader("autograde", "ch04", cwd=other.path)
+    assert code == 0, out
+    names = [change.__name__ for change in history]
+    assert gradebook_rows(ungraded) == gradebook_rows(other), names
+    assert notebooks(ungraded) == notebooks(other), names
+    before = gradebook_rows(ungraded), notebooks(ungraded)
+    grade(ungraded, "ch04")
+    assert (gradebook_rows(ungraded), notebooks(ungraded)) == before, (
+        "grading twice changes something"
+    )

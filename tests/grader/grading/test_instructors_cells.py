@@ -1,0 +1,173 @@
+"""An instructor's own cells of every kind that nbgrader has, beside ours: each is graded by
+nbgrader's own rules, in both routes.
+"""
+
+import copy
+
+import nbformat
+import pytest
+
+from grader.grading import grade
+from tests.grader.courses import change_source, gradebook_rows, nbgrader, points, read, submit
+from tests.grader.submissions import work
+
+
+def cell(kind, source, grade_id, **marks):
+    marks = {"schema_version": 3, "grade_id": grade_id, "cell_type": kind, "task": False,
+             "grade": False, "solution": False, "locked": False, **marks}  # fmt: skip
+    own = {"cell_type": kind, "id": grade_id, "metadata": {"nbgrader": marks}, "source": source}
+    return own | ({"outputs": [], "execution_count": None} if kind == "code" else {})
+
+
+ESSAY = cell("markdown", "Why? *Write here.*", "essay", grade=True, solution=True, points=3)
+SKETCH = cell("code", "# your plot\n", "sketch", grade=True, solution=True, points=2)
+SQUARE = cell(
+    "code",
+    "def square(x):\n    ### BEGIN SOLUTION\n    return x * x\n    ### END SOLUTION",
+    "square",
+    solution=True,
+)
+TEST = cell(
+    "code",
+    "assert square(2) == 4\n### BEGIN HIDDEN TESTS\nassert square(-7) == 49, 'hidden words'\n"
+    "### END HIDDEN TESTS",
+    "test_square",
+    grade=True,
+    locked=True,
+    points=4,
+)
+SHARE = cell("code", "0.5 * (square(3) == 9)", "share", grade=True, locked=True, points=1)
+TASK = cell("markdown", "Measure it at home.\n### BEGIN MARK SCHEME\n2 for a photo\n"
+            "### END MARK SCHEME", "at_home", task=True, locked=True, points=5)  # fmt: skip
+HELPER = cell("code", "TWO = 2", "helper", locked=True)
+PLAIN = {"cell_type": "code", "id": "plain", "metadata": {}, "source": "free = 1", "outputs": [],
+         "execution_count": None}  # fmt: skip
+OWN = (HELPER, ESSAY, SKETCH, SQUARE, TEST, SHARE, TASK, PLAIN)
+
+
+@pytest.fixture
+def mixed(ungraded):
+    """A course whose assignment has an instructor's cells of every kind in it."""
+    change_source(ungraded, lambda cells: cells.extend(copy.deepcopy(OWN)))
+    return ungraded
+
+
+def with_texts(notebook, **texts):
+    for c in notebook["cells"]:
+        name = c["metadata"].get("nbgrader", {}).get("grade_id")
+        if name in texts:
+            c["source"] = texts[name]
+    return notebook
+
+
+def autograded(course):
+    return nbformat.read(course.path / "autograded/dan/ch04/ch04.ipynb", 4).cells
+
+
+def given(course, student="dan"):
+    """{cell: (automatic points, needs a person)} of the instructor's cells."""
+    with course.gradebook() as book:
+        notebook = book.find_submission("ch04", student).notebooks[0]
+        return {
+            g.name: (g.auto_score, g.needs_manual_grade)
+            for g in notebook.grades
+            if g.name in {c["metadata"]["nbgrader"]["grade_id"] for c in OWN[1:7]}
+        }
+
+
+RIGHT = "def square(x):\n    return x * TWO * x / 2"  # uses the instructor's locked cell
+WAITS, BLANK = (None, True), (0.0, False)
+CASES = {
+    "all right": (
+        {"essay": "Because.", "sketch": "plot()", "square": RIGHT},
+        {"essay": WAITS, "sketch": WAITS, "test_square": (4.0, False), "share": (0.5, False)},
+    ),
+    "seen tests pass, hidden ones do not": (
+        {"square": "def square(x):\n    return abs(x) * x"},
+        {"essay": BLANK, "sketch": BLANK, "test_square": (0.0, False), "share": (0.5, False)},
+    ),
+    "nothing": (
+        {},
+        {"essay": BLANK, "sketch": BLANK, "test_square": (0.0, False), "share": (0.0, False)},
+    ),
+}
+
+
+@pytest.mark.parametrize("how", CASES)
+def test_instructors_cells_are_graded_by_nbgraders_rules_in_both_routes(mixed, how):
+    texts, expected = CASES[how]
+    submit(mixed, "dan", with_texts(work(mixed, "dan"), **texts))
+    (result,) = grade(mixed, "ch04", ["dan"])
+    assert result.problem == ""
+    expected = {**expected, "at_home": WAITS}
+    assert given(mixed) == expected
+    assert result.points == 11 + sum(p or 0 for p, _ in expected.values())
+    assert result.waiting == sum(w for _, w in expected.values())
+    assert result.out_of == 11 + 15
+    ours = gradebook_rows(mixed), autograded(mixed)
+    with mixed.gradebook() as book:
+        book.remove_submission("ch04", "dan")
+    code, out = nbgrader("autograde", "ch04", cwd=mixed.path)
+    assert code == 0, out
+    theirs = gradebook_rows(mixed), autograded(mixed)
+    assert ours == theirs
+
+
+def test_a_students_text_is_kept_for_the_person_who_grades_it(mixed):
+    texts = {"essay": "Because I <b>say</b> so.\n\n$x^2$", "sketch": "plot(1)"}
+    submit(mixed, "dan", with_texts(work(mixed, "dan"), **texts))
+    grade(mixed, "ch04", ["dan"])
+    kept = {
+        c["id"]: c["source"] for c in read(mixed.path / "autograded/dan/ch04/ch04.ipynb")["cells"]
+    }
+    assert {n: kept[n] for n in texts} == texts
+    assert "hidden words" in kept["test_square"]  # for who grades
+    assert "2 for a photo" in kept["at_home"]
+
+
+def test_feedback_holds_comments_and_no_hidden_test_or_mark_scheme(mixed):
+    submit(mixed, "dan", with_texts(work(mixed, "dan"), essay="Because."))
+    grade(mixed, "ch04", ["dan"])
+    with mixed.gradebook() as book:
+        book.find_grade("essay", "ch04", "ch04", "dan").manual_score = 2.5
+        book.find_comment("essay", "ch04", "ch04", "dan").manual_comment = "More words, please."
+        book.db.commit()
+    code, out = nbgrader("generate_feedback", "ch04", cwd=mixed.path)
+    assert code == 0, out
+    page = (mixed.path / "feedback/dan/ch04/ch04.html").read_text()
+    assert "More words, please." in page
+    assert "Because." in page
+    assert "2.5" in page
+    for secret in ("hidden words", "HIDDEN", "2 for a photo", "MARK SCHEME"):
+        assert secret not in page
+
+
+def test_points_given_by_hand_and_extra_credit_stay_and_count(mixed):
+    submit(mixed, "dan", with_texts(work(mixed, "dan"), essay="Because."))
+    grade(mixed, "ch04", ["dan"])
+    with mixed.gradebook() as book:
+        essay = book.find_grade("essay", "ch04", "ch04", "dan")
+        essay.manual_score, essay.extra_credit, essay.needs_manual_grade = 2.0, 0.75, False
+        book.find_grade("at_home", "ch04", "ch04", "dan").manual_score = 4.0
+        book.find_grade("at_home", "ch04", "ch04", "dan").needs_manual_grade = False
+        book.db.commit()
+    (result,) = grade(mixed, "ch04", ["dan"])
+    assert (result.points, result.extra, result.waiting) == (11 + 2 + 4 + 0.75, 0.75, 0)
+    # other work: the person who gave points is asked to look again
+    submit(mixed, "dan", with_texts(work(mixed, "dan"), essay="Because of something else."))
+    (result,) = grade(mixed, "ch04", ["dan"])
+    assert (result.points, result.waiting) == (11 + 2 + 4 + 0.75, 2)
+
+
+def test_what_a_test_says_never_reaches_the_student(mixed):
+    """Student code that catches what the hidden test does to it has nowhere to write it."""
+    spy = (
+        "seen = []\nclass Spy(float):\n    def __eq__(self, other):\n        import sys\n"
+        "        seen.append(sys._getframe(1).f_code.co_consts)\n        return False\n"
+        "def square(x):\n    return Spy(x * x)"
+    )
+    notebook = with_texts(work(mixed, "dan", p4_31="raise ValueError(str(seen))"), square=spy)
+    submit(mixed, "dan", notebook)
+    grade(mixed, "ch04", ["dan"])
+    said = [comment for _, _, comment in points(mixed)["dan"].values() if comment]
+    assert not [text for text in said if "hidden words" in text or "49" in text]

@@ -1,0 +1,71 @@
+"""Statistics of parts: difficulty, discrimination, mistakes."""
+
+import csv
+
+import pytest
+
+from grader.reports import part_statistics
+from tests.grader.courses import command
+from tests.grader.reports.results import MISTAKE, PARTS, graded_course
+
+
+@pytest.fixture(scope="module")
+def graded(tmp_path_factory):
+    return graded_course(tmp_path_factory.mktemp("statistics") / "c")
+
+
+def test_a_part_that_the_strong_can_do_discriminates_and_one_that_nobody_can_do_does_not(graded):
+    parts = {(p.problem, p.key): p for p in part_statistics(graded, "ch04")}
+    assert list(parts) == list(PARTS)
+    assert 0.3 < parts["4/1", "speed"].difficulty < 0.7
+    assert parts["4/1", "speed"].discrimination > 0.2
+    nobody = parts["4/16", "a_D"]
+    assert (nobody.difficulty, nobody.discrimination) == (0, None)
+    assert nobody.verdicts == {"wrong": 20}
+    assert nobody.mistakes == {MISTAKE: 10}
+
+
+def test_the_correlation_leaves_the_part_itself_out(tmp_path):
+    """With it, the points of two parts that have nothing in common would correlate."""
+    import json
+
+    course = graded_course(tmp_path / "c", students=8)
+    for n in range(8):
+        parts = [
+            {"key": k, "points": float(x), "out_of": 1.0, "verdict": "right", "message": ""}
+            for k, x in (("a", n % 2), ("b", n // 2 % 2))
+        ]
+        course.record_path("ch04", f"s{n:02}").write_text(
+            json.dumps({"scores": [{"problem": "4/1", "parts": parts}]})
+        )
+    assert [p.discrimination for p in part_statistics(course, "ch04")] == pytest.approx([0, 0])
+
+
+def test_stats_prints_a_table_of_80_columns_and_writes_csv_and_picture(graded, tmp_path):
+    code, out = command(
+        "stats", "ch04", "--course", graded.path,
+        "--csv", tmp_path / "s.csv", "--png", tmp_path / "s.png",
+    )  # fmt: skip
+    assert code == 0, out
+    assert max(map(len, out.splitlines())) <= max(80, len(str(tmp_path)) + 20)
+    assert "10× leaves out the" in " ".join(out.split())
+    assert (tmp_path / "s.png").read_bytes().startswith(b"\x89PNG")
+    with open(tmp_path / "s.csv", newline="", encoding="utf-8-sig") as f:
+        rows = list(csv.DictReader(f))
+    assert [r["part"] for r in rows if r["students"]] == [k for _, k in PARTS]
+    mistakes = [(r["part"], r["mistake"], r["times"]) for r in rows if not r["students"]]
+    assert ("a_D", MISTAKE, "10") in mistakes
+
+
+def test_nothing_graded_yet_is_told(graded):
+    code, out = command("stats", "ch05", "--course", graded.path)
+    assert code == 2
+    assert "nothing of ch05 has been graded yet; grade first with" in " ".join(out.split())
+
+
+def test_a_damaged_record_is_told(tmp_path):
+    course = graded_course(tmp_path / "c", students=3)
+    course.record_path("ch04", "s01").write_text("{")
+    code, out = command("stats", "ch04", "--course", course.path)
+    assert code == 2
+    assert "--student s01 --force" in " ".join(out.replace("│", " ").split())

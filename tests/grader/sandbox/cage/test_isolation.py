@@ -1,0 +1,138 @@
+"""Each wall of the cage for itself, without those around it: in a fork of this process."""
+
+import ctypes
+import errno
+import os
+import signal
+import socket
+import sys
+import threading
+
+import pytest
+
+from grader.sandbox.cage import calls, isolation
+from tests.grader.sandbox.jobs import answer
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
+KEYCTL, ADD_KEY = {"x86_64": (250, 248), "aarch64": (219, 217)}.get(os.uname().machine, (0, 0))
+SESSION, SEARCH = -3, 10
+
+
+def in_a_fork(function):
+    """The number that a function returns in a fork; 128 and its number for an error of the system."""
+    pid = os.fork()
+    if pid == 0:
+        try:
+            os._exit(function())
+        except OSError as error:
+            os._exit(128 + (error.errno or 0))
+        finally:
+            os._exit(255)
+    return os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+
+
+def test_a_key_of_the_instructors_session_is_not_found_after_joining_another():
+    libc = ctypes.CDLL(None)
+
+    def finds_key():
+        return libc.syscall(KEYCTL, SEARCH, SESSION, b"user", b"newton-euler", 0) > 0
+
+    def search():
+        isolation.join_keyring()  # this test's own, so that nothing is left in the user's
+        if libc.syscall(ADD_KEY, b"user", b"newton-euler", b"secret", 6, SESSION) < 0:
+            return 77
+        before = finds_key()
+        isolation.join_keyring()
+        return 10 * before + finds_key()
+
+    if (found := in_a_fork(search)) == 77:
+        pytest.skip("this kernel has no keyrings")
+    assert found == 10
+
+
+def test_no_user_namespace_can_be_made_below_the_last():
+    def nested():
+        isolation.forbid_user_namespaces(isolation.open_proc())
+        return 1 if ctypes.CDLL(None).unshare(isolation.CLONE["user"]) == 0 else 7
+
+    assert in_a_fork(nested) in (7, 128 + errno.EPERM)  # EPERM: a machine that allows none at all
+
+
+def test_a_worker_in_which_a_library_has_started_threads_forks_nothing():
+    stop = threading.Event()
+    thread = threading.Thread(target=stop.wait)
+    thread.start()
+    try:
+        with pytest.raises(isolation.Refused, match=r"a library has started \d+ threads"):
+            isolation.fork_into_namespaces()
+    finally:
+        stop.set()
+        thread.join()
+
+
+def test_forbidden_calls_fail_and_processes_and_threads_can_still_be_started():
+    if calls.library() is None:
+        pytest.skip("libseccomp is not installed")
+
+    def tries():
+        isolation.drop_capabilities()
+        assert calls.forbid()
+        if ctypes.CDLL(None).unshare(isolation.CLONE["user"]) == 0:
+            return 1
+        clone = isolation.SYSCALLS[os.uname().machine]["clone"]
+        flags = isolation.CLONE["user"] | signal.SIGCHLD
+        made = ctypes.CDLL(None).syscall(clone, flags, None, None, None, None)
+        if made >= 0:
+            return 5
+        try:
+            socket.socket(40, socket.SOCK_STREAM)  # AF_VSOCK, which leads to the host of a VM
+            return 2
+        except PermissionError:
+            pass
+        started = []
+        thread = threading.Thread(target=lambda: started.append(1))
+        thread.start()
+        thread.join()
+        socket.socketpair()
+        pid = os.fork()
+        if pid == 0:
+            os._exit(3)
+        return 42 if started and os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 3 else 4
+
+    assert in_a_fork(tries) == 42
+
+
+def test_an_abstract_socket_of_the_machine_is_not_there(harvester):
+    with socket.socket(socket.AF_UNIX) as listening:
+        listening.bind("\0newton-euler-test")
+        listening.listen()
+        said = answer(
+            harvester,
+            "import socket; socket.socket(socket.AF_UNIX).connect('\\0newton-euler-test'); x = 1",
+        )
+        assert "ConnectionRefusedError" in said
+
+
+def test_a_submission_has_a_session_of_its_own(harvester):
+    assert (
+        answer(harvester, "import os; x = os.getsid(0) == os.getpid() == os.getpgrp() and 1") == 1
+    )
+
+
+CALLS = {  # what a submission tries, to which the answer is False
+    "keyrings": f"x = libc.syscall({KEYCTL}, 0, -3, 0) >= 0",
+    "shared memory that belongs to no process": "x = libc.shmget(0, 2**20, 0o1600) >= 0",
+    "files in memory": "os.memfd_create('x'); x = 1",
+    # the scheduler shares the processor among sessions
+    "sessions": "pid = os.fork()\nif pid == 0:\n    os._exit(libc.setsid() > 0)\nx = os.waitpid(pid, 0)[1]",
+    "sockets to the host of a virtual machine": "import socket; socket.socket(40, 1); x = 1",
+}
+
+
+@pytest.mark.parametrize("what", CALLS)
+def test_a_submission_has_no(harvester, what):
+    if calls.library() is None:
+        pytest.skip("libseccomp is not installed")
+    text = "import ctypes, os\nlibc = ctypes.CDLL(None)\n" + CALLS[what]
+    said = answer(harvester, text)
+    assert said == 0 or "got False" in str(said) or "PermissionError" in str(said), said

@@ -1,0 +1,145 @@
+"""What a notebook shows as working works in the cage: each cell as IPython runs it, and ours."""
+
+import sys
+
+import pytest
+
+from tests.grader.sandbox.jobs import answer, job, own, problem, run_caged
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
+
+WORKS = {  # in a notebook x is then 42
+    "display": "x = 42\ndisplay(x)",
+    "display by import": "from IPython.display import Math, display\ndisplay(Math('x'))\nx = 42",
+    "help": "import numpy as np\nnp.cross?\nx = 42",
+    "help before": "?len\nx = 42",
+    "source": "len??\nx = 42",
+    "search": "*int*?\nx = 42",
+    "a line magic": "%matplotlib inline\nx = 42",
+    "a magic after code": "x = 42\n%who",
+    "an assigned magic": "place = %pwd\nx = 42",
+    "time": "%time x = 42",
+    "time of a value": "x = %time 6 * 7",
+    "time it": "def f(): return 1\n%timeit -n 10 -r1 f()\nx = 42",
+    "time it changes things": "seen = []\n%timeit -n1 seen.append(1)\nx = 41 + bool(seen)",
+    "a timed cell": "%%time\nx = 6\nx = x * 7",
+    "a timed cell with an option": "%%time --no-raise-error\nx = 42",
+    "a captured cell": "%%capture\nprint(1)\nx = 42",
+    "a captured cell with a name": "%%capture said\nx = 42",
+    "a profiled cell": "%%prun\nx = 42",
+    "a shell command": "!ls\nx = 42",
+    "output of a shell command": "files = !ls\nx = 42 + len(files)",
+    "a shell command in a block": "if True:\n    !ls\n    x = 42",
+    "a magic in a function": "def f():\n    %matplotlib inline\n    return 42\nx = f()",
+    "get_ipython": "get_ipython().run_line_magic('matplotlib', 'inline')\nx = 42",
+    "get_ipython and something rare": "get_ipython().events.register('post_execute', int)\nx = 42",
+    "await": "import asyncio\nawait asyncio.sleep(0)\nx = 42",
+    "await a value": "async def f(): return 42\nx = await f()",
+    "async for": "async def f():\n    yield 42\nasync for x in f(): pass",
+    "await at the end": "async def f():\n    global x\n    x = 42\nawait f()",
+    "a line that begins with %": "x = (1042\n% 100)",
+    "a line that begins with !=": "x = (42 if 3\n!= 4 else 1)",
+    "percent in a text": "text = '''\n%time\n!ls\n'''\nx = 42 if '%time' in text and '!ls' in text else 0",
+    "a question in a comment": "x = 42  # is it?",
+    "pasted with prompts": ">>> x = 42\n>>> x\n42",
+    "pasted from IPython": "In [1]: x = 42\n   ...: y = 3",
+    "indented": "    x = 42\n    y = 1",
+    "a formfeed": "x = 42\x0c\n",
+    "a dataclass": "from dataclasses import dataclass\n@dataclass\nclass A:\n    x: 'float'\nx = A(42).x",
+    "pickle": "import pickle\nclass A: pass\npickle.dumps(A())\nx = 42",
+    "main": "if __name__ == '__main__': x = 42",
+    "the source of a function": "import inspect\ndef f(): return 42\nx = f() * ('42' in inspect.getsource(f))",
+    "a plot": "import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.show()\nx = 42",
+    "pretty printing": "from sympy import Symbol, init_printing\ninit_printing()\nSymbol('q')\nx = 42",
+    "a widget": "from ipywidgets import interact\ninteract(lambda a: a, a=(0, 10))\nx = 42",
+    "threads": "from concurrent.futures import ThreadPoolExecutor\nwith ThreadPoolExecutor(4) as p: x = sum(p.map(int, [40, 2]))",
+    "only a comment after": "x = 42\n# %time\n",
+    "pylab": "%pylab inline\nx = float(array([40, 2]).sum())",
+}
+
+
+@pytest.mark.parametrize("what", WORKS)
+def test_what_a_notebook_shows_as_working_works(harvester, what):
+    assert answer(harvester, WORKS[what]) == 42.0
+
+
+def test_these_cells_work_in_ipython_itself(tmp_path, monkeypatch):
+    """The oracle: a real shell, without a kernel."""
+    pytest.importorskip("IPython")
+    from IPython.core.interactiveshell import InteractiveShell
+
+    monkeypatch.delenv("VIRTUAL_ENV", raising=False)  # it warns where that is another Python's
+    shell, failed = InteractiveShell(ipython_dir=str(tmp_path)), {}
+    shell.display_pub.publish = lambda *_, **__: None
+    shell.enable_matplotlib = lambda *_: ("inline", "inline")  # which wants a kernel
+    for what, text in WORKS.items():
+        if what in NOT_IN_A_BARE_SHELL:
+            continue
+        shell.user_ns.pop("x", None)
+        result = shell.run_cell(text, silent=True)
+        if not result.success or shell.user_ns.get("x") != 42:
+            failed[what] = (
+                result.error_in_exec or result.error_before_exec or shell.user_ns.get("x")
+            )
+    assert failed == {}
+
+
+NOT_IN_A_BARE_SHELL = {
+    "a plot",  # wants a screen
+    "a widget",  # wants a kernel
+    "pylab",  # wants a screen
+    "output of a shell command",  # here the folder is empty, and 42 right for that only
+    "pickle",  # the module __main__ is that of the tests
+    "a dataclass",
+    "main",
+}
+
+
+def test_a_module_that_a_cell_has_written_can_be_imported(harvester):
+    cells = [
+        own("%%writefile mine.py\ny = 40\n"),
+        own("%%writefile -a mine.py\ny = y + 2\n"),
+        *problem("0/1", "import mine\nx = mine.y"),
+    ]
+    assert run_caged(harvester, cells)["receipts"]["0/1"]["answers"] == {"x": 42.0}
+
+
+UNDERSCORE = {  # cells, and x after them
+    "the last value": (["6 * 7", "x = _"], 42.0),
+    "the last but one": (["1", "2", "x = 10 * __ + _"], 12.0),
+    "not of an assignment": (["6 * 7", "y = 1", "x = _"], 42.0),
+    "not with a semicolon": (["42", "43;", "x = _"], 42.0),
+    "not None": (["42", "None", "x = _"], 42.0),
+    "a name of the student": (["_ = 42", "43", "x = _"], 42.0),
+    "a loop over it": (["for _ in range(43): pass", "7", "x = _"], 42.0),
+    "of a timed line": (["%time 6 * 7", "x = _"], 42.0),
+}
+
+
+@pytest.mark.parametrize("what", UNDERSCORE)
+def test_the_underscore_is_the_last_value_that_was_shown(harvester, what):
+    (*before, last), expected = UNDERSCORE[what]
+    cells = [*(own(text) for text in before), *problem("0/1", last)]
+    receipt = run_caged(harvester, cells)["receipts"]["0/1"]
+    assert (receipt["error"], receipt["answers"]) == (None, {"x": expected})
+
+
+FAILS = {  # in a notebook too
+    "x = 1 +": "SyntaxError: invalid syntax, line 1: x = 1 +",
+    "%time undefined": "NameError, line 1: name 'undefined' is not defined",
+    "%%time\n1/0": "ZeroDivisionError, line 2: division by zero",
+    "a = 1\n\nb = undefined\n": "NameError, line 3: name 'undefined' is not defined",
+    "%timeit y = 3\nx = y": "NameError, line 2: name 'y' is not defined",
+    "await 3": "TypeError, line 1: object int can't be used in 'await' expression",
+    "return 3": "SyntaxError: 'return' outside function, line 1: return 3",
+}
+
+
+@pytest.mark.parametrize("text", FAILS)
+def test_what_fails_in_a_notebook_fails_here_with_its_line(harvester, text):
+    assert answer(harvester, text) == FAILS[text]
+
+
+def test_what_the_shell_does_cannot_be_seen_by_the_next_submission(harvester):
+    run_caged(harvester, job("import builtins; builtins.left = 1; x = 1"))
+    assert "NameError" in answer(harvester, "x = left")

@@ -1,0 +1,190 @@
+"""What a notebook that is run gives back: receipts, outcomes of tests, errors, in the order of its
+cells.
+"""
+
+import sys
+
+import pytest
+
+from tests.grader.sandbox.jobs import own, problem, run_caged
+from tests.grader.sandbox.test_cage import ENDINGS
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
+
+
+def receipts(harvester, cells, **limits):
+    """{problem: its answers, or its error}."""
+    found = run_caged(harvester, cells, **limits)["receipts"]
+    return {number: r["error"] or r["answers"] for number, r in found.items()}
+
+
+def test_cells_of_the_student_run_in_their_place(harvester):
+    cells = [
+        *problem("0/1", "x = a", givens="a = 1"),
+        own("a = 10\ndef twice(y): return 2 * y"),
+        *problem("0/2", "x = twice(a)"),
+    ]
+    assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": 20.0}}
+
+
+def test_a_cell_between_answer_and_harvest_may_change_the_answer(harvester):
+    givens, answer, harvest = problem("0/1", "x = 1")
+    cells = [givens, answer, own("x = x + 1"), harvest]
+    assert receipts(harvester, cells) == {"0/1": {"x": 2.0}}
+
+
+def test_the_givens_remove_the_answers_of_an_earlier_problem(harvester):
+    cells = [*problem("0/1", "x = 1"), *problem("0/2", "")]
+    assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": None}}
+
+
+def test_givens_may_come_again_and_hold_from_there(harvester):
+    cells = [
+        *problem("0/1", "x = a", givens="a = 1"),
+        *problem("0/2", "x = a", givens="a = 2"),
+        *problem("0/3", "x = a", givens="a = 1"),
+    ]
+    assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": 2.0}, "0/3": {"x": 1.0}}
+
+
+def test_the_first_error_since_the_givens_is_told_with_the_answers(harvester):
+    givens, answer, harvest = problem("0/1", "x = 3")
+    cells = [
+        own("first", "before"),
+        givens,
+        own("second"),
+        answer,
+        own("third"),
+        harvest,
+        *problem("0/2", "x = 4"),
+    ]
+    reply = run_caged(harvester, cells)
+    assert reply["receipts"]["0/1"]["error"] == "NameError, line 1: name 'second' is not defined"
+    assert reply["receipts"]["0/1"]["answers"] == {"x": 3.0}
+    assert reply["receipts"]["0/2"]["error"] is None
+    assert reply["errors"] == {
+        "before": "NameError, line 1: name 'first' is not defined",
+        "own": "NameError, line 1: name 'second' is not defined",
+    }
+
+
+# -- the instructor's tests
+
+OUTCOMES = {
+    "assert f(2) == 4": (None, None),
+    "assert f(2) == 5, 'f(2) is wrong'": ("AssertionError, line 1: f(2) is wrong", None),
+    "0.5 * f(2)": (None, 2.0),
+    "import numpy as np\nnp.float64(1.5)": (None, 1.5),
+    "f(2);": (None, None),
+    "'text'": (None, "other"),
+    "True": (None, "other"),
+    "float('nan')": (None, "other"),
+    "undefined": ("NameError, line 1: name 'undefined' is not defined", None),
+    "if": ("SyntaxError: invalid syntax, line 1: if", None),
+    "assert state == 'then'": (None, None),  # as it was at the place of the test
+    "import os; os._exit(0)": (
+        "the test was not run: the notebook ended before it, or its process ended",
+        None,
+    ),
+}
+
+
+def a_notebook_with(texts):
+    """Its cells, with tests of these texts in the middle."""
+    return [
+        own("def f(n): return n**2\nstate = 'then'"),
+        *(
+            {"role": "test", "name": f"test-{n}", "text": "seen = 1", "hidden": text}
+            for n, text in enumerate(texts)
+        ),
+        own("state = 'later'\ndel f"),
+        *problem("0/1", "x = seen"),
+    ]
+
+
+def test_a_test_says_its_error_and_the_value_of_its_last_expression(harvester):
+    reply = run_caged(harvester, a_notebook_with(OUTCOMES))
+    found = [(o["error"], o["value"]) for o in reply["tests"].values()]
+    assert dict(zip(OUTCOMES, found, strict=True)) == OUTCOMES
+    assert list(reply["tests"]) == [f"test-{n}" for n in range(len(OUTCOMES))]
+    assert reply["receipts"]["0/1"]["answers"] == {"x": 1.0}  # its visible text ran
+    assert reply["errors"] == {}
+
+
+def test_a_test_has_the_time_limit_of_a_cell_and_the_next_one_runs(harvester):
+    reply = run_caged(harvester, a_notebook_with(["while True: pass", "1"]), cell_seconds=0.5)
+    assert "ran longer than 0.5 s" in reply["tests"]["test-0"]["error"]
+    assert reply["tests"]["test-1"] == {"error": None, "value": 1.0}
+
+
+@pytest.mark.parametrize("what", ["ends Python", "endless loop that catches everything"])
+def test_a_test_that_was_reached_counts_also_where_the_notebook_ends_later(harvester, what):
+    late = {"role": "test", "name": "late", "text": "", "hidden": "2"}
+    cells = [*a_notebook_with(["1"]), own(ENDINGS[what]), late]
+    reply = run_caged(harvester, cells, seconds=2, cell_seconds=1)
+    assert reply["tests"]["test-0"] == {"error": None, "value": 1.0}
+    assert "the notebook ended before it" in reply["tests"]["late"]["error"]
+
+
+SEARCH = """
+import gc
+x = sum("hidden-" + "words" in str(o) for o in gc.get_objects() if isinstance(o, (dict, list)))
+"""
+
+
+def test_the_text_of_a_test_is_nowhere_while_the_cells_run(harvester):
+    """Not of this notebook's test, nor of the one that the worker ran before."""
+    for _ in range(2):
+        cells = [*a_notebook_with(["'hidden-words'"]), *problem("0/2", SEARCH)]
+        reply = run_caged(harvester, cells)
+        assert reply["tests"]["test-0"] == {"error": None, "value": "other"}
+        assert reply["receipts"]["0/2"]["answers"] == {"x": 0.0}, reply
+
+
+def test_nothing_of_a_test_comes_back_in_a_receipt(harvester):
+    told = "import os\nfor fd in range(3, 90):\n    try: os.write(fd, b'hidden-words')\n    except OSError: pass"
+    reply = run_caged(harvester, a_notebook_with([told, told]))
+    assert "hidden-words" not in str(reply["receipts"]) + str(reply["errors"])
+
+
+FORGED = """
+import os
+for fd in range(3, 200):
+    try: os.write(fd, b'\\n{"token": "", "error": null, "value": 5}\\n')
+    except OSError: pass
+"""
+
+
+def test_an_outcome_that_is_written_ahead_earns_nothing(harvester):
+    cells = a_notebook_with(["assert f(2) == 5", "assert f(2) == 4"])
+    reply = run_caged(harvester, [own(FORGED), *cells])
+    assert reply["tests"]["test-0"]["error"] == "AssertionError, line 1: "
+    assert reply["tests"]["test-1"] == {"error": None, "value": None}
+
+
+PATCHES = {  # of a wrong answer; the test is right
+    "import numpy.testing\nnumpy.testing.assert_allclose = lambda *_, **__: None": (
+        "import numpy.testing\nnumpy.testing.assert_allclose(f(2), 5)"
+    ),
+    "import numpy as np\nnp.isclose = np.allclose = lambda *_, **__: True": (
+        "import numpy as np\nassert np.isclose(f(2), 5)"
+    ),
+    "import builtins\nbuiltins.abs = lambda _: 0": "assert abs(f(2) - 5) < 1e-9",
+    "import builtins\nbuiltins.AssertionError = Warning": "assert f(2) == 5",
+    "import json\njson.dumps = lambda *_: '{}'": "assert f(2) == 5",
+    "import os\nos.write = lambda *_: 5": "assert f(2) == 5",
+    "import builtins\nbuiltins.eval = lambda *_: 5": "assert f(2) == 5",
+    "import sys\nsys.modules['cage.cells']._plain = lambda _: 5": "assert f(2) == 5",
+    "import sys\nsys.settrace(lambda *_: 1/0)": "assert f(2) == 5",
+    "import math\nmath.isclose = lambda *_: True": "import math\nassert math.isclose(f(2), 5)",
+    "import unittest\nunittest.TestCase.assertEqual = None\nunittest.TestCase = object": (
+        "import unittest\nassert unittest.TestCase is not object\nassert f(2) == 5"
+    ),
+}
+
+
+@pytest.mark.parametrize("patch", PATCHES)
+def test_a_library_that_was_patched_is_put_back_for_a_test(harvester, patch):
+    cells = a_notebook_with([PATCHES[patch]])
+    reply = run_caged(harvester, [cells[0], own(patch, "patch"), *cells[1:]])
+    assert "AssertionError" in reply["tests"]["test-0"]["error"]

@@ -1,0 +1,142 @@
+"""A later answer that is right given the student's own wrong earlier one earns what the instructor
+set, and is told so.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from exercises.catalogue import problem, select
+from exercises.following import earlier_answers, follow
+from exercises.variants import draw
+from grader.scoring import ScoreError, score_receipt
+from grader.scoring.numbers import numbers_of
+
+FOLLOWING = [(p, key) for p in select(["all"]) for key in earlier_answers(p)]
+ROBOT = problem("4/3")  # the acceleration of P, and its magnitude
+VALUES = draw(ROBOT, b"tests of following")
+
+
+def judged(p, values, answers, **sheet):
+    score = score_receipt(p, values, {"answers": answers}, **sheet)
+    return {part.key: part for part in score.parts}
+
+
+def wrong_acceleration():
+    x, y, z = numbers_of(ROBOT, VALUES).key["a"][0]
+    return [1.2 * x, y, z]
+
+
+def robot(size, **sheet):
+    return judged(ROBOT, VALUES, {"a": wrong_acceleration(), "acc_mag": size}, **sheet)["acc_mag"]
+
+
+SIZE = float(np.linalg.norm(wrong_acceleration()))
+
+
+def test_without_a_share_it_earns_nothing_and_is_told():
+    part = robot(SIZE)
+    assert (part.points, part.verdict) == (0, "wrong")
+    assert part.message == "not right; it follows from your a"
+    assert part.diagnosis == "follows from a wrong a"
+
+
+def test_the_instructors_share_is_earned_and_told():
+    part = robot(SIZE, points=8, follow_through=0.75)
+    assert (part.points, part.out_of) == (3, 4)
+    assert part.message == "not right; it follows from your a, which earns 3 of 4"
+
+
+def test_the_exercise_may_say_the_share_of_each_answer():
+    answers = tuple(replace(a, follow_through=0.5) for a in ROBOT.answers)
+    p = replace(ROBOT, answers=answers)
+    given = {"a": wrong_acceleration(), "acc_mag": SIZE}
+    assert judged(p, VALUES, given)["acc_mag"].points == 0.5
+    assert judged(p, VALUES, given, follow_through=0)["acc_mag"].points == 0
+
+
+@pytest.mark.parametrize("size", [SIZE * 1.01, -SIZE, 0.0, float(np.linalg.norm([9, 9, 9]))])
+def test_what_does_not_follow_earns_nothing(size):
+    assert robot(size, follow_through=1).points == 0
+
+
+def test_nothing_follows_from_a_right_or_an_open_answer():
+    right = list(numbers_of(ROBOT, VALUES).key["a"][0])
+    for a in (right, None, "text", [1, 2]):
+        part = judged(ROBOT, VALUES, {"a": a, "acc_mag": SIZE}, follow_through=1)["acc_mag"]
+        assert (part.points, "follows" in part.message) == (0, False)
+
+
+def test_zero_follows_from_zero_without_points():
+    zeros = {"a": [0, 0, 0], "acc_mag": 0}
+    assert judged(ROBOT, VALUES, zeros, follow_through=1)["acc_mag"].points == 0
+
+
+def test_answers_for_the_books_numbers_earn_nothing_by_following():
+    book = numbers_of(ROBOT, ROBOT.book_values).key
+    given = {"a": list(book["a"][0]), "acc_mag": book["acc_mag"][0][0]}
+    parts = judged(ROBOT, VALUES, given, follow_through=1)
+    assert [part.points for part in parts.values()] == [0, 0]
+    assert "the answer for the book's numbers" in parts["acc_mag"].message
+
+
+def test_an_answer_in_another_unit_of_the_sheet_follows_too():
+    mm = {"a": [1000 * x for x in wrong_acceleration()], "acc_mag": 1000 * SIZE}
+    asked = {"a": "vector, mm/s^2", "acc_mag": "number, mm/s^2"}
+    assert judged(ROBOT, VALUES, mm, asked=asked, follow_through=0.5)["acc_mag"].points == 0.5
+
+
+@pytest.mark.parametrize("share", [-0.1, 1.1, "half", float("nan")])
+def test_a_share_that_is_none_is_refused(share):
+    with pytest.raises(ScoreError, match="follow_through must be"):
+        robot(SIZE, follow_through=share)
+
+
+def rows(points):
+    """The components of an answer: floats, or arrays of several points."""
+    return points[0] if len(points) == 1 else tuple(np.array(points).T)
+
+
+@pytest.mark.parametrize(("p", "key"), FOLLOWING, ids=[f"{p.id} {k}" for p, k in FOLLOWING])
+def test_the_key_follows_from_the_key(p, key):
+    for n in range(10):
+        numbers = numbers_of(p, draw(p, f"following {n}".encode()))
+        earlier = {name: rows(numbers.key[name]) for name in earlier_answers(p)[key]}
+        found = follow(p, key, numbers.sample, earlier)
+        for x, right in zip(found, rows(numbers.key[key]), strict=True):
+            size = np.linalg.norm(np.array(rows(numbers.key[key])))
+            assert np.abs(x - right).max() <= 1e-9 * size
+
+
+NUMERIC = [(p, key) for p, key in FOLLOWING if not p.symbolic]
+
+
+@pytest.mark.parametrize(("p", "key"), NUMERIC, ids=[f"{p.id} {k}" for p, k in NUMERIC])
+def test_in_every_problem_a_later_answer_follows_from_a_wrong_one(p, key):
+    numbers = numbers_of(p, draw(p, b"following"))
+    first = earlier_answers(p)[key][0]
+    wrong = _trees(p, first, numbers, 1.3)
+    earlier = {name: rows(numbers.key[name]) for name in earlier_answers(p)[key]}
+    earlier[first] = tuple(1.3 * np.array(x) for x in earlier[first])
+    later = follow(p, key, numbers.sample, earlier)
+    given = {**{name: _trees(p, name, numbers, 1.0) for name in earlier}, first: wrong}
+    given[key] = [float(x) for x in later] if len(later) > 1 else float(later[0])
+    part = judged(p, draw(p, b"following"), given, follow_through=0.5)[key]
+    assert part.points == 0.5, part
+    assert f"it follows from your {first}, which earns 0.5 of 1" in part.message
+
+
+def _trees(p, key, numbers, factor):
+    (point,) = numbers.key[key]
+    return [factor * x for x in point] if len(point) > 1 else factor * point[0]
+
+
+def test_formulas_follow_too():
+    p = problem("4/34")  # omega_disk = (0, P, omega), alpha_disk = (-omega P, 0, 0)
+    wrong = ["P", 0, "omega"]
+    alpha = [0, ["*", "omega", "P"], 0]  # omega k x (P i + omega k)
+    part = judged(p, {}, {"omega_disk": wrong, "alpha_disk": alpha}, follow_through=0.5)
+    assert part["alpha_disk"].points == 0.5
+    other = judged(p, {}, {"omega_disk": wrong, "alpha_disk": [0, "omega", 0]}, follow_through=0.5)
+    assert other["alpha_disk"].points == 0

@@ -1,0 +1,114 @@
+"""Formulas: equivalent ones are right, nearly equal ones wrong, at points that are the same for all."""
+
+import pytest
+
+from exercises.catalogue import problem, problems
+from exercises.variants import POINTS, draw
+from grader.scoring.numbers import Numbers, numbers_of
+from grader.scoring.score import score_receipt
+from grader.scoring.tolerance import is_right
+from newton_euler.classroom.answers import record
+from newton_euler.classroom.forms import Form
+from newton_euler.classroom.formula_trees import NODES
+
+CH04 = problems("ch04")
+VALUES = {p.id: draw(p, b"tests of score") for p in CH04}
+
+
+def trees(p, answers):
+    """Answers as a receipt holds them."""
+    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers}
+    found, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
+    assert not faults
+    return found
+
+
+def key(p):
+    return trees(p, p.solve({**p.sympy_symbols(), **VALUES[p.id]}))
+
+
+def judged(p, answers, values=None):
+    """The one part that matters: {key: Part}."""
+    return {
+        part.key: part
+        for part in score_receipt(p, values or VALUES[p.id], {"answers": answers}).parts
+    }
+
+
+OMEGA, NU, D, TILT = "omega", "nu", "d", "tilt"
+SPEED = ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", TILT]], 2]], 0.5]  # 4/2
+
+
+@pytest.mark.parametrize(
+    "tree",
+    [
+        SPEED,
+        [
+            "sqrt",
+            [
+                "+",
+                ["*", NU, NU],
+                ["*", OMEGA, OMEGA, D, D, ["+", 1, ["*", -1, ["^", ["cos", TILT], 2]]]],
+            ],
+        ],
+        ["*", NU, ["sqrt", ["+", 1.0, ["^", ["/", ["*", OMEGA, D, ["sin", TILT]], NU], 2.0]]]],
+        ["*", ["/", "pi", 3.1416], SPEED],
+        ["Abs", ["*", -1, SPEED]],
+        ["exp", ["log", SPEED]],
+        ["+", SPEED, ["*", 1e-6, OMEGA, D]],
+    ],
+)
+def test_equivalent_formulas_are_right(tree):
+    assert judged(problem("4/2"), {"speed": tree})["speed"].verdict == "right"
+
+
+@pytest.mark.parametrize(
+    "tree",
+    [
+        ["*", 1.0002, SPEED],
+        ["+", SPEED, ["*", 3e-4, OMEGA, D]],
+        ["^", ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, TILT], 2]], 0.5],  # sin x = x for small x
+        [
+            "^",
+            ["+", ["^", NU, 2], ["^", ["*", OMEGA, D, ["sin", ["*", "pi", ["/", TILT, 180]]]], 2]],
+            0.5,
+        ],
+        ["+", NU, ["*", OMEGA, D, ["sin", TILT]]],
+        1.234,
+        NU,
+        "pi",
+    ],
+)
+def test_nearly_equal_formulas_are_wrong(tree):
+    assert judged(problem("4/2"), {"speed": tree})["speed"].verdict == "wrong"
+
+
+def test_a_formula_is_compared_at_the_same_points_for_everyone():
+    sample = numbers_of(problem("4/2"), {}).sample
+    again = Numbers(problem("4/2"), {}).sample
+    assert all((sample[n] == again[n]).all() and len(sample[n]) == POINTS for n in sample)
+
+
+def test_a_formula_that_agrees_at_all_but_one_point_is_wrong():
+    right = numbers_of(problem("4/2"), {}).key["speed"]
+    assert is_right("expression", right, right, 1e-6)
+    other = (*right[:-1], (1.01 * right[-1][0],))
+    assert not is_right("expression", other, right, 1e-6)
+
+
+def test_an_imaginary_part_is_not_dropped():
+    trick = ["+", SPEED, ["*", 5.0, ["^", -1.0, 0.5]]]
+    assert judged(problem("4/2"), {"speed": trick})["speed"].verdict == "unreadable"
+
+
+def test_a_formula_of_more_operations_than_a_receipt_may_have_is_not_read():
+    padded = ["+", SPEED, *[["*", 0, OMEGA] for _ in range(NODES // 3)]]
+    part = judged(problem("4/2"), {"speed": padded})["speed"]
+    assert (part.points, part.verdict) == (0, "unreadable")
+    assert "more than 5000 operations" in part.message
+
+
+def test_all_formulas_of_a_receipt_share_the_operations():
+    half = ["+", SPEED, *[["*", 0, OMEGA] for _ in range(NODES // 5)]]
+    parts = judged(problem("4/2"), {"speed": half, "acc_mag": half})
+    assert [part.verdict for part in parts.values()] == ["right", "unreadable"]

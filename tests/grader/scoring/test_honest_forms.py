@@ -1,0 +1,92 @@
+"""Right answers earn full points in whatever form they come: every form, over the chapter."""
+
+import itertools
+
+import pytest
+import sympy
+
+from exercises.catalogue import problems
+from exercises.variants import draw, evaluate
+from grader.scoring import score_receipt
+from newton_euler.classroom.answers import record
+from newton_euler.classroom.forms import Form
+
+from .honest_forms import FORMULAS, NUMBERS, VECTORS, VECTORS_OF_FORMULAS
+
+# NumPy says that its matrix is not recommended; students have it all the same
+pytestmark = pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
+
+KINDS = {
+    "number": NUMBERS,
+    "vector": VECTORS,
+    "expression": FORMULAS,
+    "vector_expression": VECTORS_OF_FORMULAS,
+}
+ASKED = {
+    kind: [(p, a) for p in problems("ch04") for a in p.answers if a.kind == kind] for kind in KINDS
+}
+EVERY = [(kind, name, p, a) for kind in KINDS for name in KINDS[kind] for p, a in ASKED[kind]]
+VALUES = {p.id: draw(p, b"honest forms") for p in problems("ch04")}
+
+
+def in_form(kind, name, p, a):
+    """The right answer in this form."""
+    make = KINDS[kind][name]
+    if not kind.endswith("expression"):
+        key = [float(x) for x in evaluate(p, VALUES[p.id])[0][a.key]]
+        return make(key[0] if kind == "number" else key)
+    key = p.formulas()[a.key]
+    symbol = p.sympy_symbols()[sorted(p.symbols)[0]]
+    parts = [sympy.sympify(x) for x in (key if kind.startswith("vector") else [key])]
+    return make(parts if kind.startswith("vector") else parts[0], symbol)
+
+
+def verdict(kind, name, p, a):
+    """ "right", or what is said."""
+    units = {n: s.unit for n, s in p.symbols.items()}
+    answers, faults = record(
+        {a.key: Form(a.kind, a.unit)}, units, {a.key: in_form(kind, name, p, a)}
+    )
+    receipt = {"answers": answers, "faults": faults}
+    part = next(x for x in score_receipt(p, VALUES[p.id], receipt).parts if x.key == a.key)
+    return part.message if part.points == 1 else f"{part.verdict}: {part.message}"
+
+
+def test_three_hundred_forms_are_tried():
+    count = sum(map(len, KINDS.values()))
+    print(f"\n{count} forms, {len(EVERY)} answers in them")
+    assert count >= 300
+
+
+TURNS = {kind: itertools.cycle(ASKED[kind]) for kind in KINDS}
+ONCE = [(kind, name, *next(TURNS[kind])) for kind in KINDS for name in KINDS[kind]]
+
+
+@pytest.mark.parametrize(("kind", "name", "p", "a"), ONCE, ids=[f"{k}: {n}" for k, n, *_ in ONCE])
+def test_a_right_answer_earns_its_points_in_this_form(kind, name, p, a):
+    assert verdict(kind, name, p, a) == "right"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("p", problems("ch04"), ids=lambda p: p.id)
+def test_every_form_earns_its_points_in_every_problem_of_the_chapter(p):
+    missed = [
+        (kind, name, a.key, said)
+        for kind, name, other, a in EVERY
+        if other is p and (said := verdict(kind, name, p, a)) != "right"
+    ]
+    assert missed == []
+
+
+@pytest.mark.parametrize("p", [p for p in problems("ch04") if not p.symbolic], ids=lambda p: p.id)
+def test_an_answer_of_three_significant_figures_is_right_for_every_students_numbers(p):
+    for n in range(100):
+        values = draw(p, f"three figures {n}".encode())
+        right = evaluate(p, values)[0]
+        rounded = {a.key: [float(f"{x:.3g}") for x in right[a.key]] for a in p.answers}
+        answers = {
+            a.key: x if len(x) > 1 else x[0]
+            for a, x in zip(p.answers, rounded.values(), strict=True)
+        }
+        score = score_receipt(p, values, {"answers": answers})
+        assert score.points == score.out_of, (values, score)

@@ -1,0 +1,72 @@
+"""Key and wrong models of a student: traced once for all, and the same as by the problem's code."""
+
+import numpy as np
+import pytest
+
+from exercises.catalogue import problem, problems
+from exercises.variants import draw, flat
+from grader.scoring import ScoreError, numbers, score_receipt
+from grader.scoring.numbers import Numbers, numbers_of
+from grader.scoring.wrong_models import wrong_models
+
+CH04 = problems("ch04")
+
+
+def rows(points):
+    return np.array(points).T
+
+
+@pytest.mark.parametrize("p", CH04, ids=lambda p: p.id)
+def test_the_traced_numbers_are_those_of_the_problems_code(p):
+    values = draw(p, b"tests of numbers")
+    found = Numbers(p, values)
+    for key, x in p.solve(found.sample).items():
+        parts = [
+            np.broadcast_to(np.asarray(y, float), rows(found.key[key])[0].shape) for y in flat(x)
+        ]
+        assert np.allclose(rows(found.key[key]), parts, rtol=1e-12, atol=1e-12)
+    for key, group, text, x in wrong_models(p, found.sample):
+        same = [y for g, t, y in found.wrong(key) if (g, t) == (group, text)]
+        parts = [np.broadcast_to(np.asarray(y, float), rows(same[0])[0].shape) for y in flat(x)]
+        size = np.abs(parts).max()
+        assert any(np.allclose(rows(y), parts, rtol=1e-9, atol=1e-9 * size) for y in same)
+
+
+def test_a_problems_code_runs_once_for_a_whole_class(monkeypatch):
+    p = problem("4/16")
+    for kept in (numbers._traced_key, numbers._traced_wrong, numbers._traced_following):
+        kept.cache_clear()
+    calls, solve = [], p.code.solve
+    monkeypatch.setattr(p.code, "solve", lambda g: calls.append(g) or solve(g))
+    wrong = {"answers": {"alpha_CD": [1, 2, 3], "v_D": [1, 2, 3], "a_D": [1, 2, 3]}}
+    score_receipt(p, draw(p, b"first"), wrong)
+    first = len(calls)
+    for student in range(20):
+        score_receipt(p, draw(p, str(student).encode()), wrong)
+    assert 0 < first == len(calls)
+    monkeypatch.undo()
+    for kept in (numbers._traced_key, numbers._traced_wrong, numbers._traced_following):
+        kept.cache_clear()
+
+
+def test_a_problem_without_givens_has_the_same_numbers_for_all():
+    assert numbers_of(problem("4/2"), {}) is numbers_of(problem("4/2"), {})
+
+
+def test_numbers_that_the_sheet_does_not_have_are_named():
+    values = draw(problem("4/16"), b"any")
+    with pytest.raises(ScoreError, match="no number for omega, b, which problem 4/16 gives today"):
+        Numbers(problem("4/16"), {n: x for n, x in values.items() if n not in ("omega", "b")})
+
+
+def test_numbers_that_the_problem_no_longer_gives_are_left_alone():
+    values = draw(problem("4/16"), b"any")
+    assert (
+        Numbers(problem("4/16"), {**values, "gone": 1}).key == Numbers(problem("4/16"), values).key
+    )
+
+
+def test_the_books_numbers_are_not_told_to_whom_they_are_given():
+    p = problem("4/16")
+    assert Numbers(p, p.book_values).book == {}
+    assert Numbers(p, draw(p, b"any")).book == Numbers(p, p.book_values).key

@@ -1,0 +1,259 @@
+"""Slips that no problem lists: a sign, components exchanged, a factor of a unit. Every part of every
+problem, many draws; ``python -m pytest -s`` on this file prints what was named.
+"""
+
+import itertools
+import math
+import random
+from collections import Counter
+
+import pytest
+
+from exercises.catalogue import problem, problems
+from exercises.variants import draw
+from grader.scoring import causes, score_receipt
+from grader.scoring.diagnosis import BOOK, DIRECTION, NEAR, diagnose
+from grader.scoring.numbers import numbers_of
+from grader.scoring.slips import AS_SCALARS, OFF_DIAGONAL, TRANSPOSED, factors
+from grader.scoring.tolerance import NOISE
+from tests.grader.scoring.test_wrong_answers import right_answers
+
+NUMERIC = [p for p in problems("ch04") if not p.symbolic]
+SYMBOLIC = [p for p in problems("ch04") if p.symbolic]
+DRAWS = 20
+OBSERVED = {DIRECTION, NEAR}
+FACTORS = {
+    2 * math.pi: "6.283 times", 180 / math.pi: "57.3 times", 2: "2 times", 1000: "1000 times",
+    25.4: "25.4 times", 1 / 0.3048: "3.281 times",
+}  # fmt: skip
+OF_LENGTHS = (1000, 25.4, 1 / 0.3048)  # an answer in rad/s cannot be in mm by mistake
+ORDINALS = ("first", "second", "third")
+
+
+def slips_of(right, kind, stated_in):
+    """(slip, words of its diagnosis, wrong answer) of a right one, a list of numbers."""
+    size = math.hypot(*right)
+    right = [x if abs(x) > NOISE * size else 0.0 for x in right]
+    there = [n for n, x in enumerate(right) if abs(x) > NOISE * size]
+    for factor, words in FACTORS.items():
+        if factor in OF_LENGTHS and stated_in.startswith("rad"):
+            continue
+        yield "factor", f"{words} too large", [factor * x for x in right]
+        yield "factor", f"{words} too small", [x / factor for x in right]
+    yield "all signs", "opposite sign", [-x for x in right]
+    for digits in (1, 2):
+        yield "rounded", "too far", [float(f"{x:.{digits}g}") if x else x for x in right]
+    if kind != "vector":
+        return
+    for n in there:
+        turned = [-x if m == n else x for m, x in enumerate(right)]
+        every = len(there) == 1
+        words = "opposite sign" if every else f"opposite sign in its {ORDINALS[n]}"
+        yield "one sign", words, turned
+        dropped = [0.0 if m == n else x for m, x in enumerate(right)]
+        yield "dropped", f"leaves out its {ORDINALS[n]}", dropped
+    for a, b in ((0, 1), (0, 2), (1, 2)):
+        swapped = list(right)
+        swapped[a], swapped[b] = right[b], right[a]
+        if math.dist(swapped, [-x for x in right]) <= 0.005 * size:
+            continue  # every sign turned
+        yield "swapped", f"exchanges its {ORDINALS[a]} and {ORDINALS[b]}", swapped
+
+
+def tree_of(a, numbers):
+    return list(numbers) if a.kind == "vector" else numbers[0]
+
+
+def same_numbers(numbers, a, text, slip):
+    """True if the model that the diagnosis names gives the numbers of the slip."""
+    book = [("book", BOOK, numbers.book[a.key])] if numbers.book else []
+    near = 0.005 * math.hypot(*slip) + 1e-9 * math.hypot(*numbers.key[a.key][0])
+    return any(
+        math.dist(x[0], slip) <= near for _, t, x in [*numbers.wrong(a.key), *book] if t == text
+    )
+
+
+def judged(p, numbers, a, words, slip, others):
+    """What scoring says of a slip in part ``a``: named, unnamed, observed, passed, or the text of a
+    false cause.
+    """
+    answers = {**others, a.key: tree_of(a, slip)}
+    values = {n: numbers.sample[n] for n in p.givens}
+    part = next(x for x in score_receipt(p, values, {"answers": answers}).parts if x.key == a.key)
+    if part.verdict == "right":
+        return "passed"
+    named = causes(part.diagnosis)
+    if not named or set(named) <= OBSERVED:
+        return "observed" if named else "unnamed"
+    if any(words in t or same_numbers(numbers, a, t, slip) for t in named):
+        return "named"
+    return part.diagnosis
+
+
+def counted(p, alone):
+    """Counter of (slip, outcome) over the draws of a problem, each part alone or beside parts that
+    are right.
+    """
+    found, examples = Counter(), []
+    for n in range(DRAWS):
+        numbers = numbers_of(p, draw(p, f"slips {n}".encode()))
+        right = {a.key: tree_of(a, numbers.key[a.key][0]) for a in p.answers}
+        for a in p.answers:
+            for slip, words, x in slips_of(numbers.key[a.key][0], a.kind, a.unit):
+                outcome = judged(p, numbers, a, words, x, {} if alone else right)
+                found[slip, outcome] += 1
+                if outcome not in ("named", "unnamed", "observed", "passed"):
+                    examples.append((p.id, a.key, slip, x, outcome))
+    return found, examples
+
+
+@pytest.mark.parametrize("alone", [True, False], ids=["alone", "beside right parts"])
+def test_slips_that_nobody_listed_are_named_and_never_misnamed(alone):
+    found = Counter()
+    for p in NUMERIC:
+        counts, misnamed = counted(p, alone)
+        found.update(counts)
+        assert misnamed == []
+    names = sorted({name for name, _ in found})
+    for name in names:
+        outcomes = {o: n for (slip, o), n in found.items() if slip == name}
+        made = sum(outcomes.values()) - outcomes.get("passed", 0)
+        print(f"\n{name:10} {made:6} {outcomes}", end="")
+        assert outcomes["named"] >= 0.95 * made, name
+    print()
+
+
+def test_random_wrong_answers_are_hardly_ever_named():
+    rng, found, tried = random.Random(11), Counter(), Counter()
+    for p in NUMERIC:
+        for n in range(DRAWS):
+            values = draw(p, f"random {n}".encode())
+            numbers = numbers_of(p, values)
+            for m in range(20):
+                answers = {}
+                for a in p.answers:
+                    size = math.hypot(*numbers.key[a.key][0])
+                    x = [rng.uniform(-2, 2) * size for _ in numbers.key[a.key][0]]
+                    answers[a.key] = tree_of(a, [float(f"{y:.3g}") for y in x] if m % 2 else x)
+                for part in score_receipt(p, values, {"answers": answers}).parts:
+                    named = set(causes(part.diagnosis))
+                    kind = p.answer(part.key).kind
+                    tried[kind] += 1
+                    found[kind, "seen" if named <= OBSERVED else "named"] += bool(named)
+    print(f"\nof {dict(tried)} random wrong answers {dict(found)}")
+    assert sum(tried.values()) >= 20_000
+    named = sum(n for (_, what), n in found.items() if what == "named")
+    assert named < 0.005 * sum(tried.values())
+
+
+def formulas_of(right):
+    """(slip, words of its diagnosis, wrong trees) of a right formula vector."""
+    for n, x in enumerate(right):
+        if x == 0:
+            continue
+        turned, dropped = ["*", -1, x], 0.0
+        yield "one sign", "opposite sign", [turned if m == n else y for m, y in enumerate(right)]
+        yield "dropped", "leaves out", [dropped if m == n else y for m, y in enumerate(right)]
+    yield "factor", "2 times too large", [["*", 2, x] for x in right]
+    yield "factor", "6.283 times too small", [["/", x, 2 * math.pi] for x in right]
+
+
+def test_slips_in_formulas_are_named():
+    found = Counter()
+    for p in SYMBOLIC:
+        right = right_answers(p, {})
+        for a in p.answers:
+            if a.kind != "vector_expression":
+                continue
+            for slip, words, trees in formulas_of(right[a.key]):
+                answers = {**right, a.key: trees}
+                parts = {x.key: x for x in score_receipt(p, {}, {"answers": answers}).parts}
+                cause = parts[a.key].diagnosis
+                listed = [t for group, t, _ in numbers_of(p, {}).wrong(a.key) if group != "rate"]
+                alike = any(t in listed for t in causes(cause))
+                found[slip, "named" if alike or words in (cause or "") else cause] += 1
+    print("\n", dict(found))
+    named = sum(n for (_, what), n in found.items() if what == "named")
+    assert {what for _, what in found} <= {"named", None}
+    assert named >= 0.95 * sum(found.values())
+
+
+def test_two_listed_mistakes_at_once_are_both_named():
+    """In vectors whose terms they are; where a simpler cause gives the same numbers, that is told."""
+    found = Counter()
+    for p in NUMERIC:
+        for n in range(5):
+            numbers = numbers_of(p, draw(p, f"pairs {n}".encode()))
+            for a in p.answers:
+                listed = [m[1:] for m in numbers.wrong(a.key) if m[0] == "listed"]
+                if a.kind != "vector":
+                    continue
+                for (first, (x,)), (second, (y,)) in itertools.combinations(listed, 2):
+                    both = [s + t - k for s, t, k in zip(x, y, numbers.key[a.key][0], strict=True)]
+                    words = f"{first}, and also {second}"
+                    found[judged(p, numbers, a, words, both, {})] += 1
+    print("\n", found.most_common(6))
+    assert found["named"] >= 0.9 * sum(found.values())
+
+
+def test_a_pair_is_told_only_if_no_other_pair_and_no_single_mistake_gives_the_same():
+    key, a, b = ((1.0, 2.0, 3.0),), ((1.0, 0.0, 3.0),), ((1.0, 2.0, 0.0),)
+    both = ((1.0, 0.0, 0.0),)
+    wrong = [("listed", "A", a), ("listed", "B", b)]
+    assert diagnose(both, key, wrong, 0.005) == "A, and also B"
+    twin = [*wrong, ("listed", "A too", a)]
+    assert diagnose(both, key, twin, 0.005) is None
+    assert diagnose(both, key, [*twin, ("listed", "C", both)], 0.005) == "C"
+
+
+def test_rates_added_as_numbers_are_told():
+    p = problem("4/28")
+    values = draw(p, b"rates")
+    (omega,) = numbers_of(p, values).key["omega_panel"]
+    given = [0.0, 0.0, sum(map(abs, omega))]
+    (part, *_) = score_receipt(p, values, {"answers": {"omega_panel": given}}).parts
+    assert part.diagnosis == AS_SCALARS
+
+
+INERTIA = ((4.0, -1.0, 0.5, -1.0, 5.0, 2.0, 0.5, 2.0, 6.0),)
+TURN = ((0.8, -0.6, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0),)
+
+
+def test_a_transposed_matrix_and_products_of_inertia_with_the_other_sign_are_told():
+    back = ((0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0),)
+    turned = ((4.0, 1.0, -0.5, 1.0, 5.0, -2.0, -0.5, -2.0, 6.0),)
+    assert TRANSPOSED in diagnose(back, TURN, [], 0.005, "matrix")
+    assert diagnose(turned, INERTIA, [], 0.005, "matrix") == OFF_DIAGONAL
+
+
+def test_the_bounds_of_an_interval_in_the_wrong_order_are_told():
+    assert "order" in diagnose(((3.0, 1.0),), ((1.0, 3.0),), [], 0.005, "interval")
+
+
+@pytest.mark.parametrize(
+    ("stated_in", "there", "absent"),
+    [
+        ("mm/s", "m against mm", "weight against mass (g = 9.81)"),
+        ("rad/s", "revolutions against radians", "m against mm"),
+        ("N", "weight against mass (g = 9.81)", None),
+    ],
+)
+def test_factors_are_those_of_the_units_of_the_answer(stated_in, there, absent):
+    found = factors("number", stated_in)
+    assert there in found
+    assert absent not in found
+    assert factors("number", "kg*m^2")["m against mm"] == 1e6
+
+
+def test_what_no_mistake_explains_is_described_and_the_key_is_not_told():
+    p = problem("4/16")
+    values = draw(p, b"described")
+    (right,) = numbers_of(p, values).key["v_D"]
+    size = math.hypot(*right)
+
+    def part(x):
+        return score_receipt(p, values, {"answers": {"v_D": x}}).parts[1]
+
+    assert part([0.36 * size, 0.48 * size, 0.8 * size]).message == f"not right; {DIRECTION}"
+    assert part([1.015 * x for x in right]).message == f"not right; {NEAR}"
+    assert part([1.5 * x for x in right]).message == "not right"

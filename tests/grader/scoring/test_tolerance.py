@@ -1,0 +1,182 @@
+"""How near to the key an answer must be: numbers, vectors, intervals, matrices, formulas."""
+
+import json
+import math
+
+import pytest
+
+from exercises.catalogue import problem, problems
+from exercises.variants import draw
+from grader.scoring.reading import read
+from grader.scoring.score import score_receipt
+from grader.scoring.tolerance import is_right
+from newton_euler.classroom.answers import record
+from newton_euler.classroom.forms import Form
+from newton_euler.classroom.formula_trees import TreeError
+
+CH04 = problems("ch04")
+VALUES = {p.id: draw(p, b"tests of score") for p in CH04}
+
+
+def trees(p, answers):
+    """Answers as a receipt holds them."""
+    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers}
+    found, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
+    assert not faults
+    return found
+
+
+def key(p):
+    return trees(p, p.solve({**p.sympy_symbols(), **VALUES[p.id]}))
+
+
+def judged(p, answers, values=None):
+    """The one part that matters: {key: Part}."""
+    return {
+        part.key: part
+        for part in score_receipt(p, values or VALUES[p.id], {"answers": answers}).parts
+    }
+
+
+@pytest.mark.parametrize(
+    ("off", "points"), [(0.00499, 1), (-0.00499, 1), (0.00501, 0), (-0.00501, 0)]
+)
+def test_a_number_may_be_half_a_percent_off_and_no_more(off, points):
+    p = problem("4/1")
+    answers = {k: v * (1 + off) for k, v in key(p).items()}
+    assert [part.points for part in judged(p, answers).values()] == [points] * 2
+
+
+@pytest.mark.parametrize(("off", "points"), [(0.00499, 1), (0.00501, 0)])
+@pytest.mark.parametrize("direction", [(1, 0, 0), (0, 1, 0), (0, 0, 1), (0.6, 0, -0.8)])
+def test_a_vector_may_be_half_a_percent_of_its_magnitude_off_in_any_direction(
+    off, points, direction
+):
+    p = problem("4/16")
+    a_D = key(p)["a_D"]
+    moved = [x + off * math.hypot(*a_D) * e for x, e in zip(a_D, direction, strict=True)]
+    assert judged(p, {"a_D": moved})["a_D"].points == points
+
+
+@pytest.mark.parametrize("digits", [3, 4, 6])
+@pytest.mark.parametrize("p", [p for p in CH04 if not p.symbolic], ids=lambda p: p.id)
+def test_answers_rounded_to_three_significant_figures_are_right(p, digits):
+    answers = json.loads(json.dumps(key(p)), parse_float=lambda x: float(f"{float(x):.{digits}g}"))
+    assert all(part.points for part in judged(p, answers).values())
+
+
+def verdict(kind, tree, right, atol=1e-6):
+    """The verdict on a tree for an answer whose key is ``right``."""
+    try:
+        (given,) = read(Form(kind, "1"), tree, {}, [100])
+    except TreeError:
+        return "unreadable"
+    return "right" if is_right(kind, given, (right,), atol) else "wrong"
+
+
+@pytest.mark.parametrize(
+    ("tree", "expected"),
+    [
+        (0, "right"),
+        (0.9e-6, "right"),
+        (-0.9e-6, "right"),
+        (1.1e-6, "wrong"),
+        (1, "wrong"),
+        (1e-300, "right"),
+    ],
+)
+def test_a_key_of_zero_is_compared_with_its_absolute_tolerance(tree, expected):
+    assert verdict("number", tree, (0.0,)) == expected
+
+
+def test_the_absolute_tolerance_of_a_problem_is_used():
+    assert verdict("number", 0.09, (0.0,), atol=0.1) == "right"
+    assert verdict("number", 0.11, (0.0,), atol=0.1) == "wrong"
+    # not where the key is not zero
+    assert verdict("number", 5.09, (5.0,), atol=0.1) == "wrong"
+
+
+def test_a_zero_component_of_a_vector_is_measured_by_the_whole_vector():
+    assert verdict("vector", [1000.0, 4.9, 0], (1000.0, 0.0, 0.0)) == "right"
+    assert verdict("vector", [1000.0, 5.1, 0], (1000.0, 0.0, 0.0)) == "wrong"
+
+
+def test_each_bound_of_an_interval_counts_by_itself():
+    assert verdict("interval", [0.1004, 100.4], (0.1, 100.0)) == "right"
+    assert verdict("interval", [0.4, 100.0], (0.1, 100.0)) == "wrong"
+
+
+@pytest.mark.parametrize(
+    ("tree", "expected"),
+    [
+        ([1, 2, 3, 4, 5, 6, 7, 8, 9], "right"),
+        ([1, 4, 7, 2, 5, 8, 3, 6, 9], "wrong"),
+        ([1, 2, 3], "unreadable"),
+        ([[1, 2, 3], [4, 5, 6], [7, 8, 9]], "unreadable"),
+    ],
+)
+def test_matrices_have_one_way_to_be_right(tree, expected):
+    assert verdict("matrix", tree, tuple(map(float, range(1, 10)))) == expected
+
+
+@pytest.mark.parametrize("n", [0, 1])
+@pytest.mark.parametrize(
+    ("share", "expected"), [(0.6, "right"), (0.4, "wrong"), (0, "wrong"), (-1, "wrong")]
+)
+def test_a_small_component_may_be_off_by_half_of_itself_and_no_more(n, share, expected):
+    """Rounding the terms of a small difference may; leaving it out, or its sign, may not."""
+    key = [1000.0, 1000.0]
+    key[n] = 0.5
+    tree = [*key, 0]
+    tree[n] *= share
+    assert verdict("vector", tree, (*key, 0.0)) == expected
+
+
+def test_a_component_of_round_off_is_zero():
+    assert verdict("vector", [1.0, 0, 0], (1.0, 1e-12, -1e-17)) == "right"
+
+
+def test_a_key_that_is_infinite_is_met_by_nothing():
+    assert verdict("number", 1e308, (math.inf,)) == "wrong"
+
+
+X = (0.4, 0.7, 1.1, 1.9)
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        (lambda x: (x, x**2), True),
+        (lambda x: (x, 1.0001 * x**2), False),
+        (lambda x: (1.0001 * x, x**2), False),
+        (lambda x: (x, 0.0), False),
+        (lambda x: (x * 3.1416 / math.pi, x**2), True),
+        (lambda x: (3 * 0.33333 * x, x**2), True),
+        (lambda x: (x * 6.283 / (2 * math.pi), x**2), True),
+        (lambda x: (x * 0.866 / math.sqrt(0.75), x**2), True),
+        (lambda x: (x * 3.142 / math.pi, x**2), False),
+        (lambda x: (x, x**2 + 1e-12), True),
+        (lambda x: (x, math.nan), False),
+        (lambda x: (math.inf, x**2), False),
+    ],
+)
+def test_each_component_of_a_formula_counts_by_itself(given, expected):
+    right = tuple((x, x**2) for x in X)
+    assert is_right("vector_expression", tuple(map(given, X)), right, 1e-6) == expected
+
+
+def test_a_component_of_a_formula_that_is_small_beside_another_is_seen():
+    right = tuple((1000.0 * x, x) for x in X)
+    wrong = tuple((1000.0 * x, 1.0001 * x) for x in X)
+    assert not is_right("vector_expression", wrong, right, 1e-6)
+
+
+def test_points_where_the_key_has_no_value_are_left_out_and_one_must_be_left():
+    right = ((math.nan,), (1.0,), (math.inf,))
+    assert is_right("expression", ((2.0,), (1.0,), (3.0,)), right, 1e-6)
+    assert not is_right("expression", ((1.0,),), ((math.nan,),), 1e-6)
+
+
+def test_a_formula_whose_key_is_zero_has_its_absolute_tolerance():
+    assert is_right("expression", ((0.9e-6,),), ((0.0,),), 1e-6)
+    assert not is_right("expression", ((1.1e-6,),), ((0.0,),), 1e-6)

@@ -1,0 +1,127 @@
+"""Wrong answers that are nearly right earn nothing: every problem of the chapter, fifty draws, each
+perturbation. ``python -m pytest -s`` on this file prints the table.
+"""
+
+import itertools
+from collections import Counter
+
+import pytest
+
+from exercises.catalogue import problems
+from exercises.variants import draw, evaluate
+from grader.scoring import score_receipt
+from grader.scoring.numbers import numbers_of
+from grader.scoring.tolerance import NOISE, is_right
+from newton_euler.classroom.answers import record
+from newton_euler.classroom.forms import Form
+
+DRAWS = 50
+NUMERIC = [p for p in problems("ch04") if not p.symbolic]
+SYMBOLIC = [p for p in problems("ch04") if p.symbolic]
+COUNTED = Counter()  # (problem, perturbation): how often it was tried
+
+
+def with_component(vector, n, x):
+    return [*vector[:n], x, *vector[n + 1 :]]
+
+
+def perturbed(kind, right):
+    """(perturbation, wrong answer) of a right answer: numbers, or trees."""
+    vector = right if kind.startswith("vector") else [right]
+    sizes = [abs(x) if isinstance(x, float) else 0.0 if x == 0 else 1.0 for x in vector]
+    for n, x in enumerate(vector):
+        if sizes[n] <= NOISE * max(sizes):
+            continue
+        if kind.endswith("expression"):
+            yield "1.0001 times", with_component(vector, n, ["*", 1.0001, x])
+            yield "turned", with_component(vector, n, ["*", -1, x])
+        else:
+            yield "0.6 % too much", [1.006 * y for y in vector]
+            yield "turned", with_component(vector, n, -x)
+        yield "dropped", with_component(vector, n, 0.0)
+    for a, b in itertools.combinations(range(len(vector)), 2):
+        swapped = with_component(with_component(vector, a, vector[b]), b, vector[a])
+        if kind == "vector" and abs(vector[a] - vector[b]) > 0.01 * max(sizes):
+            yield "swapped", swapped
+
+
+def right_answers(p, values):
+    forms = {a.key: Form(a.kind, a.unit) for a in p.answers}
+    units = {n: s.unit for n, s in p.symbols.items()}
+    return record(forms, units, p.solve({**p.sympy_symbols(), **values}))[0]
+
+
+def passed(p, values, right):
+    """The perturbations that earn points."""
+    missed = []
+    for a in p.answers:
+        for name, wrong in perturbed(a.kind, right[a.key]):
+            COUNTED[p.id, name] += 1
+            tree = wrong if a.kind.startswith("vector") else wrong[0]
+            score = score_receipt(p, values, {"answers": {a.key: tree}})
+            if score.points:
+                missed.append((name, a.key, values))
+    return missed
+
+
+@pytest.mark.parametrize("p", NUMERIC, ids=lambda p: p.id)
+def test_no_perturbed_number_or_vector_passes(p):
+    for n in range(DRAWS):
+        values = draw(p, f"wrong answers {n}".encode())
+        right = evaluate(p, values)[0]
+        numbers = {a.key: [float(x) for x in right[a.key]] for a in p.answers}
+        one = {
+            a.key: x if a.kind == "vector" else x[0]
+            for a, x in zip(p.answers, numbers.values(), strict=True)
+        }
+        assert passed(p, values, one) == []
+
+
+@pytest.mark.parametrize("p", SYMBOLIC, ids=lambda p: p.id)
+def test_no_perturbed_formula_passes(p):
+    assert passed(p, {}, right_answers(p, {})) == []
+
+
+@pytest.mark.parametrize("p", NUMERIC, ids=lambda p: p.id)
+def test_the_books_answers_are_told_and_earn_nothing(p):
+    book = numbers_of(p, p.book_values).key
+    for n in range(DRAWS):
+        values = draw(p, f"wrong answers {n}".encode())
+        own = numbers_of(p, values).key
+        answers = {a.key: _tree(a, book[a.key]) for a in p.answers}
+        for a, part in zip(
+            p.answers, score_receipt(p, values, {"answers": answers}).parts, strict=True
+        ):
+            if not is_right(a.kind, book[a.key], own[a.key], a.atol):
+                assert part.points == 0
+                assert "the answer for the book's numbers; yours are others" in part.message
+
+
+def _tree(a, points):
+    return list(points[0]) if a.kind == "vector" else points[0][0]
+
+
+@pytest.mark.parametrize(
+    "p", [p for p in NUMERIC if any(g.vary for g in p.givens.values())], ids=lambda p: p.id
+)
+def test_a_neighbours_answers_hardly_ever_pass(p):
+    """One number within half a percent is met by chance in some 1 % of a class, the answers of a
+    whole problem in 1 of 1000.
+    """
+    keys = [numbers_of(p, draw(p, f"neighbour {n}".encode())).key for n in range(DRAWS)]
+    pairs = list(itertools.permutations(keys, 2))
+    hits = Counter()
+    for own, others in pairs:
+        found = [is_right(a.kind, others[a.key], own[a.key], a.atol) for a in p.answers]
+        hits.update(a.key for a, hit in zip(p.answers, found, strict=True) if hit)
+        hits["whole problem"] += all(found)
+    print(f"{p.id}: of {len(pairs)} pairs, {dict(hits)} agree")
+    assert max(hits[a.key] for a in p.answers) <= 0.012 * len(pairs)
+    assert hits["whole problem"] <= 0.002 * len(pairs)
+
+
+def test_the_table_of_what_was_tried():
+    names = sorted({name for _, name in COUNTED})
+    print("\nproblem  " + "  ".join(f"{name:>14}" for name in names))
+    for p in problems("ch04"):
+        print(f"{p.id:7}  " + "  ".join(f"{COUNTED[p.id, name]:14}" for name in names))

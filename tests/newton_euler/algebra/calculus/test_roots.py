@@ -1,0 +1,113 @@
+"""One root over every kind of number, against equations with known solutions."""
+
+import math
+import pickle
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+from newton_euler import Dimension, asin, compiled, cos, exp, moving, sin
+from newton_euler.algebra import DimensionError, LinearForm, ScalarError, SingularError, root
+from newton_euler.algebra.jets import Moving
+
+LENGTH, TIME = Dimension(0, 1, 0), Dimension(0, 0, 1)
+
+
+def rod_angle(length, radius, crank):
+    """Of a slider crank: length sin(b) = radius sin(crank)."""
+    return root(lambda b: length * sin(b) - radius * sin(crank), -1.5, 1.5)
+
+
+def rod_angle_by_hand(length, radius, crank):
+    return asin(radius * sin(crank) / length)
+
+
+@pytest.mark.parametrize(
+    ("f", "low", "high", "expected"),
+    [
+        (lambda x: x * x - 2, 0.0, 5.0, math.sqrt(2)),
+        (lambda x: 2 - x * x, 5.0, 0.0, math.sqrt(2)),
+        (lambda x: (x - 0.3) ** 3, -1.0, 5.0, 0.3),
+        (lambda x: x - 1e-200, -1.0, 1.0, 1e-200),
+        (lambda x: 1e-200 * (x - 0.25), 0.0, 1.0, 0.25),
+        (lambda x: exp(50 * x) - 2, -1.0, 1.0, math.log(2) / 50),
+        (lambda x: x, 0, 1, 0),
+        (lambda x: x - 1, 0, 1, 1),
+    ],
+)
+def test_roots_of_floats_are_exact_to_round_off(f, low, high, expected):
+    assert root(f, low, high) == pytest.approx(expected, rel=1e-14, abs=1e-210)
+
+
+def test_no_place_outside_the_bracket_is_asked_for():
+    places = []
+
+    def f(x):
+        places.append(x)
+        return x**9 - 1e-12
+
+    assert root(f, 0.0, 1.0) ** 9 == pytest.approx(1e-12, rel=1e-12)
+    assert 0 <= min(places) <= max(places) <= 1
+    assert len(places) < 80
+
+
+def test_an_equation_for_each_instant():
+    crank = np.linspace(0.0, 2 * np.pi, 7)
+    np.testing.assert_allclose(
+        rod_angle(3.0, 1.0, crank), rod_angle_by_hand(3.0, 1.0, crank), rtol=1e-14, atol=1e-16
+    )
+    ends = root(lambda x: x - np.array([0.0, 0.5, 1.0]), 0.0, 1.0)
+    np.testing.assert_allclose(ends, [0.0, 0.5, 1.0], rtol=1e-15)
+
+
+@pytest.mark.parametrize("digits", [30, 50])
+def test_numbers_of_many_digits(digits):
+    with mpmath.mp.workdps(digits):
+        given = [mpmath.mpf(x) for x in ("3", "1.1", "0.7")]
+        assert abs(rod_angle(*given) - rod_angle_by_hand(*given)) < mpmath.mpf(10) ** (1 - digits)
+
+
+def test_dimensions():
+    assert rod_angle(LENGTH, LENGTH, Dimension()) == Dimension()
+    assert root(lambda x: x * x - LENGTH * LENGTH, 0, LENGTH) == LENGTH
+    with pytest.raises(DimensionError, match="cannot add"):
+        root(lambda x: x - TIME, 0, LENGTH)
+
+
+def test_a_root_of_moving_numbers_has_their_rates():
+    crank = moving(0.7, rate=2.0, acceleration=0.3)
+    found, expected = rod_angle(3.0, 1.0, crank), rod_angle_by_hand(3.0, 1.0, crank)
+    for part in ("value", "rate", "acceleration"):
+        assert getattr(found, part) == pytest.approx(getattr(expected, part), rel=1e-13)
+    a = Moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2)
+    assert root(lambda x: x * x - a * a, 0, LENGTH).rate == LENGTH / TIME
+
+
+def test_a_root_that_only_touches_zero_has_no_rate():
+    with pytest.raises(SingularError, match=r"has no rate.*slope 0"):
+        root(lambda x: x**3 - moving(0.0, rate=1.0), -1.0, 2.0)
+
+
+def test_traced_roots_run_on_every_kind():
+    run = compiled(rod_angle)
+    crank = np.linspace(0.1, 3.0, 5)
+    assert run(3.0, 1.0, 0.7) == pytest.approx(rod_angle_by_hand(3.0, 1.0, 0.7), rel=1e-14)
+    np.testing.assert_allclose(run(3.0, 1.0, crank), rod_angle_by_hand(3.0, 1.0, crank), rtol=1e-14)
+    assert pickle.loads(pickle.dumps(run))(3.0, 1.0, 0.7) == run(3.0, 1.0, 0.7)
+    moves = compiled(lambda rate: rod_angle(3.0, 1.0, Moving(0.7, rate)).rate)
+    assert moves(2.0) == pytest.approx(rod_angle_by_hand(3.0, 1.0, moving(0.7, 2.0)).rate)
+
+
+def test_what_has_no_root_is_refused_in_words():
+    with pytest.raises(
+        SingularError, match=r"no root is enclosed between 0.0 and 1.0.*1.0 and 2.0"
+    ):
+        root(lambda x: x * x + 1, 0.0, 1.0)
+    with pytest.raises(SingularError, match="no root is enclosed"):
+        root(lambda x: 1e-200 * (x + 1), 0.0, 1.0)
+    with pytest.raises(ScalarError, match="has no formula in general: put numbers in"):
+        root(lambda x: cos(x) - sympy.Symbol("k"), 0, 1)
+    with pytest.raises(ScalarError, match="no root that can be found"):
+        root(lambda x: x - LinearForm(1.0, (1.0,)), 0.0, 1.0)

@@ -1,0 +1,133 @@
+"""Bodies with holes and thickness: one sees through holes, into shells, and what is near."""
+
+import math
+
+import numpy as np
+import pytest
+
+from newton_euler.algebra import FrameError
+from newton_euler.drawing.page.primitives import LIGHT, MIDDLE, PALE, SHADED, WHITE
+from tests.sketching import O, colour_at, ground, sketch
+
+CORNERS = [(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0)]
+
+
+def shades(colour):
+    """Colours are compared as they are drawn."""
+    return colour.lower()
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize("order", [1, -1])
+@pytest.mark.parametrize("thickness", [0, 0.5])
+def test_one_sees_through_the_holes_of_a_plate(sense, order, thickness):
+    """Whichever way its outline and its hole go round."""
+    s = sketch(plane="xy")
+    hole = s.around((1, 1, 0), (1.5, 1, 0), ground.k * sense)
+    s.plate(CORNERS[::order], [hole], thickness=thickness)
+    assert colour_at(s, 1, 1, 0) == WHITE
+    assert colour_at(s, 3, 1, 0) == shades(LIGHT)
+
+
+def test_what_lies_behind_a_hole_is_seen_in_it():
+    s = sketch(plane="xy")
+    s.plate(CORNERS, [s.around((1, 1, 0), (1.5, 1, 0), ground.k)])
+    s.plate([(0, 0, -1), (4, 0, -1), (4, 2, -1), (0, 2, -1)], shade="dark")
+    assert colour_at(s, 1, 1, 0) == shades(SHADED)
+
+
+def test_a_later_plate_covers_one_in_the_same_plane():
+    s = sketch(azimuth=35, elevation=40)
+    s.plate(CORNERS)
+    s.plate([(0.2, 0.2, 0), (0.8, 0.2, 0), (0.8, 1.8, 0), (0.2, 1.8, 0)], shade="dark")
+    assert colour_at(s, 0.5, 1, 0) == shades(SHADED)
+
+
+def test_a_tube_is_open_and_a_cylinder_is_not():
+    for bore, colour in ((0.6, WHITE), (0, shades(PALE))):
+        s = sketch(plane="xy")
+        s.cylinder((0, 0, -1), (0, 0, 1), 1, bore=bore)
+        assert colour_at(s, 0, 0, 0) == colour
+        assert colour_at(s, 0.8, 0, 0) == shades(PALE)
+
+
+def test_the_wall_inside_a_tube_is_dark_and_that_outside_is_not():
+    s = sketch(azimuth=0, elevation=30)
+    s.cylinder(O, (0, 0, 3), 1, bore=0.8)
+    assert colour_at(s, -0.8, 0, 2.8) == shades(SHADED)
+    assert colour_at(s, 1, 0, 1.5) == shades(MIDDLE)
+
+
+def test_a_thick_disk_has_its_thickness_on_the_page():
+    s = sketch(azimuth=0, elevation=0)
+    s.disk((0, 1, 0), ground.j, 2, thickness=0.5)
+    s.finish()
+    xs, ys = np.concatenate([p.get_path().vertices for p in s.ax.patches]).T
+    assert (xs.min(), xs.max()) == pytest.approx((0.75, 1.25))
+    assert (ys.min(), ys.max()) == pytest.approx((-2, 2), rel=3e-3)
+
+
+def test_the_sharp_edges_of_a_thick_plate_are_drawn_and_a_round_wall_is_one():
+    def walls(corners):
+        s = sketch(azimuth=20, elevation=30)
+        s.plate(corners, thickness=0.5)
+        s.finish()
+        return len(s.ax.patches) - 1  # without the face
+
+    assert walls(CORNERS) == 2
+    assert walls(s := sketch().around(O, (1, 0, 0), ground.k)) == 1, len(s)
+
+
+def test_an_L_shaped_block_hides_what_is_behind_its_wall():
+    s = sketch(azimuth=-80, elevation=20)
+    L = [(0, 0, 0), (2, 0, 0), (2, 0, 0.5), (0.5, 0, 0.5), (0.5, 0, 1.5), (0, 0, 1.5)]
+    s.plate(L, thickness=1)
+    assert colour_at(s, 0.25, -0.5, 1) == shades(LIGHT)
+    assert colour_at(s, 1.5, 0, 0.5) == shades(MIDDLE)
+
+
+@pytest.mark.parametrize(
+    ("elevation", "axis", "is_open", "colour"),
+    [
+        (40, -1, True, SHADED),  # into a bowl from above
+        (40, -1, False, PALE),  # the cut through half a ball
+        (40, 1, True, MIDDLE),  # a dome from above
+        (-40, 1, True, SHADED),  # a dome from below
+    ],
+)
+def test_a_hemisphere_shows_its_inside_its_base_or_its_outside(elevation, axis, is_open, colour):
+    s = sketch(elevation=elevation)
+    s.hemisphere(O, ground.k * axis, 1, open=is_open)
+    assert colour_at(s, 0, 0, 0) == shades(colour)
+
+
+def test_what_lies_in_a_bowl_is_seen_and_its_near_wall_hides_the_rest():
+    s = sketch(azimuth=0, elevation=45)
+    s.hemisphere(O, -ground.k, 1, open=True)
+    s.plate([(-0.6, -0.2, -0.1), (-0.6, 0.2, -0.1), (0.6, 0.2, -0.5), (0.6, -0.2, -0.5)])
+    assert colour_at(s, -0.3, 0, -0.2) == shades(LIGHT)
+    assert colour_at(s, 1, 0, -0.05) == shades(MIDDLE)
+
+
+def test_one_sees_into_an_open_cone():
+    s = sketch(azimuth=0, elevation=40)
+    s.cone(O, ground.k, 2, 1, open=True)
+    assert colour_at(s, 0, 0, 2) == shades(SHADED)
+
+
+@pytest.mark.parametrize(
+    ("draw", "words"),
+    [
+        (lambda s: s.cylinder(O, (0, 0, 1), 1, bore=1), "a hole is narrower than its body, 1 m"),
+        (lambda s: s.disk(O, ground.k, 1, hole=-0.1), "a positive number of metres; got -0.1"),
+        (lambda s: s.plate(CORNERS, thickness=math.nan), "a positive number of metres; got nan"),
+        (lambda s: s.plate(CORNERS, shade="red"), "the shade of a plate is light, medium, dark"),
+        (lambda s: s.plate([O, (1, 0, 0), (2, 0, 0)], thickness=1), "has an area"),
+        (lambda s: s.plate(CORNERS, holes=[3]), r"as in holes=\[s.around\(...\)\]; got \[3\]"),
+        (lambda s: s.plate(CORNERS, holes=3), "holes are a sequence of outlines"),
+        (lambda s: s.plate(CORNERS, s.around(O, CORNERS[1], ground.k)), "holes are a sequence"),
+    ],
+)
+def test_a_mistake_is_an_error_at_once(draw, words):
+    with pytest.raises(FrameError, match=words):
+        draw(sketch())

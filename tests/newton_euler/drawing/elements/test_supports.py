@@ -1,0 +1,53 @@
+"""Ground of any profile."""
+
+import numpy as np
+import pytest
+
+from newton_euler.algebra import FrameError
+from tests.sketching import O, sketch, vertices
+
+
+@pytest.mark.parametrize(
+    "way",
+    [
+        [(0, 0, 0), (3, 1, 0)],
+        [(3, 1, 0), (0, 0, 0)],
+        [(0, 0, 0), (1, 0.5, 0), (2, 0.4, 0), (3, 1, 0)],
+    ],
+)
+def test_a_road_is_hatched_on_the_right_of_the_way(way):
+    s = sketch(plane="xy")
+    s.road(way)
+    s.finish()
+    line, *hatches = vertices(s)
+    assert len(line) == len(way)
+    assert len(hatches) > 20
+    for foot, end in hatches:
+        n = next(
+            n
+            for n in range(len(way) - 1)
+            if min(way[n][0], way[n + 1][0]) - 1e-9
+            <= foot[0]
+            <= max(way[n][0], way[n + 1][0]) + 1e-9
+        )
+        along, out = np.subtract(way[n + 1], way[n])[:2], end - foot
+        assert along[0] * out[1] - along[1] * out[0] < 0
+
+
+def test_hatching_follows_a_slope():
+    """The angle between hatching and ground is that of level ground."""
+
+    def angle(rise):
+        s = sketch(plane="xy")
+        s.road([O, (1, rise, 0)])
+        s.finish()
+        line, hatch = vertices(s)[:2]
+        a, b = line[1] - line[0], hatch[1] - hatch[0]
+        return np.arctan2(a[0] * b[1] - a[1] * b[0], a @ b)
+
+    assert angle(-0.6) == pytest.approx(angle(0))
+
+
+def test_a_road_through_one_place_is_an_error():
+    with pytest.raises(FrameError, match="two places or more, got 1"):
+        sketch().road([O])

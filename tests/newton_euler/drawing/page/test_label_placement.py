@@ -1,0 +1,121 @@
+"""labels.py: labels keep clear of each other and on the page, and stay where they are told to."""
+
+from itertools import pairwise
+
+import matplotlib
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import RendererAgg
+
+from newton_euler.drawing.page.label_placement import place_labels, points_on_lines
+from tests.sketching import O, ground, png, sketch, texts
+
+
+def crowded():
+    s = sketch()
+    P = [ground.point(name, 0.2 * n, 0.1 * n * n, 0.1 * (n % 3)) for n, name in enumerate("ABCDEF")]
+    for a, b in pairwise(P):
+        s.rod(a, b)
+        s.dimension(a, b, "$l$")
+    for p in P:
+        s.label(p, p.name)
+    return s
+
+
+def test_labels_do_not_overlap_each_other():
+    s = crowded()
+    png(s)
+    boxes = [t.get_window_extent() for t in s.ax.texts]
+    assert len(boxes) == 11
+    assert not [1 for n, a in enumerate(boxes) for b in boxes[:n] if a.overlaps(b)]
+
+
+def test_labels_are_legible_and_stay_on_the_page():
+    s = crowded()
+    png(s)
+    page = s.ax.figure.bbox
+    for t in s.ax.texts:
+        box = t.get_window_extent()
+        assert t.get_fontsize() >= 9
+        assert page.x0 < box.x0 < box.x1 < page.x1
+        assert page.y0 < box.y0 < box.y1 < page.y1
+
+
+def test_lines_that_a_body_hides_do_not_count_and_those_in_its_holes_do():
+    def points(**plate):
+        s = sketch(plane="xy")
+        s.line((-1, 0, -1), (1, 0, -1), style="solid")
+        corners = [(-2, -2, 0), (2, -2, 0), (2, 2, 0), (-2, 2, 0)]
+        s.plate(corners, [s.around(O, (r, 0, 0), ground.k) for r in plate.values()])
+        s.finish()
+        found = points_on_lines(np, s.drawn) * s.drawn.pt
+        return found[(abs(found) < (1, 0.1)).all(axis=1)]
+
+    assert len(points()) == 0
+    x = points(hole=0.5)[:, 0]
+    assert len(x) > 10
+    assert (abs(x) < 0.51).all()
+
+
+def test_an_offset_of_a_label_is_kept():
+    s = sketch()
+    s.rod(O, (1, 1, 1))
+    s.label(O, "O", offset=(12, -9))
+    s.finish()
+    assert texts(s)["O"].get_position() == pytest.approx((12, -9))
+    assert texts(s)["O"].get_fontweight() == "bold"
+
+
+def test_single_letters_are_italic_except_names_of_points():
+    s = sketch()
+    s.dimension(O, (1, 0, 0), "b")
+    s.dimension(O, (0, 1, 0), "2b")
+    s.axes(O, ground, labels=["x", "$y_1$", "z"])
+    s.label(O, "O")
+    s.finish()
+    assert texts(s).keys() == {"$b$", "2b", "$x$", "$y_1$", "$z$", "O"}
+
+
+def test_an_axis_with_an_empty_label_is_left_out():
+    s = sketch(plane="xz")
+    s.axes(O, ground, labels=["x", "", "z"])
+    s.finish()
+    assert texts(s).keys() == {"$x$", "$z$"}
+    # a shaft, a white edge and a head for each arrow, no circle for the axis that points away
+    assert len(s.ax.patches) == 6
+
+
+def test_axes_without_labels_are_drawn():
+    s = sketch(plane="xz")
+    s.axes(O, ground, labels="")
+    s.finish()
+    assert len(s.ax.patches) > 6
+    assert not s.ax.texts
+
+
+@pytest.mark.parametrize(("last", "now"), [(0, 0), (1, 1), (3 * 16 + 8, 0)])
+def test_a_label_moves_from_where_it_was_only_if_that_is_much_better(last, now):
+    """In a film. Places 0 and 1 are neighbours and both free; the third is on the other side and 26
+    points away.
+    """
+    s = sketch()
+    s.rod((0, -1, 0), (0, 1, 0))
+    s.label((0, 0, 1), "A")
+    s.finish()
+    before = {(0, "A"): last}
+    list(place_labels(s.ax, s._canvas(0.01, (0, 0, 0)), RendererAgg(500, 400, 100), before))
+    assert before == {(0, "A"): now}
+
+
+def test_formulas_follow_the_settings_for_formulas():
+    """What was parsed is shared by all figures, but not over a change of the settings."""
+
+    def drawn(fontset):
+        with matplotlib.rc_context({"mathtext.fontset": fontset}):
+            s = sketch()
+            s.label(O, "$x_1$")
+            return png(s)
+
+    first = drawn("dejavusans")
+    assert drawn("cm") != first
+    assert drawn("dejavusans") == first

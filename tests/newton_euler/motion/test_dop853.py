@@ -1,0 +1,220 @@
+"""The steps of DOP853: their first length, their bounds, what they cost, and what lies in them."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from newton_euler import Model, sqrt
+from newton_euler.motion import second_order
+from newton_euler.motion.methods.base import MAX_STALLED_STEPS, StepError
+from newton_euler.motion.methods.dop853 import GROW, SAFETY, SHRINK, Dop853
+from newton_euler.motion.prepared import prepared_model
+
+SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
+DECAY = Model("decay", {"c": 3.0}, ("x",), lambda s, p, t: (-p.c * s.x,))
+TOL = 1e-8
+
+
+def run(model=SPRING, start=(1.0, 0.0), t1=5.0, t0=0.0, step=None, longest_part=0.4, **more):
+    """One that has not begun; of its right-hand side ``counted`` says how often it was called."""
+    nothing = (0.0,) * len(start)
+    trajectory = SimpleNamespace(
+        goal=t1,
+        tolerance=TOL,
+        max_steps=5e6,
+        step=step,
+        longest_part=longest_part,
+        limits=lambda system, t, x: (more.get("floors", nothing), nothing, more.get("stops", ())),
+    )
+    one = Dop853(prepared_model(model), t0, start, trajectory)
+    f, constants = one.f
+    one.counted = 1  # of begin()
+
+    def counting(*given):
+        one.counted += 1
+        return f(*given)
+
+    one.f = counting, constants
+    return one
+
+
+def lengths(one):
+    return [h for _, h, *_ in one.steps]
+
+
+# -- the length of steps
+
+
+@pytest.mark.parametrize("size", [1.0, -1e-9, 1e9])
+def test_in_the_first_step_the_fastest_state_changes_by_a_part_of_its_size(size):
+    assert run(DECAY, (size,)).h == pytest.approx(0.5 * TOL**0.125 / 3.0, rel=1e-12)
+
+
+def test_a_state_that_starts_from_nothing_does_not_set_the_first_step():
+    pair = Model("pair", {}, ("x", "y"), lambda s, p, t: (-s.x, 1.0 + 0 * s.y))
+    usual = 0.5 * TOL**0.125
+    assert run(pair, (1.0, 0.0), floors=(0.0, 0.99e-3)).h == pytest.approx(usual)
+    assert run(pair, (1.0, 0.0), floors=(0.0, 1.01e-3)).h == pytest.approx(usual * 1.01e-3)
+    assert run(pair, (1.0, 1.0)).h == pytest.approx(usual)
+
+
+def test_where_nothing_changes_the_first_step_is_a_thousandth_of_the_time():
+    assert run(DECAY, (0.0,), t0=1.0, t1=6.0).h == pytest.approx(5e-3)
+
+
+def test_no_step_is_longer_than_its_part_of_the_time():
+    slow = second_order("slow", {}, ("x",), lambda s, p, t: (-1e-9 * s.x,))
+    for part, t0 in ((0.4, 0.0), (0.13, 2.0)):
+        one = run(slow, (1.0, 1.0), t0=t0, longest_part=part)
+        one.step()
+        assert max(lengths(one)) == pytest.approx(part * (5.0 - t0), rel=1e-12)
+    # not so short that it would not change the time
+    late = run(slow, (1.0, 1.0), t0=-1e9 - 1e-6, t1=-1e9)
+    assert late.hmax == pytest.approx(1e-4)
+
+
+def test_a_step_grows_and_shrinks_between_its_bounds():
+    one = run(DECAY, (1.0,), t1=1e3)
+    one.step(3)
+    before, _, x = one.steps[-1]
+    one.step(1)
+    # from far too short
+    one.h = 1e-9
+    one.step(2)
+    assert one.h == pytest.approx(GROW**2 * 1e-9, rel=1e-12)
+    # from far too long, as often as it takes
+    one.h, calls = 100.0, one.counted
+    one.step(1)
+    tries = (one.counted - calls) // 12
+    assert tries > 1
+    assert 100.0 * SHRINK ** (tries - 1) <= lengths(one)[-1] <= 100.0 * SAFETY ** (tries - 1)
+    assert before < one.t
+    assert x > one.x[0]
+
+
+def test_a_step_on_which_the_rates_have_no_value_is_tried_again_with_a_shorter_one():
+    """x = 1 - t: a long step looks beyond t = 1, where the root has no value."""
+    root = Model("root", {}, ("x",), lambda s, p, t: (-1 + 1e-30 * sqrt(s.x),))
+    one = run(root, (1.0,), t1=9.0)
+    one.h = 3.0
+    one.step(1)
+    assert lengths(one) == [pytest.approx(3.0 * SHRINK)]
+
+
+@pytest.mark.parametrize(("t0", "t1"), [(-0.9, 0.3), (-2.0, 0.7)])
+def test_the_last_step_ends_at_the_goal_though_the_time_is_rounded(t0, t1):
+    assert t0 + (t1 - t0) != t1
+    one = run(t0=t0, t1=t1, step=9.0)
+    one.step()
+    assert one.step_times == [t0, one.t] == [t0, t1]
+
+
+def test_steps_keep_the_tolerance_with_little_to_spare():
+    """The error of a step, by its decay, over the tolerance: the steps are as long as it allows."""
+    one = run(DECAY, (1.0,), t1=3.0)
+    one.step()
+    ends = [*one.steps[1:], (one.t, None, *one.x)]
+    errors = [
+        abs(y - x * math.exp(-3.0 * h)) for (_, h, x), (*_, y) in zip(one.steps, ends, strict=True)
+    ]
+    assert 1e-4 * TOL < max(errors) < TOL
+
+
+def test_a_fixed_step_is_kept_to_the_goal():
+    one = run(t1=1.0, step=0.3)
+    one.step()
+    assert lengths(one) == pytest.approx([0.3, 0.3, 0.3, 0.1])
+    assert one.step_times == pytest.approx([0.0, 0.3, 0.6, 0.9, 1.0])
+    assert run(t1=0.2, step=0.3).h == 0.3
+
+
+def test_steps_end_at_stops_and_at_the_goal_itself():
+    one = run(stops=(0.1, 2.5))
+    one.step()
+    assert {0.1, 2.5, 5.0} < set(one.step_times)
+    assert one.step_times == sorted(set(one.step_times))
+
+
+def test_no_more_steps_are_taken_than_are_asked_for():
+    one = run(t1=1e3)
+    for limit in (1, 3):
+        done = len(one.steps)
+        one.step(limit)
+        assert len(one.steps) == done + limit
+        assert len(one.step_times) == len(one.steps) + 1
+        assert one.step_times[-1] == one.t
+
+
+def test_more_steps_than_are_looked_at_together_are_taken_one_after_the_other():
+    one = run(t1=200.0, step=0.07)
+    one.step()
+    assert len(one.steps) == 2858 > MAX_STALLED_STEPS
+    assert one.checked == MAX_STALLED_STEPS
+    limited = run(t1=200.0, step=0.03)
+    limited.step(2 * MAX_STALLED_STEPS + 500)
+    assert len(limited.steps) == 2 * MAX_STALLED_STEPS + 500
+    assert one.x[0] == pytest.approx(math.cos(400.0), abs=1e-7)
+
+
+@pytest.mark.parametrize(("t0", "t1"), [(0.0, 1.0), (1e6, 1e6 + 1), (-1e6, 0.0)])
+def test_a_step_that_would_not_change_the_time_is_refused(t0, t1):
+    root = Model("root", {}, ("x",), lambda s, p, t: (-1 / s.x,))
+    one = run(root, (1.0,), t0=t0, t1=t1)
+    with pytest.raises(StepError, match="too small"):
+        one.step()
+    assert one.t - t0 == pytest.approx(0.5, abs=1e-8)
+
+
+def test_the_scales_are_the_largest_sizes_of_all_steps():
+    one = run()
+    one.step()
+    sizes = np.abs([x for _, _, *x in one.steps] + [one.x]).max(axis=0)
+    assert one.scales == tuple(sizes.tolist())
+
+
+# -- what they cost, and what lies in them
+
+
+def test_every_call_of_the_right_hand_side_is_counted():
+    one = run()
+    one.step()
+    assert one.calls == one.counted
+    one.state_at(1.0)
+    assert one.calls == one.counted
+    one.interpolate(2, np.array([one.step_times[2]]))
+    assert one.calls == one.counted
+
+
+def test_a_step_is_interpolated_once():
+    one = run()
+    one.step()
+    times = np.array(one.step_times[2:4])
+    found, calls = one.interpolate(2, times), one.counted
+    assert one.interpolate(2, times).tolist() == found.tolist()
+    assert one.counted == calls
+    one.interpolate(3, times)
+    assert one.counted > calls
+    assert one.interpolate(2, times).tolist() == found.tolist()
+
+
+def test_a_step_to_a_time_is_more_accurate_than_the_interpolation():
+    """In the middle of a step of the spring, against its closed form from the begin of the step."""
+    one = run(step=0.2)
+    one.step()
+    begin, h, x, v = one.steps[3]
+    t = begin + 0.4 * h
+    c, s = math.cos(0.8 * h), math.sin(0.8 * h)
+    exact = np.array([x * c + v / 2 * s, v * c - 2 * x * s])
+    fine = abs(one.state_at(t) - exact).max()
+    rough = abs(one.interpolate(3, np.array([t]))[:, 0] - exact).max()
+    assert 10 * fine < rough < 1e-8
+
+
+def test_the_ends_of_an_interpolated_step_are_its_states():
+    one = run(step=0.5)
+    one.step()
+    begin, end = one.interpolate(3, np.array(one.step_times[3:5])).T
+    assert begin == pytest.approx(one.steps[3][2:], abs=1e-15)
+    assert end == pytest.approx(one.steps[4][2:], abs=1e-14)

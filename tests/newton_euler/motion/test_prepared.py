@@ -1,0 +1,195 @@
+"""A model made ready to run: the start as floats, what its functions are on floats, and what has no
+value.
+"""
+
+import math
+
+import numpy as np
+import pytest
+
+from newton_euler import Model, cos, sqrt
+from newton_euler.algebra import ZERO
+from newton_euler.motion import ModelError, second_order
+from newton_euler.motion.prepared import PreparedModel, prepared_model, start_state
+
+SPRING = second_order("spring", {"k": 4.0, "c": 0}, ("x",), lambda s, p, t: (-p.k * s.x - p.c,))
+
+
+# -- the start
+
+
+@pytest.mark.parametrize(
+    "start",
+    [
+        (1.0, 2.0),
+        [1.0, 2.0],
+        (1, 2),
+        np.array([1.0, 2.0]),
+        np.array([1, 2]),
+        (np.float64(1.0), 2),
+        {"dx": 2, "x": 1.0},
+        iter([1.0, 2.0]),
+    ],
+)
+def test_a_start_is_a_tuple_of_floats_in_the_order_of_the_states(start):
+    found = start_state(SPRING, start)
+    assert found == (1.0, 2.0)
+    assert [type(x) for x in found] == [float, float]
+
+
+def test_arrays_in_a_start_stay_as_they_are():
+    many = np.array([1.0, 2.0])
+    x, v = start_state(SPRING, (many, 3))
+    assert x is many
+    assert v == 3.0
+
+
+@pytest.mark.parametrize(
+    ("start", "words"),
+    [
+        (3.0, "the start of 'spring' is a value for each of x, dx, not 3.0"),
+        ({"x": 1.0, "y": 2.0}, "spring has no state 'y'; its states are x, dx"),
+        ((1.0, "2"), "needs a number for dx, got '2'"),
+        ((True, 2.0), "needs a number for x, got True"),
+        ((1.0, None), "needs a number for dx, got None"),
+        ((1.0, math.nan), "has dx = nan; a motion needs finite numbers"),
+        ((math.inf, 1.0), "has x = inf; a motion needs finite numbers"),
+        ((-math.inf, 1.0), "has x = -inf; a motion needs finite numbers"),
+        ((math.inf, -math.inf), "has x = inf"),
+        ((1.0, 2.0, 3.0), "spring has the 2 states x, dx; got 3 values"),
+        ((1.0, np.array(["a", "b"])), "needs a number for dx; got array"),
+    ],
+)
+def test_a_start_that_does_not_fit_is_refused_in_words(start, words):
+    with pytest.raises(ModelError) as told:
+        start_state(SPRING, start)
+    assert words in str(told.value)
+
+
+def test_the_rows_of_an_array_are_many_values_of_a_state():
+    x, v = start_state(SPRING, np.array([[1.0, 2.0], [3.0, 4.0]]))
+    assert x.tolist() == [1.0, 2.0]
+    assert v.tolist() == [3.0, 4.0]
+
+
+class Quantity:
+    """A number with a unit, that NumPy and float() would drop."""
+
+    unit = "m"
+
+    def __float__(self):
+        return 1.0
+
+
+class Quantities(np.ndarray):
+    unit = "m"
+
+
+@pytest.mark.parametrize("start", [(1.0, Quantity()), np.ones(2).view(Quantities)])
+def test_no_unit_of_a_start_is_dropped(start):
+    with pytest.raises(ModelError, match="unit"):
+        start_state(SPRING, start)
+
+
+# -- the model
+
+
+@pytest.mark.parametrize("model", [None, "spring", lambda t, y: y])
+def test_only_models_are_prepared(model):
+    with pytest.raises(ModelError, match="integrate takes a Model, got"):
+        prepared_model(model)
+
+
+def test_numbers_are_arguments_but_for_what_is_left_out_and_for_laws():
+    law = lambda s, p, t: 2.0 * p.k
+    system = PreparedModel(SPRING.changed(c=ZERO))
+    assert (system.free, system.p, system.many) == (("k",), (4.0,), False)
+    assert system.rates(0.0, (1.0, 3.0)) == (3.0, -4.0)
+    system = PreparedModel(SPRING.changed(c=law))
+    assert (system.free, system.p) == (("k",), (4.0,))
+    assert system.rates(0.0, (1.0, 3.0)) == (3.0, -12.0)
+    system = PreparedModel(SPRING.changed(c=1))
+    assert (system.free, system.p) == (("k", "c"), (4.0, 1.0))
+    assert system.rates(0.0, (1.0, 3.0)) == (3.0, -5.0)
+    assert PreparedModel(SPRING.changed(k=np.ones(3))).many
+
+
+@pytest.mark.parametrize(
+    ("k", "words"),
+    [
+        (math.nan, "the parameter k of 'spring' is nan; a motion needs finite numbers"),
+        (math.inf, "the parameter k of 'spring' is inf; a motion needs finite numbers"),
+        (10**400, "the parameter k of 'spring' has no number"),
+    ],
+)
+def test_a_parameter_without_a_finite_number_is_refused(k, words):
+    with pytest.raises(ModelError, match=words):
+        PreparedModel(SPRING.changed(k=k))
+
+
+SHIFT = 1.0
+
+
+def test_what_only_an_invariant_reads_is_looked_at_too(monkeypatch):
+    shifted = {"shifted": lambda s, p, t: s.x + SHIFT}
+    model = Model("still", {}, ("x",), lambda s, p, t: (0 * s.x,), shifted)
+    before = prepared_model(model)
+    assert prepared_model(model) is before
+    monkeypatch.setitem(globals(), "SHIFT", 2.0)
+    after = prepared_model(model)
+    values = [one.function(shifted["shifted"])(0.0, 5.0) for one in (before, after)]
+    assert values == [6.0, 7.0]
+
+
+@pytest.mark.parametrize(("rate", "found"), [(lambda t: t, False), (lambda t: 1.0, True)])
+def test_rates_in_which_the_time_does_not_occur_are_autonomous(rate, found):
+    model = Model("any", {}, ("x",), lambda s, p, t: (s.x * rate(t),))
+    assert prepared_model(model).autonomous is found
+
+
+def test_parameters_that_give_no_numbers_have_constants_that_are_none():
+    model = Model("any", {"a": 1.0, "b": 1.0}, ("x",), lambda s, p, t: (s.x / (p.a - p.b),))
+    constants = prepared_model(model).constants
+    assert constants
+    assert all(map(math.isnan, constants))
+
+
+# -- the closed form on floats
+
+
+def closed(formula):
+    return prepared_model(Model("any", {}, ("x",), lambda s, p, t: (1.0 + 0 * s.x,), exact=formula))
+
+
+def test_a_closed_form_is_its_values_on_floats():
+    system = closed(lambda s, p, t: (s.x + t,))
+    assert system.solution(2.0, (3.0,)) == system.exact_on_floats(2.0, 3.0) == (5.0,)
+    assert system.solutions(np.array([1.0, 2.0]), (3.0,)).tolist() == [[4.0, 5.0]]
+
+
+def test_a_closed_form_that_branches_is_called_as_it_is():
+    system = closed(lambda s, p, t: (s.x + t if t > 1 else s.x,))
+    assert system.exact_on_floats is None
+    assert [system.solution(t, (3.0,)) for t in (0.5, 2.0)] == [(3.0,), (5.0,)]
+
+
+@pytest.mark.parametrize(
+    ("formula", "why"),
+    [
+        (lambda s, p, t: (1 / (s.x - t),), ": "),
+        (lambda s, p, t: (s.x * 1e300 * 1e300,), ""),
+    ],
+)
+def test_a_closed_form_without_a_value_is_told_with_its_place(formula, why):
+    words = rf"^the exact solution of 'any' has no value at t = 3 after \(3.0,\){why}"
+    with pytest.raises(ModelError, match=words + ("" if why else "$")):
+        closed(formula).solution(3.0, (3.0,))
+
+
+def test_a_function_of_a_model_is_one_of_the_time_and_the_states():
+    system = prepared_model(SPRING)
+    traced = lambda s, p, t: p.k * s.x + t
+    branching = lambda s, p, t: cos(s.x) if s.x > 0 else sqrt(p.k) + t
+    assert system.function(traced)(1.0, 2.0, 3.0) == 9.0
+    assert system.function(branching)(1.0, -2.0, 3.0) == 3.0
+    assert system.untraced(branching)(1.0, 0.0, 3.0) == 3.0

@@ -1,0 +1,138 @@
+"""SciPy's methods as steppers: what they are asked for, where their steps end, what they cost."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from newton_euler import Model, integrate, sqrt
+from newton_euler.motion import second_order
+from newton_euler.motion.methods.base import MAX_STALLED_STEPS, StepError
+from newton_euler.motion.methods.scipy import scipy_method
+from newton_euler.motion.prepared import prepared_model
+from newton_euler.motion.solution import MotionError
+
+SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
+NAMES = "DOP853", "RK45", "LSODA", "Radau"
+FLOORS = 1e-3, 1e-3
+
+
+def run(name="RK45", t1=5.0, t0=0.0, step=None, start=(1.0, 0.0), model=SPRING, **more):
+    """One that has not begun; ``counted`` says how often its right-hand side was called."""
+    system, counted = prepared_model(model), []
+
+    def counting(*given):
+        counted.append(given)
+        return system.folded_rates(*given)
+
+    def rates(t, x):
+        return counting(t, *x, *system.constants)
+
+    trajectory = SimpleNamespace(
+        goal=t1,
+        tolerance=more.get("tolerance", 1e-8),
+        max_steps=5e6,
+        step=step,
+        longest_part=more.get("longest_part", 0.4),
+        limits=lambda system, t, x: (
+            FLOORS[: len(start)],
+            more.get("noise", (0.0,) * len(start)),
+            more.get("stops", ()),
+        ),
+    )
+    watched = SimpleNamespace(folded_rates=counting, constants=system.constants, rates=rates)
+    one = scipy_method(name)(watched, t0, start, trajectory)
+    one.counted = counted
+    return one
+
+
+def test_a_step_keeps_the_tolerance_of_each_state_over_its_scale_and_its_round_off():
+    one = run(start=(3.0, 0.0), noise=(1e-5, 0.0))
+    assert one.solver.rtol == 1e-8
+    assert list(one.solver.atol) == pytest.approx([3e-8 + 1e-5, 1e-11])
+    assert run(tolerance=1e-15).solver.rtol == 2.3e-14  # SciPy takes no less
+
+
+def test_no_step_is_longer_than_its_part_of_the_time():
+    still = second_order("still", {}, ("x",), lambda s, p, t: (0.0 * s.x,))
+    one = run(t0=1.0, t1=5.0, longest_part=0.3, model=still)
+    one.step()
+    assert max(np.diff(one.step_times)) == pytest.approx(1.2)
+
+
+def test_a_fixed_step_is_kept_to_the_goal():
+    one = run(t1=1.0, step=0.3)
+    one.step()
+    assert one.step_times == pytest.approx([0.0, 0.3, 0.6, 0.9, 1.0])
+    assert run(t0=1.0, t1=1.2, step=0.3).solver.h_abs == pytest.approx(0.2)
+    coarse = run(t1=8.0, step=2.0, start=(0.0, 1.0))
+    coarse.step()
+    assert coarse.step_times == pytest.approx([0.0, 2.0, 4.0, 6.0, 8.0])
+
+
+@pytest.mark.parametrize("name", ["DOP853", "RK45", "LSODA"])
+@pytest.mark.parametrize("stops", [(), (1.0, 2.5)])
+def test_steps_end_at_stops_and_every_call_is_counted(name, stops):
+    """Radau's differences for its matrix are not, by SciPy itself."""
+    one = run(name, stops=stops)
+    one.step()
+    assert {*stops, 5.0} < set(one.step_times)
+    assert one.step_times == sorted(set(one.step_times))
+    assert one.calls == len(one.counted)
+    assert one.x == pytest.approx((np.cos(10), -2 * np.sin(10)), abs=1e-6)
+
+
+def test_no_more_steps_are_taken_than_are_asked_for():
+    one = run()
+    for limit, done in ((3, 3), (2, 5)):
+        one.step(limit)
+        assert len(one.steps) == done
+        assert len(one.step_times) == done + 1
+        assert one.t == one.step_times[-1]
+
+
+def test_each_step_has_its_interpolation_and_the_state_before_it():
+    one = run()
+    one.step()
+    for n in (0, 3):
+        begin, end = one.interpolate(n, np.array(one.step_times[n : n + 2])).T
+        assert begin.tolist() == pytest.approx(one.steps[n][1:], abs=1e-14)
+        assert end.tolist() == pytest.approx(one.steps[n + 1][1:], abs=1e-14)
+    assert one.scales == tuple(np.abs([x for _, *x in one.steps] + [one.x]).max(axis=0).tolist())
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("step", [None, 0.1])
+@pytest.mark.parametrize(
+    "rate",
+    [lambda s, p, t: sqrt(s.x), lambda s, p, t: 1 / (s.x + 1), lambda s, p, t: 1e300 * s.x * 1e300],
+    ids=["root", "quotient", "infinite"],
+)
+def test_where_the_rates_have_no_value_no_run_begins(name, step, rate):
+    """SciPy's Runge-Kutta methods would look for their first step without end."""
+    model = Model("any", {}, ("x",), lambda s, p, t: (rate(s, p, t),))
+    with pytest.raises((ArithmeticError, ValueError)):
+        run(name, start=(-1.0,), model=model, step=step)
+
+
+@pytest.mark.parametrize("method", ["scipy RK45", "scipy DOP853", "scipy LSODA", "scipy Radau"])
+def test_a_motion_that_cannot_begin_is_refused_in_words(method):
+    model = Model("root", {}, ("x",), lambda s, p, t: (sqrt(s.x),))
+    with pytest.raises(MotionError, match="root could not be followed beyond t = 0, at x = -1"):
+        integrate(model, 1.0, (-1.0,), 1e-6, method)
+
+
+def test_after_many_steps_it_is_looked_at_whether_they_get_on():
+    one = run(t1=2010.0, step=1.0)
+    one.step()
+    assert one.checked == MAX_STALLED_STEPS
+
+
+@pytest.mark.parametrize("name", ["RK45", "DOP853"])
+def test_a_step_into_where_the_rates_have_no_value_is_refused(name):
+    """x = sqrt(1 - 2 t) ends at t = 0.5."""
+    model = Model("falls", {}, ("x",), lambda s, p, t: (-1 / sqrt(s.x) / sqrt(s.x),))
+    one = run(name, 1.0, start=(1.0,), model=model)
+    with pytest.raises(StepError, match="step size"):
+        one.step()
+    assert one.t == pytest.approx(0.5, abs=1e-6)

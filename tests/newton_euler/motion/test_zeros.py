@@ -1,0 +1,412 @@
+"""The zeros of a function of time, and the polynomials by which they are found."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.polynomial import chebyshev as numpys
+
+from newton_euler.motion.control import zeros
+from newton_euler.motion.control.zeros import (
+    CHECKS,
+    DEGREE,
+    EPS,
+    Bracket,
+    Piece,
+    UnresolvedError,
+    ZeroSearch,
+    _clenshaw,
+    _companions,
+    _guess,
+    chebyshev,
+    derivative,
+    extrema,
+    root,
+    sampling,
+)
+
+CHANCE = np.random.default_rng(3)
+POLYNOMIALS = CHANCE.normal(size=(5, DEGREE + 1))
+PLACES = CHANCE.uniform(-1.0, 1.0, 5)
+
+
+class Function:
+    """A function of arrays of times, with its round-off, that counts the instants asked for."""
+
+    def __init__(self, f, round_off=EPS):
+        self.f, self.round_off, self.count = f, round_off, 0
+        self.low, self.high = -math.inf, math.inf
+
+    def values(self, times):
+        self.count += times.size
+        self.check(times)
+        with np.errstate(all="ignore"):
+            return self.f(times)
+
+    def check(self, times):
+        """No instant lies outside the interval."""
+        assert self.low <= times.min()
+        assert times.max() <= self.high
+
+    def noise(self, times):
+        self.check(times)
+        return np.full(len(times), self.round_off)
+
+
+def search(f, a, b, sign=None, round_off=EPS, **options):
+    """The zeros in order, and the function that was asked."""
+    asked = f if isinstance(f, Function) else Function(f, round_off)
+    asked.low, asked.high = a, b
+    sign = int(np.sign(asked.f(np.array([a]))[0])) if sign is None else sign
+    found, ends = [], []
+    for some, end in ZeroSearch(asked.values, asked.noise, a, b, sign, **options):
+        found += some
+        ends.append(end)
+        # all up to there are known
+        assert all(zero.t <= end for zero in found)
+    assert ends == sorted(ends)
+    assert ends[-1] == b
+    assert found == sorted(found)
+    return found
+
+
+def times(*args, **options):
+    return [zero.t for zero in search(*args, **options)]
+
+
+# -- which zeros
+
+
+@pytest.mark.parametrize("factor", [1e-200, -1.0, 1e200])
+def test_the_zeros_of_a_smooth_function_are_known_to_round_off_with_their_slopes(factor):
+    asked = Function(lambda t: factor * np.cos(t), EPS * abs(factor))
+    found = search(asked, 0.0, 20.0)
+    exact = math.pi * (np.arange(6) + 0.5)
+    assert [zero.t for zero in found] == pytest.approx(exact, rel=4 * EPS, abs=0.0)
+    slopes = -factor * np.sin(exact)
+    assert [zero.slope for zero in found] == pytest.approx(slopes, rel=1e-5, abs=0.0)
+    # 16 instants a piece, of which 8 and those that were halved are enough
+    assert asked.count < 16 * 15 + 6 * 5 + 12
+
+
+@pytest.mark.parametrize("shift", [-1e-9, 1e-9])
+def test_between_two_zeros_that_lie_close_together_none_is_missed(shift):
+    found = times(lambda t: (t - 5.0) ** 2 + shift, 0.0, 9.0)
+    exact = [5.0 - math.sqrt(-shift), 5.0 + math.sqrt(-shift)] if shift < 0 else []
+    assert found == pytest.approx(exact, abs=1e-11)
+
+
+@pytest.mark.parametrize("shift", [-1e-9, 1e-9])
+def test_also_where_the_polynomial_is_not_as_accurate_as_that(shift):
+    found = times(lambda t: np.expm1(t - 5.0) - (t - 5.0) + shift, 0.0, 9.0, round_off=1e-16)
+    root_of_it = math.sqrt(2e-9)
+    exact = [5.0 - root_of_it, 5.0 + root_of_it] if shift < 0 else []
+    assert found == pytest.approx(exact, abs=1e-8)
+
+
+@pytest.mark.parametrize("factor", [1.0, -1e-200, 1e200])
+def test_a_function_that_only_touches_zero_has_none(factor):
+    for c in np.linspace(1.0, 8.0, 40):
+        # of the second form round-off is negative for some
+        assert times(lambda t, c=c: factor * (t - c) ** 2, 0.0, 9.0, round_off=0.0) == []
+        f = lambda t, c=c: factor * (t * t - 2 * c * t + c * c)
+        assert times(f, 0.0, 9.0, round_off=1e-13 * abs(factor)) == []
+    assert times(lambda t: np.abs(t - 5.0), 0.0, 9.0, round_off=1e-15) == []
+
+
+@pytest.mark.parametrize(("direction", "numbers"), [(0, [0, 1, 2]), (1, [1]), (-1, [0, 2])])
+def test_only_zeros_of_the_direction_count(direction, numbers):
+    exact = [math.pi * (n + 0.5) for n in numbers]
+    assert times(np.cos, 0.0, 9.0, direction=direction) == pytest.approx(exact)
+
+
+def test_the_sign_before_the_interval_tells_whether_it_changes_at_its_beginning():
+    line = lambda t: t + 1.0
+    assert times(line, 0.0, 1.0, sign=1) == []
+    assert times(line, 0.0, 1.0, sign=0) == []
+    assert times(line, 0.0, 1.0, sign=-1) == pytest.approx([0.0], abs=EPS)
+
+
+def test_the_sign_goes_on_to_the_end():
+    asked = Function(np.cos)
+    one = ZeroSearch(asked.values, asked.noise, 0.0, 3.0, 1)
+    assert len([zero for some, _ in one for zero in some]) == 1
+    assert one.sign == -1
+
+
+@pytest.mark.parametrize("value", [0.0, 1e-17, -1e-17])
+@pytest.mark.parametrize("is_zero", [True, False])
+def test_a_zero_at_the_start_does_not_count_whatever_round_off_makes_of_it(value, is_zero):
+    for f in (np.sin, lambda t: -np.sin(t)):
+        found = times(f, 0.0, 4.0, sign=int(np.sign(value)), start=(value, is_zero))
+        assert found == pytest.approx([math.pi])
+
+
+def test_a_value_at_the_start_that_is_not_round_off_has_its_sign():
+    """Just before the zero: it falls at once."""
+    f = lambda t: t - 1e-12
+    assert times(f, 0.0, 4.0, start=(-1e-12, False)) == pytest.approx([1e-12])
+    f = lambda t: (t - 1.0) - 1e-12
+    assert times(f, 1.0, 4.0, start=(-1e-12, False), round_off=0.0) == pytest.approx([1.0 + 1e-12])
+    # of an event that has just happened the rest is no other one
+    f = lambda t: t - 1e-12
+    assert times(f, 0.0, 4.0, start=(-1e-12, True)) == []
+    assert times(lambda t: t - 1e-6, 0.0, 4.0, start=(-1e-6, True)) == pytest.approx([1e-6])
+
+
+@pytest.mark.parametrize("factor", [1e-6, 1.0, 1e6])
+def test_at_the_start_the_time_is_round_off_too(factor):
+    """sin(pi) is not zero in floats, but pi is not pi either."""
+    start = factor * math.sin(math.pi), False
+    assert times(lambda t: factor * np.sin(t), math.pi, 5.0, start=start, round_off=0.0) == []
+
+
+@pytest.mark.parametrize("factor", [1.0, -1.0])
+def test_a_zero_at_the_end_counts_where_the_motion_ends(factor):
+    f = lambda t: factor * np.sin(t)
+    assert times(f, 1.0, math.pi, closed=True) == [math.pi]
+    assert times(f, 1.0, math.pi, closed=False) == []
+    assert times(f, 1.0, 3.14, closed=True) == []
+    assert times(lambda t: factor * (t - 2.0) ** 2, 1.0, 2.0, closed=True) == []
+
+
+@pytest.mark.parametrize("part", [1e-6, 3e-5, 6e-5, 1.0])
+def test_a_zero_at_the_end_is_found_there_however_slowly_the_function_goes_through_it(part):
+    """It was told at the start."""
+    exact = [] if part == 1e-6 else [3.0]  # is it a touch? nothing can tell
+    f = lambda t: (t - 3.0) * (part * 9.0 + (t - 3.0) ** 2)
+    assert times(f, 0.0, 3.0, closed=True) == exact
+
+
+@pytest.mark.parametrize("place", [0.5, 3.7, math.e])
+@pytest.mark.parametrize("factor", [1e-100, -1.0, 1e100])
+def test_at_a_jump_the_sign_changes_within_a_float(place, factor):
+    f = lambda t: factor * np.where(t > place, 1.0, -7.0)
+    (zero,) = search(f, 0.0, 5.0, round_off=EPS * abs(factor))
+    assert zero.t == pytest.approx(place, rel=2 * EPS, abs=0.0)
+    assert zero.slope == 0.0
+
+
+def test_a_zero_beside_a_kink_is_found_on_each_side():
+    found = times(lambda t: np.abs(t - 2.0) - 1e-5, 0.0, 5.0, round_off=1e-15)
+    assert found == pytest.approx([2.0 - 1e-5, 2.0 + 1e-5], abs=1e-13)
+
+
+def test_a_pole_is_no_zero_but_those_between_poles_are():
+    found = times(np.tan, 0.1, 9.0)
+    assert found == pytest.approx([math.pi, 2 * math.pi])
+    assert times(lambda t: 1 / (t - 3.0), 0.0, 5.0) == []
+
+
+@pytest.mark.parametrize("frequency", [60.0, 1000.0])
+def test_a_fast_oscillation_is_not_taken_for_a_slow_one(frequency):
+    found = times(lambda t: np.cos(frequency * t), 0.0, 3.0)
+    exact = math.pi * (np.arange(round(frequency * 3.0 / math.pi)) + 0.5) / frequency
+    assert found == pytest.approx(exact)
+
+
+def test_a_rough_function_that_stays_away_from_zero_is_looked_at_once():
+    asked = Function(lambda t: 5.0 + np.abs(np.sin(37.0 * t)))
+    assert times(asked, 0.0, 5.0) == []
+    assert asked.count == DEGREE + 1 + len(CHECKS)
+
+
+@pytest.mark.parametrize("late", [2.0**32, -(2.0**32)])
+def test_late_in_the_day_a_smooth_function_is_as_smooth_though_its_times_are_rounded(late):
+    asked = Function(lambda t: np.cos(t - late), 1e-6)
+    found = times(asked, late, late + 20.0)
+    assert found == pytest.approx(late + math.pi * (np.arange(6) + 0.5), rel=EPS, abs=0.0)
+    assert asked.count < 300
+
+
+def test_round_off_has_no_zeros():
+    """Values that jump between plus and minus 1e-17, beside 1."""
+    wild = lambda t: 1e-17 * np.where(np.sin(1e9 * t) > 0, 1.0, -1.0)
+    assert times(wild, 0.0, 5.0, sign=0, round_off=1e-16) == []
+
+
+# -- where it cannot go on
+
+
+def test_where_there_are_no_values_the_search_ends_there():
+    found, message = [], ""
+    asked = Function(lambda t: np.where(t < 3.0, np.cos(t), np.nan))
+    try:
+        for some, _ in ZeroSearch(asked.values, asked.noise, 0.0, 8.0, 1):
+            found += [zero.t for zero in some]
+    except UnresolvedError as error:
+        message = str(error)
+    assert found == pytest.approx([math.pi / 2])
+    assert message.startswith("has no value from t = 3")
+    assert "; give one that is defined along the whole motion" in message
+
+
+def test_a_function_with_too_many_zeros_is_refused(monkeypatch):
+    monkeypatch.setattr(zeros, "MAX_PIECES", 500)
+    assert len(times(lambda t: np.sin(30.0 * t + 1), 0.0, 5.0)) == 48
+    with pytest.raises(UnresolvedError, match=r"from 0 to 5, and is resolved only up to t = 0"):
+        times(lambda t: np.sin(1e6 * t + 1), 0.0, 5.0)
+
+
+# -- the polynomials
+
+
+def test_a_polynomial_is_known_by_its_samples():
+    """At the points and at the checks, in 0 to 1: its coefficients and what it is at the checks."""
+    points, transform = sampling()
+    x = 2 * points - 1
+    assert x[:2] == pytest.approx([-1.0, math.cos(math.pi * (1 - 1 / DEGREE))])
+    assert x[DEGREE:] == pytest.approx([1.0, *CHECKS])
+    for c in POLYNOMIALS:
+        values = numpys.chebval(x, c)
+        assert values[: DEGREE + 1] @ transform == pytest.approx([*c, *values[DEGREE + 1 :]])
+
+
+def test_values_and_slopes_of_polynomials_are_those_of_numpy():
+    exact = [numpys.chebval(x, c) for x, c in zip(PLACES, POLYNOMIALS, strict=True)]
+    assert chebyshev(POLYNOMIALS, PLACES) == pytest.approx(exact)
+    assert [_clenshaw(c, x) for x, c in zip(PLACES, POLYNOMIALS, strict=True)] == pytest.approx(
+        exact
+    )
+    slopes = [
+        numpys.chebval(x, numpys.chebder(c)) for x, c in zip(PLACES, POLYNOMIALS, strict=True)
+    ]
+    assert derivative(POLYNOMIALS, PLACES) == pytest.approx(slopes)
+    # what follows the coefficients are the checks
+    longer = np.hstack([POLYNOMIALS, np.ones((5, 3))])
+    assert derivative(longer, PLACES) == pytest.approx(slopes)
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3, 8])
+def test_eigenvalues_of_companions_are_the_zeros(degree):
+    c = POLYNOMIALS[:, : degree + 1]
+    for matrix, one in zip(_companions(c), c, strict=True):
+        found = np.sort_complex(np.linalg.eigvals(matrix))
+        assert found == pytest.approx(np.sort_complex(numpys.chebroots(one)))
+
+
+def all_extrema(*polynomials):
+    c = np.zeros((len(polynomials), DEGREE + 1))
+    for row, p in zip(c, polynomials, strict=True):
+        row[: len(p)] = p
+    rows, x = extrema(c)
+    return [x[rows == n].tolist() for n in range(len(c))]
+
+
+def test_the_extrema_of_many_polynomials_are_found_in_order():
+    line, fifth, parabola = [3.0, -2.0], [0, 0, 0, 0, 0, 1.0], [0.5, 0.8, 1.0]
+    exact = [[], [math.cos(k * math.pi / 5) for k in (4, 3, 2, 1)], [-0.2]]
+    found = all_extrema(line, fifth, parabola)
+    assert found == [pytest.approx(x) for x in exact]
+    assert all_extrema(parabola, line) == [pytest.approx([-0.2]), []]
+
+
+def test_polynomials_without_extrema_have_none():
+    assert all_extrema([1.0]) == [[]]
+    assert all_extrema([0.0], [0.0, 5.0]) == [[], []]
+
+
+@pytest.mark.parametrize("factor", [1e-150, 1.0, 1e150])
+def test_a_leading_coefficient_that_is_round_off_does_no_harm(factor):
+    small = [factor * c for c in (0.5, 0.8, 1.0, *[1e-17] * 10)]
+    assert all_extrema(small) == [pytest.approx([-0.2])]
+    # also beside a polynomial of high degree
+    high = [0.0] * DEGREE + [1.0]
+    found = all_extrema(small, high)
+    assert found[0] == pytest.approx([-0.2], abs=1e-8)
+    assert len(found[1]) == DEGREE - 1
+
+
+def test_extrema_of_random_polynomials_are_where_their_slope_is_zero():
+    for found, c in zip(all_extrema(*POLYNOMIALS), POLYNOMIALS, strict=True):
+        exact = numpys.chebroots(numpys.chebder(c))
+        exact = sorted(z.real for z in exact if abs(z.imag) < 1e-9 and abs(z.real) < 1)
+        assert [x for x in found if any(abs(x - y) < 1e-6 for y in exact)] == pytest.approx(exact)
+
+
+# -- pieces
+
+
+def piece(left, right, c):
+    one = Piece(left, right)
+    one.fit = np.zeros(DEGREE + 4)
+    one.fit[DEGREE + 1 :] = 9.0  # the checks
+    one.fit[: len(c)] = c
+    one.state = "smooth"
+    return one
+
+
+def test_a_piece_is_halved_in_the_middle():
+    right, left = Piece(2.0, 6.0).halves()
+    assert (left.left, left.right, right.left, right.right) == (2.0, 4.0, 4.0, 6.0)
+    assert left.state == right.state == "new"
+
+
+def test_places_and_slopes_of_a_piece_are_in_time():
+    one = piece(2.0, 6.0, POLYNOMIALS[0])
+    assert [one.time(x) for x in (-1, -0.5, 1)] == [2.0, 3.0, 6.0]
+    slopes = numpys.chebval([-1, 1], numpys.chebder(POLYNOMIALS[0])) / 2.0
+    assert [one.slope(-1), one.slope(1)] == pytest.approx(slopes)
+
+
+def test_the_sign_of_round_off_and_of_nan_is_zero():
+    one = Piece(0.0, 1.0)
+    one.floor = 0.5
+    assert [one.sign(v) for v in (0.6, 0.5, 0.0, -0.5, -0.6, math.nan)] == [1, 0, 0, 0, -1, 0]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_guess_is_the_zero_of_the_polynomial_or_the_end_that_is_nearer(sign):
+    one = piece(0.0, 1.0, [-0.3 * sign, 1.0 * sign])  # zero at 0.3
+    assert _guess(Bracket(one, -0.5, 0.8, sign)) == pytest.approx(0.3)
+    assert _guess(Bracket(one, 0.5, 0.8, sign)) == 0.5
+    assert _guess(Bracket(one, -0.5, 0.1, sign)) == 0.1
+    one.state = "rough"
+    assert _guess(Bracket(one, -0.5, 0.8, sign)) == -0.5
+
+
+# -- one zero
+
+
+class Counted:
+    """A function that counts its calls."""
+
+    def __init__(self, f):
+        self.f, self.count = f, 0
+
+    def __call__(self, x):
+        self.count += 1
+        return self.f(x)
+
+
+@pytest.mark.parametrize(
+    ("f", "exact", "calls"),
+    [
+        (lambda x: x - 0.3, 0.3, 6),
+        (lambda x: math.cos(x) - x, 0.7390851332151607, 14),
+        (lambda x: x**9 - 1e-3, 1e-3 ** (1 / 9), 45),
+        (lambda x: math.exp(30 * x) - math.exp(3), 0.1, 45),
+        (lambda x: 1.0 if x > 0.7 else -1e-9, 0.7, 140),
+    ],
+    ids=["line", "cosine", "flat", "steep", "jump"],
+)
+@pytest.mark.parametrize("swapped", [False, True])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_root_is_found_to_round_off_in_few_steps(f, exact, calls, swapped, sign):
+    g = Counted(lambda x: sign * f(x))
+    found = root(g, 2.0, -1.0) if swapped else root(g, -1.0, 2.0)
+    assert found == pytest.approx(exact, rel=4 * EPS, abs=0.0)
+    assert g.count <= calls
+
+
+def test_a_root_at_an_end_is_that_end():
+    for end in (1.0, 2.0):
+        g = Counted(lambda x, end=end: x - end)
+        assert root(g, 1.0, 2.0) == end
+        assert g.count == 2
+
+
+def test_a_root_may_be_as_inaccurate_as_is_asked():
+    g = Counted(lambda x: math.cos(x) - x)
+    assert root(g, 0.0, 2.0, 1e-2) == pytest.approx(0.739, abs=1e-2)
+    assert g.count <= 8
