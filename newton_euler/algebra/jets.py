@@ -74,17 +74,17 @@ class Moving(_Own):
         )
 
     @staticmethod
-    def of(x: Scalar) -> "Moving":
+    def _of(x: Scalar) -> "Moving":
         """The moving number that ``x`` is, or one that rests."""
         return as_moving(x)
 
-    def parts(self) -> tuple:
+    def _parts(self) -> tuple:
         """Value, rate and acceleration."""
         return self.value, self.rate, self.acceleration
 
     @staticmethod
-    def of_parts(parts: tuple) -> "Moving":
-        """The moving number of these :meth:`parts`."""
+    def _of_parts(parts: tuple) -> "Moving":
+        """The moving number of these parts."""
         return Moving(*parts)
 
     def __add__(self, other):

@@ -93,17 +93,17 @@ class LinearForm(_Own):
         end = "," * (len(self.coefficients) == 1)
         return f"LinearForm({shown(self.value)}, ({coefficients}{end}))"
 
-    def of(self, x: Scalar) -> "LinearForm":
+    def _of(self, x: Scalar) -> "LinearForm":
         """The linear form that ``x`` is, or the constant one in the same unknowns."""
         return x if isinstance(x, LinearForm) else LinearForm(x, [ZERO] * len(self.coefficients))
 
-    def parts(self) -> tuple:
+    def _parts(self) -> tuple:
         """The value, and the coefficients in order."""
         return self.value, *self.coefficients
 
     @staticmethod
-    def of_parts(parts: tuple) -> "LinearForm":
-        """The linear form of these :meth:`parts`."""
+    def _of_parts(parts: tuple) -> "LinearForm":
+        """The linear form of these parts."""
         return LinearForm(parts[0], parts[1:])
 
     @staticmethod

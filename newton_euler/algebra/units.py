@@ -126,18 +126,18 @@ class Dimension(_Own):
         power = power.limit_denominator(1000)
         return Dimension(*(a * power for a in self.powers))
 
-    def integrals(self, f, start, end):
+    def _integrals(self, f, start, end):
         """The dimensions of the integrals of a tuple of scalars, see
         :func:`newton_euler.algebra.calculus.integral`.
         """
         width = end - start  # of one dimension, or this raises
         return tuple(y * width for y in f(start + width))
 
-    def over_cube(self, f, n):
+    def _over_cube(self, f, n):
         """The dimensions of integrals over the unit cube: those of the integrands."""
         return tuple(f(*(0.5,) * n))
 
-    def root(self, f, low, high):
+    def _root(self, f, low, high):
         """The dimension of the root between ``low`` and ``high``, once f has run on it."""
         either = high - low
         f(low + either)
@@ -246,6 +246,12 @@ SI = System(1, 1)
 US = System(12 * _INCH, _POUND / (12 * _INCH))
 
 
+def _size(system, dimension):
+    if not isinstance(system, System):
+        raise UnitError(f"the system of units is SI, US or another System, got {clipped(system)}")
+    return system.factor(dimension)
+
+
 class Unit:
     """A unit, with its exact factor (a fraction times a power of pi) and its dimension.
 
@@ -273,13 +279,13 @@ class Unit:
         """The quantity of ``x`` such units, in kg, m, s and rad, or in the units of another
         coherent system; ``x`` a scalar of any kind or a Vector.
         """
-        return self._scaled(x, self.factor / system.factor(self.dimension), self.pi_power)
+        return self._scaled(x, self.factor / _size(system, self.dimension), self.pi_power)
 
     def from_base(self, x: Scalar, system: System = SI) -> Scalar:
         """The number of such units in the quantity ``x``, which is in kg, m, s and rad, or in the
         units of another coherent system; ``x`` a scalar of any kind or a Vector.
         """
-        return self._scaled(x, system.factor(self.dimension) / self.factor, -self.pi_power)
+        return self._scaled(x, _size(system, self.dimension) / self.factor, -self.pi_power)
 
     @staticmethod
     def _scaled(x, factor, pi_power):

@@ -23,7 +23,7 @@ def over_cube(f, n):
     present = [x for x in sample if x is not ZERO]
     own = [x for x in present if isinstance(x, _Own)]
     if own:
-        return max(own, key=lambda x: x.rank).over_cube(f, n)
+        return max(own, key=lambda x: x.rank)._over_cube(f, n)
     if not all(map(is_numeric, present)):
         raise SingularError(f"an integral over a cube takes numbers, got {sample!r}")
     small = min(map(epsilon, present), default=epsilon())

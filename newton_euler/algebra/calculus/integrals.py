@@ -105,9 +105,9 @@ def integrals(f, start, end):
     own = [x for x in present if isinstance(x, _Own)]
     if own:
         kind = max(own, key=lambda x: x.rank)
-        if hasattr(kind, "parts"):
+        if hasattr(kind, "_parts"):
             return _by_parts(kind, f, start, end)
-        return kind.integrals(f, start, end)
+        return kind._integrals(f, start, end)
     if all(map(is_numeric, present)):
         return _tanh_sinh(f, start, end, sample)
     return by_formula(f, start, end)
@@ -118,16 +118,16 @@ def _by_parts(kind, f, start, end):
     over limits that are fixed.
     """
     g = f
-    if hasattr(start, "parts") or hasattr(end, "parts"):
+    if hasattr(start, "_parts") or hasattr(end, "_parts"):
         low, width = start, end - start
 
         def g(s):
             return tuple(width * y for y in f(low + width * s))
 
         start, end = ZERO, integer_like(1, without_rates(width))
-    found = integrals(lambda x: tuple(p for y in g(x) for p in kind.of(y).parts()), start, end)
-    count = len(kind.parts())
-    return tuple(kind.of_parts(found[n : n + count]) for n in range(0, len(found), count))
+    found = integrals(lambda x: tuple(p for y in g(x) for p in kind._of(y)._parts()), start, end)
+    count = len(kind._parts())
+    return tuple(kind._of_parts(found[n : n + count]) for n in range(0, len(found), count))
 
 
 def _tanh_sinh(f, start, end, sample):

@@ -42,7 +42,7 @@ def _piece(f, start, end, rtol, exact):
     if isinstance(start, complex) or isinstance(end, complex):
         raise WorkError(f"the limits are real numbers, got {start!r} and {end!r}")
     kinds = start, end, _value(f, start + (end - start) / 32)
-    if not all(map(is_numeric, kinds)) or any(hasattr(x, "parts") for x in kinds):
+    if not all(map(is_numeric, kinds)) or any(hasattr(x, "_parts") for x in kinds):
         return integral(f, start, end), 0.0
     width = end - start
     samples = [_finite(f, start + width * (n + 0.5) / 16) for n in range(16)]

@@ -47,9 +47,9 @@ def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
         kind = max(own, key=lambda x: x.rank)
         if isinstance(kind, Moving):
             return _moving_root(f, as_moving(low).value, as_moving(high).value)
-        if not hasattr(kind, "root"):
+        if not hasattr(kind, "_root"):
             raise ScalarError(f"an equation in {clipped(kind)} has no root that can be found")
-        return kind.root(f, low, high)
+        return kind._root(f, low, high)
     if not all(map(is_numeric, present)):
         raise ScalarError(
             f"the root of an equation with symbols, as {clipped(sample)} = 0, has no formula in "

@@ -116,15 +116,15 @@ class Step(_Own):
 
     # What is integrated, or whose root is taken, is traced as a formula inside this one.
 
-    def integrals(self, f, start, end):
+    def _integrals(self, f, start, end):
         """The steps of :func:`newton_euler.algebra.calculus.integral` of a tuple of scalars."""
         return _inner("integral", f, (start, end), f((start + end) / 2))
 
-    def over_cube(self, f, n):
+    def _over_cube(self, f, n):
         """The steps of integrals over the unit cube of ``n`` dimensions."""
         return _inner("over_cube", f, (n,), f(*(0.5,) * n), [f"x{k}" for k in range(n)])
 
-    def root(self, f, low, high):
+    def _root(self, f, low, high):
         """The step of :func:`newton_euler.algebra.calculus.root`."""
         return _inner("root", lambda x: (f(x),), (low, high), (f((low + high) / 2),))[0]
 

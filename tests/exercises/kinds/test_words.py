@@ -12,6 +12,7 @@ from exercises.checks import check
 from exercises.variants import at_points, draw, objection
 from grader.reports.diagnoses import diagnosis_shares
 from grader.scoring import numbers, score_receipt
+from grader.scoring.diagnosis import OR
 from newton_euler import where
 
 SENSE = Answer("sense", "choice", "1", "whether it rises", ("rises", "falls", "rests"))
@@ -176,7 +177,7 @@ def test_a_listed_wrong_count_is_named_with_all_mistakes_that_give_it(made):
         mistakes=slips,
     )
     assert scored(p, dof=3)["dof"].verdict == "right"
-    assert scored(p, dof=2)["dof"].diagnosis == " or ".join(slips.values())
+    assert scored(p, dof=2)["dof"].diagnosis == OR.join(slips.values())
     assert scored(p, dof=7)["dof"].diagnosis is None
     assert scored(p, dof=True)["dof"].diagnosis is None
 

@@ -1,5 +1,6 @@
 """A receipt says when an answer was computed with numbers of another problem, and only then."""
 
+import sys
 import textwrap
 
 import pytest
@@ -23,6 +24,7 @@ def shell(monkeypatch):
     """A shell of IPython in which cells are run, each with an id as in Jupyter."""
     interactive = pytest.importorskip("IPython.core.interactiveshell").InteractiveShell
     monkeypatch.setattr(givens, "_given", {})
+    monkeypatch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # which it replaces
     config = Config({"HistoryManager": {"enabled": False}})
     shell = interactive.instance(config=config)
     shell.user_ns.clear()

@@ -69,6 +69,7 @@ def test_these_cells_work_in_ipython_itself(tmp_path, monkeypatch):
     from IPython.core.interactiveshell import InteractiveShell
 
     monkeypatch.delenv("VIRTUAL_ENV", raising=False)  # it warns where that is another Python's
+    monkeypatch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # which it replaces
     shell, failed = InteractiveShell(ipython_dir=str(tmp_path)), {}
     shell.display_pub.publish = lambda *_, **__: None
     shell.enable_matplotlib = lambda *_: ("inline", "inline")  # which wants a kernel
