@@ -15,6 +15,8 @@ from .catalogue import CatalogueError
 from .catalogue.words import WORDS, word
 from .following import earlier_answers, follow
 from .proofs import DIGITS
+from .steps import faults as step_faults
+from .steps import in_unit, steps
 from .variants import apart, at_points, distance, draw, flat, symbol_points, symbol_values
 
 # relative, solve in floats against prove; in 50 digits they must agree to the square of it
@@ -26,8 +28,8 @@ def check(p, seeds=1):
     """Everything that is wrong with problem ``p``, as sentences; an empty list if it holds.
 
     Checks the book's numbers (seed 0) and ``seeds - 1`` drawn variants: solve against prove in
-    floats and in 50 digits, every mistake away from the key, and once the units of every answer by
-    running ``solve`` on dimensions.
+    floats and in 50 digits, also the steps that prove returns, every mistake away from the key, and
+    once the units of every answer and step by running ``solve`` and ``steps`` on dimensions.
     """
     faults = _fit(p) or _dimensions(p)
     for n in _different(p, seeds):
@@ -98,9 +100,9 @@ def _fit(p):
         if m not in p.mistakes
     ]
     asked = [a.key for a in p.answers]
-    for what, got in (("solve", solved), ("prove", proved)):
-        if list(got) != asked:
-            return [*faults, f"{what} returns {list(got)} but the problem asks for {asked}"]
+    for what, got in (("solve", list(solved)), ("prove", list(proved)[: len(asked)])):
+        if got != asked:
+            return [*faults, f"{what} returns {got} but the problem asks for {asked}"]
     for name, answers in named.items():
         if not answers or not set(answers) <= set(asked):
             faults.append(
@@ -179,17 +181,9 @@ def _agreement(p, seed):
         if a.kind in WORDS:
             faults += _word_faults(a, found[0], word(proved[a.key]))
             continue
-        for numbers, tolerance, how in (
-            (found, AGREEMENT, "floats"),
-            (flat(precise[a.key]), AGREEMENT**2, "50 digits"),
-        ):
-            by_proof = flat(proved[a.key])
-            gap = _gap(numbers, by_proof)
-            if not gap <= tolerance and not _both_zero(numbers, by_proof, a.atol, tolerance):
-                faults.append(
-                    f"{a.key}: solve in {how} and prove differ by {gap:.1e} of its size: "
-                    f"{_shown(numbers)} against {_shown(by_proof)}"
-                )
+        ways = {"solve in floats": found, "solve in 50 digits": flat(precise[a.key])}
+        faults += _differences(a.key, ways, flat(proved[a.key]), a.atol)
+    faults += (step_faults(p, given) if seed == 0 else []) or _steps_against_proof(p, given)
     faults += _hidden(p, given, p.same_in_book if seed == 0 else ())
     return faults or _following(p, given, right)
 
@@ -210,11 +204,56 @@ def _both_ways(p, given):
             continue
         with mp.workdps(DIGITS):
             g = _precise(p, here)
-            proved, precise = p.in_units(p.code.prove(g)), p.in_units(p.code.solve(g))
+            proved = {a.key: x for a, x in zip(p.answers, p.code.prove(g).values(), strict=False)}
+            proved, precise = p.in_units(proved), p.in_units(p.code.solve(g))
         if all(_is_real(flat(x)) for x in (*proved.values(), *precise.values())):
             return here, right, proved, precise
     told = ", ".join(f"{n} = {x:.6g}" for n, x in given.items()) or "no numbers"
     raise CatalogueError(f"solve and prove are both real at no point: tried {told}")
+
+
+def _differences(key, ways, proved, atol):
+    """Sentences on the numbers of ``ways``, {how: numbers}, that are not those of the proof."""
+    faults = []
+    for how, numbers in ways.items():
+        tolerance = AGREEMENT if how.endswith("floats") else AGREEMENT**2
+        gap = _gap(numbers, proved)
+        if not gap <= tolerance and not _both_zero(numbers, proved, atol, tolerance):
+            faults.append(
+                f"{key}: {how} and prove differ by {gap:.1e} of its size: {_shown(numbers)} "
+                f"against {_shown(proved)}"
+            )
+    return faults
+
+
+def proved_steps(p, given):
+    """{key: value in base units} of the steps that ``prove`` finds too, on numbers of 50 digits."""
+    with mp.workdps(DIGITS):
+        found = p.code.prove(_precise(p, given))
+    asked = {a.key for a in p.answers}
+    return {key: x for key, x in found.items() if key not in asked}
+
+
+def _steps_against_proof(p, given):
+    """Sentences on steps that are not those of the proof, at the numbers ``given``."""
+    proved = proved_steps(p, given)
+    if not proved:
+        return []
+    in_floats = {s.key: s for s in steps(p, given)}
+    unknown = [key for key in proved if key not in in_floats]
+    if unknown:
+        return [f"prove returns {unknown[0]}, which is neither asked for nor one of the steps"]
+    faults = []
+    with mp.workdps(DIGITS):
+        precise = {s.key: s for s in steps(p, {n: mpf(repr(x)) for n, x in given.items()}, mpf(1))}
+        for key, x in proved.items():
+            ways = {
+                "the step in floats": flat(in_floats[key].value),
+                "the step in 50 digits": flat(precise[key].value),
+            }
+            by_proof = flat(in_unit(x, in_floats[key].unit, p.system))
+            faults += _differences(key, ways, by_proof, 1e-6)
+    return faults
 
 
 def _is_real(numbers):

@@ -9,16 +9,20 @@ The code of a problem lists them in ``steps(g)``, a generator of :class:`Step` i
                    "angular velocity of CD in the ground", "4.9", "4.22")
         yield from terms(D.acceleration(ground, via=arm), "a_D", "mm/s^2")
 
-A problem without ``steps`` has the terms of its answers that are named sums.
+A problem without ``steps`` has the terms of its answers that are named sums. ``prove`` may return
+steps too, by their keys, found by its own way.
 """
 
 from dataclasses import dataclass, replace
 
 from newton_euler.algebra.scalars import to_plain
-from newton_euler.algebra.units import unit
+from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 
 from .catalogue import CatalogueError
+from .catalogue.words import word
+from .variants import flat
+from .wording import term_text
 
 
 @dataclass(frozen=True)
@@ -26,10 +30,11 @@ class Step:
     """An intermediate quantity.
 
     key : its name, as in a student's notebook: "omega_CD"
-    value : a scalar of any kind, or a Vector
+    value : a scalar of any kind, a Vector, a matrix as rows; a word or count, or a function for it
     unit : in which it is stated
     means : what it is, as "angular velocity of CD in the ground"
     section, equation : of the book, where it is found and by which equation; "" where there is none
+    term : (name, equation of the engine) of a term of the sum that ``means`` names
     """
 
     key: str
@@ -38,6 +43,7 @@ class Step:
     means: str
     section: str = ""
     equation: str = ""
+    term: tuple = ()
 
     @property
     def is_vector(self):
@@ -57,9 +63,10 @@ def terms(vector, key, stated_in, section=""):
             f"{key}_{_identifier(name, equation)}",
             term.expressed_in(vector.frame),
             stated_in,
-            f"{_described(name, equation)} in {key}",
+            key,
             section,
             equation.number,
+            (name, equation),
         )
 
 
@@ -71,23 +78,34 @@ def _identifier(name, equation):
     return plain if name in equation.terms else f"of_{plain}"
 
 
-def _described(name, equation):
-    """A term in words: "the coriolis term 2 omega x v_r"."""
-    if name in equation.terms:
-        return f"the {name} term {equation.terms[name][0]}"
-    turning = equation.kind.startswith("angular") and " x " not in name
-    return f"the turning of {name}" if turning else f"the term {name}"
-
-
-def steps(p, values):
+def steps(p, values, one=1.0):
     """The steps of problem ``p`` for ``values`` in the units of the text, each in its own unit; a
-    vector stays one, with its frame.
+    vector stays one, with its frame. ``one`` as for :meth:`Problem.base`.
     """
-    g = p.base(values)
+    g = p.base(values, one)
     own = getattr(p.code, "steps", None)
     found = list(own(g) if own else _from_answers(p, g))
     _check_names(p, found)
-    return [replace(s, value=unit(s.unit).from_base(s.value, p.system)) for s in found]
+    return [_said(s, p) for s in found]
+
+
+def _said(step, p):
+    """A step in its unit, a term of a sum in the words of the problem."""
+    value = in_unit(step.value, step.unit, p.system)
+    if not step.term:
+        return replace(step, value=value)
+    return replace(step, value=value, means=f"{term_text(*step.term, p)}, in {step.means}")
+
+
+def in_unit(value, stated_in, system):
+    """The value of a step in its unit; a whole number, a word, or what a function gives that waits
+    for numbers, is itself.
+    """
+    if isinstance(value, (str, int)) or callable(value):
+        return word(value)
+    if isinstance(value, (tuple, list)):
+        return tuple(in_unit(x, stated_in, system) for x in value)
+    return unit(stated_in).from_base(value, system)
 
 
 def _from_answers(p, g):
@@ -121,10 +139,14 @@ def faults(p, values):
     g = p.base(dict.fromkeys(p.units, 1.0)).but(
         **{n: unit(u).dimension for n, u in p.units.items()}
     )
+    try:
+        found = list(own(g))
+    except DimensionError as error:
+        return [f"steps adds unlike quantities: {error}"]
     wrong = []
-    for s in own(g):
+    for s in found:
         asked = unit(s.unit).dimension
-        for x in s.value.c if s.is_vector else (s.value,):
-            if x != asked and not (not x or not any(asked.powers)):
+        for x in () if isinstance(s.value, str) or callable(s.value) else flat(s.value):
+            if x != asked if isinstance(x, Dimension) else x and any(asked.powers):
                 wrong.append(f"the step {s.key} is stated in {s.unit}, {asked}, and has {x}")
     return wrong

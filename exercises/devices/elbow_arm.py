@@ -5,7 +5,15 @@ vertical.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_acceleration, rate, rot, second_rate, times, transposed
+from exercises.proofs import (
+    angular_acceleration,
+    angular_velocity,
+    rate,
+    rot,
+    second_rate,
+    times,
+    transposed,
+)
 from exercises.steps import Step, terms
 from newton_euler import Frame, cos, sin
 from newton_euler.drawing import Sketch
@@ -62,11 +70,15 @@ def prove(g):
         # columns: x, along CD, x cross that
         return times(rot("z", g.omega * t), transposed([[1, 0, 0], [0, -c, s], [0, -s, -c]]))
 
-    def D(t):
+    def in_arm(t):
         beta = g.beta_1 + g.b_dot * t
-        return times(rot("z", g.omega * t), [0, g.b - g.L * mp.cos(beta), g.L * mp.sin(beta)])
+        return [0, g.b - g.L * mp.cos(beta), g.L * mp.sin(beta)]
 
-    return {"alpha_CD": angular_acceleration(rod), "v_D": rate(D), "a_D": second_rate(D)}
+    def D(t):
+        return times(rot("z", g.omega * t), in_arm(t))
+
+    answers = {"alpha_CD": angular_acceleration(rod), "v_D": rate(D), "a_D": second_rate(D)}
+    return answers | {"omega_CD": angular_velocity(rod), "v_r": rate(in_arm)}
 
 
 def common_mistakes(g):

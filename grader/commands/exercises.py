@@ -90,7 +90,8 @@ def prove(names, seeds):
     wrong answer are a warning.
     """
     from exercises.catalogue import select
-    from exercises.checks import AGREEMENT, alike, check
+    from exercises.checks import AGREEMENT, alike, check, proved_steps, values
+    from exercises.steps import steps
 
     problems, failed = select(names or ("all",)), 0
     with progress_bar() as bar:
@@ -103,13 +104,18 @@ def prove(names, seeds):
             for warning in () if faults else alike(p, seeds):
                 bar.console.print(f"[yellow]{p.id}[/]: {escape(warning)}")
             bar.advance(task)
-    mistakes = sum(len(p.mistakes) for p in problems)
     click.echo(f"{len(problems) - failed} passed, {failed} failed")
     if failed:
         sys.exit(1)
     click.echo(
         f"Every key agrees with its proof to {AGREEMENT:g} (floats) and {AGREEMENT**2:g} (50 "
         f"digits) for {seeds} sets of numbers;"
+    )
+    mistakes = sum(len(p.mistakes) for p in problems)
+    count = sum(len(steps(p, values(p, 0))) for p in problems)
+    proved = sum(len(proved_steps(p, values(p, 0))) for p in problems)
+    click.echo(
+        f"of {count} steps {proved} are proved by themselves, the terms of sums with their sums;"
     )
     click.echo(
         f"all units are right; {mistakes} listed mistakes give answers that differ from the key."

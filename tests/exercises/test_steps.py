@@ -6,6 +6,7 @@ import pytest
 import sympy
 
 from exercises.catalogue import CatalogueError, problem, select
+from exercises.checks import check
 from exercises.steps import Step, faults, steps
 from exercises.variants import draw
 from grader.assignment.notebook import typeset
@@ -67,6 +68,36 @@ def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
     ]
 
 
+def proving(monkeypatch, **found):
+    """4/16, whose proof also gives these steps, times the rates of the problem."""
+    p = problem("4/16")
+    prove = p.code.prove
+    also = {key: (lambda g, f=f: f(g)) for key, f in found.items()}
+    monkeypatch.setattr(p.code, "prove", lambda g: prove(g) | {k: f(g) for k, f in also.items()})
+    return p
+
+
+def test_a_step_that_the_proof_finds_too_is_compared(monkeypatch):
+    right = proving(monkeypatch, omega_CD=lambda g: [-g.b_dot, 0, g.omega])
+    assert check(right, 2) == []
+    wrong = proving(monkeypatch, omega_CD=lambda g: [g.b_dot, 0, g.omega])
+    assert "omega_CD: the step in floats and prove differ by 1.2e+00 of its size" in check(wrong)[0]
+
+
+def test_what_the_proof_finds_and_nobody_asks_for_is_a_fault(monkeypatch):
+    told = check(proving(monkeypatch, omega_AB=lambda g: g.omega))
+    assert told == [
+        "prove returns omega_AB, which is neither asked for nor one of the steps (seed 0)"
+    ]
+
+
+def test_steps_are_checked_with_the_problem(monkeypatch):
+    p = with_steps(monkeypatch, lambda g: Step("rate", g.omega * g.b, "rad/s", "the rate"))
+    assert check(p) == [f"{fault} (seed 0)" for fault in faults(p, p.book_values)]
+    p = with_steps(monkeypatch, lambda g: Step("rate", g.omega + g.b, "rad/s", "the rate"))
+    assert "steps adds unlike quantities" in check(p)[0]
+
+
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_worked_solution_has_the_students_numbers_and_every_answer(p):
     values = {**draw(p, b"solution"), **p.sympy_symbols()}
@@ -79,5 +110,5 @@ def test_a_worked_solution_has_the_students_numbers_and_every_answer(p):
 
 def test_a_problem_without_sums_has_no_steps_of_its_own():
     p = SimpleNamespace(id="0/1", code=SimpleNamespace(solve=lambda g: {"x": 2.0}), units={},
-                        answers=(), base=lambda values: None)  # fmt: skip
+                        answers=(), base=lambda values, one: None)  # fmt: skip
     assert steps(p, {}) == []

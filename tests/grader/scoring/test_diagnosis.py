@@ -8,10 +8,10 @@ import pytest
 
 from exercises.catalogue import problem, problems
 from exercises.variants import SEPARATION, distance, draw, evaluate, flat
+from exercises.wording import term_text
 from grader.scoring import causes, score_receipt, tolerance
 from grader.scoring.diagnosis import diagnose
 from grader.scoring.numbers import Numbers
-from grader.scoring.wrong_models import term_text
 from newton_euler.algebra.ledger import equation
 from newton_euler.algebra.vectors import Vector
 from newton_euler.classroom.answers import record

@@ -1,0 +1,48 @@
+"""Terms and frames of the engine in the words of a problem."""
+
+import re
+
+# the terms of the equations of relative motion; their symbols v_B, a_B would be taken for the
+# velocity and acceleration of a point B of the problem
+RELATIVE_MOTION = {
+    ("velocity", "origin"): "the velocity of the origin of the moving frame",
+    ("velocity", "relative"): "the velocity relative to the moving frame, v_r",
+    ("velocity", "rotation"): "the term omega x r",
+    ("acceleration", "origin"): "the acceleration of the origin of the moving frame",
+    ("acceleration", "relative"): "the acceleration relative to the moving frame, a_r",
+    ("acceleration", "euler"): "the term alpha x r",
+}
+
+
+def term_text(name, equation, problem=None):
+    """A term in the words of the problem, with its formula if it has one."""
+    if (equation.kind, name) in RELATIVE_MOTION:
+        return RELATIVE_MOTION[equation.kind, name]
+    if name in equation.terms:
+        return f"the {name.replace('coriolis', 'Coriolis')} term {equation.terms[name][0]}"
+    if not equation.kind.startswith("angular"):
+        return f"the term {name}"
+    if " x " not in name:
+        return f"the turning {_of_frame(name, problem)}"
+    first, second = (_of_frame(n, problem) for n in name.split(" x "))
+    return f"the cross product of the turning {first} and the turning {second}"
+
+
+def _of_frame(name, problem):
+    """A frame in the words of the problem, after "the turning": "of the arm", "about y"."""
+    if name.startswith("about ") or name in ("x", "y", "z"):
+        return f"about {name.removeprefix('about ')}"
+    return f"of {body_text(name)}" if is_said(name, problem) else "of a moving frame"
+
+
+def body_text(name):
+    """A body or frame in a sentence: "the arm", "CD"."""
+    return name if not name.islower() or len(name) == 1 else f"the {name}"
+
+
+def is_said(name, problem):
+    """True if the name of a frame is a word of the problem, and not of its solution only."""
+    if problem is None:
+        return True
+    text = " ".join((problem.text, problem.figure, problem.frame))
+    return re.search(rf"\b{re.escape(name)}\b", text) is not None
