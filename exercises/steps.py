@@ -51,9 +51,10 @@ class Step:
         return isinstance(self.value, Vector)
 
 
-def terms(vector, key, stated_in, section=""):
+def terms(vector, key, stated_in, section="", number=""):
     """The named terms of a velocity, an acceleration or another sum as steps: of ``a_D`` the steps
-    ``a_D_coriolis`` and so on. A term that is zero is none.
+    ``a_D_coriolis`` and so on. A term that is zero is none. ``number``: of the equation, where the
+    chapter has it under another one than the engine says, as (2.25) for (4.18).
     """
     equation = vector.equation
     for name, term in vector.terms.items():
@@ -65,7 +66,7 @@ def terms(vector, key, stated_in, section=""):
             stated_in,
             key,
             section,
-            equation.number,
+            number or equation.number,
             (name, equation),
         )
 

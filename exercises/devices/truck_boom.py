@@ -1,0 +1,108 @@
+"""The telescoping boom AB of a repair truck (2/26 to 2/29): it turns in a vertical plane about A,
+its elevation theta falling; the truck stands, or drives the way the boom points.
+"""
+
+from mpmath import mp
+
+from exercises.catalogue import in_frame
+from exercises.proofs import minus, plus, rate, rot, second_rate, times, transposed
+from exercises.steps import Step, terms
+from newton_euler import Frame, moving, pi
+from newton_euler.drawing import Sketch
+
+UNITS = {"v_B": "ft/s", "a_B": "ft/s^2"}
+
+
+def boom(g, L_ddot=0, alpha=0, theta=0, v=0, a=0):
+    """Ground, with x the way the truck drives and y up; the boom, with i from A to B; B.
+
+    L_ddot : the second rate of the length
+    alpha : theta''; theta itself matters only where the truck moves
+    v, a : of the truck, forward
+    """
+    ground = Frame("ground")
+    A = ground.point("A", moving(0, rate=v, acceleration=a), 0, 0)
+    arm = ground.rotate("boom", "z", theta, rate=-g.omega, acceleration=alpha, origin=A)
+    B = arm.point("B", moving(g.L, rate=g.L_dot, acceleration=L_ddot), 0, 0)
+    return ground, arm, B
+
+
+def motion(ground, arm, B):
+    """The answers, in the axes of the boom."""
+    return in_frame(
+        arm, {"v_B": B.velocity(ground, via=arm), "a_B": B.acceleration(ground, via=arm)}
+    )
+
+
+def boom_steps(ground, arm, B):
+    """The turning of the boom and the motion of B in it, then the terms of the answers."""
+    omega, alpha = arm.angular_velocity(ground), arm.angular_acceleration(ground)
+    yield Step("omega_boom", omega.expressed_in(arm), "rad/s",
+               "angular velocity of the boom, along k", "2.8", "2.19")  # fmt: skip
+    yield Step("alpha_boom", alpha.expressed_in(arm), "rad/s^2",
+               "angular acceleration of the boom", "2.10", "2.26")  # fmt: skip
+    yield Step("v_r", B.velocity(arm), "ft/s", "velocity of B in the boom", "2.10", "2.24")
+    yield Step("a_r", B.acceleration(arm), "ft/s^2", "acceleration of B in the boom", "2.10",
+               "2.25")  # fmt: skip
+    for key, value in motion(ground, arm, B).items():
+        yield from terms(value, key, UNITS[key], "2.10", {"v_B": "2.24", "a_B": "2.25"}[key])
+
+
+def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
+    """B in the ground, forward and up, in time. The answers are along the boom of the instant, so
+    that any theta will do for a truck that stands.
+    """
+
+    def elevation(t):
+        return theta - g.omega * t + alpha * t**2 / 2
+
+    def A(t):
+        return [v * t + a * t**2 / 2, 0, 0]
+
+    def B(t):
+        L = g.L + g.L_dot * t + L_ddot * t**2 / 2
+        return plus(A(t), [L * mp.cos(elevation(t)), L * mp.sin(elevation(t)), 0])
+
+    def along_boom(vector, t=0):
+        return times(transposed(rot("z", elevation(t))), vector)
+
+    def in_boom(t):
+        return along_boom(minus(B(t), A(t)), t)
+
+    return {
+        "v_B": along_boom(rate(B)),
+        "a_B": along_boom(second_rate(B)),
+        "omega_boom": [0, 0, rate(elevation)],
+        "alpha_boom": [0, 0, second_rate(elevation)],
+        "v_r": rate(in_boom),
+        "a_r": second_rate(in_boom),
+    }
+
+
+def sketch(g, ax, theta=None):
+    """The truck on its road, the boom, omega and the axes of the answers. Without a given theta it
+    is drawn at 35 degrees.
+    """
+    angle = 7 * pi(g.L) / 36 if theta is None else theta
+    ground, arm, B = boom(g, theta=angle)
+    size = g.L
+    A, road = ground.point("A", 0, 0, 0), -0.3 * size
+    s = Sketch(ax, ground, plane="xy")
+    s.road([(-0.55 * size, road, 0), (0.95 * size, road, 0)])
+    for x in (-0.35, 0.12):
+        s.disk((x * size, road + 0.06 * size, 0), ground.k, 0.06 * size)
+    low, high, cab = road + 0.07 * size, road + 0.13 * size, road + 0.23 * size
+    outline = [(-0.46, low), (-0.46, high), (0.06, high), (0.06, cab), (0.19, cab), (0.24, high)]
+    s.plate([(x * size, y, 0) for x, y in [*outline, (0.24, low)]])
+    s.line((-0.12 * size, high, 0), (0, 0, 0), style="solid")
+    s.line((-0.02 * size, high, 0), (0, 0, 0), style="solid")
+    s.rod(A, B)
+    s.hinge(A)
+    s.line(A, (0.6 * size, 0, 0))
+    s.arc(A, (size, 0, 0), B, label=r"$\theta$")
+    s.dimension(A, B, label="L", offset=0.22 * size)
+    s.swing(A, B, -ground.k, label=r"$\omega$")
+    s.axes(arm.point("foot", 0.6 * size, 0, 0), arm, length=0.14 * size, labels=["i", "j", ""])
+    s.label(A, "A", offset=(-12, -4))
+    s.label(B, "B", offset=(8, 8))
+    return s
