@@ -1,0 +1,60 @@
+"""3/15: how the spherical unit vectors turn."""
+
+from mpmath import mp
+
+from exercises.devices.spherical_point import figure, place_in_time
+from exercises.proofs import rate, spherical_axes, times
+from exercises.steps import Step
+from newton_euler import Frame, moving, pi
+from newton_euler.kinematics import spherical_frame
+
+
+def axes(g):
+    """Ground, and the frame of the unit vectors; the azimuth does not matter."""
+    ground = Frame("ground")
+    return ground, spherical_frame(ground, moving(0, g.theta_dot), moving(g.phi, g.phi_dot))
+
+
+def solve(g):
+    ground, local = axes(g)
+    return {
+        "e_R_rate": local.i.rate(ground),
+        "e_theta_rate": local.j.rate(ground),
+        "e_phi_rate": local.k.rate(ground),
+    }
+
+
+def steps(g):
+    ground, local = axes(g)
+    up = ground.k.expressed_in(local)
+    yield Step("k", up, "1", "unit vector k along e_R, e_theta, e_phi", "3.7", "3.25")
+    omega = local.angular_velocity(ground).expressed_in(local)
+    what = "angular velocity of the unit vectors; the rate of each is Omega x e"
+    yield Step("Omega", omega, "rad/s", what, "3.7")
+
+
+def prove(g):
+    """The unit vectors as they are drawn at the moving place, differentiated."""
+    place = place_in_time(lambda t: 1, lambda t: g.theta_dot * t, lambda t: g.phi + g.phi_dot * t)
+    here = spherical_axes(place(mp.mpf(0)))
+    e_R, e_theta, e_phi = rate(lambda t: spherical_axes(place(t)))
+    return {
+        "e_R_rate": times(here, e_R),
+        "e_theta_rate": times(here, e_theta),
+        "e_phi_rate": times(here, e_phi),
+        "k": times(here, [0, 0, 1]),
+    }
+
+
+def mistakes(g):
+    right = solve(g)["e_theta_rate"]
+    reversed_phi = solve(g.but(phi_dot=-g.phi_dot))
+    return {
+        "phi_from_the_vertical": solve(g.but(phi=pi(g.phi) / 2 - g.phi)),
+        "e_theta_only_inward": {"e_theta_rate": right.frame.vector(right.x, 0, 0)},
+        "phi_about_plus_e_theta": {k: reversed_phi[k] for k in ("e_R_rate", "e_phi_rate")},
+    }
+
+
+def draw(g, ax):
+    figure(g, ax)

@@ -1,0 +1,78 @@
+"""3/16: the acceleration of a point in spherical components."""
+
+from mpmath import mp
+
+from exercises.devices.spherical_point import figure, place_in_time
+from exercises.proofs import rate, scaled, second_rate, spherical_axes, times
+from exercises.steps import Step
+from newton_euler import Frame, cos, moving, pi, spherical
+
+KEYS = "d_radial", "d_theta", "d_phi"
+WHAT = "R' e_R", "R theta' cos(phi) e_theta", "R phi' e_phi"
+PRODUCTS = dict.fromkeys(("coriolis_theta", "coriolis_phi", "coriolis_theta_phi"), 0.5)
+
+
+def point(g):
+    """Ground, and the point; its azimuth does not matter."""
+    ground = Frame("ground")
+    R, phi = moving(g.R, g.R_dot, g.R_ddot), moving(g.phi, g.phi_dot, g.phi_ddot)
+    return ground, spherical(ground, "P", R, moving(0, g.theta_dot, g.theta_ddot), phi)
+
+
+def solve(g):
+    ground, P = point(g)
+    return {"a": P.acceleration(ground)}
+
+
+def steps(g):
+    """The velocity, and its three parts differentiated; the acceleration is the sum of these."""
+    ground, P = point(g)
+    yield Step("v", P.velocity(ground), "m/s", "velocity, R' e_R + R times the rate of e_R",
+               "3.7", "3.26")  # fmt: skip
+    R, _, phi = P.coordinates
+    about = R * cos(phi) * moving(g.theta_dot, g.theta_ddot)
+    parts = moving(g.R_dot, g.R_ddot), about, R * moving(g.phi_dot, g.phi_ddot)
+    for n, (key, part, what) in enumerate(zip(KEYS, parts, WHAT, strict=True)):
+        v = P.local.vector(*(part if m == n else 0 for m in range(3)))
+        yield Step(key, v.rate(ground), "m/s^2", f"time rate of change of {what}", "3.7")
+
+
+def prove(g):
+    def motion(*rates):
+        return lambda t: rates[0] + rates[1] * t + rates[2] * t**2 / 2
+
+    place = place_in_time(
+        motion(g.R, g.R_dot, g.R_ddot),
+        motion(0, g.theta_dot, g.theta_ddot),
+        motion(g.phi, g.phi_dot, g.phi_ddot),
+    )
+    here = spherical_axes(place(mp.mpf(0)))
+
+    def part(n):
+        """The n-th part of the velocity in time, along axes of the ground."""
+
+        def along(t):
+            e = spherical_axes(place(t))
+            return scaled(times(e, rate(place, t))[n], e[n])
+
+        return along
+
+    found = {key: times(here, rate(part(n))) for n, key in enumerate(KEYS)}
+    return {"a": times(here, second_rate(place)), "v": times(here, rate(place))} | found
+
+
+def mistakes(g):
+    a = solve(g)["a"]
+    # with phi from the vertical e_phi points down
+    down = solve(g.but(phi=pi(g.phi) / 2 - g.phi, phi_dot=-g.phi_dot, phi_ddot=-g.phi_ddot))["a"]
+    return {
+        "constant_unit_vectors": {
+            "a": a.reweighted(centripetal_theta=0, centripetal_phi=0, **PRODUCTS)
+        },
+        "single_products": {"a": a.reweighted(**PRODUCTS)},
+        "phi_from_the_vertical": {"a": a.frame.vector(down.x, down.y, -down.z)},
+    }
+
+
+def draw(g, ax):
+    figure(g, ax, "R")

@@ -1,0 +1,42 @@
+"""A point with its spherical angles and unit vectors (3/15, 3/16): theta from x in the x, y plane,
+phi the elevation above it.
+"""
+
+from mpmath import mp
+
+from newton_euler import Frame, cos, sin
+from newton_euler.drawing import Sketch
+from newton_euler.kinematics import spherical_frame
+
+
+def place_in_time(R, theta, phi):
+    """Proof, the place in time; the coordinates are functions of time."""
+
+    def P(t):
+        c = R(t) * mp.cos(phi(t))
+        return [c * mp.cos(theta(t)), c * mp.sin(theta(t)), R(t) * mp.sin(phi(t))]
+
+    return P
+
+
+def figure(g, ax, distance="", theta=0.9):
+    """The figure, with the elevation of g and the name of OP; the azimuth is not asked about."""
+    ground = Frame("ground")
+    axes = spherical_frame(ground, theta, g.phi)
+    s = Sketch(ax, ground, azimuth=15, elevation=20)
+    c = cos(g.phi)
+    O, P = (0, 0, 0), tuple(axes.i.components(ground))
+    Q = (c * cos(theta), c * sin(theta), 0)
+    s.axes(O, ground, length=0.9)
+    s.line(O, P, style="solid")
+    s.line(O, Q)
+    s.line(Q, P)
+    s.arc(O, (1, 0, 0), Q, label=r"$\theta$")
+    s.arc(O, Q, P, label=r"$\phi$")
+    if distance:
+        s.label([0.6 * x for x in P], f"${distance}$", offset=axes.k, bold=False)
+    s.axes(P, axes, length=0.35, labels=["$e_R$", r"$e_\theta$", r"$e_\phi$"])
+    s.dot(P)
+    s.label(O, "O")
+    s.label(P, "P")
+    s.label(Q, "Q", offset=(8, -10))
