@@ -4,12 +4,12 @@ or lowered, and its length changes.
 
 from mpmath import mp
 
-from exercises.proofs import rot, times
+from exercises.proofs import elevation, rate, rot, second_rate, spherical_axes, times
 from newton_euler import Frame, moving, pi, spherical
 from newton_euler.drawing import Sketch
 
 
-def boom_end(g, beta, length, omega):
+def boom_end(omega, beta, length):
     """Ground, and the end A by spherical coordinates; ``beta``, from the upward vertical, and
     ``length`` are moving.
     """
@@ -28,5 +28,34 @@ def end_in_time(omega, beta, length):
     return A
 
 
-def figure(g, ax, beta, length, rates=()):
-    """The figure for these numbers; ``rates``: which of "beta" and "l" have an arrow."""
+def spherical_motion(A, t=0):
+    """Proof: the acceleration of a place in time, along e_R, e_theta, e_phi there, and the angles
+    and rates that are steps to it.
+    """
+
+    def phi(t):
+        return elevation(A(t))
+
+    a = times(spherical_axes(A(t)), second_rate(A, t))
+    return {"a": a, "phi": phi(t), "phi_dot": rate(phi, t)}
+
+
+def figure(ax, ground, A):
+    """The figure of this point; returns the sketch."""
+    O, l, axes = ground.point("O", 0, 0, 0), A.coordinates[0].value, A.local
+    end, sleeve = A.position(ground), axes.i * 0.6
+    up, foot = (0, 0, 0.75 * l), (0, 0, -0.5 * l)
+    s = Sketch(ax, ground, azimuth=-105, elevation=12)
+    s.ground(foot, normal=ground.k, size=0.5 * l)
+    s.shaft(foot, O)
+    s.rod(O, end)
+    s.cylinder(O, [l * x for x in sleeve.components(ground)], 0.045 * l)
+    s.hinge(O, axes.j)
+    s.line(O, up)
+    s.turn((0, 0, -0.3 * l), ground.k, label=r"$\omega$")
+    s.arc(O, up, end, label=r"$\beta$")
+    s.label(end * 0.5 - axes.k * (0.13 * l), "$l$", offset=(0, 0), bold=False)
+    s.dot(end)
+    s.label(O, "O", offset=(-12, -4))
+    s.label(end, "A")
+    return s

@@ -1,10 +1,15 @@
-"""Directions at a place that are known from the place alone, without an angle: the rows are unit
-vectors, so that ``times(axes, v)`` are the components of v along them.
+"""Directions at a place that are known from the place alone: the rows are unit vectors, so that
+``times(axes, v)`` are the components of v along them.
 """
 
 from mpmath import mp
 
 from .motions import cross, scaled, size
+
+
+def elevation(r):
+    """The angle of the place r above the x, y plane."""
+    return mp.atan2(r[2], mp.hypot(r[0], r[1]))
 
 
 def cylindrical_axes(r):

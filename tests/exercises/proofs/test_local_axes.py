@@ -2,7 +2,7 @@
 
 from mpmath import mp, mpf
 
-from exercises.proofs import DIGITS, cylindrical_axes, rot, spherical_axes, transposed
+from exercises.proofs import DIGITS, cylindrical_axes, elevation, rot, spherical_axes, transposed
 
 
 def close(a, b):
@@ -22,3 +22,4 @@ def test_axes_at_a_place_are_those_that_are_turned_by_its_angles():
         up = rot(cylindrical_axes(r)[1], -phi)  # about e_theta, so that e_r goes up
         raised = [[sum(row[n] * e[n] for n in range(3)) for row in up] for e in turned]
         assert close(spherical_axes([7 * x for x in r]), raised)
+        assert abs(elevation([7 * x for x in r]) - phi) < mpf(10) ** -45

@@ -1,0 +1,45 @@
+"""3/17: the end of a telescoping boom that is lowered on a turning shaft."""
+
+from exercises.devices.telescoping_boom import boom_end, end_in_time, figure, spherical_motion
+from exercises.steps import Step, terms
+from newton_euler import moving, pi
+
+
+def boom(g):
+    """Ground, and the end A."""
+    return boom_end(g.omega, moving(g.beta_1, rate=g.b_dot), moving(g.l1, rate=g.l_dot))
+
+
+def solve(g):
+    ground, A = boom(g)
+    return {"a": A.acceleration(ground)}
+
+
+def steps(g):
+    ground, A = boom(g)
+    _, _, phi = A.coordinates
+    yield Step("phi", phi.value, "deg", "elevation of the boom, 90 deg - beta", "3.7")
+    yield Step("phi_dot", phi.rate, "rad/s", "rate of the elevation, -b_dot", "3.7")
+    yield from terms(A.acceleration(ground), "a", "in/s^2", "3.7")
+
+
+def prove(g):
+    A = end_in_time(g.omega, lambda t: g.beta_1 + g.b_dot * t, lambda t: g.l1 + g.l_dot * t)
+    return spherical_motion(A)
+
+
+def mistakes(g):
+    a = solve(g)["a"]
+    return {
+        "beta_raises": solve(g.but(b_dot=-g.b_dot)),
+        "beta_as_elevation": solve(g.but(beta_1=pi(g.beta_1) / 2 - g.beta_1, b_dot=-g.b_dot)),
+        "no_coupling": {"a": a.without("coriolis_theta_phi")},
+        "constant_length": {"a": a.without("coriolis_theta", "coriolis_phi")},
+    }
+
+
+def draw(g, ax):
+    ground, A = boom(g)
+    s = figure(ax, ground, A)
+    s.swing((0, 0, 0), A, A.local.j, label=r"$\dot\beta$")
+    s.vector(A, A.local.i, r"$\dot l$")

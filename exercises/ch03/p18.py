@@ -1,0 +1,66 @@
+"""3/18: the end of a telescoping boom that is raised on a turning shaft while it extends."""
+
+from exercises.devices.telescoping_boom import boom_end, end_in_time, figure, spherical_motion
+from exercises.proofs import rate, second_rate, size
+from exercises.steps import Step, terms
+from newton_euler import moving, pi
+
+
+def boom(g, time=None):
+    """Ground, and the end A, at the instant or another time."""
+    t = moving(g.t1 if time is None else time, rate=1)
+    return boom_end(g.omega, g.beta_0 + g.b_dot * t, g.l_0 + g.l_2 * t**2)
+
+
+def with_size(a):
+    return {"a": a, "acc_mag": a.norm()}
+
+
+def solve(g):
+    ground, A = boom(g)
+    return with_size(A.acceleration(ground))
+
+
+follows = {"acc_mag": lambda g, a: a.norm()}
+
+
+def steps(g):
+    ground, A = boom(g)
+    R, _, phi = A.coordinates
+    yield Step("phi", phi.value, "deg", "elevation of the boom, 90 deg - beta", "3.7")
+    yield Step("phi_dot", phi.rate, "rad/s", "rate of the elevation, -b_dot", "3.7")
+    yield Step("R", R.value, "in", "length of the boom at the instant", "3.7")
+    yield Step("R_dot", R.rate, "in/s", "its rate, 2*l_2*t1", "3.7")
+    yield Step("R_ddot", R.acceleration, "in/s^2", "its second rate, 2*l_2", "3.7")
+    yield from terms(A.acceleration(ground), "a", "in/s^2", "3.7")
+
+
+def prove(g):
+    def length(t):
+        return g.l_0 + g.l_2 * t**2
+
+    A = end_in_time(g.omega, lambda t: g.beta_0 + g.b_dot * t, length)
+    found = spherical_motion(A, g.t1)
+    lengths = {
+        "R": size(A(g.t1)),
+        "R_dot": rate(lambda t: size(A(t)), g.t1),
+        "R_ddot": second_rate(lambda t: size(A(t)), g.t1),
+    }
+    return {"a": found["a"], "acc_mag": size(found["a"])} | found | lengths
+
+
+def mistakes(g):
+    a = solve(g)["a"]
+    # the elevation falls from its value at t1: beta was smaller before
+    falling = {"beta_0": g.beta_0 + 2 * g.b_dot * g.t1, "b_dot": -g.b_dot}
+    exchanged = {"beta_0": pi(g.beta_0) / 2 - g.beta_0, "b_dot": -g.b_dot}
+    return {
+        "half_of_l_ddot": with_size(a.reweighted(radial=0.5)),
+        "beta_as_elevation": solve(g.but(**exchanged)),
+        "phi_falls": solve(g.but(**falling)),
+        "constant_length": with_size(a.without("coriolis_theta", "coriolis_phi")),
+    }
+
+
+def draw(g, ax):
+    figure(ax, *boom(g, g.t1 / 2))
