@@ -1,0 +1,70 @@
+"""The rod BE of 2/36 to 2/39: it slides along i in the guides C and D of a bracket that turns
+clockwise about A.
+"""
+
+from exercises.catalogue import in_frame
+from exercises.devices.turning_plate import motion, proof, turning
+from newton_euler import moving
+from newton_euler.drawing import Sketch
+
+
+def end(g, name, x, y, alpha=None, a_r=None):
+    """Ground, and the end of the rod at x, y from A. ``alpha``: growth of the clockwise rate;
+    ``a_r``: of the speed of the rod in the bracket.
+    """
+    ground, bracket = turning("bracket", -g.omega, None if alpha is None else -alpha)
+    return ground, bracket.point(name, moving(x, rate=g.u, acceleration=a_r), y, 0)
+
+
+def prove(g, name, x, y, alpha=0, a_r=0):
+    """The explicit path of the end."""
+    return proof(
+        name,
+        "bracket",
+        lambda t: -g.omega * t - alpha * t**2 / 2,
+        lambda t: x + g.u * t + a_r * t**2 / 2,
+        lambda t: y,
+    )
+
+
+def without(ground, P, *names):
+    """The answer for the acceleration of P without these terms."""
+    return in_frame(ground, {f"a_{P.name}": P.acceleration(ground).without(*names)})
+
+
+def common_mistakes(g, scene, x):
+    """Those of 2/36 and 2/39, where the rates are constant: counterclockwise, no Coriolis term,
+    the other end; ``scene(g)`` is the end, ``x`` the name of its distance from A along i.
+    """
+    return {
+        "counterclockwise": motion(*scene(g.but(omega=-g.omega))),
+        "no_coriolis": without(*scene(g), "coriolis"),
+        "other_end": motion(*scene(g.but(**{x: -getattr(g, x)}))),
+    }
+
+
+def draw(g, ax, name, x, y):
+    """The figure; the other end of the rod is as far from A on the other side."""
+    ground, P = end(g, name, x, y)
+    bracket, side, far = P.frame, x / abs(x), abs(x)
+    w, A = 0.12 * far, bracket.point("A", 0 * x, 0, 0)
+    C, D = (bracket.point(n, a * far, y, 0) for n, a in (("C", -0.5), ("D", 0.5)))
+    s = Sketch(ax, ground, plane="xy")
+    foot = 0.6 * w
+    s.plate([(-foot, -foot, 0), (foot, -foot, 0), (0.62 * far, y, 0), (-0.62 * far, y, 0)],
+            shade="light")  # fmt: skip
+    s.rod((-far, y, 0), (far, y, 0))
+    for G, a in ((C, -0.5), (D, 0.5)):
+        s.cylinder((a * far - w, y, 0), (a * far + w, y, 0), 0.5 * w)
+        s.label(G, G.name, offset=(0, 17))
+    for letter, a in (("B", -far), ("E", far)):
+        s.label((a, y, 0), letter, offset=(0, -13))
+    s.dot(P)
+    s.hinge(A)
+    s.axes(A, ground, labels=["i", "j", ""])
+    s.turn(A, -ground.k, label=r"$\omega$")
+    s.vector((far, y, 0), ground.i, "u")
+    s.label(A, "A", offset=(-4, -22))
+    s.line((0.45 * x, 0, 0), (0.9 * x, 0, 0))
+    s.dimension((0, y, 0), P, f"$x_{name}$", offset=0.4 * far * side)
+    s.dimension((0.9 * x, 0, 0), (0.9 * x, y, 0), f"$y_{name}$", offset=0.1 * x)

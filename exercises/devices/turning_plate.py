@@ -1,0 +1,69 @@
+"""A body that slides straight along i on a plate, which turns in its plane about the fixed point A:
+what the welder of 2/34 and 2/35 and the rod of 2/36 to 2/39 share.
+"""
+
+from dataclasses import replace
+
+from mpmath import mp
+
+from exercises.catalogue import in_frame
+from exercises.proofs import angular_velocity, rate, rot, second_rate
+from exercises.steps import Step, terms
+from newton_euler import Frame
+
+
+def turning(name, omega, alpha=None):
+    """Ground with z out of the plane; the plate, its origin at A and its axes those of the ground
+    at the instant.
+    """
+    ground = Frame("ground")
+    return ground, ground.rotate(name, "z", rate=omega, acceleration=alpha)
+
+
+def motion(ground, P):
+    """Velocity and acceleration of P, a point that moves in the plate, with their terms."""
+    return in_frame(ground, {
+        f"v_{P.name}": P.velocity(ground),
+        f"a_{P.name}": P.acceleration(ground),
+    })  # fmt: skip
+
+
+def motion_steps(ground, P, length):
+    """What enters (2.24) and (2.25), then their terms; ``length`` is the unit of lengths."""
+    plate, name = P.frame, P.frame.name
+    yield Step(
+        f"omega_{name}", plate.angular_velocity(ground), "rad/s",
+        f"angular velocity of the {name}", "2.8", "2.19",
+    )  # fmt: skip
+    yield Step("r", P.position(plate), length, f"position of {P.name} from A", "2.10", "2.23")
+    yield Step(
+        "v_r", P.velocity(plate), f"{length}/s",
+        f"velocity of {P.name} relative to the {name}", "2.10",
+    )  # fmt: skip
+    for key, vector in motion(ground, P).items():
+        speed = key.startswith("v")
+        for s in terms(vector, key, f"{length}/s" if speed else f"{length}/s^2", "2.10"):
+            yield replace(s, equation="2.24" if speed else "2.25")
+
+
+def proof(name, plate, theta, x, y):
+    """The same from the explicit path: ``theta``, ``x`` and ``y`` are functions of time."""
+
+    def P(t):
+        c, s = mp.cos(theta(t)), mp.sin(theta(t))
+        return [x(t) * c - y(t) * s, x(t) * s + y(t) * c, 0]
+
+    return {
+        f"v_{name}": rate(P),
+        f"a_{name}": second_rate(P),
+        f"omega_{plate}": angular_velocity(lambda t: rot("z", theta(t))),
+        "r": P(0),
+        "v_r": rate(lambda t: [x(t), y(t), 0]),
+    }
+
+
+def acceleration_from(ground, P, v):
+    """From a velocity v: a = omega x (v + v_r) + alpha x r + a_r, since v = v_r + omega x r."""
+    right = motion(ground, P)
+    off = ground.vector(*v) - right[f"v_{P.name}"]
+    return right[f"a_{P.name}"] + P.frame.angular_velocity(ground).cross(off).expressed_in(ground)

@@ -1,0 +1,50 @@
+"""The welder of 2/34 and 2/35: a plate turns about A, and a bracket with the tips D and E slides in
+a guide on it, along i.
+"""
+
+from exercises.catalogue import in_frame
+from exercises.devices.turning_plate import motion, turning
+from newton_euler import moving
+from newton_euler.drawing import Sketch
+
+
+def tip(g, name, x, y):
+    """Ground, and the tip at x, y from A, which moves along i in the plate."""
+    ground, plate = turning("plate", g.omega)
+    return ground, plate.point(name, moving(x, rate=g.u), y, 0)
+
+
+def mistakes(g, name, x, y):
+    """No Coriolis term; the tip at the level of A; the other tip."""
+    ground, P = tip(g, name, x, y)
+    return {
+        "no_coriolis": in_frame(ground, {f"a_{name}": P.acceleration(ground).without("coriolis")}),
+        "horizontal_only": motion(*tip(g, name, x, 0 * y)),
+        "other_tip": motion(*tip(g, name, x, -y)),
+    }
+
+
+def draw(g, ax, name, x, y):
+    """The figure, in which both tips are as far from the level of A."""
+    ground, P = tip(g, name, x, y)
+    plate, h, side = P.frame, abs(y), y / abs(y)
+    A, C, end = (plate.point(*p, 0, 0) for p in (("A", 0 * x), ("C", 0.42 * x), ("end", x)))
+    fork, b = 0.75 * x, 0.1 * x
+    s = Sketch(ax, ground, plane="xy")
+    s.plate([(-0.17 * x, -b, 0), (0.6 * x, -b, 0), (0.6 * x, b, 0), (-0.17 * x, b, 0)],
+            shade="light")  # fmt: skip
+    s.rod((0.25 * x, 0, 0), (fork, 0, 0))
+    s.cylinder((0.33 * x, 0, 0), (0.52 * x, 0, 0), 0.05 * x)
+    s.rod((fork, -h, 0), (fork, h, 0))
+    for letter, level in (("D", h), ("E", -h)):
+        s.rod((fork, level, 0), (x, level, 0))
+        s.label((x, level, 0), letter, offset=(9, -9 if level > 0 else 9))
+    s.dot(P)
+    s.hinge(A)
+    s.axes(A, ground, length=0.2 * x, labels=["i", "j", ""])
+    s.turn(A, ground.k, label=r"$\omega$")
+    s.vector((fork, 0, 0), ground.i, "u")
+    s.label(A, "A", offset=(-26, 0))
+    s.label(C, "C", offset=(0, 18))
+    s.dimension((0, -h, 0), (x, -h, 0), f"$x_{name}$", offset=-0.12 * x)
+    s.dimension(end, P, f"$y_{name}$", offset=-0.2 * x * side)
