@@ -1,0 +1,58 @@
+"""5/18: the weight on the moon."""
+
+from exercises.devices.planet import pull
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import gravity_at_surface
+
+
+def weight(g, mass, radius):
+    """Of the person on a planet, its mass and radius those of the earth times these numbers: in
+    such units, K times the mass of the person is W0.
+    """
+    return gravity_at_surface(mass, radius, K=g.W0)
+
+
+def solve(g):
+    return {"W": weight(g, 1 / g.n_M, 1 / g.n_R)}
+
+
+def steps(g):
+    yield Step("by_mass", weight(g, 1 / g.n_M, 1), "lb",
+               "weight on a planet as large as the earth, with the mass of the moon",
+               "5.10", "5.24")  # fmt: skip
+    yield Step("by_radius", g.n_R**2, "1",
+               "factor by which it grows nearer to the centre", "5.10", "5.24")  # fmt: skip
+
+
+def prove(g):
+    earth = pull(1, 1, 1)
+    moon = pull(1 / g.n_M, 1 / g.n_R, 1 / g.n_R)
+    large_moon = pull(1 / g.n_M, 1, 1)
+    return {
+        "W": g.W0 * moon / earth,
+        "by_mass": g.W0 * large_moon / earth,
+        "by_radius": moon / large_moon,
+    }
+
+
+def mistakes(g):
+    return {
+        "only_mass": {"W": weight(g, 1 / g.n_M, 1)},
+        "no_square": {"W": g.W0 * g.n_R / g.n_M},
+        "upside_down": {"W": weight(g, 1 / g.n_M, g.n_R)},
+    }
+
+
+def draw(g, ax):
+    space = Frame("space")
+    s = Sketch(ax, space, plane="xz")
+    small = 1 / g.n_R
+    for x, radius, name, planet in ((0, 1, "$W_0$", "earth"), (1.8, small, "W", "moon")):
+        O, top = (x, 0, 0), (x, 0, radius)
+        s.disk(O, space.j, radius)
+        s.dot(top)
+        # of the same length: how large W is, is asked
+        s.arrow((x, 0, radius + 0.5), top, name, kind="force")
+        s.label((x, 0, -radius), planet, offset=(0, -12), bold=False)

@@ -1,0 +1,64 @@
+"""5/21: the degrees of freedom of a particle on a sphere. The radius is only drawn."""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import freedom
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import degrees_of_freedom
+
+
+def sphere(P):
+    """The particle stays at one distance, here the unit of length, from O."""
+    return sum(x * x for x in P) - 1
+
+
+def count(**constraints):
+    return degrees_of_freedom({"P": "particle"}, constraints).count
+
+
+def solve(g):
+    # the weight is a force, not a constraint
+    return {"dof": count(sphere=sphere)}
+
+
+def steps(g):
+    yield Step("coordinates", count(), "1", "coordinates of a particle in space", "5.11")
+    yield Step(
+        "constraints", 1, "1", "constraints: the distance from the centre is R", "5.11", "5.28"
+    )
+
+
+def prove(g):
+    """By two angles, as of longitude and latitude, that say where P is."""
+
+    def place(longitude, latitude):
+        across = mp.cos(latitude)
+        return [across * mp.cos(longitude), across * mp.sin(longitude), mp.sin(latitude)]
+
+    return {"dof": freedom(place, mpf("0.4"), mpf("-0.7"))}
+
+
+def mistakes(g):
+    return {
+        "planar": {"dof": count(sphere=sphere, plane=lambda P: P[1])},
+        "weight": {"dof": count(sphere=sphere, weight=lambda P: P[2] + 0.5)},  # holds the height
+        "no_surface": {"dof": count()},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=35, elevation=35)
+    down, side = -ground.k, ground.vector(0, -0.8, -0.6)
+    O = (0, 0, 0)
+    P = tuple(g.R * x for x in side.components())
+    s.hemisphere(O, down, g.R, open=True)
+    s.line(O, P)
+    s.dot(O)
+    s.dot(P)
+    s.vector(P, down, "weight", kind="force")
+    s.dimension(O, (0, g.R, 0), label="R")
+    s.label(O, "O")
+    s.label(P, "P")

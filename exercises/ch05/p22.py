@@ -1,0 +1,70 @@
+"""5/22: the degrees of freedom of a pendulum on a cart. The length is only drawn."""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import freedom
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import degrees_of_freedom
+
+BODIES = {"cart": "body in plane", "P": "particle in plane"}
+
+
+def track(cart):
+    """The hinge C, by which the cart is located, stays at its height, and the cart level."""
+    return cart[1:]
+
+
+def rod(cart, P):
+    """P stays at one distance, here the unit of length, from C."""
+    return (P[0] - cart[0]) ** 2 + (P[1] - cart[1]) ** 2 - 1
+
+
+def count(**constraints):
+    return degrees_of_freedom(BODIES, constraints).count
+
+
+def solve(g):
+    return {"dof": count(track=track, rod=rod)}
+
+
+def steps(g):
+    yield Step("coordinates", count(), "1",
+               "coordinates in the plane, of the cart as a body 3 and of the particle 2",
+               "5.11")  # fmt: skip
+    yield Step("on_track", 2, "1",
+               "constraints of the track: the cart keeps its height and does not tilt",
+               "5.11", "5.28")  # fmt: skip
+    yield Step("on_rod", 1, "1", "constraints of the rod: it keeps its length", "5.11", "5.28")
+
+
+def prove(g):
+    """By the way of the cart and the angle of the rod."""
+    dof = freedom(lambda x, q: [x, x + mp.sin(q), -mp.cos(q)], mpf(2), mpf("0.4"))
+    return {"dof": dof}
+
+
+def mistakes(g):
+    return {
+        "cart_given": {"dof": count(track=track, rod=rod, given=lambda cart: cart[0])},
+        "no_rod": {"dof": count(track=track)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    L = g.L
+    # the pendulum hangs in front of the cart and of the track
+    C, P = (0, -0.3 * L, 0), (0.28 * L, -0.3 * L, -0.96 * L)
+    s.road([(-1.2 * L, 0, -0.35 * L), (1.2 * L, 0, -0.35 * L)])
+    s.box((0, 0, 0), ground, (1.3 * L, 0.3 * L, 0.3 * L))
+    for x in (-0.45 * L, 0.45 * L):
+        s.disk((x, 0, -0.25 * L), ground.j, 0.1 * L)
+    s.rod(C, P)
+    s.hinge(C)
+    s.dot(P)
+    s.dimension(C, P, label="L", offset=0.12 * L)
+    s.label(P, "P")
+    s.label(C, "C", offset=(-12, 4))

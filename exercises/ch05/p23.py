@@ -1,0 +1,61 @@
+"""5/23: the degrees of freedom of a ladder against a wall. The length is only drawn."""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import freedom
+from exercises.steps import Step
+from newton_euler import Frame, cos
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import degrees_of_freedom
+
+
+def floor(ladder):
+    """The lower end is on the floor; a ladder is located by it and by its slope."""
+    _, y, _ = ladder
+    return y
+
+
+def wall(ladder):
+    """The upper end, the unit of length up the ladder, is at the wall x = 0."""
+    x, _, slope = ladder
+    return x + cos(slope)
+
+
+def count(**constraints):
+    return degrees_of_freedom({"ladder": "body in plane"}, constraints).count
+
+
+def solve(g):
+    return {"dof": count(floor=floor, wall=wall)}
+
+
+def steps(g):
+    yield Step("coordinates", count(), "1", "coordinates of a rigid body in the plane", "5.11")
+    yield Step("constraints", 2, "1",
+               "constraints: the lower end stays on the floor, the upper end at the wall",
+               "5.11", "5.28")  # fmt: skip
+
+
+def prove(g):
+    """By the angle from the wall, which gives the places of both ends."""
+    return {"dof": freedom(lambda q: [mp.sin(q), 0, 0, mp.cos(q)], mpf("0.4"))}
+
+
+def mistakes(g):
+    return {
+        "free": {"dof": count()},
+        "one_contact": {"dof": count(floor=floor)},
+        "held": {"dof": count(floor=floor, wall=wall, friction=lambda ladder: ladder[0] + 0.5)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    A, B = (0.5 * g.L, 0, 0), (0, 0, 0.75**0.5 * g.L)
+    # along the wall down, then along the floor: what is fixed is on the right of the way
+    s.road([(0, 0, 1.1 * g.L), (0, 0, 0), (0.9 * g.L, 0, 0)])
+    s.rod(A, B)
+    s.dimension(A, B, label="L", offset=-0.1 * g.L)
+    s.label((0.85 * g.L, 0, 0), "floor", offset=(0, 10), bold=False)
+    s.label((0, 0, 1.05 * g.L), "wall", offset=(20, 0), bold=False)
