@@ -19,7 +19,8 @@ def term_text(name, equation, problem=None):
     if (equation.kind, name) in RELATIVE_MOTION:
         return RELATIVE_MOTION[equation.kind, name]
     if name in equation.terms:
-        return f"the {name.replace('coriolis', 'Coriolis')} term {equation.terms[name][0]}"
+        said = name.replace("coriolis", "Coriolis").replace("euler", "Euler")
+        return f"the {said} term {equation.terms[name][0]}"
     if not equation.kind.startswith("angular"):
         return f"the term {name}"
     if " x " not in name:

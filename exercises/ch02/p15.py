@@ -1,0 +1,76 @@
+"""2/15: the radius of curvature at the bottom of a loop, from the total acceleration."""
+
+from mpmath import mp
+
+from exercises.proofs import rate, root, second_rate, size
+from exercises.steps import Step
+from newton_euler import Frame, cos, frenet, sin, sqrt
+from newton_euler.drawing import Sketch
+
+
+def airplane(g, total):
+    """Its motion at A, from the magnitude of the acceleration; x forward, y up."""
+    ground = Frame("ground")
+    upward = sqrt(total**2 - g.v_dot**2)
+    return frenet(ground.vector(g.v, 0, 0), ground.vector(g.v_dot, upward, 0))
+
+
+def solve(g):
+    return {"rho": airplane(g, g.n * g.g).radius}
+
+
+def steps(g):
+    a = g.n * g.g
+    yield Step("a", a, "ft/s^2", "magnitude of the total acceleration")
+    yield Step("a_n", airplane(g, a).acceleration.y, "ft/s^2",
+               "normal component: what is left of the total beside the tangential one, v'", "2.3",
+               "2.14")  # fmt: skip
+
+
+def prove(g):
+    """The circle on which the acceleration of the airplane has the given size: there, on a parabola
+    in time along the arc.
+    """
+
+    def along(rho):
+        def place(t):
+            angle = (g.v * t + g.v_dot * t**2 / 2) / rho
+            return [rho * mp.sin(angle), -rho * mp.cos(angle), 0]
+
+        return place
+
+    tight = g.v**2 / (10 * g.n * g.g)
+    rho = root(lambda R: size(second_rate(along(R))) - g.n * g.g, tight, 1000 * tight)
+    a = second_rate(along(rho))
+    up = rate(lambda angle: [mp.sin(angle), -mp.cos(angle), 0], mp.pi / 2)
+    return {"rho": rho, "a": size(a), "a_n": sum(x * e for x, e in zip(a, up, strict=True))}
+
+
+def mistakes(g):
+    mi_per_h, ft_per_s = 15, 22  # 15 mi/h are 22 ft/s
+    return {
+        "all_normal": solve(g.but(v_dot=0 * g.v_dot)),
+        "weight_subtracted": solve(g.but(n=g.n - 1)),
+        "v_in_mi_h": solve(g.but(v=g.v * mi_per_h / ft_per_s)),
+        "v_dot_in_mi_h": solve(g.but(v_dot=g.v_dot * mi_per_h / ft_per_s)),
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    rho = solve(g)["rho"]
+    s = Sketch(ax, ground, plane="xy")
+    A, C = (0, 0, 0), (0, rho, 0)
+
+    def on_loop(angle):
+        return rho * sin(angle), rho * (1 - cos(angle)), 0
+
+    s.path([on_loop(n / 20) for n in range(-28, 29)], style="dashed")
+    outline = [(-0.2, 0.09), (-0.16, 0.03), (0.12, 0.03), (0.19, 0), (0.12, -0.03), (-0.2, -0.03)]
+    s.plate([(rho * x, rho * y, 0) for x, y in outline])
+    s.vector((0.19 * rho, 0, 0), ground.i, "v")
+    s.dimension(C, A, label=r"$\rho$", offset=0)
+    s.dot(A)
+    s.dot(C)
+    s.label(A, "A", offset=(0, -18))
+    s.label(C, "C")

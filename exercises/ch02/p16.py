@@ -1,0 +1,92 @@
+"""2/16: tape over two pulleys: one speed, one tangential acceleration, two curvatures."""
+
+from mpmath import mp
+
+from exercises.proofs import root, second_rate, size
+from exercises.steps import Step
+from newton_euler import Frame, sqrt
+from newton_euler.drawing import Sketch
+
+
+def speed(g):
+    """From the normal acceleration v^2/r_1 at pulley 1."""
+    return sqrt(g.a_n1 * g.r_1)
+
+
+def rim_point(r, v, a_t):
+    """The acceleration of a point on the rim of a pulley on which tape runs; along the radius and
+    along the tape.
+    """
+    ground = Frame("ground")
+    pulley = ground.rotate("pulley", "z", rate=v / r, acceleration=a_t / r)
+    return pulley.point("P", r, 0, 0).acceleration(ground)
+
+
+def solve(g):
+    v = speed(g)
+    return {
+        "v_tape": v,
+        "a_P1": rim_point(g.r_1, v, g.a_t2).norm(),
+        "a_P2": rim_point(g.r_2, v, g.a_t2).norm(),
+    }
+
+
+def steps(g):
+    v = speed(g)
+    yield Step("a_t1", rim_point(g.r_1, v, g.a_t2).y, "in/s^2",
+               "tangential component at P1: that of the tape, as at P2", "2.3", "2.14")  # fmt: skip
+    yield Step("a_n2", -rim_point(g.r_2, v, g.a_t2).x, "in/s^2",
+               "normal component at P2, of the same speed on a smaller radius", "2.3",
+               "2.14")  # fmt: skip
+
+
+follows = {"a_P2": lambda g, v_tape: rim_point(g.r_2, v_tape, g.a_t2).norm()}
+
+
+def prove(g):
+    """The rims in time, each turned by the tape that has run over it; the speed is that with which
+    P1 has the given acceleration inward.
+    """
+
+    def acceleration(r, v):
+        def place(t):
+            angle = (v * t + g.a_t2 * t**2 / 2) / r
+            return [r * mp.cos(angle), r * mp.sin(angle), 0]
+
+        return second_rate(place)
+
+    fast = mp.mpf(100) * mp.sqrt(g.a_n1 * g.r_1 + g.a_t2 * g.r_1)
+    v = root(lambda v: -acceleration(g.r_1, v)[0] - g.a_n1, 0, fast)
+    first, second = acceleration(g.r_1, v), acceleration(g.r_2, v)
+    answers = {"v_tape": v, "a_P1": size(first), "a_P2": size(second)}
+    return answers | {"a_t1": first[1], "a_n2": -second[0]}
+
+
+def mistakes(g):
+    right = solve(g)
+    second = rim_point(g.r_2, right["v_tape"], g.a_t2)
+    return {
+        "same_normal": {"a_P2": right["a_P1"]},
+        "same_alpha": {"a_P1": rim_point(g.r_1, right["v_tape"], g.a_t2 * g.r_1 / g.r_2).norm()},
+        "sum_of_components": {"a_P1": g.a_n1 + g.a_t2, "a_P2": second.y - second.x},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    r, q = g.r_1, g.r_2
+    apart, down, k = 3 * (r + q), 2.5 * (r + q), ground.k
+    one, two = (0, 0, 0), (apart, 0, 0)
+    A = s.pulley((0.1 * apart, -down, 0), k, 0.6 * r)
+    B = s.pulley((0.9 * apart, -down, 0), k, 0.6 * r)
+    first, second = s.pulley(one, k, r), s.pulley(two, k, q)
+    s.cable(A, first, second, B, turns=(-1, -1, -1, -1))
+    s.dot((0, r, 0))
+    s.dot((apart + q, 0, 0))
+    s.label((0, r, 0), "P1")
+    s.label((apart + q, 0, 0), "P2")
+    s.dimension(one, (-r * 3**0.5 / 2, r / 2, 0), label="$r_1$", offset=0)
+    s.dimension(two, (apart - q * 3**0.5 / 2, q / 2, 0), label="$r_2$", offset=0)
+    s.label((0.1 * apart, -down, 0), "A")
+    s.label((0.9 * apart, -down, 0), "B")

@@ -1,0 +1,73 @@
+"""2/17: a pin that a turning arm carries along a cam."""
+
+from exercises.proofs import minus, rot, second_rate, size, times
+from exercises.steps import Step, terms
+from newton_euler import Frame, cos, moving, pi, polar
+from newton_euler.drawing import Sketch
+
+
+def pin(g):
+    """Ground, distance and pin."""
+    ground, theta = Frame("ground"), moving(g.theta, rate=g.omega)
+    r = g.b - g.c * cos(theta)
+    return ground, r, polar(ground, "P", r, theta)
+
+
+def solve(g):
+    ground, _, P = pin(g)
+    return {"a": P.acceleration(ground).norm()}
+
+
+def steps(g):
+    ground, r, P = pin(g)
+    yield Step("r_dot", r.rate, "m/s", "rate of the distance", "2.6")
+    yield Step("r_ddot", r.acceleration, "m/s^2", "its second rate", "2.6")
+    a = P.acceleration(ground)
+    yield Step("a_P", a, "m/s^2", "acceleration along $e_r$, $e_\\theta$", "2.6", "2.18")
+    yield from terms(a, "a_P", "m/s^2", "2.6")
+
+
+def prove(g):
+    """The limacon as the path of a crank of length b, at the rate omega, with another of length c/2
+    on it that is set back and turns twice as fast: 2 cos^2 = 1 + cos of twice the angle.
+    """
+
+    def place(t):
+        angle = g.theta + g.omega * t
+        twice = times(rot("z", 2 * angle), [g.c / 2, 0, 0])
+        return minus(minus(times(rot("z", angle), [g.b, 0, 0]), twice), [g.c / 2, 0, 0])
+
+    a = second_rate(place)
+    return {"a": size(a), "a_P": times(rot("z", -g.theta), a)}
+
+
+def mistakes(g):
+    ground, _, P = pin(g)
+    a = P.acceleration(ground)
+    return {
+        "no_coriolis": {"a": a.without("coriolis").norm()},
+        "no_r_ddot": {"a": a.without("radial").norm()},
+        "centripetal_alone": {"a": a.terms["centripetal"].norm()},
+    }
+
+
+def draw(g, ax):
+    ground, _, P = pin(g)
+    s = Sketch(ax, ground, plane="xy")
+    O, size = (0, 0, 0), g.b + g.c
+
+    def on_cam(angle):
+        there, _, edge = pin(g.but(theta=angle))
+        return edge.position(there).components()
+
+    s.plate([on_cam(pi(g.b) * n / 30) for n in range(60)])
+    s.line(O, (size, 0, 0))
+    end = P.position(ground) * 1.5
+    s.rod(O, end)
+    s.hinge(O)
+    s.dot(P)
+    s.arc(O, (size, 0, 0), P, label=r"$\theta$")
+    s.swing(O, end, ground.k, label=r"$\omega$")
+    s.dimension(O, P, label="r", offset=0.12 * size)
+    s.label(O, "O", offset=(-10, -10))
+    s.label(P, "P", offset=(10, -8))

@@ -1,0 +1,79 @@
+"""2/22: the acceleration on a spiral that grows by the same factor in equal times."""
+
+from mpmath import mp
+
+from exercises.proofs import second_rate, size
+from exercises.steps import Step, terms
+from newton_euler import Frame, cos, exp, log, moving, polar, sin
+from newton_euler.drawing import Sketch
+
+
+def particle(g):
+    """Ground, distance and particle; theta is counted from where r = R."""
+    ground, theta = Frame("ground"), moving(0 * g.n, rate=g.omega)
+    r = g.R * exp(g.n * theta)
+    return ground, r, polar(ground, "P", r, theta)
+
+
+def solve(g):
+    ground, _, P = particle(g)
+    return {"a": P.acceleration(ground).norm()}
+
+
+def steps(g):
+    ground, r, P = particle(g)
+    yield Step("r_dot", r.rate, "m/s", "rate of the distance", "2.6")
+    yield Step("r_ddot", r.acceleration, "m/s^2", "its second rate", "2.6")
+    a = P.acceleration(ground)
+    yield Step("a_P", a, "m/s^2", "acceleration along $e_r$, $e_\\theta$", "2.6", "2.18")
+    yield from terms(a, "a_P", "m/s^2", "2.6")
+
+
+def prove(g):
+    """In the complex plane the spiral is one exponential function of time."""
+
+    def place(t):
+        z = g.R * mp.exp(mp.mpc(g.n, 1) * g.omega * t)
+        return [z.real, z.imag, 0]
+
+    a = second_rate(place)
+    return {"a": size(a), "a_P": a}
+
+
+def mistakes(g):
+    ground, _, P = particle(g)
+    a = P.acceleration(ground)
+    return {
+        "centripetal_alone": {"a": a.terms["centripetal"].norm()},
+        "no_coriolis": {"a": a.without("coriolis").norm()},
+        "no_r_ddot": {"a": a.without("radial").norm()},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    O, r_0 = (0, 0, 0), 0.3 * g.R
+    total = log(g.R / r_0) / g.n
+
+    def on_path(theta):
+        r = r_0 * exp(g.n * theta)
+        return r * cos(theta), r * sin(theta), 0
+
+    s.ring(O, ground.k, r_0)
+    s.ring(O, ground.k, g.R)
+    s.path([on_path(total * n / 80) for n in range(81)])
+    s.line(O, (1.25 * g.R, 0, 0))
+    here = 0.5 * total
+    P, end = on_path(here), on_path(total)
+    s.line(O, P, style="solid")
+    tip = [1.15 * g.R * x for x in (cos(here), sin(here), 0)]
+    s.line(P, tip)
+    s.swing(O, tip, ground.k, label=r"$\omega$")
+    s.dot(P)
+    s.dot(end)
+    s.arc(O, (g.R, 0, 0), P, label=r"$\theta$")
+    s.label(P, "P", offset=(sin(here), -cos(here), 0))
+    s.label([0.8 * x for x in P], "$r$", offset=(-sin(here), cos(here), 0), bold=False)
+    s.dimension(O, (-r_0 * 0.8, -r_0 * 0.6, 0), label="$r_0$", offset=0)
+    s.dimension(O, (g.R * 0.5, -g.R * 3**0.5 / 2, 0), label="R", offset=0)
