@@ -10,6 +10,7 @@ rows.
 
 from .digits import DIGITS, ProofError
 from .freedom import freedom
+from .gradients import gradient
 from .integrals import integral
 from .local_axes import cylindrical_axes, elevation, spherical_axes
 from .mass_points import ball, box, disk, mean, ring, shell
@@ -32,7 +33,7 @@ from .roots import root
 
 __all__ = [
     "DIGITS", "ProofError", "angular_acceleration", "angular_velocity", "ball", "box", "cross",
-    "cylindrical_axes", "disk", "elevation", "freedom", "integral", "mean", "minus", "plus",
-    "rate", "ring", "root", "rot", "scaled", "second_rate", "shell", "size", "spherical_axes",
-    "spun", "times", "transposed",
+    "cylindrical_axes", "disk", "elevation", "freedom", "gradient", "integral", "mean", "minus",
+    "plus", "rate", "ring", "root", "rot", "scaled", "second_rate", "shell", "size",
+    "spherical_axes", "spun", "times", "transposed",
 ]  # fmt: skip

@@ -1,0 +1,39 @@
+"""A/6: the components of a cross product, without numbers and figure."""
+
+from mpmath import mp
+
+from exercises.steps import Step
+from newton_euler import Frame
+
+AXES = Frame("axes")
+
+
+def vectors(g):
+    return AXES.vector(g.a_1, g.a_2, g.a_3), AXES.vector(g.b_1, g.b_2, g.b_3)
+
+
+def solve(g):
+    A, B = vectors(g)
+    return {"AxB": A.cross(B)}
+
+
+def steps(g):
+    A, B = vectors(g)
+    for n, e in enumerate((AXES.i, AXES.j, AXES.k)):
+        part = (A[n] * e).cross(B)
+        yield Step(f"from_{'ijk'[n]}", part, "1", f"a_{n + 1} {'ijk'[n]} x B", "A", "A.5")
+
+
+def prove(g):
+    """Each component as the volume of the box that A and B span with one unit vector."""
+
+    def volume(*e):
+        return mp.det(mp.matrix([e, (g.a_1, g.a_2, g.a_3), (g.b_1, g.b_2, g.b_3)]))
+
+    return {"AxB": [volume(1, 0, 0), volume(0, 1, 0), volume(0, 0, 1)]}
+
+
+def mistakes(g):
+    A, B = vectors(g)
+    x, y, z = A.cross(B).components()
+    return {"middle_sign": {"AxB": AXES.vector(x, -y, z)}, "B_x_A": {"AxB": B.cross(A)}}

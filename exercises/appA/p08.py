@@ -1,0 +1,76 @@
+"""A/8: the derivatives of a unit vector that turns: velocity and acceleration of its tip."""
+
+from mpmath import mp
+
+from exercises.catalogue import in_frame
+from exercises.proofs import rate, second_rate
+from exercises.steps import Step
+from newton_euler import Frame, cos, moving, sin
+from newton_euler.drawing import Sketch
+
+
+def turning(g):
+    """The fixed axes, a frame whose first axis is e, and the tip of e."""
+    axes = Frame("axes")
+    turned = axes.rotate("turned", "z", angle=moving(g.theta, rate=g.omega))
+    return axes, turned, turned.point("tip", 1, 0, 0)
+
+
+def along_e(g, eddot):
+    return eddot.dot(eddot.frame.vector(cos(g.theta), sin(g.theta), 0))
+
+
+follows = {"f": along_e}
+
+
+def solve(g):
+    axes, turned, tip = turning(g)
+    first, second = tip.velocity(axes), tip.acceleration(axes)
+    return in_frame(axes, {"edot": first, "eddot": second}) | {"f": second.dot(turned.i)}
+
+
+def steps(g):
+    axes, turned, tip = turning(g)
+    e_theta = turned.j.expressed_in(axes)
+    yield Step("e_theta", e_theta, "1", "unit vector 90 degrees ahead of e", "A")
+    yield Step(
+        "along_e_theta",
+        tip.velocity(axes).dot(turned.j),
+        "1/s",
+        "component of the first derivative along it; along e there is none",
+        "A",
+    )
+
+
+def prove(g):
+    """Components differentiated; f from e.e = 1, whose second derivative is e.e'' + e'.e' = 0."""
+
+    def e(t):
+        angle = g.theta + g.omega * t
+        return [mp.cos(angle), mp.sin(angle), 0]
+
+    first = rate(e)
+    square = sum(x * x for x in first)
+    return {"edot": first, "eddot": second_rate(e), "f": -square, "along_e_theta": mp.sqrt(square)}
+
+
+def mistakes(g):
+    edot, eddot, f = solve(g).values()
+    once = g.omega**2 - g.omega  # unlike quantities, as the student has them
+    return {
+        "no_change": {"edot": 0 * edot, "eddot": 0 * eddot, "f": 0 * f},
+        "no_chain_rule": solve(g.but(omega=g.omega / g.omega)),
+        "chain_rule_once": {"eddot": eddot - once / g.omega**2 * eddot, "f": f + once},
+        "plus": {"eddot": -eddot, "f": -f},
+    }
+
+
+def draw(g, ax):
+    axes, _, tip = turning(g)
+    s = Sketch(ax, axes, plane="xy")
+    O, e = (0, 0, 0), tip.position(axes).components(axes)
+    s.axes(O, axes, length=1, labels=["i", "j", ""])
+    s.arrow(O, e)
+    s.label(e, "e")
+    s.arc(O, axes.i, e, label=r"$\theta$")
+    s.swing(O, e, axes.k, r"$\omega$")

@@ -1,0 +1,90 @@
+"""A/10: the product rules, by moving components that the engine multiplies and differentiates."""
+
+from mpmath import mp
+
+from exercises.proofs import rate
+from exercises.steps import Step
+from newton_euler import Frame, moving
+
+AXES = Frame("axes")
+
+
+def vectors(g):
+    """A and B."""
+    return AXES.vector(g.a_1, g.a_2, g.a_3), AXES.vector(g.b_1, g.b_2, g.b_3)
+
+
+def rates(g):
+    """The derivatives of A and B."""
+    return (
+        AXES.vector(g.a_1_dot, g.a_2_dot, g.a_3_dot),
+        AXES.vector(g.b_1_dot, g.b_2_dot, g.b_3_dot),
+    )
+
+
+def solve(g):
+    a, b = (
+        [moving(x, rate=slope) for x, slope in zip(v, dv, strict=True)]
+        for v, dv in zip(vectors(g), rates(g), strict=True)
+    )
+    u = moving(g.u, rate=g.u_dot)
+    A, B, uA = AXES.vector(*a), AXES.vector(*b), AXES.vector(*(u * x for x in a))
+    return {
+        "d_sum": (A + B).rate(AXES),
+        "d_uA": uA.rate(AXES),
+        "d_dot": sum(x * y for x, y in zip(a, b, strict=True)).rate,
+        "d_cross": A.cross(B).rate(AXES),
+    }
+
+
+def steps(g):
+    A, B = vectors(g)
+    dA, dB = rates(g)
+    yield Step(
+        "u_part", g.u_dot * A, "1/s", "the part of the second from the change of u", "A", "A.19"
+    )
+    yield Step("A_part", g.u * dA, "1/s", "its part from the change of A", "A", "A.19")
+    yield Step(
+        "dA_x_B", dA.cross(B), "1/s", "the part of the last from the change of A", "A", "A.21"
+    )
+    yield Step("A_x_dB", A.cross(dB), "1/s", "its part from the change of B", "A", "A.21")
+
+
+def prove(g):
+    """Differences over a short time, of other formulas: the dot product from the lengths of sum and
+    difference, the cross product by determinants.
+    """
+
+    def A(t):
+        return [g.a_1 + g.a_1_dot * t, g.a_2 + g.a_2_dot * t, g.a_3 + g.a_3_dot * t]
+
+    def B(t):
+        return [g.b_1 + g.b_1_dot * t, g.b_2 + g.b_2_dot * t, g.b_3 + g.b_3_dot * t]
+
+    def square(t, sign):
+        return sum((x + sign * y) ** 2 for x, y in zip(A(t), B(t), strict=True))
+
+    def volumes(t):
+        unit = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+        return [mp.det(mp.matrix([e, A(t), B(t)])) for e in unit]
+
+    return {
+        "d_sum": rate(lambda t: [x + y for x, y in zip(A(t), B(t), strict=True)]),
+        "d_uA": rate(lambda t: [(g.u + g.u_dot * t) * x for x in A(t)]),
+        "d_dot": rate(lambda t: (square(t, 1) - square(t, -1)) / 4),
+        "d_cross": rate(volumes),
+    }
+
+
+def mistakes(g):
+    A, B = vectors(g)
+    dA, dB = rates(g)
+    return {
+        "product_of_derivatives": {
+            "d_uA": g.u_dot * dA,
+            "d_dot": dA.dot(dB),
+            "d_cross": dA.cross(dB),
+        },
+        "order": {"d_cross": dA.cross(B) + dB.cross(A)},
+        "first_factor_only": {"d_uA": g.u_dot * A, "d_dot": dA.dot(B), "d_cross": dA.cross(B)},
+    }

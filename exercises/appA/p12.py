@@ -1,0 +1,64 @@
+"""A/12: the gradient of a dot product at a point."""
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.kinematics.curvilinear_systems import gradient
+
+AXES = Frame("axes")
+
+
+def A(x, y, z):
+    return x * y, y * z, z * x
+
+
+def B(x, y, z):
+    return y, z, x
+
+
+def point(g):
+    return g.x_1, g.y_1, g.z_1
+
+
+def minus_product(A, B):
+    """V of the place, from two vectors that are functions of it."""
+    return lambda *place: -sum(a * b for a, b in zip(A(*place), B(*place), strict=True))
+
+
+def at_point(g, V):
+    return gradient(V, AXES.point("P", *point(g)))
+
+
+def solve(g):
+    return {"grad": at_point(g, minus_product(A, B))}
+
+
+def steps(g):
+    here = point(g)
+    A_here, B_here = A(*here), B(*here)
+    yield Step("A_1", AXES.vector(*A_here), "1", "A at the point", "A")
+    yield Step("B_1", AXES.vector(*B_here), "1", "B at the point", "A")
+    by_A = at_point(g, minus_product(A, lambda *_: B_here))
+    by_B = at_point(g, minus_product(lambda *_: A_here, B))
+    yield Step("by_A", by_A, "1", "part of the gradient by the change of A, B held", "A", "A.22")
+    yield Step("by_B", by_B, "1", "part of the gradient by the change of B, A held", "A", "A.22")
+
+
+def prove(g):
+    """The dot product multiplied out, its slopes along slanted lines."""
+    return {
+        "grad": proofs.gradient(lambda x, y, z: -x * y**2 - y * z**2 - z * x**2, point(g)),
+    }
+
+
+def mistakes(g):
+    right = solve(g)["grad"]
+
+    def held(x, y, z):  # x, y, z as they stand alone in x y^2 + y z^2 + z x^2 are held
+        return -sum(a * b**2 for a, b in zip(point(g), B(x, y, z), strict=True))
+
+    return {
+        "no_minus": {"grad": -right},
+        "point_first": {"grad": 0 * right},
+        "squares_only": {"grad": at_point(g, held)},
+    }

@@ -1,0 +1,73 @@
+"""A/16: components for which three vectors are orthogonal, one condition after the other."""
+
+from exercises import proofs
+from exercises.proofs import cross
+from exercises.steps import Step
+from newton_euler import Frame, solve_linear
+
+AXES = Frame("axes")
+
+
+def P(g):
+    return AXES.vector(g.p_1, g.p_2, g.p_3)
+
+
+def Q(g, z):
+    return AXES.vector(g.q_1, 0, z)
+
+
+def R(g, x, y):
+    return AXES.vector(g.r_1, x, y)
+
+
+def z(g):
+    return solve_linear(lambda z: P(g).dot(Q(g, z))).z
+
+
+def y(g, z):
+    """Whatever x is, since Q has no component along j."""
+    return solve_linear(lambda y: Q(g, z).dot(R(g, 0, y))).y
+
+
+def x(g, y):
+    return solve_linear(lambda x: P(g).dot(R(g, x, y))).x
+
+
+follows = {"y": y, "x": x}
+
+
+def solve(g):
+    known = z(g)
+    then = y(g, known)
+    return {"z": known, "y": then, "x": x(g, then)}
+
+
+def steps(g):
+    known = z(g)
+    yield Step("p_1_q_1", g.p_1 * g.q_1, "1", "part of P . Q that is known", "A", "A.11")
+    yield Step("q_1_r_1", g.q_1 * g.r_1, "1", "part of Q . R that is known", "A", "A.11")
+    rest = P(g).dot(R(g, 0, y(g, known)))
+    yield Step("P_R", rest, "1", "part of P . R that is known once y is", "A", "A.11")
+
+
+def prove(g):
+    """z by Pythagoras for the triangle of P and Q; R is along P x Q."""
+    P = [g.p_1, g.p_2, g.p_3]
+
+    def gap(z):
+        Q = [g.q_1, 0, z]
+        return sum((p - q) ** 2 - p**2 - q**2 for p, q in zip(P, Q, strict=True))
+
+    z = proofs.root(gap, -100, 100)
+    normal = cross(P, [g.q_1, 0, z])
+    return {"z": z, "y": g.r_1 * normal[2] / normal[0], "x": g.r_1 * normal[1] / normal[0]}
+
+
+def mistakes(g):
+    """A wrong z or y goes on into what follows from it, as ``follows`` says."""
+    right = solve(g)
+    return {
+        "z_sign": {"z": -right["z"]},
+        "exchanged": {"y": right["x"], "x": right["y"]},
+        "y_sign": {"y": -right["y"]},
+    }
