@@ -19,10 +19,10 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("by_mass", weight(g, 1 / g.n_M, 1), "lb",
+    yield Step("W_1", weight(g, 1 / g.n_M, 1), "lb",
                "weight on a planet as large as the earth, with the mass of the moon",
                "5.10", "5.24")  # fmt: skip
-    yield Step("by_radius", g.n_R**2, "1",
+    yield Step("growth", g.n_R**2, "1",
                "factor by which it grows nearer to the centre", "5.10", "5.24")  # fmt: skip
 
 
@@ -32,8 +32,8 @@ def prove(g):
     large_moon = pull(1 / g.n_M, 1, 1)
     return {
         "W": g.W0 * moon / earth,
-        "by_mass": g.W0 * large_moon / earth,
-        "by_radius": moon / large_moon,
+        "W_1": g.W0 * large_moon / earth,
+        "growth": moon / large_moon,
     }
 
 

@@ -1,0 +1,52 @@
+"""5/24: the degrees of freedom of a double Atwood machine."""
+
+from mpmath import mpf
+
+from exercises.devices.atwood import count, draw_machine, rope
+from exercises.proofs import freedom
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+MASSES = "m1", "m2", "m3"
+HEIGHTS = *MASSES, "P2"
+ROPES = {
+    "rope_1": lambda m1, P2: m1[0] + P2[0],  # its pulley is fixed, at the height zero
+    "rope_2": lambda P2, m2, m3: rope(P2, m2, m3),
+}
+
+
+def solve(g):
+    return {"dof": count(HEIGHTS, **ROPES)}
+
+
+def steps(g):
+    yield Step("heights", count(HEIGHTS), "1",
+               "coordinates: the heights of three masses and of the movable pulley",
+               "5.11")  # fmt: skip
+    yield Step("ropes", len(ROPES), "1", "constraints: each rope keeps its length", "5.11", "5.28")
+
+
+def prove(g):
+    """By the lengths that run over each pulley, from left to right."""
+
+    def heights(over_1, over_2):
+        P2 = -over_1
+        return [over_1, P2, P2 + over_2, P2 - over_2]
+
+    return {"dof": freedom(heights, mpf("0.3"), mpf("-0.2"))}
+
+
+def mistakes(g):
+    return {
+        "no_pulley": {"dof": count(MASSES) - len(ROPES)},
+        "masses_only": {"dof": count(MASSES)},
+        "no_ropes": {"dof": count(HEIGHTS)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    movable = ("$P_2$", 0.6, (2, "2"), (1.4, "3"))
+    draw_machine(s, ground, ("$P_1$", 0.8, (3, "1"), (2.2, movable)))

@@ -1,0 +1,58 @@
+"""5/25: the degrees of freedom of five masses on four ropes."""
+
+from mpmath import mpf
+
+from exercises.devices.atwood import count, draw_machine, rope
+from exercises.proofs import freedom
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+MASSES = "m1", "m2", "m3", "m4", "m5"
+HEIGHTS = *MASSES, "P2", "P3", "P4"
+ROPES = {
+    "rope_1": lambda P2, P3: P2[0] + P3[0],  # its pulley is fixed, at the height zero
+    "rope_2": lambda P2, m1, m2: rope(P2, m1, m2),
+    "rope_3": lambda P3, m3, P4: rope(P3, m3, P4),
+    "rope_4": lambda P4, m4, m5: rope(P4, m4, m5),
+}
+
+
+def solve(g):
+    return {"dof": count(HEIGHTS, **ROPES)}
+
+
+def steps(g):
+    yield Step("heights", count(HEIGHTS), "1",
+               "coordinates: the heights of five masses and of three movable pulleys",
+               "5.11")  # fmt: skip
+    yield Step("ropes", len(ROPES), "1", "constraints: each rope keeps its length", "5.11", "5.28")
+
+
+def prove(g):
+    """By the lengths that run over each pulley, from left to right."""
+
+    def heights(over_1, over_2, over_3, over_4):
+        P2, P3 = over_1, -over_1
+        P4 = P3 - over_3
+        masses = [P2 + over_2, P2 - over_2, P3 + over_3, P4 + over_4, P4 - over_4]
+        return [P2, P3, P4, *masses]
+
+    return {"dof": freedom(heights, mpf("0.3"), mpf("-0.2"), mpf("0.5"), mpf("0.7"))}
+
+
+def mistakes(g):
+    return {
+        "no_pulleys": {"dof": count(MASSES) - len(ROPES)},
+        "masses_only": {"dof": count(MASSES)},
+        "no_ropes": {"dof": count(HEIGHTS)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    P2 = ("$P_2$", 0.6, (2.2, "1"), (1.5, "2"))
+    P4 = ("$P_4$", 0.6, (1.2, "4"), (1.8, "5"))
+    P3 = ("$P_3$", 0.7, (2.6, "3"), (2, P4))
+    draw_machine(s, ground, ("$P_1$", 1.3, (2.8, P2), (2.5, P3)))

@@ -1,0 +1,74 @@
+"""5/27: the degrees of freedom of a double pendulum. The lengths are only drawn."""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import freedom
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import degrees_of_freedom
+
+PLANE = {"P1": "particle in plane", "P2": "particle in plane"}
+
+
+def rod_1(P1):
+    """P1 stays at one distance, here the unit of length, from O."""
+    return P1[0] ** 2 + P1[1] ** 2 - 1
+
+
+def rod_2(P1, P2):
+    """P2 stays at one distance from P1."""
+    return (P2[0] - P1[0]) ** 2 + (P2[1] - P1[1]) ** 2 - 1
+
+
+def in_one_line(P1, P2):
+    """The second rod goes on in the direction of the first."""
+    return P1[0] * P2[1] - P1[1] * P2[0]
+
+
+def count(**constraints):
+    return degrees_of_freedom(PLANE, constraints).count
+
+
+def solve(g):
+    return {"dof": count(rod_1=rod_1, rod_2=rod_2)}
+
+
+def steps(g):
+    yield Step("coordinates", count(), "1", "coordinates of two particles in the plane", "5.11")
+    yield Step("constraints", 2, "1", "constraints: each rod keeps its length", "5.11", "5.28")
+
+
+def prove(g):
+    """By the angles of the two rods from the vertical."""
+
+    def places(q1, q2):
+        x, y = mp.sin(q1), -mp.cos(q1)
+        return [x, y, x + mp.sin(q2), y - mp.cos(q2)]
+
+    return {"dof": freedom(places, mpf("0.4"), mpf("0.9"))}
+
+
+def mistakes(g):
+    return {
+        "no_rods": {"dof": count()},
+        "one_body": {"dof": count(rod_1=rod_1, rod_2=rod_2, in_one_line=in_one_line)},
+        "one_rod": {"dof": count(rod_1=rod_1)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    O, P1 = (0, 0, 0), (0.28 * g.L1, 0, -0.96 * g.L1)
+    P2 = (P1[0] + 0.8 * g.L2, 0, P1[2] - 0.6 * g.L2)
+    s.ground(O, normal=-ground.k)
+    s.rod(O, P1)
+    s.rod(P1, P2)
+    s.hinge(O)
+    for P, name in ((P1, "$P_1$"), (P2, "$P_2$")):
+        s.dot(P)
+        s.label(P, name, offset=(0, -14), bold=False)
+    s.dimension(O, P1, label="$L_1$", offset=-0.15 * g.L1)
+    s.dimension(P1, P2, label="$L_2$", offset=0.15 * g.L1)
+    s.label(O, "O", offset=(14, -12))

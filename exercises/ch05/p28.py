@@ -1,0 +1,108 @@
+"""5/28: the degrees of freedom of two particles on a string through the tip of a cone. Angle and
+length are only drawn.
+"""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import freedom
+from exercises.steps import Step
+from newton_euler import Frame, cos, sin, sqrt
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import degrees_of_freedom
+
+TWO = {"P1": "particle", "P2": "particle"}
+
+
+def length(P):
+    """From the tip."""
+    return sqrt(sum(x * x for x in P))
+
+
+def cone(P1):
+    """With the half angle of 45 deg, about z."""
+    x, y, z = P1
+    return x * x + y * y - z * z
+
+
+def string(P1, P2):
+    """Straight on both sides of the hole, 3 units long."""
+    return length(P1) + length(P2) - 3
+
+
+def vertical(P2):
+    return P2[:2]
+
+
+def fixed_length(P2):
+    return length(P2) - 1
+
+
+def answers(**constraints):
+    """When P2 may swing, and when it may not."""
+    return {
+        "dof_swinging": degrees_of_freedom(TWO, constraints).count,
+        "dof_vertical": degrees_of_freedom(TWO, {**constraints, "vertical": vertical}).count,
+    }
+
+
+def solve(g):
+    return answers(cone=cone, string=string)
+
+
+def steps(g):
+    free = degrees_of_freedom(TWO).count
+    yield Step("coordinates", free, "1", "coordinates of two particles in space", "5.11")
+    yield Step("constraints", 2, "1", "constraints in both cases: cone and string", "5.11", "5.28")
+    yield Step("more", 2, "1", "further constraints in (b): P_2 stays on the vertical, x = y = 0",
+               "5.11", "5.28")  # fmt: skip
+
+
+follows = {"dof_vertical": lambda g, dof_swinging: dof_swinging - 2}
+
+
+def prove(g):
+    """By the length of the string inside of the cone, the angle of its line on the cone, and two
+    angles of the part that hangs.
+    """
+
+    def on_cone(r, turn):
+        return [r * mp.cos(turn), r * mp.sin(turn), r]
+
+    def below(r, turn, to_x, to_y):
+        hanging = 3 - r * mp.sqrt(2)
+        x, y = mp.sin(to_x), mp.cos(to_x) * mp.sin(to_y)
+        return [hanging * c for c in (x, y, -mp.cos(to_x) * mp.cos(to_y))] + on_cone(r, turn)
+
+    start = mpf(1), mpf("0.5")
+    return {
+        "dof_swinging": freedom(below, *start, mpf("0.2"), mpf("-0.3")),
+        "dof_vertical": freedom(lambda *q: below(*q, 0, 0), *start),
+    }
+
+
+def mistakes(g):
+    swing_only = answers(cone=cone, string=string, fixed_length=fixed_length)
+    return {
+        "no_string": answers(cone=cone),
+        "no_swing": {"dof_swinging": solve(g)["dof_vertical"]},
+        "no_cone": answers(string=string),
+        "fixed_length": swing_only,
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=0, elevation=18)
+    r, h = 0.75 * g.L * sin(g.gamma), 0.75 * g.L * cos(g.gamma)
+    tip, rim, left, right = (0, 0, 0), (0, 0, h), (0, -r, h), (0, r, h)
+    P1, P2 = (-0.6 * r, 0.48 * r, 0.768 * h), (0, 0, 0.768 * 0.75 * g.L - g.L)
+    s.ring(rim, ground.k, r)  # a cone without a filling: it hides nothing
+    s.line(tip, left, style="solid")
+    s.line(tip, right, style="solid")
+    s.line(tip, (0, 0, 1.3 * h), style="centre")
+    s.path([P1, tip, P2])
+    s.arc(tip, left, rim, label=r"$\gamma$")
+    for P, name in ((P1, "$P_1$"), (P2, "$P_2$")):
+        s.dot(P)
+        s.label(P, name, offset=(14, 0), bold=False)
+    s.label((0, 0, P2[2] / 2), "string of length L", offset=(52, 0), bold=False)

@@ -1,0 +1,46 @@
+"""Masses on ropes over pulleys, some of which hang on ropes themselves, after Atwood: 5/24, 5/25.
+
+A machine is a pulley: its name, its radius, and for either end of its rope the length of the run
+and what hangs there, the name of a mass or another pulley.
+"""
+
+from newton_euler.dynamics import degrees_of_freedom
+
+SIZE = 0.45  # of a mass
+
+
+def rope(pulley, left, right):
+    """A constraint: the two runs of the rope over a pulley keep their sum, here zero; of heights
+    as ``degrees_of_freedom`` gives them.
+    """
+    return left[0] + right[0] - 2 * pulley[0]
+
+
+def count(names, **ropes):
+    """Degrees of freedom of things that move vertically only, under these ropes."""
+    return degrees_of_freedom(dict.fromkeys(names, 1), ropes).count
+
+
+def draw_machine(s, frame, machine):
+    """In the (x, z) plane of ``frame``, with a ceiling."""
+    radius = machine[1]
+    z = 1.6 * radius
+    s.road([(2 * radius, 0, z), (-2 * radius, 0, z)])
+    s.rod((0, 0, z), (0, 0, 0))
+    _hang(s, frame, machine, (0, 0, 0))
+
+
+def _hang(s, frame, machine, C):
+    name, radius, *ends = machine
+    wheel = s.pulley(C, frame.j, radius)
+    places = [
+        (C[0] + side * radius, 0, C[2] - run) for side, (run, _) in zip((-1, 1), ends, strict=True)
+    ]
+    s.cable(places[0], wheel, places[1])
+    s.label((C[0], 0, C[2] - 0.6 * radius), name, offset=(0, 0), bold=False)
+    for (x, _, z), (_, load) in zip(places, ends, strict=True):
+        if isinstance(load, str):
+            s.box((x, 0, z - SIZE / 2), frame, (SIZE, SIZE, SIZE))
+            s.label((x, 0, z - SIZE / 2), load, offset=(0, 0), bold=False)
+        else:
+            _hang(s, frame, load, (x, 0, z))
