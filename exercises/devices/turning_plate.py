@@ -2,12 +2,10 @@
 what the welder of 2/34 and 2/35 and the rod of 2/36 to 2/39 share.
 """
 
-from dataclasses import replace
-
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_velocity, rate, rot, second_rate
+from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate
 from exercises.steps import Step, terms
 from newton_euler import Frame
 
@@ -35,15 +33,18 @@ def motion_steps(ground, P, length):
         f"omega_{name}", plate.angular_velocity(ground), "rad/s",
         f"angular velocity of the {name}", "2.8", "2.19",
     )  # fmt: skip
+    yield Step(
+        f"alpha_{name}", plate.angular_acceleration(ground), "rad/s^2",
+        f"angular acceleration of the {name}", "2.10", "2.26",
+    )  # fmt: skip
     yield Step("r", P.position(plate), length, f"position of {P.name} from A", "2.10", "2.23")
     yield Step(
         "v_r", P.velocity(plate), f"{length}/s",
-        f"velocity of {P.name} relative to the {name}", "2.10",
+        f"velocity of {P.name} relative to the {name}", "2.10", "2.24",
     )  # fmt: skip
-    for key, vector in motion(ground, P).items():
-        speed = key.startswith("v")
-        for s in terms(vector, key, f"{length}/s" if speed else f"{length}/s^2", "2.10"):
-            yield replace(s, equation="2.24" if speed else "2.25")
+    v, a = motion(ground, P).items()
+    yield from terms(v[1], v[0], f"{length}/s", "2.10", "2.24")
+    yield from terms(a[1], a[0], f"{length}/s^2", "2.10", "2.25")
 
 
 def proof(name, plate, theta, x, y):
@@ -53,10 +54,14 @@ def proof(name, plate, theta, x, y):
         c, s = mp.cos(theta(t)), mp.sin(theta(t))
         return [x(t) * c - y(t) * s, x(t) * s + y(t) * c, 0]
 
+    def turned(t):
+        return rot("z", theta(t))
+
     return {
         f"v_{name}": rate(P),
         f"a_{name}": second_rate(P),
-        f"omega_{plate}": angular_velocity(lambda t: rot("z", theta(t))),
+        f"omega_{plate}": angular_velocity(turned),
+        f"alpha_{plate}": angular_acceleration(turned),
         "r": P(0),
         "v_r": rate(lambda t: [x(t), y(t), 0]),
     }

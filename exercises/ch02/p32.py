@@ -1,0 +1,35 @@
+"""2/32: as 2/31, while both cars change their speed."""
+
+from exercises.devices import two_cars
+from exercises.devices.two_cars import acceleration_steps, cars, draw, seen_acceleration
+
+__all__ = ["draw", "mistakes", "prove", "solve", "steps"]
+
+
+def scene(g):
+    return cars(g, g.c_A, -g.c_B)
+
+
+def solve(g):
+    return {"a_rel": seen_acceleration(*scene(g))}
+
+
+def steps(g):
+    yield from acceleration_steps(*scene(g))
+
+
+def prove(g):
+    velocities, accelerations = two_cars.prove(g, g.c_A, -g.c_B)
+    return accelerations | velocities
+
+
+def mistakes(g):
+    def without(*names):
+        return {"a_rel": seen_acceleration(*scene(g), *names)}
+
+    return {
+        "no_alpha": without("euler"),
+        "B_speeds_up": solve(g.but(c_B=-g.c_B)),
+        "no_coriolis": without("coriolis"),
+        "a_B_minus_a_A": without("coriolis", "euler", "centripetal"),
+    }

@@ -1,0 +1,78 @@
+"""2/33: a slider that passes the centre of a turning disk."""
+
+from mpmath import mp
+
+from exercises.devices.turning_plate import turning
+from exercises.proofs import angular_velocity, rate, rot, second_rate
+from exercises.steps import Step
+from newton_euler import moving, polar
+from newton_euler.drawing import Sketch
+
+
+def disk_and_slider(g):
+    ground, disk = turning("disk", g.omega, g.alpha)
+    return ground, disk, disk.point("slider", moving(0, rate=g.x_dot), 0, 0)
+
+
+def solve(g):
+    ground, _, P = disk_and_slider(g)
+    return {"a": P.acceleration(ground)}
+
+
+def steps(g):
+    ground, disk, P = disk_and_slider(g)
+    theta = moving(0, rate=g.omega, acceleration=g.alpha)
+    along_slot = polar(ground, "slider", P.x[0], theta)
+    yield Step(
+        "v_polar", along_slot.velocity(ground), "in/s",
+        "velocity by radial-transverse components, with r = 0 and r' = x'", "2.6", "2.17",
+    )  # fmt: skip
+    yield Step(
+        "a_polar", along_slot.acceleration(ground), "in/s^2",
+        "acceleration by radial-transverse components, 2 r' theta' along e_theta", "2.6", "2.18",
+    )  # fmt: skip
+    omega = disk.angular_velocity(ground)
+    yield Step("omega_disk", omega, "rad/s", "angular velocity of the disk", "2.8", "2.19")
+    yield Step("v_r", P.velocity(disk), "in/s", "velocity of the slider in the disk", "2.10")
+
+
+def prove(g):
+    """The path in the ground, a spiral through O, along the slot as it lies at t = 0."""
+
+    def theta(t):
+        return g.omega * t + g.alpha * t**2 / 2
+
+    def place(t):
+        return [g.x_dot * t * mp.cos(theta(t)), g.x_dot * t * mp.sin(theta(t)), 0]
+
+    return {
+        "a": second_rate(place),
+        "v_polar": rate(place),
+        "a_polar": second_rate(place),
+        "omega_disk": angular_velocity(lambda t: rot("z", theta(t))),
+    }
+
+
+def mistakes(g):
+    a = solve(g)["a"]
+    return {
+        "zero": {"a": a.without("coriolis")},
+        "no_2": {"a": a.reweighted(coriolis=0.5)},
+        "reversed": {"a": a.reweighted(coriolis=-1)},
+    }
+
+
+def draw(g, ax):
+    ground, disk, P = disk_and_slider(g)
+    s = Sketch(ax, ground, plane="xy")
+    R, w = 1, 0.09  # the size of the disk is not given
+    slot = [(-0.85, -w, 0), (0.85, -w, 0), (0.85, w, 0), (-0.85, w, 0)]
+    s.disk(P, disk.k, R)
+    s.plate(slot, shade="light")
+    s.plate([(-0.16, -w, 0), (0.16, -w, 0), (0.16, w, 0), (-0.16, w, 0)], shade="dark")
+    s.swing(P, (R * 1.08, 0, 0), disk.k, r"$\omega$")
+    s.line((R, 0, 0), (1.4 * R, 0, 0), style="centre")
+    s.vector((0.16, 0, 0), disk.i, r"$\dot x$")
+    s.label((1.4 * R, 0, 0), "x", offset=(10, 0), bold=False)
+    s.dot(P)
+    s.label(P, "O", offset=(0, -18))

@@ -1,0 +1,149 @@
+"""The two cars of 2/30 to 2/32, on curves that bend away from each other: what the occupants of A,
+who turn with their car, see of B.
+"""
+
+from mpmath import mp
+
+from exercises.proofs import (
+    angular_acceleration,
+    angular_velocity,
+    minus,
+    rate,
+    rot,
+    second_rate,
+    times,
+    transposed,
+)
+from exercises.steps import Step
+from newton_euler import Frame, cos, moving, sin
+from newton_euler.drawing import Sketch
+
+
+def cars(g, a_A=0, a_B=0):
+    """Ground, with its axes those of the car A at the instant; the frame of the car A; B.
+
+    a_A, a_B : how fast the speeds of A and of B grow
+    """
+    ground = Frame("ground")
+    # both turn counterclockwise: each car has the centre of its curve on its left
+    left = ground.point("centre of A's curve", -g.R, 0, 0)
+    right = ground.point("centre of B's curve", g.x + g.R, 0, 0)
+    first = ground.rotate("curve of A", "z", 0, g.v / g.R, a_A / g.R, origin=left)
+    second = ground.rotate("curve of B", "z", 0, g.v / g.R, a_B / g.R, origin=right)
+    car = first.translate("car A", first.point("A", g.R, 0, 0))
+    return ground, car, second.point("B", -g.R, 0, 0)
+
+
+def place(ground, car, B, seen=None):
+    """A point of the car A where B is; with ``seen``, it moves in the car at this velocity."""
+    r = B.position(car)
+    if seen is None:
+        return car.point("Q", *r)
+    rates = seen.components(car)
+    return car.point("Q", *(moving(x, rate=v) for x, v in zip(r, rates, strict=True)))
+
+
+def seen_velocity(ground, car, B, change=lambda v: v):
+    """v_B - (v_A + omega x r), (2.24); ``change`` makes a mistake of the sum in brackets."""
+    v = place(ground, car, B).velocity(ground)
+    return B.velocity(ground).expressed_in(ground) - change(v)
+
+
+def seen_acceleration(ground, car, B, *missing, seen=None):
+    """a_B - (a_A + alpha x r + 2 omega x v_rel + omega x (omega x r)), (2.25), without the missing
+    terms of the sum in brackets; ``seen``: a wrong relative velocity.
+    """
+    v_rel = seen_velocity(ground, car, B) if seen is None else seen
+    a = place(ground, car, B, v_rel).acceleration(ground)
+    return B.acceleration(ground).expressed_in(ground) - a.without(*missing)
+
+
+def velocity_steps(ground, car, B):
+    """What enters (2.24)."""
+    v = place(ground, car, B).velocity(ground).expressed_in(ground)
+    omega = car.angular_velocity(ground)
+    yield Step("omega_A", omega, "rad/s", "angular velocity of the car A, v/R", "2.8", "2.19")
+    yield Step("r", B.position(car), "m", "position of B in the car A", "2.10", "2.23")
+    yield Step("v_A", v.terms["origin"], "m/s", "velocity of A in the ground", "2.3", "2.4")
+    yield Step("v_B", B.velocity(ground), "m/s", "velocity of B in the ground", "2.3", "2.4")
+    yield Step("v_rotation", v.terms["rotation"], "m/s", "the term omega x r", "2.10", "2.24")
+
+
+def acceleration_steps(ground, car, B):
+    """What enters (2.25)."""
+    yield from velocity_steps(ground, car, B)
+    v_rel = seen_velocity(ground, car, B)
+    said = "velocity of B as seen from the car A, v_B - v_A - omega x r"
+    yield Step("v_rel", v_rel, "m/s", said, "2.10", "2.24")
+    terms = place(ground, car, B, v_rel).acceleration(ground).expressed_in(ground).terms
+    alpha = car.angular_acceleration(ground)
+    yield Step("alpha_A", alpha, "rad/s^2", "angular acceleration of the car A", "2.8")
+    said = "acceleration of {} in the ground, tangential and normal"
+    yield Step("a_A", terms["origin"], "m/s^2", said.format("A"), "2.3", "2.14")
+    a_B = B.acceleration(ground).expressed_in(ground)
+    yield Step("a_B", a_B, "m/s^2", said.format("B"), "2.3", "2.14")
+    for name, said in (
+        ("euler", "the term alpha x r"),
+        ("coriolis", "the Coriolis term 2 omega x v_rel"),
+        ("centripetal", "the term omega x (omega x r)"),
+    ):
+        yield Step(f"a_{name}", terms[name], "m/s^2", said, "2.10", "2.25")
+
+
+def prove(g, a_A=0, a_B=0):
+    """Both cars on their circles in time; B along the axes of the car A, which turn, and the rates
+    of these coordinates: the velocities, and the accelerations.
+    """
+
+    def angle(a):
+        return lambda t: (g.v * t + a * t**2 / 2) / g.R
+
+    def on_circle(centre, phi, side):
+        return lambda t: [centre + side * g.R * mp.cos(phi(t)), side * g.R * mp.sin(phi(t)), 0]
+
+    phi = angle(a_A)
+    A, B = on_circle(-g.R, phi, 1), on_circle(g.x + g.R, angle(a_B), -1)
+
+    def seen(t):
+        return times(transposed(rot("z", phi(t))), minus(B(t), A(t)))
+
+    def turned(t):
+        return rot("z", phi(t))
+
+    velocities = {
+        "v_rel": rate(seen),
+        "omega_A": angular_velocity(turned),
+        "r": seen(0),
+        "v_A": rate(A),
+        "v_B": rate(B),
+    }
+    accelerations = {
+        "a_rel": second_rate(seen),
+        "alpha_A": angular_acceleration(turned),
+        "a_A": second_rate(A),
+        "a_B": second_rate(B),
+    }
+    return velocities, accelerations
+
+
+def draw(g, ax):
+    """The plan view; how far the curves are drawn goes with the distance of the cars."""
+    ground, _, _ = cars(g)
+    s = Sketch(ax, ground, plane="xy")
+    far, A, B = 1.3 * g.x / (g.R + 0.3 * g.x), (0, 0, 0), (g.x, 0, 0)
+    angles = [far * n / 20 for n in range(-20, 21)]
+    s.path([(g.R * cos(p) - g.R, g.R * sin(p), 0) for p in angles])
+    s.path([(g.x + g.R - g.R * cos(p), g.R * sin(p), 0) for p in angles])
+    long, wide = 0.12 * g.x, 0.05 * g.x
+    for x, side in ((0, -1), (g.x, 1)):
+        s.plate([(x - wide, -long, 0), (x + wide, -long, 0), (x + wide, long, 0),
+                 (x - wide, long, 0)])  # fmt: skip
+        end = x + side * 0.9 * g.x
+        s.line((x + side * wide, 0, 0), (end, 0, 0), style="centre")
+        s.label((x + side * 0.5 * g.x, 0, 0), "R", offset=(0, 9), bold=False)
+    s.vector((0, long, 0), ground.j, "v")
+    s.vector((g.x, -long, 0), -ground.j, "v")
+    s.dimension(A, B, label="x", offset=0)
+    s.axes((-0.8 * g.x, -g.x, 0), ground, labels=["i", "j", ""])
+    s.label(A, "A", offset=(-14, -12))
+    s.label(B, "B", offset=(14, 12))
