@@ -217,7 +217,7 @@ class Problem:
         """The coherent system of units in which the code sees its numbers."""
         return system_of(self.symbols, [*self.units.values(), *(a.unit for a in self.answers)])
 
-    @property
+    @cached_property
     def notation(self):
         """How each given, symbol and answer is printed, in LaTeX: {name: symbol}."""
         asked = {a.key: a.latex or symbol(a.key, "vector" in a.kind) for a in self.answers}

@@ -14,6 +14,7 @@ grade.
 
 import base64
 import re
+from functools import cache
 
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.sections import section_line
@@ -318,23 +319,26 @@ def personal_notebook(released, student, values, figures):
 
 def _statement_with(p, text, values):
     """The text of a problem with a student's numbers, wherever it gives one."""
-    for name in p.givens:
-        own = number_symbol(values[name])
-        text = _given_in(p.notation[name]).sub(
-            lambda m, own=own: m[1] + own if m[1] else m[0], text
-        )
-        earlier = re.escape(_earlier_markup(name)) + r" = [-+]?\d[\d.]*(?:e[-+]?\d+)?"
-        text = re.sub(earlier, f"{_earlier_markup(name)} = {number(values[name])}", text)
-    return text
+    if not p.givens:
+        return text
+    now, earlier = _givens_in(p)
+    by_latex = {p.notation[name]: number_symbol(values[name]) for name in p.givens}
+    by_markup = {_earlier_markup(name): number(values[name]) for name in p.givens}
+    text = now.sub(lambda m: f"{m[1]} = {by_latex[m[1]]}" if m[1] else m[0], text)
+    return earlier.sub(lambda m: f"{m[1]} = {by_markup[m[1]]}", text)
 
 
-def _given_in(latex):
-    """Where a text gives a number for the symbol ``latex``; group 1 is what stands before the
-    number, and not there in ``\\bar b = 8``, which is another symbol.
+@cache
+def _givens_in(p):
+    """Where a text gives a number for a given of ``p``, as its symbol and as in earlier releases;
+    group 1 is the symbol, and not there in ``\\bar b = 8``, which is another symbol.
     """
     digits = r"[-+]?\d[\d.]*(?: \\times 10\^\{-?\d+\}|e[-+]?\d+)?"
-    symbol = rf"(?<![\w\\{{}}^|]){re.escape(latex)} = "
-    return re.compile(rf"\\[a-z]+ {symbol}{digits}|({symbol}){digits}")
+    symbols = "|".join(re.escape(p.notation[name]) for name in p.givens)
+    start = r"(?<![\w\\{}^|])"
+    now = rf"\\[a-z]+ {start}(?:{symbols}) = {digits}|{start}({symbols}) = {digits}"
+    earlier = "|".join(re.escape(_earlier_markup(name)) for name in p.givens)
+    return re.compile(now), re.compile(rf"({earlier}) = [-+]?\d[\d.]*(?:e[-+]?\d+)?")
 
 
 def _earlier_markup(name):

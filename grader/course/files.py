@@ -43,7 +43,12 @@ def write_json(path, content, indent=1, mode=PRIVATE):
     faster.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_text(path, json.dumps(content, ensure_ascii=False, indent=indent) + "\n", mode)
+    data = (
+        _as_json(content)
+        if indent is None
+        else json.dumps(content, ensure_ascii=False, indent=indent).encode("utf-8")
+    )
+    _write(path, data + b"\n", mode)  # what cannot be encoded leaves nothing behind
 
 
 def write_notebook(path, notebook):
