@@ -1,7 +1,8 @@
 """Later answers of a problem from a student's own earlier ones.
 
 The code of a problem says it in ``follows``: {later answer: function of the givens and of the
-earlier answers that it is named after}, in base units, vectors along the axes of the answers:
+earlier answers that it is named after}, in base units, vectors along the axes of the answers,
+matrices as three rows:
 
     follows = {"r": lambda g, speed: speed / g.n}
 """
@@ -37,8 +38,12 @@ def follow(p, key, values, earlier):
 
 def _in_base(p, name, numbers, frame):
     answer = p.answer(name)
+    stated = unit(answer.unit)
+    if answer.kind.startswith("matrix"):
+        base = [stated.to_base(x, p.system) for x in numbers]
+        return tuple(tuple(base[n : n + 3]) for n in (0, 3, 6))
     x = frame.vector(*numbers) if answer.kind.startswith("vector") else numbers[0]
-    return unit(answer.unit).to_base(x, p.system)
+    return stated.to_base(x, p.system)
 
 
 def acceleration_of(omega, alpha, r):

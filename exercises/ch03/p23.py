@@ -1,0 +1,56 @@
+"""3/23: the velocity of a car of an amusement ride, from cylindrical to spherical components."""
+
+from exercises.devices.amusement_ride import car, car_in_time, coordinates, section, steps_in_time
+from exercises.proofs import cylindrical_axes, rate, spherical_axes, times, transposed
+from exercises.steps import Step
+from newton_euler import pi
+from newton_euler.kinematics import T_phi, apply, transpose
+
+
+def velocity(g):
+    """Its cylindrical components, the elevation, and the spherical axes."""
+    ground, P, _ = car(g)
+    phi = coordinates(g)[3]
+    return P.velocity(ground), phi, P.local.rotate("e_R, e_theta, e_phi", "-y", phi)
+
+
+def transformed(g, matrix):
+    """The answers with this matrix."""
+    v, _, axes = velocity(g)
+    return {"T_phi": matrix, "v": axes.vector(*apply(matrix, v.components()))}
+
+
+def solve(g):
+    v, phi, axes = velocity(g)
+    return {"T_phi": T_phi(phi.value), "v": v.expressed_in(axes)}
+
+
+follows = {"v": lambda g, T_phi: transformed(g, T_phi)["v"]}
+
+
+def steps(g):
+    v, phi, _ = velocity(g)
+    yield Step("phi", phi.value, "rad", "elevation of the arm, sin(phi) = z/R", "3.7")
+    yield Step("cylindrical_v", v, "m/s", "velocity in cylindrical components", "3.5", "3.22")
+
+
+def prove(g):
+    """The matrix from the unit vectors that are drawn at the place of the car."""
+    P = car_in_time(g)
+    here, there, v = cylindrical_axes(P(0)), spherical_axes(P(0)), rate(P)
+    answers = {"T_phi": times(there, transposed(here)), "v": times(there, v)}
+    return answers | {"phi": steps_in_time(g)["phi"], "cylindrical_v": times(here, v)}
+
+
+def mistakes(g):
+    v, phi, axes = velocity(g)
+    phi = phi.value
+    return {
+        "transposed": transformed(g, transpose(T_phi(phi))),
+        "phi_from_the_vertical": transformed(g, T_phi(pi(phi) / 2 - phi)),
+        "no_r_dot": {"v": v.without("radial").expressed_in(axes)},
+    }
+
+
+def draw(g, ax):
+    section(g, ax)

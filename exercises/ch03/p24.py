@@ -1,0 +1,64 @@
+"""3/24: the acceleration of a car of an amusement ride, from spherical to cylindrical components,
+by the matrix.
+"""
+
+from exercises.devices.amusement_ride import car, car_in_time, section, steps_in_time
+from exercises.proofs import cylindrical_axes, second_rate, spherical_axes, times, transposed
+from exercises.steps import Step
+from newton_euler import pi
+from newton_euler.kinematics import T_phi, apply, transpose
+
+
+def acceleration(g):
+    """Its spherical components, the elevation, and the cylindrical axes."""
+    ground, _, P = car(g)
+    return P.acceleration(ground), P.coordinates[2], P.local.parent
+
+
+def transformed(g, matrix):
+    """The answers with this matrix."""
+    a, _, axes = acceleration(g)
+    return {"T_phi_inv": matrix, "a": axes.vector(*apply(matrix, a.components()))}
+
+
+def solve(g):
+    a, phi, axes = acceleration(g)
+    return {"T_phi_inv": transpose(T_phi(phi.value)), "a": a.expressed_in(axes)}
+
+
+follows = {"a": lambda g, T_phi_inv: transformed(g, T_phi_inv)["a"]}
+
+
+def steps(g):
+    a, phi, _ = acceleration(g)
+    yield Step("phi", phi.value, "rad", "elevation of the arm, sin(phi) = z/R", "3.7")
+    yield Step("phi_dot", phi.rate, "rad/s", "its rate, z'/(R cos(phi))", "3.7")
+    second = "second rate of the elevation, phi'^2 tan(phi) as z'' = 0"
+    yield Step("phi_ddot", phi.acceleration, "rad/s^2", second, "3.7")
+    yield Step("spherical_a", a, "m/s^2", "acceleration in spherical components", "3.7", "3.27")
+
+
+def prove(g):
+    """The matrix from the unit vectors that are drawn at the place of the car."""
+    P, found = car_in_time(g), steps_in_time(g)
+    here, there, a = spherical_axes(P(0)), cylindrical_axes(P(0)), second_rate(P)
+    answers = {"T_phi_inv": times(there, transposed(here)), "a": times(there, a)}
+    return (
+        answers
+        | {key: found[key] for key in ("phi", "phi_dot", "phi_ddot")}
+        | {"spherical_a": times(here, a)}
+    )
+
+
+def mistakes(g):
+    a, phi, axes = acceleration(g)
+    phi = phi.value
+    return {
+        "not_inverted": transformed(g, T_phi(phi)),
+        "phi_from_the_vertical": transformed(g, transpose(T_phi(pi(phi) / 2 - phi))),
+        "no_phi_ddot": {"a": a.without("euler_phi").expressed_in(axes)},
+    }
+
+
+def draw(g, ax):
+    section(g, ax)

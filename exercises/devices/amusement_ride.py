@@ -1,0 +1,113 @@
+"""The amusement ride of 3/19 to 3/24: cars at the ends of arms of length R that are hinged at O to
+a turning shaft; a wavy track raises them to z = (h/2)(1 - cos(2 theta)).
+"""
+
+from mpmath import mp
+
+from exercises.proofs import elevation, rate, second_rate, size
+from newton_euler import Frame, asin, cos, cylindrical, moving, pi, sin, spherical, sqrt
+from newton_euler.drawing import Sketch
+
+
+def coordinates(g):
+    """r, theta, z and phi of the car at theta = pi/4, moving."""
+    theta = moving(pi(g.R) / 4, rate=g.omega)
+    z = g.h / 2 * (1 - cos(2 * theta))
+    return sqrt(g.R**2 - z**2), theta, z, asin(z / g.R)
+
+
+def car(g):
+    """Ground, with z up, and the car by its cylindrical and by its spherical coordinates."""
+    ground = Frame("ground")
+    r, theta, z, phi = coordinates(g)
+    return (
+        ground,
+        cylindrical(ground, "P", r, theta, z),
+        spherical(ground, "P", g.R, theta, phi),
+    )
+
+
+def car_in_time(g):
+    """Proof, the place of the car in time, at theta = pi/4 at t = 0."""
+
+    def P(t):
+        theta = mp.pi / 4 + g.omega * t
+        z = g.h * mp.sin(theta) ** 2
+        r = mp.sqrt((g.R - z) * (g.R + z))
+        return [r * mp.cos(theta), r * mp.sin(theta), z]
+
+    return P
+
+
+def steps_in_time(g):
+    """Proof: r, z and phi with their rates, which are steps of these problems."""
+    P = car_in_time(g)
+    found = {}
+    for name, of in {
+        "r": lambda place: mp.hypot(place[0], place[1]),
+        "z": lambda place: place[2],
+        "phi": elevation,
+    }.items():
+
+        def f(t, of=of):
+            return of(P(t))
+
+        found |= {name: f(0), f"{name}_dot": rate(f), f"{name}_ddot": second_rate(f)}
+    return found | {"sin_phi": P(0)[2] / size(P(0)), "cos_phi": found["r"] / size(P(0))}
+
+
+def on_track(g, theta):
+    """A place on the track."""
+    z = g.h / 2 * (1 - cos(2 * theta))
+    r = sqrt(g.R**2 - z**2)
+    return r * cos(theta), r * sin(theta), z
+
+
+def figure(g, ax, elevation_angle=False):
+    """The ride with the track, the height of a car or the elevation of its arm, and theta."""
+    ground, C, P = car(g)
+    s = Sketch(ax, ground, azimuth=12, elevation=28)
+    place = P.position(ground)
+    O, foot, top = (0, 0, 0), (0, 0, -0.7 * g.R), on_track(g, pi(g.R) / 2)
+    Q, below = (place.x, place.y, 0), (top[0], top[1], 0)
+    opposite = ground.vector(*on_track(g, 5 * pi(g.R) / 4))
+    s.ground(foot, normal=ground.k, size=0.5 * g.R)
+    s.shaft(foot, O)
+    s.path([on_track(g, pi(g.R) * n / 60) for n in range(121)])
+    for end in (place, opposite):
+        s.rod(O, end)
+        s.box(end, C.local, (0.12 * g.R, 0.16 * g.R, 0.1 * g.R))
+    s.hinge(O, P.local.j)
+    s.axes(O, ground, length=0.75 * g.R, labels=["x", "", "z"])
+    s.line(O, Q)
+    s.line(Q, place)
+    s.arc(O, (g.R, 0, 0), Q, label=r"$\theta$", radius=0.5 * g.R)
+    if elevation_angle:
+        s.arc(O, Q, place, label=r"$\phi$", radius=0.72 * g.R)
+    else:
+        s.dimension(Q, place, label="z")
+    s.line(O, below)
+    s.dimension(below, top, label="h")
+    s.turn((0, 0, -0.45 * g.R), ground.k, label=r"$\omega$")
+    s.label(opposite * 0.55, "$R$", offset=(8, 8), bold=False)
+    s.label(O, "O")
+
+
+def section(g, ax):
+    """The vertical plane of the arm of a car, with the unit vectors of both systems at the car."""
+    ground, C, P = car(g)
+    s = Sketch(ax, C.local, plane="xz")
+    place = P.position(ground)
+    r = C.coordinates[0].value
+    O, Q = (0, 0, 0), (r, 0, 0)
+    s.line((0, 0, -0.3 * g.R), (0, 0, 0.6 * g.R), style="centre")
+    s.line(O, (1.15 * r, 0, 0))
+    s.rod(O, place)
+    s.hinge(O)
+    s.arc(O, Q, place, label=r"$\phi$", radius=0.4 * g.R)
+    s.dimension(Q, place, label="z")
+    s.label(place * 0.6, "$R$", offset=P.local.k, bold=False)
+    s.axes(place, C.local, length=0.3 * g.R, labels=["$e_r$", "", "k"])
+    s.axes(place, P.local, length=0.3 * g.R, labels=["$e_R$", "", r"$e_\phi$"])
+    s.dot(place)
+    s.label(O, "O")
