@@ -1,0 +1,38 @@
+"""2/28: a boom on a truck that drives at a steady speed."""
+
+from exercises.devices.truck_boom import boom, boom_steps, motion, prove_boom, sketch
+
+
+def scene(g):
+    return boom(g, theta=g.theta, v=g.v)
+
+
+def solve(g):
+    return motion(*scene(g))
+
+
+def steps(g):
+    yield from boom_steps(*scene(g))
+
+
+def prove(g):
+    return prove_boom(g, theta=g.theta, v=g.v)
+
+
+def mistakes(g):
+    ground, arm, _ = scene(g)
+    right = solve(g)
+    on_parked_truck = right["v_B"].without("origin")
+    twice = 2 * arm.angular_velocity(ground).cross(g.v * ground.i)
+    return {
+        "no_truck": {"v_B": on_parked_truck},
+        "not_resolved": {"v_B": on_parked_truck + g.v * right["v_B"].frame.i},
+        "wrong_sign": {"v_B": solve(g.but(theta=-g.theta))["v_B"]},
+        "no_coriolis": {"a_B": right["a_B"].without("coriolis")},
+        "truck_in_v_rel": {"a_B": right["a_B"] + right["a_B"].frame.vector(*twice)},
+    }
+
+
+def draw(g, ax):
+    s = sketch(g, ax, g.theta)
+    s.vector((0.26 * g.L, -0.2 * g.L, 0), (1, 0, 0), "v")
