@@ -1,0 +1,87 @@
+"""2/21: a rocket that climbs vertically, seen by a radar: from one component to the whole."""
+
+from mpmath import mp
+
+from exercises.proofs import rate, root, second_rate
+from exercises.steps import Step
+from newton_euler import Frame, moving, polar
+from newton_euler.drawing import Sketch
+
+
+def rocket(g):
+    """Ground, with y up, and rocket. r' and theta'' are not measured: they enter the radial
+    velocity and the transverse acceleration, which are not used.
+    """
+    ground = Frame("ground")
+    r, theta = moving(g.r, acceleration=g.r_ddot), moving(g.theta, rate=g.theta_dot)
+    return ground, polar(ground, "P", r, theta)
+
+
+def measured(g):
+    """What the readings give: velocity across the line of sight, acceleration along it."""
+    ground, P = rocket(g)
+    return P.velocity(ground).y, P.acceleration(ground).x
+
+
+def solve(g):
+    ground, P = rocket(g)
+    along, across, _ = ground.j.components(P.local)
+    v_theta, a_r = measured(g)
+    return {"v": v_theta / across, "a": a_r / along}
+
+
+def steps(g):
+    v_theta, a_r = measured(g)
+    yield Step("v_theta", v_theta, "ft/s", "transverse velocity, the part cos theta of v", "2.6",
+               "2.17")  # fmt: skip
+    yield Step("a_r", a_r, "ft/s^2", "radial acceleration, the part sin theta of a", "2.6", "2.18")
+
+
+def prove(g):
+    """The vertical climb, in time, on which the radar would read what it reads."""
+    away, up = g.r * mp.cos(g.theta), g.r * mp.sin(g.theta)
+
+    def height(v, a):
+        return lambda t: up + v * t + a * t**2 / 2
+
+    def elevation(y):
+        return lambda t: mp.atan2(y(t), away)
+
+    def distance(y):
+        return lambda t: mp.hypot(away, y(t))
+
+    fast = 100 * g.r * g.theta_dot
+    v = root(lambda v: rate(elevation(height(v, 0))) - g.theta_dot, 0, fast)
+    a = root(lambda a: second_rate(distance(height(v, a))) - g.r_ddot, -fast, fast)
+    return {"v": v, "a": a, "v_theta": v * mp.cos(g.theta), "a_r": a * mp.sin(g.theta)}
+
+
+def mistakes(g):
+    right, (v_theta, _) = solve(g), measured(g)
+    ground, P = rocket(g)
+    a_r = P.acceleration(ground).without("centripetal").x
+    along, across, _ = ground.j.components(P.local)
+    return {
+        "transverse_alone": {"v": v_theta},
+        "r_ddot_alone": {"a": g.r_ddot},
+        "no_centripetal": {"a": a_r / along},
+        "sine_for_cosine": {"v": right["v"] * across / along, "a": right["a"] * along / across},
+    }
+
+
+def draw(g, ax):
+    ground, P = rocket(g)
+    s = Sketch(ax, ground, plane="xy")
+    O, (x, y, _) = (0, 0, 0), P.position(ground)
+    s.road([(-0.15 * g.r, 0, 0), (x + 0.3 * g.r, 0, 0)])
+    s.line((x, 0, 0), (x, 1.2 * y, 0))
+    s.line(O, P, style="solid")
+    wide, high = 0.02 * g.r, 0.07 * g.r
+    sides = [(-wide, -high), (wide, -high), (wide, high / 2), (0, high), (-wide, high / 2)]
+    s.plate([(x + u, y + w, 0) for u, w in sides])
+    s.dot(O)
+    s.arc(O, (x, 0, 0), P, label=r"$\theta$")
+    s.label((0.6 * x, 0.6 * y, 0), "$r$", offset=ground.vector(-y, x, 0), bold=False)
+    s.swing(O, (0.4 * x, 0.4 * y, 0), ground.k, label=r"$\dot\theta$")
+    s.label(O, "O", offset=(-12, 10))
+    s.label(P, "P", offset=(16, 0))

@@ -1,0 +1,109 @@
+"""2/23: a pin that moves on a straight line at constant speed, in polar coordinates."""
+
+from mpmath import mp
+
+from exercises.proofs import rate, second_rate
+from exercises.steps import Step
+from newton_euler import Frame, sin
+from newton_euler.drawing import Sketch
+from newton_euler.kinematics import cylindrical_frame, polar_coordinates
+
+
+def axes(g):
+    """The ground, with x to the right and y up, and the axes e_r, e_theta."""
+    ground = Frame("ground")
+    return ground, cylindrical_frame(ground, g.theta)
+
+
+def rates(position, velocity):
+    """The four answers: no acceleration."""
+    r, theta = polar_coordinates(position, velocity, 0 * velocity)
+    return {
+        "r_dot": r.rate,
+        "theta_dot": theta.rate,
+        "r_ddot": r.acceleration,
+        "theta_ddot": theta.acceleration,
+    }
+
+
+def motion(g):
+    """Position and velocity of A, along e_r, e_theta."""
+    ground, local = axes(g)
+    return local.vector(g.h / sin(g.theta), 0, 0), ground.vector(g.v, 0, 0).expressed_in(local)
+
+
+def solve(g):
+    return rates(*motion(g))
+
+
+def steps(g):
+    r, v = motion(g)
+    yield Step("r", r.x, "m", "the distance, h/sin theta", "2.6")
+    yield Step("v_A", v, "m/s", "velocity of A along $e_r$, $e_\\theta$", "2.6", "2.17")
+
+
+def r_ddot(g, theta_dot):
+    """From the radial acceleration, which is zero."""
+    return motion(g)[0].x * theta_dot**2
+
+
+def theta_ddot(g, r_dot, theta_dot):
+    """From the transverse acceleration, which is zero."""
+    return -2 * r_dot * theta_dot / motion(g)[0].x
+
+
+follows = {"r_ddot": r_ddot, "theta_ddot": theta_ddot}
+
+
+def prove(g):
+    """The way of A along its line, as length and direction."""
+    start = g.h / mp.tan(g.theta)
+
+    def r(t):
+        return mp.hypot(start + g.v * t, g.h)
+
+    def theta(t):
+        return mp.atan2(g.h, start + g.v * t)
+
+    return {
+        "r_dot": rate(r),
+        "theta_dot": rate(theta),
+        "r_ddot": second_rate(r),
+        "theta_ddot": second_rate(theta),
+        "r": r(0),
+    }
+
+
+def mistakes(g):
+    right, (r, v) = solve(g), motion(g)
+    local = r.frame
+    swapped = rates(r, local.vector(-v.y, -v.x, 0))
+    up, short = rates(r, local.vector(v.x, -v.y, 0)), rates(local.vector(g.h, 0, 0), v)
+    return {
+        "second_rates_zero": {"r_ddot": 0 * right["r_ddot"], "theta_ddot": 0 * right["theta_ddot"]},
+        "theta_grows": {"theta_dot": up["theta_dot"], "theta_ddot": up["theta_ddot"]},
+        # theta'', which has the product of both components, is right
+        "sine_for_cosine": {key: swapped[key] for key in ("r_dot", "theta_dot", "r_ddot")},
+        "r_is_h": {key: short[key] for key in ("theta_dot", "r_ddot", "theta_ddot")},
+    }
+
+
+def draw(g, ax):
+    ground, local = axes(g)
+    s = Sketch(ax, ground, plane="xy")
+    O, A = ground.point("O", 0, 0, 0), local.point("A", *motion(g)[0].components())
+    x, y, _ = A.position(ground)
+    left = -1.1 * g.h
+    s.line(O, (x + 0.9 * g.h, 0, 0))
+    s.rod(O, ground.point("end", 1.35 * x, 1.35 * y, 0))
+    s.cylinder((left - 0.7 * g.h, y, 0), (left, y, 0), 0.13 * g.h)
+    s.rod((left, y, 0), A)
+    s.hinge(O)
+    s.dot(A)
+    s.vector(A, ground.i, "v")
+    s.arc(O, (x + 0.9 * g.h, 0, 0), A, label=r"$\theta$")
+    s.dimension(O, A, label="r", offset=-0.25 * g.h)
+    s.dimension((-0.3 * g.h, 0, 0), (-0.3 * g.h, y, 0), label="h", offset=0)
+    s.line((-0.45 * g.h, 0, 0), O)
+    s.label(O, "O", offset=(0, -16))
+    s.label(A, "A", offset=(-14, 10))

@@ -1,0 +1,98 @@
+"""2/25: the pin of a crank in a slotted arm, seen from the arm."""
+
+from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
+from exercises.proofs import minus, rate, rot, second_rate, times
+from exercises.steps import Step, terms
+from newton_euler import Frame, moving
+
+
+def arm_and_pin(g, r):
+    """Ground, arm and pin for this moving OP."""
+    ground = Frame("ground")
+    arm = ground.rotate("arm", "z", turning(g)[0])
+    return ground, arm, arm.point("P", r, 0, 0)
+
+
+def motion(ground, arm, P):
+    a = P.acceleration(ground, via=arm).expressed_in(arm)
+    return {
+        "v_rel": P.velocity(arm),
+        "a_rel": P.acceleration(arm),
+        "a_cor": a.terms["coriolis"],
+        "v_P": P.velocity(ground, via=arm).expressed_in(arm),
+        "a_P": a,
+    }
+
+
+def solve(g):
+    return motion(*arm_and_pin(g, turning(g)[1]))
+
+
+def steps(g):
+    ground, arm, P = arm_and_pin(g, turning(g)[1])
+    omega = arm.angular_velocity(ground).expressed_in(arm)
+    yield Step("omega_arm", omega, "rad/s", "angular velocity of the arm", "2.8", "2.19")
+    yield Step("r_P", P.position(arm), "m", "position of P in the arm", "2.10", "2.23")
+    right = motion(ground, arm, P)
+    yield from terms(right["v_P"], "v_P", "m/s", "2.10", "2.24")
+    yield from terms(right["a_P"], "a_P", "m/s^2", "2.10", "2.25")
+
+
+def a_cor(g, v_rel):
+    return 2 * v_rel.frame.vector(0, 0, g.omega).cross(v_rel)
+
+
+def v_P(g, v_rel):
+    """By the velocity of the place of the arm where P is."""
+    right, vector = solve(g), v_rel.frame.vector
+    return v_rel + vector(*right["v_P"].terms["rotation"].components())
+
+
+def a_P(g, a_rel, a_cor):
+    right, vector = solve(g), a_rel.frame.vector
+    return a_rel + a_cor + vector(*right["a_P"].terms["centripetal"].components())
+
+
+follows = {"a_cor": a_cor, "v_P": v_P, "a_P": a_P}
+
+
+def prove(g):
+    """The pin as the crank carries it, seen from the arm. Its Coriolis term is what its
+    acceleration in the ground has beyond that in the arm and that of the place of the arm where
+    it is.
+    """
+    P = crank(g)
+
+    def seen(t):
+        return in_arm(g, P(t), t)
+
+    def place(t):
+        return times(rot("z", g.omega * t), P(0))
+
+    a_rel, a = second_rate(seen), in_arm(g, second_rate(P))
+    return {
+        "v_rel": rate(seen),
+        "a_rel": a_rel,
+        "a_cor": minus(minus(a, a_rel), in_arm(g, second_rate(place))),
+        "v_P": in_arm(g, rate(P)),
+        "a_P": a,
+        "r_P": seen(0),
+    }
+
+
+def mistakes(g):
+    right, r = solve(g), turning(g)[1]
+    out = motion(*arm_and_pin(g, moving(r.value, rate=-r.rate, acceleration=r.acceleration)))
+    return {
+        "no_coriolis": {"a_P": right["a_P"].without("coriolis")},
+        "no_a_rel": {"a_rel": 0 * right["a_rel"], "a_P": right["a_P"].without("relative")},
+        "slides_outward": {key: out[key] for key in ("v_rel", "a_cor", "v_P", "a_P")},
+        "half_coriolis": {
+            "a_cor": right["a_cor"] / 2,
+            "a_P": right["a_P"].reweighted(coriolis=0.5),
+        },
+    }
+
+
+def draw(g, ax):
+    sketch(g, ax, ["i", "j"])

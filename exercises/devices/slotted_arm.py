@@ -1,0 +1,59 @@
+"""The slotted arm of 2/24 and 2/25: it turns about O, and the pin P of a crank CP slides in it;
+OC = CP.
+"""
+
+from mpmath import mp
+
+from exercises.proofs import rot, times
+from newton_euler import Frame, cos, moving, sin
+from newton_euler.drawing import Sketch
+
+
+def turning(g):
+    """The angle of the arm and the distance OP, both moving."""
+    theta = moving(g.theta, rate=g.omega)
+    return theta, 2 * g.b * cos(theta)
+
+
+def crank(g):
+    """Proof, the place of P in time: as an angle at the circumference is half that at the centre,
+    the crank is at 2 theta.
+    """
+
+    def P(t):
+        angle = 2 * (g.theta + g.omega * t)
+        return [g.b + g.b * mp.cos(angle), g.b * mp.sin(angle), 0]
+
+    return P
+
+
+def in_arm(g, vector, t=0):
+    """Proof, components along the arm and across it."""
+    return times(rot("z", -g.theta - g.omega * t), vector)
+
+
+def sketch(g, ax, labels):
+    """The figure of both; ``labels``: of the axes along the arm."""
+    ground = Frame("ground")
+    arm = ground.rotate("arm", "z", g.theta)
+    O, C = ground.point("O", 0, 0, 0), ground.point("C", g.b, 0, 0)
+    P = arm.point("P", 2 * g.b * cos(g.theta), 0, 0)
+    end = arm.point("end", 2.35 * g.b, 0, 0)
+    s = Sketch(ax, ground, plane="xy")
+    s.path(s.around(C, O, ground.k), style="dashed")
+    s.line(O, C)
+    s.rod(O, end)
+    s.rod(C, P)
+    s.hinge(O)
+    s.hinge(C)
+    s.dot(P)
+    s.arc(O, C, P, label=r"$\theta$")
+    s.swing(O, end, ground.k, label=r"$\omega$")
+    s.dimension(O, C, label="b", offset=-0.25 * g.b)
+    middle = (C.position(ground) + P.position(ground)) / 2
+    right = ground.vector(sin(2 * g.theta), -cos(2 * g.theta), 0)  # of the way from C to P
+    s.label(middle, "$b$", offset=right, bold=False)
+    s.axes(P, arm, length=0.4 * g.b, labels=[*labels, ""])
+    s.label(O, "O", offset=(-12, 4))
+    s.label(C, "C", offset=(10, -12))
+    s.label(P, "P", offset=ground.vector(sin(g.theta), -cos(g.theta), 0))
