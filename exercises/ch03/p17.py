@@ -1,6 +1,8 @@
 """3/17: the end of a telescoping boom that is lowered on a turning shaft."""
 
-from exercises.devices.telescoping_boom import boom_end, end_in_time, figure, spherical_motion
+from exercises.devices.spherical_point import elevation_in_time, local_acceleration
+from exercises.devices.telescoping_boom import boom_end, end_in_time, figure
+from exercises.proofs import rate
 from exercises.steps import Step, terms
 from newton_euler import moving, pi
 
@@ -25,7 +27,8 @@ def steps(g):
 
 def prove(g):
     A = end_in_time(g.omega, lambda t: g.beta_1 + g.b_dot * t, lambda t: g.l1 + g.l_dot * t)
-    return spherical_motion(A)
+    phi = elevation_in_time(A)
+    return {"a": local_acceleration(A), "phi": phi(0), "phi_dot": rate(phi)}
 
 
 def mistakes(g):

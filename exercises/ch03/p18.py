@@ -1,6 +1,7 @@
 """3/18: the end of a telescoping boom that is raised on a turning shaft while it extends."""
 
-from exercises.devices.telescoping_boom import boom_end, end_in_time, figure, spherical_motion
+from exercises.devices.spherical_point import elevation_in_time, local_acceleration
+from exercises.devices.telescoping_boom import boom_end, end_in_time, figure
 from exercises.proofs import rate, second_rate, size
 from exercises.steps import Step, terms
 from newton_euler import moving, pi
@@ -40,13 +41,20 @@ def prove(g):
         return g.l_0 + g.l_2 * t**2
 
     A = end_in_time(g.omega, lambda t: g.beta_0 + g.b_dot * t, length)
-    found = spherical_motion(A, g.t1)
-    lengths = {
-        "R": size(A(g.t1)),
-        "R_dot": rate(lambda t: size(A(t)), g.t1),
-        "R_ddot": second_rate(lambda t: size(A(t)), g.t1),
+    a, phi = local_acceleration(A, g.t1), elevation_in_time(A)
+
+    def R(t):
+        return size(A(t))
+
+    return {
+        "a": a,
+        "acc_mag": size(a),
+        "phi": phi(g.t1),
+        "phi_dot": rate(phi, g.t1),
+        "R": R(g.t1),
+        "R_dot": rate(R, g.t1),
+        "R_ddot": second_rate(R, g.t1),
     }
-    return {"a": found["a"], "acc_mag": size(found["a"])} | found | lengths
 
 
 def mistakes(g):

@@ -1,9 +1,10 @@
-"""A point with its spherical angles and unit vectors (3/15, 3/16): theta from x in the x, y plane,
-phi the elevation above it.
+"""A point with its spherical angles and unit vectors (3/15, 3/16; its motion is also proof for
+3/17, 3/18, 3/25 and 3/26): theta from x in the x, y plane, phi the elevation above it.
 """
 
 from mpmath import mp
 
+from exercises.proofs import elevation, second_rate, spherical_axes, times
 from newton_euler import Frame, cos, sin
 from newton_euler.drawing import Sketch
 from newton_euler.kinematics import spherical_frame
@@ -17,6 +18,16 @@ def place_in_time(R, theta, phi):
         return [c * mp.cos(theta(t)), c * mp.sin(theta(t)), R(t) * mp.sin(phi(t))]
 
     return P
+
+
+def local_acceleration(A, t=0):
+    """Proof, the acceleration of a place A in time, along e_R, e_theta, e_phi there."""
+    return times(spherical_axes(A(t)), second_rate(A, t))
+
+
+def elevation_in_time(A):
+    """Proof, the elevation of a place A in time."""
+    return lambda t: elevation(A(t))
 
 
 def figure(g, ax, distance="", theta=0.9):

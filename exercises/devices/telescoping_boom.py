@@ -4,7 +4,7 @@ or lowered, and its length changes.
 
 from mpmath import mp
 
-from exercises.proofs import elevation, rate, rot, second_rate, spherical_axes, times
+from exercises.proofs import rot, times
 from newton_euler import Frame, moving, pi, spherical
 from newton_euler.drawing import Sketch
 
@@ -26,18 +26,6 @@ def end_in_time(omega, beta, length):
         return times(rot("z", omega * t), along)
 
     return A
-
-
-def spherical_motion(A, t=0):
-    """Proof: the acceleration of a place in time, along e_R, e_theta, e_phi there, and the angles
-    and rates that are steps to it.
-    """
-
-    def phi(t):
-        return elevation(A(t))
-
-    a = times(spherical_axes(A(t)), second_rate(A, t))
-    return {"a": a, "phi": phi(t), "phi_dot": rate(phi, t)}
 
 
 def figure(ax, ground, A):

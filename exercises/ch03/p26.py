@@ -1,0 +1,54 @@
+"""3/26: a crane that revolves while its boom is lowered, in spherical components about O."""
+
+from exercises.devices.crane import crane, figure, tip_in_time
+from exercises.devices.spherical_point import elevation_in_time
+from exercises.proofs import rate, second_rate, size, spherical_axes, times
+from exercises.steps import Step, terms
+from newton_euler import Frame, moving, pi, spherical
+
+
+def tip(g):
+    """The elevation of the boom, and velocity and acceleration of P along e_R, e_theta, e_phi."""
+    ground = Frame("ground")
+    phi = pi(g.beta_1) / 2 - moving(g.beta_1, rate=g.b_dot)
+    P = spherical(ground, "P", g.R, moving(0, rate=g.n), phi)
+    return phi, P.velocity(ground), P.acceleration(ground)
+
+
+def solve(g):
+    _, v, a = tip(g)
+    return {"speed": v.norm(), "acc_mag": a.norm()}
+
+
+def steps(g):
+    phi, v, a = tip(g)
+    yield Step("theta_dot", g.n, "rad/s", "rate of turning of the crane", "3.7")
+    yield Step("phi", phi.value, "deg", "elevation of the boom, 90 deg - beta", "3.7")
+    yield Step("phi_dot", phi.rate, "rad/s", "its rate, negative as the boom is lowered", "3.7")
+    yield Step("v", v, "m/s", "velocity along e_R, e_theta, e_phi", "3.7", "3.26")
+    yield from terms(a, "a", "m/s^2", "3.7")
+
+
+def prove(g):
+    P = tip_in_time(g)
+    phi, v = elevation_in_time(P), rate(P)
+    answers = {"speed": size(v), "acc_mag": size(second_rate(P))}
+    return answers | {
+        "phi": phi(0),
+        "phi_dot": rate(phi),
+        "v": times(spherical_axes(P(0)), v),
+    }
+
+
+def mistakes(g):
+    _, v, a = tip(g)
+    return {
+        "beta_as_elevation": solve(g.but(beta_1=pi(g.beta_1) / 2 - g.beta_1)),
+        "no_coupling": {"acc_mag": a.without("coriolis_theta_phi").norm()},
+        "n_as_rad_per_s": solve(g.but(n=g.stated("n"))),
+        "speeds_added": {"speed": v.terms["theta"].norm() + v.terms["phi"].norm()},
+    }
+
+
+def draw(g, ax):
+    figure(g, ax, *crane(g))
