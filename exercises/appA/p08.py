@@ -34,7 +34,7 @@ def steps(g):
     e_theta = turned.j.expressed_in(axes)
     yield Step("e_theta", e_theta, "1", "unit vector 90 degrees ahead of e", "A")
     yield Step(
-        "along_e_theta",
+        "transverse",
         tip.velocity(axes).dot(turned.j),
         "1/s",
         "component of the first derivative along it; along e there is none",
@@ -51,7 +51,7 @@ def prove(g):
 
     first = rate(e)
     square = sum(x * x for x in first)
-    return {"edot": first, "eddot": second_rate(e), "f": -square, "along_e_theta": mp.sqrt(square)}
+    return {"edot": first, "eddot": second_rate(e), "f": -square, "transverse": mp.sqrt(square)}
 
 
 def mistakes(g):

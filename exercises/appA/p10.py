@@ -30,10 +30,10 @@ def solve(g):
     u = moving(g.u, rate=g.u_dot)
     A, B, uA = AXES.vector(*a), AXES.vector(*b), AXES.vector(*(u * x for x in a))
     return {
-        "d_sum": (A + B).rate(AXES),
-        "d_uA": uA.rate(AXES),
-        "d_dot": sum(x * y for x, y in zip(a, b, strict=True)).rate,
-        "d_cross": A.cross(B).rate(AXES),
+        "rate_sum": (A + B).rate(AXES),
+        "rate_uA": uA.rate(AXES),
+        "rate_AB": sum(x * y for x, y in zip(a, b, strict=True)).rate,
+        "rate_AxB": A.cross(B).rate(AXES),
     }
 
 
@@ -41,13 +41,11 @@ def steps(g):
     A, B = vectors(g)
     dA, dB = rates(g)
     yield Step(
-        "u_part", g.u_dot * A, "1/s", "the part of the second from the change of u", "A", "A.19"
+        "from_u", g.u_dot * A, "1/s", "the part of the second from the change of u", "A", "A.19"
     )
-    yield Step("A_part", g.u * dA, "1/s", "its part from the change of A", "A", "A.19")
-    yield Step(
-        "dA_x_B", dA.cross(B), "1/s", "the part of the last from the change of A", "A", "A.21"
-    )
-    yield Step("A_x_dB", A.cross(dB), "1/s", "its part from the change of B", "A", "A.21")
+    yield Step("from_A", g.u * dA, "1/s", "its part from the change of A", "A", "A.19")
+    yield Step("dAxB", dA.cross(B), "1/s", "the part of the last from the change of A", "A", "A.21")
+    yield Step("AxdB", A.cross(dB), "1/s", "its part from the change of B", "A", "A.21")
 
 
 def prove(g):
@@ -69,10 +67,10 @@ def prove(g):
         return [mp.det(mp.matrix([e, A(t), B(t)])) for e in unit]
 
     return {
-        "d_sum": rate(lambda t: [x + y for x, y in zip(A(t), B(t), strict=True)]),
-        "d_uA": rate(lambda t: [(g.u + g.u_dot * t) * x for x in A(t)]),
-        "d_dot": rate(lambda t: (square(t, 1) - square(t, -1)) / 4),
-        "d_cross": rate(volumes),
+        "rate_sum": rate(lambda t: [x + y for x, y in zip(A(t), B(t), strict=True)]),
+        "rate_uA": rate(lambda t: [(g.u + g.u_dot * t) * x for x in A(t)]),
+        "rate_AB": rate(lambda t: (square(t, 1) - square(t, -1)) / 4),
+        "rate_AxB": rate(volumes),
     }
 
 
@@ -81,10 +79,14 @@ def mistakes(g):
     dA, dB = rates(g)
     return {
         "product_of_derivatives": {
-            "d_uA": g.u_dot * dA,
-            "d_dot": dA.dot(dB),
-            "d_cross": dA.cross(dB),
+            "rate_uA": g.u_dot * dA,
+            "rate_AB": dA.dot(dB),
+            "rate_AxB": dA.cross(dB),
         },
-        "order": {"d_cross": dA.cross(B) + dB.cross(A)},
-        "first_factor_only": {"d_uA": g.u_dot * A, "d_dot": dA.dot(B), "d_cross": dA.cross(B)},
+        "order": {"rate_AxB": dA.cross(B) + dB.cross(A)},
+        "first_factor_only": {
+            "rate_uA": g.u_dot * A,
+            "rate_AB": dA.dot(B),
+            "rate_AxB": dA.cross(B),
+        },
     }

@@ -38,10 +38,14 @@ def steps(g):
     A_here, B_here = A(*here), B(*here)
     yield Step("A_1", AXES.vector(*A_here), "1", "A at the point", "A")
     yield Step("B_1", AXES.vector(*B_here), "1", "B at the point", "A")
-    by_A = at_point(g, minus_product(A, lambda *_: B_here))
-    by_B = at_point(g, minus_product(lambda *_: A_here, B))
-    yield Step("by_A", by_A, "1", "part of the gradient by the change of A, B held", "A", "A.22")
-    yield Step("by_B", by_B, "1", "part of the gradient by the change of B, A held", "A", "A.22")
+    part_A = at_point(g, minus_product(A, lambda *_: B_here))
+    part_B = at_point(g, minus_product(lambda *_: A_here, B))
+    yield Step(
+        "part_A", part_A, "1", "part of the gradient by the change of A, B held", "A", "A.22"
+    )
+    yield Step(
+        "part_B", part_B, "1", "part of the gradient by the change of B, A held", "A", "A.22"
+    )
 
 
 def prove(g):

@@ -44,10 +44,10 @@ def solve(g):
 
 def steps(g):
     known = z(g)
-    yield Step("p_1_q_1", g.p_1 * g.q_1, "1", "part of P . Q that is known", "A", "A.11")
-    yield Step("q_1_r_1", g.q_1 * g.r_1, "1", "part of Q . R that is known", "A", "A.11")
+    yield Step("known_PQ", g.p_1 * g.q_1, "1", "part of P . Q that is known", "A", "A.11")
+    yield Step("known_QR", g.q_1 * g.r_1, "1", "part of Q . R that is known", "A", "A.11")
     rest = P(g).dot(R(g, 0, y(g, known)))
-    yield Step("P_R", rest, "1", "part of P . R that is known once y is", "A", "A.11")
+    yield Step("known_PR", rest, "1", "part of P . R that is known once y is", "A", "A.11")
 
 
 def prove(g):

@@ -1,0 +1,58 @@
+"""A/18: the derivative of R x R', by a point that moves."""
+
+from exercises import proofs
+from exercises.proofs import cross
+from exercises.steps import Step
+from newton_euler import Frame, moving
+
+AXES = Frame("axes")
+
+
+def point(g):
+    """At R, with its two derivatives as velocity and acceleration."""
+    return AXES.point(
+        "P",
+        moving(g.x, g.xdot, g.xddot),
+        moving(g.y, g.ydot, g.yddot),
+        moving(g.z, g.zdot, g.zddot),
+    )
+
+
+def product(g):
+    """R x R'."""
+    P = point(g)
+    return P.position(AXES).cross(P.velocity(AXES))
+
+
+def solve(g):
+    v = point(g).velocity(AXES)
+    return {"rate": product(g).rate(AXES), "extra": v.cross(v)}
+
+
+def steps(g):
+    yield Step("RxV", product(g), "m^2/s", "the cross product of R and its derivative", "A", "A.13")
+
+
+def prove(g):
+    """Differences along a path that starts with these derivatives."""
+
+    def R(t):
+        start = ((g.x, g.xdot, g.xddot), (g.y, g.ydot, g.yddot), (g.z, g.zdot, g.zddot))
+        return [q + v * t + a * t**2 / 2 for q, v, a in start]
+
+    def product(t):
+        v = [g.xdot + g.xddot * t, g.ydot + g.yddot * t, g.zdot + g.zddot * t]
+        return cross(R(t), v)
+
+    v = proofs.rate(R)
+    return {"rate": proofs.rate(product), "extra": cross(v, v), "RxV": cross(R(0), v)}
+
+
+def mistakes(g):
+    P = point(g)
+    right = solve(g)["rate"]
+    return {
+        "only_extra": {"rate": 0 * right},
+        "product_of_derivatives": {"rate": P.velocity(AXES).cross(P.acceleration(AXES))},
+        "order": {"rate": P.acceleration(AXES).cross(P.position(AXES))},
+    }

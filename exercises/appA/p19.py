@@ -1,0 +1,70 @@
+"""A/19: the unit vector at right angles to two vectors."""
+
+from mpmath import mp
+
+from exercises.proofs import minus, scaled, size
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+AXES = Frame("axes")
+
+
+def vectors(g):
+    return AXES.vector(g.P_1, g.P_2, g.P_3), AXES.vector(g.G_1, g.G_2, g.G_3)
+
+
+def solve(g):
+    P, G = vectors(g)
+    return {"e": P.cross(G).direction()}
+
+
+def steps(g):
+    P, G = vectors(g)
+    yield Step("PxG", P.cross(G), "1", "the cross product P x G", "A", "A.13")
+    yield Step("size", P.cross(G).norm(), "1", "its magnitude", "A", "A.12")
+
+
+def prove(g):
+    """What is left of i, j or k without its parts along P and along what is square to P in the
+    plane, on the side from which P, G and it are right-handed.
+    """
+    P, G = [g.P_1, g.P_2, g.P_3], [g.G_1, g.G_2, g.G_3]
+
+    def rest(v, away):
+        share = sum(x * y for x, y in zip(v, away, strict=True)) / size(away) ** 2
+        return minus(v, scaled(share, away))
+
+    across = rest(G, P)
+    left = max((rest(rest(v, P), across) for v in ([1, 0, 0], [0, 1, 0], [0, 0, 1])), key=size)
+    side = mp.sign(mp.det(mp.matrix([P, G, left])))
+    return {"e": scaled(side / size(left), left)}
+
+
+def mistakes(g):
+    P, G = vectors(g)
+    normal = P.cross(G)
+    return {
+        "not_divided": {"e": normal},
+        "magnitudes": {"e": normal / (P.norm() * G.norm())},
+        "G_x_P": {"e": -normal.direction()},
+    }
+
+
+def draw(g, ax):
+    """P and G lie flat, at the angle that they make; e is not to their scale."""
+    P, G = vectors(g)
+    flat = AXES.rotate("flat", "z", angle=-0.6)
+    s = Sketch(ax, AXES, azimuth=20, elevation=28)
+    along, away = P.dot(G) / P.norm(), P.cross(G).norm() / P.norm()
+    p, q, both = (
+        flat.vector(x, y, 0).components(AXES)
+        for x, y in ((P.norm(), 0), (along, away), (P.norm() + along, away))
+    )
+    O = (0, 0, 0)
+    s.plate([O, p, both, q], shade="light")
+    s.arrow(O, p)
+    s.arrow(O, q)
+    s.label(p, "P")
+    s.label(q, "G")
+    s.vector(O, AXES.k, "e", kind="plain")

@@ -1,0 +1,50 @@
+"""A/22: the dot product of two cross products. It is the same for all vectors that have these dot
+products; the engine multiplies four that are easily written.
+"""
+
+from mpmath import mp
+
+from exercises.proofs import cross
+from exercises.steps import Step
+from newton_euler import Frame
+
+
+def vectors(g):
+    """Four with the dot products AC, BD, AD, BC, in no plane."""
+    axes = Frame("axes")
+    i, j, k = (v * g.one for v in (axes.i, axes.j, axes.k))
+    return i, j, g.AC * i + g.BC * j + k, g.AD * i + g.BD * j - 2 * k
+
+
+def solve(g):
+    A, B, C, D = vectors(g)
+    return {"product": A.cross(B).dot(C.cross(D))}
+
+
+def steps(g):
+    yield Step("on_C", g.BD, "1", "coefficient of C in B x (C x D)", "A", "A.16")
+    yield Step(
+        "on_D", -g.BC, "1", "coefficient of D in it; the product is that of A with it", "A", "A.15"
+    )
+
+
+def prove(g):
+    """Of other vectors: A and B oblique, C and D with some part across their plane."""
+    A, B = [1, 2, 2], [3, -1, 1]
+    N = cross(A, B)
+
+    def with_products(to_A, to_B, across):
+        found = mp.lu_solve(mp.matrix([A, B, N]), mp.matrix([to_A, to_B, across]))
+        return list(found)
+
+    C, D = with_products(g.AC, g.BC, 5), with_products(g.AD, g.BD, -7)
+    return {"product": mp.det(mp.matrix([A, B, cross(C, D)]))}
+
+
+def mistakes(g):
+    first, second = g.AC * g.BD, g.AD * g.BC
+    return {
+        "sign": {"product": second - first},
+        "sum": {"product": first + second},
+        "first_only": {"product": first},
+    }

@@ -1,0 +1,58 @@
+"""A/23: the derivatives of a dot and a cross product, with numbers that vary beside the symbol."""
+
+from mpmath import mp
+
+from exercises.proofs import rate
+from exercises.steps import Step
+from newton_euler import Frame, moving
+
+AXES = Frame("axes")
+
+
+def vectors(g):
+    """A and B; t runs at the rate 1."""
+    t = moving(g.t, rate=g.one)
+    return AXES.vector(g.c_1 * t**2, g.c_2 * t, g.c_3), AXES.vector(g.b_1, g.b_2, 0)
+
+
+def solve(g):
+    """B is constant, and stays outside of the derivative of the dot product."""
+    A, B = vectors(g)
+    return {"rate_BA": B.dot(A.rate(AXES)), "rate_BxA": B.cross(A).rate(AXES)}
+
+
+def steps(g):
+    A, B = vectors(g)
+    yield Step("dAdt", A.rate(AXES), "1", "derivative of A; that of B is zero", "A", "A.20")
+    yield Step("BA", B.dot(A), "1", "dot product of B and A", "A", "A.11")
+    yield Step("BxA", B.cross(A), "1", "cross product B x A", "A", "A.13")
+
+
+def prove(g):
+    """Both products multiplied out, and differences of them."""
+
+    def dot(s):
+        t = g.t + s
+        return g.b_1 * g.c_1 * t**2 + g.b_2 * g.c_2 * t
+
+    def cross(s):
+        t = g.t + s
+        A, B = [g.c_1 * t**2, g.c_2 * t, g.c_3], [g.b_1, g.b_2, 0]
+        unit = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+        return [mp.det(mp.matrix([e, B, A])) for e in unit]
+
+    return {"rate_BA": rate(dot), "rate_BxA": rate(cross), "BA": dot(0), "BxA": cross(0)}
+
+
+def mistakes(g):
+    A, B = vectors(g)
+    right = solve(g)
+    kept = A.rate(AXES) + g.c_3 * AXES.k
+    return {
+        "AxB": {"rate_BxA": A.cross(B).rate(AXES)},
+        "product_of_derivatives": {
+            "rate_BA": 0 * right["rate_BA"],
+            "rate_BxA": 0 * right["rate_BxA"],
+        },
+        "keeps_constant": {"rate_BxA": B.cross(kept)},
+    }

@@ -1,0 +1,56 @@
+"""A/26: the points of a line, as a point that has moved from Q by s R."""
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+
+def line(g):
+    """The axes, Q and R."""
+    axes = Frame("axes")
+    return axes, axes.point("Q", g.Q_x, g.Q_y, g.Q_z), axes.vector(g.R_x, g.R_y, g.R_z)
+
+
+def solve(g):
+    axes, Q, R = line(g)
+    return {"r": Q.position(axes) + g.s * R}
+
+
+def steps(g):
+    axes, Q, R = line(g)
+    yield Step("r_0", Q.position(axes), "1", "position of Q, s = 0", "A", "A.6")
+    yield Step("r_1", Q.position(axes) + R, "1", "position of the point with s = 1", "A", "A.9")
+
+
+def prove(g):
+    """By growing at the rate R per unit of s."""
+    Q, R = [g.Q_x, g.Q_y, g.Q_z], [g.R_x, g.R_y, g.R_z]
+
+    def place(s):
+        return proofs.plus(Q, proofs.integral(lambda _: R, 0, s))
+
+    return {"r": place(g.s), "r_0": Q, "r_1": place(1)}
+
+
+def mistakes(g):
+    axes, Q, R = line(g)
+    q = Q.position(axes)
+    return {
+        "exchanged": {"r": R + g.s * q},
+        "unit_vector": {"r": q + g.s * R.direction()},
+        "no_point": {"r": g.s * R},
+    }
+
+
+def draw(g, ax):
+    axes, Q, R = line(g)
+    q = Q.position(axes)
+    s = Sketch(ax, axes, azimuth=-60, elevation=20)
+    O = (0, 0, 0)
+    s.axes(O, axes, length=0.6 * R.norm(), labels=["i", "j", "k"])
+    s.line((q - 0.6 * R).components(), (q + 1.5 * R).components(), style="solid")
+    s.arrow(q.components(), (q + R).components(), "R")
+    s.dot(Q)
+    s.label(q.components(), "Q")
+    s.label(O, "O")
