@@ -1,0 +1,67 @@
+"""A/3: the sum of two vectors and its direction, in a plane."""
+
+from mpmath import mp
+
+from exercises.proofs import integral, minus, size
+from exercises.steps import Step
+from newton_euler import Frame, radians
+from newton_euler.drawing import Sketch
+
+AXES = Frame("axes")
+
+
+def vectors(g):
+    """P and G."""
+    return AXES.vector(g.P_x, g.P_y, 0), AXES.vector(g.G_x, g.G_y, 0)
+
+
+def answers(R):
+    return {"R": R, "angle": R.angle_to(AXES.i)}
+
+
+def solve(g):
+    P, G = vectors(g)
+    return answers(P + G)
+
+
+def steps(g):
+    R = solve(g)["R"]
+    yield Step("size", R.norm(), "1", "magnitude of R", "A", "A.12")
+    cosine = R.direction().dot(AXES.i)
+    yield Step("c", cosine, "1", "cosine of theta, the dot product of unit vectors", "A", "A.2")
+
+
+follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}
+
+
+def prove(g):
+    """R is the way of a point that goes with the velocity P in the first unit of time, and G in the
+    second; the angle, from the sides of the triangle of R and i.
+    """
+    P, G = [g.P_x, g.P_y, 0], [g.G_x, g.G_y, 0]
+    R = integral(lambda t: P if t < 1 else G, 0, 2, breaks=(1,))
+    away = size(minus(R, [1, 0, 0]))
+    cosine = (size(R) ** 2 + 1 - away**2) / (2 * size(R))
+    return {"R": R, "angle": mp.acos(cosine), "size": size(R), "c": cosine}
+
+
+def mistakes(g):
+    P, G = vectors(g)
+    right = solve(g)
+    return {
+        "lost_sign": solve(g.but(G_y=-g.G_y)),
+        "angle_with_j": {"angle": right["R"].angle_to(AXES.j)},
+        "in_radians": {"angle": radians(right["angle"])},
+        "difference": answers(P - G),
+    }
+
+
+def draw(g, ax):
+    P, G = vectors(g)
+    s = Sketch(ax, AXES, plane="xy")
+    O = (0, 0, 0)
+    s.axes(O, AXES, length=0.6 * g.P_y, labels=["i", "j", ""])
+    for name, v in (("P", P), ("G", G)):
+        s.arrow(O, v.components())
+        s.label(v.components(), name)
+    s.label(O, "O", offset=(-12, -6))

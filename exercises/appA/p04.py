@@ -1,0 +1,53 @@
+"""A/4: sum, difference and dot products, without a figure."""
+
+from exercises.proofs import minus, plus, size
+from exercises.steps import Step
+from newton_euler import Frame
+
+
+def vectors(g):
+    """P and G."""
+    vector = Frame("axes").vector
+    return vector(g.P_x, g.P_y, g.P_z), vector(g.G_x, g.G_y, 0)
+
+
+def solve(g):
+    P, G = vectors(g)
+    return {"sum": P + G, "diff": P - G, "dot": P.dot(G), "dot_sd": (P + G).dot(P - G)}
+
+
+def steps(g):
+    P, G = vectors(g)
+    yield Step("dot_i", P.x * G.x, "1", "part of P . G from the components along i", "A", "A.11")
+    yield Step("dot_j", P.y * G.y, "1", "part of P . G from the components along j", "A", "A.11")
+    yield Step("P_P", P.dot(P), "1", "square of the magnitude of P, for (d)", "A", "A.12")
+    yield Step("G_G", G.dot(G), "1", "square of the magnitude of G, for (d)", "A", "A.12")
+
+
+follows = {"dot_sd": lambda g, sum, diff: sum.dot(diff)}
+
+
+def prove(g):
+    """Dot products by lengths alone, those of the diagonals of parallelograms; the difference
+    as the other diagonal, P + G less twice G.
+    """
+    P, G = [g.P_x, g.P_y, g.P_z], [g.G_x, g.G_y, 0]
+
+    def dot(a, b):
+        return (size(plus(a, b)) ** 2 - size(minus(a, b)) ** 2) / 4
+
+    S = plus(P, G)
+    D = minus(S, plus(G, G))
+    return {
+        "sum": S, "diff": D, "dot": dot(P, G), "dot_sd": dot(S, D),
+        "P_P": size(P) ** 2, "G_G": size(G) ** 2,
+    }  # fmt: skip
+
+
+def mistakes(g):
+    P, G = vectors(g)
+    return {
+        "lost_sign": {"diff": solve(g.but(G_y=-g.G_y))["diff"]},
+        "magnitudes": {"dot": P.norm() * G.norm()},
+        "squares_added": {"dot_sd": P.dot(P) + G.dot(G)},
+    }

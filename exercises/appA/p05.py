@@ -1,0 +1,79 @@
+"""A/5: the component of a vector along a directed line."""
+
+from exercises.proofs import minus, plus, rate, root, scaled, size
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+AXES = Frame("axes")
+
+
+def points(g):
+    """P, G, A, B."""
+    places = {n: (getattr(g, f"{n}_x"), getattr(g, f"{n}_y"), getattr(g, f"{n}_z")) for n in "PGAB"}
+    return [AXES.point(n, *at) for n, at in places.items()]
+
+
+def solve(g):
+    P, G, A, B = points(g)
+    return {"PG": G - P, "comp": (G - P).dot((B - A).direction())}
+
+
+def steps(g):
+    _, _, A, B = points(g)
+    yield Step("AB", B - A, "1", "vector from A to B", "A")
+    yield Step("l", (B - A).norm(), "1", "distance of A and B", "A", "A.12")
+    yield Step("e", (B - A).direction(), "1", "unit vector along the line", "A", "A.1")
+
+
+def along(g, PG):
+    """The component, from the vector that was found."""
+    _, _, A, B = points(g)
+    return PG.dot(PG.frame.vector(*(B - A).direction().components()))
+
+
+follows = {"comp": along}
+
+
+def prove(g):
+    """From the place on the line that is nearest to P to the one that is nearest to G."""
+    P, G = [g.P_x, g.P_y, g.P_z], [g.G_x, g.G_y, g.G_z]
+    A, B = [g.A_x, g.A_y, g.A_z], [g.B_x, g.B_y, g.B_z]
+
+    def on_line(t):
+        return plus(scaled(1 - t, A), scaled(t, B))
+
+    def nearest(C):
+        def approach(t):
+            return rate(lambda u: size(minus(on_line(u), C)) ** 2, t)
+
+        return root(approach, -100, 100)
+
+    AB = rate(on_line)
+    return {
+        "PG": rate(lambda t: plus(scaled(1 - t, P), scaled(t, G))),
+        "comp": (nearest(G) - nearest(P)) * size(AB),
+        "AB": AB,
+        "l": size(minus(A, B)),
+    }
+
+
+def mistakes(g):
+    P, G, A, B = points(g)
+    right = solve(g)
+    return {
+        "not_divided": {"comp": (G - P).dot(B - A)},
+        "no_sign": {"comp": abs(right["comp"])},
+        "from_G_to_P": {"PG": -right["PG"], "comp": -right["comp"]},
+    }
+
+
+def draw(g, ax):
+    P, G, A, B = points(g)
+    s = Sketch(ax, AXES, azimuth=-60, elevation=22)
+    s.axes(AXES.origin, AXES, length=3, labels=["i", "j", "k"])
+    s.line(P, G, style="solid")
+    s.arrow(A, B)
+    for C in (P, G, A, B):
+        s.dot(C)
+        s.label(C, C.name)
