@@ -1,0 +1,92 @@
+"""2/2: constant speed along a spiral."""
+
+from mpmath import mp
+
+from exercises.devices.plane_curve import at_constant_speed as proved_motion
+from exercises.proofs import cross, size
+from exercises.steps import Step
+from newton_euler import Frame, cos, moving, polar, sin
+from newton_euler.drawing import Sketch
+from newton_euler.kinematics import flexure, speed_rate
+
+
+def motion(g, theta, ground=None):
+    """Velocity and acceleration along e_r, e_theta, for an angle with its rates."""
+    ground = ground or Frame("ground")
+    P = polar(ground, "P", g.A * theta, theta)
+    return P.velocity(ground), P.acceleration(ground)
+
+
+def rates(g, theta):
+    """theta' from the speed; theta'' such that there is no acceleration along the velocity."""
+    v, a = motion(g, moving(theta, rate=g.one))  # per rad and per rad^2
+    theta_dot = g.v / v.norm()
+    return theta_dot, -(theta_dot**2) * a.dot(v) / v.dot(v)
+
+
+def at_constant_speed(g, theta, ground=None):
+    """The motion asked about."""
+    return motion(g, moving(theta, *rates(g, theta)), ground)
+
+
+def solve(g):
+    v, a = at_constant_speed(g, g.theta)
+    along_path = motion(g, moving(g.theta, rate=g.one))
+    return {"a_t": speed_rate(v, a), "a_n": g.v**2 * flexure(*along_path)}
+
+
+def steps(g):
+    theta_dot, theta_ddot = rates(g, g.theta)
+    a = at_constant_speed(g, g.theta)[1]
+    yield Step("thetadot", theta_dot, "rad/s", r"$\dot\theta$, from the speed", "2.6", "2.17")
+    yield Step("thetaddot", theta_ddot, "rad/s^2", r"$\ddot\theta$, since the speed stays")
+    yield Step("a_r", a.x, "m/s^2", "radial component of the acceleration", "2.6", "2.18")
+    yield Step("a_theta", a.y, "m/s^2", "transverse component of the acceleration", "2.6", "2.18")
+    yield Step(
+        "rho",
+        1 / flexure(*motion(g, moving(g.theta, rate=g.one))),
+        "m",
+        "radius of curvature",
+        "2.3",
+        "2.12",
+    )
+
+
+def prove(g):
+    def place(theta):
+        return [g.A * theta * mp.cos(theta), g.A * theta * mp.sin(theta), 0]
+
+    v, a = proved_motion(place, g.theta, g.v)
+    along = sum(x * y for x, y in zip(v, a, strict=True)) / g.v
+    across = size(cross(v, a)) / g.v
+    return {"a_t": along, "a_n": across, "rho": g.v**2 / across}
+
+
+def mistakes(g):
+    v, a = motion(g, moving(g.theta, rate=rates(g, g.theta)[0]))
+    right = at_constant_speed(g, g.theta)[1]
+    return {
+        "rho_is_r": {"a_n": g.v**2 / (g.A * g.theta)},
+        "uniform_angle": {"a_t": speed_rate(v, a)},
+        "polar_components": {"a_t": right.y, "a_n": -right.x},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+
+    def place(theta):
+        return (g.A * theta * cos(theta), g.A * theta * sin(theta), 0)
+
+    theta = 2.3  # on the first turn, where the letters have room
+    O, P = (0, 0, 0), place(theta)
+    s.axes(O, ground, length=3.2 * g.A, labels=["x", "y", ""])
+    s.path([place(4.6 * n / 120) for n in range(121)])
+    s.arrow(O, P, "r")
+    s.arc(O, (1, 0, 0), P, label=r"$\theta$")
+    s.dot(P)
+    v, _ = at_constant_speed(g, theta, ground)
+    s.vector(P, v, "v")
+    s.label(O, "O")
+    s.label(P, "P")

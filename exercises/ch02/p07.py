@@ -1,0 +1,49 @@
+"""2/7: the highest strike on a wall."""
+
+from mpmath import mp
+
+from exercises.devices import thrown_ball
+from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_height
+from exercises.steps import Step
+from newton_euler import asin, atan, pi, sin
+
+
+def solve(g):
+    u = best_slope(g)
+    return {"h": at_wall(g, u)[0], "gam": atan(u)}
+
+
+def steps(g):
+    u = best_slope(g)
+    yield Step(
+        "u",
+        u,
+        "1",
+        "slope of the throw, tan(gamma), for which the height at the wall no longer grows",
+        "2.2",
+    )
+    yield Step("T", g.d / forward(g, u), "s", "time in which the ball comes to the wall", "2.2")
+
+
+def prove(g):
+    gam = proved_angle(g)
+    T = g.d / (g.v_0 * mp.cos(gam))
+    return {"h": proved_height(g, gam), "gam": gam, "u": mp.tan(gam), "T": T}
+
+
+def mistakes(g):
+    quarter = pi(g.one) / 4
+    apex = 2 * quarter - asin(2 * g.g * g.d / g.v_0**2) / 2
+    most = g.v_0**2 / (2 * g.g)
+    return {
+        "greatest_range": {"h": at_wall(g, g.one)[0], "gam": quarter},
+        "apex_at_wall": {"h": most * sin(apex) ** 2, "gam": apex},
+        "highest_apex": {"h": most, "gam": 2 * quarter},
+        "from_vertical": {"gam": 2 * quarter - solve(g)["gam"]},
+    }
+
+
+def draw(g, ax):
+    s, O, foot, hit, ahead = thrown_ball.draw(g, ax)
+    s.arc(O, foot, ahead, label=r"$\gamma$")
+    s.dimension(foot, hit, "h")

@@ -1,0 +1,58 @@
+"""2/8: a ball that hits a wall as high as it can: whether it rises or falls."""
+
+from mpmath import mp
+
+from exercises.devices import thrown_ball
+from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_path
+from exercises.proofs import rate, root
+from exercises.steps import Step
+from newton_euler import atan, sqrt
+
+
+def sense(slope):
+    return "ascending" if slope > 0 else "descending"
+
+
+def solve(g):
+    slope = at_wall(g, best_slope(g))[1]
+    # the height v_0^2/(2 g) - g d^2/(2 v_0^2) of 2/7 vanishes
+    return {"slope": slope, "sense": lambda: sense(slope), "v_min": sqrt(g.g * g.d)}
+
+
+def steps(g):
+    u = best_slope(g)
+    h, slope = at_wall(g, u)
+    yield Step("gam", atan(u), "rad", "angle of the throw for the highest hit", "2.2")
+    yield Step("upward", slope * forward(g, u), "m/s", "upward velocity at the wall", "2.2")
+    yield Step("h", h, "m", "height of the hit, which vanishes for the least speed", "2.2")
+
+
+def prove(g):
+    gam = proved_angle(g)
+    path = proved_path(g, gam)
+    T = g.d / (g.v_0 * mp.cos(gam))
+    ahead, upward = rate(path, T)
+    slope = upward / ahead
+
+    def speed(angle):
+        """With which the ball comes to the foot of the wall."""
+        return root(lambda v: v * mp.sin(angle) - g.g / 2 * g.d / (v * mp.cos(angle)), 1e-3, 1e3)
+
+    # least where it no longer changes with the angle
+    flattest = root(lambda a: rate(lambda t: speed(a + t)), mp.mpf("0.1"), mp.mpf("1.4"))
+    answers = {"slope": slope, "sense": lambda: sense(slope), "v_min": speed(flattest)}
+    return answers | {"gam": gam, "upward": upward, "h": path(T)[1]}
+
+
+def mistakes(g):
+    right = solve(g)
+    return {
+        "least_for_apex": {"v_min": sqrt(2 * g.g * g.d)},
+        "apex": {"slope": 0 * right["slope"]},
+        "slope_at_O": {"slope": best_slope(g), "sense": "ascending"},
+        "sign": {"slope": -right["slope"], "sense": "ascending"},
+    }
+
+
+def draw(g, ax):
+    thrown_ball.draw(g, ax)

@@ -1,0 +1,22 @@
+"""A plane curve on which a point keeps its speed, as in 2/1 and 2/2: the proof."""
+
+from exercises.proofs import plus, rate, scaled, second_rate, size
+
+
+def at_constant_speed(curve, q, speed):
+    """Velocity and acceleration at ``q`` of a point that runs along ``curve(q)``, a list of three,
+    in the direction of increasing q.
+
+    q grows with q' t + q'' t^2/2. The speed gives q'; q'' is such that the speed stays, so that the
+    acceleration has no part along the velocity. It is linear in q''.
+    """
+    q_dot = speed / size(rate(lambda t: curve(q + t)))
+
+    def acceleration(q_ddot):
+        return second_rate(lambda t: curve(q + q_dot * t + q_ddot * t**2 / 2))
+
+    v = rate(lambda t: curve(q + q_dot * t))
+    before, after = (acceleration(n * q_dot) for n in (0, 1))
+    along = [sum(x * y for x, y in zip(v, a, strict=True)) for a in (before, after)]
+    share = along[0] / (along[0] - along[1])
+    return v, plus(scaled(1 - share, before), scaled(share, after))

@@ -1,0 +1,71 @@
+"""The ball of 2/7 and 2/8, thrown at a vertical wall as high as can be: path, proof, figure."""
+
+from mpmath import mp
+
+from exercises.proofs import rate, root
+from newton_euler import Frame, moving, sqrt
+from newton_euler.drawing import Sketch
+from newton_euler.kinematics import from_time
+
+
+def at_wall(g, u):
+    """Height and slope of the path at the wall; ``u``: the slope at which the ball is thrown. With
+    x for the time: over x, the slope falls at the rate g over the square of the forward velocity.
+    """
+    forward_squared = g.v_0**2 / (1 + u**2)
+    return from_time(lambda x: -g.g / forward_squared, g.d, v0=u)
+
+
+def forward(g, u):
+    """The horizontal velocity."""
+    return g.v_0 / sqrt(1 + u**2)
+
+
+def best_slope(g):
+    """The slope of the throw that hits highest: the height is of the second degree in it, so that
+    the place of its top follows from two derivatives at 0.
+    """
+    h, _ = at_wall(g, moving(0 * g.one, rate=g.one))
+    return -h.rate / h.acceleration
+
+
+def proved_angle(g):
+    """Proof: the angle at which the height on the wall no longer grows."""
+    return root(
+        lambda gam: rate(lambda t: proved_height(g, gam + t)), 0, mp.pi / 2 - mp.mpf("0.01")
+    )
+
+
+def proved_height(g, gam):
+    return proved_path(g, gam)(g.d / (g.v_0 * mp.cos(gam)))[1]
+
+
+def proved_path(g, gam):
+    """Proof: the place of the ball in time."""
+    return lambda t: [g.v_0 * mp.cos(gam) * t, g.v_0 * mp.sin(gam) * t - g.g * t**2 / 2]
+
+
+def draw(g, ax):
+    """The thrower at O, the wall and the place that is hit; of the path only the beginning, since
+    2/8 asks how it ends.
+    """
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    u = best_slope(g)
+    h, _ = at_wall(g, u)
+    vx = forward(g, u)
+
+    def place(x):
+        return (x, 0, u * x - g.g / 2 * (x / vx) ** 2)
+
+    O, hit, foot = (0, 0, 0), (g.d, 0, h), (g.d, 0, 0)
+    s.road([(g.d, 0, -0.1 * h), (g.d, 0, 1.3 * h)])
+    s.line(O, foot)
+    end = 0.5 * g.d
+    s.path([place(end * n / 40) for n in range(41)])
+    s.dot(O)
+    s.dot(hit)
+    s.vector(O, (vx, 0, u * vx), "$v_0$")
+    s.dimension(O, foot, "d")
+    s.label(O, "O")
+    return s, O, foot, hit, (0.4 * g.d, 0, 0.4 * g.d * u)
