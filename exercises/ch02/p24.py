@@ -1,13 +1,26 @@
 """2/24: the pin of a crank in a slotted arm, in polar coordinates."""
 
+from mpmath import mp
+
 from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
-from exercises.proofs import rate, second_rate, size
+from exercises.proofs import rate, rot, second_rate, size, times
 from exercises.steps import Step, terms
 from newton_euler import Frame, polar
 
 
 def answers(v, a):
     return {"v_P": v, "a_P": a, "v_mag": v.norm(), "a_mag": a.norm()}
+
+
+def of_crank(g):
+    """Velocity and acceleration of P along and across the crank, in which it is fixed: so their
+    magnitudes have no theta. As OC = CP, the crank is at 2 theta.
+    """
+    ground = Frame("ground")
+    C = ground.point("C", g.b, 0, 0)
+    crank = ground.rotate("crank", "z", 2 * turning(g)[0], origin=C)
+    P = crank.point("P", g.b, 0, 0)
+    return [v.expressed_in(crank) for v in (P.velocity(ground), P.acceleration(ground))]
 
 
 def motion(g, r):
@@ -18,7 +31,9 @@ def motion(g, r):
 
 
 def solve(g):
-    return answers(*motion(g, turning(g)[1]))
+    v, a = of_crank(g)
+    right = answers(*motion(g, turning(g)[1]))
+    return right | {"v_mag": v.norm(), "a_mag": a.norm()}
 
 
 def steps(g):
@@ -28,20 +43,37 @@ def steps(g):
     v, a = motion(g, r)
     yield from terms(v, "v_P", "m/s", "2.6")
     yield from terms(a, "a_P", "m/s^2", "2.6")
+    theta = turning(g)[0]
+    yield Step("omega_CP", 2 * theta.rate, "rad/s",
+               "rate of the crank CP, which is at the angle 2 theta", "2.8", "2.19")  # fmt: skip
 
 
 follows = {"v_mag": lambda g, v_P: v_P.norm(), "a_mag": lambda g, a_P: a_P.norm()}
 
 
 def prove(g):
+    """The components by the way of P on the crank, the magnitudes by that on the arm."""
     P = crank(g)
-    v, a = rate(P), second_rate(P)
 
     def r(t):
         return in_arm(g, P(t), t)[0]
 
-    answers = {"v_P": in_arm(g, v), "a_P": in_arm(g, a), "v_mag": size(v), "a_mag": size(a)}
-    return answers | {"r_dot": rate(r), "r_ddot": second_rate(r)}
+    def in_slot(t):
+        angle = g.theta + g.omega * t
+        return times(rot("z", angle), [2 * g.b * mp.cos(angle), 0, 0])
+
+    def from_C(t):
+        return mp.atan2(P(t)[1], P(t)[0] - g.b)
+
+    return {
+        "v_P": in_arm(g, rate(P)),
+        "a_P": in_arm(g, second_rate(P)),
+        "v_mag": size(rate(in_slot)),
+        "a_mag": size(second_rate(in_slot)),
+        "r_dot": rate(r),
+        "r_ddot": second_rate(r),
+        "omega_CP": rate(from_C),
+    }
 
 
 def mistakes(g):
