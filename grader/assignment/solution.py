@@ -16,11 +16,12 @@ def worked_solution(p, values, text=True):
     """
     answers, notation = p.solve(values), p.notation
     lines = [statement(p, values, figure=False), "", "*Solution*", ""] if text else []
-    for n, s in enumerate(steps(p, values), 1):
+    found = steps(p, values)
+    for n, s in enumerate(found, 1):
         latex = symbol(s.key, s.is_vector)
         equation = _equation(latex, s.value, s.unit, notation)
         lines.append(f"{n}. {_sentence(typeset(s.means, p))}{_where(s)}: {equation}")
-    lines += ["", *(line for a in p.answers for line in _answer(p, a, answers[a.key]))]
+    lines += ["", *(line for a in p.answers for line in _answer(p, a, answers[a.key], found))]
     return "\n".join(lines)
 
 
@@ -64,19 +65,28 @@ def formatted(value):
     )
 
 
-def _answer(p, a, value):
+def _answer(p, a, value, found):
     latex = "" if is_word(a.key) and not a.latex else p.notation[a.key]
     equation = _equation(latex, value, a.unit, p.notation)
     yield f"**{_sentence(typeset(a.means, p))}:** {equation}"
     yield ""
     if isinstance(value, Vector) and len(value.terms) > 1:
-        yield from _ledger(value.explain(), a.unit, p.notation)
+        # in chapter 2 the equations have other numbers than in the engine
+        own = [s.equation for s in found if s.term and s.key.startswith(f"{a.key}_")]
+        yield from _ledger(value.explain(), a.unit, p.notation, own[0] if own else "")
         yield ""
 
 
-def _ledger(explained, unit, notation):
+# v_B would be taken for the velocity of a point B of the problem
+_ORIGIN = {
+    ("velocity", "origin"): r"\mathbf{v}_{\text{origin}}",
+    ("acceleration", "origin"): r"\mathbf{a}_{\text{origin}}",
+}
+
+
+def _ledger(explained, unit, notation, number):
     """The terms of a sum as a table: name, formula and value of each."""
-    where, number = explained.vector.frame.name, explained.equation.number
+    where, number = explained.vector.frame.name, number or explained.equation.number
     about = f"{explained.equation.kind} {explained.ledger.subject}"
     yield f"*{_sentence(about)}, equation ({number}), components in {where}:*"
     yield ""
@@ -84,6 +94,7 @@ def _ledger(explained, unit, notation):
     yield "| --- | --- | --- |"
     for name, term in (*explained.terms.items(), ("sum", explained.vector)):
         formula = explained.equation.terms.get(name, ("", ""))[1]
+        formula = _ORIGIN.get((explained.equation.kind, name), formula)
         value = _latex(term, notation) + unit_symbol(unit)
         cells = name, f"${formula}$" if formula else "", f"${value}$"
         # a bar would end the cell

@@ -118,7 +118,7 @@ def number_symbol(x):
     >>> number_symbol(0.6), number_symbol(3), number_symbol(-1.5e-7)
     ('0.6', '3', '-1.5 \\times 10^{-7}')
     """
-    text = f"{x:.6g}" if isinstance(x, float) else str(x)
+    text = f"{x + 0.0:.6g}" if isinstance(x, float) else str(x)  # no -0
     digits, _, power = text.partition("e")
     return rf"{digits} \times 10^{{{int(power)}}}" if power else digits
 
