@@ -33,6 +33,18 @@ def test_steps_of_4_16_stand_in_the_units_and_axes_of_the_answers():
     assert "2 omega x v_r" in found["a_D_coriolis"].means
 
 
+def test_a_term_can_have_the_number_of_its_equation_in_the_chapter():
+    p = problem("2/27")
+    found = shown(p, p.book_values)
+    assert found["a_B_euler"].equation == "2.25"  # the engine has it as (4.18)
+    assert found["a_B_euler"].means == "the term alpha x r, in a_B"
+
+
+def test_the_terms_of_polar_components_are_said_in_words():
+    p = problem("2/20")
+    assert shown(p, p.book_values)["a_euler"].means == "the Euler term r theta'' e_theta, in a"
+
+
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_the_terms_among_the_steps_add_up_to_the_answers(p):
     values = {**draw(p, b"steps"), **p.sympy_symbols()}
