@@ -33,10 +33,10 @@ def steps(g):
     yield Step("coordinates", count(), "1",
                "coordinates in the plane, of the cart as a body 3 and of the particle 2",
                "5.11")  # fmt: skip
-    yield Step("on_track", 2, "1",
+    yield Step("track", 2, "1",
                "constraints of the track: the cart keeps its height and does not tilt",
                "5.11", "5.28")  # fmt: skip
-    yield Step("on_rod", 1, "1", "constraints of the rod: it keeps its length", "5.11", "5.28")
+    yield Step("rod", 1, "1", "constraints of the rod: it keeps its length", "5.11", "5.28")
 
 
 def prove(g):
