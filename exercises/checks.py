@@ -10,6 +10,7 @@ from mpmath import mp, mpc, mpf
 
 from newton_euler.algebra.scalars import max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
+from newton_euler.algebra.vectors import Vector
 
 from .catalogue import CatalogueError
 from .catalogue.words import WORDS, word
@@ -39,7 +40,7 @@ def check(p, seeds=1):
 
 def alike(p, seeds=1):
     """Warnings, as sentences: mistakes that give the same wrong answer for all numbers, so that no
-    diagnosis can tell which of them a student made.
+    diagnosis can tell which of them a student made; and those with the dimension of another answer.
     """
     same = None
     for n in _different(p, seeds):
@@ -55,7 +56,7 @@ def alike(p, seeds=1):
     return [
         f"the mistakes {one} and {other} give the same wrong {key}: whoever makes one is told both"
         for key, one, other in sorted(same or ())
-    ]
+    ] + _exchanged(p)
 
 
 def _same(a, b):
@@ -83,7 +84,7 @@ def _fit(p):
         # arrays have nan where floats raise: at this point a formula may not be real
         g = p.base({n: np.atleast_1d(float(x)) for n, x in values(p, 0).items()})
         with np.errstate(all="ignore"):
-            named, solved = p.code.mistakes(g), p.code.solve(g)
+            named, solved, again = p.code.mistakes(g), p.code.solve(g), p.code.solve(g)
         with mp.workdps(DIGITS):  # a root or a series of a proof stops when it has these digits
             proved = p.code.prove(_precise(p, values(p, 0)))
     except CatalogueError as error:
@@ -103,6 +104,7 @@ def _fit(p):
     for what, got in (("solve", list(solved)), ("prove", list(proved)[: len(asked)])):
         if got != asked:
             return [*faults, f"{what} returns {got} but the problem asks for {asked}"]
+    faults += _shared_frames(solved, again)
     for name, answers in named.items():
         if not answers or not set(answers) <= set(asked):
             faults.append(
@@ -121,14 +123,29 @@ def _fit(p):
     return faults
 
 
+def _shared_frames(one, another):
+    """A fault if two calls of solve make frames in one tree: the diagnosis of a wrong answer looks
+    at all frames of the tree, and would see those of another call, with other numbers.
+    """
+    made = {id(f) for x in one.values() if isinstance(x, Vector) for f in x.frame.tree}
+    for key, x in another.items():
+        tree = x.frame.tree if isinstance(x, Vector) else []
+        names = [f.name for f in tree]
+        twice = [f.name for f in tree if id(f) in made and names.count(f.name) > 1]
+        if twice:
+            return [
+                f"{key} has the frame {twice[0]} of an earlier call in its tree: turn frames from a "
+                "ground that solve makes, not from one of the module"
+            ]
+    return []
+
+
 def _dimensions(p):
     """Run solve on dimensions: a sum of unlike quantities raises, and each answer must have the
     dimension of its unit.
     """
-    pure = p.base(dict.fromkeys(p.units, 1.0))
-    g = pure.but(**{n: unit(u).dimension for n, u in p.units.items()})
     try:
-        answers = p.code.solve(g)
+        answers = p.code.solve(p.dimensions())
     except DimensionError as error:
         return [f"solve adds unlike quantities: {error}"]
     faults = []
@@ -140,13 +157,14 @@ def _dimensions(p):
         for x in flat(answer):
             if x != asked if isinstance(x, Dimension) else x and any(asked.powers):
                 faults.append(f"{key} is asked for in {a.unit}, {asked}, but solve gives {x}")
-    return faults or _exchanged(p, g)
+    return faults
 
 
-def _exchanged(p, g):
-    """Mistakes whose answer has the dimension of another answer: stored under the wrong key. Other
-    dimensions may be what is wrong about them.
+def _exchanged(p):
+    """Mistakes whose answer has the dimension of another answer: perhaps stored under the wrong
+    key. Other dimensions may be what is wrong about them.
     """
+    g = p.dimensions()
     try:
         named = p.code.mistakes(g)
     except DimensionError:  # a wrong model may add unlike quantities
@@ -158,7 +176,7 @@ def _exchanged(p, g):
             found = {x for x in flat(answer) if isinstance(x, Dimension)}
             found = found - {asked.get(key)} if len(found) == 1 else ()  # unlike ones are a slip
             faults += [
-                f"the mistake {name} gives {key} the dimension of {k}"
+                f"the mistake {name} gives {key} the dimension of {k}: is it stored under its key?"
                 for k, d in asked.items()
                 if key in asked and d in found
             ]

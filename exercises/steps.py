@@ -137,11 +137,8 @@ def faults(p, values):
     own = getattr(p.code, "steps", None)
     if own is None:
         return []
-    g = p.base(dict.fromkeys(p.units, 1.0)).but(
-        **{n: unit(u).dimension for n, u in p.units.items()}
-    )
     try:
-        found = list(own(g))
+        found = list(own(p.dimensions()))
     except DimensionError as error:
         return [f"steps adds unlike quantities: {error}"]
     wrong = []

@@ -246,6 +246,11 @@ class Problem:
         given = {n: unit(u).to_base(scalar(values[n]), self.system) for n, u in units.items()}
         return Givens(given, units, one, self.system)
 
+    def dimensions(self):
+        """Givens for the code that are dimensions, without values."""
+        pure = self.base(dict.fromkeys(self.units, 1.0))
+        return pure.but(**{n: unit(u).dimension for n, u in self.units.items()})
+
     def in_units(self, results):
         """Results of the code (in base units) in the units of the answers; a Vector stays a Vector
         with its terms, and a word the function that gives it.

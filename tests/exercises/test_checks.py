@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 
 from exercises import problem, variants
-from exercises.checks import check
+from exercises.checks import alike, check
 from exercises.following import earlier_answers
-from newton_euler import pi
+from newton_euler import Frame, pi
 
 P = problem("4/16")
 SOLVE, PROVE, MISTAKES = P.code.solve, P.code.prove, P.code.mistakes
@@ -146,14 +146,23 @@ def test_a_mistake_in_an_answer_that_is_not_asked_for_is_caught(tamper):
     ]
 
 
-def test_a_mistake_under_the_key_of_another_answer_is_caught(tamper):
-    faults = tamper(
-        mistakes=lambda g: {
-            **MISTAKES(g),
-            "no_coriolis": {"v_D": MISTAKES(g)["no_coriolis"]["a_D"]},
-        }
-    )
-    assert faults == ["the mistake no_coriolis gives v_D the dimension of a_D"]
+def test_a_mistake_under_the_key_of_another_answer_is_a_warning(monkeypatch):
+    p = problem("4/16")
+    wrong = lambda g: {**MISTAKES(g), "no_coriolis": {"v_D": MISTAKES(g)["no_coriolis"]["a_D"]}}
+    monkeypatch.setattr(p.code, "mistakes", wrong)
+    told = "the mistake no_coriolis gives v_D the dimension of a_D: is it stored under its key?"
+    assert told in alike(p)
+
+
+def test_frames_of_another_call_in_the_tree_of_an_answer_are_a_fault(tamper):
+    ground = Frame("ground")  # as of a module
+
+    def solve(g):
+        D = ground.rotate("arm", "z", rate=g.omega).point("D", g.b, 0, 0)
+        return {**SOLVE(g), "v_D": D.velocity(ground)}
+
+    fault, *_ = tamper(solve=solve)
+    assert fault.startswith("v_D has the frame arm of an earlier call in its tree")
 
 
 def test_a_mistake_that_changes_nothing_is_caught(tamper):

@@ -129,5 +129,7 @@ def test_a_problem_without_sums_has_no_steps_of_its_own():
 def test_a_worked_solution_cites_the_equation_of_its_chapter():
     p = problem("2/38")
     text = worked_solution(p, p.book_values)
-    assert "equation (2.25), components" in text and "(4.18)" not in text
-    assert "{-0}" not in text and r"| origin | $\mathbf{a}_{\text{origin}}$ |" in text
+    assert "equation (2.25), components" in text
+    assert "(4.18)" not in text
+    assert "{-0}" not in text
+    assert r"| origin | $\mathbf{a}_{\text{origin}}$ |" in text
