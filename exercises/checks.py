@@ -134,8 +134,8 @@ def _shared_frames(one, another):
         twice = [f.name for f in tree if id(f) in made and names.count(f.name) > 1]
         if twice:
             return [
-                f"{key} has the frame {twice[0]} of an earlier call in its tree: turn frames from a "
-                "ground that solve makes, not from one of the module"
+                f"{key} has the frame {twice[0]} of an earlier call in its tree: turn frames from "
+                "a ground that solve makes, not from one of the module"
             ]
     return []
 
