@@ -1,0 +1,85 @@
+"""6/1: the resultant of three forces on a particle."""
+
+from mpmath import mp
+
+from exercises.proofs import root
+from exercises.steps import Step
+from newton_euler import ForceSystem, Frame, atan, atan2, cos, pi, sin, where
+from newton_euler.drawing import Sketch
+
+AXES = Frame("axes")
+P = AXES.point("P", 0, 0, 0)
+
+
+def pulls(g, along=cos, across=sin):
+    """The three forces."""
+    pairs = (g.F_1, g.theta_1), (g.F_2, g.theta_2), (g.F_3, g.theta_3)
+    return [AXES.vector(F * along(theta), F * across(theta), 0) for F, theta in pairs]
+
+
+def direction(R):
+    """Counterclockwise from x, from 0 to a full turn."""
+    angle = atan2(R.y, R.x)
+    return where(R.y < 0, angle + 2 * pi(angle), angle)
+
+
+def answers(forces):
+    R = ForceSystem([(F, P) for F in forces]).force
+    return {"R": R, "R_mag": R.norm(), "dir_R": direction(R)}
+
+
+def solve(g):
+    return answers(pulls(g))
+
+
+def steps(g):
+    for n, F in enumerate(pulls(g), 1):
+        yield Step(f"force_{n}", F, "lb", f"force {n} in components", "6.1", "6.3")
+
+
+follows = {"R_mag": lambda g, R: R.norm(), "dir_R": lambda g, R: direction(R)}
+
+
+def prove(g):
+    """Across its own line the three forces have no resultant: with these numbers the line is in the
+    second quadrant.
+    """
+    pairs = (g.F_1, g.theta_1), (g.F_2, g.theta_2), (g.F_3, g.theta_3)
+
+    def across(line):
+        return sum(F * mp.sin(theta - line) for F, theta in pairs)
+
+    line = root(across, mp.pi / 2, mp.pi)
+    size = sum(F * mp.cos(theta - line) for F, theta in pairs)
+    return {"R": [size * mp.cos(line), size * mp.sin(line), 0], "R_mag": size, "dir_R": line}
+
+
+def mistakes(g):
+    R = solve(g)["R"]
+    first, second, third = pulls(g)
+    swapped = answers(pulls(g, sin, cos))
+    return {
+        "magnitudes": {"R_mag": g.F_1 + g.F_2 + g.F_3},
+        "sine_for_cosine": {"R": swapped["R"], "dir_R": swapped["dir_R"]},  # as long as R
+        "quadrant": {"dir_R": atan(R.y / R.x)},
+        "F_3_upward": answers([first, second, AXES.vector(third.x, g.F_3, 0)]),
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, AXES, plane="xy")
+    far = 0.55 * g.F_2
+    s.axes(P, AXES, length=far, labels=["x", "y", ""])
+    radii, angles = (0.17, 0.27, 0.09), (g.theta_1, g.theta_2, g.theta_3)
+    for n, (F, radius, angle) in enumerate(zip(pulls(g), radii, angles, strict=True), 1):
+        tip = F.components()
+        s.arrow(P, tip, kind="force")
+        s.label(tip, f"$F_{n}$", offset=F, bold=False)
+        arc = s.around(
+            P, (radius * g.F_2, 0, 0), AXES.k, angle
+        )  # the third is more than half a turn
+        s.path(arc)
+        at = arc[3 * len(arc) // 4 if n == 3 else len(arc) // 2]
+        s.label(at, rf"$\theta_{n}$", offset=at, bold=False)
+    s.dot(P)
+    s.label(P, "P", offset=(9, -10))

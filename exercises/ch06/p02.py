@@ -1,0 +1,39 @@
+"""6/2: the acceleration of a particle by a force."""
+
+from exercises.proofs import rate, root
+from newton_euler import Frame
+from newton_euler.dynamics import acceleration_by
+
+AXES = Frame("axes")
+G = 32.2  # the number in ft/s^2 that a student takes
+
+
+def solve(g):
+    return {"a": acceleration_by(g.m, force=AXES.vector(g.F_x, g.F_y, g.F_z))}
+
+
+def prove(g):
+    """From rest, the work of each component of the force is the kinetic energy of the motion along
+    its axis.
+    """
+
+    def along(F):
+        def surplus(a):
+            def place(t):
+                return a * t**2 / 2
+
+            return F * place(1) - g.m * rate(place, 1) ** 2 / 2
+
+        return root(surplus, F / g.m / 10, 10 * F / g.m)
+
+    return {"a": [along(F) for F in (g.F_x, g.F_y, g.F_z)]}
+
+
+def mistakes(g):
+    a = solve(g)["a"]
+    return {
+        "by_weight": {"a": a / G},
+        "slugs_as_pounds": {"a": a * G},
+        "minus_lost": {"a": solve(g.but(F_z=-g.F_z))["a"]},
+        "times_mass": {"a": a * g.stated("m") ** 2},
+    }

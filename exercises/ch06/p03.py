@@ -1,0 +1,56 @@
+"""6/3: the force on a particle whose position is known in time."""
+
+from exercises.proofs import rate
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.dynamics import resultant_force
+from newton_euler.kinematics import along
+
+AXES = Frame("axes")
+G = 32.2  # the number in ft/s^2 that a student takes
+
+
+def particle(g):
+    def path(t):
+        return g.c_0 - g.c_1 * t**2, g.c_2 * t**3, g.c_3 * t**2 - g.c_4 * t
+
+    return AXES.point("P", *along(path, g.t_1))
+
+
+def solve(g):
+    return {"F": resultant_force(g.m, particle(g).acceleration(AXES))}
+
+
+def steps(g):
+    P = particle(g)
+    yield Step("v", P.velocity(AXES), "ft/s", "velocity at t_1, the rates of x, y, z", "6.4")
+    yield Step("a", P.acceleration(AXES), "ft/s^2", "acceleration at t_1", "6.4", "6.7")
+
+
+def prove(g):
+    """Each component of the force by its power: the rate of the kinetic energy of the motion along
+    its axis, divided by the velocity there.
+    """
+    axes = (
+        lambda t: g.c_0 - g.c_1 * t**2,
+        lambda t: g.c_2 * t**3,
+        lambda t: g.c_3 * t**2 - g.c_4 * t,
+    )
+
+    def force(x):
+        def energy(t):
+            return g.m * rate(x, t) ** 2 / 2
+
+        return rate(energy, g.t_1) / rate(x, g.t_1)
+
+    return {"F": [force(x) for x in axes], "v": [rate(x, g.t_1) for x in axes]}
+
+
+def mistakes(g):
+    F = solve(g)["F"]
+    return {
+        "mass_times_velocity": {"F": g.m * particle(g).velocity(AXES)},
+        "time_first": {"F": 0 * F},
+        "weight_for_mass": {"F": G * F},
+        "minus_lost": {"F": solve(g.but(c_1=-g.c_1))["F"]},
+    }

@@ -1,0 +1,52 @@
+"""6/4: the force on a particle whose velocity is known in time."""
+
+from mpmath import mp
+
+from exercises.proofs import scaled, second_rate
+from exercises.steps import Step
+from newton_euler import Frame, cos, moving, radians, sin
+from newton_euler.dynamics import resultant_force
+
+AXES = Frame("axes")
+
+
+def tip(g):
+    """The tip of the velocity, drawn from a fixed point: it moves with the acceleration."""
+    t = moving(g.t_1, rate=g.one)
+    angle = g.omega * t
+    return AXES.point("tip", g.A * cos(angle), g.B * t**2, -g.A * sin(angle))
+
+
+def solve(g):
+    return {"F": resultant_force(g.m, tip(g).velocity(AXES))}
+
+
+def steps(g):
+    yield Step("a", tip(g).velocity(AXES), "m/s^2", "acceleration at t_1, the rate of v", "6.4",
+               "6.7")  # fmt: skip
+
+
+def prove(g):
+    """As seen along j the particle runs on a circle of radius A/omega: a place with this velocity,
+    and the second rate of that.
+    """
+    radius = g.A / g.omega
+
+    def place(t):
+        return [radius * mp.sin(g.omega * t), g.B * t**3 / 3, radius * mp.cos(g.omega * t)]
+
+    a = second_rate(place, g.t_1)
+    return {"F": scaled(g.m, a), "a": a}
+
+
+def mistakes(g):
+    F = solve(g)["F"]
+    n = g.stated("omega")
+    angle = radians(n * g.stated("t_1"))
+    turning = AXES.vector(sin(angle), 0, cos(angle)) * -g.m * g.A * g.omega
+    return {
+        "no_inner_derivative": {"F": AXES.vector(F.x / n, F.y, F.z / n)},
+        "degrees": {"F": turning + AXES.vector(0, F.y, 0)},
+        "twice": {"F": g.m * tip(g).acceleration(AXES)},
+        "minus_lost": {"F": AXES.vector(-F.x, F.y, F.z)},
+    }
