@@ -161,19 +161,30 @@ def convex_hull(view, points):
     """The points on the convex hull as seen on the page, counter-clockwise.
 
     By Andrew's monotone chain (1979): of the points sorted from left to right, those at turns to
-    the right are removed, which leaves the lower half; backwards, the upper half.
+    the right are removed, which leaves the lower half; backwards, the upper half. On a fine grid of
+    whole numbers, so that points above each other are that exactly, in the order and at the turns.
     """
-    ordered = sorted(points, key=view.project)
+    if not points:
+        return []
+    seen = [view.project(p) for p in points]
+    grid = 1e-9 * max(max(column) - min(column) for column in zip(*seen, strict=True)) or 1.0
+    ordered = sorted(
+        (round(x / grid), round(y / grid), p) for (x, y), p in zip(seen, points, strict=True)
+    )
 
     def half(points):
         out = []
         for p in points:
-            while out[1:] and view.depth(cross3(sub3(out[-1], out[-2]), sub3(p, out[-1]))) <= 0:
+            while out[1:] and not _turns_left(*out[-2:], p):
                 out.pop()
             out.append(p)
         return out[:-1]
 
-    return half(ordered) + half(ordered[::-1])
+    return [p for _, _, p in half(ordered) + half(ordered[::-1])]
+
+
+def _turns_left(a, b, c):
+    return (b[0] - a[0]) * (c[1] - b[1]) > (b[1] - a[1]) * (c[0] - b[0])
 
 
 def silhouette(view, apex, rim):

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler.drawing.page.projection import plane_view, space_view
+from newton_euler.drawing.page.projection import circle, convex_hull, plane_view, space_view
 from tests.sketching import sketch, vertices
 
 
@@ -45,3 +45,14 @@ def test_the_axis_up_is_seen_upwards_and_the_eye_looks_from_above():
         view = space_view(35, 20, up)
         assert view.right[n] == 0
         assert view.eye[n] == pytest.approx(math.sin(math.radians(20)))
+
+
+@pytest.mark.parametrize("azimuth", range(-180, 180, 15))
+def test_the_outline_of_a_cylinder_is_convex_though_rims_are_above_each_other(azimuth):
+    view = space_view(azimuth, 22, "z")
+    rims = [circle((5.0, 2.25, z), (0.0, 0.0, 1.0), 1.1) for z in (3.0, 7.0)]
+    seen = np.array([view.project(p) for p in convex_hull(view, rims[0] + rims[1])])
+    a = np.roll(seen, -1, axis=0) - seen
+    b = np.roll(a, -1, axis=0)
+    assert np.all(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > -1e-7)  # the grid of the hull
+    assert np.hypot(*a.T).sum() < 2 * (2.2 + 4 + 2.2)  # and goes round once
