@@ -1,0 +1,84 @@
+"""Bodies put together of parts, from which others may be cut out: their centre of mass from those
+of the parts, and proofs that know no parts: by slices, and along a wire.
+"""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import centre_of_mass
+
+SYMBOLS = {"length": "l", "area": "A", "volume": "V", "mass": "m"}
+POWERS = {"length": 1, "area": 2, "volume": 3}
+
+
+def centre(frame, parts, removed=()):
+    """The answer of all these problems, from bodies."""
+    return {"d": centre_of_mass([*parts, *(-hole for hole in removed)], frame).position(frame)}
+
+
+def unweighed(frame, one, points):
+    """The mistake of the plain mean of points; ``one`` is g.one."""
+    return {"d": centre_of_mass([(one, P) for P in points], frame).position(frame)}
+
+
+def steps_of(frame, parts, removed=(), *, content, length, mass=""):
+    """The content of each part (one of SYMBOLS) and its centre, named after the first word of its
+    name, then the sums over all of them. ``length`` and ``mass`` are units.
+    """
+    symbol, (unit, _) = SYMBOLS[content], units(content, length, mass)
+    for part in (*parts, *removed):
+        key, cut_out = part.name.split()[0], ", to be subtracted" if part in removed else ""
+        yield Step(f"{symbol}_{key}", part.mass, unit, f"{content} of the {part.name}{cut_out}",
+                   "5.4")  # fmt: skip
+        yield Step(f"d_{key}", part.centre.position(frame), length,
+                   f"centre of mass of the {part.name}", "5.4", "5.13")  # fmt: skip
+    yield from sums(frame, parts, removed, content=content, length=length, mass=mass)
+
+
+def units(content, length, mass):
+    """The units of the content and of its first moment."""
+    if content == "mass":
+        return mass, f"{mass}*{length}"
+    n = POWERS[content]
+    return f"{length}^{n}".removesuffix("^1"), f"{length}^{n + 1}"
+
+
+def sums(frame, parts, removed=(), *, content, length, mass=""):
+    """The content of the whole and its first moment, as steps."""
+    unit, unit_of_moment = units(content, length, mass)
+    first, *others = (*parts, *(-hole for hole in removed))
+    whole = first.mass + sum(part.mass for part in others)
+    yield Step(SYMBOLS[content], whole, unit, f"{content} of the whole", "5.4")
+    yield Step("Q", centre(frame, parts, removed)["d"] * whole, unit_of_moment,
+               f"sum of {content} times place of the centre", "5.4", "5.11")  # fmt: skip
+
+
+def proved(content, whole, first):
+    """What a proof returns that found the content of the whole and its first moment."""
+    return {"d": [m / whole for m in first], SYMBOLS[content]: whole, "Q": list(first)}
+
+
+def sliced(content, slice_at, start, end, breaks):
+    """Proof, by slices of constant x: ``slice_at(x)`` gives the content of a slice per dx and its
+    first moments along y and z. ``breaks`` are the places between at which it has corners.
+    """
+
+    def moments(x):
+        per_dx, first_y, first_z = slice_at(x)
+        return [per_dx, x * per_dx, first_y, first_z]
+
+    whole, *first = proofs.integral(moments, start, end, breaks)
+    return proved(content, whole, first)
+
+
+def chord(distance, radius):
+    """Proof, the length of a chord of a circle at this distance from its centre; 0 outside."""
+    return 2 * mp.sqrt(max(radius**2 - distance**2, 0))
+
+
+def walked(path, length, breaks):
+    """Proof, of a wire: the mean place of one who walks along all of it; ``path(s)`` is the place
+    after the way s, and has its corners at ``breaks``.
+    """
+    return proved("length", length, proofs.integral(path, 0, length, breaks))
