@@ -47,7 +47,8 @@ def cell_text(p, answers):
     """The text of an answer cell with these literals, and for formulas the functions that they
     need.
     """
-    head = "from sympy import Abs, cos, pi, sin, sqrt, tan\n" if p.symbolic else ""
+    functions = "Abs, acos, asin, atan, atan2, cos, exp, log, pi, sin, sqrt, tan"
+    head = f"from sympy import {functions}\n" if p.symbolic else ""
     return head + "\n".join(f"{key} = {text}" for key, text in answers.items())
 
 
