@@ -2,7 +2,7 @@
 by the matrix.
 """
 
-from exercises.devices.amusement_ride import car, car_in_time, section, steps_in_time
+from exercises.devices.amusement_ride import car, car_in_time, coordinates, section, steps_in_time
 from exercises.proofs import cylindrical_axes, second_rate, spherical_axes, times, transposed
 from exercises.steps import Step
 from newton_euler import pi
@@ -11,8 +11,8 @@ from newton_euler.kinematics import T_phi, apply, transpose
 
 def acceleration(g):
     """Its spherical components, the elevation, and the cylindrical axes."""
-    ground, _, P = car(g)
-    return P.acceleration(ground), P.coordinates[2], P.local.parent
+    ground, in_cylindrical, P = car(g)
+    return P.acceleration(ground), P.coordinates[2], in_cylindrical.local
 
 
 def transformed(g, matrix):
@@ -22,8 +22,12 @@ def transformed(g, matrix):
 
 
 def solve(g):
-    a, phi, axes = acceleration(g)
-    return {"T_phi_inv": transpose(T_phi(phi.value)), "a": a.expressed_in(axes)}
+    """The acceleration by (3.23), a shorter formula than the product with the matrix, which is what
+    ``follows`` has.
+    """
+    ground, P, _ = car(g)
+    phi = coordinates(g)[3]
+    return {"T_phi_inv": transpose(T_phi(phi.value)), "a": P.acceleration(ground)}
 
 
 follows = {"a": lambda g, T_phi_inv: transformed(g, T_phi_inv)["a"]}

@@ -66,7 +66,7 @@ def on_track(g, theta):
 def figure(g, ax, elevation_angle=False):
     """The ride with the track, the height of a car or the elevation of its arm, and theta."""
     ground, C, P = car(g)
-    s = Sketch(ax, ground, azimuth=12, elevation=28)
+    s = Sketch(ax, ground, azimuth=12, elevation=33)
     place = P.position(ground)
     O, foot, top = (0, 0, 0), (0, 0, -0.7 * g.R), on_track(g, pi(g.R) / 2)
     Q, below = (place.x, place.y, 0), (top[0], top[1], 0)
@@ -88,7 +88,7 @@ def figure(g, ax, elevation_angle=False):
         s.dimension(Q, place, label="z")
     s.line(O, below)
     s.dimension(below, top, label="h")
-    s.turn((0, 0, -0.45 * g.R), ground.k, label=r"$\omega$")
+    s.turn((0, 0, -0.5 * g.R), ground.k, label=r"$\omega$")
     s.label(opposite * 0.55, "$R$", offset=(8, 8), bold=False)
     s.label(O, "O")
 
