@@ -1,0 +1,84 @@
+"""3/2: velocity and acceleration on a given path, and the component of the velocity along a
+direction.
+"""
+
+from mpmath import mp
+
+from exercises.proofs import minus, scaled, size
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+from newton_euler.kinematics import along
+
+GROUND = Frame("ground")
+
+
+def point(g, t):
+    """P at the time t."""
+    return GROUND.point("P", *along(lambda t: (g.cx * t**2, g.cy * t**3, -g.cz * t**4), t))
+
+
+def direction(g, frame=GROUND):
+    return frame.vector(g.nx, g.ny, g.nz)
+
+
+def v_n(g, v):
+    return v.dot(direction(g, v.frame).direction())
+
+
+follows = {"v_n": v_n}
+
+
+def solve(g):
+    P = point(g, g.t1)
+    v = P.velocity(GROUND)
+    return {"v": v, "v_n": v_n(g, v), "a": P.acceleration(GROUND)}
+
+
+def steps(g):
+    yield Step("n_size", direction(g).norm(), "1", "length of the vector n", "3.1")
+    yield Step(
+        "v_dot_n", solve(g)["v"].dot(direction(g)), "m/s", "scalar product of v and n", "3.1"
+    )
+
+
+def prove(g):
+    """A coordinate of degree n in time obeys t x' = n x (Euler), and so t^2 x'' = n (n - 1) x; the
+    degree from doubling the time. The component from the triangle of v and n.
+    """
+
+    def place(t):
+        return [g.cx * t**2, g.cy * t**3, -g.cz * t**4]
+
+    r, n = place(g.t1), [g.nx, g.ny, g.nz]
+    degree = [mp.log(y / x, 2) for x, y in zip(r, place(2 * g.t1), strict=True)]
+    v = [d * x / g.t1 for d, x in zip(degree, r, strict=True)]
+    a = [(d - 1) * x / g.t1 for d, x in zip(degree, v, strict=True)]
+    third = size(minus(v, n))  # numbers alone, a length of v being as good as one of n
+    cosine = (size(v) ** 2 + size(n) ** 2 - third**2) / (2 * size(v) * size(n))
+    return {"v": v, "v_n": size(v) * cosine, "a": a, "n_size": size(scaled(1, n))}
+
+
+def mistakes(g):
+    right, n = solve(g), direction(g)
+    mean_v = point(g, g.t1).position(GROUND) / g.t1
+    return {
+        "n_not_unit": {"v_n": right["v"].dot(n)},
+        "sign_lost": {"v_n": abs(right["v_n"])},
+        "z_upward": solve(g.but(cz=-g.cz)),
+        "averages": {"v": mean_v, "v_n": v_n(g, mean_v), "a": mean_v / g.t1},
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, GROUND, azimuth=35, elevation=20)
+    P, far = point(g, g.t1), g.cz * g.t1**4
+    s.axes((0, 0, 0), GROUND, length=0.5 * far)
+    s.path([point(g, g.t1 * n / 40).position(GROUND) for n in range(51)])
+    n = 0.6 * far * direction(g).direction()
+    s.arrow((0, 0, 0), n)
+    s.label(n, "$\\mathbf{n}$")
+    s.dot(P)
+    s.vector(P, P.velocity(GROUND), "$\\mathbf{v}$")
+    s.label(P, "P")
+    s.label((0, 0, 0), "O")

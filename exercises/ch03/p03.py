@@ -1,0 +1,77 @@
+"""3/3: constant speed on a curve that is given by a parameter."""
+
+from exercises.proofs import rate, scaled, size
+from exercises.steps import Step
+from newton_euler import Frame, moving
+from newton_euler.drawing import Sketch
+from newton_euler.kinematics import at_speed
+
+GROUND = Frame("ground")
+
+
+def curve(g):
+    return lambda q: (g.a * q, g.b * q**2, g.c * q**3)
+
+
+def motion(g, q):
+    P = GROUND.point("P", *curve(g)(q))
+    return {"v": P.velocity(GROUND), "acc": P.acceleration(GROUND)}
+
+
+def parameter(g):
+    """q = 1 with its rates."""
+    return at_speed(curve(g), g.one, g.nu)
+
+
+def solve(g):
+    return motion(g, parameter(g))
+
+
+def steps(g):
+    q = parameter(g)
+    yield Step("q_dot", q.rate, "1/s", "rate of q, from the speed", "3.1", "3.2")
+    yield Step("q_ddot", q.acceleration, "1/s^2", "second rate of q, since the speed is constant",
+               "3.1", "3.3")  # fmt: skip
+
+
+def prove(g):
+    """Along the tangent; and as the tangent turns, per length of path, times the square of the
+    speed. No rates of q.
+    """
+
+    def along(q):
+        return rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)
+
+    def tangent(q):
+        d = along(q)
+        return scaled(1 / size(d), d)
+
+    return {
+        "v": scaled(g.nu, tangent(1)),
+        "acc": scaled(g.nu**2 / size(along(1)), rate(tangent, 1)),
+    }
+
+
+def mistakes(g):
+    right = solve(g)
+    return {
+        "q_uniform": {"acc": motion(g, moving(g.one, rate=parameter(g).rate))["acc"]},
+        "no_acceleration": {"acc": 0 * right["acc"]},
+        "q_rate_is_nu": motion(g, moving(g.one, rate=g.nu)),
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, GROUND, azimuth=-60, elevation=22)
+    v = solve(g)["v"]
+    O, X, Q, P = (0, 0, 0), (g.a, 0, 0), (g.a, g.b, 0), (g.a, g.b, g.c)
+    s.axes(O, GROUND, length=1.2 * max(g.a, g.b, g.c))
+    s.path([curve(g)(n / 40) for n in range(49)])
+    for A, B, label in ((X, Q, "b"), (Q, P, "c")):
+        s.line(A, B)
+        s.dimension(A, B, label=label)
+    s.dimension(O, X, label="a")
+    s.dot(P)
+    s.vector(P, v, "$\\mathbf{v}$")
+    s.label(P, "P")
+    s.label(O, "O")

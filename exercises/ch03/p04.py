@@ -1,0 +1,56 @@
+"""3/4: constant speed on a helix, in cylindrical components."""
+
+from mpmath import mp
+
+from exercises.devices.helix import figure, helix, on_helix, unrolled
+from exercises.proofs import rate, second_rate
+from exercises.steps import Step, terms
+from newton_euler import moving, pi
+from newton_euler.kinematics import at_speed
+
+
+def rise(g):
+    """For one radian."""
+    return g.p / (2 * pi(g.p))
+
+
+def angle(g):
+    """theta at the instant when it is zero, with its rates."""
+    return at_speed(helix(g.a, rise(g)), 0 * g.one, g.nu)
+
+
+def motion(g, theta):
+    P = on_helix(g.a, rise(g), theta)
+    return {"v": P.velocity(P.ground), "acc": P.acceleration(P.ground)}
+
+
+def solve(g):
+    return motion(g, angle(g))
+
+
+def steps(g):
+    yield Step("theta_dot", angle(g).rate, "rad/s", "rate of theta, from the speed", "3.5", "3.22")
+    yield from terms(solve(g)["v"], "v", "m/s", "3.5")
+
+
+def prove(g):
+    """At theta = 0, where e_r, e_theta, k are i, j, k."""
+    place = unrolled(g.a, g.p / (2 * mp.pi), g.nu)
+    return {"v": rate(place), "acc": second_rate(place)}
+
+
+def mistakes(g):
+    return {
+        "axial_part_forgotten": motion(g, moving(0 * g.one, rate=g.nu / g.a)),
+        "pitch_per_radian": solve(g.but(p=2 * pi(g.p) * g.p)),
+        "no_acceleration": {"acc": 0 * solve(g)["acc"]},
+    }
+
+
+def draw(g, ax):
+    theta = 2.4
+    local = on_helix(g.a, rise(g), theta).local
+    s, _, _, P = figure(ax, local.parent, g.a, rise(g), theta, "a")
+    s.axes(P, local, length=0.9 * g.a, labels=["$e_r$", r"$e_\theta$", "k"])
+    low, high = (helix(g.a, rise(g))(0.4 + 2 * pi() * n) for n in range(2))
+    s.dimension(low, high, label="p")

@@ -1,0 +1,147 @@
+"""3/5: acceleration of constant magnitude on a helix, uniformly and from rest."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.devices.helix import figure, on_helix
+from exercises.steps import Step
+from newton_euler import asin, integral, moving, pi, sin, sqrt
+from newton_euler.kinematics import frenet
+
+
+def rise(p):
+    """For one radian."""
+    return p / (2 * pi(p))
+
+
+def at_unit_rate(a, p):
+    """Length of path, and normal acceleration, where theta grows at 1 rad/s: the speed is c
+    theta', the tangential acceleration c theta'' and the normal one n theta'^2.
+    """
+    one = a / a
+    P = on_helix(a, rise(p), moving(0 * one, rate=one))
+    return P.velocity(P.ground).norm(), P.acceleration(P.ground).norm()
+
+
+def of_symbols(g):
+    return at_unit_rate(g.a, g.p)
+
+
+def of_numbers(g):
+    return at_unit_rate(g.a_1, g.p_1)
+
+
+def formulas(g, c, n):
+    """For (c theta'')^2 + (n theta'^2)^2 = A^2, which has the constant solution and, with u =
+    theta'^2 and theta'' = u'(theta)/2, the solution u = A/n sin(2 n theta/c) from rest.
+    """
+    uniform = sqrt(g.A / n) * g.t
+    return {
+        "theta_uniform": uniform,
+        "z_uniform": rise(g.p) * uniform,
+        "theta_rate": sqrt(g.A / n * sin(2 * n * g.theta / c)),
+        "theta_1": pi(n) * c / (4 * n),
+    }
+
+
+def times_from_rest(g, c, n):
+    """t is the integral of dtheta/theta'. With 2 n theta/c = pi/2 - 2 asin(sin(w)/sqrt(2)) it is an
+    elliptic integral of the first kind, in which w falls from pi/2 at the start to 0 at theta_1.
+    """
+    one = n / n
+    right, scale = pi(n) / 2 * one, c / sqrt(2 * n * g.A_1)
+    at_half = asin(sqrt(2 * one) * sin(right / 4))
+
+    def time(end):
+        return scale * integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)
+
+    return {"t_h": time(at_half), "t_1": time(0)}
+
+
+def solve(g):
+    return formulas(g, *of_symbols(g)) | times_from_rest(g, *of_numbers(g))
+
+
+follows = {"z_uniform": lambda g, theta_uniform: rise(g.p) * theta_uniform}
+
+
+def steps(g):
+    c, n = of_symbols(g)
+    yield Step("c", c, "m", "length of path for one radian: the speed is c theta'", "3.5", "3.22")
+    yield Step("n", n, "m", "normal acceleration over theta'^2: it is n theta'^2", "3.5", "3.23")
+    yield Step("w", 2 * n * g.theta / c, "1", "argument of the sine in theta'^2 = A/n sin(w), from "
+               "(c theta'')^2 + (n theta'^2)^2 = A^2", "3.5")  # fmt: skip
+    yield Step("c_1", of_numbers(g)[0], "m", "c with the numbers a_1 and p_1", "3.5", "3.22")
+
+
+def prove(g):
+    """In u = theta'^2, theta and t are integrals of du from rest to u, of which A/n is the
+    largest; the rate at an angle is a root.
+    """
+    c, n, h = stretch_and_bend(g.a, g.p)
+    rate = proofs.root(lambda w: n * w**2 - g.A, 0, 2 * mp.sqrt(g.A / n))
+    return {
+        "theta_uniform": rate * g.t,
+        "z_uniform": h * rate * g.t,
+        "theta_rate": mp.sqrt(g.A / n * share_at(g.theta, c, n)),
+        "theta_1": reached(0, c, n),
+        **proved_times(g),
+    }
+
+
+def proved_times(g):
+    c, n, _ = stretch_and_bend(g.a_1, g.p_1)
+    scale = c / n / mp.sqrt(g.A_1 / n)
+
+    def time(share):
+        """With u = s*s of the largest."""
+        return proofs.integral(lambda s: scale / mp.sqrt(1 - s**4), 0, mp.sqrt(share))
+
+    return {"t_h": time(share_at(reached(0, c, n) / 2, c, n)), "t_1": time(1)}
+
+
+def stretch_and_bend(a, p):
+    """Of the helix as a path in theta: sizes of first and second derivative; and its rise."""
+    h = p / (2 * mp.pi)
+
+    def place(s):
+        return [a * mp.cos(s), a * mp.sin(s), h * s]
+
+    return proofs.size(proofs.rate(place)), proofs.size(proofs.second_rate(place)), h
+
+
+def reached(s, c, n):
+    """theta where u = 1 - s*s of the largest, so that its end is not lost in round-off."""
+    return proofs.integral(lambda s: c / n / mp.sqrt(2 - s * s), s, 1)
+
+
+def share_at(theta, c, n):
+    """u at the angle theta, as a share of the largest."""
+    s = mp.findroot(lambda s: reached(s, c, n) - theta, (0.6, 0.7))
+    return 1 - s * s
+
+
+def mistakes(g):
+    (c, _), (c_1, _) = of_symbols(g), of_numbers(g)
+    flat = solve(g.but(p=0 * g.p, p_1=0 * g.p_1))
+    higher = solve(g.but(p=2 * pi(g.p) * g.p, p_1=2 * pi(g.p_1) * g.p_1))
+    from_rest = ("theta_rate", "theta_1", "t_h", "t_1")
+    by_cylinder = formulas(g, c, c**2 / g.a) | times_from_rest(g, c_1, c_1**2 / g.a_1)
+    return {
+        "no_normal": {"theta_rate": sqrt(2 * g.A * g.theta / c)},
+        "no_axial": {key: flat[key] for key in from_rest},
+        "radius_of_cylinder": by_cylinder,
+        "pitch_per_radian": {key: higher[key] for key in ("z_uniform", *from_rest)},
+    }
+
+
+def draw(g, ax):
+    at_P = on_helix(g.a, rise(g.p), moving(2.2, rate=1.0))
+    ground = at_P.ground
+    s, O, Q, P = figure(ax, ground, g.a, rise(g.p), 2.2, "a")
+    triad = frenet(at_P.velocity(ground), at_P.acceleration(ground))
+    s.line(O, Q)
+    s.line(Q, P)
+    s.arc(O, (g.a, 0, 0), Q, label=r"$\theta$")
+    s.vector(P, triad.e_t, "$a_t$", kind="acceleration")
+    s.vector(P, triad.e_n, "$a_n$", kind="acceleration")

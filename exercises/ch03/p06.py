@@ -1,0 +1,157 @@
+"""3/6: a point on a sphere, in spherical, cylindrical and rectangular components."""
+
+from mpmath import mp
+
+from exercises.proofs import cross, rate, rot, second_rate, times, transposed
+from exercises.steps import Step, terms
+from newton_euler import Frame, cylindrical, moving, pi, spherical, sqrt
+from newton_euler.drawing import Sketch
+
+
+def angle(g):
+    return moving(g.theta, rate=g.theta_dot, acceleration=g.theta_ddot)
+
+
+def elevation(g):
+    return moving(g.phi, rate=g.phi_dot, acceleration=g.phi_ddot)
+
+
+def height(g):
+    return moving(g.z, rate=g.z_dot, acceleration=g.z_ddot)
+
+
+def by_angles(g, R):
+    return spherical(Frame("ground"), "P", R, angle(g), elevation(g))
+
+
+def by_height(g, r):
+    return cylindrical(Frame("ground"), "P", r, angle(g), height(g))
+
+
+def distance_from_axis(g):
+    return sqrt(g.R**2 - height(g) ** 2)
+
+
+def level(g):
+    """x and y with their rates."""
+    x = moving(g.x, rate=g.x_dot, acceleration=g.x_ddot)
+    return x, moving(g.y, rate=g.y_dot, acceleration=g.y_ddot)
+
+
+def height_above(g):
+    """z above x and y: from z^2 = R^2 - 2 half, z z' = -half' and z z'' + z'^2 = -half''."""
+    x, y = level(g)
+    half = (x**2 + y**2) / 2
+    z = sqrt(g.R**2 - g.x**2 - g.y**2)
+    z_rate = -half.rate / z
+    return moving(z, rate=z_rate, acceleration=-(half.acceleration + z_rate**2) / z)
+
+
+def motion(system, P, ground=None):
+    ground = ground or P.ground
+    return {f"v_{system}": P.velocity(ground), f"a_{system}": P.acceleration(ground)}
+
+
+def rectangular(g, z):
+    ground = Frame("ground")
+    return motion("rect", ground.point("P", *level(g), z), ground)
+
+
+def solve(g):
+    return {
+        **motion("sph", by_angles(g, g.R)),
+        **motion("cyl", by_height(g, distance_from_axis(g))),
+        **rectangular(g, height_above(g)),
+    }
+
+
+def steps(g):
+    r, z = distance_from_axis(g), height_above(g)
+    yield from terms(solve(g)["a_sph"], "a_sph", "m/s^2", "3.7")
+    yield Step("r_dot", r.rate, "m/s", "rate of r, from r^2 + z^2 = R^2", "3.5", "3.22")
+    yield Step("r_ddot", r.acceleration, "m/s^2", "second rate of r", "3.5", "3.23")
+    yield Step("z_rate", z.rate, "m/s", "rate of z in terms of x and y, from x^2 + y^2 + z^2 = R^2",
+               "3.1", "3.2")  # fmt: skip
+
+
+def prove(g):
+    """The radius OP turned by matrices and differentiated in fixed axes; the elevation is also
+    that of z, and that of x and y.
+    """
+
+    def later(q, q_dot, q_ddot):
+        return lambda t: q + q_dot * t + q_ddot * t**2 / 2
+
+    theta = later(g.theta, g.theta_dot, g.theta_ddot)
+    phi = later(g.phi, g.phi_dot, g.phi_ddot)
+    z = later(g.z, g.z_dot, g.z_ddot)
+
+    def raised(elevation):
+        def place(t):
+            turned = times(rot("z", theta(t)), rot("y", -elevation(t)))
+            return times(turned, [g.R, 0, 0])
+
+        return place
+
+    def along(axes, place):
+        return [times(transposed(axes), v) for v in (rate(place), second_rate(place))]
+
+    e_theta = [-mp.sin(g.theta), mp.cos(g.theta), 0]
+    e_R = [x / g.R for x in raised(phi)(0)]
+    spherical_axes = transposed([e_R, e_theta, cross(e_R, e_theta)])
+    cylindrical_axes = rot("z", g.theta)
+    v_sph, a_sph = along(spherical_axes, raised(phi))
+    v_cyl, a_cyl = along(cylindrical_axes, raised(lambda t: mp.asin(z(t) / g.R)))
+    x, y = later(g.x, g.x_dot, g.x_ddot), later(g.y, g.y_dot, g.y_ddot)
+
+    def above(t):
+        return g.R * mp.sin(mp.acos(mp.hypot(x(t), y(t)) / g.R))
+
+    v_z, a_z = rate(above), second_rate(above)
+    return {
+        "v_sph": v_sph,
+        "a_sph": a_sph,
+        "v_cyl": v_cyl,
+        "a_cyl": a_cyl,
+        "v_rect": [g.x_dot, g.y_dot, v_z],
+        "a_rect": [g.x_ddot, g.y_ddot, a_z],
+        "r_dot": v_cyl[0],
+        "r_ddot": second_rate(lambda t: g.R * mp.cos(mp.asin(z(t) / g.R))),
+        "z_rate": v_z,
+    }
+
+
+def mistakes(g):
+    right = solve(g)
+    a, z = right["a_rect"], height_above(g)
+    a_sph = right["a_sph"]
+    other = pi(g.one) / 2 - g.phi  # at the same rates, sine and cosine exchanged
+    phi = moving(other, rate=g.phi_dot, acceleration=g.phi_ddot)
+    exchanged = spherical(Frame("ground"), "P", g.R, angle(g), phi)
+    return {
+        "phi_from_the_vertical": motion("sph", exchanged),
+        "r_constant": motion("cyl", by_height(g, distance_from_axis(g).value)),
+        "z_not_eliminated": rectangular(g, height(g)),
+        "z_rate_not_differentiated": {"a_rect": a + a.frame.k * (z.rate**2 / z.value)},
+        "no_radial_acceleration": {"a_sph": a_sph - a_sph.x * a_sph.frame.i},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=35, elevation=22)
+    O = (0, 0, 0)
+    P = spherical(ground, "P", g.R, 1.0, 0.75)
+    Q = ground.point("Q", *P.position(ground).components(ground)[:2], 0)
+    for axis in (ground.i, ground.j, ground.k):
+        s.ring(O, axis, g.R)
+    s.axes(O, ground, length=1.4 * g.R)
+    s.line(O, P, style="solid")
+    s.line(O, Q)
+    s.line(Q, P)
+    s.arc(O, ground.i, Q, r"$\theta$")
+    s.arc(O, Q, P, r"$\phi$")
+    s.dot(P)
+    s.dimension(O, P, label="R", offset=0.1 * g.R)
+    for A, name in ((O, "O"), (P, "P"), (Q, "Q")):
+        s.label(A, name)

@@ -1,0 +1,85 @@
+"""3/8: a point that climbs faster and faster on a cylinder."""
+
+from mpmath import mp
+
+from exercises.proofs import rate, second_rate, size
+from exercises.steps import Step
+from newton_euler import Frame, cos, cylindrical, moving, pi, sin
+from newton_euler.drawing import Sketch
+from newton_euler.kinematics import along, speed_rate
+
+GROUND = Frame("ground")
+
+
+def path(g):
+    def place(t):
+        turned = g.nu * t / g.r
+        return g.r * cos(turned), g.r * sin(turned), g.nu * t + g.a * t**2 / 2
+
+    return place
+
+
+def solve(g):
+    """Along e_r, e_theta and k, since a magnitude is the same in all systems."""
+    t = moving(g.t, rate=g.one)
+    ground = Frame("ground")
+    P = cylindrical(ground, "P", g.r, g.nu * t / g.r, g.nu * t + g.a * t**2 / 2)
+    return {"speed": P.velocity(ground).norm(), "acc_mag": P.acceleration(ground).norm()}
+
+
+def motion(g):
+    """Velocity and acceleration along i, j, k."""
+    P = GROUND.point("P", *along(path(g), g.t))
+    return P.velocity(GROUND), P.acceleration(GROUND)
+
+
+def steps(g):
+    v, a = motion(g)
+    yield Step("v", v, "m/s", "velocity along i, j, k", "3.1", "3.2")
+    yield Step("acc", a, "m/s^2", "acceleration along i, j, k", "3.1", "3.3")
+
+
+def prove(g):
+    """The cylinder unrolled: the path in the plane; and, square to it, the distance by which the
+    circle leaves its tangent.
+    """
+
+    def unrolled(t):
+        return [g.nu * t, g.nu * t + g.a * t**2 / 2]
+
+    def off_the_tangent(t):
+        return g.r - g.r * mp.cos(g.nu * (t - g.t) / g.r)
+
+    in_plane = second_rate(unrolled, g.t)
+    across = second_rate(off_the_tangent, g.t)
+    return {"speed": size(rate(unrolled, g.t)), "acc_mag": size([*in_plane, across])}
+
+
+def mistakes(g):
+    v, a = motion(g)
+
+    def added(vector):
+        level = GROUND.vector(vector.x, vector.y, 0)
+        return level.norm() + vector.z
+
+    return {
+        "rate_of_the_speed": {"acc_mag": speed_rate(v, a)},
+        "no_centripetal": {"acc_mag": a.z},
+        "added_as_scalars": {"speed": added(v), "acc_mag": added(a)},
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, GROUND, azimuth=35, elevation=22)
+    end = 2.7 * pi() * g.r / g.nu  # a turn and a third
+    O, high = (0, 0, 0), path(g)(end)[2]
+    s.axes(O, GROUND, length=2 * g.r, labels=["x", "y", ""])
+    s.line(O, (0, 0, 1.05 * high), style="centre")
+    for z in (0, high):
+        s.ring((0, 0, z), GROUND.k, g.r)
+    s.path([path(g)(end * n / 160) for n in range(161)])
+    P = path(g)(0.62 * end)
+    s.dimension((0, 0, high), (0, g.r, high), label="r")
+    s.dot(P)
+    s.label(P, "P")
+    s.label((0, 0, 1.05 * high), "z", bold=False)

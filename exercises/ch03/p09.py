@@ -1,0 +1,49 @@
+"""3/9: the angle between velocity and acceleration, and the rate of the speed."""
+
+from exercises.devices.instant_of_motion import (
+    GROUND,
+    angle_between,
+    figure,
+    speed_and_flexure,
+    vectors,
+)
+from exercises.steps import Step
+from newton_euler import asin, cos
+from newton_euler.kinematics import speed_rate
+
+
+def solve(g):
+    v, a = vectors(g)
+    return {"angle": v.angle_to(a), "speed_rate": speed_rate(v, a)}
+
+
+follows = {"speed_rate": lambda g, angle: vectors(g)[1].norm() * cos(angle)}
+
+
+def steps(g):
+    v, a = vectors(g)
+    yield Step("v_dot_a", v.dot(a), "m^2/s^3", "scalar product of v and a", "3.2")
+    yield Step("speed", v.norm(), "m/s", "speed, the magnitude of v", "3.2", "3.12")
+    yield Step("a_size", a.norm(), "m/s^2", "magnitude of a", "3.2")
+
+
+def prove(g):
+    v, a = [g.v_x, g.v_y, g.v_z], [g.a_x, g.a_y, g.a_z]
+    return {"angle": angle_between(v, a), "speed_rate": speed_and_flexure(v, a)[0]}
+
+
+def mistakes(g):
+    v, a = vectors(g)
+    product = v.dot(a)
+    return {
+        "whole_acceleration": {"speed_rate": a.norm()},
+        "v_along_a": {"speed_rate": product / a.norm()},
+        "arc_sine": {"angle": asin(product / (v.norm() * a.norm()))},
+        "not_divided": {"speed_rate": product},
+    }
+
+
+def draw(g, ax):
+    v, a = vectors(g)
+    s, T = figure(ax, v, a, r"$\alpha$", azimuth=-60, elevation=25)
+    s.axes(0.4 * T * v.norm() * GROUND.k - v * T, GROUND, length=0.5 * T * v.norm())

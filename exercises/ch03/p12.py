@@ -1,0 +1,48 @@
+"""3/12: the screw-jack of 4/1, in cylindrical components."""
+
+from exercises.devices.screw_jack import figure, handle_in_time, rise, screw_in_nut
+from exercises.proofs import rate, second_rate, size
+from exercises.steps import Step
+from newton_euler import Frame, cylindrical, moving
+
+
+def handle(g, up):
+    """A, which rises at the speed ``up``."""
+    return cylindrical(Frame("ground"), "A", g.a, moving(0 * g.one, rate=g.n), moving(0, rate=up))
+
+
+def motion(g, up):
+    A = handle(g, up)
+    v = A.velocity(A.ground)
+    return {"speed": v.norm(), "v_axial": v.z, "acc_mag": A.acceleration(A.ground).norm()}
+
+
+def solve(g):
+    return motion(g, rise(g))
+
+
+def steps(g):
+    A = handle(g, rise(g))
+    v = A.velocity(A.ground)
+    yield Step("omega", g.n, "rad/s", "rate of turning in radians, theta'", "3.5")
+    yield Step("v_theta", v.y, "in/s", "component of the velocity along e_theta", "3.5", "3.22")
+
+
+def prove(g):
+    A = handle_in_time(g)
+    v = rate(A)
+    return {"speed": size(v), "v_axial": v[2], "acc_mag": size(second_rate(A)), "v_theta": v[1]}
+
+
+def mistakes(g):
+    slow = g.but(n=g.stated("n"))
+    high, level = motion(g, g.lead * g.n), motion(g, 0 * rise(g))
+    return {
+        "n_as_rad_per_s": motion(slow, rise(slow)),
+        "lead_per_radian": {key: high[key] for key in ("speed", "v_axial")},
+        "no_axial_velocity": {"v_axial": level["v_axial"]},
+    }
+
+
+def draw(g, ax):
+    figure(g, ax, *screw_in_nut(g, rise(g), g.n))

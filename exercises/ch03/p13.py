@@ -1,0 +1,76 @@
+"""3/13: the largest acceleration of a point on an element that turns and moves up and down."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame, cylindrical, moving, pi, sin
+from newton_euler.drawing import Sketch
+
+
+def at_the_top(g):
+    """The acceleration of A where the axial one is largest, at the end of the stroke; the
+    centripetal one is always the same.
+    """
+    z = g.z0 * sin(moving(pi(g.one) / 2, rate=2 * pi(g.one) * g.n))
+    A = cylindrical(Frame("ground"), "A", g.r, moving(0 * g.one, rate=g.omega), z)
+    return A.acceleration(A.ground)
+
+
+def solve(g):
+    return {"a_max": at_the_top(g).norm()}
+
+
+def steps(g):
+    a = at_the_top(g)
+    yield Step("a_r", abs(a.x), "m/s^2", "centripetal acceleration r omega^2, at all times", "3.5",
+               "3.23")  # fmt: skip
+    yield Step("a_z", abs(a.z), "m/s^2", "largest magnitude of the axial acceleration", "3.5",
+               "3.23")  # fmt: skip
+
+
+def prove(g):
+    """The acceleration of the moving point is largest where it is as large a little before as a
+    little after.
+    """
+
+    def place(t):
+        up = g.z0 * mp.sin(2 * mp.pi * g.n * t)
+        return [g.r * mp.cos(g.omega * t), g.r * mp.sin(g.omega * t), up]
+
+    def a(t):
+        return proofs.size(proofs.second_rate(place, t))
+
+    period = 1 / g.n
+    little = period / 50
+    instant = proofs.root(
+        lambda t: a(t + little) - a(t - little), period * mp.mpf("0.13"), period * mp.mpf("0.36")
+    )
+    return {"a_max": a(instant)}
+
+
+def mistakes(g):
+    a = at_the_top(g)
+    return {
+        "added_as_scalars": {"a_max": abs(a.x) + abs(a.z)},
+        "n_as_rad_per_s": solve(g.but(n=g.n / (2 * pi(g.one)))),
+        "no_centripetal": {"a_max": abs(a.z)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=35, elevation=20)
+    O, z = (0, 0, 0), 0.7 * g.z0
+    C, A = (0, 0, z), (0, g.r, z)
+    low, high = (0, 0, -1.6 * g.z0), (0, 0, 2.2 * g.z0)
+    s.shaft(low, high)
+    s.disk(C, ground.k, g.r, spoke=A, thickness=0.15 * g.z0)
+    s.line((0, -1.6 * g.r, 0), O)
+    s.line((0, -1.6 * g.r, z), (0, -g.r, z))
+    s.dimension((0, -1.5 * g.r, 0), (0, -1.5 * g.r, z), label="z", offset=0)
+    s.dimension(C, A, label="r", offset=0.6 * g.z0)
+    s.turn((0, 0, 1.6 * g.z0), ground.k, label=r"$\omega$")
+    on_top = (0, g.r, z + 0.075 * g.z0)
+    s.dot(on_top)
+    s.label(on_top, "A")

@@ -1,0 +1,54 @@
+"""The helix of 3/4, 3/5 and 3/7, about the z axis: its rise is that for one radian."""
+
+from mpmath import mp
+
+from newton_euler import Frame, cos, cylindrical, pi, sin
+from newton_euler.drawing import Sketch
+
+
+def helix(radius, rise):
+    """The helix, a function of the angle about z."""
+    return lambda theta: (radius * cos(theta), radius * sin(theta), rise * theta)
+
+
+def on_helix(radius, rise, theta):
+    """P on the helix in cylindrical coordinates, with a ground of its own; ``theta`` may move."""
+    return cylindrical(Frame("ground"), "P", radius, theta, rise * theta)
+
+
+def unrolled(radius, rise, speed, start=0):
+    """Proof, the place in time at constant speed from the angle ``start``: unrolled from its
+    cylinder the helix is a straight line, the hypotenuse over one turn of the circle and its rise.
+    """
+    turn = 2 * mp.pi * radius
+    along = mp.hypot(turn, 2 * mp.pi * rise)
+
+    def place(t):
+        turns = speed * t / along
+        theta = start + 2 * mp.pi * turns
+        return [
+            radius * mp.cos(theta),
+            radius * mp.sin(theta),
+            rise * start + 2 * mp.pi * rise * turns,
+        ]
+
+    return place
+
+
+def figure(ax, ground, radius, rise, theta, name, turns=1.25):
+    """The helix with the radius ``name`` on its cylinder, which hides nothing, and P at ``theta``;
+    returns sketch, centre of the foot, foot of P, P.
+    """
+    s = Sketch(ax, ground, azimuth=35, elevation=22)
+    high = 2 * pi() * rise * turns
+    for z in (0, high):
+        s.ring((0, 0, z), ground.k, radius)
+    s.line((0, 0, 0), (0, 0, 1.1 * high), style="centre")
+    last = 2 * pi() * turns
+    s.path([helix(radius, rise)(last * n / 120) for n in range(121)])
+    P = helix(radius, rise)(theta)
+    s.axes((0, 0, 0), ground, length=1.6 * radius, labels=["x", "y", ""])
+    s.dimension((0, 0, high), (0, radius, high), label=name)
+    s.dot(P)
+    s.label(P, "P")
+    return s, (0, 0, 0), (P[0], P[1], 0), P

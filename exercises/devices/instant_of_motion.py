@@ -1,0 +1,53 @@
+"""A point of which velocity and acceleration are known at one instant, as in 3/9 to 3/11."""
+
+from mpmath import mp
+
+from exercises.proofs import rate, scaled, size
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+GROUND = Frame("ground")
+
+
+def vectors(g):
+    """v and a from their components."""
+    return GROUND.vector(g.v_x, g.v_y, g.v_z), GROUND.vector(g.a_x, g.a_y, g.a_z)
+
+
+def later_velocity(v, a):
+    """Proof, the velocity in time while the acceleration stays what it is."""
+    return lambda t: [x + y * t for x, y in zip(v, a, strict=True)]
+
+
+def speed_and_flexure(v, a):
+    """Proof, the rate of the speed, and the turning of the tangent for each length of path."""
+    velocity = later_velocity(v, a)
+
+    def tangent(t):
+        return scaled(1 / size(velocity(t)), velocity(t))
+
+    return rate(lambda t: size(velocity(t))), size(rate(tangent)) / size(v)
+
+
+def angle_between(v, a):
+    """Proof, from the three sides of the triangle of v, a and their difference."""
+    b, c = size(v), size(a)
+    third = size([x - y for x, y in zip(v, a, strict=True)])
+    return mp.acos((b * b + c * c - third * third) / (2 * b * c))
+
+
+def figure(ax, v, a, angle, **view):
+    """The path near P, with v, a and the name of the angle between them, if it has one; returns the
+    sketch and the time in which a would change v by its own size.
+    """
+    s = Sketch(ax, v.frame, **view)
+    T = v.norm() / a.norm()
+    s.path([v * (T * n / 20) + a * (T * n / 20) ** 2 / 2 for n in range(-16, 20)])
+    O = (0, 0, 0)
+    s.dot(O)
+    s.vector(O, v, "$\\mathbf{v}$")
+    s.vector(O, a, "$\\mathbf{a}$", kind="acceleration")
+    if angle:
+        s.arc(O, v, a, label=angle)
+    s.label(O, "P")
+    return s, T
