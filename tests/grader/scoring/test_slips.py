@@ -9,24 +9,26 @@ from collections import Counter
 
 import pytest
 
-from exercises.catalogue import problem, problems
+from exercises.catalogue import problem, select
 from exercises.variants import draw
 from grader.scoring import causes, score_receipt
 from grader.scoring.diagnosis import BOOK, DIRECTION, NEAR, diagnose
 from grader.scoring.numbers import numbers_of
 from grader.scoring.slips import AS_SCALARS, OFF_DIAGONAL, TRANSPOSED, factors
 from grader.scoring.tolerance import NOISE
+from newton_euler.algebra.units import unit
 from tests.grader.scoring.test_wrong_answers import right_answers
 
-NUMERIC = [p for p in problems("ch04") if not p.symbolic]
-SYMBOLIC = [p for p in problems("ch04") if p.symbolic]
-DRAWS = 20
+ALL = select(["all"])
+NUMERIC = [p for p in ALL if not p.symbols and {a.kind for a in p.answers} <= {"number", "vector"}]
+SYMBOLIC = [p for p in ALL if p.symbolic and not p.givens and not p.has_words]
+DRAWS = 3
 OBSERVED = {DIRECTION, NEAR}
 FACTORS = {
     2 * math.pi: "6.283 times", 180 / math.pi: "57.3 times", 2: "2 times", 1000: "1000 times",
     25.4: "25.4 times", 1 / 0.3048: "3.281 times",
 }  # fmt: skip
-OF_LENGTHS = (1000, 25.4, 1 / 0.3048)  # an answer in rad/s cannot be in mm by mistake
+OF_LENGTHS = (1000, 25.4, 1 / 0.3048)
 ORDINALS = ("first", "second", "third")
 
 
@@ -36,7 +38,8 @@ def slips_of(right, kind, stated_in):
     right = [x if abs(x) > NOISE * size else 0.0 for x in right]
     there = [n for n, x in enumerate(right) if abs(x) > NOISE * size]
     for factor, words in FACTORS.items():
-        if factor in OF_LENGTHS and stated_in.startswith("rad"):
+        # an answer in rad/s cannot be in mm by mistake, and one in mm^2 would be so twice
+        if factor in OF_LENGTHS and abs(unit(stated_in).dimension.powers[1]) != 1:
             continue
         yield "factor", f"{words} too large", [factor * x for x in right]
         yield "factor", f"{words} too small", [x / factor for x in right]
@@ -99,6 +102,8 @@ def counted(p, alone):
         numbers = numbers_of(p, draw(p, f"slips {n}".encode()))
         right = {a.key: tree_of(a, numbers.key[a.key][0]) for a in p.answers}
         for a in p.answers:
+            if not math.hypot(*numbers.key[a.key][0]) > a.atol:
+                continue  # a key that is zero
             for slip, words, x in slips_of(numbers.key[a.key][0], a.kind, a.unit):
                 outcome = judged(p, numbers, a, words, x, {} if alone else right)
                 found[slip, outcome] += 1
@@ -141,7 +146,7 @@ def test_random_wrong_answers_are_hardly_ever_named():
                     tried[kind] += 1
                     found[kind, "seen" if named <= OBSERVED else "named"] += bool(named)
     print(f"\nof {dict(tried)} random wrong answers {dict(found)}")
-    assert sum(tried.values()) >= 20_000
+    assert sum(tried.values()) >= 9_000
     named = sum(n for (_, what), n in found.items() if what == "named")
     assert named < 0.005 * sum(tried.values())
 
@@ -165,7 +170,12 @@ def test_slips_in_formulas_are_named():
         for a in p.answers:
             if a.kind != "vector_expression":
                 continue
-            for slip, words, trees in formulas_of(right[a.key]):
+            tree = right[a.key]
+            if isinstance(tree, dict):  # components in several frames
+                tree = tree[p.formulas()[a.key].frame.name]
+            if not any(tree):
+                continue  # a key that is zero
+            for slip, words, trees in formulas_of(tree):
                 answers = {**right, a.key: trees}
                 parts = {x.key: x for x in score_receipt(p, {}, {"answers": answers}).parts}
                 cause = parts[a.key].diagnosis
