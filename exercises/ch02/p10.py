@@ -1,0 +1,103 @@
+"""2/10: a car that speeds up in a curve."""
+
+from mpmath import mp
+
+from exercises.proofs import rate, root, second_rate, size
+from exercises.steps import Step
+from newton_euler import Frame, moving, polar, sqrt
+from newton_euler.drawing import Sketch
+
+FOOT = 0.3048  # m: who takes mi/h for ft/s
+
+
+def speed_rate(g):
+    """Half of the growth of v^2 per length, from v dv = a_t ds."""
+    return (g.v_2**2 - g.v_1**2) / (2 * g.L)
+
+
+def speed(g):
+    """After the distance s."""
+    return sqrt(g.v_1**2 + 2 * speed_rate(g) * g.s)
+
+
+def acceleration(g, v, a_t):
+    """Of a point on the circle, along e_r and e_theta."""
+    ground = Frame("ground")
+    angle = moving(g.s / g.R, rate=v / g.R, acceleration=a_t / g.R)
+    return polar(ground, "P", g.R, angle).acceleration(ground)
+
+
+def solve(g):
+    return {"a": acceleration(g, speed(g), speed_rate(g)).norm()}
+
+
+def steps(g):
+    a = acceleration(g, speed(g), speed_rate(g))
+    yield Step(
+        "a_t",
+        speed_rate(g),
+        "ft/s^2",
+        "tangential component, the constant rate of the speed",
+        "2.3",
+        "2.14",
+    )
+    yield Step("v", speed(g), "ft/s", "speed when the car has gone s", "2.3")
+    yield Step(
+        "a_n", -a.x, "ft/s^2", "normal component, toward the centre of the curve", "2.3", "2.14"
+    )
+
+
+def prove(g):
+    """The time over the stretch is its length over the mean speed; then the place on the circle in
+    time.
+    """
+    T = g.L / ((g.v_1 + g.v_2) / 2)
+
+    def gone(t):
+        return g.v_1 * t + (g.v_2 - g.v_1) / T * t**2 / 2
+
+    when = root(lambda t: gone(t) - g.s, 0, T)
+
+    def place(t):
+        angle = gone(when + t) / g.R
+        return [g.R * mp.cos(angle), g.R * mp.sin(angle), 0]
+
+    return {"a": size(second_rate(place)), "a_t": second_rate(gone), "v": size(rate(place))}
+
+
+def mistakes(g):
+    a = acceleration(g, speed(g), speed_rate(g))
+    linear = g.v_1 + (g.v_2 - g.v_1) * g.s / g.L
+    return {
+        "only_normal": {"a": -a.x},
+        "only_tangential": {"a": a.y},
+        "miles_per_hour": solve(g.but(v_1=FOOT * g.stated("v_1"), v_2=FOOT * g.stated("v_2"))),
+        "no_2": {"a": acceleration(g, speed(g), 2 * speed_rate(g)).norm()},
+        "linear_in_distance": {"a": acceleration(g, linear, speed_rate(g)).norm()},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    start = 0.15 - g.L / g.R / 2  # so that the stretch lies to the right of O
+
+    def at(distance, r=1.0):
+        axes = ground.rotate("there", "z", angle=start + distance / g.R)
+        return axes.vector(r * g.R, 0, 0).components(ground)
+
+    O, P = (0, 0, 0), at(g.s)
+    s.path([at(g.L * n / 60) for n in range(-12, 73)])
+    for name, length, r in (("L", g.L, 1.21), ("s", g.s, 1.06)):
+        s.path([at(length * n / 60, r) for n in range(61)], style="dotted")
+        s.line(at(length), at(length, r + 0.02), style="solid")
+        s.label(at(length / 2, r), name, offset=at(length / 2), bold=False)
+    s.line(at(0), at(0, 1.23), style="solid")
+    local = ground.rotate("local", "z", angle=start + g.s / g.R)
+    s.line(O, at(0))
+    s.line(O, at(g.L))
+    s.dot(P)
+    s.vector(P, local.j, "$a_t$", kind="acceleration")
+    s.vector(P, -local.i, "$a_n$", kind="acceleration")
+    s.dimension(O, at(0), "R", offset=0)
+    s.label(O, "O")

@@ -1,0 +1,83 @@
+"""2/14: a slotted collar driven by a crank."""
+
+from mpmath import mp
+
+from exercises.proofs import rate, second_rate
+from exercises.steps import Step
+from newton_euler import Frame, moving, polar
+from newton_euler.drawing import Sketch
+
+CASES = {1: ("omega", None), 2: (None, "alpha")}  # the rates of theta that are not zero
+
+
+def pin(g, case):
+    """Velocity and acceleration of P along x, y; C moves as P does along x."""
+    ground = Frame("ground")
+    rates = (0 * g.omega, 0 * g.alpha)
+    omega, alpha = (
+        getattr(g, n) if n else zero for n, zero in zip(CASES[case], rates, strict=True)
+    )
+    P = polar(ground, "P", g.d, moving(g.theta, omega, alpha))
+    return P.velocity(ground).expressed_in(ground), P.acceleration(ground).expressed_in(ground)
+
+
+def solve(g):
+    v, a = zip(*(pin(g, case) for case in CASES), strict=True)
+    return {"v_1": v[0].x, "a_1": a[0].x, "v_2": v[1].x, "a_2": a[1].x}
+
+
+def steps(g):
+    (v, a), (_, a_too) = (pin(g, case) for case in CASES)
+    yield Step("v_P", v, "m/s", "velocity of P in case 1, along x, y", "2.6", "2.17")
+    yield Step("a_P1", a, "m/s^2", "acceleration of P in case 1, along x, y", "2.6", "2.18")
+    yield Step("a_P2", a_too, "m/s^2", "acceleration of P in case 2, along x, y", "2.6", "2.18")
+
+
+def prove(g):
+    """The place of P by the tangent u of half the angle, without sines and cosines."""
+
+    def P(theta):
+        u = mp.tan(theta / 2)
+        return [g.d * (1 - u**2) / (1 + u**2), 2 * g.d * u / (1 + u**2), 0]
+
+    def first(t):
+        return P(g.theta + g.omega * t)
+
+    def second(t):
+        return P(g.theta + g.alpha * t**2 / 2)
+
+    v, a, v_too, a_too = rate(first), second_rate(first), rate(second), second_rate(second)
+    answers = {"v_1": v[0], "a_1": a[0], "v_2": v_too[0], "a_2": a_too[0]}
+    return answers | {"v_P": v, "a_P1": a, "a_P2": a_too}
+
+
+def mistakes(g):
+    right = solve(g)
+    return {
+        "speed_of_P": {"v_1": g.d * g.omega},
+        "sign": {key: -right[key] for key in ("v_1", "a_1", "a_2")},
+        "no_a_1": {"a_1": 0 * right["a_1"]},
+        "no_a_2": {"a_2": 0 * right["a_2"]},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    P = polar(ground, "P", g.d, g.theta)
+    x = P.position(ground).expressed_in(ground).x
+    d, O = g.d, (0, 0, 0)
+
+    def outline(half, low, high):
+        return [(x + a * half, b, 0) for a, b in ((-1, low), (1, low), (1, high), (-1, high))]
+
+    s.plate(outline(0.1 * d, -0.1 * d, 1.2 * d), [outline(0.04 * d, 0.18 * d, 1.12 * d)])
+    s.axes(O, ground, length=1.6 * d, labels=["x", "", ""])
+    s.rod(O, P)
+    s.hinge(O)
+    s.hinge(P)
+    s.arc(O, (d, 0, 0), P, label=r"$\theta$")
+    s.dimension(O, P, "d", offset=0.15 * d)
+    s.label(O, "O")
+    s.label(P, "P", offset=(14, 6))
+    s.label((x + 0.1 * d, 0, 0), "C", offset=(10, -10))
