@@ -4,7 +4,7 @@ direction.
 
 from mpmath import mp
 
-from exercises.proofs import minus, scaled, size
+from exercises.proofs import minus, size
 from exercises.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
@@ -36,9 +36,9 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("n_size", direction(g).norm(), "1", "length of the vector n", "3.1")
+    yield Step("length", direction(g).norm(), "1", "length of the vector n", "3.1")
     yield Step(
-        "v_dot_n", solve(g)["v"].dot(direction(g)), "m/s", "scalar product of v and n", "3.1"
+        "product", solve(g)["v"].dot(direction(g)), "m/s", "scalar product of v and n", "3.1"
     )
 
 
@@ -56,7 +56,7 @@ def prove(g):
     a = [(d - 1) * x / g.t1 for d, x in zip(degree, v, strict=True)]
     third = size(minus(v, n))  # numbers alone, a length of v being as good as one of n
     cosine = (size(v) ** 2 + size(n) ** 2 - third**2) / (2 * size(v) * size(n))
-    return {"v": v, "v_n": size(v) * cosine, "a": a, "n_size": size(scaled(1, n))}
+    return {"v": v, "v_n": size(v) * cosine, "a": a, "length": size(n)}
 
 
 def mistakes(g):

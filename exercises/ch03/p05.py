@@ -67,11 +67,15 @@ follows = {"z_uniform": lambda g, theta_uniform: rise(g.p) * theta_uniform}
 
 def steps(g):
     c, n = of_symbols(g)
-    yield Step("c", c, "m", "length of path for one radian: the speed is c theta'", "3.5", "3.22")
-    yield Step("n", n, "m", "normal acceleration over theta'^2: it is n theta'^2", "3.5", "3.23")
-    yield Step("w", 2 * n * g.theta / c, "1", "argument of the sine in theta'^2 = A/n sin(w), from "
-               "(c theta'')^2 + (n theta'^2)^2 = A^2", "3.5")  # fmt: skip
-    yield Step("c_1", of_numbers(g)[0], "m", "c with the numbers a_1 and p_1", "3.5", "3.22")
+    yield Step(
+        "c", c, "m", r"length of path for one radian: the speed is $c\dot\theta$", "3.5", "3.22"
+    )
+    yield Step("n", n, "m", r"normal acceleration at 1 rad/s: in general it is $n\dot\theta^2$",
+               "3.5", "3.23")  # fmt: skip
+    yield Step("w", 2 * n * g.theta / c, "1", r"argument of the sine in $\dot\theta^2 = (A/n)"
+               r"\sin w$, from $(c\ddot\theta)^2 + (n\dot\theta^2)^2 = A^2$", "3.5")  # fmt: skip
+    yield Step("c_1", of_numbers(g)[0], "m", "length of path for one radian, with the numbers a_1 "
+               "and p_1", "3.5", "3.22")  # fmt: skip
 
 
 def prove(g):

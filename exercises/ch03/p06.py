@@ -3,7 +3,7 @@
 from mpmath import mp
 
 from exercises.proofs import cross, rate, rot, second_rate, times, transposed
-from exercises.steps import Step, terms
+from exercises.steps import Step
 from newton_euler import Frame, cylindrical, moving, pi, spherical, sqrt
 from newton_euler.drawing import Sketch
 
@@ -67,7 +67,6 @@ def solve(g):
 
 def steps(g):
     r, z = distance_from_axis(g), height_above(g)
-    yield from terms(solve(g)["a_sph"], "a_sph", "m/s^2", "3.7")
     yield Step("r_dot", r.rate, "m/s", "rate of r, from r^2 + z^2 = R^2", "3.5", "3.22")
     yield Step("r_ddot", r.acceleration, "m/s^2", "second rate of r", "3.5", "3.23")
     yield Step("z_rate", z.rate, "m/s", "rate of z in terms of x and y, from x^2 + y^2 + z^2 = R^2",

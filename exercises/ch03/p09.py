@@ -22,7 +22,7 @@ follows = {"speed_rate": lambda g, angle: vectors(g)[1].norm() * cos(angle)}
 
 def steps(g):
     v, a = vectors(g)
-    yield Step("v_dot_a", v.dot(a), "m^2/s^3", "scalar product of v and a", "3.2")
+    yield Step("product", v.dot(a), "m^2/s^3", "scalar product of v and a", "3.2")
     yield Step("speed", v.norm(), "m/s", "speed, the magnitude of v", "3.2", "3.12")
     yield Step("a_size", a.norm(), "m/s^2", "magnitude of a", "3.2")
 

@@ -17,7 +17,7 @@ follows = {"speed_rate": lambda g, v_dot_a: v_dot_a / vectors(g)[0].norm()}
 def steps(g):
     v, a = vectors(g)
     yield Step("speed", v.norm(), "ft/s", "speed, the magnitude of v", "3.2", "3.12")
-    yield Step("a_n", v.cross(a).norm() / v.norm(), "ft/s^2", "normal component of a, nu^2 f",
+    yield Step("a_n", v.cross(a).norm() / v.norm(), "ft/s^2", r"normal component of a, $\nu^2 f$",
                "3.2", "3.13")  # fmt: skip
 
 
