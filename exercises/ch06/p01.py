@@ -24,7 +24,7 @@ def direction(R):
 
 
 def answers(forces):
-    R = ForceSystem([(F, P) for F in forces]).force
+    R = ForceSystem({f"F_{n}": (F, P) for n, F in enumerate(forces, 1)}).force
     return {"R": R, "R_mag": R.norm(), "dir_R": direction(R)}
 
 

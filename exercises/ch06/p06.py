@@ -1,0 +1,55 @@
+"""6/6: a block on a smooth plane, drawn by one that hangs."""
+
+from mpmath import mp
+
+from exercises.devices.roped_blocks import (
+    block_steps,
+    by_energy,
+    draw_wedge,
+    hanging,
+    motion,
+    on_face,
+)
+from newton_euler import pi
+
+
+def blocks(g):
+    return on_face(g, "A", g.W_A, g.beta), hanging(g, "B", g.W_B)
+
+
+def solve(g):
+    found = motion(g, *blocks(g))
+    return {"a_B": -found.a_B, "T": found.T}
+
+
+def steps(g):
+    yield from block_steps(g, *blocks(g))
+
+
+follows = {"T": lambda g, a_B: g.W_B * (1 - a_B / g.g)}
+
+
+def prove(g):
+    """By the energy."""
+
+    def A(s):
+        return [s * mp.cos(g.beta), s * mp.sin(g.beta)]
+
+    a, T = by_energy(g, g.W_A, g.W_B, (A, lambda s: [0, -s]), 10 * g.g)
+    return {"a_B": a, "T": T}
+
+
+def mistakes(g):
+    """The tension, too, where it would be found from the wrong acceleration of B."""
+    level = solve(g.but(beta=0 * g.beta))
+    steep = solve(g.but(beta=pi(g.beta) / 2 - g.beta))
+    return {
+        "no_slope": level,
+        "cosine": steep,
+        "T_is_W_B": {"T": g.W_B},
+        "mass_of_B": {"a_B": solve(g)["a_B"] * (g.W_A + g.W_B) / g.W_B},
+    }
+
+
+def draw(g, ax):
+    draw_wedge(ax, (g.beta, r"$\beta$"))

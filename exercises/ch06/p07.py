@@ -1,0 +1,60 @@
+"""6/7: two blocks on the faces of a wedge."""
+
+from mpmath import mp
+
+from exercises.devices.roped_blocks import (
+    block_steps,
+    by_energy,
+    draw_wedge,
+    hanging,
+    motion,
+    on_face,
+)
+from newton_euler import pi, sin
+
+
+def blocks(g):
+    return on_face(g, "A", g.W_A, g.theta_A), on_face(g, "B", g.W_B, g.theta_B, toward=-1)
+
+
+def answers(g, A, B):
+    found = motion(g, A, B)
+    return {"a_A": found.a_A, "T": found.T}
+
+
+def solve(g):
+    return answers(g, *blocks(g))
+
+
+def steps(g):
+    yield from block_steps(g, *blocks(g))
+
+
+follows = {"T": lambda g, a_A: g.W_A * (sin(g.theta_A) + a_A / g.g)}
+
+
+def prove(g):
+    """By the energy."""
+
+    def A(s):
+        return [s * mp.cos(g.theta_A), s * mp.sin(g.theta_A)]
+
+    def B(s):
+        return [s * mp.cos(g.theta_B), -s * mp.sin(g.theta_B)]
+
+    a, T = by_energy(g, g.W_A, g.W_B, (A, B), 10 * g.g)
+    return {"a_A": a, "T": T}
+
+
+def mistakes(g):
+    quarter = pi(g.theta_A) / 2
+    return {
+        "full_weights": answers(g, hanging(g, "A", g.W_A), hanging(g, "B", g.W_B)),
+        "same_sign": solve(g.but(theta_A=-g.theta_A)),
+        "mass_of_A": {"a_A": solve(g)["a_A"] * (g.W_A + g.W_B) / g.W_A},
+        "cosines": solve(g.but(theta_A=quarter - g.theta_A, theta_B=quarter - g.theta_B)),
+    }
+
+
+def draw(g, ax):
+    draw_wedge(ax, (g.theta_A, r"$\theta_A$"), (g.theta_B, r"$\theta_B$"))
