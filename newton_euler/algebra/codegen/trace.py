@@ -5,6 +5,8 @@ A step has no value, so a formula that is traced cannot branch on one; it choose
 :func:`newton_euler.algebra.scalars.where`, which is a step too.
 """
 
+import threading
+
 from ..scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, scalar, to_plain
 
 COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
@@ -233,14 +235,30 @@ class Inner:
         return _unpacked_inner, (self.parameters, *packed(self.trace, self.leaves))
 
 
+class _Open(threading.local):
+    """The inner formulas that this thread is tracing, from outside to inside."""
+
+    def __init__(self):
+        self.traces = []
+
+
+_open = _Open()
+
+
 def _inner(op, f, limits, sample, names=("x",)):
     """The steps of ``op`` ("integral", "over_cube" or "root") of the function ``f``, which returns
     a tuple of scalars, within limits; one for each scalar that comes out.
     """
     traces = [x.trace for x in (*limits, *sample) if isinstance(x, Step)]
+    # f may use a value of the formula that is being traced, though what it returns does not
+    traces += [t for t in _open.traces if traces[0] in t.around()]
     outer = max(traces, key=lambda trace: len(list(trace.around())))
     trace = Trace(outer)
-    leaves = [trace.inward(leaf) for leaf in f(*(trace.new("argument", x) for x in names))]
+    _open.traces.append(trace)
+    try:
+        leaves = [trace.inward(leaf) for leaf in f(*(trace.new("argument", x) for x in names))]
+    finally:
+        _open.traces.pop()
     names = [*names, *(step.args[0] for step in trace.captured.values())]
     trace.outer = None  # the formula is complete, and is kept without the outer one
     outside = [outer.steps[number] for number in trace.captured]

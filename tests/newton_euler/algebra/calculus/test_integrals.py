@@ -12,6 +12,7 @@ from newton_euler.algebra import DimensionError, LinearForm, SingularError, Work
 from newton_euler.algebra.codegen.partial_evaluation import folded
 from newton_euler.algebra.jets import Moving
 from newton_euler.algebra.scalars import ZERO
+from newton_euler.kinematics import from_place
 
 MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
 
@@ -138,6 +139,21 @@ def test_traced_integrals_in_integrals():
     assert run(2.0, 3.0) == pytest.approx(36 / 24, rel=1e-14)
     assert compiled(lambda b: run(b, 2 * b))(2.0) == pytest.approx(64 / 24, rel=1e-14)
     assert pickle.loads(pickle.dumps(run))(2.0, 3.0) == run(2.0, 3.0)
+
+
+def test_an_inner_integral_that_needs_the_outer_variable_only_on_its_way_compiles():
+    def nested(a):
+        return integral(lambda s: s * integral(lambda p: (s * p, a)[1], 0, 1), 0, a)
+
+    assert nested(2.0) == pytest.approx(4, rel=1e-14)  # a^3/2
+    assert compiled(nested)(2.0) == pytest.approx(4, rel=1e-14)
+
+
+def test_a_motion_from_an_acceleration_of_the_place_compiles():
+    def time(a, s, v):
+        return from_place(lambda x: a, s, v0=v)[1]
+
+    assert compiled(time)(1.0, 2.0, 3.0) == pytest.approx(time(1.0, 2.0, 3.0), rel=1e-12)
 
 
 def test_a_traced_integral_computes_outer_steps_once_and_equal_ones_once():
