@@ -1,0 +1,69 @@
+"""7/17: the moments of inertia of a flat ring."""
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.bodies import annulus, disk, ring
+from newton_euler.drawing import Sketch
+
+PLATE = Frame("plate")
+
+
+def moments(diameter, normal):
+    return {"I_xx": diameter, "I_yy": diameter, "I_zz": normal}
+
+
+def of(body):
+    I = body.inertia
+    return moments(I.moment("x"), I.moment("z"))
+
+
+def solve(g):
+    return of(annulus(g.r1, g.r2, PLATE, "z", mass=g.m))
+
+
+def steps(g):
+    sheet = g.m / annulus(g.r1, g.r2, PLATE, "z", density=1).mass
+    yield Step("sigma", sheet, "kg/m^2", "mass per area, m/(pi*(r2^2 - r1^2))", "7.3")
+    for name, r, what in ("J_2", g.r2, "full disk of radius r2"), ("J_1", g.r1, "hole"):
+        yield Step(name, disk(r, PLATE, "z", density=sheet).inertia.moment("z"), "kg*m^2",
+                   f"moment about z of the {what}, pi*sigma*r^4/2", "7.3", "7.10")  # fmt: skip
+
+
+# equal diameters; and for a plate the moment about the normal is the sum of the two in it
+follows = {"I_yy": lambda g, I_xx: I_xx, "I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
+
+
+def prove(g):
+    """Thin rings side by side, with the share 2 u du/(r2^2 - r1^2) of the mass in each."""
+
+    def total(f):
+        def ring_of(u):
+            return 2 * u * proofs.mean(f, proofs.ring(u))
+
+        return g.m * proofs.integral(ring_of, g.r1, g.r2) / (g.r2**2 - g.r1**2)
+
+    return {
+        "I_xx": total(lambda p: p[1] ** 2),
+        "I_yy": total(lambda p: p[0] ** 2),
+        "I_zz": total(lambda p: p[0] ** 2 + p[1] ** 2),
+    }
+
+
+def mistakes(g):
+    I_zz = solve(g)["I_zz"]
+    outer, inner = (of(disk(r, PLATE, "z", mass=g.m)) for r in (g.r2, g.r1))
+    return {
+        "equal_disks": {key: outer[key] - inner[key] for key in outer},
+        "normal_for_diameter": {"I_xx": I_zz, "I_yy": I_zz},
+        "mean_radius": of(ring((g.r1 + g.r2) / 2, PLATE, "z", mass=g.m)),
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, PLATE, plane="xy")
+    O = (0, 0, 0)
+    s.plate(s.around(O, (g.r2, 0, 0), PLATE.k), [s.around(O, (g.r1, 0, 0), PLATE.k)])
+    s.axes(O, PLATE, length=1.35 * g.r2, labels=["x", "y", ""])
+    s.arrow(O, (-0.6 * g.r1, -0.8 * g.r1, 0), "$r_1$")
+    s.arrow(O, (-0.8 * g.r2, 0.6 * g.r2, 0), "$r_2$")

@@ -1,0 +1,88 @@
+"""7/18: the moments of inertia of a triangular plate."""
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.bodies import plate, simplex
+from newton_euler.drawing import Sketch
+
+PLATE = Frame("plate")  # its origin is the mass center
+
+
+def corners(g):
+    """The ends of the base, and the apex."""
+    base = [PLATE.point(name, x, -g.h / 3, 0) for name, x in (("A", -g.b / 2), ("B", g.b / 2))]
+    return [*base, PLATE.point("C", 0, 2 * g.h / 3, 0)]
+
+
+def triangle(g):
+    return simplex(*corners(g), mass=g.m)
+
+
+def about(g, y):
+    """The moment about the parallel to the base at this height."""
+    return triangle(g).about(PLATE.point("Q", 0, y, 0)).moment("x")
+
+
+def solve(g):
+    I = triangle(g).inertia
+    return {f"I_{n}{n}": I.moment(n) for n in "xyz"}
+
+
+def steps(g):
+    yield Step("d", g.h / 3, "m", "height of the mass center above the base", "5.4", "5.13")
+    yield Step("I_b", about(g, -g.h / 3), "kg*m^2", "moment of inertia about the base, by strips "
+               "parallel to it", "7.3", "7.10")  # fmt: skip
+    yield Step("transfer", g.m * (g.h / 3) ** 2, "kg*m^2",
+               "what the parallel axis at the mass center has less, m*d^2", "7.8", "7.26")  # fmt: skip
+
+
+# a plate: the moment about the normal is the sum of the two in it
+follows = {"I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
+
+
+def prove(g):
+    """A square plate, pressed together toward its upper edge, and the mass in it with it."""
+
+    def pressed(share, place):
+        x, up = place[0], (place[1] + 1) / 2  # from 0 to 1
+        return 2 * share * (1 - up), (g.b * x * (1 - up) / 2, g.h * up)
+
+    points = [pressed(*point) for point in proofs.box(2, 2, 0)]
+    G = proofs.mean(lambda p: p[1], points)
+
+    def moment(f):
+        return g.m * proofs.mean(lambda p: f(p[0], p[1]), points)
+
+    return {
+        "I_xx": moment(lambda x, y: (y - G) ** 2),
+        "I_yy": moment(lambda x, y: x**2),
+        "I_zz": moment(lambda x, y: x**2 + (y - G) ** 2),
+        "d": G,
+        "I_b": moment(lambda x, y: y**2),
+    }
+
+
+def mistakes(g):
+    right, at_base = solve(g), about(g, -g.h / 3)
+
+    def with_xx(I_xx):
+        return {"I_xx": I_xx, "I_zz": I_xx + right["I_yy"]}
+
+    I_yy = plate(g.b, g.h, PLATE, "z", mass=g.m).inertia.moment("y")
+    return {
+        "about_the_base": with_xx(at_base),
+        "about_the_apex": with_xx(about(g, 2 * g.h / 3)),
+        "rectangle": {"I_yy": I_yy, "I_zz": right["I_xx"] + I_yy},
+        "adds_the_transfer": with_xx(2 * at_base - right["I_xx"]),
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, PLATE, plane="xy")
+    A, B, C = corners(g)
+    s.plate([A, B, C])
+    s.axes((0, 0, 0), PLATE, length=0.45 * max(g.b, g.h), labels=["x", "y", ""])
+    s.dimension(A, B, label="b", offset=-0.1 * max(g.b, g.h))
+    s.dimension((g.b / 2, 2 * g.h / 3, 0), (g.b / 2, -g.h / 3, 0), label="h")
+    s.label((0, 0, 0), "G", offset=(-12, -10))

@@ -1,0 +1,83 @@
+"""7/19: a cylinder from which a cone is cut."""
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame, composite, sqrt
+from newton_euler.bodies import cone, cylinder
+from newton_euler.drawing import Sketch
+
+PART = Frame("part")  # its origin is the middle of the lower end
+
+
+def solids(g):
+    """The cylinder and the cone, of density 1. The height drops out: it is 3 a/2 here."""
+    h = 3 * g.a / 2
+    apex = PART.point("apex", 0, h - g.q * h, 0)
+    full = cylinder(g.a, h, PART.point("C", 0, h / 2, 0), "y", density=1)
+    return full, cone(g.a, g.q * h, apex, "y", density=1)
+
+
+def of_part(g, k_y):
+    return {"I_y": g.m * k_y**2, "k_y": k_y}
+
+
+def solve(g):
+    full, cavity = solids(g)
+    return of_part(g, composite("part", [full], removed=[cavity]).inertia.radius_of_gyration("y"))
+
+
+def steps(g):
+    full, cavity = solids(g)
+    share = cavity.mass / full.mass
+    m_full = g.m / (1 - share)
+    yield Step("share", share, "1", "mass of the cone over that of the full cylinder, q/3", "7.10")
+    yield Step("m_full", m_full, "kg", "mass of the full cylinder, m/(1 - q/3)", "7.10")
+    yield Step("I_full", m_full * full.inertia.radius_of_gyration("y") ** 2, "kg*m^2",
+               "moment of inertia of the full cylinder", "7.10")  # fmt: skip
+    yield Step("I_cone", m_full * share * cavity.inertia.radius_of_gyration("y") ** 2, "kg*m^2",
+               "moment of inertia of the cone, to be subtracted", "7.10", "7.14")  # fmt: skip
+
+
+follows = {"k_y": lambda g, I_y: sqrt(I_y / g.m)}
+
+
+def prove(g):
+    """By thin tubes about the y axis, which reach from the lower face up to the cavity."""
+
+    def total(f):
+        def tube(r):
+            return r * (1 - g.q * (1 - r / g.a)) * f(r)  # times 2 pi h
+
+        return proofs.integral(tube, 0, g.a)
+
+    square = total(lambda r: r**2) / total(lambda r: 1)
+    return {"I_y": g.m * square, "k_y": sqrt(square), "share": 1 - total(lambda r: 1) * 2 / g.a**2}
+
+
+def mistakes(g):
+    full, cavity = solids(g)
+    share = cavity.mass / full.mass
+    disk, own = (body.inertia.radius_of_gyration("y") for body in (full, cavity))
+    right = solve(g)["k_y"]
+    return {
+        "full_mass": of_part(g, right * sqrt(1 - share)),
+        "cone_added": of_part(g, sqrt((disk**2 + share * own**2) / (1 + share))),
+        "cone_like_cylinder": of_part(g, disk),
+        "no_root": {"k_y": right**2 / g.a},
+    }
+
+
+def draw(g, ax):
+    h = 3 * g.a / 2
+    s = Sketch(ax, PART, plane="xy")
+    apex, top = (0, h - g.q * h, 0), (0, h, 0)
+    left, right = (-g.a, 0, 0), (g.a, 0, 0)
+    s.plate([left, right, (g.a, h, 0), apex, (-g.a, h, 0)])
+    s.line((-g.a, h, 0), (g.a, h, 0), style="dotted")
+    s.line((0, -0.15 * h, 0), top, style="centre")
+    s.arrow(top, (0, 1.3 * h, 0), "y")
+    s.dimension((0, 0, 0), right, label="a", offset=-0.15 * h)
+    s.dimension((g.a, h, 0), right, label="h", offset=0.2 * g.a)
+    side = (-g.a, h - g.q * h, 0)
+    s.line(side, apex, style="dotted")
+    s.dimension(side, (-g.a, h, 0), label="$q\\,h$", offset=0.2 * g.a)

@@ -1,0 +1,68 @@
+"""7/20: the centroidal axis of a connecting rod, from its moments of inertia about two others."""
+
+from mpmath import mp
+
+from exercises.devices.connecting_rod import about_A, figure, mean_square, two_masses
+from exercises.proofs import root as proof_root
+from exercises.steps import Step
+from newton_euler import root, sqrt
+
+
+def at_G(g, r_a):
+    """The radius of gyration about GG', if it is at this distance from AA'."""
+    A, G, _ = about_A(g.m, g.I_AA, r_a, g.L - r_a)
+    return A.about(G).radius_of_gyration("z")
+
+
+def solve(g):
+    def excess(r_a):
+        A, _, B = about_A(g.m, g.I_AA, r_a, g.L - r_a)
+        return A.about(B).moment("z") - g.I_BB
+
+    r_a = root(excess, 0, g.L)
+    return {"r_a": r_a, "k_G": at_G(g, r_a)}
+
+
+def steps(g):
+    r_a = solve(g)["r_a"]
+    r_b = g.L - r_a
+    yield Step("apart", r_a - r_b, "mm", "r_a - r_b = (I_AA - I_BB)/(m*L), since "
+               "I_AA - m*r_a^2 = I_BB - m*r_b^2 and r_a + r_b = L", "7.8", "7.26")  # fmt: skip
+    yield Step("r_b", r_b, "mm", "distance of GG' from BB'", "7.8")
+    yield Step("I_GG", g.m * at_G(g, r_a) ** 2, "g*m^2",
+               "moment of inertia about GG', I_AA - m*r_a^2", "7.8", "7.26")  # fmt: skip
+
+
+follows = {"k_G": lambda g, r_a: at_G(g, r_a)}
+
+
+def prove(g):
+    """With two mass points of the same mass, moment about AA' and centre: if they have the right
+    moment about BB' too, they are at the right place.
+    """
+
+    def excess(r_a):
+        return mean_square([g.L - x for x in two_masses(g.I_AA / g.m, r_a)]) - g.I_BB / g.m
+
+    nearly = 1 - mp.mpf(10) ** -9  # of the distance at which all the mass would be at G
+    r_a = proof_root(excess, 0, nearly * mp.sqrt(g.I_AA / g.m))
+    near, far = two_masses(g.I_AA / g.m, r_a)
+    return {"r_a": r_a, "k_G": (far - near) / 2, "r_b": g.L - r_a}
+
+
+def mistakes(g):
+    r_a = solve(g)["r_a"]
+    return {
+        "in_proportion": {"r_a": g.L * g.I_AA / (g.I_AA + g.I_BB)},
+        "swapped": {"r_a": g.L - r_a},
+        "no_own_moment": {"r_a": sqrt(g.I_AA / g.m)},
+        "units": {"r_a": g.L / 2 + (r_a - g.L / 2) / 1000},
+    }
+
+
+def draw(g, ax):
+    # GG' is asked for, so its place is not that of the answer
+    s, up = figure(ax, 0.54 * g.L, 0.46 * g.L)
+    s.dimension((0, 0, 0), (0.54 * g.L, 0, 0), label="$r_a$", offset=up)
+    s.dimension((0.54 * g.L, 0, 0), (g.L, 0, 0), label="$r_b$", offset=up)
+    s.dimension((0, 0, 0), (g.L, 0, 0), label="L", offset=-up)

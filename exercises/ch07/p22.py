@@ -1,0 +1,116 @@
+"""7/22: what the integrals of the squares of the coordinates say about moments of inertia."""
+
+from math import cos, pi, sin
+
+from mpmath import mp
+
+from exercises.proofs import mean, rot, times
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.bodies import Inertia
+from newton_euler.bodies.inertia import from_second_moments
+from newton_euler.drawing import Sketch
+
+BODY = Frame("body")
+PLANE, LINE = "all mass in the plane x = 0", "all mass on the x axis"
+
+
+def moments(Jx, Jy, Jz):
+    return Inertia(BODY, *from_second_moments((Jx, Jy, Jz, 0, 0, 0)), tolerance=None).moments
+
+
+def gap(I_xx, I_yy, I_zz):
+    return I_yy + I_zz - I_xx
+
+
+def gap_sym(I_xx, I_yy, I_zz):
+    return I_yy - I_xx / 2
+
+
+def solve(g):
+    return {
+        "gap": gap(*moments(g.Jx, g.Jy, g.Jz)),
+        "when_zero": lambda: PLANE if gap(*moments(0.0, 1.0, 2.0)) == 0 else "never",
+        "gap_sym": gap_sym(*moments(g.Jx, g.Jy, g.Jy)),
+    }
+
+
+def steps(g):
+    for axis, I in zip("xyz", moments(g.Jx, g.Jy, g.Jz), strict=True):
+        others = " + ".join(f"J{n}" for n in "xyz" if n != axis)
+        yield Step(f"I_{axis}{axis}", I, "kg*m^2", f"moment of inertia about {axis}, {others}",
+                   "7.2", "7.10")  # fmt: skip
+    yield Step("I_xx_sym", moments(g.Jx, g.Jy, g.Jy)[0], "kg*m^2",
+               "moment of inertia about x if it is an axis of symmetry, so that Jz = Jy",
+               "7.6", "7.21")  # fmt: skip
+
+
+def cloud(Jx, Jy, Jz):
+    """Proof: a unit mass with these integrals, as eight mass points."""
+    a, b, c = (mp.sqrt(J) for J in (Jx, Jy, Jz))
+    places = [[p * a, q * b, r * c] for p in (-1, 1) for q in (-1, 1) for r in (-1, 1)]
+    return [(mp.mpf(1) / 8, place) for place in places]
+
+
+def by_points(points):
+    """Proof: (I_xx, I_yy, I_zz) from the speeds of the points as the body turns at unit rate."""
+
+    def turned(axis):
+        def square(place):
+            ahead, behind = (times(rot(axis, h), place) for h in (mp.mpf(1) / 8, -mp.mpf(1) / 8))
+            chord = sum((x - y) ** 2 for x, y in zip(ahead, behind, strict=True))
+            return chord / (2 * mp.sin(mp.mpf(1) / 8)) ** 2
+
+        return mean(square, points)
+
+    return [turned(axis) for axis in "xyz"]
+
+
+def prove(g):
+    """By the chords in which mass points move as the body turns about each axis: a chord is the
+    distance from the axis times 2 sin(angle/2). The body of revolution is a cloud and the same one
+    turned by 90 degrees about x, half the mass in each.
+    """
+    points = cloud(g.Jx, g.Jy, g.Jz)
+    spun = [(w / 2, place) for w, (x, y, z) in points for place in ([x, y, z], [x, -z, y])]
+
+    def word():
+        flat, line = cloud(0, 1, 2), cloud(1, 0, 0)
+        zero = {name for name, body in ((PLANE, flat), (LINE, line))
+                if abs(gap(*by_points(body))) < mp.mpf(10) ** -10}  # fmt: skip
+        return zero.pop() if len(zero) == 1 else "never"
+
+    return {
+        "gap": gap(*by_points(points)),
+        "when_zero": word,
+        "gap_sym": gap_sym(*by_points(spun)),
+    }
+
+
+def mistakes(g):
+    return {
+        "squares_for_moments": {
+            "gap": gap(g.Jx, g.Jy, g.Jz),
+            "gap_sym": gap_sym(g.Jx, g.Jy, g.Jz),
+        },
+        "no_symmetry": {"gap_sym": gap_sym(*moments(g.Jx, g.Jy, g.Jz))},
+        "line_for_plane": {"when_zero": LINE},
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, BODY, azimuth=35, elevation=22)
+    O, P = (0, 0, 0), (0.55, 0.75, 0.45)
+    # an outline in the plane that is seen in full
+    across, up = (-sin(0.61), cos(0.61), 0), (-0.31, -0.21, 0.93)
+    wave = [2 * pi * n / 60 for n in range(61)]
+    s.path([tuple((1.25 + 0.12 * sin(3 * t)) * (cos(t) * u + 0.75 * sin(t) * v)
+                  + 0.35 * u + 0.15 * v for u, v in zip(across, up, strict=True))
+            for t in wave])  # fmt: skip
+    s.axes(O, BODY, length=1.9)
+    foot = (P[0], P[1], 0)
+    s.line(foot, P)
+    s.line((P[0], 0, 0), foot)
+    s.line((0, P[1], 0), foot)
+    s.dot(P)
+    s.label(P, "dm", bold=False)

@@ -1,0 +1,97 @@
+"""7/23: the error of taking a far cylinder for a particle."""
+
+from mpmath import mp
+
+from exercises.proofs import disk, mean
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.bodies import cylinder
+from newton_euler.bodies import ring as thin_tube
+from newton_euler.drawing import Sketch
+
+END = Frame("end")
+
+
+def about(q, body):
+    """The :class:`Inertia` at G and at O, of a body of radius and mass 1."""
+    I = body.inertia
+    return I, I.about(END.point("O", -q, 0, 0))
+
+
+def shortfall(q, body):
+    """The moment about the body's own axis, which m d^2 leaves out, over the whole."""
+    own, whole = about(q, body)
+    return own.moment("z") / whole.moment("z")
+
+
+def one(g):
+    return cylinder(g.one, g.one, END, "z", mass=g.one)
+
+
+def trend(error):
+    """The word, from the error as a function of d/r."""
+    return "improves" if error(2) < error(1) else "worsens"
+
+
+def solve(g):
+    return {
+        "trend": lambda: trend(lambda q: shortfall(q * g.one, one(g))),
+        "err_1": shortfall(g.q1, one(g)),
+        "err_2": shortfall(g.q2, one(g)),
+    }
+
+
+def steps(g):
+    for n, q in enumerate((g.q1, g.q2), 1):
+        own, whole = about(q, one(g))
+        if n == 1:
+            yield Step("own", own.moment("z"), "1", "moment about the cylinder's own axis, over "
+                       "m*r^2", "7.8")  # fmt: skip
+        yield Step(f"exact_{n}", whole.moment("z"), "1",
+                   f"exact moment at the {('first', 'second')[n - 1]} ratio, over m*r^2: 1/2 + q^2",
+                   "7.8", "7.26")  # fmt: skip
+
+
+def prove(g):
+    def whole(q):
+        return mean(lambda p: (p[0] + q) ** 2 + p[1] ** 2, disk(mp.mpf(1)))
+
+    def error(q):
+        return 1 - q**2 / whole(q)
+
+    return {
+        "trend": lambda: trend(error),
+        "err_1": error(g.q1),
+        "err_2": error(g.q2),
+        "exact_1": whole(g.q1),
+        "exact_2": whole(g.q2),
+    }
+
+
+def mistakes(g):
+    def errors(error):
+        return {"err_1": error(g.q1), "err_2": error(g.q2)}
+
+    def of_approximation(q):
+        exact = shortfall(q, one(g))
+        return exact / (1 - exact)
+
+    return {
+        "of_the_approximation": {"err_2": of_approximation(g.q2)},  # nearly right at q1
+        "ring": errors(lambda q: shortfall(q, thin_tube(g.one, END, "z", mass=g.one))),
+        "what_is_there": errors(lambda q: 1 - shortfall(q, one(g))),
+        "diameter": errors(lambda q: shortfall(2 * q, one(g))),
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, END, plane="xy")
+    G, O, edge = (0, 0, 0), (-g.q2, 0, 0), (0.6, 0.8, 0)
+    s.disk(G, END.k, 1)
+    s.line(O, G, style="centre")
+    s.dot(G)
+    s.dot(O)
+    s.arrow(G, edge, "r")
+    s.dimension(O, G, label="d", offset=-1.25)
+    s.label(G, "G", offset=(10, -10))
+    s.label(O, "O", offset=(-10, 8))

@@ -1,0 +1,90 @@
+"""7/24: the moments of inertia of a wedge of a cylinder."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame, cos, pi, sin
+from newton_euler.bodies import arc, wedge
+from newton_euler.drawing import Sketch
+
+WEDGE = Frame("wedge")  # its origin is on the edge OO', x toward the mass center, z along OO'
+
+
+def body(g):
+    # the thickness, along both axes, has no influence
+    return wedge(g.r, g.psi / 2, g.r, WEDGE, "z", "x", mass=g.m)
+
+
+def distance(part):
+    """From OO' to GG'."""
+    return part.centre.position(WEDGE).x
+
+
+def solve(g):
+    part = body(g)
+    return {"I_OO": part.about(WEDGE).moment("z"), "I_GG": part.inertia.moment("z")}
+
+
+def steps(g):
+    d = distance(body(g))
+    yield Step("d", d, "m", "distance of the mass center from OO', 4*r*sin(psi/2)/(3*psi)",
+               "5.4", "5.13")  # fmt: skip
+    yield Step("transfer", g.m * d**2, "kg*m^2", "what the moment about GG' is smaller by, m*d^2",
+               "7.8", "7.26")  # fmt: skip
+
+
+def prove(g):
+    """Radial slivers, the mass in them growing with the distance from OO'."""
+    sliver = [(2 * share * (x + 1) / 2, g.r * (x + 1) / 2) for share, (x, _, _) in
+              proofs.box(2, 0, 0, order=3)]  # fmt: skip
+
+    def total(f):
+        def at(angle):
+            c, s = mp.cos(angle), mp.sin(angle)
+            return sum(share * f(u * c, u * s) for share, u in sliver)
+
+        return proofs.integral(at, -g.psi / 2, g.psi / 2) / g.psi
+
+    d = total(lambda x, y: x)
+    return {
+        "I_OO": g.m * total(lambda x, y: x**2 + y**2),
+        "I_GG": g.m * total(lambda x, y: (x - d) ** 2 + y**2),
+        "d": d,
+    }
+
+
+def less(g, I_OO, d):
+    return I_OO - g.m * d**2
+
+
+follows = {"I_GG": lambda g, I_OO: less(g, I_OO, distance(body(g)))}
+
+
+def mistakes(g):
+    right, d = solve(g)["I_OO"], distance(body(g))
+    scaled = right * g.psi / (2 * pi(g.psi))
+    return {
+        "scaled": {"I_OO": scaled, "I_GG": less(g, scaled, d)},
+        "adds_the_transfer": {"I_GG": 2 * right - less(g, right, d)},
+        "arc": {"I_GG": less(g, right, distance(arc(g.r, g.psi / 2, WEDGE, "z", "x", mass=g.m)))},
+        "thin": {"I_GG": less(g, right, 2 * g.r / 3)},
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, WEDGE, azimuth=-65, elevation=25)
+    thick, d = 0.35 * g.r, distance(body(g))
+    start = (g.r * cos(g.psi / 2), -g.r * sin(g.psi / 2), 0)
+    O = (0, 0, 0)
+    rim = s.around(O, start, WEDGE.k, g.psi)
+    s.plate([O, *rim], thickness=thick)
+    for name, x in ("O", 0), ("G", d):
+        low, high = (x, 0, -0.8 * g.r), (x, 0, 1.05 * g.r)
+        s.line(low, high, style="centre")
+        s.label(high, name, offset=(9, 0))
+        s.label(low, f"{name}'", offset=(9, 0))
+    top = (0, 0, thick / 2)
+    s.arc(top, start, rim[-1], label=r"$\psi$")
+    x, y, _ = rim[-1]
+    s.dimension(top, (x, y, thick / 2), label="r", offset=0.1 * g.r)

@@ -1,0 +1,59 @@
+"""A connecting rod with its bearing axes AA', BB' and the centroidal axis GG' between them, all
+parallel to z in the x, z plane.
+"""
+
+from mpmath import mp
+
+from exercises import proofs
+from newton_euler import Frame
+from newton_euler.bodies import Inertia
+from newton_euler.drawing import Sketch
+
+ROD = Frame("rod")
+
+
+def about_A(mass, moment, r_a, r_b):
+    """The :class:`Inertia` at A, of which only the moment about AA' is known, G, and B."""
+    G = ROD.point("G", r_a, 0, 0)
+    A = Inertia(ROD, (0, 0, moment), mass=mass, centre=G, tolerance=None)
+    return A, G, ROD.point("B", r_a + r_b, 0, 0)
+
+
+def two_masses(moment_per_mass, r_a):
+    """Proof: a rod with mass only at two places, as far as k from G on both sides, of the moment
+    that is known about AA'; their distances from A.
+    """
+
+    def places(k):
+        return [r_a - k, r_a + k]
+
+    def missing(k):
+        return mean_square(places(k)) - moment_per_mass
+
+    k = proofs.root(missing, 0, 2 * mp.sqrt(moment_per_mass))
+    return places(k)
+
+
+def mean_square(distances):
+    return sum(x**2 for x in distances) / len(distances)
+
+
+def figure(ax, r_a, r_b):
+    """Side view: the axes as vertical lines."""
+    s = Sketch(ax, ROD, plane="xz")
+    length = r_a + r_b
+    big, small, high = 0.16 * length, 0.1 * length, 0.13 * length
+
+    def block(left, right, height):
+        s.plate([(x, 0, z) for x, z in
+                 ((left, -height), (right, -height), (right, height), (left, height))])  # fmt: skip
+
+    block(0, length, 0.35 * high)
+    block(-big, big, high)
+    block(length - small, length + small, high)
+    for name, x in ("A", 0), ("G", r_a), ("B", length):
+        ends = (x, 0, -1.9 * high), (x, 0, 1.9 * high)
+        s.line(*ends, style="centre")
+        s.label(ends[1], name, offset=(-9, -6))
+        s.label(ends[0], f"{name}'", offset=(-9, 6))
+    return s, 2.4 * high
