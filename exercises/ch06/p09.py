@@ -1,0 +1,99 @@
+"""6/9: when an object begins to slip on a turning cone; all forces per unit of mass."""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import root, rot, second_rate, times
+from exercises.steps import Step
+from newton_euler import Frame, cos, cylindrical, moving, sin, solve_linear, sqrt, tan, where
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import resultant_force, weight
+
+
+def about_to_slip(g):
+    """The highest rate, and the normal force N there, with the friction mu N up the slope. The
+    acceleration is s times that at the rate of sqrt(g/r).
+    """
+    ground = Frame("ground")
+    rate = sqrt(g.g / g.r)
+    P = cylindrical(ground, "P", g.r, moving(0, rate=rate), 0)
+    normal = P.local.vector(sin(g.beta), 0, cos(g.beta))
+    up = P.local.vector(-cos(g.beta), 0, sin(g.beta))
+
+    def law(s, N):
+        forces = weight(g.one, ground.k, g.g) + N * (normal + g.mu * up)
+        return s * resultant_force(g.one, P.acceleration(ground)) - forces
+
+    s, N = solve_linear(law)
+    return rate * sqrt(where(s > 0, s, 0 * s)), N  # zero where it slides off the cone at rest
+
+
+def solve(g):
+    high, _ = about_to_slip(g)
+    return {"omega_ok": (0 * high, high)}
+
+
+def steps(g):
+    high, N = about_to_slip(g)
+    yield Step("N", N, "m/s^2", "normal force, per unit of mass, where it begins to slip", "6.1",
+               "6.4")  # fmt: skip
+    yield Step("F", g.mu * N, "m/s^2", "friction there, up the slope, per unit of mass", "6.1")
+    yield Step("a_n", high**2 * g.r, "m/s^2", "centripetal acceleration there", "6.1", "6.6")
+
+
+def prove(g):
+    """The contact force of the explicit circle, along the surface and normal to it: the object
+    slips where the first grows beyond mu times the second.
+    """
+
+    def contact(omega):
+        def place(t):
+            return times(rot("z", omega * t), [g.r, 0, 0])
+
+        x, _, z = second_rate(place)
+        return times(rot("y", -g.beta), [x, 0, z + g.g])  # outward on the surface, and its normal
+
+    def grip(omega):
+        along, _, N = contact(omega)
+        return g.mu * N - abs(along)
+
+    high = root(grip, 0, 10 * mp.sqrt(g.g / g.r))
+    low = mpf(0) if grip(0) > 0 else mp.nan
+    along, _, N = contact(high)
+    return {"omega_ok": [low, high], "N": N, "F": -along}
+
+
+def mistakes(g):
+    def up_to(a_n):
+        high = sqrt(a_n / g.r)
+        return {"omega_ok": (0 * high, high)}
+
+    return {
+        "N_at_rest": up_to(g.g * (g.mu - tan(g.beta))),
+        "along_surface": up_to(g.g * (g.mu * cos(g.beta) - sin(g.beta))),
+        "turntable": solve(g.but(beta=0 * g.beta)),
+        "bowl": solve(g.but(beta=-g.beta)),
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    out = 1.7 * g.r  # the radius of the base
+    low = out * tan(g.beta)
+    foot = (0, 0, -low - 0.3 * out)
+    apex, rim = (0, 0, 0), (out, 0, -low)
+    size = 0.16 * g.r
+    x = g.r - size / 2 * sin(g.beta)  # so that the middle of the object is at r
+    surface = ground.rotate(
+        "surface", "y", g.beta, origin=ground.point("P", x, 0, -x * tan(g.beta))
+    )
+    P = surface.point("P", 0, 0, size / 2)
+    s.ground(foot, normal=ground.k)
+    s.shaft(foot, (0, 0, -low))
+    s.cone(apex, -ground.k, low, out)
+    s.box(P, surface, (1.6 * size, size, size))
+    s.line((0, 0, -low), (0, 0, 0.75 * g.r), style="centre")
+    s.turn((0, 0, 0.35 * g.r), ground.k, label=r"$\omega$")
+    s.dimension((0, 0, 0.62 * g.r), (g.r, 0, 0.62 * g.r), label="r", offset=0.0)
+    s.line((g.r, 0, 0.66 * g.r), P, style="solid")
+    s.arc(rim, (0, 0, -low), apex, label=r"$\beta$")

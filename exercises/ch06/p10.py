@@ -1,0 +1,94 @@
+"""6/10: the tension in the wire of a pendulum, held and let go; in units of its weight, with the
+length of the wire as that of length.
+"""
+
+from mpmath import mp
+
+from exercises.proofs import plus, rate, root, rot, second_rate, size, times
+from exercises.steps import Step
+from newton_euler import Frame, cos, moving, polar, sin, solve_linear
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import resultant_force, weight
+
+
+def tensions(g):
+    """Before the cut, and after it with an unknown theta''; x down, y toward the cord."""
+    ground = Frame("ground")
+    W = weight(g.one, -ground.i, g.one)
+
+    def held(T, cord):
+        wire = polar(ground, "bob", g.one, g.theta).local.i
+        return W - T * wire + cord * ground.j
+
+    def released(T, theta_ddot):
+        bob = polar(ground, "bob", g.one, moving(g.theta, acceleration=theta_ddot))
+        return resultant_force(g.one, bob.acceleration(ground)) + T * bob.local.i - W
+
+    return solve_linear(held).T, solve_linear(released).T
+
+
+def solve(g):
+    before, after = tensions(g)
+    return {"k": after / before}
+
+
+def steps(g):
+    before, after = tensions(g)
+    yield Step("T_before", before, "1", "tension before the cut over the weight", "6.1", "6.4")
+    yield Step("T_after", after, "1", "tension just after the cut over the weight: the bob is "
+               "still at rest, and v^2/r is zero", "6.1", "6.6")  # fmt: skip
+
+
+def prove(g):
+    """Held: the cord is so strong that the energy is stationary there. Let go, theta = theta_0 -
+    c t^2/2 at first, with the c that keeps the energy.
+    """
+
+    def place(theta):
+        return [mp.sin(theta), -mp.cos(theta), 0]
+
+    def slope(cord):
+        def energy(theta):
+            x, y, _ = place(theta)
+            return y - cord * x
+
+        return rate(energy, g.theta)
+
+    before = size([root(slope, 0, 1000), -1, 0])
+
+    def falling(c):
+        return lambda t: place(g.theta - c * t**2 / 2)
+
+    def power(c):  # over time, in the limit t = 0
+        return second_rate(lambda t: size(rate(falling(c), t)) ** 2 / 2 + falling(c)(t)[1])
+
+    bob = falling(root(power, mp.mpf("0.01"), 10))
+    pull = plus(second_rate(bob), [0, 1, 0])
+    after = times(rot("z", -g.theta), pull)[1]
+    return {"k": after / before, "T_before": before, "T_after": after}
+
+
+def mistakes(g):
+    k = solve(g)["k"]
+    return {
+        "still_at_rest": {"k": k / k},
+        "cord_does_nothing": {"k": cos(g.theta)},
+        "inverted": {"k": 1 / k},
+        "sine": {"k": sin(g.theta) ** 2},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    bob = (sin(g.theta), -cos(g.theta), 0)
+    wall = (sin(g.theta) + 0.7, -cos(g.theta), 0)
+    s.road([(0.3, 0, 0), (-0.3, 0, 0)])
+    s.ground(wall, -ground.i)
+    s.line((0, 0, 0), (0, -0.6, 0))
+    s.cable((0, 0, 0), bob)
+    s.cable(bob, wall)
+    s.sphere(bob, 0.05)
+    s.arc((0, 0, 0), (0, -1, 0), bob, label=r"$\theta$")
+    s.label((bob[0] / 2, bob[1] / 2, 0), "wire", offset=(18, 6), bold=False)
+    s.label((bob[0] + 0.35, bob[1], 0), "cord", offset=(0, 10), bold=False)

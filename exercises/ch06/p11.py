@@ -1,0 +1,97 @@
+"""6/11: a slider that a cord holds in the slot of a turning disk."""
+
+from exercises.proofs import rate, rot, size, times
+from exercises.steps import Step
+from newton_euler import Frame, cos, moving, sin, solve_linear
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import resultant_force
+from newton_euler.kinematics import polar
+
+
+def slider(g):
+    """Ground, and A on the x axis of the instant; B is ahead of it."""
+    ground = Frame("ground")
+    return ground, polar(ground, "A", g.r, moving(0, rate=g.omega))
+
+
+def forces(g):
+    """The tension, and the force of the side of the slot, toward O."""
+    ground, A = slider(g)
+    c, s = cos(g.psi), sin(g.psi)
+    slot, side = A.local.vector(-c, s, 0), A.local.vector(-s, -c, 0)
+    F = resultant_force(g.m, A.acceleration(ground))
+    return solve_linear(lambda T, N: T * slot + N * side - F)
+
+
+def solve(g):
+    return {"T": forces(g).T}
+
+
+def steps(g):
+    ground, A = slider(g)
+    a = A.acceleration(ground)
+    yield Step("a_A", a, "m/s^2", "acceleration of A along e_r, e_theta", "6.1", "6.6")
+    yield Step(
+        "F", resultant_force(g.m, a), "N", "resultant of the cord and the slot", "6.1", "6.6"
+    )
+    yield Step("N", forces(g).N, "N", "force of the side of the slot on A, square to the slot",
+               "6.1", "6.4")  # fmt: skip
+
+
+def prove(g):
+    """What the energy m (omega d)^2/2, d the distance from O, changes with a move of A along the
+    slot toward B, or across it toward O: the work of the forces in the turning disk.
+    """
+
+    def against(direction):
+        def energy(s):
+            x, y, _ = direction
+            return g.m * (g.omega * size([g.r + s * x, s * y, 0])) ** 2 / 2
+
+        return -rate(energy)
+
+    slot = times(rot("z", -g.psi), [-1, 0, 0])
+    side = times(rot("z", -g.psi), [0, -1, 0])
+    return {"T": against(slot), "N": against(side)}
+
+
+def mistakes(g):
+    T = solve(g)["T"]
+    return {
+        "no_side_force": {"T": T / cos(g.psi)},
+        "cord_resolved": {"T": T / cos(g.psi) ** 2},
+        "distance_of_slot": {"T": T * sin(g.psi)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    r = g.r
+    R = 1.6 * r
+    disk = ground.rotate("disk", "z", 0)
+    A = disk.point("A", r, 0, 0)
+    slot = disk.rotate("slot", "-z", g.psi, origin=A)
+    half = 0.07 * r
+
+    def to_rim(sign):
+        """Along the slot from A, to just inside the rim."""
+        middle, c = r * cos(g.psi), r * sin(g.psi)
+        return -middle + sign * (0.9 * R**2 - c**2) ** 0.5
+
+    near, far = to_rim(-1), to_rim(1)
+    hole = [slot.point("", x, y, 0) for x, y in
+            ((near, -half), (far, -half), (far, half), (near, half))]  # fmt: skip
+    s.plate(s.around((0, 0, 0), (R, 0, 0), ground.k), [hole], shade="light")
+    B = slot.point("B", near, 0, 0)
+    s.cable(B, A)
+    s.box(A, slot, (4 * half, 2 * half, 2 * half))
+    s.line((0, 0, 0), A)
+    s.dot((0, 0, 0))
+    s.dot(B)
+    s.swing((0, 0, 0), (-0.45 * R, -0.7 * R, 0), ground.k, label=r"$\omega$")
+    s.arc(A, (0, 0, 0), B, label=r"$\psi$", radius=0.35 * r)
+    s.dimension((0, 0, 0), A, label="r", offset=-0.3 * r)
+    s.label((0, 0, 0), "O", offset=(-10, 6))
+    s.label(A, "A", offset=(14, 4))
+    s.label(B, "B", offset=(0, 14))

@@ -1,0 +1,99 @@
+"""6/12: a car that leaves the road at a hump."""
+
+from mpmath import mp
+
+from exercises.devices.plane_curve import at_constant_speed
+from exercises.proofs import root
+from exercises.steps import Step
+from newton_euler import Frame, moving, pi, sin, sqrt
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import path_force
+from newton_euler.kinematics import frenet_along
+
+
+def road(g):
+    def path(x):
+        return x, g.b * sin(2 * pi(g.L) * x / g.L), 0
+
+    return path
+
+
+def flexure(g, x):
+    """Of the road at x."""
+    return frenet_along(road(g), moving(x, rate=g.one), Frame("ground")).flexure
+
+
+def speed(g):
+    """At which the weight alone is the normal force that the hump needs."""
+    _, needed = path_force(g.m, sqrt(g.g * g.L), 0, flexure(g, g.L / 4))
+    return sqrt(g.g * g.L) * sqrt(g.m * g.g / needed)
+
+
+def force(g, v_max):
+    """Of the road at the dip, less the weight turned up."""
+    return path_force(g.m, v_max, 0, flexure(g, 3 * g.L / 4))[1] + g.m * g.g
+
+
+def solve(g):
+    v = speed(g)
+    return {"v_max": v, "F_dip": force(g, v)}
+
+
+follows = {"F_dip": force}
+
+
+def steps(g):
+    rho = 1 / flexure(g, g.L / 4)
+    yield Step("rho", rho, "m", "radius of curvature at the hump and at the dip", "6.1")
+    _, F_n = path_force(g.m, speed(g), 0, flexure(g, 3 * g.L / 4))
+    yield Step("F_n", F_n, "N", "resultant force at the dip, upward", "6.1", "6.5")
+
+
+def prove(g):
+    """By the explicit motion at constant speed: the highest is where the force of the road is zero
+    at the hump.
+    """
+
+    def wave(x):
+        return [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0]
+
+    def push(x, v):
+        _, a = at_constant_speed(wave, x, v)
+        return g.m * (g.g + a[1])
+
+    v = root(lambda v: push(g.L / 4, v), mp.sqrt(g.g * g.L) / 100, 100 * mp.sqrt(g.g * g.L))
+    F = push(3 * g.L / 4, v)
+    return {"v_max": v, "F_dip": F, "F_n": F - g.m * g.g}
+
+
+def mistakes(g):
+    v = solve(g)["v_max"]
+    return {
+        "b_is_radius": {"v_max": sqrt(g.g * g.b)},
+        "no_wave_number": {"v_max": v * 2 * pi(g.L)},
+        "half_wave_number": {"v_max": v * 2},
+        "no_weight": {"F_dip": g.m * g.g},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    L, b = 1.0, 0.11  # the waves are drawn higher than they are
+
+    def height(x):
+        return b * sin(2 * pi(x) * x / L)
+
+    xs = [L * n / 60 for n in range(-7, 86)]
+    s.road([(x, height(x), 0) for x in xs])
+    r = 0.018
+    for x in (L / 4, 3 * L / 4):
+        y = height(x)
+        for side in (-2, 2):
+            wheel = x + side * r
+            s.disk((wheel, height(wheel) + r, 0), ground.k, r)
+        s.box((x, y + 2.6 * r, 0), ground, (7 * r, 2 * r, 2 * r))
+    s.line((xs[0], 0, 0), (xs[-1], 0, 0), style="centre")
+    s.dimension((0, 0, 0), (L, 0, 0), label="L", offset=-2.2 * b)
+    s.dimension((1.25 * L, 0, 0), (1.25 * L, b, 0), label="b", offset=0.0)
+    s.axes((0, 0, 0), ground, length=0.25, labels=["x", "y", ""])
