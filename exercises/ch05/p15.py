@@ -1,17 +1,10 @@
 """5/15: the centre of mass of four particles on light rods."""
 
+from exercises.devices import four_particles
+from exercises.devices.four_particles import masses, particles, rods
 from exercises.proofs import rate, root
 from exercises.steps import Step
-from newton_euler import Frame, centre_of_mass
-from newton_euler.drawing import Sketch
-
-
-def particles(g):
-    """The frame, and a pair (mass, point) for each particle, the one at O first."""
-    ground = Frame("ground")
-    places = (0, 0, 0), (g.a, 0, 0), (g.a, g.b, 0), (g.a, g.b, g.c)
-    points = [ground.point(f"P_{n}", *at) for n, at in enumerate(places, 1)]
-    return ground, list(zip((g.m1, g.m2, g.m3, g.m4), points, strict=True))
+from newton_euler import centre_of_mass
 
 
 def centre(ground, parts):
@@ -35,11 +28,10 @@ def steps(g):
 
 def prove(g):
     """On a knife edge square to each axis in turn, the weights have no moment."""
-    masses = g.m1, g.m2, g.m3, g.m4
 
     def balance(*places):
         def moment(edge):
-            return sum(m * (x - edge) for m, x in zip(masses, places, strict=True))
+            return sum(m * (x - edge) for m, x in zip(masses(g), places, strict=True))
 
         return root(moment, -max(places), 2 * max(places))
 
@@ -48,7 +40,7 @@ def prove(g):
     Q = [
         rate(
             lambda t, along=along: (
-                sum(m * (x + t) ** 2 for m, x in zip(masses, along, strict=True)) / 2
+                sum(m * (x + t) ** 2 for m, x in zip(masses(g), along, strict=True)) / 2
             )
         )
         for along in ((0, g.a, g.a, g.a), (0, 0, g.b, g.b), (0, 0, 0, g.c))
@@ -58,9 +50,8 @@ def prove(g):
 
 def mistakes(g):
     ground, parts = particles(g)
-    rods = (g.a, 0, 0), (0, g.b, 0), (0, 0, g.c)
     from_before = [
-        (m, ground.point("P", *rod)) for (m, _), rod in zip(parts[1:], rods, strict=True)
+        (m, ground.point("P", *rod)) for (m, _), rod in zip(parts[1:], rods(g), strict=True)
     ]
     return {
         "no_masses": solve(g.but(m2=g.m1, m3=g.m1, m4=g.m1)),
@@ -70,18 +61,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground, parts = particles(g)
-    s = Sketch(ax, ground, azimuth=-60, elevation=22)
-    x, z = ground.i, ground.k
-    span, mass = g.a + g.b + g.c, sum(m for m, _ in parts)
-    s.axes((0, 0, 0), ground, length=0.5 * span)
-    for (_, A), (_, B), name, away in zip(
-        parts, parts[1:], "abc", (-0.12 * span * z, -0.12 * span * z, 0.12 * span * x), strict=False
-    ):
-        s.rod(A, B)
-        s.dimension(A, B, label=name, offset=away)
-    corners = (-24, -6), (-6, 20), (-22, 8), (-24, 6)
-    for n, ((m, P), offset) in enumerate(zip(parts, corners, strict=True), 1):
-        s.sphere(P, 0.045 * span * (m / mass) ** (1 / 3))  # all of one density
-        s.label(P, f"$m_{n}$", offset=offset, bold=False)
-    s.label((0, 0, 0), "O", offset=(-14, 14))
+    four_particles.figure(g, ax)

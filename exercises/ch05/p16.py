@@ -1,35 +1,19 @@
 """5/16: a centre of mass by integration."""
 
-from mpmath import mp
-
 from exercises import proofs
-from exercises.steps import Step
-from newton_euler import Frame, integral
-from newton_euler.drawing import Sketch
-
-PLATE = Frame("plate")
-
-
-def height(g, x):
-    return g.b * x**2 / g.a**2
-
-
-def over_strips(g, f):
-    """The integral over vertical strips: of f(x, y) dx, y the height of the parabola."""
-    return integral(lambda x: f(x, height(g, x)), 0, g.a)
-
-
-def centre(area, first_x, first_y):
-    """From the area and its first moments."""
-    return {"d": PLATE.vector(first_x / area, first_y / area, 0)}
+from exercises.devices import parabola_plate
+from exercises.devices.parabola_plate import height, start
+from exercises.devices.plate_under_curve import (
+    PLATE,
+    area,
+    centre,
+    first_moments,
+    steps_to_centre,
+)
 
 
 def moments(g):
-    return (
-        over_strips(g, lambda x, y: y),
-        over_strips(g, lambda x, y: x * y),
-        over_strips(g, lambda x, y: y * y / 2),
-    )
+    return area(g.a, height(g)), *first_moments(g.a, height(g))
 
 
 def solve(g):
@@ -37,18 +21,14 @@ def solve(g):
 
 
 def steps(g):
-    area, first_x, first_y = moments(g)
-    yield Step("area", area, "m^2", "area of the plate, the integral of y dx", "5.4")
-    yield Step("Q_x", first_x, "m^3", "integral of x y dx", "5.4", "5.13")
-    yield Step("Q_y", first_y, "m^3", "integral of y/2 y dx, strips having their centre at y/2",
-               "5.4", "5.13")  # fmt: skip
+    yield from steps_to_centre(g.a, height(g))
 
 
 def prove(g):
     """By horizontal strips, from the parabola to x = a."""
 
     def strips(f):
-        return proofs.integral(lambda y: f(g.a * mp.sqrt(y / g.b), y), 0, g.b)
+        return proofs.integral(lambda y: f(start(g, y), y), 0, g.b)
 
     area = strips(lambda x, y: g.a - x)
     first_x, first_y = strips(lambda x, y: (g.a**2 - x**2) / 2), strips(lambda x, y: y * (g.a - x))
@@ -66,11 +46,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = Sketch(ax, PLATE, plane="xy")
-    O, end = (0, 0, 0), (g.a, 0, 0)
-    edge = [(g.a * n / 40, height(g, g.a * n / 40), 0) for n in range(41)]
-    s.axes(O, PLATE, length=1.3 * max(g.a, g.b), labels=["x", "y", ""])
-    s.plate([*edge, end])
-    s.dimension(O, end, label="a")
-    s.dimension(end, edge[-1], label="b")
-    s.label(O, "O")
+    parabola_plate.figure(g, ax)

@@ -1,0 +1,44 @@
+"""7/1: the inertia matrix of a triangle by integration."""
+
+from exercises.devices import triangular_plate
+from exercises.devices.inertia import matrix, turned
+from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
+from exercises.devices.triangular_plate import area_points, height
+from exercises.proofs.digits import weighted
+
+
+def moments(g):
+    """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx)."""
+    sigma = g.M / area(g.b, height(g))
+    xx, yy, xy = (sigma * x for x in second_moments(g.b, height(g)))
+    return (yy, xx, xx + yy), (xy, 0, 0)
+
+
+def solve(g):
+    return matrix(PLATE, *moments(g))
+
+
+def steps(g):
+    yield from steps_to_inertia(g.b, height(g), g.M)
+
+
+def prove(g):
+    areas, places = zip(*area_points(g), strict=True)
+    sigma = g.M / sum(areas)
+    I = weighted([sigma * A for A in areas], [turned(place) for place in places])
+    return {"I_O": I, "sigma": sigma, "I_zz": I[2][2], "I_xy": -I[0][1]}
+
+
+def mistakes(g):
+    (xx, yy, zz), (xy, _, _) = moments(g)
+    bb, hh = g.M * g.b**2 / 3, g.M * g.h**2 / 3
+    return {
+        "plus_sign": matrix(PLATE, (xx, yy, zz), (-xy, 0, 0)),
+        "rectangle": matrix(PLATE, (hh, bb, bb + hh), (g.M * g.b * g.h / 4, 0, 0)),
+        "no_product": matrix(PLATE, (xx, yy, zz)),
+        "exchanged": matrix(PLATE, (yy, xx, zz), (xy, 0, 0)),
+    }
+
+
+def draw(g, ax):
+    triangular_plate.figure(g, ax)

@@ -1,0 +1,40 @@
+"""7/2: the inertia matrix of two spheres that touch."""
+
+from exercises.devices import satellite
+from exercises.devices.inertia import added, answer, matrix, of_points, steps_of, together
+from exercises.devices.satellite import SATELLITE, parts, spheres
+from newton_euler.bodies import spherical_shell
+
+
+def solve(g):
+    return answer(together(SATELLITE, parts(g)))
+
+
+def steps(g):
+    units = {"mass": "slug", "length": "ft", "inertia": "slug*ft^2"}
+    yield from steps_of(SATELLITE, parts(g), at_O=["larger sphere"], **units)
+
+
+def prove(g):
+    larger, smaller = (of_points(*sphere) for sphere in spheres(g))
+    return {
+        "I_O": added((1, larger), (1, smaller)),
+        "I_larger_sphere": larger,
+        "I_smaller_sphere": smaller,
+    }
+
+
+def mistakes(g):
+    larger, smaller = parts(g)
+    xx, yy, zz = together(SATELLITE, [larger, smaller]).moments
+    transfer = smaller.about(SATELLITE).terms["transfer"]
+    return {
+        "no_own": answer(larger.about(SATELLITE) + transfer),
+        "along_x_too": matrix(SATELLITE, (xx + transfer.moments[1], yy, zz)),
+        "R1_for_distance": answer(together(SATELLITE, parts(g, distance=g.R1))),
+        "hollow": answer(together(SATELLITE, parts(g, shape=spherical_shell))),
+    }
+
+
+def draw(g, ax):
+    satellite.figure(g, ax)

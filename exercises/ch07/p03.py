@@ -1,0 +1,58 @@
+"""7/3: the inertia matrix of a block and a cylinder that stands on it."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.devices import block_with_cylinder
+from exercises.devices.block_with_cylinder import BLOCK, parts
+from exercises.devices.inertia import (
+    added,
+    answer,
+    no_products,
+    of_points,
+    raised,
+    steps_of,
+    together,
+    wrong_sign,
+)
+
+
+def inertia(g, **changed):
+    return together(BLOCK, parts(g, density=g.rho, **changed))
+
+
+def solve(g):
+    return answer(inertia(g))
+
+
+def steps(g):
+    units = {"mass": "slug", "length": "in", "inertia": "slug*ft^2"}
+    yield from steps_of(BLOCK, parts(g, density=g.rho), **units)
+
+
+def prove(g):
+    block = of_points(
+        g.rho * g.a * g.b * g.c,
+        proofs.box(g.a, g.b, g.c, order=2),
+        [g.a / 2, g.b / 2, g.c / 2],
+    )
+    cylinder = of_points(
+        g.rho * mp.pi * g.r_c**2 * g.l_c,
+        raised(proofs.disk(g.r_c, order=2), g.l_c),
+        [g.x_c, g.b / 2, g.c + g.l_c / 2],
+    )
+    return {"I_O": added((1, block), (1, cylinder)), "I_block": block, "I_cylinder": cylinder}
+
+
+def mistakes(g):
+    I = inertia(g)
+    return {
+        "no_products": no_products(BLOCK, I),
+        "plus_sign": wrong_sign(BLOCK, I),
+        "from_its_own_base": answer(inertia(g, foot=0)),
+        "rho_per_foot": answer(12**5 * I),
+    }
+
+
+def draw(g, ax):
+    block_with_cylinder.figure(g, ax)

@@ -1,0 +1,69 @@
+"""7/4: the inertia matrix of a cone at its apex by integration."""
+
+from exercises import proofs
+from exercises.devices import cone
+from exercises.devices.cone import CONE, radius, tube
+from exercises.devices.inertia import added, matrix, of_points, raised
+from exercises.steps import Step
+from newton_euler import integral, pi
+from newton_euler.bodies import disk
+
+
+def density(g, radius=radius):
+    return g.M / integral(lambda z: pi(g.one) * radius(g, z) ** 2, 0, g.h)
+
+
+def moments(g, radius=radius, transfer=1):
+    """(I_xx, I_yy, I_zz) by thin disks at the height z, by the parallel axis theorem; ``transfer``
+    is the weight of its term.
+    """
+    rho = density(g, radius)
+
+    def thin_disk(z):
+        own = disk(radius(g, z), CONE.point("C", 0, 0, z), "z", density=rho)
+        return own.about(CONE).reweighted(transfer=transfer).moments
+
+    return integral(thin_disk, 0, g.h)
+
+
+def solve(g):
+    return matrix(CONE, moments(g))
+
+
+def steps(g):
+    xx, _, zz = moments(g)
+    yield Step("rho", density(g), "kg/m^3", "density, with disks of the radius r z/h", "7.3")
+    yield Step("I_zz", zz, "kg*m^2", "integral of (r z/h)^2/2 dm", "7.3", "7.10")
+    yield Step("own", moments(g, transfer=0)[0], "kg*m^2",
+               "integral of (r z/h)^2/4 dm, of the disks about their own diameters",
+               "7.3", "7.10")  # fmt: skip
+    yield Step("I_xx", xx, "kg*m^2", "with the integral of z^2 dm added; I_yy is the same",
+               "7.8", "7.26")  # fmt: skip
+
+
+def prove(g):
+    """By tubes about the axis, from the side up to the base."""
+
+    def wall(place):
+        s = place[0] + g.r / 2
+        volume, low, length = tube(g, s)
+        return of_points(volume, raised(proofs.ring(s, order=2), length), [0, 0, low + length / 2])
+
+    rho = g.M / proofs.integral(lambda s: tube(g, s)[0], 0, g.r)
+    I = added((rho * g.r, proofs.mean(wall, proofs.box(g.r, 0, 0))))
+    return {"I_O": I, "rho": rho, "I_zz": I[2][2], "I_xx": I[0][0]}
+
+
+def mistakes(g):
+    xx, yy, zz = moments(g)
+    own = moments(g, transfer=0)
+    at_G = g.M * (3 * g.h / 4) ** 2
+    return {
+        "no_z": matrix(CONE, (own[0], own[1], zz)),
+        "at_G": matrix(CONE, (xx - at_G, yy - at_G, zz)),
+        "cylinder": matrix(CONE, moments(g, radius=lambda g, z: g.r)),
+    }
+
+
+def draw(g, ax):
+    cone.figure(g, ax)

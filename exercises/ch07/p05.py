@@ -1,0 +1,65 @@
+"""7/5: the inertia matrix of a plate with six holes."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.devices import plate_with_holes
+from exercises.devices.inertia import (
+    added,
+    answer,
+    no_products,
+    of_points,
+    together,
+    untransferred,
+    wrong_sign,
+)
+from exercises.devices.plate_with_holes import PLATE, parts, places
+from exercises.steps import Step
+
+
+def solve(g):
+    return answer(together(PLATE, *parts(g, g.sigma)))
+
+
+def steps(g):
+    (full,), holes = parts(g, g.sigma)
+    own = together(PLATE, [untransferred(PLATE, hole) for hole in holes])
+    yield Step("m_full", full.mass, "kg", "mass of the plate before the holes are cut", "7.10")
+    yield Step("I_full", full.about(PLATE).matrix, "kg*m^2", "its inertia matrix at O",
+               "7.8", "7.25")  # fmt: skip
+    yield Step("m_hole", holes[0].mass, "kg", "mass of what was in one hole", "7.10")
+    yield Step("I_own", own.matrix, "kg*m^2",
+               "inertia matrices of the six about their own centres, together", "7.10")  # fmt: skip
+    yield Step(
+        "I_holes",
+        together(PLATE, holes).matrix,
+        "kg*m^2",
+        "their inertia matrices at O, together, to be subtracted",
+        "7.8",
+        "7.25",
+    )
+
+
+def prove(g):
+    full = of_points(g.sigma * g.a * g.b, proofs.box(g.a, g.b, 0, order=2), [g.a / 2, g.b / 2, 0])
+    mass = g.sigma * mp.pi * g.r**2
+    rim = proofs.disk(g.r, order=2)
+    holes = added(*((mass, of_points(1, rim, [x, y, 0])) for x, y in places(g)))
+    return {"I_O": added((1, full), (-1, holes)), "I_full": full, "I_holes": holes}
+
+
+def mistakes(g):
+    (full,), holes = parts(g, g.sigma)
+    I = together(PLATE, [full], holes)
+    return {
+        "holes_not_transferred": answer(
+            together(PLATE, [full], [untransferred(PLATE, hole) for hole in holes])
+        ),
+        "holes_added": answer(together(PLATE, [full, *holes])),
+        "no_product": no_products(PLATE, I),
+        "plus_sign": wrong_sign(PLATE, I),
+    }
+
+
+def draw(g, ax):
+    plate_with_holes.figure(g, ax)

@@ -1,0 +1,46 @@
+"""7/7: the inertia matrix of a wire along an arc."""
+
+from exercises.devices import wire_arc
+from exercises.devices.inertia import added, matrix, turned
+from exercises.devices.wire_arc import WIRE, along, over
+from exercises.steps import Step
+from newton_euler import cos, sin
+
+
+def moments(g, start=None):
+    """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx), the wire beginning at the angle ``start``."""
+    xx = g.M * over(g, lambda theta: (g.R * cos(theta)) ** 2, start)
+    yy = g.M * over(g, lambda theta: (g.R * sin(theta)) ** 2, start)
+    xy = g.M * over(g, lambda theta: g.R * cos(theta) * (g.R * sin(theta)), start)
+    return (yy, xx, xx + yy), (xy, 0, 0)
+
+
+def solve(g):
+    return matrix(WIRE, *moments(g))
+
+
+def steps(g):
+    (xx, yy, zz), (xy, _, _) = moments(g)
+    yield Step("I_xx", xx, "kg*m^2", "integral of (R sin(theta))^2 M R dtheta", "7.3", "7.10")
+    yield Step("I_yy", yy, "kg*m^2", "integral of (R cos(theta))^2 M R dtheta", "7.3", "7.10")
+    yield Step("I_xy", xy, "kg*m^2", "zero, the wire being symmetric about x", "7.3", "7.10")
+    yield Step("I_zz", zz, "kg*m^2", "I_xx + I_yy, the wire being flat", "7.3", "7.10")
+
+
+def prove(g):
+    """By the slope of the line from (-R, 0) to the wire instead of an angle."""
+    I = added((g.M, along(g, turned)))
+    return {"I_O": I, "I_xx": I[0][0], "I_yy": I[1][1], "I_zz": I[2][2]}
+
+
+def mistakes(g):
+    (xx, yy, zz), _ = moments(g)
+    return {
+        "whole_mass": solve(g.but(M=g.M / (2 * g.R * g.alpha))),
+        "exchanged": matrix(WIRE, (yy, xx, zz)),
+        "from_0": matrix(WIRE, *moments(g, start=0)),
+    }
+
+
+def draw(g, ax):
+    wire_arc.figure(g, ax)

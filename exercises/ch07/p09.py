@@ -1,0 +1,62 @@
+"""7/9: the inertia matrix of an L-shaped block with a bore."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.devices import bored_bracket
+from exercises.devices.bored_bracket import BRACKET, block, parts
+from exercises.devices.inertia import (
+    added,
+    answer,
+    no_products,
+    of_points,
+    raised,
+    steps_of,
+    together,
+)
+
+
+def solve(g):
+    return answer(together(BRACKET, *parts(g, g.rho)))
+
+
+def steps(g):
+    units = {"mass": "slug", "length": "in", "inertia": "slug*in^2"}
+    yield from steps_of(BRACKET, *parts(g, g.rho), **units)
+
+
+def prove(g):
+    def solid(x, z, middle):
+        points = proofs.box(x, g.l_y, z, order=2)
+        return of_points(g.rho * x * g.l_y * z, points, [x / 2, g.l_y / 2, middle])
+
+    base, wall = solid(g.l_x, g.h_b, g.h_b / 2), solid(g.t_w, g.h_w, g.h_b + g.h_w / 2)
+    hole = of_points(
+        g.rho * mp.pi * g.r_h**2 * g.h_b,
+        raised(proofs.disk(g.r_h, order=2), g.h_b),
+        [g.x_h, g.l_y / 2, g.h_b / 2],
+    )
+    return {
+        "I_O": added((1, base), (1, wall), (-1, hole)),
+        "I_base": base,
+        "I_wall": wall,
+        "I_hole": hole,
+    }
+
+
+def mistakes(g):
+    (base, wall), holes = parts(g, g.rho)
+
+    def with_wall(low, high):
+        return answer(together(BRACKET, [base, block(g, "wall", g.t_w, low, high, g.rho)], holes))
+
+    return {
+        "no_products": no_products(BRACKET, together(BRACKET, [base, wall], holes)),
+        "hole_added": answer(together(BRACKET, [base, wall, *holes])),
+        "wall_from_its_foot": with_wall(0, g.h_w),
+        "corner_twice": with_wall(0, g.h_b + g.h_w),
+    }
+
+
+def draw(g, ax):
+    bored_bracket.figure(g, ax)

@@ -1,0 +1,37 @@
+"""7/10: the inertia matrix of a figure of wire."""
+
+from exercises.devices import wire_figure
+from exercises.devices.inertia import along_path, answer, matrix, steps_of, together
+from exercises.devices.wire_figure import WIRE, parts, path
+from newton_euler.bodies import disk
+
+
+def solve(g):
+    return answer(together(WIRE, parts(g, g.lam)))
+
+
+def steps(g):
+    units = {"mass": "kg", "length": "mm", "inertia": "kg*m^2"}
+    yield from steps_of(WIRE, parts(g, g.lam), at_O=["diameter"], **units)
+
+
+def prove(g):
+    return {"I_O": along_path(g.lam, *path(g))}
+
+
+def mistakes(g):
+    half, diameter, leg = parts(g, g.lam)
+    I = together(WIRE, [half, diameter, leg])
+    sheet = disk(g.r, WIRE, "z", mass=half.mass)  # half of a disk of twice the mass has the same
+    xx, yy, zz = I.moments
+    near = leg.mass * g.r**2
+    return {
+        "leg_on_the_right": answer(together(WIRE, parts(g, g.lam, side=1))),
+        "half_disk": answer(together(WIRE, [sheet, diameter, leg])),
+        "no_distance": matrix(WIRE, (xx, yy - near, zz - near), I.products),
+        "no_diameter": answer(together(WIRE, [half, leg])),
+    }
+
+
+def draw(g, ax):
+    wire_figure.figure(g, ax)

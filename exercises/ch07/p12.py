@@ -1,0 +1,55 @@
+"""7/12: the inertia matrix of a disk with a hole beside its centre."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.devices import disk_with_hole
+from exercises.devices.disk_with_hole import DISK, parts, rim
+from exercises.devices.inertia import (
+    added,
+    answer,
+    matrix,
+    steps_of,
+    together,
+    turned,
+    untransferred,
+)
+
+
+def solve(g):
+    return answer(together(DISK, *parts(g, g.rho)))
+
+
+def steps(g):
+    units = {"mass": "kg", "length": "m", "inertia": "kg*m^2"}
+    yield from steps_of(DISK, *parts(g, g.rho), at_O=["full disk"], **units)
+
+
+def prove(g):
+    """In polar coordinates about the centre of the hole, from its rim to that of the disk."""
+
+    def ray(toward):
+        c, s, _ = toward
+        way = rim(g, c, s) - g.r
+        points = []
+        for share, (x, _, _) in proofs.box(way, 0, 0, order=2):
+            from_C = g.r + way / 2 + x
+            points.append((share * way * from_C, turned([g.e + from_C * c, from_C * s, 0])))
+        return added(*points)
+
+    return {"I_O": added((2 * mp.pi * g.rho, proofs.mean(ray, proofs.ring(1, order=40))))}
+
+
+def mistakes(g):
+    (full,), (hole,) = parts(g, g.rho)
+    xx, yy, zz = together(DISK, [full], [hole]).moments
+    transfer = hole.about(DISK).terms["transfer"].moments[1]
+    return {
+        "no_offset": answer(together(DISK, [full], [untransferred(DISK, hole)])),
+        "along_x_too": matrix(DISK, (xx - transfer, yy, zz)),
+        "hole_added": answer(together(DISK, [full, hole])),
+    }
+
+
+def draw(g, ax):
+    disk_with_hole.figure(g, ax)

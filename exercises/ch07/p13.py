@@ -1,0 +1,40 @@
+"""7/13: the inertia matrix of three welded rods of different lengths."""
+
+from exercises.devices import welded_rods
+from exercises.devices.inertia import (
+    along_path,
+    answer,
+    no_products,
+    steps_of,
+    together,
+    wrong_sign,
+)
+from exercises.devices.welded_rods import WELDED, parts, path
+
+
+def solve(g):
+    return answer(together(WELDED, parts(g, density=g.rho)))
+
+
+def steps(g):
+    units = {"mass": "kg", "length": "m", "inertia": "kg*m^2"}
+    yield from steps_of(WELDED, parts(g, density=g.rho), **units)
+
+
+def prove(g):
+    return {"I_O": along_path(g.rho, *path(g))}
+
+
+def mistakes(g):
+    I = together(WELDED, parts(g, density=g.rho))
+    third = g.rho * (g.b + g.c + g.L) / 3
+    return {
+        "third_at_the_bottom": answer(together(WELDED, parts(g, height=0, density=g.rho))),
+        "equal_masses": answer(together(WELDED, parts(g, mass=third))),
+        "no_product": no_products(WELDED, I),
+        "plus_sign": wrong_sign(WELDED, I),
+    }
+
+
+def draw(g, ax):
+    welded_rods.figure(g, ax)

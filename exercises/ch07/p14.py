@@ -1,0 +1,69 @@
+"""7/14: the inertia matrix of a bent plate with a hole and a round top."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.devices import bent_plate
+from exercises.devices.bent_plate import PART, parts
+from exercises.devices.inertia import (
+    added,
+    answer,
+    no_products,
+    of_points,
+    steps_of,
+    together,
+    untransferred,
+)
+from newton_euler.bodies import Body
+
+
+def solve(g):
+    return answer(together(PART, *parts(g)))
+
+
+def steps(g):
+    units = {"mass": "kg", "length": "mm", "inertia": "kg*m^2"}
+    yield from steps_of(PART, *parts(g), **units)
+
+
+def prove(g):
+    """The rectangles and the hole by their mass points, the round top by strips along y."""
+    radius = g.w / 2
+
+    def strip(up):
+        width = 2 * mp.sqrt(radius**2 - up**2)
+        return of_points(width, proofs.box(0, width, 0, order=2), [0, radius, g.h_v + up])
+
+    horizontal = of_points(
+        g.sigma * g.l_h * g.w, proofs.box(g.l_h, g.w, 0, order=2), [g.l_h / 2, radius, 0]
+    )
+    vertical = of_points(
+        g.sigma * g.w * g.h_v, proofs.box(0, g.w, g.h_v, order=2), [0, radius, g.h_v / 2]
+    )
+    top = added((g.sigma, proofs.integral(strip, 0, radius)))
+    hole = of_points(g.sigma * mp.pi * g.r_h**2, proofs.disk(g.r_h, order=2), [g.x_h, radius, 0])
+    return {
+        "I_O": added((1, horizontal), (1, vertical), (1, top), (-1, hole)),
+        "I_horizontal_rectangle": horizontal,
+        "I_vertical_rectangle": vertical,
+        "I_half_disk": top,
+        "I_hole": hole,
+    }
+
+
+def mistakes(g):
+    (flat, upright, top), holes = parts(g)
+    edge = PART.point("edge", 0, g.w / 2, g.h_v)
+    too_low = Body("half disk", top.mass, edge, top.inertia.moments, PART)
+    return {
+        "top_on_its_edge": answer(together(PART, [flat, upright, too_low], holes)),
+        "hole_not_transferred": answer(
+            together(PART, [flat, upright, top], [untransferred(PART, hole) for hole in holes])
+        ),
+        "no_products": no_products(PART, together(PART, *parts(g))),
+        "w_as_radius": answer(together(PART, *parts(g, radius=g.w))),
+    }
+
+
+def draw(g, ax):
+    bent_plate.figure(g, ax)

@@ -1,0 +1,58 @@
+"""7/15: the inertia matrix of four particles on light rods."""
+
+from exercises.devices import four_particles
+from exercises.devices.four_particles import masses, particles, places, rods
+from exercises.devices.inertia import answer, matrix, together, wrong_sign
+from exercises.proofs import cross, plus, rate, rot, scaled, times, transposed
+from exercises.steps import Step
+from newton_euler.bodies import particle
+
+
+def inertia(ground, pairs):
+    """The :class:`Inertia` at O of pairs (mass, point)."""
+    return together(ground, [particle(m, P) for m, P in pairs])
+
+
+def solve(g):
+    return answer(inertia(*particles(g)))
+
+
+def steps(g):
+    ground, (_, *others) = particles(g)
+    for m, P in others:
+        n = P.name[-1]
+        yield Step(f"r_{n}", P.position(ground), "m", f"position of particle {n}", "7.2")
+        yield Step(f"I_{n}", inertia(ground, [(m, P)]).matrix, "kg*m^2",
+                   f"inertia matrix of particle {n} at O", "7.2", "7.9")  # fmt: skip
+
+
+def prove(g):
+    """The columns are the angular momenta when all turn at unit rate about x, about y, about z."""
+
+    def momentum(axis):
+        def of_one(m, start):
+            v = rate(lambda t: times(rot(axis, t), start))
+            return scaled(m, cross(start, v))
+
+        return plus(*(of_one(m, list(at)) for m, at in zip(masses(g), places(g), strict=True)))
+
+    return {"I_O": transposed([momentum(axis) for axis in "xyz"])}
+
+
+def mistakes(g):
+    ground, parts = particles(g)
+    I = inertia(ground, parts)
+    xx, yy, zz = I.moments
+    half = (xx + yy + zz) / 2  # the sum of m (x^2 + y^2 + z^2)
+    from_before = [
+        (m, ground.point("P", *rod)) for (m, _), rod in zip(parts[1:], rods(g), strict=True)
+    ]
+    return {
+        "squares_of_the_axis": matrix(ground, (half - xx, half - yy, half - zz), I.products),
+        "from_the_one_before": answer(inertia(ground, [parts[0], *from_before])),
+        "plus_sign": wrong_sign(ground, I),
+    }
+
+
+def draw(g, ax):
+    four_particles.figure(g, ax)

@@ -1,0 +1,49 @@
+"""7/16: the inertia matrix of a plate under a parabola by integration."""
+
+from exercises import proofs
+from exercises.devices import parabola_plate
+from exercises.devices.inertia import added, matrix, of_points
+from exercises.devices.parabola_plate import height, start
+from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
+
+
+def moments(g, area):
+    """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx), when the mass is spread over this area."""
+    xx, yy, xy = (g.m / area * x for x in second_moments(g.a, height(g)))
+    return (yy, xx, xx + yy), (xy, 0, 0)
+
+
+def solve(g):
+    return matrix(PLATE, *moments(g, area(g.a, height(g))))
+
+
+def steps(g):
+    yield from steps_to_inertia(g.a, height(g), g.m)
+
+
+def prove(g):
+    """By horizontal strips, from the parabola to x = a."""
+
+    def width(y):
+        return g.a - start(g, y)
+
+    def strip(y):
+        rod = proofs.box(width(y), 0, 0, order=2)
+        return of_points(width(y), rod, at=[g.a - width(y) / 2, y, 0])
+
+    sigma = g.m / proofs.integral(width, 0, g.b)
+    I = added((sigma, proofs.integral(strip, 0, g.b)))
+    return {"I_O": I, "sigma": sigma, "I_zz": I[2][2], "I_xy": -I[0][1]}
+
+
+def mistakes(g):
+    (xx, yy, zz), (xy, _, _) = moments(g, area(g.a, height(g)))
+    return {
+        "strip_at_its_top": matrix(PLATE, (3 * xx, yy, 3 * xx + yy), (xy, 0, 0)),
+        "full_rectangle": matrix(PLATE, *moments(g, g.a * g.b)),
+        "plus_sign": matrix(PLATE, (xx, yy, zz), (-xy, 0, 0)),
+    }
+
+
+def draw(g, ax):
+    parabola_plate.figure(g, ax)

@@ -1,0 +1,41 @@
+"""The cone of 5/4 and 7/4: it stands on its apex O and opens along z."""
+
+import math
+
+from mpmath import mp
+
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+CONE = Frame("cone")
+
+
+def radius(g, z):
+    return g.r * z / g.h
+
+
+def tube(g, s):
+    """Proof, of the thin tube of radius s about the axis: its volume per ds, the height at which it
+    begins, on the side, and its length up to the base.
+    """
+    low = g.h * s / g.r
+    return 2 * mp.pi * s * (g.h - low), low, g.h - low
+
+
+def figure(g, ax):
+    """The side is drawn by its outline alone, so that the disk in it is seen."""
+    azimuth, elevation = -60, 18
+    s = Sketch(ax, CONE, azimuth=azimuth, elevation=elevation)
+    O, top, end = (0, 0, 0), (0, 0, g.h), (g.r, 0, g.h)
+    z = 0.55 * g.h
+    s.disk((0, 0, z), CONE.k, radius(g, z), thickness=0.05 * g.h)
+    s.ring(top, CONE.k, g.r)
+    # there one looks along the side
+    aside = math.acos(g.r / g.h * math.tan(math.radians(elevation)))
+    for angle in (math.radians(azimuth) - aside, math.radians(azimuth) + aside):
+        s.line(O, (g.r * math.cos(angle), g.r * math.sin(angle), g.h), style="solid")
+    s.axes(O, CONE, length=1.3 * g.h)
+    s.dimension(top, end, label="r", offset=0)
+    s.dimension((g.r, 0, 0), end, label="h")
+    s.label((radius(g, z), 0, z), "dz", bold=False)
+    s.label(O, "O")

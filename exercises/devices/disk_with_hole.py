@@ -1,0 +1,34 @@
+"""The disk of 5/12 and 7/12: about O, with a hole whose centre is on x."""
+
+from mpmath import mp
+
+from newton_euler import Frame
+from newton_euler.bodies import disk
+from newton_euler.drawing import Sketch
+
+DISK = Frame("disk")
+
+
+def parts(g, density=1):
+    """The full disk and the hole."""
+    full = disk(g.R, DISK, "z", density=density, name="full disk")
+    return [full], [disk(g.r, DISK.point("C", g.e, 0, 0), "z", density=density, name="hole")]
+
+
+def rim(g, c, s):
+    """Proof, the way from the centre of the hole to the rim of the disk, in the direction whose
+    cosine and sine are c and s.
+    """
+    return mp.sqrt(g.R**2 - (g.e * s) ** 2) - g.e * c
+
+
+def figure(g, ax):
+    s = Sketch(ax, DISK, plane="xy")
+    O, C = (0, 0, 0), (g.e, 0, 0)
+    s.axes(O, DISK, length=1.3 * g.R, labels=["x", "y", ""])
+    s.plate(s.around(O, (g.R, 0, 0), DISK.k), [s.around(C, (g.e + g.r, 0, 0), DISK.k)])
+    s.dot(C)
+    s.dimension(O, (-0.8 * g.R, 0.6 * g.R, 0), label="R", offset=0)
+    s.dimension(C, (g.e + 0.6 * g.r, 0.8 * g.r, 0), label="r", offset=0)
+    s.dimension(O, C, label="e", offset=-1.3 * g.r)
+    s.label(O, "O")

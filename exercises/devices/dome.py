@@ -1,0 +1,38 @@
+"""The hemispherical shell of 5/8 and 7/8: its rim in the (x, y) plane about O, its top on z."""
+
+from mpmath import mp
+
+from newton_euler import Frame, cos, integral, pi, sin
+from newton_euler.drawing import Sketch
+
+SHELL = Frame("shell")
+
+
+def over_rings(g, f):
+    """The integral over the angle phi from z, of f(phi) for the ring there, a number or tuple."""
+    return integral(f, 0, pi(g.one) / 2)
+
+
+def area_of_ring(g, phi, width=None):
+    """Per dphi; ``width`` is R unless another one is given."""
+    return 2 * pi(g.one) * (g.R * sin(phi)) * (g.R if width is None else width)
+
+
+def shadow(g, s):
+    """Proof, the area of the shell per ds over the circle of radius s in the plane of the rim, and
+    its height: it is steeper than that plane by the factor R/z.
+    """
+    z = mp.sqrt(g.R**2 - s**2)
+    return 2 * mp.pi * s * g.R / z, z
+
+
+def figure(g, ax):
+    s = Sketch(ax, SHELL, azimuth=-60, elevation=20)
+    O, end = (0, 0, 0), (-0.6 * g.R, -0.8 * g.R, 0)
+    s.hemisphere(O, SHELL.k, g.R, open=True)
+    for phi in (0.75, 0.82):
+        # a little outside, so that it is seen
+        s.ring((0, 0, g.R * cos(phi)), SHELL.k, 1.01 * g.R * sin(phi))
+    s.axes(O, SHELL, length=1.5 * g.R)
+    s.dimension(O, end, label="R", offset=0)
+    s.label(O, "O")

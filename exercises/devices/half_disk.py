@@ -1,0 +1,31 @@
+"""The half disk of 5/6 and 7/6: its straight edge along x, its middle at O, its arc at y > 0."""
+
+from mpmath import mp
+
+from newton_euler import Frame, integral, pi
+from newton_euler.drawing import Sketch
+
+DISK = Frame("disk")
+
+
+def in_polar(g, power, f, element=lambda r: r):
+    """The integral over the area of r^power f(theta), f a tuple of functions: over r times over
+    theta; ``element`` is the area per dr dtheta.
+    """
+    over_r = integral(lambda r: element(r) * r**power, 0, g.R)
+    over_theta = integral(f, 0, pi(g.one))
+    return tuple(over_r * x for x in over_theta)
+
+
+def top(g, x):
+    """Proof, the height of the arc."""
+    return mp.sqrt(g.R**2 - x**2)
+
+
+def figure(g, ax):
+    s = Sketch(ax, DISK, plane="xy")
+    O, end = (0, 0, 0), (g.R, 0, 0)
+    s.axes(O, DISK, length=1.35 * g.R, labels=["x", "y", ""])
+    s.plate(s.around(O, end, DISK.k, 3.14159265))
+    s.dimension(O, end, label="R")
+    s.label(O, "O")

@@ -1,0 +1,26 @@
+"""The plate of 5/16 and 7/16: between the x axis, a parabola with its vertex at O, and x = a."""
+
+from mpmath import mp
+
+from exercises.devices.plate_under_curve import PLATE
+from newton_euler.drawing import Sketch
+
+
+def height(g):
+    return lambda x: g.b * x**2 / g.a**2
+
+
+def start(g, y):
+    """Proof, where the horizontal strip at this height, which ends at x = a, begins."""
+    return g.a * mp.sqrt(y / g.b)
+
+
+def figure(g, ax):
+    s = Sketch(ax, PLATE, plane="xy")
+    O, end = (0, 0, 0), (g.a, 0, 0)
+    edge = [(g.a * n / 40, height(g)(g.a * n / 40), 0) for n in range(41)]
+    s.axes(O, PLATE, length=1.3 * max(g.a, g.b), labels=["x", "y", ""])
+    s.plate([*edge, end])
+    s.dimension(O, end, label="a")
+    s.dimension(end, edge[-1], label="b")
+    s.label(O, "O")

@@ -1,0 +1,59 @@
+"""A thin plate between the x axis, a curve y = height(x) above it, and a vertical line or a zero of
+the curve: its integrals over vertical strips (5/1, 5/16, 7/1, 7/16).
+"""
+
+from exercises.steps import Step
+from newton_euler import Frame, integral
+
+PLATE = Frame("plate")
+
+
+def over_strips(end, height, f):
+    """The integral over vertical strips: of f(x, y) dx from O to ``end``, y the height there."""
+    return integral(lambda x: f(x, height(x)), 0, end)
+
+
+def area(end, height):
+    return over_strips(end, height, lambda x, y: y)
+
+
+def first_moments(end, height):
+    """The integrals of x and of y over the area."""
+    return (
+        over_strips(end, height, lambda x, y: x * y),
+        over_strips(end, height, lambda x, y: y * y / 2),
+    )
+
+
+def second_moments(end, height):
+    """The integrals of x^2, y^2 and x y over the area."""
+    return (
+        over_strips(end, height, lambda x, y: x**2 * y),
+        over_strips(end, height, lambda x, y: y**3 / 3),
+        over_strips(end, height, lambda x, y: x * y**2 / 2),
+    )
+
+
+def centre(area, first_x, first_y):
+    """The answer of chapter 5, from the area and its first moments."""
+    return {"d": PLATE.vector(first_x / area, first_y / area, 0)}
+
+
+def steps_to_centre(end, height):
+    first_x, first_y = first_moments(end, height)
+    yield Step("area", area(end, height), "m^2", "area of the plate, the integral of y dx", "5.4")
+    yield Step("Q_x", first_x, "m^3", "integral of x y dx", "5.4", "5.13")
+    yield Step("Q_y", first_y, "m^3", "integral of y/2 y dx, strips having their centre at y/2",
+               "5.4", "5.13")  # fmt: skip
+
+
+def steps_to_inertia(end, height, mass):
+    """Towards the inertia matrix at O of a plate of this mass."""
+    A = area(end, height)
+    xx, yy, xy = (mass / A * x for x in second_moments(end, height))
+    yield Step("area", A, "m^2", "area of the plate, the integral of y dx", "7.3")
+    yield Step("sigma", mass / A, "kg/m^2", "mass per unit area", "7.3")
+    yield Step("I_xx", yy, "kg*m^2", "integral of y^2 dm, of each strip y^2/3 dm", "7.3", "7.10")
+    yield Step("I_yy", xx, "kg*m^2", "integral of x^2 dm", "7.3", "7.10")
+    yield Step("I_xy", xy, "kg*m^2", "integral of x y dm, of each strip x y/2 dm", "7.3", "7.10")
+    yield Step("I_zz", xx + yy, "kg*m^2", "I_xx + I_yy, the plate being flat", "7.3", "7.10")

@@ -1,0 +1,37 @@
+"""The satellite of 5/2 and 7/2: two spheres that touch, the larger about O, x through both."""
+
+from exercises import proofs
+from newton_euler import Frame
+from newton_euler.bodies import sphere
+from newton_euler.drawing import Sketch
+
+SATELLITE = Frame("satellite")
+
+
+def parts(g, distance=None, shape=sphere):
+    far = SATELLITE.point("centre", g.R1 + g.R2 if distance is None else distance, 0, 0)
+    return [
+        shape(g.R1, SATELLITE, mass=g.m1, name="larger sphere"),
+        shape(g.R2, far, mass=g.m2, name="smaller sphere"),
+    ]
+
+
+def spheres(g):
+    """Proof, of each sphere its mass, its mass points and the place of its centre."""
+    return [
+        (g.m1, proofs.ball(g.R1, order=2), [0, 0, 0]),
+        (g.m2, proofs.ball(g.R2, order=2), [g.R1 + g.R2, 0, 0]),
+    ]
+
+
+def figure(g, ax):
+    s = Sketch(ax, SATELLITE, plane="xz")
+    O, C = (0, 0, 0), (g.R1 + g.R2, 0, 0)
+    s.sphere(O, g.R1)
+    s.sphere(C, g.R2)
+    s.axes(O, SATELLITE, length=1.35 * (g.R1 + g.R2), labels=["x", "", "z"])
+    s.dot(O)
+    s.dot(C)
+    s.dimension(O, (-0.6 * g.R1, 0, 0.8 * g.R1), label="$R_1$", offset=0)
+    s.dimension(C, (g.R1 + 1.6 * g.R2, 0, 0.8 * g.R2), label="$R_2$", offset=0)
+    s.label(O, "O")

@@ -1,0 +1,38 @@
+"""The plate of 5/1 and 7/1: a right triangle with its legs along x and y from O."""
+
+from mpmath import mpf
+
+from exercises import proofs
+from exercises.devices.plate_under_curve import PLATE
+from newton_euler.drawing import Sketch
+
+
+def height(g):
+    return lambda x: g.h * (1 - x / g.b)
+
+
+def area_points(g):
+    """Proof, pairs (area, place): a square moved to the triangle, its lower edge to O, its upper
+    edge to the hypotenuse.
+    """
+    half = 1 / mpf(2)
+    points = []
+    for share, (x, y, _) in proofs.box(1, 1, 0):
+        u, v = x + half, y + half
+        points.append((share * g.b * g.h * v, [v * g.b * (1 - u), v * g.h * u, 0]))
+    return points
+
+
+def figure(g, ax):
+    s = Sketch(ax, PLATE, plane="xy")
+    O, B, H = (0, 0, 0), (g.b, 0, 0), (0, g.h, 0)
+    s.axes(O, PLATE, length=1.3 * max(g.b, g.h), labels=["x", "y", ""])
+    s.plate([O, B, H])
+    x, end = 0.4 * g.b, 0.45 * g.b
+    top = height(g)
+    strip = [(x, 0, 0), (end, 0, 0), (end, top(end), 0), (x, top(x), 0)]
+    s.plate(strip, shade="dark")
+    s.dimension(O, B, label="b")
+    s.dimension(O, H, label="h")
+    s.dimension((x, 0.3 * g.h, 0), (end, 0.3 * g.h, 0), label="dx", offset=0)
+    s.label(O, "O")

@@ -1,0 +1,52 @@
+"""The rods of 5/13 and 7/13: from O one along y and one up to C, from C one parallel to x."""
+
+from newton_euler import Frame
+from newton_euler.bodies import simplex
+from newton_euler.drawing import Sketch
+
+WELDED = Frame("welded")
+
+
+def ends(g, height=None):
+    """O, the end B of the first rod, the end C of the second, and start and end of the third, which
+    is at the ``height``.
+    """
+    height = g.c if height is None else height
+    return (
+        WELDED.point("O", 0, 0, 0),
+        WELDED.point("B", 0, g.b, 0),
+        WELDED.point("C", 0, 0, g.c),
+        WELDED.point("S", 0, 0, height),
+        WELDED.point("E", g.L, 0, height),
+    )
+
+
+def parts(g, height=None, **matter):
+    """Three bodies; ``matter`` is ``density`` or ``mass``, the same for all; default: density 1."""
+    O, B, C, S, E = ends(g, height)
+    matter = matter or {"density": 1}
+    names = ("first rod", "second rod", "third rod")
+    pairs = zip(names, ((O, B), (O, C), (S, E)), strict=True)
+    return [simplex(P, Q, name=name, **matter) for name, (P, Q) in pairs]
+
+
+def path(g):
+    """Proof, from the end of the first rod through O to the end of the third: the place after a way
+    s, the whole way, and where it has corners.
+    """
+
+    def place(s):
+        return [max(s - g.b - g.c, 0), max(g.b - s, 0), min(max(s - g.b, 0), g.c)]
+
+    return place, g.b + g.c + g.L, (g.b, g.b + g.c)
+
+
+def figure(g, ax):
+    s = Sketch(ax, WELDED, azimuth=-60, elevation=22)
+    O, B, C, _, E = ends(g)
+    s.axes(O, WELDED, length=1.3 * max(g.b, g.c))
+    for P, Q, text in ((O, B, "b"), (O, C, "c"), (C, E, "L")):
+        s.rod(P, Q)
+        s.dimension(P, Q, label=text)
+    s.label(O, "O")
+    s.label(C, "C")

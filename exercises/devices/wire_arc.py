@@ -1,0 +1,47 @@
+"""The wire of 5/7 and 7/7: an arc about O, from the angle -alpha to alpha."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.proofs.digits import weighted
+from newton_euler import Frame, cos, integral, sin
+from newton_euler.drawing import Sketch
+
+WIRE = Frame("wire")
+
+
+def over(g, f, start=None):
+    """The integral of f(theta) R dtheta along the wire."""
+    return integral(lambda theta: f(theta) * g.R, -g.alpha if start is None else start, g.alpha)
+
+
+def along(g, f):
+    """Proof, the integral of f(place) ds along the wire, f a list or matrix: by the slope of the
+    line from (-R, 0) to the wire, u = y/(R + x), in which the circle is a fraction of polynomials;
+    the way along it is from the rates of x and y.
+    """
+
+    def per_slope(u):
+        def place(t):
+            v = u + t
+            return [g.R * (1 - v * v) / (1 + v * v), 2 * g.R * v / (1 + v * v), 0]
+
+        ds = proofs.size(proofs.rate(place))
+        return weighted([ds], [f(place(0))])
+
+    steepest = mp.sin(g.alpha) / (1 + mp.cos(g.alpha))
+    return proofs.integral(per_slope, -steepest, steepest)
+
+
+def figure(g, ax):
+    s = Sketch(ax, WIRE, plane="xy")
+    O = (0, 0, 0)
+    low = (g.R * cos(g.alpha), -g.R * sin(g.alpha), 0)
+    high = (g.R * cos(g.alpha), g.R * sin(g.alpha), 0)
+    s.axes(O, WIRE, length=1.35 * g.R, labels=["x", "y", ""])
+    s.wire(s.around(O, low, WIRE.k, 2 * g.alpha))
+    for end in (low, high):
+        s.line(O, end)
+        s.arc(O, (g.R, 0, 0), end, label=r"$\alpha$")
+    s.dimension(O, (g.R * cos(0.4 * g.alpha), g.R * sin(0.4 * g.alpha), 0), label="R", offset=0)
+    s.label(O, "O")

@@ -1,0 +1,49 @@
+"""The wire of 5/10 and 7/10: a half circle about O, its diameter along x, and a leg up from the
+left end.
+"""
+
+from mpmath import mp
+
+from newton_euler import Frame
+from newton_euler.bodies import half_ring, rod
+from newton_euler.drawing import Sketch
+
+WIRE = Frame("wire")
+
+
+def parts(g, density=1, side=-1):
+    """Half circle, diameter, leg; ``side`` is that of the leg."""
+    leg = WIRE.point("leg", side * g.r, 0, g.c / 2)
+    return [
+        half_ring(g.r, WIRE, "z", "y", density=density, name="half circle"),
+        rod(2 * g.r, WIRE, "x", density=density, name="diameter"),
+        rod(g.c, leg, "z", density=density, name="leg"),
+    ]
+
+
+def path(g):
+    """Proof, down the leg, along the diameter and back round the half circle: the place after a
+    way s, the whole way, and where it has corners.
+    """
+    foot, bend = g.c, g.c + 2 * g.r
+
+    def place(s):
+        if s < foot:
+            return [-g.r, 0, g.c - s]
+        if s < bend:
+            return [s - foot - g.r, 0, 0]
+        turned = (s - bend) / g.r
+        return [g.r * mp.cos(turned), g.r * mp.sin(turned), 0]
+
+    return place, bend + mp.pi * g.r, (foot, bend)
+
+
+def figure(g, ax):
+    s = Sketch(ax, WIRE, azimuth=-60, elevation=25)
+    O, left, right = (0, 0, 0), (-g.r, 0, 0), (g.r, 0, 0)
+    s.axes(O, WIRE, length=1.6 * g.r)
+    s.wire(s.around(O, right, WIRE.k, 3.14159265))
+    s.wire([right, left, (-g.r, 0, g.c)])
+    s.dimension(O, right, label="r")
+    s.dimension(left, (-g.r, 0, g.c), label="c")
+    s.label(O, "O")
