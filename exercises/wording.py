@@ -14,13 +14,17 @@ RELATIVE_MOTION = {
 }
 
 
-def term_text(name, equation, problem=None):
-    """A term in the words of the problem, with its formula if it has one."""
+def term_text(name, equation, problem=None, latex=False):
+    """A term in the words of the problem, with its formula if it has one: as text or in LaTeX."""
     if (equation.kind, name) in RELATIVE_MOTION:
-        return RELATIVE_MOTION[equation.kind, name]
+        said = RELATIVE_MOTION[equation.kind, name]
+        return re.sub(r"\b([av])_r", r"$\\mathbf{\1}_r$", said) if latex else said
     if name in equation.terms:
-        said = name.replace("coriolis", "Coriolis").replace("euler", "Euler")
-        return f"the {said} term {equation.terms[name][0]}"
+        said, *of = name.split("_")  # coriolis_theta_phi, of two coordinates
+        said = {"coriolis": "Coriolis", "euler": "Euler"}.get(said, said)
+        whose = f" of {' and '.join(of)}," * bool(of)
+        formula = f"${equation.terms[name][1]}$" if latex else equation.terms[name][0]
+        return f"the {said} term{whose} {formula}"
     if not equation.kind.startswith("angular"):
         return f"the term {name}"
     if " x " not in name:

@@ -1,7 +1,9 @@
 """4/1: the handle of a screw-jack, by a frame that rises with the screw without turning."""
 
+from exercises.devices.moving_frame import seen_in
 from exercises.devices.screw_jack import figure, handle_in_time, rise, screw_in_nut
 from exercises.proofs import rate, second_rate, size
+from exercises.steps import Step
 
 
 def speed_and_acceleration(ground, rising, A):
@@ -15,9 +17,32 @@ def solve(g):
     return speed_and_acceleration(*screw_in_nut(g, rise(g), g.n))
 
 
+def steps(g):
+    ground, rising, A = screw_in_nut(g, rise(g), g.n)
+    yield Step("omega", g.n, "rad/s", "rate of the screw, 2 pi for each turn")
+    said = "speed at which B, on the axis at the height of A, rises: one lead in each turn"
+    yield Step("v_B", rise(g), "in/s", said)
+    frame = "the moving frame, which rises with B and does not turn"
+    yield from seen_in(rising, A, ground, "in", frame, "B, with x toward A and z up")
+    said = "velocity of A: v_B upward and v_r together, as the moving frame does not turn"
+    v = A.velocity(ground, via=rising).expressed_in(ground)
+    yield Step("v_A", v, "in/s", said, "4.8", "4.17")
+
+
 def prove(g):
     A = handle_in_time(g)
-    return {"speed": size(rate(A)), "acc_mag": size(second_rate(A))}
+
+    def seen(t):  # from the axis, at the height of A
+        return [*A(t)[:2], 0]
+
+    answers = {"speed": size(rate(A)), "acc_mag": size(second_rate(A))}
+    return answers | {
+        "v_B": rate(lambda t: A(t)[2]),
+        "r": seen(0),
+        "v_r": rate(seen),
+        "a_r": second_rate(seen),
+        "v_A": rate(A),
+    }
 
 
 def mistakes(g):

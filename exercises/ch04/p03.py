@@ -2,8 +2,10 @@
 
 from exercises.catalogue import in_frame
 from exercises.devices.boom import acceleration_without_cross_product
+from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.devices.robot_arm import figure, robot, tip_in_time
-from exercises.proofs import second_rate, size
+from exercises.proofs import rate, rot, second_rate, size, times
+from exercises.steps import terms
 
 
 def with_size(a):
@@ -15,12 +17,24 @@ def solve(g):
     return in_frame(ground, with_size(P.acceleration(ground, via=base)))
 
 
+def steps(g):
+    ground, base, P = robot(g)
+    yield from turning_of(base, ground, ground, "base", "the moving frame, fixed in the base,")
+    yield from seen_in(base, P, ground, "m", "the base", "O")
+    yield from terms(solve(g)["a"], "a", "m/s^2", "4.8")
+
+
 follows = {"acc_mag": lambda g, a: a.norm()}
 
 
 def prove(g):
-    a = second_rate(tip_in_time(g))
-    return {"a": a, "acc_mag": size(a)}
+    P = tip_in_time(g)
+
+    def seen(t):
+        return times(rot("z", -g.omega * t), P(t))
+
+    a = second_rate(P)
+    return {"a": a, "acc_mag": size(a), "v_r": rate(seen), "a_r": second_rate(seen)}
 
 
 def mistakes(g):

@@ -2,15 +2,17 @@
 
 from exercises.catalogue import in_frame
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
-from exercises.proofs import angular_velocity
+from exercises.proofs import angular_velocity, rate, rot, times
+from exercises.steps import Step, terms
 from newton_euler.algebra import ZERO
 from newton_euler.drawing import Sketch
 
 AXIS = "z"  # A is the first gear, above, B the second; C is the pinion
+NAMES = "OC", "C"
 
 
 def gear_C(cage_rate, spin):
-    ground, _, C = train(AXIS, cage_rate, spin)
+    ground, _, C = train(AXIS, cage_rate, spin, NAMES)
     return in_frame(ground, {"omega_C": C.angular_velocity(ground)})
 
 
@@ -18,18 +20,39 @@ def solve(g):
     return gear_C(*meshing_rates(g, AXIS, g.omega, ZERO))
 
 
+def steps(g):
+    OC_rate, spin = meshing_rates(g, AXIS, g.omega, ZERO)
+    ground, OC, _ = train(AXIS, OC_rate, spin, NAMES)
+    v_A = ground.rotate("A", AXIS, rate=g.omega).point("tooth", g.R, 0, g.r).velocity(ground)
+    v_C = OC.point("centre", g.R, 0, 0).velocity(ground).expressed_in(ground)
+    said = "velocity of the tooth of A that meshes with C, and of the highest point of C"
+    yield Step("v_A", v_A.expressed_in(ground), "m/s", said, "4.4", "4.11")
+    said = "velocity of the centre of C: half of this, as the lowest point of C is at rest"
+    yield Step("v_C", v_C, "m/s", said, "4.4", "4.11")
+    said = "rate at which the line OC goes round AB, the speed of the centre over R"
+    yield Step("omega_OC", OC_rate, "rad/s", said, "4.4")
+    said = "rate of C on the axis OC: at its lowest point r times this rate and v_C cancel"
+    yield Step("spin", spin, "rad/s", said, "4.4")
+    yield from terms(solve(g)["omega_C"], "omega_C", "rad/s", "4.9")
+
+
 def prove(g):
-    _, C = rolled(g, AXIS, g.omega, 0)
-    return {"omega_C": angular_velocity(C)}
+    OC, C = rolled(g, AXIS, g.omega, 0)
+    return {
+        "omega_C": angular_velocity(C),
+        "v_C": rate(lambda t: times(OC(t), [g.R, 0, 0])),
+        "omega_OC": angular_velocity(OC)[2],
+        "v_A": rate(lambda t: times(rot("z", g.omega * t), [g.R, 0, g.r])),
+    }
 
 
 def mistakes(g):
     right = solve(g)["omega_C"]
     return {
-        "spin_only": {"omega_C": right.without("cage")},
+        "spin_only": {"omega_C": right.without("OC")},
         "axis_as_fast_as_A": gear_C(g.omega, spin_against(g, AXIS, g.omega, 0, -1)),
         "axis_at_rest": gear_C(0, spin_against(g, AXIS, 0, g.omega, 1)),
-        "along_contact_with_A": {"omega_C": right.reweighted(pinion=-1)},
+        "along_contact_with_A": {"omega_C": right.reweighted(C=-1)},
     }
 
 

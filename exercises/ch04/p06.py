@@ -3,7 +3,9 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import rate
+from exercises.devices.moving_frame import turning_of
+from exercises.proofs import minus, rate
+from exercises.steps import Step, terms
 from newton_euler import Frame, cos, moving, pi, sin
 from newton_euler.drawing import Sketch
 
@@ -30,6 +32,17 @@ def solve(g):
     return in_frame(ground, {"v_P": P.velocity(ground)})
 
 
+def steps(g):
+    ground, rod, _ = roller_and_rod(g)
+    v_O = rod.origin.velocity(ground).expressed_in(ground)
+    yield Step("v_O", v_O, "ft/s", "velocity of O, down the plane", "4.8")
+    yield from turning_of(rod, ground, ground, "rod", "the moving frame, fixed in the rod,")
+    r = rod.vector(g.b, 0, 0).expressed_in(ground)
+    said = "position of P from A, which is on the axis of turning and moves as O does"
+    yield Step("r", r, "ft", said, "4.8", "4.16")
+    yield from terms(solve(g)["v_P"], "v_P", "ft/s", "4.8")
+
+
 def prove(g):
     def P(t):
         gone = g.u * t
@@ -39,7 +52,10 @@ def prove(g):
             1 - gone * mp.sin(g.incline),
         ]
 
-    return {"v_P": rate(P)}
+    def A(t):
+        return [g.u * t * mp.cos(g.incline), 0, 1 - g.u * t * mp.sin(g.incline)]
+
+    return {"v_P": rate(P), "v_O": rate(A), "r": minus(P(0), A(0))}
 
 
 def mistakes(g):

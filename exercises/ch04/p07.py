@@ -3,7 +3,9 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.proofs import rate, rot, second_rate, times, transposed
+from exercises.steps import Step, terms
 from newton_euler import Frame, at, cos, moving, sin
 from newton_euler.drawing import Sketch
 
@@ -31,15 +33,38 @@ def solve(g):
     return motion(g, flapping(g))
 
 
+def steps(g):
+    theta = flapping(g)
+    yield Step("theta", theta.value, "rad", "angle of the blade above the horizontal")
+    yield Step("theta_dot", theta.rate, "rad/s", "its rate")
+    yield Step("theta_ddot", theta.acceleration, "rad/s^2", "its second rate")
+    ground, shaft, tip = shaft_and_tip(g, theta)
+    yield from turning_of(shaft, ground, shaft, "shaft", "the moving frame, fixed in the shaft,")
+    yield from seen_in(shaft, tip, shaft, "m", "the shaft", "O")
+    for key, value in solve(g).items():
+        yield from terms(value, key, {"v_tip": "m/s"}.get(key, "m/s^2"), "4.8")
+
+
 def prove(g):
-    def tip(t):
+    def in_shaft(t):
         theta = g.theta_0 + g.theta_A * mp.sin(g.n * t)
-        return times(rot("z", g.omega * t), [g.L * mp.cos(theta), 0, g.L * mp.sin(theta)])
+        return [g.L * mp.cos(theta), 0, g.L * mp.sin(theta)]
+
+    def tip(t):
+        return times(rot("z", g.omega * t), in_shaft(t))
+
+    def theta(t):
+        x, _, z = in_shaft(t)
+        return mp.atan2(z, x)
 
     turned_back = transposed(rot("z", g.omega * g.t))
     return {
         "v_tip": times(turned_back, rate(tip, g.t)),
         "a_tip": times(turned_back, second_rate(tip, g.t)),
+        "theta_dot": rate(theta, g.t),
+        "theta_ddot": second_rate(theta, g.t),
+        "v_r": rate(in_shaft, g.t),
+        "a_r": second_rate(in_shaft, g.t),
     }
 
 

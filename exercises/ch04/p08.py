@@ -14,6 +14,7 @@ from exercises.proofs import (
     times,
     transposed,
 )
+from exercises.steps import Step, terms
 from newton_euler import Frame, moving
 from newton_euler.drawing import Sketch
 
@@ -62,6 +63,18 @@ def a_B(g, omega):
 
 
 follows = {"a_B": a_B}
+
+
+def steps(g):
+    ground, frame, B = line_AB(g)
+    AB, omega = ground.vector(g.L, 0, 0), frame.angular_velocity(ground).expressed_in(ground)
+    v_AB = B.velocity(ground).expressed_in(ground) - frame.origin.velocity(ground)
+    said = r"$\mathbf{v}_B - \mathbf{v}_A$, which is omega x r with r from A to B"
+    yield Step("v_AB", v_AB, "in/s", f"difference {said}", "4.4", "4.11")
+    said = r"the part of omega square to AB, $\hat\imath \times (\mathbf{v}_B - \mathbf{v}_A)/{L}$"
+    yield Step("omega_across", AB.cross(v_AB) / g.L**2, "rad/s", said, "4.4", "4.11")
+    yield Step("omega_along", omega.x * ground.i, "rad/s", "the part of omega along AB, its spin")
+    yield from terms(solve(g)["a_B"], "a_B", "in/s^2", "4.8")
 
 
 def prove(g):

@@ -3,7 +3,8 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import rate
+from exercises.proofs import plus, rate, scaled
+from exercises.steps import Step
 from newton_euler import Frame, cos, moving, pi, sin, solve_rates, sqrt
 from newton_euler.drawing import Sketch
 
@@ -44,17 +45,35 @@ def solve(g):
     return in_frame(ground, {"v_mid": M.velocity(ground)})
 
 
+def steps(g):
+    ground, A, B, _ = rod(g)
+    x, y = lower_end(g)
+    rho = sqrt(g.L**2 - g.z_1**2)
+    yield Step("rho", rho, "in", "distance of the lower end B from the origin, from the length L")
+    yield Step("x", x, "in", "x of B, on the ellipse and at this distance")
+    yield Step("y", y, "in", "y of B, likewise")
+    v_A, v_B = (P.velocity(ground).expressed_in(ground) for P in (A, B))
+    yield Step("v_A", v_A, "in/s", "velocity of the upper end A, given")
+    said = r"velocity of B, along the ellipse; $\mathbf{v}_B - \mathbf{v}_A$ is square to the rod"
+    yield Step("v_B", v_B, "in/s", said, "4.4", "4.11")
+
+
 def prove(g):
-    def middle(t):
+    def lower(t):
         z = g.z_1 + g.z_dot * t
 
         def too_long(phi):  # phi: eccentric angle of the lower end
             return (g.a * mp.cos(phi)) ** 2 + (g.b * mp.sin(phi)) ** 2 + z**2 - g.L**2
 
         phi = mp.findroot(too_long, (mp.mpf(0), mp.pi / 2), solver="anderson", maxsteps=200)
-        return [g.a * mp.cos(phi) / 2, g.b * mp.sin(phi) / 2, z / 2]
+        return [g.a * mp.cos(phi), g.b * mp.sin(phi), mp.mpf(0)]
 
-    return {"v_mid": rate(middle)}
+    def middle(t):
+        return scaled(mp.mpf(1) / 2, plus(lower(t), [0, 0, g.z_1 + g.z_dot * t]))
+
+    x, y, _ = lower(0)
+    found = {"x": x, "y": y, "rho": mp.hypot(x, y), "v_B": rate(lower)}
+    return {"v_mid": rate(middle)} | found
 
 
 def mistakes(g):

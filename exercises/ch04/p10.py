@@ -3,7 +3,8 @@
 from itertools import pairwise
 
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
-from exercises.proofs import angular_velocity, minus, times, transposed
+from exercises.proofs import angular_velocity, minus, rate, times, transposed
+from exercises.steps import Step
 from newton_euler.drawing import Sketch
 
 AXIS = "x"  # the gear of BB is the first, that of CC the second
@@ -15,13 +16,33 @@ def solve(g):
     )
 
 
+def steps(g):
+    ground, cage, _ = train(AXIS, solve(g)["Omega"], 0)
+    speeds = []
+    for n, side, turning, axle in (1, 1, g.omega_1, "BB"), (2, -1, g.omega_2, "CC"):
+        gear = ground.rotate("gear", AXIS, rate=turning)
+        speeds.append(gear.point("tooth", side * g.r, g.R, 0).velocity(ground).z)
+        said = f"velocity along z of the gear of {axle} where the +y pinion meshes with it"
+        yield Step(f"v_{n}", speeds[-1], "m/s", said, "4.4", "4.11")
+    v = cage.point("centre", 0, g.R, 0).velocity(ground).z
+    said = r"velocity along z of the centre of the +y pinion, $(v_1 + v_2)/2$, which is $\Omega R$"
+    yield Step("v_0", v, "m/s", said, "4.4", "4.11")
+    said = r"velocity of the tooth at the gear of BB against this centre, $v_1 - v_0 = -r \omega_A$"
+    yield Step("v_10", speeds[0] - v, "m/s", said, "4.4", "4.11")
+
+
 follows = {"omega_A": lambda g, Omega: spin_against(g, AXIS, Omega, g.omega_1, 1)}
 
 
 def prove(g):
     cage, pinion = rolled(g, AXIS, g.omega_1, g.omega_2)
     in_cage = minus(angular_velocity(pinion), angular_velocity(cage))
-    return {"Omega": angular_velocity(cage)[0], "omega_A": times(transposed(cage(0)), in_cage)[1]}
+    centre = rate(lambda t: times(cage(t), [0, g.R, 0]))[2]
+    return {
+        "Omega": angular_velocity(cage)[0],
+        "omega_A": times(transposed(cage(0)), in_cage)[1],
+        "v_0": centre,
+    }
 
 
 def mistakes(g):

@@ -3,7 +3,8 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_velocity, rot, times
+from exercises.proofs import angular_velocity, rate, rot, times
+from exercises.steps import Step, terms
 from newton_euler import Frame, cos, sin, solve_rates
 from newton_euler.drawing import Sketch
 
@@ -47,6 +48,18 @@ def solve(g):
     return rolling(g, -g.omega)
 
 
+def steps(g):
+    ground, A, B, on_A, on_B = cones(g, -g.omega)
+    for name, cone, contact, component in (
+        ("A", A, on_A, r"\omega_x \sin\beta_A - \omega_y \cos\beta_A"),
+        ("B", B, on_B, r"\omega_x \sin\beta_B + \omega_y \cos\beta_B"),
+    ):
+        v = cone.point("", *contact).velocity(ground).expressed_in(ground)
+        said = f"velocity of {name} and C where they touch, at the distance 1 from O; along z it is"
+        yield Step(f"v_{name}", v, "1/s", f"{said} ${component}$", "4.4", "4.11")
+    yield from terms(solve(g)["omega_C"], "omega_C", "rad/s", "4.9")
+
+
 def prove(g):
     """C's axis goes round x while C turns on it; equal arcs are laid off on C and on A, and on C
     and on B.
@@ -63,7 +76,14 @@ def prove(g):
     def C(t):
         return times(rot("x", round_x * t), rot("z", tilt), rot("x", spin * t))
 
-    return {"omega_C": angular_velocity(C)}
+    def on(axis_angle):
+        return [mp.cos(axis_angle), mp.sin(axis_angle), 0]
+
+    return {
+        "omega_C": angular_velocity(C),
+        "v_A": rate(lambda t: times(rot("x", g.omega * t), on(g.beta_A))),
+        "v_B": rate(lambda t: times(rot("x", -g.omega * t), on(mp.pi - g.beta_B))),
+    }
 
 
 def mistakes(g):

@@ -25,11 +25,11 @@ def coordinates(axis, along, across):
     return x
 
 
-def train(axis, cage_rate, spin):
+def train(axis, cage_rate, spin, names=("cage", "pinion")):
     """Ground, cage and pinion; the pinion turns in the cage about the next axis."""
     ground = Frame("ground")
-    cage = ground.rotate("cage", axis, rate=cage_rate)
-    return ground, cage, cage.rotate("pinion", next_axis(axis), rate=spin)
+    cage = ground.rotate(names[0], axis, rate=cage_rate)
+    return ground, cage, cage.rotate(names[1], next_axis(axis), rate=spin)
 
 
 def slip(g, axis, cage_rate, spin, gear_rate, side):

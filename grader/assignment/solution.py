@@ -3,7 +3,8 @@ other, the terms of each sum, the answers. Markdown.
 """
 
 from exercises.steps import steps
-from newton_euler.algebra.scalars import is_numeric
+from exercises.wording import term_text
+from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.vectors import Vector
 from newton_euler.classroom.notation import is_word, list_symbol, number_symbol, symbol, unit_symbol
 
@@ -17,16 +18,33 @@ def worked_solution(p, values, text=True):
     answers, notation = p.solve(values), p.notation
     lines = [statement(p, values, figure=False), "", "*Solution*", ""] if text else []
     found = steps(p, values)
-    for n, s in enumerate(found, 1):
+    shown = tuple(f"{key}_" for key, answer in answers.items() if _is_sum(answer))
+    listed = [s for s in found if not (s.term and s.key.startswith(shown))]
+    for n, s in enumerate(listed, 1):
         latex = symbol(s.key, s.is_vector)
         equation = _equation(latex, s.value, s.unit, notation)
-        lines.append(f"{n}. {_sentence(typeset(s.means, p))}{_where(s)}: {equation}")
+        lines.append(f"{n}. {_sentence(_means(s, p))}{_where(s)}: {equation}")
     lines += ["", *(line for a in p.answers for line in _answer(p, a, answers[a.key], found))]
     return "\n".join(lines)
 
 
+def _is_sum(answer):
+    """True if an answer is shown with a table of its terms, which are then no steps of the list."""
+    return isinstance(answer, Vector) and len(answer.terms) > 1
+
+
+def _means(step, p):
+    """What a step is, with formulas in LaTeX."""
+    if not step.term:
+        return typeset(step.means, p)
+    of = step.means.rpartition(", in ")[-1]  # the sum
+    words = typeset(term_text(*step.term, p, latex=True), p)
+    return f"{words}, in ${symbol(of, step.is_vector)}$"
+
+
 def _sentence(means):
-    return means[:1].upper() + means[1:]
+    """With a capital letter, but "x component of ..." as it is."""
+    return means if means[1:2] in (" ", "") else means[:1].upper() + means[1:]
 
 
 def _where(s):
@@ -70,32 +88,25 @@ def _answer(p, a, value, found):
     equation = _equation(latex, value, a.unit, p.notation)
     yield f"**{_sentence(typeset(a.means, p))}:** {equation}"
     yield ""
-    if isinstance(value, Vector) and len(value.terms) > 1:
+    if _is_sum(value):
         # in chapter 2 the equations have other numbers than in the engine
         own = [s.equation for s in found if s.term and s.key.startswith(f"{a.key}_")]
-        yield from _ledger(value.explain(), a.unit, p.notation, own[0] if own else "")
+        yield from _ledger(value.explain(), a.unit, p, own[0] if own else "")
         yield ""
 
 
-# v_B would be taken for the velocity of a point B of the problem
-_ORIGIN = {
-    ("velocity", "origin"): r"\mathbf{v}_{\text{origin}}",
-    ("acceleration", "origin"): r"\mathbf{a}_{\text{origin}}",
-}
-
-
-def _ledger(explained, unit, notation, number):
-    """The terms of a sum as a table: name, formula and value of each."""
-    where, number = explained.vector.frame.name, number or explained.equation.number
-    about = f"{explained.equation.kind} {explained.ledger.subject}"
-    yield f"*{_sentence(about)}, equation ({number}), components in {where}:*"
+def _ledger(explained, unit, p, number):
+    """The terms of an answer as a table, each in words and with its value. That a frame or a force
+    adds nothing is not said; that a term of an equation of relative motion is zero is.
+    """
+    equation = explained.equation
+    yield f"*By equation ({number or equation.number}) the sum of*"
     yield ""
-    yield "| term | formula | value |"
-    yield "| --- | --- | --- |"
-    for name, term in (*explained.terms.items(), ("sum", explained.vector)):
-        formula = explained.equation.terms.get(name, ("", ""))[1]
-        formula = _ORIGIN.get((explained.equation.kind, name), formula)
-        value = _latex(term, notation) + unit_symbol(unit)
-        cells = name, f"${formula}$" if formula else "", f"${value}$"
-        # a bar would end the cell
-        yield f"| {' | '.join(c.replace('|', chr(92) + 'vert ') for c in cells)} |"
+    yield "| term | value |"
+    yield "| --- | --- |"
+    for name, term in explained.terms.items():
+        if name in equation.terms or any(x != 0 for x in map(to_plain, term.c)):
+            words = typeset(term_text(name, equation, p, latex=True), p)
+            cells = words, f"${_latex(term, p.notation)}{unit_symbol(unit)}$"
+            # a bar would end the cell
+            yield f"| {' | '.join(c.replace('|', chr(92) + 'vert ') for c in cells)} |"

@@ -129,7 +129,25 @@ def test_a_problem_without_sums_has_no_steps_of_its_own():
 def test_a_worked_solution_cites_the_equation_of_its_chapter():
     p = problem("2/38")
     text = worked_solution(p, p.book_values)
-    assert "equation (2.25), components" in text
+    assert "*By equation (2.25) the sum of*" in text
     assert "(4.18)" not in text
     assert "{-0}" not in text
-    assert r"| origin | $\mathbf{a}_{\text{origin}}$ |" in text
+    assert "| the acceleration of the origin of the moving frame | $" in text
+
+
+def test_the_terms_of_an_answer_stand_in_its_table_and_not_among_the_steps_too():
+    p = problem("4/16")
+    text = worked_solution(p, p.book_values)
+    assert text.count("the Coriolis term") == 1
+    assert r"| the Coriolis term $2\boldsymbol{\omega}\times\mathbf{v}_r$ | $" in text
+    # a term that is zero is said to be so, of a frame that adds nothing nothing is said
+    assert "| the term $\\boldsymbol{\\alpha} \\times \\mathbf{r}$ | $\\left[0,\\ 0,\\ 0" in text
+    assert "| the turning of" not in text
+
+
+def test_the_terms_of_two_coordinates_are_said_in_words():
+    p = problem("3/26")
+    said = [s.means for s in steps(p, p.book_values)]
+    assert any(text.startswith("the Coriolis term of theta and phi, -2 R theta'") for text in said)
+    coriolis = r"Coriolis term of $\theta$ and $\phi$, $-2R\dot{\theta}\dot{\phi}\sin\phi\,"
+    assert coriolis in worked_solution(p, p.book_values)

@@ -1,0 +1,49 @@
+"""The steps that go before (4.17) and (4.18): how a frame turns, and what is seen in it of a point
+that moves.
+"""
+
+from exercises.steps import Step
+from exercises.wording import body_text
+from newton_euler.algebra.scalars import to_plain
+
+
+def turning_of(frame, ground, axes, name, said):
+    """omega and alpha of a frame, which ``said`` speaks of ("the arm"), along ``axes``; no alpha
+    that is zero.
+    """
+    omega = frame.angular_velocity(ground).expressed_in(axes)
+    alpha = frame.angular_acceleration(ground).expressed_in(axes)
+    within = body(ground)
+    yield Step(
+        f"omega_{name}", omega, "rad/s", f"angular velocity of {said} in {within}", "4.9", "4.22"
+    )
+    if not is_zero(alpha):
+        told = f"angular acceleration of {said} in {within}"
+        yield Step(f"alpha_{name}", alpha, "rad/s^2", told, "4.9", "4.25")
+
+
+def seen_in(frame, P, axes, length, said, start, r="r"):
+    """Place, velocity and acceleration of P in a frame with its origin at ``start``, along
+    ``axes``; ``length`` is the unit of lengths. What is zero is left out.
+    """
+    name = body_text(P.name)
+    place, v, a = (
+        x.expressed_in(axes) for x in (P.position(frame), P.velocity(frame), P.acceleration(frame))
+    )
+    yield Step(r, place, length, f"position of {name} from {start}", "4.8", "4.16")
+    if not is_zero(v):
+        told = f"velocity of {name} as seen from {said}"
+        yield Step("v_r", v, f"{length}/s", told, "4.8", "4.17")
+    if not is_zero(a):
+        told = f"acceleration of {name} as seen from {said}"
+        yield Step("a_r", a, f"{length}/s^2", told, "4.8", "4.18")
+
+
+def body(frame):
+    """A frame in a sentence: "the ground", but "space"."""
+    return "space" if frame.name == "space" else f"the {frame.name}"
+
+
+def is_zero(vector):
+    """True if all components are the number zero, and not only for some values."""
+    return all(x == 0 for x in map(to_plain, vector.c))
