@@ -305,10 +305,15 @@ class Problem:
         }
 
     def formulas(self):
-        """The answers with every symbol as a SymPy symbol and the givens of the book as numbers."""
+        """The answers with every symbol as a SymPy symbol and the givens of the book as numbers;
+        exact ones beside symbols, 3/2 for 1.5.
+        """
         import sympy
 
-        return self.solve({**self.book_values, **self.sympy_symbols()}, sympy.Integer(1))
+        given = self.book_values
+        if self.symbolic:
+            given = {n: sympy.Rational(str(x)) for n, x in given.items()}
+        return self.solve({**given, **self.sympy_symbols()}, sympy.Integer(1))
 
     def sympy_symbols(self):
         """A SymPy symbol for each symbol of the text: real, and positive where its range is."""

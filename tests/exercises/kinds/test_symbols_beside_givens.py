@@ -6,6 +6,7 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
+import sympy
 
 from exercises import problem, variants
 from exercises.catalogue import Answer, CatalogueError, Given, Symbol
@@ -174,3 +175,8 @@ def test_a_number_beside_formulas_is_one_number():
     assert [x.verdict for x in parts] == ["right", "right"]
     wrong = score_receipt(p, p.book_values, {"answers": {"dudt_1": [8, 11, 3]}}).parts[1]
     assert wrong.diagnosis.startswith("keeps the constant along j")
+
+
+def test_formulas_have_the_numbers_of_the_book_exactly(made):
+    p = made(solve, no_half, givens={"a": Given("a", 1.5, "m/s^2", "acceleration", (1.0, 3.0))})
+    assert p.formulas()["h"] == sympy.Rational(3, 4) * p.sympy_symbols()["t"] ** 2
