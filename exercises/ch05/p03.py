@@ -1,22 +1,8 @@
 """5/3: the centre of mass of a block and a cylinder that stands on it."""
 
+from exercises.devices import block_with_cylinder
+from exercises.devices.block_with_cylinder import BLOCK, parts
 from exercises.devices.put_together import centre, chord, sliced, steps_of, unweighed
-from newton_euler import Frame
-from newton_euler.bodies import box, cylinder
-from newton_euler.drawing import Sketch
-
-BLOCK = Frame("block")
-
-
-def parts(g, foot=None):
-    """``foot`` is the height on which the cylinder stands."""
-    foot = g.c if foot is None else foot
-    middle = BLOCK.point("middle", g.a / 2, g.b / 2, g.c / 2)
-    axis = BLOCK.point("axis", g.x_c, g.b / 2, foot + g.l_c / 2)
-    return [
-        box(g.a, g.b, g.c, middle, "x", density=1, name="block"),
-        cylinder(g.r_c, g.l_c, axis, "z", density=1, name="cylinder"),
-    ]
 
 
 def solve(g):
@@ -45,18 +31,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = Sketch(ax, BLOCK, azimuth=-120, elevation=22)
-    O, foot, top = (0, 0, 0), (g.x_c, g.b / 2, g.c), (g.x_c, g.b / 2, g.c + g.l_c)
-    right = (0.87 * g.r_c, -0.5 * g.r_c, 0)  # to the right as seen
-    s.box((g.a / 2, g.b / 2, g.c / 2), BLOCK, (g.a, g.b, g.c))
-    s.cylinder(foot, top, g.r_c)
-    s.axes(O, BLOCK, length=1.25 * g.a)
-    s.label(O, "O")
-    s.dimension(O, (g.a, 0, 0), label="a")
-    s.dimension(O, (0, g.b, 0), label="b")
-    s.dimension((g.a, 0, 0), (g.a, 0, g.c), label="c")
-    side = [tuple(x + y for x, y in zip(P, right, strict=True)) for P in (foot, top)]
-    s.dimension(*side, label="$l_c$")
-    s.dimension(top, side[1], label="$r_c$", offset=0)
-    s.line((g.x_c, 0, g.c), foot)
-    s.dimension((0, 0, g.c), (g.x_c, 0, g.c), label="$x_c$", offset=0)
+    block_with_cylinder.figure(g, ax)

@@ -1,19 +1,10 @@
 """5/4: the centre of mass of a cone by integration."""
 
-import math
-
-from mpmath import mp
-
 from exercises import proofs
+from exercises.devices import cone
+from exercises.devices.cone import CONE, radius, tube
 from exercises.steps import Step
-from newton_euler import Frame, integral, pi
-from newton_euler.drawing import Sketch
-
-CONE = Frame("cone")
-
-
-def radius(g, z):
-    return g.r * z / g.h
+from newton_euler import integral, pi
 
 
 def moments(g, radius=radius):
@@ -43,9 +34,8 @@ def prove(g):
     """By tubes about the axis: that of the radius s goes from the side up to the base."""
 
     def tubes(s):
-        low = g.h * s / g.r
-        wall = 2 * mp.pi * s
-        return [wall * (g.h - low), wall * (g.h**2 - low**2) / 2]
+        volume, low, length = tube(g, s)
+        return [volume, volume * (low + length / 2)]
 
     volume, first_z = proofs.integral(tubes, 0, g.r)
     return {"d": [0, 0, first_z / volume], "volume": volume, "Q_z": first_z}
@@ -60,19 +50,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    """The side is drawn by its outline alone, so that the disk in it is seen."""
-    azimuth, elevation = -60, 18
-    s = Sketch(ax, CONE, azimuth=azimuth, elevation=elevation)
-    O, top, end = (0, 0, 0), (0, 0, g.h), (g.r, 0, g.h)
-    z = 0.55 * g.h
-    s.disk((0, 0, z), CONE.k, radius(g, z), thickness=0.05 * g.h)
-    s.ring(top, CONE.k, g.r)
-    # there one looks along the side
-    aside = math.acos(g.r / g.h * math.tan(math.radians(elevation)))
-    for angle in (math.radians(azimuth) - aside, math.radians(azimuth) + aside):
-        s.line(O, (g.r * math.cos(angle), g.r * math.sin(angle), g.h), style="solid")
-    s.axes(O, CONE, length=1.3 * g.h)
-    s.dimension(top, end, label="r", offset=0)
-    s.dimension((g.r, 0, 0), end, label="h")
-    s.label((radius(g, z), 0, z), "dz", bold=False)
-    s.label(O, "O")
+    cone.figure(g, ax)

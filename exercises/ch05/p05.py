@@ -1,22 +1,9 @@
 """5/5: the centre of mass of a plate with six holes."""
 
+from exercises.devices import plate_with_holes
+from exercises.devices.plate_with_holes import PLATE, parts
 from exercises.devices.put_together import centre, chord, sliced, sums
 from exercises.steps import Step
-from newton_euler import Frame
-from newton_euler.bodies import disk, plate
-from newton_euler.drawing import Sketch
-
-PLATE = Frame("plate")
-
-
-def places(g):
-    return [(x, y) for y in (g.y1, g.y2) for x in (g.x1, g.x2, g.x3)]
-
-
-def parts(g):
-    full = plate(g.a, g.b, PLATE.point("middle", g.a / 2, g.b / 2, 0), "z", density=1)
-    holes = [disk(g.r, PLATE.point("hole", x, y, 0), "z", density=1) for x, y in places(g)]
-    return [full], holes
 
 
 def solve(g):
@@ -56,18 +43,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = Sketch(ax, PLATE, plane="xy")
-    O, A, B, C = (0, 0, 0), (g.a, 0, 0), (0, g.b, 0), (g.a, g.b, 0)
-    rims = [s.around((x, y, 0), (x + g.r, y, 0), PLATE.k) for x, y in places(g)]
-    s.axes(O, PLATE, length=1.2 * g.a, labels=["x", "y", ""])
-    s.plate([O, A, C, B], rims)
-    s.label(O, "O")
-    s.dimension(B, C, label="a")
-    s.dimension(A, C, label="b")
-    for n, (x, name) in enumerate(((g.x1, "$x_1$"), (g.x2, "$x_2$"), (g.x3, "$x_3$"))):
-        s.dimension(O, (x, 0, 0), label=name, offset=-0.11 * g.a * (n + 1))
-        s.line((x, 0, 0), (x, g.y2, 0), style="centre")
-    for n, (y, name) in enumerate(((g.y1, "$y_1$"), (g.y2, "$y_2$"))):
-        s.dimension(O, (0, y, 0), label=name, offset=0.11 * g.a * (n + 1))
-        s.line((0, y, 0), (g.x3, y, 0), style="centre")
-    s.dimension((g.x3, g.y2, 0), (g.x3 + 0.8 * g.r, g.y2 + 0.6 * g.r, 0), label="r", offset=0)
+    plate_with_holes.figure(g, ax)

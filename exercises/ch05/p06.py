@@ -1,22 +1,17 @@
 """5/6: the centre of mass of half a disk by integration."""
 
-from mpmath import mp
-
 from exercises import proofs
+from exercises.devices import half_disk
+from exercises.devices.half_disk import DISK, in_polar, top
 from exercises.steps import Step
-from newton_euler import Frame, integral, pi, sin
-from newton_euler.drawing import Sketch
-
-DISK = Frame("disk")
+from newton_euler import pi, sin
 
 
 def moments(g, element=lambda r: r):
-    """Area and first moment in polar coordinates: integrals over r, times those over theta;
-    ``element`` is the area per dr dtheta.
-    """
-    over_r = integral(lambda r: (element(r), r * element(r)), 0, g.R)
-    over_theta = integral(lambda theta: (g.one, sin(theta)), 0, pi(g.one))
-    return over_r[0] * over_theta[0], over_r[1] * over_theta[1]
+    """Area and first moment; ``element`` is the area per dr dtheta."""
+    (area,) = in_polar(g, 0, lambda theta: (g.one,), element)
+    (first_y,) = in_polar(g, 1, lambda theta: (sin(theta),), element)
+    return area, first_y
 
 
 def centre(area, first_y):
@@ -37,8 +32,7 @@ def prove(g):
     """By strips along y, which end at the circle."""
 
     def strip(x):
-        top = mp.sqrt(g.R**2 - x**2)
-        return [top, top**2 / 2]
+        return [top(g, x), top(g, x) ** 2 / 2]
 
     area, first_y = proofs.integral(strip, -g.R, g.R)
     return {"d": [0, first_y / area, 0], "area": area, "Q_y": first_y}
@@ -53,9 +47,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = Sketch(ax, DISK, plane="xy")
-    O, end = (0, 0, 0), (g.R, 0, 0)
-    s.axes(O, DISK, length=1.35 * g.R, labels=["x", "y", ""])
-    s.plate(s.around(O, end, DISK.k, 3.14159265))
-    s.dimension(O, end, label="R")
-    s.label(O, "O")
+    half_disk.figure(g, ax)

@@ -1,19 +1,10 @@
 """5/7: the centre of mass of a wire along an arc."""
 
-from mpmath import mp
-
-from exercises import proofs
+from exercises.devices import wire_arc
+from exercises.devices.wire_arc import WIRE, along, over
 from exercises.steps import Step
-from newton_euler import Frame, cos, integral, sin
+from newton_euler import cos
 from newton_euler.bodies import sector
-from newton_euler.drawing import Sketch
-
-WIRE = Frame("wire")
-
-
-def over(g, f):
-    """The integral of f(theta) R dtheta along the wire."""
-    return integral(lambda theta: f(theta) * g.R, -g.alpha, g.alpha)
 
 
 def moments(g):
@@ -35,21 +26,8 @@ def steps(g):
 
 
 def prove(g):
-    """By the slope of the line from (-R, 0) to the wire, u = y/(R + x), in which the circle is a
-    fraction of polynomials: its place by u, and the way along it from the rates of x and y.
-    """
-
-    def along(u):
-        def place(t):
-            v = u + t
-            return [g.R * (1 - v * v) / (1 + v * v), 2 * g.R * v / (1 + v * v)]
-
-        x, _ = place(0)
-        ds = proofs.size(proofs.rate(place))
-        return [ds, x * ds]
-
-    steepest = mp.sin(g.alpha) / (1 + mp.cos(g.alpha))
-    length, first_x = proofs.integral(along, -steepest, steepest)
+    """By the slope of the line from (-R, 0) to the wire instead of an angle."""
+    length, first_x = along(g, lambda place: [1, place[0]])
     return {"d": [first_x / length, 0, 0], "length": length, "Q_x": first_x}
 
 
@@ -64,14 +42,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = Sketch(ax, WIRE, plane="xy")
-    O = (0, 0, 0)
-    low = (g.R * cos(g.alpha), -g.R * sin(g.alpha), 0)
-    high = (g.R * cos(g.alpha), g.R * sin(g.alpha), 0)
-    s.axes(O, WIRE, length=1.35 * g.R, labels=["x", "y", ""])
-    s.wire(s.around(O, low, WIRE.k, 2 * g.alpha))
-    for end in (low, high):
-        s.line(O, end)
-        s.arc(O, (g.R, 0, 0), end, label=r"$\alpha$")
-    s.dimension(O, (g.R * cos(0.4 * g.alpha), g.R * sin(0.4 * g.alpha), 0), label="R", offset=0)
-    s.label(O, "O")
+    wire_arc.figure(g, ax)

@@ -1,26 +1,21 @@
 """5/8: the centre of mass of a hemispherical shell."""
 
-from mpmath import mp
-
 from exercises import proofs
+from exercises.devices import dome
+from exercises.devices.dome import SHELL, area_of_ring, over_rings, shadow
 from exercises.steps import Step
-from newton_euler import Frame, cos, integral, pi, sin
+from newton_euler import cos, sin
 from newton_euler.bodies import half_ring, hemisphere
-from newton_euler.drawing import Sketch
-
-SHELL = Frame("shell")
 
 
 def moments(g, width=lambda g, phi: g.R):
     """Area and first moment, by rings at the angle phi from z; ``width`` per dphi."""
 
-    def rings(f):
-        def ring(phi):
-            return f(phi) * (2 * pi(g.one) * (g.R * sin(phi)) * width(g, phi))
+    def ring(phi):
+        area = area_of_ring(g, phi, width(g, phi))
+        return area, g.R * cos(phi) * area
 
-        return integral(ring, 0, pi(g.one) / 2)
-
-    return rings(lambda phi: g.one), rings(lambda phi: g.R * cos(phi))
+    return over_rings(g, ring)
 
 
 def centre(area, first_z):
@@ -40,16 +35,13 @@ def steps(g):
 
 
 def prove(g):
-    """By the shadow of the shell on the plane of its rim: on the circle of radius s the shell is
-    steeper than that plane by the factor R/z.
-    """
+    """By the shadow of the shell on the plane of its rim."""
 
-    def shadow(s):
-        z = mp.sqrt(g.R**2 - s**2)
-        dA = 2 * mp.pi * s * g.R / z
-        return [dA, z * dA]
+    def circle(s):
+        area, z = shadow(g, s)
+        return [area, z * area]
 
-    area, first_z = proofs.integral(shadow, 0, g.R)
+    area, first_z = proofs.integral(circle, 0, g.R)
     return {"d": [0, 0, first_z / area], "area": area, "Q_z": first_z}
 
 
@@ -62,12 +54,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = Sketch(ax, SHELL, azimuth=-60, elevation=20)
-    O, end = (0, 0, 0), (-0.6 * g.R, -0.8 * g.R, 0)
-    s.hemisphere(O, SHELL.k, g.R, open=True)
-    for phi in (0.75, 0.82):
-        # a little outside, so that it is seen
-        s.ring((0, 0, g.R * cos(phi)), SHELL.k, 1.01 * g.R * sin(phi))
-    s.axes(O, SHELL, length=1.5 * g.R)
-    s.dimension(O, end, label="R", offset=0)
-    s.label(O, "O")
+    dome.figure(g, ax)

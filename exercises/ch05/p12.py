@@ -3,17 +3,9 @@
 from mpmath import mp
 
 from exercises import proofs
+from exercises.devices import disk_with_hole
+from exercises.devices.disk_with_hole import DISK, parts, rim
 from exercises.devices.put_together import centre, proved, steps_of
-from newton_euler import Frame
-from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
-
-DISK = Frame("disk")
-
-
-def parts(g):
-    full = disk(g.R, DISK, "z", density=1, name="full disk")
-    return [full], [disk(g.r, DISK.point("C", g.e, 0, 0), "z", density=1, name="hole")]
 
 
 def solve(g):
@@ -27,13 +19,13 @@ def steps(g):
 def prove(g):
     """In polar coordinates about the centre of the hole, from its rim to that of the disk."""
 
-    def ray(angle):
-        c, s = mp.cos(angle), mp.sin(angle)
-        end = mp.sqrt(g.R**2 - (g.e * s) ** 2) - g.e * c
+    def ray(toward):
+        c, s, _ = toward
+        end = rim(g, c, s)
         area, first = (end**2 - g.r**2) / 2, (end**3 - g.r**3) / 3
         return [area, g.e * area + c * first, s * first]
 
-    whole, *first = proofs.integral(ray, 0, 2 * mp.pi)
+    whole, *first = proofs.scaled(2 * mp.pi, proofs.mean(ray, proofs.ring(1, order=40)))
     return proved("area", whole, [*first, 0])
 
 
@@ -48,12 +40,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = Sketch(ax, DISK, plane="xy")
-    O, C = (0, 0, 0), (g.e, 0, 0)
-    s.axes(O, DISK, length=1.3 * g.R, labels=["x", "y", ""])
-    s.plate(s.around(O, (g.R, 0, 0), DISK.k), [s.around(C, (g.e + g.r, 0, 0), DISK.k)])
-    s.dot(C)
-    s.dimension(O, (-0.8 * g.R, 0.6 * g.R, 0), label="R", offset=0)
-    s.dimension(C, (g.e + 0.6 * g.r, 0.8 * g.r, 0), label="r", offset=0)
-    s.dimension(O, C, label="e", offset=-1.3 * g.r)
-    s.label(O, "O")
+    disk_with_hole.figure(g, ax)

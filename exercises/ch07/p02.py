@@ -19,8 +19,8 @@ def prove(g):
     larger, smaller = (of_points(*sphere) for sphere in spheres(g))
     return {
         "I_O": added((1, larger), (1, smaller)),
-        "I_larger_sphere": larger,
-        "I_smaller_sphere": smaller,
+        "I_larger": larger,
+        "I_smaller": smaller,
     }
 
 

@@ -31,9 +31,9 @@ def solve(g):
 def steps(g):
     (xx, yy, zz), (xy, _, _) = moments(g, density(g))
     yield Step("sigma", density(g), "kg/m^2", "mass per unit area, M/(pi R^2/2)", "7.3")
-    yield Step("I_xx", xx, "kg*m^2", "integral of r^2 sin(theta)^2 sigma r dr dtheta",
+    yield Step("I_xx", xx, "kg*m^2", "integral of r^2 sin(theta)^2 sigma r dr d(theta)",
                "7.3", "7.10")  # fmt: skip
-    yield Step("I_yy", yy, "kg*m^2", "integral of r^2 cos(theta)^2 sigma r dr dtheta",
+    yield Step("I_yy", yy, "kg*m^2", "integral of r^2 cos(theta)^2 sigma r dr d(theta)",
                "7.3", "7.10")  # fmt: skip
     yield Step("I_xy", xy, "kg*m^2", "zero, the disk being symmetric about y", "7.3", "7.10")
     yield Step("I_zz", zz, "kg*m^2", "I_xx + I_yy, the disk being flat", "7.3", "7.10")

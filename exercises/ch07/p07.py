@@ -21,8 +21,8 @@ def solve(g):
 
 def steps(g):
     (xx, yy, zz), (xy, _, _) = moments(g)
-    yield Step("I_xx", xx, "kg*m^2", "integral of (R sin(theta))^2 M R dtheta", "7.3", "7.10")
-    yield Step("I_yy", yy, "kg*m^2", "integral of (R cos(theta))^2 M R dtheta", "7.3", "7.10")
+    yield Step("I_xx", xx, "kg*m^2", "integral of (R sin(theta))^2 M R d(theta)", "7.3", "7.10")
+    yield Step("I_yy", yy, "kg*m^2", "integral of (R cos(theta))^2 M R d(theta)", "7.3", "7.10")
     yield Step("I_xy", xy, "kg*m^2", "zero, the wire being symmetric about x", "7.3", "7.10")
     yield Step("I_zz", zz, "kg*m^2", "I_xx + I_yy, the wire being flat", "7.3", "7.10")
 

@@ -34,7 +34,7 @@ def solve(g):
 def steps(g):
     xx, _, zz = moments(g)
     yield Step("sigma", density(g), "kg/m^2",
-               "mass per unit area, by rings of radius R sin(phi) and width R dphi at the angle "
+               "mass per unit area, by rings of radius R sin(phi) and width R d(phi) at the angle "
                "phi from z", "7.3")  # fmt: skip
     yield Step("I_zz", zz, "kg*m^2", "integral of (R sin(phi))^2 dm", "7.3", "7.10")
     yield Step("I_xx", xx, "kg*m^2",

@@ -1,7 +1,7 @@
 """7/10: the inertia matrix of a figure of wire."""
 
 from exercises.devices import wire_figure
-from exercises.devices.inertia import along_path, answer, matrix, steps_of, together
+from exercises.devices.inertia import added, along_path, answer, matrix, steps_of, together
 from exercises.devices.wire_figure import WIRE, parts, path
 from newton_euler.bodies import disk
 
@@ -16,7 +16,9 @@ def steps(g):
 
 
 def prove(g):
-    return {"I_O": along_path(g.lam, *path(g))}
+    leg, diameter, half = along_path(g.lam, *path(g))
+    I = added((1, leg), (1, diameter), (1, half))
+    return {"I_O": I, "I_leg": leg, "I_diameter": diameter, "I_half": half}
 
 
 def mistakes(g):

@@ -4,7 +4,8 @@ from itertools import pairwise
 
 from exercises.devices import chain_of_rods
 from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, path, rods
-from exercises.devices.inertia import along_path, answer, steps_of, together, wrong_sign
+from exercises.devices.inertia import added, along_path, answer, together, wrong_sign
+from exercises.steps import Step
 from newton_euler.bodies import particle
 
 
@@ -17,13 +18,19 @@ def solve(g):
 
 
 def steps(g):
-    for step in steps_of(CHAIN, parts(g), mass="kg", length="m", inertia="kg*m^2"):
-        if not step.key.startswith("m_"):  # all the same, and given
-            yield step
+    for rod in parts(g):
+        name = rod.name
+        yield Step(f"d_{name}", rod.centre.position(CHAIN), "m", f"middle of the rod {name}", "7.8")
+        yield Step(f"I_G_{name}", rod.inertia.matrix, "kg*m^2",
+                   f"inertia matrix of the rod {name} about its middle", "7.10")  # fmt: skip
+        yield Step(f"I_{name}", rod.about(CHAIN).matrix, "kg*m^2",
+                   f"inertia matrix of the rod {name} at O", "7.8", "7.25")  # fmt: skip
 
 
 def prove(g):
-    return {"I_O": along_path(g.m / g.a, *path(g))}
+    rods = along_path(g.m / g.a, *path(g))
+    I = added(*((1, rod) for rod in rods))
+    return {"I_O": I, **dict(zip(("I_OA", "I_AB", "I_BC"), rods, strict=True))}
 
 
 def mistakes(g):

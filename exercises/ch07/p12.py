@@ -9,6 +9,7 @@ from exercises.devices.inertia import (
     added,
     answer,
     matrix,
+    of_points,
     steps_of,
     together,
     turned,
@@ -37,7 +38,9 @@ def prove(g):
             points.append((share * way * from_C, turned([g.e + from_C * c, from_C * s, 0])))
         return added(*points)
 
-    return {"I_O": added((2 * mp.pi * g.rho, proofs.mean(ray, proofs.ring(1, order=40))))}
+    I = added((2 * mp.pi * g.rho, proofs.mean(ray, proofs.ring(1, order=40))))
+    hole = of_points(g.rho * mp.pi * g.r**2, proofs.disk(g.r, order=2), [g.e, 0, 0])
+    return {"I_O": I, "I_hole": hole, "I_full": added((1, I), (1, hole))}
 
 
 def mistakes(g):

@@ -2,6 +2,7 @@
 
 from exercises.devices import welded_rods
 from exercises.devices.inertia import (
+    added,
     along_path,
     answer,
     no_products,
@@ -22,7 +23,9 @@ def steps(g):
 
 
 def prove(g):
-    return {"I_O": along_path(g.rho, *path(g))}
+    rods = along_path(g.rho, *path(g))
+    I = added(*((1, rod) for rod in rods))
+    return {"I_O": I, **dict(zip(("I_first", "I_second", "I_third"), rods, strict=True))}
 
 
 def mistakes(g):

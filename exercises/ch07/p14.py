@@ -44,9 +44,9 @@ def prove(g):
     hole = of_points(g.sigma * mp.pi * g.r_h**2, proofs.disk(g.r_h, order=2), [g.x_h, radius, 0])
     return {
         "I_O": added((1, horizontal), (1, vertical), (1, top), (-1, hole)),
-        "I_horizontal_rectangle": horizontal,
-        "I_vertical_rectangle": vertical,
-        "I_half_disk": top,
+        "I_horizontal": horizontal,
+        "I_vertical": vertical,
+        "I_half": top,
         "I_hole": hole,
     }
 

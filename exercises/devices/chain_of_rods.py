@@ -22,7 +22,7 @@ def all_from_O(g):
 
 def rods(pairs, **matter):
     matter = matter or {"density": 1}
-    return [simplex(P, Q, name=f"rod {P.name}{Q.name}", **matter) for P, Q in pairs]
+    return [simplex(P, Q, name=P.name + Q.name, **matter) for P, Q in pairs]
 
 
 def path(g):

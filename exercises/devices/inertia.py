@@ -3,6 +3,8 @@ integrated; and proofs that know neither a table of solids nor the parallel axis
 angular momenta of mass points in a body that turns.
 """
 
+from itertools import pairwise
+
 from exercises import proofs
 from exercises.proofs.digits import weighted
 from exercises.steps import Step
@@ -44,18 +46,22 @@ def no_products(frame, I):
 def steps_of(frame, parts, removed=(), *, mass, length, inertia, at_O=()):
     """The mass of each part, its inertia matrix about its own centre of mass, the place of that,
     and its inertia matrix at O; the units of mass, length and inertia, and the names of the parts
-    whose centre of mass is O.
+    whose centre of mass is O. Steps are named after the first words of the parts.
     """
     for part in (*parts, *removed):
-        key = part.name.replace(" ", "_")
-        cut_out = ", to be subtracted" if part in removed else ""
+        key, cut_out = part.name.split()[0], ", to be subtracted" if part in removed else ""
         yield Step(f"m_{key}", part.mass, mass, f"mass of the {part.name}{cut_out}", "7.10")
-        if part.name not in at_O:
-            yield Step(f"I_G_{key}", part.about(part.centre, frame).matrix, inertia,
-                       f"inertia matrix of the {part.name} about its own centre of mass",
+        own = part.about(part.centre, frame).matrix
+        if part.name in at_O:
+            yield Step(f"I_{key}", own, inertia,
+                       f"inertia matrix of the {part.name} at O, its centre of mass",
                        "7.10")  # fmt: skip
-            yield Step(f"d_{key}", part.centre.position(frame), length,
-                       f"centre of mass of the {part.name}, from O", "7.8")  # fmt: skip
+            continue
+        yield Step(f"I_G_{key}", own, inertia,
+                   f"inertia matrix of the {part.name} about its own centre of mass",
+                   "7.10")  # fmt: skip
+        yield Step(f"d_{key}", part.centre.position(frame), length,
+                   f"centre of mass of the {part.name}, from O", "7.8")  # fmt: skip
         yield Step(f"I_{key}", part.about(frame).matrix, inertia,
                    f"inertia matrix of the {part.name} at O", "7.8", "7.25")  # fmt: skip
 
@@ -88,7 +94,9 @@ def raised(points, length):
 
 
 def along_path(density, place, way, corners):
-    """Proof, the matrix at O of a wire of this mass per length; ``place(s)`` is the place after the
-    way s on it, and has its corners at ``corners``.
+    """Proof, the matrices at O of the pieces of a wire of this mass per length; ``place(s)`` is the
+    place after the way s on it, and ``corners`` are the ways to the ends of the pieces before the
+    last.
     """
-    return added((density, proofs.integral(lambda s: turned(place(s)), 0, way, corners)))
+    ends = pairwise([0, *corners, way])
+    return [added((density, proofs.integral(lambda s: turned(place(s)), *pair))) for pair in ends]
