@@ -2,8 +2,8 @@
 
 import re
 
-# the terms of the equations of relative motion; their symbols v_B, a_B would be taken for the
-# velocity and acceleration of a point B of the problem
+# the terms of the equations of relative motion, whose symbols v_B, a_B would be taken for the
+# velocity and acceleration of a point B of the problem, and of (4.15)
 RELATIVE_MOTION = {
     ("velocity", "origin"): "the velocity of the origin of the moving frame",
     ("velocity", "relative"): "the velocity relative to the moving frame, v_r",
@@ -11,6 +11,8 @@ RELATIVE_MOTION = {
     ("acceleration", "origin"): "the acceleration of the origin of the moving frame",
     ("acceleration", "relative"): "the acceleration relative to the moving frame, a_r",
     ("acceleration", "euler"): "the term alpha x r",
+    ("rate", "relative"): "the rate of change in the moving frame, dQ/dt",
+    ("rate", "rotation"): "the term omega x Q, by the turning of the moving frame",
 }
 
 
@@ -18,7 +20,8 @@ def term_text(name, equation, problem=None, latex=False):
     """A term in the words of the problem, with its formula if it has one: as text or in LaTeX."""
     if (equation.kind, name) in RELATIVE_MOTION:
         said = RELATIVE_MOTION[equation.kind, name]
-        return re.sub(r"\b([av])_r", r"$\\mathbf{\1}_r$", said) if latex else said
+        bold = re.sub(r"\b([av])_r", r"$\\mathbf{\1}_r$", said)
+        return bold.replace("dQ/dt", r"$d\mathbf{Q}/dt$") if latex else said
     if name in equation.terms:
         said, *of = name.split("_")  # coriolis_theta_phi, of two coordinates
         said = {"coriolis": "Coriolis", "euler": "Euler"}.get(said, said)

@@ -3,18 +3,33 @@ figure.
 """
 
 from exercises.proofs import rate
+from exercises.steps import Step
 from newton_euler import Frame, moving
 
 
-def derivative(g, t):
-    """du/dt at t: u is the position of a point, and t runs at the rate 1."""
+def at_time(g, t):
+    """The axes, and u as a point in them, where t runs at the rate 1."""
     axes, t = Frame("axes"), moving(t, rate=g.one)
-    u = axes.point("u", g.c_1 * t**2, g.c_2 * t**2 - g.c_3, -(t - g.c_4 * t**2))
+    return axes, axes.point("u", g.c_1 * t**2, g.c_2 * t**2 - g.c_3, -(t - g.c_4 * t**2))
+
+
+def derivative(g, t):
+    axes, u = at_time(g, t)
     return u.velocity(axes)
 
 
 def solve(g):
     return {"dudt": derivative(g, g.t), "dudt_1": derivative(g, g.t_1)}
+
+
+def steps(g):
+    axes, u = at_time(g, g.t)
+    yield Step(
+        "u",
+        u.position(axes),
+        "1",
+        "u by components, with the minus sign carried to both terms along k",
+    )
 
 
 def prove(g):
@@ -25,7 +40,7 @@ def prove(g):
 
         return u
 
-    return {"dudt": rate(after(g.t)), "dudt_1": rate(after(g.t_1))}
+    return {"dudt": rate(after(g.t)), "dudt_1": rate(after(g.t_1)), "u": after(g.t)(0)}
 
 
 def mistakes(g):

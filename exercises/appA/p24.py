@@ -3,6 +3,7 @@ dimensions; numbers that vary beside a symbol; no figure.
 """
 
 from exercises import proofs
+from exercises.steps import Step
 from newton_euler import Frame, integral
 
 AXES = Frame("axes")
@@ -20,11 +21,16 @@ def solve(g):
     return {"AxB": integral(lambda t: A(g, t).cross(B(g, t)), 0, g.t)}
 
 
+def steps(g):
+    said = "A x B at the time t, of which each component is integrated"
+    yield Step("integrand", A(g, g.t).cross(B(g, g.t)), "1", said)
+
+
 def prove(g):
     def product(t):
         return proofs.cross([g.c_1 * t, -g.c_2 * t**2 - g.c_3, 0], [-g.b_1 * t**2, 0, g.b_2])
 
-    return {"AxB": proofs.integral(product, 0, g.t)}
+    return {"AxB": proofs.integral(product, 0, g.t), "integrand": product(g.t)}
 
 
 def mistakes(g):

@@ -32,7 +32,7 @@ def steps(g):
     said = "rate at which the line OC goes round AB, the speed of the centre over R"
     yield Step("omega_OC", OC_rate, "rad/s", said, "4.4")
     said = "rate of C on the axis OC: at its lowest point r times this rate and v_C cancel"
-    yield Step("spin", spin, "rad/s", said, "4.4")
+    yield Step("omega_spin", spin, "rad/s", said, "4.4")
     yield from terms(solve(g)["omega_C"], "omega_C", "rad/s", "4.9")
 
 

@@ -3,7 +3,7 @@
 from exercises.devices import bar_on_ball_joint
 
 solve, prove, draw = bar_on_ball_joint.solve, bar_on_ball_joint.prove, bar_on_ball_joint.draw
-follows = bar_on_ball_joint.follows
+follows, steps = bar_on_ball_joint.follows, bar_on_ball_joint.steps
 
 
 def mistakes(g):

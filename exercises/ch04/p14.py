@@ -1,7 +1,8 @@
 """4/14: two disks on the ends of one axle that roll in a circle."""
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_velocity, rot, times
+from exercises.proofs import angular_velocity, minus, rate, rot, times
+from exercises.steps import Step, terms
 from newton_euler import Frame, solve_rates
 from newton_euler.drawing import Sketch
 
@@ -27,6 +28,17 @@ def solve(g):
     return in_frame(axle, {"omega_A": disk.angular_velocity(ground)})
 
 
+def steps(g):
+    ground, axle, disk = axle_and_disk(g)
+    v = disk.origin.velocity(ground).expressed_in(axle)
+    said = "velocity of the disk's centre A, which goes round a circle of radius R"
+    yield Step("v_A", v, "m/s", said, "4.4", "4.11")
+    spin = disk.angular_velocity(axle).expressed_in(axle)
+    said = "rate of the disk on the axle: it rolls, so that r times this rate is the speed of A"
+    yield Step("omega_spin", spin, "rad/s", said, "4.4", "4.11")
+    yield from terms(solve(g)["omega_A"], "omega_A", "rad/s", "4.9")
+
+
 def prove(g):
     """The arc that the disk has rolled along its path of radius R is as long as the arc laid off on
     its rim.
@@ -37,7 +49,9 @@ def prove(g):
         # going toward +y, its top leads
         return times(rot("z", g.omega * t), rot("x", -rolled / g.r))
 
-    return {"omega_A": angular_velocity(disk)}
+    centre = rate(lambda t: times(rot("z", g.omega * t), [g.R, 0, g.r]))
+    omega = angular_velocity(disk)
+    return {"omega_A": omega, "v_A": centre, "omega_spin": minus(omega, [0, 0, g.omega])}
 
 
 def mistakes(g):

@@ -1,7 +1,9 @@
 """4/15: a rod that rises in its hinge on a turning vertical shaft."""
 
 from exercises.catalogue import in_frame
+from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.proofs import rate, rot, second_rate, times
+from exercises.steps import terms
 from newton_euler import Frame, cos
 from newton_euler.drawing import Sketch
 
@@ -23,12 +25,25 @@ def solve(g):
     )
 
 
-def prove(g):
-    def C(t):
-        beta = g.beta_1 + g.omega_2 * t + g.omega_2_dot * t**2 / 2
-        return times(rot("y", g.omega_1 * t), rot("z", beta), [g.L, 0, 0])
+def steps(g):
+    ground, shaft, _, C = shaft_and_rod(g)
+    yield from turning_of(shaft, ground, ground, "shaft", "the moving frame, fixed in the shaft,")
+    yield from seen_in(shaft, C, ground, "mm", "the shaft", "B")
+    v, a = solve(g).values()
+    yield from terms(v, "v_C", "mm/s", "4.8")
+    yield from terms(a, "a_C", "mm/s^2", "4.8")
 
-    return {"v_C": rate(C), "a_C": second_rate(C)}
+
+def prove(g):
+    def seen(t):
+        beta = g.beta_1 + g.omega_2 * t + g.omega_2_dot * t**2 / 2
+        return times(rot("z", beta), [g.L, 0, 0])
+
+    def C(t):
+        return times(rot("y", g.omega_1 * t), seen(t))
+
+    found = {"r": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
+    return {"v_C": rate(C), "a_C": second_rate(C)} | found
 
 
 def mistakes(g):

@@ -6,6 +6,7 @@ from exercises.devices.bracket_on_arm import (
     common_mistakes,
     motion_by_way_of_arm,
     motion_in_time,
+    motion_steps,
     sketch,
 )
 
@@ -18,6 +19,11 @@ def tip(g):
 def solve(g):
     ground, arm, A = tip(g)
     return motion_by_way_of_arm(A, ground, arm)
+
+
+def steps(g):
+    ground, arm, A = tip(g)
+    return motion_steps(A, ground, arm)
 
 
 def prove(g):

@@ -5,6 +5,7 @@ from exercises.devices.bracket_on_arm import (
     common_mistakes,
     motion_by_way_of_arm,
     motion_in_time,
+    motion_steps,
     sketch,
 )
 
@@ -12,6 +13,11 @@ from exercises.devices.bracket_on_arm import (
 def solve(g):
     ground, arm, bracket = arm_and_bracket(g)
     return motion_by_way_of_arm(bracket.point("B", 0, g.b, 0), ground, arm)
+
+
+def steps(g):
+    ground, arm, bracket = arm_and_bracket(g)
+    return motion_steps(bracket.point("B", 0, g.b, 0), ground, arm)
 
 
 def prove(g):

@@ -3,7 +3,9 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import rate, second_rate
+from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate, times
+from exercises.steps import terms
 from newton_euler import Frame, moving
 from newton_euler.drawing import Sketch
 
@@ -23,6 +25,17 @@ def solve(g):
     return in_frame(ground, {"v_A": A.velocity(ground), "a_A": A.acceleration(ground)})
 
 
+def steps(g):
+    ground, _, bracket, A = arm_bracket_tip(g)
+    said = "the moving frame, fixed in the bracket,"
+    yield from turning_of(bracket, ground, ground, "bracket", said)
+    start = "D, the origin of the moving frame"
+    yield from seen_in(bracket, A, ground, "mm", "the bracket", start)
+    v, a = solve(g).values()
+    yield from terms(v, "v_A", "mm/s", "4.8")
+    yield from terms(a, "a_A", "mm/s^2", "4.8")
+
+
 def prove(g):
     """The cylinder points along z at first and turns toward x about ED; ED turns from y toward z
     about x.
@@ -37,7 +50,14 @@ def prove(g):
             g.h * mp.sin(theta) + across * mp.cos(theta),
         ]
 
-    return {"v_A": rate(A), "a_A": second_rate(A)}
+    def bracket(t):
+        return times(rot("x", g.omega_1 * t), rot("y", g.omega_2 * t))
+
+    found = {
+        "omega_bracket": angular_velocity(bracket),
+        "alpha_bracket": angular_acceleration(bracket),
+    }
+    return {"v_A": rate(A), "a_A": second_rate(A)} | found
 
 
 def mistakes(g):

@@ -2,18 +2,31 @@
 
 from exercises import proofs
 from exercises.catalogue import in_frame
-from exercises.devices.universal_joint import angular_velocity, draw, fork_and_shaft, orientation
+from exercises.devices.universal_joint import (
+    angular_velocity,
+    direction,
+    draw,
+    fork_and_shaft,
+    orientation,
+)
+from exercises.steps import terms
 from newton_euler import pi
 
-__all__ = ["draw", "mistakes", "prove", "solve"]
+__all__ = ["draw", "mistakes", "prove", "solve", "steps"]
 
 
 def solve(g):
     return {"omega_A": angular_velocity(g)}
 
 
+def steps(g):
+    yield direction(g)
+    yield from terms(angular_velocity(g), "omega_A", "rad/s", "4.9")
+
+
 def prove(g):
-    return {"omega_A": proofs.angular_velocity(orientation(g))}
+    shaft = orientation(g)
+    return {"omega_A": proofs.angular_velocity(shaft), "e": proofs.transposed(shaft(0))[0]}
 
 
 def mistakes(g):

@@ -2,7 +2,16 @@
 
 from exercises import proofs
 from exercises.catalogue import in_frame
-from exercises.devices.rolling_disk import axle_and_disk, orientation, rolling_spin, sketch, turning
+from exercises.devices.rolling_disk import (
+    axle_and_disk,
+    orientation,
+    proved_steps,
+    rolling_spin,
+    rolling_steps,
+    sketch,
+    turning,
+)
+from exercises.steps import terms
 
 
 def answers(g, spin):
@@ -14,13 +23,18 @@ def solve(g):
     return answers(g, rolling_spin(g))
 
 
+def steps(g):
+    yield from rolling_steps(g)
+    yield from terms(solve(g)["omega_disk"], "omega_disk", "rad/s", "4.9")
+
+
 def prove(g):
-    return {"omega_disk": proofs.angular_velocity(orientation(g))}
+    return {"omega_disk": proofs.angular_velocity(orientation(g))} | proved_steps(g)
 
 
 def mistakes(g):
     return {
-        "spin_only": {"omega_disk": solve(g)["omega_disk"].without("arm")},
+        "spin_only": {"omega_disk": solve(g)["omega_disk"].without("axle")},
         "spin_reversed": answers(g, -rolling_spin(g)),
         "one_turn_each_circuit": answers(g, -turning(g)),
         "ratio_inverted": answers(g, -turning(g) * g.r / g.R),

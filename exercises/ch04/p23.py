@@ -1,8 +1,18 @@
 """4/23: the velocity of a rim point of a disk rolling in a circle."""
 
 from exercises.catalogue import in_frame
-from exercises.devices.rolling_disk import axle_and_disk, rim_point, rolling_spin, sketch, turning
+from exercises.devices.moving_frame import seen_in
+from exercises.devices.rolling_disk import (
+    axle_and_disk,
+    proved_steps,
+    rim_point,
+    rolling_spin,
+    rolling_steps,
+    sketch,
+    turning,
+)
 from exercises.proofs import rate
+from exercises.steps import terms
 
 
 def answers(g, spin):
@@ -14,8 +24,16 @@ def solve(g):
     return answers(g, rolling_spin(g))
 
 
+def steps(g):
+    yield from rolling_steps(g)
+    _, axle, _, A = axle_and_disk(g, rolling_spin(g))
+    said = "the moving frame, fixed in the axle"
+    yield from seen_in(axle, A, axle, "m", said, "C, the origin of the moving frame", "r_A", False)
+    yield from terms(solve(g)["v_A"], "v_A", "m/s", "4.8")
+
+
 def prove(g):
-    return {"v_A": rate(rim_point(g))}
+    return {"v_A": rate(rim_point(g))} | proved_steps(g)
 
 
 def mistakes(g):

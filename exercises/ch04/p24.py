@@ -4,6 +4,7 @@ from mpmath import mp
 
 from exercises.catalogue import in_frame
 from exercises.proofs import angular_acceleration, spun
+from exercises.steps import Step, terms
 from newton_euler import Frame, cos, sin
 from newton_euler.drawing import Sketch
 
@@ -18,6 +19,17 @@ def fuselage_and_rotor(g):
 def solve(g):
     ground, fuselage, rotor = fuselage_and_rotor(g)
     return in_frame(fuselage, {"alpha_rotor": rotor.angular_acceleration(ground)})
+
+
+def steps(g):
+    ground, fuselage, rotor = fuselage_and_rotor(g)
+    omega = fuselage.angular_velocity(ground)
+    said = "angular velocity of the fuselage in the ground, about -x as the nose goes down"
+    yield Step("omega_fuselage", omega, "rad/s", said, "4.9", "4.19")
+    omega = rotor.angular_velocity(fuselage).expressed_in(fuselage)
+    said = "angular velocity of the rotor relative to the fuselage"
+    yield Step("omega_rotor", omega, "rad/s", said, "4.9", "4.19")
+    yield from terms(solve(g)["alpha_rotor"], "alpha_rotor", "rad/s^2", "4.9")
 
 
 def prove(g):

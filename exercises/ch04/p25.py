@@ -1,7 +1,9 @@
 """4/25: the drum of a spacecraft simulator, in three turning frames."""
 
 from exercises.catalogue import in_frame
-from exercises.devices.disk_in_two_brackets import prove_turning
+from exercises.devices.disk_in_two_brackets import prove_carrier, prove_turning
+from exercises.devices.moving_frame import turning_of
+from exercises.steps import terms
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -21,9 +23,18 @@ def solve(g):
     )
 
 
+def steps(g):
+    ground, _, B, _ = drums(g)
+    yield from turning_of(B, ground, ground, "B", "the drum B")
+    omega, alpha = solve(g).values()
+    yield from terms(omega, "omega_C", "rad/s", "4.9")
+    yield from terms(alpha, "alpha_C", "rad/s^2", "4.9", "4.26")
+
+
 def prove(g):
     omega, alpha = prove_turning(g.Omega, g.omega, g.P)
-    return {"omega_C": omega, "alpha_C": alpha}
+    omega_B, alpha_B = prove_carrier(g.Omega, g.omega)
+    return {"omega_C": omega, "alpha_C": alpha, "omega_B": omega_B, "alpha_B": alpha_B}
 
 
 def mistakes(g):

@@ -2,7 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import angular_acceleration, rot, spun, times
+from exercises.proofs import angular_acceleration, angular_velocity, rot, spun, times, transposed
+from exercises.steps import Step, terms
 from newton_euler import Frame, pi
 from newton_euler.drawing import Sketch
 
@@ -37,13 +38,31 @@ def solve(g):
     return {"alpha_drum": alpha_of(*turns(g))}
 
 
+def steps(g):
+    _, _, mounting, _ = simulator(g)
+    e = mounting.j.expressed_in(mounting.parent)
+    said = r"direction of the drum's axis, $\cos\theta$ along y and $\sin\theta$ along z"
+    yield Step("e", e, "1", said)
+    _, Omega, theta_dot, P = turns(g)
+    said = "angular velocity of the axes, which turn with the shaft"
+    yield Step("omega_axes", Omega, "rad/s", said, "4.9", "4.19")
+    omega = Omega + theta_dot + P
+    said = "angular velocity of the drum in the ground, which is Q in the last equation"
+    yield Step("omega_drum", omega, "rad/s", said, "4.9", "4.22")
+    yield from terms(solve(g)["alpha_drum"], "alpha_drum", "rad/s^2", "4.6")
+
+
 def prove(g):
     def drum(t):
         theta, tilting_axis = g.theta + g.theta_dot * t, [1, 0, 0]
         e = [0, mp.cos(theta), mp.sin(theta)]
         return times(rot("z", g.Omega * t), spun(e, tilting_axis, g.P * t))
 
-    return {"alpha_drum": angular_acceleration(drum)}
+    return {
+        "alpha_drum": angular_acceleration(drum),
+        "omega_drum": angular_velocity(drum),
+        "e": transposed(drum(0))[0],
+    }
 
 
 def mistakes(g):

@@ -3,7 +3,9 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.proofs import plus, rate, rot, second_rate, times
+from exercises.steps import terms
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -29,12 +31,26 @@ def solve(g):
     return answers(*bracket_and_disk(g))
 
 
-def prove(g):
-    def A(t):
-        on_disk = [g.r * mp.sin(g.omega * t), -g.r * mp.cos(g.omega * t), 0]
-        return times(rot("x", g.Omega * t), plus([0, g.a, g.h], on_disk))
+def steps(g):
+    ground, bracket, _, A = bracket_and_disk(g)
+    said = "the moving frame, fixed in the bracket,"
+    yield from turning_of(bracket, ground, ground, "bracket", said)
+    yield from seen_in(bracket, A, ground, "mm", "the bracket", "O", "r_A")
+    v, a = solve(g).values()
+    yield from terms(v, "v_A", "mm/s", "4.8")
+    yield from terms(a, "a_A", "mm/s^2", "4.8")
 
-    return {"v_A": rate(A), "a_A": second_rate(A)}
+
+def prove(g):
+    def seen(t):
+        on_disk = [g.r * mp.sin(g.omega * t), -g.r * mp.cos(g.omega * t), 0]
+        return plus([0, g.a, g.h], on_disk)
+
+    def A(t):
+        return times(rot("x", g.Omega * t), seen(t))
+
+    found = {"r_A": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
+    return {"v_A": rate(A), "a_A": second_rate(A)} | found
 
 
 def mistakes(g):

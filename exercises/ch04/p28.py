@@ -3,8 +3,10 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.following import acceleration_of
 from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate, times
+from exercises.steps import terms
 from newton_euler import Frame, cos, pi, sin
 from newton_euler.drawing import Sketch
 
@@ -49,6 +51,18 @@ follows = {
 }
 
 
+def steps(g):
+    space, craft, _, A = spacecraft_and_panel(g)
+    omega, alpha, v, a = solve(g).values()
+    yield from terms(omega, "omega_panel", "rad/s", "4.9")
+    yield from terms(alpha, "alpha_panel", "rad/s^2", "4.9")
+    said = "the moving frame, fixed in the spacecraft,"
+    yield from turning_of(craft, space, craft, "spacecraft", said)
+    yield from seen_in(craft, A, craft, "ft", "the spacecraft", "the centre of the spacecraft")
+    yield from terms(v, "v_A", "ft/s", "4.8")
+    yield from terms(a, "a_A", "ft/s^2", "4.8")
+
+
 def prove(g):
     def tilt(t):
         return g.theta_1 + g.theta_dot * t
@@ -58,14 +72,20 @@ def prove(g):
         c, s = mp.cos(tilt(t)), mp.sin(tilt(t))
         return times(rot("z", g.omega * t), [[c, 0, -s], [0, 1, 0], [s, 0, c]])
 
+    def seen(t):
+        return [-g.d * mp.sin(tilt(t)), g.L, g.d * mp.cos(tilt(t))]
+
     def A(t):
-        return times(rot("z", g.omega * t), [-g.d * mp.sin(tilt(t)), g.L, g.d * mp.cos(tilt(t))])
+        return times(rot("z", g.omega * t), seen(t))
 
     return {
         "omega_panel": angular_velocity(panel),
         "alpha_panel": angular_acceleration(panel),
         "v_A": rate(A),
         "a_A": second_rate(A),
+        "r": seen(0),
+        "v_r": rate(seen),
+        "a_r": second_rate(seen),
     }
 
 

@@ -1,17 +1,40 @@
 """4/29: the angular acceleration of the shaft of 4/21."""
 
 from exercises import proofs
-from exercises.devices.universal_joint import angular_acceleration, draw, orientation
+from exercises.devices.universal_joint import (
+    angular_acceleration,
+    direction,
+    draw,
+    fork_and_shaft,
+    orientation,
+)
+from exercises.steps import Step, terms
 
-__all__ = ["draw", "mistakes", "prove", "solve"]
+__all__ = ["draw", "mistakes", "prove", "solve", "steps"]
 
 
 def solve(g):
     return {"alpha_A": angular_acceleration(g)}
 
 
+def steps(g):
+    _, fork, _ = frames = fork_and_shaft(g)
+    yield direction(g)
+    ground, _, shaft = frames
+    turns = (
+        (fork, ground, "omega_fork", "angular velocity of the fork in the ground"),
+        (shaft.parent, fork, "omega_block", "angular velocity of the block relative to the fork"),
+        (shaft, shaft.parent, "omega_shaft", "angular velocity of the shaft relative to the block"),
+    )
+    for frame, observer, key, said in turns:
+        omega = frame.angular_velocity(observer).expressed_in(fork)
+        yield Step(key, omega, "rad/s", said, "4.9", "4.19")
+    yield from terms(angular_acceleration(g), "alpha_A", "rad/s^2", "4.9", "4.26")
+
+
 def prove(g):
-    return {"alpha_A": proofs.angular_acceleration(orientation(g))}
+    shaft = orientation(g)
+    return {"alpha_A": proofs.angular_acceleration(shaft), "e": proofs.transposed(shaft(0))[0]}
 
 
 def mistakes(g):

@@ -3,14 +3,18 @@ point.
 """
 
 from exercises.catalogue import in_frame
+from exercises.devices.moving_frame import seen_in
 from exercises.devices.rolling_disk import (
     axle_and_disk,
     orientation,
+    proved_steps,
     rim_point,
     rolling_spin,
+    rolling_steps,
     sketch,
 )
 from exercises.proofs import angular_acceleration, second_rate
+from exercises.steps import terms
 
 
 def answers(g, spin):
@@ -25,8 +29,19 @@ def solve(g):
     return answers(g, rolling_spin(g))
 
 
+def steps(g):
+    yield from rolling_steps(g)
+    alpha, a = solve(g).values()
+    yield from terms(alpha, "alpha_disk", "rad/s^2", "4.9")
+    _, axle, _, A = axle_and_disk(g, rolling_spin(g))
+    said = "the moving frame, fixed in the axle"
+    yield from seen_in(axle, A, axle, "m", said, "C, the origin of the moving frame", "r_A")
+    yield from terms(a, "a_A", "m/s^2", "4.8")
+
+
 def prove(g):
-    return {"alpha_disk": angular_acceleration(orientation(g)), "a_A": second_rate(rim_point(g))}
+    alpha, a = angular_acceleration(orientation(g)), second_rate(rim_point(g))
+    return {"alpha_disk": alpha, "a_A": a} | proved_steps(g)
 
 
 def mistakes(g):

@@ -1,6 +1,7 @@
 """4/31: speed and distance from the axis of a point of a turning cylinder."""
 
 from exercises.proofs import rate, rot, size, times
+from exercises.steps import Step
 from newton_euler import Frame, sqrt
 from newton_euler.drawing import Sketch
 
@@ -12,6 +13,17 @@ def velocity(g):
 def solve(g):
     speed = velocity(g).norm()
     return {"speed": speed, "r": speed / g.n}
+
+
+def steps(g):
+    yield Step(
+        "omega",
+        g.n,
+        "rad/s",
+        r"angular speed, 2 pi for each revolution; the speed of P is $\omega r$",
+        "4.4",
+        "4.11",
+    )
 
 
 follows = {"r": lambda g, speed: speed / g.n}

@@ -3,6 +3,11 @@
 from exercises.catalogue import in_frame
 from exercises.devices import bevel_gears
 
+
+def steps(g):
+    return bevel_gears.steps(g.n, 0, g.tan_gamma, r"-n \tan\gamma")
+
+
 follows = bevel_gears.follows
 
 
@@ -17,7 +22,7 @@ def prove(g):
 def mistakes(g):
     ground, arm, B = bevel_gears.gears(g.n, 0, g.tan_gamma)
     wrong = {
-        "only_spin": {"omega_B": B.angular_velocity(ground).without("arm")},
+        "only_spin": {"omega_B": B.angular_velocity(ground).without("OA")},
         "alpha_zero": {"alpha_B": arm.vector(0, 0, 0)},
         "inverse_ratio": solve(g.but(tan_gamma=1 / g.tan_gamma)),
         "wrong_sense": solve(g.but(tan_gamma=-g.tan_gamma)),

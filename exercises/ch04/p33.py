@@ -2,6 +2,13 @@
 
 from exercises.catalogue import in_frame
 from exercises.devices import bevel_gears
+from exercises.steps import Step
+
+
+def steps(g):
+    yield Step("omega_C", g.n_C, "rad/s", "rate of the gear C about z, in radians")
+    yield from bevel_gears.steps(g.n, g.n_C, g.tan_gamma, r"-(n - n_C) \tan\gamma")
+
 
 follows = bevel_gears.follows
 

@@ -6,11 +6,16 @@ from exercises.devices.disk_in_bracket import (
     prove_rim,
     rim_motion,
     rim_point,
+    rim_steps,
 )
 
 
 def solve(g):
     return rim_motion(disk_in_bracket(g), "A", g.r)
+
+
+def steps(g):
+    return rim_steps(g, "A")
 
 
 def prove(g):

@@ -6,9 +6,10 @@ from exercises.devices.disk_in_bracket import (
     figure,
     prove_turning,
     turning,
+    turning_steps,
 )
 
-draw, prove = figure, prove_turning
+draw, prove, steps = figure, prove_turning, turning_steps
 follows = {"alpha_disk": alpha_disk}
 
 

@@ -1,10 +1,20 @@
 """4/38: the top of a disk in a turning bracket, growing rates."""
 
-from exercises.devices.disk_in_bracket import disk_in_bracket, figure, prove_rim, rim_motion
+from exercises.devices.disk_in_bracket import (
+    disk_in_bracket,
+    figure,
+    prove_rim,
+    rim_motion,
+    rim_steps,
+)
 
 
 def solve(g):
     return rim_motion(disk_in_bracket(g), "A", g.r)
+
+
+def steps(g):
+    return rim_steps(g, "A")
 
 
 def prove(g):

@@ -5,12 +5,17 @@ from exercises.devices.disk_in_bracket import (
     figure,
     prove_rim,
     rim_motion,
+    rim_steps,
     wrong_accelerations_of_B,
 )
 
 
 def solve(g):
     return rim_motion(disk_in_bracket(g), "B", g.r)
+
+
+def steps(g):
+    return rim_steps(g, "B")
 
 
 def prove(g):

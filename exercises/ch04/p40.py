@@ -9,8 +9,16 @@ from exercises.devices.disk_in_bracket import (
     rim_from_turning,
     rim_motion,
     rim_point,
+    rim_steps,
     turning,
+    turning_steps,
 )
+
+
+def steps(g):
+    yield from turning_steps(g)
+    yield from rim_steps(g, "A")
+
 
 follows = {"alpha_disk": alpha_disk, **rim_from_turning("A")}
 

@@ -8,9 +8,17 @@ from exercises.devices.disk_in_bracket import (
     prove_turning,
     rim_from_turning,
     rim_motion,
+    rim_steps,
     turning,
+    turning_steps,
     wrong_accelerations_of_B,
 )
+
+
+def steps(g):
+    yield from turning_steps(g)
+    yield from rim_steps(g, "B")
+
 
 follows = {"alpha_disk": alpha_disk, **rim_from_turning("B")}
 

@@ -6,8 +6,14 @@ from exercises.devices.disk_in_two_brackets import (
     frames_and_point,
     prove_rim,
     rim_from_turning,
+    rim_steps,
     wrong_alphas,
 )
+
+
+def steps(g):
+    return rim_steps(g, "C")
+
 
 follows = rim_from_turning("C")
 

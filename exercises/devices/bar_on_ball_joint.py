@@ -4,6 +4,7 @@ from mpmath import mp
 
 from exercises.catalogue import in_frame
 from exercises.proofs import minus, rate, rot, size, times
+from exercises.steps import Step
 from newton_euler import Frame, solve_rates
 from newton_euler.drawing import Sketch
 
@@ -58,6 +59,20 @@ def v_D(g, omega):
 follows = {"v_D": v_D}
 
 
+def steps(g):
+    """What v_A = omega x r_A says component by component."""
+    ground, body, A, D = joint_motion(g)
+    omega = body.angular_velocity(ground).expressed_in(ground)
+    yield Step("r_A", A.position(body).expressed_in(ground), "in", "position of A from O", "4.4")
+    said = r"{} component of omega, from $v_{{Ay}} = \omega_z {{x_A}} - {{omega_x}} {{z_A}}$"
+    yield Step("omega_z", omega.z, "rad/s", said.format("z"), "4.4", "4.11")
+    said = r"y component of omega, from $v_{Ax} = \omega_y {z_A} - \omega_z {h}$"
+    yield Step("omega_y", omega.y, "rad/s", said, "4.4", "4.11")
+    v_A = A.velocity(ground).expressed_in(ground)
+    yield Step("v_A", v_A, "in/s", "velocity of A, with the z component", "4.4", "4.11")
+    yield Step("r_D", D.position(body).expressed_in(ground), "in", "position of D from O", "4.4")
+
+
 def prove(g):
     """The body turns steadily about one axis; the two rates are found from velocities that are
     numerical derivatives.
@@ -75,7 +90,8 @@ def prove(g):
         mp.matrix([[by_y[0], by_z[0]], [by_y[1], by_z[1]]]),
         mp.matrix([g.v_Ax - start[0], g.v_Ay - start[1]]),
     )
-    return {"omega": [g.omega_x, y, z], "v_D": velocity(D, y, z)}
+    found = {"omega_y": y, "omega_z": z, "v_A": velocity(A, y, z)}
+    return {"omega": [g.omega_x, y, z], "v_D": velocity(D, y, z)} | found
 
 
 def mistakes(g):

@@ -3,7 +3,8 @@ turns.
 """
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_acceleration, angular_velocity, rot, times
+from exercises.proofs import angular_acceleration, angular_velocity, minus, rot, times
+from exercises.steps import Step, terms
 from newton_euler import Frame, atan, cos, sin, solve_rates
 from newton_euler.drawing import Sketch
 
@@ -13,7 +14,7 @@ def gears(n, n_C, tan_gamma):
     does not slide on C.
     """
     ground = Frame("ground")
-    arm, C = ground.rotate("arm", "z", rate=n), ground.rotate("C", "z", rate=n_C)
+    arm, C = ground.rotate("OA", "z", rate=n), ground.rotate("C", "z", rate=n_C)
     # on the common line of the pitch cones, from O; the length does not matter
     contact = (0, tan_gamma, -1)
 
@@ -36,6 +37,19 @@ def answers(n, n_C, tan_gamma):
     )
 
 
+def steps(n, n_C, tan_gamma, rolling):
+    """The turning of B on its arm, in which it does not slide on C: ``rolling`` is the formula."""
+    ground, arm, B = gears(n, n_C, tan_gamma)
+    omega = arm.angular_velocity(ground)
+    yield Step("omega_OA", omega, "rad/s", "angular velocity of DE and OA in the ground", "4.9")
+    omega = B.angular_velocity(arm).expressed_in(arm)
+    said = f"angular velocity of B relative to OA, ${rolling}$ about y, as it does not slide on C"
+    yield Step("omega_rel", omega, "rad/s", said, "4.9", "4.19")
+    omega, alpha = answers(n, n_C, tan_gamma).values()
+    yield from terms(omega, "omega_B", "rad/s", "4.9")
+    yield from terms(alpha, "alpha_B", "rad/s^2", "4.9")
+
+
 # along the axes of the arm, which turn about z, omega_B is constant
 follows = {"alpha_B": lambda g, omega_B: (g.n * omega_B.frame.k).cross(omega_B)}
 
@@ -50,7 +64,9 @@ def proved(n, n_C, tan_gamma):
         # rolling toward -x: the top of B goes ahead
         return times(rot("z", n * t), rot("y", -overtaken * tan_gamma))
 
-    return {"omega_B": angular_velocity(gear_B), "alpha_B": angular_acceleration(gear_B)}
+    omega = angular_velocity(gear_B)
+    found = {"omega_rel": minus(omega, [0, 0, n])}
+    return {"omega_B": omega, "alpha_B": angular_acceleration(gear_B)} | found
 
 
 def figure(ax, tan_gamma, C_turns):

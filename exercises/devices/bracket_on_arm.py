@@ -5,7 +5,9 @@ vertical.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.proofs import rate, second_rate
+from exercises.steps import terms
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -31,6 +33,15 @@ def motion_by_way_of_arm(P, ground, arm):
     )
 
 
+def motion_steps(P, ground, arm):
+    """What is seen from DEG of the point P of the bracket, then the terms of the answers."""
+    yield from turning_of(arm, ground, ground, "DEG", "the moving frame, fixed in DEG,")
+    yield from seen_in(arm, P, ground, "mm", "DEG", "E")
+    v, a = motion_by_way_of_arm(P, ground, arm).values()
+    yield from terms(v, f"v_{P.name}", "mm/s", "4.8")
+    yield from terms(a, f"a_{P.name}", "mm/s^2", "4.8")
+
+
 def common_mistakes(P, ground):
     """Those of both problems: P is a point of the bracket, so that its own frame's formula has the
     terms origin and euler = alpha x r.
@@ -48,12 +59,18 @@ def motion_in_time(g, name, up, out):
     coordinates about the arm, then about y.
     """
 
-    def place(t):
-        theta, phi = g.omega_2 * t, g.omega_1 * t
+    def seen(t):
+        phi = g.omega_1 * t
         y, z = up * mp.cos(phi) - out * mp.sin(phi), up * mp.sin(phi) + out * mp.cos(phi)
+        return [g.c, y, z]
+
+    def place(t):
+        theta = g.omega_2 * t
+        _, y, z = seen(t)
         return [g.c * mp.cos(theta) + z * mp.sin(theta), y, z * mp.cos(theta) - g.c * mp.sin(theta)]
 
-    return {f"v_{name}": rate(place), f"a_{name}": second_rate(place)}
+    found = {"r": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
+    return {f"v_{name}": rate(place), f"a_{name}": second_rate(place)} | found
 
 
 def sketch(g, ax, a):

@@ -8,6 +8,7 @@ shaft. On the rim, A is at the top and B at the side on +x.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.following import acceleration_of
 from exercises.proofs import (
     angular_acceleration,
@@ -18,6 +19,7 @@ from exercises.proofs import (
     second_rate,
     spun,
 )
+from exercises.steps import terms
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -73,6 +75,26 @@ def rim_motion(frames, name, r):
         f"v_{name}": S.velocity(ground, via=bracket),
         f"a_{name}": S.acceleration(ground, via=bracket),
     }
+
+
+def turning_steps(g):
+    """The terms of both angular answers."""
+    omega, alpha = turning(disk_in_bracket(g)).values()
+    yield from terms(omega, "omega_disk", "rad/s", "4.9")
+    yield from terms(alpha, "alpha_disk", "rad/s^2", "4.9")
+
+
+def rim_steps(g, name):
+    """What is seen from the bracket of A or B, then the terms of its velocity and acceleration."""
+    ground, bracket, disk = frames = disk_in_bracket(g)
+    length, start = ("mm", "O") if hasattr(g, "b") else ("m", "the disk's centre")
+    said = "the moving frame, fixed in the bracket,"
+    yield from turning_of(bracket, ground, bracket, "bracket", said)
+    S = rim_point(disk, name, g.r)
+    yield from seen_in(bracket, S, bracket, length, "the bracket", start, f"r_{name}")
+    v, a = rim_motion(frames, name, g.r).values()
+    yield from terms(v, f"v_{name}", f"{length}/s", "4.8")
+    yield from terms(a, f"a_{name}", f"{length}/s^2", "4.8")
 
 
 def alpha_disk(g, omega_disk):
@@ -137,12 +159,17 @@ def prove_rim(g, name):
     """
     start = {"A": 0, "B": mp.pi / 2}[name]
 
-    def place(t):
-        theta, phi, axle = in_time(g, t)
-        ahead, up = g.r * mp.sin(start + phi), g.r * mp.cos(start + phi)
-        return plus(scaled(data(g)[-1], axle), [ahead * mp.cos(theta), ahead * mp.sin(theta), up])
+    def seen(t):
+        phi = start + in_time(g, t)[1]
+        return [g.r * mp.sin(phi), data(g)[-1], g.r * mp.cos(phi)]
 
-    return {f"v_{name}": rate(place), f"a_{name}": second_rate(place)}
+    def place(t):
+        theta, _, axle = in_time(g, t)
+        ahead, out, up = seen(t)
+        return plus(scaled(out, axle), [ahead * mp.cos(theta), ahead * mp.sin(theta), up])
+
+    found = {f"r_{name}": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
+    return {f"v_{name}": rate(place), f"a_{name}": second_rate(place)} | found
 
 
 def figure(g, ax, rim="AB", omega_name=r"\omega"):

@@ -9,6 +9,7 @@ D at the side on +x.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.following import acceleration_of
 from exercises.proofs import (
     angular_acceleration,
@@ -19,7 +20,9 @@ from exercises.proofs import (
     scaled,
     second_rate,
     spun,
+    transposed,
 )
+from exercises.steps import terms
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -56,6 +59,20 @@ def answers(frames, S):
         f"v_{S.name}": S.velocity(ground),
         f"a_{S.name}": S.acceleration(ground),
     })  # fmt: skip
+
+
+def rim_steps(g, name):
+    """The turning of A, then that of the disk, and the motion of C or D with the disk."""
+    frames, S = frames_and_point(g, name)
+    ground, B, A, disk = frames
+    yield from turning_of(A, ground, B, "A", "the bracket A")
+    omega, alpha, v, a = answers(frames, S).values()
+    yield from terms(omega, "omega_disk", "rad/s", "4.9")
+    yield from terms(alpha, "alpha_disk", "rad/s^2", "4.9", "4.26")
+    start = "the disk's centre, which is at rest; the moving frame is fixed in the disk"
+    yield from seen_in(disk, S, B, "m", "the disk", start, f"r_{name}")
+    yield from terms(v, f"v_{name}", "m/s", "4.8")
+    yield from terms(a, f"a_{name}", "m/s^2", "4.8")
 
 
 def rim_from_turning(name):
@@ -98,6 +115,16 @@ def prove_turning(omega_1, omega_2, omega_3):
     return angular_velocity(disk), angular_acceleration(disk)
 
 
+def prove_carrier(omega_1, omega_2):
+    """Proof: angular velocity and acceleration of what carries the disk's axle, likewise."""
+
+    def carrier(t):
+        pin, axis = pin_and_axis(omega_1 * t, omega_2 * t)
+        return transposed([pin, axis, cross(pin, axis)])
+
+    return angular_velocity(carrier), angular_acceleration(carrier)
+
+
 def prove_rim(g, name):
     """The same answers; the top of the rim goes toward +x, the side on +x goes down."""
 
@@ -110,11 +137,15 @@ def prove_rim(g, name):
         }[name]
 
     omega, alpha = prove_turning(g.omega_1, g.omega_2, g.omega_3)
+    omega_A, alpha_A = prove_carrier(g.omega_1, g.omega_2)
     return {
         "omega_disk": omega,
         "alpha_disk": alpha,
         f"v_{name}": rate(place),
         f"a_{name}": second_rate(place),
+        "omega_A": omega_A,
+        "alpha_A": alpha_A,
+        f"r_{name}": place(0),
     }
 
 

@@ -24,9 +24,9 @@ def arm_and_rod(g):
     grows.
     """
     ground = Frame("ground")
-    arm = ground.rotate("arm", "z", rate=g.omega)
+    arm = ground.rotate("BC", "z", rate=g.omega)
     C = arm.point("C", 0, g.b, 0)
-    rod = arm.rotate("rod", "-x", angle=g.beta_1, rate=g.b_dot, origin=C)
+    rod = arm.rotate("CD", "-x", angle=g.beta_1, rate=g.b_dot, origin=C)
     return ground, arm, rod, rod.point("D", 0, -g.L, 0)  # at beta = 0 the rod lies on CB
 
 
@@ -45,7 +45,8 @@ def steps(g):
     ground, arm, rod, D = arm_and_rod(g)
     omega, v_r = rod.angular_velocity(ground).expressed_in(ground), D.velocity(arm)
     yield Step("omega_CD", omega, "rad/s", "angular velocity of CD in the ground", "4.9", "4.22")
-    yield Step("v_r", v_r.expressed_in(ground), "mm/s", "velocity of D in AB and BC", "4.8", "4.17")
+    said = "velocity of D relative to the moving frame, fixed in BC"
+    yield Step("v_r", v_r.expressed_in(ground), "mm/s", said, "4.8", "4.17")
     for key, value in solve(g).items():
         yield from terms(value, key, {"alpha_CD": "rad/s^2", "v_D": "mm/s"}.get(key, "mm/s^2"))
 
@@ -85,7 +86,7 @@ def common_mistakes(g):
     """Those that can be made in both problems."""
     ground, arm, rod, D = arm_and_rod(g)
     return in_frame(ground, {
-        "no_cross_product": {"alpha_CD": rod.angular_acceleration(ground).without("arm x rod")},
+        "no_cross_product": {"alpha_CD": rod.angular_acceleration(ground).without("BC x CD")},
         "no_coriolis": {"a_D": D.acceleration(ground, via=arm).without("coriolis")},
         "beta_the_other_way": solve(g.but(b_dot=-g.b_dot)),
     })  # fmt: skip

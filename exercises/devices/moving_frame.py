@@ -22,9 +22,9 @@ def turning_of(frame, ground, axes, name, said):
         yield Step(f"alpha_{name}", alpha, "rad/s^2", told, "4.9", "4.25")
 
 
-def seen_in(frame, P, axes, length, said, start, r="r"):
-    """Place, velocity and acceleration of P in a frame with its origin at ``start``, along
-    ``axes``; ``length`` is the unit of lengths. What is zero is left out.
+def seen_in(frame, P, axes, length, said, start, r="r", acceleration=True):
+    """Place, velocity and acceleration (if it is needed) of P in a frame with its origin at
+    ``start``, along ``axes``; ``length`` is the unit of lengths. What is zero is left out.
     """
     name = body_text(P.name)
     place, v, a = (
@@ -34,7 +34,7 @@ def seen_in(frame, P, axes, length, said, start, r="r"):
     if not is_zero(v):
         told = f"velocity of {name} as seen from {said}"
         yield Step("v_r", v, f"{length}/s", told, "4.8", "4.17")
-    if not is_zero(a):
+    if acceleration and not is_zero(a):
         told = f"acceleration of {name} as seen from {said}"
         yield Step("a_r", a, f"{length}/s^2", told, "4.8", "4.18")
 

@@ -4,7 +4,8 @@ vertical y axis.
 
 from mpmath import mp
 
-from exercises.proofs import plus, rot, scaled, times
+from exercises.proofs import angular_velocity, minus, plus, rate, rot, scaled, times
+from exercises.steps import Step
 from newton_euler import Frame, pi, solve_rates
 from newton_euler.drawing import Sketch
 
@@ -19,8 +20,8 @@ def axle_and_disk(g, spin):
     outward; the point A of its rim.
     """
     ground = Frame("ground")
-    arm = ground.rotate("arm", "y", rate=turning(g))
-    axle = arm.translate("axle", arm.point("C", 0, 0, g.R))
+    arm = ground.rotate("axle", "y", rate=turning(g))
+    axle = arm.translate("axes at C", arm.point("C", 0, 0, g.R))
     disk = axle.rotate("disk", "z", rate=spin)
     return ground, axle, disk, disk.point("A", g.r, 0, 0)
 
@@ -35,6 +36,31 @@ def rolling_spin(g):
 
     (spin,) = solve_rates(slip, 1)
     return spin
+
+
+def rolling_steps(g):
+    """The turning of the axle and the condition of rolling."""
+    ground, axle, disk, _ = axle_and_disk(g, rolling_spin(g))
+    omega = axle.angular_velocity(ground).expressed_in(axle)
+    said = "angular velocity of the axle, once round in T"
+    yield Step("omega_axle", omega, "rad/s", said, "4.4", "4.9")
+    v = axle.origin.velocity(ground).expressed_in(axle)
+    said = "velocity of the disk's centre C, which goes round the circle of radius R"
+    yield Step("v_C", v, "m/s", said, "4.4", "4.11")
+    spin = disk.angular_velocity(axle).expressed_in(axle)
+    said = "rate of the disk on the axle: it rolls, so that r times this rate is the speed of C"
+    yield Step("omega_spin", spin, "rad/s", said, "4.4", "4.11")
+
+
+def proved_steps(g):
+    """Proof, what of this is found from the motion."""
+
+    def outward(t):
+        return times(rot("y", 2 * mp.pi * t / g.T), [0, 0, g.R])
+
+    turning = [0, 2 * mp.pi / g.T, 0]
+    spin = minus(angular_velocity(orientation(g)), turning)
+    return {"v_C": rate(outward), "omega_spin": spin}
 
 
 def orientation(g):

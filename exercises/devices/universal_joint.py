@@ -6,6 +6,7 @@ from mpmath import mp
 
 from exercises.catalogue import in_frame
 from exercises.proofs import rot, spun, times
+from exercises.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -30,6 +31,13 @@ def angular_acceleration(g):
     """Of the shaft in the ground, along the axes of the fork."""
     ground, fork, shaft = fork_and_shaft(g)
     return in_frame(fork, shaft.angular_acceleration(ground))
+
+
+def direction(g):
+    """The step that gives the direction of the shaft, along the axes of the fork."""
+    _, fork, shaft = fork_and_shaft(g)
+    said = "direction of the shaft, $\\sin\\gamma$ along y and $\\cos\\gamma$ along z"
+    return Step("e", shaft.k.expressed_in(fork), "1", said)
 
 
 def orientation(g):

@@ -2,6 +2,8 @@
 other, the terms of each sum, the answers. Markdown.
 """
 
+import re
+
 from exercises.steps import steps
 from exercises.wording import term_text
 from newton_euler.algebra.scalars import is_numeric, to_plain
@@ -38,8 +40,14 @@ def _means(step, p):
     if not step.term:
         return typeset(step.means, p)
     of = step.means.rpartition(", in ")[-1]  # the sum
-    words = typeset(term_text(*step.term, p, latex=True), p)
+    words = _words(*step.term, p)
     return f"{words}, in ${symbol(of, step.is_vector)}$"
+
+
+def _words(name, equation, p):
+    """A term in words; its formula is LaTeX of the engine, in which {a} is no given."""
+    parts = re.split(r"(\$[^$]*\$)", term_text(name, equation, p, latex=True))
+    return "".join(x if n % 2 else typeset(x, p) for n, x in enumerate(parts))
 
 
 def _sentence(means):
@@ -106,7 +114,6 @@ def _ledger(explained, unit, p, number):
     yield "| --- | --- |"
     for name, term in explained.terms.items():
         if name in equation.terms or any(x != 0 for x in map(to_plain, term.c)):
-            words = typeset(term_text(name, equation, p, latex=True), p)
-            cells = words, f"${_latex(term, p.notation)}{unit_symbol(unit)}$"
+            cells = _words(name, equation, p), f"${_latex(term, p.notation)}{unit_symbol(unit)}$"
             # a bar would end the cell
             yield f"| {' | '.join(c.replace('|', chr(92) + 'vert ') for c in cells)} |"

@@ -145,6 +145,16 @@ def test_the_terms_of_an_answer_stand_in_its_table_and_not_among_the_steps_too()
     assert "| the turning of" not in text
 
 
+def test_the_formula_of_a_term_is_not_searched_for_givens():
+    p = problem("4/18")  # it has a length a
+    assert r"\mathbf{a}_r$ | $" in worked_solution(p, p.book_values)
+
+
+def test_a_sentence_may_begin_with_an_axis():
+    p = problem("4/12")
+    assert "2. z component of" in worked_solution(p, p.book_values)
+
+
 def test_the_terms_of_two_coordinates_are_said_in_words():
     p = problem("3/26")
     said = [s.means for s in steps(p, p.book_values)]

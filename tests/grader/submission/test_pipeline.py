@@ -69,8 +69,8 @@ def test_the_right_vector_in_another_frame_is_told(fresh):
 
     values = fresh.values("ch04", "dan", [problem("4/16")])["4/16"]
     a_D = problem("4/16").solve(values)["a_D"]
-    rod = next(f for f in a_D.frame.tree if f.name == "rod")
-    cell = f"a_D = {[float(x) for x in a_D.components(rod)]}"
+    CD = next(f for f in a_D.frame.tree if f.name == "CD")
+    cell = f"a_D = {[float(x) for x in a_D.components(CD)]}"
     submit(fresh, "dan", work(fresh, "dan", p4_16=cell))
     result = grade(fresh, "ch04", ["dan"], workers=1)[0]
-    assert "components along the axes of the rod" in result.scores["4/16"].parts[2].message
+    assert "components along the axes of CD" in result.scores["4/16"].parts[2].message
