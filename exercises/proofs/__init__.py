@@ -29,11 +29,13 @@ from .motions import (
     times,
     transposed,
 )
+from .moved import force_needed, kinetic_energy, let_go, moment_needed, vanishing
 from .roots import root
 
 __all__ = [
     "DIGITS", "ProofError", "angular_acceleration", "angular_velocity", "ball", "box", "cross",
-    "cylindrical_axes", "disk", "elevation", "freedom", "gradient", "integral", "mean", "minus",
-    "plus", "rate", "ring", "root", "rot", "scaled", "second_rate", "shell", "size",
-    "spherical_axes", "spun", "times", "transposed",
+    "cylindrical_axes", "disk", "elevation", "force_needed", "freedom", "gradient", "integral",
+    "kinetic_energy", "let_go", "mean", "minus", "moment_needed", "plus", "rate", "ring", "root",
+    "rot", "scaled", "second_rate", "shell", "size", "spherical_axes", "spun", "times",
+    "transposed", "vanishing",
 ]  # fmt: skip

@@ -1,0 +1,86 @@
+"""8/1: a beam on a pin and a cable, whose cable snaps."""
+
+from exercises.devices.broken_cable import (
+    acceleration_of,
+    by_energy,
+    fall_steps,
+    falls,
+    mass,
+    moment_of_weight,
+    pin_force,
+    sums,
+)
+from exercises.proofs import box, plus, second_rate
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.bodies import rod
+from newton_euler.drawing import Sketch
+
+
+def offset(g):
+    """From the pin to the mass center."""
+    return (1 - 2 * g.k) * g.L / 2
+
+
+def beam(g):
+    return lambda frame: rod(g.L, frame.point("G", offset(g), 0, 0), "x", mass=mass(g))
+
+
+def a_B(g, alpha):
+    return -acceleration_of(((1 - g.k) * g.L, 0, 0), alpha).y
+
+
+def answers(g, alpha):
+    return {"a_B": a_B(g, alpha), "R_C": pin_force(g, beam(g), alpha).y}
+
+
+def solve(g):
+    found = falls(g, beam(g))
+    return {"a_B": a_B(g, found.alpha), "R_C": found.R_y}
+
+
+def steps(g):
+    yield Step("d", offset(g), "ft", "distance from the pin C to the mass center G", "8.5")
+    *first, a_G = fall_steps(g, beam(g), "C")
+    yield from first
+    alpha = falls(g, beam(g)).alpha
+    yield Step("alpha", alpha, "rad/s^2", "angular acceleration about z", "8.5", "8.19")
+    yield a_G
+
+
+follows = {"R_C": lambda g, a_B: pin_force(g, beam(g), -a_B / ((1 - g.k) * g.L)).y}
+
+
+def prove(g):
+    points = [(u, plus(r, [offset(g), 0, 0])) for u, r in box(g.L, 0, 0, order=2)]
+    alpha, R, B = by_energy(g, points, [(1 - g.k) * g.L, 0, 0])
+    return {"a_B": -second_rate(B)[1], "R_C": R[1], "alpha": alpha} | sums(g, points, "C")
+
+
+def mistakes(g):
+    moment, m = moment_of_weight(g, beam(g)), mass(g)
+    return {
+        "about_G": answers(g, moment / (m * g.L**2 / 12)),
+        "about_the_end": answers(g, moment / (m * g.L**2 / 3)),
+        "as_in_statics": {"R_C": g.W / (2 * (1 - g.k))},
+        "B_falls_freely": {"a_B": g.g},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    A, C, B = (-g.k * g.L, 0, 0), (0, 0, 0), ((1 - g.k) * g.L, 0, 0)
+    top = (B[0], 0.4 * g.L, 0)
+    s.rod(A, B)
+    s.hinge(C)
+    s.ground((0, -0.09 * g.L, 0), ground.j)
+    s.line((-0.03 * g.L, -0.09 * g.L, 0), C, style="solid")
+    s.line((0.03 * g.L, -0.09 * g.L, 0), C, style="solid")
+    s.cable(B, top)
+    s.ground(top, -ground.j)
+    s.dimension(A, B, label="L", offset=-0.3 * g.L)
+    s.dimension(A, C, label="$kL$", offset=-0.17 * g.L)
+    s.label(A, "A", offset=(-10, 0))
+    s.label(B, "B", offset=(10, -4))
+    s.label(C, "C", offset=(0, 12))

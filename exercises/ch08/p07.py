@@ -1,0 +1,63 @@
+"""8/7: a cylinder that falls while a thread unwinds from it."""
+
+from mpmath import mp
+
+from exercises.devices.rolling_cylinder import rolled, rolls
+from exercises.proofs import force_needed, kinetic_energy, let_go
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.bodies import disk, ring
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import mass_from_weight
+
+
+def motion(g, shape=disk):
+    """The thread is the surface, x down along it: the cylinder rolls down the thread."""
+    return rolls(mass_from_weight(g.W, g.g), g.R, (g.g, 0), shape=shape)
+
+
+def solve(g):
+    return {"a_G": motion(g).a}
+
+
+def steps(g):
+    found, m = motion(g), mass_from_weight(g.W, g.g)
+    I = disk(g.R, Frame("cylinder"), "z", mass=m).inertia.moments[2]
+    yield Step("m", m, "slug", "mass, W/g", "6.1")
+    yield Step("I_G", I, "slug*ft^2", "moment of inertia about the axis of the cylinder", "8.5")
+    yield Step("alpha", -found.alpha, "rad/s^2",
+               "angular acceleration, a_G/R as the thread does not slip", "8.5")  # fmt: skip
+    yield Step("T", -found.F, "lb", "tension of the thread, from T R = I_G alpha", "8.5", "8.19")
+
+
+def prove(g):
+    """By the energy of the mass points, let go."""
+    m = g.W / g.g
+
+    def energy(q, t):
+        return kinetic_energy(m, lambda t: rolled(g.R, q(t)), t) - g.W * q(t)
+
+    a = let_go(energy)
+    needed = force_needed(m, lambda t: rolled(g.R, a * t**2 / 2))[0]
+    return {"a_G": a, "T": g.W - needed, "alpha": mp.mpf(a) / g.R}
+
+
+def mistakes(g):
+    return {
+        "hoop": {"a_G": motion(g, ring).a},
+        "no_tension": {"a_G": g.g},
+        "tension_as_weight": {"a_G": 0 * g.g},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    O, top = (0, 0, 0), (-g.R, 2.6 * g.R, 0)
+    s.disk(O, ground.k, g.R)
+    s.ground(top, -ground.j)
+    s.line(top, (-g.R, 0, 0), style="solid")
+    s.dot(O)
+    s.label(O, "G", offset=(-8, -8))
+    s.dimension(O, (g.R * 0.8, g.R * 0.6, 0), label="R", offset=0)
+    s.vector(O, (0, -0.6 * g.R, 0), "$a_G$", kind="acceleration")

@@ -1,0 +1,95 @@
+"""8/8: a cylinder on a slab that is suddenly accelerated, slipping and rolling."""
+
+from exercises.devices.rolling_cylinder import rolls, slips
+from exercises.proofs import disk, moment_needed, plus, rot, second_rate, times, vanishing
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+
+
+def no_slip(g, condition=None):
+    """For the unit of mass."""
+    return rolls(g.one, g.r, (0, -g.g), g.n * g.g, no_slip=condition)
+
+
+def with_slip(g, f):
+    return slips(g.one, g.r, (0, -g.g), f)
+
+
+def solve(g):
+    """Rolling needs the friction n m g/3, more than the surface can give in case a, less in b."""
+    return {"alpha_a": with_slip(g, g.f_a).alpha, "alpha_b": no_slip(g).alpha}
+
+
+def steps(g):
+    yield Step("f_min", no_slip(g).F / (g.one * g.g), "1",
+               "least coefficient of friction for which the cylinder rolls without slip, F/(m g)",
+               "8.6")  # fmt: skip
+    yield Step("a_Ga", with_slip(g, g.f_a).a, "ft/s^2",
+               "acceleration of the center in case a, f_a g: it slips", "6.1", "6.4")  # fmt: skip
+    yield Step("a_Gb", no_slip(g).a, "ft/s^2",
+               "acceleration of the center in case b, from a_G + r alpha = n g", "8.6")  # fmt: skip
+
+
+def prove(g):
+    """The friction is as large as it can be, unless a smaller one brings the contact along with
+    the slab.
+    """
+
+    def turning(F):
+        """alpha, from the moment that the mass points need about the center."""
+
+        def surplus(alpha):
+            def motion(t):
+                return [(u, times(rot("z", alpha * t**2 / 2), p)) for u, p in disk(g.r, order=2)]
+
+            return moment_needed(1, motion)[2] - F * g.r
+
+        return vanishing(surplus, 0, g.g / g.r)
+
+    def lag(F):
+        """Of the contact behind the slab, in acceleration."""
+        alpha = turning(F)
+
+        def contact(t):
+            return plus([F * t**2 / 2, 0, 0], times(rot("z", alpha * t**2 / 2), [0, -g.r, 0]))
+
+        return g.n * g.g - second_rate(contact)[0]
+
+    def friction(f):
+        return f * g.g if lag(f * g.g) > 0 else vanishing(lag, 0, f * g.g)
+
+    F_a, F_b = friction(g.f_a), friction(g.f_b)
+    f_min = vanishing(lambda f: lag(f * g.g), 0, 1)
+    return {
+        "alpha_a": turning(F_a),
+        "alpha_b": turning(F_b),
+        "a_Ga": F_a,
+        "a_Gb": F_b,
+        "f_min": f_min,
+    }
+
+
+def mistakes(g):
+    right = solve(g)
+    no_turning = no_slip(g, lambda a, alpha: a - g.n * g.g)
+    center_at_rest = no_slip(g, lambda a, alpha: g.r * alpha - g.n * g.g)
+    return {
+        "always_slips": {"alpha_b": with_slip(g, g.f_b).alpha},
+        "always_rolls": {"alpha_a": no_slip(g).alpha},
+        "no_turning": {"alpha_b": no_turning.alpha},
+        "no_motion_of_center": {"alpha_b": center_at_rest.alpha},
+        "clockwise": {key: -alpha for key, alpha in right.items()},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    O, rim, h = (0, 0, 0), (0.8 * g.r, 0.6 * g.r, 0), 0.3 * g.r
+    s.disk(O, ground.k, g.r)
+    s.box((0, -g.r - h / 2, 0), ground, (5 * g.r, h, h))
+    s.dot(O)
+    s.dimension(O, rim, label="r", offset=0)
+    s.vector((2.5 * g.r, -g.r - h / 2, 0), (g.r, 0, 0), "$n g$", kind="acceleration")
+    s.axes((-2.4 * g.r, 0, 0), ground, length=0.6 * g.r, labels=["x", "y", ""])

@@ -1,0 +1,102 @@
+"""A flat body in a vertical plane that hangs on a pin and a cable, at the instant when the cable
+snaps: 8/1 and 8/2.
+
+The pin is the origin of the ground, x to the right and y up. A ``shape`` is a function that makes
+the body in a frame that turns about the pin.
+"""
+
+from exercises.proofs import force_needed, kinetic_energy, let_go, mean, rot, times
+from exercises.steps import Step
+from newton_euler import Frame, equations_of_motion, solve_linear
+from newton_euler.dynamics import mass_from_weight, reaction, weight
+
+
+def turned(alpha):
+    """The ground, and the frame of the body, at rest at the instant."""
+    ground = Frame("ground")
+    return ground, ground.rotate("body", "z", acceleration=alpha)
+
+
+def acceleration_of(place, alpha):
+    """In the ground, of a place of the body."""
+    ground, frame = turned(alpha)
+    return frame.point("P", *place).acceleration(ground).expressed_in(ground)
+
+
+def mass(g):
+    return mass_from_weight(g.W, g.g)
+
+
+def falls(g, shape):
+    """alpha about z, and the force R_x, R_y of the pin: a solution of ``solve_linear``."""
+
+    def laws(alpha, R_x, R_y):
+        ground, frame = turned(alpha)
+        body = shape(frame)
+        forces = {
+            "weight": (weight(body, ground.j, g.g), body.centre),
+            "pin": (ground.vector(R_x, R_y, 0), ground),
+        }
+        return equations_of_motion(body, forces, ground, about=ground)
+
+    return solve_linear(laws)
+
+
+def moment_of_weight(g, shape):
+    """About z through the pin."""
+    ground = Frame("ground")
+    body = shape(ground)
+    return body.centre.position(ground).cross(weight(body, ground.j, g.g)).z
+
+
+def pin_force(g, shape, alpha):
+    """The force of the pin on the body that turns so."""
+    ground, frame = turned(alpha)
+    body = shape(frame)
+    a_G = body.centre.acceleration(ground).expressed_in(ground)
+    return reaction(body.mass, a_G, weight=weight(body, ground.j, g.g))
+
+
+def fall_steps(g, shape, pin):
+    """Mass, moment of inertia, moment and acceleration of the mass center; ``pin`` is its name."""
+    ground, frame = turned(falls(g, shape).alpha)
+    body = shape(frame)
+    I, a_G = body.about(ground.origin).moments[2], body.centre.acceleration(ground)
+    yield Step("m", body.mass, "slug", "mass, W/g", "6.1")
+    yield Step(f"I_{pin}", I, "slug*ft^2", f"moment of inertia about z through {pin}", "8.5")
+    yield Step(f"M_{pin}", moment_of_weight(g, shape), "lb*ft",
+               f"moment of the weight about z through {pin}", "8.1", "8.7")  # fmt: skip
+    yield Step("a_G", a_G.expressed_in(ground), "ft/s^2", "acceleration of the mass center",
+               "8.5", "8.15")  # fmt: skip
+
+
+def by_energy(g, points, *places):
+    """Proof: alpha, by the energy of the mass ``points`` as they begin to turn; the force of the
+    pin, by their momentum; the motion in time of further places.
+    """
+
+    def energy(q, t):
+        def motion(t):
+            return [(share, times(rot("z", q(t)), r)) for share, r in points]
+
+        height = sum(share * r[1] for share, r in motion(t))
+        return kinetic_energy(g.W / g.g, motion, t) + g.W * height
+
+    alpha = let_go(energy)
+
+    def moves(r):
+        return lambda t: times(rot("z", alpha * t**2 / 2), r)
+
+    def motion(t):
+        return [(share, moves(r)(t)) for share, r in points]
+
+    F_x, F_y, _ = force_needed(g.W / g.g, motion)
+    return alpha, [F_x, F_y + g.W, 0], *map(moves, places)
+
+
+def sums(g, points, pin):
+    """Proof: the steps that are sums over the mass points."""
+    return {
+        f"I_{pin}": g.W / g.g * mean(lambda r: r[0] ** 2 + r[1] ** 2, points),
+        f"M_{pin}": mean(lambda r: r[0] * -g.W, points),
+    }

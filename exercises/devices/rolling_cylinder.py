@@ -1,0 +1,54 @@
+"""A homogeneous cylinder or disk that touches a surface, or a thread, along which it rolls or
+slips: 8/7, 8/8, 8/9.
+
+Axes: x along the surface, y out of it, z = x cross y; the contact C is at -r y from the center.
+``a`` is the acceleration of the center along x, ``alpha`` the angular acceleration about z, ``F``
+and ``N`` the forces of the surface on the body along x and y.
+"""
+
+from exercises.proofs import disk as points_of_disk
+from exercises.proofs import plus, rot, times
+from newton_euler import Frame, equations_of_motion, moving, solve_linear
+from newton_euler.bodies import disk
+
+
+def rolls(m, r, gravity, surface=0, shape=disk, no_slip=None):
+    """a, alpha, F and N without slip: a solution of ``solve_linear``.
+
+    gravity : components of the acceleration of gravity along x and y
+    surface : acceleration of the surface along x
+    no_slip : instead of the right condition, a mistaken one, of a and alpha
+    """
+
+    def laws(a, alpha, F, N):
+        equations, a_C = _equations(m, r, gravity, shape, a, alpha, F, N)
+        return equations | {"no slip": no_slip(a, alpha) if no_slip else a_C - surface}
+
+    return solve_linear(laws)
+
+
+def slips(m, r, gravity, f):
+    """a, alpha and N with the friction f N, along x."""
+    return solve_linear(lambda a, alpha, N: _equations(m, r, gravity, disk, a, alpha, f * N, N)[0])
+
+
+def _equations(m, r, gravity, shape, a, alpha, F, N):
+    """Newton's and Euler's, and the acceleration of the body at the contact along x."""
+    ground = Frame("ground")
+    G = ground.point("G", moving(0 * r, rate=0, acceleration=a), 0, 0)
+    frame = ground.rotate("cylinder", "z", acceleration=alpha, origin=G)
+    body, C = shape(r, frame, "z", mass=m, name="cylinder"), frame.point("C", 0, -r, 0)
+    forces = {
+        "weight": (m * ground.vector(*gravity, 0), body.centre),
+        "contact": (ground.vector(F, N, 0), C),
+    }
+    a_C = C.acceleration(ground).expressed_in(ground).x
+    return equations_of_motion(body, forces, ground), a_C
+
+
+def rolled(r, q):
+    """Proof: the mass points when the center has moved by q from the origin, on a surface at
+    rest.
+    """
+    turned = rot("z", -q / r)
+    return [(u, plus([q, 0, 0], times(turned, p))) for u, p in points_of_disk(r, order=2)]
