@@ -38,8 +38,10 @@ def steps(g):
 
 def prove(g):
     OC, C = rolled(g, AXIS, g.omega, 0)
+    omega = angular_velocity(C)
     return {
-        "omega_C": angular_velocity(C),
+        "omega_C": omega,
+        "omega_spin": omega[0],  # OC, along x, goes round z
         "v_C": rate(lambda t: times(OC(t), [g.R, 0, 0])),
         "omega_OC": angular_velocity(OC)[2],
         "v_A": rate(lambda t: times(rot("z", g.omega * t), [g.R, 0, g.r])),

@@ -98,7 +98,8 @@ def prove(g):
         mean = plus(omega, scaled(t / 2, omega_dot))
         return plus(A, times(rot(mean, t * size(mean)), [g.L, 0, 0]))
 
-    return {"omega": omega, "a_B": second_rate(B)}
+    found = {"omega_across": [0, *omega[1:]], "omega_along": [omega[0], 0, 0]}
+    return {"omega": omega, "a_B": second_rate(B)} | found
 
 
 def mistakes(g):

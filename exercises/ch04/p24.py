@@ -3,7 +3,7 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_acceleration, spun
+from exercises.proofs import angular_acceleration, angular_velocity, minus, spun
 from exercises.steps import Step, terms
 from newton_euler import Frame, cos, sin
 from newton_euler.drawing import Sketch
@@ -41,7 +41,15 @@ def prove(g):
         sunk, right = g.omega * t, [1, 0, 0]
         return spun([0, mp.sin(sunk), mp.cos(sunk)], right, g.Omega * t)
 
-    return {"alpha_rotor": angular_acceleration(rotor)}
+    def fuselage(t):
+        return spun([1, 0, 0], [0, mp.cos(g.omega * t), -mp.sin(g.omega * t)], 0)
+
+    turning = angular_velocity(fuselage)
+    return {
+        "alpha_rotor": angular_acceleration(rotor),
+        "omega_fuselage": turning,
+        "omega_rotor": minus(angular_velocity(rotor), turning),
+    }
 
 
 def mistakes(g):

@@ -13,7 +13,8 @@ def mathml(latex, display="inline"):
     from latex2mathml.converter import convert
 
     try:
-        return convert(_RAISED.sub(_with_exponent, latex), display=display)
+        # it leaves the escape of a % in a text as it is
+        return convert(_RAISED.sub(_with_exponent, latex), display=display).replace(r"\%", "%")
     except Exception:  # its errors have no base class, and an IndexError is among them
         return f"${html.escape(latex)}$"
 
