@@ -33,8 +33,9 @@ def solve(g):
 
 
 def steps(g):
-    for n, F in enumerate(pulls(g), 1):
-        yield Step(f"force_{n}", F, "lb", f"force {n} in components", "6.1", "6.3")
+    R = solve(g)["R"]
+    yield Step("R_x", R.x, "lb", "sum of the x components of the three forces", "6.1", "6.3")
+    yield Step("R_y", R.y, "lb", "sum of the y components of the three forces", "6.1", "6.3")
 
 
 follows = {"R_mag": lambda g, R: R.norm(), "dir_R": lambda g, R: direction(R)}
@@ -51,7 +52,8 @@ def prove(g):
 
     line = root(across, mp.pi / 2, mp.pi)
     size = sum(F * mp.cos(theta - line) for F, theta in pairs)
-    return {"R": [size * mp.cos(line), size * mp.sin(line), 0], "R_mag": size, "dir_R": line}
+    x, y = size * mp.cos(line), size * mp.sin(line)
+    return {"R": [x, y, 0], "R_mag": size, "dir_R": line, "R_x": x, "R_y": y}
 
 
 def mistakes(g):

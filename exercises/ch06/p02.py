@@ -1,6 +1,7 @@
 """6/2: the acceleration of a particle by a force."""
 
 from exercises.proofs import rate, root
+from exercises.steps import Step
 from newton_euler import Frame
 from newton_euler.dynamics import acceleration_by
 
@@ -8,8 +9,16 @@ AXES = Frame("axes")
 G = 32.2  # the number in ft/s^2 that a student takes
 
 
+def force(g):
+    return AXES.vector(g.F_x, g.F_y, g.F_z)
+
+
 def solve(g):
-    return {"a": acceleration_by(g.m, force=AXES.vector(g.F_x, g.F_y, g.F_z))}
+    return {"a": acceleration_by(g.m, force=force(g))}
+
+
+def steps(g):
+    yield Step("F", force(g), "lb", "resultant force", "6.4", "6.7")
 
 
 def prove(g):

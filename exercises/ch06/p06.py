@@ -6,6 +6,7 @@ from exercises.devices.roped_blocks import (
     block_steps,
     by_energy,
     draw_wedge,
+    face_force,
     hanging,
     motion,
     on_face,
@@ -36,7 +37,7 @@ def prove(g):
         return [s * mp.cos(g.beta), s * mp.sin(g.beta)]
 
     a, T = by_energy(g, g.W_A, g.W_B, (A, lambda s: [0, -s]), 10 * g.g)
-    return {"a_B": a, "T": T}
+    return {"a_B": a, "T": T, "N_A": face_force(g, g.W_A, A, a, T)}
 
 
 def mistakes(g):

@@ -6,6 +6,7 @@ from exercises.devices.roped_blocks import (
     block_steps,
     by_energy,
     draw_wedge,
+    face_force,
     hanging,
     motion,
     on_face,
@@ -43,7 +44,8 @@ def prove(g):
         return [s * mp.cos(g.theta_B), -s * mp.sin(g.theta_B)]
 
     a, T = by_energy(g, g.W_A, g.W_B, (A, B), 10 * g.g)
-    return {"a_A": a, "T": T}
+    N_A, N_B = face_force(g, g.W_A, A, a, T), face_force(g, g.W_B, B, a, -T)
+    return {"a_A": a, "T": T, "N_A": N_A, "N_B": N_B}
 
 
 def mistakes(g):

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from exercises.devices.roped_blocks import block_steps, by_energy, hanging, motion
 from exercises.proofs import root, second_rate
+from exercises.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -23,6 +24,8 @@ def solve(g):
 
 def steps(g):
     yield from block_steps(g, *blocks(g))
+    pull = 2 * solve(g)["T"]
+    yield Step("F_rope", pull, "lb", "pull of both parts of the rope on A, 2*T", "6.1", "6.3")
 
 
 follows = {"a_B": lambda g, a_A: 2 * a_A, "T": lambda g, a_A: g.W_A / 2 * (1 + a_A / g.g)}

@@ -6,7 +6,7 @@ The rope pulls either block along its own line, toward the pulley.
 
 from dataclasses import dataclass
 
-from exercises.proofs import minus, rate, root
+from exercises.proofs import minus, plus, rate, root, scaled, second_rate, size
 from exercises.steps import Step
 from newton_euler import Frame, cos, pi, sin, solve_linear, tan
 from newton_euler.algebra.vectors import Vector
@@ -97,6 +97,19 @@ def by_energy(g, W_A, W_B, places, reach):
         reach,
     )
     return a, -gain(W_B, places[1], a) / (a / 2)  # what B loses is the work against the rope
+
+
+def face_force(g, W, place, a, pull):
+    """Proof: the force of a face on a block that moves as ``place(s)``, s = a t^2/2, while the rope
+    pulls it on with the force ``pull``, negative if back.
+    """
+
+    def moved(t):
+        return place(a * t**2 / 2)
+
+    ahead = minus(place(1), place(0))
+    F = scaled(W / g.g, plus(second_rate(moved), [0, g.g]))
+    return size(minus(F, scaled(pull / size(ahead), ahead)))
 
 
 def draw_wedge(ax, left, right=None):
