@@ -11,6 +11,7 @@ from exercises.steps import Step, faults, steps
 from exercises.variants import draw
 from grader.assignment.notebook import typeset
 from grader.assignment.solution import worked_solution
+from newton_euler.classroom.notation import number_symbol
 
 ALL = select(["all"])
 # for every symbol
@@ -117,7 +118,7 @@ def test_a_worked_solution_has_the_students_numbers_and_every_answer(p):
     for a in p.answers:
         assert typeset(a.means, p)[1:] in text
     for name, given in p.givens.items():
-        assert f"{values[name]:.6g}" in text, given
+        assert number_symbol(values[name]) in text, given
 
 
 def test_a_problem_without_sums_has_no_steps_of_its_own():

@@ -1,0 +1,107 @@
+"""6/13: a block that hangs from a free cart, both let go from rest."""
+
+from mpmath import mp
+
+from exercises.proofs import minus, rate, second_rate, size
+from exercises.steps import Step, terms
+from newton_euler import Frame, cos, moving, sin, solve_linear
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import resultant_force
+
+
+def hung(g, a_A, alpha):
+    """Ground with x to the right and z up, the cord, and the block at the instant of release."""
+    ground = Frame("ground")
+    A = ground.point("A", moving(0, acceleration=a_A), 0, 0)
+    cord = ground.rotate("cord", "-y", angle=g.theta, acceleration=alpha, origin=A)
+    return ground, cord, cord.point("B", 0, 0, -g.L)
+
+
+def let_go(g, cart_moves=1):
+    """Newton's second law of the cart along the track and of the block; the mistakes hold the
+    cart while they look at the block.
+    """
+
+    def laws(a_A, alpha, T):
+        ground, cord, B = hung(g, cart_moves * a_A, alpha)
+        up = cord.k  # from B to A
+        return {
+            "cart": g.m_A * a_A + T * up.dot(ground.i),
+            "block": resultant_force(g.m_B, B.acceleration(ground))
+            - (T * up - g.m_B * g.g * ground.k),
+        }
+
+    return solve_linear(laws)
+
+
+def solve(g):
+    s = let_go(g)
+    return {"a_A": s.a_A, "T": s.T}
+
+
+def steps(g):
+    s = let_go(g)
+    ground, cord, B = hung(g, s.a_A, s.alpha)
+    a_B = B.acceleration(ground, via=cord).expressed_in(ground)
+    yield Step("alpha", s.alpha, "rad/s^2", "second rate of the angle of the cord", "6.1", "6.4")
+    yield from terms(a_B, "a_B", "m/s^2", "6.6", "6.10")
+    yield Step("a_B", a_B, "m/s^2", "acceleration of the block, x to the right, z up", "6.6")
+
+
+follows = {"T": lambda g, a_A: g.m_A * a_A / sin(g.theta)}
+
+
+def prove(g):
+    """The centre of mass of both stays above one place, and what the block loses in height is
+    kinetic energy: the second rate of the one angle at rest, then the explicit motion.
+    """
+
+    def A(theta):
+        return [-g.m_B * g.L * mp.sin(theta) / (g.m_A + g.m_B), 0, 0]
+
+    def B(theta):
+        return [A(theta)[0] + g.L * mp.sin(theta), 0, -g.L * mp.cos(theta)]
+
+    def inertia(m, place):
+        return m * size(rate(place, g.theta)) ** 2
+
+    slope = g.m_B * g.g * rate(B, g.theta)[2]
+    alpha = -slope / (inertia(g.m_A, A) + inertia(g.m_B, B))
+
+    def angle(t):
+        return g.theta + alpha * t**2 / 2
+
+    a_A, a_B = (second_rate(lambda t, P=P: P(angle(t))) for P in (A, B))
+    pull = minus(a_B, [0, 0, -g.g])
+    return {"a_A": a_A[0], "T": g.m_B * size(pull), "alpha": alpha, "a_B": a_B}
+
+
+def mistakes(g):
+    T = let_go(g, cart_moves=0).T
+    hanging = g.m_B * g.g / cos(g.theta)
+    return {
+        "cart_held": {"a_A": T * sin(g.theta) / g.m_A, "T": T},
+        "no_vertical_acceleration": {"a_A": hanging * sin(g.theta) / g.m_A, "T": hanging},
+        "whole_mass": {"a_A": T * sin(g.theta) / (g.m_A + g.m_B)},
+        "cosine_for_the_cart": {"a_A": T * cos(g.theta) / g.m_A},
+    }
+
+
+def draw(g, ax):
+    ground, cord, B = hung(g, g.g, g.g / g.L)  # the accelerations are not seen
+    A = cord.origin
+    s = Sketch(ax, ground, plane="xz")
+    wide, high, r = 0.5 * g.L, 0.2 * g.L, 0.06 * g.L
+    level = -2 * r
+    s.line((-1.2 * g.L, 0, level), (1.2 * g.L, 0, level), style="solid")
+    s.line(A, (0, 0, -1.1 * g.L))
+    s.box((0, 0, high / 2), ground, (wide, wide, high))
+    for x in (-0.35 * wide, 0.35 * wide):
+        s.disk((x, 0, level + r), ground.j, r)
+    s.line(A, B, style="solid")
+    s.hinge(A)
+    s.box(B, ground, (0.25 * g.L,) * 3)
+    s.arc(A, -ground.k, B, label=r"$\theta$")
+    s.dimension(A, B, label="L", offset=0.2 * g.L)
+    s.label((-wide / 2, 0, high), "A")
+    s.label(B, "B", offset=(0, 0))

@@ -1,0 +1,97 @@
+"""6/14: a sphere on two wires, before and just after one of them is cut."""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import minus, rate, second_rate, size
+from exercises.steps import Step
+from newton_euler import Frame, pi, sin, solve_linear
+from newton_euler.drawing import Sketch
+
+
+def wires(g):
+    """Axes with x to the right and z up; frames with x along the wires, from the sphere upward."""
+    axes = Frame("x, y, z")
+    AB = axes.rotate("wire AB", "y", g.psi - pi(g.psi))
+    return axes, AB, axes.rotate("wire CD", "-y", g.alpha)
+
+
+def before(g):
+    """Equilibrium under both wires and the weight."""
+    axes, AB, CD = wires(g)
+    return solve_linear(lambda T_AB, T_CD: T_AB * AB.i + T_CD * CD.i - g.W * axes.k)
+
+
+def after(g):
+    """Newton's second law of the sphere, which can only begin to move across the wire that is left;
+    ``share``: its acceleration across CD over that of gravity, so that m a is W times share.
+    """
+    axes, _, CD = wires(g)
+    return solve_linear(lambda T_CD, share: T_CD * CD.i - g.W * axes.k - g.W * share * CD.k)
+
+
+def solve(g):
+    return {"T_before": before(g).T_CD, "T_after": after(g).T_CD}
+
+
+def steps(g):
+    yield Step("T_AB", before(g).T_AB, "N", "tension in AB before the cut", "6.1", "6.1")
+    yield Step("share", -after(g).share, "1",
+               "acceleration of the sphere just after the cut, over g: across CD and downward",
+               "6.1", "6.5")  # fmt: skip
+
+
+def prove(g):
+    """Before: virtual work while the sphere moves with AB taut. After: the pendulum CD begins to
+    move so that the height lost is kinetic energy, and the explicit motion is differentiated. Unit
+    of length is a wire, g is 1.
+    """
+    C = [mp.cos(g.alpha), 0, mp.sin(g.alpha)]
+
+    def with_AB(u):
+        return [mp.cos(g.psi + u) - mp.cos(g.psi), 0, mp.sin(g.psi) - mp.sin(g.psi + u)]
+
+    def length_of_CD(u):
+        return size(minus(with_AB(u), C))
+
+    def with_CD(u):
+        return minus(C, [mp.cos(g.alpha + u), 0, mp.sin(g.alpha + u)])
+
+    height, second = rate(with_AB)[2], -rate(with_CD)[2]
+    a = second_rate(lambda t: with_CD(second * t**2 / 2))
+    return {
+        "T_before": -g.W * height / rate(length_of_CD),
+        "T_after": g.W * size(minus(a, [0, 0, -mpf(1)])),
+        "share": size(a),
+    }
+
+
+def mistakes(g):
+    right = solve(g)
+    quarter = pi(g.psi) / 2
+    return {
+        "vertical_balance": {"T_after": g.W / sin(g.alpha)},
+        "as_before": {"T_after": right["T_before"]},
+        "from_the_vertical": solve(g.but(psi=quarter - g.psi, alpha=quarter - g.alpha)),
+        "other_wire": {"T_before": before(g).T_AB},
+    }
+
+
+def draw(g, ax):
+    axes, AB, CD = wires(g)
+    s = Sketch(ax, axes, plane="xz")
+    O, high = (0, 0, 0), 1.0
+    A = (AB.i * (high / sin(g.psi))).components(axes)
+    C = (CD.i * (high / sin(g.alpha))).components(axes)
+    s.road([(C[0] + 0.3, 0, high), (A[0] - 0.3, 0, high)])
+    for end, side in ((A, -0.7), (C, 0.7)):
+        s.line(O, (side, 0, 0))
+        s.line(O, end, style="solid")
+        s.hinge(end)
+    s.sphere(O, 0.08)
+    s.arc(O, -axes.i, A, label=r"$\psi$")
+    s.arc(O, axes.i, C, label=r"$\alpha$")
+    s.vector(O, -axes.k, "W", kind="force")
+    s.label(A, "A", offset=(-14, -12))
+    s.label(C, "C", offset=(14, -12))
+    s.label((-0.06, 0, -0.06), "B", offset=(-10, -8))
+    s.label((0.06, 0, -0.06), "D", offset=(10, -8))

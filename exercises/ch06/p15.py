@@ -1,0 +1,103 @@
+"""6/15: where a collar stays on a hoop that turns about its vertical diameter."""
+
+from mpmath import mp, mpf
+
+from exercises import proofs
+from exercises.proofs import minus, rate, second_rate, size, times
+from exercises.steps import Step
+from newton_euler import Frame, acos, asin, atan, cos, pi, root, sin
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import reaction
+
+ENDS = ("-0.3", "0.3", "3", "3.3")  # one place between each two, for all numbers of `vary`
+
+
+def collar(g, theta):
+    """Ground with z up, the hoop, whose x points to the collar's side, and the collar."""
+    ground = Frame("ground")
+    hoop = ground.rotate("hoop", "z", rate=g.omega)
+    return ground, hoop, hoop.point("C", g.r * sin(theta), 0, -g.r * cos(theta))
+
+
+def hoop_force(g, theta):
+    """The force that the collar needs to stay at theta, along the hoop's axes."""
+    ground, hoop, C = collar(g, theta)
+    a = C.acceleration(ground, via=hoop).expressed_in(hoop)
+    return reaction(g.m, a, weight=-g.m * g.g * ground.k)
+
+
+def along_hoop(g, theta):
+    """Its component that a hoop without friction cannot give."""
+    N = hoop_force(g, theta)
+    return N.dot(N.frame.vector(cos(theta), 0, sin(theta)))
+
+
+def solve(g):
+    places = [
+        root(lambda theta: along_hoop(g, theta), low * g.one, high * g.one)
+        for low, high in zip(map(float, ENDS), map(float, ENDS[1:]), strict=False)
+    ]
+    return {f"theta_{n}": theta for n, theta in enumerate(places, 1)}
+
+
+def steps(g):
+    theta = solve(g)["theta_2"]
+    ground, _, C = collar(g, theta)
+    yield Step("d", C.x[0].value, "m", "distance of the collar from AB at the middle angle", "6.4")
+    yield Step("a", C.acceleration(ground).norm(), "m/s^2",
+               "acceleration of the collar there, toward AB", "6.4", "6.8")  # fmt: skip
+    yield Step("N", hoop_force(g, theta).norm(), "N", "force of the hoop on the collar there",
+               "6.1", "6.1")  # fmt: skip
+
+
+def prove(g):
+    """Where the Lagrangian of the collar, carried round in the ground, is stationary in theta."""
+
+    def place(theta, t=0):
+        return times(proofs.rot("z", g.omega * t), [g.r * mp.sin(theta), 0, -g.r * mp.cos(theta)])
+
+    def lagrangian(theta):
+        x, y, z = place(theta)
+        return g.omega**2 * (x * x + y * y) / 2 - g.g * z
+
+    found = {
+        f"theta_{n + 1}": proofs.root(
+            lambda theta: rate(lagrangian, theta), mpf(ENDS[n]), mpf(ENDS[n + 1])
+        )
+        for n in range(3)
+    }
+    a = second_rate(lambda t: place(found["theta_2"], t))
+    force = g.m * size(minus(a, [0, 0, -g.g]))
+    return found | {"d": mp.hypot(*place(found["theta_2"])[:2]), "a": size(a), "N": force}
+
+
+def mistakes(g):
+    right = solve(g)["theta_2"]
+    share = g.g / (g.r * g.omega**2)
+    return {
+        "both_signs": {"theta_1": -right, "theta_2": 0 * right, "theta_3": right},
+        "r_for_the_circle": {"theta_2": atan(1 / share)},
+        "sine": {"theta_2": asin(share)},
+        "from_above": {"theta_2": pi(share) - acos(share)},
+    }
+
+
+def draw(g, ax):
+    theta, r = 0.9, g.r  # anywhere
+    ground, _, C = collar(g, theta)
+    s = Sketch(ax, ground, plane="xz")
+    O, A, B = (0, 0, 0), (0, 0, r), (0, 0, -r)
+    s.line((0, 0, -1.5 * r), (0, 0, 1.6 * r), style="centre")
+    s.ring(O, ground.j, r)
+    s.line(O, C)
+    s.dot(C)
+    s.dot(O)
+    for end, side in ((A, 1), (B, -1)):
+        s.rod(end, (0, 0, side * 1.3 * r))
+        s.hinge((0, 0, side * 1.2 * r), axis=ground.k)
+    s.turn((0, 0, 1.45 * r), ground.k, label=r"$\omega$")
+    s.arc(O, -ground.k, C, label=r"$\theta$")
+    s.arrow(O, (-r * sin(2.2), 0, -r * cos(2.2)), label="r")
+    s.label(A, "A", offset=(12, 10))
+    s.label(B, "B", offset=(12, -10))
+    s.label(C, "m", offset=(14, -6), bold=False)

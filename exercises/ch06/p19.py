@@ -1,0 +1,61 @@
+"""6/19: where a stone lands that is dropped on the turning Earth."""
+
+from exercises.devices.turning_earth import (
+    flight,
+    globe,
+    ground_axes,
+    shot,
+    to_first_order,
+)
+from exercises.proofs import root
+from exercises.steps import Step
+from newton_euler import pi, sqrt
+from newton_euler.applications import earth_rate
+
+
+def fall_time(g):
+    """The rotation does not change it to first order."""
+    return sqrt(2 * g.h / g.g)
+
+
+def solve(g):
+    way = shot(g, fall_time(g), ground_axes(g).vector(0, 0, 0))
+    return {"d": way.without("fall")}
+
+
+def steps(g):
+    Omega = earth_rate(ground_axes(g))
+    yield Step("t_f", fall_time(g), "s", "time of the fall through h", "6.10", "6.25")
+    yield Step("Omega", Omega, "rad/s", "angular velocity of the earth", "6.10", "6.18")
+
+
+def prove(g):
+    """The free flight as it is seen from the stars, with the speed of the Earth at the height h, as
+    far as to the ground.
+    """
+    place = flight(g, [0, 0, 0], g.h)
+    t_0 = (2 * g.h / g.g) ** 0.5
+
+    def landing(share):
+        t = root(lambda t: place(t, share)[2], t_0 / 2, 2 * t_0)
+        return [t, *place(t, share)]
+
+    t_f, *d = to_first_order(landing)
+    return {"d": d, "t_f": t_f}
+
+
+def mistakes(g):
+    d = solve(g)["d"]
+    return {
+        "turns_on_below": {"d": -d},
+        "final_speed": {"d": 3 * d},
+        "mean_speed": {"d": 3 * d / 2},
+        "sine": solve(g.but(lat=pi(g.lat) / 2 - g.lat)),
+    }
+
+
+def draw(g, ax):
+    s, ground = globe(g, ax)
+    A = ground.point("A", 0, 0, 0.3)
+    s.dot(A)
+    s.label(A, "h", offset=(-14, -4), bold=False)

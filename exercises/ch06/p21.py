@@ -1,0 +1,101 @@
+"""6/21: a long shot to the north, on the turning Earth."""
+
+from mpmath import mp
+
+from exercises.devices.turning_earth import flight, ground_axes, shot, to_first_order
+from exercises.proofs import root as place_of
+from exercises.steps import Step
+from newton_euler import Frame, cos, pi, root, sin
+from newton_euler.applications import (
+    flight_time,
+    launch_velocity,
+    range_east,
+)
+from newton_euler.drawing import Sketch
+
+
+def elevation(g):
+    """The smaller one for the range D without rotation; 45 degrees carry farthest."""
+    return root(lambda e: range_east(g.v_0, e, g.g, 0 * g.omega_e) - g.D, 0 * g.lat, pi(g.lat) / 4)
+
+
+def landing(g, phi):
+    """The place of the bullet when it comes down, which for a shot to the north is as late as
+    without rotation.
+    """
+    north = pi(phi) / 2
+    ground = ground_axes(g)
+    t = flight_time(g.v_0, north, phi, g.lat, g.g, 0 * g.omega_e)
+    return t, shot(g, t, launch_velocity(ground, g.v_0, north, phi))
+
+
+def solve(g):
+    phi = elevation(g)
+    _, r = landing(g, phi)
+    return {"phi": phi, "x": r.x}
+
+
+def steps(g):
+    t, r = landing(g, elevation(g))
+    yield Step("t_f", t, "s", "time of flight", "6.10", "6.26")
+    yield Step("x_launch", r.terms["launch turned"].x, "ft",
+               "eastward part of r that comes from the launch", "6.10", "6.24")  # fmt: skip
+    yield Step("x_fall", r.terms["fall turned"].x, "ft",
+               "eastward part of r that comes from the fall", "6.10", "6.24")  # fmt: skip
+
+
+follows = {"x": lambda g, phi: landing(g, phi)[1].x}
+
+
+def prove(g):
+    """The height over the target without rotation says the elevation; then the free flight as it is
+    seen from the stars, as far as to the ground.
+    """
+
+    def over_target(e):
+        t = g.D / (g.v_0 * mp.cos(e))
+        return g.v_0 * mp.sin(e) * t - g.g * t**2 / 2
+
+    phi = place_of(over_target, 0, mp.pi / 4)
+    v_y, v_z = g.v_0 * mp.cos(phi), g.v_0 * mp.sin(phi)
+    place, top = flight(g, [0, v_y, v_z]), v_z / g.g
+
+    def down(share):
+        t = place_of(lambda t: place(t, share)[2], top, 3 * top)
+        return [t, place(t, share)[0]]
+
+    t_f, x = to_first_order(down)
+    return {"phi": phi, "x": x, "t_f": t_f}
+
+
+def mistakes(g):
+    right = solve(g)
+    t, r = landing(g, right["phi"])
+    v_y = g.v_0 * cos(right["phi"])
+    by_v_y = g.omega_e * sin(g.lat) * v_y * t**2
+    high = pi(g.v_0) / 2 - right["phi"]
+    return {
+        "sine_only": {"x": by_v_y},
+        "no_fall_turned": {"x": r.without("fall turned").x},
+        "no_half": {"x": right["x"] + by_v_y},
+        "no_2": {"x": right["x"] / 2},
+        "high": {"phi": high, "x": landing(g, high)[1].x},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="yz")
+    O, T = (0, 0, 0), (0, g.D, 0)
+    top = 0.15 * g.D  # far more than in the problem
+    s.road([(0, -0.1 * g.D, 0), (0, 1.4 * g.D, 0)])
+    s.path([(0, g.D * q, 4 * top * q * (1 - q)) for q in (n / 40 for n in range(41))])
+    s.dot(O)
+    s.dot(T)
+    aim = (0, g.D, 4 * top)
+    s.line(O, (0, 0.45 * g.D, 1.8 * top))
+    s.vector(O, aim, "$v_0$")
+    s.arc(O, T, aim, label=r"$\phi$")
+    s.dimension(O, T, "D", offset=-0.1 * g.D)
+    s.label(T, "target", offset=(20, 12), bold=False)
+    s.label((0, 1.35 * g.D, 0), "north", offset=(0, 12), bold=False)

@@ -1,0 +1,69 @@
+"""6/22: where a shot straight up comes down on the turning Earth, a word and a formula."""
+
+from exercises.devices.turning_earth import (
+    flight,
+    globe,
+    ground_axes,
+    shot,
+    to_first_order,
+)
+from exercises.proofs import root
+from exercises.steps import Step
+from newton_euler import pi
+
+
+def answers(x):
+    """The word is for the place that is asked about."""
+
+    def side():
+        if x == 0:
+            return "same point"
+        return "east" if x > 0 else "west"
+
+    return {"side": side, "x": x}
+
+
+def way(g):
+    """From the launch until it is back, to first order after the time 2 v_0/g; with its terms."""
+    return shot(g, 2 * g.v_0 / g.g, g.v_0 * ground_axes(g).k)
+
+
+def solve(g):
+    return answers(way(g).x)
+
+
+def steps(g):
+    r = way(g)
+    yield Step("t_f", 2 * g.v_0 / g.g, "s", "time of flight", "6.10", "6.26")
+    yield Step("x_launch", r.terms["launch turned"].x, "m",
+               "eastward part of r that comes from the launch", "6.10", "6.24")  # fmt: skip
+    yield Step("x_fall", r.terms["fall turned"].x, "m",
+               "eastward part of r that comes from the fall", "6.10", "6.24")  # fmt: skip
+
+
+def prove(g):
+    """The free flight as it is seen from the stars, as far as to the ground."""
+    place, top = flight(g, [0, 0, g.v_0]), g.v_0 / g.g
+
+    def down(share):
+        t = root(lambda t: place(t, share)[2], top, 3 * top)
+        return [t, place(t, share)[0]]
+
+    t_f, x = to_first_order(down)
+    return answers(x) | {"t_f": t_f}
+
+
+def mistakes(g):
+    r = way(g)
+    dropped = shot(g, g.v_0 / g.g, ground_axes(g).vector(0, 0, 0))
+    return {
+        "undone": answers(0 * r.x),
+        "dropped_from_the_top": answers(dropped.x),
+        "no_fall_turned": {"x": r.without("fall turned").x},
+        "sine": {"x": solve(g.but(lat=pi(g.lat) / 2 - g.lat))["x"]},
+    }
+
+
+def draw(g, ax):
+    s, ground = globe(g, ax)
+    s.vector(ground.point("above", 0, 0, 0.6), ground.k, "$v_0$", kind="velocity")

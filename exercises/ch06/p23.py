@@ -1,0 +1,81 @@
+"""6/23: the force of a locomotive on its track, on the turning Earth."""
+
+from exercises.devices.turning_earth import (
+    RADIUS,
+    axes_turned,
+    from_above,
+    ground_axes,
+)
+from exercises.proofs import minus, plus, scaled, second_rate, times
+from exercises.steps import Step
+from newton_euler import Frame, pi, sqrt
+from newton_euler.applications import coriolis_acceleration, earth_rate
+from newton_euler.dynamics import reaction
+
+
+def velocity(g, east=-1):
+    """Northwest: as much to the west as to the north."""
+    return ground_axes(g).vector(east, 1, 0) * (g.v / sqrt(2 * g.one))
+
+
+def on_track(g, v, share=1):
+    """The reaction to the force of the track, which has to give the Coriolis acceleration and to
+    carry the weight.
+    """
+    a = -share * coriolis_acceleration(earth_rate(v.frame), v)
+    return {"F_track": -reaction(g.M, a, weight=-g.M * g.g * v.frame.k)}
+
+
+def solve(g):
+    return on_track(g, velocity(g))
+
+
+def steps(g):
+    v = velocity(g)
+    Omega = earth_rate(v.frame)
+    yield Step("v_rel", v, "m/s", "velocity relative to the earth", "6.9")
+    yield Step("Omega", Omega, "rad/s", "angular velocity of the earth", "6.10", "6.18")
+    yield Step("a_C", -coriolis_acceleration(Omega, v), "m/s^2",
+               "Coriolis acceleration of the locomotive", "6.9", "6.15")  # fmt: skip
+
+
+def prove(g):
+    """The straight motion over the ground, seen from the stars; what changes sign with the sense in
+    which the Earth turns is of first order in its rate, since the acceleration is of the second
+    degree in it.
+    """
+    v = scaled(g.v / (2 * g.one) ** 0.5, [-1, 1, 0])
+
+    def acceleration(sense):
+        return second_rate(
+            lambda t: times(
+                axes_turned(g, sense * g.omega_e * t), plus([0, 0, RADIUS], scaled(t, v))
+            )
+        )
+
+    a = scaled(g.one / 2, minus(acceleration(1), acceleration(-1)))
+    return {"F_track": scaled(-g.M, plus(a, [0, 0, g.g])), "a_C": a, "v_rel": v}
+
+
+def mistakes(g):
+    v = velocity(g)
+    right = solve(g)["F_track"]
+    return {
+        "force_of_the_track": {"F_track": -right},
+        "no_vertical": {"F_track": v.frame.vector(right.x, right.y, -g.M * g.g)},
+        "no_2": on_track(g, v, share=g.one / 2),
+        "northeast": on_track(g, velocity(g, east=1)),
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = from_above(ground, ax)
+    heading = ground.rotate("locomotive", "z", angle=3 * pi(g.one) / 4)
+    along, across = heading.i, heading.j
+    for side in (-0.2, 0.2):
+        s.line((side * across - 2.4 * along).components(ground),
+               (side * across + 2.4 * along).components(ground), style="solid")  # fmt: skip
+    s.box((0, 0, 0), heading, (1.2, 0.55, 0.4))
+    s.vector((0.6 * along).components(ground), along, "v", kind="velocity")
+    s.label((0, 0, 0), "M", offset=(0, 0), bold=False)

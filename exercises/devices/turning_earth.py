@@ -1,0 +1,92 @@
+"""Shots and vehicles on the turning Earth, 6/18 to 6/23: ground axes i east, j north, k up; proofs
+look at the motion from the stars, where there is no Coriolis term; the globe.
+"""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import minus, plus, rate, rot, scaled, times, transposed
+from newton_euler import Frame, cos, sin
+from newton_euler.applications import (
+    earth_frame,
+    earth_rate,
+    ground_frame,
+    projectile_position,
+)
+from newton_euler.drawing import Sketch
+
+RADIUS = mpf(6_400_000)  # of the Earth in proofs, any: to first order in its rate it drops out
+
+
+def ground_axes(g):
+    """The ground at the latitude of g, on the Earth that turns under the stars."""
+    return ground_frame(earth_frame(Frame("stars"), g.omega_e), g.lat)
+
+
+def shot(g, t, launch, omega=None):
+    """The place of a shot at the time t, from the place where it starts, with its named terms;
+    ``omega`` in place of the Earth's angular velocity.
+    """
+    ground = launch.frame
+    return projectile_position(t, launch, -g.g * ground.k, omega or earth_rate(ground))
+
+
+# -- proofs
+
+
+def axes_turned(g, angle):
+    """Ground axes as columns, after the Earth has turned by an angle: along the first ones."""
+    return rot([0, mp.cos(g.lat), mp.sin(g.lat)], angle)
+
+
+def flight(g, velocity, height=0):
+    """The place over the ground, as a function of time and of a share of the Earth's rate, of a
+    body that leaves from ``height`` with a velocity relative to the ground. Seen from the stars it
+    has the velocity of the ground as well, and falls along the vertical of the ground, which turns.
+    """
+    start, up = [0, 0, RADIUS + height], [0, 0, mpf(1)]
+
+    def place(t, share):
+        turning = share * g.omega_e
+        carried = [turning * mp.cos(g.lat) * start[2], 0, 0]
+        # integrated twice over time, what comes at the part u of the flight counts 1 - u; Simpson's
+        # rule, good to the second order in the rate
+        ups = plus(up, scaled(2, times(axes_turned(g, turning * t / 2), up)))
+        fall = scaled(-g.g * t**2 / 6, ups)
+        from_centre = plus(start, scaled(t, plus(velocity, carried)), fall)
+        seen = times(transposed(axes_turned(g, turning * t)), from_centre)
+        return minus(seen, [0, 0, RADIUS])
+
+    return place
+
+
+def to_first_order(f):
+    """The list f(share of the Earth's rate) to first order in that rate."""
+    return plus(f(mpf(0)), rate(f))
+
+
+# -- figures
+
+
+def globe(g, ax):
+    """The Earth with its axis, and the ground axes at the latitude of g."""
+    stars = Frame("stars")
+    ground = ground_frame(earth_frame(stars, 1), g.lat, radius=1)
+    s = Sketch(ax, stars, up="y", azimuth=30, elevation=20)
+    O, P = (0, 0, 0), ground.origin
+    toward_eye = (cos(0.35) * sin(0.52), sin(0.35), cos(0.35) * cos(0.52))
+    for normal in (stars.j, stars.i, toward_eye):
+        s.ring(O, normal, 1)
+    s.line((0, -1.2, 0), (0, 1.5, 0), style="centre")
+    s.turn((0, 1.35, 0), stars.j, label=r"$\omega_e$")
+    s.line(O, (0, 0, 1))
+    s.line(O, P)
+    s.arc(O, (0, 0, 1), P, label=r"$\lambda$")
+    s.axes(P, ground, length=0.55, labels=["i", "j", "k"])
+    return s, ground
+
+
+def from_above(ground, ax):
+    """A sketch of the ground, with the axes i and j at its corner."""
+    s = Sketch(ax, ground, plane="xy")
+    s.axes((-2, -1.6, 0), ground, length=0.8, labels=["i, east", "j, north", ""])
+    return s
