@@ -6,7 +6,7 @@ from newton_euler import Frame
 from newton_euler.bodies import plate, simplex
 from newton_euler.drawing import Sketch
 
-PLATE = Frame("plate")  # its origin is the mass center
+PLATE = Frame("plate")  # its origin is the centre of mass
 
 
 def corners(g):
@@ -30,11 +30,12 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("d", g.h / 3, "m", "height of the mass center above the base", "5.4", "5.13")
+    yield Step("d", g.h / 3, "m", "height of the centre of mass above the base", "5.4", "5.13")
     yield Step("I_b", about(g, -g.h / 3), "kg*m^2", "moment of inertia about the base, by strips "
                "parallel to it", "7.3", "7.10")  # fmt: skip
     yield Step("transfer", g.m * (g.h / 3) ** 2, "kg*m^2",
-               "what the parallel axis at the mass center has less, m*d^2", "7.8", "7.26")  # fmt: skip
+               "what the moment about the parallel through G is smaller by, m*d^2",
+               "7.8", "7.26")  # fmt: skip
 
 
 # a plate: the moment about the normal is the sum of the two in it

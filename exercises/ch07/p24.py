@@ -8,7 +8,7 @@ from newton_euler import Frame, cos, pi, sin
 from newton_euler.bodies import arc, wedge
 from newton_euler.drawing import Sketch
 
-WEDGE = Frame("wedge")  # its origin is on the edge OO', x toward the mass center, z along OO'
+WEDGE = Frame("wedge")  # its origin is on the edge OO', x toward the centre of mass, z along OO'
 
 
 def body(g):
@@ -28,7 +28,7 @@ def solve(g):
 
 def steps(g):
     d = distance(body(g))
-    yield Step("d", d, "m", "distance of the mass center from OO', 4*r*sin(psi/2)/(3*psi)",
+    yield Step("d", d, "m", "distance of the centre of mass from OO', 4*r*sin(psi/2)/(3*psi)",
                "5.4", "5.13")  # fmt: skip
     yield Step("transfer", g.m * d**2, "kg*m^2", "what the moment about GG' is smaller by, m*d^2",
                "7.8", "7.26")  # fmt: skip

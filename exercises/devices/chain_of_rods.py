@@ -43,3 +43,4 @@ def figure(g, ax):
         s.dimension(P, Q, label="a")
     for P in (O, A, B, C):
         s.label(P, P.name)
+    return s

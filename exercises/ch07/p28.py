@@ -1,0 +1,103 @@
+"""7/28: the cone that has the same moment of inertia about all axes through its centre of mass."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame, root, tan
+from newton_euler.bodies import cone
+from newton_euler.drawing import Sketch
+
+CONE = Frame("cone")  # its origin is the apex, z points to the base
+
+
+def of_height_1(g, radius):
+    return cone(radius, g.one, CONE, "z", mass=g.one)
+
+
+def angle(g, excess):
+    """The alpha at which ``excess``, a function of the cone, vanishes."""
+    return root(lambda a: excess(of_height_1(g, tan(a))), g.one / 10, 14 * g.one / 10)
+
+
+def difference(body):
+    I = body.inertia
+    return I.moment("z") - I.moment("x")
+
+
+def solve(g):
+    return {"alpha": angle(g, difference)}
+
+
+def steps(g):
+    alpha = solve(g)["alpha"]
+    body = of_height_1(g, tan(alpha))
+    yield Step("own", body.inertia.moment("z"), "1",
+               "moment about AA', over m*h^2: 3/10*(r/h)^2", "7.3")  # fmt: skip
+    yield Step("d", body.centre.position(CONE).z, "1",
+               "distance of the centre of mass from the apex, over h", "5.4", "5.13")  # fmt: skip
+    yield Step("at_apex", body.about(CONE).moment("x"), "1",
+               "transverse moment at the apex, over m*h^2: 3/20*(r/h)^2 + 3/5", "7.3")  # fmt: skip
+    yield Step("ratio", tan(alpha), "1", "r/h at which both moments about axes through the centre "
+               "of mass are equal, from 3/20*(r/h)^2 = 3/80", "7.8", "7.26")  # fmt: skip
+
+
+def prove(g):
+    """Disks on each other, their radius and mass growing with the distance from the apex."""
+
+    def points(radius):
+        for share, (x, _, _) in proofs.box(2, 0, 0, order=3):
+            up = (x + 1) / 2
+            for w, (y, z, _) in proofs.disk(radius * up, order=2):
+                yield 3 * up**2 * share * w, [y, z, up]
+
+    def squares(radius):
+        """Means of y^2, of the square of the distance from the centre of mass along the axis, and
+        the place of that.
+        """
+        body = list(points(radius))
+        d = proofs.mean(lambda p: p[2], body)
+        return [*proofs.mean(lambda p: [p[1] ** 2, (p[2] - d) ** 2], body), d]
+
+    def excess(radius):
+        across, along, _ = squares(radius)
+        return 2 * across - (across + along)
+
+    radius = proofs.root(excess, mp.mpf(1) / 10, 5)
+    across, along, d = squares(radius)
+    return {
+        "alpha": mp.atan2(radius, 1),
+        "own": 2 * across,
+        "d": d,
+        "at_apex": across + along + d**2,
+        "ratio": radius,
+    }
+
+
+def mistakes(g):
+    def at_apex(body):
+        return body.inertia.moment("z") - body.about(CONE).moment("x")
+
+    def wrong_centre(body):
+        d = body.centre.position(CONE).z
+        return at_apex(body) + body.mass * (d / 3) ** 2
+
+    return {
+        "at_the_apex": {"alpha": angle(g, at_apex)},
+        "full_angle": {"alpha": 2 * solve(g)["alpha"]},
+        "quarter_from_the_apex": {"alpha": angle(g, wrong_centre)},
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, CONE, plane="xz")
+    r, h = 0.36, 1  # not of the asked shape
+    apex, left, right = (0, 0, 0), (-r, 0, -h), (r, 0, -h)
+    s.plate([apex, left, right])
+    s.line((0, 0, 0.25), (0, 0, -1.2), style="centre")
+    s.line((-0.6, 0, -0.75), (0.6, 0, -0.75), style="centre")
+    s.arc(apex, (0, 0, -h), right, label=r"$\alpha$")
+    s.label((0, 0, 0.25), "A", offset=(9, -4))
+    s.label((0, 0, -1.2), "A'", offset=(9, 4))
+    s.label((-0.6, 0, -0.75), "B", offset=(0, 9))
+    s.label((0.6, 0, -0.75), "B'", offset=(0, 9))

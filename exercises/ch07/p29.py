@@ -1,0 +1,124 @@
+"""7/29: how long a spacecraft with two panels is to be for a steady spin."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame, composite, root
+from newton_euler.bodies import cylinder, cylindrical_shell, plate
+from newton_euler.drawing import Sketch
+
+CRAFT = Frame("craft")
+
+
+def parts(g, l_r, shell_mass=None, panel_mass=None):
+    """The shell and two panels, of radius 1, with a mass of 1 per area or with these masses."""
+
+    def matter(mass):
+        return {"density": g.one} if mass is None else {"mass": mass}
+
+    shell = cylindrical_shell(g.one, l_r, CRAFT, "x", **matter(shell_mass))
+    middle = g.one + g.c / 2
+    panels = [
+        plate(l_r, g.c, CRAFT.point(name, 0, y, 0), "z", name=name, **matter(panel_mass))
+        for name, y in (("left", -middle), ("right", middle))
+    ]
+    return shell, panels
+
+
+def excess(bodies):
+    """I_yy - I_xx."""
+    I = composite("craft", bodies).about(CRAFT)
+    return I.moment("y") - I.moment("x")
+
+
+def critical(g, of):
+    """The l/r at which I_yy - I_xx, a function of it, vanishes."""
+    return {"l_r": root(of, g.one / 10, 100 * g.one)}
+
+
+def solve(g):
+    def of(l_r):
+        shell, panels = parts(g, l_r)
+        return excess([shell, *panels])
+
+    return critical(g, of)
+
+
+def steps(g):
+    l_r = solve(g)["l_r"]
+    shell, (panel, _) = parts(g, l_r)
+    share = panel.mass / shell.mass
+    yield Step("share", share, "1", "mass of a panel over that of the shell, c/(2*pi)", "7.10")
+    k2 = panel.about(CRAFT).moment("x") / panel.mass
+    yield Step("panel_x", k2, "1", "moment of a panel about x, over its mass and r^2: "
+               "c^2/12 + (1 + c/2)^2", "7.8", "7.26")  # fmt: skip
+    yield Step("I_x", 1 + 2 * share * k2, "1", "I_xx over the mass of the shell and r^2", "7.10",
+               "7.14")  # fmt: skip
+
+
+def prove(g):
+    """Mass points on the shell and the panels; each body with a length of 1, which is stretched."""
+
+    def points(body, along):
+        for share, place in body:
+            for w, (x, _, _) in along:
+                yield share * w, [x, *place]
+
+    along = proofs.box(1, 0, 0, order=2)
+    round_x = [(w, [y, z]) for w, (y, z, _) in proofs.ring(1, order=2)]
+    across = [(w, [1 + g.c / 2 + y, 0]) for w, (y, _, _) in proofs.box(g.c, 0, 0, order=2)]
+    shell, panel = (list(points(body, along)) for body in (round_x, across))
+
+    def means(body):
+        return proofs.mean(lambda p: [p[0] ** 2, p[1] ** 2, p[2] ** 2], body)
+
+    (xx, yy, zz), (XX, YY, ZZ) = means(shell), means(panel)
+    m, M = 2 * mp.pi, 2 * g.c  # shell, both panels
+
+    def lacking(l_r):
+        return m * (zz + xx * l_r**2) + M * (ZZ + XX * l_r**2) - m * (yy + zz) - M * (YY + ZZ)
+
+    return {
+        "l_r": proofs.root(lacking, 0, 100),
+        "share": M / 2 / m,
+        "panel_x": YY + ZZ,
+        "I_x": yy + zz + M / m * (YY + ZZ),
+    }
+
+
+def mistakes(g):
+    def no_transfer(l_r):
+        shell, panels = parts(g, l_r)
+        return excess([shell, *panels]) + sum(
+            part.about(CRAFT).moment("x") - part.inertia.moment("x") for part in panels
+        )
+
+    def solid(l_r):
+        shell, panels = parts(g, l_r)
+        return excess([cylinder(g.one, l_r, CRAFT, "x", mass=shell.mass), *panels])
+
+    def equal_masses(l_r):
+        shell, panels = parts(g, l_r, g.one, g.one)
+        return excess([shell, *panels])
+
+    def no_panels(l_r):
+        return excess([parts(g, l_r)[0]])
+
+    models = no_transfer, solid, equal_masses, no_panels
+    return {model.__name__: critical(g, model) for model in models}
+
+
+def draw(g, ax):
+    l = 2.2  # over r, not that of the answer
+    s = Sketch(ax, CRAFT, azimuth=-60, elevation=30)
+    ends = (-l / 2, 0, 0), (l / 2, 0, 0)
+    for y in (1, -1):
+        edge = y * (1 + g.c)
+        s.plate([(-l / 2, y, 0), (l / 2, y, 0), (l / 2, edge, 0), (-l / 2, edge, 0)])
+    s.cylinder(*ends, 1, bore=0.97)
+    s.arrow(ends[1], (l / 2 + 1.4, 0, 0), "x")
+    s.arrow(ends[1], (l / 2, -0.6, 0.8), "r")
+    s.arrow((0, 1 + g.c, 0), (0, 1.8 + g.c, 0), "y")
+    s.dimension((l / 2, 1, 0), (l / 2, 1 + g.c, 0), label="$c\\,r$")
+    s.dimension((-l / 2, -1 - g.c, 0), (l / 2, -1 - g.c, 0), label="l")

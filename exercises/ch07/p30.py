@@ -1,0 +1,67 @@
+"""7/30: the moment of inertia of three rods about an axis through their centre of mass."""
+
+from itertools import pairwise
+
+from exercises import proofs
+from exercises.devices import chain_of_rods
+from exercises.devices.chain_of_rods import CHAIN, corners, path, rods
+from exercises.steps import Step
+from newton_euler import composite, particle
+
+
+def parts(g):
+    return rods(pairwise(corners(g)), mass=g.m)
+
+
+def at_O_and_G(g):
+    """The :class:`Inertia` of the assembly at O, and at its centre of mass."""
+    body = composite("assembly", parts(g))
+    return body.about(CHAIN), body.inertia
+
+
+def solve(g):
+    return {"I_xp": at_O_and_G(g)[1].moment("x")}
+
+
+def steps(g):
+    for part in parts(g):
+        yield Step(part.name.replace(" ", "_"), part.about(CHAIN).moment("x"), "kg*m^2",
+                   f"moment of the {part.name} about x", "7.8", "7.26")  # fmt: skip
+    body = composite("assembly", parts(g))
+    d = body.centre.position(CHAIN)
+    yield Step("d", d, "m", "centre of mass of the assembly, from O", "5.4", "5.11")
+    yield Step("transfer", body.mass * (d.y**2 + d.z**2), "kg*m^2", "what the moment about x' is "
+               "smaller by, 3*m*(d_y^2 + d_z^2)", "7.8", "7.26")  # fmt: skip
+
+
+def prove(g):
+    """The squares of the distances from x', added up along the chain."""
+    place, way, bends = path(g)
+
+    def total(f):
+        return proofs.integral(lambda s: f(place(s)), 0, way, bends)
+
+    d = proofs.scaled(1 / way, total(lambda p: p))
+    square = total(lambda p: (p[1] - d[1]) ** 2 + (p[2] - d[2]) ** 2) / way
+    return {"I_xp": 3 * g.m * square, "d": d}
+
+
+def mistakes(g):
+    O, G = (I.moment("x") for I in at_O_and_G(g))
+    balls = [particle(g.m, part.centre, part.name) for part in parts(g)]
+    return {
+        "one_mass": {"I_xp": O - (O - G) / 3},
+        "adds_the_transfer": {"I_xp": 2 * O - G},
+        "about_x": {"I_xp": O},
+        "at_the_middles": {"I_xp": composite("balls", balls).inertia.moment("x")},
+    }
+
+
+def draw(g, ax):
+    s = chain_of_rods.figure(g, ax)
+    G = composite("assembly", parts(g)).centre
+    x, y, z = G.position(CHAIN).components()
+    s.dot(G)
+    s.label(G, "G")
+    s.line((x - 1.6 * g.a, y, z), (x + 0.9 * g.a, y, z), style="centre")
+    s.arrow((x + 0.9 * g.a, y, z), (x + 1.2 * g.a, y, z), "$x'$")

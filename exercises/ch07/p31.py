@@ -1,0 +1,80 @@
+"""7/31: the products of inertia of a slanting rod."""
+
+from exercises import proofs
+from exercises.devices.products import named
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.bodies import simplex
+from newton_euler.drawing import Sketch
+
+AXES = Frame("axes")
+PAIRS = "xy", "yz", "zx"
+
+
+def ends(g):
+    return AXES.point("A", g.xA, g.yA, g.zA), AXES.point("B", g.xB, g.yB, g.zB)
+
+
+def rod(g):
+    return simplex(*ends(g), mass=g.m)
+
+
+def solve(g):
+    return named(rod(g).about(AXES).products)
+
+
+def steps(g):
+    body = rod(g)
+    yield Step("d", body.centre.position(AXES), "mm", "centre of mass, from the origin", "5.4")
+    transfer = body.about(AXES).terms["transfer"].products
+    for (u, v), own, moved in zip(PAIRS, body.inertia.products, transfer, strict=True):
+        yield Step(f"own_{u}{v}", own, "kg*m^2", f"product for the axes through the centre of "
+                   f"mass along {u} and {v}", "7.3", "7.10")  # fmt: skip
+        yield Step(f"transfer_{u}{v}", moved, "kg*m^2", f"to be added, m*d_{u}*d_{v}",
+                   "7.8", "7.26")  # fmt: skip
+
+
+def prove(g):
+    """Along the rod, from A to B."""
+    A, B = [g.xA, g.yA, g.zA], [g.xB, g.yB, g.zB]
+
+    def total(f):
+        def at(t):
+            return f(*(a + t * (b - a) for a, b in zip(A, B, strict=True)))
+
+        return proofs.integral(at, 0, 1)
+
+    d = total(lambda *p: list(p))
+    found = total(lambda x, y, z: [g.m * x * y, g.m * y * z, g.m * z * x])
+    own = total(lambda x, y, z: g.m * (x - d[0]) * (y - d[1]))
+    return {**named(found), "d": d, "own_xy": own}
+
+
+def mistakes(g):
+    body = rod(g)
+    I = body.about(AXES)
+    lengths = {name: 1000 * getattr(g, name) for name in ("xA", "yA", "zA", "xB", "yB", "zB")}
+    return {
+        "particle": named(I.terms["transfer"].products),
+        "in_the_matrix": named([-x for x in I.products]),
+        "no_transfer": named(body.inertia.products),
+        "millimeters": solve(g.but(**lengths)),
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, AXES, azimuth=35, elevation=22)
+    A, B = ends(g)
+    span = max(g.xB, g.yB, g.zA)
+    s.axes((0, 0, 0), AXES, length=1.15 * span)
+    s.rod(A, B)
+    for P, x, y, z in (A, g.xA, g.yA, g.zA), (B, g.xB, g.yB, g.zB):
+        foot = (x, y, 0)
+        s.line((x, y, z), foot)
+        s.line(foot, (x, 0, 0))
+        s.line(foot, (0, y, 0))
+        s.label(P, P.name)
+        s.label((x, 0, 0), f"$x_{P.name}$", offset=(-12, 6), bold=False)
+    # y_A may be zero, and the rod comes near z_B
+    s.label((0, g.yB, 0), "$y_B$", offset=(6, 10), bold=False)
+    s.label((g.xA, g.yA, g.zA / 2), "$z_A$", offset=(-12, 0), bold=False)

@@ -1,0 +1,51 @@
+"""The thin half ring (wire) of 7/26 and 7/27: G is its centre of mass, M the middle of its arc."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.bodies import half_disk, half_ring
+
+RING = Frame("ring")  # its origin is the centre of the circle, its x axis along the diameter
+
+
+def half(g):
+    """The body, below the diameter, and M."""
+    return half_ring(g.r, RING, "z", "-y", mass=g.m), RING.point("M", 0, -g.r, 0)
+
+
+def depth(part):
+    """From the diameter down to G."""
+    return -part.centre.position(RING).y
+
+
+def from_G(g, own, d):
+    """The moment about an axis through M, from that about the parallel through G, which is at the
+    depth d.
+    """
+    return own + g.m * (g.r - d) ** 2
+
+
+def with_half_disk(g, at_centre):
+    """The mistake of the half disk's centre of mass, from the moment at the centre of the circle to
+    that at M.
+    """
+    d = depth(half_disk(g.r, RING, "z", "-y", mass=g.m))
+    return from_G(g, at_centre - g.m * d**2, d)
+
+
+def half_steps(g, axis, through):
+    """What is needed to go over G; ``axis``, and the words for it through G."""
+    part, M = half(g)
+    yield Step("d", depth(part), "m", "distance of the centre of mass from the diameter, 2*r/pi",
+               "5.4", "5.13")  # fmt: skip
+    yield Step("own", part.inertia.moment(axis), "kg*m^2", f"moment about {through}, by m*d^2 "
+               "smaller than at the centre of the circle", "7.8", "7.26")  # fmt: skip
+    yield Step("transfer", part.about(M).terms["transfer"].moment(axis), "kg*m^2",
+               "from there to the middle of the arc, m*(r - d)^2", "7.8", "7.26")  # fmt: skip
+
+
+def mean_over_half(f, r):
+    """Proof: the mean of f(x, y) over the arc, along its angle from one end to the other."""
+    return proofs.integral(lambda t: f(r * mp.cos(t), -r * mp.sin(t)), 0, mp.pi) / mp.pi
