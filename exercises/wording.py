@@ -31,7 +31,9 @@ def term_text(name, equation, problem=None, latex=False):
     if not equation.kind.startswith("angular"):
         return f"the term {name}"
     if " x " not in name:
-        return f"the turning {_of_frame(name, problem)}"
+        # of an angular acceleration; the cross products are how the turning changes direction
+        growth = "the growth of " * (equation.kind == "angular acceleration")
+        return f"{growth}the turning {_of_frame(name, problem)}"
     first, second = (_of_frame(n, problem) for n in name.split(" x "))
     return f"the cross product of the turning {first} and the turning {second}"
 

@@ -67,6 +67,8 @@ def _equation(latex, value, unit, notation):
 
 def _latex(value, notation):
     """An answer in LaTeX, numbers with six significant digits."""
+    if isinstance(value, Vector):
+        value = _without_noise(value)
     if isinstance(value, (Vector, tuple, list)):
         inside = list_symbol(_latex(v, notation) for v in value)
         return rf"\left[{inside}\right]"
@@ -78,6 +80,12 @@ def _latex(value, notation):
 
     return sympy.latex(value, symbol_names={x: notation.get(x.name) or symbol(x.name)
                                             for x in value.free_symbols})  # fmt: skip
+
+
+def _without_noise(vector):
+    """What is left of cos(60 deg) - 1/2 is no component of a vector of this size."""
+    numbers = [abs(x) for x in vector.components() if is_numeric(x)]
+    return vector.rounded(1e-12 * float(max(numbers))) if numbers else vector
 
 
 def formatted(value):

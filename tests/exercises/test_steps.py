@@ -151,6 +151,13 @@ def test_the_formula_of_a_term_is_not_searched_for_givens():
     assert r"\mathbf{a}_r$ | $" in worked_solution(p, p.book_values)
 
 
+def test_round_off_is_no_component_of_an_answer():
+    p = problem("4/17")  # of the velocity along X is left what cos 60 degrees is not a half
+    text = worked_solution(p, p.book_values)
+    assert r"$\mathbf{v}_D = \left[0,\ 6.23538" in text
+    assert r"\times 10^{-1" not in text
+
+
 def test_a_sentence_may_begin_with_an_axis():
     p = problem("4/12")
     assert "2. z component of" in worked_solution(p, p.book_values)

@@ -266,14 +266,15 @@ def test_a_diagnosis_never_holds_a_number_of_the_key():
 
 
 def test_terms_are_named_in_the_words_of_the_problem():
-    turning = equation("angular acceleration")
+    turning, growing = equation("angular velocity"), equation("angular acceleration")
     coriolis = "the Coriolis term 2 omega x v_r"
     assert term_text("coriolis", equation("acceleration")) == coriolis
     assert term_text("arm", turning) == "the turning of the arm"
     assert term_text("A", turning) == "the turning of A"
     assert term_text("about y", turning) == "the turning about y"
+    assert term_text("arm", growing) == "the growth of the turning of the arm"
     assert (
-        term_text("arm x rod", turning)
+        term_text("arm x rod", growing)
         == "the cross product of the turning of the arm and the turning of the rod"
     )
     assert term_text("u''", equation("curvilinear acceleration")) == "the term u''"
