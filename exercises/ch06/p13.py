@@ -3,7 +3,7 @@
 from mpmath import mp
 
 from exercises.proofs import minus, rate, second_rate, size
-from exercises.steps import Step, terms
+from exercises.steps import Step
 from newton_euler import Frame, cos, moving, sin, solve_linear
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import resultant_force
@@ -44,8 +44,12 @@ def steps(g):
     ground, cord, B = hung(g, s.a_A, s.alpha)
     a_B = B.acceleration(ground, via=cord).expressed_in(ground)
     yield Step("alpha", s.alpha, "rad/s^2", "second rate of the angle of the cord", "6.1", "6.4")
-    yield from terms(a_B, "a_B", "m/s^2", "6.6", "6.10")
-    yield Step("a_B", a_B, "m/s^2", "acceleration of the block, x to the right, z up", "6.6")
+    relative = a_B.terms["euler"].expressed_in(ground)
+    yield Step("a_rel", relative, "m/s^2", "acceleration of the block relative to the cart, across "
+               "the cord", "6.6", "6.10")  # fmt: skip
+    yield Step(
+        "a_B", a_B, "m/s^2", "acceleration of the block, x to the right, z up", "6.6", "6.10"
+    )
 
 
 follows = {"T": lambda g, a_A: g.m_A * a_A / sin(g.theta)}

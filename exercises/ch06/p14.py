@@ -23,10 +23,10 @@ def before(g):
 
 def after(g):
     """Newton's second law of the sphere, which can only begin to move across the wire that is left;
-    ``share``: its acceleration across CD over that of gravity, so that m a is W times share.
+    ``eta``: its acceleration across CD over that of gravity, so that m a is W times eta.
     """
     axes, _, CD = wires(g)
-    return solve_linear(lambda T_CD, share: T_CD * CD.i - g.W * axes.k - g.W * share * CD.k)
+    return solve_linear(lambda T_CD, eta: T_CD * CD.i - g.W * axes.k - g.W * eta * CD.k)
 
 
 def solve(g):
@@ -35,7 +35,7 @@ def solve(g):
 
 def steps(g):
     yield Step("T_AB", before(g).T_AB, "N", "tension in AB before the cut", "6.1", "6.1")
-    yield Step("share", -after(g).share, "1",
+    yield Step("eta", -after(g).eta, "1",
                "acceleration of the sphere just after the cut, over g: across CD and downward",
                "6.1", "6.5")  # fmt: skip
 
@@ -61,7 +61,7 @@ def prove(g):
     return {
         "T_before": -g.W * height / rate(length_of_CD),
         "T_after": g.W * size(minus(a, [0, 0, -mpf(1)])),
-        "share": size(a),
+        "eta": size(a),
     }
 
 

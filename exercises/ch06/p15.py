@@ -43,6 +43,8 @@ def solve(g):
 def steps(g):
     theta = solve(g)["theta_2"]
     ground, _, C = collar(g, theta)
+    yield Step("c", cos(theta), "1", "cosine of the middle angle, where no force along the "
+               "hoop is needed", "6.1", "6.1")  # fmt: skip
     yield Step("d", C.x[0].value, "m", "distance of the collar from AB at the middle angle", "6.4")
     yield Step("a", C.acceleration(ground).norm(), "m/s^2",
                "acceleration of the collar there, toward AB", "6.4", "6.8")  # fmt: skip

@@ -53,8 +53,8 @@ def steps(g):
     r = at(lambda t: distance(g, t), g.t)
     yield Step("r", r.value, "m", "distance of the particle from O", "6.1", "6.6")
     yield Step("r_dot", r.rate, "m/s", "its rate", "6.1", "6.6")
-    yield Step("coriolis", 2 * g.m * r.rate * g.omega, "N",
-               "mass times transverse acceleration 2 r' theta'", "6.1", "6.6")  # fmt: skip
+    yield Step("F_C", 2 * g.m * r.rate * g.omega, "N",
+               "mass times the Coriolis acceleration across the tube", "6.1", "6.6")  # fmt: skip
 
 
 def prove(g):

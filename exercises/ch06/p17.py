@@ -29,11 +29,11 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("v_B", speed(g, g.h_B), "ft/s", "speed at B, by the work m*g*h_B of the weight",
+    yield Step("v_B", speed(g, g.h_B), "ft/s", "speed at B, by the work of the weight",
                "6.1", "6.5")  # fmt: skip
     yield Step("a_B", speed(g, g.h_B) ** 2 / g.rho_B, "ft/s^2",
                "normal acceleration at B, upward", "6.1", "6.5")  # fmt: skip
-    yield Step("v_C", speed(g, g.h_C), "ft/s", "speed at C", "6.1", "6.5")
+    yield Step("v_C", speed(g, g.h_C), "ft/s", "speed at C, in the same way", "6.1", "6.5")
 
 
 def prove(g):

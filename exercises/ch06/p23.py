@@ -23,7 +23,9 @@ def on_track(g, v, share=1):
     carry the weight.
     """
     a = -share * coriolis_acceleration(earth_rate(v.frame), v)
-    return {"F_track": -reaction(g.M, a, weight=-g.M * g.g * v.frame.k)}
+    of_track = reaction(g.M, a, weight=-g.M * g.g * v.frame.k)
+    # as a plain vector: its terms would be called after those of the other force
+    return {"F_track": v.frame.vector(*(-of_track).components())}
 
 
 def solve(g):
