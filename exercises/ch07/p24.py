@@ -37,7 +37,7 @@ def steps(g):
 def prove(g):
     """Radial slivers, the mass in them growing with the distance from OO'."""
     sliver = [(2 * share * (x + 1) / 2, g.r * (x + 1) / 2) for share, (x, _, _) in
-              proofs.box(2, 0, 0, order=3)]  # fmt: skip
+              proofs.box(2, 0, 0, order=2)]  # fmt: skip
 
     def total(f):
         def at(angle):

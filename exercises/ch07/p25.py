@@ -35,18 +35,15 @@ def steps(g):
 def prove(g):
     """By thin tubes about the axis, the squares of the distances from the line added up on each."""
 
-    def total(f):
-        def thin(r):
-            return 2 * mp.pi * r * proofs.mean(f, proofs.ring(r))
+    def squares(p):  # the ring is about z: its x is the height here
+        return [(p[0] + g.ro) ** 2 + p[1] ** 2, 1, p[0] ** 2 + p[1] ** 2]
 
-        return g.rho * g.lc * proofs.integral(thin, g.ri, g.ro)
+    def thin(r):
+        mass = 2 * mp.pi * r * g.rho * g.lc
+        return proofs.scaled(mass, proofs.mean(squares, proofs.ring(r, order=2)))
 
-    # the ring is about z: its x is the height here
-    return {
-        "I_xx": total(lambda p: (p[0] + g.ro) ** 2 + p[1] ** 2),
-        "m": total(lambda p: 1),
-        "own": total(lambda p: p[0] ** 2 + p[1] ** 2),
-    }
+    I_xx, m, own = proofs.integral(thin, g.ri, g.ro)
+    return {"I_xx": I_xx, "m": m, "own": own}
 
 
 def mistakes(g):

@@ -43,33 +43,23 @@ def steps(g):
 
 
 def prove(g):
-    """Disks on each other, their radius and mass growing with the distance from the apex."""
-
-    def points(radius):
-        for share, (x, _, _) in proofs.box(2, 0, 0, order=3):
-            up = (x + 1) / 2
-            for w, (y, z, _) in proofs.disk(radius * up, order=2):
-                yield 3 * up**2 * share * w, [y, z, up]
-
-    def squares(radius):
-        """Means of y^2, of the square of the distance from the centre of mass along the axis, and
-        the place of that.
-        """
-        body = list(points(radius))
-        d = proofs.mean(lambda p: p[2], body)
-        return [*proofs.mean(lambda p: [p[1] ** 2, (p[2] - d) ** 2], body), d]
-
-    def excess(radius):
-        across, along, _ = squares(radius)
-        return 2 * across - (across + along)
-
-    radius = proofs.root(excess, mp.mpf(1) / 10, 5)
-    across, along, d = squares(radius)
+    """Disks on each other, their radius and mass growing with the distance from the apex; a wider
+    cone is the same one, stretched across.
+    """
+    body = [
+        (3 * up**2 * share * w, [y * up, up])
+        for share, (x, _, _) in proofs.box(2, 0, 0, order=3)
+        for up in [(x + 1) / 2]
+        for w, (y, _, _) in proofs.disk(mp.mpf(1), order=2)
+    ]
+    d = proofs.mean(lambda p: p[1], body)
+    across, along, from_apex = proofs.mean(lambda p: [p[0] ** 2, (p[1] - d) ** 2, p[1] ** 2], body)
+    radius = proofs.root(lambda r: 2 * across * r**2 - (across * r**2 + along), mp.mpf(1) / 10, 5)
     return {
         "alpha": mp.atan2(radius, 1),
-        "own": 2 * across,
+        "own": 2 * across * radius**2,
         "d": d,
-        "at_apex": across + along + d**2,
+        "at_apex": across * radius**2 + from_apex,
         "ratio": radius,
     }
 
