@@ -1,0 +1,126 @@
+"""8/6: an unbalanced wheel that rolls down a slope and is about to jump."""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import rate, root, second_rate, vanishing
+from exercises.steps import Step
+from newton_euler import Frame, atan2, cos, sin, solve_linear, sqrt
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import acceleration_by, weight
+
+
+def upright(g):
+    """The vector omega^2 OG in axes x level, y up.
+
+    Without contact forces there is no moment about G; omega and the velocity of O do not change,
+    and G, whose acceleration in axes that move with O is that of gravity, has only the centripetal
+    term.
+    """
+
+    def laws(q_x, q_y):
+        ground = Frame("ground")
+        wheel = ground.rotate("wheel", "z", rate=g.one)
+        a_G = wheel.point("G", q_x, q_y, 0).acceleration(ground).expressed_in(ground)
+        return a_G - acceleration_by(g.one, weight=weight(g.one, ground.j, g.g))
+
+    found = solve_linear(laws)
+    return Frame("ground").vector(found.q_x, found.q_y, 0)
+
+
+def solve(g):
+    q = upright(g)
+    return {"v_min": g.r * sqrt(q.norm() / g.e), "phi_G": g.theta + atan2(-q.x, q.y)}
+
+
+def steps(g):
+    speed = solve(g)["v_min"]
+    yield Step("a_G", -upright(g).norm(), "ft/s^2",
+               "acceleration of G along the upward vertical, as its weight alone acts on it",
+               "6.1", "6.4")  # fmt: skip
+    yield Step("omega", speed / g.r, "rad/s", "angular speed of the wheel, from omega^2 e = g",
+               "4.8", "4.18")  # fmt: skip
+
+
+def contact(g, phi, square):
+    """Proof: the forces along the slope and its normal on a rolling wheel of the unit of mass, half
+    of it at either side of G, with G at phi and O moving at this squared speed.
+    """
+    v, k = mp.sqrt(square), g.r / 2
+
+    def places(a):
+        def motion(t):
+            s = v * t + a * t**2 / 2
+            c, n = mp.cos(phi - s / g.r), mp.sin(phi - s / g.r)
+            G = [s - g.e * n, g.e * c]
+            return [[G[0] + k * c, G[1] + k * n], [G[0] - k * c, G[1] - k * n]]
+
+        return motion
+
+    pull = [g.g * mp.sin(g.theta), -g.g * mp.cos(g.theta)]
+
+    def missing(a):
+        """The force that gravity leaves to the surface, on each half."""
+        return [
+            [(x - y) / 2 for x, y in zip(of_half, pull, strict=True)]
+            for of_half in second_rate(places(a))
+        ]
+
+    def power(a):
+        """Of these forces; the surface, where the wheel does not slip, gives none."""
+        return sum(
+            F * w
+            for half, velocity in zip(missing(a), rate(places(a)), strict=True)
+            for F, w in zip(half, velocity, strict=True)
+        )
+
+    halves = missing(vanishing(power, 0, g.g))
+    return [sum(x) for x in zip(*halves, strict=True)]
+
+
+def prove(g):
+    """At each place of G the speed at which the normal force of the rolling wheel vanishes; and the
+    place at which the friction vanishes with it.
+    """
+
+    def square(phi):
+        return vanishing(lambda u: contact(g, phi, u)[1], g.g * g.r, 2 * g.g * g.r)
+
+    def friction(phi):
+        return contact(g, phi, square(phi))[0]
+
+    phi = root(friction, mpf(-1), mpf(1.4))
+    v = mp.sqrt(square(phi))
+    return {"v_min": v, "phi_G": phi, "omega": v / g.r}
+
+
+def mistakes(g):
+    right, square = solve(g), g.g * (g.r**2 + 2 * g.r * g.e * cos(g.theta) + g.e**2) / g.e
+    return {
+        "G_on_the_normal": {"v_min": g.r * sqrt(g.g * cos(g.theta) / g.e), "phi_G": 0 * g.theta},
+        "speed_of_G": {"v_min": sqrt(square)},
+        "relative_speed": {"v_min": sqrt(g.g * g.e)},
+        "downhill": {"phi_G": -right["phi_G"]},
+    }
+
+
+def draw(g, ax):
+    tilt, other = 0.35, 0.9  # of the slope, and of OG: not as asked for
+    ground = Frame("ground")
+    slope = ground.rotate("slope", "-z", angle=tilt)
+    s = Sketch(ax, ground, plane="xy")
+    r, e = 1.0, 0.5
+    C = slope.point("O", 0, 0, 0)
+    G = slope.point("G", e * sin(other), -e * cos(other), 0)
+    left, right = slope.point("left", -2 * r, -r, 0), slope.point("right", 2.4 * r, -r, 0)
+    level = ground.translate("level", ground.point("l", *right.position(ground).components()))
+    s.road([left, right])
+    s.line(right, level.point("m", -2 * r, 0, 0))
+    s.arc(right, left, level.point("m", -2 * r, 0, 0), label=r"$\theta$", radius=1.2 * r)
+    s.disk(C, ground.k, r)
+    s.dot(C)
+    s.dot(G)
+    s.dimension(C, G, label="e", offset=0)
+    s.dimension(C, slope.point("rim", -0.8 * r, 0.6 * r, 0), label="r", offset=0)
+    s.vector(C, 1.5 * r * slope.i, "v")
+    s.label(C, "O", offset=(2, 10))
+    s.label(G, "G", offset=(4, -11))
