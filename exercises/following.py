@@ -14,6 +14,7 @@ from newton_euler import Frame
 from newton_euler.algebra.units import unit
 
 from .catalogue.units import in_unit
+from .catalogue.words import WORDS, word
 from .variants import flat
 
 
@@ -25,7 +26,7 @@ def earlier_answers(p):
 
 
 def follow(p, key, values, earlier):
-    """The answer ``key`` that follows from ``earlier`` answers, as a tuple of numbers.
+    """The answer ``key`` that follows from ``earlier`` answers, as a tuple of numbers or its word.
 
     values : givens and symbols in the units of the text
     earlier : {answer: tuple of numbers, in its unit}, with those that ``earlier_answers`` names
@@ -33,11 +34,15 @@ def follow(p, key, values, earlier):
     frame = Frame("axes of the answers")
     taken = {name: _in_base(p, name, earlier[name], frame) for name in earlier_answers(p)[key]}
     found = p.code.follows[key](p.base(values), **taken)
+    if p.answer(key).kind in WORDS:
+        return (word(found),)
     return flat(in_unit(found, p.answer(key), p.system))
 
 
 def _in_base(p, name, numbers, frame):
     answer = p.answer(name)
+    if answer.kind in WORDS:
+        return numbers[0]
     stated = unit(answer.unit)
     if answer.kind.startswith("matrix"):
         base = [stated.to_base(x, p.system) for x in numbers]

@@ -47,7 +47,7 @@ def cell_text(p, answers):
     """The text of an answer cell with these literals, and for formulas the functions that they
     need.
     """
-    functions = "Abs, acos, asin, atan, atan2, cos, exp, log, pi, sin, sqrt, tan"
+    functions = "Abs, acos, asin, atan, atan2, cos, cosh, exp, log, pi, sin, sinh, sqrt, tan, tanh"
     head = f"from sympy import {functions}\n" if p.symbolic else ""
     return head + "\n".join(f"{key} = {text}" for key, text in answers.items())
 

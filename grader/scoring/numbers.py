@@ -174,17 +174,29 @@ def _traced_wrong(problem_id):
 def _run_wrong(problem, sample):
     labels, run = _traced_wrong(problem.id)
     with np.errstate(all="ignore"):
-        if run:
-            return labels, run(**sample)
-        models = wrong_models(problem, sample)
-        return [model[:3] for model in models], [numbers for *_, numbers in models]
+        for values in (sample, _as_arrays(sample)):
+            try:
+                if run:
+                    return labels, run(**values)
+                models = wrong_models(problem, values)
+                return [model[:3] for model in models], [numbers for *_, numbers in models]
+            except (ArithmeticError, ValueError):
+                continue
+    return [], []  # some wrong model has no value, not even nan: none is told
+
+
+def _as_arrays(sample):
+    """The same numbers in arrays, which have nan where floats raise: a wrong model may lead to the
+    root of a negative number.
+    """
+    return {n: np.atleast_1d(x) for n, x in sample.items()}
 
 
 @cache
 def _traced_following(problem_id, key):
     """``follows`` of one answer, called with the values and the components of earlier answers."""
     p = find_problem(problem_id)
-    counts = {name: SHAPES[p.answer(name).kind] for name in earlier_answers(p)[key]}
+    counts = {name: SHAPES.get(p.answer(name).kind, 1) for name in earlier_answers(p)[key]}
     names = [f"{name}_{n}_" for name, count in counts.items() for n in range(count)]
 
     def formula(problem, values):

@@ -238,9 +238,9 @@ def _followed(a, found, numbers):
     earlier = {n: found[n].given if n in found else numbers.key[n] for n in names}
     if not wrong or None in earlier.values():
         return ()
-    if any(numbers.problem.answer(n).kind in WORDS for n in (a.key, *names)):
-        return ()
     expected = numbers.following(a.key, earlier)
+    if a.kind in WORDS:
+        return wrong if expected == found[a.key].given else ()
     if expected is None or max(math.hypot(*point) for point in expected) <= a.atol:
         return ()  # zero follows from zero: nothing was computed
     return wrong if is_right(a.kind, found[a.key].given, expected, a.atol) else ()

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from exercises.catalogue import problem, select
+from exercises.catalogue.words import WORDS
 from exercises.following import earlier_answers, follow
-from exercises.variants import draw
+from exercises.variants import distance, draw
 from grader.scoring import ScoreError, score_receipt
 from grader.scoring.numbers import numbers_of
 
@@ -114,22 +115,39 @@ NUMERIC = [(p, key) for p, key in FOLLOWING if not p.symbolic]
 
 @pytest.mark.parametrize(("p", "key"), NUMERIC, ids=[f"{p.id} {k}" for p, k in NUMERIC])
 def test_in_every_problem_a_later_answer_follows_from_a_wrong_one(p, key):
-    numbers = numbers_of(p, draw(p, b"following"))
-    first = earlier_answers(p)[key][0]
-    wrong = _trees(p, first, numbers, 1.3)
-    earlier = {name: rows(numbers.key[name]) for name in earlier_answers(p)[key]}
-    earlier[first] = tuple(1.3 * np.array(x) for x in earlier[first])
-    later = follow(p, key, numbers.sample, earlier)
-    given = {**{name: _trees(p, name, numbers, 1.0) for name in earlier}, first: wrong}
-    given[key] = [float(x) for x in later] if len(later) > 1 else float(later[0])
-    part = judged(p, draw(p, b"following"), given, follow_through=0.5)[key]
+    values = draw(p, b"following")
+    numbers = numbers_of(p, values)
+    right = {name: numbers.key[name][0] for name in earlier_answers(p)[key]}
+    wrong, later = next(filter(None, (other(p, key, numbers, right, f) for f in FACTORS)))
+    first = next(iter(right))
+    given = {**right, first: wrong, key: later}
+    given = {name: list(x) if len(x) > 1 else x[0] for name, x in given.items()}
+    part = judged(p, values, given, follow_through=0.5)[key]
     assert part.points == 0.5, part
-    assert f"it follows from your {first}, which earns 0.5 of 1" in part.message
+    assert f"it follows from your {first}, which earns 0.5 of" in part.message
 
 
-def _trees(p, key, numbers, factor):
-    (point,) = numbers.key[key]
-    return [factor * x for x in point] if len(point) > 1 else factor * point[0]
+FACTORS = 1.3, 0.8, 1.05, 3.0  # not every wrong answer has a sequel
+
+
+def other(p, key, numbers, right, factor):
+    """(the first of the earlier answers, made wrong; the later one that follows), or None if that
+    is none, or nearly the right one.
+    """
+    first = next(iter(right))
+    if p.answer(first).kind in WORDS:
+        wrong = tuple(x + 1 for x in right[first])
+    else:  # another direction, too
+        wrong = tuple(x * factor ** (n + 1) or 1.0 for n, x in enumerate(right[first]))
+    with np.errstate(all="ignore"):
+        try:
+            later = follow(p, key, numbers.sample, {**right, first: wrong})
+        except (ArithmeticError, ValueError):
+            return None
+    later = tuple(x if isinstance(x, int) else float(x) for x in later)
+    if not all(map(np.isfinite, later)):
+        return None
+    return (wrong, later) if distance(later, numbers.key[key][0]) > 0.03 else None
 
 
 def test_formulas_follow_too():

@@ -1,5 +1,7 @@
 """Key and wrong models of a student: traced once for all, and the same as by the problem's code."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from exercises.variants import draw, flat
 from grader.scoring import ScoreError, numbers, score_receipt
 from grader.scoring.numbers import Numbers, numbers_of
 from grader.scoring.wrong_models import wrong_models
+from newton_euler import sqrt
 
 CH04 = problems("ch04")
 
@@ -70,3 +73,22 @@ def test_the_books_numbers_are_not_told_to_whom_they_are_given():
     p = problem("4/16")
     assert Numbers(p, p.book_values).book == {}
     assert Numbers(p, draw(p, b"any")).book == Numbers(p, p.book_values).key
+
+
+def test_a_wrong_model_without_a_value_stops_no_grading(monkeypatch):
+    """As one that leads to the root of a negative number."""
+    p = problem("2/4")  # speeds d/T, with the time T = sqrt(2 h/g)
+    fall = p.code.mistakes
+    negative = lambda g: {**fall(g), "no_2": {"v_0": (sqrt(-g.h / g.g), g.d)}}
+    monkeypatch.setattr(p.code, "mistakes", negative)
+    numbers._traced_wrong.cache_clear()
+    try:
+        parts = score_receipt(p, p.book_values, {"answers": {"v_0": [1.0, 2.0]}}).parts
+        assert parts[0].verdict == "wrong"
+        wrong = {text: x for _, text, x in numbers_of(p, p.book_values).wrong("v_0")}
+        assert math.isnan(wrong[p.mistakes["no_2"]][0][0])
+        monkeypatch.setattr(numbers, "wrong_models", lambda *_: sqrt(-1.0))
+        numbers._traced_wrong.cache_clear()
+        assert numbers_of(p, p.book_values).wrong("v_0") == []
+    finally:
+        numbers._traced_wrong.cache_clear()
