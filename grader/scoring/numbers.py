@@ -4,6 +4,7 @@ What a problem computes is traced once into straight-line text, so that the numb
 cost microseconds. Answers are tuples of points, as in :mod:`~grader.scoring.tolerance`.
 """
 
+import contextlib
 from functools import cache, cached_property
 from itertools import islice
 
@@ -172,17 +173,18 @@ def _traced_wrong(problem_id):
 
 
 def _run_wrong(problem, sample):
-    labels, run = _traced_wrong(problem.id)
-    with np.errstate(all="ignore"):
-        for values in (sample, _as_arrays(sample)):
-            try:
-                if run:
-                    return labels, run(**values)
-                models = wrong_models(problem, values)
-                return [model[:3] for model in models], [numbers for *_, numbers in models]
-            except (ArithmeticError, ValueError):
-                continue
+    for values in (sample, _as_arrays(sample)):
+        with contextlib.suppress(ArithmeticError, ValueError), np.errstate(all="ignore"):
+            return _wrong_at(problem, values)
     return [], []  # some wrong model has no value, not even nan: none is told
+
+
+def _wrong_at(problem, values):
+    labels, run = _traced_wrong(problem.id)
+    if run:
+        return labels, run(**values)
+    models = wrong_models(problem, values)
+    return [model[:3] for model in models], [numbers for *_, numbers in models]
 
 
 def _as_arrays(sample):
