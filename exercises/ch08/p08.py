@@ -36,16 +36,15 @@ def prove(g):
     the slab.
     """
 
+    def motion(alpha):
+        points = disk(g.r, order=2)
+        return lambda t: [(u, times(rot("z", alpha * t**2 / 2), p)) for u, p in points]
+
+    # alpha by a force at the contact of 1, from the moment that the mass points need
+    by_one = vanishing(lambda alpha: moment_needed(1, motion(alpha))[2] - g.r, 0, 1 / g.r)
+
     def turning(F):
-        """alpha, from the moment that the mass points need about the center."""
-
-        def surplus(alpha):
-            def motion(t):
-                return [(u, times(rot("z", alpha * t**2 / 2), p)) for u, p in disk(g.r, order=2)]
-
-            return moment_needed(1, motion)[2] - F * g.r
-
-        return vanishing(surplus, 0, g.g / g.r)
+        return by_one * F
 
     def lag(F):
         """Of the contact behind the slab, in acceleration."""
