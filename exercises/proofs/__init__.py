@@ -14,6 +14,7 @@ from .gradients import gradient
 from .integrals import integral
 from .local_axes import cylindrical_axes, elevation, spherical_axes
 from .mass_points import ball, box, disk, mean, ring, shell
+from .momenta import angular_momentum
 from .motions import (
     angular_acceleration,
     angular_velocity,
@@ -33,9 +34,9 @@ from .moved import force_needed, kinetic_energy, let_go, moment_needed, vanishin
 from .roots import root
 
 __all__ = [
-    "DIGITS", "ProofError", "angular_acceleration", "angular_velocity", "ball", "box", "cross",
-    "cylindrical_axes", "disk", "elevation", "force_needed", "freedom", "gradient", "integral",
-    "kinetic_energy", "let_go", "mean", "minus", "moment_needed", "plus", "rate", "ring", "root",
-    "rot", "scaled", "second_rate", "shell", "size", "spherical_axes", "spun", "times",
-    "transposed", "vanishing",
+    "DIGITS", "ProofError", "angular_acceleration", "angular_momentum", "angular_velocity", "ball",
+    "box", "cross", "cylindrical_axes", "disk", "elevation", "force_needed", "freedom", "gradient",
+    "integral", "kinetic_energy", "let_go", "mean", "minus", "moment_needed", "plus", "rate",
+    "ring", "root", "rot", "scaled", "second_rate", "shell", "size", "spherical_axes", "spun",
+    "times", "transposed", "vanishing",
 ]  # fmt: skip

@@ -1,0 +1,91 @@
+"""9/6: a plate that turns about its diagonal."""
+
+from mpmath import mp
+
+from exercises.devices.rotor import (
+    answers,
+    following,
+    only,
+    principal_steps,
+    prove_rotor,
+    rotor,
+    shaft_steps,
+    sketch,
+    turning_shaft,
+    with_inertia,
+)
+from exercises.proofs import box
+from newton_euler import atan2
+from newton_euler.bodies import plate
+
+
+def fixed_plate(g):
+    return with_sides(g, g.a, g.b)
+
+
+def with_sides(g, a, b):
+    """The plate, x along PQ and y along PS, with sides of which it has the moments."""
+    _, shaft = turning_shaft(g)
+    edges = shaft.rotate("plate", "-z", angle=atan2(g.b, g.a))
+    return rotor(shaft, [plate(a, b, edges, "z", mass=g.m)], -g.c, g.c)
+
+
+def solve(g):
+    return answers(fixed_plate(g))
+
+
+def steps(g):
+    r = fixed_plate(g)
+    yield from principal_steps(
+        r.body.parts[0],
+        ("I_1", "x", "about the mid-line parallel to PQ"),
+        ("I_2", "y", "about the mid-line parallel to PS"),
+    )
+    yield from shaft_steps(r)
+
+
+follows = following(fixed_plate)
+
+
+def prove(g):
+    """The places by their shares u, v of the edges: u PQ + v PS, and PQ + PS is PR."""
+    PR = mp.hypot(g.a, g.b)
+    PQ = [g.a**2 / PR, -g.a * g.b / PR]  # the height on the hypotenuse, and its foot
+    PS = [g.b**2 / PR, g.a * g.b / PR]
+    shares = [(share * g.m, u, v) for share, (u, v, _) in box(1, 1, 0)]
+    points = [(m, [u * PQ[0] + v * PS[0], u * PQ[1] + v * PS[1], 0]) for m, u, v in shares]
+    return prove_rotor(g, points, -g.c, g.c) | {
+        "I_1": sum(m * (v * g.b) ** 2 for m, _, v in shares),
+        "I_2": sum(m * (u * g.a) ** 2 for m, u, _ in shares),
+    }
+
+
+def mistakes(g):
+    r = fixed_plate(g)
+    return {
+        "principal_diagonal": {**with_inertia(r, product=0), "balance": "both"},
+        "wrong_sign": with_inertia(r, product=-1),
+        "mid_lines_exchanged": only(
+            answers(with_sides(g, g.b, g.a)), "H_O", "Hdot_O", "F_A", "F_B"
+        ),
+        "millimetres": with_inertia(r, moment=10**6, product=10**6),
+    }
+
+
+def draw(g, ax):
+    r = fixed_plate(g)
+    s = sketch(ax, r, azimuth=-20, elevation=12)
+    a, b = g.a / 2, g.b / 2
+    corners = [
+        r.body.parts[0].frame.point(name, x, y, 0)
+        for name, x, y in (("P", -a, -b), ("Q", a, -b), ("R", a, b), ("S", -a, b))
+    ]
+    P, Q, _, S = corners
+    s.plate(corners)
+    for corner in corners:
+        s.label(corner, corner.name)
+    s.axes(r.O, r.shaft, length=0.7 * b)
+    s.label(r.O, "O")
+    s.dimension(P, Q, label="a")
+    s.dimension(P, S, label="b")
+    s.dimension(r.O, r.B, label="c", offset=1.4 * b)

@@ -1,0 +1,84 @@
+"""9/7: a disk that spins on a bent arm."""
+
+from exercises.devices.spinning_disk import (
+    answers,
+    balance,
+    disk_rate,
+    following,
+    force,
+    momentum,
+    no_rotation,
+    prove_spinning,
+    spin_steps,
+    spinning,
+    with_moments_exchanged,
+)
+from exercises.steps import terms
+from newton_euler.drawing import Sketch
+
+
+def place(g):
+    """Of C, along the axes of the arm."""
+    return g.L, 0, g.h
+
+
+def disk_on_arm(g):
+    return spinning(g, g.r, "y", "z", place(g))
+
+
+def in_order(d):
+    found = answers(d, "M_A")
+    return {
+        "H_O": found["H_O"],
+        "Hdot_O": found["Hdot_O"],
+        "F_A": force(d),
+        "M_A": found["M_A"],
+        "balance": lambda: balance(d),
+    }
+
+
+def solve(g):
+    return in_order(disk_on_arm(g))
+
+
+def steps(g):
+    d = disk_on_arm(g)
+    yield from spin_steps(d, "z")
+    yield from terms(momentum(d), "H_O", "kg*m^2/s", "7.7", "7.23")
+
+
+follows = following("M_A", "y")
+
+
+def prove(g):
+    return prove_spinning(g, g.r, "y", "z", place(g), "M_A")
+
+
+def mistakes(g):
+    d = disk_on_arm(g)
+    return {
+        "rate_of_the_disk": disk_rate(d, "M_A"),
+        "no_rotation": {**no_rotation(d, "M_A"), "balance": "dynamic"},
+        "no_orbital": {"H_O": momentum(d).without("orbital")},
+        "moments_exchanged": answers(with_moments_exchanged(d, "z"), "M_A"),
+    }
+
+
+def draw(g, ax):
+    d = disk_on_arm(g)
+    s = Sketch(ax, d.arm, up="y", azimuth=-42, elevation=20)
+    A, B, C = d.O, d.arm.point("B", g.L, 0, 0), d.body.centre
+    s.shaft((0, -0.35 * g.L, 0), (0, 0.6 * g.L, 0))
+    s.rod(A, B)
+    s.rod(B, C)
+    s.disk(C, d.arm.k, g.r)
+    s.hinge(A, axis=d.arm.j)
+    s.dot(C)
+    s.axes(A, d.arm, length=0.35 * g.L)
+    s.turn((0, 0.5 * g.L, 0), d.arm.j, label=r"$\omega_1$")
+    s.turn((g.L, 0, 0.6 * g.h), d.arm.k, label=r"$\omega_2$")
+    s.dimension(A, B, label="L")
+    s.dimension(B, C, label="h")
+    s.dimension(C, (g.L, -g.r, g.h), label="r")
+    for P, name in (A, "A"), (B, "B"), (C, "C"):
+        s.label(P, name)

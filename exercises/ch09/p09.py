@@ -1,0 +1,114 @@
+"""9/9: a ring that swings out from a turning shaft."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame, acos, cos, particle, pi, sin, solve_linear, sqrt
+from newton_euler.bodies import Inertia, disk, ring
+from newton_euler.drawing import Sketch
+
+
+def hanging(g, body=ring):
+    """The body, of mass 1 since its mass cancels, and A. x is the tangent about which it swings, y
+    points from G to A, z is the normal.
+    """
+    frame = Frame("ring")
+    return body(g.a, frame.point("G", 0, -g.a, 0), "z", mass=1), frame.point("A", 0, 0, 0)
+
+
+def excess(g, body, A, inertia, cos_beta, rate_squared):
+    """The moment about x that the turning needs less that of the weight, both over sin(beta)."""
+    up = A.frame.vector(0, cos_beta, 1)  # over sin(beta) in its component along the normal
+    needed = up.cross(inertia.times(up)) * rate_squared
+    return needed.x - (body.centre - A).cross(up * -g.g).x
+
+
+def angles(g, body, A, inertia=None):
+    inertia = inertia or body.about(A)
+    swung = solve_linear(lambda c: excess(g, body, A, inertia, c, g.omega**2))
+    upright = solve_linear(lambda square: excess(g, body, A, inertia, 1, square))
+    return {"beta_ring": acos(swung.c), "omega_max": sqrt(upright.square)}
+
+
+def solve(g):
+    return angles(g, *hanging(g))
+
+
+def steps(g):
+    body, A = hanging(g)
+    I = body.about(A)
+    yield Step("J_n", I.moment("z"), "m^2", "moment of inertia about the normal at A, over "
+               "the mass", "7.8", "7.26")  # fmt: skip
+    yield Step("J_d", I.moment("y"), "m^2", "moment of inertia about the diameter through A, over "
+               "the mass", "7.8", "7.26")  # fmt: skip
+    yield Step("cos_beta", cos(solve(g)["beta_ring"]), "1", "cosine of the angle, "
+               "g*a/((J_n - J_d)*omega^2) by the moments about the tangent",
+               "8.2", "8.13")  # fmt: skip
+
+
+# omega^2*cos(beta_ring) is the same for all rates
+follows = {"omega_max": lambda g, beta_ring: g.omega * sqrt(cos(beta_ring))}
+
+
+def prove(g):
+    """By the energy in the frame of the shaft, that of the weight and of the centrifugal forces: it
+    is stationary at the angle, and has its least at 0 while its curvature there is positive.
+    """
+    points = [(share, (x, g.a - y)) for share, (x, y, _) in proofs.ring(g.a)]
+
+    def energy(beta, omega):
+        c, s = mp.cos(beta), mp.sin(beta)
+
+        def of(point):
+            along, down = point
+            return -g.g * down * c - omega**2 / 2 * (along**2 + (down * s) ** 2)
+
+        return proofs.mean(of, points)
+
+    def slope(beta):
+        return proofs.rate(lambda t: energy(beta + t, g.omega))
+
+    def curvature(omega):
+        return proofs.second_rate(lambda t: energy(t, omega))
+
+    beta = proofs.root(slope, mp.mpf("0.01"), mp.pi / 2)
+    quick = 10 * mp.sqrt(g.g / g.a)
+    return {
+        "beta_ring": beta,
+        "omega_max": proofs.root(curvature, quick / 1000, quick),
+        "cos_beta": mp.cos(beta),
+        "J_n": sum(share * (x * x + y * y) for share, (x, y) in points),
+        "J_d": sum(share * x * x for share, (x, _) in points),
+    }
+
+
+def mistakes(g):
+    body, A = hanging(g)
+    as_particle = particle(1, body.centre)
+    central = Inertia(A, body.inertia.moments)
+    return {
+        "particle": angles(g, as_particle, A),
+        "no_transfer": angles(g, body, A, central),
+        "as_disk": angles(g, *hanging(g, disk)),
+        "with_the_level": {"beta_ring": pi(g.a) / 2 - solve(g)["beta_ring"]},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, up="y", azimuth=-18, elevation=12)
+    beta = 0.7
+    A, low = (0, 0, 0), (0, -1.9 * g.a, 0)
+    out = ground.vector(sin(beta), -cos(beta), 0)
+    G = (out * g.a).components()
+    s.shaft(low, (0, 0.7 * g.a, 0))
+    s.hinge(A, axis=ground.j)
+    s.wire(s.around(G, A, out.cross(ground.k)))
+    s.line(A, (out * 2 * g.a).components(), style="centre")
+    s.line(A, low)
+    s.dot(G)
+    s.arc(A, low, G, label=r"$\beta$", radius=0.6 * g.a)
+    s.dimension(A, G, label="a")
+    s.turn((0, 0.5 * g.a, 0), ground.j, label=r"$\omega$")
+    s.label(A, "A")

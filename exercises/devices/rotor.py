@@ -1,0 +1,222 @@
+"""A body on a light shaft that turns at a constant rate in two bearings, 9/1 to 9/6: angular
+momentum, its rate, bearing forces and state of balance. Axes of the shaft: x from A to B.
+"""
+
+from dataclasses import dataclass
+
+from mpmath import mpf
+
+from exercises.catalogue import in_frame
+from exercises.proofs import angular_momentum, plus, rate, rot, scaled, second_rate, size, times
+from exercises.steps import Step, terms
+from newton_euler import Body, Frame, Point, composite, dynamics
+from newton_euler.applications import balance, reactions
+from newton_euler.drawing import Sketch
+
+SMALL = mpf(10) ** -25  # a sum over mass points below this, of parts of about 1, is zero
+
+
+@dataclass(frozen=True)
+class Rotor:
+    """A body, the bearings and the point O that the angular momentum is about, all fixed in the
+    frame of the shaft.
+    """
+
+    ground: Frame
+    shaft: Frame
+    body: Body
+    O: Point
+    A: Point
+    B: Point
+
+
+def turning_shaft(g):
+    """Ground, and the shaft that turns in it about x."""
+    ground = Frame("ground")
+    return ground, ground.rotate("shaft", "x", rate=g.omega)
+
+
+def rotor(shaft, parts, a, b):
+    """The parts as one body along the axes of the shaft, with bearings at x = a and x = b, about O
+    at x = 0.
+    """
+    body = composite("rotor", parts, frame=shaft)
+    A, B = shaft.point("A", a, 0, 0), shaft.point("B", b, 0, 0)
+    return Rotor(shaft.parent, shaft, body, shaft.point("O", 0, 0, 0), A, B)
+
+
+def forces(r):
+    return reactions(r.body, r.A, r.B, r.ground, about=r.O)
+
+
+def answers(r):
+    H, found = dynamics.angular_momentum(r.body, r.ground, r.O).expressed_in(r.shaft), forces(r)
+    return in_frame(r.shaft, {
+        "H_O": H,
+        "Hdot_O": H.rate(r.ground),
+        "F_A": found.A,
+        "F_B": found.B,
+        "balance": lambda: balance(r.body, r.A, r.B, about=r.O).state,
+    })  # fmt: skip
+
+
+# -- steps
+
+
+def principal_steps(body, *axes):
+    """The moments about the centre that count, each (key, axis of the body, which it is)."""
+    for key, axis, which in axes:
+        yield Step(key, body.inertia.moment(axis), "kg*m^2", f"moment of inertia {which}",
+                   "7.4", "8.16")  # fmt: skip
+
+
+def shaft_steps(r, products="xy"):
+    """The moment and the products of inertia that enter H_O: ``products`` names those that are not
+    zero.
+    """
+    I = r.body.about(r.O, r.shaft)
+    yield Step("I_xx", I.moments[0], "kg*m^2", "moment of inertia about the axis of the shaft",
+               "7.2", "7.10")  # fmt: skip
+    for name in products.split():
+        product = {"xy": I.products[0], "xz": I.products[2]}[name]
+        yield Step(f"I_{name}", product, "kg*m^2", f"product of inertia about O, the sum of "
+                   f"{name[0]}*{name[1]}*dm", "7.2", "7.10")  # fmt: skip
+
+
+def force_steps(r):
+    """Of a body whose mass centre is off the axis: its acceleration, and the two parts of each
+    bearing force.
+    """
+    a_G = r.body.centre.acceleration(r.ground).expressed_in(r.shaft)
+    yield Step("a_G", a_G, "m/s^2", "acceleration of the mass center", "9.5", "9.7")
+    for key, force in ("F_A", forces(r).A), ("F_B", forces(r).B):
+        yield from terms(force.expressed_in(r.shaft), key, "N", "9.5", "9.9")
+
+
+# -- a later answer from an earlier one
+
+
+def following(rotor_of):
+    """``follows`` of a problem whose :class:`Rotor` is ``rotor_of(g)``."""
+
+    def Hdot_O(g, H_O):
+        return (H_O.frame.i * g.omega).cross(H_O)
+
+    def F_A(g, Hdot_O):
+        r = rotor_of(g)
+        right, axes = answers(r), Hdot_O.frame
+        off = Hdot_O - axes.vector(*right["Hdot_O"])
+        length = (r.B - r.A).x
+        return axes.vector(*right["F_A"]) + axes.i.cross(off) / length
+
+    def F_B(g, F_A):
+        right, axes = answers(rotor_of(g)), F_A.frame
+        return axes.vector(*right["F_A"]) + axes.vector(*right["F_B"]) - F_A
+
+    return {"Hdot_O": Hdot_O, "F_A": F_A, "F_B": F_B}
+
+
+# -- mistakes
+
+
+def with_inertia(r, moment=1, product=1):
+    """The answers with the moment of inertia about the shaft and the products of inertia each times
+    a factor.
+    """
+    right, found = answers(r), forces(r)
+    H, change = right["H_O"], product - 1
+    # what is added, not reweighted: so zero is still a formula of the symbols
+    return in_frame(r.shaft, {
+        "H_O": r.shaft.vector(moment * H.x, product * H.y, product * H.z),
+        "Hdot_O": right["Hdot_O"] + right["Hdot_O"] * change,
+        "F_A": found.A + found.A.terms["dynamic"] * change,
+        "F_B": found.B + found.B.terms["dynamic"] * change,
+    })  # fmt: skip
+
+
+def only(answers, *keys):
+    return {key: answers[key] for key in keys}
+
+
+def without_H(answers):
+    """A mistake that is made after H_O."""
+    return {key: value for key, value in answers.items() if key != "H_O"}
+
+
+def pure_couple(r):
+    """The bearing forces with m a_G left out."""
+    found = forces(r)
+    return in_frame(r.shaft, {
+        "F_A": found.A.without("static"),
+        "F_B": found.B.without("static"),
+    })  # fmt: skip
+
+
+def on_the_bearings(r):
+    found = answers(r)
+    return {"F_A": -found["F_A"], "F_B": -found["F_B"]}
+
+
+# -- proof
+
+
+def prove_rotor(g, points, a, b, extra=("I_xx", "I_xy")):
+    """From the mass points of the body, pairs (mass, place in the shaft), carried round: their
+    angular momentum about O and about each bearing, differenced. A bearing force has no moment
+    about its own bearing, so that each follows from the moment about the other. ``extra`` names the
+    steps that it finds too.
+    """
+    masses = [mass for mass, _ in points]
+
+    def places(t):
+        R = rot("x", g.omega * t)
+        return [times(R, place) for _, place in points]
+
+    def momentum(x):
+        return angular_momentum(masses, places, (x, 0, 0))
+
+    _, y, z = rate(momentum(a))
+    F_B = [0, z / (b - a), -y / (b - a)]
+    _, y, z = rate(momentum(b))
+    F_A = [0, z / (a - b), -y / (a - b)]
+    H, Hdot = momentum(0)(0), rate(momentum(0))
+    pulls = [scaled(m, acc) for m, acc in zip(masses, second_rate(places), strict=True)]
+    rests = size(plus(*pulls)) < SMALL * sum(map(size, pulls))
+    steady = size(Hdot) < SMALL * g.omega * size(H)
+    x_y_z = [(m, *place) for m, place in points]
+    steps = {
+        "I_xx": sum(m * (y * y + z * z) for m, _, y, z in x_y_z),
+        "I_xy": sum(m * x * y for m, x, y, _ in x_y_z),
+        "I_xz": sum(m * x * z for m, x, _, z in x_y_z),
+        "a_G": scaled(1 / sum(masses), plus(*pulls)),
+    }
+    return {
+        "H_O": H,
+        "Hdot_O": Hdot,
+        "F_A": F_A,
+        "F_B": F_B,
+        "balance": lambda: state(rests, steady),
+    } | {key: steps[key] for key in extra}
+
+
+def state(static, dynamic):
+    """The word for a balance."""
+    if static and dynamic:
+        return "both"
+    return "static" if static else "dynamic" if dynamic else "neither"
+
+
+# -- figure
+
+
+def sketch(ax, r, azimuth=-28, elevation=18):
+    """The shaft in its bearings with the rate omega."""
+    s = Sketch(ax, r.shaft, up="y", azimuth=azimuth, elevation=elevation)
+    a, b = (P.position(r.shaft).x for P in (r.A, r.B))
+    out = 0.14 * (b - a)
+    s.shaft((a - out, 0, 0), (b + 1.4 * out, 0, 0))
+    for P in (r.A, r.B):
+        s.hinge(P, axis=r.shaft.i)
+        s.label(P, P.name)
+    s.turn((b + 0.8 * out, 0, 0), r.shaft.i, label=r"$\omega$")
+    return s

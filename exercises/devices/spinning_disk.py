@@ -1,0 +1,157 @@
+"""A thin disk that spins in an arm or fork, which turns about a shaft through O, 9/7 and 9/8: its
+angular momentum about O, and what the supports of the shaft must give.
+"""
+
+from dataclasses import dataclass
+
+from mpmath import mpf
+
+from exercises.catalogue import in_frame
+from exercises.devices.rotor import state
+from exercises.proofs import (
+    angular_momentum,
+    cross,
+    disk,
+    plus,
+    rate,
+    rot,
+    scaled,
+    second_rate,
+    size,
+    times,
+)
+from exercises.steps import Step
+from newton_euler import Body, Frame, Point, bodies, dynamics
+
+SMALL = mpf(10) ** -25  # a sum over mass points below this, of parts of about 1, is zero
+
+
+@dataclass(frozen=True)
+class SpinningDisk:
+    """The disk, and the frames in which it moves; O is a point of the axis of the shaft."""
+
+    ground: Frame
+    arm: Frame
+    body: Body
+    O: Point
+
+
+def spinning(g, radius, shaft, spin, C=(0, 0, 0)):
+    """The arm turns about its axis ``shaft``, the disk in the arm about the axis ``spin`` through
+    the point C of the arm, with O at the arm's origin.
+    """
+    ground = Frame("ground")
+    arm = ground.rotate("arm", shaft, rate=g.omega_1)
+    turned = arm.rotate("disk", spin, rate=g.omega_2, origin=arm.point("C", *C))
+    body = bodies.disk(radius, turned, spin, mass=g.m)
+    return SpinningDisk(ground, arm, body, arm.point("O", 0, 0, 0))
+
+
+def with_moments_exchanged(d, spin):
+    """The same, the axial and the diametral moment of inertia exchanged."""
+    axial, across = moments(d, spin)
+    exchanged = (across if axis == spin else axial for axis in "xyz")
+    wrong = Body("disk", d.body.mass, d.body.frame, tuple(exchanged))
+    return SpinningDisk(d.ground, d.arm, wrong, d.O)
+
+
+def moments(d, spin):
+    """The axial and the diametral moment of inertia."""
+    return tuple(d.body.inertia.moment(axis) for axis in (spin, "x"))
+
+
+def momentum(d):
+    """H_O along the axes of the arm."""
+    return dynamics.angular_momentum(d.body, d.ground, d.O).expressed_in(d.arm)
+
+
+def answers(d, couple):
+    """H_O, its rate, and under the key ``couple`` the moment of the supports about O, which is
+    that rate since O is at rest (8.11).
+    """
+    H = momentum(d)
+    Hdot = H.rate(d.ground)
+    return in_frame(d.arm, {"H_O": H, "Hdot_O": Hdot, couple: Hdot})
+
+
+def force(d):
+    """What moves the mass centre, a point of the arm."""
+    C = d.body.frame.origin
+    return dynamics.resultant_force(d.body.mass, C.acceleration(d.ground)).expressed_in(d.arm)
+
+
+def balance(d):
+    """The word, from the distance of the mass centre from the axis and the rate of H_O."""
+    omega, H = d.arm.angular_velocity(d.ground), momentum(d)
+    G = d.body.centre - d.O
+    rests = abs(omega.cross(G)) <= 1e-9 * abs(omega) * abs(G)
+    return state(rests, abs(H.rate(d.ground)) <= 1e-9 * abs(omega) * abs(H))
+
+
+def spin_steps(d, spin):
+    axial, across = moments(d, spin)
+    yield Step(
+        "I_s", axial, "kg*m^2", "moment of inertia about the axis of the disk", "7.4", "8.16"
+    )
+    yield Step("I_d", across, "kg*m^2", "moment of inertia about a diameter", "7.4", "8.16")
+    omega = d.body.frame.angular_velocity(d.ground).expressed_in(d.arm)
+    yield Step("omega_disk", omega, "rad/s", "angular velocity of the disk in the inertial frame",
+               "4.9", "4.22")  # fmt: skip
+
+
+def disk_rate(d, couple):
+    """Mistake: H_O differentiated with the angular velocity of the disk."""
+    wrong = d.body.frame.angular_velocity(d.ground).expressed_in(d.arm).cross(momentum(d))
+    return {"Hdot_O": wrong, couple: wrong}
+
+
+def no_rotation(d, couple):
+    """Mistake: only the components of H_O differentiated, which are constant."""
+    right = momentum(d).rate(d.ground)
+    # not 0: so zero is still a formula of the symbols
+    return dict.fromkeys(("Hdot_O", couple), (right - right.terms["rotation"]).expressed_in(d.arm))
+
+
+def following(couple, shaft):
+    """``follows`` with the couple under its key; the arm turns about its axis ``shaft``."""
+
+    def Hdot_O(g, H_O):
+        axis = dict(zip("xyz", (H_O.frame.i, H_O.frame.j, H_O.frame.k), strict=True))[shaft]
+        return (axis * g.omega_1).cross(H_O)
+
+    return {"Hdot_O": Hdot_O, couple: lambda g, Hdot_O: Hdot_O}
+
+
+def prove_spinning(g, radius, shaft, spin, C, couple):
+    """From the mass points of the disk, carried round in time; the couple is the moment of what
+    each of them needs, m a. The force is under the key F_A.
+    """
+    turned = {"x": lambda x, y, z: [z, x, y], "y": lambda x, y, z: [y, z, x],
+              "z": lambda x, y, z: [x, y, z]}[spin]  # fmt: skip
+    points = [(share * g.m, turned(*place)) for share, place in disk(radius)]
+    masses = [m for m, _ in points]
+
+    def places(t):
+        outer, inner = rot(shaft, g.omega_1 * t), rot(spin, g.omega_2 * t)
+        return [times(outer, plus(C, times(inner, p))) for _, p in points]
+
+    H = angular_momentum(masses, places)
+    pulls = [scaled(m, a) for m, a in zip(masses, second_rate(places), strict=True)]
+    found = {
+        "H_O": H(0),
+        "Hdot_O": rate(H),
+        "F_A": plus(*pulls),
+        couple: plus(*(cross(r, F) for r, F in zip(places(0), pulls, strict=True))),
+    }
+    rests = size(found["F_A"]) < SMALL * sum(map(size, pulls))
+    steady = size(found["Hdot_O"]) < SMALL * g.omega_1 * size(found["H_O"])
+
+    def about(axis):
+        n = "xyz".index(axis)
+        return sum(m * (sum(x * x for x in p) - p[n] ** 2) for m, p in points)
+
+    return found | {
+        "balance": lambda: state(rests, steady),
+        "I_s": about(spin),
+        "I_d": about(shaft),
+    }
