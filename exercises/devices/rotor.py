@@ -7,7 +7,16 @@ from dataclasses import dataclass
 from mpmath import mpf
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_momentum, plus, rate, rot, scaled, second_rate, size, times
+from exercises.proofs import (
+    angular_momentum,
+    force_needed,
+    moment_needed,
+    rate,
+    rot,
+    scaled,
+    size,
+    times,
+)
 from exercises.steps import Step, terms
 from newton_euler import Body, Frame, Point, composite, dynamics
 from newton_euler.applications import balance, reactions
@@ -162,33 +171,31 @@ def on_the_bearings(r):
 
 def prove_rotor(g, points, a, b, extra=("I_xx", "I_xy")):
     """From the mass points of the body, pairs (mass, place in the shaft), carried round: their
-    angular momentum about O and about each bearing, differenced. A bearing force has no moment
-    about its own bearing, so that each follows from the moment about the other. ``extra`` names the
-    steps that it finds too.
+    angular momentum about O, differenced, and the moments that they need about the bearings. A
+    bearing force has none about its own bearing, so that each follows from that about the other.
+    ``extra`` names the steps that it finds too.
     """
-    masses = [mass for mass, _ in points]
 
-    def places(t):
+    def carried(t):
         R = rot("x", g.omega * t)
-        return [times(R, place) for _, place in points]
+        return [(mass, times(R, place)) for mass, place in points]
 
-    def momentum(x):
-        return angular_momentum(masses, places, (x, 0, 0))
+    def momentum(t):
+        return angular_momentum(1, carried, t=t)
 
-    _, y, z = rate(momentum(a))
+    _, y, z = moment_needed(1, carried, (a, 0, 0))
     F_B = [0, z / (b - a), -y / (b - a)]
-    _, y, z = rate(momentum(b))
+    _, y, z = moment_needed(1, carried, (b, 0, 0))
     F_A = [0, z / (a - b), -y / (a - b)]
-    H, Hdot = momentum(0)(0), rate(momentum(0))
-    pulls = [scaled(m, acc) for m, acc in zip(masses, second_rate(places), strict=True)]
-    rests = size(plus(*pulls)) < SMALL * sum(map(size, pulls))
+    H, Hdot, force = momentum(0), rate(momentum), force_needed(1, carried)
+    rests = size(force) < SMALL * g.omega**2 * sum(m * size(place) for m, place in points)
     steady = size(Hdot) < SMALL * g.omega * size(H)
     x_y_z = [(m, *place) for m, place in points]
     steps = {
         "I_xx": sum(m * (y * y + z * z) for m, _, y, z in x_y_z),
         "I_xy": sum(m * x * y for m, x, y, _ in x_y_z),
         "I_xz": sum(m * x * z for m, x, _, z in x_y_z),
-        "a_G": scaled(1 / sum(masses), plus(*pulls)),
+        "a_G": scaled(1 / sum(m for m, _ in points), force),
     }
     return {
         "H_O": H,

@@ -10,13 +10,12 @@ from exercises.catalogue import in_frame
 from exercises.devices.rotor import state
 from exercises.proofs import (
     angular_momentum,
-    cross,
     disk,
+    force_needed,
+    moment_needed,
     plus,
     rate,
     rot,
-    scaled,
-    second_rate,
     size,
     times,
 )
@@ -129,28 +128,28 @@ def prove_spinning(g, radius, shaft, spin, C, couple):
     turned = {"x": lambda x, y, z: [z, x, y], "y": lambda x, y, z: [y, z, x],
               "z": lambda x, y, z: [x, y, z]}[spin]  # fmt: skip
     points = [(share * g.m, turned(*place)) for share, place in disk(radius)]
-    masses = [m for m, _ in points]
 
-    def places(t):
+    def carried(t):
         outer, inner = rot(shaft, g.omega_1 * t), rot(spin, g.omega_2 * t)
-        return [times(outer, plus(C, times(inner, p))) for _, p in points]
+        return [(m, times(outer, plus(C, times(inner, p)))) for m, p in points]
 
-    H = angular_momentum(masses, places)
-    pulls = [scaled(m, a) for m, a in zip(masses, second_rate(places), strict=True)]
-    found = {
-        "H_O": H(0),
-        "Hdot_O": rate(H),
-        "F_A": plus(*pulls),
-        couple: plus(*(cross(r, F) for r, F in zip(places(0), pulls, strict=True))),
-    }
-    rests = size(found["F_A"]) < SMALL * sum(map(size, pulls))
-    steady = size(found["Hdot_O"]) < SMALL * g.omega_1 * size(found["H_O"])
+    def momentum(t):
+        return angular_momentum(1, carried, t=t)
+
+    H, Hdot, force = momentum(0), rate(momentum), force_needed(1, carried)
+    reach = sum(m * (size(C) + size(p)) for m, p in points)
+    rests = size(force) < SMALL * g.omega_1**2 * reach
+    steady = size(Hdot) < SMALL * g.omega_1 * size(H)
 
     def about(axis):
         n = "xyz".index(axis)
         return sum(m * (sum(x * x for x in p) - p[n] ** 2) for m, p in points)
 
-    return found | {
+    return {
+        "H_O": H,
+        "Hdot_O": Hdot,
+        "F_A": force,
+        couple: moment_needed(1, carried),
         "balance": lambda: state(rests, steady),
         "I_s": about(spin),
         "I_d": about(shaft),

@@ -14,7 +14,6 @@ from .gradients import gradient
 from .integrals import integral
 from .local_axes import cylindrical_axes, elevation, spherical_axes
 from .mass_points import ball, box, disk, mean, ring, shell
-from .momenta import angular_momentum
 from .motions import (
     angular_acceleration,
     angular_velocity,
@@ -30,7 +29,14 @@ from .motions import (
     times,
     transposed,
 )
-from .moved import force_needed, kinetic_energy, let_go, moment_needed, vanishing
+from .moved import (
+    angular_momentum,
+    force_needed,
+    kinetic_energy,
+    let_go,
+    moment_needed,
+    vanishing,
+)
 from .roots import root
 
 __all__ = [

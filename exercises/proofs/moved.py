@@ -1,4 +1,5 @@
-"""A body of mass points in an explicit motion: its energy, and the force and moment that it needs.
+"""A body of mass points in an explicit motion: its energy and angular momentum, and the
+force and moment that it needs.
 
 A motion is a function of time whose value is such a list of pairs (share of the mass, place) as
 ``mass_points`` makes, the places moved in the inertial axes. Nothing is known of moments of
@@ -23,6 +24,26 @@ def kinetic_energy(m, motion, t=0):
     with mp.workdps(DIGITS):
         speeds = rate(lambda t: _places(motion(t)), t)
         return m * weighted(_shares(motion), [sum(x * x for x in v) / 2 for v in speeds])
+
+
+def angular_momentum(m, motion, about=(0, 0, 0), t=0):
+    """The sum of d x dm v, d from the place ``about``, which is at rest.
+
+    >>> def circling(t):  # at 3 m/s on a circle of radius 1
+    ...     return [(mpf(1), [mp.cos(3 * t), mp.sin(3 * t), 0])]
+    >>> print([mp.nstr(x, 10) for x in angular_momentum(2, circling)])
+    ['0.0', '0.0', '6.0']
+    """
+    with mp.workdps(DIGITS):
+        t = mpf(t)
+        velocities = rate(lambda t: _places(motion(t)), t)
+        pairs = zip(_places(motion(t)), velocities, strict=True)
+        return [
+            m * x
+            for x in weighted(
+                _shares(motion), [cross(minus(place, about), v) for place, v in pairs]
+            )
+        ]
 
 
 def force_needed(m, motion, t=0):
