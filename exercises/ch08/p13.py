@@ -1,0 +1,55 @@
+"""8/13: a block that turns about one of its edges."""
+
+from exercises import proofs
+from exercises.devices import turning_body
+from exercises.devices.turning_body import about_origin, answers, moment_from_momentum, steps_of
+from newton_euler import Frame
+from newton_euler.bodies import box
+from newton_euler.drawing import Sketch
+
+BLOCK = Frame("block")
+AXIS = "y"
+
+
+def inertia(g):
+    centre = BLOCK.point("G", g.a / 2, g.b / 2, g.c / 2)
+    return about_origin(BLOCK, [box(g.a, g.b, g.c, centre, "x", mass=g.m)])
+
+
+def solve(g):
+    return answers(g, inertia(g), AXIS)
+
+
+follows = moment_from_momentum(AXIS)
+
+
+def steps(g):
+    yield from steps_of(g, inertia(g), AXIS, "US")
+
+
+def prove(g):
+    points, centre = proofs.box(g.a, g.b, g.c), [g.a / 2, g.b / 2, g.c / 2]
+    return turning_body.prove(g, AXIS, block=turning_body.of_points(g.m, points, centre))
+
+
+def mistakes(g):
+    I = inertia(g)
+    about_centre = box(g.a, g.b, g.c, BLOCK, "x", mass=g.m).about(BLOCK)
+    return {
+        "no_rotation": turning_body.no_rotation(g, I, AXIS),
+        "no_products": answers(g, turning_body.without_products(I), AXIS),
+        "wrong_sign": answers(g, turning_body.wrong_sign(I), AXIS),
+        "about_centre": answers(g, about_centre, AXIS),
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, BLOCK, azimuth=-115, elevation=22)
+    O, X, Y = (0, 0, 0), (g.a, 0, 0), (0, g.b, 0)
+    s.box((g.a / 2, g.b / 2, g.c / 2), BLOCK, (g.a, g.b, g.c))
+    s.axes(O, BLOCK, length=1.45 * max(g.a, g.b, g.c))
+    s.turn((0, 1.25 * max(g.a, g.b, g.c), 0), BLOCK.j, r"$\omega$")
+    s.dimension(O, X, "a")
+    s.dimension(O, Y, "b")
+    s.dimension(X, (g.a, 0, g.c), "c")
+    s.label(O, "O")

@@ -1,0 +1,70 @@
+"""8/16: a right triangle that turns about one of its legs."""
+
+from exercises import proofs
+from exercises.devices import turning_body
+from exercises.devices.turning_body import about_origin, answers, moment_from_momentum, steps_of
+from newton_euler import Frame
+from newton_euler.bodies import simplex
+from newton_euler.drawing import Sketch
+
+PLATE = Frame("plate")
+AXIS = "z"
+
+
+def corners(g):
+    places = [(0, 0, 0), (g.b, 0, 0), (0, 0, g.h)]
+    return [PLATE.point(name, *place) for name, place in zip("OAC", places, strict=True)]
+
+
+def inertia(g):
+    return about_origin(PLATE, [simplex(*corners(g), mass=g.m)])
+
+
+def solve(g):
+    return answers(g, inertia(g), AXIS)
+
+
+follows = moment_from_momentum(AXIS)
+
+
+def steps(g):
+    yield from steps_of(g, inertia(g), AXIS, "US")
+
+
+def prove(g):
+    """By the mass points of a square, which is moved to the triangle: its lower edge to O, its
+    upper edge to AC.
+    """
+
+    def over_plate(f):
+        def weighed(place):
+            u, v = place[0] + g.one / 2, place[1] + g.one / 2
+            return proofs.scaled(2 * g.m * v, f([g.b * v * (1 - u), 0, g.h * v * u]))
+
+        return proofs.mean(weighed, proofs.box(1, 1, 0))
+
+    return turning_body.prove(g, AXIS, plate=over_plate)
+
+
+def mistakes(g):
+    I = inertia(g)
+    at_centre = turning_body.other_products(I, zx=g.m * g.b * g.h / 9)
+    return {
+        "no_products": answers(g, turning_body.without_products(I), AXIS),
+        "no_rotation": turning_body.no_rotation(g, I, AXIS),
+        "at_centre": answers(g, at_centre, AXIS),
+        "wrong_sign": answers(g, turning_body.wrong_sign(I), AXIS),
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, PLATE, azimuth=55, elevation=20)
+    O, A, C = corners(g)
+    size = max(g.b, g.h)
+    s.plate([O, A, C])
+    s.axes(O, PLATE, length=1.45 * size)
+    s.turn((0, 0, 1.15 * g.h), PLATE.k, r"$\omega$")
+    s.dimension(O, A, "b")
+    s.dimension(O, C, "h")
+    for P in (O, A, C):
+        s.label(P, P.name)

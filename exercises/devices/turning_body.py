@@ -1,0 +1,154 @@
+"""Bodies that turn about one of their axes x, y, z, which is fixed in them and in the ground, at a
+rate omega that grows at the rate alpha: angular momentum and moment, 8/11 and 8/13 to 8/19.
+
+Neither asks for the ground: (8.17) and (8.18) have all in the axes of the body. The proofs let the
+mass points move along their circles.
+"""
+
+from exercises.proofs import cross, integral, mean, minus, plus, rate, rot, scaled, second_rate, times
+from exercises.steps import Step, terms
+from newton_euler.bodies import Inertia, composite
+from newton_euler.dynamics import fixed_line_moment, fixed_line_momentum
+
+UNITS = {
+    "SI": {"inertia": "kg*m^2", "moment": "N*m"},
+    "US": {"inertia": "slug*ft^2", "moment": "lb*ft"},
+}
+# the other two axes, in their order
+ACROSS = {"x": ("y", "z"), "y": ("z", "x"), "z": ("x", "y")}
+
+
+def about_origin(frame, parts):
+    """The :class:`Inertia` of the whole about the origin of ``frame``, its terms those of the
+    parts.
+    """
+    return composite("body", parts).about(frame)
+
+
+def answers(g, inertia, axis):
+    """H_O and M_O from an :class:`Inertia`, a right or a wrong one."""
+    return {
+        "H_O": fixed_line_momentum(inertia, g.omega, axis),
+        "M_O": fixed_line_moment(inertia, g.omega, g.alpha, axis),
+    }
+
+
+def moment_from_momentum(axis):
+    """The function that ``follows`` needs: H has constant components per omega."""
+
+    def M_O(g, H_O):
+        e = {"x": H_O.frame.i, "y": H_O.frame.j, "z": H_O.frame.k}[axis]
+        return H_O * (g.alpha / g.omega) + (e * g.omega).cross(H_O)
+
+    return {"M_O": M_O}
+
+
+# -- steps
+
+
+def products(inertia, axis):
+    """The products of inertia with the coordinate along the axis, by name."""
+    xy, yz, zx = inertia.products
+    named = {"I_xy": xy, "I_yz": yz, "I_zx": zx}
+    return {name: value for name, value in named.items() if axis in name[2:]}
+
+
+def inertia_steps(inertia, axis, system="SI"):
+    """The moment of inertia about the axis, of each part and of the whole, and the products."""
+    unit, n = UNITS[system]["inertia"], "xyz".index(axis)
+    parts = inertia.terms if len(inertia.terms) > 1 else {}
+    for name, part in parts.items():
+        yield Step(f"I_{axis}{axis}_{name.replace(' ', '_')}", part.moments[n], unit,
+                   f"moment of inertia of the {name} about the {axis} axis", "7.8", "7.25")  # fmt: skip
+    yield Step(f"I_{axis}{axis}", inertia.moments[n], unit,
+               f"moment of inertia of the whole about the {axis} axis", "7.3", "7.9")  # fmt: skip
+    for name, value in products(inertia, axis).items():
+        u, v = name[2:]
+        yield Step(name, value, unit, f"integral of {u} {v} over the mass", "7.3", "7.10")
+
+
+def steps_of(g, inertia, axis, system="SI"):
+    """The inertia, and the terms of the moment."""
+    yield from inertia_steps(inertia, axis, system)
+    yield from terms(answers(g, inertia, axis)["M_O"], "M_O", UNITS[system]["moment"], "8.2")
+
+
+# -- mistakes
+
+
+def no_rotation(g, inertia, axis):
+    """The mistake of no omega x H."""
+    return {"M_O": answers(g, inertia, axis)["M_O"].without("rotation")}
+
+
+def other_products(inertia, xy=None, yz=None, zx=None):
+    """The :class:`Inertia` with the products that are given, all others as they are."""
+    new = [b if a is None else a for a, b in zip((xy, yz, zx), inertia.products, strict=True)]
+    return Inertia(inertia.point, inertia.moments, new, frame=inertia.frame, tolerance=None)
+
+
+def without_products(inertia):
+    return other_products(inertia, 0, 0, 0)
+
+
+def wrong_sign(inertia):
+    return other_products(inertia, *(-x for x in inertia.products))
+
+
+def added_to_moment(inertia, axis, extra):
+    """The :class:`Inertia` with a wrong moment about the axis, by ``extra``."""
+    moments = [x + extra if u == axis else x for u, x in zip("xyz", inertia.moments, strict=True)]
+    return Inertia(inertia.point, moments, inertia.products, frame=inertia.frame, tolerance=None)
+
+
+# -- proofs: what stands for a body is the function that integrates an f(place) over its mass
+
+
+def of_points(mass, points, at=(0, 0, 0)):
+    """The integral over this mass, spread as ``points`` (see :func:`mean`) about a place."""
+    return lambda f: scaled(mass, mean(lambda place: f(plus(place, at)), points))
+
+
+def of_wire(density, place, way, corners=()):
+    """The integral over a wire of this mass per length; ``place(s)`` is the place after the way s,
+    and has its corners at ``corners``.
+    """
+    return lambda f: scaled(density, integral(lambda s: f(place(s)), 0, way, corners))
+
+
+def prove(g, axis, **parts):
+    """Each mass point goes round its circle; momentum and force have their moments about O. The
+    steps are found by letting the body turn with omega or with alpha alone, and as sums.
+    """
+
+    def summed(f):
+        return plus(*(over(f) for over in parts.values()))
+
+    def moment(orientation, difference):
+        change = difference(orientation)
+        return summed(lambda place: cross(place, times(change, place)))
+
+    def turned(omega, alpha):
+        return lambda t: rot(axis, omega * t + alpha * t * t / 2)
+
+    motion = turned(g.omega, g.alpha)
+    M_O, from_rest = moment(motion, second_rate), moment(turned(0, g.alpha), second_rate)
+    found = {
+        "H_O": moment(motion, rate),
+        "M_O": M_O,
+        "M_O_relative": from_rest,
+        "M_O_rotation": minus(M_O, from_rest),
+    }
+    across = ["xyz".index(u) for u in ACROSS[axis]]
+    n = "xyz".index(axis)
+
+    def square(place):
+        return [sum(place[k] ** 2 for k in across)]
+
+    found[f"I_{axis}{axis}"] = summed(square)[0]
+    if len(parts) > 1:
+        found |= {f"I_{axis}{axis}_{name}": over(square)[0] for name, over in parts.items()}
+    for k in across:
+        pair = {"xy", "yz", "zx"} & {axis + "xyz"[k], "xyz"[k] + axis}
+        found["I_" + pair.pop()] = summed(lambda place, k=k: [place[n] * place[k]])[0]
+    return found
