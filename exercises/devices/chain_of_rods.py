@@ -1,4 +1,7 @@
-"""The chain of 5/11 and 7/11: three equal rods from O, along x, y and z."""
+"""The chain of 5/11, 7/11, 7/30, 8/11 and 8/17: three equal rods from O, along x, y and z. It may
+begin with another axis, ``first``, that the others follow in the order x, y, z, x; ``edge`` is the
+name of the length of a rod.
+"""
 
 from itertools import pairwise
 
@@ -9,9 +12,16 @@ from newton_euler.drawing import Sketch
 CHAIN = Frame("chain")
 
 
-def corners(g):
-    places = [(0, 0, 0), (g.a, 0, 0), (g.a, g.a, 0), (g.a, g.a, g.a)]
+def corners(g, first="x", edge="a"):
+    a = getattr(g, edge)
+    places = [in_order(c, first) for c in ((0, 0, 0), (a, 0, 0), (a, a, 0), (a, a, a))]
     return [CHAIN.point(name, *place) for name, place in zip("OABC", places, strict=True)]
+
+
+def in_order(components, first):
+    """Components along the first rod, the second and the third, as those along x, y, z."""
+    n = "xyz".index(first)
+    return [components[(k - n) % 3] for k in range(3)]
 
 
 def all_from_O(g):
@@ -25,22 +35,24 @@ def rods(pairs, **matter):
     return [simplex(P, Q, name=P.name + Q.name, **matter) for P, Q in pairs]
 
 
-def path(g):
+def path(g, first="x", edge="a"):
     """Proof, along the chain: the place after a way s, the whole way, and where it has corners."""
+    a = getattr(g, edge)
 
     def place(s):
-        return [min(max(s - n * g.a, 0), g.a) for n in range(3)]
+        return in_order([min(max(s - n * a, 0), a) for n in range(3)], first)
 
-    return place, 3 * g.a, (g.a, 2 * g.a)
+    return place, 3 * a, (a, 2 * a)
 
 
-def figure(g, ax):
+def figure(g, ax, first="x", edge="a"):
+    """The sketch, on which more can be drawn."""
     s = Sketch(ax, CHAIN, azimuth=-60, elevation=22)
-    O, A, B, C = corners(g)
-    s.axes(O, CHAIN, length=1.5 * g.a)
+    O, A, B, C = corners(g, first, edge)
+    s.axes(O, CHAIN, length=1.5 * getattr(g, edge))
     for P, Q in pairwise((O, A, B, C)):
         s.rod(P, Q)
-        s.dimension(P, Q, label="a")
+        s.dimension(P, Q, label=edge)
     for P in (O, A, B, C):
         s.label(P, P.name)
     return s

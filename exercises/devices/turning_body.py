@@ -5,7 +5,20 @@ Neither asks for the ground: (8.17) and (8.18) have all in the axes of the body.
 mass points move along their circles.
 """
 
-from exercises.proofs import cross, integral, mean, minus, plus, rate, rot, scaled, second_rate, times
+from itertools import pairwise
+
+from exercises.proofs import (
+    cross,
+    integral,
+    mean,
+    minus,
+    plus,
+    rate,
+    rot,
+    scaled,
+    second_rate,
+    times,
+)
 from exercises.steps import Step, terms
 from newton_euler.bodies import Inertia, composite
 from newton_euler.dynamics import fixed_line_moment, fixed_line_momentum
@@ -58,8 +71,10 @@ def inertia_steps(inertia, axis, system="SI"):
     unit, n = UNITS[system]["inertia"], "xyz".index(axis)
     parts = inertia.terms if len(inertia.terms) > 1 else {}
     for name, part in parts.items():
-        yield Step(f"I_{axis}{axis}_{name.replace(' ', '_')}", part.moments[n], unit,
-                   f"moment of inertia of the {name} about the {axis} axis", "7.8", "7.25")  # fmt: skip
+        which = name if name.isupper() else f"the {name}"
+        yield Step(f"I_{axis}{axis}_{name.split()[0]}", part.moments[n], unit,
+                   f"moment of inertia of {which} about the {axis} axis",
+                   "7.8", "7.25")  # fmt: skip
     yield Step(f"I_{axis}{axis}", inertia.moments[n], unit,
                f"moment of inertia of the whole about the {axis} axis", "7.3", "7.9")  # fmt: skip
     for name, value in products(inertia, axis).items():
@@ -109,46 +124,63 @@ def of_points(mass, points, at=(0, 0, 0)):
     return lambda f: scaled(mass, mean(lambda place: f(plus(place, at)), points))
 
 
-def of_wire(density, place, way, corners=()):
-    """The integral over a wire of this mass per length; ``place(s)`` is the place after the way s,
-    and has its corners at ``corners``.
-    """
-    return lambda f: scaled(density, integral(lambda s: f(place(s)), 0, way, corners))
-
-
-def prove(g, axis, **parts):
-    """Each mass point goes round its circle; momentum and force have their moments about O. The
-    steps are found by letting the body turn with omega or with alpha alone, and as sums.
+def of_wire(density, place, way, corners, names):
+    """The integrals over the pieces of a wire of this mass per length, by their names;
+    ``place(s)`` is the place after the way s, and ``corners`` are the ends of the pieces before
+    the last.
     """
 
-    def summed(f):
-        return plus(*(over(f) for over in parts.values()))
+    def over_piece(start, end):
+        return lambda f: scaled(density, integral(lambda s: f(place(s)), start, end))
 
-    def moment(orientation, difference):
-        change = difference(orientation)
-        return summed(lambda place: cross(place, times(change, place)))
+    ends = pairwise([0, *corners, way])
+    return {name: over_piece(*pair) for name, pair in zip(names, ends, strict=True)}
 
-    def turned(omega, alpha):
-        return lambda t: rot(axis, omega * t + alpha * t * t / 2)
 
-    motion = turned(g.omega, g.alpha)
-    M_O, from_rest = moment(motion, second_rate), moment(turned(0, g.alpha), second_rate)
-    found = {
-        "H_O": moment(motion, rate),
-        "M_O": M_O,
-        "M_O_relative": from_rest,
-        "M_O_rotation": minus(M_O, from_rest),
-    }
-    across = ["xyz".index(u) for u in ACROSS[axis]]
-    n = "xyz".index(axis)
+def prove_momentum(g, axis, **parts):
+    """Each mass point goes round its circle, and its momentum has a moment about O; moments and
+    products of inertia are added up.
+    """
+    n, across = "xyz".index(axis), ["xyz".index(u) for u in ACROSS[axis]]
 
     def square(place):
         return [sum(place[k] ** 2 for k in across)]
 
-    found[f"I_{axis}{axis}"] = summed(square)[0]
-    if len(parts) > 1:
-        found |= {f"I_{axis}{axis}_{name}": over(square)[0] for name, over in parts.items()}
+    squares = {f"I_{axis}{axis}_{name}": over(square)[0] for name, over in parts.items()}
+    found = {"H_O": _moment(parts, rot_about(axis, g.omega), rate)}
+    found[f"I_{axis}{axis}"] = sum(squares.values())
     for k in across:
-        pair = {"xy", "yz", "zx"} & {axis + "xyz"[k], "xyz"[k] + axis}
-        found["I_" + pair.pop()] = summed(lambda place, k=k: [place[n] * place[k]])[0]
-    return found
+        pair = axis + "xyz"[k] if (n + 1) % 3 == k else "xyz"[k] + axis
+        found[f"I_{pair}"] = _summed(parts, lambda place, k=k: [place[n] * place[k]])[0]
+    return found | (squares if len(parts) > 1 else {})
+
+
+def prove(g, axis, **parts):
+    """As above, and the forces on the mass points have their moments too; of its terms, the one is
+    found by letting the body turn from rest.
+    """
+    M_O = _moment(parts, rot_about(axis, g.omega, g.alpha), second_rate)
+    from_rest = _moment(parts, rot_about(axis, 0, g.alpha), second_rate)
+    found = prove_momentum(g, axis, **parts)
+    return {
+        "H_O": found.pop("H_O"),
+        "M_O": M_O,
+        **found,
+        "M_O_relative": from_rest,
+        "M_O_rotation": minus(M_O, from_rest),
+    }
+
+
+def rot_about(axis, omega, alpha=0):
+    """The orientation as a function of time."""
+    return lambda t: rot(axis, omega * t + alpha * t * t / 2)
+
+
+def _moment(parts, orientation, difference):
+    """The moment about O of the momenta, or of the forces, of all mass points."""
+    change = difference(orientation)
+    return _summed(parts, lambda place: cross(place, times(change, place)))
+
+
+def _summed(parts, f):
+    return plus(*(over(f) for over in parts.values()))

@@ -1,5 +1,5 @@
-"""The wire of 5/10 and 7/10: a half circle about O, its diameter along x, and a leg up from the
-left end.
+"""The wire of 5/10, 7/10 and 8/14: a half circle about O, its diameter along x, and a leg up from
+the left end.
 """
 
 from mpmath import mp
@@ -39,6 +39,7 @@ def path(g):
 
 
 def figure(g, ax):
+    """The sketch, on which more can be drawn."""
     s = Sketch(ax, WIRE, azimuth=-60, elevation=25)
     O, left, right = (0, 0, 0), (-g.r, 0, 0), (g.r, 0, 0)
     s.axes(O, WIRE, length=1.6 * g.r)
@@ -47,3 +48,4 @@ def figure(g, ax):
     s.dimension(O, right, label="r")
     s.dimension(left, (-g.r, 0, g.c), label="c")
     s.label(O, "O")
+    return s
