@@ -69,7 +69,7 @@ def products(inertia, axis):
 def inertia_steps(inertia, axis, system="SI"):
     """The moment of inertia about the axis, of each part and of the whole, and the products."""
     unit, n = UNITS[system]["inertia"], "xyz".index(axis)
-    parts = inertia.terms if len(inertia.terms) > 1 else {}
+    parts = inertia.terms if len(inertia.terms) > 1 and "own" not in inertia.terms else {}
     for name, part in parts.items():
         which = name if name.isupper() else f"the {name}"
         yield Step(f"I_{axis}{axis}_{name.split()[0]}", part.moments[n], unit,
