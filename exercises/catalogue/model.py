@@ -310,10 +310,11 @@ class Problem:
         """
         import sympy
 
-        given = self.book_values
+        given, one = self.book_values, 1.0
         if self.symbolic:
+            one = sympy.Integer(1)
             given = {n: sympy.Rational(str(x)) for n, x in given.items()}
-        return self.solve({**given, **self.sympy_symbols()}, sympy.Integer(1))
+        return self.solve({**given, **self.sympy_symbols()}, one)
 
     def sympy_symbols(self):
         """A SymPy symbol for each symbol of the text: real, and positive where its range is."""
