@@ -1,0 +1,70 @@
+"""8/18: a quarter of a disk that turns about one of its straight edges."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.devices import turning_body
+from exercises.devices.turning_body import answers, moment_from_momentum, steps_of
+from newton_euler import Frame, pi
+from newton_euler.bodies import sector
+from newton_euler.drawing import Sketch
+
+PLATE = Frame("plate")
+AXIS = "x"
+
+
+def inertia(g):
+    """Of a sector about its line of symmetry, which is turned to the axes."""
+    symmetric = PLATE.rotate("symmetric", "z", angle=pi(g.one) / 4)
+    quarter = sector(g.r, pi(g.one) / 4, symmetric, "z", "x", mass=g.m, name="plate")
+    return quarter.about(PLATE.origin, PLATE)
+
+
+def solve(g):
+    return answers(g, inertia(g), AXIS)
+
+
+follows = moment_from_momentum(AXIS)
+
+
+def steps(g):
+    yield from steps_of(g, inertia(g), AXIS)
+
+
+def prove(g):
+    """By mass points along the radii, and over the angle of these."""
+    radii = proofs.box(1, 0, 0, order=2)
+
+    def over_plate(f):
+        def on_radius(phi):
+            def weighed(place):
+                rho = g.r * (place[0] + g.one / 2)
+                return proofs.scaled(rho, f([rho * mp.cos(phi), rho * mp.sin(phi), 0]))
+
+            return proofs.mean(weighed, radii)
+
+        total = proofs.integral(on_radius, 0, mp.pi / 2)
+        return proofs.scaled(4 * g.m / (mp.pi * g.r), total)
+
+    return turning_body.prove(g, AXIS, plate=over_plate)
+
+
+def mistakes(g):
+    I = inertia(g)
+    quartered = turning_body.added_to_moment(I, AXIS, -3 * I.moments[0] / 4)
+    return {
+        "no_products": answers(g, turning_body.without_products(I), AXIS),
+        "no_rotation": turning_body.no_rotation(g, I, AXIS),
+        "quartered": answers(g, quartered, AXIS),
+        "wrong_sign": answers(g, turning_body.wrong_sign(I), AXIS),
+    }
+
+
+def draw(g, ax):
+    s = Sketch(ax, PLATE, azimuth=-60, elevation=28)
+    O, X = (0, 0, 0), (g.r, 0, 0)
+    s.plate([O, *s.around(O, X, PLATE.k, 3.14159265 / 2)])
+    s.axes(O, PLATE, length=1.4 * g.r)
+    s.turn((1.12 * g.r, 0, 0), PLATE.i, r"$\omega$")
+    s.dimension(O, X, "r")
+    s.label(O, "O")
