@@ -18,7 +18,7 @@ from newton_euler.drawing import Sketch
 
 
 def offset(g):
-    """From the pin to the mass center."""
+    """From the pin to the centre of mass."""
     return (1 - 2 * g.k) * g.L / 2
 
 
@@ -40,7 +40,7 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("d", offset(g), "ft", "distance from the pin C to the mass center G", "8.5")
+    yield Step("d", offset(g), "ft", "distance from the pin C to the centre of mass G", "8.5")
     *first, a_G = fall_steps(g, beam(g), "C")
     yield from first
     alpha = falls(g, beam(g)).alpha

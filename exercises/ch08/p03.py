@@ -57,7 +57,7 @@ def steps(g):
     ground, AB, _, _ = ladder(g, solve(g)["alpha_AB"])
     yield Step("m", AB.mass, "slug", "mass of the rod, W/g", "6.1")
     yield Step("I_G", AB.inertia.moments[2], "slug*ft^2",
-               "moment of inertia about z through the mass center G", "8.5")  # fmt: skip
+               "moment of inertia about z through the centre of mass G", "8.5")  # fmt: skip
     a_G = AB.centre.acceleration(ground).expressed_in(ground)
     yield Step("a_G", a_G, "ft/s^2",
                "acceleration of G, from x_G = (L/2) sin(theta), y_G = (L/2) cos(theta)",

@@ -1,4 +1,4 @@
-"""8/4: the forces on the connecting rod of an engine at top dead center."""
+"""8/4: the forces on the connecting rod of an engine at top dead centre."""
 
 from mpmath import mp
 
@@ -65,7 +65,7 @@ def steps(g):
     yield Step("m_R", bar.mass, "slug", "mass of the connecting rod, W_R/g", "6.1")
     omega = bar.frame.angular_velocity(ground).expressed_in(ground)
     yield Step("omega_BO", omega, "rad/s", "angular velocity of the connecting rod", "4.8", "4.17")
-    for P, what in ((B, "B"), (O, "the piston"), (bar.centre, "the mass center of the rod")):
+    for P, what in ((B, "B"), (O, "the piston"), (bar.centre, "the centre of mass of the rod")):
         a = P.acceleration(ground).expressed_in(ground)
         yield Step(f"a_{P.name}", a, "ft/s^2", f"acceleration of {what}", "4.8", "4.18")
 

@@ -26,9 +26,9 @@ def steps(g):
                "least coefficient of friction for which the cylinder rolls without slip, F/(m g)",
                "8.6")  # fmt: skip
     yield Step("a_Ga", with_slip(g, g.f_a).a, "ft/s^2",
-               "acceleration of the center in case a, f_a g: it slips", "6.1", "6.4")  # fmt: skip
+               "acceleration of the centre in case a, f_a g: it slips", "6.1", "6.4")  # fmt: skip
     yield Step("a_Gb", no_slip(g).a, "ft/s^2",
-               "acceleration of the center in case b, from a_G + r alpha = n g", "8.6")  # fmt: skip
+               "acceleration of the centre in case b, from a_G + r alpha = n g", "8.6")  # fmt: skip
 
 
 def prove(g):

@@ -32,7 +32,7 @@ def steps(g):
     yield Step("I_G", I, "slug*ft^2", "moment of inertia about the axis of the disk", "8.5")
     yield Step("F", found.F, "lb", "friction force on the disk, positive up the slope", "8.5",
                "8.19")  # fmt: skip
-    yield Step("a_G", found.a, "ft/s^2", "acceleration of the center, positive up the slope", "8.5",
+    yield Step("a_G", found.a, "ft/s^2", "acceleration of the centre, positive up the slope", "8.5",
                "8.15")  # fmt: skip
 
 

@@ -58,7 +58,7 @@ def pin_force(g, shape, alpha):
 
 
 def fall_steps(g, shape, pin):
-    """Mass, moment of inertia, moment and acceleration of the mass center; ``pin`` is its name."""
+    """Mass, moment of inertia, moment and acceleration of the centre of mass; ``pin`` is named."""
     ground, frame = turned(falls(g, shape).alpha)
     body = shape(frame)
     I, a_G = body.about(ground.origin).moments[2], body.centre.acceleration(ground)
@@ -66,7 +66,7 @@ def fall_steps(g, shape, pin):
     yield Step(f"I_{pin}", I, "slug*ft^2", f"moment of inertia about z through {pin}", "8.5")
     yield Step(f"M_{pin}", moment_of_weight(g, shape), "lb*ft",
                f"moment of the weight about z through {pin}", "8.1", "8.7")  # fmt: skip
-    yield Step("a_G", a_G.expressed_in(ground), "ft/s^2", "acceleration of the mass center",
+    yield Step("a_G", a_G.expressed_in(ground), "ft/s^2", "acceleration of the centre of mass",
                "8.5", "8.15")  # fmt: skip
 
 

@@ -1,8 +1,8 @@
 """A homogeneous cylinder or disk that touches a surface, or a thread, along which it rolls or
 slips: 8/7, 8/8, 8/9.
 
-Axes: x along the surface, y out of it, z = x cross y; the contact C is at -r y from the center.
-``a`` is the acceleration of the center along x, ``alpha`` the angular acceleration about z, ``F``
+Axes: x along the surface, y out of it, z = x cross y; the contact C is at -r y from the centre.
+``a`` is the acceleration of the centre along x, ``alpha`` the angular acceleration about z, ``F``
 and ``N`` the forces of the surface on the body along x and y.
 """
 
@@ -47,7 +47,7 @@ def _equations(m, r, gravity, shape, a, alpha, F, N):
 
 
 def rolled(r, q):
-    """Proof: the mass points when the center has moved by q from the origin, on a surface at
+    """Proof: the mass points when the centre has moved by q from the origin, on a surface at
     rest.
     """
     turned = rot("z", -q / r)

@@ -97,7 +97,7 @@ def force_steps(r):
     bearing force.
     """
     a_G = r.body.centre.acceleration(r.ground).expressed_in(r.shaft)
-    yield Step("a_G", a_G, "m/s^2", "acceleration of the mass center", "9.5", "9.7")
+    yield Step("a_G", a_G, "m/s^2", "acceleration of the centre of mass", "9.5", "9.7")
     for key, force in ("F_A", forces(r).A), ("F_B", forces(r).B):
         yield from terms(force.expressed_in(r.shaft), key, "N", "9.5", "9.9")
 

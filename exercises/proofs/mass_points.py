@@ -28,7 +28,9 @@ def mean(f, points):
 def box(a, b, c, order=ORDER):
     """A box with the edges a, b, c along x, y, z; with an edge 0 a plate, with two a rod."""
     with mp.workdps(DIGITS):
-        along = [_between(-mpf(edge) / 2, mpf(edge) / 2, order) for edge in (a, b, c)]
+        along = [
+            _between(-mpf(edge) / 2, mpf(edge) / 2, order if edge else 1) for edge in (a, b, c)
+        ]
         return [
             (u * v * w, [x, y, z]) for u, x in along[0] for v, y in along[1] for w, z in along[2]
         ]

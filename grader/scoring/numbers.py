@@ -14,7 +14,7 @@ from exercises.catalogue import SYMBOLIC
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.words import WORDS
 from exercises.following import earlier_answers, follow
-from exercises.variants import as_points, flat, symbol_points, traced
+from exercises.variants import POINTS, as_points, flat, symbol_points, traced
 from newton_euler.classroom.forms import SHAPES
 
 from .sheet import ScoreError
@@ -128,8 +128,10 @@ def _points(answer, components):
     """The points of an answer: of a number that stands beside formulas, in a problem with symbols,
     the one that it is at all of them.
     """
+    if answer.kind not in SYMBOLIC:
+        return as_points(components)[:1]
     points = as_points(components)
-    return points if answer.kind in SYMBOLIC else points[:1]
+    return points * POINTS if len(points) == 1 else points  # a formula without symbols, as 0
 
 
 def _one_word(answer, found):

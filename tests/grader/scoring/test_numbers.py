@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from exercises.catalogue import problem, problems
-from exercises.variants import draw, flat
+from exercises.variants import POINTS, draw, flat
 from grader.scoring import ScoreError, numbers, score_receipt
 from grader.scoring.numbers import Numbers, numbers_of
 from grader.scoring.wrong_models import wrong_models
@@ -92,3 +92,17 @@ def test_a_wrong_model_without_a_value_stops_no_grading(monkeypatch):
         assert numbers_of(p, p.book_values).wrong("v_0") == []
     finally:
         numbers._traced_wrong.cache_clear()
+
+
+def test_a_wrong_formula_without_symbols_has_all_points(monkeypatch):
+    """As a zero vector: it is compared at every point. A problem with words is not traced."""
+    p = problem("9/1")
+    listed, name = p.code.mistakes, next(iter(p.mistakes))
+    key = next(a.key for a in p.answers if a.kind == "vector_expression")
+
+    def nothing(g):
+        return {**listed(g), name: {key: p.code.solve(g)[key].frame.vector(0, 0, 0)}}
+
+    monkeypatch.setattr(p.code, "mistakes", nothing)
+    found = Numbers(p, p.book_values).wrong(key)
+    assert {len(x) for _, _, x in found} == {POINTS}
