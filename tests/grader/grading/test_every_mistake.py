@@ -14,7 +14,7 @@ from grader.demo.run import nbgrader_api, require_success
 from grader.grading import grade
 from grader.scoring import causes
 
-CHAPTERS = "ch02", "ch03", "ch04", "ch05", "ch06", "ch07", "ch08", "appA"
+CHAPTERS = "ch02", "ch03", "ch04", "ch05", "ch06", "ch07", "ch08", "ch09", "appA"
 
 
 def wrong_answers(p, values, name):
