@@ -119,10 +119,10 @@ def _stages(fit, wrong, kind, factors, elsewhere):
         return [(text, x) for of_group, text, x in near if of_group == name]
 
     rounded = [(EXACT, ROUNDED)] if is_rounded(fit.given, fit.key) else []
-    yield [*of(group("listed")), *of(group("book"), apart=False), *rounded]
-    yield of(group("term"))
-    yield of(group("unit"))
     single = NUMBER_RTOL if kind == "number" else None
+    yield [*of(group("listed")), *of(group("book"), single, apart=False), *rounded]
+    yield of(group("term"))
+    yield of(group("unit"), single)
     yield [
         *of(multiples(fit, factors), single),
         *_of_unlike_axes(group("axes"), fit),
