@@ -310,11 +310,10 @@ class Problem:
         """
         import sympy
 
-        given, one = self.book_values, 1.0
+        given = self.book_values
         if self.symbolic:
-            one = sympy.Integer(1)
             given = {n: sympy.Rational(str(x)) for n, x in given.items()}
-        return self.solve({**given, **self.sympy_symbols()}, one)
+        return self.solve({**given, **self.sympy_symbols()}, sympy.Integer(1))
 
     def sympy_symbols(self):
         """A SymPy symbol for each symbol of the text: real, and positive where its range is."""

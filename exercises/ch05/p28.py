@@ -104,5 +104,5 @@ def draw(g, ax):
     s.arc(tip, left, rim, label=r"$\gamma$")
     for P, name in ((P1, "$P_1$"), (P2, "$P_2$")):
         s.dot(P)
-        s.label(P, name, offset=(14, 0), bold=False)
+        s.label(P, name, offset=(-14, 4), bold=False)
     s.label((0, 0, P2[2] / 2), "string of length L", offset=(52, 0), bold=False)

@@ -139,6 +139,6 @@ def draw(g, ax):
     s.dimension(A, B, label="b", offset=0.2 * g.l)
     s.dimension(B, O, label="l", offset=0.25 * g.l)
     s.label(A, "A", offset=(6, -12))
-    s.label(B, "B", offset=(-1, -15))
+    s.label(B, "B", offset=(4, -17))
     s.label(O, "O", offset=(0, -13))
     s.label((x + 1.4 * w, 0, 0), "P", offset=(0, 9))

@@ -73,6 +73,6 @@ def draw(g, ax):
     s.line(r.O, tip, style="centre")
     s.arc(r.O, r.B, tip, label=r"$\alpha$", radius=0.9 * g.r)
     s.axes(r.O, r.shaft, length=0.6 * g.r)
-    s.label(r.O, "O", offset=(-6, -17))
+    s.label(r.O, "O", offset=(-12, -18))
     s.dimension(r.O, tilted.point("", 0, g.r, 0), label="r", offset=0.2 * g.r)
     s.dimension(r.O, r.B, label="c", offset=-0.35 * g.r)

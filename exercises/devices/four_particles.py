@@ -35,7 +35,7 @@ def figure(g, ax):
     ):
         s.rod(A, B)
         s.dimension(A, B, label=name, offset=away)
-    corners = (-24, -6), (-6, 20), (-22, 8), (-24, 6)
+    corners = (-24, -6), (-18, 14), (-22, 8), (-24, 6)
     for n, ((m, P), offset) in enumerate(zip(parts, corners, strict=True), 1):
         s.sphere(P, 0.045 * span * (m / mass) ** (1 / 3))  # all of one density
         s.label(P, f"$m_{n}$", offset=offset, bold=False)

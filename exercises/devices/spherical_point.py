@@ -34,7 +34,7 @@ def figure(g, ax, distance="", theta=0.9):
     """The figure, with the elevation of g and the name of OP; the azimuth is not asked about."""
     ground = Frame("ground")
     axes = spherical_frame(ground, theta, g.phi)
-    s = Sketch(ax, ground, azimuth=15, elevation=20)
+    s = Sketch(ax, ground, azimuth=40, elevation=20)
     c = cos(g.phi)
     O, P = (0, 0, 0), tuple(axes.i.components(ground))
     Q = (c * cos(theta), c * sin(theta), 0)

@@ -33,8 +33,8 @@ def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
         at ``low`` and ``high`` differ
     Floats, mpf and arrays (an equation for each instant): to round-off. Moving numbers: with the
     rates of the root. Dimensions: that of the root, once f has run on it. Also in formulas that are
-    compiled. Raises :class:`SingularError` if the signs are the same, and :class:`ScalarError` for
-    expressions, which have no formula in general.
+    compiled. Exact numbers of SymPy: as a float. Raises :class:`SingularError` if the signs are the
+    same, and :class:`ScalarError` for expressions with symbols, which have no formula in general.
 
     >>> from newton_euler import cos
     >>> round(root(lambda x: cos(x) - x, 0.0, 1.0), 12)
@@ -50,13 +50,20 @@ def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
         if not hasattr(kind, "_root"):
             raise ScalarError(f"an equation in {clipped(kind)} has no root that can be found")
         return kind._root(f, low, high)
-    if not all(map(is_numeric, present)):
+    if not all(is_numeric(x) or _is_constant(x) for x in present):
         raise ScalarError(
             f"the root of an equation with symbols, as {clipped(sample)} = 0, has no formula in "
             "general: put numbers in, or solve it by hand or with SymPy"
         )
+    if not all(map(is_numeric, present)):  # exact numbers of SymPy have no exact root in general
+        return _illinois(lambda x: float(f(x)), float(low), float(high))
     low, high, _ = promote(low, high, sample)
     return to_plain(_illinois(f, low, high))
+
+
+def _is_constant(x):
+    """True of an expression without symbols, as pi/4 of SymPy."""
+    return not getattr(x, "free_symbols", True)
 
 
 def _moving_root(f, low, high):

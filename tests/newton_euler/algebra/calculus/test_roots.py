@@ -111,3 +111,10 @@ def test_what_has_no_root_is_refused_in_words():
         root(lambda x: cos(x) - sympy.Symbol("k"), 0, 1)
     with pytest.raises(ScalarError, match="no root that can be found"):
         root(lambda x: x - LinearForm(1.0, (1.0,)), 0.0, 1.0)
+
+
+def test_exact_numbers_without_symbols_have_a_root_in_floats():
+    exact = sympy.Integer(2)
+    found = root(lambda x: x * x - exact, sympy.Integer(0), exact)
+    assert type(found) is float
+    assert found == pytest.approx(2**0.5, rel=1e-15)
