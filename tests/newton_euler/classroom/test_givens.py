@@ -25,6 +25,7 @@ def shell(monkeypatch):
     interactive = pytest.importorskip("IPython.core.interactiveshell").InteractiveShell
     monkeypatch.setattr(givens, "_given", {})
     monkeypatch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # which it replaces
+    monkeypatch.delenv("VIRTUAL_ENV", raising=False)  # it warns where that is another Python's
     config = Config({"HistoryManager": {"enabled": False}})
     shell = interactive.instance(config=config)
     shell.user_ns.clear()
