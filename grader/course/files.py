@@ -43,12 +43,7 @@ def write_json(path, content, indent=1, mode=PRIVATE):
     faster.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    data = (
-        _as_json(content)
-        if indent is None
-        else json.dumps(content, ensure_ascii=False, indent=indent).encode("utf-8")
-    )
-    _write(path, data + b"\n", mode)  # what cannot be encoded leaves nothing behind
+    write_text(path, json.dumps(content, ensure_ascii=False, indent=indent) + "\n", mode)
 
 
 def write_notebook(path, notebook):
