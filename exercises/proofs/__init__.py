@@ -9,6 +9,7 @@ rows.
 """
 
 from .digits import DIGITS, ProofError
+from .flow import after, until
 from .freedom import freedom
 from .gradients import gradient
 from .integrals import integral
@@ -40,9 +41,9 @@ from .moved import (
 from .roots import root
 
 __all__ = [
-    "DIGITS", "ProofError", "angular_acceleration", "angular_momentum", "angular_velocity", "ball",
-    "box", "cross", "cylindrical_axes", "disk", "elevation", "force_needed", "freedom", "gradient",
-    "integral", "kinetic_energy", "let_go", "mean", "minus", "moment_needed", "plus", "rate",
-    "ring", "root", "rot", "scaled", "second_rate", "shell", "size", "spherical_axes", "spun",
-    "times", "transposed", "vanishing",
+    "DIGITS", "ProofError", "after", "angular_acceleration", "angular_momentum", "angular_velocity",
+    "ball", "box", "cross", "cylindrical_axes", "disk", "elevation", "force_needed", "freedom",
+    "gradient", "integral", "kinetic_energy", "let_go", "mean", "minus", "moment_needed", "plus",
+    "rate", "ring", "root", "rot", "scaled", "second_rate", "shell", "size", "spherical_axes",
+    "spun", "times", "transposed", "until", "vanishing",
 ]  # fmt: skip
