@@ -4,6 +4,8 @@ instructor's own, with plain texts or sanitized HTML.
 The template lays it out; nothing that a student wrote reaches the page as HTML.
 """
 
+import re
+
 import bleach
 from nbgrader import utils
 from nbgrader.preprocessors import NbGraderPreprocessor
@@ -20,6 +22,9 @@ TAGS = {
     "th", "thead", "tr", "ul",
 }  # fmt: skip
 ATTRIBUTES = {"a": ["href", "title"], "th": ["scope"]}
+
+# a link to a chapter leads to a notebook beside the student's own, which the page is not
+_BESIDE = re.compile(r'<a href="(?!#|https?:)[^"]*">(.*?)</a>')
 
 
 def sanitized(markdown):
@@ -76,7 +81,8 @@ def _add_cell(section, role, cell):
     if role == "statement":
         title, _, text = cell.source.partition("\n")
         # the catalogue's text and figure, rebuilt by the grader: not the student's
-        section.update(title=title.removeprefix("## "), statement=html_with_mathml(text))
+        html = _BESIDE.sub(r"\1", html_with_mathml(text))
+        section.update(title=title.removeprefix("## "), statement=html)
     elif role == "givens":
         section["numbers"] = cell.source
     elif role == "answer":

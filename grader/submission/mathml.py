@@ -13,11 +13,14 @@ def mathml(latex, display="inline"):
     from latex2mathml.converter import convert
 
     try:
-        # it leaves the escape of a % in a text as it is
-        return convert(_RAISED.sub(_with_exponent, latex), display=display).replace(r"\%", "%")
+        made = convert(_RAISED.sub(_with_exponent, latex), display=display)
     except Exception:  # its errors have no base class, and an IndexError is among them
         return f"${html.escape(latex)}$"
+    # it leaves the escape of a % in a text as it is; HTML needs no name of a space
+    return _NAMESPACE.sub("", made, count=1).replace(r"\%", "%")
 
+
+_NAMESPACE = re.compile(r' xmlns="[^"]*"')
 
 # browsers without a mathematical font raise an exponent behind a word much too high
 _RAISED = re.compile(r"\\text\{([^{}]*)\}\^(\d)")
