@@ -39,11 +39,12 @@ from .moved import (
     vanishing,
 )
 from .roots import root
+from .tracks import speed_along
 
 __all__ = [
     "DIGITS", "ProofError", "after", "angular_acceleration", "angular_momentum", "angular_velocity",
     "ball", "box", "cross", "cylindrical_axes", "disk", "elevation", "force_needed", "freedom",
     "gradient", "integral", "kinetic_energy", "let_go", "mean", "minus", "moment_needed", "plus",
-    "rate", "ring", "root", "rot", "scaled", "second_rate", "shell", "size", "spherical_axes",
-    "spun", "times", "transposed", "until", "vanishing",
+    "rate", "ring", "root", "rot", "scaled", "second_rate", "shell", "size",
+    "speed_along", "spherical_axes", "spun", "times", "transposed", "until", "vanishing",
 ]  # fmt: skip
