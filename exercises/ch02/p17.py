@@ -1,7 +1,7 @@
 """2/17: a pin that a turning arm carries along a cam."""
 
+from exercises.devices import polar_motion
 from exercises.proofs import minus, rot, second_rate, size, times
-from exercises.steps import Step, terms
 from newton_euler import Frame, cos, moving, pi, polar
 from newton_euler.drawing import Sketch
 
@@ -19,12 +19,7 @@ def solve(g):
 
 
 def steps(g):
-    ground, r, P = pin(g)
-    yield Step("r_dot", r.rate, "m/s", "rate of the distance", "2.6")
-    yield Step("r_ddot", r.acceleration, "m/s^2", "its second rate", "2.6")
-    a = P.acceleration(ground)
-    yield Step("a_P", a, "m/s^2", "acceleration along $e_r$, $e_\\theta$", "2.6", "2.18")
-    yield from terms(a, "a_P", "m/s^2", "2.6")
+    yield from polar_motion.steps(*pin(g))
 
 
 def prove(g):
@@ -43,12 +38,7 @@ def prove(g):
 
 def mistakes(g):
     ground, _, P = pin(g)
-    a = P.acceleration(ground)
-    return {
-        "no_coriolis": {"a": a.without("coriolis").norm()},
-        "no_r_ddot": {"a": a.without("radial").norm()},
-        "centripetal_alone": {"a": a.terms["centripetal"].norm()},
-    }
+    return polar_motion.mistakes(ground, P)
 
 
 def draw(g, ax):

@@ -1,13 +1,6 @@
 """2/19: a collar on a rod that turns faster and faster."""
 
-from exercises.devices.collar_on_rod import (
-    collar,
-    collar_steps,
-    common_mistakes,
-    motion,
-    prove_collar,
-    sketch,
-)
+from exercises.devices import collar_on_rod
 
 
 def r(g, t):
@@ -19,24 +12,24 @@ def theta(g, t):
 
 
 def solve(g):
-    return motion(*collar(g, r, theta))
+    return collar_on_rod.motion(g, r, theta)
 
 
 def steps(g):
-    yield from collar_steps(*collar(g, r, theta))
+    yield from collar_on_rod.steps(g, r, theta)
 
 
 def prove(g):
-    return prove_collar(g, r, theta)
+    return collar_on_rod.prove(g, r, theta)
 
 
 def mistakes(g):
     right = solve(g)
     return {
-        **common_mistakes(*collar(g, r, theta)),
+        **collar_on_rod.common_mistakes(g, r, theta),
         "no_transverse": {"v": right["v"].without("transverse")},
     }
 
 
 def draw(g, ax):
-    sketch(g, ax, r)
+    collar_on_rod.sketch(g, ax, r)

@@ -1,13 +1,6 @@
 """2/20: a collar on a rod that turns back."""
 
-from exercises.devices.collar_on_rod import (
-    collar,
-    collar_steps,
-    common_mistakes,
-    motion,
-    prove_collar,
-    sketch,
-)
+from exercises.devices import collar_on_rod
 from newton_euler import pi
 
 
@@ -24,23 +17,23 @@ def theta(g, t):
 
 
 def solve(g):
-    return motion(*collar(g, r, theta))
+    return collar_on_rod.motion(g, r, theta)
 
 
 def steps(g):
-    yield from collar_steps(*collar(g, r, theta))
+    yield from collar_on_rod.steps(g, r, theta)
 
 
 def prove(g):
-    return prove_collar(g, r, theta)
+    return collar_on_rod.prove(g, r, theta)
 
 
 def mistakes(g):
     return {
-        **common_mistakes(*collar(g, r, theta)),
-        "no_half_pi": motion(*collar(g, r, no_half_pi)),
+        **collar_on_rod.common_mistakes(g, r, theta),
+        "no_half_pi": collar_on_rod.motion(g, r, no_half_pi),
     }
 
 
 def draw(g, ax):
-    sketch(g, ax, r)
+    collar_on_rod.sketch(g, ax, r)

@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
+from exercises.devices import polar_motion
 from exercises.proofs import second_rate, size
-from exercises.steps import Step, terms
 from newton_euler import Frame, cos, exp, log, moving, polar, sin
 from newton_euler.drawing import Sketch
 
@@ -21,12 +21,7 @@ def solve(g):
 
 
 def steps(g):
-    ground, r, P = particle(g)
-    yield Step("r_dot", r.rate, "m/s", "rate of the distance", "2.6")
-    yield Step("r_ddot", r.acceleration, "m/s^2", "its second rate", "2.6")
-    a = P.acceleration(ground)
-    yield Step("a_P", a, "m/s^2", "acceleration along $e_r$, $e_\\theta$", "2.6", "2.18")
-    yield from terms(a, "a_P", "m/s^2", "2.6")
+    yield from polar_motion.steps(*particle(g))
 
 
 def prove(g):
@@ -42,12 +37,7 @@ def prove(g):
 
 def mistakes(g):
     ground, _, P = particle(g)
-    a = P.acceleration(ground)
-    return {
-        "centripetal_alone": {"a": a.terms["centripetal"].norm()},
-        "no_coriolis": {"a": a.without("coriolis").norm()},
-        "no_r_ddot": {"a": a.without("radial").norm()},
-    }
+    return polar_motion.mistakes(ground, P)
 
 
 def draw(g, ax):

@@ -1,37 +1,26 @@
 """3/22: the acceleration of a car of an amusement ride in spherical components."""
 
-from exercises.devices.amusement_ride import (
-    car,
-    car_in_time,
-    coordinates,
-    figure,
-    steps_in_time,
-)
+from exercises.devices import amusement_ride as ride
 from exercises.proofs import second_rate, spherical_axes, times
-from exercises.steps import Step, terms
-from newton_euler import sin
+from exercises.steps import terms
+
+STEPS = "sin_phi", "phi_dot", "phi_ddot"
 
 
 def solve(g):
-    ground, _, P = car(g)
+    ground, _, P = ride.car(g)
     return {"a": P.acceleration(ground)}
 
 
 def steps(g):
-    phi = coordinates(g)[3]
-    yield Step(
-        "sin_phi", sin(phi.value), "1", "sine of the elevation of the arm, z/R", "3.7", "3.24"
-    )
-    yield Step("phi_dot", phi.rate, "rad/s", "rate of the elevation, z'/(R cos(phi))", "3.7")
-    second = "second rate of the elevation, phi'^2 tan(phi) as z'' = 0"
-    yield Step("phi_ddot", phi.acceleration, "rad/s^2", second, "3.7")
+    yield from ride.steps(g, "3.7", *STEPS)
     yield from terms(solve(g)["a"], "a", "m/s^2", "3.7")
 
 
 def prove(g):
-    P, found = car_in_time(g), steps_in_time(g)
+    P = ride.car_in_time(g)
     a = times(spherical_axes(P(0)), second_rate(P))
-    return {"a": a} | {key: found[key] for key in ("sin_phi", "phi_dot", "phi_ddot")}
+    return {"a": a} | ride.proved_steps(g, *STEPS)
 
 
 def mistakes(g):
@@ -46,4 +35,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    figure(g, ax, elevation_angle=True)
+    ride.figure(g, ax, elevation_angle=True)

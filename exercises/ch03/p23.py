@@ -1,6 +1,6 @@
 """3/23: the velocity of a car of an amusement ride, from cylindrical to spherical components."""
 
-from exercises.devices.amusement_ride import car, car_in_time, coordinates, section, steps_in_time
+from exercises.devices import amusement_ride as ride
 from exercises.proofs import cylindrical_axes, rate, spherical_axes, times, transposed
 from exercises.steps import Step
 from newton_euler import pi
@@ -9,8 +9,8 @@ from newton_euler.kinematics import T_phi, apply, transpose
 
 def velocity(g):
     """Its cylindrical components, the elevation, and the spherical axes."""
-    ground, P, _ = car(g)
-    phi = coordinates(g)[3]
+    ground, P, _ = ride.car(g)
+    phi = ride.coordinates(g)[3]
     return P.velocity(ground), phi, P.local.rotate("e_R, e_theta, e_phi", "-y", phi)
 
 
@@ -36,10 +36,10 @@ def steps(g):
 
 def prove(g):
     """The matrix from the unit vectors that are drawn at the place of the car."""
-    P = car_in_time(g)
+    P = ride.car_in_time(g)
     here, there, v = cylindrical_axes(P(0)), spherical_axes(P(0)), rate(P)
     answers = {"T_phi": times(there, transposed(here)), "v": times(there, v)}
-    return answers | {"phi": steps_in_time(g)["phi"], "cylindrical_v": times(here, v)}
+    return answers | ride.proved_steps(g, "phi") | {"cylindrical_v": times(here, v)}
 
 
 def mistakes(g):
@@ -53,4 +53,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    section(g, ax)
+    ride.section(g, ax)

@@ -2,7 +2,7 @@
 by the matrix.
 """
 
-from exercises.devices.amusement_ride import car, car_in_time, coordinates, section, steps_in_time
+from exercises.devices import amusement_ride as ride
 from exercises.proofs import cylindrical_axes, second_rate, spherical_axes, times, transposed
 from exercises.steps import Step
 from newton_euler import pi
@@ -11,7 +11,7 @@ from newton_euler.kinematics import T_phi, apply, transpose
 
 def acceleration(g):
     """Its spherical components, the elevation, and the cylindrical axes."""
-    ground, in_cylindrical, P = car(g)
+    ground, in_cylindrical, P = ride.car(g)
     return P.acceleration(ground), P.coordinates[2], in_cylindrical.local
 
 
@@ -25,8 +25,8 @@ def solve(g):
     """The acceleration by (3.23), a shorter formula than the product with the matrix, which is what
     ``follows`` has.
     """
-    ground, P, _ = car(g)
-    phi = coordinates(g)[3]
+    ground, P, _ = ride.car(g)
+    phi = ride.coordinates(g)[3]
     return {"T_phi_inv": transpose(T_phi(phi.value)), "a": P.acceleration(ground)}
 
 
@@ -44,14 +44,11 @@ def steps(g):
 
 def prove(g):
     """The matrix from the unit vectors that are drawn at the place of the car."""
-    P, found = car_in_time(g), steps_in_time(g)
+    P = ride.car_in_time(g)
     here, there, a = spherical_axes(P(0)), cylindrical_axes(P(0)), second_rate(P)
     answers = {"T_phi_inv": times(there, transposed(here)), "a": times(there, a)}
-    return (
-        answers
-        | {key: found[key] for key in ("phi", "phi_dot", "phi_ddot")}
-        | {"spherical_a": times(here, a)}
-    )
+    found = ride.proved_steps(g, "phi", "phi_dot", "phi_ddot")
+    return answers | found | {"spherical_a": times(here, a)}
 
 
 def mistakes(g):
@@ -65,4 +62,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    section(g, ax)
+    ride.section(g, ax)

@@ -1,9 +1,8 @@
 """4/2: water that flows outward in a nozzle which turns about the vertical."""
 
-from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.devices.moving_frame import motion_via
 from exercises.devices.nozzle import figure, nozzle_and_particle, particle_in_time
 from exercises.proofs import rate, second_rate, size
-from exercises.steps import Step, terms
 from newton_euler import sin
 
 
@@ -19,15 +18,8 @@ def solve(g):
 
 def steps(g):
     ground, turning, P = nozzle_and_particle(g)
-    said = "the moving frame, fixed in the nozzle,"
-    yield from turning_of(turning, ground, turning, "nozzle", said)
     start = "O, with x horizontal, outward in the plane of the nozzle, and z up"
-    yield from seen_in(turning, P, turning, "m", "the nozzle", start)
-    v, a = P.velocity(ground, via=turning), P.acceleration(ground, via=turning)
-    yield from terms(v, "v_P", "m/s", "4.8")
-    yield Step("v_P", v, "m/s", "velocity of the particle in the ground", "4.8", "4.17")
-    yield from terms(a, "a_P", "m/s^2", "4.8")
-    yield Step("a_P", a, "m/s^2", "acceleration of the particle in the ground", "4.8", "4.18")
+    return motion_via(turning, P, ground, "nozzle", "the nozzle", start, "the particle")
 
 
 def prove(g):

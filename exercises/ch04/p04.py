@@ -2,9 +2,8 @@
 
 from exercises.devices.boom import acceleration_without_cross_product
 from exercises.devices.crane import crane, figure, tip_in_time
-from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.devices.moving_frame import motion_via
 from exercises.proofs import rate, rot, second_rate, size, times
-from exercises.steps import Step, terms
 from newton_euler import pi
 
 
@@ -18,15 +17,8 @@ def solve(g):
 
 def steps(g):
     ground, house, P = crane(g)
-    said = "the moving frame, fixed in the crane house,"
-    yield from turning_of(house, ground, house, "house", said)
     start = "O, with x outward in the plane of the boom and z up"
-    yield from seen_in(house, P, house, "m", "the crane house", start)
-    v, a = P.velocity(ground, via=house), P.acceleration(ground, via=house)
-    yield from terms(v, "v_P", "m/s", "4.8")
-    yield Step("v_P", v, "m/s", "velocity of P in the ground", "4.8", "4.17")
-    yield from terms(a, "a_P", "m/s^2", "4.8")
-    yield Step("a_P", a, "m/s^2", "acceleration of P in the ground", "4.8", "4.18")
+    return motion_via(house, P, ground, "house", "the crane house", start)
 
 
 def prove(g):

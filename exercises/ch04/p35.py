@@ -1,30 +1,24 @@
 """4/35: the top of a disk in a turning bracket, constant rates."""
 
-from exercises.devices.disk_in_bracket import (
-    disk_in_bracket,
-    figure,
-    prove_rim,
-    rim_motion,
-    rim_point,
-    rim_steps,
-)
+from exercises.devices import disk_in_bracket as device
 
 
 def solve(g):
-    return rim_motion(disk_in_bracket(g), "A", g.r)
+    return device.rim_motion(device.disk_in_bracket(g), "A", g.r)
 
 
 def steps(g):
-    return rim_steps(g, "A")
+    return device.rim_steps(g, "A")
 
 
 def prove(g):
-    return prove_rim(g, "A")
+    return device.prove_rim(g, "A")
 
 
 def mistakes(g):
-    frames = ground, _, disk = disk_in_bracket(g)
-    a, r = rim_motion(frames, "A", g.r)["a_A"], rim_point(disk, "A", g.r) - disk.origin
+    frames = ground, _, disk = device.disk_in_bracket(g)
+    a = device.rim_motion(frames, "A", g.r)["a_A"]
+    r = device.rim_point(disk, "A", g.r) - disk.origin
     return {
         "no_coriolis": {"a_A": a.without("coriolis")},
         "half_coriolis": {"a_A": a.reweighted(coriolis=0.5)},
@@ -34,4 +28,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    figure(g, ax, "A")
+    device.figure(g, ax, "A")

@@ -1,20 +1,13 @@
 """4/37: the angular motion of a disk in a turning bracket, growing rates."""
 
-from exercises.devices.disk_in_bracket import (
-    alpha_disk,
-    disk_in_bracket,
-    figure,
-    prove_turning,
-    turning,
-    turning_steps,
-)
+from exercises.devices import disk_in_bracket as device
 
-draw, prove, steps = figure, prove_turning, turning_steps
-follows = {"alpha_disk": alpha_disk}
+draw, prove, steps = device.figure, device.prove_turning, device.turning_steps
+follows = {"alpha_disk": device.alpha_disk}
 
 
 def solve(g):
-    return turning(disk_in_bracket(g))
+    return device.turning(device.disk_in_bracket(g))
 
 
 def mistakes(g):

@@ -1,24 +1,18 @@
 """4/38: the top of a disk in a turning bracket, growing rates."""
 
-from exercises.devices.disk_in_bracket import (
-    disk_in_bracket,
-    figure,
-    prove_rim,
-    rim_motion,
-    rim_steps,
-)
+from exercises.devices import disk_in_bracket as device
 
 
 def solve(g):
-    return rim_motion(disk_in_bracket(g), "A", g.r)
+    return device.rim_motion(device.disk_in_bracket(g), "A", g.r)
 
 
 def steps(g):
-    return rim_steps(g, "A")
+    return device.rim_steps(g, "A")
 
 
 def prove(g):
-    return prove_rim(g, "A")
+    return device.prove_rim(g, "A")
 
 
 def mistakes(g):
@@ -32,4 +26,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    figure(g, ax, "A")
+    device.figure(g, ax, "A")

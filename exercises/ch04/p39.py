@@ -1,34 +1,27 @@
 """4/39: the side of a disk in a turning bracket, growing rates."""
 
-from exercises.devices.disk_in_bracket import (
-    disk_in_bracket,
-    figure,
-    prove_rim,
-    rim_motion,
-    rim_steps,
-    wrong_accelerations_of_B,
-)
+from exercises.devices import disk_in_bracket as device
 
 
 def solve(g):
-    return rim_motion(disk_in_bracket(g), "B", g.r)
+    return device.rim_motion(device.disk_in_bracket(g), "B", g.r)
 
 
 def steps(g):
-    return rim_steps(g, "B")
+    return device.rim_steps(g, "B")
 
 
 def prove(g):
-    return prove_rim(g, "B")
+    return device.prove_rim(g, "B")
 
 
 def mistakes(g):
     return {
-        **wrong_accelerations_of_B(g, solve(g)["a_B"]),
+        **device.wrong_accelerations_of_B(g, solve(g)["a_B"]),
         "no_growth": {"a_B": solve(g.but(P_dot=0, omega_dot=0))["a_B"]},
         "P_dot_the_other_way": {"a_B": solve(g.but(P_dot=-g.P_dot))["a_B"]},
     }
 
 
 def draw(g, ax):
-    figure(g, ax, "B")
+    device.figure(g, ax, "B")

@@ -1,44 +1,26 @@
 """4/40: the top of a disk on an axle that sticks out of its turning bracket."""
 
-from exercises.devices.disk_in_bracket import (
-    alpha_disk,
-    disk_in_bracket,
-    figure,
-    prove_rim,
-    prove_turning,
-    rim_from_turning,
-    rim_motion,
-    rim_point,
-    rim_steps,
-    turning,
-    turning_steps,
-)
+from exercises.devices import disk_in_bracket as device
 
-
-def steps(g):
-    yield from turning_steps(g)
-    yield from rim_steps(g, "A")
-
-
-follows = {"alpha_disk": alpha_disk, **rim_from_turning("A")}
-
-
-def answers(frames, r):
-    return {**turning(frames), **rim_motion(frames, "A", r)}
+follows = device.all_from_turning("A")
 
 
 def solve(g):
-    return answers(disk_in_bracket(g), g.r)
+    return device.all_motion(device.disk_in_bracket(g), "A", g.r)
+
+
+def steps(g):
+    return device.all_steps(g, "A")
 
 
 def prove(g):
-    return {**prove_turning(g), **prove_rim(g, "A")}
+    return device.prove_all(g, "A")
 
 
 def mistakes(g):
-    frames = ground, _, disk = disk_in_bracket(g)
-    _, alpha, _, a = answers(frames, g.r).values()
-    r = rim_point(disk, "A", g.r) - disk.origin
+    frames = ground, _, disk = device.disk_in_bracket(g)
+    _, alpha, _, a = device.all_motion(frames, "A", g.r).values()
+    r = device.rim_point(disk, "A", g.r) - disk.origin
     return {
         "no_coriolis": {"a_A": a.without("coriolis")},
         "alpha_zero": {"alpha_disk": 0 * alpha},
@@ -49,4 +31,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    figure(g, ax, omega_name=r"\omega_b")
+    device.figure(g, ax, omega_name=r"\omega_b")

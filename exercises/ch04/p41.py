@@ -1,45 +1,27 @@
 """4/41: the side of a disk on an axle that sticks out of its turning bracket."""
 
-from exercises.devices.disk_in_bracket import (
-    alpha_disk,
-    disk_in_bracket,
-    figure,
-    prove_rim,
-    prove_turning,
-    rim_from_turning,
-    rim_motion,
-    rim_steps,
-    turning,
-    turning_steps,
-    wrong_accelerations_of_B,
-)
+from exercises.devices import disk_in_bracket as device
 
-
-def steps(g):
-    yield from turning_steps(g)
-    yield from rim_steps(g, "B")
-
-
-follows = {"alpha_disk": alpha_disk, **rim_from_turning("B")}
-
-
-def answers(frames, r):
-    return {**turning(frames), **rim_motion(frames, "B", r)}
+follows = device.all_from_turning("B")
 
 
 def solve(g):
-    return answers(disk_in_bracket(g), g.r)
+    return device.all_motion(device.disk_in_bracket(g), "B", g.r)
+
+
+def steps(g):
+    return device.all_steps(g, "B")
 
 
 def prove(g):
-    return {**prove_turning(g), **prove_rim(g, "B")}
+    return device.prove_all(g, "B")
 
 
 def mistakes(g):
-    frames = ground, _, disk = disk_in_bracket(g)
-    _, alpha, v, a = answers(frames, g.r).values()
+    frames = ground, _, disk = device.disk_in_bracket(g)
+    _, alpha, v, a = device.all_motion(frames, "B", g.r).values()
     return {
-        **wrong_accelerations_of_B(g, a),
+        **device.wrong_accelerations_of_B(g, a),
         "bracket_forgotten": {"v_B": v.without("rotation") + disk.origin.velocity(ground)},
         "alpha_zero": {"alpha_disk": 0 * alpha},
         "centre_not_accelerated": {"a_B": a - disk.origin.acceleration(ground)},
@@ -47,4 +29,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    figure(g, ax, omega_name=r"\omega_b")
+    device.figure(g, ax, omega_name=r"\omega_b")

@@ -1,26 +1,20 @@
 """5/1: the centre of mass of a triangle by integration."""
 
+from exercises.devices import plate_under_curve as plate
 from exercises.devices import triangular_plate
-from exercises.devices.plate_under_curve import (
-    PLATE,
-    area,
-    centre,
-    first_moments,
-    steps_to_centre,
-)
 from exercises.devices.triangular_plate import area_points, height
 
 
 def moments(g):
-    return area(g.b, height(g)), *first_moments(g.b, height(g))
+    return plate.moments_to_first(g.b, height(g))
 
 
 def solve(g):
-    return centre(*moments(g))
+    return plate.centre(*moments(g))
 
 
 def steps(g):
-    yield from steps_to_centre(g.b, height(g))
+    yield from plate.steps_to_centre(g.b, height(g))
 
 
 def prove(g):
@@ -35,9 +29,9 @@ def prove(g):
 def mistakes(g):
     area, first_x, first_y = moments(g)
     return {
-        "rectangle": {"d": PLATE.vector(g.b / 2, g.h / 2, 0)},
-        "from_far_corners": {"d": PLATE.vector(g.b, g.h, 0) - solve(g)["d"]},
-        "top_of_strip": centre(area, first_x, 2 * first_y),
+        "rectangle": {"d": plate.PLATE.vector(g.b / 2, g.h / 2, 0)},
+        "from_far_corners": {"d": plate.PLATE.vector(g.b, g.h, 0) - solve(g)["d"]},
+        "top_of_strip": plate.centre(area, first_x, 2 * first_y),
     }
 
 

@@ -2,26 +2,20 @@
 
 from exercises import proofs
 from exercises.devices import parabola_plate
+from exercises.devices import plate_under_curve as plate
 from exercises.devices.parabola_plate import height, start
-from exercises.devices.plate_under_curve import (
-    PLATE,
-    area,
-    centre,
-    first_moments,
-    steps_to_centre,
-)
 
 
 def moments(g):
-    return area(g.a, height(g)), *first_moments(g.a, height(g))
+    return plate.moments_to_first(g.a, height(g))
 
 
 def solve(g):
-    return centre(*moments(g))
+    return plate.centre(*moments(g))
 
 
 def steps(g):
-    yield from steps_to_centre(g.a, height(g))
+    yield from plate.steps_to_centre(g.a, height(g))
 
 
 def prove(g):
@@ -39,9 +33,9 @@ def mistakes(g):
     area, first_x, first_y = moments(g)
     box, box_x, box_y = g.a * g.b, g.a**2 * g.b / 2, g.a * g.b**2 / 2
     return {
-        "triangle": {"d": PLATE.vector(2 * g.a / 3, g.b / 3, 0)},
-        "top_of_strip": centre(area, first_x, 2 * first_y),
-        "above": centre(box - area, box_x - first_x, box_y - first_y),
+        "triangle": {"d": plate.PLATE.vector(2 * g.a / 3, g.b / 3, 0)},
+        "top_of_strip": plate.centre(area, first_x, 2 * first_y),
+        "above": plate.centre(box - area, box_x - first_x, box_y - first_y),
     }
 
 

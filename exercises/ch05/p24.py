@@ -2,9 +2,8 @@
 
 from mpmath import mpf
 
-from exercises.devices.atwood import count, draw_machine, rope
+from exercises.devices.atwood import count, draw_machine, miscounts, rope, steps_to_count
 from exercises.proofs import freedom
-from exercises.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -21,10 +20,8 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("heights", count(HEIGHTS), "1",
-               "coordinates: the heights of three masses and of the movable pulley",
-               "5.11")  # fmt: skip
-    yield Step("ropes", len(ROPES), "1", "constraints: each rope keeps its length", "5.11", "5.28")
+    said = "coordinates: the heights of three masses and of the movable pulley"
+    return steps_to_count(HEIGHTS, ROPES, said)
 
 
 def prove(g):
@@ -38,11 +35,7 @@ def prove(g):
 
 
 def mistakes(g):
-    return {
-        "no_pulley": {"dof": count(MASSES) - len(ROPES)},
-        "masses_only": {"dof": count(MASSES)},
-        "no_ropes": {"dof": count(HEIGHTS)},
-    }
+    return miscounts(MASSES, HEIGHTS, ROPES)
 
 
 def draw(g, ax):

@@ -2,9 +2,8 @@
 
 from mpmath import mpf
 
-from exercises.devices.atwood import count, draw_machine, rope
+from exercises.devices.atwood import count, draw_machine, miscounts, rope, steps_to_count
 from exercises.proofs import freedom
-from exercises.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
@@ -23,10 +22,8 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("heights", count(HEIGHTS), "1",
-               "coordinates: the heights of five masses and of three movable pulleys",
-               "5.11")  # fmt: skip
-    yield Step("ropes", len(ROPES), "1", "constraints: each rope keeps its length", "5.11", "5.28")
+    said = "coordinates: the heights of five masses and of three movable pulleys"
+    return steps_to_count(HEIGHTS, ROPES, said)
 
 
 def prove(g):
@@ -42,11 +39,7 @@ def prove(g):
 
 
 def mistakes(g):
-    return {
-        "no_pulleys": {"dof": count(MASSES) - len(ROPES)},
-        "masses_only": {"dof": count(MASSES)},
-        "no_ropes": {"dof": count(HEIGHTS)},
-    }
+    return miscounts(MASSES, HEIGHTS, ROPES)
 
 
 def draw(g, ax):

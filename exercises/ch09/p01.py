@@ -1,57 +1,45 @@
 """9/1: two small masses on a shaft."""
 
-from exercises.devices.rotor import (
-    answers,
-    following,
-    on_the_bearings,
-    only,
-    prove_rotor,
-    rotor,
-    shaft_steps,
-    sketch,
-    turning_shaft,
-    with_inertia,
-    without_H,
-)
+from exercises.devices import rotor
 from newton_euler import particle
 
 
 def two_bodies(g):
-    _, shaft = turning_shaft(g)
+    _, shaft = rotor.turning_shaft(g)
     first = particle(g.m, shaft.point("P", g.d, g.r, 0), "first body")
     second = particle(g.m, shaft.point("Q", -g.d, -g.r, 0), "second body")
-    return rotor(shaft, [first, second], -g.c, g.c)
+    return rotor.in_bearings(shaft, [first, second], -g.c, g.c)
 
 
 def solve(g):
-    return answers(two_bodies(g))
+    return rotor.answers(two_bodies(g))
 
 
 def steps(g):
-    yield from shaft_steps(two_bodies(g))
+    yield from rotor.shaft_steps(two_bodies(g))
 
 
-follows = following(two_bodies)
+follows = rotor.following(two_bodies)
 
 
 def prove(g):
-    return prove_rotor(g, [(g.m, [g.d, g.r, 0]), (g.m, [-g.d, -g.r, 0])], -g.c, g.c)
+    return rotor.prove(g, [(g.m, [g.d, g.r, 0]), (g.m, [-g.d, -g.r, 0])], -g.c, g.c)
 
 
 def mistakes(g):
     r = two_bodies(g)
-    none = with_inertia(r, product=0)
+    none = rotor.with_inertia(r, product=0)
     return {
-        "static_is_enough": {**only(none, "F_A", "F_B"), "balance": "both"},
-        "wrong_sign": with_inertia(r, product=-1),
-        "no_rotation": {**without_H(none), "balance": "both"},
-        "on_the_bearings": on_the_bearings(r),
+        "static_is_enough": {**rotor.only(none, "F_A", "F_B"), "balance": "both"},
+        "wrong_sign": rotor.with_inertia(r, product=-1),
+        "no_rotation": {**rotor.without_H(none), "balance": "both"},
+        "on_the_bearings": rotor.on_the_bearings(r),
     }
 
 
 def draw(g, ax):
     r = two_bodies(g)
-    s = sketch(ax, r)
+    s = rotor.sketch(ax, r)
     for n, part in (1, r.body.parts[0]), (-1, r.body.parts[1]):
         foot = (n * g.d, 0, 0)
         s.rod(foot, part.centre)

@@ -2,18 +2,7 @@
 
 from mpmath import mp
 
-from exercises.devices.rotor import (
-    answers,
-    following,
-    force_steps,
-    prove_rotor,
-    pure_couple,
-    rotor,
-    shaft_steps,
-    sketch,
-    turning_shaft,
-    with_inertia,
-)
+from exercises.devices import rotor
 from exercises.proofs import box
 from newton_euler import Body, cos, sin
 from newton_euler.bodies import Inertia, rod
@@ -26,48 +15,48 @@ def on_bar(g, shaft, name, distance):
 
 def welded_bar(g):
     """The bar, with its inertia about G along the axes of the shaft: formulas come out short."""
-    _, shaft = turning_shaft(g)
+    _, shaft = rotor.turning_shaft(g)
     G = on_bar(g, shaft, "G", g.l / 2)
     along = shaft.rotate("bar", "z", angle=g.theta)
     own = rod(g.l, along, "x", mass=g.m).inertia.expressed_in(shaft)
     bar = Body("bar", g.m, G, Inertia(G, own.moments, own.products))
-    return rotor(shaft, [bar], -g.a, g.b)
+    return rotor.in_bearings(shaft, [bar], -g.a, g.b)
 
 
 def solve(g):
-    return answers(welded_bar(g))
+    return rotor.answers(welded_bar(g))
 
 
 def steps(g):
     r = welded_bar(g)
-    yield from shaft_steps(r)
-    yield from force_steps(r)
+    yield from rotor.shaft_steps(r)
+    yield from rotor.force_steps(r)
 
 
-follows = following(welded_bar)
+follows = rotor.following(welded_bar)
 
 
 def prove(g):
     c, s = mp.cos(g.theta), mp.sin(g.theta)
     along = [(share * g.m, x + g.l / 2) for share, (x, _, _) in box(g.l, 0, 0)]
     points = [(m, [u * c, u * s, 0]) for m, u in along]
-    return prove_rotor(g, points, -g.a, g.b, ("I_xx", "I_xy", "a_G"))
+    return rotor.prove(g, points, -g.a, g.b, ("I_xx", "I_xy", "a_G"))
 
 
 def mistakes(g):
     r = welded_bar(g)
     quarter = 1 * g.one / 4
     return {
-        "pure_couple": pure_couple(r),
-        "all_at_G": with_inertia(r, product=3 * quarter),
-        "about_G": with_inertia(r, moment=quarter, product=quarter),
-        "wrong_sign": with_inertia(r, product=-1),
+        "pure_couple": rotor.pure_couple(r),
+        "all_at_G": rotor.with_inertia(r, product=3 * quarter),
+        "about_G": rotor.with_inertia(r, moment=quarter, product=quarter),
+        "wrong_sign": rotor.with_inertia(r, product=-1),
     }
 
 
 def draw(g, ax):
     r = welded_bar(g)
-    s = sketch(ax, r, elevation=14)
+    s = rotor.sketch(ax, r, elevation=14)
     end = on_bar(g, r.shaft, "end", g.l)
     s.rod(r.O, end)
     s.axes(r.O, r.shaft, length=0.4 * g.l)

@@ -1,17 +1,6 @@
 """9/3: a slanting disk on a shaft."""
 
-from exercises.devices.rotor import (
-    answers,
-    following,
-    only,
-    principal_steps,
-    prove_rotor,
-    rotor,
-    shaft_steps,
-    sketch,
-    turning_shaft,
-    with_inertia,
-)
+from exercises.devices import rotor
 from exercises.proofs import disk as disk_points
 from exercises.proofs import rot, times
 from newton_euler import Body, pi
@@ -20,31 +9,31 @@ from newton_euler.bodies import disk
 
 def fixed_disk(g):
     """Its axes: x along the normal, y in the x, y plane of the shaft."""
-    _, shaft = turning_shaft(g)
+    _, shaft = rotor.turning_shaft(g)
     tilted = shaft.rotate("disk", "z", angle=g.alpha)
-    return rotor(shaft, [disk(g.r, tilted, "x", mass=g.m)], -g.c, g.c)
+    return rotor.in_bearings(shaft, [disk(g.r, tilted, "x", mass=g.m)], -g.c, g.c)
 
 
 def solve(g):
-    return answers(fixed_disk(g))
+    return rotor.answers(fixed_disk(g))
 
 
 def steps(g):
-    r = fixed_disk(g)
-    yield from principal_steps(
-        r.body.parts[0], ("I_n", "x", "about the normal"), ("I_d", "y", "about a diameter")
+    return rotor.steps(
+        fixed_disk(g),
+        ("I_n", "x", "about the normal"),
+        ("I_d", "y", "about a diameter"),
     )
-    yield from shaft_steps(r)
 
 
-follows = following(fixed_disk)
+follows = rotor.following(fixed_disk)
 
 
 def prove(g):
     points = [(share * g.m, [z, x, y]) for share, (x, y, z) in disk_points(g.r)]
     tilt = rot("z", g.alpha)
     placed = [(m, times(tilt, p)) for m, p in points]
-    return prove_rotor(g, placed, -g.c, g.c) | {
+    return rotor.prove(g, placed, -g.c, g.c) | {
         "I_n": sum(m * (y * y + z * z) for m, (_, y, z) in points),
         "I_d": sum(m * (x * x + z * z) for m, (x, _, z) in points),
     }
@@ -55,18 +44,22 @@ def mistakes(g):
     I_n, I_d, _ = r.body.parts[0].inertia.moments
     exchanged = Body("disk", g.m, r.body.parts[0].frame, (I_d, I_n, I_n))
     return {
-        "along_omega": {**with_inertia(r, product=0), "balance": "both"},
-        "moments_exchanged": only(
-            answers(rotor(r.shaft, [exchanged], -g.c, g.c)), "H_O", "Hdot_O", "F_A", "F_B"
+        "along_omega": {**rotor.with_inertia(r, product=0), "balance": "both"},
+        "moments_exchanged": rotor.only(
+            rotor.answers(rotor.in_bearings(r.shaft, [exchanged], -g.c, g.c)),
+            "H_O",
+            "Hdot_O",
+            "F_A",
+            "F_B",
         ),
-        "from_the_plane": only(solve(g.but(alpha=pi(g.alpha) / 2 - g.alpha)), "H_O"),
+        "from_the_plane": rotor.only(solve(g.but(alpha=pi(g.alpha) / 2 - g.alpha)), "H_O"),
         "static_is_enough": {"balance": "both"},
     }
 
 
 def draw(g, ax):
     r = fixed_disk(g)
-    s = sketch(ax, r, azimuth=-20, elevation=12)
+    s = rotor.sketch(ax, r, azimuth=-20, elevation=12)
     tilted = r.body.parts[0].frame
     s.disk(r.O, tilted.i, g.r)
     tip = tilted.point("", 1.1 * g.r, 0, 0)

@@ -1,49 +1,37 @@
 """9/4: a slanting plate on a shaft."""
 
-from exercises.devices.rotor import (
-    answers,
-    following,
-    principal_steps,
-    prove_rotor,
-    rotor,
-    shaft_steps,
-    sketch,
-    turning_shaft,
-    with_inertia,
-)
+from exercises.devices import rotor
 from exercises.proofs import box, rot, times
 from newton_euler.bodies import plate
 
 
 def fixed_plate(g):
     """Its axes: x along the slanting edges, y along the normal."""
-    _, shaft = turning_shaft(g)
+    _, shaft = rotor.turning_shaft(g)
     tilted = shaft.rotate("plate", "z", angle=g.theta)
-    return rotor(shaft, [plate(g.h, g.b, tilted, "y", mass=g.m)], -g.c, g.c)
+    return rotor.in_bearings(shaft, [plate(g.h, g.b, tilted, "y", mass=g.m)], -g.c, g.c)
 
 
 def solve(g):
-    return answers(fixed_plate(g))
+    return rotor.answers(fixed_plate(g))
 
 
 def steps(g):
-    r = fixed_plate(g)
-    yield from principal_steps(
-        r.body.parts[0],
+    return rotor.steps(
+        fixed_plate(g),
         ("I_1", "x", "about the mid-line along the slanting edges"),
         ("I_2", "y", "about the normal of the plate"),
     )
-    yield from shaft_steps(r)
 
 
-follows = following(fixed_plate)
+follows = rotor.following(fixed_plate)
 
 
 def prove(g):
     points = [(share * g.m, p) for share, p in box(g.b, 0, g.h)]
     tilt = rot("z", g.theta)
     placed = [(m, times(tilt, p)) for m, p in points]
-    return prove_rotor(g, placed, -g.c, g.c) | {
+    return rotor.prove(g, placed, -g.c, g.c) | {
         "I_1": sum(m * (y * y + z * z) for m, (_, y, z) in points),
         "I_2": sum(m * (x * x + z * z) for m, (x, _, z) in points),
     }
@@ -52,16 +40,16 @@ def prove(g):
 def mistakes(g):
     r = fixed_plate(g)
     return {
-        "millimetres": with_inertia(r, moment=10**6, product=10**6),
-        "h_in_the_product": with_inertia(r, product=1 - (g.h / g.b) ** 2),
-        "wrong_sign": with_inertia(r, product=-1),
-        "along_omega": {**with_inertia(r, product=0), "balance": "both"},
+        "millimetres": rotor.with_inertia(r, moment=10**6, product=10**6),
+        "h_in_the_product": rotor.with_inertia(r, product=1 - (g.h / g.b) ** 2),
+        "wrong_sign": rotor.with_inertia(r, product=-1),
+        "along_omega": {**rotor.with_inertia(r, product=0), "balance": "both"},
     }
 
 
 def draw(g, ax):
     r = fixed_plate(g)
-    s = sketch(ax, r)
+    s = rotor.sketch(ax, r)
     p, b, h = r.body.parts[0].frame, g.b / 2, g.h / 2
     corners = [p.point("", x, 0, z) for x, z in ((-b, -h), (b, -h), (b, h), (-b, h))]
     s.plate(corners)

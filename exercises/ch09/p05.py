@@ -1,56 +1,44 @@
 """9/5: two crossed rods on a shaft."""
 
-from exercises.devices.rotor import (
-    answers,
-    following,
-    force_steps,
-    only,
-    prove_rotor,
-    pure_couple,
-    rotor,
-    shaft_steps,
-    sketch,
-    turning_shaft,
-    with_inertia,
-)
+from exercises.devices import rotor
 from exercises.proofs import box
 from newton_euler.bodies import rod
 
 
 def two_rods(g):
-    _, shaft = turning_shaft(g)
+    _, shaft = rotor.turning_shaft(g)
     first = rod(g.l, shaft.point("G1", g.p, g.l / 2, 0), "y", mass=g.m, name="first rod")
     second = rod(g.l, shaft.point("G2", g.q, 0, g.l / 2), "z", mass=g.m, name="second rod")
-    return rotor(shaft, [first, second], 0, g.d)
+    return rotor.in_bearings(shaft, [first, second], 0, g.d)
 
 
 def solve(g):
-    return answers(two_rods(g))
+    return rotor.answers(two_rods(g))
 
 
 def steps(g):
     r = two_rods(g)
-    yield from shaft_steps(r, "xy xz")
-    yield from force_steps(r)
+    yield from rotor.shaft_steps(r, "xy xz")
+    yield from rotor.force_steps(r)
 
 
-follows = following(two_rods)
+follows = rotor.following(two_rods)
 
 
 def prove(g):
     outward = [(share * g.m, x + g.l / 2) for share, (x, _, _) in box(g.l, 0, 0)]
     points = [(m, [g.p, u, 0]) for m, u in outward] + [(m, [g.q, 0, u]) for m, u in outward]
-    return prove_rotor(g, points, 0, g.d, ("I_xx", "I_xy", "I_xz", "a_G"))
+    return rotor.prove(g, points, 0, g.d, ("I_xx", "I_xy", "I_xz", "a_G"))
 
 
 def mistakes(g):
     r = two_rods(g)
-    right = answers(r)
+    right = rotor.answers(r)
     return {
-        "about_the_middle": only(with_inertia(r, moment=1 * g.one / 4), "H_O"),
+        "about_the_middle": rotor.only(rotor.with_inertia(r, moment=1 * g.one / 4), "H_O"),
         # about A the force on B has no part in the force equation
-        "pure_couple": only(pure_couple(r), "F_A"),
-        "wrong_sign": with_inertia(r, product=-1),
+        "pure_couple": rotor.only(rotor.pure_couple(r), "F_A"),
+        "wrong_sign": rotor.with_inertia(r, product=-1),
         "millimetres": {
             **{key: right[key] * 10**6 for key in ("H_O", "Hdot_O")},
             **{key: right[key] * 10**3 for key in ("F_A", "F_B")},
@@ -60,7 +48,7 @@ def mistakes(g):
 
 def draw(g, ax):
     r = two_rods(g)
-    s = sketch(ax, r, azimuth=-40, elevation=20)
+    s = rotor.sketch(ax, r, azimuth=-40, elevation=20)
     first, second = (g.p, 0, 0), (g.q, 0, 0)
     ends = (g.p, g.l, 0), (g.q, 0, g.l)
     s.rod(first, ends[0])

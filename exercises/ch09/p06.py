@@ -2,18 +2,7 @@
 
 from mpmath import mp
 
-from exercises.devices.rotor import (
-    answers,
-    following,
-    only,
-    principal_steps,
-    prove_rotor,
-    rotor,
-    shaft_steps,
-    sketch,
-    turning_shaft,
-    with_inertia,
-)
+from exercises.devices import rotor
 from exercises.proofs import box
 from newton_euler import atan2
 from newton_euler.bodies import plate
@@ -25,26 +14,24 @@ def fixed_plate(g):
 
 def with_sides(g, a, b):
     """The plate, x along PQ and y along PS, with sides of which it has the moments."""
-    _, shaft = turning_shaft(g)
+    _, shaft = rotor.turning_shaft(g)
     edges = shaft.rotate("plate", "-z", angle=atan2(g.b, g.a))
-    return rotor(shaft, [plate(a, b, edges, "z", mass=g.m)], -g.c, g.c)
+    return rotor.in_bearings(shaft, [plate(a, b, edges, "z", mass=g.m)], -g.c, g.c)
 
 
 def solve(g):
-    return answers(fixed_plate(g))
+    return rotor.answers(fixed_plate(g))
 
 
 def steps(g):
-    r = fixed_plate(g)
-    yield from principal_steps(
-        r.body.parts[0],
+    return rotor.steps(
+        fixed_plate(g),
         ("I_1", "x", "about the mid-line parallel to PQ"),
         ("I_2", "y", "about the mid-line parallel to PS"),
     )
-    yield from shaft_steps(r)
 
 
-follows = following(fixed_plate)
+follows = rotor.following(fixed_plate)
 
 
 def prove(g):
@@ -54,7 +41,7 @@ def prove(g):
     PS = [g.b**2 / PR, g.a * g.b / PR]
     shares = [(share * g.m, u, v) for share, (u, v, _) in box(1, 1, 0)]
     points = [(m, [u * PQ[0] + v * PS[0], u * PQ[1] + v * PS[1], 0]) for m, u, v in shares]
-    return prove_rotor(g, points, -g.c, g.c) | {
+    return rotor.prove(g, points, -g.c, g.c) | {
         "I_1": sum(m * (v * g.b) ** 2 for m, _, v in shares),
         "I_2": sum(m * (u * g.a) ** 2 for m, u, _ in shares),
     }
@@ -63,18 +50,18 @@ def prove(g):
 def mistakes(g):
     r = fixed_plate(g)
     return {
-        "principal_diagonal": {**with_inertia(r, product=0), "balance": "both"},
-        "wrong_sign": with_inertia(r, product=-1),
-        "mid_lines_exchanged": only(
-            answers(with_sides(g, g.b, g.a)), "H_O", "Hdot_O", "F_A", "F_B"
+        "principal_diagonal": {**rotor.with_inertia(r, product=0), "balance": "both"},
+        "wrong_sign": rotor.with_inertia(r, product=-1),
+        "mid_lines_exchanged": rotor.only(
+            rotor.answers(with_sides(g, g.b, g.a)), "H_O", "Hdot_O", "F_A", "F_B"
         ),
-        "millimetres": with_inertia(r, moment=10**6, product=10**6),
+        "millimetres": rotor.with_inertia(r, moment=10**6, product=10**6),
     }
 
 
 def draw(g, ax):
     r = fixed_plate(g)
-    s = sketch(ax, r, azimuth=-20, elevation=12)
+    s = rotor.sketch(ax, r, azimuth=-20, elevation=12)
     a, b = g.a / 2, g.b / 2
     corners = [
         r.body.parts[0].frame.point(name, x, y, 0)

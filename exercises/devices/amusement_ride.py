@@ -5,6 +5,7 @@ a turning shaft; a wavy track raises them to z = (h/2)(1 - cos(2 theta)).
 from mpmath import mp
 
 from exercises.proofs import elevation, rate, second_rate, size
+from exercises.steps import Step
 from newton_euler import Frame, asin, cos, cylindrical, moving, pi, sin, spherical, sqrt
 from newton_euler.drawing import Sketch
 
@@ -27,6 +28,28 @@ def car(g):
     )
 
 
+def steps(g, section, *names):
+    """The steps of these names, r, z and phi and their rates, for a section of the book."""
+    r, _, z, phi = coordinates(g)
+    said = {
+        "z": (z.value, "m", "height of the car at theta = pi/4"),
+        "z_dot": (z.rate, "m/s", "rate of the height, h sin(2 theta) omega"),
+        "r": (r.value, "m", "distance of the car from the axis, sqrt(R^2 - z^2)"),
+        "r_dot": (r.rate, "m/s", "its rate, -z z'/r"),
+        "r_ddot": (r.acceleration, "m/s^2", "its second rate, -(z'^2 + z z'' + r'^2)/r"),
+        "sin_phi": (sin(phi.value), "1", "sine of the elevation of the arm, z/R"),
+        "cos_phi": (cos(phi.value), "1", "cosine of the elevation, sqrt(1 - sin(phi)^2)"),
+        "phi_dot": (phi.rate, "rad/s", "rate of the elevation, z'/(R cos(phi))"),
+        "phi_ddot": (
+            phi.acceleration,
+            "rad/s^2",
+            "second rate of the elevation, phi'^2 tan(phi) as z'' = 0",
+        ),
+    }
+    for name in names:
+        yield Step(name, *said[name], section, "3.24" if name == "sin_phi" else "")
+
+
 def car_in_time(g):
     """Proof, the place of the car in time, at theta = pi/4 at t = 0."""
 
@@ -39,8 +62,8 @@ def car_in_time(g):
     return P
 
 
-def steps_in_time(g):
-    """Proof: r, z and phi with their rates, which are steps of these problems."""
+def proved_steps(g, *names):
+    """Proof: those of r, z and phi and their rates that are steps of a problem."""
     P = car_in_time(g)
     found = {}
     for name, of in {
@@ -53,7 +76,8 @@ def steps_in_time(g):
             return of(P(t))
 
         found |= {name: f(0), f"{name}_dot": rate(f), f"{name}_ddot": second_rate(f)}
-    return found | {"sin_phi": P(0)[2] / size(P(0)), "cos_phi": found["r"] / size(P(0))}
+    found |= {"sin_phi": P(0)[2] / size(P(0)), "cos_phi": found["r"] / size(P(0))}
+    return {name: found[name] for name in names}
 
 
 def on_track(g, theta):

@@ -4,6 +4,7 @@ A machine is a pulley: its name, its radius, and for either end of its rope the 
 and what hangs there, the name of a mass or another pulley.
 """
 
+from exercises.steps import Step
 from newton_euler.dynamics import degrees_of_freedom
 
 SIZE = 0.45  # of a mass
@@ -19,6 +20,21 @@ def rope(pulley, left, right):
 def count(names, **ropes):
     """Degrees of freedom of things that move vertically only, under these ropes."""
     return degrees_of_freedom(dict.fromkeys(names, 1), ropes).count
+
+
+def steps_to_count(heights, ropes, said):
+    """``said``: what the heights are."""
+    yield Step("heights", count(heights), "1", said, "5.11")
+    yield Step("ropes", len(ropes), "1", "constraints: each rope keeps its length", "5.11", "5.28")
+
+
+def miscounts(masses, heights, ropes):
+    """Wrong counts, of what is forgotten."""
+    return {
+        "no_pulleys": {"dof": count(masses) - len(ropes)},
+        "masses_only": {"dof": count(masses)},
+        "no_ropes": {"dof": count(heights)},
+    }
 
 
 def draw_machine(s, frame, machine):

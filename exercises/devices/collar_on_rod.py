@@ -16,13 +16,15 @@ def collar(g, r, theta):
     return ground, polar(ground, "A", r(g, t), theta(g, t))
 
 
-def motion(ground, A):
+def motion(g, r, theta):
     """The answers, along e_r, e_theta."""
+    ground, A = collar(g, r, theta)
     return {"v": A.velocity(ground), "a": A.acceleration(ground)}
 
 
-def collar_steps(ground, A):
+def steps(g, r, theta):
     """The coordinates and their rates, then the terms of the answers."""
+    ground, A = collar(g, r, theta)
     r, theta = A.coordinates
     yield Step("r", r.value, "m", "distance of the collar from O", "2.6")
     yield Step("r_dot", r.rate, "m/s", "its rate", "2.6")
@@ -33,7 +35,7 @@ def collar_steps(ground, A):
     yield from terms(A.acceleration(ground), "a", "m/s^2", "2.6")
 
 
-def prove_collar(g, r, theta):
+def prove(g, r, theta):
     """The path in fixed axes x, y, then along the rod and across it."""
 
     def place(t):
@@ -50,9 +52,9 @@ def prove_collar(g, r, theta):
     }
 
 
-def common_mistakes(ground, A):
+def common_mistakes(g, r, theta):
     """Those that can be made in both problems."""
-    a = A.acceleration(ground)
+    a = motion(g, r, theta)["a"]
     return {
         "no_coriolis": {"a": a.without("coriolis")},
         "no_centripetal": {"a": a.without("centripetal")},

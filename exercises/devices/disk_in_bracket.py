@@ -77,6 +77,11 @@ def rim_motion(frames, name, r):
     }
 
 
+def all_motion(frames, name, r):
+    """The motion of the disk and of A or B."""
+    return turning(frames) | rim_motion(frames, name, r)
+
+
 def turning_steps(g):
     """The terms of both angular answers."""
     omega, alpha = turning(disk_in_bracket(g)).values()
@@ -95,6 +100,11 @@ def rim_steps(g, name):
     v, a = rim_motion(frames, name, g.r).values()
     yield from terms(v, f"v_{name}", f"{length}/s", "4.8")
     yield from terms(a, f"a_{name}", f"{length}/s^2", "4.8")
+
+
+def all_steps(g, name):
+    yield from turning_steps(g)
+    yield from rim_steps(g, name)
 
 
 def alpha_disk(g, omega_disk):
@@ -122,6 +132,11 @@ def rim_from_turning(name):
         return centre + acceleration_of(omega_disk, alpha_disk, r(g, frame))
 
     return {f"v_{name}": v, f"a_{name}": a}
+
+
+def all_from_turning(name):
+    """``follows`` of the motion of the disk and of A or B."""
+    return {"alpha_disk": alpha_disk} | rim_from_turning(name)
 
 
 def wrong_accelerations_of_B(g, a):
@@ -170,6 +185,10 @@ def prove_rim(g, name):
 
     found = {f"r_{name}": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
     return {f"v_{name}": rate(place), f"a_{name}": second_rate(place)} | found
+
+
+def prove_all(g, name):
+    return prove_turning(g) | prove_rim(g, name)
 
 
 def figure(g, ax, rim="AB", omega_name=r"\omega"):

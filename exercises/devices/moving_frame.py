@@ -2,7 +2,7 @@
 that moves.
 """
 
-from exercises.steps import Step
+from exercises.steps import Step, terms
 from exercises.wording import body_text
 from newton_euler.algebra.scalars import to_plain
 
@@ -37,6 +37,19 @@ def seen_in(frame, P, axes, length, said, start, r="r", acceleration=True):
     if acceleration and not is_zero(a):
         told = f"acceleration of {name} as seen from {said}"
         yield Step("a_r", a, f"{length}/s^2", told, "4.8", "4.18")
+
+
+def motion_via(frame, P, ground, key, said, start, moved="P"):
+    """How the frame turns, which is fixed in what is ``said`` ("the arm"), and what is seen in it
+    of P, called ``moved``; then (4.17) and (4.18) with their terms, along its axes, in m.
+    """
+    yield from turning_of(frame, ground, frame, key, f"the moving frame, fixed in {said},")
+    yield from seen_in(frame, P, frame, "m", said, start)
+    v, a = P.velocity(ground, via=frame), P.acceleration(ground, via=frame)
+    yield from terms(v, "v_P", "m/s", "4.8")
+    yield Step("v_P", v, "m/s", f"velocity of {moved} in the ground", "4.8", "4.17")
+    yield from terms(a, "a_P", "m/s^2", "4.8")
+    yield Step("a_P", a, "m/s^2", f"acceleration of {moved} in the ground", "4.8", "4.18")
 
 
 def body(frame):

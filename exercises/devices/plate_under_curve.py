@@ -25,6 +25,11 @@ def first_moments(end, height):
     )
 
 
+def moments_to_first(end, height):
+    """The area and its first moments."""
+    return area(end, height), *first_moments(end, height)
+
+
 def second_moments(end, height):
     """The integrals of x^2, y^2 and x y over the area."""
     return (

@@ -45,7 +45,7 @@ def turning_shaft(g):
     return ground, ground.rotate("shaft", "x", rate=g.omega)
 
 
-def rotor(shaft, parts, a, b):
+def in_bearings(shaft, parts, a, b):
     """The parts as one body along the axes of the shaft, with bearings at x = a and x = b, about O
     at x = 0.
     """
@@ -90,6 +90,12 @@ def shaft_steps(r, products="xy"):
         product = {"xy": I.products[0], "xz": I.products[2]}[name]
         yield Step(f"I_{name}", product, "kg*m^2", f"product of inertia about O, the sum of "
                    f"{name[0]}*{name[1]}*dm", "7.2", "7.10")  # fmt: skip
+
+
+def steps(r, *axes):
+    """Of a body of one part with its mass centre on the axis: ``axes`` as for principal_steps."""
+    yield from principal_steps(r.body.parts[0], *axes)
+    yield from shaft_steps(r)
 
 
 def force_steps(r):
@@ -169,7 +175,7 @@ def on_the_bearings(r):
 # -- proof
 
 
-def prove_rotor(g, points, a, b, extra=("I_xx", "I_xy")):
+def prove(g, points, a, b, extra=("I_xx", "I_xy")):
     """From the mass points of the body, pairs (mass, place in the shaft), carried round: their
     angular momentum about O, differenced, and the moments that they need about the bearings. A
     bearing force has none about its own bearing, so that each follows from that about the other.

@@ -1,0 +1,24 @@
+"""A point that moves by its polar coordinates, of which the magnitude of the acceleration is asked:
+2/17, 2/22.
+"""
+
+from exercises.steps import Step, terms
+
+
+def steps(ground, r, P):
+    """The rates of the distance r, then the acceleration and its terms."""
+    yield Step("r_dot", r.rate, "m/s", "rate of the distance", "2.6")
+    yield Step("r_ddot", r.acceleration, "m/s^2", "its second rate", "2.6")
+    a = P.acceleration(ground)
+    yield Step("a_P", a, "m/s^2", "acceleration along $e_r$, $e_\\theta$", "2.6", "2.18")
+    yield from terms(a, "a_P", "m/s^2", "2.6")
+
+
+def mistakes(ground, P):
+    """Terms of the acceleration left out."""
+    a = P.acceleration(ground)
+    return {
+        "no_coriolis": {"a": a.without("coriolis").norm()},
+        "no_r_ddot": {"a": a.without("radial").norm()},
+        "centripetal_alone": {"a": a.terms["centripetal"].norm()},
+    }
