@@ -1,0 +1,127 @@
+"""11/22: the kinetic energy of a cone that rolls round its tip."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame, cos, sin, solve_rates, tan
+from newton_euler.bodies import cone
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import kinetic_energy_about
+
+
+def scene(g, spin):
+    """Ground; axes whose x is the line of contact; the cone, with its axis along its own x, and its
+    tip O.
+    """
+    ground = Frame("ground")
+    contact = ground.rotate("contact", "z", rate=g.Omega)
+    axle = contact.rotate("axle", "y", angle=-g.alpha)
+    spinning = axle.rotate("cone", "x", rate=spin)
+    O = spinning.point("O", 0, 0, 0)
+    return ground, contact, cone(g.h * tan(g.alpha), g.h, O, "x", mass=g.M), O
+
+
+def rolling(g):
+    """The scene with the spin that keeps the side at rest along the line of contact, as at the
+    distance 1 from the tip.
+    """
+
+    def slip(spin):
+        ground, contact, body, _ = scene(g, spin)
+        touching = body.frame.point("touching", cos(g.alpha), 0, -sin(g.alpha))
+        return touching.velocity(ground).expressed_in(contact).y
+
+    (spin,) = solve_rates(slip, 1)
+    return spin, *scene(g, spin)
+
+
+def solve(g):
+    _, ground, _, body, O = rolling(g)
+    return {"T": kinetic_energy_about(body, O, ground).value}
+
+
+def steps(g):
+    spin, ground, contact, body, O = rolling(g)
+    at_tip = body.about(O)
+    yield Step("spin", spin, "rad/s",
+               "rate of the cone about its axis, relative to the turning axes and positive in the "
+               "sense from tip to base; the line of contact is at rest",
+               "4.4", "4.11")  # fmt: skip
+    yield Step("omega_x", body.frame.angular_velocity(ground).expressed_in(contact).x, "rad/s",
+               "angular velocity of the cone; it has this component along the line of contact only",
+               "4.4", "4.9")  # fmt: skip
+    yield Step("I_axial", at_tip.moment("x"), "kg*m^2",
+               "moment of inertia about the axis of the cone", "7.10")  # fmt: skip
+    yield Step("I_across", at_tip.moment("y"), "kg*m^2",
+               "moment of inertia about a line through the tip, square to the axis",
+               "7.8", "7.25")  # fmt: skip
+    yield Step("I_contact", at_tip.moment(contact.i), "kg*m^2",
+               "moment of inertia about the line of contact", "7.8", "7.26")  # fmt: skip
+
+
+def prove(g):
+    """The base rolls off its circumference on a circle as large as the side is long; mass points,
+    each at the share u of the way from the tip to a point of the base, in this motion.
+    """
+    r, side = g.h * mp.tan(g.alpha), g.h / mp.cos(g.alpha)
+    base = proofs.disk(r, order=2)
+    points = [
+        (3 * s * u**2 * w, [u * g.h, u * y, u * z])
+        for s, u in [(s, p[2] + g.one / 2) for s, p in proofs.box(0, 0, 1, order=3)]
+        for w, (y, z, _) in base
+    ]
+    unrolled = -g.Omega * side / r
+
+    def orientation(t):
+        about_z, about_axis = proofs.rot("z", g.Omega * t), proofs.rot("x", unrolled * t)
+        return proofs.times(about_z, proofs.rot("y", -g.alpha), about_axis)
+
+    def motion(t):
+        R = orientation(t)
+        return [(share, proofs.times(R, place)) for share, place in points]
+
+    def about_x(angle):
+        """The squares of the distances from the x axis, with the axis of the cone so inclined."""
+        tilt = proofs.rot("y", -angle)
+        return g.M * proofs.mean(lambda p: sum(x * x for x in proofs.times(tilt, p)[1:]), points)
+
+    return {
+        "T": proofs.kinetic_energy(g.M, motion),
+        "spin": unrolled,
+        "omega_x": proofs.angular_velocity(orientation)[0],
+        "I_axial": about_x(0),
+        "I_across": about_x(mp.pi / 2),
+        "I_contact": about_x(g.alpha),
+    }
+
+
+def mistakes(g):
+    _, ground, contact, body, O = rolling(g)
+    omega = body.frame.angular_velocity(ground).expressed_in(contact).x
+    I_G, I_O = body.inertia.moment(contact.i), body.about(O).moment(contact.i)
+
+    def energy(I, rate=omega):
+        return {"T": I * rate**2 / 2}
+
+    return {
+        "omega_is_Omega": energy(I_O, g.Omega),
+        "about_centre": energy(I_G),
+        "centre_in_base": energy(I_G + g.M * (g.h * sin(g.alpha)) ** 2),
+        "about_cone_axis": energy(body.inertia.moment("x")),
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    O, axis = (0, 0, 0), ground.vector(cos(g.alpha), 0, sin(g.alpha))
+    side = g.h / cos(g.alpha)
+    s.road([(-0.5 * side, 0, 0), (1.5 * side, 0, 0)])
+    s.cone(O, axis, g.h, g.h * tan(g.alpha))
+    s.axes(O, ground, length=1.2 * side, labels=["x", "", "z"])
+    s.line(O, axis * (1.3 * g.h), style="centre")
+    s.arc(O, ground.i, axis, label=r"$\alpha$")
+    s.dimension(O, axis * g.h, label="h", offset=0)
+    s.turn(ground.k * (0.9 * side), ground.k, label=r"$\Omega$")
+    s.label(O, "O", offset=(-14, 8))

@@ -1,0 +1,106 @@
+"""11/23: energy and angular momentum of a turning platform with a particle that slides in it."""
+
+from mpmath import mp, mpf
+
+from exercises import proofs
+from exercises.catalogue import in_frame
+from exercises.steps import Step
+from newton_euler import Frame, moving, particle
+from newton_euler.bodies import disk
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import kinetic_energy
+
+
+def scene(g):
+    """Ground, the turning axes, the two bodies, and O."""
+    ground = Frame("ground")
+    platform = ground.rotate("platform", "z", rate=g.omega)
+    P = platform.point("P", moving(g.r, rate=g.v), 0, 0)
+    bodies = disk(g.a, platform, "z", mass=g.M), particle(g.m, P)
+    return ground, platform, bodies, platform.origin
+
+
+def momenta(ground, platform, bodies, O):
+    return [b.angular_momentum(ground, about=O).expressed_in(platform) for b in bodies]
+
+
+def solve(g):
+    ground, platform, bodies, _ = now = scene(g)
+    of_platform, of_particle = momenta(*now)
+    T = kinetic_energy(bodies, ground).value
+    return {"T": T, **in_frame(platform, {"H_O": of_platform + of_particle})}
+
+
+def steps(g):
+    ground, platform, (disk, P), _ = now = scene(g)
+    of_platform, of_particle = momenta(*now)
+    v_P = P.centre.velocity(ground, via=platform).expressed_in(platform)
+    yield Step("I_O", disk.inertia.moment("z"), "kg*m^2",
+               "moment of inertia of the platform about the axis", "7.10")  # fmt: skip
+    yield Step("T_M", kinetic_energy(disk, ground).value, "J", "kinetic energy of the platform",
+               "11.16", "11.53")  # fmt: skip
+    yield Step("v_P", v_P, "m/s", "velocity of the particle in the ground", "4.7", "4.17")
+    yield Step("T_m", kinetic_energy(P, ground).value, "J", "kinetic energy of the particle",
+               "11.7", "11.13")  # fmt: skip
+    yield Step("H_M", of_platform, "kg*m^2/s", "angular momentum of the platform about O",
+               "7.2", "7.12")  # fmt: skip
+    yield Step("H_m", of_particle, "kg*m^2/s", "angular momentum of the particle about O",
+               "7.1", "7.1")  # fmt: skip
+
+
+def prove(g):
+    """The platform as mass points, and the particle, in the spiral that it goes through."""
+    rim = proofs.disk(g.a, order=2)
+
+    def platform(t):
+        return [(share, proofs.times(proofs.rot("z", g.omega * t), p)) for share, p in rim]
+
+    def spiral(t):
+        r, angle = g.r + g.v * t, g.omega * t
+        return [(mpf(1), [r * mp.cos(angle), r * mp.sin(angle), mpf(0)])]
+
+    found = {}
+    for name, m, motion in (("M", g.M, platform), ("m", g.m, spiral)):
+        found[f"T_{name}"] = proofs.kinetic_energy(m, motion)
+        found[f"H_{name}"] = proofs.angular_momentum(m, motion)
+    return {
+        "T": found["T_M"] + found["T_m"],
+        "H_O": proofs.plus(found["H_M"], found["H_m"]),
+        "v_P": proofs.rate(lambda t: spiral(t)[0][1]),
+        **found,
+    }
+
+
+def mistakes(g):
+    ground, platform, (disk, _), _ = now = scene(g)
+    of_platform, of_particle = momenta(*now)
+    own = kinetic_energy(disk, ground).value
+    one_way = g.v + g.r * g.omega
+    with_v = of_platform + of_particle + platform.k * (g.m * g.r * g.v)
+    return in_frame(
+        platform,
+        {
+            "only_relative_speed": {"T": own + g.m * g.v**2 / 2},
+            "speeds_added": {"T": own + g.m * one_way**2 / 2},
+            "relative_moment": {"H_O": with_v},
+            "no_particle": {"H_O": of_platform},
+        },
+    )
+
+
+def draw(g, ax):
+    _, platform, _, O = scene(g)
+    s = Sketch(ax, platform, plane="xy")
+    P, half = (g.r, 0, 0), 0.05 * g.a
+    s.disk(O, platform.k, g.a)
+    for y in (-half, half):
+        s.line((0, y, 0), (g.a, y, 0), style="solid")
+    s.dot(O)
+    s.dot(P)
+    s.vector(P, platform.i, "v", kind="velocity")
+    s.axes(O, platform, length=1.35 * g.a, labels=["x", "y", ""])
+    s.turn(O, platform.k, label=r"$\omega$")
+    s.dimension(O, P, label="r", offset=0.2 * g.a)
+    s.arrow(O, (-0.8 * g.a, -0.6 * g.a, 0), label="a")
+    s.label(O, "O", offset=(-14, 14))
+    s.label(P, "m", offset=(0, -16), bold=False)
