@@ -1,0 +1,149 @@
+"""11/15: a collar that a spring drives outward on a rod, which turns freely about the vertical."""
+
+from mpmath import mp
+
+from exercises.proofs import until
+from exercises.steps import Step
+from newton_euler import Frame, kinetic_energy, moving, particle, root, solve_rates, sqrt
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import angular_momentum, spring_potential
+
+
+def collar(g, r, v_r, omega):
+    """The ground with z up along the shaft, and the collar at r on the rod that turns at omega."""
+    ground = Frame("ground")
+    rod = ground.rotate("rod", "z", rate=omega)
+    return ground, particle(g.W / g.g, rod.point("collar", moving(r, rate=v_r), 0, 0), "collar")
+
+
+def momentum(g, r, omega):
+    """About the shaft, which exerts no moment about its axis."""
+    ground, body = collar(g, r, 0, omega)
+    return angular_momentum(body, ground, ground).expressed_in(ground).z
+
+
+def turning(g, r):
+    """The rate of the rod when the collar is at r."""
+    (omega,) = solve_rates(lambda omega: momentum(g, r, omega) - momentum(g, g.r_A, g.omega_A), 1)
+    return omega
+
+
+def kinetic(g, r, v_r, omega):
+    return kinetic_energy(*reversed(collar(g, r, v_r, omega))).value
+
+
+def potential(g, r):
+    return spring_potential(g.k, r - g.l_0)
+
+
+def energy(g):
+    return kinetic(g, g.r_A, 0, g.omega_A) + potential(g, g.r_A)
+
+
+def speed(g):
+    """Of the collar at B."""
+    return sqrt(2 * (energy(g) - potential(g, g.r_B)) / (g.W / g.g))
+
+
+def answers(g, rate):
+    """``rate``: of the rod, as a function of the place of the collar."""
+
+    def surplus(r):
+        """What is left for the radial motion."""
+        return energy(g) - potential(g, r) - kinetic(g, r, 0, rate(r))
+
+    omega_B = rate(g.r_B)
+    v_theta = g.r_B * omega_B
+    return {
+        "omega_B": omega_B,
+        "v_r": sqrt(speed(g) ** 2 - v_theta**2),
+        "v_theta": v_theta,
+        "r_max": root(surplus, g.r_B, 3 * g.l_0),
+    }
+
+
+def solve(g):
+    return answers(g, lambda r: turning(g, r))
+
+
+follows = {"v_theta": lambda g, omega_B: g.r_B * omega_B}
+
+
+def steps(g):
+    H = momentum(g, g.r_A, g.omega_A)
+    yield Step("H_O", H, "slug*ft^2/s", "angular momentum of the collar about the shaft, which "
+               "does not change", "7.6", "7.23")  # fmt: skip
+    for P, r in ("A", g.r_A), ("B", g.r_B):
+        yield Step(f"V_{P}", potential(g, r), "ft*lb", f"potential energy of the spring at {P}",
+                   "11.12", "11.35")  # fmt: skip
+    yield Step("E", energy(g), "ft*lb", "energy, which does not change", "11.11", "11.32")
+    yield Step("v_B", speed(g), "ft/s", "speed of the collar at B, from the energy", "11.11",
+               "11.32")  # fmt: skip
+
+
+def prove(g):
+    """A rod without mass or moment pushes the collar neither way: in the ground it moves in a plane
+    by the force of the spring alone, and its rectangular coordinates are followed in time.
+    """
+    m = g.W / g.g
+
+    def rates(state):
+        x, y, *v = state
+        r = mp.sqrt(x * x + y * y)
+        a = -g.k * (r - g.l_0) / (m * r)
+        return [*v, a * x, a * y]
+
+    def distance(state):
+        return mp.hypot(*state[:2])
+
+    def outward(state):
+        x, y, u, v = state
+        return (x * u + y * v) / mp.hypot(x, y)
+
+    def across(state):
+        x, y, u, v = state
+        return (x * v - y * u) / mp.hypot(x, y)
+
+    start, step = [g.r_A, 0, 0, g.r_A * g.omega_A], 1 / (4 * g.omega_A)
+    _, B = until(rates, start, lambda state: distance(state) - g.r_B, step)
+    _, farthest = until(rates, B, outward, step)
+    return {
+        "omega_B": across(B) / distance(B),
+        "v_r": outward(B),
+        "v_theta": across(B),
+        "r_max": distance(farthest),
+        "v_B": mp.hypot(*B[2:]),
+        "H_O": m * distance(farthest) * across(farthest),
+    }
+
+
+def mistakes(g):
+    return {
+        "rod_driven": {"omega_B": g.omega_A, "v_theta": g.r_B * g.omega_A},
+        "linear_momentum": answers(g, lambda r: g.omega_A * g.r_A / r),
+        "at_rest": {"r_max": answers(g, lambda r: 0 * g.omega_A)["r_max"]},
+        "whole_speed": {"v_r": speed(g)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    r, z = g.r_B, ground.k
+    A, B, top = (g.r_A, 0, 0), (g.r_B, 0, 0), (0, 0, 0.45 * r)
+    s.shaft((0, 0, -0.4 * r), top)
+    s.rod((0, 0, 0), (1.2 * r, 0, 0))
+    s.ground((0, 0, -0.4 * r), z)
+    s.hinge((0, 0, -0.25 * r), axis=z)
+    size = 0.09 * r
+    s.spring((0, 0, 0), (g.r_A - size / 2, 0, 0), radius=0.035 * r)
+    s.box(A, ground, (size, size, 1.5 * size))
+    cord = 0.05 * r
+    s.line((0, 0, cord), (g.r_A - size / 2, 0, cord), style="solid")
+    s.label((g.r_A / 2, 0, cord), "cord", offset=(0, 9), bold=False)
+    s.dot(B)
+    s.turn((0, 0, 0.35 * r), z, label=r"$\omega$")
+    s.dimension((0, 0, 0), A, label="$r_A$", offset=-0.16 * r)
+    s.dimension((0, 0, 0), B, label="$r_B$", offset=-0.3 * r)
+    s.label((g.r_A, 0, 0.75 * size), "A", offset=(0, 10))
+    s.label(B, "B", offset=(0, 12))
