@@ -15,21 +15,7 @@ from .gradients import gradient
 from .integrals import integral
 from .local_axes import cylindrical_axes, elevation, spherical_axes
 from .mass_points import ball, box, disk, mean, ring, shell
-from .motions import (
-    angular_acceleration,
-    angular_velocity,
-    cross,
-    minus,
-    plus,
-    rate,
-    rot,
-    scaled,
-    second_rate,
-    size,
-    spun,
-    times,
-    transposed,
-)
+from .motions import angular_acceleration, angular_velocity, rate, second_rate, spun
 from .moved import (
     angular_momentum,
     force_needed,
@@ -40,6 +26,7 @@ from .moved import (
 )
 from .roots import root
 from .tracks import speed_along
+from .vectors import cross, minus, plus, rot, scaled, size, times, transposed
 
 __all__ = [
     "DIGITS", "ProofError", "after", "angular_acceleration", "angular_momentum", "angular_velocity",

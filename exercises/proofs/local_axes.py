@@ -4,7 +4,7 @@
 
 from mpmath import mp
 
-from .motions import cross, scaled, size
+from .vectors import cross, scaled, size
 
 
 def elevation(r):

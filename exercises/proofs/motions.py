@@ -1,72 +1,12 @@
-"""Explicit motions in time: rotation matrices multiplied out, and derivatives by differences."""
+"""Explicit motions in time and their derivatives, by differences."""
 
 from mpmath import mp, mpf
 
 from .digits import DIGITS, weighted
+from .vectors import cross, plus, scaled, times, transposed
 
 # five-point rules at 50 digits: truncation 1e-36 times the fifth derivative, rounding 1e-32
 STEP = "1e-9"
-
-
-def rot(axis, angle):
-    """The matrix that turns vectors by ``angle`` about ``axis`` ("x", "y", "z" or three
-    components), right-handed: Rodrigues' formula.
-    """
-    e = (
-        {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.get(axis, axis)
-        if isinstance(axis, str)
-        else axis
-    )
-    length = mp.sqrt(sum(mpf(x) ** 2 for x in e))
-    e = [mpf(x) / length for x in e]
-    c, s = mp.cos(angle), mp.sin(angle)
-    skew = [[0, -e[2], e[1]], [e[2], 0, -e[0]], [-e[1], e[0], 0]]
-    return [
-        [c * (n == m) + s * skew[n][m] + (1 - c) * e[n] * e[m] for m in range(3)] for n in range(3)
-    ]
-
-
-def times(*factors):
-    """The product of matrices, or of matrices with a final vector."""
-    *rest, out = factors
-    for a in reversed(rest):
-        if isinstance(out[0], (list, tuple)):
-            out = [[sum(a[n][k] * out[k][m] for k in range(3)) for m in range(3)] for n in range(3)]
-        else:
-            out = [sum(a[n][k] * out[k] for k in range(3)) for n in range(3)]
-    return out
-
-
-def transposed(a):
-    """The transpose; for a rotation, its inverse: ``times(transposed(R), v)`` are the components of
-    v in the turned axes.
-    """
-    return [list(row) for row in zip(*a, strict=True)]
-
-
-def plus(*vectors):
-    """The sum of vectors."""
-    return [sum(x) for x in zip(*vectors, strict=True)]
-
-
-def minus(a, b):
-    """The difference of two vectors."""
-    return [x - y for x, y in zip(a, b, strict=True)]
-
-
-def scaled(s, a):
-    """The vector s a."""
-    return [s * x for x in a]
-
-
-def size(a):
-    """The magnitude of a vector."""
-    return mp.sqrt(sum(x * x for x in a))
-
-
-def cross(a, b):
-    """The vector product."""
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def spun(axis, across, angle):

@@ -9,7 +9,8 @@ inertia, of the mass centre or of angular velocity.
 from mpmath import mp, mpf
 
 from .digits import DIGITS, weighted
-from .motions import cross, minus, rate, second_rate
+from .motions import rate, second_rate
+from .vectors import cross, minus
 
 
 def kinetic_energy(m, motion, t=0):

@@ -3,13 +3,7 @@
 import pytest
 from mpmath import mp, mpf
 
-from exercises.proofs import DIGITS, ProofError, after, flow, until
-
-
-@pytest.fixture(autouse=True)
-def fifty_digits():
-    with mp.workdps(DIGITS):
-        yield
+from exercises.proofs import ProofError, after, flow, until
 
 
 def swing(s):

@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 from mpmath import mp, mpf
 
-from exercises.proofs import DIGITS, ball, box, disk, mean, plus, ring, rot, shell, times
+from exercises.proofs import ball, box, disk, mean, plus, ring, rot, shell, times
 
 BODIES = {
     "rod": lambda: box(0, 0, 5),
@@ -28,12 +28,6 @@ SQUARES = {
     "ball": (Fraction(4, 5),) * 3,
 }
 TINY = mpf(10) ** -45
-
-
-@pytest.fixture(autouse=True)
-def fifty_digits():
-    with mp.workdps(DIGITS):
-        yield
 
 
 @pytest.mark.parametrize("name", BODIES)

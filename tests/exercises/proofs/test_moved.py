@@ -1,10 +1,8 @@
 """Mass points in motion against bodies whose forces and energies are known in closed form."""
 
-import pytest
 from mpmath import mp, mpf
 
 from exercises.proofs import (
-    DIGITS,
     angular_momentum,
     box,
     cross,
@@ -19,12 +17,6 @@ from exercises.proofs import (
     scaled,
     times,
 )
-
-
-@pytest.fixture(autouse=True)
-def fifty_digits():
-    with mp.workdps(DIGITS):
-        yield
 
 
 def near(found, expected):

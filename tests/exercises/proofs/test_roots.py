@@ -3,13 +3,7 @@
 import pytest
 from mpmath import mp, mpf
 
-from exercises.proofs import DIGITS, ProofError, root
-
-
-@pytest.fixture(autouse=True)
-def fifty_digits():
-    with mp.workdps(DIGITS):
-        yield
+from exercises.proofs import ProofError, root
 
 
 @pytest.mark.parametrize(

@@ -3,13 +3,7 @@
 import pytest
 from mpmath import mp, mpf
 
-from exercises.proofs import DIGITS, ProofError, speed_along
-
-
-@pytest.fixture(autouse=True)
-def fifty_digits():
-    with mp.workdps(DIGITS):
-        yield
+from exercises.proofs import ProofError, speed_along
 
 
 def weight(place):
