@@ -6,7 +6,7 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from exercises.catalogue import problem, problems
+from exercises.catalogue import problem
 from exercises.variants import SEPARATION, distance, draw, evaluate, flat
 from exercises.wording import term_text
 from grader.scoring import causes, score_receipt, tolerance
@@ -14,22 +14,13 @@ from grader.scoring.diagnosis import diagnose
 from grader.scoring.numbers import Numbers
 from newton_euler.algebra.ledger import equation
 from newton_euler.algebra.vectors import Vector
-from newton_euler.classroom.answers import record
-from newton_euler.classroom.forms import Form
+from tests.grader.scoring.answered import CH04, trees
 
-CH04 = problems("ch04")
 DATA = ("book", "variant")
 
 
 def values(p, data):
     return p.book_values if data == "book" else draw(p, b"tests of diagnosis")
-
-
-def trees(p, answers):
-    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers}
-    read, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
-    assert not faults, faults
-    return {k: v for k, v in read.items() if v is not None}
 
 
 def listed(p, given):

@@ -9,38 +9,15 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from exercises.catalogue import Answer, problem, problems
-from exercises.variants import draw, evaluate
+from exercises.catalogue import Answer, problem
+from exercises.variants import evaluate
 from grader.scoring import score
 from grader.scoring.numbers import numbers_of
 from grader.scoring.reading import read
 from grader.scoring.score import Score, score_receipt
 from grader.scoring.tolerance import RTOL
-from newton_euler.classroom.answers import record
 from newton_euler.classroom.forms import Form
-
-CH04 = problems("ch04")
-VALUES = {p.id: draw(p, b"tests of score") for p in CH04}
-
-
-def trees(p, answers):
-    """Answers as a receipt holds them."""
-    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers}
-    found, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
-    assert not faults
-    return found
-
-
-def key(p):
-    return trees(p, p.solve({**p.sympy_symbols(), **VALUES[p.id]}))
-
-
-def judged(p, answers, values=None):
-    """The one part that matters: {key: Part}."""
-    return {
-        part.key: part
-        for part in score_receipt(p, values or VALUES[p.id], {"answers": answers}).parts
-    }
+from tests.grader.scoring.answered import CH04, VALUES, judged, key, trees
 
 
 @pytest.mark.parametrize("p", CH04, ids=lambda p: p.id)

@@ -5,37 +5,12 @@ import math
 
 import pytest
 
-from exercises.catalogue import problem, problems
-from exercises.variants import draw
+from exercises.catalogue import problem
 from grader.scoring.reading import read
-from grader.scoring.score import score_receipt
 from grader.scoring.tolerance import is_right
-from newton_euler.classroom.answers import record
 from newton_euler.classroom.forms import Form
 from newton_euler.classroom.formula_trees import TreeError
-
-CH04 = problems("ch04")
-VALUES = {p.id: draw(p, b"tests of score") for p in CH04}
-
-
-def trees(p, answers):
-    """Answers as a receipt holds them."""
-    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers}
-    found, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
-    assert not faults
-    return found
-
-
-def key(p):
-    return trees(p, p.solve({**p.sympy_symbols(), **VALUES[p.id]}))
-
-
-def judged(p, answers, values=None):
-    """The one part that matters: {key: Part}."""
-    return {
-        part.key: part
-        for part in score_receipt(p, values or VALUES[p.id], {"answers": answers}).parts
-    }
+from tests.grader.scoring.answered import CH04, judged, key
 
 
 @pytest.mark.parametrize(

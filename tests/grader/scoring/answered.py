@@ -1,0 +1,29 @@
+"""Answers of a student of chapter 4 as a receipt holds them, and their scores."""
+
+from exercises.catalogue import problems
+from exercises.variants import draw
+from grader.scoring.score import score_receipt
+from newton_euler.classroom.answers import record
+from newton_euler.classroom.forms import Form
+
+CH04 = problems("ch04")
+VALUES = {p.id: draw(p, b"tests of score") for p in CH04}
+
+
+def trees(p, answers):
+    """Answers as a receipt holds them."""
+    forms = {a.key: Form(a.kind, a.unit, a.of) for a in p.answers}
+    found, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
+    assert not faults, faults
+    return found
+
+
+def key(p):
+    """The right answers for the student's numbers."""
+    return trees(p, p.solve({**p.sympy_symbols(), **VALUES[p.id]}))
+
+
+def judged(p, answers, values=None):
+    """{key: Part} of these answers."""
+    score = score_receipt(p, values or VALUES[p.id], {"answers": answers})
+    return {part.key: part for part in score.parts}
