@@ -1,0 +1,128 @@
+"""11/9: a roller coaster: the seat in a loop, and a hump on which the car just stays."""
+
+from mpmath import mp
+
+from exercises.devices.vertical_loop import circle, contact, draw_loop, proved_contact
+from exercises.proofs import force_needed, speed_along
+from exercises.proofs import root as proved_root
+from exercises.steps import Step
+from newton_euler import Frame, pi, root
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import mass_from_weight, path_force, speed_after, weight_potential
+
+
+def mass(g):
+    """Of the rider."""
+    return mass_from_weight(g.W, g.g)
+
+
+def speed(g, height):
+    """At a height above B."""
+    return speed_after(0, weight_potential(mass(g), g.h - height, g.g), mass(g))
+
+
+def at_B(g, v, r=None, **shares):
+    return contact(mass(g), g.g, g.d / 2 if r is None else r, 0 * g.one, v, **shares)
+
+
+def at_D(g, v, r=None, **shares):
+    return contact(mass(g), g.g, g.d / 2 if r is None else r, pi(g.d), v, **shares)
+
+
+def least_radius(g, v):
+    """Where the weight is just the force that the crest needs."""
+
+    def surplus(rho):
+        return g.W - path_force(mass(g), v, 0, 1 / rho)[1]
+
+    return root(surplus, g.h / 100, 10 * g.h)
+
+
+def speeds(g):
+    """At B, D and E."""
+    return speed(g, 0), speed(g, g.d), speed(g, g.h_E)
+
+
+def solve(g):
+    v_B, v_D, v_E = speeds(g)
+    return {"N_B": at_B(g, v_B), "N_D": at_D(g, v_D), "rho_E": least_radius(g, v_E)}
+
+
+def steps(g):
+    v_B, v_D, v_E = speeds(g)
+    yield Step("v_B", v_B, "ft/s", "speed at B, after the drop h", "11.12", "11.32")
+    yield Step("v_D", v_D, "ft/s", "speed at D, after the drop h - d", "11.12", "11.32")
+    yield Step("v_E", v_E, "ft/s", "speed at E, after the drop h - h_E", "11.12", "11.32")
+    for key, v in (("B", v_B), ("D", v_D)):
+        said = f"force toward the centre of the loop that the rider needs at {key}, m v^2/r"
+        needed = path_force(mass(g), v, 0, 2 / g.d)[1]
+        yield Step(f"F_{key}", needed, "lb", said, "6.4", "6.5")
+
+
+def prove(g):
+    """The weight added up along some track that leads from A to B, round the loop and up to E."""
+    m, r = g.W / g.g, g.d / 2
+
+    def weight(place):
+        return [0, 0, -g.W]
+
+    def fall(q):
+        return [g.h * q, 0, g.h * (1 - q) ** 2]
+
+    def rise(q):
+        return [g.h * q, 0, g.h_E * q * q * (3 - 2 * q)]
+
+    v_B = speed_along(m, weight, fall, 0, 1)
+    v_D = speed_along(m, weight, circle(r), 0, mp.pi, v_B)
+    v_E = speed_along(m, weight, rise, 0, 1, v_B)
+
+    def over_crest(rho):
+        """The force of the track on a car of the rider's weight."""
+
+        def along(t):
+            return [rho * mp.sin(v_E * t / rho), 0, rho * mp.cos(v_E * t / rho)]
+
+        return force_needed(m, lambda t: [(1, along(t))])[2] + g.W
+
+    return {
+        "N_B": proved_contact(m, g.g, r, 0, v_B),
+        "N_D": proved_contact(m, g.g, r, mp.pi, v_D),
+        "rho_E": proved_root(over_crest, g.h / 100, 10 * g.h),
+        "v_B": v_B,
+        "v_D": v_D,
+        "v_E": v_E,
+    }
+
+
+def mistakes(g):
+    v_B, v_D, _ = speeds(g)
+    return {
+        "no_weight_at_B": {"N_B": at_B(g, v_B, weight=0)},
+        "weight_at_D": {"N_D": at_D(g, v_D, weight=-1)},
+        "diameter_for_radius": {"N_B": at_B(g, v_B, g.d), "N_D": at_D(g, v_D, g.d)},
+        "speed_of_B": {"N_D": at_D(g, v_B), "rho_E": least_radius(g, v_B)},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    r, h, crest = g.d / 2, g.h, 0.8 * g.d + 0.55 * g.h
+    start, far = -0.9 * h, crest + 0.6 * h
+    ways = [n / 40 for n in range(41)]
+    level = 0.2 * h  # of the track before the loop
+    fall = [(start + (-level - start) * q, 0, h * (1 - q) ** 2) for q in ways]
+    hump = [(crest + 0.5 * h * (2 * q - 1), 0, g.h_E * (16 * q**2 * (1 - q) ** 2)) for q in ways]
+    s.road([*fall, *hump, (far, 0, 0)])
+    draw_loop(s, ground, r)
+    A, B, D, E = fall[0], (0, 0, 0), (0, 0, g.d), (crest, 0, g.h_E)
+    for P in (A, B, D, E):
+        s.dot(P)
+    s.label(A, "A", offset=(4, 14))
+    s.label(B, "B", offset=(0, -16))
+    s.label(D, "D", offset=(0, 14))
+    s.label(E, "E", offset=(0, 14))
+    s.line((start, 0, 0), (-level, 0, 0))
+    s.dimension((start, 0, 0), A, label="h", offset=0.15 * h)
+    s.dimension((0, 0, 0), (0, 0, g.d), label="d", offset=-1.3 * r)
+    s.dimension((crest, 0, 0), E, label="$h_E$", offset=0)

@@ -1,0 +1,121 @@
+"""11/10: the least compression of a spring that shoots a pellet round a loop."""
+
+from mpmath import mp, mpf
+
+from exercises.devices.vertical_loop import contact, draw_loop, proved_contact
+from exercises.proofs import ProofError, after, until
+from exercises.proofs import root as proved_root
+from exercises.steps import Step
+from newton_euler import Frame, pi, root, sqrt
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import (
+    mass_from_weight,
+    speed_after,
+    spring_potential,
+    weight_potential,
+)
+
+
+def mass(g):
+    return mass_from_weight(g.W, g.g)
+
+
+def least_speed(g, r):
+    """At the top of a loop of radius r, where the contact is just not lost."""
+    fast = 10 * sqrt(g.g * r)
+    return root(lambda v: contact(mass(g), g.g, r, pi(r), v), fast / 1000, fast)
+
+
+def kinetic(g, v):
+    return mass(g) * v**2 / 2
+
+
+def compression(g, v, rise):
+    """With which the pellet has the speed v after the rise."""
+    needed = kinetic(g, v) + weight_potential(mass(g), rise, g.g)
+    most = g.W / g.k + 10 * rise
+    return {"x_min": root(lambda x: spring_potential(g.k, x) - needed, most / 10**4, most)}
+
+
+def solve(g):
+    return compression(g, least_speed(g, g.r), 2 * g.r)
+
+
+def steps(g):
+    v = least_speed(g, g.r)
+    taken = weight_potential(mass(g), 2 * g.r, g.g)
+    yield Step("v_D", v, "ft/s", "least speed at the top, where the weight alone holds the pellet "
+               "on the circle, m v^2/r = W", "6.4", "6.5")  # fmt: skip
+    yield Step("T_D", kinetic(g, v), "ft*lb", "kinetic energy at the top", "11.7", "11.13")
+    yield Step("V_D", taken, "ft*lb", "potential energy at the top, W 2 r", "11.12", "11.34")
+    yield Step("v_B", speed_after(v, taken, mass(g)), "ft/s", "speed at the foot of the loop",
+               "11.12", "11.32")  # fmt: skip
+
+
+def prove(g):
+    """Backward in time from the top, where the loop has just ceased to push: down the loop, and
+    into the spring till the pellet is at rest.
+    """
+    m = g.W / g.g
+    v = proved_root(lambda v: proved_contact(m, g.g, g.r, mp.pi, v), 0, 10 * mp.sqrt(g.g * g.r))
+    swing = mp.sqrt(g.r / g.g)
+
+    def round_loop(state):
+        pull = g.g / g.r * mp.sin(state[0])
+        return [state[1], -float(pull) if isinstance(state[0], float) else -pull]
+
+    _, (_, rate) = until(
+        round_loop, [mp.pi, v / g.r], lambda state: state[0] - 2 * mp.pi, swing / 4
+    )
+    v_B = rate * g.r
+    _, (x, _) = until(
+        lambda state: [state[1], -g.k / m * state[0]],
+        [mpf(0), v_B],
+        lambda state: state[1],
+        mp.sqrt(m / g.k) / 2,
+    )
+
+    def gets_round(speed):
+        """Whether a pellet that enters the loop with this speed touches it in all places."""
+        state, moment = [0.0, float(speed / g.r)], float(swing / 20)
+        while state[0] < 2 * mp.pi:
+            if proved_contact(m, g.g, g.r, state[0], state[1] * g.r) < 0:
+                return False
+            state = after(round_loop, state, moment)
+        return True
+
+    if gets_round(v_B * mpf("0.999")) or not gets_round(v_B * mpf("1.001")):
+        raise ProofError("this is not the speed at which the pellet begins to get round the loop")
+    return {"x_min": x, "v_D": v, "v_B": v_B}
+
+
+def mistakes(g):
+    v = least_speed(g, g.r)
+    inches = g.but(r=g.r / 12)
+    return {
+        "at_rest_at_the_top": compression(g, 0 * v, 2 * g.r),
+        "rise_r": compression(g, v, g.r),
+        "feet": solve(inches),
+        "diameter": compression(g, least_speed(g, 2 * g.r), 2 * g.r),
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    r = g.r
+    w = 0.12 * r
+    left, A = -3.2 * r, (-1.8 * r, 0, 0)
+    s.road([(left, 0, 0), (1.4 * r, 0, 0)])
+    s.ground((left, 0, w), normal=ground.i, size=0.5 * r)
+    s.spring((left, 0, w), (A[0] - w, 0, w))
+    s.sphere((A[0], 0, w), w)
+    draw_loop(s, ground, r)
+    O, B, D = (0, 0, r), (0, 0, 0), (0, 0, 2 * r)
+    for P in (O, B, D):
+        s.dot(P)
+    s.arrow(O, (0.6 * r, 0, 1.8 * r), label="r")
+    s.label(A, "A", offset=(0, -16))
+    s.label(B, "B", offset=(0, -16))
+    s.label(D, "D", offset=(0, 14))
+    s.label((0.5 * (left + A[0]), 0, w), "k", offset=(0, 22), bold=False)

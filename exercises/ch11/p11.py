@@ -1,0 +1,103 @@
+"""11/11: a collar on a hoop in a horizontal plane, pulled by a spring: the weight does no work."""
+
+from mpmath import mp
+
+from exercises.devices.spring_to_pin import pull
+from exercises.proofs import minus, size, speed_along
+from exercises.steps import Step
+from newton_euler import Frame
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import mass_from_weight, speed_after, spring_between, weight_potential
+
+
+def scene(g):
+    """The ground, seen from above: O, x toward A, and the points."""
+    ground = Frame("ground")
+    places = {"A": (g.R, 0), "B": (0, g.R), "C": (-g.R, 0), "P": (g.R + g.d, 0)}
+    return ground, {name: ground.point(name, *xy, 0) for name, xy in places.items()}
+
+
+def length(g, name):
+    """Of the spring, with the collar at A, B or C."""
+    _, points = scene(g)
+    return (points[name] - points["P"]).norm()
+
+
+def energy(g, name):
+    """Of the spring."""
+    _, points = scene(g)
+    return spring_between(g.k, length(g, "A"), points["P"], points[name])
+
+
+def work(g, end):
+    """Of the spring, from C."""
+    return energy(g, "C") - energy(g, end)
+
+
+def speeds(g, U_B, U_A, v_C=None):
+    """After these works."""
+    m, start = mass_from_weight(g.W, g.g), g.v_C if v_C is None else v_C
+    return {"v_B": speed_after(start, U_B, m), "v_A": speed_after(start, U_A, m)}
+
+
+def solve(g):
+    return speeds(g, work(g, "B"), work(g, "A"))
+
+
+def steps(g):
+    for name in "CB":
+        yield Step(f"x_{name}", length(g, name) - length(g, "A"), "in",
+                   f"stretch of the spring at {name}, P{name} - d", "11.12")  # fmt: skip
+        yield Step(f"V_{name}", energy(g, name), "ft*lb", f"potential energy of the spring at "
+                   f"{name}; at A it is zero", "11.12", "11.35")  # fmt: skip
+    m = mass_from_weight(g.W, g.g)
+    yield Step("T_C", m * g.v_C**2 / 2, "ft*lb", "kinetic energy at C", "11.7", "11.13")
+
+
+def prove(g):
+    """The pull of the spring, added up along the hoop."""
+
+    def hoop(phi):
+        return [-g.R * mp.cos(phi), g.R * mp.sin(phi), 0]
+
+    P = [g.R + g.d, 0, 0]
+    at_C, at_B = hoop(0), hoop(mp.pi / 2)
+    m, spring = g.W / g.g, pull(g.k, g.d, P)
+    v_B = speed_along(m, spring, hoop, 0, mp.pi / 2, g.v_C)
+    v_A = speed_along(m, spring, hoop, mp.pi / 2, mp.pi, v_B)
+    x_C, x_B = (size(minus(P, place)) - g.d for place in (at_C, at_B))
+    return {"v_B": v_B, "v_A": v_A, "x_C": x_C, "x_B": x_B}
+
+
+def mistakes(g):
+    U_B, U_A = work(g, "B"), work(g, "A")
+    as_if_R = energy(g, "C") - g.k * g.R**2 / 2
+    upright = weight_potential(mass_from_weight(g.W, g.g), g.R, g.g)
+    return {
+        "upright": {"v_B": speeds(g, U_B - upright, U_A)["v_B"]},
+        "stretch_R": {"v_B": speeds(g, as_if_R, U_A)["v_B"]},
+        "from_rest": speeds(g, U_B, U_A, v_C=0),
+        "inches": speeds(g, 12 * U_B, 12 * U_A),
+    }
+
+
+def draw(g, ax):
+    ground, points = scene(g)
+    s = Sketch(ax, ground, plane="xy")
+    O, A, B, C, P = ground.origin, *(points[name] for name in "ABCP")
+    s.wire([*s.around((0, 0, 0), (g.R, 0, 0), ground.k), (g.R, 0, 0)])
+    collar = ground.point("collar", -0.6 * g.R, 0.8 * g.R, 0)
+    s.line(C, P, style="centre")
+    s.line(O, B)
+    s.spring(P, collar)
+    s.sphere(collar, 0.08 * g.R)
+    s.hinge(P)
+    for place in (O, A, B, C):
+        s.dot(place)
+    s.dimension(A, P, label="d", offset=-0.35 * g.R)
+    s.arrow(O, (-0.6 * g.R, -0.8 * g.R, 0), label="R")
+    s.label(O, "O", offset=(10, -12))
+    s.label(A, "A", offset=(-14, -14))
+    s.label(B, "B", offset=(0, 14))
+    s.label(C, "C", offset=(-14, 0))
+    s.label(P, "P", offset=(16, 0))

@@ -1,0 +1,46 @@
+"""A particle on the inside of a smooth vertical loop, as in 11/9 and 11/10: the force of the track
+on it, the same for the proof, and the loop drawn.
+"""
+
+from mpmath import mp
+
+from exercises.proofs import force_needed, plus
+from newton_euler import Frame, moving, pi
+from newton_euler.dynamics import reaction
+from newton_euler.kinematics import polar
+
+
+def track_force(m, g, r, phi, v):
+    """The force of the track, and the direction to the centre, where the radius is at ``phi`` from
+    the downward vertical and the speed is ``v``. Ground: y up.
+    """
+    ground = Frame("ground")
+    P = polar(ground, "P", r, moving(phi - pi(phi) / 2, rate=v / r))
+    N = reaction(m, P.acceleration(ground), weight=-m * g * ground.j)
+    return N, (P - ground.origin) * (-1 / r)
+
+
+def contact(m, g, r, phi, v, **shares):
+    """Its part toward the centre; the track cannot pull. ``shares`` of its terms, for mistakes."""
+    N, inward = track_force(m, g, r, phi, v)
+    return N.reweighted(**shares).dot(inward)
+
+
+def circle(r):
+    """Proof: the place at the angle phi, z up, from the lowest point."""
+    return lambda phi: [r * mp.sin(phi), 0, r - r * mp.cos(phi)]
+
+
+def proved_contact(m, g, r, phi, v):
+    """Proof: what the particle needs toward the centre beside its weight. The growth of the speed
+    is along the track and does not enter.
+    """
+    needed = force_needed(m, lambda t: [(1, circle(r)(phi + v / r * t))])
+    track = plus(needed, [0, 0, m * g])
+    return track[2] * mp.cos(phi) - track[0] * mp.sin(phi)
+
+
+def draw_loop(s, ground, r):
+    """The loop, z up, its lowest point at the origin."""
+    foot = (0, 0, 0)
+    s.wire([*s.around((0, 0, r), foot, ground.j), foot])
