@@ -1,0 +1,70 @@
+"""11/16: the kinetic energy of a disk that spins at the end of a turning arm."""
+
+from exercises.devices.disk_on_shaft import energy_of_disk, spinning
+from exercises.steps import Step
+from newton_euler import Body, kinetic_energy
+from newton_euler.bodies import disk
+from newton_euler.drawing import Sketch
+
+
+def energy(g, Omega, spin):
+    """With the terms of translation and rotation."""
+    d = spinning(Omega, spin, g.L)
+    return kinetic_energy(disk(g.r, d.body, "x", mass=g.M), d.ground)
+
+
+def solve(g):
+    return {"T": energy(g, g.Omega, g.omega_s).value}
+
+
+def steps(g):
+    d = spinning(g.Omega, g.omega_s, g.L)
+    I, T = disk(g.r, d.body, "x", mass=g.M).inertia, energy(g, g.Omega, g.omega_s)
+    yield Step("v_C", d.C.velocity(d.ground).norm(), "m/s", "speed of the centre of mass", "4.4")
+    yield Step("I_a", I.moment("x"), "kg*m^2", "moment of inertia about the axis OC", "7.4", "7.10")
+    yield Step("I_d", I.moment("y"), "kg*m^2", "moment of inertia about a diameter", "7.4", "7.10")
+    yield Step("T_trans", T.terms["translation"], "J", "energy M v_C^2/2 of the translation",
+               "11.14", "11.45")  # fmt: skip
+    yield Step("T_rot", T.terms["rotation"], "J", "energy of the rotation about C, by omega_s "
+               "about OC and by Omega about the vertical diameter", "11.14", "11.45")  # fmt: skip
+
+
+def prove(g):
+    T = energy_of_disk(g.M, g.r, g.Omega, g.omega_s, g.L)
+    at_the_axis = energy_of_disk(g.M, g.r, g.Omega, g.omega_s, 0)
+    return {"T": T, "T_rot": at_the_axis}
+
+
+def mistakes(g):
+    T, d = energy(g, g.Omega, g.omega_s), spinning(g.Omega, g.omega_s, g.L)
+    axial = disk(g.r, d.body, "x", mass=g.M).inertia.moment("x")
+    alike = kinetic_energy(Body("disk", g.M, d.body, (axial, axial, axial)), d.ground)
+
+    def with_rotation(Omega, spin):
+        return T.terms["translation"] + energy(g, Omega, spin).terms["rotation"]
+
+    return {
+        "no_turning_of_plane": {"T": with_rotation(0 * g.Omega, g.omega_s)},
+        "axial_for_diameter": {"T": alike.value},
+        "rates_added": {"T": with_rotation(0 * g.Omega, g.Omega + g.omega_s)},
+        "no_translation": {"T": T.reweighted(translation=0)},
+    }
+
+
+def draw(g, ax):
+    d = spinning(g.Omega, g.omega_s, 1.0)
+    s = Sketch(ax, d.ground, azimuth=-50, elevation=18)
+    r, k = 0.45, d.ground.k
+    O, C = (0, 0, 0), d.C
+    s.shaft((0, 0, -0.5), (0, 0, 0.7))
+    s.ground((0, 0, -0.5), k)
+    s.rod(O, C)
+    s.disk(C, d.shaft.i, r)
+    s.dot(C)
+    s.turn((0, 0, 0.5), k, label=r"$\Omega$")
+    s.turn((1.3, 0, 0), d.shaft.i, label=r"$\omega_s$")
+    s.line(C, (1.55, 0, 0), style="centre")
+    s.dimension(O, C, label="L")
+    s.dimension(C, (1, 0, r), label="r", offset=0)
+    s.label(O, "O", offset=(-12, 8))
+    s.label(C, "C", offset=(8, -10))

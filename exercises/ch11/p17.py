@@ -1,0 +1,83 @@
+"""11/17: the kinetic energy of a rolling disk."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.proofs import plus, rot, times
+from exercises.steps import Step
+from newton_euler import Frame, kinetic_energy, moving, solve_rates
+from newton_euler.bodies import disk, ring
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import kinetic_energy_about
+
+
+def rolling(g, body):
+    """The ground with x along the line and y up, the point of contact, and the body, rolling."""
+    ground = Frame("ground")
+    P = ground.point("P", 0, -g.r, 0)
+
+    def wheel(omega):
+        C = ground.point("C", moving(0 * g.r, rate=g.u), 0, 0)
+        return ground.rotate("wheel", "z", rate=omega, origin=C)
+
+    def slip(omega):
+        return wheel(omega).point("contact", 0, -g.r, 0).velocity(ground).x
+
+    return ground, P, body(g.r, wheel(*solve_rates(slip, 1)), "z", mass=g.m)
+
+
+def energy(g, body):
+    ground, _, rolled = rolling(g, body)
+    return kinetic_energy(rolled, ground)
+
+
+def solve(g):
+    return {"T": energy(g, disk).value}
+
+
+def steps(g):
+    ground, _, body = rolling(g, disk)
+    T = energy(g, disk)
+    yield Step("omega", body.frame.angular_velocity(ground).norm(), "rad/s",
+               "angular speed of the disk: it rolls", "4.4", "4.11")  # fmt: skip
+    yield Step("I_C", body.inertia.moment("z"), "kg*m^2", "moment of inertia about the axis of the "
+               "disk", "7.4", "7.10")  # fmt: skip
+    yield Step("T_trans", T.terms["translation"], "J", "energy of the translation, m u^2/2",
+               "11.16", "11.51")  # fmt: skip
+    yield Step("T_rot", T.terms["rotation"], "J", "energy of the rotation", "11.16",
+               "11.51")  # fmt: skip
+
+
+def prove(g):
+    """Each mass point of the disk is on a cycloid: in one turn the disk goes on by the length of
+    its rim.
+    """
+    omega = 2 * mp.pi / (2 * mp.pi * g.r / g.u)
+    points = proofs.disk(g.r, order=2)
+
+    def motion(t):
+        return [(u, plus([g.u * t, 0, 0], times(rot("z", -omega * t), p))) for u, p in points]
+
+    return {"T": proofs.kinetic_energy(g.m, motion), "omega": omega}
+
+
+def mistakes(g):
+    T = energy(g, disk)
+    ground, P, body = rolling(g, disk)
+    about_contact = kinetic_energy_about(body, P, ground)
+    return {
+        "no_rotation": {"T": T.reweighted(rotation=0)},
+        "hoop": {"T": energy(g, ring).value},
+        "translation_twice": {"T": about_contact.value + T.terms["translation"]},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    C, r = (0, 0, 0), 1.0
+    s.road([(-1.8 * r, -r, 0), (2.2 * r, -r, 0)])
+    s.disk(C, ground.k, r)
+    s.dimension(C, (-0.8 * r, 0.6 * r, 0), label="r", offset=0)
+    s.dot(C)
+    s.vector(C, 1.7 * r * ground.i, "u")

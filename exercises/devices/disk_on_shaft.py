@@ -1,0 +1,79 @@
+"""A body of revolution about a shaft that turns about the vertical z, 11/16 and 11/19 to 11/21: it
+spins on the shaft, or rolls with its rim; its kinetic energy, and that of mass points.
+"""
+
+from dataclasses import dataclass
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.proofs import disk, plus, rot, times
+from newton_euler import Frame, Point, solve_rates
+
+
+@dataclass(frozen=True)
+class OnShaft:
+    """The ground with z up, the axes x, y, z of the shaft, x along it and y level, and the frame
+    and centre C of a body that spins about x.
+    """
+
+    ground: Frame
+    shaft: Frame
+    body: Frame
+    C: Point
+
+
+def spinning(Omega, spin, L, rise=0):
+    """C is at the distance L from the origin, by which the shaft rises at the angle ``rise``; it
+    turns about the vertical at Omega, and the body relative to it at the rate ``spin``.
+    """
+    ground = Frame("ground")
+    shaft = ground.rotate("plane", "z", rate=Omega).rotate("shaft", "-y", angle=rise)
+    C = shaft.point("C", L, 0, 0)
+    return OnShaft(ground, shaft, shaft.rotate("disk", "x", rate=spin, origin=C), C)
+
+
+def contact(d, radius):
+    """The point of the body that lies on the rim, in the vertical plane of the shaft below it."""
+    return d.body.point("P", 0, 0, -radius)
+
+
+def rolling(Omega, radius, L, rise=0):
+    """The same with the spin at which the contact is at rest."""
+
+    def slip(spin):
+        d = spinning(Omega, spin, L, rise)
+        return contact(d, radius).velocity(d.ground).expressed_in(d.shaft).y
+
+    (spin,) = solve_rates(slip, 1)
+    return spinning(Omega, spin, L, rise)
+
+
+def turned(points):
+    """Proof: mass points whose axis was z, with the axis x."""
+    return [(share, [z, x, y]) for share, (x, y, z) in points]
+
+
+def carried(points, Omega, spin, L, rise=0):
+    """Proof, the motion of mass points, given from C along the axes of the shaft."""
+    tilt = rot("y", -rise)
+
+    def motion(t):
+        along, own = times(rot("z", Omega * t), tilt), rot("x", spin * t)
+        return [(u, times(along, plus([L, 0, 0], times(own, p)))) for u, p in points]
+
+    return motion
+
+
+def unrolled(Omega, radius, path):
+    """Proof, the spin of a body whose rim unrolls along a circle of radius ``path`` round z: in
+    each turn of the shaft the arcs on rim and circle are equally long.
+    """
+    turn = 2 * mp.pi / Omega  # time
+    return -2 * mp.pi * path / radius / turn
+
+
+def energy_of_disk(m, radius, Omega, spin, L, rise=0):
+    """Proof, of the mass points of a thin disk."""
+    points = turned(disk(radius, order=2))
+    return proofs.kinetic_energy(m, carried(points, Omega, spin, L, rise))
