@@ -167,50 +167,24 @@ def _folded(key, text):
 
 # -- the code
 
-CODE = '''"""{id}: {what}"""
-
-
-def solve(g):
-    """By the engine: {asked}."""
-    raise NotImplementedError("{{{keys}}}")
-
-
-def steps(g):
-    """The quantities on the way to the answers, in order: yield Step(key, value, unit, means)."""
-    raise NotImplementedError
-
-
-def prove(g):
-    """The same answers on another way, without a formula of solve: see exercises.proofs."""
-    raise NotImplementedError
-
-
-def mistakes(g):
-    """What each of these makes of the answers: {mistakes}."""
-    raise NotImplementedError
-'''
-DRAW = '''
-
-def draw(g, ax):
-    """{figure}"""
-    raise NotImplementedError
-'''
+CODE = Path(__file__).with_name("new_problem.txt")  # what an author of a problem begins with
 
 
 def problem_code(entry):
     """The text of ``pNN.py``: the functions, each with what it must return."""
     keys = [a["key"] for a in entry["answers"]]
-    text = CODE.format(
+    figure = " ".join((entry.get("figure") or "none").split())
+    text, drawing, last = CODE.read_text(encoding="utf-8").partition("\n\ndef draw")
+    if not figure.lower().startswith("none"):
+        text += drawing + last
+    return text.format(
         id=entry["id"],
         what=_wrapped(f"{entry['title'][:1].lower()}{entry['title'][1:]}."),
         asked=_wrapped("; ".join(f"{a['key']}, {a['means']}" for a in entry["answers"])),
         keys=", ".join(f"'{k}': ..." for k in keys),
         mistakes=_wrapped(", ".join(mistake_names(entry.get("mistakes") or ()))),
+        figure=_wrapped(figure),
     )
-    figure = entry.get("figure") or ""
-    if not figure or figure.lower().startswith("none"):
-        return text
-    return text + DRAW.format(figure=_wrapped(" ".join(figure.split())))
 
 
 def _wrapped(text):

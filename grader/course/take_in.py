@@ -20,6 +20,8 @@ from .identity import CourseError, same_student
 MAX_BYTES = 64 * 2**20  # of one notebook, as the grader reads
 MAX_TOTAL = 4 * 2**30
 MAX_ENTRIES = 20_000
+# what zipfile raises; the second, of its own, where it does not know a way of packing
+UNREADABLE = zipfile.BadZipFile, NotImplementedError, EOFError
 WORDS = re.compile(r"[^\W_]+")
 
 
@@ -56,7 +58,7 @@ def take_in(course, assignment, archive, replace=False, times=False):
                 raise CourseError(f"{archive} has {len(entries)} entries, more than a class has")
             chosen = _chosen(entries, assignment, students, result)
             _write(course, assignment, z, chosen, (replace, times), result)
-    except (zipfile.BadZipFile, NotImplementedError, EOFError) as error:
+    except UNREADABLE as error:
         raise CourseError(f"{archive} is not a zip archive that can be read ({error})") from error
     return result
 
