@@ -117,7 +117,7 @@ def _automatic_points(what, marks, score, untouched, outcome):
     if score:
         return score.points
     if what == "test":
-        return test_points(outcome, marks["points"])
+        return points_of_test(outcome, marks["points"])
     return 0.0 if what == "receipt" or untouched else None
 
 
@@ -125,7 +125,7 @@ def _grade_id(cell):
     return nbgrader_metadata(cell).get("grade_id")
 
 
-def test_points(outcome, most):
+def points_of_test(outcome, most):
     """The points of an instructor's test by nbgrader's rule: none after an error, those that its
     last expression gives if that is a number, else all. A number outside of 0 to ``most`` gives the
     nearer of both.
@@ -136,9 +136,6 @@ def test_points(outcome, most):
     if not isinstance(value, int | float):
         return float(most)
     return min(max(float(value), 0.0), float(most))
-
-
-test_points.__test__ = False  # the name begins as pytest's own do
 
 
 def feedback_comment(score):

@@ -39,7 +39,7 @@ def right(x, key, names):
 """  # the text of a cell
 
 
-def test_cell(task, values):
+def cell_with_test(task, values):
     """The cell that gives the points of a problem."""
     p = task.exercise
     answers = sample.right_answers(p, values)
@@ -59,9 +59,6 @@ def test_cell(task, values):
     }  # fmt: skip
 
 
-test_cell.__test__ = False  # the name begins as pytest's own do
-
-
 def with_tests(notebook, values):
     """The notebook with a test cell behind each receipt, and answers without points."""
     notebook, asked, cells = copy.deepcopy(notebook), tasks(notebook), []
@@ -72,7 +69,7 @@ def with_tests(notebook, values):
             nbgrader_metadata(cell).pop("points", None)
         cells.append(cell)
         if own.get("role") == "receipt":
-            cells.append(test_cell(asked[own["problem"]], values[own["problem"]]))
+            cells.append(cell_with_test(asked[own["problem"]], values[own["problem"]]))
     return {**notebook, "cells": cells}
 
 

@@ -8,6 +8,11 @@ from grader.assignment import problems_of
 from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.vectors import Vector
 
+WORDS = (
+    "def solve", "solve(g", "prove(", "mistakes", ".course_secret", "BEGIN SOLUTION",
+    "HIDDEN TESTS",
+)  # fmt: skip
+
 
 def numbers_of_key(p, values):
     """Every number of the key that could not be there by accident: six digits."""
@@ -43,22 +48,10 @@ def formulas(p):
     }
 
 
-def holds_nothing_secret(text, course, student):
+def secrets_in(text, course, student):
+    """What of the key, the mistakes and the secret stands in a text."""
     everywhere = re.sub(r"[A-Za-z0-9+/=]{200,}", "", text)  # pictures
-    assert not [n for n in keys(course, student) if n in everywhere]
-    assert not [n for n in keys(course, "the book") if n in everywhere]
+    secret = {*keys(course, student), *keys(course, "the book"), *WORDS, course.secret.hex()}
     for p in problems_of(course.released("ch04")):
-        if p.symbolic:
-            assert not [f for f in formulas(p) if f in everywhere]
-        assert not [text for text in p.mistakes.values() if text in everywhere]
-    for words in (
-        "def solve",
-        "solve(g",
-        "prove(",
-        "mistakes",
-        course.secret.hex(),
-        ".course_secret",
-        "BEGIN SOLUTION",
-        "HIDDEN TESTS",
-    ):
-        assert words not in everywhere, words
+        secret |= {*p.mistakes.values(), *(formulas(p) if p.symbolic else ())}
+    return sorted(words for words in secret if words in everywhere)

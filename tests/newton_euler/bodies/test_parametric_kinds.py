@@ -95,20 +95,21 @@ every_case = pytest.mark.parametrize("case", CASES)
 
 
 def close(found, expected, rtol):
-    for x, y in zip(found, expected, strict=True):
-        assert np.all(abs(x - y) <= rtol * (1 + abs(y)))
+    return all(
+        np.all(abs(x - y) <= rtol * (1 + abs(y))) for x, y in zip(found, expected, strict=True)
+    )
 
 
 @every_case
 def test_floats_arrays_and_traced_numbers(case):
     body, by_hand, given = CASES[case]
     expected = by_hand(*given)
-    close(body(*given), expected, 1e-11)
+    assert close(body(*given), expected, 1e-11)
     run = compiled(body)
-    close(run(*given), expected, 1e-13)
+    assert close(run(*given), expected, 1e-13)
     for many in ([np.array([x, 2 * x, x / 3]) for x in given], [np.array([0.6, 0.7]), *given[1:]]):
-        close(body(*many), by_hand(*many), 1e-13)
-        close(run(*many), by_hand(*many), 1e-13)
+        assert close(body(*many), by_hand(*many), 1e-13)
+        assert close(run(*many), by_hand(*many), 1e-13)
 
 
 @pytest.mark.parametrize("case", ["half disk", "plate"])
@@ -116,7 +117,7 @@ def test_fifty_digits(case):
     body, by_hand, given = CASES[case]
     with mpmath.mp.workdps(50):
         given = [mpmath.mpf(repr(x)) for x in given]
-        close(body(*given), by_hand(*given), mpmath.mpf(10) ** -47)
+        assert close(body(*given), by_hand(*given), mpmath.mpf(10) ** -47)
 
 
 @every_case
@@ -159,9 +160,9 @@ def test_symbols_give_formulas_without_being_asked(case):
 
 def test_a_wire_of_every_kind():
     expected = np.pi, 4 / np.pi, 4 / np.pi, 0, 2 * np.pi, 2 * np.pi, 4 * np.pi, 4, 0, 0
-    close(wire(2.0), expected, 1e-13)
-    close(compiled(wire)(2.0), expected, 1e-13)
-    close([np.broadcast_to(x, 2)[1] for x in wire(np.array([1.0, 2.0]))], expected, 1e-13)
+    assert close(wire(2.0), expected, 1e-13)
+    assert close(compiled(wire)(2.0), expected, 1e-13)
+    assert close([np.broadcast_to(x, 2)[1] for x in wire(np.array([1.0, 2.0]))], expected, 1e-13)
 
 
 def test_a_body_that_does_not_settle_or_moves_is_refused():

@@ -260,7 +260,8 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         "s.ax.figure.savefig(io.BytesIO())\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
     )
-    subprocess.run([sys.executable, "-c", program], check=True)
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
 
 
 # -- mistakes

@@ -89,22 +89,23 @@ def judged(name, count, seed):
         yield choice.rung.name, right, low, (asked, tolerance, errors)
 
 
-def check(name, count, seed):
+def faults(name, count, seed):
+    """Draws with a wrong choice, if they are more than one in a hundred; rungs below their bound."""
     found = list(judged(name, count, seed))
     wrong = [what for _, right, _, what in found if not right]
-    assert len(wrong) <= count // 100, wrong
-    assert not [low for _, _, low, _ in found if low]
+    low = [low for _, _, low, _ in found if low]
+    return (wrong if len(wrong) > count // 100 else []) + low
 
 
 @each_ladder
 def test_the_choice_is_the_cheapest_rung_that_holds_and_bounds_are_bounds(name):
-    check(name, DRAWN, "quick")
+    assert faults(name, DRAWN, "quick") == []
 
 
 @pytest.mark.slow
 @each_ladder
 def test_the_choice_is_the_cheapest_rung_that_holds_in_many_draws(name):
-    check(name, 320, "many")
+    assert faults(name, 320, "many") == []
 
 
 @pytest.mark.parametrize("name", ["projectile", "physical pendulum"])

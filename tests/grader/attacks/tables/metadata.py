@@ -94,7 +94,7 @@ def role(what, problem="4/16"):
     return change
 
 
-def test_of_the_instructor(notebook, scene):
+def the_instructors_test_edited(notebook, scene):
     cell_of(notebook, "test_square")["source"] = "4.0"
     notebook["cells"].append(copy.deepcopy(cell_of(notebook, "test_square")) | {"id": "again"})
 
@@ -167,7 +167,7 @@ ATTACKS = {
     "a cell that says it is the introduction": edited(role("introduction", None)),
     "a cell that says it is the setup": edited(role("setup", None)),
     "a cell that says it is a test": edited(role("test")),
-    "the instructor's test, edited and copied": edited(test_of_the_instructor),
+    "the instructor's test, edited and copied": edited(the_instructors_test_edited),
     "its own terms": edited(own_terms),
     "metadata that is nested": edited(metadata(nested(400))),
     "metadata that is a list": edited(metadata([1])),
