@@ -11,9 +11,10 @@ from mpmath import mp, mpc, mpf
 from newton_euler.algebra.scalars import max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
+from newton_euler.classroom.forms import WORDS
 
 from .catalogue import CatalogueError
-from .catalogue.words import WORDS, word
+from .catalogue.words import word
 from .following import earlier_answers, follow
 from .proofs import DIGITS
 from .steps import faults as step_faults

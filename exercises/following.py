@@ -12,9 +12,10 @@ from functools import cache
 
 from newton_euler import Frame
 from newton_euler.algebra.units import unit
+from newton_euler.classroom.forms import WORDS
 
 from .catalogue.units import in_unit
-from .catalogue.words import WORDS, word
+from .catalogue.words import word
 from .variants import flat
 
 

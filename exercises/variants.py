@@ -13,13 +13,12 @@ import numpy as np
 
 from newton_euler import compiled
 from newton_euler.algebra.vectors import Vector
+from newton_euler.classroom.checking.tolerance import SEPARATION
+from newton_euler.classroom.forms import WORDS
 
 from .catalogue import SYMBOLIC, CatalogueError, problem
-from .catalogue.words import WORDS
 
 DRAWS = 300  # attempts before a range is called impossible
-# a mistake must differ from the key by this much of its size, or it could not be told from rounding
-SEPARATION = 0.02
 # a component of a vector is zero, or at least so much of the whole: one that is left out must show
 COMPONENT = 0.01
 # of the points at which formulas are compared, so many must be there, or show a difference

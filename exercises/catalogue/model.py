@@ -11,10 +11,11 @@ from functools import cached_property
 
 from newton_euler.algebra.scalars import integer_like, is_numeric, scalar
 from newton_euler.algebra.units import SI, unit
+from newton_euler.classroom.forms import WORDS
 from newton_euler.classroom.notation import symbol
 
 from .units import in_unit, system_of
-from .words import WORDS, word, words_at
+from .words import word, words_at
 
 KINDS = {
     "number", "vector", "matrix", "expression", "vector_expression", "matrix_expression",

@@ -6,8 +6,6 @@ without arguments, which are called once there are numbers: they may compare and
 
 from newton_euler.algebra.scalars import is_numeric
 
-WORDS = frozenset({"choice", "count"})
-
 
 def word(value):
     """The word or whole number that the code of a problem returns, or a function that does."""

@@ -4,10 +4,9 @@ without a name.
 
 from collections import Counter
 
-from exercises.catalogue.words import WORDS
 from exercises.variants import draw
 from newton_euler.classroom.answers import record
-from newton_euler.classroom.forms import Form
+from newton_euler.classroom.forms import WORDS, Form
 
 from ..scoring import causes, score_receipt
 from .tables import plain_table

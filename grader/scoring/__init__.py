@@ -2,8 +2,9 @@
 wrong one.
 """
 
-from .diagnosis import causes
-from .score import NO_ANSWER, Part, Score, score_receipt
+from newton_euler.classroom.checking import NO_ANSWER, causes
+
+from .score import Part, Score, score_receipt
 from .sheet import ScoreError
 
 __all__ = ["NO_ANSWER", "Part", "Score", "ScoreError", "causes", "score_receipt"]

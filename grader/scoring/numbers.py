@@ -1,7 +1,7 @@
 """The numbers of one student's problem: the key, and the answers that wrong models give.
 
 What a problem computes is traced once into straight-line text, so that the numbers of a student
-cost microseconds. Answers are tuples of points, as in :mod:`~grader.scoring.tolerance`.
+cost microseconds. Answers are tuples of points, as in :mod:`newton_euler.classroom.checking`.
 """
 
 import contextlib
@@ -12,10 +12,9 @@ import numpy as np
 
 from exercises.catalogue import SYMBOLIC
 from exercises.catalogue import problem as find_problem
-from exercises.catalogue.words import WORDS
 from exercises.following import earlier_answers, follow
 from exercises.variants import POINTS, as_points, flat, symbol_points, traced
-from newton_euler.classroom.forms import SHAPES
+from newton_euler.classroom.forms import SHAPES, WORDS
 
 from .sheet import ScoreError
 from .wrong_models import wrong_models
@@ -27,6 +26,16 @@ class Numbers:
     def __init__(self, problem, values):
         self.problem, self.sample = problem, _sample(problem, values)
         self._wrong = {}
+
+    @property
+    def answers(self):
+        """What the problem asks for."""
+        return self.problem.answers
+
+    @property
+    def earlier(self):
+        """{later answer: names of the earlier ones from which it follows}."""
+        return earlier_answers(self.problem)
 
     @property
     def symbols(self):
@@ -84,9 +93,7 @@ class Numbers:
         """The points of the answer ``key`` that follows from a student's ``earlier`` answers,
         {answer: points}; None if there is no such answer.
         """
-        numbers = [
-            x for name in earlier_answers(self.problem)[key] for x in _columns(earlier[name])
-        ]
+        numbers = [x for name in self.earlier[key] for x in _columns(earlier[name])]
         run = _traced_following(self.problem.id, key)
         try:
             with np.errstate(all="ignore"):

@@ -7,22 +7,14 @@ run, evaluated as code or simplified here.
 
 import json
 import math
-import reprlib
 from dataclasses import dataclass, replace
 
-from exercises.catalogue.words import WORDS
-from exercises.following import earlier_answers
-from newton_euler.classroom.formula_trees import NODES, TreeError, in_words
+from newton_euler.classroom.checking.verdicts import clipped, explain, judge, shown
 from newton_euler.classroom.notation import formula, unit_symbol
+from newton_euler.classroom.reading.formula_trees import NODES
 
-from .diagnosis import BOOK, Elsewhere, causes, diagnose, observe
 from .numbers import numbers_of
-from .reading import read
 from .sheet import asked_parts
-from .slips import factors
-from .tolerance import FORMULA_RTOL, RTOL, is_right
-
-NO_ANSWER = "no answer"
 
 
 @dataclass(frozen=True)
@@ -104,7 +96,11 @@ def score_receipt(
     notes = [n for n in (note, f"the cell stopped with {clipped(error)}" if error else "") if n]
     sheet = asked_parts(problem, points, weights, asked, follow_through)
     numbers, budget = numbers_of(problem, values), [NODES]
-    found = {part.answer.key: _judged(part, answers, faults, numbers, budget) for part in sheet}
+    found = {}
+    for part in sheet:
+        key = part.answer.key
+        tree, fault = answers.get(key), faults.get(key)
+        found[key] = judge(part.answer, part.form, tree, fault, numbers, budget, part.factor)
     parts = tuple(_part(part, found, numbers, answers) for part in sheet)
     parts = tuple(
         replace(p, latex=_typeset(part, answers, p.read, problem))
@@ -121,139 +117,15 @@ def _typeset(part, answers, shown, problem):
     return formula(tree, problem.notation) + unit_symbol(part.form.unit)
 
 
-def _shown(part, answers, found):
-    """The value that was read, with its unit, as a line for the student; "" if none was."""
-    key, unit = part.answer.key, part.form.unit
-    if found[key].verdict not in ("right", "wrong"):
-        return ""
-    tree = answers[key]
-    if part.answer.kind in WORDS:  # any JSON
-        return clipped(tree)[:200]
-    between = ", " if type(tree) is dict else " "  # components in several frames
-    text = in_words(tree)[:200] + (between + unit if unit != "1" else "")
-    return clipped(text) if type(tree) is dict else text  # the student named the frames
-
-
-@dataclass(frozen=True)
-class _Judged:
-    """What an answer is: its verdict, what to say, and what was read, in the unit of the key."""
-
-    verdict: str
-    message: str
-    given: tuple | None = None
-
-
-def _judged(part, answers, faults, numbers, budget):
-    a = part.answer
-    tree, key = answers.get(a.key), numbers.key[a.key]
-    if a.key in faults:
-        return _Judged("unreadable", clipped(faults[a.key]))
-    if tree is None:
-        return _Judged("blank", NO_ANSWER)
-    if a.kind in WORDS:
-        ((word,),) = key
-        given = ((tree,),) if type(tree) is type(word) else None
-        return _Judged(*(("right", "right") if given == key else ("wrong", "not right")), given)
-    try:
-        readings = read(part.form, tree, numbers.symbols, budget)
-    except TreeError as error:
-        return _Judged("unreadable", f"cannot be read: {clipped(str(error))}")
-    if part.factor != 1:
-        readings = [_times(part.factor, x) for x in readings]
-    for given in readings:
-        if is_right(a.kind, given, key, a.atol):
-            return _Judged("right", "right", given)
-    return _Judged("wrong", "not right", readings[0])
-
-
-def _times(factor, points):
-    return tuple(tuple(factor * x for x in point) for point in points)
-
-
 def _part(part, found, numbers, answers):
     """The score of one answer; ``found`` has what each answer of the problem is."""
     key, out_of, own = part.answer.key, part.out_of, found[part.answer.key]
-    shown = _shown(part, answers, found)
+    value = shown(part.form, answers.get(key), own.verdict)
     if own.verdict != "wrong" or own.given is None:
         earned = out_of if own.verdict == "right" else 0
-        return Part(key, earned, out_of, own.verdict, own.message, read=shown)
-    message, cause = _explained(part.answer, found, numbers)
-    earlier = _followed(part.answer, found, numbers) if cause != BOOK else ()
-    if earlier:
-        message += f"; it follows from your {' and '.join(earlier)}"
-        message += f", which earns {part.following:.3g} of {out_of:.3g}" if part.following else ""
-        cause = cause or f"follows from a wrong {' and '.join(earlier)}"
-        return Part(key, part.following, out_of, "wrong", message, cause, shown)
-    if cause is None and (seen := observe(own.given, numbers.key[key], part.answer.kind)):
-        message, cause = f"not right; {seen}", seen
-    return Part(key, 0, out_of, "wrong", message, cause, shown)
-
-
-def _explained(a, found, numbers):
-    """(message, diagnosis) of a wrong answer."""
-    given, key = found[a.key].given, numbers.key[a.key]
-    cause = diagnose(
-        given,
-        key,
-        _models(a, numbers),
-        _rtol(a.kind),
-        a.kind,
-        factors(a.kind, a.unit),
-        Elsewhere(lambda: _elsewhere(a, found, numbers)),
-    )
-    if BOOK in causes(cause):
-        return "not right: this is the answer for the book's numbers; yours are others", BOOK
-    if cause is None:
-        return "not right", None
-    return f"not right; it fits a solution that {cause}", cause
-
-
-def _rtol(kind):
-    return FORMULA_RTOL if kind.endswith("expression") else RTOL
-
-
-def _models(a, numbers):
-    """The wrong models of an answer, and its key for the book's numbers."""
-    book = numbers.book.get(a.key)
-    return [*numbers.wrong(a.key), ("book", BOOK, book)] if book else numbers.wrong(a.key)
-
-
-def _elsewhere(a, found, numbers):
-    """The other parts that a student answered, for :class:`~grader.scoring.diagnosis.Elsewhere`."""
-    parts = []
-    for other in numbers.problem.answers:
-        judged = found.get(other.key)
-        if other.key != a.key and judged and judged.given is not None:
-            key, wrong = numbers.key[other.key], _models(other, numbers)
-            right = judged.verdict == "right"
-            parts.append((right, judged.given, key, wrong, _rtol(other.kind)))
-    return parts
-
-
-def _followed(a, found, numbers):
-    """The student's own wrong answers from which this one follows rightly; () if it does not."""
-    names = earlier_answers(numbers.problem).get(a.key, ())
-    wrong = [n for n in names if n in found and found[n].verdict == "wrong"]
-    # an earlier part that the sheet does not ask for is not the student's
-    earlier = {n: found[n].given if n in found else numbers.key[n] for n in names}
-    if not wrong or None in earlier.values():
-        return ()
-    expected = numbers.following(a.key, earlier)
-    if a.kind in WORDS:
-        return wrong if expected == found[a.key].given else ()
-    if expected is None or max(math.hypot(*point) for point in expected) <= a.atol:
-        return ()  # zero follows from zero: nothing was computed
-    return wrong if is_right(a.kind, found[a.key].given, expected, a.atol) else ()
-
-
-_bounded = reprlib.Repr()
-_bounded.maxstring = _bounded.maxother = 400
-
-
-def clipped(value):
-    """Any value as one printable line: students control the text of error messages, which are
-    written to files, tables and pages.
-    """
-    text = value[:4000] if isinstance(value, str) else _bounded.repr(value)
-    line = " ".join(text.split())[:400]
-    return "".join(c if c.isprintable() else "\ufffd" for c in line)
+        return Part(key, earned, out_of, own.verdict, own.message, read=value)
+    message, cause, earlier = explain(part.answer, found, numbers)
+    earned = part.following if earlier else 0
+    if earned:
+        message += f", which earns {earned:.3g} of {out_of:.3g}"
+    return Part(key, earned, out_of, "wrong", message, cause, value)

@@ -2,6 +2,6 @@
 
 from .answers import expect, receipt
 from .forms import AnswerError, Form
-from .formula_trees import TreeError
 from .givens import given
+from .reading.formula_trees import TreeError
 from .widgets import error_message, interactive_figure

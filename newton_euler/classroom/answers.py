@@ -14,11 +14,11 @@ from dataclasses import dataclass, field
 from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.vectors import Vector
 from .forms import SHAPES, AnswerError, Form, clipped
-from .formula_trees import NODES, dimension_hints, in_words
 from .givens import in_notebook, stale
 from .notation import formula, is_word, symbol, unit_symbol
-from .sympy_formulas import read_formula
-from .values import components, read_number
+from .reading.formula_trees import NODES, dimension_hints, in_words
+from .reading.sympy_formulas import read_formula
+from .reading.values import components, read_number
 
 # a vector is read in so many frames: its own, the ground, and two between
 FRAMES = 4

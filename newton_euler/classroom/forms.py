@@ -9,7 +9,8 @@ SHAPES = {
     "number": 1, "vector": 3, "matrix": 9, "interval": 2,
     "expression": 1, "vector_expression": 3, "matrix_expression": 9,
 }  # fmt: skip
-_WORDS = {
+WORDS = frozenset({"choice", "count"})  # kinds that have no unit and no size
+_IN_WORDS = {
     "number": "one number",
     "vector": "a vector, three numbers as in [1.0, 0, -2.5]",
     "matrix": "a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
@@ -49,8 +50,8 @@ class Form:
         """The form that a notebook states as text: "vector, mm/s", "choice: stable | unstable"."""
         separator = ":" if text.startswith("choice") else ","
         kind, _, rest = (part.strip() for part in text.partition(separator))
-        if kind not in _WORDS:
-            raise AnswerError(f"no such kind of answer: {kind!r}; there are {', '.join(_WORDS)}")
+        if kind not in _IN_WORDS:
+            raise AnswerError(f"no such kind of answer: {kind!r}; there are {', '.join(_IN_WORDS)}")
         if kind == "choice":
             return cls(kind, "1", tuple(w.strip() for w in rest.split("|")))
         return cls(kind, rest or "1")
@@ -70,7 +71,7 @@ class Form:
         if self.kind == "choice":
             return f"one of {', '.join(map(repr, self.of))}"
         pure = self.kind == "count" or self.unit == "1"
-        return _WORDS[self.kind] + ("" if pure else f", in {self.unit}")
+        return _IN_WORDS[self.kind] + ("" if pure else f", in {self.unit}")
 
     @checked
     def error(self, fault: str) -> AnswerError:

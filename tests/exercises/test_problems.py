@@ -10,9 +10,9 @@ import pytest
 import sympy
 
 from exercises.catalogue import SYMBOLIC, chapters, problems, reading, select
-from exercises.catalogue.words import WORDS
 from exercises.checks import check, values
 from exercises.variants import flat, symbol_values
+from newton_euler.classroom.forms import WORDS
 
 PROBLEMS = select(["all"])
 CHECKED = [(p, key) for p in PROBLEMS for key in p.checked]

@@ -12,8 +12,8 @@ from exercises.checks import check
 from exercises.variants import at_points, draw, objection
 from grader.reports.diagnoses import diagnosis_shares
 from grader.scoring import numbers, score_receipt
-from grader.scoring.diagnosis import OR
 from newton_euler import where
+from newton_euler.classroom.checking.diagnosis import OR
 
 SENSE = Answer("sense", "choice", "1", "whether it rises", ("rises", "falls", "rests"))
 DOF = Answer("dof", "count", "1", "degrees of freedom")

@@ -5,7 +5,6 @@ and graded with the real cage and gradebook: each earns what it should, with the
 import pytest
 
 from exercises.catalogue import problems
-from exercises.catalogue.words import WORDS
 from grader.assignment import build_assignment
 from grader.assignment.numbers import kept_numbers
 from grader.course import read_json, write_json
@@ -13,6 +12,7 @@ from grader.demo import sample_students as sample
 from grader.demo.run import nbgrader_api, require_success
 from grader.grading import grade
 from grader.scoring import causes
+from newton_euler.classroom.forms import WORDS
 
 CHAPTERS = "ch02", "ch03", "ch04", "ch05", "ch06", "ch07", "ch08", "ch09", "appA"
 

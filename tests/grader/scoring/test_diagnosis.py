@@ -9,11 +9,12 @@ import pytest
 from exercises.catalogue import problem
 from exercises.variants import SEPARATION, distance, draw, evaluate, flat
 from exercises.wording import term_text
-from grader.scoring import causes, score_receipt, tolerance
-from grader.scoring.diagnosis import diagnose
+from grader.scoring import causes, score_receipt
 from grader.scoring.numbers import Numbers
 from newton_euler.algebra.ledger import equation
 from newton_euler.algebra.vectors import Vector
+from newton_euler.classroom.checking import tolerance
+from newton_euler.classroom.checking.diagnosis import diagnose
 from tests.grader.scoring.answered import CH04, trees
 
 DATA = ("book", "variant")

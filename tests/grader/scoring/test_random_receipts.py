@@ -12,7 +12,7 @@ from exercises.variants import draw, evaluate, symbol_values
 from grader.scoring import score_receipt
 from newton_euler.classroom.answers import record
 from newton_euler.classroom.forms import Form
-from newton_euler.classroom.formula_trees import evaluate as tree_value
+from newton_euler.classroom.reading.formula_trees import evaluate as tree_value
 
 from .random_receipts import receipt
 

@@ -13,9 +13,9 @@ from exercises.catalogue import Answer, problem
 from exercises.variants import evaluate
 from grader.scoring import score
 from grader.scoring.numbers import numbers_of
-from grader.scoring.reading import read
 from grader.scoring.score import Score, score_receipt
-from grader.scoring.tolerance import RTOL
+from newton_euler.classroom.checking.reading import read
+from newton_euler.classroom.checking.tolerance import RTOL
 from newton_euler.classroom.forms import Form
 from tests.grader.scoring.answered import CH04, VALUES, judged, key, trees
 
@@ -121,7 +121,8 @@ def known_words(wrong=()):
     return types.SimpleNamespace(
         key=key,
         book={},
-        problem=Steady,
+        answers=Steady.answers,
+        earlier={},
         wrong=lambda of: [model[1:] for model in wrong if model[0] == of],
     )
 

@@ -12,11 +12,11 @@ import pytest
 from exercises.catalogue import problem, select
 from exercises.variants import draw
 from grader.scoring import causes, score_receipt
-from grader.scoring.diagnosis import BOOK, DIRECTION, NEAR, diagnose
 from grader.scoring.numbers import numbers_of
-from grader.scoring.slips import AS_SCALARS, OFF_DIAGONAL, TRANSPOSED, factors
-from grader.scoring.tolerance import NOISE
 from newton_euler.algebra.units import unit
+from newton_euler.classroom.checking.diagnosis import BOOK, DIRECTION, NEAR, diagnose
+from newton_euler.classroom.checking.slips import AS_SCALARS, OFF_DIAGONAL, TRANSPOSED, factors
+from newton_euler.classroom.checking.tolerance import NOISE
 from tests.grader.scoring.test_wrong_answers import right_answers
 
 ALL = select(["all"])

@@ -11,8 +11,8 @@ from exercises.catalogue import problems
 from exercises.variants import draw, evaluate
 from grader.scoring import score_receipt
 from grader.scoring.numbers import numbers_of
-from grader.scoring.tolerance import NOISE, is_right
 from newton_euler.classroom.answers import record
+from newton_euler.classroom.checking.tolerance import NOISE, is_right
 from newton_euler.classroom.forms import Form
 
 DRAWS = 50

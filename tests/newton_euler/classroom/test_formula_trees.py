@@ -8,7 +8,7 @@ import sympy
 
 from newton_euler.algebra.units import Dimension
 from newton_euler.classroom.forms import Form
-from newton_euler.classroom.formula_trees import TreeError, dimension_hints, evaluate
+from newton_euler.classroom.reading.formula_trees import TreeError, dimension_hints, evaluate
 from tests.newton_euler.classroom.one_answer import SYMBOLS, omega, one, r, theta
 
 

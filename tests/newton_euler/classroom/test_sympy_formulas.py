@@ -7,7 +7,7 @@ import sympy
 
 from newton_euler.classroom.answers import record
 from newton_euler.classroom.forms import AnswerError, Form
-from newton_euler.classroom.formula_trees import DEPTH, NODES, evaluate
+from newton_euler.classroom.reading.formula_trees import DEPTH, NODES, evaluate
 from tests.newton_euler.classroom.one_answer import SYMBOLS, omega, one, r, theta
 
 FORMULAS = {

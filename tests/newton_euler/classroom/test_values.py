@@ -15,7 +15,7 @@ from sympy.vector import CoordSys3D
 
 from newton_euler.classroom.answers import expect, receipt
 from newton_euler.classroom.forms import AnswerError
-from newton_euler.classroom.formula_trees import evaluate
+from newton_euler.classroom.reading.formula_trees import evaluate
 from tests.newton_euler.classroom.one_answer import SYMBOLS, ground, one, r, theta
 
 NUMBERS = [

@@ -5,10 +5,10 @@ evaluated, and checked for their size and their dimension.
 from functools import reduce
 from operator import add, mul
 
-from ..algebra.errors import NewtonEulerError
-from ..algebra.scalars import FUNCTIONS, function, is_numeric, pi, where
-from ..algebra.units import Dimension, DimensionError, UnitError, unit
-from .forms import SHAPES
+from ...algebra.errors import NewtonEulerError
+from ...algebra.scalars import FUNCTIONS, function, is_numeric, pi, where
+from ...algebra.units import Dimension, DimensionError, UnitError, unit
+from ..forms import SHAPES
 
 NAMED = (*FUNCTIONS, "atan2", "Abs", "Max", "Min", "Mod", "where")
 NODES = 5000  # the largest receipt that is read, in operations of all its formulas

@@ -5,11 +5,9 @@ differs clearly from the key, and is not contradicted by the parts that are righ
 import math
 from functools import cached_property
 
-from exercises.catalogue.words import WORDS
-
+from ..forms import WORDS
 from .fit import CLOSE, EXACT, LOOSE, Fit, is_apart
 from .slips import (
-    AS_SCALARS,
     NUMBER_RTOL,
     ROUNDED,
     components,
@@ -164,6 +162,3 @@ def observe(given, key, kind):
     return (
         DIRECTION if kind == "vector" and off <= max(1e-4 * size, fit.rounding) and size else None
     )
-
-
-__all__ = ["AS_SCALARS", "BOOK", "Elsewhere", "causes", "diagnose", "observe"]

@@ -1,14 +1,13 @@
 """Slips that are made in any problem and that need nothing but the key: a factor of a unit, a sign,
 components exchanged, two listed mistakes at once. Each is [(text, points)] for a
-:class:`~grader.scoring.fit.Fit`.
+:class:`~newton_euler.classroom.checking.fit.Fit`.
 """
 
 import math
 from functools import cache
 from itertools import combinations
 
-from newton_euler.algebra.units import unit
-
+from ...algebra.units import unit
 from .fit import written
 from .tolerance import NOISE
 

@@ -4,9 +4,7 @@ import math
 from decimal import Decimal
 from functools import cached_property
 
-from exercises.variants import SEPARATION
-
-from .tolerance import NOISE
+from .tolerance import NOISE, SEPARATION
 
 LOOSE, CLOSE, EXACT = 1, 2, 3
 ROUND_OFF = 1e-6  # an answer with all its digits differs from its model by less

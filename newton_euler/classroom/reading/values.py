@@ -7,10 +7,10 @@ import sys
 from collections.abc import Mapping, Set
 from importlib import import_module
 
-from ..algebra.scalars import without_rates
-from ..algebra.units import pint_name
-from ..algebra.vectors import Vector
-from .forms import clipped
+from ...algebra.scalars import without_rates
+from ...algebra.units import pint_name
+from ...algebra.vectors import Vector
+from ..forms import clipped
 
 LONGEST = 5000  # numbers in one answer; the largest form has nine
 

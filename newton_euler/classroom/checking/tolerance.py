@@ -10,6 +10,8 @@ RTOL = 0.005  # of the size of the key: accepts three significant figures, round
 FORMULA_RTOL = 3e-5  # formulas are exact; this accepts 3.1416 for pi, 6.283 for 2 pi, 0.33333
 # a component that is smaller than this, relative to the whole, is round-off for zero
 NOISE = 1e-9
+# a mistake must differ from the key by this much of its size, or it could not be told from rounding
+SEPARATION = 0.02
 
 
 def is_right(kind, given, key, atol):

@@ -1,12 +1,12 @@
 """Reads a formula of SymPy or SymEngine as a tree of a few operators (see
-:mod:`newton_euler.classroom.formula_trees`).
+:mod:`newton_euler.classroom.reading.formula_trees`).
 
 Functions that are not among them are written out by them: sec x as 1/cos x. What is left
 unevaluated (derivatives, integrals, products) is carried out.
 """
 
-from ..algebra.scalars import FUNCTIONS, without_rates
-from .forms import clipped
+from ...algebra.scalars import FUNCTIONS, without_rates
+from ..forms import clipped
 from .formula_trees import NODES, TreeError, check_size
 from .values import read_number, refuse_equation
 

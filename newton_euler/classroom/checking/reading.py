@@ -8,14 +8,14 @@ import math
 
 import numpy as np
 
-from newton_euler.classroom.answers import FRAMES
-from newton_euler.classroom.forms import SHAPES
-from newton_euler.classroom.formula_trees import TreeError, check_size, evaluate
+from ..answers import FRAMES
+from ..forms import SHAPES
+from ..reading.formula_trees import TreeError, check_size, evaluate
 
 
 def read(form, tree, symbols, budget):
     """The readings of an answer (a number, a formula tree, or a list of them), a list of answers as
-    in :mod:`~grader.scoring.tolerance`; several only of a vector that is given in several frames.
+    in :mod:`.tolerance`; several only of a vector that is given in several frames.
 
     symbols : {name: array of the points at which formulas are compared}
     budget : a list of one number, the operations that may still be read

@@ -1,0 +1,1 @@
+"""Reads what a student gives as an answer: numbers, vectors, formulas of SymPy."""
