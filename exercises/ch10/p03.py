@@ -1,0 +1,50 @@
+"""10/3: the two steady precessions of a top."""
+
+from mpmath import mp
+
+from exercises.devices.steady_precession import both_rates, needed_by_rates
+from exercises.devices.top_on_its_point import data, data_steps, draw, proof_data, top
+from exercises.steps import Step
+from newton_euler.applications.gyroscopes import fast_spin, steady_precession
+
+__all__ = ["draw", "mistakes", "prove", "solve", "steps"]
+
+
+def two(found):
+    return {"psi_slow": found.slow, "psi_fast": found.fast}
+
+
+def precessions(g, **wrong):
+    return two(steady_precession(**top(g, **wrong)))
+
+
+def solve(g):
+    return precessions(g)
+
+
+def steps(g):
+    yield from data_steps(g)
+    found = steady_precession(**top(g))
+    yield Step("D", found.discriminant, "lb^2*ft^2*s^2",
+               r"$(I\dot\phi)^2 - 4 M (I_0 - I) \cot\theta$: where it is positive, there are "
+               "two rates", "10.6", "10.33")  # fmt: skip
+
+
+def prove(g):
+    """Both rates at which the mass points need just the moment of their weights."""
+    given, found = proof_data(g)
+    slow, fast = both_rates(*given)
+    square, _ = needed_by_rates(*given[:3])
+    D = (square * (fast - slow) / mp.sin(g.theta)) ** 2
+    return {"psi_slow": slow, "psi_fast": fast, "D": D} | found
+
+
+def mistakes(g):
+    m_c2 = data(g)["I0"] * (g.c / g.k_x) ** 2
+    return {
+        "fast_spin": two(fast_spin(**top(g))),
+        "spin_is_whole_rate": precessions(g, spin=None, omega_z=g.phi_dot),
+        "inches": precessions(g.but(g=g.g / 12)),
+        "rpm": precessions(g.but(phi_dot=g.stated("phi_dot"))),
+        "about_G": precessions(g, I0=data(g)["I0"] - m_c2),
+    }

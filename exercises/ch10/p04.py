@@ -1,0 +1,69 @@
+"""10/4: leading terms of the two rates of steady precession for a fast spin."""
+
+from mpmath import mp
+
+from exercises.devices.steady_precession import (
+    both_rates,
+    frames,
+    leading,
+    needed_by_rates,
+    two_rings,
+)
+from exercises.steps import Step
+from newton_euler import Inertia, cos, sin, sqrt
+from newton_euler.applications.gyroscopes import fast_spin
+
+
+def leading_terms(g, moment):
+    """With c/h and h/a for the roots, the correction is a c/h^2, the ratio of the two."""
+    found = fast_spin(g.I0, g.Iz, g.theta, g.phi_dot, moment=moment)
+    return {
+        "psi_slow": found.slow,
+        "psi_fast": found.fast,
+        "eps_slow": found.slow / found.fast,
+    }
+
+
+def solve(g):
+    return leading_terms(g, g.M)
+
+
+def steps(g):
+    """The moment K psi_dot x H, H of the precession and of the spin."""
+    ground, axes = frames(g.theta)
+    I, K = Inertia(axes.origin, (g.I0, g.I0, g.Iz), frame=axes), ground.k.expressed_in(axes)
+    A = -K.cross(I.times(K)).x
+    B = g.phi_dot * K.cross(I.times(axes.k)).x
+    yield Step("A", A, "kg*m^2", r"in the moment $M = B\dot\psi - A\dot\psi^2$ for any rate of "
+               "precession, the factor of its square, with the sign changed",
+               "10.6", "10.32")  # fmt: skip
+    yield Step("B", B, "kg*m^2/s", "factor of the rate itself in that moment", "10.6", "10.32")
+    yield Step("s", sqrt(B * B - 4 * A * g.M), "kg*m^2/s",
+               r"root in $\dot\psi = (B \mp s)/(2A)$; for a fast spin it is "
+               r"$B - 2AM/B - 2A^2M^2/B^3 - \dots$", "10.6", "10.33")  # fmt: skip
+
+
+follows = {"eps_slow": lambda g, psi_slow, psi_fast: psi_slow / psi_fast}
+
+
+def prove(g):
+    """From the exact rates, at which mass points with these moments of inertia need just the
+    moment M, at far larger spins.
+    """
+    points = two_rings(mp.sqrt(g.Iz), mp.sqrt(g.I0))
+    square, product = needed_by_rates(1, points, g.theta)
+    slow, fast = both_rates(1, points, g.theta, g.phi_dot, g.M)
+    on_the_way = {"A": -square, "B": product * g.phi_dot, "s": -square * (fast - slow)}
+    return leading(1, points, g.theta, g.phi_dot, g.M) | on_the_way
+
+
+def mistakes(g):
+    right = solve(g)
+    slow, fast, eps = right["psi_slow"], right["psi_fast"], right["eps_slow"]
+    no_sine = leading_terms(g, g.M * sin(g.theta))
+    return {
+        "no_sine": {key: no_sine[key] for key in ("psi_slow", "eps_slow")},
+        "sign": {"psi_fast": -fast, "eps_slow": -eps},
+        "no_half": {"psi_slow": 2 * slow},
+        "no_cosine": {"psi_fast": fast * cos(g.theta), "eps_slow": eps / cos(g.theta)},
+    }

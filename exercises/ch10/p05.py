@@ -1,0 +1,51 @@
+"""10/5: the precessions of the top of 10/3 by the leading terms for a fast spin."""
+
+from exercises.devices.steady_precession import carried, leading, orientation
+from exercises.devices.top_on_its_point import data, data_steps, draw, proof_data, top
+from exercises.proofs import angular_momentum
+from exercises.steps import Step
+from newton_euler import cos, sin
+from newton_euler.applications.gyroscopes import fast_spin
+
+__all__ = ["draw", "mistakes", "prove", "solve", "steps"]
+
+
+def approximate(g, **wrong):
+    found = fast_spin(**top(g, **wrong))
+    return {"psi_slow": found.slow, "psi_fast": found.fast}
+
+
+def solve(g):
+    return approximate(g)
+
+
+def steps(g):
+    yield from data_steps(g)
+    found = data(g)
+    yield Step("H_s", found["I"] * g.phi_dot, "slug*ft^2/s", "angular momentum of the spin, "
+               r"$I\dot\phi$", "10.5", "10.21")  # fmt: skip
+
+
+def prove(g):
+    """From the exact rates, at which the mass points need just the moment of their weights, at
+    far larger spins: the slow one is then inversely proportional to the spin, the fast one
+    proportional.
+    """
+    given, found = proof_data(g)
+    rates = leading(*given)
+    m, points, *_ = given
+    upright = carried(points, orientation(0, 0, g.phi_dot))
+    found["H_s"] = angular_momentum(m, upright)[2]
+    return {key: rates[key] for key in ("psi_slow", "psi_fast")} | found
+
+
+def mistakes(g):
+    right, found = solve(g), data(g)
+    I0, I = found["I0"], found["I"]
+    return {
+        "sine_left": {"psi_slow": right["psi_slow"] * sin(g.theta)},
+        "no_cosine": {"psi_fast": right["psi_fast"] * cos(g.theta)},
+        "sum": {"psi_fast": right["psi_fast"] * (I0 - I) / (I0 + I)},
+        "inches": {"psi_slow": approximate(g.but(g=g.g / 12))["psi_slow"]},
+        "rpm": approximate(g.but(phi_dot=g.stated("phi_dot"))),
+    }

@@ -1,0 +1,100 @@
+"""10/6: a space station that precesses free of moments."""
+
+from mpmath import mp
+
+from exercises.devices.steady_precession import carried, frames, orientation
+from exercises.proofs import angular_momentum, angular_velocity, box, disk, mean, plus, vanishing
+from exercises.steps import Step
+from newton_euler import bodies, cos, pi
+from newton_euler.applications.gyroscopes import free_precession, steady_spin
+from newton_euler.drawing import Sketch
+
+
+def per_mass(g, shape=bodies.cylinder):
+    """Transverse and axial moment of inertia of the unit of mass."""
+    I_0, _, I_z = shape(g.R, g.L, frames(g.theta)[1], "z", mass=g.one).inertia.moments
+    return I_0, I_z
+
+
+def spin(g, shape=bodies.cylinder, theta=None):
+    theta = g.theta if theta is None else theta
+    return steady_spin(*per_mass(g, shape), theta, g.psi_dot, mgr=0)
+
+
+def sense(g):
+    return free_precession(*per_mass(g), g.theta, spin(g)).sense
+
+
+def solve(g):
+    return {"phi_dot": spin(g), "sense": lambda: str(sense(g))}
+
+
+def whole_rate(g):
+    return spin(g) + g.psi_dot * cos(g.theta)
+
+
+def steps(g):
+    I_0, I_z = per_mass(g)
+    yield Step("I", I_z, "m^2", "moment of inertia about the axis of symmetry, per mass",
+               "10.5", "10.17")  # fmt: skip
+    yield Step("I_0", I_0, "m^2", "moment of inertia about a transverse axis through O, per mass",
+               "10.5", "10.17")  # fmt: skip
+    yield Step("omega_z", whole_rate(g), "rev/h", "whole rate about the axis of symmetry, with "
+               "which no moment is needed", "10.6", "10.29")  # fmt: skip
+
+
+def by_sign(along):
+    """The word, from the component along OC of the spin."""
+    return "direct" if along > 0 else "retrograde"
+
+
+def prove(g):
+    """The spin with which the angular momentum of the mass points is along OC, as it must: else it
+    would go round with the precession.
+    """
+    points = [
+        (u * v, plus(p, q))
+        for u, p in disk(g.R, order=2)
+        for v, q in box(0, 0, g.L, order=2)
+    ]  # fmt: skip
+
+    def off(phi_dot):
+        motion = carried(points, orientation(g.theta, g.psi_dot, phi_dot))
+        return angular_momentum(1, motion)[1]
+
+    phi_dot = vanishing(off, 0, g.psi_dot)
+    axis = [0, -mp.sin(g.theta), mp.cos(g.theta)]
+    omega = angular_velocity(orientation(g.theta, g.psi_dot, phi_dot))
+    return {
+        "phi_dot": phi_dot,
+        "sense": lambda: by_sign(phi_dot * axis[2] * g.psi_dot),
+        "I": mean(lambda r: r[0] ** 2 + r[1] ** 2, points),
+        "I_0": mean(lambda r: r[1] ** 2 + r[2] ** 2, points),
+        "omega_z": sum(x * y for x, y in zip(omega, axis, strict=True)),
+    }
+
+
+def mistakes(g):
+    return {
+        "whole_rate": {"phi_dot": whole_rate(g)},
+        "shell": {"phi_dot": spin(g, bodies.cylindrical_shell)},
+        "no_cosine": {"phi_dot": spin(g, theta=0 * g.theta)},
+        "retrograde": {"sense": "retrograde"},
+    }
+
+
+def draw(g, ax):
+    ground, axes = frames(g.theta, pi(g.theta) / 2)
+    s = Sketch(ax, ground, azimuth=-68, elevation=16)
+    O, C, end = axes.origin, (0, 0, 0.75 * g.L), axes.point("", 0, 0, 0.75 * g.L)
+    A, B = (axes.point("", 0, 0, side * g.L / 2) for side in (-1, 1))
+    s.cylinder(A, B, g.R)
+    s.line(B, end, style="centre")
+    s.line(O, C, style="centre")
+    s.arc(O, C, end, label=r"$\theta$", radius=0.66 * g.L)
+    s.turn((0, 0, 0.45 * g.L), ground.k, label=r"$\dot\psi$")
+    s.dimension(A, B, label="L", offset=-1.6 * g.R)
+    s.dimension(A, axes.point("", 0, g.R, -g.L / 2), label="R", offset=axes.k * (-0.1 * g.L))
+    s.dot(O)
+    s.label(O, "O")
+    s.label(C, "C")

@@ -1,0 +1,109 @@
+"""A body of revolution that precesses steadily about the vertical through a point O of its axis,
+10/1 to 10/5, and free of moments 10/6: Euler's angles, the moment of the weight, and the proof.
+
+theta is the angle from the upward vertical K to the axis k, and the line of nodes has the direction
+of K x k. The proofs carry mass points round in the explicit motion and ask what moment they need:
+no moment of inertia, no equation of a gyroscope.
+"""
+
+from mpmath import mp, mpf
+
+from exercises.proofs import mean, moment_needed, plus, ring, root, rot, times
+from newton_euler import Frame, euler_frame
+from newton_euler.dynamics import weight
+
+
+def frames(theta, psi=0, phi=0, name="top"):
+    """The ground with z up, and the axes {i, j, k} with their origin O that precess without
+    spinning.
+    """
+    ground = Frame("ground")
+    return ground, euler_frame(ground, name, psi, theta, phi).parent
+
+
+def weight_moment(m, g, ground, axes, r):
+    """Of the mass m with its centre at r k, about O and the line of nodes (10.30)."""
+    G = axes.point("G", 0, 0, r)
+    return (G - axes.origin).cross(weight(m, ground.k, g)).expressed_in(axes).x
+
+
+# -- proof
+
+
+def orientation(theta, psi_dot, phi_dot):
+    """As a function of time; at the time 0 the line of nodes is x."""
+    tilted = rot("x", theta)
+    return lambda t: times(rot("z", psi_dot * t), tilted, rot("z", phi_dot * t))
+
+
+def carried(points, turned):
+    """Mass points, placed along the axes of the body, as a function of time."""
+
+    def motion(t):
+        R = turned(t)
+        return [(share, times(R, place)) for share, place in points]
+
+    return motion
+
+
+def needed(m, points, theta, psi_dot, phi_dot):
+    """The moment about O and the line of nodes that they need in this precession."""
+    return moment_needed(m, carried(points, orientation(theta, psi_dot, phi_dot)))[0]
+
+
+def of_weights(m, g, points, theta):
+    """The moment of their weights there, which are along -z."""
+    return m * mean(lambda r: -g * times(rot("x", theta), r)[1], points)
+
+
+def two_rings(k_z, k_x, c=0):
+    """Mass points with these radii of gyration about O and the mass centre at the distance c: any
+    body with the same ones moves alike.
+    """
+    h = mp.sqrt(k_x**2 - c**2 - k_z**2 / 2)
+    return [
+        (share / 2, plus(place, [0, 0, c + side * h]))
+        for side in (1, -1)
+        for share, place in ring(k_z, order=2)
+    ]
+
+
+def needed_by_rates(m, points, theta):
+    """The factors of psi_dot^2 and of psi_dot phi_dot in the moment that they need. Accelerations
+    are sums of squares and products of rates, and so two motions tell both.
+    """
+    ahead, back = (needed(m, points, theta, psi_dot, 1) for psi_dot in (1, -1))
+    return (ahead + back) / 2, (ahead - back) / 2
+
+
+def both_rates(m, points, theta, phi_dot, moment):
+    """The two rates, slow and fast, at which they need just this moment, positive and not too
+    large, if that about the axis is the smaller moment of inertia.
+
+    Time is counted in that of 1 rad of spin: the rate is x, and the spin 1.
+    """
+    square, product = needed_by_rates(m, points, theta)
+
+    def surplus(x):
+        return square * x * x + product * x - moment / phi_dot**2
+
+    middle = -product / (2 * square)
+    high = middle
+    while surplus(high / 2) > 0:  # the slow one may be smaller by many digits
+        high /= 2
+    return phi_dot * root(surplus, 0, high), phi_dot * root(surplus, middle, 2 * middle)
+
+
+def leading(m, points, theta, phi_dot, moment):
+    """Leading terms of both rates and the relative correction of the slow one, from exact rates
+    at spins so large that what is left out vanishes at 20 digits.
+    """
+    faster, fastest = mpf(10) ** 10, mpf(10) ** 20
+    slow, fast = both_rates(m, points, theta, fastest * phi_dot, moment)
+    psi_slow = fastest * slow
+    less = faster * both_rates(m, points, theta, faster * phi_dot, moment)[0]
+    return {
+        "psi_slow": psi_slow,
+        "psi_fast": fast / fastest,
+        "eps_slow": faster**2 * (less / psi_slow - 1),
+    }

@@ -1,0 +1,69 @@
+"""The top of 10/3 and 10/5, which spins on its point O: its data, proof and figure."""
+
+from exercises.devices.steady_precession import frames, of_weights, two_rings, weight_moment
+from exercises.proofs import mean
+from exercises.steps import Step
+from newton_euler import pi, sqrt
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import mass_from_weight
+
+
+def data(g):
+    """Moments of inertia about O, transverse and axial, and the moment of the weight, as the
+    engine's functions name them.
+    """
+    m = mass_from_weight(g.W, g.g)
+    ground, axes = frames(g.theta)
+    M = weight_moment(m, g.g, ground, axes, g.c)
+    return {"I0": m * g.k_x**2, "I": m * g.k_z**2, "theta": g.theta, "moment": M}
+
+
+def top(g, **wrong):
+    """The arguments of the engine's functions, the ones of a mistake instead of the right ones."""
+    return data(g) | {"spin": g.phi_dot} | wrong
+
+
+def data_steps(g):
+    found = data(g)
+    yield Step("I", found["I"], "slug*ft^2", "moment of inertia about the axis of the top, "
+               "$W k_z^2/g$", "10.5", "10.17")  # fmt: skip
+    yield Step("I_0", found["I0"], "slug*ft^2", "moment of inertia about a transverse axis "
+               "through O, $W k_x^2/g$", "10.5", "10.17")  # fmt: skip
+    yield Step("M", found["moment"], "lb*ft", r"moment of the weight about O, $W c \sin\theta$",
+               "10.6", "10.30")  # fmt: skip
+
+
+def proof_data(g):
+    """Mass points, and what the proof needs and finds of them."""
+    m, points = g.W / g.g, two_rings(g.k_z, g.k_x, g.c)
+    M = of_weights(m, g.g, points, g.theta)
+    found = {
+        "I": m * mean(lambda r: r[0] ** 2 + r[1] ** 2, points),
+        "I_0": m * mean(lambda r: r[1] ** 2 + r[2] ** 2, points),
+        "M": M,
+    }
+    return (m, points, g.theta, g.phi_dot, M), found
+
+
+def draw(g, ax):
+    """As a wheel about G with the axial radius of gyration k_z on a thin axle."""
+    ground, axes = frames(g.theta, pi(g.theta) / 2)
+    s = Sketch(ax, ground, azimuth=-68, elevation=18)
+    O, G = axes.origin, axes.point("G", 0, 0, g.c)
+    Z, far = (0, 0, 2.4 * g.c), axes.point("", 0, 0, 1.45 * g.c)
+    end = axes.point("", 0, 0, 2.3 * g.c)
+    s.ground(O, ground.k, size=0.8 * g.c)
+    s.line(O, Z, style="centre")
+    s.rod(O, G)
+    s.disk(G, axes.k, sqrt(2.0) * g.k_z, thickness=0.2 * g.c)
+    s.rod(axes.point("", 0, 0, 1.1 * g.c), far)
+    s.line(far, end, style="centre")
+    s.arc(O, Z, end, label=r"$\theta$", radius=2 * g.c)
+    s.dot(O)
+    s.dot(G)
+    s.turn(axes.point("", 0, 0, 1.65 * g.c), axes.k, label=r"$\dot\phi$")
+    s.vector(G, -ground.k * g.W, "W", kind="force")
+    s.dimension(O, G, label="c", offset=-1.1 * g.c)
+    s.label(Z, "Z")
+    s.label(O, "O")
+    s.label(G, "G")
