@@ -23,12 +23,15 @@ class OnShaft:
     C: Point
 
 
-def spinning(Omega, spin, L, rise=0):
-    """C is at the distance L from the origin, by which the shaft rises at the angle ``rise``; it
-    turns about the vertical at Omega, and the body relative to it at the rate ``spin``.
+def spinning(Omega, spin, L, *rise):
+    """C is at the distance L from the origin, through which the shaft goes, above the level by the
+    sum of the angles ``rise``; it turns about the vertical at Omega, and the body relative to it at
+    the rate ``spin``.
     """
     ground = Frame("ground")
-    shaft = ground.rotate("plane", "z", rate=Omega).rotate("shaft", "-y", angle=rise)
+    shaft = ground.rotate("plane", "z", rate=Omega)
+    for angle in rise:
+        shaft = shaft.rotate("shaft", "-y", angle=angle)
     C = shaft.point("C", L, 0, 0)
     return OnShaft(ground, shaft, shaft.rotate("disk", "x", rate=spin, origin=C), C)
 
@@ -38,15 +41,15 @@ def contact(d, radius):
     return d.body.point("P", 0, 0, -radius)
 
 
-def rolling(Omega, radius, L, rise=0):
+def rolling(Omega, radius, L, *rise):
     """The same with the spin at which the contact is at rest."""
 
     def slip(spin):
-        d = spinning(Omega, spin, L, rise)
+        d = spinning(Omega, spin, L, *rise)
         return contact(d, radius).velocity(d.ground).expressed_in(d.shaft).y
 
     (spin,) = solve_rates(slip, 1)
-    return spinning(Omega, spin, L, rise)
+    return spinning(Omega, spin, L, *rise)
 
 
 def turned(points):

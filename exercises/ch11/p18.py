@@ -1,0 +1,142 @@
+"""11/18: the kinetic energy of a sphere about a point of its surface, in two forms."""
+
+from exercises import proofs
+from exercises.proofs import angular_velocity, ball, rot, size, times, transposed
+from exercises.steps import Step
+from newton_euler import Frame, cos, moving, sin
+from newton_euler.bodies import sphere
+from newton_euler.drawing import Sketch
+from newton_euler.kinematics import euler_frame
+
+
+def hung():
+    """The axes x, y, z and the point O."""
+    axes = Frame("axes")
+    return axes, axes.point("O", 0, 0, 0)
+
+
+def body(g, axes):
+    return sphere(g.R, axes.point("G", 0, 0, g.R), mass=g.M)
+
+
+def by_components(g, axes):
+    return axes.vector(g.omega_x, g.omega_y, g.omega_z)
+
+
+def by_euler(g, axes):
+    """The components in the axes that do not spin: for a body of revolution these are principal
+    axes, too.
+    """
+    ground = Frame("ground")
+    turned = euler_frame(ground, "sphere", *(
+        moving(angle, rate=rate)
+        for angle, rate in ((0, g.psi_dot), (g.theta, g.theta_dot), (0, g.phi_dot))
+    ))  # fmt: skip
+    return axes.vector(*turned.angular_velocity(ground).expressed_in(turned.parent).components())
+
+
+def half_product(I, omega):
+    return omega.dot(I.times(omega)) / 2
+
+
+def about_O(g, omega):
+    """The kinetic energy of the sphere that turns at omega about O, at rest."""
+    axes, O = hung()
+    return half_product(body(g, axes).about(O), axes.vector(*omega.components()))
+
+
+def answers(g, energy):
+    """``energy``: as a function of the angular velocity, along x, y, z."""
+    axes, _ = hung()
+    return {
+        "T_omega": energy(by_components(g, axes)),
+        "T_euler": energy(by_euler(g, axes)),
+    }
+
+
+def solve(g):
+    return answers(g, lambda omega: about_O(g, omega))
+
+
+def steps(g):
+    axes, O = hung()
+    I = body(g, axes).about(O)
+    omega = by_euler(g, axes)
+    yield Step("I_z", I.moment("z"), "kg*m^2", "moment of inertia about OG", "7.4", "7.10")
+    yield Step("I_x", I.moment("x"), "kg*m^2", "moment of inertia about x and y, axes at O at "
+               "right angles to OG", "7.10", "7.26")  # fmt: skip
+    yield Step("omega_n", omega.x, "rad/s", "component of the angular velocity by Euler's angles "
+               "about the level axis at right angles to OG", "10.5", "10.19")  # fmt: skip
+    yield Step("omega_t", omega.y, "rad/s", "component at right angles to this axis and to OG",
+               "10.5", "10.19")  # fmt: skip
+    yield Step("omega_s", omega.z, "rad/s", "component along OG", "10.5", "10.19")
+
+
+def prove(g):
+    """The mass points of the ball, turned about one axis, and by Euler's angles in time."""
+    points = [(u, [x, y, z + g.R]) for u, (x, y, z) in ball(g.R, order=2)]
+    axis = [g.omega_x, g.omega_y, g.omega_z]
+
+    def about_axis(t):
+        return rot(axis, size(axis) * t)
+
+    def in_time(t):
+        tilt = rot("x", g.theta + g.theta_dot * t)
+        return times(rot("z", g.psi_dot * t), tilt, rot("z", g.phi_dot * t))
+
+    def energy(turned):
+        return proofs.kinetic_energy(g.M, lambda t: [(u, times(turned(t), p)) for u, p in points])
+
+    omega = times(transposed(rot("x", g.theta)), angular_velocity(in_time))
+    return {
+        "T_omega": energy(about_axis),
+        "T_euler": energy(in_time),
+        "I_z": g.M * proofs.mean(lambda r: r[0] ** 2 + r[1] ** 2, points),
+        "I_x": g.M * proofs.mean(lambda r: r[1] ** 2 + r[2] ** 2, points),
+        "omega_n": omega[0],
+        "omega_t": omega[1],
+        "omega_s": omega[2],
+    }
+
+
+def mistakes(g):
+    axes, O = hung()
+    ball_at_G = body(g, axes)
+    G = ball_at_G.centre - O
+    I_G, transverse = ball_at_G.inertia, ball_at_G.about(O).moment("x")
+
+    def components(omega):
+        return axes.vector(*omega.components())
+
+    def of_centre(omega):
+        v = components(omega).cross(G)
+        return g.M * v.dot(v) / 2
+
+    euler = by_euler(g, axes)
+    return {
+        "transverse_for_all": answers(g, lambda omega: transverse * omega.dot(omega) / 2),
+        "no_translation": answers(g, lambda omega: half_product(I_G, components(omega))),
+        "spin_alone": {"T_euler": about_O(g, axes.vector(euler.x, euler.y, g.phi_dot))},
+        "centre_twice": answers(g, lambda omega: about_O(g, omega) + of_centre(omega)),
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xz")
+    R, theta = 1.0, 2.6  # anywhere
+    O, down = (0, 0, 0), (sin(theta), 0, cos(theta))
+    G, end = (R * down[0], 0, R * down[2]), (2.7 * down[0], 0, 2.7 * down[2])
+    wall, top = (-0.8 * R, 0, 0.35 * R), (0, 0, 1.1 * R)
+    s.rod(wall, O)
+    s.ground(wall, normal=ground.i)
+    s.sphere(G, R)
+    for tip, name in ((top, "Z"), (end, "z")):
+        s.arrow(O, tip)
+        s.label(tip, name, offset=(10, 2), bold=False)
+    s.ball_joint(O)
+    s.dot(G)
+    s.arc(O, top, G, label=r"$\theta$", radius=0.6 * R)
+    s.dimension(G, (G[0] - 0.8 * R, 0, G[2] - 0.6 * R), label="R", offset=0)
+    s.label(O, "O", offset=(12, 13))
+    s.label(G, "G", offset=(10, 8))

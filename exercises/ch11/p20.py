@@ -1,0 +1,161 @@
+"""11/20: the kinetic energy of a disk on an arm that rolls round the inside of a cylinder."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.devices.disk_on_shaft import carried, contact, rolling, spinning, unrolled
+from exercises.proofs import angular_velocity, plus, rate, rot, size, times
+from exercises.steps import Step
+from newton_euler import Body, acos, atan, cos, kinetic_energy, pi, sin, sqrt
+from newton_euler.drawing import Sketch
+
+
+def turning(g):
+    """Rate of the vertical plane of the arm."""
+    return 2 * pi(g.f) * g.f
+
+
+def distance(g):
+    """OP."""
+    return sqrt(g.L**2 + g.r**2)
+
+
+def rise(g):
+    """The angles of OP above the level and of OA above OP."""
+    return acos(g.R / distance(g)), atan(g.r / g.L)
+
+
+def leaning(g):
+    return pi(g.one) / 2 - sum(rise(g))
+
+
+def rolls(g):
+    return rolling(turning(g), g.r, g.L, *rise(g))
+
+
+def axial(d):
+    """Of the angular velocity; the spin is against the turning of the arm, and larger."""
+    return -d.body.angular_velocity(d.ground).expressed_in(d.shaft).x
+
+
+def energy(g, d):
+    G = d.body.point("G", g.c - g.L, 0, 0)
+    return kinetic_energy(Body("disk and arm", g.M, G, (g.I_a, g.I_t, g.I_t)), d.ground)
+
+
+def solve(g):
+    d = rolls(g)
+    return {"theta": leaning(g), "omega_axial": axial(d), "T": energy(g, d).value}
+
+
+def axial_by(g, theta):
+    return turning(g) * (g.R / g.r - cos(theta))
+
+
+def energy_by(g, theta, omega_axial):
+    across = turning(g) * sin(theta)
+    return (g.I_a * omega_axial**2 + (g.I_t + g.M * g.c**2) * across**2) / 2
+
+
+follows = {"omega_axial": axial_by, "T": energy_by}
+
+
+def steps(g):
+    d = rolls(g)
+    yield Step("OP", distance(g), "in", "distance from O to the point of contact", "11.16")
+    yield Step("psi_dot", turning(g), "rad/s", "rate of the vertical plane of the arm, 2 pi f",
+               "4.4")  # fmt: skip
+    yield Step("omega_s", d.body.angular_velocity(d.shaft).norm(), "rad/s", "rate of the body "
+               "relative to this plane, about OA: it rolls", "4.9", "4.22")  # fmt: skip
+    yield Step("omega_t", d.body.angular_velocity(d.ground).expressed_in(d.shaft).z, "rad/s",
+               "component of the body's angular velocity at right angles to OA", "4.9",
+               "4.22")  # fmt: skip
+    G = d.shaft.point("G", g.c, 0, 0)
+    yield Step("v_G", G.velocity(d.ground).norm(), "ft/s", "speed of G", "4.4", "4.11")
+
+
+def prove(g):
+    """The angle at which the rim just touches the wall, a rim that unrolls along the wall, and mass
+    points that have the same moments of inertia.
+    """
+    Omega = 2 * mp.pi * g.f
+
+    def gap(theta):
+        rim = plus([g.L, 0, 0], [0, 0, -g.r])
+        return g.R - times(rot("y", theta - mp.pi / 2), rim)[0]
+
+    theta = proofs.root(gap, 0, mp.pi / 4)
+    up = mp.pi / 2 - theta
+    spin = unrolled(Omega, g.r, g.R)
+
+    # about G: four points round OA, two on OA, and the rest of the mass at G
+    one, round_it, on_it = g.L, g.I_a / (4 * g.L**2), (g.I_t - g.I_a / 2) / (2 * g.L**2)
+    around = [(round_it, [0, y * one, z * one]) for y, z in ((1, 0), (-1, 0), (0, 1), (0, -1))]
+    along = [(on_it, [x * one, 0, 0]) for x in (1, -1)]
+    rest = [(g.M - 4 * round_it - 2 * on_it, [0, 0, 0])]
+    points = [(m, plus([g.c - g.L, 0, 0], p)) for m, p in around + along + rest]
+
+    def turned(t):
+        return times(rot("z", Omega * t), rot("y", -up), rot("x", spin * t))
+
+    def G(t):
+        return times(rot("z", Omega * t), rot("y", -up), [g.c, 0, 0])
+
+    omega = angular_velocity(turned)
+    along_arm = [mp.sin(theta), 0, mp.cos(theta)]
+    part = sum(x * e for x, e in zip(omega, along_arm, strict=True))
+    return {
+        "theta": theta,
+        "omega_axial": abs(part),
+        "T": proofs.kinetic_energy(1, carried(points, Omega, spin, g.L, up)),
+        "omega_s": abs(spin),
+        "omega_t": mp.sqrt(size(omega) ** 2 - part**2),
+        "v_G": size(rate(G)),
+    }
+
+
+def mistakes(g):
+    right = rolls(g)
+    spin, Omega = right.body.angular_velocity(right.shaft).norm(), turning(g)
+
+    def with_axial(omega):
+        """The spin on the arm that gives the body this component along OA."""
+        along = right.shaft.angular_velocity(right.ground).expressed_in(right.shaft).x
+        d = spinning(Omega, -omega - along, g.L, *rise(g))
+        return {"omega_axial": axial(d), "T": energy(g, d).value}
+
+    slow = solve(g.but(f=g.f / (2 * pi(g.f))))
+    return {
+        "relative_spin": with_axial(spin),
+        "no_translation": {"T": energy(g, right).reweighted(translation=0)},
+        "spin_added": with_axial(spin + Omega * cos(leaning(g))),
+        "turns_for_radians": {key: slow[key] for key in ("omega_axial", "T")},
+    }
+
+
+def draw(g, ax):
+    d = spinning(0, 0, g.L, *rise(g))
+    ground = d.ground
+    s = Sketch(ax, ground, plane="xz")
+    O, A, P = ground.point("O", 0, 0, 0), d.C, contact(d, g.r)
+    top, R = 1.75 * g.L, g.R
+    low = -0.35 * g.L
+    s.road([(R, 0, low), (R, 0, top)])
+    s.road([(-R, 0, top), (-R, 0, low)])
+    s.line((0, 0, low), (0, 0, top), style="centre")
+    s.ground(O, normal=ground.k)
+    s.rod(O, A)
+    s.disk(A, d.shaft.i, g.r, thickness=0.05 * g.r)
+    s.ball_joint(O)
+    s.arc(O, ground.k, A, label=r"$\theta$", radius=0.35 * g.L)
+    G = d.shaft.point("G", g.c, 0, 0)
+    s.dot(G)
+    s.dot(P)
+    s.dimension((0, 0, low), (-R, 0, low), label="R", offset=0)
+    s.dimension(O, A, label="L", offset=-0.5 * g.L)
+    s.dimension(O, G, label="c", offset=-0.2 * g.L)
+    s.dimension(A, contact(d, -g.r), label="r", offset=-0.2 * g.L)
+    s.label(O, "O", offset=(-14, 6))
+    s.label(A, "A", offset=(12, 5))
+    s.label(P, "P", offset=(12, 0))
+    s.label(G, "G", offset=(-12, 8))
