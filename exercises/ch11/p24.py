@@ -1,0 +1,132 @@
+"""11/24: a pendulum made of a rod and a bob, let go."""
+
+from mpmath import mp, mpf
+
+from exercises import proofs
+from exercises.steps import Step
+from newton_euler import Frame, cos, particle, sin
+from newton_euler.bodies import rod
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import speed_after, weight_potential
+
+
+def scene(g, theta):
+    """Ground, the hinge, rod and bob at the angle theta from the downward vertical."""
+    ground = Frame("ground")
+    hanging = ground.rotate("pendulum", "-y", angle=theta)
+    bar = rod(g.l, hanging.point("G", 0, 0, -g.l / 2), "z", mass=g.m)
+    bob = particle(2 * g.m, hanging.point("B", 0, 0, -g.l))
+    return ground, hanging.origin, bar, bob
+
+
+def potentials(g, theta):
+    """Of rod and bob, zero at the level of the hinge."""
+    ground, _, *bodies = scene(g, theta)
+    return [weight_potential(b.mass, b.centre.position(ground).z, g.g) for b in bodies]
+
+
+def losses(g):
+    """What rod and bob lose of it on the way down."""
+    pairs = zip(potentials(g, g.theta_A), potentials(g, 0), strict=True)
+    return [start - end for start, end in pairs]
+
+
+def moments(g):
+    """The moments of inertia of rod and bob about the hinge."""
+    _, O, *bodies = scene(g, 0)
+    return [b.about(O).moment("y") for b in bodies]
+
+
+def speed(g, T, I):
+    """Of the bob, where the pendulum with this moment of inertia has the kinetic energy T."""
+    return speed_after(0, T, I / g.l**2)
+
+
+def solve(g):
+    T = sum(losses(g))
+    return {"T": T, "v_bob": speed(g, T, sum(moments(g)))}
+
+
+follows = {"v_bob": lambda g, T: speed(g, T, sum(moments(g)))}
+
+
+def steps(g):
+    rod_lost, bob_lost = losses(g)
+    of_rod, of_bob = moments(g)
+    yield Step("dV_rod", -rod_lost, "J", "change of the potential energy of the rod", "11.12",
+               "11.34")  # fmt: skip
+    yield Step("dV_bob", -bob_lost, "J", "change of the potential energy of the bob", "11.12",
+               "11.34")  # fmt: skip
+    yield Step("I_rod", of_rod, "kg*m^2", "moment of inertia of the rod about the hinge O", "7.10")
+    yield Step("I_O", of_rod + of_bob, "kg*m^2",
+               "moment of inertia of rod and bob about O; $T = I_O v_{bob}^2/(2 l^2)$",
+               "11.17", "11.53")  # fmt: skip
+
+
+def prove(g):
+    """The motion from the release, with the moment that the mass points need equal to that of
+    their weights.
+    """
+    along = [(share, [g.l * (p[0] + mpf(1) / 2), 0, 0]) for share, p in proofs.box(1, 0, 0)]
+    # x downward; the rod is one third of the whole mass
+    points = [(share / 3, p) for share, p in along] + [(mpf(2) / 3, [g.l, 0, 0])]
+    whole = 3 * g.m
+
+    def turned(angle):
+        return lambda t: [(s, proofs.times(proofs.rot("z", angle(t)), p)) for s, p in points]
+
+    def moment_of_weights(theta):
+        weights = [proofs.cross(p, [g.g, 0, 0])[2] for _, p in turned(lambda t: theta)(0)]
+        return whole * sum(s * w for (s, _), w in zip(points, weights, strict=True))
+
+    needed = proofs.moment_needed(whole, turned(lambda t: t * t / 2))[2]  # for 1 rad/s^2
+    start = [g.theta_A, mpf(0)]
+    _, (_, rate) = proofs.until(
+        lambda s: [s[1], moment_of_weights(s[0]) / needed],
+        start,
+        lambda s: s[0],
+        mp.sqrt(g.l / g.g) / 2,
+    )
+    return {
+        "T": proofs.kinetic_energy(whole, turned(lambda t: rate * t)),
+        "v_bob": proofs.size(proofs.rate(lambda t: turned(lambda t: rate * t)(t)[-1][1])),
+        "I_O": needed,
+        "I_rod": g.m * proofs.mean(lambda p: p[0] ** 2, along),
+    }
+
+
+def mistakes(g):
+    right, (of_rod, of_bob) = solve(g)["T"], moments(g)
+    both = 3 * g.m * g.g * g.l * (1 - cos(g.theta_A))
+    _, _, bar, _ = scene(g, 0)
+    bob_lost = losses(g)[1]
+    return {
+        "rod_falls_with_bob": {"T": both, "v_bob": speed(g, both, of_rod + of_bob)},
+        "rod_at_rest": {"v_bob": speed(g, right, of_bob)},
+        "about_centre": {"v_bob": speed(g, right, bar.inertia.moment("y") + of_bob)},
+        "bob_alone": {"v_bob": speed(g, bob_lost, of_bob)},
+    }
+
+
+def draw(g, ax):
+    ground, O, _, bob = scene(g, g.theta_A)
+    s = Sketch(ax, ground, plane="xz")
+    A, lowest = bob.centre, (0, 0, -g.l)
+    s.road([(0.1 * g.l, 0, 0), (-0.3 * g.l, 0, 0)])
+    s.line(O, lowest)
+    s.ring(lowest, ground.j, 0.05 * g.l)
+    s.path(s.around(O, A, ground.j, g.theta_A), style="dashed")
+    s.rod(O, A)
+    s.hinge(O)
+    s.sphere(A, 0.05 * g.l)
+    s.arc(O, -ground.k, A, label=r"$\theta_A$")
+    s.dimension(O, A, label="l")
+    s.label(O, "O", offset=(-12, -14))
+    s.label(A, "A", offset=(26, 9))
+    s.label(A, "2m", offset=(28, -9), bold=False)
+    s.label(
+        (0.4 * g.l * sin(g.theta_A), 0, -0.4 * g.l * cos(g.theta_A)),
+        "m",
+        offset=(-4, -14),
+        bold=False,
+    )
