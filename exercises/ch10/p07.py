@@ -43,7 +43,8 @@ def solve(g):
 def steps(g):
     yield Step("I", g.m * g.k**2, "kg*m^2", "moment of inertia of the spinning parts about the "
                "spin axis", "10.5", "10.17")  # fmt: skip
-    yield Step("M_X", gyroscopic_moment(g), "N*m", "moment about X, where Y is up and Z "
+    yield Step("M_X", gyroscopic_moment(g), "N*m",
+               r"moment about $\mathbf{X} = \mathbf{Y} \times \mathbf{Z}$, Y up and Z "
                r"towards the fan: $I \Omega p$ in the direction of $\mathbf{Y} \times -\mathbf{Z}$",
                "10.9", "10.38")  # fmt: skip
     yield Step("M_fan", -moment_of_block(g, g.b_0), "N*m", "moment of the weight of the fan about "
