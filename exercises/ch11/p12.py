@@ -1,0 +1,101 @@
+"""11/12: a collar on a half hoop in a horizontal plane, pulled by a spring from above it."""
+
+from mpmath import mp
+
+from exercises.devices.spring_to_pin import pull
+from exercises.proofs import minus, size, speed_along
+from exercises.steps import Step
+from newton_euler import Frame, pi
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import speed_after, spring_between, spring_potential, weight_potential
+
+
+def scene(g):
+    """The ground with y up, and the points."""
+    ground = Frame("ground")
+    places = {"A": (-g.r, 0, 0), "B": (0, 0, g.r), "C": (g.r, 0, 0), "D": (g.x_D, g.y_D, g.z_D)}
+    return ground, {name: ground.point(name, *place) for name, place in places.items()}
+
+
+def length(g, name):
+    """Of the spring, with the collar at A, B or C."""
+    _, points = scene(g)
+    return (points[name] - points["D"]).norm()
+
+
+def energy(g, name):
+    """Of the spring."""
+    _, points = scene(g)
+    return spring_between(g.k, g.l_0, points["D"], points[name])
+
+
+def work(g, name):
+    """Of the spring, from A."""
+    return energy(g, "A") - energy(g, name)
+
+
+def speeds(g, U_B, U_C):
+    """After these works."""
+    return {"v_B": speed_after(0, U_B, g.m), "v_C": speed_after(0, U_C, g.m)}
+
+
+def solve(g):
+    return speeds(g, work(g, "B"), work(g, "C"))
+
+
+def steps(g):
+    for name in "ABC":
+        l = length(g, name)
+        yield Step(f"l_{name}", l, "mm", f"length of the spring with the collar at {name}", "11.12")
+        yield Step(f"V_{name}", energy(g, name), "J",
+                   f"potential energy of the spring with the collar at {name}, stretched by "
+                   f"l_{name} - l_0", "11.12", "11.35")  # fmt: skip
+
+
+def prove(g):
+    """The pull of the spring, added up along the rod."""
+
+    def rod(phi):
+        return [-g.r * mp.cos(phi), 0, g.r * mp.sin(phi)]
+
+    D = [g.x_D, g.y_D, g.z_D]
+    spring = pull(g.k, g.l_0, D)
+    v_B = speed_along(g.m, spring, rod, 0, mp.pi / 2)
+    v_C = speed_along(g.m, spring, rod, mp.pi / 2, mp.pi, v_B)
+    places = {"l_A": rod(0), "l_B": rod(mp.pi / 2), "l_C": rod(mp.pi)}
+    return {"v_B": v_B, "v_C": v_C} | {key: size(minus(D, P)) for key, P in places.items()}
+
+
+def mistakes(g):
+    uphill = weight_potential(g.m, g.r, g.g)
+    U_B, U_C = work(g, "B"), work(g, "C")
+    changes = [length(g, "A") - length(g, name) for name in "BC"]
+    return {
+        "no_free_length": solve(g.but(l_0=0 * g.l_0)),
+        "flat": solve(g.but(y_D=0 * g.y_D)),
+        "z_up": {"v_B": speeds(g, U_B - uphill, U_C)["v_B"]},
+        "change_of_length": speeds(g, *(spring_potential(g.k, x) for x in changes)),
+    }
+
+
+def draw(g, ax):
+    ground, points = scene(g)
+    s = Sketch(ax, ground, azimuth=30, elevation=22, up="y")
+    O = ground.origin
+    A, B, C, D = (points[name] for name in "ABCD")
+    s.wire([*s.around((0, 0, 0), (-g.r, 0, 0), ground.j, pi(g.r)), (g.r, 0, 0)])
+    s.axes(O, ground, length=0.5 * g.r)
+    s.spring(D, A)
+    s.sphere(A, 0.06 * g.r)
+    for place in (O, B, C, D):
+        s.dot(place)
+    below = (g.x_D, 0, g.z_D)
+    s.line(O, (g.x_D, 0, 0))
+    s.dimension((g.x_D, 0, 0), below, label="$z_D$", offset=0)
+    s.dimension(below, D, label="$y_D$", offset=0)
+    s.dimension(O, (g.x_D, 0, 0), label="$x_D$", offset=0.5 * g.r)
+    s.label(O, "O", offset=(-14, 8))
+    s.label(A, "A", offset=(-20, 8))
+    s.label(B, "B", offset=(0, -16))
+    s.label(C, "C", offset=(-12, 14))
+    s.label(D, "D", offset=(14, 6))
