@@ -1,0 +1,202 @@
+"""11/13: when a force field has a potential: the linear field."""
+
+from itertools import pairwise
+
+from mpmath import mpf
+
+from exercises.proofs import box, freedom, gradient, mean, plus, rate, scaled
+from exercises.steps import Step
+from newton_euler import Frame, integral, work_along
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import conservative_force, curl, degrees_of_freedom
+
+NAMES = [f"g_{n}{m}" for n in "xyz" for m in "xyz"]
+
+
+def linear(coefficients):
+    """The field with these nine coefficients, row by row."""
+
+    def force(*place):
+        rows = (coefficients[n : n + 3] for n in (0, 3, 6))
+        return tuple(sum(c * q for c, q in zip(row, place, strict=True)) for row in rows)
+
+    return force
+
+
+def field(g):
+    return linear([getattr(g, name) for name in NAMES])
+
+
+def edge(start, end):
+    """The way between two places as a function of a number from 0 to 1."""
+    return lambda s: tuple(p + s * (q - p) for p, q in zip(start, end, strict=True))
+
+
+def corners(g):
+    none = 0 * g.a
+    return [(none, none, none), (g.a, none, none), (g.a, g.b, none), (none, g.b, none)]
+
+
+def work(g, start, end):
+    return work_along(field(g), edge(start, end), 0, 1).value
+
+
+def round_trip(g, places):
+    """The works along the sides, with the way back to the first place."""
+    return [work(g, P, Q) for P, Q in pairwise([*places, places[0]])]
+
+
+def candidate(g):
+    """Minus the work along the segment, as a function of the place."""
+    F = field(g)
+
+    def V(*place):
+        def along(s):
+            return sum(f * q for f, q in zip(F(*(s * q for q in place)), place, strict=True))
+
+        return -integral(along, 0, 1)
+
+    return V
+
+
+def answers(g, V):
+    """V, and how far its slope is from -F_x."""
+    P = Frame("axes").point("P", g.x, g.y, g.z)
+    slope = -conservative_force(V, P).x
+    return {"V": V(g.x, g.y, g.z), "mismatch_x": slope + field(g)(g.x, g.y, g.z)[0]}
+
+
+def conditions(vanishing):
+    """The number of independent conditions among these, functions of the nine coefficients."""
+    return degrees_of_freedom({"field": len(NAMES)}, {"all": vanishing}).rank
+
+
+def cross_derivatives(field):
+    """The curl, as a sum of those of the nine fields with one coefficient each."""
+    units = ([float(n == m) for m in range(9)] for n in range(9))
+    curls = [curl(linear(unit), (1.0, 2.0, 3.0)) for unit in units]
+    columns = zip(*curls, strict=True)
+    return tuple(sum(c * x for c, x in zip(field, col, strict=True)) for col in columns)
+
+
+def solve(g):
+    return {
+        "W_loop": sum(round_trip(g, corners(g))),
+        **answers(g, candidate(g)),
+        "conditions": lambda: conditions(cross_derivatives),
+    }
+
+
+def steps(g):
+    sides = "from (0, 0, 0)", "from (a, 0, 0)", "from (a, b, 0)", "from (0, b, 0)"
+    for n, (U, side) in enumerate(zip(round_trip(g, corners(g)), sides, strict=True), 1):
+        yield Step(f"W_{n}", U, "J", f"work of F along the side of the rectangle that starts "
+                   f"{side}", "11.3", "11.5")  # fmt: skip
+    P = Frame("axes").point("P", g.x, g.y, g.z)
+    slope = -conservative_force(candidate(g), P).x
+    yield Step("dV_dx", slope, "N", "derivative of V with respect to x", "11.9", "11.18")
+
+
+def prove(g):
+    """The mean of the circulation in the rectangle; the mean of the work over the segment; slopes
+    along slanted lines; and the fields that have a potential, counted.
+    """
+    coefficients = [getattr(g, name) for name in NAMES]
+
+    def F(r):
+        return [
+            sum(c * q for c, q in zip(coefficients[n : n + 3], r, strict=True)) for n in (0, 3, 6)
+        ]
+
+    def circulation(r):
+        """Round a place, for the unit of area."""
+        to_y = rate(lambda t: F(plus(r, [t, 0, 0])))[1]
+        return to_y - rate(lambda t: F(plus(r, [0, t, 0])))[0]
+
+    middle = [g.a / 2, g.b / 2, 0]
+    inside = box(g.a, g.b, 0, order=2)
+    W = g.a * g.b * mean(lambda r: circulation(plus(r, middle)), inside)
+
+    def V(*r):
+        def push(q):  # along the segment, q[0] from -1/2 to 1/2
+            return sum(f * x for f, x in zip(F(scaled(q[0] + mpf("0.5"), r)), r, strict=True))
+
+        return -mean(push, box(1, 0, 0, order=2))
+
+    place = [g.x, g.y, g.z]
+    slope = gradient(V, place)[0]
+
+    def forces(*c):
+        """Of the potential with these coefficients, at three places."""
+
+        def quadratic(x, y, z):
+            terms = (x * x, y * y, z * z, x * y, y * z, z * x)
+            return sum(a * b for a, b in zip(c, terms, strict=True))
+
+        places = ([1, 0, 0], [0, 1, 0], [0, 0, 1])
+        return [x for at in places for x in gradient(quadratic, at)]
+
+    with_potential = freedom(forces, *map(mpf, (3, 1, 4, 1, 5, 9)))
+    return {
+        "W_loop": W,
+        "V": V(*place),
+        "mismatch_x": slope + F(place)[0],
+        "conditions": len(NAMES) - with_potential,
+        "dV_dx": slope,
+    }
+
+
+def mistakes(g):
+    F = field(g)
+
+    def along_axes(x, y, z):
+        none = 0 * g.x
+        ways = (
+            lambda s: F(s * x, none, none)[0] * x,
+            lambda s: F(none, s * y, none)[1] * y,
+            lambda s: F(none, none, s * z)[2] * z,
+        )
+        return -sum(integral(way, 0, 1) for way in ways)
+
+    def along_edges(x, y, z):
+        none = 0 * g.x
+        ways = (
+            lambda s: F(s * x, none, none)[0] * x,
+            lambda s: F(x, s * y, none)[1] * y,
+            lambda s: F(x, y, s * z)[2] * z,
+        )
+        return -sum(integral(way, 0, 1) for way in ways)
+
+    V = candidate(g)
+    count = conditions(cross_derivatives)
+    direct = conditions(
+        lambda field: (field[0] - field[4], field[4] - field[8], field[8] - field[0])
+    )
+    return {
+        "axes_alone": answers(g, along_axes),
+        "edges": answers(g, along_edges),
+        "opposite_sense": {"W_loop": sum(round_trip(g, corners(g)[::-1]))},
+        "plus_work": answers(g, lambda *place: -V(*place)),
+        "pairs_twice": {"conditions": 2 * count},
+        "direct_derivatives": {"conditions": direct},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=30, elevation=22)
+    O, P, foot = (0, 0, 0), (g.x, g.y, g.z), (g.x, g.y, 0)
+    s.axes(O, ground, length=1.35 * g.a)
+    places = corners(g)
+    for start, end in pairwise([*places, places[0]]):
+        half = tuple((p + q) / 2 for p, q in zip(start, end, strict=True))
+        s.arrow(start, half)
+        s.line(start, end, style="solid")
+    s.line(O, P, style="solid")
+    s.dot(P)
+    s.dot(O)
+    s.line(O, foot)
+    s.line(foot, P)
+    s.dimension(places[0], places[1], label="a", offset=-0.25 * g.b)
+    s.dimension(places[1], places[2], label="b", offset=-0.2 * g.b)
+    s.label(P, "(x, y, z)", offset=(14, 8), bold=False)

@@ -1,0 +1,95 @@
+"""11/14: a central force that grows with the cube of the distance: its test and its potential."""
+
+from exercises import proofs
+from exercises.proofs import gradient, rate
+from exercises.steps import Step
+from newton_euler import Frame, integral, work_along
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import jacobian
+
+
+def field(g):
+    """F as a function of the place."""
+
+    def force(*place):
+        square = sum(q * q for q in place)
+        return tuple(g.c * square * q for q in place)
+
+    return force
+
+
+def place(g):
+    return g.x, g.y, g.z
+
+
+def derivatives(g):
+    """One of each pair, and the other."""
+    J, axes = jacobian(field(g), place(g)), Frame("axes")
+    pairs = ((0, 1), (1, 2), (2, 0))
+    return axes.vector(*(J[n][m] for n, m in pairs)), axes.vector(*(J[m][n] for n, m in pairs))
+
+
+def solve(g):
+    def segment(s):
+        return tuple(s * q for q in place(g))
+
+    return {"cross": derivatives(g)[0], "V": -work_along(field(g), segment, 0, 1).value}
+
+
+def steps(g):
+    yield Step("others", derivatives(g)[1], "N/m", "the other one of each pair, dF_y/dx, dF_z/dy "
+               "and dF_x/dz; they are the same, so that F has a potential", "11.9")  # fmt: skip
+    F_r = sum(f * q for f, q in zip(field(g)(*place(g)), place(g), strict=True))
+    yield Step("F_r", F_r, "J", "F.r at the end of the segment from the origin; at its part s, "
+               "F.dr is s^3 ds times this", "11.9", "11.15")  # fmt: skip
+
+
+def prove(g):
+    """Slopes along slanted lines, and the work along a curve that is not the segment."""
+
+    def force(x, y, z):
+        r = proofs.size([x, y, z])
+        return [g.c * r**3 * q / r for q in (x, y, z)]
+
+    def curve(q):
+        return [g.x * q, g.y * q**2, g.z * q**3]
+
+    def work(q):
+        return sum(f * v for f, v in zip(force(*curve(q)), rate(curve, q), strict=True))
+
+    slopes = [gradient(lambda *r, n=n: force(*r)[n], place(g)) for n in range(3)]
+    pairs = ((0, 1), (1, 2), (2, 0))
+    return {
+        "cross": [slopes[n][m] for n, m in pairs],
+        "V": -proofs.integral(work, 0, 1),
+        "others": [slopes[m][n] for n, m in pairs],
+    }
+
+
+def mistakes(g):
+    F, (x, y, z), right = field(g), place(g), solve(g)
+    ways = (
+        lambda s: F(s * x, y, z)[0] * x,
+        lambda s: F(x, s * y, z)[1] * y,
+        lambda s: F(x, y, s * z)[2] * z,
+    )
+    return {
+        "plus_gradient": {"V": -right["V"]},
+        "adds_all_three": {"V": -sum(integral(way, 0, 1) for way in ways)},
+        "no_quarter": {"V": 4 * right["V"]},
+        "half_derivative": {"cross": right["cross"] / 2},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=30, elevation=22)
+    O, P, foot = (0, 0, 0), place(g), (g.x, g.y, 0)
+    s.axes(O, ground, length=0.8 * g.x)
+    s.line(O, P, style="solid")
+    s.line(O, foot)
+    s.line(foot, P)
+    s.dot(O)
+    s.dot(P)
+    s.vector(P, P, "$\\mathbf{F}$", kind="force")
+    s.label(P, "(x, y, z)", offset=(34, -6), bold=False)
