@@ -45,55 +45,26 @@ def integrate_batch(model, t0, t1, state, rtol, method, events, samples):
 
     if events:
         raise ModelError("events need one motion at a time; integrate each start by itself")
-    begun, size = perf_counter(), len(state)
-    values = {n: x for n, x in model.parameters.items() if getattr(x, "shape", ())}
-    try:
-        arrays = np.broadcast_arrays(*state, *values.values())
-    except ValueError as error:
-        given = [*zip(model.states, state, strict=True), *values.items()]
-        shapes = ", ".join(f"{n} {np.shape(x)}" for n, x in given)
-        raise ModelError(f"these arrays have lengths that do not fit together: {shapes}") from error
-    if arrays[0].ndim != 1:
-        raise ModelError(f"many motions need arrays of one dimension, got {arrays[0].shape}")
-    starts = np.array(arrays[:size], dtype=float)
-    parameters = dict(zip(values, arrays[size:], strict=True))
-    if not all(np.isfinite(a).all() for a in (starts, *arrays[size:])):
-        raise ModelError(f"starts and parameters of {model.name!r} must be finite numbers")
+    begun = perf_counter()
+    many = _many(model, state)
     if isinstance(samples, int):
         times = np.linspace(t0, t1, samples)
     else:
         times = np.array((t0, t1) if samples is None else samples, dtype=float)
+    count, used, calls = many.starts.shape[1], METHODS.get(method), 0
     system, exact = PreparedModel(model), METHODS["exact"]
-
-    def alone(n):
-        """The model of the motion of this number, and its start."""
-        values = {k: float(x[n]) for k, x in parameters.items()}
-        changed = model.changed(**values) if values else model
-        return prepared_model(changed), tuple(starts[:, n].tolist())
-
-    count = starts.shape[1]
-    found, errors = np.full((size, count, len(times)), np.nan), np.full(count, np.inf)
-    used, calls, refused = METHODS.get(method), 0, {}
     if method in ("auto", "exact") and not exact.unusable_because(system, t0):
         used, calls = exact, len(times)
-        columns = model.changed(**{n: x[:, None] for n, x in parameters.items()})
-        rows = PreparedModel(columns).function(model.exact)(times - t0, *starts[:, :, None])
-        for row, values in zip(found, rows, strict=True):
-            row[:] = values
-        ends = found[:, :, -1]
-        begins = np.array([*starts, *(parameters[n] for n in parameters)])
-        chosen, group = _representatives(begins, ends)
-        for place, n in enumerate(chosen.tolist()):
-            one, x0 = alone(n)
-            # those close to it are about as accurate
-            if within(one, t1 - t0, x0, tuple(ends[:, n].tolist()), rtol / SPARE):
-                errors[group == place] = rtol
+        found, errors = _exact(many, t0, t1, times, rtol)
     elif _by_series(system, method, count):
         used = usable("taylor", system)
-        found, errors, calls = _taylor(system, starts, parameters, t0, times, rtol)
+        found, errors, calls = _taylor(system, many.starts, many.parameters, t0, times, rtol)
+    else:
+        found, errors = _unknown(many.starts, times)
     # what is not as accurate as asked, one by one, with all care
+    refused = {}
     for n in np.flatnonzero(~(errors <= rtol)).tolist():
-        one, x0 = alone(n)
+        one, x0 = many.alone(n)
         try:
             motion = Run(one, t0, t1, x0, rtol, samples=times).by_name(method)
         except MotionError as error:
@@ -115,6 +86,70 @@ def integrate_batch(model, t0, t1, state, rtol, method, events, samples):
             motions,
         )
     return motions
+
+
+@dataclass(frozen=True, eq=False)
+class _Many:
+    """A model with its starts (states, motions) and those of its parameters that are arrays."""
+
+    model: object
+    starts: object
+    parameters: dict
+
+    def alone(self, n):
+        """The model of the motion of this number, and its start."""
+        values = {k: float(x[n]) for k, x in self.parameters.items()}
+        changed = self.model.changed(**values) if values else self.model
+        return prepared_model(changed), tuple(self.starts[:, n].tolist())
+
+
+def _many(model, state):
+    """The :class:`_Many` of a model and a start that fit together, or :class:`ModelError`."""
+    import numpy as np
+
+    size = len(state)
+    values = {n: x for n, x in model.parameters.items() if getattr(x, "shape", ())}
+    try:
+        arrays = np.broadcast_arrays(*state, *values.values())
+    except ValueError as error:
+        given = [*zip(model.states, state, strict=True), *values.items()]
+        shapes = ", ".join(f"{n} {np.shape(x)}" for n, x in given)
+        raise ModelError(f"these arrays have lengths that do not fit together: {shapes}") from error
+    if arrays[0].ndim != 1:
+        raise ModelError(f"many motions need arrays of one dimension, got {arrays[0].shape}")
+    starts = np.array(arrays[:size], dtype=float)
+    if not all(np.isfinite(a).all() for a in (starts, *arrays[size:])):
+        raise ModelError(f"starts and parameters of {model.name!r} must be finite numbers")
+    return _Many(model, starts, dict(zip(values, arrays[size:], strict=True)))
+
+
+def _exact(many, t0, t1, times, rtol):
+    """The states (states, motions, times) by the exact solution, and the errors: ``rtol`` is their
+    bound where the solution is as accurate, inf where it is not known to be.
+    """
+    import numpy as np
+
+    model, starts, parameters = many.model, many.starts, many.parameters
+    found, errors = _unknown(starts, times)
+    columns = model.changed(**{n: x[:, None] for n, x in parameters.items()})
+    rows = PreparedModel(columns).function(model.exact)(times - t0, *starts[:, :, None])
+    for row, values in zip(found, rows, strict=True):
+        row[:] = values
+    ends = found[:, :, -1]
+    chosen, group = _representatives(np.array([*starts, *parameters.values()]), ends)
+    for place, n in enumerate(chosen.tolist()):
+        one, x0 = many.alone(n)
+        # those close to it are about as accurate
+        if within(one, t1 - t0, x0, tuple(ends[:, n].tolist()), rtol / SPARE):
+            errors[group == place] = rtol
+    return found, errors
+
+
+def _unknown(starts, times):
+    """The states (states, motions, times), nan, and the errors, inf, before anything is known."""
+    import numpy as np
+
+    return np.full((*starts.shape, len(times)), np.nan), np.full(starts.shape[1], np.inf)
 
 
 def _by_series(system, method, count):
