@@ -85,15 +85,7 @@ def integrated(
     >>> round(half_disk.centre.position(half_disk.frame).y * math.pi, 9)  # 4 r/(3 pi)
     4.0
     """
-    if len(limits) not in (1, 2, 3):
-        raise MassError(
-            f"a curve has one parameter, a surface two, a volume three; {name} has limits for "
-            f"{len(limits)}"
-        )
-    if mass is None and density is None:
-        raise MassError(f"{name} needs mass=... or density=... (per length, area or volume)")
-    if mass is not None:
-        positive(mass, f"the mass of {name}")
+    _check_given(limits, mass, density, name)
     weigh = density if callable(density) else lambda x, y, z: 1 if density is None else density
     middle = _middle(position, limits, weigh, name)
     kinds = {_kind(x) for x in middle}
@@ -106,11 +98,7 @@ def integrated(
         else _of_any_kind(position, limits, weigh, name)
     )
     content, total, first, second = values[0], values[1], values[2:5], values[5:]
-    if is_numeric(total) and not is_positive(total):
-        raise MassError(
-            f"the mass of {name} comes out as {to_plain(total)}; it must be positive: look at the "
-            "limits and the density"
-        )
+    _check_mass(total, name)
     factor = 1 if mass is None else scalar(mass) / total
     m = total * factor
     d = [x / total for x in first]
@@ -124,6 +112,26 @@ def integrated(
     body = IntegratedBody(name, m, G, Inertia(about, moments, products, m, G, frame, None))
     body.content, body.error = content, error
     return body
+
+
+def _check_given(limits, mass, density, name):
+    if len(limits) not in (1, 2, 3):
+        raise MassError(
+            f"a curve has one parameter, a surface two, a volume three; {name} has limits for "
+            f"{len(limits)}"
+        )
+    if mass is None and density is None:
+        raise MassError(f"{name} needs mass=... or density=... (per length, area or volume)")
+    if mass is not None:
+        positive(mass, f"the mass of {name}")
+
+
+def _check_mass(found, name):
+    if is_numeric(found) and not is_positive(found):
+        raise MassError(
+            f"the mass of {name} comes out as {to_plain(found)}; it must be positive: look at the "
+            "limits and the density"
+        )
 
 
 def _tidy(x):
