@@ -11,7 +11,25 @@ import tempfile
 from importlib import import_module
 from pkgutil import walk_packages
 
+import matplotlib
+from matplotlib.figure import Figure
+
 import newton_euler
+from newton_euler import (
+    Body,
+    Force,
+    ForceSystem,
+    Frame,
+    Model,
+    algebra,
+    bodies,
+    drawing,
+    dynamics,
+    integrate,
+    moving,
+    scenes,
+)
+from newton_euler.classroom.forms import Form
 
 
 def valid_calls(functions):
@@ -72,30 +90,18 @@ def arguments(frame):
 
 def more_examples():
     """Calls of what no docstring calls."""
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from matplotlib.figure import Figure
-
-    from newton_euler import (
-        Body,
-        Force,
-        ForceSystem,
-        Frame,
-        Model,
-        algebra,
-        bodies,
-        drawing,
-        dynamics,
-        integrate,
-        moving,
-        scenes,
-    )
-    from newton_euler.classroom.forms import Form
-
     ground = Frame("ground")
     body = ground.rotate("body", "z", angle=0.3, rate=2.0)
-    C, D = body.point("C", 0.1, 0.2, 0.3), body.point("D", 1.0, 0.0, 0.5)
+    places = body.point("C", 0.1, 0.2, 0.3), body.point("D", 1.0, 0.0, 0.5)
+    solids(body, *places)
+    of_a_wheel(ground, body, *places)
+    scalars_and_vectors(ground)
+    forces_and_motions(ground, *places)
+    drawings(ground, body, *places)
+    Form.read("number, m").error("got nothing")
+
+
+def solids(body, C, D):
     round_, angled, two = {"centre": body}, {"half_angle": 0.6, "middle": body}, {"inner": 0.1}
     two |= {"outer": 0.2}
     for shape, lengths in {
@@ -114,6 +120,9 @@ def more_examples():
     }.items():  # fmt: skip
         getattr(bodies, shape)(**lengths, mass=2.0)
     bodies.simplex(C, D, mass=2.0, name="rod")
+
+
+def of_a_wheel(ground, body, C, D):
     wheel = Body("wheel", 2.0, body, (0.1, 0.08, 0.05))
     wheel.check()
     wheel.momentum(ground)
@@ -130,6 +139,9 @@ def more_examples():
     T = dynamics.kinetic_energy(wheel, ground)
     T.explain()
     T.without("rotation")
+
+
+def scalars_and_vectors(ground):
     length = algebra.Dimension(0, 1, 0)
     -length, abs(length), 1 / length, length.function("sqrt"), 2.0 ** algebra.Dimension()
     form = algebra.LinearForm(2.0, (1, 3.0))
@@ -147,6 +159,9 @@ def more_examples():
     arm = ground.rotate("arm", "z", rate=2.0)
     arm.point("P", moving(1.0, rate=3.0), 0, 0).acceleration(ground).without("coriolis")
 
+
+def forces_and_motions(ground, C, D):
+    v = ground.vector(1.0, 2.0, 2.0)
     load = Force(v, C, "load")
     system = ForceSystem([load])
     system + ForceSystem([Force(v, D, "other")])
@@ -162,10 +177,10 @@ def more_examples():
                              {"weight": lambda t: 9.81**2 * t})  # fmt: skip
     balance.heat()
 
-    def sketch():
-        return drawing.Sketch(Figure().add_subplot(), ground, plane="xz")
 
-    s = sketch()
+def drawings(ground, body, C, D):
+    matplotlib.use("Agg")
+    s = drawing.Sketch(Figure().add_subplot(), ground, plane="xz")
     s.axes(C, body)
     s.turn(C, body.k, "omega")
     s.ground(C, ground.k)
@@ -196,4 +211,3 @@ def more_examples():
     film.html()
     with tempfile.TemporaryDirectory() as folder:
         film.save(f"{folder}/film.gif")
-    Form.read("number, m").error("got nothing")

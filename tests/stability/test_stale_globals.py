@@ -56,129 +56,176 @@ def test_a_global_counts_as_it_is_when_the_model_is_integrated(method, again):
     assert model.derivative(START) == (0.0, -1.62)
 
 
-def ways_to_change():
-    """Functions of no argument that return a right-hand side with the acceleration 9.81, and one
-    that makes it 1.62.
+WAYS = []
+
+
+def way(make):
+    """A way to change what a right-hand side reads: a function of no argument that returns one with
+    the acceleration 9.81, and a function that makes it 1.62.
     """
+    WAYS.append(make)
+    return make
 
-    def of_global():
-        space = cell(FALL)
-        return space["rhs"], lambda: space.update(G=1.62)
 
-    def of_helper():
-        space = cell("def pull(): return -G\ndef rhs(s, p, t): return s.v, pull()")
-        return space["rhs"], lambda: space.update(G=1.62)
+@way
+def of_global():
+    space = cell(FALL)
+    return space["rhs"], lambda: space.update(G=1.62)
 
-    def of_new_helper():
-        space = cell("def pull(): return -9.81\ndef rhs(s, p, t): return s.v, pull()")
-        return space["rhs"], lambda: exec("def pull(): return -1.62", space)
 
-    def of_inner_function():
-        space = cell("def rhs(s, p, t):\n    pull = lambda: -G\n    return s.v, pull()")
-        return space["rhs"], lambda: space.update(G=1.62)
+@way
+def of_helper():
+    space = cell("def pull(): return -G\ndef rhs(s, p, t): return s.v, pull()")
+    return space["rhs"], lambda: space.update(G=1.62)
 
-    def of_closure():
+
+@way
+def of_new_helper():
+    space = cell("def pull(): return -9.81\ndef rhs(s, p, t): return s.v, pull()")
+    return space["rhs"], lambda: exec("def pull(): return -1.62", space)
+
+
+@way
+def of_inner_function():
+    space = cell("def rhs(s, p, t):\n    pull = lambda: -G\n    return s.v, pull()")
+    return space["rhs"], lambda: space.update(G=1.62)
+
+
+@way
+def of_closure():
+    g = 9.81
+
+    def change():
+        nonlocal g
+        g = 1.62
+
+    return lambda s, p, t: (s.v, -g), change
+
+
+@way
+def of_closed_helper():
+    space = cell("def make(f): return lambda s, p, t: (s.v, f())\ndef pull(): return -G")
+    return space["make"](space["pull"]), lambda: space.update(G=1.62)
+
+
+@way
+def of_mutable_default():
+    default = [9.81]
+    rhs = lambda s, p, t, g=default: (s.v, -g[0])
+    return rhs, lambda: default.__setitem__(0, 1.62)
+
+
+@way
+def of_default():
+    rhs = lambda s, p, t, g=9.81: (s.v, -g)
+    return rhs, lambda: setattr(rhs, "__defaults__", (1.62,))
+
+
+@way
+def of_keyword_default():
+    rhs = lambda s, p, t, *, g=9.81: (s.v, -g)
+    return rhs, lambda: rhs.__kwdefaults__.update(g=1.62)
+
+
+@way
+def of_attribute():
+    constants = SimpleNamespace(g=9.81)
+    return lambda s, p, t: (s.v, -constants.g), lambda: setattr(constants, "g", 1.62)
+
+
+@way
+def of_dict():
+    space = cell("def rhs(s, p, t): return s.v, -CONSTANTS['g']", CONSTANTS={"g": 9.81})
+    return space["rhs"], lambda: space["CONSTANTS"].update(g=1.62)
+
+
+@way
+def of_array():
+    g = np.array([9.81])
+    return lambda s, p, t: (s.v, -float(g[0])), lambda: g.fill(1.62)
+
+
+@way
+def of_class():
+    class Moon:
         g = 9.81
 
-        def change():
-            nonlocal g
-            g = 1.62
-
-        return lambda s, p, t: (s.v, -g), change
-
-    def of_closed_helper():
-        space = cell("def make(f): return lambda s, p, t: (s.v, f())\ndef pull(): return -G")
-        return space["make"](space["pull"]), lambda: space.update(G=1.62)
-
-    def of_mutable_default():
-        default = [9.81]
-        rhs = lambda s, p, t, g=default: (s.v, -g[0])
-        return rhs, lambda: default.__setitem__(0, 1.62)
-
-    def of_default():
-        rhs = lambda s, p, t, g=9.81: (s.v, -g)
-        return rhs, lambda: setattr(rhs, "__defaults__", (1.62,))
-
-    def of_keyword_default():
-        rhs = lambda s, p, t, *, g=9.81: (s.v, -g)
-        return rhs, lambda: rhs.__kwdefaults__.update(g=1.62)
-
-    def of_attribute():
-        constants = SimpleNamespace(g=9.81)
-        return lambda s, p, t: (s.v, -constants.g), lambda: setattr(constants, "g", 1.62)
-
-    def of_dict():
-        space = cell("def rhs(s, p, t): return s.v, -CONSTANTS['g']", CONSTANTS={"g": 9.81})
-        return space["rhs"], lambda: space["CONSTANTS"].update(g=1.62)
-
-    def of_array():
-        g = np.array([9.81])
-        return lambda s, p, t: (s.v, -float(g[0])), lambda: g.fill(1.62)
-
-    def of_class():
-        class Moon:
-            g = 9.81
-
-        return lambda s, p, t: (s.v, -Moon.g), lambda: setattr(Moon, "g", 1.62)
-
-    def of_module():
-        module = ModuleType("constants_of_a_user")
-        module.g = 9.81
-        space = cell("def rhs(s, p, t): return s.v, -constants.g", constants=module)
-        return space["rhs"], lambda: setattr(module, "g", 1.62)
-
-    def of_module_inside():
-        sys.modules["constants_inside"] = module = ModuleType("constants_inside")
-        module.g = 9.81
-        space = cell("def rhs(s, p, t):\n    from constants_inside import g\n    return s.v, -g")
-        return space["rhs"], lambda: setattr(module, "g", 1.62)
-
-    def of_method():
-        class Body:
-            g = 9.81
-
-            def rates(self, s, p, t):
-                return s.v, -self.g
-
-        body = Body()
-        return body.rates, lambda: setattr(body, "g", 1.62)
-
-    def of_object():
-        class Rates:
-            g = 9.81
-            __hash__ = None
-
-            def __call__(self, s, p, t):
-                return s.v, -self.g
-
-        rates = Rates()
-        return rates, lambda: setattr(rates, "g", 1.62)
-
-    def of_partial():
-        space = cell("def rates(k, s, p, t): return s.v, -k*G")
-        return partial(space["rates"], 1.0), lambda: space.update(G=1.62)
-
-    def of_code():
-        rhs, other = cell(FALL)["rhs"], cell("def rhs(s, p, t): return s.v, -1.62")["rhs"]
-        return rhs, lambda: setattr(rhs, "__code__", other.__code__)
-
-    def of_name_that_comes():
-        space = cell("def rhs(s, p, t): return s.v, -9.81*abs(1)")
-        return space["rhs"], lambda: space.update(abs=lambda x: 1.62 / 9.81)
-
-    def of_eval():
-        space = cell("def rhs(s, p, t): return s.v, -eval('G')")
-        return space["rhs"], lambda: space.update(G=1.62)
-
-    def of_engine_closure():
-        space = cell("def pull(s, p, t): return (-G,)")
-        rhs = second_order("fall", {}, ("h",), space["pull"]).rhs
-        return lambda s, p, t: rhs(SimpleNamespace(dh=s.v), p, t), lambda: space.update(G=1.62)
-
-    return [make for name, make in locals().items()]
+    return lambda s, p, t: (s.v, -Moon.g), lambda: setattr(Moon, "g", 1.62)
 
 
-@pytest.mark.parametrize("make", ways_to_change(), ids=lambda f: f.__name__)
+@way
+def of_module():
+    module = ModuleType("constants_of_a_user")
+    module.g = 9.81
+    space = cell("def rhs(s, p, t): return s.v, -constants.g", constants=module)
+    return space["rhs"], lambda: setattr(module, "g", 1.62)
+
+
+@way
+def of_module_inside():
+    sys.modules["constants_inside"] = module = ModuleType("constants_inside")
+    module.g = 9.81
+    space = cell("def rhs(s, p, t):\n    from constants_inside import g\n    return s.v, -g")
+    return space["rhs"], lambda: setattr(module, "g", 1.62)
+
+
+@way
+def of_method():
+    class Body:
+        g = 9.81
+
+        def rates(self, s, p, t):
+            return s.v, -self.g
+
+    body = Body()
+    return body.rates, lambda: setattr(body, "g", 1.62)
+
+
+@way
+def of_object():
+    class Rates:
+        g = 9.81
+        __hash__ = None
+
+        def __call__(self, s, p, t):
+            return s.v, -self.g
+
+    rates = Rates()
+    return rates, lambda: setattr(rates, "g", 1.62)
+
+
+@way
+def of_partial():
+    space = cell("def rates(k, s, p, t): return s.v, -k*G")
+    return partial(space["rates"], 1.0), lambda: space.update(G=1.62)
+
+
+@way
+def of_code():
+    rhs, other = cell(FALL)["rhs"], cell("def rhs(s, p, t): return s.v, -1.62")["rhs"]
+    return rhs, lambda: setattr(rhs, "__code__", other.__code__)
+
+
+@way
+def of_name_that_comes():
+    space = cell("def rhs(s, p, t): return s.v, -9.81*abs(1)")
+    return space["rhs"], lambda: space.update(abs=lambda x: 1.62 / 9.81)
+
+
+@way
+def of_eval():
+    space = cell("def rhs(s, p, t): return s.v, -eval('G')")
+    return space["rhs"], lambda: space.update(G=1.62)
+
+
+@way
+def of_engine_closure():
+    space = cell("def pull(s, p, t): return (-G,)")
+    rhs = second_order("fall", {}, ("h",), space["pull"]).rhs
+    return lambda s, p, t: rhs(SimpleNamespace(dh=s.v), p, t), lambda: space.update(G=1.62)
+
+
+@pytest.mark.parametrize("make", WAYS, ids=lambda f: f.__name__)
 @pytest.mark.parametrize("ran_before", [True, False])
 def test_whatever_a_right_hand_side_reads_it_is_not_stale(make, ran_before):
     """The motion after the change is the same, bit for bit, whether or not one ran before it."""
