@@ -3,15 +3,17 @@ where its YAML says so under ``checked``.
 """
 
 import random
+from functools import cache
 
 import mpmath
 import numpy as np
 import pytest
 import sympy
 
-from exercises.catalogue import SYMBOLIC, chapters, problems, reading, select
+from exercises.catalogue import SYMBOLIC, chapters, problem, problems, reading, select
 from exercises.checks import check, values
 from exercises.variants import flat, symbol_values
+from newton_euler import Frame, Vector
 from newton_euler.classroom.forms import WORDS
 
 PROBLEMS = select(["all"])
@@ -32,12 +34,41 @@ def test_every_code_has_its_text_and_every_text_its_code(name):
     }
 
 
+def without_the_engine(prove):
+    """The proof, which fails where it makes a frame or a vector of the engine."""
+
+    def forbidden(*_, **__):
+        raise AssertionError("the proof makes a frame or a vector of the engine")
+
+    def alone(g):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(Frame, "__init__", forbidden)
+            patch.setattr(Vector, "__init__", forbidden)
+            return prove(g)
+
+    return alone
+
+
 @pytest.mark.parametrize("p", PROBLEMS, ids=lambda p: f"{named(p)}_holds")
-def test_problem(p):
-    """Solved and proved alike in floats and in 50 digits, right in its units, and every mistake
-    away from the key.
+def test_problem(p, monkeypatch):
+    """Solved and proved alike in floats and in 50 digits, the proof without the engine; right in
+    its units, and every mistake away from the key.
     """
+    # the code first: a module may make its axes when it is loaded
+    monkeypatch.setattr(p.code, "prove", without_the_engine(p.code.prove))
     assert check(p, seeds=2) == []
+
+
+def test_a_proof_by_the_engine_is_refused(monkeypatch):
+    p = problem("4/16")
+    monkeypatch.setattr(p.code, "prove", without_the_engine(p.code.solve))
+    with pytest.raises(AssertionError, match="the proof makes a frame"):
+        check(p)
+
+
+@cache
+def formulas(p):
+    return p.formulas()
 
 
 @by_id
@@ -68,7 +99,7 @@ def test_solve_keeps_the_digits_of_mpmath_numbers(p):
 
 @pytest.mark.parametrize("p", [p for p in PROBLEMS if p.symbolic], ids=named)
 def test_formulas_are_exact_and_short(p):
-    for key, answer in p.formulas().items():
+    for key, answer in formulas(p).items():
         if p.answer(key).kind not in SYMBOLIC:
             continue
         for x in map(sympy.sympify, flat(answer)):
@@ -90,7 +121,7 @@ def is_the_same(p, x, y):
 @pytest.mark.parametrize(("p", "key"), CHECKED, ids=[f"{named(p)}-{key}" for p, key in CHECKED])
 def test_answer_is_the_one_found_by_hand(p, key):
     """For the numbers of the book, or as a formula in the symbols of the text."""
-    kind, found, by_hand = p.answer(key).kind, flat(p.formulas()[key]), flat(p.checked[key])
+    kind, found, by_hand = p.answer(key).kind, flat(formulas(p)[key]), flat(p.checked[key])
     if kind in WORDS:
         assert found == by_hand
         return

@@ -50,7 +50,6 @@ def test_the_terms_of_polar_components_are_said_in_words():
 def test_the_terms_among_the_steps_add_up_to_the_answers(p):
     values = {**draw(p, b"steps"), **p.sympy_symbols()}
     answers, found = p.solve(values), steps(p, values)
-    assert faults(p, values) == []
     for key, answer in answers.items():
         own = [s.value for s in found if s.term and s.key.startswith(f"{key}_")]
         if not (own and getattr(answer, "terms", None)):

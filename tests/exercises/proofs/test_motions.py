@@ -1,27 +1,10 @@
-"""Explicit motions differentiated, and that the proofs owe nothing to the engine."""
+"""Explicit motions differentiated."""
 
-import pytest
 from mpmath import mp, mpf
 
-from exercises.catalogue import select
-from exercises.checks import values
 from exercises.proofs.motions import angular_acceleration, angular_velocity, rate, second_rate, spun
 from exercises.proofs.vectors import cross, plus, rot, scaled, times, transposed
-from newton_euler import Frame, Vector
 from tests.exercises.proofs.near import near
-
-
-@pytest.mark.parametrize("p", select(["all"]), ids=lambda p: p.id.replace("/", "_"))
-def test_proof_does_without_the_engine(p, monkeypatch):
-    g = p.base({n: mpf(repr(float(v))) for n, v in values(p, 1).items()})
-    prove = p.code.prove  # a module may make its axes when it is loaded
-
-    def forbidden(*_, **__):
-        raise AssertionError("the proof makes a frame or a vector of the engine")
-
-    monkeypatch.setattr(Frame, "__init__", forbidden)
-    monkeypatch.setattr(Vector, "__init__", forbidden)
-    assert list(prove(g))[: len(p.answers)] == [a.key for a in p.answers]
 
 
 def test_rates_of_numbers_vectors_and_matrices_are_good_to_thirty_digits():
