@@ -66,7 +66,10 @@ def solve(g):
     return answers(g, lambda r: turning(g, r))
 
 
-follows = {"v_theta": lambda g, omega_B: g.r_B * omega_B}
+follows = {
+    "v_r": lambda g, omega_B: sqrt(speed(g) ** 2 - (g.r_B * omega_B) ** 2),
+    "v_theta": lambda g, omega_B: g.r_B * omega_B,
+}
 
 
 def steps(g):

@@ -35,7 +35,8 @@ follows = {"ratio": lambda g, T_outer, T_inner: T_outer / T_inner}
 
 
 def spin(d):
-    return d.body.angular_velocity(d.shaft).norm()
+    """Inward, as the shaft turns about the upward vertical."""
+    return -d.body.angular_velocity(d.shaft).x
 
 
 def steps(g):

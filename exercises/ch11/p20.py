@@ -6,7 +6,7 @@ from exercises import proofs
 from exercises.devices.disk_on_shaft import carried, contact, rolling, spinning, unrolled
 from exercises.proofs import angular_velocity, plus, rate, rot, size, times
 from exercises.steps import Step
-from newton_euler import Body, acos, atan, cos, kinetic_energy, pi, sin, sqrt
+from newton_euler import Body, acos, asin, atan, cos, kinetic_energy, pi, sin, sqrt
 from newton_euler.drawing import Sketch
 
 
@@ -26,7 +26,7 @@ def rise(g):
 
 
 def leaning(g):
-    return pi(g.one) / 2 - sum(rise(g))
+    return asin(g.R / distance(g)) - atan(g.r / g.L)
 
 
 def rolls(g):

@@ -13,87 +13,102 @@ from exercises.devices.disk_on_shaft import (
 )
 from exercises.proofs import angular_velocity, rot, size, times
 from exercises.steps import Step
-from newton_euler import Body, atan2, kinetic_energy, solve_rates
+from newton_euler import Body, atan, kinetic_energy, solve_rates
 from newton_euler.bodies import disk
 from newton_euler.drawing import Sketch
-from newton_euler.dynamics import kinetic_energy_about
 
 
-def rise(g):
-    """The angle of the shaft above the plane: in the triangle D, C, P the right angle is at C."""
-    return atan2(g.a, g.b)
+def shaft(g):
+    """In the triangle D, C, P the right angle is at C. The spin does not matter for the place."""
+    return spinning(g.n, 0 * g.n, g.b, atan(g.a / g.b))
 
 
-def rolls(g):
-    """The joint D and the point of contact are at rest, and so is the line through both: the disk
-    turns about it, and its angular velocity is level.
+def rate(g, d):
+    """The disk turns about the level line from the point of contact to the joint D, which are at
+    rest: so fast that C is carried round as the shaft does it.
     """
 
-    def upward(spin):
-        d = spinning(g.n, spin, g.b, rise(g))
-        return g.n + d.body.angular_velocity(d.shaft).expressed_in(d.ground).z
+    def unlike(rate):
+        omega = rate * -d.ground.i
+        return (omega - g.n * d.ground.k).cross(d.C.position(d.ground)).y
 
-    (spin,) = solve_rates(upward, 1)
-    return spinning(g.n, spin, g.b, rise(g))
-
-
-def joint(d):
-    return d.shaft.point("D", 0, 0, 0)
+    (found,) = solve_rates(unlike, 1)
+    return found
 
 
-def energy(g, d):
-    """About D, which is at rest."""
-    body = disk(g.a, d.body, "x", mass=g.M)
-    return kinetic_energy_about(body, joint(d), d.ground).value
+def turning(g, d):
+    """The angular velocity of the disk."""
+    return (rate(g, d) * -d.ground.i).expressed_in(d.shaft)
+
+
+def about_D(body, d):
+    """The inertia of the body, along the shaft and across."""
+    return body.about(d.shaft.point("D", 0, 0, 0), d.shaft)
+
+
+def inertia(g, d):
+    return about_D(disk(g.a, d.body, "x", mass=g.M), d)
+
+
+def energy(I, omega):
+    return omega.dot(I.times(omega)) / 2
 
 
 def solve(g):
-    return {"T": energy(g, rolls(g))}
+    d = shaft(g)
+    return {"T": energy(inertia(g, d), turning(g, d))}
 
 
 def steps(g):
-    d = rolls(g)
-    body = disk(g.a, d.body, "x", mass=g.M)
-    about_D = body.about(joint(d))
-    omega = d.body.angular_velocity(d.ground).expressed_in(d.shaft)
-    yield Step("beta", rise(g), "rad", "angle of the shaft above the plane, tan(beta) = a/b", "4.4")
-    yield Step("omega_s", d.body.angular_velocity(d.shaft).norm(), "rad/s",
-               "rate of the disk relative to the vertical plane of the shaft, so that its "
-               "angular velocity is level", "4.9",
-               "4.22")  # fmt: skip
-    yield Step("omega", omega.norm(), "rad/s", "angular speed of the disk, about the level line "
-               "from D to the point of contact, both of which are at rest", "4.4",
-               "4.11")  # fmt: skip
-    yield Step("I_a", about_D.moment("x"), "kg*m^2", "moment of inertia about the shaft", "7.4",
+    d = shaft(g)
+    omega, I = turning(g, d), inertia(g, d)
+    yield Step("omega", rate(g, d), "rad/s", "angular speed of the disk, about the level line from "
+               "the point of contact to D, both of which are at rest", "4.4", "4.11")  # fmt: skip
+    yield Step(
+        "omega_a",
+        -omega.x,
+        "rad/s",
+        "component of the angular velocity along the shaft, from C to D",
+        "11.16",
+    )
+    yield Step("omega_t", omega.z, "rad/s", "component at right angles to the shaft", "11.16")
+    yield Step("I_a", I.moment("x"), "kg*m^2", "moment of inertia about the shaft", "7.4",
                "7.10")  # fmt: skip
-    yield Step("I_t", about_D.moment("y"), "kg*m^2", "moment of inertia about an axis through D "
-               "at right angles to the shaft", "7.10", "7.26")  # fmt: skip
+    yield Step("I_t", I.moment("y"), "kg*m^2", "moment of inertia about an axis through D at "
+               "right angles to the shaft", "7.10", "7.26")  # fmt: skip
 
 
 def prove(g):
     """The rim unrolls along the circle of the points of contact, whose radius is DP."""
     up = mp.acos(g.b / mp.hypot(g.a, g.b))
     spin = unrolled(g.n, g.a, g.b * mp.cos(up) + g.a * mp.sin(up))
-    turning = angular_velocity(
-        lambda t: times(rot("z", g.n * t), rot("y", -up), rot("x", spin * t))
-    )
+
+    def turned(t):
+        return times(rot("z", g.n * t), rot("y", -up), rot("x", spin * t))
+
+    omega = angular_velocity(turned)
+    along, _, across = times(rot("y", up), omega)
     return {
         "T": energy_of_disk(g.M, g.a, g.n, spin, g.b, up),
-        "omega_s": abs(spin),
-        "omega": size(turning),
+        "omega": size(omega),
+        "omega_a": -along,
+        "omega_t": across,
     }
 
 
 def mistakes(g):
-    d = rolls(g)
+    d = shaft(g)
     body = disk(g.a, d.body, "x", mass=g.M)
     axial = body.inertia.moment("x")
-    alike = kinetic_energy(Body("disk", g.M, d.body, (axial, axial, axial)), d.ground)
+    alike = Body("disk", g.M, d.body, (axial, axial, axial))
+    level = rolling(g.n, g.a, g.b)
     return {
-        "level_shaft": {"T": energy(g, rolling(g.n, g.a, g.b))},
-        "precession_alone": {"T": energy(g, spinning(g.n, 0 * g.n, g.b, rise(g)))},
-        "axial_for_diameter": {"T": alike.value},
-        "no_translation": {"T": kinetic_energy(body, d.ground).reweighted(translation=0)},
+        "level_shaft": {
+            "T": kinetic_energy(disk(g.a, level.body, "x", mass=g.M), level.ground).value
+        },
+        "precession_alone": {"T": kinetic_energy(body, d.ground).value},
+        "axial_for_diameter": {"T": energy(about_D(alike, d), turning(g, d))},
+        "no_translation": {"T": energy(body.inertia.expressed_in(d.shaft), turning(g, d))},
     }
 
 
