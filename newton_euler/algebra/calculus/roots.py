@@ -55,7 +55,8 @@ def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
             f"the root of an equation with symbols, as {clipped(sample)} = 0, has no formula in "
             "general: put numbers in, or solve it by hand or with SymPy"
         )
-    if not all(map(is_numeric, present)):  # exact numbers of SymPy have no exact root in general
+    # exact numbers of SymPy have no exact root in general, and their fractions grow without end
+    if any(map(_is_constant, present)):
         return _illinois(lambda x: float(f(x)), float(low), float(high))
     low, high, _ = promote(low, high, sample)
     return to_plain(_illinois(f, low, high))

@@ -118,3 +118,8 @@ def test_exact_numbers_without_symbols_have_a_root_in_floats():
     found = root(lambda x: x * x - exact, sympy.Integer(0), exact)
     assert type(found) is float
     assert found == pytest.approx(2**0.5, rel=1e-15)
+
+
+def test_fractions_of_sympy_do_not_grow_without_end():
+    found = root(lambda x: x * x - 6, sympy.Rational(1, 10), sympy.Integer(10))
+    assert found == pytest.approx(6**0.5, rel=1e-15)

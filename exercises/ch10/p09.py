@@ -1,0 +1,125 @@
+"""10/9: a wheel that rolls around a post and presses harder on the floor than its weight."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.proofs import moment_needed, plus, rot, times
+from exercises.steps import Step
+from newton_euler import Body, ForceSystem, Frame, dynamics, solve_linear, solve_rates
+from newton_euler.bodies import disk
+from newton_euler.drawing import Sketch
+
+
+def wheel(g, spin):
+    """Ground with z up, the axle, whose x points from O to C, and the disk."""
+    ground = Frame("ground")
+    axle = ground.rotate("axle", "z", rate=g.Omega)
+    turned = axle.rotate("disk", "-x", rate=spin, origin=axle.point("C", g.R, 0, 0))
+    mass = dynamics.mass_from_weight(g.W, g.g)
+    return ground, axle, disk(g.r, turned, "x", mass=mass)
+
+
+def rolling_spin(g):
+    """The rate of the disk on its axle that keeps its point of contact at rest."""
+
+    def slip(spin):
+        ground, axle, body = wheel(g, spin)
+        contact = body.frame.point("contact", 0, 0, -g.r).velocity(ground)
+        return contact.expressed_in(axle).y
+
+    (spin,) = solve_rates(slip, 1)
+    return spin
+
+
+def moment(g, spin, wheel=wheel):
+    """That the disk needs about O, in the axes of the axle."""
+    ground, axle, body = wheel(g, spin)
+    return dynamics.resultant_moment(body, ground, about=axle.point("O", 0, 0, 0), via=axle)
+
+
+def normal_force(g, needed):
+    """The one that gives this moment about the line of the hinge, together with the weight."""
+    axle = needed.frame
+    O, C, contact = (axle.point("", x, 0, z) for x, z in ((0, 0), (g.R, 0), (g.R, -g.r)))
+
+    def balance(N):
+        forces = ForceSystem({"N": (axle.k * N, contact), "W": (axle.k * -g.W, C)})
+        return forces.moment(O).y - needed.y
+
+    return {"N_floor": solve_linear(balance).N}
+
+
+def solve(g):
+    return normal_force(g, moment(g, rolling_spin(g)))
+
+
+def steps(g):
+    spin = rolling_spin(g)
+    *_, body = wheel(g, spin)
+    yield Step("spin", spin, "rad/s", "rate of the disk on its axle: it rolls, so that r times "
+               "this rate is the speed of C", "4.4", "4.11")  # fmt: skip
+    yield Step("I_s", body.inertia.moment("x"), "slug*ft^2",
+               "moment of inertia about the axle", "7.4", "8.16")  # fmt: skip
+    yield Step("M_g", -moment(g, spin).y, "lb*ft", "moment about the line of the hinge that turns "
+               "the angular momentum of the spin, I_s*spin*Omega", "10.9", "10.37")  # fmt: skip
+
+
+def prove(g):
+    """The mass points of the disk in time: the rim has unrolled as far as the centre has gone.
+    What they need, less what their weight gives, is the moment of the floor about the hinge.
+    """
+    m = g.W / g.g
+    upright = [(share, [z, x, y]) for share, (x, y, z) in proofs.disk(g.r)]
+
+    def unrolled(t):
+        return g.R * g.Omega * t / g.r
+
+    def disk_at(t):
+        around, own = rot("z", g.Omega * t), rot([-1, 0, 0], unrolled(t))
+        return [(u, times(around, plus([g.R, 0, 0], times(own, p)))) for u, p in upright]
+
+    def up(moment):  # about -y: it lifts C
+        return -moment[1]
+
+    weight = up(proofs.mean(lambda p: proofs.cross(p, [0, 0, -g.W]), disk_at(mp.mpf(0))))
+    needed = up(moment_needed(m, disk_at))
+    return {
+        "N_floor": (needed - weight) / g.R,
+        "spin": proofs.rate(unrolled),
+        "I_s": m * proofs.mean(lambda p: p[1] ** 2 + p[2] ** 2, upright),
+        "M_g": needed,
+    }
+
+
+def mistakes(g):
+    spin = rolling_spin(g)
+
+    def about_diameter(g, spin):
+        ground, axle, body = wheel(g, spin)
+        across = body.inertia.moment("y")
+        return ground, axle, Body("disk", body.mass, body.frame, (across, across, across))
+
+    return {
+        "weight": normal_force(g, moment(g, 0 * spin)),
+        "other_sense": normal_force(g, moment(g, -spin)),
+        "spin_Omega": normal_force(g, moment(g, g.Omega)),
+        "diameter": normal_force(g, moment(g, spin, about_diameter)),
+    }
+
+
+def draw(g, ax):
+    ground, axle, body = wheel(g, rolling_spin(g))
+    s = Sketch(ax, ground, azimuth=-60, elevation=18)
+    O, C, foot, contact = (0, 0, 0), body.centre, (0, 0, -g.r), (g.R, 0, -g.r)
+    s.ground(foot, normal=ground.k)
+    s.ring(foot, ground.k, g.R)
+    s.shaft(foot, (0, 0, 0.8 * g.R))
+    s.rod(O, C)
+    s.hinge(O, axis=axle.j)
+    s.disk(C, axle.i, g.r)
+    s.dot(C)
+    s.turn((0, 0, 0.55 * g.R), ground.k, label=r"$\Omega$")
+    s.dimension(foot, contact, label="R", offset=0)
+    s.dimension(C, contact, label="r", offset=0)
+    s.label(O, "O")
+    s.label(C, "C")

@@ -1,0 +1,101 @@
+"""10/11: two disks on a rod that do not precess."""
+
+from exercises import proofs
+from exercises.devices.wobbling import needed_spin
+from exercises.steps import Step
+from newton_euler import Frame, composite, particle, solve_linear, sqrt
+from newton_euler.bodies import disk
+from newton_euler.drawing import Sketch
+
+
+def assembly(g, b, part=None):
+    """The two disks at the distance b, and O in the middle; of ``part``, a function of the centre
+    and the name, other bodies.
+    """
+    frame = Frame("assembly")
+    part = part or (lambda centre, name: disk(g.r, centre, "z", mass=g.m, name=name))
+    ends = [(name, frame.point(name, 0, 0, z)) for name, z in (("P", -b / 2), ("Q", b / 2))]
+    body = composite("assembly", [part(end, f"disk {name}") for name, end in ends])
+    return body, frame.point("O", 0, 0, 0)
+
+
+def length(g, across, axial):
+    """That for which the transverse moment, a function of the length that grows as its square, is
+    equal to the axial one.
+    """
+    flat, apart = across(0 * g.r), across(g.r)
+    share = solve_linear(lambda square: flat + (apart - flat) * square - axial).square
+    return {"b": g.r * sqrt(share)}
+
+
+def axial(g):
+    body, O = assembly(g, g.r)
+    return body.about(O).moment("z")
+
+
+def across(g, b):
+    body, O = assembly(g, b)
+    return body.about(O).moment("x")
+
+
+def solve(g):
+    return length(g, lambda b: across(g, b), axial(g))
+
+
+def steps(g):
+    yield Step("I", axial(g), "kg*m^2", "moment of inertia about the rod", "7.4", "8.16")
+    yield Step("I_flat", across(g, 0 * g.r), "kg*m^2",
+               "transverse moment of inertia if both disks were in the middle",
+               "7.4", "8.16")  # fmt: skip
+    b = solve(g)["b"]
+    yield Step("I_apart", across(g, b) - across(g, 0 * g.r), "kg*m^2",
+               "what the distances b/2 of the disks add to it, 2*m*(b/2)^2; the sum must be I",
+               "7.8", "7.26")  # fmt: skip
+
+
+def prove(g):
+    """The length at which the mass points turn about a slanting axis without a moment."""
+    flat = proofs.disk(g.r, order=2)
+
+    def points(b):
+        return [(u / 2, [x, y, z]) for u, (x, y, _) in flat for z in (-b / 2, b / 2)]
+
+    b = proofs.root(lambda b: needed_spin(points(b)), g.r / 100, 100 * g.r)
+    I, I_flat = (
+        2 * g.m * x for x in proofs.mean(lambda p: [p[0] ** 2 + p[1] ** 2, p[0] ** 2], flat)
+    )
+    apart = 2 * g.m * proofs.mean(lambda p: p[2] ** 2, points(b))
+    return {"b": b, "I": I, "I_flat": I_flat, "I_apart": apart}
+
+
+def mistakes(g):
+    def as_particles(b):
+        body, O = assembly(g, b, lambda centre, name: particle(g.m, centre, name))
+        return body.about(O).moment("x")
+
+    def about_one_end(b):
+        body, _ = assembly(g, b)
+        return body.about(body.frame.point("P", 0, 0, b / 2)).moment("x")
+
+    I = axial(g)
+    return {
+        "from_the_middle": length(g, lambda b: across(g, 2 * b), I),
+        "particles": length(g, as_particles, I),
+        "about_one_end": length(g, about_one_end, I),
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=-55, elevation=20)
+    r, b = 1.0, 3.0  # not of the asked shape
+    P, Q = (-b / 2, 0, 0), (b / 2, 0, 0)
+    s.rod(P, Q)
+    for end in (P, Q):
+        s.disk(end, ground.i, r)
+    s.line(Q, (b / 2 + 1.6 * r, 0, 0), style="centre")
+    s.turn((b / 2 + r, 0, 0), ground.i, label="spin")
+    s.dimension((-b / 2, 0, -r), (b / 2, 0, -r), label="b", offset=-0.3)
+    s.dimension(Q, (b / 2, 0, r), label="r", offset=0)
+    s.label((-b / 2, 0, r), "m", offset=(0, 9), bold=False)
+    s.label((b / 2, 0, r), "m", offset=(0, 9), bold=False)

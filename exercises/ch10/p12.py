@@ -1,0 +1,97 @@
+"""10/12: two cones, joined at their vertices, that do not precess."""
+
+from mpmath import mpf
+
+from exercises import proofs
+from exercises.devices.wobbling import difference, needed_spin
+from exercises.steps import Step
+from newton_euler import Frame, composite, root
+from newton_euler.bodies import cone, cylinder
+from newton_euler.drawing import Sketch
+
+
+def cones(g, ratio):
+    """Of the mass and the base radius 1 each; the origin of the frame is their common vertex."""
+    frame = Frame("cones")
+    O = frame.point("O", 0, 0, 0)
+    upper = cone(g.one, ratio, O, "z", mass=g.one, name="upper")
+    lower = cone(g.one, ratio, O, "-z", mass=g.one, name="lower")
+    return composite("cones", [upper, lower], frame=frame), O
+
+
+def limit(g, excess):
+    return {"ratio": root(excess, g.one / 100, 10 * g.one)}
+
+
+def solve(g):
+    return limit(g, lambda ratio: difference(*cones(g, ratio)))
+
+
+def steps(g):
+    body, O = cones(g, solve(g)["ratio"])
+    upper = body.parts[0]
+    own, at_O = upper.inertia, upper.about(O)
+    yield Step("axial", own.moment("z"), "1",
+               "moment of inertia of a cone about the axis, over m*r^2", "7.3")  # fmt: skip
+    yield Step("central", own.moment("x"), "1", "transverse moment of inertia of a cone about its "
+               "centre of mass at that ratio, over m*r^2", "7.3")  # fmt: skip
+    yield Step("transfer", at_O.moment("x") - own.moment("x"), "1",
+               "what its move to the vertex adds at that ratio, over m*r^2: (3/4*h/r)^2",
+               "7.8", "7.26")  # fmt: skip
+
+
+def prove(g):
+    """The height at which mass points, disks whose radius and mass grow from the vertex, turn about
+    a slanting axis without a moment.
+    """
+    half = [
+        (3 * up**2 * share * w, [x * up, y * up, up])
+        for share, (u, _, _) in proofs.box(2, 0, 0, order=3)
+        for up in [(u + 1) / 2]
+        for w, (x, y, _) in proofs.disk(mpf(1), order=2)
+    ]
+
+    def points(ratio):
+        return [(u / 2, [x, y, side * ratio * z]) for u, (x, y, z) in half for side in (1, -1)]
+
+    ratio = proofs.root(lambda ratio: needed_spin(points(ratio)), mpf(1) / 100, 10)
+    axial, across = proofs.mean(lambda p: [p[0] ** 2 + p[1] ** 2, p[1] ** 2], half)
+    height = ratio * proofs.mean(lambda p: p[2], half)
+    spread = proofs.mean(lambda p: (ratio * p[2] - height) ** 2, half)
+    return {"ratio": ratio, "axial": axial, "central": across + spread, "transfer": height**2}
+
+
+def mistakes(g):
+    def one(ratio):
+        """A cone, and the centre of its base."""
+        upper = cones(g, ratio)[0].parts[0]
+        return upper, upper.frame.point("base", 0, 0, ratio)
+
+    def about_center(ratio):
+        upper, _ = one(ratio)
+        return difference(upper, upper.centre)
+
+    def of_cylinder(ratio):
+        frame = Frame("cylinder")
+        body = cylinder(g.one, ratio, frame.point("G", 0, 0, ratio / 2), "z", mass=g.one)
+        return difference(body, frame.point("O", 0, 0, 0))
+
+    return {
+        "about_center": limit(g, about_center),
+        "at_the_bases": limit(g, lambda ratio: difference(*one(ratio))),
+        "cylinders": limit(g, of_cylinder),
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=-60, elevation=15)
+    r, h = 1.0, 1.6  # not of the asked shape
+    O, high = (0, 0, 0), (0, 0, h)
+    for side in (1, -1):
+        s.cone(O, ground.k * side, h, r)
+    s.line((0, 0, h), (0, 0, 1.6 * h), style="centre")
+    s.turn((0, 0, 1.35 * h), ground.k, label="spin")
+    s.dimension(high, (r, 0, h), label="r", offset=0)
+    s.dimension((1.2 * r, 0, h), (1.2 * r, 0, 0), label="h", offset=0)
+    s.dimension((1.2 * r, 0, 0), (1.2 * r, 0, -h), label="h", offset=0)
