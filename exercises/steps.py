@@ -15,7 +15,7 @@ steps too, by their keys, found by its own way.
 
 from dataclasses import dataclass, replace
 
-from newton_euler.algebra.scalars import to_plain
+from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 
@@ -58,7 +58,7 @@ def terms(vector, key, stated_in, section="", number=""):
     """
     equation = vector.equation
     for name, term in vector.terms.items():
-        if all(x == 0 for x in map(to_plain, term.c)):
+        if is_zero(term):
             continue
         yield Step(
             f"{key}_{_identifier(name, equation)}",
@@ -69,6 +69,11 @@ def terms(vector, key, stated_in, section="", number=""):
             number or equation.number,
             (name, equation),
         )
+
+
+def is_zero(vector):
+    """True if all components are the number zero, and not only for some values."""
+    return all(is_numeric(x) and x == 0 for x in map(to_plain, vector.c))
 
 
 def _identifier(name, equation):

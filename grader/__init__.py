@@ -5,6 +5,7 @@
     sandbox         runs student code in a process that reaches no key, no file and no network
     scoring         compares answers with the key: points, and the known mistake behind a wrong one
     assignment      builds the notebook of an assignment, and each student's copy with own numbers
+    practice        writes files to practise from, with numbers that nobody is graded on
     submission      reads a submitted notebook, runs its answers, scores them
     grading         grades all submissions of an assignment and writes nbgrader's gradebook
     nbgrader_hooks  nbgrader's configuration, and the classes that it runs in place of its own

@@ -2,9 +2,8 @@
 that moves.
 """
 
-from exercises.steps import Step, terms
+from exercises.steps import Step, is_zero, terms
 from exercises.wording import body_text
-from newton_euler.algebra.scalars import to_plain
 
 
 def turning_of(frame, ground, axes, name, said):
@@ -55,8 +54,3 @@ def motion_via(frame, P, ground, key, said, start, moved="P"):
 def body(frame):
     """A frame in a sentence: "the ground", but "space"."""
     return "space" if frame.name == "space" else f"the {frame.name}"
-
-
-def is_zero(vector):
-    """True if all components are the number zero, and not only for some values."""
-    return all(x == 0 for x in map(to_plain, vector.c))

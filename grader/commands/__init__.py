@@ -2,6 +2,7 @@
 
 from .courses import build, demo, grade, personal, retry, take_in
 from .exercises import diagnose, figure, new, prove, solution, solve
+from .practice import practice
 from .results import export, stats
 
 COMMANDS = (
@@ -11,6 +12,7 @@ COMMANDS = (
     figure,
     diagnose,
     new,
+    practice,
     build,
     personal,
     take_in,

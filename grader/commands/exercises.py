@@ -214,7 +214,13 @@ def new(chapter, spec, only, folder):
     type=click.IntRange(1),
     help="How many sets of numbers to take: the book's and drawn ones.",
 )
-def diagnose(names, draws):
+@click.option(
+    "--practice",
+    is_flag=True,
+    help="Measure the checks of practice files instead: listed mistakes given to check, common "
+    "slips to check_step, and random numbers to both.",
+)
+def diagnose(names, draws, practice):
     """Print how often the listed mistakes of problems are recognised.
 
     Each mistake is made with each set of numbers and scored as a student's answer: it is named, or
@@ -223,12 +229,14 @@ def diagnose(names, draws):
     """
     from exercises.catalogue import select
 
+    from ..practice import practice_shares
     from ..reports import diagnosis_shares, shares_table
 
     problems = select(names or ("all",))
+    measure = practice_shares if practice else diagnosis_shares
     with progress_bar() as bar:
         task = bar.add_task("making mistakes", total=len(problems))
-        found = diagnosis_shares(problems, draws, lambda: bar.advance(task))
-    console.print(shares_table(found))
+        found = measure(problems, draws, lambda: bar.advance(task))
+    console.print(shares_table(found, "What was given" if practice else "Listed mistakes"))
     if any(counts["passed"] for counts in found.values()):
         sys.exit(1)

@@ -62,9 +62,9 @@ def _outcome(part, text):
     return "unnamed" if not named else "named" if text in named else "misnamed"
 
 
-def shares_table(found):
+def shares_table(found, title="Listed mistakes"):
     """The shares as a table for the terminal, with their sum."""
-    table = plain_table("Listed mistakes", "problem", ">made", *(f">{name} %" for name in OUTCOMES))
+    table = plain_table(title, "problem", ">made", *(f">{name} %" for name in OUTCOMES))
     for problem_id, counts in found.items():
         table.add_row(problem_id, *_row(counts))
     table.add_section()

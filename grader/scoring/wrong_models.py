@@ -22,15 +22,23 @@ def wrong_models(problem, values):
     for name, answers in problem.code.mistakes(g).items():
         for key, x in problem.in_units(answers).items():
             found.append((key, "listed", problem.mistakes[name], flat(x)))
-    for key, answer in right.items():
-        if isinstance(answer, Vector):
-            found += [(key, "term", text, flat(v)) for text, v in _terms(answer, problem)]
-            found += [(key, "rate", name, flat(v)) for name, v in _rates(answer)]
-            found += [(key, *model) for model in _frames(answer, problem)]
-    for text, changes in _units(problem, g):
-        for key, x in problem.in_units(problem.code.solve(g.but(**changes))).items():
-            found.append((key, "unit", text, flat(x)))
+    found += general_models(problem, g, right, lambda g: problem.in_units(problem.code.solve(g)))
     return [model for model in found if problem.answer(model[0]).kind not in WORDS]
+
+
+def general_models(problem, g, right, compute):
+    """The wrong models that need no list, as in :func:`wrong_models`, of the quantities ``right``,
+    which are ``compute(g)``, {key: value in its unit}.
+    """
+    found = []
+    for key, x in right.items():
+        if isinstance(x, Vector):
+            found += [(key, "term", text, flat(v)) for text, v in _terms(x, problem)]
+            found += [(key, "rate", name, flat(v)) for name, v in _rates(x)]
+            found += [(key, *model) for model in _frames(x, problem)]
+    for text, changes in _units(problem, g):
+        found += [(key, "unit", text, flat(x)) for key, x in compute(g.but(**changes)).items()]
+    return found
 
 
 def _terms(right, problem):

@@ -1,0 +1,75 @@
+"""The command that writes a practice file."""
+
+from pathlib import Path
+
+import click
+
+from .shared import console, progress_bar
+
+
+@click.command()
+@click.argument("names", nargs=-1, required=True, metavar="ch04 | 4/16 …")
+@click.option(
+    "-o",
+    "--to",
+    "path",
+    required=True,
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="The file to write, as ch04.practice.",
+)
+@click.option(
+    "--variants",
+    default=10,
+    show_default=True,
+    type=click.IntRange(1),
+    help="How many sets of numbers each problem has, the book's first.",
+)
+@click.option(
+    "--help-level",
+    "level",
+    default="solution",
+    show_default=True,
+    type=click.Choice(["check", "hints", "solution"]),
+    help="The most that a student is shown: whether an answer is right, and its mistake; also "
+    "every step, with hints; also the solution.",
+)
+@click.option(
+    "--course",
+    "course_path",
+    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    help="A course that grades such problems: none of its students' numbers is in the file, and no "
+    "problem whose answers are the same for everybody.",
+)
+def practice(names, path, variants, level, course_path):
+    """Write a practice file for students.
+
+    A student opens it with the engine alone: practice("ch04.practice")["4/16"] shows text and
+    figure with numbers as often as wanted, and checks answers and every step at once. A problem in
+    symbols is asked with numbers. The file holds the answers for its own numbers and no others.
+    """
+    from exercises.catalogue import select
+
+    from ..practice import graded_numbers, write_practice
+
+    problems = select(names)
+    with progress_bar() as bar:
+        graded = {}
+        if course_path:
+            sheets = bar.add_task("reading the course's numbers", total=None)
+            graded = graded_numbers(
+                course_path, lambda n, of: bar.update(sheets, completed=n, total=of)
+            )
+        task = bar.add_task("solving and drawing", total=len(problems))
+        left = write_practice(
+            path, problems, variants, level, graded, done=lambda: bar.advance(task)
+        )
+    for x in left:
+        console.print(f"[yellow]{x.problem}[/] left out: {x.why}")
+    click.echo(
+        f"{path}: {len(problems) - len(left)} problems, {variants} sets of numbers each, "
+        f"{path.stat().st_size / 2**20:.1f} MB"
+    )
+    click.echo(
+        f'Students: from newton_euler.classroom import practice; practice("{path.name}")'
+        f'["{next(p.id for p in problems if p.id not in {x.problem for x in left})}"]'
+    )

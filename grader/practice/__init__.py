@@ -1,0 +1,11 @@
+"""The practice file of a chapter: problems with several sets of numbers, their keys, steps, wrong
+models and worked solutions, for a student who has the engine alone.
+"""
+
+from .build import HELP, Left, PracticeError, write_practice
+from .graded import graded_numbers
+from .measure import practice_shares
+
+__all__ = [
+    "HELP", "Left", "PracticeError", "graded_numbers", "practice_shares", "write_practice",
+]  # fmt: skip

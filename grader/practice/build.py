@@ -1,0 +1,182 @@
+"""Writes a practice file: a zip archive of one JSON text for each problem, and its figures."""
+
+import hashlib
+import io
+import json
+import os
+import zipfile
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from exercises.catalogue import chapter, problem
+from exercises.wording import term_text
+from newton_euler.algebra.vectors import Vector
+from newton_euler.classroom.practising.files import FORMAT, HELP
+
+from ..assignment.figures import figure_png
+from ..assignment.notebook import number, slug, statement, typeset
+from ..assignment.solution import worked_solution
+from ..course import CourseError
+from .quantities import quantities, wrong_numbers
+from .relations import relations
+from .twins import sets_of_numbers, twin
+
+COLOURS = 64  # of a figure: a quarter of the bytes, and nobody sees it
+
+
+class PracticeError(CourseError):
+    """A practice file that cannot be written as asked."""
+
+
+@dataclass(frozen=True)
+class Left:
+    """A problem that is not in the file, and why."""
+
+    problem: str
+    why: str
+
+
+def write_practice(path, problems, count=10, help="solution", graded=None, workers=None, done=None):
+    """Write the practice file of ``problems``; returns the :class:`Left` ones.
+
+    count : how many sets of numbers each has, the book's among them
+    help : the most that a student is shown: one of ``HELP``
+    graded : {problem id: [numbers of a student's sheet]} of what a course grades: none of these
+        numbers is practised, and of problems whose answers are the same for everybody nothing
+    done : called after each problem
+    """
+    if help not in HELP:
+        raise PracticeError(f"the help is one of {', '.join(HELP)}, not {help!r}")
+    graded, left, pages = graded or {}, [], []
+    jobs = [(p.id, count, help, graded.get(p.id)) for p in problems]
+    with ProcessPoolExecutor(workers or os.cpu_count() or 1) as pool:
+        for found in pool.map(_packed, jobs):
+            if isinstance(found, Left):
+                left.append(found)
+            else:
+                pages.append(found)
+            if done:
+                done()
+    if not pages:
+        raise PracticeError("no problem is left to practise: " + "; ".join(
+            f"{x.problem} {x.why}" for x in left) if left else "no problem was chosen")  # fmt: skip
+    _write(Path(path), pages, help)
+    return left
+
+
+def _write(path, pages, help):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    beside = path.with_name(path.name + ".part")
+    with zipfile.ZipFile(beside, "w", zipfile.ZIP_DEFLATED) as archive:
+        titles = {page["id"]: [page["title"], page["section"]] for page, _ in pages}
+        head = {"format": FORMAT, "help": help, "problems": list(titles), "titles": titles}
+        archive.writestr("practice.json", json.dumps(head))
+        for page, figures in pages:
+            archive.writestr(f"{slug(page['id'])}.json", json.dumps(page, separators=(",", ":")))
+            for name, png in figures.items():
+                archive.writestr(zipfile.ZipInfo(name), png)  # a PNG is compressed already
+    os.replace(beside, path)
+
+
+def _packed(job):
+    """(page, figures) of a problem, or why it is :class:`Left`."""
+    return page_of(*job)
+
+
+def page_of(name, count, help, graded=None, draw=figure_png):
+    """(page, figures) of the problem of this number, or why it is :class:`Left`; ``graded`` are the
+    numbers that students have of it, None where it is in no course.
+    """
+    p = twin(problem(name))
+    sets = sets_of_numbers(p, count, graded or ())
+    computed = [quantities(p, values) for values in sets]
+    if graded is not None and (same := _same_for_all(p, computed)):
+        return Left(name, f"its {' and '.join(same)} would tell a graded answer")
+    if not sets:
+        return Left(name, "all its numbers are graded ones")
+    figures, variants = {}, []
+    for values, (described, right) in zip(sets, computed, strict=True):
+        variants.append(_variant(p, values, described, right, help))
+        if png := draw(p, values):
+            png = _smaller(png)
+            file = f"{slug(name)}-{hashlib.sha256(png).hexdigest()[:12]}.png"
+            figures[file] = png  # a figure without numbers is there once
+            variants[-1]["figure"] = file
+    labels = list(dict.fromkeys((key, group, text) for v in variants
+                                for key, group, text, _ in v["wrong"]))  # fmt: skip
+    place = {label: n for n, label in enumerate(labels)}
+    for v in variants:
+        v["wrong"] = [[place[key, group, text], x] for key, group, text, x in v["wrong"]]
+    page = {
+        "id": name, "title": p.title, "section": p.section, "chapter": chapter(p.chapter).title,
+        "preamble": chapter(p.chapter).preamble, "figure": " ".join(p.figure.split()),
+        "quantities": _described(p, computed, help), "labels": labels, "variants": variants,
+    }  # fmt: skip
+    return page, figures
+
+
+def _described(p, computed, help):
+    """The quantities of the first set of numbers: all sets have the same, except that a term that
+    is zero in one of them is no step.
+    """
+    found = {}
+    for described, _ in computed:
+        for q in described:
+            if q["step"] and help == "check":
+                continue
+            found.setdefault(q["key"], q)
+    steps = [q for q in found.values() if q["step"]]
+    return steps + [q for q in found.values() if not q["step"]]
+
+
+def _same_for_all(p, computed):
+    """The answers that are the same for all numbers that are drawn."""
+    keys = [a.key for a in p.answers]
+    rights = [right for _, right in computed]
+    return [k for k in keys if len(rights) < 2 or all(r[k] == rights[0][k] for r in rights)]
+
+
+def _variant(p, values, described, right, help):
+    shown = {q["key"] for q in described if not q["step"] or help != "check"}
+    wrong = wrong_numbers(p, values, described, right)
+    program = relations(p, values) if help != "check" else None
+    return {
+        "givens": {n: [values[n], g.unit, g.means] for n, g in p.givens.items()},
+        "statement": statement(p, values, figure=False),
+        "text": _plain(p, values),
+        "right": {k: x for k, x in right.items() if k in shown},
+        "wrong": [w for w in wrong if w[0] in shown],
+        "program": program,
+        "terms": _terms(p, values) if help != "check" else {},
+        "solution": worked_solution(p, values, text=False) if help == "solution" else "",
+    }
+
+
+def _terms(p, values):
+    """{answer: [the terms of its sum, in words]}."""
+    return {
+        key: [typeset(term_text(name, x.equation, p, latex=True), p) for name in x.terms]
+        for key, x in p.solve(values).items()
+        if isinstance(x, Vector) and len(x.terms) > 1
+    }
+
+
+def _plain(p, values):
+    """The text of a problem for a terminal: names as they are typed."""
+    text = p.text
+    for n, g in p.givens.items():
+        text = text.replace(f"{{{n}}}", f"{n} = {number(values[n])} {g.unit}", 1)
+        text = text.replace(f"{{{n}}}", n)
+    return " ".join(text.split())
+
+
+def _smaller(png):
+    from PIL import Image
+
+    out = io.BytesIO()
+    with Image.open(io.BytesIO(png)) as image:
+        image.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(
+            out, "PNG", optimize=True
+        )
+    return out.getvalue()

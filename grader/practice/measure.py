@@ -1,0 +1,146 @@
+"""How well practice explains what students do: listed mistakes, common slips in every step, and
+random numbers.
+"""
+
+import json
+import math
+import random
+from collections import Counter
+
+from newton_euler.classroom.checking import causes
+from newton_euler.classroom.checking.diagnosis import DIRECTION, NEAR
+from newton_euler.classroom.checking.fit import is_apart
+from newton_euler.classroom.checking.slips import OPPOSITE, OPPOSITE_NUMBER, ORDINALS, ROUNDED
+from newton_euler.classroom.forms import WORDS
+from newton_euler.classroom.practising.problems import PracticeProblem
+from newton_euler.classroom.practising.progress import Progress
+
+from .build import Left, page_of
+
+LISTED, SLIPS, RANDOM = "listed mistakes", "slips in steps", "random numbers"
+SEEN = NEAR, DIRECTION, ROUNDED  # what is told of an answer is no name of a mistake
+DIGITS = 6  # that a student writes
+RANDOMS = 5  # answers for each quantity
+
+
+def practice_shares(problems, variants, progress=None):
+    """{what was given: Counter of named, misnamed, unnamed, passed}, over this many sets of numbers
+    of each problem.
+
+    A slip is named if it is told in its own words, or as another that gives the same numbers.
+    """
+    found = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}
+    for p in problems:
+        page = page_of(p.id, variants, "solution", draw=_no_figure)
+        if not isinstance(page, Left):
+            for n in range(len(page[0]["variants"])):
+                _measure(page[0], n, found)
+        if progress:
+            progress()
+    return found
+
+
+def _no_figure(p, values):
+    return None
+
+
+class _Memory:
+    """In place of a practice file: one page."""
+
+    help = "solution"
+
+    def __init__(self, page):
+        self._page = json.loads(json.dumps(page))
+
+    def page(self, problem):
+        return self._page
+
+
+def _measure(page, number, found):
+    p = PracticeProblem(_Memory(page), page["id"], Progress(None))
+    for _ in range(number):
+        p.new()
+    variant, labels = page["variants"][number], page["labels"]
+    asked = {q["key"]: q for q in page["quantities"] if q["key"] in variant["right"]}
+    models = {}
+    for label, x in variant["wrong"]:
+        key, group, text = labels[label]
+        models.setdefault(key, []).append((group, text, x))
+    rng = random.Random(f"{page['id']} {number}")
+    for key, q in asked.items():
+        right = variant["right"][key]
+        for group, text, x in models.get(key, ()):
+            if group == "listed":
+                found[LISTED][_outcome(p, q, x, text, models[key])] += 1
+            elif q["step"] and group in ("term", "unit", "axes"):
+                found[SLIPS][_outcome(p, q, x, text, models[key])] += 1
+        if q["kind"] in WORDS:
+            continue
+        for text, x in slips(q["kind"], right) if q["step"] else ():
+            found[SLIPS][_outcome(p, q, x, text, models.get(key, []))] += 1
+        for _ in range(RANDOMS):
+            x = _random(right, rng)
+            outcome = _outcome(p, q, x, None, models.get(key, []))
+            found[RANDOM][outcome] += 1
+
+
+def _outcome(p, q, x, text, models):
+    """named, misnamed, unnamed or passed, of one wrong value."""
+    checked = _checked(p, q, x)
+    if checked.verdicts[q["key"]] == "right":
+        return "passed"
+    told = [t for t in causes(checked.causes[q["key"]]) if t not in SEEN]
+    if not told:
+        return "unnamed"
+    same = {t for _, t, other in models if _equal(x, other)}
+    return "named" if text is None or {text, *same} & set(told) else "misnamed"
+
+
+def _checked(p, q, x):
+    check = p.check_step if q["step"] else p.check
+    p.forget()
+    return check(**{q["key"]: _written(x, q["kind"])})
+
+
+def _written(x, kind):
+    if not isinstance(x, list):
+        return x
+    short = [float(f"{part:.{DIGITS}g}") for part in x]
+    if kind == "matrix":
+        return [short[n : n + 3] for n in (0, 3, 6)]
+    return short if len(short) > 1 else short[0]
+
+
+def _equal(x, other):
+    if not isinstance(x, list) or not isinstance(other, list):
+        return x == other
+    return math.dist(x, other) <= 10 ** (1 - DIGITS) * math.hypot(*x)
+
+
+def slips(kind, right):
+    """[(text, numbers)] of slips that are made anywhere: signs, components exchanged or left out.
+    Those that do not differ from the key are none.
+    """
+    found = [(OPPOSITE if len(right) > 1 else OPPOSITE_NUMBER, [-x for x in right])]
+    size = math.hypot(*right)
+    if kind == "vector":
+        there = [n for n, x in enumerate(right) if abs(x) > 1e-9 * size]
+        for n in there if len(there) > 1 else ():
+            sign = f"has the opposite sign in its {ORDINALS[n]} component"
+            found.append((sign, [-x if m == n else x for m, x in enumerate(right)]))
+            gone = f"leaves out its {ORDINALS[n]} component"
+            found.append((gone, [0.0 if m == n else x for m, x in enumerate(right)]))
+        for a, b in ((0, 1), (1, 2), (0, 2)):
+            swapped = list(right)
+            swapped[a], swapped[b] = right[b], right[a]
+            text = f"exchanges its {ORDINALS[a]} and {ORDINALS[b]} components"
+            found.append((text, swapped))
+    return [(text, x) for text, x in found if size and is_apart((tuple(x),), (tuple(right),))]
+
+
+def _random(right, rng):
+    """Numbers of the size of the right ones, up to three times more or less."""
+    size = math.hypot(*right) or 1.0
+    x = [rng.gauss(0, 1) for _ in right]
+    scale = size * 3 ** rng.uniform(-1, 1) / math.hypot(*x)
+    return [scale * part for part in x]

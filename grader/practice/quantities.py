@@ -1,0 +1,131 @@
+"""What can be checked in practice: the steps of a problem and then its answers, with their right
+numbers and the wrong models of each.
+"""
+
+import contextlib
+import math
+import re
+
+import numpy as np
+
+from exercises.steps import in_unit, steps
+from exercises.variants import flat
+from newton_euler.algebra.vectors import Vector
+from newton_euler.classroom.checking.fit import is_apart
+from newton_euler.classroom.forms import WORDS, Form
+from newton_euler.classroom.notation import symbol
+
+from ..assignment.notebook import typeset
+from ..scoring.wrong_models import general_models
+
+KEPT = 10  # digits of the numbers of wrong models
+
+
+def quantities(p, values):
+    """([description for the file], {key: numbers or word}) of all quantities, steps first."""
+    described, right = [], {}
+    for s in steps(p, values):
+        kind = _kind(s.value)
+        described.append(
+            {
+                "key": s.key, "kind": kind, "unit": s.unit, "means": typeset(s.means, p),
+                "plain": _plain(s.means), "section": s.section or p.section, "equation": s.equation,
+                "latex": symbol(s.key, kind == "vector"), "atol": 1e-6, "of": [],
+                "sum": s.means.rpartition(", in ")[-1] if s.term else "", "step": True,
+            }
+        )  # fmt: skip
+        right[s.key] = _numbers(s.value)
+    for key, x in p.solve(values).items():
+        a = p.answer(key)
+        described.append(
+            {
+                "key": key, "kind": a.kind, "unit": a.unit, "means": typeset(a.means, p),
+                "plain": _plain(a.means), "section": p.section, "equation": _equation(x),
+                "latex": p.notation[key], "atol": a.atol, "of": list(a.of), "sum": "",
+                "step": False,
+            }
+        )  # fmt: skip
+        right[key] = _numbers(x)
+    return described, right
+
+
+def _plain(means):
+    """For a terminal: names as they are typed, formulas as they stand."""
+    return re.sub(r"\{(\w+)\}", r"\1", means).replace("$", "")
+
+
+def _equation(x):
+    return x.equation.number if isinstance(x, Vector) and len(x.terms) > 1 else ""
+
+
+def _kind(value):
+    if isinstance(value, Vector):
+        return "vector"
+    if isinstance(value, str):
+        return "choice"
+    if isinstance(value, int) and not isinstance(value, bool):
+        return "count"
+    return {9: "matrix", 2: "interval"}.get(len(flat(value)), "number")
+
+
+def _numbers(x):
+    return x if isinstance(x, (str, int)) else [float(part) for part in flat(x)]
+
+
+def wrong_numbers(p, values, described, right):
+    """[(key, group, text, numbers)] of the wrong models of all quantities that can be told from the
+    right ones.
+    """
+    g = p.base(values)
+    found = []
+    with np.errstate(all="ignore"):
+        for name, answers in p.wrong(values).items():
+            found += [(k, "listed", p.mistakes[name], _numbers(x)) for k, x in answers.items()]
+        for compute in (_answers_of(p), _steps_of(p)):
+            with contextlib.suppress(ArithmeticError, ValueError):
+                found += general_models(p, g, compute(g), compute)
+    kinds = {q["key"]: q["kind"] for q in described}
+    return [
+        (key, group, text, _short(x))
+        for key, group, text, x in found
+        if _tells(kinds[key], x, right[key])
+    ]
+
+
+def _answers_of(p):
+    def compute(g):
+        found = {k: x for k, x in p.code.solve(g).items() if p.answer(k).kind not in WORDS}
+        return p.in_units(found)
+
+    return compute
+
+
+def _steps_of(p):
+    """The steps that a problem lists: those that are terms of its answers are never asked alone."""
+
+    def compute(g):
+        own = getattr(p.code, "steps", None)
+        listed = own(g) if own else ()
+        found = {s.key: in_unit(s.value, s.unit, p.system) for s in listed}
+        return {k: x for k, x in found.items() if not isinstance(x, (str, int)) or x == 0}
+
+    return compute
+
+
+def _tells(kind, x, right):
+    """True if a model has numbers, and others than the key."""
+    if kind in WORDS:
+        return isinstance(x, (str, int)) and x != right
+    if isinstance(x, (str, int)) or isinstance(right, (str, int)):
+        return False
+    numbers = [float(part) for part in x]
+    return all(map(math.isfinite, numbers)) and is_apart((tuple(numbers),), (tuple(right),))
+
+
+def _short(x):
+    return x if isinstance(x, (str, int)) else [float(f"{float(part):.{KEPT}g}") for part in x]
+
+
+def form(q):
+    """The form in which a quantity is asked for, as text."""
+    return str(Form(q["kind"], q["unit"], tuple(q["of"])))

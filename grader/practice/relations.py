@@ -1,0 +1,129 @@
+"""How later quantities of a problem follow from earlier ones: its computation traced once, with the
+numbers of one variant for all that depends on the givens alone. What is left begins at the values
+of the quantities, for which a student's own can stand.
+"""
+
+import math
+
+from exercises.variants import flat
+from newton_euler.algebra.codegen.trace import Step, Trace
+from newton_euler.classroom.forms import WORDS
+from newton_euler.classroom.practising.programs import OPERATIONS, operate
+
+
+def relations(p, values):
+    """{"operations": [[name, *arguments]], "quantities": {key: [component]}, "earlier": {key:
+    [keys]}} for :class:`~newton_euler.classroom.practising.programs.Program`; None where the
+    computation cannot be traced.
+
+    An argument is a number, or [n] for the operation n. A component is [n, factor] for a multiple
+    of the operation n, else None.
+    """
+    try:
+        components = _traced(p)
+    except (TypeError, ValueError, ArithmeticError, AttributeError):
+        return None  # it branches on values
+    trace = next((x.trace for parts in components.values() for x, _ in parts if _is_step(x)), None)
+    if trace is None:
+        return None
+    numbers = _evaluated(trace, values)
+    starts = {x.number for parts in components.values() for x, _ in parts if _is_step(x)}
+    program, place, reached = [], {}, {}
+    for s in trace.steps:
+        if s.op in ("item", *_WITHIN) or not isinstance(numbers[s.number], float):
+            continue
+        from_quantities = _reached(s, reached, starts)
+        if s.number in starts or from_quantities:
+            place[s.number] = len(program)
+            known = s.op in OPERATIONS and from_quantities
+            arguments = [_argument(a, numbers, place) for a in s.args] if known else []
+            known = known and None not in arguments
+            program.append([s.op, *arguments] if known else ["value", numbers[s.number]])
+            reached[s.number] = from_quantities if known else frozenset()
+    where = {
+        key: [
+            [place[x.number], factor] if _is_step(x) and x.number in place else None
+            for x, factor in parts
+        ]
+        for key, parts in components.items()
+    }
+    return {"operations": program, "quantities": where, "earlier": _earlier(components, reached)}
+
+
+_WITHIN = "integral", "over_cube", "root"
+
+
+def _is_step(x):
+    return isinstance(x, Step)
+
+
+def _traced(p):
+    """{key: [(traced component in base units, factor to the unit of the text)]}."""
+    trace = Trace()
+    g = p.base({n: trace.new("argument", n) for n in p.units})
+    own = getattr(p.code, "steps", None)
+    found = {s.key: (s.value, s.unit) for s in (own(g) if own else ())}
+    found |= {k: (x, p.answer(k).unit) for k, x in p.code.solve(g).items()
+              if p.answer(k).kind not in WORDS}  # fmt: skip
+    return {
+        key: [_inward(part, factor) for part in flat(x)]
+        for key, (x, stated) in found.items()
+        if not isinstance(x, (str, int)) and not callable(x)
+        for factor in [_factor(stated, p.system)]
+    }
+
+
+def _factor(stated, system):
+    from newton_euler.algebra.units import unit
+
+    return unit(stated).from_base(1.0, system)
+
+
+def _inward(x, factor):
+    """A minus sign belongs to the factor: what it is the negative of is computed before."""
+    return (x.args[0], -factor) if _is_step(x) and x.op == "neg" else (x, factor)
+
+
+def _evaluated(trace, values):
+    """The number of each traced operation for these values, None where it is no plain number."""
+    found = []
+    for s in trace.steps:
+        arguments = [found[a.number] if _is_step(a) else a for a in s.args]
+        if s.op == "argument":
+            found.append(float(values[s.args[0]]))
+        elif None in arguments or s.op not in OPERATIONS:
+            found.append(None)
+        else:
+            try:
+                x = operate(s.op, *map(float, arguments))
+                found.append(x if math.isfinite(x) else None)
+            except (ArithmeticError, ValueError, TypeError):
+                found.append(None)
+    return found
+
+
+def _argument(a, numbers, place):
+    if not _is_step(a):
+        return float(a)
+    return [place[a.number]] if a.number in place else numbers[a.number]
+
+
+def _reached(s, reached, starts):
+    """The operations of quantities from which one is computed."""
+    found = frozenset()
+    for a in s.args:
+        if _is_step(a):
+            found |= {a.number} if a.number in starts else reached.get(a.number, frozenset())
+    return found
+
+
+def _earlier(components, reached):
+    """{key: keys of the earlier quantities through which it is computed}."""
+    owners, found = {}, {}
+    for key, parts in components.items():
+        own = [x.number for x, _ in parts if _is_step(x)]
+        through = {n for x in own for n in ({x} if x in owners else reached.get(x, ()))}
+        found[key] = sorted({owners[n] for n in through if n in owners})
+        for n in own:
+            owners.setdefault(n, key)
+    return {key: earlier for key, earlier in found.items() if earlier}

@@ -1,0 +1,57 @@
+"""A problem with numbers in place of its symbols: what is practised is computed, and a formula that
+is asked for in an assignment is not told.
+"""
+
+from dataclasses import replace
+from functools import cache
+
+from exercises.catalogue import Given
+from exercises.variants import _drawn, draw
+
+NUMERIC = {
+    "expression": "number", "vector_expression": "vector", "matrix_expression": "matrix",
+}  # fmt: skip
+
+
+@cache
+def twin(p):
+    """Problem ``p`` itself, or where it has symbols a problem that gives numbers for them."""
+    if not p.symbols:
+        return p
+    numbers = {n: _given(s) for n, s in p.symbols.items()}
+    answers = tuple(replace(a, kind=NUMERIC.get(a.kind, a.kind)) for a in p.answers)
+    numeric = replace(p, givens={**p.givens, **numbers}, symbols={}, answers=answers, checked={})
+    # the units in which its code sees the numbers must stay the same
+    vars(numeric)["system"] = p.system
+    return numeric
+
+
+def _given(s):
+    given = Given(s.name, 0.0, s.unit, "", s.vary, latex=s.latex)
+    return replace(given, value=_drawn(given, _Middle()))
+
+
+class _Middle:
+    """In place of a generator: the number in the middle of a range."""
+
+    def randint(self, first, last):
+        return (first + last) // 2
+
+
+def sets_of_numbers(p, count, graded=(), seed="practice"):
+    """The numbers of the book, or near the middle for symbols, and drawn ones, ``count`` in all or
+    as many as differ; none that is among the ``graded``.
+    """
+    found = [] if _is_graded(p.book_values, graded) else [p.book_values]
+    for n in range(10 * count):
+        if len(found) >= count:
+            break
+        values = draw(p, f"{seed} {p.id} {n}".encode())
+        if values not in found and not _is_graded(values, graded):
+            found.append(values)
+    return found
+
+
+def _is_graded(values, graded):
+    """True if these numbers are those of a student's sheet, in the givens that the sheet has."""
+    return any(own and all(values.get(n) == x for n, x in own.items()) for own in graded)

@@ -1,0 +1,76 @@
+"""The problems of a practice file, and the table of what was tried."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from ...algebra.errors import checked
+from .files import PracticeFile
+from .problems import PracticeProblem, Said
+from .progress import Progress, mastery
+
+COUNTS = "tried", "right", "at first go", "with help"
+
+
+@checked
+def practice(path: str | Path, progress: str | Path | None = "") -> "Practice":
+    """The problems of a practice file: ``practice("ch04.practice")["4/16"]`` is one.
+
+    progress : the file in which what you tried is kept, yours alone; default: beside the practice
+        file, with ``.progress.json`` behind its name. None keeps it only while Python runs.
+
+    Raises :class:`PracticeFileError` for a file that is none.
+    """
+    kept = f"{path}.progress.json" if progress == "" else progress
+    return Practice(PracticeFile(path), Progress(kept))
+
+
+class Practice:
+    """The problems of a practice file by number: ``practice("ch04.practice")["4/16"]``."""
+
+    def __init__(self, file: PracticeFile, progress: Progress):
+        self._file, self._progress = file, progress
+        self._open: dict[str, PracticeProblem] = {}
+
+    def __getitem__(self, problem: str) -> PracticeProblem:
+        if problem not in self._open:
+            self._open[problem] = PracticeProblem(self._file, problem, self._progress)
+        return self._open[problem]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._file.problems)
+
+    def __len__(self) -> int:
+        return len(self._file.problems)
+
+    @property
+    def table(self) -> Said:
+        """What was tried of each problem and how well each section is known."""
+        wide = max(len(title) for title, _ in self._file.titles.values())
+        text = [f"{'':6} {'':{wide}} {'section':8}" + "".join(f" {c:>11}" for c in COUNTS)]
+        rows = [f"| problem | title | section | {' | '.join(COUNTS)} |", f"|{' --- |' * 7}"]
+        for p in self:
+            title, section = self._file.titles[p]
+            counts = self._progress.counts(p)
+            cells = [str(counts[c] or "") for c in COUNTS]
+            text.append(f"{p:6} {title:{wide}} {section:8}" + "".join(f" {x:>11}" for x in cells))
+            rows.append(f"| {p} | {title} | {section} | {' | '.join(cells)} |")
+        notes = [f"section {s or '-'}: {words}" for s, words in self.mastery.items()]
+        notes += [self._progress.note] if self._progress.note else []
+        listed = [f"- {note}" for note in notes]
+        return Said("\n".join([*text, "", *notes]), "\n".join([*rows, "", *listed]))
+
+    @property
+    def mastery(self) -> dict[str, str]:
+        """How well each section is known: {section: words}."""
+        found: dict[str, dict[str, int]] = {}
+        for p in self:
+            counts = found.setdefault(self._file.titles[p][1], dict.fromkeys(COUNTS, 0))
+            for name, n in self._progress.counts(p).items():
+                counts[name] += n
+        return {section: mastery(counts) for section, counts in found.items()}
+
+    def __repr__(self) -> str:
+        return self.table.text
+
+    def _repr_markdown_(self) -> str:
+        return self.table.markdown

@@ -1,0 +1,288 @@
+"""A problem to practise: its numbers, checks of answers and of every step on the way, hints, and
+the solution.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from ..answers import record
+from ..checking.fit import rounding
+from ..checking.verdicts import explain, judge, shown
+from ..forms import WORDS, AnswerError
+from ..givens import in_notebook
+from ..notation import list_symbol, number_symbol, unit_symbol
+from ..reading.formula_trees import NODES
+from .files import HELP, PracticeFile
+from .numbers import KeptNumbers, Quantity
+from .progress import Progress
+
+EARLY = 1e-3  # of the size of the key: what is lost by rounding before the end
+
+
+@dataclass(frozen=True, repr=False)
+class Said:
+    """Something told: ``text`` in a terminal, ``markdown`` in a notebook."""
+
+    text: str
+    markdown: str
+
+    def __repr__(self) -> str:
+        return self.text
+
+    def _repr_markdown_(self) -> str:
+        return self.markdown
+
+
+@dataclass(frozen=True, repr=False)
+class Checked(Said):
+    """What a check found: ``verdicts`` is {key: right, wrong, unreadable or blank}, ``causes`` is
+    {key: the mistake that explains a wrong one, or None}.
+    """
+
+    verdicts: dict[str, str]
+    causes: dict[str, str | None]
+
+
+class PracticeProblem:
+    """One problem of a practice file with one set of numbers at a time, the book's first.
+
+    ``p`` alone shows text and figure; ``p.new()`` takes other numbers, which ``p.givens`` has by
+    name; ``p.check(...)``, ``p.check_step(...)``, ``p.next_step()``, ``p.solution()``.
+    """
+
+    def __init__(self, file: PracticeFile, problem: str, progress: Progress):
+        self._file, self._progress = file, progress
+        self._page = file.page(problem)
+        self.id: str = problem
+        self._all = [Quantity(**{**q, "of": tuple(q["of"])}) for q in self._page["quantities"]]
+        self._take(0)
+
+    def _take(self, number):
+        self.number = number
+        variants = self._page["variants"]
+        self._variant = variants[number]
+        book = variants[0] if number else None
+        self._numbers = KeptNumbers(self._all, self._page["labels"], self._variant, book)
+        self._asked = {q.key: q for q in self._numbers.answers}
+        self._found: dict[str, Any] = {}
+        self._trees: dict[str, Any] = {}
+        self._passed: set[str] = set()
+
+    # -- the problem
+
+    @property
+    def givens(self) -> dict[str, float]:
+        """The numbers of the problem, by name, in the units of its text."""
+        return {n: x for n, (x, *_) in self._variant["givens"].items()}
+
+    @property
+    def answers(self) -> dict[str, str]:
+        """What is asked for: {name: form}."""
+        return {q.key: str(q.form) for q in self._asked.values() if not q.step}
+
+    @property
+    def steps(self) -> dict[str, str]:
+        """The steps that can be checked, in order: {name: form}."""
+        return {q.key: str(q.form) for q in self._asked.values() if q.step}
+
+    @property
+    def figure(self) -> bytes | None:
+        """The figure as PNG, None where there is none."""
+        name = self._variant.get("figure")
+        return self._file.read(name) if name else None
+
+    def new(self) -> "PracticeProblem":
+        """The same problem with other numbers; after the last set, the first comes again."""
+        self._take((self.number + 1) % len(self._page["variants"]))
+        return self
+
+    def book(self) -> "PracticeProblem":
+        """The same problem with the first set of numbers: those of the book, where it has any."""
+        self._take(0)
+        return self
+
+    def forget(self) -> None:
+        """Forget what was answered with these numbers, as if none of it had been tried."""
+        self._take(self.number)
+
+    def __repr__(self) -> str:
+        lines = [f"{self.id} {self._page['title']}", "", self._variant["text"], ""]
+        lines += [f"  {n} = {x:.6g} {unit}  {means}".rstrip()
+                  for n, (x, unit, means) in self._variant["givens"].items()]  # fmt: skip
+        if self._page["figure"]:
+            lines += ["", f"Figure: {self._page['figure']}"]
+        lines += ["", "Find"] + [f"  {key}: {self._asked[key].plain} ({form})"
+                                 for key, form in self.answers.items()]  # fmt: skip
+        return "\n".join([*lines, "", self._count()])
+
+    def _count(self):
+        return f"Numbers {self.number + 1} of {len(self._page['variants'])}; p.new() takes others."
+
+    def _repr_markdown_(self) -> str:
+        head, _, rest = self._variant["statement"].partition("\n")
+        numbers = ", ".join(f"`{n} = {x:.6g}`" for n, x in self.givens.items())
+        numbers = f"\n\n*Numbers:* {numbers}" if numbers else ""
+        return f"{head}\n{rest}{numbers}\n\n*{self._count()}*"
+
+    def _ipython_display_(self):
+        if not in_notebook():
+            print(self)
+            return
+        from IPython.display import Image, Markdown, display
+
+        display(Markdown(self._repr_markdown_()))
+        if png := self.figure:
+            display(Image(data=png, alt=self._page["figure"]))
+
+    # -- checks
+
+    def check(self, **answers: object) -> Checked:
+        """Whether answers are right, and what explains a wrong one: ``p.check(v_D=[1, 2, 0])``."""
+        return self._check(answers, self.answers, "answer", "p.check_step")
+
+    def check_step(self, **steps: object) -> Checked:
+        """The same for steps on the way, any of ``p.steps`` in any order. A later step that follows
+        rightly from a wrong one is told so.
+        """
+        return self._check(steps, self.steps, "step", "p.check")
+
+    def _check(self, given, names, what, other):
+        if not names:
+            raise AnswerError(f"{self.id} has no {what}s to check in this practice file")
+        if not given:
+            raise AnswerError(f"write a value for a {what}: {', '.join(names)}")
+        for key in given:
+            if key not in names:
+                hint = f"; {key} is checked by {other}" if key in self._asked else ""
+                raise AnswerError(
+                    f"{self.id} has no {what} {key!r}; it has {', '.join(names)}{hint}"
+                )
+        forms = {key: self._asked[key].form for key in given}
+        trees, faults = record(forms, {}, given)
+        for key, form in forms.items():
+            tree, fault = trees.get(key), faults.get(key)
+            self._trees[key] = tree
+            self._found[key] = judge(
+                self._asked[key], form, tree, fault, self._numbers, [NODES]
+            )  # fmt: skip
+        self._numbers.tried = self._found
+        said = [(key, *self._explained(key)) for key in given]
+        verdicts = {key: self._found[key].verdict for key in given}
+        for key, verdict in verdicts.items():
+            if verdict in ("right", "wrong"):
+                self._progress.tried(self.id, self.number, key, verdict == "right")
+        return Checked(
+            "\n".join(f"{key}: {text}" for key, text, _ in said),
+            "\n".join(f"- {_MARKS.get(verdicts[key], '')} `{key}` {self._read(key)}: {text}"
+                      for key, text, _ in said),
+            verdicts,
+            {key: cause for key, _, cause in said},
+        )  # fmt: skip
+
+    def _read(self, key):
+        return shown(self._asked[key].form, self._trees[key], self._found[key].verdict)
+
+    def _explained(self, key):
+        """(what to say, the mistake that explains it) of a quantity that was checked."""
+        found = self._found[key]
+        if found.verdict == "right":
+            return ("right" + _EARLY if self._rounded_early(key) else "right"), None
+        if found.verdict != "wrong" or found.given is None:
+            return found.message, None
+        message, cause, earlier = explain(self._asked[key], self._found, self._numbers)
+        if earlier:
+            names = " and ".join(earlier)
+            fits = (
+                f"it fits a solution that {cause}; and " if not cause.startswith("follow") else ""
+            )
+            return f"not right; {fits}it follows rightly from your {names}: mend that first", cause
+        return message, cause
+
+    def _rounded_early(self, key):
+        given, right = self._found[key].given, self._numbers.key[key]
+        if self._asked[key].kind in WORDS:
+            return False
+        gap, size = math.dist(given[0], right[0]), math.hypot(*right[0])
+        return gap > EARLY * size and gap > 2 * rounding(given[0])
+
+    # -- help
+
+    def next_step(self) -> Said:
+        """Where to go on: the first quantity that is not right yet, and the section it needs. Asked
+        again, its equation and what it is computed from; then its value.
+        """
+        if self._file.help == HELP[0]:
+            return _plain("this practice file gives no hints")
+        waiting = [q for q in self._asked.values() if q.key not in self._passed
+                   and getattr(self._found.get(q.key), "verdict", "") != "right"]  # fmt: skip
+        if not waiting:
+            return _plain("nothing is left to find; p.new() takes other numbers")
+        q = waiting[0]
+        level = self._progress.entry(self.id, self.number, q.key)["help"] + 1
+        most = 3 if self._file.help == HELP[2] else 2
+        level = min(level, most)
+        self._progress.helped(self.id, self.number, q.key, level)
+        if level == 3:
+            self._passed.add(q.key)
+        return Said(self._hint(q, level, False), self._hint(q, level, True))
+
+    def _hint(self, q, level, typeset):
+        name = f"`{q.key}`" if typeset else q.key
+        how = "p.check_step" if q.step else "p.check"
+        where = f" Section {q.section}." if q.section else ""
+        means = (q.means if typeset else q.plain).rstrip(".")
+        lines = [f"Find {name} ({q.form}): {means}.{where} Try it by {how}({q.key}=...)."]
+        if level >= 2:
+            lines += self._how(q, typeset)
+        if level >= 3:
+            value = self._value(q, typeset)
+            lines.append(f"It is {value}.")
+        return ("\n\n" if typeset else "\n").join(lines)
+
+    def _how(self, q, typeset):
+        if q.equation:
+            yield f"It is found by equation ({q.equation})."
+        if terms := self._variant["terms"].get(q.key) if typeset else None:
+            yield f"It is the sum of {'; '.join(terms)}."
+        before = self._numbers.program.earlier.get(q.key, ())
+        if before:
+            names = ", ".join(f"`{n}`" if typeset else n for n in before)
+            yield f"It is computed from {names}."
+        elif not q.equation:
+            yield "It is computed from what is given."
+
+    def _value(self, q, typeset):
+        x = self._numbers.key[q.key][0]
+        if q.kind in WORDS:
+            return str(x[0])
+        if not typeset:
+            numbers = ", ".join(f"{part:.6g}" for part in x)
+            return f"{numbers if len(x) == 1 else f'[{numbers}]'} {q.unit}".removesuffix(" 1")
+        rows = [x[n : n + 3] for n in (0, 3, 6)] if len(x) == 9 else None
+        if rows:
+            inside = list_symbol(rf"[{list_symbol(map(number_symbol, r))}]" for r in rows)
+        else:
+            inside = list_symbol(map(number_symbol, x))
+        stated = inside if len(x) == 1 else rf"\left[{inside}\right]"
+        return f"${q.latex and q.latex + ' = '}{stated}{unit_symbol(q.unit)}$"
+
+    def solution(self) -> Said:
+        """The solution in the numbers at hand: all steps, the terms of sums, the answers."""
+        if self._file.help != HELP[2]:
+            return _plain("this practice file has no solutions")
+        for q in self._asked.values():
+            self._progress.helped(self.id, self.number, q.key, 3)
+            self._passed.add(q.key)
+        lines = [f"{q.key} = {self._value(q, False)}  {q.plain}" + (
+                    f", section {q.section}" if q.step and q.section else "")
+                 for q in self._asked.values()]  # fmt: skip
+        return Said("\n".join(lines), self._variant["solution"])
+
+
+_MARKS = {"right": "✓", "wrong": "✗", "unreadable": "?"}
+_EARLY = ", but rounded too early: keep more digits on the way, and round at the end"
+
+
+def _plain(text):
+    return Said(text, text)

@@ -1,0 +1,59 @@
+"""How later quantities follow from earlier ones, as data: a list of operations on floats, of which
+some are the components of the quantities. Nothing of it is run as code.
+"""
+
+import math
+import operator
+from typing import Any
+
+from ...algebra.scalars import FUNCTIONS, function
+
+_BETWEEN: dict[str, Any] = {
+    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+    "**": operator.pow, "pow": operator.pow, "neg": operator.neg, "abs": abs,
+    "pi": lambda: math.pi, "value": float,
+    "lt": operator.lt, "le": operator.le, "gt": operator.gt, "ge": operator.ge,
+    "where": lambda condition, a, b: a if condition else b,
+}  # fmt: skip
+OPERATIONS = {*_BETWEEN, *FUNCTIONS, "atan2"}
+
+
+def operate(name, *numbers):
+    """The result of one operation, a float.
+
+    >>> operate("*", 3.0, 4.0)
+    12.0
+    """
+    if name in _BETWEEN:
+        return float(_BETWEEN[name](*numbers))
+    return float(function(name, *numbers))
+
+
+class Program:
+    """The operations of one set of numbers, as a practice file has them."""
+
+    def __init__(self, data):
+        data = data or {"operations": [], "quantities": {}, "earlier": {}}
+        self._operations, self._where = data["operations"], data["quantities"]
+        self.earlier = data["earlier"]
+
+    def following(self, key, own):
+        """The numbers of the quantity ``key``, a tuple, where other quantities are a student's
+        ``own``, {key: numbers}; None if there are none.
+        """
+        places = self._where.get(key)
+        if not places or None in places:
+            return None
+        replaced = {}
+        for name, numbers in own.items():
+            for place, x in zip(self._where.get(name, ()), numbers, strict=False):
+                if place:
+                    replaced.setdefault(place[0], x / place[1])
+        results = []
+        try:
+            for n, (name, *arguments) in enumerate(self._operations):
+                taken = (results[a[0]] if isinstance(a, list) else a for a in arguments)
+                results.append(replaced[n] if n in replaced else operate(name, *taken))
+        except (ArithmeticError, ValueError, TypeError):
+            return None
+        return tuple(factor * results[n] for n, factor in places)
