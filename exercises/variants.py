@@ -45,7 +45,7 @@ def draw(p, seed_bytes):
         rng = random.Random(
             int.from_bytes(hashlib.sha256(seed_bytes + attempt.to_bytes(2, "big")).digest(), "big")
         )
-        values = {n: _drawn(g, rng) for n, g in p.givens.items()}
+        values = {n: drawn_value(g, rng) for n, g in p.givens.items()}
         if not objection(p, values):
             return values
     raise CatalogueError(
@@ -69,7 +69,8 @@ def symbol_points(p):
     return {n: np.array([x[n] for x in points]) for n in p.symbols}
 
 
-def _drawn(given, rng):
+def drawn_value(given, rng):
+    """A number for a given, on a grid of round numbers within its range; ``rng`` chooses."""
     if given.vary is None:
         return given.value
     low, high = given.vary
@@ -250,6 +251,6 @@ def traced(p, formula, more=()):
 
 
 __all__ = [
-    "POINTS", "SEPARATION", "apart", "as_points", "at_points", "distance", "draw", "evaluate",
+    "POINTS", "SEPARATION", "apart", "as_points", "at_points", "distance", "draw", "drawn_value", "evaluate",
     "flat", "objection", "seed", "symbol_points", "symbol_values", "traced",
 ]  # fmt: skip

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import cache
 
 from exercises.catalogue import Given
-from exercises.variants import _drawn, draw
+from exercises.variants import draw, drawn_value
 
 NUMERIC = {
     "expression": "number", "vector_expression": "vector", "matrix_expression": "matrix",
@@ -28,7 +28,7 @@ def twin(p):
 
 def _given(s):
     given = Given(s.name, 0.0, s.unit, "", s.vary, latex=s.latex)
-    return replace(given, value=_drawn(given, _Middle()))
+    return replace(given, value=drawn_value(given, _Middle()))
 
 
 class _Middle:
