@@ -52,6 +52,9 @@ def steps(g):
                    f"l_{name} - l_0", "11.12", "11.35")  # fmt: skip
 
 
+follows = {"v_C": lambda g, v_B: speed_after(v_B, energy(g, "B") - energy(g, "C"), g.m)}
+
+
 def prove(g):
     """The pull of the spring, added up along the rod."""
 

@@ -94,7 +94,7 @@ def steps(g):
                    f"{side}", "11.3", "11.5")  # fmt: skip
     P = Frame("axes").point("P", g.x, g.y, g.z)
     slope = -conservative_force(candidate(g), P).x
-    yield Step("dV_dx", slope, "N", "derivative of V with respect to x", "11.9", "11.18")
+    yield Step("V_x", slope, "N", "derivative of V with respect to x", "11.9", "11.18")
 
 
 def prove(g):
@@ -142,7 +142,7 @@ def prove(g):
         "V": V(*place),
         "mismatch_x": slope + F(place)[0],
         "conditions": len(NAMES) - with_potential,
-        "dV_dx": slope,
+        "V_x": slope,
     }
 
 

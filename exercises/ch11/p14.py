@@ -37,8 +37,9 @@ def solve(g):
 
 
 def steps(g):
-    yield Step("others", derivatives(g)[1], "N/m", "the other one of each pair, dF_y/dx, dF_z/dy "
-               "and dF_x/dz; they are the same, so that F has a potential", "11.9")  # fmt: skip
+    yield Step("D_2", derivatives(g)[1], "N/m", "derivatives of F_y by x, of F_z by y and of F_x "
+               "by z, the other one of each pair; they are the same, so that F has a potential",
+               "11.9")  # fmt: skip
     F_r = sum(f * q for f, q in zip(field(g)(*place(g)), place(g), strict=True))
     yield Step("F_r", F_r, "J", "F.r at the end of the segment from the origin; at its part s, "
                "F.dr is s^3 ds times this", "11.9", "11.15")  # fmt: skip
@@ -62,7 +63,7 @@ def prove(g):
     return {
         "cross": [slopes[n][m] for n, m in pairs],
         "V": -proofs.integral(work, 0, 1),
-        "others": [slopes[m][n] for n, m in pairs],
+        "D_2": [slopes[m][n] for n, m in pairs],
     }
 
 
