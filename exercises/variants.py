@@ -251,6 +251,6 @@ def traced(p, formula, more=()):
 
 
 __all__ = [
-    "POINTS", "SEPARATION", "apart", "as_points", "at_points", "distance", "draw", "drawn_value", "evaluate",
-    "flat", "objection", "seed", "symbol_points", "symbol_values", "traced",
+    "POINTS", "SEPARATION", "apart", "as_points", "at_points", "distance", "draw", "drawn_value",
+    "evaluate", "flat", "objection", "seed", "symbol_points", "symbol_values", "traced",
 ]  # fmt: skip

@@ -12,7 +12,7 @@ from exercises.steps import in_unit, steps
 from exercises.variants import flat
 from newton_euler.algebra.vectors import Vector
 from newton_euler.classroom.checking.fit import is_apart
-from newton_euler.classroom.forms import WORDS, Form
+from newton_euler.classroom.forms import WORDS
 from newton_euler.classroom.notation import symbol
 
 from ..assignment.notebook import typeset
@@ -25,7 +25,7 @@ def quantities(p, values):
     """([description for the file], {key: numbers or word}) of all quantities, steps first."""
     described, right = [], {}
     for s in steps(p, values):
-        kind = _kind(s.value)
+        kind = _kind(s)
         described.append(
             {
                 "key": s.key, "kind": kind, "unit": s.unit, "means": typeset(s.means, p),
@@ -34,7 +34,7 @@ def quantities(p, values):
                 "sum": s.means.rpartition(", in ")[-1] if s.term else "", "step": True,
             }
         )  # fmt: skip
-        right[s.key] = _numbers(s.value)
+        right[s.key] = _numbers(s.value, kind)
     for key, x in p.solve(values).items():
         a = p.answer(key)
         described.append(
@@ -45,7 +45,7 @@ def quantities(p, values):
                 "step": False,
             }
         )  # fmt: skip
-        right[key] = _numbers(x)
+        right[key] = _numbers(x, a.kind)
     return described, right
 
 
@@ -58,18 +58,19 @@ def _equation(x):
     return x.equation.number if isinstance(x, Vector) and len(x.terms) > 1 else ""
 
 
-def _kind(value):
+def _kind(step):
+    value = step.value
     if isinstance(value, Vector):
         return "vector"
     if isinstance(value, str):
         return "choice"
-    if isinstance(value, int) and not isinstance(value, bool):
+    if isinstance(value, int) and step.unit == "1":
         return "count"
     return {9: "matrix", 2: "interval"}.get(len(flat(value)), "number")
 
 
-def _numbers(x):
-    return x if isinstance(x, (str, int)) else [float(part) for part in flat(x)]
+def _numbers(x, kind):
+    return x if kind in WORDS else [float(part) for part in flat(x)]
 
 
 def wrong_numbers(p, values, described, right):
@@ -80,7 +81,8 @@ def wrong_numbers(p, values, described, right):
     found = []
     with np.errstate(all="ignore"):
         for name, answers in p.wrong(values).items():
-            found += [(k, "listed", p.mistakes[name], _numbers(x)) for k, x in answers.items()]
+            found += [(k, "listed", p.mistakes[name], x if p.answer(k).kind in WORDS else flat(x))
+                      for k, x in answers.items()]  # fmt: skip
         for compute in (_answers_of(p), _steps_of(p)):
             with contextlib.suppress(ArithmeticError, ValueError):
                 found += general_models(p, g, compute(g), compute)
@@ -107,7 +109,7 @@ def _steps_of(p):
         own = getattr(p.code, "steps", None)
         listed = own(g) if own else ()
         found = {s.key: in_unit(s.value, s.unit, p.system) for s in listed}
-        return {k: x for k, x in found.items() if not isinstance(x, (str, int)) or x == 0}
+        return {k: x for k, x in found.items() if not isinstance(x, str)}
 
     return compute
 
@@ -116,16 +118,10 @@ def _tells(kind, x, right):
     """True if a model has numbers, and others than the key."""
     if kind in WORDS:
         return isinstance(x, (str, int)) and x != right
-    if isinstance(x, (str, int)) or isinstance(right, (str, int)):
-        return False
     numbers = [float(part) for part in x]
     return all(map(math.isfinite, numbers)) and is_apart((tuple(numbers),), (tuple(right),))
 
 
 def _short(x):
+    """Fewer digits; a word or count as it is."""
     return x if isinstance(x, (str, int)) else [float(f"{float(part):.{KEPT}g}") for part in x]
-
-
-def form(q):
-    """The form in which a quantity is asked for, as text."""
-    return str(Form(q["kind"], q["unit"], tuple(q["of"])))

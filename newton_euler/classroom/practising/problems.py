@@ -135,6 +135,12 @@ class PracticeProblem:
         if png := self.figure:
             display(Image(data=png, alt=self._page["figure"]))
 
+    def form(self) -> Any:
+        """The problem as a form with fields and buttons, in a notebook with ipywidgets."""
+        from .panel import show_form
+
+        return show_form(self)
+
     # -- checks
 
     def check(self, **answers: object) -> Checked:
