@@ -3,7 +3,7 @@
 from mpmath import mpf
 
 from exercises import proofs
-from exercises.devices.wobbling import difference, needed_spin, sense
+from exercises.devices.wobbling import difference, needed_spin, neutral_length, sense
 from exercises.steps import Step
 from newton_euler import Frame, root
 from newton_euler.bodies import cylinder, cylindrical_shell, rod
@@ -60,7 +60,7 @@ def prove(g):
         heights = proofs.box(0, 0, ratio, order=2)
         return [(u * v, proofs.plus(p, q)) for u, p in rim for v, q in heights]
 
-    ratio = proofs.root(lambda ratio: needed_spin(points(ratio)), mpf(1) / 10, 10)
+    ratio = neutral_length(points, mpf(1))
     longer, flat = needed_spin(points(2 * ratio)), proofs.mean(lambda p: p[1] ** 2, rim)
     return {
         "ratio": ratio,

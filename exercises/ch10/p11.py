@@ -1,7 +1,7 @@
 """10/11: two disks on a rod that do not precess."""
 
 from exercises import proofs
-from exercises.devices.wobbling import needed_spin
+from exercises.devices.wobbling import neutral_length
 from exercises.steps import Step
 from newton_euler import Frame, composite, particle, solve_linear, sqrt
 from newton_euler.bodies import disk
@@ -60,7 +60,7 @@ def prove(g):
     def points(b):
         return [(u / 2, [x, y, z]) for u, (x, y, _) in flat for z in (-b / 2, b / 2)]
 
-    b = proofs.root(lambda b: needed_spin(points(b)), g.r / 100, 100 * g.r)
+    b = neutral_length(points, g.r)
     I, I_flat = (
         2 * g.m * x for x in proofs.mean(lambda p: [p[0] ** 2 + p[1] ** 2, p[0] ** 2], flat)
     )

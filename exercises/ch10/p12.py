@@ -3,7 +3,7 @@
 from mpmath import mpf
 
 from exercises import proofs
-from exercises.devices.wobbling import difference, needed_spin
+from exercises.devices.wobbling import difference, neutral_length
 from exercises.steps import Step
 from newton_euler import Frame, composite, root
 from newton_euler.bodies import cone, cylinder
@@ -54,7 +54,7 @@ def prove(g):
     def points(ratio):
         return [(u / 2, [x, y, side * ratio * z]) for u, (x, y, z) in half for side in (1, -1)]
 
-    ratio = proofs.root(lambda ratio: needed_spin(points(ratio)), mpf(1) / 100, 10)
+    ratio = neutral_length(points, mpf(1))
     axial, across = proofs.mean(lambda p: [p[0] ** 2 + p[1] ** 2, p[1] ** 2], half)
     height = ratio * proofs.mean(lambda p: p[2], half)
     spread = proofs.mean(lambda p: (ratio * p[2] - height) ** 2, half)

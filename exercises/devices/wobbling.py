@@ -2,9 +2,10 @@
 the moment that its mass points need in an explicit steady precession.
 """
 
-from mpmath import mpf
+from mpmath import mp, mpf
 
-from exercises.proofs import moment_needed, rot, times, vanishing
+from exercises.devices.steady_precession import needed
+from exercises.proofs import vanishing
 from newton_euler.applications import free_precession
 
 WOBBLE = 0.1  # rad, the angle of the axis with the angular momentum; any will do
@@ -24,21 +25,22 @@ def sense(body, O):
     return free_precession(I.moment("x"), I.moment("z"), WOBBLE, spin=1.0).sense
 
 
-def moment(points, spin=0):
-    """Proof, the moment about the line of nodes that mass points of the mass 1 need to precess at
-    the rate 1 with this spin.
-    """
-    theta = mpf(WOBBLE)
-
-    def motion(t):
-        orientation = times(rot("z", t), rot("x", theta), rot("z", spin * t))
-        return [(share, times(orientation, place)) for share, place in points]
-
-    return moment_needed(1, motion)[0]
-
-
 def needed_spin(points):
-    """Proof, the spin with which the precession at the rate 1 needs no moment: positive if it is
-    direct, and zero if the body can turn about the slanting axis without precession.
+    """Proof, the spin with which a precession at the rate 1 needs no moment, positive if it is
+    direct.
     """
-    return vanishing(lambda spin: moment(points, spin), 0, 1)
+    return vanishing(lambda spin: needed(1, points, mpf(WOBBLE), 1, spin), 0, 1)
+
+
+def neutral_length(points, unit):
+    """Proof, the length of the body with which the mass points ``points(length)`` turn about a
+    slanting axis without a moment: they do not precess.
+
+    unit : any length; the moment is a sum of squares of the heights and of radii, and so the
+        moments at this length and at its double tell it for all
+    """
+
+    def moment(share):
+        return needed(1, points(unit * mp.sqrt(share)), mpf(WOBBLE), 1, 0)
+
+    return unit * mp.sqrt(vanishing(moment, 1, 4))

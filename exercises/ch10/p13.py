@@ -1,0 +1,109 @@
+"""10/13: the moment of a rotor in a turning bracket on the shaft below it."""
+
+from exercises import proofs
+from exercises.catalogue import in_frame
+from exercises.proofs import cross, minus, moment_needed, rot, times
+from exercises.steps import Step
+from newton_euler import Frame, dynamics
+from newton_euler.applications import normal_moment
+from newton_euler.bodies import cylinder
+from newton_euler.drawing import Sketch
+
+
+def rotor(g):
+    """Ground with z up, the bracket with its origin at G, the cylinder. Its length does not count:
+    neither the moment about the shaft nor the gyroscopic one depends on it.
+    """
+    ground = Frame("ground")
+    bracket = ground.rotate("bracket", "z", rate=g.Omega)
+    spinning = bracket.rotate("cylinder", "x", rate=g.P)
+    mass = dynamics.mass_from_weight(g.W, g.g)
+    return ground, bracket, cylinder(g.r, 3 * g.r, spinning, "x", mass=mass)
+
+
+def on_the_rotor(g, share=1):
+    """The moment that the cylinder needs (10.38), with this share of its moment of inertia."""
+    ground, bracket, body = rotor(g)
+    I = share * body.inertia.moment("x")
+    precession = bracket.angular_velocity(ground)
+    spin = body.frame.angular_velocity(bracket).expressed_in(bracket)
+    return in_frame(bracket, normal_moment(precession, spin, I))
+
+
+def solve(g):
+    return {"M_C": -on_the_rotor(g)}
+
+
+def steps(g):
+    _, _, body = rotor(g)
+    yield Step("I", body.inertia.moment("x"), "slug*ft^2",
+               "moment of inertia of the cylinder about its axis", "7.4", "8.16")  # fmt: skip
+    yield Step("H_spin", g.P * body.inertia.moment("x"), "slug*ft^2/s",
+               "angular momentum of the spin, along x", "10.5", "10.21")  # fmt: skip
+    yield Step("M_rotor", on_the_rotor(g), "lb*ft", "moment of the bracket on the cylinder, "
+               "Omega*z x I*P*x", "10.9", "10.38")  # fmt: skip
+
+
+def prove(g):
+    """What the mass points of a cylinder of another length need about C, less what their weight
+    gives there.
+    """
+    m, length = g.W / g.g, g.r
+    C = [0, 0, -2 * g.r]
+    points = [
+        (u * v, [x, y, z])
+        for u, (y, z, _) in proofs.disk(g.r, order=2)
+        for v, (x, _, _) in proofs.box(length, 0, 0, order=2)
+    ]
+
+    def turned(t):
+        R = times(rot("z", g.Omega * t), rot("x", g.P * t))
+        return [(u, times(R, p)) for u, p in points]
+
+    def spun(t):
+        return [(u, times(rot("x", g.P * t), p)) for u, p in points]
+
+    of_weight = cross(minus(proofs.mean(lambda p: p, points), C), [0, 0, -g.W])
+    return {
+        "M_C": minus(of_weight, moment_needed(m, turned, about=C)),
+        "I": m * proofs.mean(lambda p: p[1] ** 2 + p[2] ** 2, points),
+        "H_spin": proofs.angular_momentum(m, spun)[0],
+        "M_rotor": moment_needed(m, turned),
+    }
+
+
+def mistakes(g):
+    right = on_the_rotor(g)
+    return {
+        "on_the_assembly": {"M_C": right},
+        "diameter": {"M_C": -on_the_rotor(g, g.one / 2)},
+        "inches": {"M_C": -right * 144},
+        "no_half": {"M_C": -right * 2},
+    }
+
+
+def draw(g, ax):
+    ground, bracket, _ = rotor(g)
+    s = Sketch(ax, ground, azimuth=-60, elevation=16)
+    r = g.r
+    half, out, low = 1.5 * r, 2.1 * r, -1.6 * r
+    foot, C = (0, 0, -3.6 * r), (0, 0, -2.4 * r)
+    s.ground(foot, normal=ground.k)
+    s.shaft(foot, (0, 0, low))
+    s.rod((-out, 0, low), (out, 0, low))
+    for x in (-out, out):
+        s.rod((x, 0, low), (x, 0, 0))
+        s.rod((x / out * half, 0, 0), (x * 1.1, 0, 0))
+        s.hinge((x, 0, 0), axis=ground.i)
+    s.cylinder((-half, 0, 0), (half, 0, 0), r)
+    s.line((0, 0, 0), (0, 0, 1.8 * r), style="centre")
+    s.dot((0, 0, 0))
+    s.label((0, 0, 0), "G", offset=(-12, 4))
+    s.dot(C)
+    s.label(C, "C", offset=(12, 0))
+    s.label((-out, 0, 0), "A", offset=(-4, 14))
+    s.label((out, 0, 0), "B", offset=(4, 14))
+    s.turn((0, 0, -3 * r), ground.k, label=r"$\Omega$")
+    s.turn((1.2 * out, 0, 0), ground.i, label="P")
+    s.dimension((half, 0, 0), (half, 0, r), label="r", offset=0)
+    s.axes((-2 * out, 0, low), bracket, length=1.3 * r)

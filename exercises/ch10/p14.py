@@ -1,0 +1,183 @@
+"""10/14: a spinning disk that falls over on a cross shaft, and the forces of its bearings."""
+
+from mpmath import mp, mpf
+
+from exercises import proofs
+from exercises.proofs import minus, moment_needed, plus, rot, scaled, times, vanishing
+from exercises.steps import Step
+from newton_euler import ForceSystem, Frame, kinetic_energy, particle, pi, solve_linear, sqrt
+from newton_euler.bodies import disk
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import resultant_force, resultant_moment, weight
+
+
+def scene(g, rate=0, acceleration=0, spin=0):
+    """At the level position: ground with x along the level shaft and z up, and the disk; the z of
+    the shafts points from O to the disk.
+    """
+    ground = Frame("ground")
+    level = pi(g.r) / 2
+    shafts = ground.rotate("shafts", "-x", angle=level, rate=rate, acceleration=acceleration)
+    turned = shafts.rotate("disk", "z", rate=spin, origin=shafts.point("C", 0, 0, g.b))
+    return ground, disk(g.r, turned, "z", mass=g.m)
+
+
+def as_particle(g, rate=0, acceleration=0):
+    ground, body = scene(g, rate, acceleration)
+    return ground, particle(g.m, body.frame.point("G", 0, 0, 0))
+
+
+def fall(g, scene=scene):
+    """theta_dot and theta_ddot: the weight has done the work m g b, and has the moment that the
+    motion needs about x. The spin has no part in either.
+    """
+    rate = sqrt(g.m * g.g * g.b / kinetic_energy(*reversed(scene(g, rate=1))).value)
+
+    def about_x(alpha):
+        ground, body = scene(g, acceleration=alpha)
+        O, force = ground.point("O", 0, 0, 0), weight(g.m, ground.k, g.g)
+        given = ForceSystem({"weight": (force, body.centre)}).moment(O)
+        needed = resultant_moment(body, ground, about=O)
+        return (needed.expressed_in(ground) - given).x
+
+    return rate, solve_linear(about_x).alpha
+
+
+def needed(g, rate, acceleration):
+    """The force, less the weight, and the moment about O that the bearings must give."""
+    ground, body = scene(g, rate, acceleration, g.P)
+    force = resultant_force(g.m, body.centre.acceleration(ground)).expressed_in(ground)
+    moment = resultant_moment(body, ground, about=ground.point("O", 0, 0, 0))
+    return force - weight(g.m, ground.k, g.g), moment.expressed_in(ground)
+
+
+def bearings(g, force, moment):
+    ground = force.frame
+    O, A, B = (ground.point("", x, 0, 0) for x in (0, -g.c / 2, g.c / 2))
+
+    def balance(A_y, A_z, B_y, B_z):
+        at_A, at_B = ground.vector(0, A_y, A_z), ground.vector(0, B_y, B_z)
+        forces = ForceSystem({"A": (at_A, A), "B": (at_B, B)})
+        off, turning = forces.force - force, forces.moment(O) - moment
+        return {"y": off.y, "z": off.z, "about y": turning.y, "about z": turning.z}
+
+    s = solve_linear(balance)
+    return {"F_A": ground.vector(0, s.A_y, s.A_z), "F_B": ground.vector(0, s.B_y, s.B_z)}
+
+
+def solve(g):
+    return bearings(g, *needed(g, *fall(g)))
+
+
+def steps(g):
+    rate, acceleration = fall(g)
+    ground, body = scene(g, rate, acceleration, g.P)
+    O = ground.point("O", 0, 0, 0)
+    yield Step("I_0", body.about(O).moment("x"), "kg*m^2",
+               "moment of inertia about the level shaft", "10.5", "10.17")  # fmt: skip
+    yield Step("theta_dot", rate, "rad/s", "rate of the fall: I_0*theta_dot^2/2 = m*g*b",
+               "11.4")  # fmt: skip
+    yield Step("theta_ddot", acceleration, "rad/s^2", "second rate of theta, m*g*b/I_0",
+               "10.5", "10.23")  # fmt: skip
+    force, moment = needed(g, rate, acceleration)
+    yield Step("R_AB", force, "N", "sum of both bearing forces, m*a_C less the weight", "6.1",
+               "6.1")  # fmt: skip
+    yield Step("M_z", moment.z, "N*m", "moment of the bearing forces about z, which turns the "
+               "angular momentum of the spin", "10.9", "10.38")  # fmt: skip
+
+
+def from_A(g, F_A):
+    """The rest of what both must give."""
+    force, _ = needed(g, *fall(g))
+    return F_A.frame.vector(*force) - F_A
+
+
+follows = {"F_B": from_A}
+
+
+def prove(g):
+    """The mass points of the disk in time: the fall is the one that needs the moment of their
+    weights about x, whose work is added up; then what they need about A beside their weight is the
+    moment of the force at B, and the other way round.
+    """
+    plate = proofs.disk(g.r, order=2)
+
+    def body(theta, spin):
+        outer, inner = rot([-1, 0, 0], theta), rot("z", spin)
+        return [(u, times(outer, plus(times(inner, p), [0, 0, g.b]))) for u, p in plate]
+
+    def downward(moment):  # about -x, in which theta grows
+        return -moment[0]
+
+    def of_weights(theta, about=(0, 0, 0)):
+        arm = minus(proofs.mean(lambda p: p, body(theta, 0)), about)
+        return proofs.cross(arm, [0, 0, -g.m * g.g])
+
+    def moment(theta, rate, acceleration, about=(0, 0, 0)):
+        def motion(t):
+            return body(theta + rate * t + acceleration * t**2 / 2, g.P * t)
+
+        return moment_needed(g.m, motion, about)
+
+    level, any_angle, unit = mp.pi / 2, mpf("0.7"), g.g / g.b
+    inertia = downward(moment(any_angle, 0, unit)) / unit  # the same at all angles and rates
+    at_angles = proofs.box(level, 0, 0, order=20)
+    work = level * proofs.mean(lambda p: downward(of_weights(p[0] + level / 2)), at_angles)
+    rate = mp.sqrt(2 * work / inertia)
+    acceleration = vanishing(
+        lambda a: downward(minus(moment(level, rate, a), of_weights(level))), 0, unit
+    )
+
+    def force_across(x):
+        """At a distance c from the place x on the shaft, from the moment about that place."""
+        about = (x, 0, 0)
+        _, M_y, M_z = minus(moment(level, rate, acceleration, about), of_weights(level, about))
+        return scaled(-1 / (2 * x), [0, M_z, -M_y])
+
+    F_A, F_B = force_across(g.c / 2), force_across(-g.c / 2)
+    return {
+        "F_A": F_A,
+        "F_B": F_B,
+        "I_0": inertia,
+        "theta_dot": rate,
+        "theta_ddot": acceleration,
+        "R_AB": plus(F_A, F_B),
+        "M_z": moment(level, rate, acceleration)[2],
+    }
+
+
+def mistakes(g):
+    force, moment = needed(g, *fall(g))
+    ground = force.frame
+    upward = ground.vector(0, 0, force.z)
+    carried = ground.vector(0, force.y, g.m * g.g)
+    return {
+        "no_gyroscopic_couple": bearings(g, force, moment * 0),
+        "no_centripetal": bearings(g, upward, moment),
+        "whole_weight": bearings(g, carried, moment),
+        "as_particle": bearings(g, *needed(g, *fall(g, as_particle))),
+        "other_sense": solve(g.but(P=-g.P)),
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=-35, elevation=18)
+    b, c, r, theta = 1.0, 1.8, 0.55, 0.8  # theta: anywhere
+    shafts = ground.rotate("shafts", "-x", angle=theta)
+    A, B, O = (-c / 2, 0, 0), (c / 2, 0, 0), (0, 0, 0)
+    C = shafts.point("C", 0, 0, b)
+    s.shaft((-0.7 * c, 0, 0), (0.7 * c, 0, 0))
+    for end, name in ((A, "A"), (B, "B")):
+        s.hinge(end, axis=ground.i)
+        s.label(end, name, offset=(0, -14))
+    s.rod(O, shafts.point("", 0, 0, 1.45 * b))
+    s.disk(C, shafts.k, r)
+    s.turn(shafts.point("", 0, 0, 1.25 * b), shafts.k, label="P")
+    s.line(O, (0, 0, 1.2 * b))
+    s.arc(O, ground.k, C, label=r"$\theta$")
+    s.axes((-1.1 * c, 0, 0), ground, length=0.5 * b)
+    s.label(O, "O", offset=(0, -14))
+    s.dimension(C, shafts.point("", r, 0, b), label="r", offset=0)
+    s.dimension(O, C, label="b", offset=0.3 * b)
+    s.dimension((-c / 2, 0, -0.35 * b), (c / 2, 0, -0.35 * b), label="c", offset=0)
