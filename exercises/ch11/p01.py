@@ -1,0 +1,110 @@
+"""11/1: a cart that slides down a rough chute."""
+
+from mpmath import mp
+
+from exercises.proofs import minus, rate, root, scaled, second_rate, size, vanishing
+from exercises.steps import Step
+from newton_euler import Frame, pi
+from newton_euler.algebra.ledger import summed
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import constant_force_work, speed_after, weight
+
+
+def scene(g):
+    """The ground with y up, the chute with x down the slope, A and B."""
+    ground = Frame("ground")
+    chute = ground.rotate("chute", "z", angle=-g.theta)
+    return ground, chute, chute.point("A", 0, 0, 0), chute.point("B", g.L, 0, 0)
+
+
+def normal_force(g):
+    """Of the chute: the cart does not move across it."""
+    ground, chute, *_ = scene(g)
+    return -weight(g.m, ground.j, g.g).dot(chute.j)
+
+
+def work(g, N=None):
+    """Of the weight and of the friction; N: another normal force than the right one."""
+    ground, chute, A, B = scene(g)
+    N = normal_force(g) if N is None else N
+    return summed(
+        {
+            "weight": constant_force_work(weight(g.m, ground.j, g.g), A, B),
+            "friction": constant_force_work(-g.mu * N * chute.i, A, B),
+        }
+    )
+
+
+def speed(g, U):
+    return {"v_B": speed_after(g.v_A, U, g.m)}
+
+
+def solve(g):
+    return speed(g, work(g))
+
+
+def steps(g):
+    U = work(g).terms
+    yield Step("N", normal_force(g), "N", "normal force of the chute, m g cos(theta)", "6.1", "6.4")
+    yield Step("F_f", g.mu * normal_force(g), "N", "friction, up the chute")
+    yield Step("U_w", U["weight"], "J", "work of the weight, m g L sin(theta)", "11.4", "11.7")
+    yield Step("U_f", U["friction"], "J", "work of the friction, -F_f L", "11.4", "11.6")
+    yield Step("T_A", g.m * g.v_A**2 / 2, "J", "kinetic energy at A", "11.7", "11.13")
+
+
+def prove(g):
+    """The motion in time, along a line in the ground: the force that it needs beside the weight is
+    that of the chute, whose two parts are as the friction law says.
+    """
+    down = [mp.cos(g.theta), -mp.sin(g.theta)]
+    across = [mp.sin(g.theta), mp.cos(g.theta)]
+
+    def place(a):
+        return lambda t: scaled(g.v_A * t + a * t**2 / 2, down)
+
+    def parts(a):
+        """Of the force of the chute, up it and across it."""
+        F = scaled(g.m, minus(second_rate(place(a)), [0, -g.g]))
+        return tuple(sum(f * e for f, e in zip(F, line, strict=True)) for line in (down, across))
+
+    def excess(a):
+        along, N = parts(a)
+        return along + g.mu * N
+
+    a = vanishing(excess, 0, g.g)
+    # the first time at which the cart is L away: it comes to rest beyond B, if at all
+    far = 2 * g.L / g.v_A if a >= 0 else min(2 * g.L / g.v_A, -g.v_A / a)
+    end = root(lambda t: size(place(a)(t)) - g.L, 0, far)
+    along, N = parts(a)
+    return {"v_B": size(rate(place(a), end)), "N": N, "F_f": -along, "U_f": along * g.L}
+
+
+def mistakes(g):
+    right = work(g)
+    drop = summed({**right.terms, "weight": g.m * g.g * g.L})
+    return {
+        "friction_by_weight": speed(g, work(g, g.m * g.g)),
+        "L_as_drop": speed(g, drop),
+        "friction_drives": speed(g, right.reweighted(friction=-1)),
+        "sine_for_cosine": solve(g.but(theta=pi(g.theta) / 2 - g.theta)),
+    }
+
+
+def draw(g, ax):
+    ground, chute, A, B = scene(g)
+    s = Sketch(ax, ground, plane="xy")
+    long, high = 0.14 * g.L, 0.08 * g.L
+    end = chute.point("end", 1.45 * g.L, 0, 0)
+    s.road([chute.point("start", -0.14 * g.L, 0, 0), end])
+    cart = chute.point("cart", 0, high / 2, 0)
+    s.box(cart, chute, (long, high, high))
+    s.vector(chute.point("front", long / 2, high / 2, 0), chute.i, "$v_A$")
+    s.dot(A)
+    s.dot(B)
+    s.dimension(A, B, label="L", offset=-0.2 * g.L)
+    x, y, _ = end.position(ground).components()
+    foot = (x - 0.4 * g.L, y, 0)
+    s.line(end, foot)
+    s.arc(end, foot, A, label=r"$\theta$")
+    s.label(A, "A", offset=(9, -16))
+    s.label(B, "B", offset=(0, 12))

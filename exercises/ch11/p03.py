@@ -1,0 +1,113 @@
+"""11/3: a car that drives up one slope and coasts up a steeper one."""
+
+from mpmath import mp
+
+from exercises.proofs import minus, rate, root, scaled, second_rate, size, vanishing
+from exercises.steps import Step
+from newton_euler import Frame, sin, solve_linear
+from newton_euler.algebra.ledger import summed
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import constant_force_work
+
+
+def scene(g):
+    """The ground with y up, the two slopes with x along them, A and B."""
+    ground = Frame("ground")
+    first = ground.rotate("first slope", "z", angle=g.theta_1)
+    B = first.point("B", g.s_AB, 0, 0)
+    second = first.rotate("second slope", "z", angle=g.theta_2 - g.theta_1, origin=B)
+    return ground, first, second, ground.origin, B
+
+
+def work_to_B(g):
+    ground, first, _, A, B = scene(g)
+    return summed(
+        {
+            "engine": constant_force_work(g.F * first.i, A, B),
+            "weight": constant_force_work(-g.W * ground.j, A, B),
+        }
+    )
+
+
+def distance(g, U):
+    """Along the second slope, on which the weight does the work -U."""
+    ground, _, second, _, B = scene(g)
+
+    def energy(s):
+        return U + constant_force_work(-g.W * ground.j, B, second.point("P", s, 0, 0)).value
+
+    return solve_linear(energy, "s").s
+
+
+def solve(g):
+    return {"s": distance(g, work_to_B(g).value)}
+
+
+def steps(g):
+    U = work_to_B(g)
+    yield Step("U_e", U.terms["engine"], "ft*lb", "work of the driving force from A to B, F s_AB",
+               "11.4", "11.6")  # fmt: skip
+    yield Step("U_w", U.terms["weight"], "ft*lb", "work of the weight from A to B, "
+               "-W s_AB sin(theta_1)", "11.4", "11.7")  # fmt: skip
+    yield Step("T_B", U.value, "ft*lb", "kinetic energy at B", "11.7", "11.14")
+    yield Step("h_2", solve(g)["s"] * sin(g.theta_2), "ft", "height gained beyond B, T_B/W",
+               "11.4", "11.7")  # fmt: skip
+
+
+def prove(g):
+    """The motion in time on either slope, with the acceleration by which the force beside the
+    weight is that of the engine, or none.
+    """
+    gravity = 10  # its acceleration, any: the mass is W over it, and the distances are the same
+    m = g.W / gravity
+
+    def line(angle, v, a):
+        return lambda t: scaled(v * t + a * t**2 / 2, [mp.cos(angle), mp.sin(angle)])
+
+    def acceleration(angle, engine):
+        def excess(a):
+            needed = scaled(m, minus(second_rate(line(angle, 0, a)), [0, -gravity]))
+            return needed[0] * mp.cos(angle) + needed[1] * mp.sin(angle) - engine
+
+        return vanishing(excess, 0, 1)
+
+    a_1, a_2 = acceleration(g.theta_1, g.F), acceleration(g.theta_2, 0)
+    up = line(g.theta_1, 0, a_1)
+    t_B = root(lambda t: size(up(t)) - g.s_AB, 0, 10 * mp.sqrt(g.s_AB / a_1))
+    v = size(rate(up, t_B))
+    coasting = line(g.theta_2, v, a_2)
+    end = root(lambda t: rate(coasting, t)[0], 0, -2 * v / a_2)
+    return {"s": size(coasting(end)), "T_B": m * v**2 / 2, "h_2": coasting(end)[1]}
+
+
+def mistakes(g):
+    right, U = solve(g)["s"], work_to_B(g)
+    return {
+        "no_climb_to_B": {"s": distance(g, U.terms["engine"])},
+        "height_for_distance": {"s": right * sin(g.theta_2)},
+        "angle_from_AB": solve(g.but(theta_2=g.theta_1 + g.theta_2)),
+        "from_A": {"s": g.s_AB + right},
+    }
+
+
+def draw(g, ax):
+    ground, first, second, A, B = scene(g)
+    s = Sketch(ax, ground, plane="xy")
+    long, high = 0.1 * g.s_AB, 0.05 * g.s_AB
+    end = second.point("end", 0.9 * g.s_AB, 0, 0)
+    s.road([(-0.35 * g.s_AB, 0, 0), A])
+    s.wire([A, B, end])  # without hatching, so that the small angles are free
+    s.box(first.point("car", 0, high / 2, 0), first, (long, high, high))
+    s.vector(first.point("front", long / 2, high / 2, 0), first.i, "F", kind="force")
+    s.dot(A)
+    s.dot(B)
+    level = second.rotate("level", "z", angle=-g.theta_2)
+    for P, name, along, up in (
+        (A, "1", ground.point("level at A", 0.75 * g.s_AB, 0, 0), B),
+        (B, "2", level.point("level at B", 0.75 * g.s_AB, 0, 0), end),
+    ):
+        s.line(P, along)
+        s.arc(P, along, up, label=rf"$\theta_{name}$", radius=0.6 * g.s_AB)
+    s.dimension(A, B, label="$s_{AB}$", offset=0.2 * g.s_AB)
+    s.label(A, "A", offset=(0, -14))
+    s.label(B, "B", offset=(4, -16))

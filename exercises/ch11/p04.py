@@ -1,0 +1,71 @@
+"""11/4: a collar that slides down a quarter of a hoop into a spring."""
+
+from exercises.devices.quarter_hoop import sketch, slides, work_of_weight
+from exercises.proofs import until
+from exercises.steps import Step
+from newton_euler import pi, sqrt
+from newton_euler.dynamics import speed_after, spring_potential
+
+
+def compression(g, v):
+    """At which the spring, whose energy is that for the unit of length times x^2, has taken what
+    the collar brings with the speed v.
+    """
+    T = g.m * v**2 / 2
+    return sqrt(T / spring_potential(g.k, g.one))
+
+
+def answers(g, U):
+    v = speed_after(0, U, g.m)
+    return {"v_B": v, "x_max": compression(g, v)}
+
+
+def solve(g):
+    return answers(g, work_of_weight(g))
+
+
+def steps(g):
+    v, x = solve(g).values()
+    yield Step("U_w", work_of_weight(g), "J", "work of the weight from A to B, m g R",
+               "11.4", "11.7")  # fmt: skip
+    yield Step("T_B", g.m * v**2 / 2, "J", "kinetic energy at B", "11.7", "11.14")
+    yield Step("V_s", spring_potential(g.k, x), "J", "energy of the spring at the greatest "
+               "compression, equal to it", "11.12", "11.35")  # fmt: skip
+    yield Step("F_s", g.k * x, "kN", "force of the spring then", "11.12")
+
+
+follows = {"x_max": lambda g, v_B: compression(g, v_B)}
+
+
+def prove(g):
+    """The motion in time, down the hoop and then against the spring."""
+    t, v = slides(g)
+
+    def against(state):
+        x, u, _ = state
+        return [u, -g.k * x / g.m, g.k * x * u]
+
+    # the third number adds up the work that the spring takes
+    _, (x, _, V) = until(against, [0 * t, v, 0 * t], lambda s: s[1], t / 40)
+    return {"v_B": v, "x_max": x, "V_s": V}
+
+
+def mistakes(g):
+    U = work_of_weight(g)
+    return {
+        "balance_of_forces": {"x_max": g.m * g.g / g.k},
+        "kilo_overlooked": {"x_max": solve(g.but(k=g.k / 1000))["x_max"]},
+        "no_half": {"x_max": solve(g.but(k=2 * g.k))["x_max"]},
+        "arc_as_drop": answers(g, U * pi(g.R) / 2),
+    }
+
+
+def draw(g, ax):
+    s, (ground, O, A, B) = sketch(g, ax)
+    end = (1.3 * g.R, -g.R, 0)
+    s.wire([B, end])
+    s.spring((0.02 * g.R, -g.R, 0), end, radius=0.07 * g.R, coils=10)
+    s.ground(end, -ground.i, size=0.4 * g.R)
+    s.dimension(A, O, label="R", offset=0)
+    s.dot(O)
+    s.label((0.65 * g.R, -g.R, 0), "k", offset=(0, 18), bold=False)

@@ -1,0 +1,75 @@
+"""11/5: a collar that slides down a quarter of a hoop, pulled by a spring from across."""
+
+from exercises.devices.quarter_hoop import hoop, sketch, slides, spring_pull, work_of_weight
+from exercises.proofs import minus, size
+from exercises.steps import Step
+from newton_euler.algebra.ledger import summed
+from newton_euler.dynamics import speed_after, spring_between, spring_potential
+
+
+def pin(g, ground):
+    return ground.point("P", g.R, 0, 0)
+
+
+def stretches(g):
+    """Of the spring, at A and at B."""
+    ground, _, *ends = hoop(g)
+    return [(end - pin(g, ground)).norm() - g.l_0 for end in ends]
+
+
+def work(g):
+    ground, _, A, B = hoop(g)
+    at_A, at_B = (spring_between(g.k, g.l_0, pin(g, ground), end) for end in (A, B))
+    return summed({"weight": work_of_weight(g), "spring": at_A - at_B})
+
+
+def speed(g, U):
+    return {"v_B": speed_after(0, U, g.m)}
+
+
+def solve(g):
+    return speed(g, work(g))
+
+
+def steps(g):
+    (x_A, x_B), U = stretches(g), work(g).terms
+    yield Step("x_A", x_A, "m", "stretch of the spring at A, 2 R - l_0", "11.12")
+    yield Step("x_B", x_B, "m", "stretch of the spring at B, sqrt(2) R - l_0", "11.12")
+    yield Step("U_w", U["weight"], "J", "work of the weight, m g R", "11.4", "11.7")
+    yield Step("U_s", U["spring"], "J", "work of the spring, k (x_A^2 - x_B^2)/2",
+               "11.12", "11.35")  # fmt: skip
+
+
+def prove(g):
+    """The motion in time, from the forces at each place of the hoop."""
+    P = [g.R, 0]
+    _, v = slides(g, spring_pull(g, P))
+    x_A, x_B = (size(minus(end, P)) - g.l_0 for end in ([-g.R, 0], [0, -g.R]))
+    return {"v_B": v, "x_A": x_A, "x_B": x_B}
+
+
+def mistakes(g):
+    (x_A, x_B), right = stretches(g), work(g)
+
+    def with_spring(U):
+        return speed(g, summed({**right.terms, "spring": U}))
+
+    return {
+        "lengths_for_stretches": solve(g.but(l_0=0 * g.l_0)),
+        "difference_squared": with_spring(spring_potential(g.k, x_A - x_B)),
+        "unstretched_at_B": with_spring(spring_potential(g.k, x_A)),
+        "no_weight": speed(g, right.reweighted(weight=0)),
+    }
+
+
+def draw(g, ax):
+    s, (ground, O, A, B) = sketch(g, ax)
+    P = pin(g, ground)
+    s.spring(P, A)
+    s.ground((g.R, 0, 0), -ground.i)
+    s.dot(P)
+    s.dot(O)
+    s.dimension(O, B, label="R", offset=0)
+    s.dimension(O, P, label="R", offset=0.2 * g.R)
+    s.label(P, "P", offset=(-8, -16))
+    s.label((0.55 * g.R, 0, 0), "k", offset=(0, -16), bold=False)

@@ -1,0 +1,138 @@
+"""11/7: a linkage of two pairs of links that folds down on a spring."""
+
+from mpmath import mp
+
+from exercises.proofs import minus, until
+from exercises.steps import Step
+from newton_euler import Frame, acos, atan2, cos, pi, root, sin
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import spring_potential, weight_potential
+
+
+def scene(g, theta, side=1):
+    """The ground with y up from O, the knee K at the right side of the shaft (the left with side
+    -1), and the collar C.
+    """
+    ground = Frame("ground")
+    # so that C is above O: along the lower link it is a - b cos(theta) from O, b sin(theta) across
+    lean = atan2(g.b * sin(theta), g.a - g.b * cos(theta))
+    lower = ground.rotate("lower link", "z", angle=-side * lean)
+    K = lower.point("K", 0, g.a, 0)
+    upper = lower.rotate("upper link", "z", angle=side * (pi(theta) - theta), origin=K)
+    return ground, K, upper.point("C", 0, g.b, 0)
+
+
+def heights(g, theta):
+    """Of the knees and of the collar."""
+    ground, K, C = scene(g, theta)
+    return K.position(ground).y, C.position(ground).y
+
+
+def energies(g, theta):
+    """What the weights of collar and balls have lost since the start, and what the spring has."""
+    y, h = heights(g, theta)
+    x = g.a + g.b - h
+    lost = weight_potential(g.m_c, x, g.g), 2 * weight_potential(g.m_b, g.a - y, g.g)
+    return *lost, spring_potential(g.k, x)
+
+
+def solve(g):
+    """Theta = 180 degrees, where all began, fulfils the equation, too."""
+
+    def excess(theta):
+        collar, balls, spring = energies(g, theta)
+        return spring - collar - balls
+
+    return {"theta": root(excess, 0.6 * g.one, 3 * g.one)}
+
+
+def steps(g):
+    theta = solve(g)["theta"]
+    (y, h), (collar, balls, spring) = heights(g, theta), energies(g, theta)
+    yield Step("h", h, "mm", "height of the collar above O then, "
+               "sqrt(a^2 + b^2 - 2 a b cos(theta))", "11.18")  # fmt: skip
+    yield Step("y", y, "mm", "height of the knees above O then, (a^2 + h^2 - b^2)/(2 h)", "11.18")
+    yield Step("x", g.a + g.b - h, "mm", "greatest compression of the spring", "11.18")
+    yield Step("V_s", spring, "J", "energy of the spring then", "11.12", "11.35")
+    yield Step("U_c", collar, "J", "work of the weight of the collar", "11.4", "11.7")
+    yield Step("U_b", balls, "J", "work of the weights of both balls", "11.4", "11.7")
+
+
+def prove(g):
+    """The power of the forces, per rate of the lower links, is added up along the motion until all
+    work is given back. The velocity of the collar is that about the instantaneous centre of an
+    upper link: at the height of the collar, on the line of the lower link.
+    """
+
+    def ball(lean):
+        return [g.a * mp.sin(lean), g.a * mp.cos(lean)]
+
+    def collar(x, y):
+        return y + mp.sqrt(g.b**2 - x**2)
+
+    def powers(state):
+        """Of the collar's weight, of the balls' and of the spring."""
+        x, y = ball(state[0])
+        h = collar(x, y)
+        # the centre is (x h/y, h), and both of its distances are multiplied by y
+        sinks = x * h / (h - y)
+        push = g.k * (g.a + g.b - h)
+        return [1, g.m_c * g.g * sinks, 2 * g.m_b * g.g * x, -push * sinks]
+
+    nothing = 0 * g.a
+    _, (lean, U_c, U_b, U_s) = until(powers, [nothing] * 4, lambda s: sum(s[1:]), nothing + 1 / 8)
+    x, y = ball(lean)
+    h = collar(x, y)
+    down, up = minus([0, 0], [x, y]), minus([0, h], [x, y])
+    cosine = sum(p * q for p, q in zip(down, up, strict=True)) / (g.a * g.b)
+    return {
+        "theta": mp.acos(cosine),
+        "h": h,
+        "y": y,
+        "x": g.a + g.b - h,
+        "V_s": -U_s,
+        "U_c": U_c,
+        "U_b": U_b,
+    }
+
+
+def folded(g, x):
+    """The angle at which the spring is shortened by x."""
+    h = g.a + g.b - x
+    return {"theta": acos((g.a**2 + g.b**2 - h**2) / (2 * g.a * g.b))}
+
+
+def mistakes(g):
+    weight = (g.m_c + 2 * g.m_b) * g.g
+    return {
+        "balance_of_forces": folded(g, weight / g.k),
+        "one_ball": solve(g.but(m_b=g.m_b / 2)),
+        "balls_drop_with_collar": folded(g, 2 * weight / g.k),
+        "no_collar": solve(g.but(m_c=0 * g.m_c)),
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, plane="xy")
+    O, unit = (0, 0, 0), 0.06 * (g.a + g.b)
+    s.ground((0, -unit, 0), ground.j)
+    s.shaft((0, -unit, 0), (0, g.a + g.b, 0))
+    for side in (1, -1):
+        base, *joints = scene(g, 2.3, side)  # at any angle
+        knee, top = (P.position(base).components() for P in joints)
+        s.rod(O, knee)
+        s.rod(knee, top)
+        s.sphere(knee, 0.6 * unit)
+        s.label(knee, "$m_b$", offset=(side * 20, 0), bold=False)
+    s.arc(knee, O, top, label=r"$\theta$")
+    for end, name, down in ((O, "a", -1), (top, "b", 1)):  # beside the links of the right side
+        middle = [(p + q) / 2 for p, q in zip(end, (-knee[0], *knee[1:]), strict=True)]
+        s.label(middle, name, offset=(12, 8 * down), bold=False)
+    low, high = (0, 0.3 * unit, 0), (0, top[1] - unit / 2, 0)
+    s.spring(low, high, radius=0.45 * unit, coils=12)
+    s.box(top, ground, (1.6 * unit, unit, unit))
+    s.hinge(O)
+    s.label(O, "O", offset=(-16, -4))
+    s.label(top, "$m_c$", offset=(26, 6), bold=False)
+    s.label((0, top[1] / 2, 0), "k", offset=(18, 0), bold=False)

@@ -1,0 +1,65 @@
+"""A collar on a smooth quarter of a hoop in a vertical plane (11/4, 11/5): the centre O is the
+origin of the ground, x to the right, y up; A is left of O, B straight below it.
+"""
+
+from mpmath import mp
+
+from exercises.proofs import minus, plus, until
+from newton_euler import Frame, pi
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import constant_force_work, weight
+
+
+def hoop(g):
+    """The ground, O, and the ends A and B."""
+    ground = Frame("ground")
+    A, B = ground.point("A", -g.R, 0, 0), ground.point("B", 0, -g.R, 0)
+    return ground, ground.origin, A, B
+
+
+def work_of_weight(g):
+    ground, _, A, B = hoop(g)
+    return constant_force_work(weight(g.m, ground.j, g.g), A, B).value
+
+
+def slides(g, pull=lambda place: [0, 0]):
+    """Proof, (time, speed at B) by the motion in time from rest at A; ``pull``: a force beside the
+    weight, of the place in the plane.
+    """
+
+    def rates(state):
+        angle, u = state
+        along = [mp.sin(angle), -mp.cos(angle)]
+        F = plus(pull([-g.R * mp.cos(angle), -g.R * mp.sin(angle)]), [0, -g.m * g.g])
+        return [u, sum(f * e for f, e in zip(F, along, strict=True)) / (g.m * g.R)]
+
+    step = mp.sqrt(g.R / g.g) / 8
+    t, (_, u) = until(rates, [0 * step, 0 * step], lambda s: s[0] - mp.pi / 2, step)
+    return t, u * g.R
+
+
+def spring_pull(g, P):
+    """Proof, the force of a spring from the pin ``P`` on the collar, as a function of its place."""
+
+    def pull(place):
+        toward = minus(P, place)
+        length = mp.hypot(*toward)
+        return [g.k * (length - g.l_0) * x / length for x in toward]
+
+    return pull
+
+
+def sketch(g, ax):
+    """The ground, the hoop with the collar at A, and R; returns the sketch and the points."""
+    ground, O, A, B = points = hoop(g)
+    s = Sketch(ax, ground, plane="xy")
+    half = 0.05 * g.R
+    s.wire(s.around(O, A, ground.k, pi(1.0) / 2))
+    s.box(A, ground, (3 * half, 4 * half, 2 * half))
+    s.line(O, B)
+    s.dot(B)
+    s.label(A, "A", offset=(-22, 8))
+    s.label(A, "m", offset=(-22, -10), bold=False)
+    s.label(B, "B", offset=(-2, -14))
+    s.label(O, "O", offset=(8, 10))
+    return s, points
