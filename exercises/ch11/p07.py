@@ -4,7 +4,7 @@ from mpmath import mp
 
 from exercises.proofs import minus, until
 from exercises.steps import Step
-from newton_euler import Frame, acos, atan2, cos, pi, root, sin
+from newton_euler import Frame, acos, atan2, cos, root, sin
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import spring_potential, weight_potential
 
@@ -18,8 +18,8 @@ def scene(g, theta, side=1):
     lean = atan2(g.b * sin(theta), g.a - g.b * cos(theta))
     lower = ground.rotate("lower link", "z", angle=-side * lean)
     K = lower.point("K", 0, g.a, 0)
-    upper = lower.rotate("upper link", "z", angle=side * (pi(theta) - theta), origin=K)
-    return ground, K, upper.point("C", 0, g.b, 0)
+    upper = lower.rotate("upper link", "z", angle=-side * theta, origin=K)
+    return ground, K, upper.point("C", 0, -g.b, 0)  # from KO, turned by theta
 
 
 def heights(g, theta):
@@ -43,7 +43,7 @@ def solve(g):
         collar, balls, spring = energies(g, theta)
         return spring - collar - balls
 
-    return {"theta": root(excess, 0.6 * g.one, 3 * g.one)}
+    return {"theta": root(excess, 0.6, 3)}
 
 
 def steps(g):
