@@ -1,7 +1,6 @@
 """10/8: a motor on a turntable."""
 
 from exercises import proofs
-from exercises.catalogue import in_frame
 from exercises.proofs import moment_needed, rot, times
 from exercises.steps import Step
 from newton_euler import ForceSystem, Frame, solve_linear
@@ -45,10 +44,11 @@ def steps(g):
     _, table, rotor = motor(g)
     yield Step("I_r", g.m_r * g.k**2, "kg*m^2",
                "moment of inertia of the rotor about its shaft", "7.4")  # fmt: skip
-    yield Step("p_vector", rotor.angular_velocity(table).expressed_in(table), "rad/s",
+    yield Step("omega_r", rotor.angular_velocity(table).expressed_in(table), "rad/s",
                "angular velocity of the rotor relative to the turntable", "10.9")  # fmt: skip
-    yield Step("M_G", in_frame(table, couple(g)), "N*m",
-               "moment of the supports about G, precession x I*spin", "10.9", "10.38")  # fmt: skip
+    yield Step("M_G", couple(g), "N*m",
+               r"moment of the supports about G, $\Omega\mathbf{y} \times (-I_r p\,\mathbf{x})$",
+               "10.9", "10.38")  # fmt: skip
     yield Step("W", g.m * g.g, "N", "weight of the motor", "5.8", "5.26")
 
 
@@ -76,7 +76,7 @@ def prove(g):
         "F_A": -moment(g.b) / AB,
         "F_B": moment(-g.a) / AB,
         "I_r": g.m_r * proofs.mean(lambda r: r[1] ** 2 + r[2] ** 2, turned),
-        "p_vector": spin,
+        "omega_r": spin,
         "M_G": moment_needed(g.m_r, rotor),
     }
 

@@ -60,8 +60,9 @@ def steps(g):
                "this rate is the speed of C", "4.4", "4.11")  # fmt: skip
     yield Step("I_s", body.inertia.moment("x"), "slug*ft^2",
                "moment of inertia about the axle", "7.4", "8.16")  # fmt: skip
-    yield Step("M_g", -moment(g, spin).y, "lb*ft", "moment about the line of the hinge that turns "
-               "the angular momentum of the spin, I_s*spin*Omega", "10.9", "10.37")  # fmt: skip
+    yield Step("M_gyro", -moment(g, spin).y, "lb*ft", "moment about the line of the hinge that "
+               r"turns the angular momentum of the spin, $I_s \Omega^2 R/r$",
+               "10.9", "10.37")  # fmt: skip
 
 
 def prove(g):
@@ -87,7 +88,7 @@ def prove(g):
         "N_floor": (needed - weight) / g.R,
         "spin": proofs.rate(unrolled),
         "I_s": m * proofs.mean(lambda p: p[1] ** 2 + p[2] ** 2, upright),
-        "M_g": needed,
+        "M_gyro": needed,
     }
 
 

@@ -41,7 +41,7 @@ def steps(g):
     yield Step("H_spin", g.P * body.inertia.moment("x"), "slug*ft^2/s",
                "angular momentum of the spin, along x", "10.5", "10.21")  # fmt: skip
     yield Step("M_rotor", on_the_rotor(g), "lb*ft", "moment of the bracket on the cylinder, "
-               "Omega*z x I*P*x", "10.9", "10.38")  # fmt: skip
+               r"$\Omega\mathbf{z} \times I P\mathbf{x}$", "10.9", "10.38")  # fmt: skip
 
 
 def prove(g):

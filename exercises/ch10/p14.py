@@ -11,7 +11,7 @@ from newton_euler.drawing import Sketch
 from newton_euler.dynamics import resultant_force, resultant_moment, weight
 
 
-def scene(g, rate=0, acceleration=0, spin=0):
+def scene(g, rate=0, acceleration=0, spin=0, mass=1):
     """At the level position: ground with x along the level shaft and z up, and the disk; the z of
     the shafts points from O to the disk.
     """
@@ -19,33 +19,33 @@ def scene(g, rate=0, acceleration=0, spin=0):
     level = pi(g.r) / 2
     shafts = ground.rotate("shafts", "-x", angle=level, rate=rate, acceleration=acceleration)
     turned = shafts.rotate("disk", "z", rate=spin, origin=shafts.point("C", 0, 0, g.b))
-    return ground, disk(g.r, turned, "z", mass=g.m)
+    return ground, disk(g.r, turned, "z", mass=mass)
 
 
 def as_particle(g, rate=0, acceleration=0):
     ground, body = scene(g, rate, acceleration)
-    return ground, particle(g.m, body.frame.point("G", 0, 0, 0))
+    return ground, particle(1, body.frame.point("G", 0, 0, 0))
 
 
 def fall(g, scene=scene):
-    """theta_dot and theta_ddot: the weight has done the work m g b, and has the moment that the
-    motion needs about x. The spin has no part in either.
+    """theta_dot and theta_ddot: the weight has done its work, and has the moment that the motion
+    needs about x. The spin has no part in either, and the mass cancels.
     """
-    rate = sqrt(g.m * g.g * g.b / kinetic_energy(*reversed(scene(g, rate=1))).value)
+    rate = sqrt(g.g * g.b / kinetic_energy(*reversed(scene(g, rate=1))).value)
 
     def about_x(alpha):
         ground, body = scene(g, acceleration=alpha)
-        O, force = ground.point("O", 0, 0, 0), weight(g.m, ground.k, g.g)
+        O, force = ground.point("O", 0, 0, 0), weight(1, ground.k, g.g)
         given = ForceSystem({"weight": (force, body.centre)}).moment(O)
         needed = resultant_moment(body, ground, about=O)
-        return (needed.expressed_in(ground) - given).x
+        return (given - needed.expressed_in(ground)).x
 
     return rate, solve_linear(about_x).alpha
 
 
 def needed(g, rate, acceleration):
     """The force, less the weight, and the moment about O that the bearings must give."""
-    ground, body = scene(g, rate, acceleration, g.P)
+    ground, body = scene(g, rate, acceleration, g.P, g.m)
     force = resultant_force(g.m, body.centre.acceleration(ground)).expressed_in(ground)
     moment = resultant_moment(body, ground, about=ground.point("O", 0, 0, 0))
     return force - weight(g.m, ground.k, g.g), moment.expressed_in(ground)
@@ -71,17 +71,17 @@ def solve(g):
 
 def steps(g):
     rate, acceleration = fall(g)
-    ground, body = scene(g, rate, acceleration, g.P)
+    ground, body = scene(g, rate, acceleration, g.P, g.m)
     O = ground.point("O", 0, 0, 0)
     yield Step("I_0", body.about(O).moment("x"), "kg*m^2",
                "moment of inertia about the level shaft", "10.5", "10.17")  # fmt: skip
-    yield Step("theta_dot", rate, "rad/s", "rate of the fall: I_0*theta_dot^2/2 = m*g*b",
+    yield Step("theta_dot", rate, "rad/s", r"rate of the fall: $I_0\dot\theta^2/2 = m g b$",
                "11.4")  # fmt: skip
-    yield Step("theta_ddot", acceleration, "rad/s^2", "second rate of theta, m*g*b/I_0",
+    yield Step("theta_ddot", acceleration, "rad/s^2", r"second rate of theta, $m g b/I_0$",
                "10.5", "10.23")  # fmt: skip
     force, moment = needed(g, rate, acceleration)
-    yield Step("R_AB", force, "N", "sum of both bearing forces, m*a_C less the weight", "6.1",
-               "6.1")  # fmt: skip
+    yield Step("R_AB", force, "N", r"sum of both bearing forces, $m\mathbf{a}_C$ less the weight",
+               "6.1", "6.1")  # fmt: skip
     yield Step("M_z", moment.z, "N*m", "moment of the bearing forces about z, which turns the "
                "angular momentum of the spin", "10.9", "10.38")  # fmt: skip
 
