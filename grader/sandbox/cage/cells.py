@@ -2,6 +2,7 @@
 paused copy of the process at each test.
 """
 
+import _signal  # the C part of signal, whose Python makes enums at each call, and every cell calls
 import contextlib
 import importlib
 import json
@@ -31,7 +32,7 @@ def time_limit(seconds):
             "simplify on a long formula"
         )
 
-    signal.signal(signal.SIGALRM, too_long)
+    _signal.signal(signal.SIGALRM, too_long)
     signal.setitimer(signal.ITIMER_REAL, seconds)
     try:
         yield

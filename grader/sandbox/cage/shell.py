@@ -14,6 +14,8 @@ import sys
 import types
 
 FILE = "<cell {}>"  # the file name of a cell, by its number
+_FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
+_ASSIGNED = re.compile(r"\w+(?:, *\w+)* *=(?!=)[^;]*")  # of whole lines, those that assign
 # options of %time and %timeit, which stand before the expression
 _OPTIONS = re.compile(r"^(?:\s*(?:-[nrpv]\s*\d+|-[tcqo]+|--no-raise-error|--)(?=\s|$))*\s*")
 _RUN = ("time", "prun", "memit", "mprun", "capture")
@@ -54,18 +56,18 @@ class Shell:
         """(the value of the last expression, whether a notebook shows it)."""
         self._count += 1
         file = FILE.format(self._count)
-        tree, text = _parse(text, file)
+        codes = _in_two(text, file)
+        if not codes:
+            tree, text = _parse(text, file)
+            codes = _in_order(tree, file)
         # as in IPython, so that inspect.getsource finds the functions of a cell
         linecache.cache[file] = len(text), None, text.splitlines(True), file
-        last = None
-        if tree.body and isinstance(tree.body[-1], ast.Expr):
-            last = ast.Expression(tree.body.pop().value)
-        self._execute(tree, file, "exec", names)
-        value = None if last is None else self._execute(last, file, "eval", names)
+        value = None
+        for code in codes:
+            value = self._execute(code, names)
         return value, not _is_quiet(text)
 
-    def _execute(self, tree, file, mode, names):
-        code = compile(tree, file, mode, ast.PyCF_ALLOW_TOP_LEVEL_AWAIT)
+    def _execute(self, code, names):
         value = eval(code, names)
         if code.co_flags & inspect.CO_COROUTINE:
             return self._wait(value)
@@ -98,6 +100,33 @@ class Shell:
 def is_cell(file):
     """True for the file name of a cell."""
     return file.startswith("<cell ")
+
+
+def _in_two(text, file):
+    """The code of all lines but the last, and that of the last, where this is an assignment or an
+    expression by itself, as in nearly all cells; else None. The tree of a cell takes as long to
+    make as its code.
+    """
+    above, _, last = text.rstrip().rpartition("\n")
+    mode = "exec" if _ASSIGNED.fullmatch(last) else "eval"
+    try:
+        # the lines above are complete if they compile: what follows is no part of them
+        first = compile(above, file, "exec", _FLAGS)
+        # at its place, for the number of a line in an error
+        code = compile("\n" * text.rstrip().count("\n") + last, file, mode, _FLAGS)
+    except (SyntaxError, ValueError):  # the other way says what is wrong, if anything is
+        return None
+    return (first, code) if "\r" not in text else None  # which ends a line, too
+
+
+def _in_order(tree, file):
+    """The code of the statements, and that of the last expression, made when they have run."""
+    last = None
+    if tree.body and isinstance(tree.body[-1], ast.Expr):
+        last = ast.Expression(tree.body.pop().value)
+    yield compile(tree, file, "exec", _FLAGS)
+    if last:
+        yield compile(last, file, "eval", _FLAGS)
 
 
 def _parse(text, file):

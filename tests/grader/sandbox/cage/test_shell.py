@@ -4,6 +4,7 @@ import sys
 
 import pytest
 
+from grader.sandbox.cage import shell
 from tests.grader.sandbox.jobs import answer, job, own, problem, run_caged
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
@@ -144,3 +145,38 @@ def test_what_fails_in_a_notebook_fails_here_with_its_line(harvester, text):
 def test_what_the_shell_does_cannot_be_seen_by_the_next_submission(harvester):
     run_caged(harvester, job("import builtins; builtins.left = 1; x = 1"))
     assert "NameError" in answer(harvester, "x = left")
+
+
+CUT = (  # where the last line might be taken for what it is not
+    "x = 3\nx", "'''a\nx = 3\n'''", "s = '''a\nx = ''' + '''b'''", "f(1,\nx=2)", "x = (1,\n2)\nx", "y = \\\n3",
+    "if 1:\n  x = 3\nx", "x = 3\n x", " x = 3\nx", "x = 1; 2", "x = 3 # a; b", "x = 1;", "x = 3\nx == 3",
+    "lambda x=3: x", "lambda x = 3: x", "a, b = 1, 2\na, b", "x = yield", "y = 3\nyield y", "return 3",
+    "x = 1\rx", "x = 1\r\nx", "x = 1\n\n\ny = 1/0", "x = 1\n\n1/0", "try:\n  x = 1\nx = 2", "@f\nx = 3",
+    "'doc'\nx = 3\n__doc__", "x = 3\nexec('(')", "x\x00", "x: int = 3", "x = 3\n# x", "\nx = 4\nx",
+    "x = 3\n*x, 1", "x = 3\n-x",
+)  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore::SyntaxWarning")
+@pytest.mark.parametrize("text", CUT)
+def test_a_cell_cut_before_its_last_line_does_what_the_whole_does(monkeypatch, text):
+    ways = [_outcome(monkeypatch, text), _outcome(monkeypatch, text, lambda *_: None)]
+    assert ways[0] == ways[1]
+
+
+def _outcome(monkeypatch, text, in_two=shell._in_two):
+    monkeypatch.setattr(shell, "_in_two", in_two)
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    monkeypatch.setitem(sys.modules, "__main__", None)
+    own = shell.Shell()
+    own.names["f"] = lambda *_, **__: "f"
+    value = error = None
+    try:
+        value = repr(own.run(text))
+    except Exception as e:
+        at = e.__traceback__
+        while at.tb_next:
+            at = at.tb_next
+        error = type(e), str(e), shell.is_cell(at.tb_frame.f_code.co_filename) and at.tb_lineno
+    names = {n: own.names.get(n) for n in ("x", "y", "a", "s", "_", "__doc__")}
+    return value and value.partition(" at ")[0], error, names
