@@ -14,7 +14,7 @@ grade.
 
 import base64
 import re
-from functools import cache
+from functools import cache, lru_cache
 
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.sections import section_line
@@ -319,13 +319,29 @@ def personal_notebook(released, student, values, figures):
 
 def _statement_with(p, text, values):
     """The text of a problem with a student's numbers, wherever it gives one."""
+    pieces, numbers = _around_numbers(p, text)
+    own = [written(values[name]) for name, written in numbers]
+    return "".join(x for pair in zip(pieces, [*own, ""], strict=True) for x in pair)
+
+
+@lru_cache(maxsize=1000)
+def _around_numbers(p, text):
+    """A text, the same for all students, cut at the numbers that it gives: (the pieces around them,
+    [(name, function that writes the number)]).
+    """
     if not p.givens:
-        return text
+        return [text], []
     now, earlier = _givens_in(p)
-    by_latex = {p.notation[name]: number_symbol(values[name]) for name in p.givens}
-    by_markup = {_earlier_markup(name): number(values[name]) for name in p.givens}
-    text = now.sub(lambda m: f"{m[1]} = {by_latex[m[1]]}" if m[1] else m[0], text)
-    return earlier.sub(lambda m: f"{m[1]} = {by_markup[m[1]]}", text)
+    by_latex = {p.notation[name]: name for name in p.givens}
+    by_markup = {_earlier_markup(name): name for name in p.givens}
+    found = [(m, by_latex[m[1]], number_symbol) for m in now.finditer(text) if m[1]]
+    found += [(m, by_markup[m[1]], number) for m in earlier.finditer(text)]
+    found.sort(key=lambda f: f[0].start())
+    pieces, at = [], 0
+    for m, *_ in found:
+        pieces.append(f"{text[at : m.end(1)]} = ")
+        at = m.end()
+    return [*pieces, text[at:]], [(name, written) for _, name, written in found]
 
 
 @cache
@@ -363,12 +379,14 @@ def _quantity(p, name, values):
 
 def _givens_with(p, source, values):
     """A cell of givens with a student's numbers in place of the book's."""
-    book, own = (
-        dict(zip(p.givens, givens_lines(p, v), strict=True)) for v in (p.book_values, values)
-    )
-    for name in p.givens:
-        if book[name] in source:
-            source = source.replace(book[name], own[name])
+    for name, book, own in zip(p.givens, _book_lines(p), givens_lines(p, values), strict=True):
+        if book in source:
+            source = source.replace(book, own)
         else:  # an instructor changed the line
             source = re.sub(rf"(?m)^{name} = [-+.\w]+", f"{name} = {number(values[name])}", source)
     return source
+
+
+@cache
+def _book_lines(p):
+    return givens_lines(p, p.book_values)

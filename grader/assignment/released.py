@@ -9,7 +9,7 @@ from functools import lru_cache
 from ..course import CourseError, load_json, read_json
 from .notebook import personal_notebook
 from .numbers import kept_numbers
-from .sheet import problems_of
+from .sheet import problems_of, tasks
 
 
 def released_notebooks(course, assignment):
@@ -27,6 +27,20 @@ def released_notebooks(course, assignment):
 def _read_once(path, changed):
     """:func:`read_json` with a cache, since a run reads the same notebooks for every student."""
     return read_json(path)
+
+
+def released_tasks(course, assignment):
+    """{name: :func:`~grader.assignment.sheet.tasks`} of the notebooks of an assignment; not to be
+    modified.
+    """
+    folder = course.released_path(assignment).parent
+    names = released_notebooks(course, assignment)
+    return {n: _tasks_once(f, f.stat().st_mtime_ns) for n in names for f in [folder / f"{n}.ipynb"]}
+
+
+@lru_cache(maxsize=16)
+def _tasks_once(path, changed):
+    return tasks(_read_once(path, changed))
 
 
 # marks of a cell that change what its work is worth, and not what it is
@@ -70,15 +84,16 @@ def sheet_numbers(course, assignment, student):
 
 
 def _all_problems(course, assignment):
-    notebooks = released_notebooks(course, assignment).values()
-    return list({p.id: p for notebook in notebooks for p in problems_of(notebook)}.values())
+    asked = released_tasks(course, assignment).values()
+    return [task.exercise for task in {i: t for own in asked for i, t in own.items()}.values()]
 
 
-def master_notebook(course, assignment, student, name=None):
+def master_notebook(course, assignment, student, name=None, values=None):
     """The trusted notebook of a student: the released one as it is now, with the texts, numbers and
     figures of the copy that was handed out where it has the cell.
 
-    name : of the notebook; default: that of the assignment
+    name : of the notebook; default: that of the assignment. values : the student's numbers, where
+        they are known; default: they are read
     """
     name = name or assignment
     released = released_notebooks(course, assignment).get(name)
@@ -86,7 +101,8 @@ def master_notebook(course, assignment, student, name=None):
         raise CourseError(f"{assignment} has no notebook {name}.ipynb")
     if not problems_of(released):
         return released
-    master = personal_notebook(released, student, sheet_numbers(course, assignment, student), {})
+    values = values or sheet_numbers(course, assignment, student)
+    master = personal_notebook(released, student, values, {})
     path = personal_path(course, assignment, student, name)
     if path.exists():
         theirs = {c.get("id"): c for c in load_json(path.read_bytes())["cells"]}

@@ -3,6 +3,7 @@ from. Problems with their points, and the cells that an instructor wrote.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from exercises.catalogue import CatalogueError
 from exercises.catalogue import problem as find_problem
@@ -28,6 +29,11 @@ class Task:
     weights: dict | None
     asked: dict | None
     follow_through: float | None = None
+
+    @cached_property
+    def text(self):
+        """All of it as text, for those who compare."""
+        return repr(self)
 
     @property
     def forms(self):

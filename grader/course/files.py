@@ -96,7 +96,10 @@ def read_regular(path, limit, at=None):
     with open(descriptor, "rb") as f:
         if at is not None and found.st_uid != os.fstat(at).st_uid:  # a hard link to a neighbour's
             raise NotTaken("it belongs to somebody else than its folder")
-        content = f.read(limit + 1)  # not its size, which may grow
+        # room for its size, not for the limit, which would cost more than to read it; it may grow
+        content = f.read(min(found.st_size, limit) + 1)
+        if len(content) > found.st_size:
+            content += f.read(limit + 1 - len(content))
     if len(content) > limit:
         raise NotTaken(f"it has more than the {limit / 1e6:.3g} MB that are read")
     return content

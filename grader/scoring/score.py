@@ -102,10 +102,8 @@ def score_receipt(
         tree, fault = answers.get(key), faults.get(key)
         found[key] = judge(part.answer, part.form, tree, fault, numbers, budget, part.factor)
     parts = tuple(_part(part, found, numbers, answers) for part in sheet)
-    parts = tuple(
-        replace(p, latex=_typeset(part, answers, p.read, problem))
-        for part, p in zip(sheet, parts, strict=True)
-    )
+    latex = [_typeset(a, answers, p.read, problem) for a, p in zip(sheet, parts, strict=True)]
+    parts = tuple(replace(p, latex=x) if x else p for p, x in zip(parts, latex, strict=True))
     return Score(problem.id, parts, "; ".join(notes))
 
 

@@ -9,8 +9,13 @@ from functools import cached_property
 from exercises.catalogue import CatalogueError, problem
 from newton_euler.classroom.notation import is_word
 
-from ..assignment.released import master_notebook, released_notebooks, sheet_numbers
-from ..assignment.sheet import kind, nbgrader_metadata, own_metadata, problems_of, tasks
+from ..assignment.released import (
+    master_notebook,
+    released_notebooks,
+    released_tasks,
+    sheet_numbers,
+)
+from ..assignment.sheet import kind, nbgrader_metadata, own_metadata
 from ..course import CourseError
 from ..scoring import NO_ANSWER, ScoreError, score_receipt
 from .execute import cells_to_run, run_cells
@@ -40,18 +45,19 @@ class Sheet:
     @cached_property
     def master(self):
         """The trusted notebook with the student's numbers and figures."""
-        return master_notebook(self.course, self.assignment, self.student, self.name)
+        return master_notebook(self.course, self.assignment, self.student, self.name, self.values)
 
     @cached_property
     def tasks(self):
         """The problems that it asks for: {problem id: :class:`~grader.assignment.sheet.Task`}."""
-        return tasks(self.released)
+        return released_tasks(self.course, self.assignment)[self.name]
 
 
 def student_sheet(course, assignment, student, name, sources):
     """The :class:`Sheet` of a student."""
     released = released_notebooks(course, assignment)[name]
-    values = sheet_numbers(course, assignment, student) if problems_of(released) else {}
+    asked = released_tasks(course, assignment)[name]
+    values = sheet_numbers(course, assignment, student) if asked else {}
     return Sheet(course, assignment, student, name, released, values, sources)
 
 

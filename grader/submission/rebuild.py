@@ -7,6 +7,7 @@ used, and of the cells that the student added the texts and the pictures.
 import copy
 import re
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from ..assignment.notebook import starter
 from ..assignment.sheet import kind, nbgrader_metadata, own_metadata
@@ -114,7 +115,7 @@ def _trusted(cell, what, copies):
     """The cell of the master, after what the student made of it, where that is more."""
     if what not in ALSO_WORKED_IN:
         return [_clean(cell)]
-    ours = _code_only(cell["source"])
+    ours = _our_code(cell["source"])
     worked = [(c, t) for c in copies[:MOST_COPIES] if _code_only(t := _text(c)) != ours]
     worked = [(c, t) for c, t in worked if c.get("cell_type") == cell["cell_type"]]
     return [*(_own_cell(c, t[:MOST_TEXT]) for c, t in worked), _clean(cell)]
@@ -160,7 +161,7 @@ def is_untouched(cell, text):
     """
     if cell["cell_type"] != "code":
         return text.strip() in ("", cell["source"].strip())
-    return _code_only(text) in ("", _code_only(cell["source"]))
+    return _code_only(text) in ("", _our_code(cell["source"]))
 
 
 def as_handed_out(p, text):
@@ -170,6 +171,9 @@ def as_handed_out(p, text):
 
 def _code_only(text):
     return re.sub(r"\s+|#[^\n]*", "", text)
+
+
+_our_code = lru_cache(maxsize=1000)(_code_only)  # mostly the same for all students
 
 
 def _clean(cell):

@@ -3,6 +3,7 @@ notebook: ``b_dot`` is an ASCII name, and b with a dot is what a reader sees.
 """
 
 import re
+from functools import lru_cache
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ",
@@ -43,6 +44,7 @@ def symbol(name, vector=False):
     return letter + _index(indices)
 
 
+@lru_cache(maxsize=1000)
 def is_word(name):
     """True if a name is a word, which no formula of a textbook would have: "lead", "speed_rate"."""
     return re.match(r"\|?(\\d?dot\{)?\\text\{", symbol(name)) is not None

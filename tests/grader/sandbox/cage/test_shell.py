@@ -178,5 +178,5 @@ def _outcome(monkeypatch, text, in_two=shell._in_two):
         while at.tb_next:
             at = at.tb_next
         error = type(e), str(e), shell.is_cell(at.tb_frame.f_code.co_filename) and at.tb_lineno
-    names = {n: own.names.get(n) for n in ("x", "y", "a", "s", "_", "__doc__")}
-    return value and value.partition(" at ")[0], error, names
+    names = [repr(own.names.get(n)) for n in ("x", "y", "a", "s", "_", "__doc__")]
+    return [text and text.partition(" at 0x")[0] for text in (value, *names)], error
