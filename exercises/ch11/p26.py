@@ -1,0 +1,106 @@
+"""11/26: the energy of a spherical pendulum, from the two levels between which it moves."""
+
+from mpmath import fp
+
+from exercises import proofs
+from exercises.devices.spherical_pendulum import level_motion, other_level, way
+from exercises.steps import Step
+from newton_euler import Frame, solve_rates, sqrt
+from newton_euler.drawing import Sketch
+from newton_euler.dynamics import speed_after, weight_potential
+
+
+def potential(g, depth):
+    return weight_potential(g.m, -depth, g.g)
+
+
+def ratio(g):
+    """Of the kinetic energies at c and b, with one angular momentum about the vertical."""
+
+    def per_square(depth):  # of the angular momentum, whatever the rate is
+        T, H = level_motion(g.m, g.a, depth, sqrt(g.g / g.a))
+        return T / H**2
+
+    return per_square(g.c) / per_square(g.b)
+
+
+def kinetic(g, at_c):
+    """At the level b, if the kinetic energy at c is this multiple of it."""
+
+    def gain(T_b):
+        return (1 - at_c) * T_b + potential(g, g.b) - potential(g, g.c)
+
+    (T_b,) = solve_rates(gain, 1)
+    return T_b
+
+
+def energy(g, at_c):
+    return {"E_total": kinetic(g, at_c) + potential(g, g.b)}
+
+
+def solve(g):
+    return energy(g, ratio(g))
+
+
+def steps(g):
+    at_c = ratio(g)
+    T_b = kinetic(g, at_c)
+    for depth, level in ((g.b, "b"), (g.c, "c")):
+        yield Step(f"d_{level}", sqrt(g.a**2 - depth**2), "m",
+                   f"distance of the bob from the vertical at the level {level}")  # fmt: skip
+    yield Step("ratio", at_c, "1", "kinetic energy at the level c over that at b: m d v is the "
+               "same, since string and weight have no moment about the vertical",
+               "11.7", "11.13")  # fmt: skip
+    yield Step("v_b", speed_after(0, T_b, g.m), "m/s", "speed of the bob at the level b", "11.11",
+               "11.32")  # fmt: skip
+    yield Step("v_c", speed_after(0, at_c * T_b, g.m), "m/s", "speed of the bob at the level c",
+               "11.11", "11.32")  # fmt: skip
+
+
+def prove(g):
+    """The speed at the level b that makes the bob, under its weight and the string's force, have no
+    vertical velocity next at the level c: found in floats, and then more closely.
+    """
+
+    def miss(speed):
+        kind = float if isinstance(speed, float) else g.one.__class__
+        place, _ = other_level(*(kind(x) for x in (g.g, g.b, g.a)), speed)
+        return -place[2] - kind(g.c)
+
+    # with this speed it stays at the level b
+    level = float((g.a**2 - g.b**2) * g.g / g.b) ** 0.5
+    near = g.one * fp.findroot(miss, (level / 20, 0.95 * level), solver="anderson", tol=1e-20)
+    v_b = proofs.vanishing(miss, near, near * (1 + g.one / 10**9))
+    place, velocity = other_level(g.g, g.b, g.a, v_b)
+    return {
+        "E_total": g.m * proofs.size(velocity) ** 2 / 2 + g.m * g.g * place[2],
+        "v_b": v_b,
+        "v_c": proofs.size(velocity),
+    }
+
+
+def mistakes(g):
+    right = solve(g)["E_total"]
+    return {
+        "at_rest_above": {"E_total": potential(g, g.b)},
+        "depth_from_length": energy(g, ((g.a - g.b) / (g.a - g.c)) ** 2),
+        "depths_as_arms": energy(g, (g.b / g.c) ** 2),
+        "upside_down": {"E_total": -right},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=-60, elevation=14)
+    O, speed = (0, 0, 0), speed_after(0, kinetic(g, ratio(g)), g.m)
+    places = way(g.g, g.b, g.a, speed, 7 * sqrt(g.a / g.g), 120)
+    s.ground(O, normal=-ground.k)
+    for depth, name, aside in ((g.b, "b", 0.3), (g.c, "c", 0.6)):
+        s.ring((0, 0, -depth), ground.k, sqrt(g.a**2 - depth**2))
+        s.dimension(O, (0, 0, -depth), label=name, offset=-aside * g.a)
+    s.path(places)
+    s.line(O, places[0], style="solid")
+    s.dot(places[0])
+    s.label([x / 2 for x in places[0]], "a", offset=(6, 10), bold=False)
+    s.label(places[0], "m", offset=(6, -14), bold=False)
+    s.label(O, "O", offset=(0, 14))

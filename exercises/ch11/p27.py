@@ -1,0 +1,82 @@
+"""11/27: how far down a spherical pendulum comes that is thrown from the level position."""
+
+from exercises import proofs
+from exercises.devices.spherical_pendulum import (
+    depth_angle,
+    level_motion,
+    other_level,
+    sine_of_descent,
+    start,
+    way,
+)
+from exercises.steps import Step
+from newton_euler import Frame, asin, pi, sqrt
+from newton_euler.drawing import Sketch
+
+
+def sine(g, share=1):
+    return sine_of_descent(g.m, g.l, g.u_0 / g.l, g.g, share)
+
+
+def solve(g):
+    return {"angle": asin(sine(g))}
+
+
+def steps(g):
+    s = sine(g)
+    T_0, H = level_motion(g.m, g.l, 0 * g.l, g.u_0 / g.l)
+    yield Step("T_0", T_0, "J", "kinetic energy at the start", "11.7", "11.13")
+    yield Step("H", H, "kg*m^2/s", "angular momentum of the bob about the vertical through O; rod "
+               "and weight do not change it", "7.1", "7.1")  # fmt: skip
+    yield Step("arm", g.l * sqrt(1 - s**2), "m",
+               "distance from the vertical at the lowest point, l cos(angle)", "11.11")  # fmt: skip
+    yield Step("v_1", g.u_0 / sqrt(1 - s**2), "m/s", "speed at the lowest point, from H", "11.11")
+    yield Step("s", s, "1", "sine of the angle, from the energies at the start and at the "
+               "lowest point", "11.11", "11.32")  # fmt: skip
+
+
+def prove(g):
+    """The motion under the weight and the force of the rod, until it goes up again."""
+    place, velocity = other_level(g.g, 0 * g.l, g.l, g.u_0)
+    r, v = start(0 * g.l, g.l, g.u_0)[:3], [0, g.u_0, 0]
+    return {
+        "angle": depth_angle(place),
+        "s": -place[2] / g.l,
+        "v_1": proofs.size(velocity),
+        "arm": proofs.size(place[:2]),
+        "H": g.m * proofs.cross(r, v)[2],
+    }
+
+
+def mistakes(g):
+    right = solve(g)["angle"]
+    quarter = pi(right) / 2
+    return {
+        "straight_below": {"angle": quarter},
+        "from_vertical": {"angle": quarter - right},
+        "no_half": {"angle": asin(sine(g, share=2))},
+        "arm_l": {"angle": 0 * right},
+    }
+
+
+def draw(g, ax):
+    ground = Frame("ground")
+    s = Sketch(ax, ground, azimuth=-60, elevation=18)
+    places = way(g.g, 0, g.l, g.u_0, 3 * sqrt(g.l / g.g), 120)
+    lowest = min(range(len(places)), key=lambda n: places[n][2])
+    places = places[: lowest + 1]
+    O, B, end = (0, 0, 0), places[0], places[-1]
+    above = (end[0], end[1], 0)
+    s.ring(O, ground.k, g.l)
+    s.path(places)
+    s.rod(O, B)
+    s.line(O, end)
+    s.line(O, above, style="dotted")
+    s.arc(O, above, end, label="angle")
+    s.ball_joint(O)
+    s.dot(B)
+    s.dot(end)
+    s.vector(B, ground.j * g.u_0, "$u_0$", kind="velocity")
+    s.label(ground.i * (g.l / 2), "l", offset=(0, 10), bold=False)
+    s.label(O, "O", offset=(10, 14))
+    s.label(B, "m", offset=(4, -14), bold=False)

@@ -1,0 +1,76 @@
+"""11/28: a particle in a ring that turns freely about its vertical diameter."""
+
+from mpmath import mp
+
+from exercises import proofs
+from exercises.devices.spherical_pendulum import (
+    depth_angle,
+    level_motion,
+    other_level,
+    sine_of_descent,
+)
+from exercises.steps import Step
+from newton_euler import Frame, acos, asin, cos, pi, sin
+from newton_euler.drawing import Sketch
+
+
+def cosine(g, share=1):
+    """Of the smallest angle: the sine of the angle below the level."""
+    return sine_of_descent(g.m, g.a, g.omega, g.g, share)
+
+
+def answers(theta):
+    """The opening is at zero."""
+    return {"drops": lambda: "yes" if theta <= 0 else "no", "theta_min": theta}
+
+
+def solve(g):
+    return answers(acos(cosine(g)))
+
+
+def steps(g):
+    c = cosine(g)
+    T_0, H = level_motion(g.m, g.a, 0 * g.a, g.omega)
+    yield Step("T_0", T_0, "J", "kinetic energy at the start", "11.7", "11.13")
+    yield Step("H", H, "kg*m^2/s", "angular momentum of the particle about the vertical; a ring "
+               "without mass that turns freely does not change it", "7.1", "7.1")  # fmt: skip
+    yield Step("c", c, "1", "cosine of theta_min, from the energies at the start and where "
+               "the particle does not move along the tube", "11.11", "11.32")  # fmt: skip
+    yield Step("omega_1", g.omega / (1 - c**2), "rad/s", "rate of the ring there, from H", "11.11")
+
+
+def prove(g):
+    """The motion under the weight and a force along the radius, as the ring can give no other: one
+    across it needs a moment. At the lowest point the motion turns round.
+    """
+    place, velocity = other_level(g.g, 0 * g.a, g.a, g.a * g.omega)
+    around = proofs.cross(place, velocity)[2] / proofs.size(place[:2]) ** 2
+    found = answers(mp.pi / 2 - depth_angle(place))
+    return {**found, "c": -place[2] / g.a, "omega_1": around}
+
+
+def mistakes(g):
+    T_0, _ = level_motion(g.m, g.a, 0 * g.a, g.omega)
+    right = solve(g)["theta_min"]
+    return {
+        "driven": {"theta_min": acos(g.m * g.g * g.a / T_0)},
+        "no_turning": answers(0 * right),
+        "from_level": {"theta_min": asin(cosine(g))},
+        "no_half": {"theta_min": acos(cosine(g, share=2))},
+    }
+
+
+def draw(g, ax):
+    ground, gap, theta = Frame("ground"), 0.15, 1.1  # anywhere
+    s = Sketch(ax, ground, plane="xz")
+    O, P = (0, 0, 0), (g.a * sin(theta), 0, -g.a * cos(theta))
+    left = (-0.8 * g.a, 0, 0.6 * g.a)
+    s.wire(s.around(O, (g.a * sin(gap), 0, -g.a * cos(gap)), -ground.j, 2 * pi(gap) - 2 * gap))
+    s.line((0, 0, -1.3 * g.a), (0, 0, 1.45 * g.a), style="centre")
+    s.line(O, P)
+    s.dot(P)
+    s.dot(O)
+    s.arc(O, -ground.k, P, label=r"$\theta$")
+    s.arrow(O, left, label="a")
+    s.turn((0, 0, 1.3 * g.a), ground.k, label=r"$\omega$")
+    s.label(P, "m", offset=(14, -6), bold=False)
