@@ -3,6 +3,7 @@
 import hashlib
 import io
 import json
+import math
 import os
 import zipfile
 from concurrent.futures import ProcessPoolExecutor
@@ -12,6 +13,7 @@ from pathlib import Path
 from exercises.catalogue import chapter, problem
 from exercises.wording import term_text
 from newton_euler.algebra.vectors import Vector
+from newton_euler.classroom.forms import WORDS
 from newton_euler.classroom.practising.files import FORMAT, HELP
 
 from ..assignment.figures import figure_png
@@ -112,6 +114,7 @@ def page_of(name, count, help, graded=None, draw=figure_png):
         "id": name, "title": p.title, "section": p.section, "chapter": chapter(p.chapter).title,
         "preamble": chapter(p.chapter).preamble, "figure": " ".join(p.figure.split()),
         "quantities": _described(p, computed, help), "labels": labels, "variants": variants,
+        "book": sets[0] == problem(name).book_values,
     }  # fmt: skip
     return page, figures
 
@@ -126,8 +129,19 @@ def _described(p, computed, help):
             if q["step"] and help == "check":
                 continue
             found.setdefault(q["key"], q)
+    for key, q in found.items():
+        if q["step"]:
+            q["atol"] = _zero(key, q["kind"], computed)
     steps = [q for q in found.values() if q["step"]]
     return steps + [q for q in found.values() if not q["step"]]
+
+
+def _zero(key, kind, computed):
+    """How small a step counts as zero: a millionth of the largest that it is, 1e-6 if all are."""
+    if kind in WORDS:
+        return 0.0
+    sizes = [math.hypot(*right[key]) for _, right in computed if key in right]
+    return 1e-6 * (max(sizes) or 1.0)
 
 
 def _same_for_all(p, computed):

@@ -16,6 +16,7 @@ from newton_euler.classroom.practising.problems import PracticeProblem
 from newton_euler.classroom.practising.progress import Progress
 
 from .build import Left, page_of
+from .quantities import NOISE
 
 LISTED, SLIPS, RANDOM = "listed mistakes", "slips in steps", "random numbers"
 SEEN = NEAR, DIRECTION, ROUNDED  # what is told of an answer is no name of a mistake
@@ -71,20 +72,20 @@ def _measure(page, number, found):
         right = variant["right"][key]
         for group, text, x in models.get(key, ()):
             if group == "listed":
-                found[LISTED][_outcome(p, q, x, text, models[key])] += 1
+                found[LISTED][_outcome(p, q, x, right, text, models[key])] += 1
             elif q["step"] and group in ("term", "unit", "axes"):
-                found[SLIPS][_outcome(p, q, x, text, models[key])] += 1
+                found[SLIPS][_outcome(p, q, x, right, text, models[key])] += 1
         if q["kind"] in WORDS:
             continue
         for text, x in slips(q["kind"], right) if q["step"] else ():
-            found[SLIPS][_outcome(p, q, x, text, models.get(key, []))] += 1
+            found[SLIPS][_outcome(p, q, x, right, text, models.get(key, []))] += 1
         for _ in range(RANDOMS):
             x = _random(right, rng)
-            outcome = _outcome(p, q, x, None, models.get(key, []))
+            outcome = _outcome(p, q, x, right, None, models.get(key, []))
             found[RANDOM][outcome] += 1
 
 
-def _outcome(p, q, x, text, models):
+def _outcome(p, q, x, right, text, models):
     """named, misnamed, unnamed or passed, of one wrong value."""
     checked = _checked(p, q, x)
     if checked.verdicts[q["key"]] == "right":
@@ -93,6 +94,8 @@ def _outcome(p, q, x, text, models):
     if not told:
         return "unnamed"
     same = {t for _, t, other in models if _equal(x, other)}
+    if q["kind"] not in WORDS:
+        same |= {t for t, other in slips(q["kind"], right) if _equal(x, other)}
     return "named" if text is None or {text, *same} & set(told) else "misnamed"
 
 
@@ -135,7 +138,7 @@ def slips(kind, right):
             swapped[a], swapped[b] = right[b], right[a]
             text = f"exchanges its {ORDINALS[a]} and {ORDINALS[b]} components"
             found.append((text, swapped))
-    return [(text, x) for text, x in found if size and is_apart((tuple(x),), (tuple(right),))]
+    return [(t, x) for t, x in found if size > NOISE and is_apart((tuple(x),), (tuple(right),))]
 
 
 def _random(right, rng):

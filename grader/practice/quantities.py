@@ -19,6 +19,7 @@ from ..assignment.notebook import typeset
 from ..scoring.wrong_models import general_models
 
 KEPT = 10  # digits of the numbers of wrong models
+NOISE = 1e-12  # of a model and a key that are both zero, in the unit of the text
 
 
 def quantities(p, values):
@@ -30,7 +31,7 @@ def quantities(p, values):
             {
                 "key": s.key, "kind": kind, "unit": s.unit, "means": typeset(s.means, p),
                 "plain": _plain(s.means), "section": s.section or p.section, "equation": s.equation,
-                "latex": symbol(s.key, kind == "vector"), "atol": 1e-6, "of": [],
+                "latex": symbol(s.key, kind == "vector"), "atol": 0.0, "of": [],
                 "sum": s.means.rpartition(", in ")[-1] if s.term else "", "step": True,
             }
         )  # fmt: skip
@@ -119,7 +120,8 @@ def _tells(kind, x, right):
     if kind in WORDS:
         return isinstance(x, (str, int)) and x != right
     numbers = [float(part) for part in x]
-    return all(map(math.isfinite, numbers)) and is_apart((tuple(numbers),), (tuple(right),))
+    size = math.hypot(*numbers, *right)  # where both are zero, the mistake cannot be seen
+    return size > NOISE and math.isfinite(size) and is_apart((tuple(numbers),), (tuple(right),))
 
 
 def _short(x):

@@ -17,7 +17,7 @@ def relations(p, values):
     computation cannot be traced.
 
     An argument is a number, or [n] for the operation n. A component is [n, factor] for a multiple
-    of the operation n, else None.
+    of the operation n, or a number; None where it has no value.
     """
     try:
         components = _traced(p)
@@ -42,7 +42,9 @@ def relations(p, values):
             reached[s.number] = from_quantities if known else frozenset()
     where = {
         key: [
-            [place[x.number], factor] if _is_step(x) and x.number in place else None
+            [place[x.number], factor]
+            if _is_step(x) and x.number in place
+            else _number(x, factor, numbers)
             for x, factor in parts
         ]
         for key, parts in components.items()
@@ -100,6 +102,12 @@ def _evaluated(trace, values):
             except (ArithmeticError, ValueError, TypeError):
                 found.append(None)
     return found
+
+
+def _number(x, factor, numbers):
+    """A component that is the same whatever the quantities are."""
+    value = numbers[x.number] if _is_step(x) else float(x)
+    return None if value is None else factor * value
 
 
 def _argument(a, numbers, place):

@@ -62,7 +62,7 @@ class PracticeProblem:
         self.number = number
         variants = self._page["variants"]
         self._variant = variants[number]
-        book = variants[0] if number else None
+        book = variants[0] if number and self._page["book"] else None
         self._numbers = KeptNumbers(self._all, self._page["labels"], self._variant, book)
         self._asked = {q.key: q for q in self._numbers.answers}
         self._found: dict[str, Any] = {}
@@ -157,7 +157,7 @@ class PracticeProblem:
         if not names:
             raise AnswerError(f"{self.id} has no {what}s to check in this practice file")
         if not given:
-            raise AnswerError(f"write a value for a {what}: {', '.join(names)}")
+            raise AnswerError(f"write a value for {_A[what]}: {', '.join(names)}")
         for key in given:
             if key not in names:
                 hint = f"; {key} is checked by {other}" if key in self._asked else ""
@@ -209,8 +209,11 @@ class PracticeProblem:
         given, right = self._found[key].given, self._numbers.key[key]
         if self._asked[key].kind in WORDS:
             return False
-        gap, size = math.dist(given[0], right[0]), math.hypot(*right[0])
-        return gap > EARLY * size and gap > 2 * rounding(given[0])
+        least = EARLY * math.hypot(*right[0])
+        return any(
+            abs(x - k) > max(least, 2 * rounding((x,)))
+            for x, k in zip(given[0], right[0], strict=True)
+        )
 
     # -- help
 
@@ -286,6 +289,7 @@ class PracticeProblem:
         return Said("\n".join(lines), self._variant["solution"])
 
 
+_A = {"answer": "an answer", "step": "a step"}
 _MARKS = {"right": "✓", "wrong": "✗", "unreadable": "?"}
 _EARLY = ", but rounded too early: keep more digits on the way, and round at the end"
 

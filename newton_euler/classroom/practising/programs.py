@@ -47,7 +47,7 @@ class Program:
         replaced = {}
         for name, numbers in own.items():
             for place, x in zip(self._where.get(name, ()), numbers, strict=False):
-                if place:
+                if isinstance(place, list):
                     replaced.setdefault(place[0], x / place[1])
         results = []
         try:
@@ -56,4 +56,4 @@ class Program:
                 results.append(replaced[n] if n in replaced else operate(name, *taken))
         except (ArithmeticError, ValueError, TypeError):
             return None
-        return tuple(factor * results[n] for n, factor in places)
+        return tuple(x[1] * results[x[0]] if isinstance(x, list) else x for x in places)

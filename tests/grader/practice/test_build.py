@@ -1,0 +1,107 @@
+"""What a practice file holds, and what it must not."""
+
+import json
+import zipfile
+
+import pytest
+
+from exercises.catalogue import problem, select
+from grader.practice import Left, PracticeError, graded_numbers, write_practice
+from grader.practice.build import page_of
+from grader.practice.twins import sets_of_numbers
+from tests.grader.courses import grader
+
+
+def members(path):
+    with zipfile.ZipFile(path) as archive:
+        return {n: archive.read(n) for n in archive.namelist()}
+
+
+def test_every_set_of_numbers_is_another_and_has_its_own_keys():
+    page, _ = page_of("4/16", 5, "solution", draw=lambda p, v: None)
+    assert len({json.dumps(v["givens"]) for v in page["variants"]}) == 5
+    assert len({json.dumps(v["right"]["a_D"]) for v in page["variants"]}) == 5
+
+
+def test_graded_numbers_are_not_practised():
+    p = problem("4/16")
+    first = sets_of_numbers(p, 3)
+    graded = [first[1]]
+    assert graded[0] not in sets_of_numbers(p, 3, graded)
+    assert p.book_values not in sets_of_numbers(p, 3, [p.book_values])
+
+
+@pytest.mark.parametrize("name", ["A/7", "5/24", "7/28"])
+def test_what_is_the_same_for_everybody_is_left_out_where_it_is_graded(name):
+    """In a course a problem without numbers of one's own would tell its answer."""
+    found = page_of(name, 3, "solution", [], draw=lambda p, v: None)
+    assert isinstance(found, Left)
+    assert "would tell a graded answer" in found.why
+    assert not isinstance(page_of(name, 3, "solution", draw=lambda p, v: None), Left)
+
+
+def test_a_problem_in_symbols_tells_no_formula():
+    """What a course may ask as a formula stands in the file as numbers only."""
+    page, _ = page_of("4/2", 3, "solution", [], draw=lambda p, v: None)
+    assert {q["kind"] for q in page["quantities"] if not q["step"]} == {"number"}
+    for v in page["variants"]:
+        for name in problem("4/2").symbols:
+            assert isinstance(v["givens"][name][0], float)
+        assert r"\omega" not in v["solution"].rpartition("**")[2]
+
+
+def test_the_file_tells_no_more_than_the_help_that_is_chosen(tmp_path):
+    for help, has in (
+        ("check", (False, False)),
+        ("hints", (True, False)),
+        ("solution", (True, True)),
+    ):
+        write_practice(tmp_path / help, select(["4/16"]), 2, help)
+        page = json.loads(members(tmp_path / help)["4-16.json"])
+        steps = [q for q in page["quantities"] if q["step"]]
+        assert (bool(steps), any(v["solution"] for v in page["variants"])) == has
+
+
+def test_nothing_of_the_course_or_its_code_is_in_the_file(tmp_path):
+    write_practice(tmp_path / "p", select(["4/16", "4/2"]), 2)
+    everything = b"".join(members(tmp_path / "p").values())
+    for words in (b"def solve", b"exercises", b"secret", str(tmp_path).encode(), b"prove"):
+        assert words not in everything
+
+
+def test_a_file_that_cannot_be_made_as_asked_is_refused(tmp_path):
+    with pytest.raises(PracticeError, match="one of check, hints, solution"):
+        write_practice(tmp_path / "p", select(["4/16"]), help="all")
+    with pytest.raises(PracticeError, match="no problem was chosen"):
+        write_practice(tmp_path / "p", [])
+    assert not (tmp_path / "p").exists()
+
+
+def test_the_numbers_of_all_students_of_a_course_are_read(course):
+    found = graded_numbers(course.path)
+    assert set(found) == {"4/1", "4/2", "4/10", "4/16", "4/31"}
+    for student in course.roster():
+        own = course.values("ch04", student, [problem("4/16")])["4/16"]
+        assert own in found["4/16"]
+
+
+def test_the_command_writes_a_file_and_says_how_it_is_opened(tmp_path, course):
+    path = tmp_path / "ch04.practice"
+    code, said = grader(
+        "practice", "4/16", "4/2", "-o", path, "--variants", 2, "--course", course.path
+    )
+    assert code == 0, said
+    assert "2 problems, 2 sets of numbers each" in said
+    assert 'practice("ch04.practice")["4/16"]' in said
+
+
+def test_the_measured_shares_are_printed_by_one_command():
+    code, said = grader("diagnose", "4/16", "2/18", "--practice", "--draws", 2)
+    assert code == 0, said
+    for row in ("listed mistakes", "slips in steps"):
+        assert next(x for x in said.splitlines() if row in x).split()[-4:] == [
+            "100.0",
+            "0.0",
+            "0.0",
+            "0.0",
+        ]

@@ -1,0 +1,172 @@
+"""A student's way through a problem."""
+
+import math
+import time
+from itertools import pairwise
+
+import pytest
+
+from exercises.catalogue import problem
+from newton_euler.classroom import AnswerError, practice
+
+BOOK = {
+    "alpha_CD": [0, -0.27, 0],
+    "v_D": [-9.6, 6.235383, -3.6],
+    "a_D": [-7.482459, -7.38, -2.805922],
+}
+
+
+@pytest.fixture
+def elbow(practice_file):
+    return practice(practice_file, progress=None)["4/16"]
+
+
+def test_the_numbers_of_the_book_come_first_and_others_as_often_as_wanted(elbow):
+    book = problem("4/16").book_values
+    assert elbow.givens == book
+    seen = [elbow.givens] + [elbow.new().givens for _ in range(3)]
+    assert seen[0] == seen[3] == book
+    assert all(a != b for a, b in pairwise(seen))
+
+
+def test_the_text_has_the_numbers_at_hand(elbow):
+    elbow.new()
+    for name, x in elbow.givens.items():
+        assert f"{name} = {x:.6g}" in repr(elbow)
+        assert f"`{name} = {x:.6g}`" in elbow._repr_markdown_()
+    assert elbow.figure.startswith(b"\x89PNG")
+
+
+def test_right_answers_are_right(elbow):
+    assert elbow.check(**BOOK).verdicts == dict.fromkeys(BOOK, "right")
+
+
+def test_answers_by_the_engine_are_right_for_other_numbers(practice_file):
+    for name in ("4/16", "2/18"):
+        p = practice(practice_file, progress=None)[name].new()
+        right = problem(name).solve(p.givens)
+        assert set(p.check(**right).verdicts.values()) == {"right"}
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ([0, 0, 0], "leaves out omega x omega_rel"),
+        ([0, 0.27, 0], "the other way round"),
+        ([0.27, 0, 0], "its size is right, its direction is not"),
+        ([0, -0.2635, 0], "keep more digits, and round at the end"),
+        ([0, -0.3, 0], "rounds the right answer too far"),
+        ([1.9, 0.3, 0.1], "not right"),
+        ("fast", "expected a vector"),
+        (3.0, "expected a vector"),
+    ],
+)
+def test_a_wrong_answer_is_told_what_is_wrong_with_it(elbow, given, words):
+    checked = elbow.check(alpha_CD=given)
+    assert checked.verdicts["alpha_CD"] in ("wrong", "unreadable")
+    assert words in checked.text
+    assert "-0.27" not in checked.text
+
+
+def test_an_answer_that_was_rounded_on_the_way_is_right_and_told_so(elbow):
+    said = elbow.check(v_D=[-9.6, 6.255, -3.6])
+    assert said.verdicts == {"v_D": "right"}
+    assert "rounded too early" in said.text
+    assert elbow.check(v_D=[-9.6, 6.24, -3.6]).text == "v_D: right"
+
+
+def test_the_answer_for_the_books_numbers_is_told(elbow):
+    assert "the book's numbers" in elbow.new().check(v_D=BOOK["v_D"]).text
+
+
+def test_steps_are_checked_in_any_order(elbow):
+    assert elbow.check_step(a_D_coriolis=[-7.482459, 0, 0]).text == "a_D_coriolis: right"
+    said = elbow.check_step(omega_CD=[0.45, 0, 0.6])
+    assert "the turning of CD with the opposite sign" in said.text
+
+
+def test_a_step_that_follows_rightly_from_a_wrong_one_is_told_so(elbow):
+    """v_r = omega_rel x r with the wrong way of turning, and 2 omega x v_r with that."""
+    elbow.check_step(v_r=[0, -6.235383, 3.6])
+    said = elbow.check_step(a_D_coriolis=[7.482459, 0, 0])
+    assert "it follows rightly from your v_r: mend that first" in said.text
+    assert said.verdicts == {"a_D_coriolis": "wrong"}
+    elbow.check_step(v_r=[0, 6.235383, -3.6])
+    assert "follows" not in elbow.check_step(a_D_coriolis=[7.482459, 0, 0]).text
+
+
+def test_it_follows_through_steps_that_nobody_asked_about(elbow):
+    elbow.check_step(v_r=[0, -6.235383, 3.6])
+    v_D = [-9.6, -6.235383, 3.6]
+    assert "it follows rightly from your v_r" in elbow.check(v_D=v_D).text
+
+
+def test_hints_say_where_then_how_then_the_value(elbow):
+    first, second, third, then = (elbow.next_step().text for _ in range(4))
+    assert "omega_CD" in first
+    assert "Section 4.9" in first
+    assert "(4.22)" not in first
+    assert "(4.22)" in second
+    assert "-0.45" not in second
+    assert "It is [-0.45, 0, 0.6] rad/s" in third
+    assert "v_r" in then
+
+
+def test_what_is_right_needs_no_hint(elbow):
+    elbow.check_step(omega_CD=[-0.45, 0, 0.6])
+    assert "Find v_r" in elbow.next_step().text
+
+
+def test_the_solution_has_steps_and_the_ledger_in_the_numbers_at_hand(elbow):
+    said = elbow.new().solution()
+    right = problem("4/16").solve(elbow.givens)["a_D"].components()
+    assert f"{right[0]:.6g}" in said.text
+    assert "| term | value |" in said.markdown
+    assert "Coriolis" in said.markdown
+    assert elbow.next_step().text.startswith("nothing is left")
+
+
+def test_an_instructor_decides_how_much_help_there_is(hints_file, checks_file):
+    p = practice(hints_file, progress=None)["4/16"]
+    assert [("It is [" in p.next_step().text) for _ in range(4)] == [False] * 4
+    assert p.solution().text == "this practice file has no solutions"
+    assert p.steps
+    p = practice(checks_file, progress=None)["4/16"]
+    assert p.next_step().text == "this practice file gives no hints"
+    assert p.steps == {}
+    assert "leaves out omega x omega_rel" in p.check(alpha_CD=[0, 0, 0]).text
+    with pytest.raises(AnswerError, match="no steps to check"):
+        p.check_step(omega_CD=[0, 0, 0])
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda p: p.check(alpha=1), "no answer 'alpha'; it has alpha_CD, v_D, a_D"),
+        (lambda p: p.check(v_r=[1, 2, 3]), "v_r is checked by p.check_step"),
+        (lambda p: p.check_step(v_D=[1, 2, 3]), "v_D is checked by p.check"),
+        (lambda p: p.check(), "write a value for an answer: alpha_CD"),
+    ],
+)
+def test_a_name_that_is_not_asked_for_is_refused_with_those_that_are(elbow, call, message):
+    with pytest.raises(AnswerError, match=message):
+        call(elbow)
+
+
+def test_a_problem_in_symbols_is_asked_with_numbers(practice_file):
+    p = practice(practice_file, progress=None)["4/2"]
+    assert set(p.givens) == set(problem("4/2").units)
+    d, w, nu, tilt = (p.givens[n] for n in ("d", "omega", "nu", "tilt"))
+    speed = math.hypot(nu, d * w * math.sin(tilt))
+    assert p.check(speed=speed).text == "speed: right"
+    assert "sqrt" not in p.solution().text
+
+
+def test_a_check_takes_under_50_ms_after_the_first(elbow):
+    elbow.check(**BOOK)
+    took = []
+    for _ in range(9):
+        start = time.process_time()
+        elbow.check(alpha_CD=[0, 0, 0], v_D=[1, 2, 3], a_D=[4, 5, 6])
+        took.append(time.process_time() - start)
+    assert sorted(took)[4] < 0.05

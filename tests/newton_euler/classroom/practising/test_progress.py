@@ -1,0 +1,89 @@
+"""What is kept of a student's tries, and the table made from it."""
+
+import json
+
+import pytest
+
+from newton_euler.classroom import PracticeFileError, practice
+from newton_euler.classroom.practising.progress import Progress, mastery
+
+
+def test_first_goes_and_help_are_counted_and_found_again(practice_file, tmp_path):
+    kept = tmp_path / "own.json"
+    p = practice(practice_file, progress=kept)["4/16"]
+    p.check(alpha_CD=[0, -0.27, 0])
+    p.check(v_D=[1, 2, 3])
+    p.check(v_D=[-9.6, 6.235383, -3.6])
+    p.next_step()
+    again = practice(practice_file, progress=kept)
+    counts = again._progress.counts("4/16")
+    assert counts == {"tried": 2, "right": 2, "at first go": 1, "with help": 1}
+    row = next(line for line in repr(again).splitlines() if line.startswith("4/16"))
+    assert row.split()[-4:] == ["2", "2", "1", "1"]
+
+
+def test_tries_after_the_right_one_change_nothing():
+    kept = Progress(None)
+    for right in (False, True, False, True):
+        kept.tried("4/1", 0, "v", right)
+    assert kept.entry("4/1", 0, "v") == {"tries": 2, "right": 2, "help": 0}
+    kept.helped("4/1", 0, "v", 3)
+    assert kept.entry("4/1", 0, "v")["help"] == 0
+
+
+def test_two_notebooks_do_not_lose_each_others_tries(tmp_path):
+    one, other = Progress(tmp_path / "p.json"), Progress(tmp_path / "p.json")
+    one.tried("4/1", 0, "v", True)
+    other.tried("4/1", 0, "w", True)
+    other.tried("4/2", 0, "v", True)
+    found = Progress(tmp_path / "p.json")
+    assert found.counts("4/1")["right"] == 2
+    assert found.counts("4/2")["right"] == 1
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"format": 9, "problems": {}}', "{}"])
+def test_a_damaged_file_is_kept_aside_and_told(tmp_path, text):
+    path = tmp_path / "p.json"
+    path.write_text(text)
+    kept = Progress(path)
+    assert "kept as p.json.damaged" in kept.note
+    assert (tmp_path / "p.json.damaged").read_text() == text
+    kept.tried("4/1", 0, "v", True)
+    assert json.loads(path.read_text())["problems"]["4/1"]
+
+
+def test_where_nothing_can_be_written_it_is_kept_while_python_runs(tmp_path):
+    kept = Progress(tmp_path / "missing" / "p.json")
+    kept.tried("4/1", 0, "v", True)
+    assert kept.counts("4/1")["right"] == 1
+    assert "only while this kernel runs" in kept.note
+
+
+def test_mastery_needs_enough_right_at_first_go():
+    def of(tried, first):
+        return mastery({"tried": tried, "right": tried, "at first go": first, "with help": 0})
+
+    assert [of(0, 0), of(4, 4), of(10, 8), of(10, 4), of(10, 3)] == [
+        "not tried", "nearly there", "mastered", "nearly there", "needs practice",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (None, "there is no practice file"),
+        (b"", "is no practice file"),
+        (b"text", "is no practice"),
+    ],
+)
+def test_a_file_that_is_no_practice_file_is_told(tmp_path, content, words):
+    path = tmp_path / "x.practice"
+    if content is not None:
+        path.write_bytes(content)
+    with pytest.raises(PracticeFileError, match=words):
+        practice(path)
+
+
+def test_a_problem_that_is_not_there_is_told_with_those_that_are(practice_file):
+    with pytest.raises(PracticeFileError, match="no problem '9/9'; it has 4/1, 4/2"):
+        practice(practice_file, progress=None)["9/9"]

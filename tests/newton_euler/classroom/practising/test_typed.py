@@ -1,0 +1,34 @@
+"""Answers that are typed into a field."""
+
+import math
+
+import pytest
+
+from newton_euler.classroom import AnswerError
+from newton_euler.classroom.practising.typed import typed
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("", None), (" 2.5 ", 2.5), ("-2*b", -16.0), ("[1, -b, 2^3]", [1.0, -8.0, 8.0]),
+        ("(1, 2)", [1.0, 2.0]), ("sin(radians(30))", 0.5), ("sqrt(2)*pi", math.sqrt(2) * math.pi),
+        ("atan2(1, 1)", math.pi / 4), ("1e3", 1000.0),
+    ],
+)  # fmt: skip
+def test_numbers_lists_and_arithmetic_are_read(text, value):
+    assert typed(text, {"b": 8.0}) == (value if value is None else pytest.approx(value))
+
+
+def test_a_word_is_itself():
+    assert typed(" 'stable' ", {}, ("stable",)) == "stable"
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["c", "__import__('os')", "b.real", "[1, 2", "lambda: 1", "1 if b else 2", "b[0]", "'a'*9",
+     "1/0", "[1,2]+3", "9**9**9**9", "(" * 500, "open('x')", "True"],
+)  # fmt: skip
+def test_anything_else_is_refused_and_never_run(text):
+    with pytest.raises(AnswerError):
+        typed(text, {"b": 8.0})
