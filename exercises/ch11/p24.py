@@ -67,7 +67,9 @@ def prove(g):
     """The motion from the release, with the moment that the mass points need equal to that of
     their weights.
     """
-    along = [(share, [g.l * (p[0] + mpf(1) / 2), 0, 0]) for share, p in proofs.box(1, 0, 0)]
+    along = [
+        (share, [g.l * (p[0] + mpf(1) / 2), 0, 0]) for share, p in proofs.box(1, 0, 0, order=2)
+    ]
     # x downward; the rod is one third of the whole mass
     points = [(share / 3, p) for share, p in along] + [(mpf(2) / 3, [g.l, 0, 0])]
     whole = 3 * g.m
@@ -76,8 +78,8 @@ def prove(g):
         return lambda t: [(s, proofs.times(proofs.rot("z", angle(t)), p)) for s, p in points]
 
     def moment_of_weights(theta):
-        weights = [proofs.cross(p, [g.g, 0, 0])[2] for _, p in turned(lambda t: theta)(0)]
-        return whole * sum(s * w for (s, _), w in zip(points, weights, strict=True))
+        turned_x = proofs.rot("z", theta)[1][0]  # the y of a place on x, for 1 m
+        return -whole * g.g * turned_x * sum(share * p[0] for share, p in points)
 
     needed = proofs.moment_needed(whole, turned(lambda t: t * t / 2))[2]  # for 1 rad/s^2
     start = [g.theta_A, mpf(0)]
