@@ -3,12 +3,11 @@
 from typing import Any
 
 from ..forms import WORDS, AnswerError
-from .problems import PracticeProblem
 from .typed import typed
 
 
-def show_form(p: PracticeProblem) -> Any:
-    """Display a problem with a field for each answer, a field for any step, and buttons for hints,
+def show_form(p: Any) -> Any:
+    """Display a :class:`PracticeProblem` with a field for each answer, a field for any step, and buttons for hints,
     the solution and other numbers. What was said last stands below them.
 
     Needs ipywidgets. Tab goes from field to button, Space presses a button.
