@@ -18,6 +18,7 @@ from functools import cache, lru_cache
 
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.sections import section_line
+from exercises.sanity import sane_answers
 from newton_euler.classroom.forms import Form
 from newton_euler.classroom.notation import (
     GREEK,
@@ -176,7 +177,8 @@ def receipt_cell(p):
     symbols = f"symbols={ {n: s.unit for n, s in p.symbols.items()}!r}, " if p.symbols else ""
     own = {q: x.latex for q, x in ({a.key: a for a in p.answers} | p.symbols).items() if x.latex}
     notation = f"notation={own!r}, " if own else ""
-    return f'expect("{p.id}", {symbols}{notation}{forms})\nreceipt("{p.id}", globals())'
+    sane = f"sane={known!r}, " if (known := sane_answers(p)) else ""
+    return f'expect("{p.id}", {symbols}{notation}{sane}{forms})\nreceipt("{p.id}", globals())'
 
 
 def slug(problem_id):

@@ -82,26 +82,32 @@ def _pair(text):
     type=click.IntRange(1),
     help="How many sets of numbers to check: the book's and drawn ones.",
 )
-def prove(names, seeds):
+@click.option(
+    "--workers", type=click.IntRange(1), help="How many processes; default: one for each core."
+)
+def prove(names, seeds, workers):
     """Check the keys, units and mistakes of problems.
 
     Every key must agree with its independent proof, every formula with its unit, and every listed
     mistake must differ from the key; exit code 1 if a check fails. Two mistakes that give the same
     wrong answer are a warning.
     """
-    from exercises.catalogue import select
-    from exercises.checks import AGREEMENT, alike, check, proved_steps, values
-    from exercises.steps import steps
+    from concurrent.futures import ProcessPoolExecutor
 
-    problems, failed = select(names or ("all",)), 0
-    with progress_bar() as bar:
+    from exercises.catalogue import select
+    from exercises.checks import AGREEMENT
+
+    problems, failed, steps, proved = select(names or ("all",)), 0, 0, 0
+    names = [p.id for p in problems]
+    with progress_bar() as bar, ProcessPoolExecutor(workers) as pool:
         task = bar.add_task("proving", total=len(problems))
-        for p in problems:
-            faults = check(p, seeds)
+        for p, found in zip(problems, pool.map(_proved, names, [seeds] * len(names)), strict=True):
+            faults, warnings, *counts = found
             failed += bool(faults)
+            steps, proved = steps + counts[0], proved + counts[1]
             for fault in faults:
                 bar.console.print(f"[red]{p.id}[/]: {escape(fault)}")
-            for warning in () if faults else alike(p, seeds):
+            for warning in warnings:
                 bar.console.print(f"[yellow]{p.id}[/]: {escape(warning)}")
             bar.advance(task)
     click.echo(f"{len(problems) - failed} passed, {failed} failed")
@@ -111,15 +117,26 @@ def prove(names, seeds):
         f"Every key agrees with its proof to {AGREEMENT:g} (floats) and {AGREEMENT**2:g} (50 "
         f"digits) for {seeds} sets of numbers;"
     )
-    mistakes = sum(len(p.mistakes) for p in problems)
-    count = sum(len(steps(p, values(p, 0))) for p in problems)
-    proved = sum(len(proved_steps(p, values(p, 0))) for p in problems)
     click.echo(
-        f"of {count} steps {proved} are proved by themselves, the terms of sums with their sums;"
+        f"of {steps} steps {proved} are proved by themselves, the terms of sums with their sums;"
     )
+    mistakes = sum(len(p.mistakes) for p in problems)
     click.echo(
         f"all units are right; {mistakes} listed mistakes give answers that differ from the key."
     )
+
+
+def _proved(name, seeds):
+    """(faults, warnings, number of steps, of which proved) of the problem of this number."""
+    from exercises.catalogue import problem
+    from exercises.checks import alike, check, proved_steps, values
+    from exercises.steps import steps
+
+    p = problem(name)
+    if faults := check(p, seeds):
+        return faults, [], 0, 0
+    book = values(p, 0)
+    return [], alike(p, seeds), len(steps(p, book)), len(proved_steps(p, book))
 
 
 @click.command()

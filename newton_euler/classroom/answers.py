@@ -17,6 +17,7 @@ from .forms import SHAPES, AnswerError, Form, clipped
 from .givens import in_notebook, stale
 from .notation import formula, is_word, symbol, unit_symbol
 from .reading.formula_trees import NODES, dimension_hints, in_words
+from .reading.sanity import doubts
 from .reading.sympy_formulas import read_formula
 from .reading.values import components, read_number
 
@@ -29,19 +30,25 @@ receipts: dict = {}
 
 @checked
 def expect(
-    problem: str, symbols: dict | None = None, notation: dict | None = None, **forms: str
+    problem: str,
+    symbols: dict | None = None,
+    notation: dict | None = None,
+    sane: dict | None = None,
+    **forms: str,
 ) -> None:
     """Announce what ``problem`` asks for, each answer by its form.
 
     symbols : maps the symbols of formulas to their units
     notation : maps names to LaTeX, where :func:`~newton_euler.classroom.notation.symbol` would
         print another symbol
+    sane : maps answers to what any answer must be: ``(low, high)`` for its size, or "kinetic
+        energy"; a receipt warns of one that is not
 
     >>> expect("0/1", v="vector, mm/s")
     >>> expect("0/2", {"r": "m", "omega": "rad/s"}, v="expression, m/s")
     """
     read = {key: Form.read(text) for key, text in forms.items()}
-    _expected[problem] = read, dict(symbols or {}), dict(notation or {})
+    _expected[problem] = read, dict(symbols or {}), dict(notation or {}), dict(sane or {})
 
 
 @checked
@@ -63,7 +70,7 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
         raise AnswerError(
             f"nothing is known of problem {problem!r}; run the cells of the notebook from the top"
         )
-    forms, symbols, notation = _expected[problem]
+    forms, symbols, notation, sane = _expected[problem]
     for key in answers:
         if key not in forms:
             asked = ", ".join(forms)
@@ -82,7 +89,14 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
             "configuration; use its nbgrader_config.py, or python -m grader grade"
         )
     others = {key for forms, *_ in _expected.values() for key in forms}
-    return Receipt(problem, read, forms, symbols, stale(problem, answers, others), notation)
+    doubted = {
+        key: found
+        for key, form in forms.items()
+        if (found := doubts(form, read.get(key), symbols, sane.get(key)))
+    }
+    return Receipt(
+        problem, read, forms, symbols, stale(problem, answers, others), notation, doubted
+    )
 
 
 def _blank(forms, read):
@@ -94,7 +108,7 @@ def _blank(forms, read):
 class Receipt:
     """The answers to one problem as they were read; ``json`` is the record, ``warning`` says where
     they were computed with the numbers of another problem, ``notation`` is the LaTeX of names that
-    do not say how they are printed.
+    do not say how they are printed, ``doubted`` says why answers are impossible, whatever the key.
     """
 
     problem: str
@@ -103,6 +117,7 @@ class Receipt:
     symbols: dict
     warning: str = ""
     notation: dict = field(default_factory=dict)
+    doubted: dict = field(default_factory=dict)
 
     @property
     def json(self):
@@ -160,6 +175,7 @@ class Receipt:
         if self.warning:
             yield f"look again: {self.warning}"
         for key, tree in self._given.items():
+            yield from (f"look again at {key}: {doubt}" for doubt in self.doubted.get(key, ()))
             if self.forms[key].is_formula:
                 found = dimension_hints(tree, self.forms[key], self.symbols)
                 yield from (f"look again at {key}: {hint}" for hint in found)

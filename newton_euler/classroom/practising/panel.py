@@ -7,8 +7,8 @@ from .typed import typed
 
 
 def show_form(p: Any) -> Any:
-    """Display a :class:`PracticeProblem` with a field for each answer, a field for any step, and buttons for hints,
-    the solution and other numbers. What was said last stands below them.
+    """Display a practice problem with a field for each answer, a field for any step, and buttons
+    for hints, the solution and other numbers. What was said last stands below them.
 
     Needs ipywidgets. Tab goes from field to button, Space presses a button.
     """
