@@ -5,7 +5,10 @@ random numbers.
 import json
 import math
 import random
+import statistics
+import time
 from collections import Counter
+from concurrent.futures import ProcessPoolExecutor
 
 from newton_euler.classroom.checking import causes
 from newton_euler.classroom.checking.diagnosis import DIRECTION, NEAR
@@ -26,19 +29,28 @@ RANDOMS = 5  # answers for each quantity
 
 def practice_shares(problems, variants, progress=None):
     """{what was given: Counter of named, misnamed, unnamed, passed}, over this many sets of numbers
-    of each problem.
+    of each problem, and the middle of the times that a check took, in seconds.
 
     A slip is named if it is told in its own words, or as another that gives the same numbers.
     """
-    found = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}
-    for p in problems:
-        page = page_of(p.id, variants, "solution", draw=_no_figure)
-        if not isinstance(page, Left):
-            for n in range(len(page[0]["variants"])):
-                _measure(page[0], n, found)
-        if progress:
-            progress()
-    return found
+    found, times = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}, []
+    with ProcessPoolExecutor() as pool:
+        names = [p.id for p in problems]
+        for shares, took in pool.map(_measured, names, [variants] * len(names)):
+            for name, counts in shares.items():
+                found[name].update(counts)
+            times += took
+            if progress:
+                progress()
+    return found, statistics.median(times) if times else 0.0
+
+
+def _measured(name, variants):
+    found, times = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}, []
+    page = page_of(name, variants, "solution", draw=_no_figure)
+    for n in range(0 if isinstance(page, Left) else len(page[0]["variants"])):
+        _measure(page[0], n, found, times)
+    return found, times
 
 
 def _no_figure(p, values):
@@ -57,7 +69,7 @@ class _Memory:
         return self._page
 
 
-def _measure(page, number, found):
+def _measure(page, number, found, times):
     p = PracticeProblem(_Memory(page), page["id"], Progress(None))
     for _ in range(number):
         p.new()
@@ -72,22 +84,21 @@ def _measure(page, number, found):
         right = variant["right"][key]
         for group, text, x in models.get(key, ()):
             if group == "listed":
-                found[LISTED][_outcome(p, q, x, right, text, models[key])] += 1
+                found[LISTED][_outcome(p, q, x, right, text, models[key], times)] += 1
             elif q["step"] and group in ("term", "unit", "axes"):
-                found[SLIPS][_outcome(p, q, x, right, text, models[key])] += 1
+                found[SLIPS][_outcome(p, q, x, right, text, models[key], times)] += 1
         if q["kind"] in WORDS:
             continue
         for text, x in slips(q["kind"], right) if q["step"] else ():
-            found[SLIPS][_outcome(p, q, x, right, text, models.get(key, []))] += 1
+            found[SLIPS][_outcome(p, q, x, right, text, models.get(key, []), times)] += 1
         for _ in range(RANDOMS):
             x = _random(right, rng)
-            outcome = _outcome(p, q, x, right, None, models.get(key, []))
-            found[RANDOM][outcome] += 1
+            found[RANDOM][_outcome(p, q, x, right, None, models.get(key, []), times)] += 1
 
 
-def _outcome(p, q, x, right, text, models):
+def _outcome(p, q, x, right, text, models, times):
     """named, misnamed, unnamed or passed, of one wrong value."""
-    checked = _checked(p, q, x)
+    checked = _checked(p, q, x, times)
     if checked.verdicts[q["key"]] == "right":
         return "passed"
     told = [t for t in causes(checked.causes[q["key"]]) if t not in SEEN]
@@ -99,10 +110,13 @@ def _outcome(p, q, x, right, text, models):
     return "named" if text is None or {text, *same} & set(told) else "misnamed"
 
 
-def _checked(p, q, x):
+def _checked(p, q, x, times):
     check = p.check_step if q["step"] else p.check
     p.forget()
-    return check(**{q["key"]: _written(x, q["kind"])})
+    given, start = {q["key"]: _written(x, q["kind"])}, time.perf_counter()
+    checked = check(**given)
+    times.append(time.perf_counter() - start)
+    return checked
 
 
 def _written(x, kind):
