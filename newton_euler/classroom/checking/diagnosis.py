@@ -8,6 +8,7 @@ from functools import cached_property
 from ..forms import WORDS
 from .fit import CLOSE, EXACT, LOOSE, Fit, is_apart
 from .slips import (
+    LISTED_RTOL,
     NUMBER_RTOL,
     ROUNDED,
     components,
@@ -117,8 +118,8 @@ def _stages(fit, wrong, kind, factors, elsewhere):
         return [(text, x) for of_group, text, x in near if of_group == name]
 
     rounded = [(EXACT, ROUNDED)] if is_rounded(fit.given, fit.key) else []
-    single = NUMBER_RTOL if kind == "number" else None
-    yield [*of(group("listed")), *of(group("book"), single, apart=False), *rounded]
+    single, listed_alone = (NUMBER_RTOL, LISTED_RTOL) if kind == "number" else (None, None)
+    yield [*of(group("listed"), listed_alone), *of(group("book"), single, apart=False), *rounded]
     yield of(group("term"))
     yield of(group("unit"), single)
     yield [

@@ -21,6 +21,7 @@ AS_SCALARS = "adds the rates of turning as numbers, as if about one axis, instea
 ROUNDED = "rounds the right answer too far: give three significant figures or more"
 ORDINALS = ("first", "second", "third")
 NUMBER_RTOL = 1e-3  # a single number is met by chance much sooner than a vector
+LISTED_RTOL = 2e-3  # of a single number that a listed mistake gives: there are few of these
 ANGLES = {
     "revolutions against radians": 2 * math.pi, "degrees against radians": 180 / math.pi,
     "rev/min against rad/s": 30 / math.pi,
