@@ -337,7 +337,11 @@ def _following(p, given, right):
         if strange:
             return [f"follows has {', '.join(strange)}; the problem asks for {', '.join(asked)}"]
         found = follow(p, key, given, {n: right[n] for n in earlier})
-        if not distance(found, right[key]) <= AGREEMENT:
+        if p.answer(key).kind in WORDS:
+            same = tuple(found) == tuple(right[key])
+        else:
+            same = distance(found, right[key]) <= AGREEMENT
+        if not same:
             faults.append(
                 f"{key} does not follow from {' and '.join(earlier)}: follows gives "
                 f"{_shown(found)}, solve {_shown(right[key])}"

@@ -9,6 +9,7 @@ import pytest
 from exercises import problem, variants
 from exercises.catalogue import Answer, Given, Symbol
 from exercises.checks import check
+from exercises.following import earlier_answers
 from exercises.variants import at_points, draw, objection
 from grader.reports.diagnoses import diagnosis_shares
 from grader.scoring import numbers, score_receipt
@@ -191,3 +192,24 @@ def test_points_of_words_are_words(made):
     right, wrong = at_points(ball(made), ball(made).book_values)
     assert right["sense"] == (("rises",),)
     assert wrong["downward"]["sense"] == (("falls",),)
+
+
+def test_a_word_may_follow_from_a_number(made):
+    """Who has the speed wrong has the sense right that goes with it."""
+    answers = (replace(SPEED, weight=1.0), replace(SENSE, follow_through=0.5))
+
+    def ordered(g):
+        found = solve(g)
+        return {"v": found["v"], "sense": found["sense"]}
+
+    p = made(ordered, mistakes, answers=answers, givens=THROWN, mistakes=SLIPS)
+    p.code.follows = {"sense": lambda g, v: sense(v)}
+    assert not [f for f in check(p, 1) if "follow" in f]
+    p.code.follows = {"sense": lambda g, v: "rests"}
+    earlier_answers.cache_clear()
+    assert [f for f in check(p, 1) if "does not follow from v" in f]
+    p.code.follows = {"sense": lambda g, v: sense(v)}
+    earlier_answers.cache_clear()
+    v, word = score_receipt(p, p.book_values, {"answers": {"v": -2.0, "sense": "falls"}}).parts
+    assert (v.verdict, word.verdict, word.points) == ("wrong", "wrong", 0.5)
+    assert "follows from your v" in word.message

@@ -135,7 +135,9 @@ def other(p, key, numbers, right, factor):
     is none, or nearly the right one.
     """
     first = next(iter(right))
-    if p.answer(first).kind in WORDS:
+    if p.answer(first).kind == "choice":
+        wrong = tuple(next(w for w in p.answer(first).of if w != x) for x in right[first])
+    elif p.answer(first).kind == "count":
         wrong = tuple(x + 1 for x in right[first])
     else:  # another direction, too
         wrong = tuple(x * factor ** (n + 1) or 1.0 for n, x in enumerate(right[first]))
@@ -144,6 +146,8 @@ def other(p, key, numbers, right, factor):
             later = follow(p, key, numbers.sample, {**right, first: wrong})
         except (ArithmeticError, ValueError):
             return None
+    if p.answer(key).kind in WORDS:
+        return (wrong, later) if (later,) != numbers.key[key] else None
     later = tuple(x if isinstance(x, int) else float(x) for x in later)
     if not all(map(np.isfinite, later)):
         return None
