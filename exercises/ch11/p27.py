@@ -79,4 +79,4 @@ def draw(g, ax):
     s.vector(B, ground.j * g.u_0, "$u_0$", kind="velocity")
     s.label(ground.i * (g.l / 2), "l", offset=(0, 10), bold=False)
     s.label(O, "O", offset=(10, 14))
-    s.label(B, "m", offset=(4, -14), bold=False)
+    s.label(B, "m", offset=(6, -24), bold=False)

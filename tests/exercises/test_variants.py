@@ -126,7 +126,7 @@ def test_grid_is_the_round_step_below_a_fortieth_of_the_range():
     class Last:  # draws the upper end
         randint = staticmethod(lambda first, last: last)
 
-    assert variants._drawn(given, Last) == 1.2
+    assert variants.drawn_value(given, Last) == 1.2
     assert [variants._round_step(x) for x in (0.0225, 0.05, 1.9, 7.5)] == [0.02, 0.05, 1, 5]
 
 
