@@ -89,10 +89,17 @@ def steps(p, values, one=1.0):
     vector stays one, with its frame. ``one`` as for :meth:`Problem.base`.
     """
     g = p.base(values, one)
-    own = getattr(p.code, "steps", None)
-    found = list(own(g) if own else _from_answers(p, g))
+    found = listed_steps(p, g)
     _check_names(p, found)
     return [_said(s, p) for s in found]
+
+
+def listed_steps(p, g):
+    """The steps of ``p`` for givens ``g`` of any kind, in base units: those that its code lists, or
+    the terms of its answers.
+    """
+    own = getattr(p.code, "steps", None)
+    return list(own(g) if own else _from_answers(p, g))
 
 
 def _said(step, p):

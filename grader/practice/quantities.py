@@ -8,7 +8,7 @@ import re
 
 import numpy as np
 
-from exercises.steps import in_unit, steps
+from exercises.steps import in_unit, listed_steps, steps
 from exercises.variants import flat
 from newton_euler.algebra.vectors import Vector
 from newton_euler.classroom.checking.fit import is_apart
@@ -104,12 +104,8 @@ def _answers_of(p):
 
 
 def _steps_of(p):
-    """The steps that a problem lists: those that are terms of its answers are never asked alone."""
-
     def compute(g):
-        own = getattr(p.code, "steps", None)
-        listed = own(g) if own else ()
-        found = {s.key: in_unit(s.value, s.unit, p.system) for s in listed}
+        found = {s.key: in_unit(s.value, s.unit, p.system) for s in listed_steps(p, g)}
         return {k: x for k, x in found.items() if not isinstance(x, str)}
 
     return compute

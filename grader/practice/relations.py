@@ -5,6 +5,7 @@ of the quantities, for which a student's own can stand.
 
 import math
 
+from exercises.steps import listed_steps
 from exercises.variants import flat
 from newton_euler.algebra.codegen.trace import Step, Trace
 from newton_euler.classroom.forms import WORDS
@@ -63,8 +64,7 @@ def _traced(p):
     """{key: [(traced component in base units, factor to the unit of the text)]}."""
     trace = Trace()
     g = p.base({n: trace.new("argument", n) for n in p.units})
-    own = getattr(p.code, "steps", None)
-    found = {s.key: (s.value, s.unit) for s in (own(g) if own else ())}
+    found = {s.key: (s.value, s.unit) for s in listed_steps(p, g)}
     found |= {k: (x, p.answer(k).unit) for k, x in p.code.solve(g).items()
               if p.answer(k).kind not in WORDS}  # fmt: skip
     return {

@@ -105,3 +105,14 @@ def test_the_measured_shares_are_printed_by_one_command():
             "0.0",
             "0.0",
         ]
+
+
+def test_a_problem_that_lists_no_steps_has_the_terms_of_its_answers(monkeypatch):
+    """As one that an instructor adds, whose later answers still follow from the terms."""
+    p = problem("4/16")
+    monkeypatch.delattr(p.code, "steps")
+    page, _ = page_of("4/16", 2, "solution", draw=lambda p, v: None)
+    steps = {q["key"] for q in page["quantities"] if q["step"]}
+    assert {"a_D_coriolis", "v_D_rotation"} <= steps
+    assert "a_D_coriolis" in page["variants"][0]["program"]["earlier"]["a_D"]
+    assert any(page["labels"][n][0] == "a_D_coriolis" for n, _ in page["variants"][0]["wrong"])
