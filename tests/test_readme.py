@@ -1,9 +1,13 @@
 """What the README shows is what a reader gets."""
 
 import contextlib
+import doctest
 import io
 import re
 from pathlib import Path
+
+from exercises.catalogue import problem
+from grader.practice import write_practice
 
 README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
 
@@ -22,3 +26,13 @@ def test_the_two_commands_are_there_and_ci_calls_the_second():
     assert "python -m pytest" in (Path(__file__).parent.parent / ".ci" / "run").read_text(
         encoding="utf-8"
     )
+
+
+def test_the_practice_session_runs_as_it_stands_there(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    write_practice("ch04.practice", [problem("4/16")], count=2, workers=1)
+    (session,) = re.findall(r"(?s)```pycon\n(.*?)```", README)
+    said = []
+    test = doctest.DocTestParser().get_doctest(session, {}, "README.md", "README.md", 0)
+    doctest.DocTestRunner().run(test, out=said.append)
+    assert not said, "".join(said)

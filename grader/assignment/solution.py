@@ -8,7 +8,14 @@ from exercises.steps import steps
 from exercises.wording import term_text
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.vectors import Vector
-from newton_euler.classroom.notation import is_word, list_symbol, number_symbol, symbol, unit_symbol
+from newton_euler.classroom.notation import (
+    is_word,
+    list_symbol,
+    matrix_symbol,
+    number_symbol,
+    symbol,
+    unit_symbol,
+)  # fmt: skip
 
 from .notebook import statement, typeset
 
@@ -69,6 +76,8 @@ def _latex(value, notation):
     """An answer in LaTeX, numbers with six significant digits."""
     if isinstance(value, Vector):
         value = _without_noise(value)
+    if isinstance(value, (tuple, list)) and all(isinstance(x, (tuple, list)) for x in value):
+        return matrix_symbol([[_latex(x, notation) for x in row] for row in value])
     if isinstance(value, (Vector, tuple, list)):
         inside = list_symbol(_latex(v, notation) for v in value)
         return rf"\left[{inside}\right]"

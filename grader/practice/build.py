@@ -5,6 +5,7 @@ import io
 import json
 import math
 import os
+import re
 import zipfile
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
@@ -20,6 +21,7 @@ from ..assignment.figures import figure_png
 from ..assignment.notebook import number, slug, statement, typeset
 from ..assignment.solution import worked_solution
 from ..course import CourseError
+from .plain import plain
 from .quantities import quantities, wrong_numbers
 from .relations import relations
 from .twins import sets_of_numbers, twin
@@ -112,7 +114,7 @@ def page_of(name, count, help, graded=None, draw=figure_png):
         v["wrong"] = [[place[key, group, text], x] for key, group, text, x in v["wrong"]]
     page = {
         "id": name, "title": p.title, "section": p.section, "chapter": chapter(p.chapter).title,
-        "preamble": chapter(p.chapter).preamble, "figure": " ".join(p.figure.split()),
+        "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "labels": labels, "variants": variants,
         "book": sets[0] == problem(name).book_values,
     }  # fmt: skip
@@ -156,14 +158,16 @@ def _variant(p, values, described, right, help):
     wrong = wrong_numbers(p, values, described, right)
     program = relations(p, values) if help != "check" else None
     return {
-        "givens": {n: [values[n], g.unit, g.means] for n, g in p.givens.items()},
-        "statement": statement(p, values, figure=False),
+        "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
+        "statement": _without_links(statement(p, values, figure=False)),
         "text": _plain(p, values),
         "right": {k: x for k, x in right.items() if k in shown},
         "wrong": [w for w in wrong if w[0] in shown],
         "program": program,
         "terms": _terms(p, values) if help != "check" else {},
-        "solution": worked_solution(p, values, text=False) if help == "solution" else "",
+        "solution": _without_links(worked_solution(p, values, text=False))
+        if help == "solution"
+        else "",
     }
 
 
@@ -178,11 +182,20 @@ def _terms(p, values):
 
 def _plain(p, values):
     """The text of a problem for a terminal: names as they are typed."""
-    text = p.text
-    for n, g in p.givens.items():
-        text = text.replace(f"{{{n}}}", f"{n} = {number(values[n])} {g.unit}", 1)
-        text = text.replace(f"{{{n}}}", n)
-    return " ".join(text.split())
+
+    def quantity(n):
+        unit = p.givens[n].unit if n in p.givens else "1"
+        return f"{n} = {number(values[n])}{'' if unit == '1' else ' ' + unit}"
+
+    lines = [plain(p.text, p.units, quantity)]
+    if p.frame:
+        lines.append(f"Components: {plain(p.frame, p.units)}")
+    return "\n\n".join(lines)
+
+
+def _without_links(markdown):
+    """The notebooks of the chapters are not where a practice file is."""
+    return re.sub(r"\[([^\]]*)\]\([^)\s]*\.ipynb[^)\s]*\)", r"\1", markdown)
 
 
 def _smaller(png):

@@ -4,7 +4,6 @@ numbers and the wrong models of each.
 
 import contextlib
 import math
-import re
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from newton_euler.classroom.notation import symbol
 
 from ..assignment.notebook import typeset
 from ..scoring.wrong_models import general_models
+from .plain import plain
 
 KEPT = 10  # digits of the numbers of wrong models
 NOISE = 1e-12  # of a model and a key that are both zero, in the unit of the text
@@ -30,8 +30,9 @@ def quantities(p, values):
         described.append(
             {
                 "key": s.key, "kind": kind, "unit": s.unit, "means": typeset(s.means, p),
-                "plain": _plain(s.means), "section": s.section or p.section, "equation": s.equation,
-                "latex": symbol(s.key, kind == "vector"), "atol": 0.0, "of": [],
+                "plain": plain(s.means, p.units), "section": s.section or p.section,
+                "equation": s.equation, "latex": symbol(s.key, kind == "vector"), "atol": 0.0,
+                "of": [],
                 "sum": s.means.rpartition(", in ")[-1] if s.term else "", "step": True,
             }
         )  # fmt: skip
@@ -41,18 +42,13 @@ def quantities(p, values):
         described.append(
             {
                 "key": key, "kind": a.kind, "unit": a.unit, "means": typeset(a.means, p),
-                "plain": _plain(a.means), "section": p.section, "equation": _equation(x),
+                "plain": plain(a.means, p.units), "section": p.section, "equation": _equation(x),
                 "latex": p.notation[key], "atol": a.atol, "of": list(a.of), "sum": "",
                 "step": False,
             }
         )  # fmt: skip
         right[key] = _numbers(x, a.kind)
     return described, right
-
-
-def _plain(means):
-    """For a terminal: names as they are typed, formulas as they stand."""
-    return re.sub(r"\{(\w+)\}", r"\1", means).replace("$", "")
 
 
 def _equation(x):

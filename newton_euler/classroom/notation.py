@@ -199,6 +199,16 @@ def _written(tree, symbols):
     return rf"\operatorname{{{_plain(head)}}}\left({inside}\right)", _PRODUCT
 
 
+def matrix_symbol(rows):
+    r"""The LaTeX of a matrix, of rows of formulas.
+
+    >>> matrix_symbol([["1", "0"], ["0", "2"]])
+    '\\begin{bmatrix}1 & 0 \\\\ 0 & 2\\end{bmatrix}'
+    """
+    inside = r" \\ ".join(" & ".join(row) for row in rows)
+    return rf"\begin{{bmatrix}}{inside}\end{{bmatrix}}"
+
+
 def list_symbol(parts):
     """Formulas with commas between them; the braces make a minus the sign of what follows."""
     return r",\ ".join(f"{{{p}}}" if p.startswith("-") else p for p in parts)

@@ -1,22 +1,35 @@
-"""A form for a notebook: text fields and buttons, all within reach of the keyboard."""
+"""A form for a notebook: text fields and buttons, all within reach of the keyboard. It has no list
+to choose from: while one has the focus, JupyterLab takes letters and arrows as commands to the
+notebook, and D D deletes the cell.
+"""
 
+from html import escape
 from typing import Any
 
-from ..forms import WORDS, AnswerError
+from ..forms import WORDS, AnswerError, Form
 from .typed import typed
+
+INSTALL = (
+    "p.form() needs ipywidgets: pip install ipywidgets; without it, p.check(...), "
+    "p.check_step(...), p.next_step() and p.solution() do the same"
+)
 
 
 def show_form(p: Any) -> Any:
-    """Display a practice problem with a field for each answer, a field for any step, and buttons
+    """A practice problem with a field for each answer, a field for any step, and buttons
     for hints, the solution and other numbers. What was said last stands below them.
 
     Needs ipywidgets. Tab goes from field to button, Space presses a button.
     """
-    from IPython.display import clear_output, display
-    from ipywidgets import HTML, Button, Dropdown, HBox, Layout, Output, Text, VBox
+    try:
+        from IPython.display import clear_output, display
+        from ipywidgets import HTML, Button, Combobox, HBox, Layout, Output, VBox
+    except ImportError:
+        raise ImportError(INSTALL) from None
 
     top, said = Output(), Output()
-    wide = Layout(width="32em")
+    wide = Layout(width="100%", max_width="48em")
+    labelled = {"description_width": "9em"}
 
     def say(what):
         with said:
@@ -24,32 +37,39 @@ def show_form(p: Any) -> Any:
             display(what)
 
     def button(text, action, tip):
-        made = Button(description=text, tooltip=tip, layout=Layout(width="auto"))
+        made = Button(description=text, tooltip=tip, layout=Layout(width="auto", flex="0 0 auto"))
         made.on_click(lambda _: action())
         return made
 
-    def field(key, form):
-        made = Text(description=key, placeholder=form, layout=wide, continuous_update=False)
-        made.style.description_width = "9em"
-        return made
+    def field(name, shown="", words=()):
+        return Combobox(description=name, placeholder=shown, options=tuple(words), layout=wide,
+                        style=labelled, continuous_update=False)  # fmt: skip
 
-    answers = {key: field(key, form) for key, form in p.answers.items()}
-    chosen = Dropdown(options=list(p.steps), description="step", layout=wide)
-    step = field("its value", "a number or a list")
+    asked = {key: Form.read(form) for key, form in p.answers.items()}
+    answers = {key: field(key, _as_typed(form), form.of) for key, form in asked.items()}
+    chosen = field("step", "the name of a step; arrow down lists them", p.steps)
+    step, means = field("its value"), HTML(layout=Layout(margin="0 0 0 9.5em"))
 
-    def read(key, text):
-        kind = {**p.answers, **p.steps}[key]
+    def expect(_=None):
+        form = p.steps.get(chosen.value)
+        step.placeholder = _as_typed(Form.read(form)) if form else ""
+        means.value = escape(p.meanings[chosen.value]) if form else ""
+
+    chosen.observe(expect, "value")
+
+    def read(key, value):
+        kind = {**p.answers, **p.steps}.get(key, "")
         words = ("word",) if kind.startswith("choice") else ()
-        x = typed(text, p.givens, words)
+        x = typed(value, p.givens, words)
         return int(x) if kind.partition(",")[0] in WORDS and type(x) is float else x
 
     def checked(check, texts):
         try:
             given = {k: read(k, t) for k, t in texts.items()}
             given = {k: x for k, x in given.items() if x is not None}
-            say(check(**given) if given else HTML("Write a value first, as [1.0, 0, -2.5]."))
+            say(check(**given) if given else HTML("Write a value first."))
         except (AnswerError, ValueError) as error:
-            say(HTML(f"<pre>{_escaped(error)}</pre>"))
+            say(HTML(f"<div>{escape(str(error))}</div>"))
 
     def check_answers():
         checked(p.check, {k: w.value for k, w in answers.items()})
@@ -64,9 +84,9 @@ def show_form(p: Any) -> Any:
 
     def new():
         p.new()
-        for w in (*answers.values(), step):
+        for w in (*answers.values(), chosen, step):
             w.value = ""
-        chosen.options = list(p.steps)
+        chosen.options = tuple(p.steps)
         show()
         say(HTML(""))
 
@@ -78,18 +98,15 @@ def show_form(p: Any) -> Any:
             button("Next step", lambda: say(p.next_step()), "Where to go on; again: more"),
             button("Solution", lambda: say(p.solution()), "The solution in these numbers"),
             button("New numbers", new, "The same problem with other numbers"),
-        ]),
-        *([HBox([chosen, step, button("Check step", check_step, "Check one step")])]
+        ], layout=Layout(flex_flow="row wrap")),
+        *([chosen, means, step, HBox([button("Check step", check_step, "Check one step")])]
           if p.steps else []),
         said,
     ]  # fmt: skip
     show()
-    form = VBox(rows)
-    display(form)
-    return form
+    return VBox(rows)
 
 
-def _escaped(error):
-    from html import escape
-
-    return escape(str(error))
+def _as_typed(form):
+    """What is typed in a field, and its unit."""
+    return form.words.removeprefix("a vector, ").removeprefix("an interval, ")

@@ -3,7 +3,10 @@ the solution.
 """
 
 import math
+import textwrap
+from base64 import b64encode
 from dataclasses import dataclass
+from html import escape
 from typing import Any
 
 from ..answers import record
@@ -11,12 +14,13 @@ from ..checking.fit import rounding
 from ..checking.verdicts import explain, judge, shown
 from ..forms import WORDS, AnswerError
 from ..givens import in_notebook
-from ..notation import list_symbol, number_symbol, unit_symbol
+from ..notation import list_symbol, matrix_symbol, number_symbol, unit_symbol
 from ..reading.formula_trees import NODES
 from .files import HELP, PracticeFile
 from .numbers import KeptNumbers, Quantity
 from .progress import Progress
 
+WIDTH = 80  # of lines in a terminal
 EARLY = 1e-3  # of the size of the key: what is lost by rounding before the end
 
 
@@ -87,6 +91,11 @@ class PracticeProblem:
         return {q.key: str(q.form) for q in self._asked.values() if q.step}
 
     @property
+    def meanings(self) -> dict[str, str]:
+        """What the steps and answers are: {name: words}."""
+        return {q.key: q.plain for q in self._asked.values()}
+
+    @property
     def figure(self) -> bytes | None:
         """The figure as PNG, None where there is none."""
         name = self._variant.get("figure")
@@ -107,13 +116,17 @@ class PracticeProblem:
         self._take(self.number)
 
     def __repr__(self) -> str:
-        lines = [f"{self.id} {self._page['title']}", "", self._variant["text"], ""]
-        lines += [f"  {n} = {x:.6g} {unit}  {means}".rstrip()
-                  for n, (x, unit, means) in self._variant["givens"].items()]  # fmt: skip
+        lines = [f"{self.id} {self._page['title']}", "", *_wrapped(self._variant["text"])]
+        if self._page["preamble"]:
+            lines += ["", *_wrapped(self._page["preamble"])]
+        givens = self._variant["givens"]
+        lines += [""] * bool(givens)
+        lines += [f"  {n} = {x:.6g}{_behind(unit)}  {means}".rstrip()
+                  for n, (x, unit, means) in givens.items()]  # fmt: skip
         if self._page["figure"]:
-            lines += ["", f"Figure: {self._page['figure']}"]
-        lines += ["", "Find"] + [f"  {key}: {self._asked[key].plain} ({form})"
-                                 for key, form in self.answers.items()]  # fmt: skip
+            lines += ["", *_wrapped(f"Figure: {self._page['figure']}")]
+        lines += ["", "Find"] + [f"  {q.key}: {q.plain} ({_stated(q.form)})"
+                                 for q in self._asked.values() if not q.step]  # fmt: skip
         return "\n".join([*lines, "", self._count()])
 
     def _count(self):
@@ -122,18 +135,21 @@ class PracticeProblem:
     def _repr_markdown_(self) -> str:
         head, _, rest = self._variant["statement"].partition("\n")
         numbers = ", ".join(f"`{n} = {x:.6g}`" for n, x in self.givens.items())
-        numbers = f"\n\n*Numbers:* {numbers}" if numbers else ""
+        numbers = f"\n\n*Names to type:* {numbers}" if numbers else ""
+        if self._page["preamble"]:
+            rest += f"\n\n{self._page['preamble']}"
         return f"{head}\n{rest}{numbers}\n\n*{self._count()}*"
 
     def _ipython_display_(self):
         if not in_notebook():
             print(self)
             return
-        from IPython.display import Image, Markdown, display
+        from IPython.display import HTML, Markdown, display
 
         display(Markdown(self._repr_markdown_()))
-        if png := self.figure:
-            display(Image(data=png, alt=self._page["figure"]))
+        if png := self.figure:  # JupyterLab leaves out the text of an Image
+            data, words = b64encode(png).decode(), escape(f"Figure: {self._page['figure']}")
+            display(HTML(f'<img alt="{words}" src="data:image/png;base64,{data}">'))
 
     def form(self) -> Any:
         """The problem as a form with fields and buttons, in a notebook with ipywidgets."""
@@ -187,7 +203,10 @@ class PracticeProblem:
         )  # fmt: skip
 
     def _read(self, key):
-        return shown(self._asked[key].form, self._trees[key], self._found[key].verdict)
+        form, tree = self._asked[key].form, self._trees[key]
+        if isinstance(tree, list) and form.kind == "matrix":
+            tree = _rows(tree) or tree
+        return shown(form, tree, self._found[key].verdict)
 
     def _explained(self, key):
         """(what to say, the mistake that explains it) of a quantity that was checked."""
@@ -241,7 +260,7 @@ class PracticeProblem:
         how = "p.check_step" if q.step else "p.check"
         where = f" Section {q.section}." if q.section else ""
         means = (q.means if typeset else q.plain).rstrip(".")
-        lines = [f"Find {name} ({q.form}): {means}.{where} Try it by {how}({q.key}=...)."]
+        lines = [f"Find {name} ({_stated(q.form)}): {means}.{where} Try it by {how}({q.key}=...)."]
         if level >= 2:
             lines += self._how(q, typeset)
         if level >= 3:
@@ -266,14 +285,16 @@ class PracticeProblem:
         if q.kind in WORDS:
             return str(x[0])
         if not typeset:
-            numbers = ", ".join(f"{part:.6g}" for part in x)
-            return f"{numbers if len(x) == 1 else f'[{numbers}]'} {q.unit}".removesuffix(" 1")
-        rows = [x[n : n + 3] for n in (0, 3, 6)] if len(x) == 9 else None
-        if rows:
-            inside = list_symbol(rf"[{list_symbol(map(number_symbol, r))}]" for r in rows)
+            parts = [f"{part:.6g}" for part in x]
+            if rows := _rows(parts):
+                parts = [f"[{', '.join(row)}]" for row in rows]
+            numbers = ", ".join(parts)
+            return (numbers if len(x) == 1 else f"[{numbers}]") + _behind(q.unit)
+        if rows := _rows(x):
+            stated = matrix_symbol(map(number_symbol, row) for row in rows)
         else:
             inside = list_symbol(map(number_symbol, x))
-        stated = inside if len(x) == 1 else rf"\left[{inside}\right]"
+            stated = inside if len(x) == 1 else rf"\left[{inside}\right]"
         return f"${q.latex and q.latex + ' = '}{stated}{unit_symbol(q.unit)}$"
 
     def solution(self) -> Said:
@@ -292,6 +313,27 @@ class PracticeProblem:
 _A = {"answer": "an answer", "step": "a step"}
 _MARKS = {"right": "✓", "wrong": "✗", "unreadable": "?"}
 _EARLY = ", but rounded too early: keep more digits on the way, and round at the end"
+
+
+def _rows(x):
+    """The rows of a matrix; None for what is none."""
+    return [x[n : n + 3] for n in (0, 3, 6)] if len(x) == 9 else None
+
+
+def _behind(unit):
+    return "" if unit == "1" else f" {unit}"
+
+
+def _stated(form):
+    """A form for a reader: "vector, mm/s"; "count"."""
+    return str(form).removesuffix(", 1")
+
+
+def _wrapped(text):
+    """The lines of paragraphs, for a terminal."""
+    for n, paragraph in enumerate(text.split("\n\n")):
+        yield from [""] * bool(n)
+        yield from textwrap.wrap(paragraph, WIDTH, break_on_hyphens=False)
 
 
 def _plain(text):

@@ -1,5 +1,8 @@
 """The form, pressed without a browser."""
 
+import sys
+from html import unescape
+
 import pytest
 
 from newton_euler.classroom import practice
@@ -43,10 +46,42 @@ def test_hints_steps_solution_and_new_numbers_have_buttons(form):
     before = p.givens
     for name in ("Next step", "Solution"):
         press(form, name)
-    next(w for w in form if isinstance(w, widgets.Dropdown)).value = "omega_CD"
+    field(form, "step").value = "omega_CD"
+    assert "in rad/s" in field(form, "its value").placeholder
     field(form, "its value").value = "[-0.45, 0, 0.6]"
     press(form, "Check step")
     assert p._found["omega_CD"].verdict == "right"
     press(form, "New numbers")
     assert p.givens != before
     assert field(form, "its value").value == ""
+
+
+def test_a_step_that_there_is_not_is_said_with_those_that_there_are(form, capsys):
+    _, form = form
+    field(form, "step").value = "omega"
+    field(form, "its value").value = "1"
+    press(form, "Check step")
+    said = unescape(capsys.readouterr().out)
+    assert "4/16 has no step 'omega'; it has omega_CD, v_r" in said
+
+
+def test_a_word_is_typed_and_the_words_are_offered(practice_file):
+    p = practice(practice_file, progress=None)["2/18"]
+    form = list(parts(p.form()))
+    heading = field(form, "heading")
+    assert heading.options == ("away", "toward", "across")
+    heading.value = "away"
+    press(form, "Check")
+    assert p._found["heading"].verdict == "right"
+
+
+def test_there_is_no_list_that_takes_letters_from_the_notebook(form):
+    """JupyterLab takes letters for commands while a list has the focus: R makes the cell raw."""
+    _, form = form
+    assert not [w for w in form if isinstance(w, (widgets.Dropdown, widgets.Select))]
+
+
+def test_without_ipywidgets_one_sentence_says_what_to_install(practice_file, monkeypatch):
+    monkeypatch.setitem(sys.modules, "ipywidgets", None)
+    with pytest.raises(ImportError, match=r"p.form\(\) needs ipywidgets: pip install ipywidgets; "):
+        practice(practice_file, progress=None)["4/16"].form()
