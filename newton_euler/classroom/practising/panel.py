@@ -48,12 +48,16 @@ def show_form(p: Any) -> Any:
     asked = {key: Form.read(form) for key, form in p.answers.items()}
     answers = {key: field(key, _as_typed(form), form.of) for key, form in asked.items()}
     chosen = field("step", "the name of a step; arrow down lists them", p.steps)
-    step, means = field("its value"), HTML(layout=Layout(margin="0 0 0 9.5em"))
+    step, means = (
+        field("its value", "a number or a list"),
+        HTML(layout=Layout(margin="0 0 0 9.5em")),
+    )
 
     def expect(_=None):
+        # never in the field of the value: a change there loses what is being typed
         form = p.steps.get(chosen.value)
-        step.placeholder = _as_typed(Form.read(form)) if form else ""
-        means.value = escape(p.meanings[chosen.value]) if form else ""
+        how = f"{p.meanings[chosen.value]}: {_as_typed(Form.read(form))}" if form else ""
+        means.value = escape(how)
 
     chosen.observe(expect, "value")
 
