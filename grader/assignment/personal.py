@@ -12,12 +12,18 @@ from ..course import CourseError, check_id, write_json
 from .figures import figure_png
 from .notebook import personal_notebook
 from .released import personal_path, released_notebooks, sheet_numbers
+from .seals import with_seals
 from .sheet import problems_of
 
 
-def make_personal_copies(course, assignment, students=None, progress=None, workers=None):
+def make_personal_copies(
+    course, assignment, students=None, progress=None, workers=None, right_or_wrong=False
+):
     """Write the personal copies of an assignment for ``students`` (default: the roster); returns
     {student: path}. Those of other notebooks of the assignment with problems are beside it.
+
+    right_or_wrong : let receipts say whether an answer is right; what that gives away stands in
+        :mod:`newton_euler.classroom.reading.seals`
 
     Figures depend on the numbers, so they are drawn for each student, on ``workers`` processes
     (default: one per processor).
@@ -48,7 +54,8 @@ def make_personal_copies(course, assignment, students=None, progress=None, worke
         paths[s] = course.personal_path(assignment, s)
         for name, released in notebooks.items():
             path = personal_path(course, assignment, s, name)
-            write_json(path, personal_notebook(released, s, values[s], figures))
+            notebook = personal_notebook(released, s, values[s], figures)
+            write_json(path, with_seals(notebook, values[s]) if right_or_wrong else notebook)
     return paths
 
 

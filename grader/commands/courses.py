@@ -98,7 +98,14 @@ def build(chapter, course_path, students, id_column, only, due, name, exchange, 
     is_flag=True,
     help="Also copy them to nbgrader's exchange, for students who were added after the release.",
 )
-def personal(assignment, course_path, students, exchange):
+@click.option(
+    "--right-or-wrong",
+    is_flag=True,
+    help="Let the receipts in these copies say whether an answer is right, from a salted slow hash "
+    "of it. A program finds a number from its hash in a minute, a formula in a day; the size of an "
+    "answer is told. Copies written later need the option again.",
+)
+def personal(assignment, course_path, students, exchange, right_or_wrong):
     """Write each student's own copy of an assignment.
 
     The assignment must be generated for release; each copy has its student's own numbers and
@@ -114,7 +121,11 @@ def personal(assignment, course_path, students, exchange):
     with progress_bar() as bar:
         task = bar.add_task("figures", total=1.0)
         paths = make_personal_copies(
-            course, assignment, students or None, lambda share: bar.advance(task, share)
+            course,
+            assignment,
+            students or None,
+            lambda share: bar.advance(task, share),
+            right_or_wrong=right_or_wrong,
         )
     if exchange:
         copy_to_exchange(course, assignment, exchange_outbound(course, assignment), paths)

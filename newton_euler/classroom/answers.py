@@ -14,10 +14,11 @@ from dataclasses import dataclass, field
 from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.vectors import Vector
 from .forms import SHAPES, AnswerError, Form, clipped
-from .givens import in_notebook, stale
+from .givens import in_notebook, seals, stale
 from .notation import formula, is_word, symbol, unit_symbol
 from .reading.formula_trees import NODES, dimension_hints, in_words
 from .reading.sanity import doubts
+from .reading.seals import opens
 from .reading.sympy_formulas import read_formula
 from .reading.values import components, read_number
 
@@ -89,13 +90,19 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
             "configuration; use its nbgrader_config.py, or python -m grader grade"
         )
     others = {key for forms, *_ in _expected.values() for key in forms}
+    sealed = {} if execution else seals.get(problem, {})  # it is slow, and grading needs it not
+    verdicts = {
+        key: opens(seal, forms[key].kind, read[key])
+        for key, seal in sealed.items()
+        if read.get(key) is not None and key in forms
+    }
     doubted = {
         key: found
         for key, form in forms.items()
         if (found := doubts(form, read.get(key), symbols, sane.get(key)))
     }
     return Receipt(
-        problem, read, forms, symbols, stale(problem, answers, others), notation, doubted
+        problem, read, forms, symbols, stale(problem, answers, others), notation, doubted, verdicts
     )
 
 
@@ -108,7 +115,8 @@ def _blank(forms, read):
 class Receipt:
     """The answers to one problem as they were read; ``json`` is the record, ``warning`` says where
     they were computed with the numbers of another problem, ``notation`` is the LaTeX of names that
-    do not say how they are printed, ``doubted`` says why answers are impossible, whatever the key.
+    do not say how they are printed, ``doubted`` says why answers are impossible, whatever the key,
+    ``verdicts`` whether they are right, where the instructor lets a receipt know.
     """
 
     problem: str
@@ -118,6 +126,7 @@ class Receipt:
     warning: str = ""
     notation: dict = field(default_factory=dict)
     doubted: dict = field(default_factory=dict)
+    verdicts: dict = field(default_factory=dict)
 
     @property
     def json(self):
@@ -183,6 +192,9 @@ class Receipt:
     def _remarks(self):
         blank = _blank(self.forms, self._given)
         remarks = "Form checked only; the key is not here."
+        if self.verdicts:
+            told = (f"{k} is {'right' if x else 'not right'}" for k, x in self.verdicts.items())
+            remarks = f"{'; '.join(told)}."
         return remarks + (f" Still open: {blank}." if blank else "")
 
 

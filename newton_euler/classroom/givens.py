@@ -16,12 +16,16 @@ from .forms import clipped
 
 
 @checked
-def given(problem: str, **values: object) -> None:
+def given(problem: str, sealed: dict | None = None, **values: object) -> None:
     """Record the numbers that ``problem`` gives, by name; the last line of their cell.
+
+    sealed : {answer: seal} of the right answers, where the instructor lets receipts say whether an
+        answer is right
 
     >>> given("0/1", omega=0.6, b=8)
     """
     _given[problem] = values
+    seals[problem] = sealed or {}
     watch = watching()
     for name in values:
         watch.givers[name] = problem
@@ -29,6 +33,7 @@ def given(problem: str, **values: object) -> None:
 
 
 _given: dict[str, dict[str, Any]] = {}
+seals: dict[str, dict[str, Any]] = {}
 
 
 @dataclass(frozen=True)

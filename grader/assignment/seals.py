@@ -1,0 +1,49 @@
+"""Seals of the right answers in a student's own copy, at the instructor's choice."""
+
+from exercises.catalogue import SYMBOLIC, problem
+from newton_euler.classroom.forms import WORDS
+from newton_euler.classroom.reading.seals import seal
+
+from ..scoring.numbers import numbers_of
+from .notebook import form
+from .sheet import own_metadata, tasks
+
+
+def with_seals(notebook, values):
+    """A student's copy in which the cells of numbers hold seals of the answers to their problems;
+    ``values`` by problem.
+    """
+    cells, asked = [], tasks(notebook)
+    for cell in notebook["cells"]:
+        own = own_metadata(cell)
+        number = own.get("problem")
+        if own.get("role") == "givens" and number in values and number in asked:
+            p = problem(number)
+            seals = _seals(p, values[number], asked[number].asked)
+            cell = {**cell, "source": f"{cell['source']}\n{_line(p, seals)}"}
+        cells.append(cell)
+    return {**notebook, "cells": cells}
+
+
+def _seals(p, values, asked):
+    """{answer: seal}; none of an answer that the sheet asks for in another form than today's."""
+    numbers = numbers_of(p, values)
+    return {
+        a.key: _seal(a, numbers) for a in p.answers if asked is None or asked.get(a.key) == form(a)
+    }
+
+
+def _line(p, seals):
+    names = "".join(f", {n}={n}" for n in p.givens)
+    return f'given("{p.id}", sealed={seals!r}{names})'
+
+
+def _seal(answer, numbers):
+    key = numbers.key[answer.key]
+    if answer.kind in WORDS:
+        return seal(answer.kind, key[0][0])
+    if answer.kind not in SYMBOLIC:
+        return seal(answer.kind, key[0])
+    n = next(n for n, point in enumerate(key) if all(x == x for x in point))
+    at = {name: float(points[n]) for name, points in numbers.symbols.items()}
+    return seal(answer.kind, key[n], at)
