@@ -176,6 +176,24 @@ class Page:
             actions.send_keys(*keys)
         actions.perform()
 
+    def run(self, n):
+        """Run the cell ``n`` by Shift and Enter; again while nothing happens, since JupyterLab
+        takes no keys for a moment after it says that the kernel is there.
+        """
+        from selenium.webdriver import Keys
+
+        def prompt():
+            return self.all(".jp-InputPrompt", n)[0].text.strip("[]: \xa0")
+
+        end = time.monotonic() + LONG
+        while time.monotonic() < end and not prompt():
+            self.all(".cm-content", n)[0].click()
+            self.press(Keys.ENTER, shift=True)
+            soon = time.monotonic() + 5
+            while time.monotonic() < soon and not prompt():
+                time.sleep(0.05)
+        self.wait(lambda: prompt().isdigit(), f"that cell {n} ran")
+
     def focused(self):
         """What has the focus: the label of a field, the text of a button."""
         return self.driver.execute_script(
@@ -216,18 +234,13 @@ class Page:
 @pytest.fixture(scope="module")
 def page(lab, driver):
     """The notebook, all cells run."""
-    from selenium.webdriver import Keys
-
     driver.get(lab)
     page = Page(driver)
     shown = ".jp-NotebookPanel:not(.lm-mod-hidden) .jp-CodeCell .cm-content"
-    editor = page.wait(
-        lambda: next((e for e in page.all(shown) if e.is_displayed()), None), "the notebook"
-    )
+    page.wait(lambda: any(e.is_displayed() for e in page.all(shown)), "the notebook")
     page.wait(lambda: page.all(".jp-Notebook-ExecutionIndicator[data-status=idle]"), "a kernel")
-    editor.click()
-    for _ in CELLS:
-        page.press(Keys.ENTER, shift=True)
+    for n in range(len(CELLS)):
+        page.run(n)
     page.says(3, "section 3.8: not tried")
     return page
 
