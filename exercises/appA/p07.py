@@ -19,8 +19,8 @@ def solve(g):
 
 def steps(g):
     i, j, _ = triad(g)
-    yield Step("ij", i.cross(j), "1", "the inner product i x j, which is k", "A")
-    yield Step("i_i", i.cross(i), "1", "the inner product i x i, of parallel vectors", "A")
+    yield Step("ij", i.cross(j), "1", "i x j, the product in brackets, which is k", "A")
+    yield Step("i_i", i.cross(i), "1", "i x i, the product in brackets, of parallel vectors", "A")
 
 
 def prove(g):
