@@ -1,5 +1,7 @@
 """The numbers that a course grades, which nobody practises on."""
 
+import json
+
 from exercises.catalogue import CatalogueError, problem
 
 from ..assignment.sheet import tasks
@@ -27,7 +29,7 @@ def graded_numbers(path, done=None):
         if done:
             done(n, len(sheets))
     for file in sorted((course.path / "numbers").glob("*/*.json")):
-        for name, kept in read_json(file).items():
+        for name, kept in json.loads(file.read_text(encoding="utf-8")).items():
             found.setdefault(name, []).append({n: x for n, (x, _) in kept.items()})
     return found
 
