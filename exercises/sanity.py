@@ -23,7 +23,8 @@ def sane_answers(p):
     """{answer: (low, high) of its size, or "kinetic energy"} of problem ``p``; an answer of which
     nothing is known is left out.
     """
-    found = {a.key: KINETIC for a in p.answers if KINETIC in a.means.lower()}
+    # not the change of one, which may be negative
+    found = {a.key: KINETIC for a in p.answers if a.means.lower().startswith(KINETIC)}
     asked = [a for a in p.answers if a.kind not in SYMBOLIC and a.kind not in WORDS]
     if not asked:
         return found
