@@ -77,9 +77,8 @@ def wrong_numbers(p, values, described, right):
     g = p.base(values)
     found = []
     with np.errstate(all="ignore"):
-        for name, answers in p.wrong(values).items():
-            found += [(k, "listed", p.mistakes[name], x if p.answer(k).kind in WORDS else flat(x))
-                      for k, x in answers.items()]  # fmt: skip
+        for name, answers in _listed(p, values).items():
+            found += [(k, "listed", p.mistakes[name], x) for k, x in answers.items()]
         for compute in (_answers_of(p), _steps_of(p)):
             with contextlib.suppress(ArithmeticError, ValueError):
                 found += general_models(p, g, compute(g), compute)
@@ -89,6 +88,27 @@ def wrong_numbers(p, values, described, right):
         for key, group, text, x in found
         if _tells(kinds[key], x, right[key])
     ]
+
+
+def _listed(p, values):
+    """{mistake: {answer: its numbers or word}}; a mistake may have no real answer with these
+    numbers: arrays have nan where floats raise.
+    """
+    try:
+        wrong = p.wrong(values)
+    except (ArithmeticError, ValueError):
+        wrong = p.wrong({n: np.atleast_1d(float(x)) for n, x in values.items()})
+    return {
+        name: {
+            k: _one(x) if p.answer(k).kind in WORDS else tuple(map(_one, flat(x)))
+            for k, x in answers.items()
+        }
+        for name, answers in wrong.items()
+    }
+
+
+def _one(x):
+    return x.reshape(-1)[0] if isinstance(x, np.ndarray) else x
 
 
 def _answers_of(p):

@@ -2,13 +2,17 @@
 
 import json
 import zipfile
+from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
 from exercises.catalogue import problem, select
 from grader.practice import Left, PracticeError, graded_numbers, write_practice
 from grader.practice.build import page_of
+from grader.practice.quantities import quantities, wrong_numbers
 from grader.practice.twins import sets_of_numbers
+from newton_euler import asin
 from tests.grader.courses import grader
 
 
@@ -116,3 +120,16 @@ def test_a_problem_that_lists_no_steps_has_the_terms_of_its_answers(monkeypatch)
     assert {"a_D_coriolis", "v_D_rotation"} <= steps
     assert "a_D_coriolis" in page["variants"][0]["program"]["earlier"]["a_D"]
     assert any(page["labels"][n][0] == "a_D_coriolis" for n, _ in page["variants"][0]["wrong"])
+
+
+def test_a_mistake_that_has_no_real_answer_is_left_out():
+    """The arc sine of more than 1, with some numbers that a student may have."""
+    p = problem("4/16")
+    wrong = {"no_coriolis": lambda g: {"v_D": [asin(2 * g.b / g.b), 0, 0]}}
+    made = replace(p, mistakes={"no_coriolis": "takes a sine above 1"})
+    vars(made)["code"] = SimpleNamespace(**{**vars(p.code), "mistakes": lambda g: {
+        name: f(g) for name, f in wrong.items()}})  # fmt: skip
+    described, right = quantities(made, p.book_values)
+    found = wrong_numbers(made, p.book_values, described, right)
+    assert found
+    assert not [x for x in found if x[1] == "listed"]
