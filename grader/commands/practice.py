@@ -67,7 +67,7 @@ def practice(names, path, variants, level, course_path):
         console.print(f"[yellow]{x.problem}[/] left out: {x.why}")
     click.echo(
         f"{path}: {len(problems) - len(left)} problems, {variants} sets of numbers each, "
-        f"{path.stat().st_size / 2**20:.1f} MB"
+        f"{path.stat().st_size / 1000:.0f} kB"
     )
     click.echo(
         f'Students: from newton_euler.classroom import practice; practice("{path.name}")'
