@@ -147,25 +147,22 @@ def prove(g):
 
 
 def mistakes(g):
-    F = field(g)
+    F, none = field(g), 0 * g.x
+
+    def in_three_legs(x, y, z, x_0, y_0):
+        """Less the work along x, along y at ``x_0``, and along z at ``x_0`` and ``y_0``."""
+        ways = (
+            lambda s: F(s * x, none, none)[0] * x,
+            lambda s: F(x_0, s * y, none)[1] * y,
+            lambda s: F(x_0, y_0, s * z)[2] * z,
+        )
+        return -sum(integral(way, 0, 1) for way in ways)
 
     def along_axes(x, y, z):
-        none = 0 * g.x
-        ways = (
-            lambda s: F(s * x, none, none)[0] * x,
-            lambda s: F(none, s * y, none)[1] * y,
-            lambda s: F(none, none, s * z)[2] * z,
-        )
-        return -sum(integral(way, 0, 1) for way in ways)
+        return in_three_legs(x, y, z, none, none)
 
     def along_edges(x, y, z):
-        none = 0 * g.x
-        ways = (
-            lambda s: F(s * x, none, none)[0] * x,
-            lambda s: F(x, s * y, none)[1] * y,
-            lambda s: F(x, y, s * z)[2] * z,
-        )
-        return -sum(integral(way, 0, 1) for way in ways)
+        return in_three_legs(x, y, z, x, y)
 
     V = candidate(g)
     count = conditions(cross_derivatives)

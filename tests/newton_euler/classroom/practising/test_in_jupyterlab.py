@@ -314,10 +314,10 @@ def test_a_matrix_by_keyboard(page):
     page.go_to("T_theta")
     page.press("[[1, 0, 0], [0, 1, 0], [0, 0, 1]]")
     page.push("Check")
-    page.says(2, "T_theta [[1, 0, 0], [0, 1, 0], [0, 0, 1]]: not right")
+    assert page.says(2, "T_theta [[1, 0, 0], [0, 1, 0], [0, 0, 1]]: not right")
     page.shoot("matrix")
     page.push("Solution")
-    page.wait(lambda: len(page.all("mjx-mtable", 2)) > 1, "matrices")
+    assert page.wait(lambda: len(page.all("mjx-mtable", 2)) > 1, "matrices")
     page.shoot("matrices")
 
 
