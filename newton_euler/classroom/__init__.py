@@ -5,4 +5,7 @@ from .forms import AnswerError, Form
 from .givens import given
 from .practising import Practice, PracticeFileError, PracticeProblem, practice
 from .reading.formula_trees import TreeError
-from .widgets import error_message, interactive_figure
+from .widgets.interactive import interactive_figure
+from .widgets.messages import error_message
+from .widgets.pictures import show_figure
+from .widgets.sliders import Slider

@@ -17,7 +17,7 @@ ENGINE = Path(__file__).parents[2] / "newton_euler"
 MECHANICS = ("algebra", "kinematics", "bodies", "dynamics", "applications")
 BELOW = {room: set(MECHANICS[:n]) for n, room in enumerate(MECHANICS)} | {
     "motion": {"algebra"},
-    "classroom": {"algebra"},
+    "classroom": {"algebra", "drawing"},
     "drawing": {"algebra", "kinematics"},
     "scenes": {*MECHANICS, "motion"},
     "accuracy": {*MECHANICS, "motion", "scenes"},

@@ -1,0 +1,3 @@
+"""Figures of the chapters: shown once or moved by sliders, with their alt texts; and error
+messages as text.
+"""

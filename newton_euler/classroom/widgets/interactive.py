@@ -1,0 +1,117 @@
+"""Figures that sliders move. The window, the scale and that of the arrows are the same for all
+values, so that what moves in the picture moves in the scene.
+"""
+
+from collections.abc import Callable
+from html import escape
+from itertools import product
+from typing import Any
+
+from ...algebra.errors import ArgumentError, checked_but
+from .pictures import alt_text, bundle, show
+from .sliders import Slider
+from .stage import Stage, told
+
+MOST_SAMPLES = 90
+
+
+@checked_but("alt", "size", "panels", "title")
+def interactive_figure(
+    draw: Callable[..., Any],
+    *sliders: Slider,
+    alt: str | Callable[..., str],
+    size: tuple[float, float] = (7, 4.6),
+    panels: tuple[int, int] = (1, 1),
+    title: str | Callable[..., str] | None = None,
+) -> None:
+    """Show what ``draw(ax, **values)`` draws, and a slider for each of its arguments.
+
+    draw : draws on one matplotlib Axes, by a Sketch on it or by its own plots, and returns nothing
+    alt : what can be seen in it, in 8 words or more; or a function of the values that says it
+    size : width and height in inches
+    panels : rows and columns; with more than one, draw gets an array of axes instead of one
+    title : of the whole figure, or a function of the values
+
+    All sketches, on all panels, have one window and one scale for each kind of arrow, found from
+    pictures all over the ranges of the sliders before the first is shown. For plots, ``draw`` sets
+    the limits of the axes. Without a kernel or ipywidgets the first picture stands alone.
+    """
+    _check_names(sliders)
+    stage = Stage(draw, size, panels)
+    start = {slider.name: slider.start for slider in sliders}
+    for values in _samples(sliders):
+        stage.rehearse(values)
+
+    def picture(values):
+        heading, words = _said(title, values), alt_text(_said(alt, values))
+        return bundle(stage.picture(values, heading), words, stage.css_size)
+
+    shown = show(picture(start), display_id=True)
+    _show_sliders(sliders, start, lambda values: _update(shown, picture, values))
+
+
+def _check_names(sliders):
+    names = [slider.name for slider in sliders]
+    if not names or len(set(names)) < len(names):
+        raise ArgumentError(f"an interactive figure has sliders with different names; got {names}")
+
+
+def _said(text, values):
+    """The text, or what the function of the values says."""
+    return text(**values) if callable(text) else text
+
+
+def _samples(sliders):
+    """Values of all sliders: a grid over their ranges, with corners and middles."""
+    count = next(n for n in (17, 9, 5, 3, 2) if n ** len(sliders) <= MOST_SAMPLES or n == 2)
+    names = [slider.name for slider in sliders]
+    for values in product(*(slider.samples(count) for slider in sliders)):
+        yield dict(zip(names, values, strict=True))
+
+
+def _update(shown, picture, values):
+    """Draw the picture anew in its place; an error takes its place in words."""
+    try:
+        data, metadata = picture(values)
+    except Exception as error:
+        text = f"No picture for {told(values)}. {type(error).__name__}: {error}"
+        data, metadata = {"text/html": f"<p>{escape(text)}</p>", "text/plain": text}, {}
+    shown.update(data, metadata=metadata, raw=True)
+
+
+def _show_sliders(sliders, values, redraw):
+    """Show the sliders, where ipywidgets is installed; each calls ``redraw(values)`` while it is
+    dragged. The page sends a value only when that before has been drawn, so none queue up.
+    """
+    try:
+        from ipywidgets import VBox
+    except ImportError:
+        return
+    from IPython.display import display
+
+    values = dict(values)
+
+    def moved(name, x):
+        values[name] = x
+        redraw(dict(values))
+
+    display(VBox([_row(slider, moved) for slider in sliders]))
+
+
+def _row(slider, moved):
+    """A slider with its value beside it."""
+    from ipywidgets import FloatSlider, HBox, Label
+
+    low, high = slider.limits
+    box = FloatSlider(slider.start, min=low, max=high, step=slider.step, readout=False)
+    text = Label(slider.shown(slider.start))
+    box.tooltip = slider.label or slider.name
+    box.layout.width, text.layout.min_width = "20em", "8em"
+
+    def on_change(change):
+        x = slider.nearest(change.new)
+        text.value = slider.shown(x)
+        moved(slider.name, x)
+
+    box.observe(on_change, "value")
+    return HBox([box, text])

@@ -1,0 +1,70 @@
+"""Pictures of figures as a notebook shows them: with an alt text, and sharp on every screen."""
+
+import html
+import io
+from base64 import b64encode
+from typing import Any
+
+from ...algebra.errors import ArgumentError, checked
+
+SHORTEST_ALT = 8  # words
+CSS_PIXELS = 100  # per inch of a figure
+SHARP = 2  # pixels of the picture for one CSS pixel, so that it is sharp on high-dpi screens
+
+
+@checked
+def show_figure(figure: Any, alt: str) -> None:
+    """Show a matplotlib ``figure`` once, with ``alt``, which says what can be seen in it for those
+    who do not see it, in 8 words or more. The figure is closed.
+
+    It is shown as an HTML image; where there is no HTML (print), as a PNG.
+    """
+    if not hasattr(figure, "savefig"):
+        raise ArgumentError(f"show_figure shows a matplotlib figure; got {figure!r}")
+    alt = alt_text(alt)
+    out = io.BytesIO()
+    figure.savefig(out, format="png", dpi=SHARP * CSS_PIXELS, bbox_inches="tight", pad_inches=0.05)
+    close(figure)
+    png = out.getvalue()
+    show(bundle(png, alt, [side / SHARP for side in png_size(png)]))
+
+
+def alt_text(alt: Any) -> str:
+    """``alt`` on one line, if it is a text of 8 words or more."""
+    if not isinstance(alt, str) or len(alt.split()) < SHORTEST_ALT:
+        raise ArgumentError(
+            f"alt says what the figure shows, in {SHORTEST_ALT} words or more; got {alt!r}"
+        )
+    return " ".join(alt.split())
+
+
+def bundle(png, alt, size):
+    """(data, metadata) for IPython's display: the picture as HTML, as PNG and in words."""
+    width, height = (round(side) for side in size)
+    data = b64encode(png).decode()
+    image = (
+        f'<img alt="{html.escape(alt)}" width="{width}" height="{height}" decoding="sync" '
+        f'style="max-width: 100%; height: auto" src="data:image/png;base64,{data}">'
+    )
+    about = {"alt": alt, "width": width, "height": height}
+    return {"text/html": image, "image/png": data, "text/plain": alt}, {"image/png": about}
+
+
+def show(picture, **options):
+    """Display a :func:`bundle`; returns the handle if ``display_id`` asks for one."""
+    from IPython.display import display
+
+    data, metadata = picture
+    return display(data, metadata=metadata, raw=True, **options)
+
+
+def png_size(png):
+    """Width and height of a PNG in pixels, from its header."""
+    return int.from_bytes(png[16:20], "big"), int.from_bytes(png[20:24], "big")
+
+
+def close(figure):
+    """Close a figure of pyplot, so that the notebook does not show it a second time."""
+    import matplotlib.pyplot as plt
+
+    plt.close(figure)
