@@ -28,6 +28,7 @@ class Sketch(Vectors, Supports, Measures, Lines, Solids, Machines, Springs):
         up, 0 is from +z (x to the right), 90 from +x (z to the left), -90 from -x (z to the right).
     elevation : how far above the horizontal the eye is, in degrees
     plane : two axes, as "xz", for a plane figure with the first to the right and the second up
+    arrows : points of the page, the length of the longest vector of each kind
 
     So that no two axes look alike, stay 15 degrees or more from azimuth 0, 90, 180 … and use an
     elevation of 12 to 35.

@@ -3,10 +3,12 @@
 import math
 from collections.abc import Sequence
 
-from ...algebra.vectors import FrameError, sub3
+from ...algebra.scalars import clipped
+from ...algebra.vectors import FrameError, Vector, sub3
 from ...kinematics.frames import Frame
-from ..page.primitives import ARROW, BODY, KINDS, MARK
-from ..page.projection import between, moved, norm3, on_circle
+from ..page.primitives import ARROW, BLACK, BODY, KINDS, MARK, MOVED
+from ..page.projection import between, norm3, on_circle, unit3
+from ..page.projection import moved as ahead
 from ..page.recorder import Direction, Place, Recorder
 
 
@@ -14,46 +16,123 @@ class Vectors(Recorder):
     """The methods of a sketch that draw arrows."""
 
     def axes(
-        self, P: Place, frame: Frame, length: float | None = None, labels: Sequence[str] = "xyz"
+        self,
+        P: Place,
+        frame: Frame,
+        length: float | None = None,
+        labels: Sequence[str] = "xyz",
+        moved: bool | None = None,
     ) -> None:
         """Draw the unit vectors of ``frame`` as arrows at P, ``length`` metres long.
 
         labels : three, as a string or a list, or "" for arrows without; in a list, an axis with the
             label "" is left out
+        moved : True for the axes of a frame that moves, which are brown and dashed; fixed ones are
+            black. By default those of every frame but the ground of the sketch.
         """
         if not isinstance(labels, (str, list, tuple)) or (labels and len(labels) != 3):
             raise FrameError(f"the axes have three labels, as labels='XYZ'; got {labels!r}")
         P, units = self._place(P), self._axes_of(frame)
         length = self._or_default(length)
+        moving = frame is not self.frame if moved is None else moved
+        style, colour = ("moved axis", MOVED) if moving else ("axis", BLACK)
         drawn = [(e, text) for e, text in zip(units, labels or "   ", strict=True) if text]
 
         @self._record
         def command(canvas):
-            axes = [(moved(P, length or 38 * canvas.pt, e), text.strip()) for e, text in drawn]
+            axes = [(ahead(P, length or 38 * canvas.pt, e), text.strip()) for e, text in drawn]
             canvas.triads.append((P, axes))
             for tip, text in axes:
-                canvas.arrow(P, tip, "axis", MARK)
-                canvas.note(tip, text, away_from=P, gap=2)
+                canvas.arrow(P, tip, style, MARK)
+                canvas.note(tip, text, away_from=P, gap=2, colour=colour)
 
-    def vector(self, P: Place, v: Direction, label: str = "", kind: str = "velocity") -> None:
-        """Draw an arrow from P along ``v``. ``kind``, which sets the colour: velocity,
-        acceleration, rate, force, plain.
+    def vector(
+        self, P: Place, v: Direction, label: str = "", kind: str = "velocity", size: str = ""
+    ) -> None:
+        """Draw an arrow from P along ``v``; a dot if ``v`` is zero beside the longest of its kind.
 
-        The longest arrow of each kind is 62 points long, the others in proportion, but no shorter
-        than a quarter of it. For an arrow to the scale of the bodies, see :meth:`arrow`.
+        kind : velocity, acceleration, rate, force or plain, which sets the colour
+        size : a unit, as "m/s", with which the magnitude is written after the label
+
+        The longest arrow of each kind is 62 points long (``Sketch(…, arrows=62)``), the others in
+        proportion, but no shorter than a quarter of it; in a figure that moves, in proportion
+        without exception. For an arrow to the scale of the bodies, see :meth:`arrow`.
         """
         _known(kind)
         P, v = self._place(P), self._triple(v, "direction")
-        size = norm3(v)
-        self._longest[kind] = max(size, self._longest.get(kind, 0))
+        magnitude = self._measured(kind, v)
 
         @self._record
         def command(canvas):
-            tip = P
-            if size:
-                tip = moved(P, 62 * canvas.pt / size * max(size / self._longest[kind], 0.25), v)
-                canvas.arrow(P, tip, kind, ARROW)
-            canvas.note(tip, label, away_from=P, colour=KINDS[kind])
+            shortest = self._shortest * self._longest[kind]
+            tip = self._tip(canvas, P, v, kind, max(magnitude, shortest))
+            self._arrow_or_dot(canvas, P, tip, kind, ARROW)
+            text = self._with_size(label, magnitude, kind, size)
+            canvas.note(tip, text, away_from=P, colour=KINDS[kind])
+
+    def sum(
+        self, P: Place, amount: Vector, label: str = "", kind: str = "acceleration", size: str = ""
+    ) -> None:
+        """Draw the terms of a vector that is a sum (``amount.terms``) head to tail from P, each
+        with its name, and the sum as the broad arrow from P that closes them. All have the scale of
+        their kind; a term that is zero is a dot with the label "… = 0".
+
+        label, kind, size : of the sum, as those of :meth:`vector`
+        """
+        _known(kind)
+        if not isinstance(amount, Vector) or not amount.terms:
+            raise FrameError(
+                "the sum that is drawn is a Vector with terms, as P.acceleration(ground); got "
+                f"{clipped(amount)}"
+            )
+        P, total = self._place(P), self._triple(amount, "direction")
+        terms = [(n, self._triple(term, "direction")) for n, term in amount.terms.items()]
+        magnitude, *sizes = [self._measured(kind, v) for v in (total, *(v for _, v in terms))]
+
+        @self._record
+        def command(canvas):
+            start = P
+            for (name, v), length in zip(terms, sizes, strict=True):
+                tip = self._tip(canvas, start, v, kind, length)
+                self._arrow_or_dot(canvas, start, tip, kind, ARROW)
+                text = name if tip != start else f"{name} = 0"
+                canvas.note(between(start, tip, 0.5), text, colour=KINDS[kind])
+                start = tip
+            tip = self._tip(canvas, P, total, kind, magnitude)
+            self._arrow_or_dot(canvas, P, tip, f"{kind} sum", ARROW)
+            text = self._with_size(label, magnitude, kind, size)
+            canvas.note(between(P, tip, 0.5), text, colour=KINDS[kind], weight="bold")
+
+    def _measured(self, kind, v):
+        """The magnitude of v, which counts for the scale of its kind."""
+        size = norm3(v)
+        self._longest[kind] = max(size, self._longest.get(kind, 0))
+        return size
+
+    def _tip(self, canvas, P, v, kind, size):
+        """Where an arrow from P along ``v`` ends that stands for this size; P itself where ``v`` is
+        zero, but for round-off.
+        """
+        longest, own = self._longest[kind], norm3(v)
+        if own <= 1e-9 * longest:
+            return P
+        return ahead(P, self.arrows * canvas.pt * size / longest / own, v)
+
+    def _arrow_or_dot(self, canvas, P, tip, style, layer):
+        if tip == P:
+            canvas.disc(P, 2.5, style, layer)
+        else:
+            canvas.arrow(P, tip, style, layer)
+
+    def _with_size(self, label, size, kind, unit):
+        """The label with the magnitude, in as many decimals as suit the longest of its kind."""
+        if not isinstance(unit, str):
+            raise FrameError(f"size is the unit of the magnitude, as 'm/s'; got {unit!r}")
+        if not unit:
+            return label
+        decimals = 2 - math.floor(math.log10(self._longest[kind] or 1))
+        number = f"{size:.{decimals}f}" if 0 <= decimals < 7 else f"{size:.3g}"
+        return f"{label} = {number} {unit}" if label else f"{number} {unit}"
 
     def arrow(self, A: Place, B: Place, label: str = "", kind: str = "plain") -> None:
         """Draw an arrow from A to B, true to scale as a body is, with its label at the middle."""
@@ -64,13 +143,19 @@ class Vectors(Recorder):
         def command(canvas):
             middle = between(A, B, 0.5)
             canvas.arrow(A, B, kind, ARROW)
-            beside = moved(middle, -1, canvas.left_of(A, B))
+            beside = ahead(middle, -1, canvas.left_of(A, B))
             canvas.note(middle, label, away_from=beside, colour=KINDS[kind])
 
     def turn(self, P: Place, axis: Direction, label: str = "", radius: float | None = None) -> None:
-        """Draw a curved arrow about ``axis`` through P, right-handed: an angular velocity."""
-        P, axis = self._place(P), self._unit(axis)
+        """Draw a curved arrow about ``axis`` through P, right-handed: an angular velocity. If it is
+        zero, a dot.
+        """
+        P, axis = self._place(P), self._triple(axis, "direction")
         radius = self._or_default(radius)
+        if not norm3(axis):
+            self.vector(P, axis, label, kind="rate")
+            return
+        axis = unit3(axis)
 
         @self._record
         def command(canvas):

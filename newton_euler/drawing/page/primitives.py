@@ -29,6 +29,7 @@ KINDS = {
 }
 DARK, SHADED, MIDDLE, LIGHT, PALE = "#454a50", "#aab1b9", "#c9ced4", "#dde1e5", "#eef0f2"
 BLACK, WHITE = "#000000", "#ffffff"
+MOVED = "#8a5a00"  # axes of a frame that moves
 DASHES = {
     "solid": "-",
     "dashed": (0, (5, 3)),
@@ -78,10 +79,12 @@ STYLES = {
     "joint": _style(BLACK, 1.2, WHITE),
     "dot": _style(BLACK, 0.5, BLACK),
     "axis": _style(BLACK, 1.0, BLACK),
+    "moved axis": _style(MOVED, 1.2, MOVED, "dashed", "butt"),
     "measure": _style(BLACK, 0.7, BLACK),
     "path": _style("#6b6f75", 1.1),
     **{f"line {name}": _style(DARK, 0.9, dashes=name, ends="butt") for name in DASHES},
     **{kind: _style(colour, 1.8, colour) for kind, colour in KINDS.items()},
+    **{f"{kind} sum": _style(colour, 3.2, colour) for kind, colour in KINDS.items()},
 }
 
 

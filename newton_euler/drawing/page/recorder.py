@@ -49,6 +49,7 @@ class Recorder:
         elevation: float = 20,
         up: str = "z",
         plane: str | None = None,
+        arrows: float = 62,
     ):
         if not hasattr(ax, "add_patch"):
             raise FrameError(
@@ -59,11 +60,13 @@ class Recorder:
                 f"Sketch(ax, ground) shows a scene from its ground, a Frame; got {ground!r}"
             )
         self.ax, self.frame = ax, ground
+        self.arrows = self._length(arrows)
         self.view = plane_view(plane) if plane is not None else space_view(azimuth, elevation, up)
         self._commands: list = []
         self._artists: list = []
         self._extent: list = []  # places that fit on the page
         self._longest: dict = {}  # of the arrows of each kind
+        self._shortest = 0.25  # of the longest; less would be hard to see
         self._pending, self._before, self._window = False, None, None
         self.drawn: Canvas | None = None  # what was rendered last
 
@@ -239,6 +242,7 @@ def share_window(sketches):
             longest[kind] = max(size, longest.get(kind, 0))
     for sketch in sketches:
         sketch._longest = longest  # before the fit, which draws arrows
+        sketch._shortest = 0.0  # what moves is in proportion
     window = _fitted(sketches, *sketches[0]._page())
     for sketch in sketches:
         sketch._window = window

@@ -132,15 +132,6 @@ def test_an_arrow_at_the_eye_is_a_circle_with_a_dot_and_one_from_it_a_circle_wit
         assert len(s.ax.patches) == 1 + extra
 
 
-def test_a_vector_of_zero_has_a_label_but_no_arrow():
-    s = sketch()
-    s.rod(O, (1, 0, 0))
-    s.vector(O, (0, 0, 0), "$v_A$")
-    s.finish()
-    assert "$v_A$" in texts(s)
-    assert not vertices(s, KINDS["velocity"])
-
-
 def test_a_dimension_line_is_parallel_to_what_it_measures_and_keeps_its_offset():
     s = sketch(plane="xy")
     s.dimension((1, 1, 0), (4, 5, 0), "b", offset=0.5)

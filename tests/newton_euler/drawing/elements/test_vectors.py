@@ -1,12 +1,14 @@
 """Arrows: those to scale, and those of a rotation."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
+from newton_euler import moving
 from newton_euler.algebra import FrameError
-from newton_euler.drawing.page.primitives import KINDS
+from newton_euler.drawing.page.primitives import BLACK, KINDS, MOVED
 from tests.sketching import O, ground, png, sketch, texts, vertices
 
 
@@ -42,3 +44,80 @@ def test_a_swing_runs_from_A_on_its_circle_right_handed(axis, sense):
 def test_a_swing_about_an_axis_through_its_place_is_an_error():
     with pytest.raises(FrameError, match="a circle needs a place off its axis"):
         sketch().swing(O, (0, 0, 2), ground.k)
+
+
+def shafts(s, kind="velocity", colour=None):
+    """The ends of the shaft of each arrow of a kind."""
+    return [v for v in vertices(s, colour or KINDS[kind]) if len(v) == 2]
+
+
+@pytest.mark.parametrize("size", [0, 1e-12])
+def test_a_vector_that_is_zero_beside_the_longest_is_a_dot_with_its_label(size):
+    s = sketch(plane="xy")
+    s.vector(O, (1, 0, 0))
+    s.vector((5, 0, 0), (0, size, 0), "$v_B$")
+    s.finish()
+    (dot,) = [v for v in vertices(s, KINDS["velocity"]) if len(v) > 10]
+    assert dot.mean(axis=0) == pytest.approx((5, 0), abs=0.1)
+    assert len(shafts(s)) == 1
+    assert "$v_B$" in texts(s)
+
+
+def test_a_rotation_at_the_rate_zero_is_a_dot():
+    s = sketch(plane="xy")
+    s.turn(O, (0, 0, 0), "p")
+    s.finish()
+    assert [len(v) > 10 for v in vertices(s, KINDS["rate"])] == [True]
+    assert "$p$" in texts(s)
+
+
+def test_a_size_is_printed_in_the_decimals_of_the_longest_of_its_kind():
+    s = sketch(plane="xy")
+    s.vector(O, (12.345, 0, 0), "$v_A$", size="m/s")
+    s.vector(O, (0, 1.2, 0), "$v_B$", size="m/s")
+    s.vector(O, (0, 0, 0), size="rad/s", kind="rate")
+    s.finish()
+    assert {"$v_A$ = 12.3 m/s", "$v_B$ = 1.2 m/s", "0.00 rad/s"} <= set(texts(s))
+
+
+def test_the_longest_arrow_has_the_length_that_the_sketch_says():
+    s = sketch(plane="xy", arrows=100)
+    s.vector(O, (3, 0, 0))
+    s.finish()
+    (shaft,) = shafts(s)
+    assert shaft[1][0] == pytest.approx(100 * s.drawn.pt)
+
+
+def test_axes_of_other_frames_than_the_ground_are_dashed_unless_said_otherwise():
+    for frame, said, dashed in (
+        (ground, None, False),
+        (ground.rotate("arm", "z", angle=0.3), None, True),
+        (ground.rotate("corner", "z", angle=0.3), False, False),
+        (ground, True, True),
+    ):
+        s = sketch()
+        s.axes(O, frame, moved=said)
+        s.finish()
+        assert len(shafts(s, colour=MOVED)) == 3 * dashed
+        assert len(shafts(s, colour=BLACK)) == 3 * (not dashed)
+
+
+def test_the_terms_of_a_sum_join_head_to_tail_and_the_sum_closes_them():
+    arm = ground.rotate("arm", "z", rate=2.0)
+    v = arm.point("P", moving(1.0, 3.0), 0, 0).velocity(ground)
+    s = sketch(plane="xy")
+    s.sum((1, 1, 0), v, "$v_P$", kind="velocity", size="m/s")
+    s.finish()
+    *steps, closing = shafts(s)
+    assert closing[0] == pytest.approx(steps[0][0])
+    for one, other in pairwise(steps):
+        assert one[1] == pytest.approx(other[0])
+    assert closing[1] == pytest.approx(steps[-1][1])
+    lengths = sorted(np.hypot(*(b - a)) for a, b in steps)
+    assert lengths[1] / lengths[0] == pytest.approx(3 / 2)
+    assert {"origin = 0", "rotation", "relative", "$v_P$ = 3.61 m/s"} == set(texts(s))
+
+
+def test_a_sum_without_terms_is_refused():
+    with pytest.raises(FrameError, match="a Vector with terms"):
+        sketch().sum(O, ground.i)
