@@ -2,25 +2,22 @@
 the numbers. ``python -m newton_euler.accuracy honesty`` does it for the honesty of the methods.
 """
 
-import re
 import sys
 from functools import partial
 from pathlib import Path
 
 import click
 from matplotlib.figure import Figure
-from matplotlib.ticker import EngFormatter
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn
 
-from ..scenes import LADDERS, SCENES, ladder
-from .comparisons import COMPARISONS
+from ..scenes import SCENES
+from .charts.catalogue import KINDS, MODEL, MODELS, charts, slug
+from .charts.honesty import draw_honesty
 from .honesty import PATIENCE, honesty, table, write_csv
-from .plots import draw_honesty, draw_methods, draw_models, measured_models
-from .regime_maps import MAPS, draw_map
-from .work_precision import LONGEST, NAMES, QUICK, TOLERANCES, work_precision
+from .work_precision import NAMES, QUICK, TOLERANCES
 
-MODELS, MAP, HONESTY = "models of ", "map of ", "honesty"
+HONESTY = "honesty"
 SETTINGS = {
     "help_option_names": ["-h", "--help"],
     "max_content_width": 110,
@@ -62,7 +59,7 @@ class _Charts(click.Command):
 @click.option(
     "--quick",
     is_flag=True,
-    help="Every other tolerance, coarse maps; methods that take more than 50 ms are left out.",
+    help="Four tolerances, coarse maps; methods that take more than 20 ms are left out.",
 )
 def main(names, only_list, draw_all, models, folder, kind, quick):
     """Measure speed and accuracy, now and on this machine, and draw a chart of each NAME.
@@ -85,10 +82,11 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
     asked, and is what it tells of its error true? See honesty --help.
 
     How to read a chart: cost to the right, error upwards, so lower left is better. The points with
-    rings are the front: every other point costs more and is no more accurate. Times are those of a
-    run after all imports and compilations; the legend says how much longer the first run took.
-    Errors are taken against a reference of 30 digits. Times differ by a tenth from run to run, and
-    by more while the machine has other work.
+    rings are the front: every other point costs more and is no more accurate. Closed forms and
+    methods that step have a front each. Times are those of a run after all imports and
+    compilations; a grey bar ends at the time of the first run. Among models the ring is the choice:
+    the cheapest within the tolerance. Errors are taken against a reference of 30 digits. Times
+    differ by a tenth from run to run, and by more while the machine has other work.
 
     \b
     Examples:
@@ -97,31 +95,30 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
       python -m newton_euler.accuracy --all --models --format svg
       python -m newton_euler.accuracy honesty --scene top
     """
-    charts = {name: c for name, c in every_name().items() if c[0] is _models or not models}
+    known = {name: c for name, c in charts().items() if c.question == MODEL or not models}
     if only_list or not (names or draw_all):
-        click.echo(_list(charts))
+        click.echo(_list(known))
         return
     # a scene and a ladder may have the same name, which then means the scene
-    known = {_slug(name.removeprefix(MODELS)): name for name in charts}
-    known |= {_slug(name): name for name in charts}
-    unknown = [name for name in names if _slug(name) not in known]
+    slugs = {slug(name.removeprefix(MODELS)): name for name in known}
+    slugs |= {slug(name): name for name in known}
+    unknown = [name for name in names if slug(name) not in slugs]
     if unknown:
-        raise click.UsageError(f"there is no chart {unknown[0]!r}; there are:\n\n{_list(charts)}")
+        raise click.UsageError(f"there is no chart {unknown[0]!r}; there are:\n\n{_list(known)}")
     folder.mkdir(parents=True, exist_ok=True)
-    for name in charts if draw_all else [known[_slug(name)] for name in names]:
-        make, title = charts[name]
-        figure, path = Figure(), folder / f"{_slug(name)}.{kind}"
-        told = _with_progress(name, partial(make, name, figure, quick))
-        figure.savefig(path, dpi=110)
-        click.echo(f"{name}: {title}\n{told}\nwritten: {path}\n")
+    for name in known if draw_all else [slugs[slug(name)] for name in names]:
+        path = folder / f"{slug(name)}.{kind}"
+        found = _with_progress(name, partial(known[name].make, quick))
+        found.figure.savefig(path, dpi=110)
+        click.echo(f"{name}: {known[name].title}\n{found}\n{found.caption}\nwritten: {path}\n")
 
 
 def _scenes(context, parameter, names):
-    known = {_slug(name): name for name in SCENES}
-    unknown = [name for name in names if _slug(name) not in known]
+    known = {slug(name): name for name in SCENES}
+    unknown = [name for name in names if slug(name) not in known]
     if unknown:
         raise click.BadParameter(f"there is no {unknown[0]!r}; there are {'; '.join(SCENES)}")
-    return [known[_slug(name)] for name in names] or list(SCENES)
+    return [known[slug(name)] for name in names] or list(SCENES)
 
 
 def _methods(context, parameter, text):
@@ -220,25 +217,11 @@ def honesty_main(scenes, methods, path, longest, quick):
     click.echo(f"{table(answers)}\nwritten: {path} and {path.with_suffix('.csv')}")
 
 
-def every_name():
-    """All charts: {name: (the function that draws it, one of :data:`KINDS`, and a title)}."""
-    scenes = {s.name: (_scene, f"{s.section:>6}  {s.description}") for s in SCENES.values()}
-    models = {f"{MODELS}{name}": (_models, found.description) for name, found in LADDERS.items()}
-    comparisons = {c.name: (_comparison, c.title) for c in COMPARISONS.values()}
-    return (
-        scenes | models | comparisons | {f"{MAP}{m.name}": (_map, m.title) for m in MAPS.values()}
-    )
-
-
-def _slug(name):
-    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
-
-
 def _list(charts):
     width, lines = max(map(len, charts)), []
-    for kind, heading in KINDS.items():
-        found = [f"  {n:{width}}  {title}" for n, (make, title) in charts.items() if make is kind]
-        lines += [f"{heading}:", *found, ""] if found else []
+    for kind in KINDS:
+        found = [f"  {c.name:{width}}  {c.title}" for c in charts.values() if c.kind == kind]
+        lines += [f"{kind}:", *found, ""] if found else []
     return "\n".join([*lines, "the honesty of all methods: see honesty --help"])
 
 
@@ -255,51 +238,3 @@ def _with_progress(name, work):
             bar.update(task, completed=fraction, words=words, refresh=True)
 
         return work(progress)
-
-
-# -- each kind: draws on a figure and returns the table
-
-
-def _scene(name, figure, quick, progress):
-    tolerances, longest = (QUICK, 0.05) if quick else (TOLERANCES, LONGEST)
-    found = work_precision(name, tolerances, longest=longest, progress=progress)
-    draw_methods(found, figure)
-    return found.explain()
-
-
-def _models(name, figure, quick, progress):
-    rungs = ladder(name.removeprefix(MODELS))
-    points = measured_models(rungs, progress)
-    draw_models(points, rungs, figure)
-    return _table(points, f"error of {rungs.of}")
-
-
-def _comparison(name, figure, quick, progress):
-    points = COMPARISONS[name].measure(progress)
-    COMPARISONS[name].draw(points, figure)
-    return _table(points, "error")
-
-
-def _table(points, error):
-    seconds, width = EngFormatter(unit="s", places=1), max(len(p.setting) for p in points)
-    rows = [
-        f"  {p.method:44} {p.setting:{width}} {seconds(p.cost):>9}  {p.error:8.2g}" for p in points
-    ]
-    return "\n".join([f"  {'':{45 + width}} {'time':>9}  {error}", *rows])
-
-
-def _map(name, figure, quick, progress):
-    chart = MAPS[name.removeprefix(MAP)]
-    figure.set(layout_engine="constrained", size_inches=(10.0, 5.2))
-    found = draw_map(chart.name, figure.subplots(), (18, 15) if quick else None, progress)
-    shares = {choice: (found == choice).mean() for choice in chart.choices}
-    rows = [f"  {choice:44} {share:6.1%} of the map" for choice, share in shares.items() if share]
-    return "\n".join([f"  {chart.words}", *rows])
-
-
-KINDS = {
-    _scene: "scenes that move, by section",
-    _models: "models of a scene",
-    _comparison: "comparisons where nothing moves",
-    _map: "maps of parameter space",
-}

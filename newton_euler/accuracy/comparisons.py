@@ -9,9 +9,13 @@ errors, against references of 40 digits, are in :mod:`newton_euler.accuracy.base
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from time import perf_counter
 
+from ..algebra.errors import ArgumentError
+from ..algebra.scalars import sqrt
 from . import baselines
-from .measure import COLOURS, MARKERS, Measured, chart, log_log, timed
+from .charts.axes import COLOURS, MARKERS, chart, log_log
+from .measure import Measured, timed
 
 ROUND_OFF = 2.0**-52  # smaller errors are luck, and are drawn there
 
@@ -91,13 +95,17 @@ class Comparison:
     title: str
     questions: tuple
 
-    def measure(self, progress=lambda fraction, words: None):
+    def measure(self, progress=lambda fraction, words: None, quick=False):
         """The answers to all questions: a list of :class:`ComparisonPoint`, in a few seconds.
 
         progress : is called for each point
+        quick : without the last setting, which takes longest where it changes the cost
         """
-        count, points = sum(len(q.settings) * len(q.methods) for q in self.questions), []
-        for q in self.questions:
+        questions = [
+            replace(q, settings=q.settings[: -1 if quick else None]) for q in self.questions
+        ]
+        count, points = sum(len(q.settings) * len(q.methods) for q in questions), []
+        for q in questions:
             for point in q.measured():
                 points.append(point)
                 progress(len(points) / count, f"{point.method}, {point.setting}")
@@ -113,6 +121,41 @@ class Comparison:
         for q, axes in zip(self.questions, figure.subplots(rows, 2, squeeze=False), strict=True):
             best += q.draw([p for p in points if p.question == q.what], *axes)
         return best
+
+
+def measured_ways(ways, exact):
+    """The points of several ways to one result: their times, and their distances from ``exact``,
+    relative to its size.
+
+    ways : {name: a function without arguments}
+    exact : a number or several, of more digits than those of the ways
+    """
+    prepared = {name: _first_call(way) for name, way in ways.items()}
+    costs = timed(*ways.values(), runs=5, shortest=1e-3)
+    costs = dict(zip(ways, costs if len(ways) > 1 else (costs,), strict=True))
+    return [
+        Measured(name, costs[name], _distance(way(), exact), prepared=prepared[name] - costs[name])
+        for name, way in ways.items()
+    ]
+
+
+def _first_call(way):
+    begun = perf_counter()
+    way()
+    return perf_counter() - begun
+
+
+def _distance(result, exact):
+    values, exact = _numbers(result), _numbers(exact)
+    if len(values) != len(exact):
+        raise ArgumentError(f"a way returns {len(values)} numbers, exact has {len(exact)}")
+    apart = sqrt(sum((a - b) ** 2 for a, b in zip(values, exact, strict=True)))
+    size = sqrt(sum(b**2 for b in exact))
+    return float(apart / size if size else apart)
+
+
+def _numbers(x):
+    return tuple(x) if hasattr(x, "__iter__") else (x,)
 
 
 def _decades(first, last):

@@ -1,4 +1,4 @@
-"""The time of a call, the error of a result, and the chart of error against time.
+"""The time of a call, the error of a result, and the front of error against time.
 
 The *front* of a set of points (the Pareto front) are those that no other point beats, that is, for
 every other point one on the front is cheaper and no less accurate. Errors are taken against an
@@ -17,13 +17,9 @@ from ..algebra.errors import ArgumentError, checked
 from ..algebra.scalars import Scalar, sqrt
 from ..algebra.vectors import dot3, sub3
 
-# colours that colour-blind readers tell apart (Okabe and Ito, without their yellow), and shapes for
-# those who see no colours
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
-MARKERS = ("o", "s", "^", "D", "P", "X", "*", "h", "p")
 # errors that differ by less than this factor count as equal: round-off is not known better
 EQUAL_WITHIN = 2.0
-FLOOR = 1e-17  # smaller relative errors are drawn there: a float cannot have them
+EQUAL_COST = 1.2  # times that differ by less count as equal: they vary so from run to run
 
 
 @dataclass(frozen=True)
@@ -33,6 +29,8 @@ class Measured:
 
     asked, calls, drift : of an integration, the tolerance, the calls of the right-hand side, and
         the largest drift of an invariant; else None
+    family : points are compared with others of their family, which has a front of its own
+    prepared : seconds that the first run took more than the next
 
     >>> Measured("dop853", cost=2e-4, error=1e-9).cost
     0.0002
@@ -45,6 +43,8 @@ class Measured:
     asked: float | None = None
     calls: int | None = None
     drift: float | None = None
+    family: str = ""
+    prepared: float = 0.0
 
 
 @checked
@@ -98,7 +98,8 @@ def relative_error(a: Sequence[Scalar], exact: Sequence[Scalar]) -> float:
     return float(sqrt(dot3(difference, difference)) / sqrt(dot3(exact, exact)))
 
 
-def _check_cost(cost):
+def check_cost(cost: str) -> None:
+    """Refuse a cost that is neither the time nor the number of calls."""
     if cost not in ("cost", "calls"):
         raise ArgumentError(f'the cost is "cost", the time, or "calls"; got {cost!r}')
 
@@ -115,7 +116,7 @@ def front(points: Sequence[Measured], cost: str = "cost") -> list[Measured]:
     >>> [p.method for p in front([fine, coarse, Measured("slow", 3e-3, 1e-9)])]
     ['coarse', 'fine']
     """
-    _check_cost(cost)
+    check_cost(cost)
     best: list[Measured] = []
     for p in sorted(points, key=attrgetter(cost, "error")):
         if not best or p.error < best[-1].error / EQUAL_WITHIN:
@@ -123,72 +124,27 @@ def front(points: Sequence[Measured], cost: str = "cost") -> list[Measured]:
     return best
 
 
-def marker_style(n: int) -> dict:
-    """Arguments of ``plot`` for method number n; beyond the colours the markers are hollow."""
-    colour = COLOURS[n % len(COLOURS)]
-    filling = colour if n < len(COLOURS) else "white"
-    return {"color": colour, "marker": MARKERS[n % len(MARKERS)], "mfc": filling}
+def fronts(points: Sequence[Measured], cost: str = "cost") -> dict[str, list[Measured]]:
+    """The front of each family of the points, by the name of the family."""
+    families = dict.fromkeys(p.family for p in points)
+    return {name: front([p for p in points if p.family == name], cost) for name in families}
 
 
-def log_log(ax: Any, xlabel: str, ylabel: str) -> None:
-    """Set both axes of ``ax`` to powers of ten, with a grid behind what is drawn."""
-    ax.set(xscale="log", yscale="log", xlabel=xlabel, ylabel=ylabel, axisbelow=True)
-    ax.grid(True, color="#dddddd", lw=0.6)
+def cheapest(points: Sequence[Measured], error: float) -> list[Measured]:
+    """The cheapest point of each method within ``error``, the cheapest method first; empty if none
+    is as accurate.
 
-
-@checked
-def chart(
-    points: Sequence[Measured],
-    ax: Any,
-    floor: float = FLOOR,
-    cost: str = "cost",
-    order: Sequence[str] = (),
-    legend: bool = True,
-) -> list[Measured]:
-    """The front of the points, which are drawn on the Matplotlib axes ``ax``: cost to the right,
-    error upwards, the front with rings and joined by steps.
-
-    floor : smaller errors are drawn there, with an arrow down and their value
-    cost : "cost", the time, or "calls"
-    order : names of methods, so that these have the same colours on several charts
-
-    >>> from matplotlib.figure import Figure
-    >>> points = [Measured("coarse", 1e-3, 1e-3), Measured("fine", 2e-3, 1e-9)]
-    >>> chart(points, Figure().subplots()) == points
-    True
+    >>> points = [Measured("a", 1e-3, 1e-9), Measured("a", 1e-4, 1e-3), Measured("b", 2e-3, 1e-9)]
+    >>> [p.method for p in cheapest(points, 1e-6)]
+    ['a', 'b']
     """
-    from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
+    within = sorted((p for p in points if p.error <= error), key=attrgetter("cost"))
+    best: dict[str, Measured] = {}
+    for p in within:
+        best.setdefault(p.method, p)
+    return list(best.values())
 
-    def coordinates(points):
-        return [getattr(p, cost) for p in points], [max(p.error, floor) for p in points]
 
-    _check_cost(cost)
-    if not 0 < float(floor) < 1:
-        raise ArgumentError(f"the floor is an error between 0 and 1, as 1e-16; got {floor!r}")
-    floor = float(floor)
-    if not hasattr(ax, "add_patch"):
-        raise ArgumentError(f"a chart is drawn on an Axes of matplotlib; got {ax!r}")
-    log_log(ax, "cost of one evaluation", "relative error")
-    for n, method in enumerate(dict.fromkeys([*order, *(p.method for p in points)])):
-        own = [p for p in points if p.method == method]
-        if own:
-            ax.plot(*coordinates(own), ms=7, lw=0.8, label=method, **marker_style(n))
-    best = coordinates(front(points, cost))
-    ax.step(*best, where="post", color="#999999", lw=1.4, ls="--", zorder=1)
-    ax.plot(*best, "o", ms=14, mfc="none", mec="#333333", mew=1.2, ls="none", label="front")
-    costs, _ = coordinates(points)
-    for x, p in zip(costs, points, strict=True):
-        if p.error < floor:
-            text = f"{p.error:.0e}" if p.error else "0"
-            look = {"ha": "center", "fontsize": 8, "textcoords": "offset points"}
-            arrow = {"arrowstyle": "<-", "color": "#333333"}
-            ax.annotate(text, (x, floor), (0, -34), arrowprops=arrow, **look)
-            ax.set_ylim(bottom=floor / 1000)  # room for the arrows
-    # less than about two decades: powers of ten alone would leave one number on the axis or none
-    if costs and max(costs) < 50 * min(costs):
-        ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    ax.xaxis.set_major_formatter(EngFormatter(unit="s" if cost == "cost" else ""))
-    ax.xaxis.set_minor_formatter(NullFormatter())
-    if legend:
-        ax.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, fontsize=9)
-    return front(points, cost)
+def of_equal_cost(points: Sequence[Measured]) -> list[Measured]:
+    """Those of the points, the cheapest first, whose costs cannot be told from the least."""
+    return [p for p in points if p.cost <= EQUAL_COST * points[0].cost]

@@ -1,8 +1,8 @@
 """Maps of parameter space, coloured by the method to use or the model that is accurate enough, with
 the theoretical borders drawn over them.
 
-Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices,
-``draw_map(name, ax)`` draws them.
+Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices, and
+:mod:`newton_euler.accuracy.charts.maps` draws them.
 
 >>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees
 >>> found[0].tolist()
@@ -27,7 +27,6 @@ from ..motion.solution import AccuracyError
 from ..scenes.particles import projectile
 from ..scenes.spatial import top, top_ladder
 from ..scenes.spatial.free_body import free_body
-from .measure import COLOURS
 
 
 @dataclass(frozen=True)
@@ -71,7 +70,7 @@ class Map:
     choices : all choices, in the order of the legend
     column : a function of one x and an increasing list of y that returns the choice at each
     curves : theoretical borders
-    resolution : cells along x and y that take a few seconds
+    resolution, coarse : cells along x and y, for a chart and for one within a few seconds
     """
 
     name: str
@@ -83,6 +82,7 @@ class Map:
     column: Callable
     curves: tuple
     resolution: tuple
+    coarse: tuple = (18, 15)
 
     def measure(self, resolution=None, progress=lambda fraction: None):
         """The choices, an array of strings: a row for each y from the lowest, a column for each x.
@@ -95,33 +95,6 @@ class Map:
             progress(n / across)
             columns.append(list(self.column(x, self.y.centres(up).tolist())))
         return np.array(columns, dtype=object).T
-
-
-def draw_map(name, ax, resolution=None, progress=lambda fraction: None):
-    """The choices of the map of this name, measured and drawn on ``ax`` with a legend of the
-    colours and of the theoretical borders.
-    """
-    from matplotlib.colors import ListedColormap
-    from matplotlib.patches import Patch
-
-    chart = MAPS[name]
-    found = chart.measure(resolution, progress)
-    numbers, top_number = np.vectorize(chart.choices.index)(found), len(chart.choices) - 0.5
-    colours = dict(zip(chart.choices, COLOURS, strict=False))
-    x, y = chart.x.edges(found.shape[1]), chart.y.edges(found.shape[0])
-    style = {"cmap": ListedColormap(colours.values()), "vmin": -0.5, "vmax": top_number}
-    ax.pcolormesh(x, y, numbers, alpha=0.75, linewidth=0, rasterized=True, **style)
-    shown = [(choice, colour) for choice, colour in colours.items() if (found == choice).any()]
-    handles = [Patch(color=colour, alpha=0.75, label=choice) for choice, colour in shown]
-    points = chart.x.centres(800)
-    for curve, dashes in zip(chart.curves, ("-", "--"), strict=False):
-        xs, ys = (points, curve.y(points)) if curve.y else ([curve.x] * 2, y[[0, -1]])
-        handles += ax.plot(xs, ys, color="black", lw=1.8, ls=dashes, label=curve.label)
-    ax.set(xlabel=chart.x.label, xscale=chart.x.scale, xlim=x[[0, -1]], title=chart.title)
-    ax.set(ylabel=chart.y.label, yscale=chart.y.scale, ylim=y[[0, -1]])
-    place = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0)}
-    ax.legend(handles=handles, frameon=False, fontsize=9, **place)
-    return found
 
 
 # -- methods: the free body
@@ -357,7 +330,7 @@ _MAPS = (
         Axis("time of flight, s", 1.0, 1000.0), Axis("error allowed, m", 1e-6, 1e5),
         rung_names(shot(1.0)), _smallest_rung(shot),
         (Curve("centrifugal: ω² R T² cos λ/2", _centrifugal_error),
-         Curve("less weight above: g² T⁴/(12 R)", _uniform_field_error)), (40, 60),
+         Curve("less weight above: g² T⁴/(12 R)", _uniform_field_error)), (40, 60), (20, 30),
     ),
     Map(
         "top", "Top released at 0.6 rad for 5 s: the smallest model",
@@ -367,7 +340,7 @@ _MAPS = (
         rung_names(released_top(200.0)), _smallest_rung(released_top),
         (Curve("nutation 2 I₀ mgr sin θ/(I ω)²", _nutation),
          Curve("least rate of steady precession",
-               x=least_spin(I0, I, THETA, mgr=MGR, of="omega_z"))), (36, 60),
+               x=least_spin(I0, I, THETA, mgr=MGR, of="omega_z"))), (36, 60), (18, 30),
     ),
     Map(
         "sleeping top", "Top set upright, tilted by 1e-6 rad: what a run shows",
@@ -384,7 +357,7 @@ _MAPS = (
         Axis("angle from the upward vertical, degrees", 0.0, 180.0, "linear"),
         (NONE, BOTH, OPPOSED), _steady,
         (Curve("(I ω)² = 4 I₀ mgr cos θ", _limit_angle),
-         Curve("sleeping top: (I ω)² = 4 I₀ mgr", x=CRITICAL)), (90, 90),
+         Curve("sleeping top: (I ω)² = 4 I₀ mgr", x=CRITICAL)), (90, 90), (60, 60),
     ),
 )  # fmt: skip
 MAPS = {chart.name: chart for chart in _MAPS}

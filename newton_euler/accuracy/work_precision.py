@@ -29,6 +29,7 @@ QUICK = TOLERANCES[::2]
 LONGEST = 0.2  # seconds; a method whose run takes longer is not asked for more digits
 LONG = 0.03  # seconds; a longer run is timed once, a shorter one in many runs
 NAMES = (*METHODS, "auto")
+STEPPING, CLOSED = "stepping methods", "closed forms"  # the families
 
 
 @dataclass(frozen=True)
@@ -99,8 +100,10 @@ def work_precision(
             except ModelError as error:
                 left_out[method] = f"{rtol:.0e}: {error}"
                 break
+            if method not in preparing:
+                preparing[method] = _preparation(name, method, first - point.cost)
+                point = replace(point, prepared=preparing[method])
             points.append(point)
-            preparing.setdefault(method, max(first - point.cost, 0.0))
             if point.cost > longest and rtol != tolerances[-1]:
                 took = f"{rtol:.0e}, which took {point.cost:.2g} s"
                 left_out[method] = f"not asked for less than {took}"
@@ -117,6 +120,14 @@ def _ratios(reference, points):
             runs = [partial(reference.run, method, rtol) for method in ("auto", best)]
             auto, other = timed(*runs, runs=15, shortest=5e-4)
             yield rtol, (auto / other, best)
+
+
+_PREPARATIONS: dict = {}
+
+
+def _preparation(name, method, more):
+    """The seconds that the first run in this process took more: code is compiled once."""
+    return _PREPARATIONS.setdefault((name, method), max(more, 0.0))
 
 
 class Reference:
@@ -140,7 +151,9 @@ class Reference:
         """The point of one method at one tolerance, and the seconds that its first run took."""
         motion, cost, first = timed_run(partial(self.run, method, rtol), method)
         numbers = rtol, motion.cost.calls, worst_drift(motion)
-        return Measured(method, cost, self.error(motion), f"rtol = {rtol:.0e}", *numbers), first
+        family = CLOSED if motion.method.name == "exact" else STEPPING
+        point = Measured(method, cost, self.error(motion), f"rtol = {rtol:.0e}", *numbers, family)
+        return point, first
 
 
 def worst_drift(motion):

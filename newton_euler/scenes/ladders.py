@@ -178,19 +178,30 @@ class Ladder:
         The error of a rung that cannot be integrated to the end, as angles through a singular
         position, is infinite.
         """
+        return float(self.distances(rung, accuracy).max())
+
+    @checked
+    def distances(self, rung: Rung, accuracy: float = 0.0) -> "ndarray":
+        """How far what is observed of a rung is from that of the fullest one at each of the
+        instants, an array; the largest is the :meth:`error`.
+        """
+        import numpy as np
+
         if rung is self.fullest:
-            return 0.0
+            return np.zeros(INSTANTS)
         full = self.fullest
         observed = self._kept(accuracy, [full], lambda: self.observed(full, accuracy))
-        return self._kept(accuracy, [rung, full], lambda: self._distance(rung, observed, accuracy))
+        return self._kept(accuracy, [rung, full], lambda: self._apart(rung, observed, accuracy))
 
-    def _distance(self, rung, full, accuracy):
+    def _apart(self, rung, full, accuracy):
+        import numpy as np
+
         try:
             apart = self.observed(rung, accuracy) - full
         except ModelError:
-            return math.inf
-        far = float((apart**2).sum(axis=0).max() ** 0.5)
-        return far if far == far else math.inf  # nan where an exact solution ends
+            return np.full(INSTANTS, math.inf)
+        far = (apart**2).sum(axis=0) ** 0.5
+        return np.where(np.isnan(far), math.inf, far)  # nan where an exact solution ends
 
     def _kept(self, accuracy, rungs, compute):
         """The value found before for these rungs with at least this accuracy, if what their

@@ -17,8 +17,6 @@ ROOT = Path(__file__).parents[2]
 CHAPTERS = sorted((ROOT / "chapters").glob("*.ipynb"))
 EQUATIONS = {"ch04": 29}  # how many numbered equations each chapter of the book has
 DEADLINE_S = 60
-# it measures every scene of the course: 100 s on a quiet machine
-LONG_S = {"speed_and_accuracy": 600}
 
 each_chapter = pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
 
@@ -133,7 +131,7 @@ def executed(path, where, missing=()):
     notebook = read(path)
     runner = client(
         notebook,
-        timeout=deadline(path),
+        timeout=DEADLINE_S,
         kernel_name="python3",
         resources={"metadata": {"path": str(where)}},
     )
@@ -150,30 +148,22 @@ def executed(path, where, missing=()):
     return notebook, time.perf_counter() - started
 
 
-def deadline(path):
-    return LONG_S.get(path.stem, DEADLINE_S)
-
-
-@pytest.fixture(
-    scope="module",
-    params=[
-        pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG_S else path
-        for path in CHAPTERS
-    ],
-    ids=lambda path: path.stem,
-)
+@pytest.fixture(scope="module", params=CHAPTERS, ids=lambda path: path.stem)
 def run(request, tmp_path_factory):
-    return *executed(request.param, tmp_path_factory.mktemp(request.param.stem)), deadline(
-        request.param
-    )
+    return executed(request.param, tmp_path_factory.mktemp(request.param.stem))
 
 
 def is_picture(output):
     return "image/png" in output.get("data", {})
 
 
+def captioned(outputs):
+    """True if a chart comes with a caption of its own, generated from what was measured."""
+    return any("<figcaption>" in output.get("data", {}).get("text/html", "") for output in outputs)
+
+
 def test_a_notebook_runs_from_a_clean_kernel_in_time(run):
-    assert run[1] < run[2]
+    assert run[1] < DEADLINE_S
 
 
 def test_a_run_prints_no_warnings(run):
@@ -187,15 +177,19 @@ def test_a_run_prints_no_warnings(run):
 
 
 def test_every_figure_is_followed_by_a_caption_that_says_what_it_shows(run):
-    captions = 0
+    captions, generated = 0, 0
     for cell, after in pairwise(run[0].cells):
-        if cell.cell_type == "code" and any(map(is_picture, cell.outputs)):
-            captions += 1
-            caption = re.match(r"\*Figure (\d+)\. (.+?)\*(\s|$)", after.source, re.S)
-            assert caption, (cell.id, after.source[:60])
-            assert int(caption[1]) == captions
-            assert len(caption[2].split()) >= 15, caption[2]
-    assert captions
+        if cell.cell_type != "code" or not any(map(is_picture, cell.outputs)):
+            continue
+        if captioned(cell.outputs):
+            generated += 1
+            continue
+        captions += 1
+        caption = re.match(r"\*Figure (\d+)\. (.+?)\*(\s|$)", after.source, re.S)
+        assert caption, (cell.id, after.source[:60])
+        assert int(caption[1]) == captions
+        assert len(caption[2].split()) >= 15, caption[2]
+    assert captions + generated
 
 
 @pytest.mark.slow

@@ -12,8 +12,8 @@ from statistics import median
 
 from matplotlib.figure import Figure
 
+from newton_euler.accuracy.charts.honesty import draw_honesty
 from newton_euler.accuracy.honesty import FAILED, REFUSED, Answer
-from newton_euler.accuracy.plots import draw_honesty
 
 ABSENT = {"refused": REFUSED, "raw": FAILED, "timeout": FAILED}
 GOALS = {"met": 0.995, "covers": 0.99, "ratio": 100.0, "silent": 0}  # of issue 9

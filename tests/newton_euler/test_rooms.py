@@ -20,7 +20,7 @@ BELOW = {room: set(MECHANICS[:n]) for n, room in enumerate(MECHANICS)} | {
     "classroom": {"algebra", "drawing"},
     "drawing": {"algebra", "kinematics"},
     "scenes": {*MECHANICS, "motion"},
-    "accuracy": {*MECHANICS, "motion", "scenes"},
+    "accuracy": {*MECHANICS, "motion", "scenes", "classroom"},
 }
 FILES = {
     ".".join(("newton_euler", *path.relative_to(ENGINE).with_suffix("").parts)).removesuffix(

@@ -10,6 +10,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from newton_euler.accuracy import honesty as measuring
+from newton_euler.accuracy.charts.honesty import PROMISE, draw_honesty
 from newton_euler.accuracy.command import main
 from newton_euler.accuracy.honesty import (
     COLUMNS,
@@ -24,7 +25,6 @@ from newton_euler.accuracy.honesty import (
     tallies,
     write_csv,
 )
-from newton_euler.accuracy.plots import PROMISE, draw_honesty
 from newton_euler.motion.solution import MotionError
 
 matplotlib.use("Agg")

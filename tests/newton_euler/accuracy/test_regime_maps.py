@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from newton_euler.accuracy import regime_maps as maps
-from newton_euler.accuracy.measure import COLOURS
-from newton_euler.accuracy.regime_maps import MAPS, draw_map
+from newton_euler.accuracy.charts.axes import COLOURS
+from newton_euler.accuracy.charts.maps import draw_map
+from newton_euler.accuracy.regime_maps import MAPS
 from newton_euler.motion.integration import integrate
 from newton_euler.scenes.spatial import top
 

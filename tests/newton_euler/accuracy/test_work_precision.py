@@ -3,7 +3,6 @@ what, and what is drawn of it.
 """
 
 import ast
-import json
 import math
 import re
 import subprocess
@@ -15,23 +14,19 @@ from pathlib import Path
 import matplotlib
 import mpmath as mp
 import pytest
-from matplotlib.figure import Figure
 
 from newton_euler.accuracy import work_precision as precision
-from newton_euler.accuracy.command import every_name, main
+from newton_euler.accuracy.charts.catalogue import charts
+from newton_euler.accuracy.command import main
 from newton_euler.accuracy.comparisons import COMPARISONS
-from newton_euler.accuracy.measure import Measured, front, marker_style, timed
-from newton_euler.accuracy.plots import draw_methods, draw_models, measured_models
+from newton_euler.accuracy.measure import Measured, timed
 from newton_euler.accuracy.reference import by_extrapolation, by_heyoka, reference_solution
 from newton_euler.accuracy.regime_maps import MAPS
-from newton_euler.accuracy.work_precision import NAMES, WorkPrecision, work_precision
+from newton_euler.accuracy.work_precision import work_precision
 from newton_euler.motion import ModelError
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.scenes import LADDERS, SCENES, scene
-from newton_euler.scenes.catalogue import Scene
-from newton_euler.scenes.ladders import Ladder, Rung
-from newton_euler.scenes.particles import projectile
 
 matplotlib.use("Agg")
 ROOT = Path(__file__).parents[3]
@@ -257,75 +252,6 @@ def test_auto_is_compared_with_the_cheapest_that_reached_the_accuracy(monkeypatc
     assert ratio == pytest.approx(4)
 
 
-# -- what is drawn
-
-
-def synthetic():
-    points = [Measured(m, c * 10**-n, 10 ** (-n - m_), "", 10.0**-n, int(1e6 * c), 10.0 ** (-n - 1))
-              for m, c, m_ in (("taylor", 1e-5, 1), ("dop853", 1e-4, 2), ("auto", 3e-6, 1)) for n in (3, 6, 9)]  # fmt: skip
-    fake = Scene("fake", "1.1", "nothing", lambda: None)
-    return WorkPrecision(
-        fake, (*points, Measured("exact", 1.0, 0.0, "", 1e-3, 1, 0.0)), {}, {"taylor": 0.04}, {}
-    )
-
-
-def test_the_front_is_drawn_from_the_points_without_auto():
-    found, figure = synthetic(), Figure()
-    best = draw_methods(found, figure)
-    methods = [p for p in found.points if p.method != "auto"]
-    assert [(p.method, p.cost) for p in best] == [(p.method, p.cost) for p in front(methods)]
-    left, middle, right = figure.axes
-    (rings,) = (line for line in left.lines if line.get_label() == "front")
-    assert list(zip(*rings.get_data(), strict=True)) == [
-        (p.cost, max(p.error, 1e-17)) for p in best
-    ]
-    (rings,) = (line for line in middle.lines if line.get_label() == "front")
-    assert list(rings.get_xdata()) == [p.calls for p in front(methods, "calls")]
-    (auto,) = (line for line in right.lines if line.get_label() == "auto")
-    assert list(auto.get_data()[0]) == [1e-3, 1e-6, 1e-9]
-    assert any("40 ms to prepare" in text.get_text() for text in figure.legends[0].get_texts())
-    figure.canvas.draw()
-
-
-def test_a_scene_without_invariants_says_so_on_its_chart():
-    figure = Figure()
-    draw_methods(work_precision("low, friction", (1e-3, 1e-6), ("dop853", "auto")), figure)
-    assert figure.axes[2].get_title() == "no invariant is known"
-    figure.canvas.draw()
-
-
-def shots():
-    def seen(s, p, t):
-        return s.x, s.y, s.z
-
-    start = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0)
-    return Ladder(
-        "shots",
-        projectile.POSITION,
-        5.0,
-        (
-            Rung(projectile.coriolis(9.82, 0.8), start, seen),
-            Rung(projectile.full(9.82, 0.8), start, seen),
-        ),
-    )
-
-
-def test_models_are_charted_against_the_fullest():
-    rungs, figure = shots(), Figure()
-    points = measured_models(rungs)
-    assert [p.error for p in points] == [rungs.error(rungs.rungs[0]), 0.0]
-    assert 0.01 < points[0].error < 10  # m
-    assert all(p.cost > 0 for p in points)
-    best = draw_models(points, rungs, figure)
-    assert points[1] in best
-    (ax,) = figure.axes
-    assert ax.get_ylabel() == f"error of {projectile.POSITION}"
-    assert {rung.name for rung in rungs.rungs} <= {text.get_text() for text in ax.texts}
-    low, high = ax.get_ylim()
-    assert low < points[0].error / 100 < rungs.rungs[0].bound(5.0) < high
-    figure.canvas.draw()
-
-
 # -- the command
 
 
@@ -339,7 +265,7 @@ def run(*arguments):
 def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
     assert run("--list") == 0
     told = capsys.readouterr().out
-    names = list(every_name())
+    names = list(charts())
     assert len({re.sub("[^a-z]", "", n.lower()) for n in names}) == len(names)
     assert set(names) == {
         *SCENES,
@@ -379,23 +305,6 @@ def test_the_command_measures_prints_and_writes(name, file, capsys, tmp_path):
     assert (tmp_path / "new" / file).read_text().lstrip().startswith("<?xml")
 
 
-def test_all_charts_are_in_the_companion_to_the_chapters():
-    cells = json.loads(
-        (ROOT / "chapters" / "speed_and_accuracy.ipynb").read_text(encoding="utf-8")
-    )["cells"]
-    shown = set(
-        re.findall(
-            r'(\w+)\("(.+?)"\)',
-            "".join(
-                line for cell in cells if cell["cell_type"] == "code" for line in cell["source"]
-            ),
-        )
-    )
-    assert {name for kind, name in shown if kind == "methods"} == set(SCENES)
-    assert {name for kind, name in shown if kind == "models"} == set(LADDERS)
-    assert {name for kind, name in shown if kind == "compare"} == set(COMPARISONS)
-
-
 def test_the_module_runs_as_a_program():
     told = subprocess.run(
         [sys.executable, "-W", "error", "-m", "newton_euler.accuracy", "--help"],
@@ -420,11 +329,6 @@ def test_without_click_or_rich_it_says_what_to_install(package):
         f"python -m newton_euler.accuracy needs the package {package}: pip install "
         "'newton-euler[course]'\n"
     )
-
-
-def test_all_methods_have_a_look_of_their_own():
-    looks = [tuple(marker_style(n).values()) for n in range(len(NAMES))]
-    assert len(set(looks)) == len(NAMES)
 
 
 def test_a_map_is_drawn_by_the_command(tmp_path, capsys):
