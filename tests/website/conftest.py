@@ -1,0 +1,25 @@
+"""The site of what is there, and of a notebook with everything that a chapter may hold."""
+
+import shutil
+
+import pytest
+
+from tests.website import sample
+
+# it measures for minutes: its page is built without outputs
+NOT_RUN = {"speed_and_accuracy", "ch04_relative_motion"}
+
+
+@pytest.fixture(scope="session")
+def site(tmp_path_factory):
+    """The folder of the built pages."""
+    pytest.importorskip("myst_nb", reason="the site wants pip install -e '.[site]'")
+    from website.build import build
+    from website.notebooks import FOLDER
+
+    folder, out = tmp_path_factory.mktemp("notebooks"), tmp_path_factory.mktemp("site")
+    for path in FOLDER.glob("*.ipynb"):
+        shutil.copy(path, folder)
+    sample.write(folder / "sample.ipynb")
+    build(out, folder=folder, run=lambda chapter: chapter.stem not in NOT_RUN)
+    return out

@@ -1,0 +1,216 @@
+"""Every page of the site in a real browser: on a screen, on a phone and on paper."""
+
+import base64
+import json
+import shutil
+import threading
+import time
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+
+import pytest
+
+pytestmark = pytest.mark.integration
+
+LONG = 60  # seconds: for a busy machine
+PHONE = {"width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": True}
+
+# what is wrong on a page, once its formulas are set
+LOOK = r"""
+const wrong = [], done = arguments[0];
+const typeset = window.MathJax && MathJax.startup ? MathJax.startup.promise : Promise.resolve();
+typeset.then(() => {
+  for (const f of document.querySelectorAll(".math"))
+    if (!f.querySelector("mjx-container")) wrong.push("not typeset: " + f.textContent.slice(0, 80));
+  for (const e of document.querySelectorAll("mjx-merror, [data-mjx-error], [data-mml-node=merror]"))
+    wrong.push("error in a formula: " + e.closest(".math").textContent.slice(0, 200));
+  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  for (let t = texts.nextNode(); t; t = texts.nextNode()) {
+    if (t.parentElement.closest("pre, code, script, style, mjx-container")) continue;
+    if (/\$[^$]+\$|\\tag|\\\(|\\\[|\\frac|\\boldsymbol/.test(t.data)) wrong.push("raw: " + t.data.slice(0, 80));
+  }
+  for (const i of document.images) {
+    if (!i.alt.trim()) wrong.push("no alternative text: " + i.src.slice(0, 80));
+    if (i.loading != "lazy" && !(i.complete && i.naturalWidth)) wrong.push("not shown: " + i.src.slice(0, 80));
+  }
+  done(wrong);
+}).catch(e => done(["MathJax: " + e]));
+"""
+WIDER = r"""
+const wide = document.documentElement.clientWidth, found = [];
+if (document.documentElement.scrollWidth <= wide && document.body.scrollWidth <= wide) return found;
+for (const e of document.querySelectorAll("article *"))
+  if (e.getBoundingClientRect().right > wide + 1 && !e.closest(".math, pre, table, .output"))
+    found.push(e.tagName + "." + e.className + ": " + e.textContent.slice(0, 60));
+return found.slice(0, 5).concat(["page " + document.documentElement.scrollWidth]);
+"""
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """A server of files that prints nothing."""
+
+    def log_message(self, *_):
+        pass
+
+
+@pytest.fixture(scope="module")
+def address(site):
+    """The site on this machine: "http://127.0.0.1:PORT"."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(site)))
+    thread = threading.Thread(target=server.serve_forever)
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_port}"
+    server.shutdown()
+    server.server_close()
+    thread.join()
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory):
+    """A browser without a screen."""
+    webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
+    if not (shutil.which("chromium") and shutil.which("chromedriver")):
+        pytest.skip("no browser: apt-get install chromium chromium-driver")
+    options = webdriver.ChromeOptions()
+    options.binary_location = shutil.which("chromium")
+    for flag in (
+        "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
+        "--disable-component-update", "--disable-sync", "--no-first-run", "--window-size=1300,900",
+        f"--user-data-dir={tmp_path_factory.mktemp('browser')}",
+    ):  # fmt: skip
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    service = webdriver.ChromeService(executable_path=shutil.which("chromedriver"))
+    driver = webdriver.Chrome(options=options, service=service)
+    driver.set_script_timeout(LONG)
+    yield driver
+    driver.quit()
+
+
+def complaints(driver):
+    """What the console has said since it was asked before."""
+    return [x["message"] for x in driver.get_log("browser") if x["level"] in ("SEVERE", "WARNING")]
+
+
+def requests(driver):
+    """The addresses that were asked for since the last time."""
+    messages = (json.loads(x["message"])["message"] for x in driver.get_log("performance"))
+    sent = (m["params"] for m in messages if m["method"] == "Network.requestWillBeSent")
+    return [p["request"]["url"] for p in sent]
+
+
+def wait(driver, script, what):
+    """What a script gives as soon as it gives something."""
+    end = time.monotonic() + LONG
+    while time.monotonic() < end:
+        if found := driver.execute_script(f"return {script}"):
+            return found
+        time.sleep(0.05)
+    return pytest.fail(f"not seen within {LONG} s: {what}")
+
+
+def every_page(site, address):
+    return [f"{address}/{path.relative_to(site)}" for path in sorted(site.rglob("*.html"))]
+
+
+def test_every_page_is_right_and_asks_nobody_else(site, address, driver):
+    wrong, asked = {}, set()
+    for url in every_page(site, address):
+        driver.get(url)
+        found = driver.execute_async_script(LOOK) + complaints(driver)
+        asked |= set(requests(driver))
+        if found:
+            wrong[url] = found[:5]
+    assert wrong == {}
+    # chrome: the browser's own first page
+    away = [u for u in asked if not u.startswith((f"{address}/", "data:", "blob:", "chrome:"))]
+    assert away == []
+
+
+def test_no_page_is_wider_than_a_phone(site, address, driver):
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", PHONE)
+    wide = {}
+    for url in every_page(site, address):
+        driver.get(url)
+        driver.execute_async_script(LOOK)
+        if found := driver.execute_script(WIDER):
+            wide[url] = found
+    driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    assert wide == {}
+
+
+@pytest.mark.parametrize("kind", ["server", "file"])
+def test_a_search_finds_a_word(site, address, driver, kind):
+    driver.get(f"{address if kind == 'server' else site.as_uri()}/search.html?q=Coriolis")
+    link = "document.querySelector('#search-results li a')"
+    wait(driver, link, "a result")
+    time.sleep(0.5)  # excerpts, which come later
+    assert complaints(driver) == []
+    found = driver.execute_script(
+        "return [...document.querySelectorAll('#search-results li a')].map(a => a.href)"
+    )
+    assert any("chapters/ch04_" in href for href in found)
+    driver.execute_script(f"{link}.click()")
+    wait(driver, "document.querySelector('article h1')", "the page that was found")
+    assert complaints(driver) == []
+
+
+def sample(driver, address):
+    driver.get(f"{address}/chapters/sample.html")
+    assert driver.execute_async_script(LOOK) == []
+
+
+def test_a_film_plays_when_its_button_is_pressed(driver, address):
+    sample(driver, address)
+    film = "document.querySelector('.output [id^=motion-]')"
+    button, picture = f"{film}.querySelector('button')", f"{film}.querySelector('img')"
+    if driver.execute_script(f"return {button}.textContent") == "Pause":
+        driver.execute_script(f"{button}.click()")
+    still = driver.execute_script(f"return {picture}.src")
+    time.sleep(0.4)
+    assert driver.execute_script(f"return {picture}.src") == still
+    driver.execute_script(f"{button}.click()")
+    wait(driver, f"{picture}.src !== {json.dumps(still)}", "another picture")
+    assert driver.execute_script(f"return {picture}.alt") == "A pendulum swings."
+    assert complaints(driver) == []
+
+
+def test_answers_and_code_are_folded_with_their_formulas_and_a_slider_is_not_shown(driver, address):
+    sample(driver, address)
+    folded = "document.querySelector('article details')"
+    assert driver.execute_script(f"return {folded}.open") is False
+    inside = f"{folded}.querySelectorAll('summary mjx-container').length"
+    assert driver.execute_script(f"return {inside}") == 1
+    assert driver.execute_script(f"return {folded}.querySelectorAll('li').length") == 2
+    tags = "[...document.querySelectorAll('article .math')].filter(f => /[(]4[.]1[38][)]/.test(f.querySelector('mjx-assistive-mml').textContent)).length"
+    assert driver.execute_script(f"return {tags}") == 2
+    code = "document.querySelector('details.hide').textContent"
+    assert "def swinging" in driver.execute_script(f"return {code}")
+    assert "FloatSlider(" not in driver.execute_script(
+        "return [...document.querySelectorAll('.cell_output')].map(e => e.textContent).join()"
+    )
+    alt = "[...document.images].map(i => i.alt)"
+    assert "Figure 1. A straight line from 0 to 1." in driver.execute_script(f"return {alt}")
+
+
+def test_on_paper_all_is_unfolded_and_the_navigation_is_gone(driver, address):
+    sample(driver, address)
+    paper = driver.execute_cdp_cmd("Page.printToPDF", {"printBackground": False})
+    assert len(base64.b64decode(paper["data"])) > 10_000
+    assert driver.execute_script(
+        "return [...document.querySelectorAll('details')].every(d => d.open)"
+    )
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    shown = "[...document.querySelectorAll('.sidebar-drawer, .toc-drawer, .mobile-header, .controls, .related-pages')].filter(e => e.offsetParent).length"
+    assert driver.execute_script(f"return {shown}") == 0
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+
+def test_the_page_is_light_and_says_its_language(driver, address):
+    features = [{"name": "prefers-color-scheme", "value": "dark"}]
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+    sample(driver, address)
+    ground = "getComputedStyle(document.body).backgroundColor"
+    assert driver.execute_script(f"return {ground}") == "rgb(255, 255, 255)"
+    assert driver.execute_script("return document.documentElement.lang") == "en"
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})

@@ -1,0 +1,178 @@
+"""The files of the site: links, anchors, what stands in them and what must not."""
+
+import re
+from functools import cache
+from html import unescape
+from html.parser import HTMLParser
+from urllib.parse import unquote, urlsplit
+
+import pytest
+
+from exercises.catalogue import chapters, problems
+
+pytestmark = pytest.mark.integration
+
+
+class Page(HTMLParser):
+    """The addresses that a page refers to, its anchors and its text."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.links, self.ids, self.loads, self.words = [], {""}, [], []
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        found = dict(attributes)
+        self.ids |= {found[k] for k in ("id", "name") if k in found}
+        if tag == "a" and "href" in found:
+            self.links.append(found["href"])
+        self.loads += [found["src"]] if "src" in found else []
+        self.loads += [found["href"]] if tag == "link" and "href" in found else []
+
+    def handle_data(self, data):
+        self.words.append(data)
+
+
+@cache
+def read(path):
+    return Page(path)
+
+
+def pages(site):
+    return sorted(site.rglob("*.html"))
+
+
+def goes_nowhere(path, link):
+    """True for an address within the site without a file or without its anchor."""
+    parts = urlsplit(link)
+    if parts.scheme in ("http", "https", "data", "mailto"):
+        return False
+    target = (path.parent / unquote(parts.path)).resolve() if parts.path else path
+    if not target.is_file():
+        return True
+    anchor = unquote(parts.fragment)
+    return target.suffix == ".html" and bool(anchor) and anchor not in read(target).ids
+
+
+def test_no_link_is_dead(site):
+    dead = [
+        (path.name, link)
+        for path in pages(site)
+        for link in (*read(path).links, *read(path).loads)
+        if goes_nowhere(path, link)
+    ]
+    assert dead == []
+
+
+def test_nothing_is_loaded_from_elsewhere(site):
+    away = [
+        (path.name, link[:80])
+        for path in pages(site)
+        for link in read(path).loads
+        if urlsplit(link).scheme in ("http", "https") or link.startswith("//")
+    ]
+    assert away == []
+    for style in site.rglob("*.css"):
+        assert not re.search(r"url\(['\"]?(https?:)?//|@import", style.read_text("utf-8")), style
+
+
+def test_every_problem_has_its_anchor_and_every_chapter_its_page(site):
+    for name in chapters():
+        ids = read(site / "problems" / f"{name}.html").ids
+        assert {anchor(p) for p in problems(name)} <= ids
+    from website.notebooks import chapters as notebooks
+
+    for c in notebooks():
+        assert (site / "chapters" / f"{c.stem}.html").exists()
+
+
+def anchor(p):
+    return f"p{p.id.replace('/', '-')}".lower()
+
+
+def test_numbers_of_problems_are_linked_and_fractions_are_not(site):
+    links = read(site / "chapters" / "sample.html").links
+    assert "../problems/ch04.html#p4-16" in links
+    assert "../problems/ch03.html#p3-27" in links
+    assert "../problems/ch03.html#p3-25" in links
+    assert "../problems/ch03.html#p3-4" not in links
+
+
+def test_a_problem_links_back_to_its_section(site):
+    links = read(site / "problems" / "ch04.html").links
+    assert "../chapters/ch04_relative_motion.html#section-4-10" in links
+
+
+def test_every_public_name_of_the_engine_is_described(site):
+    import newton_euler
+    from website.reference import public
+
+    for room in sorted(newton_euler._ROOMS):
+        ids = read(site / "reference" / f"{room}.html").ids
+        for name in (n for names in public(room).values() for n in names):
+            assert f"newton_euler.{room}.{name}" in ids, name
+
+
+# -- what must not stand there
+
+
+def test_no_page_holds_the_code_of_a_problem(site):
+    texts = {path: path.read_text(encoding="utf-8") for path in (*pages(site), *site.rglob("*.js"))}
+    for path, text in texts.items():
+        bare = unescape(re.sub(r"<[^>]+>", "", text)) if path.suffix == ".html" else text
+        for trace in ("def solve(g", "def prove(g", "def mistakes(g", "exercises.proofs"):
+            assert trace not in bare, (path.name, trace)
+
+
+def test_no_problem_page_names_a_mistake(site):
+    for name in chapters():
+        told = " ".join(" ".join(read(site / "problems" / f"{name}.html").words).split())
+        for p in problems(name):
+            for words in p.mistakes.values():
+                text = getattr(words, "text", words)
+                assert len(text) < 25 or text not in told, (p.id, text)
+
+
+def keys(p):
+    """The numbers of the answers that nobody writes by chance: four digits and more."""
+    from newton_euler.algebra.vectors import Vector
+
+    def numbers(value):
+        if isinstance(value, Vector):
+            return [x for part in (value.x, value.y, value.z) for x in numbers(part)]
+        if isinstance(value, (tuple, list)):
+            return [x for part in value for x in numbers(part)]
+        return [float(value)] if isinstance(value, float) else []
+
+    answers = {} if p.symbols else p.solve(p.book_values)
+    found = {f"{abs(x):.5g}" for value in answers.values() for x in numbers(value)}
+    return {
+        text for text in found if "e" not in text and len(text.strip("0.").replace(".", "")) >= 4
+    }
+
+
+def section(text, p):
+    """The part of a page that is about one problem."""
+    start = text.index(f'id="{anchor(p)}"')
+    end = text.find("<section", start + 200)
+    return text[start : end if end > 0 else None]
+
+
+@pytest.mark.parametrize("name", chapters())
+def test_no_problem_page_holds_a_key(site, name):
+    text = (site / "problems" / f"{name}.html").read_text(encoding="utf-8")
+    compared = 0
+    for p in problems(name):
+        given = {f"{abs(x):.5g}" for x in p.book_values.values()}
+        words = re.sub(r"<[^>]+>", " ", section(text, p))
+        for key in keys(p) - given:
+            compared += 1
+            assert not re.search(rf"(?<![\d.]){re.escape(key)}", words), (p.id, key)
+    assert compared >= 5
+
+
+def test_the_search_knows_no_answers(site):
+    index = (site / "searchindex.js").read_text(encoding="utf-8")
+    assert "coriolis" in index
+    for word in ("no_coriolis", "beta_the_other_way", "newton_euler.exercises"):
+        assert word not in index

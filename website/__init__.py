@@ -1,0 +1,16 @@
+"""The course as a site of static pages, built by ``python -m website``.
+
+Imports go down in this list only, and everything below it may import the grader:
+
+    command         the command line
+    build           the steps of a build
+    contents        the first page
+    reference       one page for each room of the engine, and the dictionary of its symbols
+    problem_pages   the statements of the problems, with figures; no answers
+    chapter_pages   an executed notebook made ready for Sphinx
+    execution       notebooks run in clean kernels, their outputs kept
+    notebooks       which chapters there are, in the order of the book
+    kept            the folder in which results are kept, and what they depend on
+
+``theme/`` is Sphinx's configuration with its style sheet, script and template.
+"""

@@ -1,0 +1,116 @@
+"""The steps of a build: run the notebooks, draw the figures, write Sphinx's source, call Sphinx."""
+
+import io
+import re
+import shutil
+import tempfile
+import warnings
+from pathlib import Path
+
+import nbformat
+
+from . import chapter_pages, contents, problem_pages, reference
+from .execution import WebsiteError, with_outputs
+from .kept import ROOT
+from .notebooks import FOLDER, chapters
+
+THEME = Path(__file__).with_name("theme")
+CACHE = ROOT / ".site_cache"
+
+
+def build(
+    out,
+    names=(),
+    run=lambda chapter: True,
+    folder=FOLDER,
+    cache=CACHE,
+    progress=lambda step, done, number: None,
+):
+    """Build the site in the folder ``out``; returns the chapters that are in it without outputs.
+
+    names : of chapters, as "ch04"; by default all
+    run : function of a chapter, whether its notebook may be run where no outputs are kept
+    folder : of the notebooks
+    cache : folder of the outputs and figures that are kept
+    progress : called with a step, and how much of it is done of how much
+    """
+    found, wanted = chapters(names, folder), problem_pages.names(names)
+    ran = with_outputs(found, cache / "executed", run, _counter(progress, "notebooks", len(found)))
+    count = sum(bool(p.figure) for name in wanted for p in problem_pages.problems(name))
+    pictures = problem_pages.figures(
+        wanted, cache / "figures", _counter(progress, "figures", count)
+    )
+    out = _emptied(Path(out))
+    with tempfile.TemporaryDirectory() as source:
+        _write_source(Path(source), found, ran, wanted, pictures)
+        _sphinx(Path(source), out, bool(names), progress)
+    return [c.stem for c in found if ran[c.stem] is None]
+
+
+def _counter(progress, step, number):
+    done = 0
+
+    def count(more=1):
+        nonlocal done
+        done += more if isinstance(more, int) else 1
+        progress(step, done, number)
+
+    return count
+
+
+def _write_source(source, found, ran, wanted, pictures):
+    _write_chapters(source / "chapters", found, ran)
+    _write_problems(source / "problems", wanted, found, pictures)
+    pages = reference.pages()
+    for name, text in pages.items():
+        _write(source / "reference" / f"{name}.rst", text)
+    _write(source / "index.md", contents.page(found, wanted, reference.titles(pages)))
+
+
+def _emptied(folder):
+    """The folder, empty. Only one that this command has written is emptied."""
+    mark = folder / ".newton-euler-site"
+    if folder.exists() and any(folder.iterdir()) and not mark.exists():
+        raise WebsiteError(f"{folder} holds other files; choose an empty or a new folder")
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    mark.touch()
+    return folder
+
+
+def _write(path, text):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+
+
+def _write_chapters(folder, found, ran):
+    for c in found:
+        notebook = ran[c.stem] or nbformat.read(c.path, as_version=4)
+        page = chapter_pages.page(notebook, ran[c.stem] is not None)
+        _write(folder / c.path.name, nbformat.writes(page))
+
+
+def _write_problems(folder, names, found, pictures):
+    notebooks = {c.name: c.path.name for c in found}
+    for name in names:
+        _write(folder / f"{name}.md", problem_pages.page(name, notebooks.get(name, "")))
+    for name, png in pictures.items():
+        (folder / "figures").mkdir(exist_ok=True)
+        (folder / "figures" / name).write_bytes(png)
+
+
+def _sphinx(source, out, partial, progress):
+    """Call Sphinx; whatever it warns of is an error, but for links out of a part of the site."""
+    from sphinx.application import Sphinx
+
+    told = io.StringIO()
+    changed = {"suppress_warnings": ["myst.xref_missing", "toc.not_readable"]} if partial else {}
+    progress("pages", 0, 1)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of Sphinx's extensions about each other
+        app = Sphinx(source, THEME, out, source / ".doctrees", "html", changed, None, told)
+        app.build(force_all=True)
+    progress("pages", 1, 1)
+    said = re.sub(r"\x1b\[[\d;]*m", "", told.getvalue()).replace(f"{source}/", "").strip()
+    if said or app.statuscode:
+        raise WebsiteError(f"Sphinx does not accept the pages:\n{said}")

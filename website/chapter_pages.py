@@ -1,0 +1,75 @@
+"""An executed notebook made ready for Sphinx: folded code, folded answers, alternative texts;
+without widgets, which want a kernel.
+"""
+
+import re
+
+from .notebooks import section_anchor
+
+HEADING = re.compile(r"(?m)^#+ ((?:\d+|[AB])\.\d+) .+$")
+WIDGET = "application/vnd.jupyter.widget-view+json"
+NO_OUTPUTS = "*The cells of this page have not been run.*"
+
+
+def page(notebook, ran=True):
+    """The notebook as Sphinx is to read it."""
+    notebook.metadata.pop("widgets", None)
+    cells = notebook.cells
+    for cell, after in zip(cells, [*cells[1:], {}], strict=True):
+        if cell.cell_type == "markdown":
+            cell.source = markdown(cell.source)
+        elif cell.cell_type == "code":
+            _fold(cell)
+            cell.outputs = [x for x in cell.outputs if WIDGET not in x.get("data", {})]
+            _describe(cell, caption(after.get("source", "")))
+    if not ran:
+        cells[0].source += f"\n\n{NO_OUTPUTS}"
+    return notebook
+
+
+def markdown(text):
+    """The text of a cell with an anchor at each numbered section, with <details> on lines of their
+    own, so that Markdown goes on within, and with formulas in each <summary>.
+    """
+    text = HEADING.sub(lambda m: f"({section_anchor(m[1])})=\n{m[0]}", text)
+    text = re.sub(r"(?s)<summary>(.*?)</summary>", _summary, text)
+    return re.sub(r"[ \t]*(</?details\b[^>]*>)[ \t]*", r"\n\n\1\n\n", text)
+
+
+def _summary(match):
+    inner = re.sub(r"\$([^$]+)\$", _inline, match[1].strip())
+    inner = re.sub(r"\*\*(.+?)\*\*", r"<b>\1</b>", inner)
+    inner = re.sub(r"\*(.+?)\*", r"<i>\1</i>", inner)
+    inner = re.sub(r"`(.+?)`", r"<code>\1</code>", inner)
+    return f"\n\n<summary>{inner}</summary>\n\n"
+
+
+def _inline(match):
+    """A formula as the pages have it, where Markdown does not read it."""
+    formula = match[1].replace("&", "&amp;").replace("<", "&lt;")
+    return rf'<span class="math notranslate nohighlight">\({formula}\)</span>'
+
+
+def _fold(cell):
+    tags = cell.metadata.setdefault("tags", [])
+    hidden = cell.metadata.get("jupyter", {}).get("source_hidden", False)
+    if hidden and "hide-input" not in tags:
+        tags.append("hide-input")
+
+
+def caption(text):
+    """What a caption says: "*Figure 3. A bead on a rod.*" as plain words."""
+    found = re.match(r"\s*\*((?:Figure|Film)\b.+?)\*(?:\s|$)", text, re.S)
+    return plain(found[1]) if found else ""
+
+
+def plain(text):
+    """Markdown as one line of plain text."""
+    return " ".join(re.sub(r"[*`$]|\\(?=[a-z])", "", text).split())
+
+
+def _describe(cell, words):
+    """Give the pictures of a cell an alternative text: their own, or the caption below them."""
+    own = (x.get("metadata", {}).get("image/png", {}).get("alt") for x in cell.outputs)
+    if alt := next(filter(None, own), words):
+        cell.metadata["mystnb"] = {"image": {"alt": alt}}

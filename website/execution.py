@@ -1,0 +1,81 @@
+"""Runs notebooks in clean kernels, several at a time, and keeps what came out of them."""
+
+import os
+import tempfile
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+import nbformat
+
+from .kept import ROOT, fingerprint, kept_name, store
+
+LONGEST = 600  # seconds for one cell, on a busy machine
+
+
+class WebsiteError(Exception):
+    """The site cannot be built; says where."""
+
+
+def with_outputs(chapters, cache, run, done):
+    """{stem: executed notebook}; None for a chapter that is not to be run and whose outputs are not
+    kept.
+
+    run : function of a chapter, whether it may be run
+    done : called with the stem of each chapter as soon as it is there
+    """
+    names = {c.stem: cache / _name(c) for c in chapters}
+    jobs = [c for c in chapters if not names[c.stem].exists() and run(c)]
+    with ProcessPoolExecutor(os.cpu_count() or 1) as pool:
+        texts = pool.map(_executed, [c.path for c in jobs])
+        for c in chapters:
+            if names[c.stem].exists() or c not in jobs:
+                done(c.stem)
+        for c, text in zip(jobs, texts, strict=True):
+            store(names[c.stem], text.encode())
+            done(c.stem)
+    return {stem: _read(path) if path.exists() else None for stem, path in names.items()}
+
+
+def _name(chapter):
+    return kept_name(chapter.stem, ".ipynb", chapter.path.read_text("utf-8"), fingerprint())
+
+
+def _read(path):
+    return nbformat.read(path, as_version=4)
+
+
+def _executed(path):
+    """The text of the notebook with its outputs, run where nothing but the engine is found."""
+    from nbclient import NotebookClient
+    from nbclient.exceptions import CellExecutionError, CellTimeoutError
+
+    notebook = _read(path)
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "newton_euler").symlink_to(ROOT / "newton_euler")
+        resources = {"metadata": {"path": folder}}
+        client = NotebookClient(
+            notebook, timeout=LONGEST, kernel_name="python3", resources=resources
+        )
+        try:
+            client.execute(env=_environment(folder))
+        except (CellExecutionError, CellTimeoutError) as error:
+            raise WebsiteError(f"{path.name}, {_place(notebook, error)}") from None
+    return nbformat.writes(notebook)
+
+
+def _environment(folder):
+    return {
+        **os.environ,
+        "PYTHONPATH": folder,
+        "IPYTHONDIR": f"{folder}/ipython",
+        "MPLBACKEND": "module://matplotlib_inline.backend_inline",
+    }
+
+
+def _place(notebook, error):
+    """In which cell it stopped, and what was said there."""
+    for n, cell in enumerate(notebook.cells, 1):
+        for output in cell.get("outputs", ()):
+            if output.output_type == "error":
+                return f"cell {n} ({cell.id}): {output.ename}: {output.evalue}"
+    return str(error)

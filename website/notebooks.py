@@ -1,0 +1,63 @@
+"""The chapters: the notebooks of the course in the order of the book."""
+
+import json
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from .kept import ROOT
+
+FOLDER = ROOT / "chapters"
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A notebook of the course."""
+
+    path: Path
+
+    @property
+    def stem(self):
+        """The name of its page: "ch04_relative_motion"."""
+        return self.path.stem
+
+    @property
+    def name(self):
+        """The name of its problems' folder: "ch04"."""
+        return self.stem.partition("_")[0]
+
+    @cached_property
+    def cells(self):
+        """Its cells as they are stored."""
+        return json.loads(self.path.read_text(encoding="utf-8"))["cells"]
+
+    @cached_property
+    def opening(self):
+        """(title, first paragraph), in Markdown."""
+        text = "".join(self.cells[0]["source"])
+        title, _, rest = text.partition("\n")
+        paragraphs = [p for p in re.split(r"\n\s*\n", rest) if p.strip()]
+        return title.lstrip("# ").strip(), paragraphs[0].strip() if paragraphs else ""
+
+
+def chapters(names=(), folder=FOLDER):
+    """All chapters, or those of these names ("ch04"), in the order of the book: the appendices come
+    last, after the notebooks without a number.
+    """
+    found = [Chapter(path) for path in folder.glob("*.ipynb")]
+    return sorted((c for c in found if not names or {c.name, c.stem} & {*names}), key=_place)
+
+
+def _place(chapter):
+    return place(chapter.stem)
+
+
+def place(name):
+    """For sorting: chapters, other notebooks, appendices."""
+    return {"ch": 0, "ap": 2}.get(name[:2], 1), name
+
+
+def section_anchor(number):
+    """Where a section stands on its page: "section-4-10"."""
+    return f"section-{number.replace('.', '-')}"

@@ -1,0 +1,83 @@
+"""The statements of the problems as pages, one for each chapter, with figures. Nothing here calls
+``solve``, ``prove`` or ``mistakes``.
+"""
+
+import os
+import re
+from concurrent.futures import ProcessPoolExecutor
+
+from exercises.catalogue import chapter, chapters, problem, problems
+from grader.assignment.figures import figure_png
+from grader.assignment.notebook import definitions, slug, statement, typeset
+
+from .kept import ROOT, fingerprint, kept_name, store
+from .notebooks import place, section_anchor
+
+NUMBERS = """\
+<details>
+<summary>The numbers, to copy into a cell</summary>
+
+```python
+{lines}
+```
+
+</details>
+"""
+
+
+def names(wanted=()):
+    """The chapters that have problems, in the order of the book."""
+    return sorted((c for c in chapters() if not wanted or c in wanted), key=place)
+
+
+def anchor(number):
+    """Where a problem stands on its page: "p4-16", "pa-3"."""
+    return f"p{slug(number)}".lower()
+
+
+def page(name, notebook=""):
+    """The text of the page of a chapter's problems; ``notebook``: the file name of its chapter."""
+    found = chapter(name)
+    lines = [f"# {heading(found.title)}", ""]
+    if notebook:
+        lines += [f"The problems practise [this chapter](../chapters/{notebook}).", ""]
+    lines += [typeset(found.preamble, problems(name)[0]), ""] if found.preamble else []
+    return "\n".join([*lines, *map(_text, problems(name))])
+
+
+def heading(title):
+    """ "Chapter 4: relative motion" as the title of its problems."""
+    what, _, words = title.partition(": ")
+    return f"Problems of {what[:1].lower()}{what[1:]}: {words}"
+
+
+def _text(p):
+    text = statement(p, p.book_values, bool(p.figure))
+    text = text.replace("(attachment:figure.png)", f"(figures/{slug(p.id)}.png)")
+    text = re.sub(r"\(\S+?\.ipynb#.*\)$", f"(#{section_anchor(p.section)})", text)
+    data = NUMBERS.format(lines="\n".join(definitions(p, p.book_values)[1:]))
+    return f"({anchor(p.id)})=\n{text}\n\n{data if p.givens or p.symbols else ''}"
+
+
+def figures(wanted, cache, done):
+    """{file name: PNG} of the problems of these chapters that have a figure, kept in ``cache``."""
+    ids = [p.id for name in wanted for p in problems(name) if p.figure]
+    found = {number: cache / _kept(problem(number)) for number in ids}
+    missing = [number for number in ids if not found[number].exists()]
+    done(len(ids) - len(missing))
+    with ProcessPoolExecutor(os.cpu_count() or 1) as pool:
+        for number, png in zip(missing, pool.map(_drawn, missing, chunksize=4), strict=True):
+            store(found[number], png)
+            done(1)
+    return {f"{slug(number)}.png": path.read_bytes() for number, path in found.items()}
+
+
+def _kept(p):
+    stem = ROOT / "exercises" / p.chapter / p.name
+    texts = (stem.with_suffix(s).read_text("utf-8") for s in (".py", ".yaml"))
+    return kept_name(slug(p.id), ".png", *texts, fingerprint("exercises/devices"))
+
+
+def _drawn(number):
+    p = problem(number)
+    return figure_png(p, p.book_values)

@@ -1,0 +1,130 @@
+"""The reference of the engine from its docstrings: the names of each room, and the dictionary from
+the symbols and equations of the book to names in code.
+"""
+
+import ast
+import importlib
+import inspect
+import re
+import tomllib
+
+import newton_euler
+from newton_euler.classroom.notation import symbol
+
+from .kept import ROOT
+
+ENGINE = ROOT / "newton_euler"
+SYMBOLS = "symbols"
+# how a name is printed: letters, dots, indices
+NAMES = ("omega", "theta_dot", "rddot", "alpha_CD", "omega_2_dot", "l_OA", "x1", "v_max", "lead")
+
+
+def pages():
+    """{name of the page: its text in reStructuredText}, in the order of the reader's way."""
+    rooms = sorted(
+        p.parent.name for p in ENGINE.glob("*/__init__.py") if p.parent.name != "chapters"
+    )
+    return {
+        "newton_euler": _top(),
+        **{room: _room(room) for room in rooms},
+        SYMBOLS: _symbols(rooms),
+    }
+
+
+def titles(names):
+    """{name of the page: its title}."""
+    special = {"newton_euler": "Names at the top", SYMBOLS: "Symbols and equations"}
+    return {name: special.get(name, f"Room {name}") for name in names}
+
+
+def public(room):
+    """{file of the room: its public names}, read from what ``__init__`` imports and defines."""
+    tree = ast.parse((ENGINE / room / "__init__.py").read_text(encoding="utf-8"))
+    found = {}
+    for node in tree.body:
+        if isinstance(node, ast.ImportFrom) and node.level == 1 and node.module:
+            found.setdefault(node.module, []).extend(alias.name for alias in node.names)
+        elif isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+            found.setdefault("", []).append(node.name)
+    return found
+
+
+def _title(text, line="="):
+    return [text, line * len(text), ""]
+
+
+def _top():
+    lines = [*_title("Names at the top"), ".. automodule:: newton_euler", ""]
+    lines += ["Each is described with its room.", ""]
+    for room, names in newton_euler._NAMES.items():
+        links = (f":py:obj:`{n} <newton_euler.{room}.{n}>`" for n in sorted(names.split()))
+        lines += [f":doc:`{room} <{room}>`", f"    {', '.join(links)}", ""]
+    return "\n".join(lines)
+
+
+def _room(room):
+    module = f"newton_euler.{room}"
+    lines = [*_title(f"Room {room}"), f".. automodule:: {module}", "   :no-members:", ""]
+    for file, names in public(room).items():
+        lines += _title(file or "in the room itself", "-")
+        for name in names:
+            lines += _entry(module, name)
+    return "\n".join(lines)
+
+
+def _entry(module, name):
+    value = getattr(importlib.import_module(module), name)
+    if inspect.isclass(value):
+        members = (
+            [] if issubclass(value, Exception) else ["   :members:", "   :member-order: bysource"]
+        )
+        return [f".. autoclass:: {module}.{name}", *members, ""]
+    if callable(value) and hasattr(value, "__name__"):
+        return [f".. autofunction:: {module}.{name}", ""]
+    shown = [f"   :value: {value!r}"] if isinstance(value, float) else []
+    return [f".. py:data:: {name}", f"   :module: {module}", *shown, ""]
+
+
+def _symbols(rooms):
+    lines = [*_title("Symbols and equations"), *_title("How a name is printed", "-")]
+    lines += _table(("in code", "in print"), [(f"``{n}``", f":math:`{symbol(n)}`") for n in NAMES])
+    lines += _title("Sums that keep their terms by name", "-")
+    lines += [
+        "The names of the terms are those of ``explain``, ``without`` and ``reweighted``.",
+        "",
+    ]
+    lines += _table(("sum", "equation", "symbol", "terms"), _sums())
+    lines += _title("Equations of the book", "-")
+    lines += ["What quotes an equation in its description.", ""]
+    lines += _table(("equation", "names"), _equations(rooms))
+    return "\n".join(lines)
+
+
+def _sums():
+    with (ENGINE / "algebra" / "equations.toml").open("rb") as file:
+        known = tomllib.load(file)
+    for name, entry in known.items():
+        terms = (f"``{t}`` :math:`{latex}`" for t, (_, latex) in entry.get("terms", {}).items())
+        yield name, f"({entry['number']})", f":math:`{entry['symbol']}`", ", ".join(terms)
+
+
+def _equations(rooms):
+    found = {}
+    for room in rooms:
+        for name in (n for names in public(room).values() for n in names):
+            value = getattr(newton_euler, room), name
+            text = inspect.getdoc(getattr(*value)) or ""
+            for number in set(re.findall(r"\((\d+\.\d+)\)", text)):
+                found.setdefault(number, []).append(
+                    f":py:obj:`{name} <newton_euler.{room}.{name}>`"
+                )
+    for number in sorted(found, key=lambda n: [int(x) for x in n.split(".")]):
+        yield f"({number})", ", ".join(found[number])
+
+
+def _table(head, rows):
+    lines = [".. list-table::", "   :header-rows: 1", ""]
+    for row in (head, *rows):
+        cells = (f"{'*' if not n else ' '} - {cell}" for n, cell in enumerate(row))
+        lines += [f"   {cell}" for cell in cells]
+    return [*lines, ""]

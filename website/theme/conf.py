@@ -1,0 +1,59 @@
+"""Sphinx's configuration of the site: Markdown and notebooks by MyST, formulas by the MathJax that
+the package sphinx-mathjax-offline carries, nothing from a network.
+"""
+
+import importlib.util
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE))
+
+from transforms import docstring, formulas, problem_links  # noqa: E402
+
+project = "Newton-Euler dynamics"
+html_title = project
+language = "en"
+author = ""
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.mathjax"]
+exclude_patterns = []
+
+nb_execution_mode = "off"  # they have been run
+nb_merge_streams = True
+nb_code_prompt_show = "Code"
+nb_code_prompt_hide = "Code"
+nb_render_image_options = {}
+myst_enable_extensions = ["dollarmath", "amsmath"]
+myst_dmath_allow_labels = False
+myst_heading_anchors = 4
+
+myst_heading_slug_func = "transforms.slug"
+
+autodoc_typehints = "none"
+add_module_names = False
+python_use_unqualified_type_names = True
+pygments_style = "friendly"
+
+MATHJAX = Path(importlib.util.find_spec("sphinx-mathjax-offline").origin).parent / "static/mathjax"
+mathjax_path = "tex-svg-full.js"  # draws outlines: no fonts to load, also from a file
+mathjax3_config = {"options": {"enableMenu": False}, "tex": {"tags": "none"}}
+
+html_theme = "furo"
+html_favicon = "static/icon.svg"
+html_static_path = ["static", str(MATHJAX / mathjax_path)]
+templates_path = ["templates"]
+html_css_files = ["site.css"]
+html_js_files = [("site.js", {"defer": "defer"})]
+html_show_sourcelink = html_show_sphinx = html_show_copyright = False
+html_copy_source = False
+html_use_index = True
+html_domain_indices = False
+html_permalinks_icon = "#"
+html_theme_options = {"top_of_page_buttons": []}
+
+
+def setup(app):
+    """Connect our own steps."""
+    app.connect("autodoc-process-docstring", docstring)
+    app.connect("doctree-read", formulas)
+    app.connect("doctree-read", problem_links)
