@@ -39,14 +39,13 @@ def interactive_figure(
     _check_names(sliders)
     stage = Stage(draw, size, panels)
     start = {slider.name: slider.start for slider in sliders}
-    for values in _samples(sliders):
-        stage.rehearse(values)
+    stage.rehearse([*_samples(sliders), start])
 
     def picture(values):
-        heading, words = _said(title, values), alt_text(_said(alt, values))
-        return bundle(stage.picture(values, heading), words, stage.css_size)
+        words, image = alt_text(_said(alt, values)), stage.picture(values, _said(title, values))
+        return image, words, stage.css_size
 
-    shown = show(picture(start), display_id=True)
+    shown = show(bundle(*picture(start), png=stage.png()), display_id=True)
     _show_sliders(sliders, start, lambda values: _update(shown, picture, values))
 
 
@@ -62,8 +61,8 @@ def _said(text, values):
 
 
 def _samples(sliders):
-    """Values of all sliders: a grid over their ranges, with corners and middles."""
-    count = next(n for n in (17, 9, 5, 3, 2) if n ** len(sliders) <= MOST_SAMPLES or n == 2)
+    """Values of all sliders: a grid over their ranges, with its corners."""
+    count = next(n for n in (17, 9, 4, 3, 2) if n ** len(sliders) <= MOST_SAMPLES or n == 2)
     names = [slider.name for slider in sliders]
     for values in product(*(slider.samples(count) for slider in sliders)):
         yield dict(zip(names, values, strict=True))
@@ -72,11 +71,11 @@ def _samples(sliders):
 def _update(shown, picture, values):
     """Draw the picture anew in its place; an error takes its place in words."""
     try:
-        data, metadata = picture(values)
+        data, _ = bundle(*picture(values))
     except Exception as error:
         text = f"No picture for {told(values)}. {type(error).__name__}: {error}"
-        data, metadata = {"text/html": f"<p>{escape(text)}</p>", "text/plain": text}, {}
-    shown.update(data, metadata=metadata, raw=True)
+        data = {"text/html": f"<p>{escape(text)}</p>", "text/plain": text}
+    shown.update(data, raw=True)
 
 
 def _show_sliders(sliders, values, redraw):

@@ -26,7 +26,7 @@ def show_figure(figure: Any, alt: str) -> None:
     figure.savefig(out, format="png", dpi=SHARP * CSS_PIXELS, bbox_inches="tight", pad_inches=0.05)
     close(figure)
     png = out.getvalue()
-    show(bundle(png, alt, [side / SHARP for side in png_size(png)]))
+    show(bundle(png, alt, [side / SHARP for side in png_size(png)], png))
 
 
 def alt_text(alt: Any) -> str:
@@ -38,16 +38,22 @@ def alt_text(alt: Any) -> str:
     return " ".join(alt.split())
 
 
-def bundle(png, alt, size):
-    """(data, metadata) for IPython's display: the picture as HTML, as PNG and in words."""
+def bundle(image, alt, size, png=None):
+    """(data, metadata) for IPython's display: the picture, a PNG or SVG, as HTML and in words, and
+    the PNG where there is one.
+    """
     width, height = (round(side) for side in size)
-    data = b64encode(png).decode()
-    image = (
+    kind = "svg+xml" if image[:4] == b"<svg" or image[:5] == b"<?xml" else "png"
+    tag = (
         f'<img alt="{html.escape(alt)}" width="{width}" height="{height}" decoding="sync" '
-        f'style="max-width: 100%; height: auto" src="data:image/png;base64,{data}">'
+        'style="max-width: 100%; height: auto" '
+        f'src="data:image/{kind};base64,{b64encode(image).decode()}">'
     )
+    data = {"text/html": tag, "text/plain": alt}
+    if png is None:
+        return data, {}
     about = {"alt": alt, "width": width, "height": height}
-    return {"text/html": image, "image/png": data, "text/plain": alt}, {"image/png": about}
+    return {**data, "image/png": b64encode(png).decode()}, {"image/png": about}
 
 
 def show(picture, **options):

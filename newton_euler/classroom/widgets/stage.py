@@ -1,5 +1,5 @@
-"""The stage of a figure that moves: its axes, the window that all its pictures share, and each
-picture as a PNG.
+"""The stage of a figure that moves: its axes, which stay, the window that all its pictures share,
+and each picture.
 """
 
 import io
@@ -16,46 +16,90 @@ class Stage:
     """
 
     def __init__(self, draw: Any, size: Any, panels: Any):
-        self.draw, self.size = draw, _pair(size, "size", float)
-        self.rows, self.columns = _pair(panels, "panels", int)
-        self.css_size = tuple(CSS_PIXELS * side for side in self.size)
-        self._sketches: list = []
+        from matplotlib.figure import Figure
 
-    def rehearse(self, values):
-        """Record the sketches of one picture, which the window shall hold."""
-        try:
-            self._sketches += self._drawn(values)[1]
-        except Exception as error:
-            error.add_note(f"This came up while the picture for {told(values)} was drawn.")
-            raise
+        self.draw, size = draw, _pair(size, "size", float)
+        self.css_size = tuple(CSS_PIXELS * side for side in size)
+        self.figure = Figure(figsize=size)
+        self.axes = self.figure.subplots(*_pair(panels, "panels", int))
+        self._bare = [len(ax.get_children()) for ax in self.figure.axes]
+        self._plain = True  # there are nothing but sketches
+        self._window = self._one = None
 
-    def picture(self, values, title):
-        """The picture for these values as a PNG."""
+    def rehearse(self, samples):
+        """Record the sketches of many pictures, which the window shall hold."""
         from ...drawing.page.recorder import share_window
 
-        figure, sketches = self._drawn(values)
+        sketches = []
+        for values in samples:
+            try:
+                sketches += self._drawn(values)
+            except Exception as error:
+                error.add_note(f"This came up while the picture for {told(values)} was drawn.")
+                raise
+        self._lay_out(sketches)
         if sketches:
-            share_window(self._sketches + sketches)
-        if title:
-            figure.suptitle(title, fontsize=11)
+            self._one, self._window = sketches[0], share_window(sketches)
+
+    def picture(self, values, title):
+        """The picture for these values as SVG."""
+        from ...drawing.page.recorder import join_window
+        from ...drawing.page.svg import svg
+
+        sketches = self._drawn(values)
+        self.figure.suptitle(title or "", fontsize=11)
+        if sketches:
+            self._window = join_window(self._one, self._window, sketches)
+        if self._plain:
+            return svg(self.figure, sketches, self._window).encode()
+        return self._saved("svg")
+
+    def png(self):
+        """The last picture as a PNG."""
+        return self._saved("png", dpi=SHARP * CSS_PIXELS)
+
+    def _saved(self, form, **options):
+        from matplotlib import rc_context
+
         out = io.BytesIO()
-        figure.savefig(out, format="png", dpi=SHARP * CSS_PIXELS)
+        with rc_context({"svg.hashsalt": "figure"}):
+            self.figure.savefig(out, format=form, **options)
         return out.getvalue()
 
     def _drawn(self, values):
-        """A figure with what is drawn for these values, and its sketches."""
-        from matplotlib.figure import Figure
-
+        """The sketches of the picture for these values, which is on the axes then."""
         from ...drawing.page.recorder import sketches_on
 
-        figure = Figure(figsize=self.size)
-        axes = figure.subplots(self.rows, self.columns)
-        returned = self.draw(axes, **values)
+        self._clear()
+        returned = self.draw(self.axes, **values)
         if returned is not None:
             raise ArgumentError(
                 f"draw(ax, …) draws on the axes that it gets and returns nothing; got {returned!r}"
             )
-        return figure, [sketch for ax in figure.axes for sketch in sketches_on(ax)]
+        found = [sketches_on(ax) for ax in self.figure.axes]
+        bare = [len(ax.get_children()) for ax in self.figure.axes] == self._bare
+        self._plain = self._plain and bare and all(found)
+        return [sketch for of_ax in found for sketch in of_ax]
+
+    def _clear(self):
+        """Empty the axes; of those with sketches that are not rendered, only the titles."""
+        for ax in self.figure.axes:
+            ax.set_axes_locator(None)
+            if self._plain and len(ax.get_children()) == self._bare[self.figure.axes.index(ax)]:
+                ax.set_title("")
+            else:
+                ax.clear()
+
+    def _lay_out(self, sketches):
+        """Sketches fill the figure, but for titles; plots keep room for what stands beside."""
+        if sketches:
+            titled = any(ax.get_title() for ax in self.figure.axes)
+            self.figure.subplots_adjust(
+                left=0.01, right=0.99, bottom=0.01, top=0.86 if titled else 0.93,
+                wspace=0.02, hspace=0.16 if titled else 0.02,
+            )  # fmt: skip
+        else:
+            self.figure.tight_layout(rect=(0, 0, 1, 0.95))
 
 
 def told(values):

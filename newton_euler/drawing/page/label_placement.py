@@ -11,6 +11,33 @@ from .primitives import FONT, STYLES
 def place_labels(ax, canvas, renderer, before):
     """The labels as texts on ``ax``. ``before``: their places in the previous picture of an
     animation, which is updated.
+    """
+    _share_parser(renderer)
+    left_bottom, right_top = (
+        ax.transData.inverted().transform(ax.figure.bbox.get_points()) / canvas.pt
+    )
+    made = []
+
+    def half_of(note):
+        artist = ax.annotate(
+            note.text, note.place, (0, 0), textcoords="offset points", ha="center", va="center",
+            color=note.colour, fontsize=FONT, fontweight=note.weight, zorder=9,
+            annotation_clip=False,
+        )  # fmt: skip
+        made.append(artist)
+        return artist.get_window_extent(renderer).size * 72 / ax.figure.dpi / 2
+
+    for _, shift in label_shifts(canvas, half_of, (left_bottom, right_top), before):
+        made[-1].set_position(shift)
+        yield made[-1]
+
+
+def label_shifts(canvas, half_of, edges, before):
+    """Each label with the way from its place to its middle, in points.
+
+    half_of : gives half the width and height of a label, in points
+    edges : of the figure, left bottom and right top, in points from where the drawing has its
+        origin
 
     Greedy: one label after the other takes the cheapest of 16 directions and 4 distances, and stays
     there; trying all combinations would take too long. The cost counts what the label would cover,
@@ -19,22 +46,13 @@ def place_labels(ax, canvas, renderer, before):
     """
     import numpy as np
 
-    _share_parser(renderer)
     covered, taken = points_on_lines(np, canvas), np.empty((2, 0, 2))
-    # the edges of the figure, in points from where the drawing has its origin
-    left_bottom, right_top = (
-        ax.transData.inverted().transform(ax.figure.bbox.get_points()) / canvas.pt
-    )
+    left_bottom, right_top = edges
     angles = np.radians(np.arange(0, 360, 22.5))
     turns, rings = (a.ravel() for a in np.meshgrid(angles, [0, 7, 15, 26]))
     for note in placing_order(canvas.notes):
         order = canvas.notes.index(note)
-        artist = ax.annotate(
-            note.text, note.place, (0, 0), textcoords="offset points", ha="center", va="center",
-            color=note.colour, fontsize=FONT, fontweight=note.weight, zorder=9,
-            annotation_clip=False,
-        )  # fmt: skip
-        half = artist.get_window_extent(renderer).size * 72 / ax.figure.dpi / 2
+        half = np.asarray(half_of(note))
         angles = note.towards + turns
         directions = np.stack((np.cos(angles), np.sin(angles)), axis=1)
         shifts = [note.fixed] if note.fixed else directions * (half + note.gap + rings[:, None])
@@ -49,9 +67,8 @@ def place_labels(ax, canvas, renderer, before):
             if (order, note.text) in before:
                 cost += 12 * (np.arange(len(cost)) != before[order, note.text])
             before[order, note.text] = best = np.argmin(cost)
-        artist.set_position(shifts[best])
         taken = np.concatenate((taken, [low[best : best + 1], high[best : best + 1]]), axis=1)
-        yield artist
+        yield note, shifts[best]
 
 
 def placing_order(notes):

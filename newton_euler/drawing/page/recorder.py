@@ -204,10 +204,9 @@ class Recorder:
         self.ax.set_ylim(y - height / 2 * pt, y + height / 2 * pt)
         self.ax.set_aspect("equal", adjustable="datalim")
         self.ax.set_axis_off()
-        canvas = self.drawn = self._canvas(pt, window.centre)
+        canvas = self.drawn = laid_out(self, window)
         clip = TransformedPath(Path.unit_rectangle(), self.ax.transAxes)
         self._artists = []
-        canvas.strokes = painters_order(canvas)
         for stroke in canvas.strokes:
             self._artists += stroke.drawn(self.ax, self.view, clip)
         self._artists += place_labels(self.ax, canvas, renderer, window.labels)
@@ -223,6 +222,13 @@ class Recorder:
         return canvas
 
 
+def laid_out(sketch, window):
+    """The canvas of the picture in this window, its strokes in the order of drawing."""
+    canvas = sketch._canvas(window.pt, window.centre)
+    canvas.strokes = painters_order(canvas)
+    return canvas
+
+
 def sketches_on(ax):
     """The sketches on these axes that are not rendered yet."""
     found, locator = [], ax.get_axes_locator()
@@ -234,7 +240,7 @@ def sketches_on(ax):
 
 def share_window(sketches):
     """Give one window to the sketches of many pictures of one size: one scale for all, and for all
-    arrows of one kind.
+    arrows of one kind. Returns it.
     """
     longest = {}
     for sketch in sketches:
@@ -246,6 +252,28 @@ def share_window(sketches):
     window = _fitted(sketches, *sketches[0]._page())
     for sketch in sketches:
         sketch._window = window
+    return window
+
+
+def join_window(old, window, sketches):
+    """Give these sketches of one picture the window and the scale of arrows of ``old``, a sketch
+    that has shared them. Returns the window, or a wider one where they would leave it.
+    """
+    for sketch in sketches:
+        for kind, size in sketch._longest.items():
+            old._longest[kind] = old._longest.get(kind) or size
+        sketch._longest, sketch._shortest = old._longest, 0.0
+    width, height = sketches[0]._page()
+    (x, y), w, h = window.middle, width / 2 * window.pt, height / 2 * window.pt
+    page = x - w, x + w, y - h, y + h
+    box = _union([page, *(s._canvas(window.pt, window.centre).box() for s in sketches)])
+    if box != page:
+        left, right, bottom, top = box
+        middle = (left + right) / 2, (bottom + top) / 2
+        window = Window(_point(box, width, height), middle, window.centre, window.labels)
+    for sketch in sketches:
+        sketch._window = window
+    return window
 
 
 def _fitted(sketches, width, height):

@@ -1,0 +1,103 @@
+"""stage.py: all pictures of a figure have one window and one scale, and leave nothing out."""
+
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from newton_euler import Frame
+from newton_euler.classroom.widgets.stage import Stage
+from newton_euler.drawing import Sketch
+from newton_euler.drawing.page.primitives import DARK, KINDS
+
+GROUND, O = Frame("ground"), (0, 0, 0)
+
+
+def stage(draw, samples, **options):
+    found = Stage(draw, **{"size": (5, 4), "panels": (1, 1), **options})
+    found.rehearse(samples)
+    return found
+
+
+def lines(picture, colour):
+    """The places of each line of one colour on the page, in points."""
+    paths = ElementTree.fromstring(picture).iter("{http://www.w3.org/2000/svg}path")
+    numbers = [re.findall(r"-?[\d.]+", p.get("d")) for p in paths if p.get("stroke") == colour]
+    return [np.array(n, float).reshape(-1, 2) for n in numbers]
+
+
+def arrow(ax, a):
+    s = Sketch(ax, GROUND, plane="xy")
+    s.line(O, (3, 0, 0), style="solid")
+    s.vector(O, (0, a, 0))
+
+
+def arrow_length(picture):
+    shaft = lines(picture, KINDS["velocity"])[0]
+    return np.hypot(*(shaft[1] - shaft[0]))
+
+
+def test_what_stays_in_the_scene_stays_in_the_picture_and_arrows_are_in_proportion():
+    moving = stage(arrow, [{"a": a} for a in (0, 5, 10)])
+    pictures = {a: moving.picture({"a": a}, None) for a in (10, 5, 0.5)}
+    first, *others = (lines(p, DARK)[0] for p in pictures.values())
+    assert all((other == first).all() for other in others)
+    full = arrow_length(pictures[10])
+    assert arrow_length(pictures[5]) == pytest.approx(full / 2, abs=0.02)
+    assert arrow_length(pictures[0.5]) == pytest.approx(full / 20, abs=0.02)
+
+
+def bulge(ax, a):
+    """A rod that is long at one place between the samples only."""
+    s = Sketch(ax, GROUND, plane="xy")
+    s.rod((-1, 0, 0), (1 + 9 * (a == 0.3), 0, 0))
+    s.vector(O, (0, 1 + 9 * (a == 0.3), 0))
+
+
+def test_an_extreme_between_the_samples_is_not_cut_off_and_the_window_stays_wider():
+    moving = stage(bulge, [{"a": a} for a in (0, 0.5, 1)])
+    before = lines(moving.picture({"a": 0}, None), DARK)[0]
+    for line in lines(moving.picture({"a": 0.3}, None), DARK):
+        assert (line.min(axis=0) >= 0).all()
+        assert (line.max(axis=0) <= (360, 288)).all()
+    after = lines(moving.picture({"a": 0}, None), DARK)[0]
+    assert np.ptp(after[:, 0]) < np.ptp(before[:, 0])
+    again = lines(moving.picture({"a": 1}, None), DARK)[0]
+    assert (again == after).all()
+
+
+def test_all_panels_have_one_scale():
+    def two(axes, a):
+        for ax, length in zip(axes, (1, 4), strict=True):
+            Sketch(ax, GROUND, plane="xy").line(O, (length, 0, 0), style="solid")
+
+    moving = stage(two, [{"a": 0}], panels=(1, 2))
+    short, long = (np.ptp(v[:, 0]) for v in lines(moving.picture({"a": 0}, None), DARK))
+    assert long == pytest.approx(4 * short, abs=0.02)
+
+
+def test_axes_with_more_than_a_sketch_are_drawn_by_matplotlib():
+    def with_more(ax, a):
+        arrow(ax, a)
+        ax.text(0.5, 0.5, "by hand", transform=ax.transAxes)
+
+    moving = stage(with_more, [{"a": 1}, {"a": 2}])
+    pictures = [moving.picture({"a": a}, "both") for a in (1, 2, 2)]
+    assert b"matplotlib" in pictures[0]
+    assert pictures[0] != pictures[1]
+    assert len(moving.figure.axes[0].texts) == 1  # those before are gone
+
+
+def test_a_title_stands_for_its_values_only():
+    def titled(ax, a):
+        arrow(ax, a)
+        if a:
+            ax.set_title("moves")
+
+    moving = stage(titled, [{"a": 0}, {"a": 1}])
+    count = [moving.picture({"a": a}, None).count(b"<path") for a in (1, 0, 1)]
+    assert count[0] == count[2]
+    assert moving.figure.axes[0].get_title() == "moves"
+    moving.picture({"a": 0}, None)
+    assert moving.figure.axes[0].get_title() == ""
