@@ -13,7 +13,7 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn
 
 from ..scenes import SCENES
 from .charts.catalogue import KINDS, MODEL, MODELS, charts, slug
-from .charts.honesty import draw_honesty
+from .charts.kinds.honesty import draw_honesty
 from .honesty import PATIENCE, honesty, table, write_csv
 from .work_precision import NAMES, QUICK, TOLERANCES
 

@@ -2,7 +2,7 @@
 the theoretical borders drawn over them.
 
 Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices, and
-:mod:`newton_euler.accuracy.charts.maps` draws them.
+:mod:`newton_euler.accuracy.charts.kinds.maps` draws them.
 
 >>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees
 >>> found[0].tolist()

@@ -12,7 +12,7 @@ from statistics import median
 
 from matplotlib.figure import Figure
 
-from newton_euler.accuracy.charts.honesty import draw_honesty
+from newton_euler.accuracy.charts.kinds.honesty import draw_honesty
 from newton_euler.accuracy.honesty import FAILED, REFUSED, Answer
 
 ABSENT = {"refused": REFUSED, "raw": FAILED, "timeout": FAILED}

@@ -11,7 +11,7 @@ import pytest
 
 from newton_euler.accuracy import regime_maps as maps
 from newton_euler.accuracy.charts.axes import COLOURS
-from newton_euler.accuracy.charts.maps import draw_map
+from newton_euler.accuracy.charts.kinds.maps import draw_map
 from newton_euler.accuracy.regime_maps import MAPS
 from newton_euler.motion.integration import integrate
 from newton_euler.scenes.spatial import top

@@ -9,7 +9,7 @@ from statistics import median
 from matplotlib.lines import Line2D
 from matplotlib.ticker import EngFormatter
 
-from ..honesty import REFUSED, comparable, cost_text, percent, tallies, times
+from ...honesty import REFUSED, comparable, cost_text, percent, tallies, times
 
 # limits of true over asked, and of told over true; what lies beyond is drawn at the edge
 PROMISE, ESTIMATE = (1e-6, 1e3), (1e-4, 1e5)

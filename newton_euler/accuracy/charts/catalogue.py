@@ -1,0 +1,124 @@
+"""The table of all charts: their names, the questions that they answer, and how each is made."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, partial
+
+from matplotlib.figure import Figure
+
+from ...algebra.errors import ArgumentError
+from ...scenes import LADDERS, SCENES, ladder
+from ..comparisons import COMPARISONS
+from ..regime_maps import MAPS
+from ..work_precision import LONGEST, TOLERANCES, work_precision
+from .kinds.comparisons import comparison_caption, points_table
+from .kinds.maps import draw_map, map_caption, map_table
+from .kinds.methods import draw_methods, methods_caption
+from .kinds.models import draw_models, measured_models, models_caption
+from .shown import Shown
+
+MODELS, MAP = "models of ", "map of "
+METHOD, MODEL, FORMULA = "Which method?", "Which model?", "Which formula?"
+BORDER, FAILURE = "Where does it change?", "When does it fail?"
+QUESTIONS = (METHOD, MODEL, FORMULA, BORDER, FAILURE)
+# charts whose point is that something breaks, not which of several is the cheapest
+FAILING = {"rotations", "angle", "steady precession", "map of sleeping top"}
+QUICK, QUICK_LONGEST = (1e-3, 1e-6, 1e-9, 1e-12), 0.02  # seconds
+
+
+@dataclass(frozen=True)
+class Chart:
+    """An entry of the table.
+
+    name, title, kind : the kind is the heading in a list of all charts
+    question : one of :data:`QUESTIONS`
+    make : a function (quick, progress) that measures and draws, and returns a
+        :class:`~newton_euler.accuracy.charts.shown.Shown`
+    """
+
+    name: str
+    title: str
+    kind: str
+    question: str
+    make: Callable
+
+
+KINDS = (
+    "scenes that move, by section",
+    "models of a scene",
+    "comparisons where nothing moves",
+    "maps of parameter space",
+)
+
+
+@cache
+def charts() -> dict:
+    """All charts by name."""
+    return {chart.name: chart for chart in _table()}
+
+
+def _table():
+    scenes, models, comparisons, maps = KINDS
+    for s in SCENES.values():
+        title = f"{s.section:>6}  {s.description}"
+        yield Chart(s.name, title, scenes, METHOD, partial(_scene, s.name))
+    for name, found in LADDERS.items():
+        make = partial(_models, name)
+        yield Chart(f"{MODELS}{name}", found.description, models, MODEL, make)
+    for c in COMPARISONS.values():
+        question = FAILURE if c.name in FAILING else FORMULA
+        yield Chart(c.name, c.title, comparisons, question, partial(_comparison, c.name))
+    for m in MAPS.values():
+        question = FAILURE if f"{MAP}{m.name}" in FAILING else BORDER
+        yield Chart(f"{MAP}{m.name}", m.title, maps, question, partial(_map, m.name))
+
+
+def slug(name: str) -> str:
+    """A name as it is in a file's."""
+    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
+
+
+def chart_named(name: str) -> Chart:
+    """The chart of this name, in which hyphens may stand for blanks; :class:`ArgumentError` lists
+    all names if there is none.
+    """
+    known = {slug(n): chart for n, chart in charts().items()}
+    if not isinstance(name, str) or slug(name) not in known:
+        raise ArgumentError(f"there is no chart {name!r}; there are {'; '.join(charts())}")
+    return known[slug(name)]
+
+
+# -- each kind
+
+
+def _scene(name, quick, progress):
+    tolerances, longest = (QUICK, QUICK_LONGEST) if quick else (TOLERANCES, LONGEST)
+    found = work_precision(name, tolerances, longest=longest, progress=progress)
+    figure, title = Figure(), f"methods of integration on {name}, {found.scene.description}"
+    draw_methods(found, figure)
+    return Shown(title, found.points, methods_caption(found), found.explain(), figure)
+
+
+def _models(name, quick, progress, tolerance=None):
+    rungs, figure = ladder(name), Figure()
+    points = measured_models(rungs, progress)
+    draw_models(points, rungs, figure, tolerance)
+    caption, title = models_caption(points, rungs, tolerance), f"models of {name}"
+    return Shown(title, tuple(points), caption, points_table(points, rungs.of), figure)
+
+
+def _comparison(name, quick, progress):
+    comparison, figure = COMPARISONS[name], Figure()
+    points = comparison.measure(progress, quick)
+    comparison.draw(points, figure)
+    caption = comparison_caption(comparison, points)
+    return Shown(comparison.title, tuple(points), caption, points_table(points), figure)
+
+
+def _map(name, quick, progress):
+    chart, figure = MAPS[name], Figure()
+    figure.set(layout_engine="constrained", size_inches=(10.0, 5.2))
+    found = draw_map(name, figure.subplots(), chart.coarse if quick else None, progress)
+    caption, table = map_caption(chart, found), map_table(chart, found)
+    return Shown(chart.title, tuple(map(tuple, found)), caption, table, figure)

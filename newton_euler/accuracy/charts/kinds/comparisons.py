@@ -1,0 +1,112 @@
+"""What the charts of :mod:`newton_euler.accuracy.comparisons` show, in sentences and as a table."""
+
+from operator import attrgetter
+
+from matplotlib.ticker import EngFormatter
+
+from ...measure import EQUAL_WITHIN, cheapest, of_equal_cost
+from ..words import listed, number, seconds, times
+
+_error = attrgetter("error")
+ROUND_OFF, WRONG = 2.0**-52, 1e-2  # relative errors; the first is all that a float can have
+NEAR = 1e-13  # right to round-off after some steps of arithmetic
+
+
+def points_table(points, error="relative"):
+    """The points as a table: method, setting, time, error."""
+    engineering, width = EngFormatter(unit="s", places=1), max(len(p.setting) for p in points)
+    rows = [
+        f"  {p.method:44} {p.setting:{width}} {engineering(p.cost):>9}  {p.error:8.2g}"
+        for p in points
+    ]
+    return "\n".join([f"  {'':{45 + width}} {'time':>9}  error, {error}", *rows])
+
+
+def ways_caption(points):
+    """The cheapest and the most accurate of several ways to one result."""
+    floor = max(min(p.error for p in points), ROUND_OFF)
+    best = cheapest(points, EQUAL_WITHIN * floor)
+    told = [_of_best(best, len(points)), _cheaper(points, best), _prepared(points)]
+    return " ".join(filter(None, [*told, *_beaten(points, best)]))
+
+
+def _of_best(best, count):
+    equal = of_equal_cost(best)
+    error = f"(error {number(max(*(p.error for p in best), ROUND_OFF))} or less)"
+    told = f"Most accurate {error}: {listed(p.method for p in best)}."
+    if len(best) == 1:
+        return f"{told[:-1]}, which takes {seconds(best[0].cost)}."
+    if len(equal) > 1:
+        return f"{told} Of these {listed(p.method for p in equal)} cost about the same, least."
+    told += f" Of these {best[0].method} is the cheapest, {seconds(best[0].cost)}"
+    return f"{told}; next comes {best[1].method}, {times(best[1].cost / best[0].cost)} as long."
+
+
+def _cheaper(points, best):
+    """What costs less than the most accurate, and what that loses."""
+    least = min(points, key=lambda p: p.cost)
+    if len(of_equal_cost([least, best[0]])) > 1:
+        return ""
+    told = f"{least.method} takes {seconds(least.cost)}, {times(best[0].cost / least.cost)} less"
+    return f"{told.replace('times less', 'times faster')}, with an error of {number(least.error)}."
+
+
+def _prepared(points):
+    most = max(points, key=lambda p: p.prepared)
+    if most.prepared < 2e-3:
+        return ""
+    return f"The first call of {most.method} takes {seconds(most.prepared)} more, to prepare."
+
+
+def _beaten(points, best):
+    """Those that cost more than the best and are less accurate."""
+    accurate = {p.method for p in best}
+    lost = [p.method for p in points if p.cost > 1.2 * best[0].cost and p.method not in accurate]
+    if lost:
+        yield f"Dearer and less accurate than {best[0].method}: {listed(dict.fromkeys(lost))}."
+
+
+def comparison_caption(comparison, points):
+    """For each question the ways that are right for all settings, the cheapest of them, and where
+    the others fail.
+    """
+    told = [_answer(q, [p for p in points if p.question == q.what]) for q in comparison.questions]
+    return " ".join(told)
+
+
+def _answer(question, points):
+    methods = [[p for p in points if p.method == name] for name in question.methods]
+    worst = [max(own, key=_error) for own in methods]
+    right = [p for p in worst if p.error <= max(NEAR, EQUAL_WITHIN * min(q.error for q in worst))]
+    told = _right(sorted(right, key=lambda p: p.cost))
+    names = {p.method for p in right}
+    others = [_others(question, own) for own in methods if own[0].method not in names]
+    return f"{question.what[0].upper()}{question.what[1:]}: {'; '.join([told, *others])}."
+
+
+def _right(right):
+    error = number(max(*(p.error for p in right), ROUND_OFF))
+    told = f"{listed(p.method for p in right)} {'are' if len(right) > 1 else 'is'} within {error} "
+    told += "at every setting"
+    equal = of_equal_cost(right)
+    if len(equal) > 1:
+        return f"{told}, {listed(p.method for p in equal)} at about the same cost"
+    if len(right) > 1:
+        return f"{told}, and {right[0].method} is the cheapest of them, {seconds(right[0].cost)}"
+    return f"{told}, {seconds(right[0].cost)}"
+
+
+def _others(question, own):
+    """The best and the worst of a method that is not right everywhere."""
+    best, worst = min(own, key=_error), max(own, key=_error)
+    letter = question.across[0]
+    told = f"{own[0].method} has at best {number(max(best.error, ROUND_OFF))}, at {best.setting}"
+    wrong = [p.x for p in own if p.error > WRONG]
+    if wrong and len(wrong) < len(own):
+        return f"{told}, and is wrong by over 1 % at {letter} = {_values(wrong)}"
+    return f"{told}, and at worst {number(worst.error)}, at {worst.setting}"
+
+
+def _values(settings):
+    low, high = min(settings), max(settings)
+    return number(low) if low == high else f"{number(low)} to {number(high)}"

@@ -1,0 +1,51 @@
+"""One chart as it is shown: a picture, with a caption and a text in its place, all generated from
+the points that were measured.
+"""
+
+from dataclasses import dataclass, field
+from html import escape
+from typing import Any
+
+from ...classroom import show_figure
+
+
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """A chart that was measured and drawn.
+
+    title : what it is about
+    points : what was measured, a tuple; of a map, the choices
+    caption : sentences that follow from the points
+    table : the points as text, which ``print`` shows
+    figure : of matplotlib
+    """
+
+    title: str
+    points: tuple
+    caption: str
+    table: str
+    figure: Any = field(repr=False)
+
+    @property
+    def alt(self) -> str:
+        """The text that stands for the picture."""
+        return f"Chart: {self.title}. {self.caption}"
+
+    def show(self) -> None:
+        """Display the picture and its caption in a notebook; elsewhere print the caption."""
+        try:
+            from IPython.display import HTML, display
+        except ImportError:
+            print(self.caption)
+            return
+        show_figure(self.figure, self.alt)
+        display(HTML(f"<figcaption>{escape(self.caption)}</figcaption>"))
+
+    def __str__(self) -> str:
+        return self.table
+
+    def __repr__(self) -> str:
+        return f"<chart of {self.title}: {len(self.points)} points>"
+
+    def _ipython_display_(self):
+        """Nothing: as the last value of a cell it would be shown a second time."""
