@@ -40,10 +40,11 @@ def build(
     pictures = problem_pages.figures(
         wanted, cache / "figures", _counter(progress, "figures", count)
     )
-    out = _emptied(Path(out))
-    with tempfile.TemporaryDirectory() as source:
-        _write_source(Path(source), found, ran, wanted, pictures)
-        _sphinx(Path(source), out, bool(names), progress)
+    with tempfile.TemporaryDirectory() as work:
+        source, pages = Path(work) / "source", Path(work) / "pages"
+        _write_source(source, found, ran, wanted, pictures)
+        _sphinx(source, pages, bool(names), progress)
+        shutil.copytree(pages, _emptied(Path(out)), dirs_exist_ok=True)
     return [c.stem for c in found if ran[c.stem] is None]
 
 
@@ -108,7 +109,7 @@ def _sphinx(source, out, partial, progress):
     progress("pages", 0, 1)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of Sphinx's extensions about each other
-        app = Sphinx(source, THEME, out, source / ".doctrees", "html", changed, None, told)
+        app = Sphinx(source, THEME, out, out.parent / "doctrees", "html", changed, None, told)
         app.build(force_all=True)
     progress("pages", 1, 1)
     said = re.sub(r"\x1b\[[\d;]*m", "", told.getvalue()).replace(f"{source}/", "").strip()

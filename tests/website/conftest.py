@@ -17,7 +17,7 @@ def site(tmp_path_factory):
     from website.build import build
     from website.notebooks import FOLDER
 
-    folder, out = tmp_path_factory.mktemp("notebooks"), tmp_path_factory.mktemp("site")
+    folder, out = tmp_path_factory.mktemp("notebooks"), tmp_path_factory.mktemp("site") / "pages"
     for path in FOLDER.glob("*.ipynb"):
         shutil.copy(path, folder)
     sample.write(folder / "sample.ipynb")

@@ -54,6 +54,11 @@ def goes_nowhere(path, link):
     return target.suffix == ".html" and bool(anchor) and anchor not in read(target).ids
 
 
+def test_the_build_writes_into_its_folder_only(site):
+    assert [path.name for path in site.parent.iterdir()] == [site.name]
+    assert not list(site.rglob("*.ipynb"))
+
+
 def test_no_link_is_dead(site):
     dead = [
         (path.name, link)
