@@ -1,5 +1,5 @@
 """Practice: problems with numbers as often as wanted, every step checked at once."""
 
-from .collection import Practice, practice
+from .collection import Practice, practice, try_problem
 from .files import PracticeFileError
 from .problems import Checked, PracticeProblem, Said

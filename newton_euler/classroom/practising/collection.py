@@ -1,13 +1,17 @@
 """The problems of a practice file, and the table of what was tried."""
 
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 from ...algebra.errors import checked
+from ..givens import in_notebook
 from .files import PracticeFile
 from .problems import PracticeProblem, Said
 from .progress import Progress, mastery
 
+COMMAND = "python -m grader practice all -o course.practice"
 COUNTS = "tried", "right", "at first go", "with help"
 
 
@@ -22,6 +26,26 @@ def practice(path: str | Path, progress: str | Path | None = "") -> "Practice":
     """
     kept = f"{path}.progress.json" if progress == "" else progress
     return Practice(PracticeFile(path), Progress(kept))
+
+
+@checked
+def try_problem(problem: str, folder: str | Path = ".") -> Any:
+    """The problem from the first practice file in ``folder`` that has it: in a notebook with
+    ipywidgets as a form, otherwise as itself, which shows its text. Without such a file: where to
+    get one.
+
+    Raises :class:`PracticeFileError` for a practice file that cannot be read.
+    """
+    for path in sorted(Path(folder).glob("*.practice")):
+        problems = practice(path)
+        if problem in problems:
+            p = problems[problem]
+            return p.form() if in_notebook() and find_spec("ipywidgets") else p
+    text = (
+        f"No practice file here has problem {problem}, so nothing checks your answer. Your "
+        f"instructor writes one by: {COMMAND}. Put it beside this notebook, and run this cell again."
+    )
+    return Said(text, text.replace(COMMAND, f"`{COMMAND}`"))
 
 
 class Practice:
