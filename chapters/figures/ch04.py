@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import mpmath
 import numpy as np
 
-from newton_euler import Frame, axis_angle, euler_frame, moving, rotation_matrix
+from newton_euler import Frame, axis_angle, euler_frame, rotation_matrix
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.kinematics.rotations import apply, in_sequence, product, transpose
@@ -168,8 +168,8 @@ def small_turn():
     interactive_figure(
         draw,
         Slider("turn", 40, 2, 60, 2, label="Δθ", unit="°"),
-        alt="The vector r at the angle beta from the axis e is turned by Delta theta: its tip moves "
-        "along a circle of radius r sin beta. The chord Delta r and the tangent, Delta theta times "
+        alt="The vector r at the angle beta from the axis e is turned by Delta theta: its tip "
+        "moves along a circle of radius r sin beta. The chord Delta r and the tangent, Delta theta times "
         "e cross r, differ less and less as the angle shrinks.",
         size=(6.4, 4.4),
     )
@@ -337,17 +337,17 @@ def two_sources():
         ax.set_title(title, fontsize=11)
     show_figure(
         fig,
-        alt="A rod through B seen along omega at two instants. Left: the relative velocity, carried "
-        "round with the rod, changes by omega cross v_r times Delta t. Right: the point has moved "
+        alt="A rod through B seen along omega at two instants. Left: the relative velocity, "
+        "carried round with the rod, changes by omega cross v_r times Delta t. Right: the point has moved "
         "outward, to where the rod itself is faster by omega v_r Delta t.",
     )
 
 
 def acceleration_terms(build):
-    """Figure 4.10: the terms of the crane's acceleration, head to tail, along the axes of the boom."""
+    """Figure 4.10: the terms of the crane's acceleration, head to tail."""
 
     def draw(ax, tilt, speed):
-        ground, _, boom, A = build(tilt=math.radians(tilt), speed=speed)
+        ground, *_, A = build(tilt=math.radians(tilt), speed=speed)
         s = Sketch(ax, ground, azimuth=20, elevation=18)
         s.sum(O, A.acceleration(ground))
 
@@ -391,7 +391,7 @@ def disk_on_shaft(build):
     """Figure 4.12: the disk on the inclined shaft, from ``build(phi, R, r, omega, p, …)``."""
 
     def draw(ax, phi, p):
-        ground, column, spindle, disk, A = build(math.radians(phi), 0.5, 0.2, 1.2, p, 0.5, 1.0)
+        ground, _, spindle, disk, A = build(math.radians(phi), 0.5, 0.2, 1.2, p, 0.5, 1.0)
         B, foot = disk.origin, ground.point("", 0, 0, -0.3)
         s = Sketch(ax, ground, azimuth=35, elevation=15)
         s.ground(foot, ground.k, size=0.35)

@@ -43,7 +43,7 @@ def try_problem(problem: str, folder: str | Path = ".") -> Any:
             return p.form() if in_notebook() and find_spec("ipywidgets") else p
     text = (
         f"No practice file here has problem {problem}, so nothing checks your answer. Your "
-        f"instructor writes one by: {COMMAND}. Put it beside this notebook, and run this cell again."
+        f"instructor writes one by: {COMMAND}. Put it beside this notebook and run the cell again."
     )
     return Said(text, text.replace(COMMAND, f"`{COMMAND}`"))
 
