@@ -22,7 +22,7 @@ def moving_frame():
         B = ground.point("B", 0.25, 0.15, 0)
         rod = ground.rotate("rod", "z", angle=math.radians(theta), origin=B)
         A = rod.point("A", 0.8, 0, 0)
-        s = Sketch(ax, ground, azimuth=-60, elevation=40)
+        s = Sketch(ax, ground, azimuth=25, elevation=30)
         s.axes(O, ground, length=0.45, labels="XYZ")
         s.axes(B, rod, length=0.35)
         s.rod(B, rod.point("", 1.2, 0, 0))
@@ -35,7 +35,7 @@ def moving_frame():
 
     interactive_figure(
         draw,
-        Slider("theta", 30, 0, 180, 5, label="θ", unit="°"),
+        Slider("theta", 50, 0, 120, 5, label="θ", unit="°"),
         alt="A rod turns about its end B in a horizontal plane; a bead A slides outward along it. "
         "Drawn: the fixed axes X, Y, Z at O, the moving axes x, y, z at B, the vector r from B to "
         "A, the relative velocity v_r along the rod, and the angular velocity omega.",
@@ -289,7 +289,7 @@ def crane(build):
 
     interactive_figure(
         draw,
-        Slider("tilt", 30, -30, 85, 5, label="boom raised", unit="°"),
+        Slider("tilt", 30, -10, 70, 5, label="boom raised", unit="°"),
         Slider("speed", 0.8, -1.2, 1.2, 0.1, label="speed outward", unit="m/s"),
         alt="A crane: a vertical column turns about Z and carries a boom on a hinge B; a trolley A "
         "runs out along the boom. Velocity and acceleration of A, seen from the ground, are drawn "
@@ -353,7 +353,7 @@ def acceleration_terms(build):
 
     interactive_figure(
         draw,
-        Slider("tilt", 30, -30, 85, 5, label="boom raised", unit="°"),
+        Slider("tilt", 30, -10, 70, 5, label="boom raised", unit="°"),
         Slider("speed", 0.8, -1.2, 1.2, 0.1, label="speed outward", unit="m/s"),
         alt="The five terms of the acceleration of A as arrows laid head to tail, with their names, "
         "and the sum as the arrow that closes the chain.",
