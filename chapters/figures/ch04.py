@@ -273,7 +273,7 @@ def crane(build):
     def draw(ax, tilt, speed):
         ground, column, boom, A = build(tilt=math.radians(tilt), speed=speed)
         B, foot = boom.origin, column.point("", 0, 0, 0)
-        s = Sketch(ax, ground, azimuth=20, elevation=18)
+        s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=80)
         s.ground(foot, ground.k, size=2.4)
         s.shaft(foot, column.point("", 0, 0, 1.0))
         s.rod(column.point("", 0, 0, 1.0), B)
@@ -348,8 +348,8 @@ def acceleration_terms(build):
 
     def draw(ax, tilt, speed):
         ground, *_, A = build(tilt=math.radians(tilt), speed=speed)
-        s = Sketch(ax, ground, azimuth=20, elevation=18)
-        s.sum(O, A.acceleration(ground))
+        s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=150)
+        s.sum(O, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
 
     interactive_figure(
         draw,

@@ -19,11 +19,12 @@ ROOT = Path(__file__).parents[2]
 CHAPTERS = sorted((ROOT / "chapters").glob("*.ipynb"))
 CONTENTS = tomllib.loads((Path(__file__).parent / "contents.toml").read_text(encoding="utf-8"))
 COMPANION = "speed_and_accuracy"
+NOTES = sorted((ROOT / "chapters" / "instructors").glob("*.ipynb"))
 DEADLINE_S, CELL_S = 60, 10
 # it measures every scene of the course: 100 s on a quiet machine
 LONG_S = {"speed_and_accuracy": 600}
 
-each_notebook = pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
+each_notebook = pytest.mark.parametrize("path", CHAPTERS + NOTES, ids=lambda path: path.stem)
 each_chapter = pytest.mark.parametrize(
     "path", [path for path in CHAPTERS if path.stem != COMPANION], ids=lambda path: path.stem
 )
@@ -247,14 +248,18 @@ def test_a_notebook_runs_from_a_clean_kernel_in_time(run):
     assert run[1] < DEADLINE_S
 
 
+def told_on_stderr(notebook):
+    """What cells wrote to stderr, by the cell."""
+    return {
+        cell.id: output.text
+        for cell in code(notebook)
+        for output in cell.outputs
+        if output.output_type == "stream" and output.name == "stderr"
+    }
+
+
 def test_a_run_prints_no_warnings(run):
-    for cell in code(run[0]):
-        told = [
-            output.text
-            for output in cell.outputs
-            if output.output_type == "stream" and output.name == "stderr"
-        ]
-        assert not told, (cell.id, told)
+    assert not told_on_stderr(run[0])
 
 
 def test_every_picture_says_in_words_what_it_shows(run):
@@ -289,8 +294,26 @@ def test_no_cell_takes_longer_than_ten_seconds(run):
         assert took.total_seconds() < CELL_S, cell.id
 
 
+def test_every_chapter_has_notes_for_instructors():
+    chapters = {number(path) for path in CHAPTERS if path.stem != COMPANION}
+    assert {path.stem for path in NOTES} == chapters
+
+
+@pytest.mark.parametrize("path", NOTES, ids=lambda path: path.stem)
+def test_the_notes_for_instructors_run_without_warnings(path, tmp_path):
+    notebook, _ = executed(path, tmp_path)
+    assert not told_on_stderr(notebook)
+
+
+def test_the_notes_for_instructors_are_not_in_the_wheel():
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    packages = settings["tool"]["setuptools"]["packages"]
+    assert "newton_euler.chapters.figures" in packages
+    assert "newton_euler.chapters.instructors" not in packages
+
+
 @pytest.mark.slow
-@each_notebook
+@pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
 def test_a_notebook_runs_where_widgets_and_heyoka_are_missing(path, tmp_path):
     notebook, _ = executed(path, tmp_path, missing=("ipywidgets", "heyoka", "symengine"))
     assert any(is_picture(output) for cell in code(notebook) for output in cell.outputs)
