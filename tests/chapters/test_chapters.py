@@ -21,8 +21,6 @@ CONTENTS = tomllib.loads((Path(__file__).parent / "contents.toml").read_text(enc
 COMPANION = "speed_and_accuracy"
 NOTES = sorted((ROOT / "chapters" / "instructors").glob("*.ipynb"))
 DEADLINE_S, CELL_S = 60, 10
-# it measures every scene of the course: 100 s on a quiet machine
-LONG_S = {"speed_and_accuracy": 600}
 
 each_notebook = pytest.mark.parametrize("path", CHAPTERS + NOTES, ids=lambda path: path.stem)
 each_chapter = pytest.mark.parametrize(
@@ -237,11 +235,6 @@ def run(request, tmp_path_factory):
 
 def is_picture(output):
     return "image/png" in output.get("data", {})
-
-
-def captioned(outputs):
-    """True if a chart comes with a caption of its own, generated from what was measured."""
-    return any("<figcaption>" in output.get("data", {}).get("text/html", "") for output in outputs)
 
 
 def test_a_notebook_runs_from_a_clean_kernel_in_time(run):
