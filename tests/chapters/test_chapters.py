@@ -267,7 +267,7 @@ def test_every_picture_says_in_words_what_it_shows(run):
 def test_every_picture_is_followed_by_a_caption_or_has_one(run):
     for cell, after in pairwise(run[0].cells):
         if cell.cell_type == "code" and any(map(is_picture, cell.outputs)):
-            shown = "".join(o.data.get("text/html", "") for o in cell.outputs if is_picture(o))
+            shown = "".join(o.get("data", {}).get("text/html", "") for o in cell.outputs)
             captioned = re.search(r"<figcaption>.{40,}</figcaption>", shown, re.S)
             below = re.match(r"\*(Figure [\dAB]+\.\d+\.|A film:) .{40,}", after.source, re.S)
             assert captioned or below, (cell.id, after.source[:60])
