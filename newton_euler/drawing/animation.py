@@ -67,14 +67,18 @@ class Animation:
         return f"{text}: {self.alt}" if self.alt else text
 
     def _repr_mimebundle_(self, **_):
-        """What Jupyter shows: the page, or the first picture where HTML cannot be shown (print)."""
+        """What Jupyter shows: the page; where HTML cannot be shown (print), the first picture with
+        its alt text.
+        """
         first = base64.b64encode(self.pictures[0]).decode()
-        return {"text/html": self.html(), "image/png": first, "text/plain": repr(self)}
+        about = {"alt": self.alt or repr(self), "width": self.size[0], "height": self.size[1]}
+        data = {"text/html": self.html(), "image/png": first, "text/plain": repr(self)}
+        return data, {"image/png": about}
 
     def html(self) -> str:
         """The body of the page. Without scripts (in a notebook that is not trusted) it shows the
         first picture; for a reader who prefers reduced motion it waits at the first picture until
-        it is played.
+        it is played. It is printed as its first picture.
         """
         return self._page().partition("<body>\n")[2].partition("\n</body>")[0]
 

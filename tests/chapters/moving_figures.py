@@ -125,7 +125,11 @@ def curve(ax, a):
 
 
 FIGURES = {
-    "cone": (cone, [Slider("r", 0.3, 0.1, 0.6, 0.05), Slider("gone", 0, 0, 360, 5, **ANGLE)], {}),
+    "cone": (
+        cone,
+        [Slider("r", 0.3, 0.1, 0.6, 0.02, unit="m"), Slider("gone", 0, 0, 360, 5, **ANGLE)],
+        {},
+    ),
     "crane": (crane, [Slider("tilt", 30, -30, 85, 5, label="θ", **ANGLE)], {}),
     "disk": (
         disk,

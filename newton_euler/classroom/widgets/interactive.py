@@ -41,11 +41,11 @@ def interactive_figure(
     start = {slider.name: slider.start for slider in sliders}
     stage.rehearse([*_samples(sliders), start])
 
-    def picture(values):
+    def picture(values, png=False):
         words, image = alt_text(_said(alt, values)), stage.picture(values, _said(title, values))
-        return image, words, stage.css_size
+        return bundle(image, words, stage.css_size, stage.png() if png else None)
 
-    shown = show(bundle(*picture(start), png=stage.png()), display_id=True)
+    shown = show(picture(start, png=True), display_id=True)
     _show_sliders(sliders, start, lambda values: _update(shown, picture, values))
 
 
@@ -71,7 +71,7 @@ def _samples(sliders):
 def _update(shown, picture, values):
     """Draw the picture anew in its place; an error takes its place in words."""
     try:
-        data, _ = bundle(*picture(values))
+        data, _ = picture(values)
     except Exception as error:
         text = f"No picture for {told(values)}. {type(error).__name__}: {error}"
         data = {"text/html": f"<p>{escape(text)}</p>", "text/plain": text}
@@ -105,7 +105,7 @@ def _row(slider, moved):
     box = FloatSlider(slider.start, min=low, max=high, step=slider.step, readout=False)
     text = Label(slider.shown(slider.start))
     box.tooltip = slider.label or slider.name
-    box.layout.width, text.layout.min_width = "20em", "8em"
+    box.layout.width, text.layout.min_width, text.layout.margin = "20em", "8em", "0 0 0 1em"
 
     def on_change(change):
         x = slider.nearest(change.new)

@@ -73,7 +73,8 @@ def test_two_shows_of_one_film_on_a_page_do_not_share_a_name():
 
 
 def test_jupyter_gets_html_and_where_there_is_none_the_first_picture():
-    bundle = film()._repr_mimebundle_()
+    bundle, about = film()._repr_mimebundle_()
+    assert about["image/png"] == {"alt": "A disk turns.", "width": 50, "height": 40}
     assert bundle["text/html"].startswith("<div id=")
     assert base64.b64decode(bundle["image/png"]) == picture(0)
     assert (
