@@ -12,12 +12,13 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn
 
 from ..scenes import SCENES
+from .charts.atlas import write_atlas
 from .charts.catalogue import KINDS, MODEL, MODELS, charts, slug
 from .charts.kinds.honesty import draw_honesty
 from .honesty import PATIENCE, honesty, table, write_csv
 from .work_precision import NAMES, QUICK, TOLERANCES
 
-HONESTY = "honesty"
+HONESTY, ATLAS = "honesty", "atlas"
 SETTINGS = {
     "help_option_names": ["-h", "--help"],
     "max_content_width": 110,
@@ -26,12 +27,13 @@ SETTINGS = {
 
 
 class _Charts(click.Command):
-    """The command of the charts, and that of honesty if this is the first word."""
+    """The command of the charts, and those of the atlas and of honesty by their first word."""
 
     def main(self, args=None, prog_name=None, **more):
         words = sys.argv[1:] if args is None else list(args)
-        if words[:1] == [HONESTY]:
-            return honesty_main.main(words[1:], f"{prog_name or self.name} {HONESTY}", **more)
+        other = {HONESTY: honesty_main, ATLAS: atlas_main}.get(words[0] if words else "")
+        if other:
+            return other.main(words[1:], f"{prog_name or self.name} {words[0]}", **more)
         return super().main(words, prog_name, **more)
 
 
@@ -78,8 +80,9 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
     "map of sleeping top" and others
         the method or model to use, over two parameters
 
-    The word honesty, first, is a command with options of its own: is each method as accurate as
-    asked, and is what it tells of its error true? See honesty --help.
+    Two words are commands with options of their own if they stand first. atlas writes all charts
+    on a page, see atlas --help. honesty asks: is each method as accurate as asked, and is what it
+    tells of its error true? See honesty --help.
 
     How to read a chart: cost to the right, error upwards, so lower left is better. The points with
     rings are the front: every other point costs more and is no more accurate. Closed forms and
@@ -93,6 +96,7 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
       python -m newton_euler.accuracy --list
       python -m newton_euler.accuracy top "free body" --out charts
       python -m newton_euler.accuracy --all --models --format svg
+      python -m newton_euler.accuracy atlas --out atlas
       python -m newton_euler.accuracy honesty --scene top
     """
     known = {name: c for name, c in charts().items() if c.question == MODEL or not models}
@@ -111,6 +115,28 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
         found = _with_progress(name, partial(known[name].make, quick))
         found.figure.savefig(path, dpi=110)
         click.echo(f"{name}: {known[name].title}\n{found}\n{found.caption}\nwritten: {path}\n")
+
+
+@click.command(ATLAS, context_settings=SETTINGS)
+@click.option(
+    "--out",
+    "folder",
+    default=ATLAS,
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder to write to.",
+)
+@click.option("--quick", is_flag=True, help="As --quick of one chart: some minutes in all.")
+def atlas_main(folder, quick):
+    """Measure and draw every chart, and write them to index.html in a folder, which works without a
+    network.
+
+    The page has all scenes, ladders of models, comparisons and maps, grouped by the questions that
+    they answer: Which method? Which model? Which formula? Where does it change? When does it fail?
+    Each chart has a caption written from what was measured, and its numbers. All of them take some
+    ten minutes; leave the machine alone meanwhile.
+    """
+    page = _with_progress(ATLAS, partial(write_atlas, folder, None, quick))
+    click.echo(f"written: {page}")
 
 
 def _scenes(context, parameter, names):
@@ -222,7 +248,12 @@ def _list(charts):
     for kind in KINDS:
         found = [f"  {c.name:{width}}  {c.title}" for c in charts.values() if c.kind == kind]
         lines += [f"{kind}:", *found, ""] if found else []
-    return "\n".join([*lines, "the honesty of all methods: see honesty --help"])
+    return "\n".join(
+        [
+            *lines,
+            "all of them on a page: see atlas --help; honesty of the methods: see honesty --help",
+        ]
+    )
 
 
 def _with_progress(name, work):

@@ -71,6 +71,7 @@ class Map:
     column : a function of one x and an increasing list of y that returns the choice at each
     curves : theoretical borders
     resolution, coarse : cells along x and y, for a chart and for one within a few seconds
+    timed : the choices depend on times, which vary from run to run
     """
 
     name: str
@@ -83,6 +84,7 @@ class Map:
     curves: tuple
     resolution: tuple
     coarse: tuple = (18, 15)
+    timed: bool = False
 
     def measure(self, resolution=None, progress=lambda fraction: None):
         """The choices, an array of strings: a row for each y from the lowest, a column for each x.
@@ -322,7 +324,7 @@ _MAPS = (
         Axis("tilt from the intermediate axis, rad", 1e-8, 1.0), Axis("time, s", 1.0, 3e4),
         (DOP853, TAYLOR, EXACT, EXACT_30), _free_body,
         (Curve("first turnover", _first_turnover),
-         Curve("round-off grown to 1e-9", _roundoff_time)), (24, 24),
+         Curve("round-off grown to 1e-9", _roundoff_time)), (24, 24), (14, 14), timed=True,
     ),
     Map(
         "projectile", "Shot straight up at 45° north: the smallest model",
@@ -348,7 +350,7 @@ _MAPS = (
         Axis("rate over the critical one, 2 √(I₀ mgr)/I", 0.8, 1.1, "linear"),
         Axis("length of the run, s", 1.0, LONGEST), (FALLS, UNDECIDED, STANDS), _sleeping,
         (Curve("by its rate of growth", _theoretical_falling_time),
-         Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40),
+         Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40), (7, 12),
     ),
     Map(
         "steady precession", "Where a top can precess steadily",

@@ -1,1 +1,1 @@
-"""What is drawn and said of measurements: axes, captions, the table of all charts, and the atlas."""
+"""What is drawn and said of measurements: axes, captions, the table of charts, and the atlas."""

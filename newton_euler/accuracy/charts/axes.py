@@ -12,6 +12,7 @@ COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#0
 MARKERS = ("o", "s", "^", "D", "P", "X", "*", "h", "p")
 GREY, INK = "#999999", "#333333"
 FLOOR = 1e-17  # smaller relative errors are drawn there: a float cannot have them
+USELESS = 0.1  # a relative error from which no digit is right: such a point is no choice
 DASHES = ("--", ":", "-.")  # of the fronts
 
 
@@ -59,8 +60,8 @@ def chart(
     """The fronts of the points, one after the other, which are drawn on the Matplotlib axes ``ax``:
     cost to the right, error upwards.
 
-    Each family of points has a front, with rings and joined by steps. A grey bar to the right of a
-    point is the time to prepare the first run.
+    Each family of points has a front, with rings and joined by steps, of those that have a right
+    digit. A grey bar to the right of a point is the time to prepare the first run.
 
     floor : smaller errors are drawn there, with an arrow down and their value
     cost : "cost", the time, or "calls"
@@ -80,14 +81,15 @@ def chart(
     drawing = _Drawing(ax, float(floor), cost)
     drawing.methods(points, order)
     drawing.preparations(points)
-    drawing.fronts(points)
+    best = fronts([p for p in points if p.error < USELESS], cost)
+    drawing.fronts(best)
     drawing.below_the_floor(points)
     ax.set_ylim(bottom=ax.get_ylim()[0] / 30)  # room for "better"
     mark_better(ax)
     time_axis(ax, [getattr(p, cost) for p in points], "s" if cost == "cost" else "")
     if legend:
         ax.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, fontsize=9)
-    return [p for best in fronts(points, cost).values() for p in best]
+    return [p for family in best.values() for p in family]
 
 
 class _Drawing:
@@ -116,8 +118,7 @@ class _Drawing:
                 self.ax.plot(ends, [height] * 2, zorder=1, label=label, **look)
                 label = "_again"  # one entry of the legend is enough
 
-    def fronts(self, points):
-        found = fronts(points, self.cost)
+    def fronts(self, found):
         for n, (family, best) in enumerate(found.items()):
             x, y = self.places(best)
             dashes = DASHES[n % len(DASHES)]

@@ -13,7 +13,8 @@ from ..comparisons import COMPARISONS
 from ..regime_maps import MAPS
 from ..work_precision import LONGEST, TOLERANCES, work_precision
 from .kinds.comparisons import comparison_caption, points_table
-from .kinds.maps import draw_map, map_caption, map_table
+from .kinds.islands import settled
+from .kinds.maps import draw_choices, map_caption, map_table
 from .kinds.methods import draw_methods, methods_caption
 from .kinds.models import draw_models, measured_models, models_caption
 from .shown import Shown
@@ -21,7 +22,6 @@ from .shown import Shown
 MODELS, MAP = "models of ", "map of "
 METHOD, MODEL, FORMULA = "Which method?", "Which model?", "Which formula?"
 BORDER, FAILURE = "Where does it change?", "When does it fail?"
-QUESTIONS = (METHOD, MODEL, FORMULA, BORDER, FAILURE)
 # charts whose point is that something breaks, not which of several is the cheapest
 FAILING = {"rotations", "angle", "steady precession", "map of sleeping top"}
 QUICK, QUICK_LONGEST = (1e-3, 1e-6, 1e-9, 1e-12), 0.02  # seconds
@@ -32,7 +32,7 @@ class Chart:
     """An entry of the table.
 
     name, title, kind : the kind is the heading in a list of all charts
-    question : one of :data:`QUESTIONS`
+    question : as :data:`METHOD`
     make : a function (quick, progress) that measures and draws, and returns a
         :class:`~newton_euler.accuracy.charts.shown.Shown`
     """
@@ -118,7 +118,10 @@ def _comparison(name, quick, progress):
 
 def _map(name, quick, progress):
     chart, figure = MAPS[name], Figure()
+    found, smoothed = chart.measure(chart.coarse if quick else None, progress), 0
+    if chart.timed:
+        found, smoothed = settled(chart, found)
     figure.set(layout_engine="constrained", size_inches=(10.0, 5.2))
-    found = draw_map(name, figure.subplots(), chart.coarse if quick else None, progress)
-    caption, table = map_caption(chart, found), map_table(chart, found)
+    draw_choices(chart, found, figure.subplots())
+    caption, table = map_caption(chart, found, smoothed), map_table(chart, found)
     return Shown(chart.title, tuple(map(tuple, found)), caption, table, figure)

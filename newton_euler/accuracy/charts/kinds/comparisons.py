@@ -4,7 +4,7 @@ from operator import attrgetter
 
 from matplotlib.ticker import EngFormatter
 
-from ...measure import EQUAL_WITHIN, cheapest, of_equal_cost
+from ...measure import EQUAL_COST, EQUAL_WITHIN, cheapest, of_equal_cost
 from ..words import listed, number, seconds, times
 
 _error = attrgetter("error")
@@ -61,7 +61,9 @@ def _prepared(points):
 def _beaten(points, best):
     """Those that cost more than the best and are less accurate."""
     accurate = {p.method for p in best}
-    lost = [p.method for p in points if p.cost > 1.2 * best[0].cost and p.method not in accurate]
+    lost = [
+        p.method for p in points if p.cost > EQUAL_COST * best[0].cost and p.method not in accurate
+    ]
     if lost:
         yield f"Dearer and less accurate than {best[0].method}: {listed(dict.fromkeys(lost))}."
 
@@ -81,18 +83,17 @@ def _answer(question, points):
     told = _right(sorted(right, key=lambda p: p.cost))
     names = {p.method for p in right}
     others = [_others(question, own) for own in methods if own[0].method not in names]
-    return f"{question.what[0].upper()}{question.what[1:]}: {'; '.join([told, *others])}."
+    return f"{question.what[0].upper()}{question.what[1:]}: {'. '.join([told, *others])}."
 
 
 def _right(right):
     error = number(max(*(p.error for p in right), ROUND_OFF))
-    told = f"{listed(p.method for p in right)} {'are' if len(right) > 1 else 'is'} within {error} "
-    told += "at every setting"
+    told = f"{_quoted(right)} {'are' if len(right) > 1 else 'is'} within {error} at every setting"
     equal = of_equal_cost(right)
     if len(equal) > 1:
-        return f"{told}, {listed(p.method for p in equal)} at about the same cost"
+        return f"{told}, {_quoted(equal)} at about the same cost"
     if len(right) > 1:
-        return f"{told}, and {right[0].method} is the cheapest of them, {seconds(right[0].cost)}"
+        return f"{told}, and {_quoted(equal)} is the cheapest of them, {seconds(right[0].cost)}"
     return f"{told}, {seconds(right[0].cost)}"
 
 
@@ -100,11 +101,16 @@ def _others(question, own):
     """The best and the worst of a method that is not right everywhere."""
     best, worst = min(own, key=_error), max(own, key=_error)
     letter = question.across[0]
-    told = f"{own[0].method} has at best {number(max(best.error, ROUND_OFF))}, at {best.setting}"
+    told = f"{_quoted(own[:1])}: at best {number(max(best.error, ROUND_OFF))}, at {letter} = "
+    told += number(best.x)
     wrong = [p.x for p in own if p.error > WRONG]
     if wrong and len(wrong) < len(own):
-        return f"{told}, and is wrong by over 1 % at {letter} = {_values(wrong)}"
-    return f"{told}, and at worst {number(worst.error)}, at {worst.setting}"
+        return f"{told}; wrong by over 1 % at {letter} = {_values(wrong)}"
+    return f"{told}; at worst {number(worst.error)}, at {letter} = {number(worst.x)}"
+
+
+def _quoted(points):
+    return listed(f"“{p.method}”" for p in points)
 
 
 def _values(settings):

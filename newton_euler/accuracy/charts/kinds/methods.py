@@ -4,7 +4,7 @@
 
 from dataclasses import replace
 
-from ...measure import cheapest, fronts, of_equal_cost
+from ...measure import EQUAL_COST, cheapest, fronts, of_equal_cost
 from ...work_precision import NAMES, STEPPING
 from ..axes import FLOOR, GREY, chart, log_log, marker_style
 from ..words import listed, number, seconds, times
@@ -117,7 +117,7 @@ def _preparing(found, stepping):
     within = cheapest(stepping, OF_INTEREST[0])
     own = next((p for p in within if p.method == method), None)
     rival = next((p for p in within if above.get(p.method, 0.0) < above[method] / 2), None)
-    if own and rival and rival.cost > 1.2 * own.cost:
+    if own and rival and rival.cost > EQUAL_COST * own.cost:
         runs = (above[method] - above.get(rival.method, 0.0)) / (rival.cost - own.cost)
         count = "one run" if runs < 1.5 else f"{runs:.0f} runs"
         told += f", earned back against {rival.method} by {count} to {number(OF_INTEREST[0])}"

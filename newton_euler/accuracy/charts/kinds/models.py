@@ -5,6 +5,7 @@ fullest, and which one to take within a tolerance.
 import math
 from dataclasses import dataclass
 from functools import partial
+from itertools import pairwise
 
 import numpy as np
 
@@ -207,6 +208,6 @@ def _useless(points):
 
 def _of_equal_error(points):
     """Neighbours on the ladder of which the fuller one buys no accuracy, as far as it is known."""
-    for p, q in zip(points, points[1:], strict=False):
+    for p, q in pairwise(points):
         if q.error and p.error and 1 / EQUAL_WITHIN < p.error / q.error < EQUAL_WITHIN:
             yield f"The errors of {points.index(p) + 1} and {points.index(q) + 1} are about equal."

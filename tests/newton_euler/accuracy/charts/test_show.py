@@ -37,7 +37,7 @@ def test_a_chart_is_shown_once_with_alt_text_and_caption(displayed):
 
 def test_hyphens_may_stand_for_blanks_and_an_unknown_name_is_refused_with_the_list(displayed):
     assert show_chart("steady-precession").points
-    with pytest.raises(ArgumentError, match="no chart 'topp'; there are .*; models of projectile"):
+    with pytest.raises(ArgumentError, match=r"no chart 'topp'; there are .*; models of projectile"):
         show_chart("topp")
 
 

@@ -119,3 +119,8 @@ def test_the_corner_says_that_it_is_better_there():
     ax = Figure().subplots()
     chart([Measured("taylor", 1e-4, 1e-8)], ax)
     assert "better" in {text.get_text() for text in ax.texts}
+
+
+def test_a_point_without_a_right_digit_has_no_ring():
+    wrong, right = Measured("wrong", 1e-9, 1.0), Measured("right", 1e-3, 1e-9)
+    assert chart([wrong, right], Figure().subplots()) == [right]
