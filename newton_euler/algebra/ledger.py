@@ -171,7 +171,8 @@ class Explanation:
         total = symbol + r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
         formulas = [known[n][1] if n in known else _product(n, symbol) for n in self.terms]
-        rows = [rf"{total} &= {' + '.join(formulas)} \tag{{{self.equation.number}}}"]
+        joined = " + ".join(formulas).replace(" + -", " - ")
+        rows = [rf"{total} &= {joined} \tag{{{self.equation.number}}}"]
         values = {**self.terms, "sum": self.vector}.items()
         for formula, (name, v) in zip([*formulas, total], values, strict=True):
             rows.append(rf"{formula} &= {v.latex()}{unit} && \text{{{name}}}")

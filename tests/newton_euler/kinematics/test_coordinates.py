@@ -450,3 +450,11 @@ def test_eqn_3_34_to_3_38_the_matrices(kind):
     )
     # 3.38
     assert close(apply(T_phi(phi), apply(T_theta(theta), Q)), spherical_components, tolerance(kind))
+
+
+def test_a_negative_term_is_subtracted_where_the_sum_is_typeset():
+    ground = Frame("ground")
+    P = cylindrical(ground, "P", 1.0, moving(0.0, rate=2.0), 0.0)
+    formula = P.acceleration(ground).explain().latex.partition(r"\tag")[0]
+    assert r"\ddot{r}\,\hat{e}_r - r\dot{\theta}^2" in formula
+    assert "+ -" not in formula
