@@ -100,6 +100,7 @@ class Stage:
             )  # fmt: skip
         else:
             self.figure.tight_layout(rect=(0, 0, 1, 0.95))
+            self.figure.set_layout_engine(None)  # else every picture is laid out, and drawn twice
 
 
 def told(values):
