@@ -218,7 +218,7 @@ def test_the_packages_of_the_wheel_are_those_of_the_tree():
     pyproject = tomllib.loads((ENGINE.parent / "pyproject.toml").read_text(encoding="utf-8"))
     listed = set(pyproject["tool"]["setuptools"]["packages"])
     found = {m for m in FILES if FILES[m].name == "__init__.py"}
-    assert listed == found | {"newton_euler.chapters.examples"}
+    assert listed == found | {"newton_euler.chapters.examples", "newton_euler.chapters.figures"}
 
 
 def test_all_errors_of_the_engine_have_one_base():
