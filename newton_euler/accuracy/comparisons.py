@@ -15,9 +15,7 @@ from ..algebra.errors import ArgumentError
 from ..algebra.scalars import sqrt
 from . import baselines
 from .charts.axes import COLOURS, MARKERS, chart, log_log
-from .measure import Measured, timed
-
-ROUND_OFF = 2.0**-52  # smaller errors are luck, and are drawn there
+from .measure import ROUND_OFF, Measured, timed
 
 
 @dataclass(frozen=True)

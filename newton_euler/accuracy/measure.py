@@ -19,6 +19,7 @@ from ..algebra.vectors import dot3, sub3
 
 # errors that differ by less than this factor count as equal: round-off is not known better
 EQUAL_WITHIN = 2.0
+ROUND_OFF = 2.0**-52  # smaller relative errors are luck
 EQUAL_COST = 1.2  # times that differ by less count as equal: they vary so from run to run
 
 

@@ -101,7 +101,7 @@ def work_precision(
                 left_out[method] = f"{rtol:.0e}: {error}"
                 break
             if method not in preparing:
-                preparing[method] = _preparation(name, method, first - point.cost)
+                preparing[method] = _preparation(name, method, first, point.cost)
                 point = replace(point, prepared=preparing[method])
             points.append(point)
             if point.cost > longest and rtol != tolerances[-1]:
@@ -125,9 +125,11 @@ def _ratios(reference, points):
 _PREPARATIONS: dict = {}
 
 
-def _preparation(name, method, more):
-    """The seconds that the first run in this process took more: code is compiled once."""
-    return _PREPARATIONS.setdefault((name, method), max(more, 0.0))
+def _preparation(name, method, first, cost):
+    """The seconds that the first run in this process took more, since code is compiled once; 0 if
+    it took less than twice the time, which may be noise.
+    """
+    return _PREPARATIONS.setdefault((name, method), first - cost if first > 2 * cost else 0.0)
 
 
 class Reference:

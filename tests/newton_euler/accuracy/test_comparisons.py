@@ -11,8 +11,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from newton_euler.accuracy import baselines
-from newton_euler.accuracy.comparisons import COMPARISONS, ROUND_OFF
-from newton_euler.accuracy.measure import Measured
+from newton_euler.accuracy.comparisons import COMPARISONS
+from newton_euler.accuracy.measure import ROUND_OFF, Measured
 
 
 @pytest.fixture(scope="module")

@@ -11,7 +11,7 @@ import pytest
 
 from newton_euler.accuracy import regime_maps as maps
 from newton_euler.accuracy.charts.axes import COLOURS
-from newton_euler.accuracy.charts.kinds.maps import draw_map
+from newton_euler.accuracy.charts.kinds.maps import draw_choices
 from newton_euler.accuracy.regime_maps import MAPS
 from newton_euler.motion.integration import integrate
 from newton_euler.scenes.spatial import top
@@ -211,7 +211,8 @@ def test_where_the_map_says_that_it_precesses_steadily_a_run_stays_at_its_angle(
 @pytest.mark.parametrize("name", ["steady precession", "projectile", "sleeping top"])
 def test_a_map_is_drawn_with_a_legend_of_what_it_holds_and_the_curves_of_theory(name, ax):
     chart = MAPS[name]
-    found = draw_map(name, ax, (6, 6))
+    found = chart.measure((6, 6))
+    draw_choices(chart, found, ax)
     told = [text.get_text() for text in ax.get_legend().get_texts()]
     assert told == [choice for choice in chart.choices if (found == choice).any()] + [
         curve.label for curve in chart.curves
@@ -231,5 +232,6 @@ def test_a_map_is_drawn_with_a_legend_of_what_it_holds_and_the_curves_of_theory(
 @pytest.mark.slow
 @pytest.mark.parametrize("name", MAPS)
 def test_every_map_is_drawn_at_its_own_resolution(name, ax):
-    found = draw_map(name, ax)
+    found = MAPS[name].measure()
+    draw_choices(MAPS[name], found, ax)
     assert len(set(found.ravel())) >= 3

@@ -1,15 +1,16 @@
 """What the charts of :mod:`newton_euler.accuracy.comparisons` show, in sentences and as a table."""
 
+from itertools import groupby
 from operator import attrgetter
 
 from matplotlib.ticker import EngFormatter
 
-from ...measure import EQUAL_COST, EQUAL_WITHIN, cheapest, of_equal_cost
+from ...measure import EQUAL_COST, EQUAL_WITHIN, ROUND_OFF, cheapest, of_equal_cost
 from ..words import listed, number, seconds, times
 
 _error = attrgetter("error")
-ROUND_OFF, WRONG = 2.0**-52, 1e-2  # relative errors; the first is all that a float can have
-NEAR = 1e-13  # right to round-off after some steps of arithmetic
+WRONG = 1e-2  # a relative error
+NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic
 
 
 def points_table(points, error="relative"):
@@ -103,9 +104,8 @@ def _others(question, own):
     letter = question.across[0]
     told = f"{_quoted(own[:1])}: at best {number(max(best.error, ROUND_OFF))}, at {letter} = "
     told += number(best.x)
-    wrong = [p.x for p in own if p.error > WRONG]
-    if wrong and len(wrong) < len(own):
-        return f"{told}; wrong by over 1 % at {letter} = {_values(wrong)}"
+    if best.error <= WRONG < worst.error:
+        return f"{told}; wrong by over 1 % at {letter} = {listed(_runs(own))}"
     return f"{told}; at worst {number(worst.error)}, at {letter} = {number(worst.x)}"
 
 
@@ -113,6 +113,9 @@ def _quoted(points):
     return listed(f"“{p.method}”" for p in points)
 
 
-def _values(settings):
-    low, high = min(settings), max(settings)
-    return number(low) if low == high else f"{number(low)} to {number(high)}"
+def _runs(own):
+    """The settings, in words, from which to which a method is wrong without a break."""
+    for wrong, run in groupby(own, lambda p: p.error > WRONG):
+        ends = [number(p.x) for p in run]
+        if wrong:
+            yield ends[0] if len(ends) == 1 else f"{ends[0]} to {ends[-1]}"

@@ -6,21 +6,12 @@ from textwrap import fill
 
 import numpy as np
 
-from ...regime_maps import MAPS
 from ..axes import COLOURS
 from ..words import number
 from .islands import explained, parts
 
 SMALLEST = 0.03  # of the map: a smaller region is named in the legend only
 WIDE = 18  # letters in a line of a name
-
-
-def draw_map(name, ax, resolution=None, progress=lambda fraction: None):
-    """The choices of the map of this name, measured and drawn on ``ax``."""
-    chart = MAPS[name]
-    found = chart.measure(resolution, progress)
-    draw_choices(chart, found, ax)
-    return found
 
 
 def draw_choices(chart, found, ax):

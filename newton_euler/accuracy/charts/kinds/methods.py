@@ -4,12 +4,13 @@
 
 from dataclasses import replace
 
-from ...measure import EQUAL_COST, cheapest, fronts, of_equal_cost
+from ...measure import EQUAL_COST, ROUND_OFF, cheapest, fronts, of_equal_cost
 from ...work_precision import NAMES, STEPPING
 from ..axes import FLOOR, GREY, chart, log_log, marker_style
 from ..words import listed, number, seconds, times
 
 AUTO = {"label": "auto", "color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6}
+SHORT = 2e-3  # seconds; a shorter preparation is not mentioned
 OF_INTEREST = (1e-6, 1e-10)  # relative errors for which the caption names the cheapest method
 
 
@@ -42,10 +43,9 @@ def draw_methods(found, figure):
 
 
 def _entry(name, found):
-    """The method in the legend, with the time to prepare its first run if that is above noise."""
-    seconds = found.preparing.get(name, 0.0)
-    cost = next((p.cost for p in found.points if p.method == name), 0.0)
-    return f"{name}\n  {1e3 * seconds:.0f} ms to prepare" if seconds > max(2e-3, cost) else name
+    """The method in the legend, with the time to prepare its first run if that is worth a word."""
+    time = found.preparing.get(name, 0.0)
+    return f"{name}\n  {1e3 * time:.0f} ms to prepare" if time > SHORT else name
 
 
 def _draw_drift(methods, auto, ax):
@@ -99,7 +99,8 @@ def _closed_form(closed, stepping):
     if not closed or not stepping:
         return "" if closed else "There is no closed form."
     best, rival = (min(own, key=lambda p: p.cost) for own in (closed, stepping))
-    told = f"The closed form takes {seconds(best.cost)}, with an error of {number(best.error)}: "
+    error = number(max(best.error, ROUND_OFF))
+    told = f"The closed form takes {seconds(best.cost)} and is right to {error}: "
     if len(of_equal_cost(sorted([best, rival], key=lambda p: p.cost))) > 1:
         return f"{told}as cheap as the cheapest stepping method."
     if best.cost < rival.cost:
@@ -109,7 +110,7 @@ def _closed_form(closed, stepping):
 
 def _preparing(found, stepping):
     """The method that takes longest to prepare, and after how many runs that has paid."""
-    above = {m: s for m, s in found.preparing.items() if m != "auto" and s > 2e-3}
+    above = {m: s for m, s in found.preparing.items() if m != "auto" and s > SHORT}
     if not above:
         return ""
     method = max(above, key=above.get)

@@ -193,8 +193,9 @@ def _name(points, p):
 
 
 def _fullest(points):
-    cheapest, full = min(points, key=lambda p: p.cost), points[-1]
-    if full in of_equal_cost(sorted(points, key=lambda p: p.cost)):
+    least = of_equal_cost(sorted(points, key=lambda p: p.cost))
+    cheapest, full = min(least, key=points.index), points[-1]
+    if full in least:
         return "The fullest model costs no more than the cheapest."
     ratio = full.cost / cheapest.cost
     return f"The fullest takes {times(ratio)} as long as the cheapest, {cheapest.method}."

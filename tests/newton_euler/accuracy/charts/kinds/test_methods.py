@@ -124,3 +124,8 @@ def test_the_corner_says_that_it_is_better_there():
 def test_a_point_without_a_right_digit_has_no_ring():
     wrong, right = Measured("wrong", 1e-9, 1.0), Measured("right", 1e-3, 1e-9)
     assert chart([wrong, right], Figure().subplots()) == [right]
+
+
+def test_a_closed_form_without_an_error_is_told_to_be_right_to_round_off():
+    found = measured(closed=(1e-6, 0.0), taylor=(1e-4, 1e-8))
+    assert "is right to 2.2 × 10⁻¹⁶" in methods_caption(found)
