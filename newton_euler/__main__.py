@@ -1,4 +1,4 @@
-"""``python -m newton_euler chapters [FOLDER]``."""
+"""``python -m newton_euler chapters [DIR]``."""
 
 from .classroom.notebooks import main
 

@@ -53,7 +53,7 @@ def page(chapters, problem_names, reference):
     lines += [f"- [{title}](reference/{name}.rst)" for name, title in reference.items()]
     trees = {
         "Chapters": [f"chapters/{c.stem}" for c in chapters],
-        "Problems": [f"problems/{name}" for name in problem_names],
+        "Problems": [f"{_short(name)} <problems/{name}>" for name in problem_names],
         "Reference": [f"reference/{name}" for name in reference],
     }
     return "\n".join([*lines, RUN, *(_tree(c, p) for c, p in trees.items())])
@@ -67,6 +67,11 @@ def _chapter(c):
 def _problems(name):
     title = heading(chapter(name).title)
     return f"- [{title}](problems/{name}.md) ({len(problems(name))})"
+
+
+def _short(name):
+    """ "Chapter 4", for the margin."""
+    return chapter(name).title.partition(":")[0]
 
 
 def _tree(caption, pages):

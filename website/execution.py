@@ -1,6 +1,7 @@
 """Runs notebooks in clean kernels, several at a time, and keeps what came out of them."""
 
 import os
+import subprocess
 import tempfile
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
@@ -57,7 +58,8 @@ def _executed(path):
             notebook, timeout=LONGEST, kernel_name="python3", resources=resources
         )
         try:
-            client.execute(env=_environment(folder))
+            # what the kernel itself says to the terminal is nothing about the notebook
+            client.execute(env=_environment(folder), stderr=subprocess.DEVNULL)
         except (CellExecutionError, CellTimeoutError) as error:
             raise WebsiteError(f"{path.name}, {_place(notebook, error)}") from None
     return nbformat.writes(notebook)

@@ -12,7 +12,7 @@ ROOT = Path(__file__).parents[1]
 def fingerprint(*folders):
     """What changes when a file of the engine changes, or of these folders beside it."""
     digest = hashlib.sha256(sys.version.encode())
-    for folder in ("newton_euler", "chapters/examples", *folders):
+    for folder in ("newton_euler", "chapters", *folders):
         for path in sorted((ROOT / folder).rglob("*")):
             if path.is_file() and path.suffix not in (".pyc", ".ipynb"):
                 digest.update(f"{path.relative_to(ROOT)}\n".encode() + path.read_bytes())

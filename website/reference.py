@@ -21,13 +21,10 @@ NAMES = ("omega", "theta_dot", "rddot", "alpha_CD", "omega_2_dot", "l_OA", "x1",
 
 def pages():
     """{name of the page: its text in reStructuredText}, in the order of the reader's way."""
-    rooms = sorted(
-        p.parent.name for p in ENGINE.glob("*/__init__.py") if p.parent.name != "chapters"
-    )
     return {
         "newton_euler": _top(),
-        **{room: _room(room) for room in rooms},
-        SYMBOLS: _symbols(rooms),
+        **{room: _room(room) for room in rooms()},
+        SYMBOLS: _symbols(),
     }
 
 
@@ -37,15 +34,30 @@ def titles(names):
     return {name: special.get(name, f"Room {name}") for name in names}
 
 
+def rooms():
+    """The rooms of the engine."""
+    return sorted(
+        p.parent.name for p in ENGINE.glob("*/__init__.py") if p.parent.name != "chapters"
+    )
+
+
 def public(room):
     """{file of the room: its public names}, read from what ``__init__`` imports and defines."""
     tree = ast.parse((ENGINE / room / "__init__.py").read_text(encoding="utf-8"))
+    defined = [
+        node.name
+        for node in tree.body
+        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")
+    ]
+    return {**_imported(tree), **({"": defined} if defined else {})}
+
+
+def _imported(tree):
+    """{module: names} of what a file imports from its own package."""
     found = {}
     for node in tree.body:
         if isinstance(node, ast.ImportFrom) and node.level == 1 and node.module:
             found.setdefault(node.module, []).extend(alias.name for alias in node.names)
-        elif isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
-            found.setdefault("", []).append(node.name)
     return found
 
 
@@ -56,8 +68,9 @@ def _title(text, line="="):
 def _top():
     lines = [*_title("Names at the top"), ".. automodule:: newton_euler", ""]
     lines += ["Each is described with its room.", ""]
-    for room, names in newton_euler._NAMES.items():
-        links = (f":py:obj:`{n} <newton_euler.{room}.{n}>`" for n in sorted(names.split()))
+    tree = ast.parse((ENGINE / "__init__.pyi").read_text(encoding="utf-8"))
+    for room, names in _imported(tree).items():
+        links = (f":py:obj:`{n} <newton_euler.{room}.{n}>`" for n in sorted(names))
         lines += [f":doc:`{room} <{room}>`", f"    {', '.join(links)}", ""]
     return "\n".join(lines)
 
@@ -85,7 +98,7 @@ def _entry(module, name):
     return [f".. py:data:: {name}", f"   :module: {module}", *shown, ""]
 
 
-def _symbols(rooms):
+def _symbols():
     lines = [*_title("Symbols and equations"), *_title("How a name is printed", "-")]
     lines += _table(("in code", "in print"), [(f"``{n}``", f":math:`{symbol(n)}`") for n in NAMES])
     lines += _title("Sums that keep their terms by name", "-")
@@ -96,7 +109,7 @@ def _symbols(rooms):
     lines += _table(("sum", "equation", "symbol", "terms"), _sums())
     lines += _title("Equations of the book", "-")
     lines += ["What quotes an equation in its description.", ""]
-    lines += _table(("equation", "names"), _equations(rooms))
+    lines += _table(("equation", "names"), _equations())
     return "\n".join(lines)
 
 
@@ -108,9 +121,9 @@ def _sums():
         yield name, f"({entry['number']})", f":math:`{entry['symbol']}`", ", ".join(terms)
 
 
-def _equations(rooms):
+def _equations():
     found = {}
-    for room in rooms:
+    for room in rooms():
         for name in (n for names in public(room).values() for n in names):
             value = getattr(newton_euler, room), name
             text = inspect.getdoc(getattr(*value)) or ""

@@ -7,7 +7,7 @@ import pytest
 from tests.website import sample
 
 # it measures for minutes: its page is built without outputs
-NOT_RUN = {"speed_and_accuracy", "ch04_relative_motion"}
+NOT_RUN = {"speed_and_accuracy"}
 
 
 @pytest.fixture(scope="session")
