@@ -168,7 +168,8 @@ class Explanation:
     def latex(self) -> str:
         """The formula and the value of each term, as an align* environment."""
         symbol, known = self.equation.symbol, self.equation.terms
-        total = symbol + r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
+        # braces, since a symbol as M_B has an index already
+        total = f"{{{symbol}}}" + r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
         formulas = [known[n][1] if n in known else _product(n, symbol) for n in self.terms]
         joined = " + ".join(formulas).replace(" + -", " - ")

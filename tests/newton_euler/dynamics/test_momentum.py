@@ -387,6 +387,12 @@ def hinged(point, ground):
     return [moving(v, 0, w) for v, w in zip(x, a, strict=True)]
 
 
+def test_a_symbol_with_an_index_stands_in_braces_before_the_index_that_says_of_what():
+    ground, _, body, points, _ = free_body("float")
+    latex = resultant_moment(body, ground, points["any"]).explain().latex
+    assert r"{\mathbf{M}_B}_{\text{of body" in latex  # MathJax refuses a double index
+
+
 def test_explanations_name_the_equation_and_its_terms():
     ground, _, body, points, _ = free_body("float")
     text = str(resultant_moment(body, ground, points["any"]).explain("N m"))

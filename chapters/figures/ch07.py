@@ -1,0 +1,474 @@
+"""The figures of chapter 7: angular momentum, moments of inertia, principal axes, other points."""
+
+import math
+
+import numpy as np
+
+from newton_euler import Frame, composite, particle
+from newton_euler.bodies import plate
+from newton_euler.chapters.examples.ch07 import three_rods
+from newton_euler.classroom import Slider, interactive_figure
+from newton_euler.drawing import Sketch, animate
+
+O = (0, 0, 0)
+BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
+RODS = (((-0.5, 0, 0), (-0.5, 0, 1)), ((-0.5, 0, 0), (0.5, 0, 0)), ((0.5, 0, 0), (0.5, 1, 0)))
+
+
+def _apart(axes):
+    """Room between two panels for the scale of the right one, and below it."""
+    axes[0].figure.subplots_adjust(left=0.03, right=0.98, bottom=0.17, wspace=0.28)
+
+
+def angle_between(v, w):
+    """The angle between two Vectors, in degrees."""
+    return math.degrees(math.atan2(float(v.cross(w).norm()), float(v.dot(w))))
+
+
+def _dumbbell(s, ground, axle, body):
+    """Draw the shaft, the rod and the balls, and omega and H at O."""
+    places = [part.centre for part in body.parts]
+    s.shaft((0, 0, -0.55), (0, 0, 0.55))
+    s.rod(*places)
+    for place in places:
+        s.sphere(place, 0.06)
+    s.vector(O, axle.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
+    s.vector(O, body.angular_momentum(ground), "$H$", kind="plain", size="kg m²/s")
+    s.label(O, "O")
+
+
+def turning_dumbbell(build):
+    """Figure 7.1: omega and H of a dumbbell, from ``build(tilt, turn)``."""
+
+    def draw(ax, tilt, turn):
+        ground, axle, body = build(math.radians(tilt), math.radians(turn))
+        s = Sketch(ax, ground, azimuth=-65, elevation=18, arrows=90)
+        _dumbbell(s, ground, axle, body)
+        s.arc(O, (0, 0, 1), body.parts[0].centre, r"$\beta$")
+        omega, H = axle.angular_velocity(ground), body.angular_momentum(ground)
+        ax.set_title(f"angle between ω and H: {angle_between(omega, H):.0f}°", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("tilt", 35, 5, 90, 5, label="β", unit="°"),
+        Slider("turn", 0, 0, 360, 10, label="turned", unit="°"),
+        alt="Two balls at the ends of a light rod that is fixed at a slant to a vertical shaft. "
+        "The angular velocity omega points along the shaft; the angular momentum H is at right "
+        "angles to the rod, and goes round with it.",
+        size=(6.4, 4.8),
+    )
+
+
+def dumbbell_film(build):
+    """A film: H goes round with the rod."""
+
+    def draw(t, ax):
+        ground, axle, body = build(math.radians(35), 2.0 * t)
+        s = Sketch(ax, ground, azimuth=-65, elevation=18, arrows=90)
+        tip = axle.vector(-math.cos(math.radians(35)), 0, math.sin(math.radians(35))) * 0.42
+        s.ring((0, 0, float(tip.expressed_in(ground).z)), ground.k, 0.42 * math.cos(0.611))
+        _dumbbell(s, ground, axle, body)
+
+    return animate(
+        draw,
+        [math.pi * n / 24 for n in range(25)],
+        alt="The dumbbell turns about the shaft; omega stays where it is, H runs round on a cone.",
+    )
+
+
+def two_balls():
+    """Figure 7.2: two balls in the plane, and their moments and product of inertia."""
+    angles = np.radians(np.arange(0, 361, 3))
+    curves = (
+        ("$I_{xx}$", lambda a: np.sin(a) ** 2, BLUE, "-"),
+        ("$I_{yy}$", lambda a: np.cos(a) ** 2, RED, "--"),
+        ("$I_{xy}$", lambda a: np.sin(a) * np.cos(a), GREEN, "-."),
+    )
+
+    def draw(axes, turn):
+        _apart(axes)
+        a = math.radians(turn)
+        ground = Frame("ground")
+        A = (math.cos(a), math.sin(a), 0)
+        s = Sketch(axes[0], ground, plane="xy")
+        s.axes(O, ground, length=1.25, labels=["x", "y", ""])
+        s.rod(A, tuple(-x for x in A))
+        s.line(A, (A[0], 0, 0))
+        s.line(A, (0, A[1], 0))
+        s.sphere(A, 0.08)
+        s.sphere(tuple(-x for x in A), 0.08)
+        for label, f, colour, style in curves:
+            axes[1].plot(np.degrees(angles), f(angles), style, color=colour, label=label)
+            axes[1].plot([turn], [f(a)], "o", color=colour)
+        axes[1].axhline(0, color="black", lw=0.8)
+        axes[1].set(xlabel="angle from x to the rod (°)", xticks=range(0, 361, 90))
+        axes[1].set(ylabel="in units of m d²", ylim=(-0.65, 1.1))
+        axes[1].legend(frameon=False, ncol=3, loc="lower center", fontsize=9)
+
+    interactive_figure(
+        draw,
+        Slider("turn", 30, 0, 360, 5, label="angle", unit="°"),
+        alt="Left: a rod with a ball at each end in the plane of x and y, at an angle to x. Right: "
+        "I_xx and I_yy against that angle, never negative, and I_xy, positive while the balls "
+        "are in the first and third quadrants and negative while they are in the others.",
+        size=(8.4, 3.9),
+        panels=(1, 2),
+    )
+
+
+def rod_and_point():
+    """Figure 7.3: the thin rod, the point B on its line, and the integrand of I_yy."""
+
+    def draw(axes, b):
+        _apart(axes)
+        ground = Frame("ground")
+        B = (b, 0, 0)
+        s = Sketch(axes[0], ground, plane="xz")
+        s.rod(O, (1, 0, 0))
+        s.axes(B, ground, length=0.3, labels=["x", "", "z"])
+        s.dot(B)
+        s.label(B, "B")
+        s.dimension(O, (1, 0, 0), r"$\ell$", offset=-0.15)
+        x = np.linspace(0, 1, 101)
+        axes[1].fill_between(x - b, (x - b) ** 2, color=BLUE, alpha=0.35)
+        axes[1].plot(x - b, (x - b) ** 2, color=BLUE)
+        moment = ((1 - b) ** 3 + b**3) / 3
+        axes[1].set(xlim=(-1.05, 1.05), ylim=(0, 1.1), xlabel="x/ℓ, from B", ylabel="x²/ℓ²")
+        axes[1].set_title(rf"area under the curve: $I_{{yy}}/m\ell^2$ = {moment:.4f}", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("b", 0, 0, 1, 0.05, label="B at", unit="ℓ"),
+        alt="Left: a thin rod of length l with the point B on it and the axes x and z. Right: x "
+        "squared over the length of the rod, with x measured from B; the shaded area under it is "
+        "the moment of inertia, least when B is at the middle.",
+        size=(8.4, 3.4),
+        panels=(1, 2),
+    )
+
+
+def three_rods_view():
+    """Figure 7.4: the three rods, from all sides."""
+
+    def draw(ax, view):
+        ground = Frame("ground")
+        s = Sketch(ax, ground, azimuth=view, elevation=22)
+        _rods(s)
+        s.axes(O, ground, length=0.75)
+        for place, name in (((-0.5, 0, 0.6), "1"), ((-0.25, 0, 0), "2"), ((0.5, 0.6, 0), "3")):
+            s.label(place, name, bold=False)
+        s.label(O, "B")
+
+    interactive_figure(
+        draw,
+        Slider("view", 30, 15, 75, 5, label="seen from", unit="°"),
+        alt="Three equal rods joined at right angles. Rod 2 lies on the x axis with its middle at "
+        "the origin B; rod 1 goes up along z from its end at negative x, rod 3 goes along y from "
+        "its end at positive x.",
+        size=(6, 4.4),
+    )
+
+
+def _rods(s):
+    for A, B in RODS:
+        s.rod(A, B)
+
+
+def plate_and_ellipse():
+    """Figure 7.5: a plate, an axis in its plane, omega and H, and the ellipse of inertia."""
+    angles = np.radians(np.arange(0, 181, 2))
+
+    def draw(axes, turn, b):
+        _apart(axes)
+        ground, a = Frame("ground"), 1.2
+        I = plate(a, b, ground, "z", mass=12.0).about(ground)
+        n = ground.vector(math.cos(math.radians(turn)), math.sin(math.radians(turn)), 0)
+        H = I.times(n)
+        s = Sketch(axes[0], ground, plane="xy", arrows=80)
+        s.plate([(x * a / 2, y * b / 2, 0) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))])
+        s.path(_ellipse(I, 0.9))
+        s.axes(O, ground, length=1.15, labels=["x", "y", ""])
+        s.vector(O, n, r"$\omega$", kind="rate")
+        s.vector(O, H, "$H$", kind="plain")
+        P = tuple(0.9 * math.sqrt(b * b / I.moment(n)) * x for x in n.components())
+        along = ground.k.cross(H) * (0.4 / float(H.norm()))
+        t = along.components()
+        s.line(
+            tuple(p - x for p, x in zip(P, t, strict=True)), tuple(map(sum, zip(P, t, strict=True)))
+        )
+        s.dot(P)
+        axes[0].set_title(f"angle between ω and H: {angle_between(n, H):.0f}°", fontsize=11)
+        _moments_over_angle(axes[1], I, angles, math.radians(turn))
+
+    interactive_figure(
+        draw,
+        Slider("turn", 40, 0, 180, 5, label="axis at", unit="°"),
+        Slider("b", 0.6, 0.6, 1.2, 0.3, label="b", unit="m"),
+        alt="Left: a rectangular plate with its inertia ellipse and an axis through its centre "
+        "that carries omega. H is at right angles to the tangent of the ellipse where the axis "
+        "meets it. Right: the moment about the axis and the product of inertia against its angle; "
+        "the product is zero where the moment is largest or least.",
+        size=(8.8, 4.2),
+        panels=(1, 2),
+    )
+
+
+def _ellipse(I, scale):
+    """The points at the distance sqrt(I_xx/I(n)) times ``scale`` in each direction n of the plane."""
+    (xx, yy, _), (xy, *_) = I.moments, I.products
+    out = []
+    for a in np.linspace(0, 2 * math.pi, 73):
+        c, s = math.cos(a), math.sin(a)
+        r = scale * math.sqrt(xx / (xx * c * c + yy * s * s - 2 * xy * s * c))
+        out.append((r * c, r * s, 0))
+    return out
+
+
+def _moments_over_angle(ax, I, angles, here):
+    """The moment about an axis of the plane, and the product with the axis across it."""
+    xx, yy, _ = I.moments
+
+    def both(a):
+        return xx * np.cos(a) ** 2 + yy * np.sin(a) ** 2, (yy - xx) * np.sin(a) * np.cos(a)
+
+    for values, label, colour, style, now in zip(
+        both(angles),
+        ("moment about the axis", "product with the axis across"),
+        (BLUE, RED),
+        ("-", "--"),
+        both(here),
+        strict=True,
+    ):
+        ax.plot(np.degrees(angles), values, style, color=colour, label=label)
+        ax.plot([math.degrees(here)], [now], "o", color=colour)
+    ax.axhline(0, color="black", lw=0.8)
+    ax.set(xlabel="angle of the axis (°)", xticks=range(0, 181, 45), ylabel="kg m²")
+    ax.set(ylim=(-0.9, 2.2))
+    ax.legend(frameon=False, fontsize=9, loc="upper right")
+
+
+def rods_and_axis():
+    """Figure 7.6: the axis of turning goes from x to the three principal axes one after another."""
+    ground = Frame("ground")
+    I = three_rods(12.0, 1.0, ground).about(ground)
+    stops = [
+        np.array(v) / np.linalg.norm(v) for v in ((1, 0, 0), (2, 1, -1), (0, 1, 1), (1, -1, 1))
+    ]
+    way = np.linspace(0, 3, 121)
+
+    def direction(s):
+        k = min(int(s), 2)
+        v = (1 - s + k) * stops[k] + (s - k) * stops[k + 1]
+        return ground.vector(*map(float, v / np.linalg.norm(v)))
+
+    moments = [I.moment(direction(s)) for s in way]
+    apart = [angle_between(direction(s), I.times(direction(s))) for s in way]
+
+    def draw(axes, at):
+        _apart(axes)
+        n = direction(at)
+        s = Sketch(axes[0], ground, azimuth=30, elevation=22, arrows=85)
+        _rods(s)
+        for e in stops[1:]:
+            s.line(tuple(-0.7 * e), tuple(0.7 * e), style="centre")
+        s.vector(O, n, r"$\omega$", kind="rate")
+        s.vector(O, I.times(n), "$H$", kind="plain")
+        axes[0].set_title(
+            f"angle between ω and H: {angle_between(n, I.times(n)):.1f}°", fontsize=11
+        )
+        axes[1].plot(way, moments, color=BLUE, label="moment (units of $m\\ell^2/12$)")
+        axes[1].plot(way, apart, "--", color=RED, label="angle between ω and H (°)")
+        axes[1].axvline(at, color="black", lw=0.8)
+        axes[1].set(xticks=range(4), ylim=(0, 36))
+        axes[1].set_xticklabels(["x", "(2, 1, −1)", "(0, 1, 1)", "(1, −1, 1)"])
+        axes[1].legend(frameon=False, fontsize=9, loc="upper right")
+
+    interactive_figure(
+        draw,
+        Slider("at", 0, 0, 3, 0.1, label="place on the way"),
+        alt="Left: the three rods with their three principal axes, dash-dotted, an axis of turning "
+        "omega, and H. Right: moment about that axis and angle between omega and H as the axis "
+        "goes from x to each principal axis; the angle is zero at these, where the moments are 5, "
+        "11 and 14.",
+        size=(9.2, 4.4),
+        panels=(1, 2),
+    )
+
+
+def propeller():
+    """Figure 7.7: a propeller with n blades, and its moment about a fixed axis in its plane."""
+    turns = np.radians(np.arange(0, 181, 2))
+
+    def moment(blades, turn):
+        return sum(np.sin(turn + 2 * math.pi * n / blades) ** 2 for n in range(blades)) / blades
+
+    def draw(axes, blades, turn):
+        _apart(axes)
+        blades, ground = round(blades), Frame("ground")
+        s = Sketch(axes[0], ground, plane="xy")
+        s.axes(O, ground, length=1.2, labels=["x", "y", ""])
+        for n in range(blades):
+            a = math.radians(turn) + 2 * math.pi * n / blades
+            s.rod(O, (math.cos(a), math.sin(a), 0))
+        s.hinge(O)
+        axes[1].plot(np.degrees(turns), moment(blades, turns), color=BLUE, label="$I_{xx}$")
+        axes[1].plot([turn], [moment(blades, math.radians(turn))], "o", color=BLUE)
+        axes[1].set(ylim=(-0.05, 1.05), xlabel="turned by (°)", xticks=range(0, 181, 45))
+        axes[1].set(ylabel="$I_{xx}/I_{zz}$")
+
+    interactive_figure(
+        draw,
+        Slider("blades", 2, 2, 4, 1, label="blades"),
+        Slider("turn", 30, 0, 90, 15, label="turned", unit="°"),
+        alt="Left: a propeller of straight blades in the plane of x and y. Right: its moment about "
+        "x divided by that about z, against the angle by which it is turned: a wave between 0 and "
+        "1 for two blades, a straight line at one half for three or more.",
+        size=(8.4, 3.9),
+        panels=(1, 2),
+    )
+
+
+def vectors_to_particle():
+    """Figure 7.8: B, G and a particle, with d, rho_i and d_i."""
+
+    def draw(ax, place):
+        ground = Frame("ground")
+        s = Sketch(ax, ground, plane="xy")
+        G = (1.3, 0.55, 0)
+        outline = [
+            (1.05 + 1.5 * math.cos(a), 0.45 + 0.95 * math.sin(a), 0)
+            for a in np.linspace(0, 2 * math.pi, 61)
+        ]
+        a = math.radians(place)
+        P = (G[0] + 0.95 * math.cos(a), G[1] + 0.6 * math.sin(a), 0)
+        s.path(outline)
+        s.arrow(O, G, r"$\mathbf{d}$", kind="force")
+        s.arrow(G, P, r"$\mathbf{\rho}_i$", kind="velocity")
+        s.arrow(O, P, r"$\mathbf{d}_i$")
+        for point, name in ((O, "B"), (G, "G"), (P, "i")):
+            s.dot(point)
+            s.label(point, name)
+
+    interactive_figure(
+        draw,
+        Slider("place", 75, 0, 360, 15, label="particle", unit="°"),
+        alt="The outline of a body with a body-fixed point B, the mass centre G and a particle i. "
+        "The vector d_i from B to the particle is the sum of d from B to G and rho_i from G to "
+        "the particle.",
+        size=(6, 3.8),
+    )
+
+
+def shifted_axis(build):
+    """Figure 7.9: the moment of the three rods about axes parallel to x, from ``build()``."""
+    body = build()
+    frame, mass, G = body.frame, float(body.mass), body.centre
+    least = float(body.inertia.moments[0])
+    far = np.linspace(0, 0.9, 60)
+
+    def draw(axes, away, turn):
+        _apart(axes)
+        y, z = away * math.cos(math.radians(turn)), away * math.sin(math.radians(turn))
+        P = frame.point("P", 0, 1 / 6 + y, 1 / 6 + z)
+        moment = float(body.about(P).moments[0])
+        s = Sketch(axes[0], frame, plane="yz")
+        for A, B in RODS:
+            s.rod(A, B)
+        s.axes(O, frame, length=0.45, labels=["", "y", "z"])
+        s.ring(G, frame.i, away or 1e-3)
+        s.line(G, P)
+        for place, name in ((O, "B"), (G, "G"), (P, "P")):
+            s.dot(place)
+            s.label(place, name)
+        axes[1].plot(far, least + mass * far**2, color=BLUE)
+        axes[1].plot([away], [moment], "o", color=RED)
+        axes[1].axhline(least, color="black", lw=0.8, ls="--", label="about G")
+        axes[1].set(xlabel="distance of the axis from G (m)", ylabel="moment (kg m²)")
+        axes[1].set(xlim=(0, 0.9), ylim=(0, least + mass * 0.8))
+        axes[1].legend(frameon=False, loc="upper left")
+
+    interactive_figure(
+        draw,
+        Slider("away", 0.4, 0, 0.8, 0.2, label="distance of P from G", unit="m"),
+        Slider("turn", 0, 0, 270, 90, label="direction of GP", unit="°"),
+        alt="Left: the three rods seen along x, with the mass centre G, a point P through which "
+        "the axis goes, and the circle about G through P. Right: the moment about that axis "
+        "against its distance from G, a parabola whose least value is that for the axis through G.",
+        size=(8.6, 4),
+        panels=(1, 2),
+    )
+
+
+def ring_of_gyration():
+    """Figure 7.10: a rod about an axis across it, and the ring of the same mass and moment."""
+
+    def draw(ax, b):
+        ground, k = Frame("ground"), math.sqrt(1 / 12 + (b - 0.5) ** 2)
+        s = Sketch(ax, ground, plane="xy")
+        s.rod((-b, 0, 0), (1 - b, 0, 0))
+        s.ring(O, ground.k, k)
+        s.dot(O)
+        s.dot((0.5 - b, 0, 0))
+        s.label((0.5 - b, 0, 0), "G")
+        s.label(O, "B")
+        s.arrow(O, (0.6 * k, 0.8 * k, 0), "$k$")
+        ax.set_title(f"k = {k:.3f} ℓ, G at {abs(b - 0.5):.2f} ℓ", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("b", 0, 0, 1, 0.05, label="B at", unit="ℓ"),
+        alt="A rod, an axis at right angles to it through a point B of the rod, and a circle about "
+        "B whose radius is the radius of gyration; the mass centre of the rod is always inside.",
+        size=(5.6, 4.6),
+    )
+
+
+def machine_part(build):
+    """Figure 7.11: the machine part, from ``build(r, h, s)``."""
+
+    def draw(ax, h, s):
+        r = 0.1
+        body = build(r, h, s)
+        frame = body.frame
+        sketch = Sketch(ax, frame, plane="yz")
+        outline = [
+            (0, r, 0),
+            (0, r, h),
+            (0, -r, h),
+            (0, -r, 0),
+            *sketch.around(O, (0, -r, 0), frame.i, math.pi),
+        ]
+        hole = sketch.around((0, 0, h / 2), (0, s, h / 2), frame.i)
+        sketch.plate(outline, [hole])
+        sketch.axes(O, frame, length=0.16, labels=["", "y", "z"])
+        sketch.dot(body.centre)
+        sketch.label(body.centre, "G")
+        sketch.dimension((0, -r, 0), (0, -r, h), "h", offset=0.02)
+        sketch.dimension((0, -r, h), (0, 0, h), "r", offset=0.02)
+        xx, yy, zz = (1e3 * float(x) for x in body.about(frame).moments)
+        ax.set_title(
+            rf"$I_{{xx}}$ = {xx:.2f}, $I_{{yy}}$ = {yy:.2f}, $I_{{zz}}$ = {zz:.2f} g m²",
+            fontsize=11,
+        )
+
+    interactive_figure(
+        draw,
+        Slider("h", 0.2, 0.1, 0.3, 0.01, unit="m"),
+        Slider("s", 0.03, 0.01, 0.045, 0.005, unit="m"),
+        alt="A flat machine part in the plane of y and z: a rectangle of width 2 r and height h "
+        "above the y axis, with a round hole of radius s in its middle, and half a disk of radius "
+        "r below. The mass centre G lies on the z axis.",
+        size=(5.6, 5),
+    )
+
+
+def particles_along(length, count, mass, frame, start):
+    """``count`` equal particles, in the middles of equal parts of a rod along x from ``start``."""
+    step = length / count
+    return composite(
+        "particles",
+        [
+            particle(mass / count, frame.point("", start + (n + 0.5) * step, 0, 0), f"{n}")
+            for n in range(count)
+        ],
+    )
