@@ -101,3 +101,14 @@ def test_a_title_stands_for_its_values_only():
     assert moving.figure.axes[0].get_title() == "moves"
     moving.picture({"a": 0}, None)
     assert moving.figure.axes[0].get_title() == ""
+
+
+def test_a_plot_beside_a_sketch_keeps_room_for_its_labels():
+    def both(axes, a):
+        arrow(axes[0], a)
+        axes[1].set(xlabel="time (s)", ylabel="force (N)")
+
+    moving = stage(both, [{"a": 1}, {"a": 2}], panels=(1, 2))
+    moving.picture({"a": 1}, None)
+    label = moving.figure.axes[1].xaxis.label.get_window_extent()
+    assert label.y0 >= 0
