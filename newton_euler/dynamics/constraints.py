@@ -51,8 +51,8 @@ class Freedom:
 
     def __str__(self):
         text = (
-            f"{self.count} degrees of freedom: {self.unknowns} coordinates less {self.rank} "
-            "independent constraints"
+            f"{self.count} degree{'s' * (self.count != 1)} of freedom: {self.unknowns} coordinates "
+            f"less {self.rank} independent constraint{'s' * (self.rank != 1)}"
         )
         for name, times in self.redundant.items():
             text += f"\n  redundant: {name}, {times} of its equations follow from the constraints "
