@@ -348,7 +348,7 @@ def acceleration_terms(build):
 
     def draw(ax, tilt, speed):
         ground, *_, A = build(tilt=math.radians(tilt), speed=speed)
-        s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=150)
+        s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=250)
         s.sum(O, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
 
     interactive_figure(
