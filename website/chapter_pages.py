@@ -8,6 +8,8 @@ from .notebooks import section_anchor
 
 HEADING = re.compile(r"(?m)^#+ ((?:\d+|[AB])\.\d+) .+$")
 WIDGET = "application/vnd.jupyter.widget-view+json"
+TRIED = re.compile(r'try_problem\("([^"]+)"\)')
+TRY = "**Try problem {number}.** In the notebook the cell at this place checks your answers."
 NO_OUTPUTS = "*The cells of this page have not been run.*"
 
 
@@ -18,6 +20,8 @@ def page(notebook, ran=True):
     for cell, after in zip(cells, [*cells[1:], {}], strict=True):
         if cell.cell_type == "markdown":
             cell.source = markdown(cell.source)
+        elif tried := TRIED.fullmatch(cell.source.strip()):
+            _say_where(cell, tried[1])
         elif cell.cell_type == "code":
             _fold(cell)
             cell.outputs = [x for x in cell.outputs if WIDGET not in x.get("data", {})]
@@ -48,6 +52,13 @@ def _inline(match):
     """A formula as the pages have it, where Markdown does not read it."""
     formula = match[1].replace("&", "&amp;").replace("<", "&lt;")
     return rf'<span class="math notranslate nohighlight">\({formula}\)</span>'
+
+
+def _say_where(cell, number):
+    """A cell that checks an answer: here the link to the problem stands in its place."""
+    cell.cell_type, cell.source = "markdown", TRY.format(number=number)
+    cell.pop("outputs", None)
+    cell.pop("execution_count", None)
 
 
 def _fold(cell):

@@ -1,6 +1,8 @@
 """The site of what is there, and of a notebook with everything that a chapter may hold."""
 
+import os
 import shutil
+from pathlib import Path
 
 import pytest
 
@@ -12,7 +14,9 @@ NOT_RUN = {"speed_and_accuracy"}
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory):
-    """The folder of the built pages."""
+    """The folder of the built pages; SITE=folder looks at one that was built before."""
+    if built := os.environ.get("SITE"):
+        return Path(built)
     pytest.importorskip("myst_nb", reason="the site wants pip install -e '.[site]'")
     from website.build import build
     from website.notebooks import FOLDER

@@ -38,6 +38,7 @@ animate(swinging, [0.1 * n for n in range(20)], alt="A pendulum swings.")"""
 PICTURE = "import matplotlib.pyplot as plt\n\nplt.plot([0, 1], [0, 1])\nplt.show()"
 CAPTION = "*Figure 1. A straight line from $0$ to 1.* It rises."
 SLIDER = "from ipywidgets import FloatSlider\n\nFloatSlider()"
+TRY = 'try_problem("4/12")'
 VECTOR = 'Frame("ground").vector(1, 2, 3)'
 
 
@@ -48,6 +49,7 @@ def notebook():
         new_markdown_cell(OPENING), new_markdown_cell(FORMULAS), new_markdown_cell(FOLDED),
         new_code_cell(FILM, metadata=folded), new_code_cell(PICTURE), new_markdown_cell(CAPTION),
         new_code_cell(SLIDER), new_code_cell(VECTOR),
+        new_code_cell("from newton_euler.classroom import try_problem"), new_code_cell(TRY),
     ]  # fmt: skip
     kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
     return new_notebook(cells=cells, metadata={"kernelspec": kernel})

@@ -103,6 +103,12 @@ def test_numbers_of_problems_are_linked_and_fractions_are_not(site):
     assert "../problems/ch03.html#p3-4" not in links
 
 
+def test_a_cell_that_checks_an_answer_is_a_link_to_the_problem(site):
+    sample = read(site / "chapters" / "sample.html")
+    assert "../problems/ch04.html#p4-12" in sample.links
+    assert "No practice file" not in "".join(sample.words)
+
+
 def test_a_problem_links_back_to_its_section(site):
     links = read(site / "problems" / "ch04.html").links
     assert "../chapters/ch04_relative_motion.html#section-4-10" in links

@@ -36,7 +36,11 @@ pygments_style = "friendly"
 
 MATHJAX = Path(importlib.util.find_spec("sphinx-mathjax-offline").origin).parent / "static/mathjax"
 mathjax_path = "tex-svg-full.js"  # draws outlines: no fonts to load, also from a file
-mathjax3_config = {"options": {"enableMenu": False}, "tex": {"tags": "none"}}
+mathjax3_config = {
+    "options": {"enableMenu": False},
+    "svg": {"scale": 0.93},  # beside this typeface
+    "tex": {"tags": "none"},
+}
 
 html_theme = "furo"
 html_favicon = "static/icon.svg"
