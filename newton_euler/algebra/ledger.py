@@ -169,14 +169,14 @@ class Explanation:
         """The formula and the value of each term, as an align* environment."""
         symbol, known = self.equation.symbol, self.equation.terms
         # braces, since a symbol as M_B has an index already
-        total = f"{{{symbol}}}" + r"_{\text{" + self.ledger.subject.replace("_", r"\_") + "}}"
+        total = f"{{{symbol}}}" + f"_{{{latex_text(self.ledger.subject)}}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
         formulas = [known[n][1] if n in known else _product(n, symbol) for n in self.terms]
         joined = " + ".join(formulas).replace(" + -", " - ")
         rows = [rf"{total} &= {joined} \tag{{{self.equation.number}}}"]
         values = {**self.terms, "sum": self.vector}.items()
         for formula, (name, v) in zip([*formulas, total], values, strict=True):
-            rows.append(rf"{formula} &= {v.latex()}{unit} && \text{{{name}}}")
+            rows.append(rf"{formula} &= {v.latex()}{unit} && {latex_text(name)}")
         return r"\begin{align*}" + r" \\ ".join(rows) + r"\end{align*}"
 
     def _repr_mimebundle_(self, **_):
@@ -190,7 +190,12 @@ def _product(name, symbol):
     parts = name.split(" x ")
     if len(parts) > 1:
         symbol = r"\boldsymbol{\omega}"
-    return r"\times".join(rf"{symbol}_{{\text{{{part}}}}}" for part in parts)
+    return r"\times".join(rf"{symbol}_{{{latex_text(part)}}}" for part in parts)
+
+
+def latex_text(words):
+    """Words within a formula; MathJax takes a bare _ there for an error."""
+    return r"\text{" + words.replace("_", r"\_") + "}"
 
 
 def latex_number(x, digits):
@@ -205,7 +210,7 @@ def latex_number(x, digits):
             return r"\text{" + shown(x).strip("<>") + "}"
         body = sympy.latex(sympy.sympify(x))
     except Exception:  # heyoka, traced and array components have no LaTeX of their own
-        body = r"\text{" + str(x)[:40].replace("_", r"\_") + "}"
+        body = latex_text(str(x)[:40])
     return body if body.replace("\\", "").isalnum() else rf"\left({body}\right)"
 
 

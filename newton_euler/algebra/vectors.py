@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .codegen.pickles import Found
 from .jets import Moving, moving
-from .ledger import Equation, Explanation, Ledger, NamedTerms, latex_number
+from .ledger import Equation, Explanation, Ledger, NamedTerms, latex_number, latex_text
 from .scalars import (
     ZERO,
     NewtonEulerError,
@@ -231,8 +231,8 @@ class Vector(Scaled, NamedTerms):
                 number = latex_number(x, 5)
                 sign = "+" if text and not number.startswith("-") else ""
                 text += rf"{sign}{number}\,{hat}"
-        name = self.frame.name
-        return rf"\left({text}\right)_{{\text{{{name}}}}}" if text else r"\mathbf{0}"
+        name = latex_text(self.frame.name)
+        return rf"\left({text}\right)_{{{name}}}" if text else r"\mathbf{0}"
 
     # -- algebra
 

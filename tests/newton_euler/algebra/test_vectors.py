@@ -1,6 +1,7 @@
 """Appendix A in components, and the ledger that a vector keeps of its terms."""
 
 import math
+import re
 
 import mpmath
 import mpmath as mp
@@ -276,6 +277,17 @@ def test_explain_shows_latex_in_jupyter():
     assert r"\tag{4.22}" in rod.angular_velocity(ground).explain().latex
     assert "equation (4.15)" in str(arm.i.rate(ground).explain())
     assert "equation (4.17)" in str(rod.point("Q", 1.0, 0, 0).velocity(ground).explain())
+
+
+def test_no_underscore_of_a_name_stands_bare_in_latex():
+    """MathJax shows a formula with one as an error."""
+    wheel = ground.rotate("wheel_1", "z", rate=2.0).rotate("disk_2", "x", rate=1.0)
+    P = wheel.point("P_1", 1.0, 0, 0)
+    motion = (wheel.angular_acceleration(ground), P.velocity(ground), P.acceleration(ground))
+    latex = " ".join(rate.explain().latex for rate in motion) + wheel.i.latex()
+    assert r"disk\_2" in latex
+    assert r"P\_1" in latex
+    assert not re.search(r"[A-Za-z]_\d", re.sub(r"\\[A-Za-z]+", "", latex))
 
 
 @pytest.mark.parametrize("kind", [*KINDS, "traced", "dimension"])
