@@ -1,0 +1,570 @@
+"""The figures of chapter 11: work as an area, energies as bars beside what moves."""
+
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from newton_euler import Frame, integrate, prepare, sin, work_along
+from newton_euler.classroom import Slider, interactive_figure, show_figure
+from newton_euler.drawing import Sketch, animate
+from newton_euler.dynamics.energy import gyroscope_energy
+from newton_euler.scenes.planar.pendulum import physical_pendulum
+from newton_euler.scenes.spatial.top import euler
+
+O = (0, 0, 0)
+G_SI = 9.81
+COLOURS = "#0072B2", "#D55E00", "#009E73", "#555555"
+HATCHES = "", "//", "..", ""
+STYLES = "-", "--", ":", "-."
+
+
+def bars(ax, energies, low, high, unit="J"):
+    """Draw energies by name as bars, with their values; ``low`` to ``high`` is the scale."""
+    for n, x in enumerate(energies.values()):
+        ax.bar(n, x, 0.6, color=COLOURS[n], hatch=HATCHES[n], edgecolor="white")
+        up = x >= 0
+        ax.annotate(
+            f"{x:.2f}".replace("-", "\N{MINUS SIGN}"),
+            (n, x), (0, 3 if up else -3), textcoords="offset points", ha="center",
+            va="bottom" if up else "top",
+        )  # fmt: skip
+    ax.set_xticks(range(len(energies)), energies)
+    ax.set(ylim=(low, high), ylabel=unit)
+    ax.axhline(0, color="black", lw=0.8)
+
+
+# -- work
+
+
+def tug(pull, track, winch):
+    """Figure 11.1: a sledge pulled toward a winch, and the work as an area."""
+    q = np.linspace(0, 8, 241)
+    places = np.array([track(x)[:2] for x in q], float)
+    steps = np.diff(places, axis=0)
+    s = np.concatenate([[0], np.cumsum(np.hypot(*steps.T))])
+    tangents = np.gradient(places, q, axis=0)
+    tangents /= np.hypot(*tangents.T)[:, None]
+    forces = np.array([pull(*place, 0)[:2] for place in places], float)
+    F_t = (forces * tangents).sum(axis=1)
+
+    def draw(axes, gone):
+        n = round(30 * gone)
+        A = (*places[n], 0)
+        sketch = Sketch(axes[0], Frame("ground"), plane="xy")
+        sketch.path([(x, y, 0) for x, y in places])
+        sketch.line(A, (*winch, 0))
+        sketch.hinge((*winch, 0))
+        sketch.vector(A, (*forces[n], 0), r"$\mathbf{F}$", kind="force", size="N")
+        sketch.vector(A, (*tangents[n], 0), r"$d\mathbf{r}$")
+        for place, name in (((*winch, 0), "W"), (A, "A")):
+            sketch.label(place, name)
+        _area(axes[1], s, F_t, n)
+        U = work_along(pull, track, 0.0, gone).value if gone else 0.0
+        axes[1].set_title(f"work so far: {U:.1f} J", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("gone", 4, 0, 8, 0.25, label="x of the sledge", unit="m"),
+        alt="Left: a sledge A on a curved track, pulled by a rope toward the winch W; the force F "
+        "points to W and dr along the track. Right: the component of F along the track against "
+        "the distance covered, with the area so far filled; beyond the winch it is negative.",
+        size=(9, 3.8),
+        panels=(1, 2),
+    )
+
+
+def _area(ax, s, F_t, n):
+    """Plot F_t against s, filled as far as the place number n."""
+    ax.plot(s, F_t, color="black")
+    part, force = s[: n + 1], F_t[: n + 1]
+    for sign, colour, hatch in ((1, COLOURS[0], ""), (-1, COLOURS[1], "//")):
+        ax.fill_between(
+            part, force, where=sign * force >= 0, color=colour, alpha=0.4, hatch=hatch, lw=0
+        )
+    ax.axhline(0, color="black", lw=0.8)
+    ax.set(xlabel="s (m)", ylabel="$F_t$ (N)", xlim=(s[0], s[-1]), ylim=(-60, 60))
+
+
+def couple():
+    """Figure 11.2: the two forces of a couple, and the velocities of the points they act on."""
+
+    def draw(ax, angle):
+        ground = Frame("ground")
+        C = ground.point("C", 0.2, 0, 0)
+        body = ground.rotate("body", "z", angle=math.radians(25), rate=1.0, origin=C)
+        D = body.point("D", 1.0, 0, 0)
+        force = math.cos(math.radians(angle)) * body.i + math.sin(math.radians(angle)) * body.j
+        sketch = Sketch(ax, ground, plane="xy")
+        corners = ((-0.25, -0.3), (1.25, -0.3), (1.25, 0.3), (-0.25, 0.3))
+        sketch.plate([body.point("", x, y, 0) for x, y in corners], shade="light")
+        sketch.arrow(C, D, r"$\mathbf{r}$")
+        sketch.vector(D, force, r"$\mathbf{F}$", kind="force")
+        sketch.vector(C, -1.0 * force, r"$-\mathbf{F}$", kind="force")
+        sketch.vector(D, 0.6 * body.j, r"$\omega\times\mathbf{r}$")
+        sketch.turn(C, ground.k, r"$\omega$", radius=0.16)
+        for place, name in ((C, "C"), (D, "D")):
+            sketch.label(place, name)
+        moment = math.sin(math.radians(angle))
+        ax.set_title(f"moment and power: {moment:.2f} of the greatest possible", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("angle", 60, 0, 180, 10, label="angle from r to F", unit="°"),
+        alt="A plate turns at omega. A force F acts at its point D and the opposite force at C; r "
+        "leads from C to D, and D moves relative to C with the velocity omega cross r, at right "
+        "angles to r.",
+        size=(6.4, 4.2),
+    )
+
+
+# -- a particle
+
+
+def pendulum_with_pin(speed, cord, pin, angle):
+    """Figure 11.3: the ball on its two arcs; ``speed`` is a function of the depth."""
+    rest = cord - pin
+    first = cord * angle / (cord * angle + rest * math.pi / 2)
+
+    def place(way):
+        if way < first:
+            a = angle * (1 - way / first)
+            return (-cord * math.sin(a), -cord * math.cos(a)), (math.cos(a), -math.sin(a))
+        b = math.pi / 2 * (way - first) / (1 - first)
+        return (rest * math.sin(b), -pin - rest * math.cos(b)), (math.cos(b), math.sin(b))
+
+    def draw(axes, way):
+        (x, y), direction = place(way / 100)
+        v, ball = speed(-y), (x, y, 0)
+        B = (0, -pin, 0)
+        sketch = Sketch(axes[0], Frame("ground"), plane="xy")
+        sketch.path([(*place(n / 60)[0], 0) for n in range(61)], style="dotted")
+        sketch.road([(0.15, 0, 0), (-0.15, 0, 0)])
+        for stops in [(O, ball)] if way / 100 < first else [(O, B), (B, ball)]:
+            sketch.line(*stops, style="solid")
+        sketch.hinge(B)
+        sketch.sphere(ball, 0.03)
+        sketch.vector(ball, tuple(v * c for c in (*direction, 0)), r"$\mathbf{v}$", size="m/s")
+        for P, name in (((*place(0)[0], 0), "A"), (B, "B"), ((*place(1)[0], 0), "C")):
+            sketch.label(P, name)
+        T, V = v * v / 2, G_SI * y
+        bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -11, 9, "J for each kg")
+
+    interactive_figure(
+        draw,
+        Slider("way", 30, 0, 100, 2, label="way from A to C", unit="%"),
+        alt="Left: a ball on a cord swings down from A; at the bottom the cord catches the pin B, "
+        "and the ball rises on a smaller circle to C, level with B. Right: bars of the kinetic "
+        "energy, the potential energy and their sum, which does not change.",
+        size=(8.6, 4.2),
+        panels=(1, 2),
+    )
+
+
+def two_works(forces):
+    """Figure 11.4: the work of each of two forces on paths from A to B that bulge differently."""
+    grid = [n / 3 for n in range(-4, 11)]
+
+    def draw(axes, bulge):
+        works = {
+            name: work_along(F, lambda q: _bulging(q, bulge), 0.0, 1.0).value
+            for name, F in forces.items()
+        }
+        q = np.linspace(0, 1, 61)
+        ax = axes[0]
+        X, Y = np.meshgrid(grid, grid)
+        around = list(forces.values())[1]
+        swirl = np.array([[around(x, y, 0)[:2] for x in grid] for y in grid])
+        ax.quiver(
+            X, Y, *np.moveaxis(swirl, 2, 0), color=COLOURS[1], width=0.007, scale=300, pivot="mid"
+        )
+        ax.plot(2 * q, q + bulge * np.sin(math.pi * q), color="black", lw=2)
+        for name, (x, y) in {"A": (0, 0), "B": (2, 1)}.items():
+            ax.plot(x, y, "ko")
+            ax.annotate(name, (x, y), (6, -12), textcoords="offset points", weight="bold")
+        ax.set(xlim=(-0.7, 2.7), ylim=(-1.2, 2.2), aspect="equal", xlabel="x (m)", ylabel="y (m)")
+        bars(axes[1], works, -32, 32)
+        axes[1].set_title("work from A to B", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("bulge", 0.6, -1, 1, 0.1, label="bulge of the path", unit="m"),
+        alt="Left: a path from A to B that bulges up or down in a field of arrows that go round "
+        "the origin. Right: two bars. The work of the weight is the same for every bulge; that of "
+        "the swirling force changes with it, even its sign.",
+        size=(9, 3.9),
+        panels=(1, 2),
+    )
+
+
+def _bulging(q, bulge):
+    return 2 * q, q + bulge * sin(math.pi * q), 0
+
+
+def satellite(speed, mu, nearest, farthest):
+    """Figure 11.5: a satellite on an ellipse and its energies; ``speed`` of the distance, SI."""
+    e = (farthest - nearest) / (farthest + nearest)
+
+    def at(degrees):
+        f = math.radians(degrees)
+        r = nearest * (1 + e) / (1 + e * math.cos(f))
+        return (
+            r,
+            (1e-6 * r * math.cos(f), 1e-6 * r * math.sin(f), 0),
+            (-math.sin(f), e + math.cos(f)),
+        )
+
+    def draw(axes, round_):
+        r, P, direction = at(round_)
+        v = speed(r)
+        sketch = Sketch(axes[0], Frame("space"), plane="xy")
+        sketch.path([at(3 * n)[1] for n in range(121)], style="dotted")
+        sketch.sphere(O, 6.4)
+        sketch.line(O, P)
+        sketch.dot(P)
+        size = math.hypot(*direction)
+        velocity = tuple(1e-3 * v * c / size for c in (*direction, 0))
+        sketch.vector(P, velocity, r"$\mathbf{v}$", size="km/s")
+        sketch.vector(P, tuple(-c / r**3 for c in P), r"$\mathbf{F}$", kind="force")
+        T, V = 1e-6 * v * v / 2, -1e-6 * mu / r
+        bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -70, 60, "MJ for each kg")
+
+    interactive_figure(
+        draw,
+        Slider("round_", 60, 0, 360, 5, label="angle from the nearest point", unit="°"),
+        alt="Left: a satellite on an ellipse about the Earth, with its velocity and the force "
+        "toward the Earth. Right: bars of its kinetic energy, its negative potential energy and "
+        "their sum, which stays the same all the way round.",
+        size=(9, 4),
+        panels=(1, 2),
+    )
+
+
+def sliding_block(m, slope, mu, length):
+    """Figure 11.6: a block that slides down against friction, and where the energy goes."""
+    down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
+    a = G_SI * (math.sin(slope) - mu * math.cos(slope))
+    top = m * G_SI * length * math.sin(slope)
+
+    def draw(axes, s):
+        G = tuple(s * d + 0.2 * n for d, n in zip(down, normal, strict=True))
+        ground = Frame("ground")
+        sketch = Sketch(axes[0], ground, plane="xy")
+        sketch.road([tuple(x * d for d in (*down, 0)) for x in (-0.4, length + 0.4)])
+        sketch.box((*G, 0), ground.rotate("slope", "-z", slope), (0.6, 0.4, 0.4))
+        weight = m * G_SI
+        friction = mu * weight * math.cos(slope)
+        sketch.vector((*G, 0), (0, -weight, 0), r"$m\mathbf{g}$", kind="force")
+        foot = (s * down[0], s * down[1], 0)
+        sketch.vector(foot, tuple(-friction * d for d in (*down, 0)), "friction", kind="force")
+        T, lost = m * a * s, friction * s
+        V = top - weight * s * math.sin(slope)
+        bars(axes[1], {"T": T, "V": V, "internal": lost, "sum": T + V + lost}, 0, 1.2 * top)
+
+    interactive_figure(
+        draw,
+        Slider("s", 1, 0, length, 0.2, label="distance", unit="m"),
+        alt="Left: a block slides down an incline, with its weight and the friction. Right: bars "
+        "of kinetic, potential and internal energy. The potential energy falls, the other two "
+        "grow in proportion to the distance, and the sum stays.",
+        size=(9, 3.9),
+        panels=(1, 2),
+    )
+
+
+def weight_on_spring(m, stiffness):
+    """Figure 11.7: a weight let go on a spring without load, and its potential energies."""
+    lowest = 2 * m * G_SI / stiffness
+    x = np.linspace(-0.1 * lowest, 1.15 * lowest, 121)
+    potentials = {"spring": lambda x: stiffness * x * x / 2, "weight": lambda x: -m * G_SI * x}
+
+    def total(x):
+        return sum(V(x) for V in potentials.values())
+
+    def draw(axes, stretch):
+        now = 0.01 * stretch
+        hung = (0, -0.3 - now, 0)
+        ground = Frame("ground")
+        sketch = Sketch(axes[0], ground, plane="xy")
+        sketch.road([(0.15, 0, 0), (-0.15, 0, 0)])
+        sketch.spring(O, hung)
+        G = (0, hung[1] - 0.05, 0)
+        sketch.box(G, ground, (0.16, 0.1, 0.1))
+        sketch.vector(G, (0, -m * G_SI, 0), r"$m\mathbf{g}$", kind="force", size="N")
+        sketch.vector(hung, (0, stiffness * now, 0), "spring", kind="force", size="N")
+        sketch.dimension((0.22, -0.3, 0), (0.22, hung[1], 0), "x", offset=0.0)
+        ax = axes[1]
+        for (name, V), colour, style in zip(potentials.items(), COLOURS, STYLES[1:], strict=False):
+            ax.plot(100 * x, V(x), color=colour, ls=style, label=f"V of the {name}")
+        ax.plot(100 * x, total(x), color="black", label="V, the sum")
+        ax.axhline(0, color="#555555", ls="-.", label="E = 0")
+        ax.vlines(stretch, total(now), 0, color=COLOURS[2], lw=5, label="T = E − V")
+        ax.set(xlabel="x (cm)", ylabel="J", xlim=(100 * x[0], 100 * x[-1]))
+        ax.legend(frameon=False, fontsize=9, loc="upper left")
+
+    interactive_figure(
+        draw,
+        Slider("stretch", 12, 0, round(100 * lowest), 1, label="stretch x", unit="cm"),
+        alt="Left: a block hangs on a spring, with its weight and the force of the spring. Right: "
+        "the potentials of spring and weight against the stretch, and their sum, a parabola. The "
+        "kinetic energy is the gap up to the level E = 0, widest at the lowest point of the parabola.",
+        size=(9, 4.2),
+        panels=(1, 2),
+    )
+
+
+# -- rigid bodies
+
+
+def pair_in_a_body():
+    """Figure 11.8: the velocities of two points of a rigid body and their parts along the line."""
+
+    def draw(ax, turn):
+        ground = Frame("ground")
+        body = ground.rotate("body", "z", angle=math.radians(turn), rate=1.0)
+        ends = {"i": body.point("i", -0.7, 0, 0), "j": body.point("j", 0.7, 0.2, 0)}
+        line = (ends["j"] - ends["i"]).direction()
+        drift = ground.vector(0.8, 0.3, 0)
+        sketch = Sketch(ax, ground, plane="xy")
+        corners = ((-1, -0.5), (1, -0.5), (1, 0.55), (-1, 0.55))
+        sketch.plate([body.point("", x, y, 0) for x, y in corners], shade="light")
+        sketch.line(*ends.values())
+        for name, P in ends.items():
+            v = P.velocity(ground) + drift
+            along = v.dot(line)
+            sketch.vector(P, v, rf"$\mathbf{{v}}_{name}$", size="m/s")
+            sketch.vector(P, along * line, "")
+            sketch.label(P, name)
+        ax.set_title(f"component from i to j: {along:.3f} m/s for both", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("turn", 20, 0, 180, 5, label="angle of the body", unit="°"),
+        alt="A rigid plate moves and turns. The velocities of its points i and j differ, but their "
+        "components along the line from i to j, drawn as shorter arrows, are equal.",
+        size=(6.4, 4.4),
+    )
+
+
+def particle_of_a_body():
+    """Figure 11.9: a particle of a rigid body from the centre of mass, and its velocity."""
+
+    def draw(ax, turn):
+        ground = Frame("ground")
+        G = (1.2, 0.7, 0)
+        body = ground.rotate("body", "z", angle=math.radians(turn), origin=ground.point("G", *G))
+        P = body.point("i", 0.55, 0, 0)
+        v_G = ground.vector(0.7, 0, 0)
+        sketch = Sketch(ax, ground, plane="xy")
+        sketch.disk(G, ground.k, 0.7)
+        sketch.arrow(O, G, r"$\bar{\mathbf{r}}$")
+        sketch.arrow(G, P, r"$\rho_i$")
+        sketch.arrow(O, P, r"$\mathbf{r}_i$")
+        sketch.vector(G, v_G, r"$\bar{\mathbf{v}}$")
+        turning = 0.55 * body.j.expressed_in(ground)
+        sketch.vector(P, v_G + turning, r"$\mathbf{v}_i$")
+        sketch.vector(P, turning, r"$\omega\times\rho_i$")
+        for place, name in ((O, "O"), (G, "G")):
+            sketch.label(place, name)
+
+    interactive_figure(
+        draw,
+        Slider("turn", 330, 0, 360, 10, label="place of the particle", unit="°"),
+        alt="A round body with its centre of mass G. A particle i lies at rho from G and at r from "
+        "the origin O; its velocity is that of G plus omega cross rho, which turns with the "
+        "particle and cancels over the whole body.",
+        size=(6.6, 4.2),
+    )
+
+
+def rolling_sphere(energy, speed, m, R, slope):
+    """Figure 11.10: a sphere rolls down; ``energy(v)`` has terms, ``speed`` is that after a drop."""
+    down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
+    length = 2.0
+
+    def draw(axes, s):
+        drop = s * math.sin(slope)
+        v = speed(drop)
+        C = (s * down[0], s * down[1], 0)
+        G = tuple(c + R * n for c, n in zip(C, (*normal, 0), strict=True))
+        spoke = s / R
+        rim = tuple(
+            g + R * (math.cos(spoke) * d + math.sin(spoke) * n)
+            for g, d, n in zip(G, (*down, 0), (-normal[0], -normal[1], 0), strict=True)
+        )
+        weight = m * G_SI
+        sketch = Sketch(axes[0], Frame("ground"), plane="xy")
+        sketch.road([tuple(x * d for d in (*down, 0)) for x in (-0.3, length + 0.3)])
+        sketch.disk(G, (0, 0, 1), R, spoke=rim)
+        sketch.vector(G, tuple(v * d for d in (*down, 0)), r"$\bar{\mathbf{v}}$")
+        axes[0].set_title(f"speed of the centre: {v:.2f} m/s", fontsize=11)
+        contact = (
+            weight * (math.cos(slope) * normal[0] - 2 / 7 * math.sin(slope) * down[0]),
+            weight * (math.cos(slope) * normal[1] - 2 / 7 * math.sin(slope) * down[1]),
+            0,
+        )
+        sketch.vector(G, (0, -weight, 0), r"$m\mathbf{g}$", kind="force")
+        sketch.vector(C, contact, "contact force", kind="force")
+        sketch.label(C, "C")
+        T = energy(v).terms
+        V = weight * (length * math.sin(slope) - drop)
+        values = {"translation": T["translation"], "rotation": T["rotation"], "V": V}
+        bars(axes[1], values, 0, 1.2 * weight * length * math.sin(slope))
+
+    interactive_figure(
+        draw,
+        Slider("s", 0.8, 0, length, 0.1, label="distance", unit="m"),
+        alt="Left: a sphere rolls down an incline, with the velocity of its centre, its weight and "
+        "the contact force at C, which is at rest. Right: bars of the energies of translation and "
+        "rotation, always as 5 to 2, and of the potential energy.",
+        size=(9, 3.9),
+        panels=(1, 2),
+    )
+
+
+def race(speeds, slope, length=2.0):
+    """A film: bodies start together on equal inclines; ``speeds``: by name, after a drop."""
+    R = 0.1
+    down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
+    end = length * math.sin(slope)
+    accelerations = {name: speed(end) ** 2 / (2 * length) for name, speed in speeds.items()}
+    time = math.sqrt(2 * length / min(accelerations.values()))
+
+    def draw(t, ax):
+        ground = Frame("ground")
+        sketch = Sketch(ax, ground, plane="xy")
+        for n, (name, a) in enumerate(accelerations.items()):
+            s, low = min(a * t * t / 2, length), -0.5 * n
+
+            def place(x, y, low=low):
+                return x * down[0] + y * normal[0], low + x * down[1] + y * normal[1], 0
+
+            sketch.road([place(-0.15, 0), place(length + 0.15, 0)])
+            if name == "block":
+                sketch.box(place(s, R), ground.rotate("slope", "-z", slope), (2 * R, 2 * R, R))
+            else:
+                hole = 0.8 * R if name == "hoop" else 0
+                rim = place(s + R * math.sin(s / R), R + R * math.cos(s / R))
+                sketch.disk(place(s, R), (0, 0, 1), R, spoke=rim, hole=hole)
+            sketch.label(place(-0.15, 0), name, offset=(-26, 4))
+
+    return animate(
+        draw,
+        [time * n / 24 for n in range(25)],
+        alt="A block without friction, a sphere, a cylinder and a hoop start together down equal "
+        "inclines. The block is first, then the sphere, the cylinder, and last the hoop.",
+    )
+
+
+def top_energies(I0, I, mgr, spin):
+    """Figure 11.11: the terms of the energy of a top that is let go with its axis at rest."""
+    motion = integrate(euler(I0, I, mgr, spin), 1.0, (0.0, 0.6, 0.0, 0.0, 0.0), samples=201)
+    s = motion.states
+    axle = spin - s["psi_rate"] * np.cos(s["theta"])
+    T = gyroscope_energy(I0, I, s["theta"], s["theta_rate"], s["psi_rate"], axle).terms
+    V = mgr * np.cos(s["theta"])
+    curves = {
+        "transverse": T["transverse"],
+        "weight": V,
+        "transverse + weight": T["transverse"] + V,
+    }
+    fig, ax = plt.subplots(figsize=(6.6, 3.4))
+    for (name, y), colour, style in zip(curves.items(), COLOURS, STYLES, strict=False):
+        ax.plot(motion.times, y, color=colour, ls=style, label=name)
+    ax.set(xlabel="t (s)", ylabel="J", ylim=(0, 0.55))
+    ax.legend(frameon=False, loc="upper right", ncols=3, fontsize=9)
+    show_figure(
+        fig,
+        alt="Energies of a nodding top against time. The transverse kinetic energy rises from zero "
+        "and returns, the potential energy of the weight falls and returns, and their sum is a "
+        "straight level line. The axial energy does not change and is not drawn.",
+    )
+
+
+def pendulum_levels(m, I, l):
+    """Figure 11.12: the potential of a pendulum, a level of its energy, and the motion there."""
+    swing = prepare(physical_pendulum(m, I, l, G_SI))
+    angles = np.linspace(-math.pi, math.pi, 181)
+    depth = m * G_SI * l
+
+    def draw(axes, omega0):
+        E = (I + m * l * l) * omega0**2 / 2 - depth
+        top = 2000 if depth < E else 200
+        V = -depth * np.cos(angles)
+        axes[0].plot(np.degrees(angles), V, color=COLOURS[0], label="V")
+        axes[0].axhline(E, color="black", ls="--", label="E")
+        axes[0].fill_between(
+            np.degrees(angles), V, E, where=V < E, color=COLOURS[2], alpha=0.3, label="T = E − V"
+        )
+        axes[0].set(xlabel="θ (°)", ylabel="J", xlim=(-180, 180), ylim=(-1.3 * depth, 3.6 * depth))
+        axes[0].legend(frameon=False, fontsize=9, loc="upper left", ncols=3)
+        t = np.linspace(0, 4, 161)
+        theta = [swing(x, (0.0, omega0))[0] for x in t]
+        axes[1].plot(t, np.degrees(theta), color=COLOURS[0])
+        axes[1].set(xlabel="t (s)", ylabel="θ (°)", ylim=(-200, top))
+
+    interactive_figure(
+        draw,
+        Slider("omega0", 5.0, 0.5, 9.0, 0.25, label="ω at the bottom", unit="rad/s"),
+        alt="Left: the potential energy of a pendulum against its angle, a valley with hills at "
+        "plus and minus 180 degrees, and the level of the energy. Right: the angle against time. "
+        "Below the hilltops the pendulum swings, above them it turns over and over.",
+        size=(9, 3.9),
+        panels=(1, 2),
+    )
+
+
+# -- systems
+
+
+def two_carts(carts, period):
+    """Figure 11.13: two carts pushed apart by a spring; ``carts(t)`` gives x1, x2 and energies."""
+
+    def draw(axes, t):
+        x1, x2, energies = carts(0.01 * t * period)
+        ground = Frame("ground")
+        sketch = Sketch(axes[0], ground, plane="xy")
+        sketch.road([(-0.9, 0, 0), (0.8, 0, 0)])
+        left, right = -0.2 + x1, 0.2 + x2
+        free = min(right - left, 0.5)
+        sketch.box((left - 0.12, 0.12, 0), ground, (0.24, 0.2, 0.2))
+        sketch.box((right + 0.18, 0.12, 0), ground, (0.36, 0.2, 0.2))
+        sketch.spring((left, 0.12, 0), (left + free, 0.12, 0))
+        sketch.label((left - 0.12, 0.12, 0), "1", offset=(0, 0))
+        sketch.label((right + 0.18, 0.12, 0), "2", offset=(0, 0))
+        bars(axes[1], energies, 0, 1.25)
+
+    interactive_figure(
+        draw,
+        Slider("t", 20, 0, 100, 5, label="time", unit="% of the film"),
+        alt="Left: two carts on a rail, pushed apart by a spring that is fixed to the left one. "
+        "Right: bars of the kinetic energies of both and of the spring. The spring's energy goes "
+        "to both, three times as much to the light cart as to the heavy one.",
+        size=(9, 3.6),
+        panels=(1, 2),
+    )
+
+
+def powers_of_a_car(powers, a):
+    """Figure 11.14: the power at the wheels against the speed, from ``powers(v, a, slope)``."""
+    v = np.linspace(0.5, 40, 80)
+
+    def draw(ax, slope):
+        found = powers(v, a, math.atan(slope / 100))
+        for (name, P), colour, style in zip(
+            found.terms.items(), COLOURS, STYLES[1:] + STYLES[:1], strict=True
+        ):
+            ax.plot(v, 1e-3 * P, color=colour, ls=style, label=name)
+        ax.plot(v, 1e-3 * found.value, color="black", lw=2.5, label="sum")
+        ax.axhline(0, color="black", lw=0.8)
+        ax.set(xlabel="v (m/s)", ylabel="kW", xlim=(0, 40), ylim=(-30, 110))
+        ax.legend(frameon=False, loc="upper left", ncols=2, fontsize=9)
+
+    interactive_figure(
+        draw,
+        Slider("slope", 3, -6, 10, 1, label="slope", unit="%"),
+        alt="The power at the wheels of a car against its speed: accelerating, spinning up the "
+        "wheels and climbing grow in proportion to the speed, the air with its cube; the sum is "
+        "the heavy line.",
+        size=(7, 4.2),
+    )
