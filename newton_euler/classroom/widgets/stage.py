@@ -97,8 +97,9 @@ class Stage:
             titled = any(ax.get_title() for ax in axes)
             room = 0.01 if {sketch.ax for sketch in sketches} == {*axes} else 0.13
             self.figure.subplots_adjust(
-                left=0.01 if axes[0] is sketches[0].ax else room, right=0.99, bottom=room,
-                top=0.86 if titled else 0.93, wspace=0.01 + room, hspace=0.16 if titled else 0.02,
+                left=0.01 if axes[0] is sketches[0].ax else room, right=0.99 - room / 8,
+                bottom=room, top=0.86 if titled else 0.93,
+                wspace=0.01 + room, hspace=0.16 if titled else 0.02,
             )  # fmt: skip
         else:
             self.figure.tight_layout(rect=(0, 0, 1, 0.95))
