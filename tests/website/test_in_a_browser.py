@@ -38,11 +38,11 @@ typeset.then(() => {
 """
 WIDER = r"""
 const wide = document.documentElement.clientWidth, found = [];
-if (document.documentElement.scrollWidth <= wide && document.body.scrollWidth <= wide) return found;
 for (const e of document.querySelectorAll("article *"))
   if (e.getBoundingClientRect().right > wide + 1 && !e.closest(".math, pre, table, .output"))
     found.push(e.tagName + "." + e.className + ": " + e.textContent.slice(0, 60));
-return found.slice(0, 5).concat(["page " + document.documentElement.scrollWidth]);
+if (document.documentElement.scrollWidth > wide) found.push("the page: " + document.documentElement.scrollWidth);
+return found.slice(0, 5);
 """
 
 
