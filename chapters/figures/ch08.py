@@ -1,0 +1,320 @@
+"""The figures of chapter 8: the moment that a motion needs, planar motion, forces that are moved."""
+
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from newton_euler import Frame
+from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
+from newton_euler.classroom import Slider, interactive_figure, show_figure
+from newton_euler.drawing import Sketch, animate
+from newton_euler.dynamics import angular_momentum, resultant_moment
+
+O = (0, 0, 0)
+BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
+RODS = (((-0.5, 0, 0), (-0.5, 0, 1)), ((-0.5, 0, 0), (0.5, 0, 0)), ((0.5, 0, 0), (0.5, 1, 0)))
+
+
+def dumbbell(build):
+    """Figure 8.1: omega, H and M of a dumbbell, from ``build(tilt, rate, acceleration)``."""
+
+    def draw(ax, tilt, rate, acceleration):
+        ground, axle, body = build(math.radians(tilt), rate, acceleration)
+        places = [part.centre for part in body.parts]
+        s = Sketch(ax, ground, azimuth=-28, elevation=22, arrows=115)
+        s.shaft((0, 0, -0.55), (0, 0, 0.55))
+        s.rod(*places)
+        for place in places:
+            s.sphere(place, 0.06)
+        s.vector(O, axle.angular_velocity(ground), r"$\omega$", kind="rate")
+        s.vector(O, body.angular_momentum(ground), "$H$", kind="plain")
+        s.vector(O, resultant_moment(body, ground), "$M$", kind="force", size="N m")
+
+    interactive_figure(
+        draw,
+        Slider("tilt", 35, 10, 90, 10, label="β", unit="°"),
+        Slider("rate", 2.0, 0, 3, 0.5, label="ω", unit="rad/s"),
+        Slider("acceleration", 0.0, 0, 6, 3, label="rate of ω", unit="rad/s²"),
+        alt="The slanted dumbbell on its vertical shaft, with omega along the shaft, the angular "
+        "momentum H at right angles to the rod, and the moment M: at a constant rate it is at "
+        "right angles to the plane of shaft and rod, the way the tip of H moves.",
+        size=(6.4, 4.6),
+    )
+
+
+def internal_forces():
+    """Figure 8.2: two particles that pull at each other, along their line or not."""
+
+    def draw(ax, off):
+        ground = Frame("ground")
+        P, Q, F = (1.1, 0.35, 0), (2.0, 1.25, 0), 0.6
+        a = math.radians(45 + off)
+        push = (F * math.cos(a), F * math.sin(a), 0)
+        s = Sketch(ax, ground, plane="xy")
+        s.line(P, Q)
+        s.arrow(O, P, r"$\mathbf{d}_i$")
+        s.arrow(O, Q, r"$\mathbf{d}_j$")
+        s.arrow(P, tuple(map(sum, zip(P, push, strict=True))), r"$\mathbf{F}_{ij}$", kind="force")
+        back = tuple(q - f for q, f in zip(Q, push, strict=True))
+        s.arrow(Q, back, r"$\mathbf{F}_{ji}$", kind="force")
+        for place, name in ((O, "B"), (P, "i"), (Q, "j")):
+            s.dot(place)
+            s.label(place, name)
+        moment = (P[0] - Q[0]) * push[1] - (P[1] - Q[1]) * push[0]
+        ax.set_title(f"sum of both moments about B: {moment:.2f} N m", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("off", 0, -60, 60, 5, label="off the line by", unit="°"),
+        alt="Two particles i and j with opposite forces on each other, and the vectors from B to "
+        "them. If the forces lie on the line that joins the particles their moments about B "
+        "cancel; if they are turned away from it a couple is left.",
+        size=(6, 4),
+    )
+
+
+def pole_on_truck(build):
+    """Figure 8.3: a pole on a truck, from ``build(a, tilt)``: ground, pole, foot."""
+
+    def draw(ax, a, tilt):
+        ground, pole, foot = build(a, math.radians(tilt))
+        mass, up = float(pole.mass), ground.vector(0, 0, 9.81)
+        tip = tuple(2 * x for x in (pole.centre - foot).components(ground))
+        d = (pole.centre - foot).expressed_in(ground)
+        needed = resultant_moment(pole, ground, foot).expressed_in(ground)
+        hinge = needed - d.cross(up * -mass)
+        s = Sketch(ax, ground, plane="xz")
+        s.box((0, 0, -0.25), ground, (2.6, 0.5, 0.3))
+        for x in (-0.9, 0.9):
+            s.disk((x, 0, -0.5), ground.j, 0.2)
+        s.road([(-1.8, 0, -0.7), (1.9, 0, -0.7)])
+        s.rod(O, tip)
+        s.vector(d.components(ground), up * -mass, "weight", kind="force")
+        s.vector((1.35, 0, -0.25), ground.i * a, "$a_B$", kind="acceleration", size="m/s²")
+        s.label(O, "B")
+        s.label(d.components(ground), "G")
+        ax.set_title(f"moment that the foot must give: {float(hinge.y):.1f} N m", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("a", 3.0, 0, 6, 0.5, label="acceleration", unit="m/s²"),
+        Slider("tilt", 0, 0, 40, 1, label="leaning forward", unit="°"),
+        alt="A pole stands on the foot B on a truck that accelerates to the right. Upright, the "
+        "foot must give a moment; leaning forward at the angle whose tangent is a over g it needs "
+        "none.",
+        size=(6.4, 4.2),
+    )
+
+
+def three_spins(times, runs):
+    """Figure 8.4: omega over time for spins about the three principal axes, disturbed a little."""
+    fig, axes = plt.subplots(1, 3, figsize=(9.6, 3.1), sharey=True)
+    for ax, (name, rates) in zip(axes, runs.items(), strict=True):
+        for values, label, colour, style in zip(
+            np.transpose(rates), "xyz", (BLUE, RED, GREEN), ("-", "--", "-."), strict=True
+        ):
+            ax.plot(times, values, style, color=colour, label=rf"$\omega_{label}$")
+        ax.set(title=name, xlabel="time (s)", ylim=(-6, 6))
+    axes[0].set(ylabel="rad/s")
+    axes[0].legend(frameon=False, ncol=3, loc="lower left", fontsize=9)
+    show_figure(
+        fig,
+        alt="Three plots of the components of omega over time. About the axes of least and largest "
+        "moment the spin stays almost constant. About the axis of the middle moment it reverses "
+        "again and again while the other two components become large.",
+    )
+
+
+def turning_rods(build, words, azimuth=-60):
+    """Figures 8.5 to 8.7: the three rods with omega, H and M, from ``build(rate, acceleration)``:
+    ground, body, point; ``words`` says about which axis, ``azimuth`` whence it is seen.
+    """
+
+    def draw(ax, rate, acceleration):
+        ground, body, about = build(rate, acceleration)
+        frame, P = body.frame, about
+        s = Sketch(ax, ground, azimuth=azimuth, elevation=22, arrows=110)
+        for A, B in RODS:
+            s.rod(frame.point("", *A), frame.point("", *B))
+        axis = frame.angular_velocity(ground)
+        unit = axis / max(float(axis.norm()), 1e-9)
+        line = [(P - frame.origin).expressed_in(ground) + unit * x for x in (-0.8, 0.8)]
+        origin = frame.origin.position(ground)
+        s.line(*(origin + x for x in line), style="centre")
+        s.vector(P, axis, r"$\omega$", kind="rate")
+        s.vector(P, angular_momentum(body, ground, P), "$H$", kind="plain")
+        s.vector(P, resultant_moment(body, ground, P), "$M$", kind="force", size="N m")
+        s.dot(P)
+
+    interactive_figure(
+        draw,
+        Slider("rate", 1.0, 0.5, 1.5, 0.25, label="ω", unit="rad/s"),
+        Slider("acceleration", 0.0, -1, 1, 0.5, label="rate of ω", unit="rad/s²"),
+        alt=f"The three rods turn about {words}, drawn dash-dotted, with the angular velocity "
+        "omega, the angular momentum H and the moment M that the motion needs.",
+        size=(6.2, 4.4),
+    )
+
+
+def unbalanced_wheel(build):
+    """Figure 8.8: a wheel with two small weights, from ``build(apart, rate)``: ground, body."""
+
+    def draw(ax, apart, rate):
+        ground, body = build(math.radians(apart), rate)
+        s = Sketch(ax, ground, azimuth=-60, elevation=16, arrows=90)
+        s.shaft((0, 0, -0.22), (0, 0, 0.22))
+        s.disk(O, ground.k, 0.2)
+        for part in body.parts[1:]:
+            s.sphere(part.centre, 0.018)
+        s.dot(body.centre)
+        s.vector(O, resultant_moment(body, ground), "$M$", kind="force", size="N m")
+        a = body.centre.acceleration(ground) * float(body.mass)
+        ax.set_title(f"resultant force: {float(a.norm()):.1f} N", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("apart", 180, 0, 180, 15, label="weights apart by", unit="°"),
+        Slider("rate", 100, 0, 150, 25, label="ω", unit="rad/s"),
+        alt="A wheel on its shaft with two small weights at its rim, one before and one behind the "
+        "middle plane. Half a turn apart they balance as to force, but leave a moment across the "
+        "shaft that grows with the square of the rate.",
+        size=(6.2, 4.4),
+    )
+
+
+def drum_and_load(solve):
+    """Figure 8.9: a drum lowers a load on a rope, from ``solve(M)``: a and T for the drum's mass."""
+
+    def draw(ax, M):
+        found = solve(M)
+        ground, C, r = Frame("ground"), (0, 0, 1.0), 0.3
+        s = Sketch(ax, ground, plane="xz")
+        s.ground((0, 0, 1.55), -ground.k, size=1.2)
+        s.rod((0, 0, 1.55), C)
+        wheel = s.pulley(C, ground.j, r)
+        s.hinge(C)
+        s.cable(wheel, (r, 0, 0.25))
+        s.box((r, 0, 0.12), ground, (0.26, 0.26, 0.26))
+        s.vector((r, 0, 0.25), ground.k * float(found.T), "$T$", kind="force", size="N")
+        s.vector((r, 0, 0.0), ground.k * -98.1, "$mg$", kind="force", size="N")
+        s.label(C, "G", offset=(-14, 4))
+        ax.set_title(f"the load falls at {float(found.a):.2f} m/s²", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("M", 20, 0, 80, 5, label="mass of the drum", unit="kg"),
+        alt="A load of 10 kg hangs on a rope that is wound on a drum. The tension T is smaller "
+        "than the weight mg while the load falls; the heavier the drum, the larger T and the "
+        "smaller the acceleration.",
+        size=(5, 4.6),
+    )
+
+
+def sphere(v0, mu, g, radius):
+    """Figure 8.10: the sphere at a time, and its speeds over time."""
+    times = np.linspace(0, 2, 201)
+
+    def draw(axes, t, spin):
+        axes[0].figure.subplots_adjust(left=0.03, right=0.98, bottom=0.17, wspace=0.25)
+        slip0 = v0 + spin * radius
+        given = (v0, mu, g, radius, spin, None, 1 if slip0 >= 0 else -1)
+        x, v, omega = (float(q) for q in sphere_at(t, *given))
+        slip = v + omega * radius
+        ground, C = Frame("ground"), (0, radius, 0)
+        s = Sketch(axes[0], ground, plane="xy")
+        s.road([(-1.6, 0, 0), (1.6, 0, 0)])
+        turned = _turned(t, given)
+        end = (radius * math.cos(turned), radius + radius * math.sin(turned), 0)
+        s.disk(C, ground.k, radius, spoke=end)
+        s.vector(C, ground.i * v, "$v$", size="m/s")
+        slips = abs(slip) > 1e-9
+        s.vector(O, ground.i * (-math.copysign(2.0, slip) if slips else 0.0), "$F$", kind="force")
+        axes[0].set_title(f"{'slides' if slips else 'rolls'}; x = {x:.2f} m", fontsize=11)
+        _, speeds, rates = sphere_at(times, *given)
+        axes[1].plot(times, speeds, color=BLUE, label="$v$")
+        axes[1].plot(times, -rates * radius, "--", color=RED, label=r"$-\omega r$")
+        axes[1].axvline(t, color="black", lw=0.8)
+        axes[1].axhline(0, color="black", lw=0.5)
+        axes[1].set(xlabel="time (s)", ylabel="m/s", xlim=(0, 2), ylim=(-21, 11))
+        axes[1].legend(frameon=False, loc="lower right")
+
+    interactive_figure(
+        draw,
+        Slider("t", 0.4, 0, 2, 0.1, label="time", unit="s"),
+        Slider("spin", 0.0, -50, 100, 25, label="spin at the start", unit="rad/s"),
+        alt="Left: a sphere on level ground with its velocity v and the friction F at its lowest "
+        "point. Right: v and minus omega r over time; they approach each other on straight lines "
+        "while the sphere slides, and are equal and constant when it rolls.",
+        size=(8.8, 3.8),
+        panels=(1, 2),
+    )
+
+
+def _turned(t, given):
+    """The angle by which the sphere has turned at time t."""
+    start, begin = given[4], rolling_begins(*given)
+    until = min(t, float(begin.t))
+    sliding = (start + float(sphere_at(until, *given)[2])) / 2 * until
+    return sliding + float(begin.omega) * (t - until)
+
+
+def pushed_rod():
+    """Figure 8.11: a rod on ice that is pushed, and the accelerations of its points."""
+
+    def draw(ax, b):
+        ground, m, length, F = Frame("ground"), 2.0, 1.0, 10.0
+        a, alpha = F / m, F * b / (m * length**2 / 12)
+        s = Sketch(ax, ground, plane="xy", arrows=90)
+        s.rod((-0.5, 0, 0), (0.5, 0, 0))
+        for x in np.linspace(-0.5, 0.5, 9):
+            s.vector((x, 0, 0), ground.j * float(a + alpha * x), kind="acceleration")
+        s.vector((b, -0.25, 0), ground.j * F, "$F$", kind="force")
+        s.dot(O)
+        s.label(O, "G", offset=(0, -14))
+        rest = "none" if abs(b) < 1e-9 else f"x = {-1 / (12 * b):.3f} m"
+        ax.set_title(f"no acceleration at {rest}; at G {a:.1f} m/s²", fontsize=11)
+
+    interactive_figure(
+        draw,
+        Slider("b", 0.5, -0.5, 0.5, 0.05, label="pushed at x", unit="m"),
+        alt="A rod on ice seen from above, pushed across by a force F. The accelerations of its "
+        "points vary linearly along the rod; that of the mass centre G is the same wherever the "
+        "rod is pushed.",
+        size=(6.4, 3.6),
+    )
+
+
+def chatter(times, slips, exact):
+    """Figure 8.12: the slip of the sphere by equal steps of one rule with sign(slip)."""
+    fig, ax = plt.subplots(figsize=(6.4, 3.3))
+    ax.plot(times, exact, color="black", label="exact")
+    ax.plot(times, slips, "o-", ms=3, lw=0.8, color=RED, label="one rule with the sign of the slip")
+    ax.set(xlabel="time (s)", ylabel="slip (m/s)", xlim=(0.3, 0.8), ylim=(-1.5, 4))
+    ax.legend(frameon=False)
+    show_figure(
+        fig,
+        alt="The slip of the sphere over time. The exact slip falls to zero and stays there; that "
+        "computed by equal steps jumps to and fro between positive and negative values for ever.",
+    )
+
+
+def rods_film(build):
+    """A film: the three rods turn about x at a constant rate; M goes round with them."""
+
+    def draw(t, ax):
+        ground, body, about = build(1.0, 0.0, angle=t)
+        frame = body.frame
+        s = Sketch(ax, ground, azimuth=-60, elevation=22, arrows=80)
+        for A, B in RODS:
+            s.rod(frame.point("", *A), frame.point("", *B))
+        s.line((-0.9, 0, 0), (0.9, 0, 0), style="centre")
+        s.vector(about, frame.angular_velocity(ground), r"$\omega$", kind="rate")
+        s.vector(about, angular_momentum(body, ground, about), "$H$", kind="plain")
+        s.vector(about, resultant_moment(body, ground, about), "$M$", kind="force")
+
+    return animate(
+        draw,
+        [2 * math.pi * n / 24 for n in range(25)],
+        alt="The three rods turn about x; H and the moment M go round with them at right angles.",
+    )
