@@ -654,7 +654,7 @@ def low_film(count=8):
         draw,
         [3000.0 * n for n in range(36)],
         alt="Eight parcels of air on a ring start towards a low in the middle. Their paths bend to "
-        "the right, pass the low on its right-hand side, and wind round it counterclockwise.",
+        "the right, keep the low on their left, and wind round it counterclockwise.",
     )
 
 
@@ -682,8 +682,8 @@ def low(count=8):
     interactive_figure(
         draw,
         Slider("latitude", 45, -75, 75, 5, label="latitude", unit="°"),
-        alt="Eight paths of air that starts at rest on a ring round a low. In the north they pass "
-        "it on the right and go round it counterclockwise, in the south clockwise, at the equator "
+        alt="Eight paths of air that starts at rest on a ring round a low. In the north they keep "
+        "it on their left and go round it counterclockwise, in the south clockwise, at the equator "
         "they run straight through the middle. With friction they wind inward.",
         size=(9, 4.8),
         panels=(1, 2),
