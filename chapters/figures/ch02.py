@@ -140,7 +140,7 @@ def turning_tangent():
         e_n = (-side * e_t[1], side * e_t[0], 0)
         s = Sketch(ax, ground, plane="xy")
         s.line(O, (1.1, 0, 0), style="solid")
-        s.label((1.1, 0, 0), r"$\hat\imath$", bold=False)
+        s.label((1.1, 0, 0), r"$\hat\imath$", offset=(-4, -13), bold=False)
         s.arrow(O, e_t, r"$\hat{e}_t$")
         s.arrow(O, after, r"$\hat{e}_t$ later")
         s.arrow(O, e_n, r"$\hat{e}_n$")
@@ -397,7 +397,7 @@ def ferris_wheel():
 
     return animate(
         draw,
-        [20 * math.pi * n / 30 for n in range(31)],
+        [20 * math.pi * n / 24 for n in range(25)],
         size=(4.6, 4.6),
         alt="A Ferris wheel turns once; one cabin stays level all the way round, the other is bolted "
         "to the wheel and turns over with it.",
