@@ -336,7 +336,7 @@ def _truck_and_boom(s, ground, P):
 def _boom_figure(draw, alt):
     interactive_figure(
         draw,
-        Slider("length_rate", 0.5, -1, 1, 0.1, label="growth", unit="ft/s"),
+        Slider("length_rate", 0.5, -1, 1, 0.1, label="extends at", unit="ft/s"),
         Slider("rate", -0.075, -0.1, 0.1, 0.025, label="raised at", unit="rad/s"),
         alt=alt,
         size=(7.4, 4.8),
