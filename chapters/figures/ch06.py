@@ -342,7 +342,7 @@ def wagon():
             s.line((0, 0, 2.1), lamp, style="solid")
             s.line((0, 0, 2.1), (0, 0, 0.6))
             s.sphere(lamp, 0.09)
-            s.vector(lamp, tension * e, "T", kind="force", size="N")
+            s.vector(lamp, tension * e, "S", kind="force", size="N")
             s.vector(lamp, -m * G * ground.k, "mg", kind="force", size="N")
             if ax is axes[0]:
                 s.vector((1.0, 0, 2.5), a * ground.i, r"$\mathbf{a}$", "acceleration", size="m/s²")
