@@ -164,7 +164,10 @@ def unbalanced_wheel(build):
         ground, body = build(math.radians(apart), rate)
         s = Sketch(ax, ground, azimuth=-60, elevation=16, arrows=90)
         s.shaft((0, 0, -0.22), (0, 0, 0.22))
-        s.disk(O, ground.k, 0.2)
+        for z in (-0.07, 0, 0.07):
+            s.ring((0, 0, z), ground.k, 0.18)
+        for end in s.around(O, (0.18, 0, 0), ground.k)[::10]:
+            s.rod(O, end)
         for part in body.parts[1:]:
             s.sphere(part.centre, 0.018)
         s.dot(body.centre)
@@ -176,7 +179,7 @@ def unbalanced_wheel(build):
         draw,
         Slider("apart", 180, 0, 180, 15, label="weights apart by", unit="°"),
         Slider("rate", 100, 0, 150, 25, label="ω", unit="rad/s"),
-        alt="A wheel on its shaft with two small weights at its rim, one before and one behind the "
+        alt="The hub, spokes and rim of a wheel with two small weights at the rim, one before and one behind the "
         "middle plane. Half a turn apart they balance as to force, but leave a moment across the "
         "shaft that grows with the square of the rate.",
         size=(6.2, 4.4),
@@ -242,7 +245,7 @@ def sphere(v0, mu, g, radius):
     interactive_figure(
         draw,
         Slider("t", 0.4, 0, 2, 0.1, label="time", unit="s"),
-        Slider("spin", 0.0, -50, 100, 25, label="spin at the start", unit="rad/s"),
+        Slider("spin", 0.0, -50, 100, 50, label="spin at the start", unit="rad/s"),
         alt="Left: a sphere on level ground with its velocity v and the friction F at its lowest "
         "point. Right: v and minus omega r over time; they approach each other on straight lines "
         "while the sphere slides, and are equal and constant when it rolls.",
