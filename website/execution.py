@@ -32,9 +32,14 @@ def with_outputs(chapters, cache, run, done):
             if names[c.stem].exists() or c not in jobs:
                 done(c.stem)
         for c, text in zip(jobs, texts, strict=True):
-            store(names[c.stem], text.encode())
+            keep(c, text, cache)
             done(c.stem)
     return {stem: _read(path) if path.exists() else None for stem, path in names.items()}
+
+
+def keep(chapter, text, cache):
+    """Keep the text of a notebook that was run, here or by the tests of the chapters."""
+    store(cache / _name(chapter), text.encode())
 
 
 def _name(chapter):

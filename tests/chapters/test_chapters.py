@@ -15,6 +15,10 @@ from pathlib import Path
 import nbformat
 import pytest
 
+from website.build import CACHE
+from website.execution import keep
+from website.notebooks import Chapter
+
 ROOT = Path(__file__).parents[2]
 CHAPTERS = sorted((ROOT / "chapters").glob("*.ipynb"))
 CONTENTS = tomllib.loads((Path(__file__).parent / "contents.toml").read_text(encoding="utf-8"))
@@ -230,7 +234,10 @@ def executed(path, where, missing=()):
 
 @pytest.fixture(scope="module", params=CHAPTERS, ids=lambda path: path.stem)
 def run(request, tmp_path_factory):
-    return executed(request.param, tmp_path_factory.mktemp(request.param.stem))
+    """The notebook that was run, and the seconds; kept, so that the site need not run it again."""
+    notebook, took = executed(request.param, tmp_path_factory.mktemp(request.param.stem))
+    keep(Chapter(request.param), nbformat.writes(notebook), CACHE / "executed")
+    return notebook, took
 
 
 def is_picture(output):
