@@ -108,7 +108,7 @@ def area():
     def draw(ax, theta):
         ground = Frame("ground")
         P, Q = _in_plane(1.2, 0), _in_plane(1.0, theta)
-        product = 1.2 * math.sin(math.radians(theta))
+        product = round(1.2 * math.sin(math.radians(theta)), 9)
         s = Sketch(ax, ground, azimuth=-60, elevation=25)
         s.axes((-1.1, -1.1, 0), ground, 0.5, [r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
         if abs(product) > 0.01:
