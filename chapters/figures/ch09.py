@@ -34,7 +34,8 @@ def in_bearings(ax, ground, shaft, A, B):
 def bearing_forces(s, A, B, found):
     """The arrows of both bearing forces with their sizes."""
     for P, force, name in ((A, found.A, "A"), (B, found.B, "B")):
-        s.vector(P, force, rf"$\mathbf{{{name}}}$", kind="force", size="N")
+        some = force * (force.norm() > 1e-9)  # less is round-off
+        s.vector(P, some, rf"$\mathbf{{{name}}}$", kind="force", size="N")
 
 
 def wheel(s, ground, shaft, G, normal, radius=0.1):
@@ -290,7 +291,7 @@ def force_over_a_turn(build):
         )
         ax.set(
             xlim=(-17, 17),
-            ylim=(-9, 21),
+            ylim=(-9, 25),
             aspect="equal",
             xlabel="along Y, level (N)",
             ylabel="upward, −X (N)",

@@ -205,7 +205,7 @@ def nutation_paths():
         Slider("precession", 0, -2, 4, 0.25, label="precession at the start", unit="rad/s"),
         alt="The path of a top's axis on a sphere about the fixed point. Let go without "
         "precession it has cusps at the top of each nod; with a start against the precession it has "
-        "loops, with a start along it waves.",
+        "loops, with a slow start along it waves.",
         size=(6.4, 4.8),
     )
 
