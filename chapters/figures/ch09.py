@@ -125,7 +125,7 @@ def off_centre_film(build):
 
     return animate(
         draw,
-        [math.pi / 10 * n / 24 for n in range(25)],
+        [math.pi / 10 * n / 18 for n in range(19)],
         alt="The off-centre disk turns once; the bearing forces keep their size and turn with it, "
         "always away from the centre G of the disk.",
     )
@@ -165,7 +165,7 @@ def bent_disk_film(build):
 
     return animate(
         draw,
-        [math.pi / 10 * n / 24 for n in range(25)],
+        [math.pi / 10 * n / 18 for n in range(19)],
         alt="The bent disk turns once; its angular momentum H goes round the shaft on a cone, and "
         "the couple of the bearing forces turns with it.",
     )

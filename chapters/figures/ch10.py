@@ -112,7 +112,7 @@ def angles_film():
 
     return animate(
         draw,
-        [3 * n / 30 for n in range(31)],
+        [3 * n / 24 for n in range(25)],
         alt="A top turns first about the vertical, then tips about the level line of nodes, then spins "
         "about its own axis: psi, theta and phi one after the other.",
     )
@@ -212,7 +212,7 @@ def nutation_paths():
 
 def top_film():
     """A film: a top let go at rest, in space, with its path."""
-    time, pictures = 1.3, 40
+    time, pictures = 1.2, 28
     found = nutating(0.0, time)
     path = path_of_axis(0.0, time, 200)
 
@@ -368,7 +368,7 @@ def cones_film(ratio, theta):
 
     return animate(
         draw,
-        [4 * n / 36 for n in range(37)],
+        [4 * n / 20 for n in range(21)],
         alt=f"For I/I0 = {ratio:g} the body cone rolls without slipping on the space cone, once "
         "round the angular momentum H; a line painted on it shows its spin.",
     )
