@@ -58,7 +58,7 @@ def eulers_theorem():
         end = tuple(1.3 * x for x in axis)
         s.line(tuple(-x for x in end), end, style="centre")
         s.turn(end, axis, label=r"$\theta_e$")
-        about = ", ".join(f"{x:.2f}" for x in axis)
+        about = ", ".join(f"{round(float(x), 2) + 0.0:.2f}" for x in axis)
         ax.set_title(f"one turn: {math.degrees(angle):.0f}° about ({about})", fontsize=11)
 
     interactive_figure(
@@ -149,7 +149,7 @@ def small_turn():
         r, angle = (0.75, 0, 0.8), math.radians(turn)
         moved = apply(rotation_matrix((0, 0, 1), angle), r)
         s = Sketch(ax, ground, azimuth=-70, elevation=25)
-        s.line((0, 0, -0.1), (0, 0, 1.15), style="centre")
+        s.line((0, 0, -0.1), (0, 0, 1.02), style="centre")
         s.ring((0, 0, 0.8), ground.k, 0.75)
         s.arrow(O, r, r"$\mathbf{r}$")
         s.arrow(O, moved, r"$\mathbf{r}+\Delta\mathbf{r}$")
@@ -161,7 +161,7 @@ def small_turn():
         )
         s.arc(O, (0, 0, 1), r, label=r"$\beta$")
         s.arc((0, 0, 0.8), r, moved, label=r"$\Delta\theta$")
-        s.label((0, 0, 1.15), r"$\hat{e}$")
+        s.label((0, 0, 1.02), r"$\hat{e}$")
         miss = math.dist(moved, (r[0], r[1] + 0.75 * angle, r[2]))
         ax.set_title(f"the two differ by {miss / (0.75 * angle):.1%} of their length", fontsize=11)
 
@@ -271,7 +271,7 @@ def crane(build):
     """Figure 4.8: the crane, from ``build(tilt=…)``: ground, column, boom, A."""
 
     def draw(ax, tilt, speed):
-        ground, column, boom, A = build(tilt=math.radians(tilt), speed=speed)
+        ground, column, boom, A = build(tilt=tilt, speed=speed)
         B, foot = boom.origin, column.point("", 0, 0, 0)
         s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=80)
         s.ground(foot, ground.k, size=2.4)
@@ -312,6 +312,7 @@ def two_sources():
         s.arc(O, ground.i, later.i, label=r"$\omega\,\Delta t$")
         s.label(O, "B")
         A, A_later = (r, 0, 0), later.point("", r + dr, 0, 0)
+        s.label(A, "A")
         if ax is axes[0]:
             s.arrow(A, (r + 0.5, 0, 0), r"$\mathbf{v}_r$", kind="velocity")
             s.arrow(
@@ -347,7 +348,7 @@ def acceleration_terms(build):
     """Figure 4.10: the terms of the crane's acceleration, head to tail."""
 
     def draw(ax, tilt, speed):
-        ground, *_, A = build(tilt=math.radians(tilt), speed=speed)
+        ground, *_, A = build(tilt=tilt, speed=speed)
         s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=250)
         s.sum(O, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
 
