@@ -11,7 +11,6 @@ from .files import PracticeFile
 from .problems import PracticeProblem, Said
 from .progress import Progress, mastery
 
-COMMAND = "python -m grader practice all -o course.practice"
 COUNTS = "tried", "right", "at first go", "with help"
 
 
@@ -41,11 +40,14 @@ def try_problem(problem: str, folder: str | Path = ".") -> Any:
         if problem in problems:
             p = problems[problem]
             return p.form() if in_notebook() and find_spec("ipywidgets") else p
+    number = problem.partition("/")[0]
+    chapter = f"ch{number:0>2}" if number.isdigit() else f"app{number}"
+    command = f"python -m grader practice {chapter} -o {chapter}.practice"
     text = (
         f"No practice file here has problem {problem}, so nothing checks your answer. Your "
-        f"instructor writes one by: {COMMAND}. Put it beside this notebook and run the cell again."
+        f"instructor writes one by: {command}. Put it beside this notebook and run the cell again."
     )
-    return Said(text, text.replace(COMMAND, f"`{COMMAND}`"))
+    return Said(text, text.replace(command, f"`{command}`"))
 
 
 class Practice:

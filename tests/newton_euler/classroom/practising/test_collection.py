@@ -22,14 +22,16 @@ def test_in_a_notebook_it_is_a_form(practice_file, monkeypatch):
     assert isinstance(try_problem("2/18", practice_file.parent), widgets.VBox)
 
 
-@pytest.mark.parametrize("problem", ["4/12", "no problem"])
+@pytest.mark.parametrize(
+    ("problem", "chapter"), [("4/12", "ch04"), ("11/3", "ch11"), ("A/1", "appA")]
+)
 def test_without_a_file_that_has_it_try_problem_says_where_to_get_one(
-    problem, practice_file, tmp_path
+    problem, chapter, practice_file, tmp_path
 ):
     for folder in (practice_file.parent, tmp_path):
         said = try_problem(problem, folder)
         assert f"No practice file here has problem {problem}" in str(said)
-        assert "python -m grader practice" in said._repr_markdown_()
+        assert f"`python -m grader practice {chapter} -o {chapter}.practice`" in said.markdown
 
 
 def test_a_broken_practice_file_is_told_apart_from_none(tmp_path):
