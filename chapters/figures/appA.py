@@ -300,7 +300,7 @@ def turning():
     interactive_figure(
         draw,
         Slider("theta", 35, 0, 175, 5, label="θ", unit="°"),
-        Slider("rate", 0.6, -1, 1, 0.1, label="rate of θ", unit=" rad/s"),
+        Slider("rate", 0.6, -1, 1, 0.1, label="rate of θ", unit="rad/s"),
         alt="A unit vector e at the angle theta from i, with its tip on a circle. Its rate is an "
         "arrow along the tangent at the tip, as long as the rate of theta, and backward where that "
         "is negative.",

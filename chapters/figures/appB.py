@@ -31,9 +31,9 @@ def element():
 
     interactive_figure(
         draw,
-        Slider("x", 0.7, 0.2, 1.0, 0.1, unit=" m"),
-        Slider("y", 0.8, 0.2, 1.0, 0.1, unit=" m"),
-        Slider("z", 0.6, 0.2, 1.0, 0.1, unit=" m"),
+        Slider("x", 0.7, 0.2, 1.0, 0.1, unit="m"),
+        Slider("y", 0.8, 0.2, 1.0, 0.1, unit="m"),
+        Slider("z", 0.6, 0.2, 1.0, 0.1, unit="m"),
         alt="Axes x, y, z and an element of mass dm. An arrow of length l_x leads from the x axis "
         "straight to the element; its square is y squared plus z squared and does not contain x.",
         size=(6.0, 4.4),
@@ -111,7 +111,9 @@ def particles():
         for x in places:
             s.sphere((x, 0, 0), 0.02)
         s.dimension((-0.5, 0, 0), (0.5, 0, 0), "L", offset=-0.12)
-        ax.set_title(f"{n} particles: {total:.5f} $mL^2$; 1/12 = {1 / 12:.5f}", fontsize=11)
+        ax.set_title(
+            f"{n} particle{'s' * (n > 1)}: {total:.5f} $mL^2$; 1/12 = {1 / 12:.5f}", fontsize=11
+        )
 
     interactive_figure(
         draw,
@@ -155,8 +157,8 @@ def flat():
 
     interactive_figure(
         draw,
-        Slider("y", 0.7, -0.9, 0.9, 0.1, unit=" m"),
-        Slider("z", 0.4, -0.6, 0.6, 0.1, unit=" m"),
+        Slider("y", 0.7, -0.9, 0.9, 0.1, unit="m"),
+        Slider("z", 0.4, -0.6, 0.6, 0.1, unit="m"),
         alt="A flat plate in the plane of y and z, seen along x, and an element dm of it. Its "
         "distance from the y axis is z, from the z axis y, and from the x axis, which points at "
         "the reader, the root of the sum of their squares.",
@@ -176,9 +178,9 @@ def prism():
 
     interactive_figure(
         draw,
-        Slider("a", 0.9, 0.02, 1.0, 0.02, unit=" m"),
-        Slider("b", 0.6, 0.02, 1.0, 0.02, unit=" m"),
-        Slider("c", 0.4, 0.02, 1.0, 0.02, unit=" m"),
+        Slider("a", 0.9, 0.02, 1.0, 0.02, unit="m"),
+        Slider("b", 0.6, 0.02, 1.0, 0.02, unit="m"),
+        Slider("c", 0.4, 0.02, 1.0, 0.02, unit="m"),
         alt="Left: a rectangular prism with the edges a, b, c along x, y, z. Right: its three "
         "moments of inertia as bars. The edge along an axis does not change the moment about that "
         "axis.",
@@ -199,8 +201,8 @@ def round_bar():
 
     interactive_figure(
         draw,
-        Slider("a", 0.3, 0.02, 0.6, 0.02, unit=" m"),
-        Slider("L", 0.8, 0.02, 1.2, 0.02, unit=" m"),
+        Slider("a", 0.3, 0.02, 0.6, 0.02, unit="m"),
+        Slider("L", 0.8, 0.02, 1.2, 0.02, unit="m"),
         alt="Left: a circular cylinder along x. Right: its moments of inertia as bars. When it is "
         "short it is a disk, with I_xx twice the others; when it is slender, a rod with I_xx "
         "nearly zero.",
@@ -214,6 +216,7 @@ def cone_axes():
     a, h = 0.4, 1.0
 
     def draw(axes, d):
+        d = round(d, 9) + 0.0  # no -0.00 in the title
         ground = Frame("ground")
         body = cone(a, h, ground, mass=1.0)
         s = Sketch(axes[0], ground, azimuth=-65, elevation=20)
@@ -237,7 +240,7 @@ def cone_axes():
 
     interactive_figure(
         draw,
-        Slider("d", 0.3, 0.0, 1.0, 0.05, unit=" m"),
+        Slider("d", 0.3, 0.0, 1.0, 0.05, unit="m"),
         alt="Left: a cone along x and a transverse axis at the distance d from its apex. Right: the "
         "moment about that axis against d, a parabola with its lowest point where the axis "
         "passes through the centre of mass, three quarters of the height from the apex.",
