@@ -278,7 +278,7 @@ def general_rotor(build):
 
 def force_over_a_turn(build):
     """Figure 9.8: the tip of the force of bearing A during one turn."""
-    turns = np.radians(np.arange(0, 361, 5))
+    turns = np.radians(np.arange(0, 361, 10))
 
     def draw(ax, omega):
         tips = np.array([force_at_A(build, psi, omega) for psi in turns])
@@ -287,7 +287,7 @@ def force_over_a_turn(build):
         ax.plot(weight[1], -weight[0], "s", color="#D55E00", label="share of the weight")
         ax.plot(0, 0, "k+", markersize=12, label="no force")
         ax.annotate(
-            "", (tips[8, 1], -tips[8, 0]), (0, 0), arrowprops={"arrowstyle": "->", "color": "k"}
+            "", (tips[4, 1], -tips[4, 0]), (0, 0), arrowprops={"arrowstyle": "->", "color": "k"}
         )
         ax.set(
             xlim=(-17, 17),
