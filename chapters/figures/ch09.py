@@ -55,6 +55,8 @@ def symbols_of_a_rotor(build):
         s.arc(O, ground.j * 0.1, shaft.j * 0.1, r"$\psi$", radius=0.07)
         s.dot(body.centre)
         s.label(body.centre, "G")
+        s.dot(O)
+        s.label(O, "O", offset=(-10, -10))
         s.dimension(A, O, "a", offset=-0.17)
         s.dimension(O, B, "b", offset=-0.17)
 
@@ -140,7 +142,9 @@ def bent_disk(build):
         wheel(s, ground, shaft, body.centre, body.frame.i, 0.12)
         H = body.angular_momentum(ground)
         s.vector(O, H, r"$\mathbf{H}$", kind="velocity")
-        s.vector(O, H.rate(ground), r"$\dot{\mathbf{H}}$", kind="rate")
+        rate = H.rate(ground)
+        if rate.norm() > 1e-9:  # not at 90°, where rounding leaves a little over
+            s.vector(O, rate, r"$\dot{\mathbf{H}}$", kind="rate")
         bearing_forces(s, A, B, reactions(body, A, B, ground))
 
     interactive_figure(
@@ -192,7 +196,7 @@ def balance_by_hand(build):
         Slider("angle1", 0, 0, 360, 10, label="angle of m₁", unit="°"),
         Slider("m2", 0, 0, 600, 20, label="m₂", unit="g"),
         Slider("angle2", 0, 0, 360, 10, label="angle of m₂", unit="°"),
-        alt="A rotor with two heavy spots and two thin disks on which a weight each can be placed. "
+        alt="A rotor with two heavy spots and two light rings, on each of which a weight can be placed. "
         "The bearing forces are drawn with their sizes; they vanish when both weights have the right "
         "mass and angle.",
     )
@@ -205,10 +209,10 @@ def spot(shaft, x, degrees):
 
 
 def draw_masses(s, shaft, spots, planes, weights):
-    """The heavy spots as large balls, the balancing weights as small ones on their disks."""
+    """The heavy spots as large balls, the balancing weights as small ones on their rings."""
     for x in planes:
         s.ring((x, 0, 0), shaft.i, 0.1)
-        s.label((x, -0.1, 0), "ring 1" if x == planes[0] else "ring 2", (0, -9), bold=False)
+        s.label((x, -0.1, 0), "ring 1" if x == planes[0] else "ring 2", (0, -33), bold=False)
     for body, name in [(b, b.name) for b in spots] + [(w, w.name[-1]) for w in weights]:
         c = body.centre.position(shaft)
         s.rod(shaft.point("", c.x, 0, 0), body.centre)
@@ -233,7 +237,7 @@ def balancing(build):
         Slider("x1", -10, -18, -6, 1, label="plane 1 at x", unit="cm"),
         Slider("x2", 20, 10, 28, 1, label="plane 2 at x", unit="cm"),
         alt="The rotor with its two heavy spots and the two balancing weights, one in each plane, "
-        "drawn larger the heavier they are. Moved apart, the planes need smaller weights.",
+        "drawn larger the heavier they are. The weight of a plane that is moved away becomes smaller.",
     )
 
 
