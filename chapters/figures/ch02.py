@@ -241,7 +241,7 @@ def polar_axes():
 
     interactive_figure(
         draw,
-        Slider("t", 1.2, 0.3, 2.0, 0.1, unit="s"),
+        Slider("t", 1.2, 0.3, 1.9, 0.1, unit="s"),
         Slider("turn", 30, 2, 45, 1, label="Δθ", unit="°"),
         alt="Left: a point of the wave at the distance r and the angle theta, with the unit vectors "
         "e_r away from O and e_theta at right angles; the parts of the velocity along them add up "
