@@ -27,6 +27,7 @@ def log_log(ax: Any, xlabel: str, ylabel: str) -> None:
     """Set both axes of ``ax`` to powers of ten, with a grid behind what is drawn."""
     ax.set(xscale="log", yscale="log", xlabel=xlabel, ylabel=ylabel, axisbelow=True)
     ax.grid(True, color="#dddddd", lw=0.6)
+    ax.minorticks_off()  # they take a third of the time of drawing
 
 
 def mark_better(ax: Any) -> None:
@@ -39,13 +40,12 @@ def mark_better(ax: Any) -> None:
 
 def time_axis(ax: Any, costs: Sequence[float], unit: str = "s") -> None:
     """Numbers with the prefixes of the unit along the x axis of ``ax``, enough of them."""
-    from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
+    from matplotlib.ticker import EngFormatter, LogLocator
 
     # less than about two decades: powers of ten alone would leave one number on the axis or none
     if costs and max(costs) < 50 * min(costs):
         ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     ax.xaxis.set_major_formatter(EngFormatter(unit=unit))
-    ax.xaxis.set_minor_formatter(NullFormatter())
 
 
 @checked

@@ -11,7 +11,7 @@ from ...algebra.errors import ArgumentError
 from ...scenes import LADDERS, SCENES, ladder
 from ..comparisons import COMPARISONS
 from ..regime_maps import MAPS
-from ..work_precision import LONGEST, TOLERANCES, work_precision
+from ..work_precision import LONGEST, NAMES, TOLERANCES, work_precision
 from .kinds.comparisons import comparison_caption, points_table
 from .kinds.islands import settled
 from .kinds.maps import draw_choices, map_caption, map_table
@@ -25,6 +25,12 @@ BORDER, FAILURE = "Where does it change?", "When does it fail?"
 # charts whose point is that something breaks, not which of several is the cheapest
 FAILING = {"rotations", "angle", "steady precession", "map of sleeping top"}
 QUICK, QUICK_LONGEST = (1e-3, 1e-6, 1e-9, 1e-12), 0.02  # seconds
+# of each kind of method one or two
+QUICK_METHODS = (
+    *("exact", "taylor", "dop853", "scipy DOP853"),
+    *("verlet", "yoshida6", "lie-poisson2", "lie-poisson6", "auto"),
+)
+ONLY_SOME = " To be quick, only these methods were measured; quick=False measures all."
 
 
 @dataclass(frozen=True)
@@ -93,11 +99,12 @@ def chart_named(name: str) -> Chart:
 
 
 def _scene(name, quick, progress):
-    tolerances, longest = (QUICK, QUICK_LONGEST) if quick else (TOLERANCES, LONGEST)
-    found = work_precision(name, tolerances, longest=longest, progress=progress)
+    asked = (QUICK, QUICK_METHODS, QUICK_LONGEST) if quick else (TOLERANCES, NAMES, LONGEST)
+    found = work_precision(name, *asked, progress)
     figure, title = Figure(), f"methods of integration on {name}, {found.scene.description}"
     draw_methods(found, figure)
-    return Shown(title, found.points, methods_caption(found), found.explain(), figure)
+    caption = methods_caption(found) + (ONLY_SOME if quick else "")
+    return Shown(title, found.points, caption, found.explain(), figure)
 
 
 def _models(name, quick, progress, tolerance=None):

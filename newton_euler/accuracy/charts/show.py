@@ -19,7 +19,7 @@ def show_chart(name: str, quick: bool = True, tolerance: float | None = None) ->
     was measured; returns it, with its ``points`` and its ``caption``.
 
     name : as ``python -m newton_euler.accuracy --list`` prints it: "top", "models of top"
-    quick : fewer tolerances, no slow methods, coarse maps: some seconds
+    quick : fewer tolerances and methods, coarse maps: a few seconds
     tolerance : of "models of ...", in the unit of the error; default in the middle of the errors
 
     >>> shot = show_chart("models of projectile", tolerance=1.0)  # doctest: +SKIP

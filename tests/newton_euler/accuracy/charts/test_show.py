@@ -8,6 +8,7 @@ import pytest
 
 from newton_euler.accuracy import compare, show_chart
 from newton_euler.accuracy.charts import shown
+from newton_euler.accuracy.charts.catalogue import QUICK_METHODS
 from newton_euler.accuracy.charts.kinds.comparisons import ways_caption
 from newton_euler.accuracy.measure import Measured
 from newton_euler.algebra.errors import ArgumentError
@@ -33,6 +34,12 @@ def test_a_chart_is_shown_once_with_alt_text_and_caption(displayed):
     assert "projectile, flat" in str(found)
     assert found._ipython_display_() is None  # as the last value of a cell
     assert displayed == [alt, caption]
+
+
+def test_a_quick_chart_of_methods_leaves_some_out_and_says_so(displayed):
+    found = show_chart("sliding sphere")
+    assert "scipy Radau" not in {p.method for p in found.points} < {*QUICK_METHODS}
+    assert found.caption.endswith("only these methods were measured; quick=False measures all.")
 
 
 def test_hyphens_may_stand_for_blanks_and_an_unknown_name_is_refused_with_the_list(displayed):
