@@ -34,5 +34,5 @@ def test_the_practice_session_runs_as_it_stands_there(tmp_path, monkeypatch):
     (session,) = re.findall(r"(?s)```pycon\n(.*?)```", README)
     said = []
     test = doctest.DocTestParser().get_doctest(session, {}, "README.md", "README.md", 0)
-    doctest.DocTestRunner().run(test, out=said.append)
+    doctest.DocTestRunner(verbose=False).run(test, out=said.append)
     assert not said, "".join(said)
