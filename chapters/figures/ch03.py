@@ -38,7 +38,7 @@ def space_curve(path):
         Slider("q", 0.3, -0.9, 0.9, 0.1),
         alt="A curve in space with fixed axes X, Y, Z. At the point P the position vector r from "
         "the origin, the velocity along the tangent and the acceleration, which points to the "
-        "hollow side of the curve.",
+        "inside of the bend.",
         size=(6.4, 4.6),
     )
 
@@ -90,7 +90,7 @@ def spring():
         here = wire.intrinsic(at(lambda t: 1.0 + t, 0.0), ground)
         s.axes(wire.path(1.0), here.frame, length=0.28, labels=["$e_t$", "$e_n$", "$e_b$"])
         ax.set_title(
-            rf"$f$ = {wire.flexure:.2f}, $\tau$ = {wire.torsion:.2f} per metre", fontsize=11
+            rf"$f$ = {wire.flexure:.2f}, $\tau$ = {wire.torsion + 0.0:.2f} per metre", fontsize=11
         )
 
     interactive_figure(
@@ -144,6 +144,10 @@ def cylindrical_axes():
         s.arrow(O, P, r"$\mathbf{r}$")
         s.line(O, foot, style="solid")
         s.line(foot, P)
+        s.label(
+            ground.point("", 0.5 * foot.position(ground).x, 0.5 * foot.position(ground).y, 0), "$r$"
+        )
+        s.label(ground.point("", foot.position(ground).x, foot.position(ground).y, z / 2), "$z$")
         s.arc(O, ground.i, foot, label=r"$\theta$")
         axes = P.velocity(ground).frame
         s.axes(P, axes, length=0.4, labels=["$e_r$", r"$e_\theta$", "$k$"])
