@@ -197,7 +197,7 @@ def plate_and_ellipse():
             tuple(p - x for p, x in zip(P, t, strict=True)), tuple(map(sum, zip(P, t, strict=True)))
         )
         s.dot(P)
-        axes[0].set_title(f"angle between ω and H: {angle_between(n, H):.0f}°", fontsize=11)
+        axes[0].set_title(f"angle between ω and H: {angle_between(n, H):.0f}°", fontsize=11, pad=14)
         _moments_over_angle(axes[1], I, angles, math.radians(turn))
 
     interactive_figure(
