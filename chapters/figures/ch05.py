@@ -24,6 +24,7 @@ def two_skaters():
         s.ground((0, 0, -0.25), ground.k, size=4.2)
         for x, size in ((light, 0.13), (heavy, 0.13 * ratio ** (1 / 3))):
             s.sphere((x, 0, 0), size)
+        s.line((heavy, 0, 0), (light, 0, 0), style="solid")
         s.vector((light, 0, 0), (1, 0, 0), r"$\mathbf{F}_{21}$", kind="force")
         s.vector((heavy, 0, 0), (-1, 0, 0), r"$\mathbf{F}_{12}$", kind="force")
         s.line((0, 0, -0.25), (0, 0, 0.35), style="centre")
@@ -33,7 +34,7 @@ def two_skaters():
         draw,
         Slider("pushed", 0.4, 0.0, 1.4, 0.1, label="light one has gone", unit="m"),
         Slider("ratio", 2, 1, 4, 1, label="heavy : light"),
-        alt="Two skaters push each other off. The forces on them are equal, opposite and along the "
+        alt="Two skaters push each other off with a pole. The forces on them are equal, opposite and along the "
         "line that joins them. The heavy one moves less; the centre of mass G stays.",
         size=(7, 2.6),
     )
@@ -99,7 +100,7 @@ def burst(shell):
 
     interactive_figure(
         draw,
-        Slider("t", 1.5, 0.0, 4.5, 0.25, label="after the burst", unit="s"),
+        Slider("t", 1.5, 0.0, 4.0, 0.25, label="after the burst", unit="s"),
         alt="A projectile rises along a parabola and bursts at the top into the pieces A, B and C. "
         "A goes up, B sideways, C to the other side. Their centre of mass G goes on along the "
         "parabola and always lies in the triangle ABC.",
@@ -247,7 +248,7 @@ def pendulum_on_cart():
         if theta:
             s.arc(
                 cart,
-                (0, 0, -1) if theta > 0 else bob,
+                (x, 0, -0.9) if theta > 0 else bob,
                 bob if theta > 0 else (x, 0, -0.9),
                 r"$\theta$",
             )
