@@ -272,7 +272,7 @@ def coordinates_in_space():
 
     interactive_figure(
         draw,
-        Slider("theta", 75, 0, 120, 5, label="θ", unit="°"),
+        Slider("theta", 75, 0, 120, 15, label="θ", unit="°"),
         Slider("phi", 35, -20, 70, 5, label="φ", unit="°"),
         alt="One point over the horizontal plane, twice. Left with the unit vectors e_r, e_theta "
         "and k, e_r horizontal; right with e_R along the line from the origin, e_theta horizontal "
@@ -298,7 +298,7 @@ def screw_jack():
         s = Sketch(axes[0], ground, azimuth=-55, elevation=18, arrows=75)
         height = float(P.position(ground).z)
         s.shaft((0, 0, -0.05), (0, 0, 0.6))
-        s.path([_helix(a, lead, q / 20) for q in range(int(40 * math.pi) + 1)], style="dashed")
+        s.path([_helix(a, lead, q / 10) for q in range(int(20 * math.pi) + 1)], style="dashed")
         s.rod((0, 0, height), P)
         s.sphere(P, 0.014)
         s.vector(P, F, r"$\mathbf{F}^e$", kind="acceleration", size="N")
@@ -337,7 +337,7 @@ def wagon():
         e = ground.vector(a / math.hypot(a, G), 0, G / math.hypot(a, G))
         lamp = tuple(c - length * x for c, x in zip((0, 0, 2.1), e.components(), strict=True))
         for ax, title in zip(axes, ("seen from the ground", "seen from the wagon"), strict=True):
-            s = Sketch(ax, ground, plane="xz", arrows=75)
+            s = Sketch(ax, ground, plane="xz", arrows=65)
             _wagon_body(s, ground)
             s.line((0, 0, 2.1), lamp, style="solid")
             s.line((0, 0, 2.1), (0, 0, 0.6))
@@ -352,7 +352,7 @@ def wagon():
 
     interactive_figure(
         draw,
-        Slider("a", 3.0, 0, 8, 0.5, label="acceleration", unit="m/s²"),
+        Slider("a", 3.0, 0, 6, 0.5, label="acceleration", unit="m/s²"),
         alt="A lamp on a cord leans back in a wagon that speeds up to the right. Left: tension and "
         "weight act on it and do not balance, it accelerates to the right. Right: a third arrow, "
         "minus m times the wagon's acceleration, closes the balance.",
@@ -455,8 +455,8 @@ def throw_film(r=100.0, u=60.0):
 
     return animate(
         draw,
-        [time * n / 36 for n in range(37)],
-        speed=time / 6,
+        [time * n / 24 for n in range(25)],
+        speed=time / 5,
         size=(8, 3.8),
         alt="A ball is thrown across a station that turns clockwise, seen twice. From the stars it "
         "flies straight while thrower and friend are carried round; from inside it flies along a "
@@ -514,7 +514,7 @@ def plumb_line():
         s.arrow(to(long * up), to(long * (up + a)), r"$m\mathbf{a}_B$", kind="acceleration")
         s.arrow(B, to(0.35 * np.array(north)), "north")
         s.dot(B)
-        s.label((0, 0, 1.25), "axis", bold=False)
+        s.label((0, 0, 1.25), "axis", offset=(-18, 0), bold=False)
 
     interactive_figure(
         draw,
@@ -554,8 +554,8 @@ def coriolis_on_the_ground():
 
     interactive_figure(
         draw,
-        Slider("latitude", 45, -90, 90, 5, label="latitude", unit="°"),
-        Slider("azimuth", 90, 0, 360, 10, label="velocity, from east to north", unit="°"),
+        Slider("latitude", 45, -90, 90, 15, label="latitude", unit="°"),
+        Slider("azimuth", 90, 0, 360, 15, label="velocity, from east to north", unit="°"),
         alt="A horizontal plate with the axes east, north and up. The Earth's angular velocity "
         "leans from north towards up by the latitude. A horizontal velocity and, at right angles "
         "to both, the Coriolis acceleration, to the right of the velocity in the north.",
@@ -590,8 +590,8 @@ def shot(v0=300.0, elevation=math.pi / 4, magnified=100):
 
     interactive_figure(
         draw,
-        Slider("azimuth", 90, 0, 360, 10, label="azimuth", unit="°"),
-        Slider("latitude", 45, -90, 90, 5, label="latitude", unit="°"),
+        Slider("azimuth", 90, 0, 360, 30, label="azimuth", unit="°"),
+        Slider("latitude", 45, -90, 90, 15, label="latitude", unit="°"),
         alt="A shot seen from above: a dashed straight line for an Earth at rest, and a solid "
         "curve for the turning Earth, its displacement magnified. In the north the curve bends to "
         "the right, in the south to the left.",
@@ -610,7 +610,7 @@ def range_errors():
         ax.axhline(0, color="black", lw=0.8)
         ax.axvline(60, color=GREY, ls=":")
         ax.set(xlim=(0, 90), ylim=(-4, 4), xlabel="elevation (°)", ylabel="error of the range (%)")
-        ax.legend(frameon=False, loc="lower left")
+        ax.legend(frameon=False, loc="upper center")
 
     interactive_figure(
         draw,
@@ -652,7 +652,7 @@ def low_film(count=8):
 
     return animate(
         draw,
-        [3000.0 * n for n in range(36)],
+        [4200.0 * n for n in range(26)],
         alt="Eight parcels of air on a ring start towards a low in the middle. Their paths bend to "
         "the right, keep the low on their left, and wind round it counterclockwise.",
     )
@@ -681,7 +681,7 @@ def low(count=8):
 
     interactive_figure(
         draw,
-        Slider("latitude", 45, -75, 75, 5, label="latitude", unit="°"),
+        Slider("latitude", 45, -75, 75, 15, label="latitude", unit="°"),
         alt="Eight paths of air that starts at rest on a ring round a low. In the north they keep "
         "it on their left and go round it counterclockwise, in the south clockwise, at the equator "
         "they run straight through the middle. With friction they wind inward.",
@@ -698,7 +698,7 @@ def banked():
         ground, angle = Frame("ground"), math.radians(bank)
         plane = ground.rotate("plane", "y", angle)
         lift = plane.k / math.cos(angle)
-        s = Sketch(axes[0], ground, plane="xz", arrows=110)
+        s = Sketch(axes[0], ground, plane="xz", arrows=85)
         s.rod(plane.point("", -1, 0, 0), plane.point("", 1, 0, 0))
         s.rod(O, plane.point("", 0, 0, 0.42))
         s.sphere(O, 0.16)
