@@ -32,13 +32,20 @@ def bars(ax, energies, low, high, unit="J"):
     ax.set_xticks(range(len(energies)), energies)
     ax.set(ylim=(low, high), ylabel=unit)
     ax.axhline(0, color="black", lw=0.8)
+    _scale_on_the_right(ax)
+
+
+def _scale_on_the_right(ax):
+    """Away from the panel on the left, whose labels may reach beyond it."""
+    ax.yaxis.tick_right()
+    ax.yaxis.set_label_position("right")
 
 
 # -- work
 
 
 def tug(pull, track, winch):
-    """Figure 11.1: a sledge pulled toward a winch, and the work as an area."""
+    """Figure 11.1: a sledge pulled towards a winch, and the work as an area."""
     q = np.linspace(0, 8, 241)
     places = np.array([track(x)[:2] for x in q], float)
     steps = np.diff(places, axis=0)
@@ -66,7 +73,7 @@ def tug(pull, track, winch):
     interactive_figure(
         draw,
         Slider("gone", 4, 0, 8, 0.25, label="x of the sledge", unit="m"),
-        alt="Left: a sledge A on a curved track, pulled by a rope toward the winch W; the force F "
+        alt="Left: a sledge A on a curved track, pulled by a rope towards the winch W; the force F "
         "points to W and dr along the track. Right: the component of F along the track against "
         "the distance covered, with the area so far filled; beyond the winch it is negative.",
         size=(9, 3.8),
@@ -84,6 +91,7 @@ def _area(ax, s, F_t, n):
         )
     ax.axhline(0, color="black", lw=0.8)
     ax.set(xlabel="s (m)", ylabel="$F_t$ (N)", xlim=(s[0], s[-1]), ylim=(-60, 60))
+    _scale_on_the_right(ax)
 
 
 def couple():
@@ -148,7 +156,7 @@ def pendulum_with_pin(speed, cord, pin, angle):
         for P, name in (((*place(0)[0], 0), "A"), (B, "B"), ((*place(1)[0], 0), "C")):
             sketch.label(P, name)
         T, V = v * v / 2, G_SI * y
-        bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -11, 9, "J for each kg")
+        bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -11, 9, "J/kg")
 
     interactive_figure(
         draw,
@@ -227,13 +235,13 @@ def satellite(speed, mu, nearest, farthest):
         sketch.vector(P, velocity, r"$\mathbf{v}$", size="km/s")
         sketch.vector(P, tuple(-c / r**3 for c in P), r"$\mathbf{F}$", kind="force")
         T, V = 1e-6 * v * v / 2, -1e-6 * mu / r
-        bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -70, 60, "MJ for each kg")
+        bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -70, 60, "MJ/kg")
 
     interactive_figure(
         draw,
         Slider("round_", 60, 0, 360, 5, label="angle from the nearest point", unit="°"),
         alt="Left: a satellite on an ellipse about the Earth, with its velocity and the force "
-        "toward the Earth. Right: bars of its kinetic energy, its negative potential energy and "
+        "towards the Earth. Right: bars of its kinetic energy, its negative potential energy and "
         "their sum, which stays the same all the way round.",
         size=(9, 4),
         panels=(1, 2),
@@ -335,7 +343,10 @@ def pair_in_a_body():
             sketch.vector(P, v, rf"$\mathbf{{v}}_{name}$", size="m/s")
             sketch.vector(P, along * line, "")
             sketch.label(P, name)
-        ax.set_title(f"component from i to j: {along:.3f} m/s for both", fontsize=11)
+        ax.set_title(
+            f"component from i to j: {along:.3f} m/s for both".replace("-", "\N{MINUS SIGN}"),
+            fontsize=11,
+        )
 
     interactive_figure(
         draw,
