@@ -30,15 +30,14 @@ def bars(ax, energies, low, high, unit="J"):
             va="bottom" if up else "top",
         )  # fmt: skip
     ax.set_xticks(range(len(energies)), energies)
-    ax.set(ylim=(low, high), ylabel=unit)
+    ax.set_ylim(low, high)
     ax.axhline(0, color="black", lw=0.8)
-    _scale_on_the_right(ax)
+    _name_scale(ax, unit)
 
 
-def _scale_on_the_right(ax):
-    """Away from the panel on the left, whose labels may reach beyond it."""
-    ax.yaxis.tick_right()
-    ax.yaxis.set_label_position("right")
+def _name_scale(ax, name):
+    """Write it above the scale; beside it labels of the panel on the left may come near."""
+    ax.set_title(name, loc="left", fontsize=10)
 
 
 # -- work
@@ -90,8 +89,8 @@ def _area(ax, s, F_t, n):
             part, force, where=sign * force >= 0, color=colour, alpha=0.4, hatch=hatch, lw=0
         )
     ax.axhline(0, color="black", lw=0.8)
-    ax.set(xlabel="s (m)", ylabel="$F_t$ (N)", xlim=(s[0], s[-1]), ylim=(-60, 60))
-    _scale_on_the_right(ax)
+    ax.set(xlabel="s (m)", xlim=(s[0], s[-1]), ylim=(-60, 60))
+    _name_scale(ax, "$F_t$ (N)")
 
 
 def couple():
@@ -152,7 +151,8 @@ def pendulum_with_pin(speed, cord, pin, angle):
             sketch.line(*stops, style="solid")
         sketch.hinge(B)
         sketch.sphere(ball, 0.03)
-        sketch.vector(ball, tuple(v * c for c in (*direction, 0)), r"$\mathbf{v}$", size="m/s")
+        sketch.vector(ball, tuple(v * c for c in (*direction, 0)), r"$\mathbf{v}$")
+        axes[0].set_title(f"speed {v:.2f} m/s", fontsize=11)
         for P, name in (((*place(0)[0], 0), "A"), (B, "B"), ((*place(1)[0], 0), "C")):
             sketch.label(P, name)
         T, V = v * v / 2, G_SI * y
