@@ -117,7 +117,9 @@ def three_spins(times, runs):
             ax.plot(times, values, style, color=colour, label=rf"$\omega_{label}$")
         ax.set(title=name, xlabel="time (s)", ylim=(-6, 6))
     axes[0].set(ylabel="rad/s")
-    axes[0].legend(frameon=False, ncol=3, loc="lower left", fontsize=9)
+    axes[0].legend(
+        frameon=False, ncol=3, loc="lower left", fontsize=8, columnspacing=0.8, handlelength=1.5
+    )
     show_figure(
         fig,
         alt="Three plots of the components of omega over time. About the axes of least and largest "
@@ -187,10 +189,10 @@ def unbalanced_wheel(build):
 
 
 def drum_and_load(solve):
-    """Figure 8.9: a drum lowers a load on a rope, from ``solve(M)``: a and T for the drum's mass."""
+    """Figure 8.9: a drum lowers a load on a rope, from ``solve(drum)``: a and T for its mass."""
 
-    def draw(ax, M):
-        found = solve(M)
+    def draw(ax, drum):
+        found = solve(drum)
         ground, C, r = Frame("ground"), (0, 0, 1.0), 0.3
         s = Sketch(ax, ground, plane="xz")
         s.ground((0, 0, 1.55), -ground.k, size=1.2)
@@ -202,11 +204,11 @@ def drum_and_load(solve):
         s.vector((r, 0, 0.25), ground.k * float(found.T), "$T$", kind="force", size="N")
         s.vector((r, 0, 0.0), ground.k * -98.1, "$mg$", kind="force", size="N")
         s.label(C, "G", offset=(-14, 4))
-        ax.set_title(f"the load falls at {float(found.a):.2f} m/s²", fontsize=11)
+        ax.set_title(f"acceleration of the load: {float(found.a):.2f} m/s²", fontsize=11)
 
     interactive_figure(
         draw,
-        Slider("M", 20, 0, 80, 5, label="mass of the drum", unit="kg"),
+        Slider("drum", 20, 0, 80, 5, label="mass of the drum", unit="kg"),
         alt="A load of 10 kg hangs on a rope that is wound on a drum. The tension T is smaller "
         "than the weight mg while the load falls; the heavier the drum, the larger T and the "
         "smaller the acceleration.",
