@@ -55,7 +55,10 @@ class Freedom:
             f"less {self.rank} independent constraint{'s' * (self.rank != 1)}"
         )
         for name, times in self.redundant.items():
-            text += f"\n  redundant: {name}, {times} of its equations follow from the constraints "
+            follow = "follows" if times == 1 else "follow"
+            text += (
+                f"\n  redundant: {name}, {times} of its equations {follow} from the constraints "
+            )
             text += "before it"
         return text + "\n  the configuration is singular: nearby the rank is higher" * self.singular
 
