@@ -86,9 +86,9 @@ def eulers_angles():
 
     interactive_figure(
         draw,
-        Slider("psi", 40, 0, 180, 5, label="ψ", unit="°"),
-        Slider("theta", 50, 0, 180, 5, label="θ", unit="°"),
-        Slider("phi", 35, 0, 180, 5, label="φ", unit="°"),
+        Slider("psi", 40, 0, 170, 5, label="ψ", unit="°"),
+        Slider("theta", 50, 0, 170, 5, label="θ", unit="°"),
+        Slider("phi", 35, 0, 170, 5, label="φ", unit="°"),
         alt="Fixed axes X, Y, Z, the axes x, y, z that precess and nutate, and the axes x', y' of the body, all with "
         "one origin. The angle psi leads in the level plane from X to the line of nodes x, theta "
         "from Z to z, and phi in the plane of the disk from x to x'.",
