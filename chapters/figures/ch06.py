@@ -272,7 +272,7 @@ def coordinates_in_space():
 
     interactive_figure(
         draw,
-        Slider("theta", 75, 0, 120, 15, label="θ", unit="°"),
+        Slider("theta", 75, 0, 120, 5, label="θ", unit="°"),
         Slider("phi", 35, -20, 70, 5, label="φ", unit="°"),
         alt="One point over the horizontal plane, twice. Left with the unit vectors e_r, e_theta "
         "and k, e_r horizontal; right with e_R along the line from the origin, e_theta horizontal "
@@ -554,8 +554,8 @@ def coriolis_on_the_ground():
 
     interactive_figure(
         draw,
-        Slider("latitude", 45, -90, 90, 15, label="latitude", unit="°"),
-        Slider("azimuth", 90, 0, 360, 15, label="velocity, from east to north", unit="°"),
+        Slider("latitude", 45, -90, 90, 5, label="latitude", unit="°"),
+        Slider("azimuth", 90, 0, 360, 10, label="velocity, from east to north", unit="°"),
         alt="A horizontal plate with the axes east, north and up. The Earth's angular velocity "
         "leans from north towards up by the latitude. A horizontal velocity and, at right angles "
         "to both, the Coriolis acceleration, to the right of the velocity in the north.",
@@ -590,8 +590,8 @@ def shot(v0=300.0, elevation=math.pi / 4, magnified=100):
 
     interactive_figure(
         draw,
-        Slider("azimuth", 90, 0, 360, 30, label="azimuth", unit="°"),
-        Slider("latitude", 45, -90, 90, 15, label="latitude", unit="°"),
+        Slider("azimuth", 90, 0, 360, 10, label="azimuth", unit="°"),
+        Slider("latitude", 45, -90, 90, 5, label="latitude", unit="°"),
         alt="A shot seen from above: a dashed straight line for an Earth at rest, and a solid "
         "curve for the turning Earth, its displacement magnified. In the north the curve bends to "
         "the right, in the south to the left.",
@@ -681,7 +681,7 @@ def low(count=8):
 
     interactive_figure(
         draw,
-        Slider("latitude", 45, -75, 75, 15, label="latitude", unit="°"),
+        Slider("latitude", 45, -75, 75, 5, label="latitude", unit="°"),
         alt="Eight paths of air that starts at rest on a ring round a low. In the north they keep "
         "it on their left and go round it counterclockwise, in the south clockwise, at the equator "
         "they run straight through the middle. With friction they wind inward.",

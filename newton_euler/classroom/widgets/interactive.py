@@ -39,7 +39,7 @@ def interactive_figure(
     _check_names(sliders)
     stage = Stage(draw, size, panels)
     start = {slider.name: slider.start for slider in sliders}
-    stage.rehearse([*_samples(sliders), start])
+    stage.rehearse([*_samples(sliders, bool(stage.sketches(start))), start])
 
     def picture(values, png=False):
         words, image = alt_text(_said(alt, values)), stage.picture(values, _said(title, values))
@@ -60,9 +60,12 @@ def _said(text, values):
     return text(**values) if callable(text) else text
 
 
-def _samples(sliders):
-    """Values of all sliders: a grid over their ranges, with its corners."""
-    count = next(n for n in (17, 9, 4, 3, 2) if n ** len(sliders) <= MOST_SAMPLES or n == 2)
+def _samples(sliders, many):
+    """Values of all sliders: a grid over their ranges, with its corners; or the corners alone,
+    which will do for plots, as they have no window to be found.
+    """
+    counts = (17, 9, 4, 3, 2) if many else (2,)
+    count = next(n for n in counts if n ** len(sliders) <= MOST_SAMPLES or n == 2)
     names = [slider.name for slider in sliders]
     for values in product(*(slider.samples(count) for slider in sliders)):
         yield dict(zip(names, values, strict=True))

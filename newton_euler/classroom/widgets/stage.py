@@ -30,16 +30,18 @@ class Stage:
         """Record the sketches of many pictures, which the window shall hold."""
         from ...drawing.page.recorder import share_window
 
-        sketches = []
-        for values in samples:
-            try:
-                sketches += self._drawn(values)
-            except Exception as error:
-                error.add_note(f"This came up while the picture for {told(values)} was drawn.")
-                raise
+        sketches = [sketch for values in samples for sketch in self.sketches(values)]
         self._lay_out(sketches)
         if sketches:
             self._one, self._window = sketches[0], share_window(sketches)
+
+    def sketches(self, values):
+        """The sketches of the picture for these values; none if it has plots alone."""
+        try:
+            return self._drawn(values)
+        except Exception as error:
+            error.add_note(f"This came up while the picture for {told(values)} was drawn.")
+            raise
 
     def picture(self, values, title):
         """The picture for these values as SVG."""

@@ -57,6 +57,17 @@ def test_an_error_in_draw_is_told_in_place_of_the_picture(shown):
     assert "No picture for a = 1.51. ValueError: too far" in shown.updates[-1][0]["text/html"]
 
 
+def test_plots_have_no_window_to_find_and_are_tried_at_the_corners_alone(shown):
+    drawn = []
+
+    def noted(ax, a):
+        plot(ax, a, 0)
+        drawn.append(a)
+
+    interactive_figure(noted, Slider("a", 1.0, 0, 4, 0.1), alt=ALT)
+    assert {*drawn} == {0, 1, 4}
+
+
 def test_an_error_in_draw_at_a_sample_says_for_which_values(shown):
     def fails(ax, a, b):
         if a == 2:
