@@ -34,7 +34,7 @@ def total():
         s.arrow(Q, _add(P, Q), r"$\mathbf{P}$", "velocity")
         s.arrow(O, _add(P, Q), r"$\mathbf{P}+\mathbf{Q}$", "rate")
         s.arc(O, P, Q, r"$\theta$")
-        ax.set_title(rf"$|P+Q|$ = {math.hypot(*_add(P, Q)):.2f}", fontsize=11)
+        ax.set_title(rf"$|\mathbf{{P}}+\mathbf{{Q}}|$ = {math.hypot(*_add(P, Q)):.2f}", fontsize=11)
 
     interactive_figure(
         draw,
@@ -49,10 +49,12 @@ def total():
 def components():
     """Figure A.2: a vector and its components along the axes."""
 
-    def draw(ax, around, up):
-        ground = Frame("ground")
+    def triple(around, up):
         a, b = math.radians(around), math.radians(up)
-        x, y, z = math.cos(b) * math.cos(a), math.cos(b) * math.sin(a), math.sin(b)
+        return math.cos(b) * math.cos(a), math.cos(b) * math.sin(a), math.sin(b)
+
+    def draw(ax, around, up):
+        ground, (x, y, z) = Frame("ground"), triple(around, up)
         s = Sketch(ax, ground, azimuth=25, elevation=25)
         s.axes(O, ground, length=1.1, labels=[r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
         legs = (O, (x, 0, 0), (x, y, 0), (x, y, z))
@@ -60,9 +62,10 @@ def components():
             if math.dist(tail, tip) > 0.02:
                 s.arrow(tail, tip, f"$P_{name}$", "acceleration")
         s.arrow(O, (x, y, z), r"$\mathbf{P}$", "velocity")
-        ax.set_title(
-            rf"$P_x$ = {x:.2f}, $P_y$ = {y:.2f}, $P_z$ = {z:.2f}; $|P|$ = 1.00", fontsize=11
-        )
+
+    def told(around, up):
+        x, y, z = triple(around, up)
+        return rf"$P_x = {x:.2f},\quad P_y = {y:.2f},\quad P_z = {z:.2f};\quad|\mathbf{{P}}|$ = 1"
 
     interactive_figure(
         draw,
@@ -71,6 +74,7 @@ def components():
         alt="A vector P of length one from the origin of three axes i, j, k. Three arrows along the "
         "axes, of the lengths of its components, lead head to tail from the origin to its tip.",
         size=(6.2, 4.6),
+        title=told,
     )
 
 
@@ -85,12 +89,14 @@ def projection():
         s.arrow(O, P, r"$\mathbf{P}$", "velocity")
         s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
         s.line(Q, foot)
-        s.dimension(O, foot, r"$|Q|\cos\theta$", offset=(0, -0.35, 0))
+        s.dimension(O, foot, r"$|\mathbf{Q}|\cos\theta$", offset=(0, -0.35, 0))
         if theta:
             s.arc(O, P, Q, r"$\theta$")
         product = 3 * Q[0]
         ax.set_title(
-            rf"$|Q|\cos\theta$ = {Q[0] + 0.0:.2f}, $P\cdot Q$ = {product + 0.0:.2f}", fontsize=11
+            rf"$|\mathbf{{Q}}|\cos\theta = {Q[0] + 0.0:.2f},\quad"
+            rf"\mathbf{{P}}\cdot\mathbf{{Q}} = {product + 0.0:.2f}$",
+            fontsize=11,
         )
 
     interactive_figure(
@@ -118,7 +124,9 @@ def area():
         s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
         if 5 < abs(theta) < 175:
             s.arc(O, P, Q, r"$\theta$")
-        ax.set_title(rf"$P\times Q$ = {product + 0.0:.2f} $\hat k$", fontsize=11)
+        ax.set_title(
+            rf"$\mathbf{{P}}\times\mathbf{{Q}} = {product + 0.0:.2f}\,\hat k$", fontsize=11
+        )
 
     interactive_figure(
         draw,
@@ -148,7 +156,10 @@ def block():
         s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
         s.arrow(O, R, r"$\mathbf{R}$", "rate")
         hand = "right-handed" if volume > 0 else "left-handed" if volume < 0 else "in one plane"
-        ax.set_title(rf"$P\cdot Q\times R$ = {volume:.2f}: {hand}", fontsize=11)
+        ax.set_title(
+            rf"$\mathbf{{P}}\cdot\mathbf{{Q}}\times\mathbf{{R}} = {volume + 0.0:.2f}$: {hand}",
+            fontsize=11,
+        )
 
     interactive_figure(
         draw,
@@ -242,7 +253,9 @@ def plane(corners, normal):
             s.label(place, name)
         product = off * math.hypot(*normal)
         ax.set_title(
-            rf"$AX\cdot N$ = {product + 0.0:.1f}, X off the plane by {off:.1f}", fontsize=11
+            rf"$\overrightarrow{{AX}}\cdot\mathbf{{N}} = {product + 0.0:.1f}$; "
+            rf"X is off the plane by ${off + 0.0:.1f}$",
+            fontsize=11,
         )
 
     interactive_figure(
@@ -365,7 +378,7 @@ def hill(height, slope):
         s.axes((-2, -1.5, 0), s.frame, 0.6, ["x", "y", ""])
         along = float(np.dot(uphill, e))
         ax.set_title(
-            rf"slope along the walk: $\nabla f\cdot\hat e$ = {along + 0.0:.2f}", fontsize=11
+            rf"slope along the walk: $\nabla f\cdot\hat e = {along + 0.0:.2f}$", fontsize=11
         )
 
     interactive_figure(
