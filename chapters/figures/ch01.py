@@ -38,7 +38,7 @@ def position_and_velocity():
         draw,
         Slider("dt", 1.6, 0.1, 2.4, 0.1, label="Δt", unit="s"),
         alt="A curve C in space and the axes x, y, z of an observer at O. Vectors r lead from O to "
-        "the point P at two instants; the displacement between them turns toward the dotted "
+        "the point P at two instants; the displacement between them turns towards the dotted "
         "tangent of the curve at P as the time between the instants gets shorter.",
         size=(6.8, 4.6),
     )
