@@ -24,6 +24,7 @@ class Stage:
         self.axes = self.figure.subplots(*_pair(panels, "panels", int))
         self._bare = [len(ax.get_children()) for ax in self.figure.axes]
         self._plain = True  # there are nothing but sketches
+        self._rehearsed = False
         self._window = self._one = None
 
     def rehearse(self, samples):
@@ -31,6 +32,7 @@ class Stage:
         from ...drawing.page.recorder import share_window
 
         sketches = [sketch for values in samples for sketch in self.sketches(values)]
+        self._rehearsed = True
         self._lay_out(sketches)
         if sketches:
             self._one, self._window = sketches[0], share_window(sketches)
@@ -84,13 +86,17 @@ class Stage:
         return [sketch for of_ax in found for sketch in of_ax]
 
     def _clear(self):
-        """Empty the axes; of those with sketches that are not rendered, only the titles."""
+        """Empty the axes; of those with sketches that are not rendered, only the titles, and before
+        the first picture only what is drawn on them, since to clear axes takes longer.
+        """
         for ax in self.figure.axes:
             ax.set_axes_locator(None)
             if self._plain and len(ax.get_children()) == self._bare[self.figure.axes.index(ax)]:
                 ax.set_title("")
-            else:
+            elif self._rehearsed:
                 ax.clear()
+            else:
+                _remove_plots(ax)
 
     def _lay_out(self, sketches):
         """Sketches fill the figure, but for titles; plots keep room for what stands beside."""
@@ -106,6 +112,12 @@ class Stage:
         else:
             self.figure.tight_layout(rect=(0, 0, 1, 0.95))
             self.figure.set_layout_engine(None)  # else every picture is laid out, and drawn twice
+
+
+def _remove_plots(ax):
+    for of_a_kind in (ax.lines, ax.patches, ax.collections, ax.texts, ax.images):
+        for artist in [*of_a_kind]:
+            artist.remove()
 
 
 def told(values):

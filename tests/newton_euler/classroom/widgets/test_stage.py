@@ -5,6 +5,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 
 from newton_euler import Frame
 from newton_euler.classroom.widgets.stage import Stage
@@ -112,3 +113,31 @@ def test_a_plot_beside_a_sketch_keeps_room_for_its_labels():
     moving.picture({"a": 1}, None)
     label = moving.figure.axes[1].xaxis.label.get_window_extent()
     assert label.y0 >= 0
+
+
+def bars_beside(axes, a):
+    arrow(axes[0], a)
+    axes[1].bar([0, 1], [a, 1], label=f"at {a}")
+    axes[1].plot([0, 1], [a, 0])
+    axes[1].legend()
+
+
+def test_nothing_of_the_rehearsal_and_of_earlier_pictures_stays_in_a_plot():
+    moving = stage(bars_beside, [{"a": a} for a in (1, 2, 3)], panels=(1, 2))
+    for a in (3, 1, 2):
+        moving.picture({"a": a}, None)
+        plot = moving.axes[1]
+        assert [bar.get_height() for bar in plot.patches] == [a, 1]
+        assert [to_hex(line.get_color()) for line in plot.lines] == [to_hex("C0")]
+        assert [text.get_text() for text in plot.get_legend().get_texts()] == [f"at {a}"]
+
+
+def test_a_rehearsal_does_not_pile_up_what_is_plotted():
+    seen = []
+
+    def counted(axes, a):
+        seen.append(len(axes[1].patches) + len(axes[1].lines))
+        bars_beside(axes, a)
+
+    stage(counted, [{"a": a} for a in (1, 2, 3)], panels=(1, 2))
+    assert seen == [0, 0, 0]
