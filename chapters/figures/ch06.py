@@ -433,7 +433,8 @@ def _throw_scene(s, C, r, u, t, inside):
         s.dot(place)
         s.label(place, name, bold=False)
     s.line(_rim_place(C, r, 0.0), _rim_place(C, r, math.pi))  # the aim
-    past = [t * n / 40 for n in range(41)]
+    parts = 20 if inside else 1  # from the stars it is a straight line
+    past = [t * n / parts for n in range(parts + 1)]
     if t:
         s.path([_ball(C, r, u, q, omega * q if inside else 0.0) for q in past])
     s.sphere(_ball(C, r, u, t, omega * t if inside else 0.0), 0.05 * r)
@@ -457,7 +458,7 @@ def throw_film(r=100.0, u=60.0):
         draw,
         [time * n / 24 for n in range(25)],
         speed=time / 5,
-        size=(8, 3.8),
+        size=(7, 3.3),
         alt="A ball is thrown across a station that turns clockwise, seen twice. From the stars it "
         "flies straight while thrower and friend are carried round; from inside it flies along a "
         "curve and comes down behind the friend.",
@@ -643,7 +644,7 @@ def low_film(count=8):
         s = Sketch(ax, ground, plane="xy")
         s.ring(O, ground.k, 3.0)
         s.label(O, "low", offset=(0, 0))
-        trail = place(np.linspace(max(0.0, t - 6 * 3600), t, 19))
+        trail = place(np.linspace(max(0.0, t - 6 * 3600), t, 10))
         for n in range(count):
             x, y = _turned(trail, 2 * math.pi * n / count)
             if t:
@@ -652,7 +653,7 @@ def low_film(count=8):
 
     return animate(
         draw,
-        [4200.0 * n for n in range(26)],
+        [5000.0 * n for n in range(22)],
         alt="Eight parcels of air on a ring start towards a low in the middle. Their paths bend to "
         "the right, keep the low on their left, and wind round it counterclockwise.",
     )
