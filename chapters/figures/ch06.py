@@ -207,10 +207,10 @@ def aircraft_forces():
 
     interactive_figure(
         draw,
-        Slider("gamma", 20, 0, 80, 5, label="γ", unit="°"),
-        alt="An aircraft on a path that rises at the angle gamma. The lift L is at right angles to "
-        "the path and smaller than the weight, the thrust T points along the path, the drag D "
-        "against it.",
+        Slider("gamma", 0, 0, 80, 5, label="γ", unit="°"),
+        alt="An aircraft on a straight path at the angle gamma above the horizontal. The lift L is at "
+        "right angles to the path, the thrust T points along it, the drag D against it and the "
+        "weight W down.",
         size=(6.4, 4.8),
     )
 
