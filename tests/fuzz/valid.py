@@ -29,6 +29,7 @@ from newton_euler import (
     moving,
     scenes,
 )
+from newton_euler.classroom import try_problem
 from newton_euler.classroom.forms import Form
 
 
@@ -99,6 +100,7 @@ def more_examples():
     forces_and_motions(ground, *places)
     drawings(ground, body, *places)
     Form.read("number, m").error("got nothing")
+    try_problem("4/16", "no folder")
 
 
 def solids(body, C, D):
@@ -203,6 +205,7 @@ def drawings(ground, body, C, D):
     s.sphere(C, 0.2)
     s.plate([(0, 0, 0), (1, 0, 0), (0, 0, 1)])
     s.box(C, body, (0.1, 0.2, 0.3))
+    s.sum(C, body.point("P", 1.0, 0, 0).acceleration(ground))
 
     def draw(t, ax):
         drawing.Sketch(ax, ground, plane="xz").rod((0, 0, 0), (1, 0, t))

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from decimal import Decimal
 
-from ...algebra.errors import ArgumentError
+from ...algebra.errors import ArgumentError, checked
 
 
 @dataclass(frozen=True)
@@ -58,16 +58,21 @@ class Slider:
         steps = -int(down / self.step + 1e-9), int(up / self.step + 1e-9)
         return self._value(steps[0]), self._value(steps[1])
 
+    @checked
     def nearest(self, x: float) -> float:
         """The value of the slider that is nearest to x."""
         return self._value(round((x - self.start) / self.step))
 
+    @checked
     def samples(self, count: int) -> list[float]:
         """So many values, evenly from the lowest to the highest, rounded to steps."""
+        if count < 2:
+            raise ArgumentError(f"samples of a slider are 2 or more; got {count}")
         low, high = self.limits
         each = (low + (high - low) * n / (count - 1) for n in range(count))
         return list(dict.fromkeys(self.nearest(x) for x in each))
 
+    @checked
     def shown(self, x: float) -> str:
         """A value with its label and unit."""
         number = f"{x:.{min(self._decimals, 6)}f}".replace("-", "\N{MINUS SIGN}")
