@@ -188,8 +188,8 @@ def _product(name, symbol):
     cross product of two rates.
     """
     parts = name.split(" x ")
-    if len(parts) > 1:
-        symbol = r"\boldsymbol{\omega}"
+    # the symbol may have an index of its own, and then needs the braces
+    symbol = rf"{{{symbol}}}" if len(parts) == 1 else r"\boldsymbol{\omega}"
     return r"\times".join(rf"{symbol}_{{{latex_text(part)}}}" for part in parts)
 
 

@@ -246,6 +246,8 @@ def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
     )
     assert "equation (6.10)" in str(seen.explain())
     assert r"\tag{6.10}" in seen.explain().latex
+    # MathJax refuses a second index of a symbol without braces
+    assert r"{\mathbf{a}_2}_{\text{spring}}" in seen.explain().latex
     assert "(6.10)" in str(
         resultant_force(2.0, disk.point("Q", 3.0, 0, 0).acceleration(ground)).explain()
     )
