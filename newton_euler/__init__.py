@@ -29,7 +29,7 @@ _NAMES = {
     "motion": "Event Model integrate prepare",
     "scenes": "smallest",
 }
-_ROOMS = {*_NAMES, "accuracy", "applications", "classroom", "drawing"}
+_ROOMS = {*_NAMES, "accuracy", "answers", "applications", "classroom", "drawing"}
 _ROOM_OF = {name: room for room, names in _NAMES.items() for name in names.split()}
 __all__ = sorted(_ROOM_OF)
 

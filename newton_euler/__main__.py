@@ -1,6 +1,6 @@
 """``python -m newton_euler chapters [DIR]``."""
 
-from .classroom.notebooks import main
+from .chapters.copying import main
 
 if __name__ == "__main__":
     raise SystemExit(main())

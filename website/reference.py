@@ -9,7 +9,7 @@ import re
 import tomllib
 
 import newton_euler
-from newton_euler.classroom.notation import symbol
+from newton_euler.answers.notation import symbol
 
 from .kept import ROOT
 

@@ -1,7 +1,7 @@
 """A/1: position vectors of two points, and of one with respect to the other."""
 
-from exercises.proofs import plus, rate, scaled
-from exercises.steps import Step
+from exercises.catalogue.proofs import plus, rate, scaled
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

@@ -1,7 +1,7 @@
 """A/2: a vector of given length and direction."""
 
-from exercises.proofs import root, scaled, size
-from exercises.steps import Step
+from exercises.catalogue.proofs import root, scaled, size
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

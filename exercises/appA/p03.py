@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import integral, minus, size
-from exercises.steps import Step
+from exercises.catalogue.proofs import integral, minus, size
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, radians
 from newton_euler.drawing import Sketch
 

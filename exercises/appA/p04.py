@@ -1,7 +1,7 @@
 """A/4: sum, difference and dot products, without a figure."""
 
-from exercises.proofs import minus, plus, size
-from exercises.steps import Step
+from exercises.catalogue.proofs import minus, plus, size
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 
 

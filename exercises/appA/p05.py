@@ -1,7 +1,7 @@
 """A/5: the component of a vector along a directed line."""
 
-from exercises.proofs import minus, plus, rate, root, scaled, size
-from exercises.steps import Step
+from exercises.catalogue.proofs import minus, plus, rate, root, scaled, size
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

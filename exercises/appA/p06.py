@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises.steps import Step
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 
 AXES = Frame("axes")

@@ -3,8 +3,8 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import rate, second_rate
-from exercises.steps import Step
+from exercises.catalogue.proofs import rate, second_rate
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, moving, sin
 from newton_euler.drawing import Sketch
 

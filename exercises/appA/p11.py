@@ -1,7 +1,7 @@
 """A/11: gradients, by the engine's exact derivatives; formulas and a vector of numbers."""
 
-from exercises import proofs
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.kinematics.curvilinear_systems import gradient
 

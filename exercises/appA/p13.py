@@ -1,8 +1,8 @@
 """A/13: the projection of a vector on another, and the foot of a perpendicular."""
 
-from exercises import proofs
-from exercises.proofs import minus, plus, scaled
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import minus, plus, scaled
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

@@ -4,7 +4,7 @@ numbers, and may compare them.
 
 from mpmath import mp
 
-from exercises.steps import Step
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

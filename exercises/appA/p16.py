@@ -1,8 +1,8 @@
 """A/16: components for which three vectors are orthogonal, one condition after the other."""
 
-from exercises import proofs
-from exercises.proofs import cross
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import cross
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, solve_linear
 
 AXES = Frame("axes")

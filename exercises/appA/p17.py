@@ -1,7 +1,7 @@
 """A/17: the derivative of a cross product, of vectors whose components are moving numbers."""
 
-from exercises import proofs
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, moving
 
 AXES = Frame("axes")

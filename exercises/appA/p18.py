@@ -1,8 +1,8 @@
 """A/18: the derivative of R x R', by a point that moves."""
 
-from exercises import proofs
-from exercises.proofs import cross
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import cross
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, moving
 
 AXES = Frame("axes")

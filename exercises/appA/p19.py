@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import minus, scaled, size
-from exercises.steps import Step
+from exercises.catalogue.proofs import minus, scaled, size
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

@@ -2,8 +2,8 @@
 all vectors that have these dot products; the engine resolves it for some that are easily written.
 """
 
-from exercises.proofs import plus
-from exercises.steps import Step
+from exercises.catalogue.proofs import plus
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, solve_linear
 
 COEFFICIENTS = Frame("A, B, C")

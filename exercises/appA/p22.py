@@ -4,8 +4,8 @@ products; the engine multiplies four that are easily written.
 
 from mpmath import mp
 
-from exercises.proofs import cross
-from exercises.steps import Step
+from exercises.catalogue.proofs import cross
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 
 

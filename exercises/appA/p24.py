@@ -2,8 +2,8 @@
 dimensions; numbers that vary beside a symbol; no figure.
 """
 
-from exercises import proofs
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, integral
 
 AXES = Frame("axes")

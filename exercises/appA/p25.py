@@ -1,7 +1,7 @@
 """A/25: the integral of a vector function, without a figure."""
 
-from exercises import proofs
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, integral
 
 AXES = Frame("axes")

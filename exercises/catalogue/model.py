@@ -11,8 +11,8 @@ from functools import cached_property
 
 from newton_euler.algebra.scalars import integer_like, is_numeric, scalar
 from newton_euler.algebra.units import SI, unit
-from newton_euler.classroom.forms import WORDS
-from newton_euler.classroom.notation import symbol
+from newton_euler.answers.forms import WORDS
+from newton_euler.answers.notation import symbol
 
 from .units import in_unit, system_of
 from .words import word, words_at

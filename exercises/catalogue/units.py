@@ -5,7 +5,7 @@ import re
 from newton_euler.algebra.scalars import ZERO, is_expression, probe, scalar
 from newton_euler.algebra.units import SI, US, unit
 from newton_euler.algebra.vectors import Vector
-from newton_euler.classroom.forms import WORDS
+from newton_euler.answers.forms import WORDS
 
 _US = {"ft", "in", "mi", "slug", "lb", "oz"}
 _METRIC = {"m", "mm", "cm", "km", "g", "kg", "N", "kN", "J", "W", "Pa"}

@@ -3,9 +3,9 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.catalogue.proofs import scaled, size
+from exercises.catalogue.steps import Step
 from exercises.devices.plane_curve import at_constant_speed
-from exercises.proofs import scaled, size
-from exercises.steps import Step
 from newton_euler import Frame, exp, moving
 from newton_euler.drawing import Sketch
 from newton_euler.kinematics import at_speed, frenet_along

@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import cross, size
+from exercises.catalogue.steps import Step
 from exercises.devices.plane_curve import at_constant_speed as proved_motion
-from exercises.proofs import cross, size
-from exercises.steps import Step
 from newton_euler import Frame, cos, moving, polar, sin
 from newton_euler.drawing import Sketch
 from newton_euler.kinematics import flexure, speed_rate

@@ -3,8 +3,8 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import rate, root, second_rate
-from exercises.steps import Step
+from exercises.catalogue.proofs import rate, root, second_rate
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, moving
 from newton_euler.drawing import Sketch
 from newton_euler.kinematics import at_speed, frenet_along

@@ -1,7 +1,7 @@
 """2/4: grain that falls into a chute."""
 
-from exercises.proofs import root
-from exercises.steps import Step
+from exercises.catalogue.proofs import root
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, sqrt
 from newton_euler.drawing import Sketch
 

@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import root
-from exercises.steps import Step
+from exercises.catalogue.proofs import root
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, pi, sin
 from newton_euler.drawing import Sketch
 from newton_euler.kinematics import from_time

@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.steps import Step
 from exercises.devices import thrown_ball
 from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_height
-from exercises.steps import Step
 from newton_euler import asin, atan, pi, sin
 
 

@@ -2,10 +2,10 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import rate, root
+from exercises.catalogue.steps import Step
 from exercises.devices import thrown_ball
 from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_path
-from exercises.proofs import rate, root
-from exercises.steps import Step
 from newton_euler import atan, sqrt
 
 

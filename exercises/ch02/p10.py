@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import rate, root, second_rate, size
-from exercises.steps import Step
+from exercises.catalogue.proofs import rate, root, second_rate, size
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, moving, polar, sqrt
 from newton_euler.drawing import Sketch
 

@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
+from exercises.catalogue.steps import Step
 from exercises.devices import jet
-from exercises.steps import Step
 from newton_euler import Frame, cos, pi, sin
 
 

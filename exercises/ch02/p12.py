@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import root
+from exercises.catalogue.steps import Step
 from exercises.devices import jet
-from exercises.proofs import root
-from exercises.steps import Step
 from newton_euler import Frame, sqrt
 
 

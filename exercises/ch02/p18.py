@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import cross, rate, second_rate, size
-from exercises.steps import Step
+from exercises.catalogue.proofs import cross, rate, second_rate, size
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, moving, sin
 from newton_euler.drawing import Sketch
 from newton_euler.kinematics import flexure, polar

@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import second_rate, size
 from exercises.devices import polar_motion
-from exercises.proofs import second_rate, size
 from newton_euler import Frame, cos, exp, log, moving, polar, sin
 from newton_euler.drawing import Sketch
 

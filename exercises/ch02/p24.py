@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import rate, rot, second_rate, size, times
+from exercises.catalogue.steps import Step, terms
 from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
-from exercises.proofs import rate, rot, second_rate, size, times
-from exercises.steps import Step, terms
 from newton_euler import Frame, polar
 
 

@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import angular_velocity, rate, rot, second_rate
+from exercises.catalogue.steps import Step
 from exercises.devices.turning_plate import turning
-from exercises.proofs import angular_velocity, rate, rot, second_rate
-from exercises.steps import Step
 from newton_euler import moving, polar
 from newton_euler.drawing import Sketch
 

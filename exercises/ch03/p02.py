@@ -4,8 +4,8 @@ direction.
 
 from mpmath import mp
 
-from exercises.proofs import minus, size
-from exercises.steps import Step
+from exercises.catalogue.proofs import minus, size
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 from newton_euler.kinematics import along

@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import rate, second_rate
+from exercises.catalogue.steps import Step, terms
 from exercises.devices.helix import figure, helix, on_helix, unrolled
-from exercises.proofs import rate, second_rate
-from exercises.steps import Step, terms
 from newton_euler import moving, pi
 from newton_euler.kinematics import at_speed
 

@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from exercises.devices.helix import figure, on_helix
-from exercises.steps import Step
 from newton_euler import asin, integral, moving, pi, sin, sqrt
 from newton_euler.kinematics import frenet
 

@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import cross, rate, rot, second_rate, times, transposed
-from exercises.steps import Step
+from exercises.catalogue.proofs import cross, rate, rot, second_rate, times, transposed
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cylindrical, moving, pi, spherical, sqrt
 from newton_euler.drawing import Sketch
 

@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import rot, scaled, size, times
+from exercises.catalogue.steps import Step
 from exercises.devices.instant_of_motion import figure, speed_and_flexure
-from exercises.proofs import rot, scaled, size, times
-from exercises.steps import Step
 from newton_euler import Frame, atan2, cos, pi, sin
 from newton_euler.kinematics import flexure, frenet, speed_rate
 

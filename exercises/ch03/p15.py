@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import rate, spherical_axes, times
+from exercises.catalogue.steps import Step
 from exercises.devices.spherical_point import figure, place_in_time
-from exercises.proofs import rate, spherical_axes, times
-from exercises.steps import Step
 from newton_euler import Frame, moving, pi
 from newton_euler.kinematics import spherical_frame
 

@@ -2,9 +2,15 @@
 by the matrix.
 """
 
+from exercises.catalogue.proofs import (
+    cylindrical_axes,
+    second_rate,
+    spherical_axes,
+    times,
+    transposed,
+)
+from exercises.catalogue.steps import Step
 from exercises.devices import amusement_ride as ride
-from exercises.proofs import cylindrical_axes, second_rate, spherical_axes, times, transposed
-from exercises.steps import Step
 from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 

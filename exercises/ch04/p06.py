@@ -3,9 +3,9 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.catalogue.proofs import minus, rate
+from exercises.catalogue.steps import Step, terms
 from exercises.devices.moving_frame import turning_of
-from exercises.proofs import minus, rate
-from exercises.steps import Step, terms
 from newton_euler import Frame, cos, moving, pi, sin
 from newton_euler.drawing import Sketch
 

@@ -3,9 +3,9 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.catalogue.proofs import rate, rot, second_rate, times, transposed
+from exercises.catalogue.steps import Step, terms
 from exercises.devices.moving_frame import seen_in, turning_of
-from exercises.proofs import rate, rot, second_rate, times, transposed
-from exercises.steps import Step, terms
 from newton_euler import Frame, at, cos, moving, sin
 from newton_euler.drawing import Sketch
 

@@ -1,8 +1,8 @@
 """4/8: two points that stay a fixed distance apart, and the frame that follows them."""
 
 from exercises.catalogue import in_frame
-from exercises.following import acceleration_of
-from exercises.proofs import (
+from exercises.catalogue.following import acceleration_of
+from exercises.catalogue.proofs import (
     angular_velocity,
     cross,
     minus,
@@ -14,7 +14,7 @@ from exercises.proofs import (
     times,
     transposed,
 )
-from exercises.steps import Step, terms
+from exercises.catalogue.steps import Step, terms
 from newton_euler import Frame, moving
 from newton_euler.drawing import Sketch
 

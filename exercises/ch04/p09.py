@@ -3,8 +3,8 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import plus, rate, scaled
-from exercises.steps import Step
+from exercises.catalogue.proofs import plus, rate, scaled
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, moving, pi, sin, solve_rates, sqrt
 from newton_euler.drawing import Sketch
 

@@ -2,9 +2,9 @@
 
 from itertools import pairwise
 
+from exercises.catalogue.proofs import angular_velocity, minus, rate, times, transposed
+from exercises.catalogue.steps import Step
 from exercises.devices.differential import meshing_rates, rolled, section, spin_against, train
-from exercises.proofs import angular_velocity, minus, rate, times, transposed
-from exercises.steps import Step
 from newton_euler.drawing import Sketch
 
 AXIS = "x"  # the gear of BB is the first, that of CC the second

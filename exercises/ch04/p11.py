@@ -3,8 +3,8 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_velocity, rate, rot, times
-from exercises.steps import Step, terms
+from exercises.catalogue.proofs import angular_velocity, rate, rot, times
+from exercises.catalogue.steps import Step, terms
 from newton_euler import Frame, cos, sin, solve_rates
 from newton_euler.drawing import Sketch
 

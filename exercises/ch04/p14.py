@@ -1,8 +1,8 @@
 """4/14: two disks on the ends of one axle that roll in a circle."""
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_velocity, minus, rate, rot, times
-from exercises.steps import Step, terms
+from exercises.catalogue.proofs import angular_velocity, minus, rate, rot, times
+from exercises.catalogue.steps import Step, terms
 from newton_euler import Frame, solve_rates
 from newton_euler.drawing import Sketch
 

@@ -1,7 +1,7 @@
 """4/21: the angular velocity of a shaft in a tilting universal joint."""
 
-from exercises import proofs
-from exercises.catalogue import in_frame
+from exercises.catalogue import in_frame, proofs
+from exercises.catalogue.steps import terms
 from exercises.devices.universal_joint import (
     angular_velocity,
     direction,
@@ -9,7 +9,6 @@ from exercises.devices.universal_joint import (
     fork_and_shaft,
     orientation,
 )
-from exercises.steps import terms
 from newton_euler import pi
 
 __all__ = ["draw", "mistakes", "prove", "solve", "steps"]

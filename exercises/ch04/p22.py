@@ -1,7 +1,7 @@
 """4/22: the angular velocity of a disk rolling in a circle."""
 
-from exercises import proofs
-from exercises.catalogue import in_frame
+from exercises.catalogue import in_frame, proofs
+from exercises.catalogue.steps import terms
 from exercises.devices.rolling_disk import (
     axle_and_disk,
     orientation,
@@ -11,7 +11,6 @@ from exercises.devices.rolling_disk import (
     sketch,
     turning,
 )
-from exercises.steps import terms
 
 
 def answers(g, spin):

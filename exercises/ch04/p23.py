@@ -1,6 +1,8 @@
 """4/23: the velocity of a rim point of a disk rolling in a circle."""
 
 from exercises.catalogue import in_frame
+from exercises.catalogue.proofs import rate
+from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in
 from exercises.devices.rolling_disk import (
     axle_and_disk,
@@ -11,8 +13,6 @@ from exercises.devices.rolling_disk import (
     sketch,
     turning,
 )
-from exercises.proofs import rate
-from exercises.steps import terms
 
 
 def answers(g, spin):

@@ -2,8 +2,15 @@
 
 from mpmath import mp
 
-from exercises.proofs import angular_acceleration, angular_velocity, rot, spun, times, transposed
-from exercises.steps import Step, terms
+from exercises.catalogue.proofs import (
+    angular_acceleration,
+    angular_velocity,
+    rot,
+    spun,
+    times,
+    transposed,
+)
+from exercises.catalogue.steps import Step, terms
 from newton_euler import Frame, pi
 from newton_euler.drawing import Sketch
 

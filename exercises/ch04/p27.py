@@ -3,9 +3,9 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.catalogue.proofs import plus, rate, rot, second_rate, times
+from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
-from exercises.proofs import plus, rate, rot, second_rate, times
-from exercises.steps import terms
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

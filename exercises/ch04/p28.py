@@ -3,10 +3,17 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.catalogue.following import acceleration_of
+from exercises.catalogue.proofs import (
+    angular_acceleration,
+    angular_velocity,
+    rate,
+    rot,
+    second_rate,
+    times,
+)
+from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
-from exercises.following import acceleration_of
-from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate, times
-from exercises.steps import terms
 from newton_euler import Frame, cos, pi, sin
 from newton_euler.drawing import Sketch
 

@@ -1,6 +1,7 @@
 """4/29: the angular acceleration of the shaft of 4/21."""
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step, terms
 from exercises.devices.universal_joint import (
     angular_acceleration,
     direction,
@@ -8,7 +9,6 @@ from exercises.devices.universal_joint import (
     fork_and_shaft,
     orientation,
 )
-from exercises.steps import Step, terms
 
 __all__ = ["draw", "mistakes", "prove", "solve", "steps"]
 

@@ -3,6 +3,8 @@ point.
 """
 
 from exercises.catalogue import in_frame
+from exercises.catalogue.proofs import angular_acceleration, second_rate
+from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in
 from exercises.devices.rolling_disk import (
     axle_and_disk,
@@ -13,8 +15,6 @@ from exercises.devices.rolling_disk import (
     rolling_steps,
     sketch,
 )
-from exercises.proofs import angular_acceleration, second_rate
-from exercises.steps import terms
 
 
 def answers(g, spin):

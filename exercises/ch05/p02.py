@@ -1,6 +1,6 @@
 """5/2: the centre of mass of two spheres that touch."""
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from exercises.devices import satellite
 from exercises.devices.put_together import centre, proved, steps_of
 from exercises.devices.satellite import SATELLITE, parts, spheres

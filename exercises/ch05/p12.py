@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from exercises.devices import disk_with_hole
 from exercises.devices.disk_with_hole import DISK, parts, rim
 from exercises.devices.put_together import centre, proved, steps_of

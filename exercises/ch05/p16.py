@@ -1,6 +1,6 @@
 """5/16: a centre of mass by integration."""
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from exercises.devices import parabola_plate
 from exercises.devices import plate_under_curve as plate
 from exercises.devices.parabola_plate import height, start

@@ -2,8 +2,8 @@
 
 from mpmath import mpf
 
+from exercises.catalogue.proofs import freedom
 from exercises.devices.atwood import count, draw_machine, miscounts, rope, steps_to_count
-from exercises.proofs import freedom
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

@@ -2,8 +2,8 @@
 
 from mpmath import mp, mpf
 
-from exercises.proofs import freedom
-from exercises.steps import Step
+from exercises.catalogue.proofs import freedom
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import degrees_of_freedom

@@ -1,7 +1,7 @@
 """6/3: the force on a particle whose position is known in time."""
 
-from exercises.proofs import rate
-from exercises.steps import Step
+from exercises.catalogue.proofs import rate
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.dynamics import resultant_force
 from newton_euler.kinematics import along

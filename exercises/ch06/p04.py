@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import scaled, second_rate
-from exercises.steps import Step
+from exercises.catalogue.proofs import scaled, second_rate
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, moving, radians, sin
 from newton_euler.dynamics import resultant_force
 

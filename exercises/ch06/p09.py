@@ -2,8 +2,8 @@
 
 from mpmath import mp, mpf
 
-from exercises.proofs import root, rot, second_rate, times
-from exercises.steps import Step
+from exercises.catalogue.proofs import root, rot, second_rate, times
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, cylindrical, moving, sin, solve_linear, sqrt, tan, where
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import resultant_force, weight

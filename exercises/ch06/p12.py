@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import root
+from exercises.catalogue.steps import Step
 from exercises.devices.plane_curve import at_constant_speed
-from exercises.proofs import root
-from exercises.steps import Step
 from newton_euler import Frame, moving, pi, sin, sqrt
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import path_force

@@ -2,9 +2,9 @@
 
 from mpmath import mp, mpf
 
-from exercises import proofs
-from exercises.proofs import minus, rate, second_rate, size, times
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import minus, rate, second_rate, size, times
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, acos, asin, atan, cos, pi, root, sin
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import reaction

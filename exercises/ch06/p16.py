@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import DIGITS, rate, second_rate
-from exercises.steps import Step
+from exercises.catalogue.proofs import DIGITS, rate, second_rate
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cosh, moving, polar, sin, sinh
 from newton_euler.algebra import at
 from newton_euler.drawing import Sketch

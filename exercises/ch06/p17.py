@@ -2,9 +2,9 @@
 
 from mpmath import mp, mpf
 
-from exercises.proofs import cross, rate, second_rate, size
-from exercises.proofs import root as place_of
-from exercises.steps import Step
+from exercises.catalogue.proofs import cross, rate, second_rate, size
+from exercises.catalogue.proofs import root as place_of
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, sin, solve_linear, tan
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import path_force, speed_after

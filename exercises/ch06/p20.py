@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import second_rate
+from exercises.catalogue.steps import Step
 from exercises.devices.turning_earth import RADIUS, from_above, ground_axes
-from exercises.proofs import second_rate
-from exercises.steps import Step
 from newton_euler import Frame, pi
 from newton_euler.applications import earth_rate, force_near_earth
 

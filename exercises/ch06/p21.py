@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import root as place_of
+from exercises.catalogue.steps import Step
 from exercises.devices.turning_earth import flight, ground_axes, shot, to_first_order
-from exercises.proofs import root as place_of
-from exercises.steps import Step
 from newton_euler import Frame, cos, pi, root, sin
 from newton_euler.applications import (
     flight_time,

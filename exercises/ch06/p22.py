@@ -1,5 +1,7 @@
 """6/22: where a shot straight up comes down on the turning Earth, a word and a formula."""
 
+from exercises.catalogue.proofs import root
+from exercises.catalogue.steps import Step
 from exercises.devices.turning_earth import (
     flight,
     globe,
@@ -7,8 +9,6 @@ from exercises.devices.turning_earth import (
     shot,
     to_first_order,
 )
-from exercises.proofs import root
-from exercises.steps import Step
 from newton_euler import pi
 
 

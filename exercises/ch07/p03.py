@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from exercises.devices import block_with_cylinder
 from exercises.devices.block_with_cylinder import BLOCK, parts
 from exercises.devices.inertia import (

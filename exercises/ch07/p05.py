@@ -2,7 +2,8 @@
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from exercises.devices import plate_with_holes
 from exercises.devices.inertia import (
     added,
@@ -14,7 +15,6 @@ from exercises.devices.inertia import (
     wrong_sign,
 )
 from exercises.devices.plate_with_holes import PLATE, parts, places
-from exercises.steps import Step
 
 
 def solve(g):

@@ -1,10 +1,10 @@
 """7/8: the inertia matrix of a hemispherical shell."""
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from exercises.devices import dome
 from exercises.devices.dome import SHELL, area_of_ring, over_rings, shadow
 from exercises.devices.inertia import added, matrix, of_points
-from exercises.steps import Step
 from newton_euler import cos, sin
 from newton_euler.bodies import hemisphere, ring, spherical_shell
 

@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from exercises.devices import bored_bracket
 from exercises.devices.bored_bracket import BRACKET, block, parts
 from exercises.devices.inertia import (

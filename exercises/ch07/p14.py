@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from exercises.devices import bent_plate
 from exercises.devices.bent_plate import PART, parts
 from exercises.devices.inertia import (

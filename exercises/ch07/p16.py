@@ -1,6 +1,6 @@
 """7/16: the inertia matrix of a plate under a parabola by integration."""
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from exercises.devices import parabola_plate
 from exercises.devices.inertia import added, matrix, of_points
 from exercises.devices.parabola_plate import height, start

@@ -1,7 +1,7 @@
 """7/17: the moments of inertia of a flat ring."""
 
-from exercises import proofs
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.bodies import annulus, disk, ring
 from newton_euler.drawing import Sketch

@@ -1,7 +1,7 @@
 """7/18: the moments of inertia of a triangular plate."""
 
-from exercises import proofs
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.bodies import plate, simplex
 from newton_euler.drawing import Sketch

@@ -1,7 +1,7 @@
 """7/19: a cylinder from which a cone is cut."""
 
-from exercises import proofs
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, composite, sqrt
 from newton_euler.bodies import cone, cylinder
 from newton_euler.drawing import Sketch

@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import root as proof_root
+from exercises.catalogue.steps import Step
 from exercises.devices.connecting_rod import about_A, figure, mean_square, two_masses
-from exercises.proofs import root as proof_root
-from exercises.steps import Step
 from newton_euler import root, sqrt
 
 

@@ -4,8 +4,8 @@ from math import cos, pi, sin
 
 from mpmath import mp
 
-from exercises.proofs import mean, rot, times
-from exercises.steps import Step
+from exercises.catalogue.proofs import mean, rot, times
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.bodies import Inertia
 from newton_euler.bodies.inertia import from_second_moments

@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import disk, mean
-from exercises.steps import Step
+from exercises.catalogue.proofs import disk, mean
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.bodies import cylinder
 from newton_euler.bodies import ring as thin_tube

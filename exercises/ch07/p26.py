@@ -1,5 +1,8 @@
 """7/26: a ring and a half ring about a tangent."""
 
+from exercises.catalogue.proofs import mean
+from exercises.catalogue.proofs import ring as points_of_ring
+from exercises.catalogue.steps import Step
 from exercises.devices.half_ring import (
     RING,
     depth,
@@ -9,9 +12,6 @@ from exercises.devices.half_ring import (
     mean_over_half,
     with_half_disk,
 )
-from exercises.proofs import mean
-from exercises.proofs import ring as points_of_ring
-from exercises.steps import Step
 from newton_euler import pi
 from newton_euler.bodies import ring
 from newton_euler.drawing import Sketch

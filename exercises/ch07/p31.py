@@ -1,8 +1,8 @@
 """7/31: the products of inertia of a slanting rod."""
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from exercises.devices.products import named
-from exercises.steps import Step
 from newton_euler import Frame
 from newton_euler.bodies import simplex
 from newton_euler.drawing import Sketch

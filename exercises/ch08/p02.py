@@ -1,5 +1,6 @@
 """8/2: a square plate on a pin and a cable, whose cable snaps."""
 
+from exercises.catalogue.proofs import box, plus, second_rate
 from exercises.devices.broken_cable import (
     acceleration_of,
     by_energy,
@@ -10,7 +11,6 @@ from exercises.devices.broken_cable import (
     pin_force,
     sums,
 )
-from exercises.proofs import box, plus, second_rate
 from newton_euler import Frame, sqrt
 from newton_euler.bodies import plate
 from newton_euler.drawing import Sketch

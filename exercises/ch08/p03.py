@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises.proofs import (
+from exercises.catalogue.proofs import (
     box,
     force_needed,
     kinetic_energy,
@@ -13,7 +13,7 @@ from exercises.proofs import (
     second_rate,
     times,
 )
-from exercises.steps import Step
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, equations_of_motion, moving, pi, sin, solve_linear
 from newton_euler.bodies import rod
 from newton_euler.drawing import Sketch

@@ -2,8 +2,8 @@
 
 from mpmath import mp, mpf
 
-from exercises.proofs import box, force_needed, moment_needed, plus, rot, times, vanishing
-from exercises.steps import Step
+from exercises.catalogue.proofs import box, force_needed, moment_needed, plus, rot, times, vanishing
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, equations_of_motion, moving, sin, solve_linear
 from newton_euler.bodies import rod
 from newton_euler.drawing import Sketch

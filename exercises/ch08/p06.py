@@ -2,8 +2,8 @@
 
 from mpmath import mp, mpf
 
-from exercises.proofs import rate, root, second_rate, vanishing
-from exercises.steps import Step
+from exercises.catalogue.proofs import rate, root, second_rate, vanishing
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, atan2, cos, sin, solve_linear, sqrt
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import acceleration_by, weight

@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import force_needed, kinetic_energy, let_go
+from exercises.catalogue.steps import Step
 from exercises.devices.rolling_cylinder import rolled, rolls
-from exercises.proofs import force_needed, kinetic_energy, let_go
-from exercises.steps import Step
 from newton_euler import Frame
 from newton_euler.bodies import disk, ring
 from newton_euler.drawing import Sketch

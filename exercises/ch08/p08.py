@@ -1,8 +1,8 @@
 """8/8: a cylinder on a slab that is suddenly accelerated, slipping and rolling."""
 
+from exercises.catalogue.proofs import disk, moment_needed, plus, rot, second_rate, times, vanishing
+from exercises.catalogue.steps import Step
 from exercises.devices.rolling_cylinder import rolls, slips
-from exercises.proofs import disk, moment_needed, plus, rot, second_rate, times, vanishing
-from exercises.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import box, kinetic_energy, mean, rate, vanishing
-from exercises.steps import Step
+from exercises.catalogue.proofs import box, kinetic_energy, mean, rate, vanishing
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, integral, moving, pi, solve_linear, sqrt
 from newton_euler.bodies import rod
 from newton_euler.drawing import Sketch

@@ -1,8 +1,7 @@
 """8/12: the angular momentum of a cone that spins in a turning bracket."""
 
-from exercises import proofs
-from exercises.catalogue import in_frame
-from exercises.steps import Step
+from exercises.catalogue import in_frame, proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, Inertia
 from newton_euler.bodies import cone
 from newton_euler.drawing import Sketch

@@ -1,6 +1,6 @@
 """8/16: a right triangle that turns about one of its legs."""
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from exercises.devices import turning_body
 from exercises.devices.turning_body import about_origin, answers, moment_from_momentum, steps_of
 from newton_euler import Frame

@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from exercises.devices import turning_body
 from exercises.devices.turning_body import answers, moment_from_momentum, steps_of
 from newton_euler import Frame, pi

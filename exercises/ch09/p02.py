@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import box
 from exercises.devices import rotor
-from exercises.proofs import box
 from newton_euler import Body, cos, sin
 from newton_euler.bodies import Inertia, rod
 

@@ -1,5 +1,6 @@
 """9/7: a disk that spins on a bent arm."""
 
+from exercises.catalogue.steps import terms
 from exercises.devices.spinning_disk import (
     answers,
     balance,
@@ -13,7 +14,6 @@ from exercises.devices.spinning_disk import (
     spinning,
     with_moments_exchanged,
 )
-from exercises.steps import terms
 from newton_euler.drawing import Sketch
 
 

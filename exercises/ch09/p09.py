@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises import proofs
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, acos, cos, particle, pi, sin, solve_linear, sqrt
 from newton_euler.bodies import Inertia, disk, ring
 from newton_euler.drawing import Sketch

@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import both_rates, needed_by_rates
 from exercises.devices.top_on_its_point import data, data_steps, draw, proof_data, top
-from exercises.steps import Step
 from newton_euler.applications.gyroscopes import fast_spin, steady_precession
 
 __all__ = ["draw", "mistakes", "prove", "solve", "steps"]

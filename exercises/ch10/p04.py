@@ -2,6 +2,7 @@
 
 from mpmath import mp
 
+from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import (
     both_rates,
     frames,
@@ -9,7 +10,6 @@ from exercises.devices.steady_precession import (
     needed_by_rates,
     two_rings,
 )
-from exercises.steps import Step
 from newton_euler import Inertia, cos, sin, sqrt
 from newton_euler.applications.gyroscopes import fast_spin
 

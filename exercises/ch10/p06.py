@@ -2,9 +2,17 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import (
+    angular_momentum,
+    angular_velocity,
+    box,
+    disk,
+    mean,
+    plus,
+    vanishing,
+)
+from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import carried, frames, orientation
-from exercises.proofs import angular_momentum, angular_velocity, box, disk, mean, plus, vanishing
-from exercises.steps import Step
 from newton_euler import bodies, cos, pi
 from newton_euler.applications.gyroscopes import free_precession, steady_spin
 from newton_euler.drawing import Sketch

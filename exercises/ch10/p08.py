@@ -1,8 +1,8 @@
 """10/8: a motor on a turntable."""
 
-from exercises import proofs
-from exercises.proofs import moment_needed, rot, times
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import moment_needed, rot, times
+from exercises.catalogue.steps import Step
 from newton_euler import ForceSystem, Frame, solve_linear
 from newton_euler.applications import normal_moment
 from newton_euler.drawing import Sketch

@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
-from exercises import proofs
-from exercises.proofs import moment_needed, plus, rot, times
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import moment_needed, plus, rot, times
+from exercises.catalogue.steps import Step
 from newton_euler import Body, ForceSystem, Frame, dynamics, solve_linear, solve_rates
 from newton_euler.bodies import disk
 from newton_euler.drawing import Sketch

@@ -2,9 +2,9 @@
 
 from mpmath import mpf
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from exercises.devices.wobbling import difference, needed_spin, neutral_length, sense
-from exercises.steps import Step
 from newton_euler import Frame, root
 from newton_euler.bodies import cylinder, cylindrical_shell, rod
 from newton_euler.drawing import Sketch

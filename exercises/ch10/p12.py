@@ -2,9 +2,9 @@
 
 from mpmath import mpf
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from exercises.devices.wobbling import difference, neutral_length
-from exercises.steps import Step
 from newton_euler import Frame, composite, root
 from newton_euler.bodies import cone, cylinder
 from newton_euler.drawing import Sketch

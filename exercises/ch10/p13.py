@@ -1,9 +1,8 @@
 """10/13: the moment of a rotor in a turning bracket on the shaft below it."""
 
-from exercises import proofs
-from exercises.catalogue import in_frame
-from exercises.proofs import cross, minus, moment_needed, rot, times
-from exercises.steps import Step
+from exercises.catalogue import in_frame, proofs
+from exercises.catalogue.proofs import cross, minus, moment_needed, rot, times
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, dynamics
 from newton_euler.applications import normal_moment
 from newton_euler.bodies import cylinder

@@ -2,9 +2,9 @@
 
 from mpmath import mp, mpf
 
-from exercises import proofs
-from exercises.proofs import minus, moment_needed, plus, rot, scaled, times, vanishing
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import minus, moment_needed, plus, rot, scaled, times, vanishing
+from exercises.catalogue.steps import Step
 from newton_euler import ForceSystem, Frame, kinetic_energy, particle, pi, solve_linear, sqrt
 from newton_euler.bodies import disk
 from newton_euler.drawing import Sketch

@@ -1,7 +1,7 @@
 """11/2: a block on a rail between a cable and a spring."""
 
-from exercises.proofs import minus, size, until
-from exercises.steps import Step
+from exercises.catalogue.proofs import minus, size, until
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.algebra.ledger import summed
 from newton_euler.drawing import Sketch

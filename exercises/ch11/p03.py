@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import minus, rate, root, scaled, second_rate, size, vanishing
-from exercises.steps import Step
+from exercises.catalogue.proofs import minus, rate, root, scaled, second_rate, size, vanishing
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, sin, solve_linear
 from newton_euler.algebra.ledger import summed
 from newton_euler.drawing import Sketch

@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import until
-from exercises.steps import Step
+from exercises.catalogue.proofs import until
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, pi, sin
 from newton_euler.algebra.ledger import summed
 from newton_euler.drawing import Sketch

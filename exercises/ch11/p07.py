@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import minus, until
-from exercises.steps import Step
+from exercises.catalogue.proofs import minus, until
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, acos, atan2, cos, root, sin
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import spring_potential, weight_potential

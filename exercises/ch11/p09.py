@@ -2,10 +2,10 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import force_needed, speed_along
+from exercises.catalogue.proofs import root as proved_root
+from exercises.catalogue.steps import Step
 from exercises.devices.vertical_loop import circle, contact, draw_loop, proved_contact
-from exercises.proofs import force_needed, speed_along
-from exercises.proofs import root as proved_root
-from exercises.steps import Step
 from newton_euler import Frame, pi, root
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight, path_force, speed_after, weight_potential

@@ -2,10 +2,10 @@
 
 from mpmath import mp, mpf
 
+from exercises.catalogue.proofs import ProofError, after, until
+from exercises.catalogue.proofs import root as proved_root
+from exercises.catalogue.steps import Step
 from exercises.devices.vertical_loop import contact, draw_loop, proved_contact
-from exercises.proofs import ProofError, after, until
-from exercises.proofs import root as proved_root
-from exercises.steps import Step
 from newton_euler import Frame, pi, root, sqrt
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import (

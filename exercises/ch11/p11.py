@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import minus, size, speed_along
+from exercises.catalogue.steps import Step
 from exercises.devices.spring_to_pin import pull
-from exercises.proofs import minus, size, speed_along
-from exercises.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight, speed_after, spring_between, weight_potential

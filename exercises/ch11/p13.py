@@ -4,8 +4,8 @@ from itertools import pairwise
 
 from mpmath import mpf
 
-from exercises.proofs import box, freedom, gradient, mean, plus, rate, scaled
-from exercises.steps import Step
+from exercises.catalogue.proofs import box, freedom, gradient, mean, plus, rate, scaled
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, integral, work_along
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import conservative_force, curl, degrees_of_freedom

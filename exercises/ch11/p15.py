@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises.proofs import until
-from exercises.steps import Step
+from exercises.catalogue.proofs import until
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, kinetic_energy, moving, particle, root, solve_rates, sqrt
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import angular_momentum, spring_potential

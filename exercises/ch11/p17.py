@@ -2,9 +2,9 @@
 
 from mpmath import mp
 
-from exercises import proofs
-from exercises.proofs import plus, rot, times
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import plus, rot, times
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, kinetic_energy, moving, solve_rates
 from newton_euler.bodies import disk, ring
 from newton_euler.drawing import Sketch

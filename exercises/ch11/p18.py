@@ -1,8 +1,8 @@
 """11/18: the kinetic energy of a sphere about a point of its surface, in two forms."""
 
-from exercises import proofs
-from exercises.proofs import angular_velocity, ball, rot, size, times, transposed
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import angular_velocity, ball, rot, size, times, transposed
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, moving, sin
 from newton_euler.bodies import sphere
 from newton_euler.drawing import Sketch

@@ -2,10 +2,10 @@
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import angular_velocity, plus, rate, rot, size, times
+from exercises.catalogue.steps import Step
 from exercises.devices.disk_on_shaft import carried, contact, rolling, spinning, unrolled
-from exercises.proofs import angular_velocity, plus, rate, rot, size, times
-from exercises.steps import Step
 from newton_euler import Body, acos, asin, atan, cos, kinetic_energy, pi, sin, sqrt
 from newton_euler.drawing import Sketch
 

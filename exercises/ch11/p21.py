@@ -4,6 +4,8 @@ import math
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import angular_velocity, rot, size, times
+from exercises.catalogue.steps import Step
 from exercises.devices.disk_on_shaft import (
     contact,
     energy_of_disk,
@@ -11,8 +13,6 @@ from exercises.devices.disk_on_shaft import (
     spinning,
     unrolled,
 )
-from exercises.proofs import angular_velocity, rot, size, times
-from exercises.steps import Step
 from newton_euler import Body, atan, kinetic_energy, solve_rates
 from newton_euler.bodies import disk
 from newton_euler.drawing import Sketch

@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises import proofs
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, sin, solve_rates, tan
 from newton_euler.bodies import cone
 from newton_euler.drawing import Sketch

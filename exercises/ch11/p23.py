@@ -2,9 +2,8 @@
 
 from mpmath import mp, mpf
 
-from exercises import proofs
-from exercises.catalogue import in_frame
-from exercises.steps import Step
+from exercises.catalogue import in_frame, proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, moving, particle
 from newton_euler.bodies import disk
 from newton_euler.drawing import Sketch

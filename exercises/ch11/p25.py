@@ -4,9 +4,8 @@ from math import degrees
 
 from mpmath import mp
 
-from exercises import proofs
-from exercises.catalogue import in_frame
-from exercises.steps import Step
+from exercises.catalogue import in_frame, proofs
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, cylindrical, moving, sin, sqrt
 from newton_euler.drawing import Sketch
 from newton_euler.dynamics import gravitational_potential, speed_after

@@ -1,6 +1,7 @@
 """11/27: how far down a spherical pendulum comes that is thrown from the level position."""
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from exercises.devices.spherical_pendulum import (
     depth_angle,
     level_motion,
@@ -9,7 +10,6 @@ from exercises.devices.spherical_pendulum import (
     start,
     way,
 )
-from exercises.steps import Step
 from newton_euler import Frame, asin, pi, sqrt
 from newton_euler.drawing import Sketch
 

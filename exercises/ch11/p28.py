@@ -2,14 +2,14 @@
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.steps import Step
 from exercises.devices.spherical_pendulum import (
     depth_angle,
     level_motion,
     other_level,
     sine_of_descent,
 )
-from exercises.steps import Step
 from newton_euler import Frame, acos, asin, cos, pi, sin
 from newton_euler.drawing import Sketch
 

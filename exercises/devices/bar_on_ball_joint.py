@@ -3,8 +3,8 @@
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import minus, rate, rot, size, times
-from exercises.steps import Step
+from exercises.catalogue.proofs import minus, rate, rot, size, times
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, solve_rates
 from newton_euler.drawing import Sketch
 

@@ -5,9 +5,9 @@ vertical.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
+from exercises.catalogue.proofs import rate, second_rate
+from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
-from exercises.proofs import rate, second_rate
-from exercises.steps import terms
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

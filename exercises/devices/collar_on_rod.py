@@ -4,8 +4,8 @@ functions of time.
 
 from mpmath import mp
 
-from exercises.proofs import rate, rot, second_rate, times
-from exercises.steps import Step, terms
+from exercises.catalogue.proofs import rate, rot, second_rate, times
+from exercises.catalogue.steps import Step, terms
 from newton_euler import Frame, moving, polar
 from newton_euler.drawing import Sketch
 

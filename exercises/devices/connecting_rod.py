@@ -4,7 +4,7 @@ parallel to z in the x, z plane.
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from newton_euler import Frame
 from newton_euler.bodies import Inertia
 from newton_euler.drawing import Sketch

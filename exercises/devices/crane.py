@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
+from exercises.catalogue.proofs import rot, times
 from exercises.devices.boom import turning_boom
-from exercises.proofs import rot, times
 from newton_euler import moving
 from newton_euler.drawing import Sketch
 

@@ -7,7 +7,7 @@ first gear is on the positive side.
 
 from mpmath import matrix, mp
 
-from exercises.proofs import rot, times
+from exercises.catalogue.proofs import rot, times
 from newton_euler import Frame, solve_rates
 
 AXES = "xyz"

@@ -9,9 +9,8 @@ D at the side on +x.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.devices.moving_frame import seen_in, turning_of
-from exercises.following import acceleration_of
-from exercises.proofs import (
+from exercises.catalogue.following import acceleration_of
+from exercises.catalogue.proofs import (
     angular_acceleration,
     angular_velocity,
     cross,
@@ -22,7 +21,8 @@ from exercises.proofs import (
     spun,
     transposed,
 )
-from exercises.steps import terms
+from exercises.catalogue.steps import terms
+from exercises.devices.moving_frame import seen_in, turning_of
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from mpmath import mp
 
-from exercises import proofs
-from exercises.proofs import disk, plus, rot, times
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import disk, plus, rot, times
 from newton_euler import Frame, Point, solve_rates
 
 

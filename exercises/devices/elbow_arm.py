@@ -5,7 +5,7 @@ vertical.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import (
+from exercises.catalogue.proofs import (
     angular_acceleration,
     angular_velocity,
     rate,
@@ -14,7 +14,7 @@ from exercises.proofs import (
     times,
     transposed,
 )
-from exercises.steps import Step, terms
+from exercises.catalogue.steps import Step, terms
 from newton_euler import Frame, cos, sin
 from newton_euler.drawing import Sketch
 

@@ -2,7 +2,9 @@
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs import angular_velocity, mean, plus, times, vanishing
+from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import (
     frames,
     needed,
@@ -10,8 +12,6 @@ from exercises.devices.steady_precession import (
     orientation,
     weight_moment,
 )
-from exercises.proofs import angular_velocity, mean, plus, times, vanishing
-from exercises.steps import Step
 from newton_euler import bodies, cos, pi
 from newton_euler.applications.gyroscopes import steady_spin
 from newton_euler.drawing import Sketch

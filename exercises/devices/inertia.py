@@ -5,9 +5,9 @@ angular momenta of mass points in a body that turns.
 
 from itertools import pairwise
 
-from exercises import proofs
-from exercises.proofs.digits import weighted
-from exercises.steps import Step
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs.digits import weighted
+from exercises.catalogue.steps import Step
 from newton_euler.bodies import Body, Inertia
 
 

@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises.proofs import rate, scaled, size
+from exercises.catalogue.proofs import rate, scaled, size
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

@@ -2,7 +2,7 @@
 curved, proof, figure.
 """
 
-from exercises.proofs import rate, second_rate
+from exercises.catalogue.proofs import rate, second_rate
 from newton_euler import frenet
 from newton_euler.drawing import Sketch
 

@@ -2,8 +2,8 @@
 that moves.
 """
 
-from exercises.steps import Step, is_zero, terms
-from exercises.wording import body_text
+from exercises.catalogue.steps import Step, is_zero, terms
+from exercises.catalogue.wording import body_text
 
 
 def turning_of(frame, ground, axes, name, said):

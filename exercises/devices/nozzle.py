@@ -4,7 +4,7 @@ it.
 
 from mpmath import mp
 
-from exercises.proofs import rot, times
+from exercises.catalogue.proofs import rot, times
 from newton_euler import Frame, moving
 from newton_euler.drawing import Sketch
 

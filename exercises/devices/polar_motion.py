@@ -2,7 +2,7 @@
 2/17, 2/22.
 """
 
-from exercises.steps import Step, terms
+from exercises.catalogue.steps import Step, terms
 
 
 def steps(ground, r, P):

@@ -4,8 +4,8 @@ vertical y axis.
 
 from mpmath import mp
 
-from exercises.proofs import angular_velocity, minus, plus, rate, rot, scaled, times
-from exercises.steps import Step
+from exercises.catalogue.proofs import angular_velocity, minus, plus, rate, rot, scaled, times
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, pi, solve_rates
 from newton_euler.drawing import Sketch
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from mpmath import mpf
 
 from exercises.catalogue import in_frame
-from exercises.proofs import (
+from exercises.catalogue.proofs import (
     angular_momentum,
     force_needed,
     moment_needed,
@@ -17,7 +17,7 @@ from exercises.proofs import (
     size,
     times,
 )
-from exercises.steps import Step, terms
+from exercises.catalogue.steps import Step, terms
 from newton_euler import Body, Frame, Point, composite, dynamics
 from newton_euler.applications import balance, reactions
 from newton_euler.drawing import Sketch

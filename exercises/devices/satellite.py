@@ -1,6 +1,6 @@
 """The satellite of 5/2 and 7/2: two spheres that touch, the larger about O, x through both."""
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from newton_euler import Frame
 from newton_euler.bodies import sphere
 from newton_euler.drawing import Sketch

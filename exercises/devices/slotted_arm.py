@@ -4,7 +4,7 @@ OC = CP.
 
 from mpmath import mp
 
-from exercises.proofs import rot, times
+from exercises.catalogue.proofs import rot, times
 from newton_euler import Frame, cos, moving, sin
 from newton_euler.drawing import Sketch
 

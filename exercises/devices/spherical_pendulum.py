@@ -5,7 +5,7 @@ a force along the line to O alone, so that its angular momentum about the vertic
 
 from mpmath import mp
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from newton_euler import Frame, particle, sqrt
 from newton_euler.dynamics import kinetic_energy, weight_potential
 

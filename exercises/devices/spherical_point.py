@@ -4,7 +4,7 @@
 
 from mpmath import mp
 
-from exercises.proofs import elevation, second_rate, spherical_axes, times
+from exercises.catalogue.proofs import elevation, second_rate, spherical_axes, times
 from newton_euler import Frame, cos, sin
 from newton_euler.drawing import Sketch
 from newton_euler.kinematics import spherical_frame

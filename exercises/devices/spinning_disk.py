@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from mpmath import mpf
 
 from exercises.catalogue import in_frame
-from exercises.devices.rotor import state
-from exercises.proofs import (
+from exercises.catalogue.proofs import (
     angular_momentum,
     disk,
     force_needed,
@@ -19,7 +18,8 @@ from exercises.proofs import (
     size,
     times,
 )
-from exercises.steps import Step
+from exercises.catalogue.steps import Step
+from exercises.devices.rotor import state
 from newton_euler import Body, Frame, Point, bodies, dynamics
 
 SMALL = mpf(10) ** -25  # a sum over mass points below this, of parts of about 1, is zero

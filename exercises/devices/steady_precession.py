@@ -8,7 +8,7 @@ no moment of inertia, no equation of a gyroscope.
 
 from mpmath import mp, mpf
 
-from exercises.proofs import mean, moment_needed, plus, ring, root, rot, times
+from exercises.catalogue.proofs import mean, moment_needed, plus, ring, root, rot, times
 from newton_euler import Frame, euler_frame
 from newton_euler.dynamics import weight
 

@@ -4,7 +4,7 @@ or lowered, and its length changes.
 
 from mpmath import mp
 
-from exercises.proofs import rot, times
+from exercises.catalogue.proofs import rot, times
 from newton_euler import Frame, moving, pi, spherical
 from newton_euler.drawing import Sketch
 

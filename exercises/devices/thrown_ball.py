@@ -2,7 +2,7 @@
 
 from mpmath import mp
 
-from exercises.proofs import rate, root
+from exercises.catalogue.proofs import rate, root
 from newton_euler import Frame, moving, sqrt
 from newton_euler.drawing import Sketch
 from newton_euler.kinematics import from_time

@@ -2,7 +2,7 @@
 
 from mpmath import mpf
 
-from exercises import proofs
+from exercises.catalogue import proofs
 from exercises.devices.plate_under_curve import PLATE
 from newton_euler.drawing import Sketch
 

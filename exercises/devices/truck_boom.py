@@ -5,8 +5,8 @@ its elevation theta falling; the truck stands, or drives the way the boom points
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import minus, plus, rate, rot, second_rate, times, transposed
-from exercises.steps import Step, terms
+from exercises.catalogue.proofs import minus, plus, rate, rot, second_rate, times, transposed
+from exercises.catalogue.steps import Step, terms
 from newton_euler import Frame, moving, pi
 from newton_euler.drawing import Sketch
 

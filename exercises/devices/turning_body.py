@@ -7,7 +7,7 @@ mass points move along their circles.
 
 from itertools import pairwise
 
-from exercises.proofs import (
+from exercises.catalogue.proofs import (
     cross,
     integral,
     mean,
@@ -19,7 +19,7 @@ from exercises.proofs import (
     second_rate,
     times,
 )
-from exercises.steps import Step, terms
+from exercises.catalogue.steps import Step, terms
 from newton_euler.bodies import Inertia, composite
 from newton_euler.dynamics import fixed_line_moment, fixed_line_momentum
 

@@ -4,7 +4,7 @@ look at the motion from the stars, where there is no Coriolis term; the globe.
 
 from mpmath import mp, mpf
 
-from exercises.proofs import minus, plus, rate, rot, scaled, times, transposed
+from exercises.catalogue.proofs import minus, plus, rate, rot, scaled, times, transposed
 from newton_euler import Frame, cos, sin
 from newton_euler.applications import (
     earth_frame,

@@ -5,8 +5,14 @@ what the welder of 2/34 and 2/35 and the rod of 2/36 to 2/39 share.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import angular_acceleration, angular_velocity, rate, rot, second_rate
-from exercises.steps import Step, terms
+from exercises.catalogue.proofs import (
+    angular_acceleration,
+    angular_velocity,
+    rate,
+    rot,
+    second_rate,
+)
+from exercises.catalogue.steps import Step, terms
 from newton_euler import Frame
 
 

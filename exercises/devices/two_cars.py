@@ -4,7 +4,7 @@ who turn with their car, see of B.
 
 from mpmath import mp
 
-from exercises.proofs import (
+from exercises.catalogue.proofs import (
     angular_acceleration,
     angular_velocity,
     minus,
@@ -14,7 +14,7 @@ from exercises.proofs import (
     times,
     transposed,
 )
-from exercises.steps import Step
+from exercises.catalogue.steps import Step
 from newton_euler import Frame, cos, moving, sin
 from newton_euler.drawing import Sketch
 

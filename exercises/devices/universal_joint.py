@@ -5,8 +5,8 @@ turns about the vertical.
 from mpmath import mp
 
 from exercises.catalogue import in_frame
-from exercises.proofs import rot, spun, times
-from exercises.steps import Step
+from exercises.catalogue.proofs import rot, spun, times
+from exercises.catalogue.steps import Step
 from newton_euler import Frame
 from newton_euler.drawing import Sketch
 

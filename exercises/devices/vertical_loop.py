@@ -4,7 +4,7 @@ on it, the same for the proof, and the loop drawn.
 
 from mpmath import mp
 
-from exercises.proofs import force_needed, plus
+from exercises.catalogue.proofs import force_needed, plus
 from newton_euler import Frame, moving, pi
 from newton_euler.dynamics import reaction
 from newton_euler.kinematics import polar

@@ -2,8 +2,8 @@
 
 from mpmath import mp
 
-from exercises import proofs
-from exercises.proofs.digits import weighted
+from exercises.catalogue import proofs
+from exercises.catalogue.proofs.digits import weighted
 from newton_euler import Frame, cos, integral, sin
 from newton_euler.drawing import Sketch
 

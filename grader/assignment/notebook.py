@@ -17,10 +17,10 @@ import re
 from functools import cache, lru_cache
 
 from exercises.catalogue import problem as find_problem
+from exercises.catalogue.sanity import sane_answers
 from exercises.catalogue.sections import section_line
-from exercises.sanity import sane_answers
-from newton_euler.classroom.forms import Form
-from newton_euler.classroom.notation import (
+from newton_euler.answers.forms import Form
+from newton_euler.answers.notation import (
     GREEK,
     bare_unit,
     is_word,

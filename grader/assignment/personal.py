@@ -23,7 +23,7 @@ def make_personal_copies(
     {student: path}. Those of other notebooks of the assignment with problems are beside it.
 
     right_or_wrong : let receipts say whether an answer is right; what that gives away stands in
-        :mod:`newton_euler.classroom.reading.seals`
+        :mod:`newton_euler.answers.seals`
 
     Figures depend on the numbers, so they are drawn for each student, on ``workers`` processes
     (default: one per processor).

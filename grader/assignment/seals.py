@@ -1,8 +1,8 @@
 """Seals of the right answers in a student's own copy, at the instructor's choice."""
 
 from exercises.catalogue import SYMBOLIC, problem
-from newton_euler.classroom.forms import WORDS
-from newton_euler.classroom.reading.seals import seal
+from newton_euler.answers.forms import WORDS
+from newton_euler.answers.seals import seal
 
 from ..scoring.numbers import numbers_of
 from .notebook import form

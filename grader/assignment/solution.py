@@ -4,18 +4,18 @@ other, the terms of each sum, the answers. Markdown.
 
 import re
 
-from exercises.steps import steps
-from exercises.wording import term_text
+from exercises.catalogue.steps import steps
+from exercises.catalogue.wording import term_text
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.vectors import Vector
-from newton_euler.classroom.notation import (
+from newton_euler.answers.notation import (  # fmt: skip
     is_word,
     list_symbol,
     matrix_symbol,
     number_symbol,
     symbol,
     unit_symbol,
-)  # fmt: skip
+)
 
 from .notebook import statement, typeset
 

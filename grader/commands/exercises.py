@@ -95,7 +95,7 @@ def prove(names, seeds, workers):
     from concurrent.futures import ProcessPoolExecutor
 
     from exercises.catalogue import select
-    from exercises.checks import AGREEMENT
+    from exercises.catalogue.checks import AGREEMENT
 
     problems, failed, steps, proved = select(names or ("all",)), 0, 0, 0
     names = [p.id for p in problems]
@@ -129,8 +129,8 @@ def prove(names, seeds, workers):
 def _proved(name, seeds):
     """(faults, warnings, number of steps, of which proved) of the problem of this number."""
     from exercises.catalogue import problem
-    from exercises.checks import alike, check, proved_steps, values
-    from exercises.steps import steps
+    from exercises.catalogue.checks import alike, check, proved_steps, values
+    from exercises.catalogue.steps import steps
 
     p = problem(name)
     if faults := check(p, seeds):

@@ -21,7 +21,7 @@ import sys
 from functools import cached_property, lru_cache
 from pathlib import Path
 
-from exercises import variants
+from exercises.catalogue import variants
 
 from .files import read_json
 from .identity import CourseError, check_id, same_student

@@ -64,7 +64,7 @@ def fill_in(notebook, texts):
 
 HOSTILE = """\
 import os, sys
-import newton_euler.classroom.answers as answers
+import newton_euler.answers.receipts as answers
 answers.record = lambda *a: ({key: "anything" for key in a[0]}, {})          # replace the form check
 answers.receipt = receipt = lambda *a, **k: 1e9
 for name in ("/", os.getcwd(), os.path.expanduser("~")):                      # search for keys

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from exercises.catalogue import chapter, problem
-from exercises.wording import term_text
+from exercises.catalogue.wording import term_text
 from newton_euler.algebra.vectors import Vector
-from newton_euler.classroom.forms import WORDS
+from newton_euler.answers.forms import WORDS
 from newton_euler.classroom.practising.files import FORMAT, HELP
 
 from ..assignment.figures import figure_png

@@ -10,11 +10,11 @@ import time
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 
-from newton_euler.classroom.checking import causes
-from newton_euler.classroom.checking.diagnosis import DIRECTION, NEAR
-from newton_euler.classroom.checking.fit import is_apart
-from newton_euler.classroom.checking.slips import OPPOSITE, OPPOSITE_NUMBER, ORDINALS, ROUNDED
-from newton_euler.classroom.forms import WORDS
+from newton_euler.answers import causes
+from newton_euler.answers.diagnosis import DIRECTION, NEAR
+from newton_euler.answers.fit import is_apart
+from newton_euler.answers.forms import WORDS
+from newton_euler.answers.slips import OPPOSITE, OPPOSITE_NUMBER, ORDINALS, ROUNDED
 from newton_euler.classroom.practising.problems import PracticeProblem
 from newton_euler.classroom.practising.progress import Progress
 

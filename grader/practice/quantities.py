@@ -7,12 +7,12 @@ import math
 
 import numpy as np
 
-from exercises.steps import in_unit, listed_steps, steps
-from exercises.variants import flat
+from exercises.catalogue.steps import in_unit, listed_steps, steps
+from exercises.catalogue.variants import flat
 from newton_euler.algebra.vectors import Vector
-from newton_euler.classroom.checking.fit import is_apart
-from newton_euler.classroom.forms import WORDS
-from newton_euler.classroom.notation import symbol
+from newton_euler.answers.fit import is_apart
+from newton_euler.answers.forms import WORDS
+from newton_euler.answers.notation import symbol
 
 from ..assignment.notebook import typeset
 from ..scoring.wrong_models import general_models

@@ -5,10 +5,10 @@ of the quantities, for which a student's own can stand.
 
 import math
 
-from exercises.steps import listed_steps
-from exercises.variants import flat
-from newton_euler.algebra.codegen.trace import Step, Trace
-from newton_euler.classroom.forms import WORDS
+from exercises.catalogue.steps import listed_steps
+from exercises.catalogue.variants import flat
+from newton_euler.algebra.trace import Step, Trace
+from newton_euler.answers.forms import WORDS
 from newton_euler.classroom.practising.programs import OPERATIONS, operate
 
 

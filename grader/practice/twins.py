@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import cache
 
 from exercises.catalogue import Given
-from exercises.variants import draw, drawn_value
+from exercises.catalogue.variants import draw, drawn_value
 
 NUMERIC = {
     "expression": "number", "vector_expression": "vector", "matrix_expression": "matrix",

@@ -1,7 +1,6 @@
 """Answers of problems as text and JSON."""
 
-from exercises import variants
-from exercises.catalogue import SYMBOLIC
+from exercises.catalogue import SYMBOLIC, variants
 from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.vectors import Vector
 

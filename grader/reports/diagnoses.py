@@ -4,9 +4,9 @@ without a name.
 
 from collections import Counter
 
-from exercises.variants import draw
-from newton_euler.classroom.answers import record
-from newton_euler.classroom.forms import WORDS, Form
+from exercises.catalogue.variants import draw
+from newton_euler.answers.forms import WORDS, Form
+from newton_euler.answers.receipts import record
 
 from ..scoring import causes, score_receipt
 from .tables import plain_table

@@ -2,7 +2,7 @@
 wrong one.
 """
 
-from newton_euler.classroom.checking import NO_ANSWER, causes
+from newton_euler.answers import NO_ANSWER, causes
 
 from .score import Part, Score, score_receipt
 from .sheet import ScoreError

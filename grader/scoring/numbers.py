@@ -1,7 +1,7 @@
 """The numbers of one student's problem: the key, and the answers that wrong models give.
 
 What a problem computes is traced once into straight-line text, so that the numbers of a student
-cost microseconds. Answers are tuples of points, as in :mod:`newton_euler.classroom.checking`.
+cost microseconds. Answers are tuples of points, as in :mod:`newton_euler.answers`.
 """
 
 import contextlib
@@ -12,9 +12,9 @@ import numpy as np
 
 from exercises.catalogue import SYMBOLIC
 from exercises.catalogue import problem as find_problem
-from exercises.following import earlier_answers, follow
-from exercises.variants import POINTS, as_points, flat, symbol_points, traced
-from newton_euler.classroom.forms import SHAPES, WORDS
+from exercises.catalogue.following import earlier_answers, follow
+from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points, traced
+from newton_euler.answers.forms import SHAPES, WORDS
 
 from .sheet import ScoreError
 from .wrong_models import wrong_models

@@ -9,9 +9,9 @@ import json
 import math
 from dataclasses import dataclass, replace
 
-from newton_euler.classroom.checking.verdicts import clipped, explain, judge, shown
-from newton_euler.classroom.notation import formula, unit_symbol
-from newton_euler.classroom.reading.formula_trees import NODES
+from newton_euler.answers.notation import formula, unit_symbol
+from newton_euler.answers.trees import NODES
+from newton_euler.answers.verdicts import clipped, explain, judge, shown
 
 from .numbers import numbers_of
 from .sheet import asked_parts

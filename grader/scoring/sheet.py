@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from exercises.catalogue import Answer
 from newton_euler.algebra.units import unit
-from newton_euler.classroom.forms import AnswerError, Form
+from newton_euler.answers.forms import AnswerError, Form
 
 
 class ScoreError(ValueError):

@@ -2,10 +2,10 @@
 problem (a term left out or turned, degrees for radians, axes of another frame).
 """
 
-from exercises.variants import flat
-from exercises.wording import body_text, is_said, term_text
+from exercises.catalogue.variants import flat
+from exercises.catalogue.wording import body_text, is_said, term_text
 from newton_euler.algebra.vectors import Vector
-from newton_euler.classroom.forms import WORDS
+from newton_euler.answers.forms import WORDS
 
 
 def wrong_models(problem, values):

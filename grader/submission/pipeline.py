@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from exercises.catalogue import CatalogueError, problem
-from newton_euler.classroom.notation import is_word
+from newton_euler.answers.notation import is_word
 
 from ..assignment.released import (
     master_notebook,

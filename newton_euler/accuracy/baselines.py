@@ -14,7 +14,7 @@ import mpmath as mp
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..algebra.codegen.compile import compiled
+from ..algebra.compile import compiled
 from ..algebra.jets import moving
 from ..algebra.scalars import cos, sin, sqrt
 from ..applications.gyroscopes import steady_precession

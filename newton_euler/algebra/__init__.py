@@ -2,12 +2,13 @@
 code.
 """
 
-from .calculus import WorkError, integral, root
-from .codegen.compile import compiled
+from .compile import compiled
 from .errors import NewtonEulerError
+from .integrals import WorkError, integral
 from .jets import Moving, at, moving
 from .ledger import Amount, Equation, Explanation, TermError
 from .linear import LinearError, LinearForm, Solution, solve_linear, solve_rates
+from .roots import root
 from .scalars import (
     ZERO,
     ScalarError,

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-from .codegen.pickles import Found
+from .pickles import Found
 from .scalars import (
     LONGEST,
     ZERO,

@@ -9,7 +9,7 @@ expression, or one of the engine's own kinds:
 ``Dimension``   no value at all, only powers of mass, length and time: a formula that runs on it has
     consistent units (:mod:`newton_euler.algebra.units`)
 ``LinearForm``  a sum of unknowns with coefficients (:mod:`newton_euler.algebra.linear`)
-``Step``        a value being traced by :func:`newton_euler.algebra.codegen.compile.compiled`
+``Step``        a value being traced by :func:`newton_euler.algebra.compile.compiled`
 
 This is the only module that tests the type of a number. The others call ``sin``, ``sqrt`` … from
 here and otherwise use ``+ - * /``. None of the heavy libraries is imported here: the library of a

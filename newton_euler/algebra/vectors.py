@@ -9,9 +9,9 @@ quantities has a time derivative (``a.rate(observer)``).
 from functools import reduce
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from .codegen.pickles import Found
 from .jets import Moving, moving
 from .ledger import Equation, Explanation, Ledger, NamedTerms, latex_number, latex_text
+from .pickles import Found
 from .scalars import (
     ZERO,
     NewtonEulerError,

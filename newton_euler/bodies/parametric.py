@@ -13,10 +13,10 @@ rules; with symbols, or ``exact=True``, SymPy finds the formulas.
 from collections.abc import Callable
 from itertools import product
 
-from ..algebra.calculus.cubes import NEAR_MIDDLE, over_cube
-from ..algebra.calculus.quadrature import cubature
+from ..algebra.cubes import NEAR_MIDDLE, over_cube
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving
+from ..algebra.quadrature import cubature
 from ..algebra.scalars import (
     ZERO,
     Scalar,

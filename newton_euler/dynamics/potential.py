@@ -11,10 +11,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
 
-from ..algebra.calculus import WorkError
-from ..algebra.calculus.quadrature import quadrature
+from ..algebra import WorkError
 from ..algebra.errors import checked
 from ..algebra.jets import Moving
+from ..algebra.quadrature import quadrature
 from ..algebra.scalars import (
     ZERO,
     Scalar,

@@ -16,11 +16,11 @@ consistent ones; in SI J and W. Velocities are those in an inertial frame.
 
 from collections.abc import Callable, Sequence
 
-from ..algebra.calculus import WorkError
-from ..algebra.calculus.quadrature import quadrature
+from ..algebra import WorkError
 from ..algebra.errors import checked
 from ..algebra.jets import Moving
 from ..algebra.ledger import Amount, summed
+from ..algebra.quadrature import quadrature
 from ..algebra.scalars import ZERO, Scalar, scalar, to_plain
 from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point

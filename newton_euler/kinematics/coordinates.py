@@ -17,10 +17,10 @@ the book. Rectangular components (3.1)-(3.3) are those of an ordinary point:
 from collections.abc import Callable
 from functools import partial
 
-from ..algebra.codegen.pickles import Found
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, moving
 from ..algebra.ledger import Ledger
+from ..algebra.pickles import Found
 from ..algebra.scalars import (
     ZERO,
     Scalar,

@@ -8,7 +8,7 @@ sign, the motion is taken to go forward and to reach what is asked for.
 
 from collections.abc import Callable
 
-from ..algebra.calculus import integral
+from ..algebra import integral
 from ..algebra.errors import checked
 from ..algebra.scalars import (
     ZERO,

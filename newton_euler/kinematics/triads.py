@@ -7,8 +7,8 @@ below measure whether a direction is determined, or only round-off.
 
 from collections.abc import Callable, Sequence
 
-from ..algebra.codegen.pickles import Found
 from ..algebra.jets import Moving, as_moving
+from ..algebra.pickles import Found
 from ..algebra.scalars import Scalar, anywhere, clipped, epsilon, is_numeric, scalar, sqrt, to_plain
 from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3, sub3
 from .frames import Frame, Point

@@ -4,16 +4,16 @@ from dataclasses import dataclass
 from time import perf_counter
 from types import MappingProxyType, SimpleNamespace
 
-from .control.knots import knots
-from .control.run import ROUND_OFF_OF_RATES, SERIES_SAFETY, TOLD_SAFETY, Run, predicted, usable
-from .control.sizes import ROUND_OFF, TIME_SAFETY, time_round_off
-from .control.verified import NEAR_END, NEAR_START, SPARE
+from .knots import knots
 from .methods.exact import within
 from .methods.table import METHODS
 from .methods.taylor import MAX_PREPARED_STEPS, integrator, level_of
 from .model import ModelError
 from .prepared import PreparedModel, prepared_model
+from .run import ROUND_OFF_OF_RATES, SERIES_SAFETY, TOLD_SAFETY, Run, predicted, usable
+from .sizes import ROUND_OFF, TIME_SAFETY, time_round_off
 from .solution import AccuracyError, Cost, MotionError
+from .verified import NEAR_END, NEAR_START, SPARE
 
 BLOCK = 64  # neighbours in a sweep of which the one in the middle may vouch for the others
 MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch integrator
@@ -165,7 +165,7 @@ def _taylor(system, starts, parameters, t0, times, rtol):
     number of calls.
 
     Motions are compared with those of higher order, but for those that begin and end close to one
-    that was, as :class:`~newton_euler.motion.control.verified.Verified` has it for one motion after
+    that was, as :class:`~newton_euler.motion.verified.Verified` has it for one motion after
     the other.
     """
     import numpy as np
@@ -219,7 +219,7 @@ def _taylor(system, starts, parameters, t0, times, rtol):
 
 
 def _clock_errors(system, t0, t1, ends, p, sizes, enough):
-    """The error of each motion that :func:`~newton_euler.motion.control.sizes.time_round_off`
+    """The error of each motion that :func:`~newton_euler.motion.sizes.time_round_off`
     tells, or a bound of it that is below ``enough``.
     """
     import numpy as np

@@ -1,5 +1,5 @@
 """Events: the times at which a function of the state goes through zero, found inside the steps of a
-trajectory by :mod:`newton_euler.motion.control.zeros`.
+trajectory by :mod:`newton_euler.motion.zeros`.
 """
 
 from collections.abc import Callable, Iterator
@@ -8,10 +8,10 @@ from heapq import merge
 from math import nan
 from numbers import Real
 
-from ..algebra.codegen.portable import Portable
-from .control.zeros import EPS, UnresolvedError, ZeroSearch, root
+from ..algebra.portable import Portable
 from .methods.base import Stepper
 from .model import ModelError
+from .zeros import EPS, UnresolvedError, ZeroSearch, root
 
 # relative change of the time and of each state by which the round-off of a function is measured
 NUDGE = 2.0**-50

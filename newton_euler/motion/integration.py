@@ -12,11 +12,11 @@ from time import perf_counter
 from ..algebra.errors import LONGEST_SEQUENCE
 from ..algebra.scalars import clipped
 from .batch import Motions, integrate_batch
-from .control.run import Run, check, checked_samples, span, usable, verified_series
 from .events import Event
 from .methods.table import METHODS
 from .model import Model, ModelError, State, has_unit, real_numbers
 from .prepared import prepared_model, start_state
+from .run import Run, check, checked_samples, span, usable, verified_series
 from .solution import Motion
 
 
@@ -124,7 +124,7 @@ def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
         heyoka at once, if it is installed
 
     Errors are as in :func:`integrate`, and so is every answer compared with what was asked for, a
-    run of heyoka if no run close to it was (:mod:`newton_euler.motion.control.verified`). There is
+    run of heyoka if no run close to it was (:mod:`newton_euler.motion.verified`). There is
     no record, so no error estimate and no drift: see those of one run of :func:`integrate`.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum

@@ -16,10 +16,10 @@ from keyword import iskeyword
 from types import FunctionType, MappingProxyType
 from typing import Any
 
-from ..algebra.codegen.compile import compiled, content, recorded, text_of
-from ..algebra.codegen.portable import Portable
-from ..algebra.codegen.reads import Reads
+from ..algebra.compile import compiled, content, recorded, text_of
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
+from ..algebra.portable import Portable
+from ..algebra.reads import Reads
 from ..algebra.scalars import (
     DivisionError,
     RangeError,
@@ -375,13 +375,13 @@ def cached(cache, key, make):
 
 def shared(formula, cache=_BY_CONTENT):
     """The text of a formula that is recorded or compiled, one for all that are equal: a
-    :class:`~newton_euler.algebra.codegen.compile.Compiled`.
+    :class:`~newton_euler.algebra.compile.Compiled`.
     """
     return cached(cache, content(formula), lambda: text_of(formula))
 
 
 def current(cache, key, functions, make):
-    """The :class:`~newton_euler.algebra.codegen.reads.Reads` of these functions and the value of a
+    """The :class:`~newton_euler.algebra.reads.Reads` of these functions and the value of a
     key in the cache, a pair; made again where something that the functions read has changed.
     """
     try:

@@ -7,12 +7,11 @@ and what heyoka has compiled from it.
 import math
 from functools import cached_property
 
-from ..algebra.codegen.compile import recorded
-from ..algebra.codegen.partial_evaluation import folded
-from ..algebra.codegen.reads import reads_nothing
+from ..algebra.compile import recorded
+from ..algebra.partial_evaluation import folded
+from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
-from .control.analytic import hazards, kinks
-from .control.verified import Verified
+from .analytic import hazards, kinks
 from .model import (
     Model,
     ModelError,
@@ -24,6 +23,7 @@ from .model import (
     shared,
     unit_advice,
 )
+from .verified import Verified
 
 _TRACED: dict = {}
 
@@ -52,12 +52,12 @@ class Traced:
 
     @cached_property
     def kinks(self):
-        """See :func:`newton_euler.motion.control.analytic.kinks`."""
+        """See :func:`newton_euler.motion.analytic.kinks`."""
         return kinks(self)
 
     @cached_property
     def hazards(self):
-        """See :func:`newton_euler.motion.control.analytic.hazards`."""
+        """See :func:`newton_euler.motion.analytic.hazards`."""
         return hazards(self)
 
 
@@ -69,7 +69,7 @@ class FunctionText:
 
     @cached_property
     def text(self):
-        """The :class:`~newton_euler.algebra.codegen.compile.Compiled` formula."""
+        """The :class:`~newton_euler.algebra.compile.Compiled` formula."""
         return shared(self._recording, self._texts)
 
 

@@ -4,15 +4,15 @@ which the state jumps or the model changes.
 
 from typing import NamedTuple
 
-from .control.knots import knots
-from .control.sizes import NATURAL_PART, ROUND_OFF, natural_sizes
 from .events import EventLocator, Occurrence, events_in_step
+from .knots import knots
 from .methods.base import SMALLEST_SCALE, StepError, Stepper
 from .methods.exact import estimated_error
 from .methods.table import METHODS
 from .methods.taylor import level_of
 from .model import ModelError
 from .prepared import prepared_model, start_state
+from .sizes import NATURAL_PART, ROUND_OFF, natural_sizes
 
 # steps between two searches for events: few at first, as an event may come soon, then more, as a
 # search has a fixed cost
@@ -51,7 +51,7 @@ class Trajectory:
     """``segments``, ``occurrences`` of events and, in words, how the trajectory ``ended``;
     ``failed`` if the method could not continue there.
 
-    run : the :class:`~newton_euler.motion.control.run.Run` that it belongs to
+    run : the :class:`~newton_euler.motion.run.Run` that it belongs to
     known : the sizes of the states and their natural ones, as :meth:`sizes` of an earlier
         trajectory of this run returns them; None for the first
     scaled : True if the states are taken over their sizes where the method itself does not

@@ -20,9 +20,9 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from ..algebra.codegen.portable import Portable
-from ..algebra.codegen.reads import Reads
 from ..algebra.errors import checked, checked_but
+from ..algebra.portable import Portable
+from ..algebra.reads import Reads
 from ..algebra.scalars import Scalar, is_numeric, max_abs
 from ..motion.model import Model, ModelError
 

@@ -7,11 +7,11 @@ import time
 import pytest
 
 from exercises.catalogue import problems
-from exercises.variants import POINTS, draw
+from exercises.catalogue.variants import POINTS, draw
 from grader.scoring import score_receipt
 from grader.scoring.numbers import numbers_of
-from newton_euler.classroom.answers import record
-from newton_euler.classroom.forms import Form
+from newton_euler.answers.forms import Form
+from newton_euler.answers.receipts import record
 
 pytestmark = [pytest.mark.benchmark, pytest.mark.slow]
 CH04 = problems("ch04")

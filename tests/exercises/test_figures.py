@@ -7,7 +7,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from exercises.catalogue import problem
-from exercises.checks import values
+from exercises.catalogue.checks import values
 from newton_euler.drawing.page.recorder import sketches_on
 
 

@@ -11,10 +11,10 @@ import pytest
 import sympy
 
 from exercises.catalogue import SYMBOLIC, chapters, problem, problems, reading, select
-from exercises.checks import check, values
-from exercises.variants import flat, symbol_values
+from exercises.catalogue.checks import check, values
+from exercises.catalogue.variants import flat, symbol_values
 from newton_euler import Frame, Vector
-from newton_euler.classroom.forms import WORDS
+from newton_euler.answers.forms import WORDS
 
 PROBLEMS = select(["all"])
 CHECKED = [(p, key) for p in PROBLEMS for key in p.checked]

@@ -29,8 +29,8 @@ from newton_euler import (
     moving,
     scenes,
 )
+from newton_euler.answers.forms import Form
 from newton_euler.classroom import try_problem
-from newton_euler.classroom.forms import Form
 
 
 def valid_calls(functions):

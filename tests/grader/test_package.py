@@ -70,7 +70,7 @@ def test_the_wheel_holds_the_engine_and_no_exercise(tmp_path):
             for n in names
             if n.endswith((".py", ".yaml", ".json", ".ipynb"))
         )
-    assert "newton_euler/classroom/answers.py" in names
+    assert "newton_euler/answers/receipts.py" in names
     assert not [
         n for n in names if n.startswith(("exercises", "grader", "tests", "problems", "book"))
     ]

@@ -32,9 +32,9 @@ How to read the table:
 \b
 examples:
   python -m tests.mutation newton_euler/motion/events.py
-  python -m tests.mutation newton_euler/motion/control/run.py --limit 50
-  python -m tests.mutation newton_euler/motion/control/run.py --lines 301-318
-  python -m tests.mutation newton_euler/motion/control/knots.py --tests tests/stability/test_short_blow.py
+  python -m tests.mutation newton_euler/motion/run.py --limit 50
+  python -m tests.mutation newton_euler/motion/run.py --lines 301-318
+  python -m tests.mutation newton_euler/motion/knots.py --tests tests/stability/test_short_blow.py
 
 Exit code 1 if not all were killed.
 """

@@ -13,7 +13,7 @@ import pytest
 
 from newton_euler import Model, prepare, sqrt, where
 from newton_euler.motion import AccuracyError, ModelError, integrate, second_order
-from newton_euler.motion.control.analytic import hazards, kinks
+from newton_euler.motion.analytic import hazards, kinks
 from newton_euler.motion.prepared import prepared_model
 
 HEYOKA = importlib.util.find_spec("heyoka") is not None

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from newton_euler import Event, Model, integrate, prepare, sin
-from newton_euler.algebra.codegen.reads import Reads
+from newton_euler.algebra.reads import Reads
 from newton_euler.motion.model import second_order
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.scenes import scene

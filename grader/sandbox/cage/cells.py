@@ -49,7 +49,7 @@ class Notebook:
         self._shell, self._seconds = Shell(), seconds
         self._send, self._tests = send, list(tests)
         self._errors = {}  # of each problem, since its givens
-        self._answers = importlib.import_module("newton_euler.classroom.answers")
+        self._answers = importlib.import_module("newton_euler.answers.receipts")
 
     def run(self, cells):
         """Run all cells; ``cells`` are as :meth:`grader.sandbox.Harvester.run` takes them, tests

@@ -16,7 +16,7 @@ PRELOAD = (
     "numpy.testing",
     "newton_euler",
     "newton_euler.kinematics",  # which the first cell of every notebook imports names from
-    "newton_euler.classroom.answers",
+    "newton_euler.answers.receipts",
 )
 # what the tests of an instructor are written with, and what runs them; all of scipy would double
 # the cost

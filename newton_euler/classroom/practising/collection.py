@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ...algebra.errors import checked
-from ..givens import in_notebook
+from ...answers.givens import in_notebook
 from .files import PracticeFile
 from .problems import PracticeProblem, Said
 from .progress import Progress, mastery

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from ..forms import WORDS, Form
+from ...answers.forms import WORDS, Form
 from .programs import Program
 
 

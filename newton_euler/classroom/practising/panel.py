@@ -6,7 +6,7 @@ notebook, and D D deletes the cell.
 from html import escape
 from typing import Any
 
-from ..forms import WORDS, AnswerError, Form
+from ...answers.forms import WORDS, AnswerError, Form
 from .typed import typed
 
 INSTALL = (

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from ..answers import record
-from ..checking.fit import rounding
-from ..checking.verdicts import explain, judge, shown
-from ..forms import WORDS, AnswerError
-from ..givens import in_notebook
-from ..notation import list_symbol, matrix_symbol, number_symbol, unit_symbol
-from ..reading.formula_trees import NODES
+from ...answers.fit import rounding
+from ...answers.forms import WORDS, AnswerError
+from ...answers.givens import in_notebook
+from ...answers.notation import list_symbol, matrix_symbol, number_symbol, unit_symbol
+from ...answers.receipts import record
+from ...answers.trees import NODES
+from ...answers.verdicts import explain, judge, shown
 from .files import HELP, PracticeFile
 from .numbers import KeptNumbers, Quantity
 from .progress import Progress

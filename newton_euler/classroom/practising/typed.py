@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ...algebra.scalars import FUNCTIONS, function
-from ..forms import AnswerError
+from ...answers.forms import AnswerError
 
 _OPERATORS: dict[type, Any] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,

@@ -9,9 +9,9 @@ import pytest
 import sympy
 from mpmath import findroot, mp, mpf
 
-from exercises import problem, variants
-from exercises.catalogue import Answer, Given
-from exercises.checks import alike, check
+from exercises import problem
+from exercises.catalogue import Answer, Given, variants
+from exercises.catalogue.checks import alike, check
 from newton_euler import atan, pi, sin, sqrt
 
 EMPTY = replace(

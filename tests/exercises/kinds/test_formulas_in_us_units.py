@@ -8,9 +8,9 @@ from types import SimpleNamespace
 import pytest
 import sympy
 
-from exercises import problem, variants
-from exercises.catalogue import Answer, Symbol
-from exercises.checks import check
+from exercises import problem
+from exercises.catalogue import Answer, Symbol, variants
+from exercises.catalogue.checks import check
 from newton_euler import Frame, cos, sin, sqrt
 from newton_euler.algebra.units import SI, US, Dimension, Unit, UnitError
 

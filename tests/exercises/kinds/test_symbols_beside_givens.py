@@ -8,11 +8,11 @@ from types import SimpleNamespace
 import pytest
 import sympy
 
-from exercises import problem, variants
-from exercises.catalogue import Answer, CatalogueError, Given, Symbol
+from exercises import problem
+from exercises.catalogue import Answer, CatalogueError, Given, Symbol, variants
+from exercises.catalogue.checks import check
 from exercises.catalogue.format import read_problem
-from exercises.checks import check
-from exercises.variants import apart, at_points, draw, objection
+from exercises.catalogue.variants import apart, at_points, draw, objection
 from grader.scoring import score_receipt
 from newton_euler import sin, sqrt
 

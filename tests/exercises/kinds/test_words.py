@@ -6,15 +6,15 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from exercises import problem, variants
-from exercises.catalogue import Answer, Given, Symbol
-from exercises.checks import check
-from exercises.following import earlier_answers
-from exercises.variants import at_points, draw, objection
+from exercises import problem
+from exercises.catalogue import Answer, Given, Symbol, variants
+from exercises.catalogue.checks import check
+from exercises.catalogue.following import earlier_answers
+from exercises.catalogue.variants import at_points, draw, objection
 from grader.reports.diagnoses import diagnosis_shares
 from grader.scoring import numbers, score_receipt
 from newton_euler import where
-from newton_euler.classroom.checking.diagnosis import OR
+from newton_euler.answers.diagnosis import OR
 
 SENSE = Answer("sense", "choice", "1", "whether it rises", ("rises", "falls", "rests"))
 DOF = Answer("dof", "count", "1", "degrees of freedom")

@@ -6,7 +6,7 @@ from concurrent.futures import ProcessPoolExecutor
 import pytest
 
 from exercises.catalogue import problem, select
-from exercises.checks import values
+from exercises.catalogue.checks import values
 from grader.assignment import figure_faults, figure_png
 from newton_euler.drawing.page import label_placement as labels
 

@@ -9,7 +9,7 @@ import pytest
 from exercises.catalogue import problem
 from grader.assignment import notebook as nb
 from grader.assignment import problems_of
-from newton_euler.classroom.notation import number_symbol
+from newton_euler.answers.notation import number_symbol
 from tests.grader.courses import nbgrader, read, submit
 from tests.grader.submissions import work
 
@@ -78,7 +78,7 @@ def test_a_students_numbers_take_the_place_of_the_books_and_of_no_others():
 
 def test_every_problem_that_varies_gets_its_numbers_into_its_statement():
     from exercises.catalogue import select
-    from exercises.checks import values as drawn
+    from exercises.catalogue.checks import values as drawn
 
     for p in select(["all"]):
         if p.givens:

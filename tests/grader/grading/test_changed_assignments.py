@@ -133,7 +133,7 @@ def test_numbers_of_a_course_that_did_not_keep_them_are_read_from_the_copies(ung
 
 def forget():
     """Drop what was computed from the exercises, as a new process has nothing of it."""
-    from exercises import variants
+    from exercises.catalogue import variants
     from grader.scoring import numbers
 
     for module in (variants, numbers):

@@ -12,7 +12,7 @@ from grader.demo import sample_students as sample
 from grader.demo.run import nbgrader_api, require_success
 from grader.grading import grade
 from grader.scoring import causes
-from newton_euler.classroom.forms import WORDS
+from newton_euler.answers.forms import WORDS
 
 CHAPTERS = "ch02", "ch03", "ch04", "ch05", "ch06", "ch07", "ch08", "ch09", "appA"
 

@@ -1,10 +1,10 @@
 """Answers of a student of chapter 4 as a receipt holds them, and their scores."""
 
 from exercises.catalogue import problems
-from exercises.variants import draw
+from exercises.catalogue.variants import draw
 from grader.scoring.score import score_receipt
-from newton_euler.classroom.answers import record
-from newton_euler.classroom.forms import Form
+from newton_euler.answers.forms import Form
+from newton_euler.answers.receipts import record
 
 CH04 = problems("ch04")
 VALUES = {p.id: draw(p, b"tests of score") for p in CH04}

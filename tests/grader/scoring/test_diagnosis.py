@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from exercises.catalogue import problem
-from exercises.variants import SEPARATION, distance, draw, evaluate, flat
-from exercises.wording import term_text
+from exercises.catalogue.variants import SEPARATION, distance, draw, evaluate, flat
+from exercises.catalogue.wording import term_text
 from grader.scoring import causes, score_receipt
 from grader.scoring.numbers import Numbers
 from newton_euler.algebra.ledger import equation
 from newton_euler.algebra.vectors import Vector
-from newton_euler.classroom.checking import tolerance
-from newton_euler.classroom.checking.diagnosis import diagnose
+from newton_euler.answers import tolerance
+from newton_euler.answers.diagnosis import diagnose
 from tests.grader.scoring.answered import CH04, trees
 
 DATA = ("book", "variant")

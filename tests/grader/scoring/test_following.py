@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from exercises.catalogue import problem, select
-from exercises.following import earlier_answers, follow
-from exercises.variants import distance, draw
+from exercises.catalogue.following import earlier_answers, follow
+from exercises.catalogue.variants import distance, draw
 from grader.scoring import ScoreError, score_receipt
 from grader.scoring.numbers import numbers_of
-from newton_euler.classroom.forms import WORDS
+from newton_euler.answers.forms import WORDS
 
 FOLLOWING = [(p, key) for p in select(["all"]) for key in earlier_answers(p)]
 ROBOT = problem("4/3")  # the acceleration of P, and its magnitude

@@ -3,10 +3,10 @@
 import pytest
 
 from exercises.catalogue import problem
-from exercises.variants import POINTS
+from exercises.catalogue.variants import POINTS
 from grader.scoring.numbers import Numbers, numbers_of
-from newton_euler.classroom.checking.tolerance import is_right
-from newton_euler.classroom.reading.formula_trees import NODES
+from newton_euler.answers.tolerance import is_right
+from newton_euler.answers.trees import NODES
 from tests.grader.scoring.answered import judged
 
 OMEGA, NU, D, TILT = "omega", "nu", "d", "tilt"

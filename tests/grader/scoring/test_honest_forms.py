@@ -6,10 +6,10 @@ import pytest
 import sympy
 
 from exercises.catalogue import problems
-from exercises.variants import draw, evaluate
+from exercises.catalogue.variants import draw, evaluate
 from grader.scoring import score_receipt
-from newton_euler.classroom.answers import record
-from newton_euler.classroom.forms import Form
+from newton_euler.answers.forms import Form
+from newton_euler.answers.receipts import record
 
 from .honest_forms import FORMULAS, NUMBERS, VECTORS, VECTORS_OF_FORMULAS
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from exercises.catalogue import problem, problems
-from exercises.variants import POINTS, draw, flat
+from exercises.catalogue.variants import POINTS, draw, flat
 from grader.scoring import ScoreError, numbers, score_receipt
 from grader.scoring.numbers import Numbers, numbers_of
 from grader.scoring.wrong_models import wrong_models

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from exercises.catalogue import problems
-from exercises.variants import draw, evaluate, symbol_values
+from exercises.catalogue.variants import draw, evaluate, symbol_values
 from grader.scoring import score_receipt
-from newton_euler.classroom.answers import record
-from newton_euler.classroom.forms import Form
-from newton_euler.classroom.reading.formula_trees import evaluate as tree_value
+from newton_euler.answers.forms import Form
+from newton_euler.answers.receipts import record
+from newton_euler.answers.trees import evaluate as tree_value
 
 from .random_receipts import receipt
 

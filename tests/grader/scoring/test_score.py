@@ -10,13 +10,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from exercises.catalogue import Answer, problem
-from exercises.variants import evaluate
+from exercises.catalogue.variants import evaluate
 from grader.scoring import score
 from grader.scoring.numbers import numbers_of
 from grader.scoring.score import Score, score_receipt
-from newton_euler.classroom.checking.reading import read
-from newton_euler.classroom.checking.tolerance import RTOL
-from newton_euler.classroom.forms import Form
+from newton_euler.answers.forms import Form
+from newton_euler.answers.reading import read
+from newton_euler.answers.tolerance import RTOL
 from tests.grader.scoring.answered import CH04, VALUES, judged, key, trees
 
 

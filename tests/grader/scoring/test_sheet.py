@@ -7,10 +7,10 @@ from dataclasses import replace
 import pytest
 
 from exercises.catalogue import problem
-from exercises.variants import draw
+from exercises.catalogue.variants import draw
 from grader.scoring import ScoreError, score_receipt
-from newton_euler.classroom.answers import record
-from newton_euler.classroom.forms import Form
+from newton_euler.answers.forms import Form
+from newton_euler.answers.receipts import record
 
 ELBOW = problem("4/16")  # alpha_CD, v_D, a_D
 VALUES = draw(ELBOW, b"tests of sheet")

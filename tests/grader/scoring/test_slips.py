@@ -10,13 +10,13 @@ from collections import Counter
 import pytest
 
 from exercises.catalogue import problem, select
-from exercises.variants import draw
+from exercises.catalogue.variants import draw
 from grader.scoring import causes, score_receipt
 from grader.scoring.numbers import numbers_of
 from newton_euler.algebra.units import unit
-from newton_euler.classroom.checking.diagnosis import BOOK, DIRECTION, NEAR, diagnose
-from newton_euler.classroom.checking.slips import AS_SCALARS, OFF_DIAGONAL, TRANSPOSED, factors
-from newton_euler.classroom.checking.tolerance import NOISE
+from newton_euler.answers.diagnosis import BOOK, DIRECTION, NEAR, diagnose
+from newton_euler.answers.slips import AS_SCALARS, OFF_DIAGONAL, TRANSPOSED, factors
+from newton_euler.answers.tolerance import NOISE
 from tests.grader.scoring.test_wrong_answers import right_answers
 
 ALL = select(["all"])

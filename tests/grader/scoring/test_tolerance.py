@@ -6,10 +6,10 @@ import math
 import pytest
 
 from exercises.catalogue import problem
-from newton_euler.classroom.checking.reading import read
-from newton_euler.classroom.checking.tolerance import is_right
-from newton_euler.classroom.forms import Form
-from newton_euler.classroom.reading.formula_trees import TreeError
+from newton_euler.answers.forms import Form
+from newton_euler.answers.reading import read
+from newton_euler.answers.tolerance import is_right
+from newton_euler.answers.trees import TreeError
 from tests.grader.scoring.answered import CH04, judged, key
 
 

@@ -8,12 +8,12 @@ from collections import Counter
 import pytest
 
 from exercises.catalogue import problems
-from exercises.variants import draw, evaluate
+from exercises.catalogue.variants import draw, evaluate
 from grader.scoring import score_receipt
 from grader.scoring.numbers import numbers_of
-from newton_euler.classroom.answers import record
-from newton_euler.classroom.checking.tolerance import NOISE, is_right
-from newton_euler.classroom.forms import Form
+from newton_euler.answers.forms import Form
+from newton_euler.answers.receipts import record
+from newton_euler.answers.tolerance import NOISE, is_right
 
 DRAWS = 50
 NUMERIC = [p for p in problems("ch04") if not p.symbolic]

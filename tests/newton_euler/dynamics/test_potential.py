@@ -25,7 +25,7 @@ from newton_euler import (
     spherical,
     sqrt,
 )
-from newton_euler.algebra.calculus import WorkError
+from newton_euler.algebra import WorkError
 from newton_euler.bodies import MassError
 from newton_euler.dynamics.potential import (
     NoPotential,

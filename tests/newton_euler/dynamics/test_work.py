@@ -16,8 +16,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, at, compiled, cos, moving, sin, sqrt
-from newton_euler.algebra import DimensionError, FrameError, ScalarError
-from newton_euler.algebra.calculus import WorkError
+from newton_euler.algebra import DimensionError, FrameError, ScalarError, WorkError
 from newton_euler.algebra.ledger import Amount, TermError, summed
 from newton_euler.dynamics.work import (
     constant_force_work,

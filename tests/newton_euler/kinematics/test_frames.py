@@ -2,7 +2,7 @@
 numerically in 50 digits.
 
 The oracle knows no Coriolis term, no law of composition and no engine: it has the position matrices
-as functions of time, and :mod:`exercises.proofs` to differentiate them.
+as functions of time, and :mod:`exercises.catalogue.proofs` to differentiate them.
 """
 
 import gc
@@ -17,7 +17,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
-from exercises.proofs import (
+from exercises.catalogue.proofs import (
     DIGITS,
     angular_acceleration,
     angular_velocity,

@@ -10,8 +10,7 @@ import pytest
 import sympy
 
 from newton_euler import Dimension, compiled, cos, exp, log, moving, sqrt
-from newton_euler.algebra import DimensionError, SingularError
-from newton_euler.algebra.calculus import integral
+from newton_euler.algebra import DimensionError, SingularError, integral
 from newton_euler.kinematics import from_place, from_speed, from_time
 from tests.kinds import close, numbers
 

@@ -3,7 +3,7 @@
 import pytest
 
 from newton_euler import Model, acos, asin, atan2, cos, cosh, exp, sin, sinh, sqrt, tan, tanh, where
-from newton_euler.motion.control.analytic import hazards, kinks
+from newton_euler.motion.analytic import hazards, kinks
 from newton_euler.motion.prepared import prepared_model
 
 

@@ -17,12 +17,12 @@ from newton_euler.motion.batch import (
     _representatives,
     _taylor,
 )
-from newton_euler.motion.control.run import ROUND_OFF_OF_RATES, SERIES_ROUND_OFF, SERIES_SAFETY
-from newton_euler.motion.control.sizes import time_round_off
-from newton_euler.motion.control.verified import NEAR_END, NEAR_START, SPARE
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.methods.taylor import level_of
 from newton_euler.motion.prepared import PreparedModel, prepared_model
+from newton_euler.motion.run import ROUND_OFF_OF_RATES, SERIES_ROUND_OFF, SERIES_SAFETY
+from newton_euler.motion.sizes import time_round_off
+from newton_euler.motion.verified import NEAR_END, NEAR_START, SPARE
 
 HEYOKA = importlib.util.find_spec("heyoka") is not None
 needs_heyoka = pytest.mark.skipif(not HEYOKA, reason="heyoka is not installed")

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from newton_euler import cos, exp, sin, sqrt, where
 from newton_euler.motion import Event, Model, ModelError, integrate, second_order
-from newton_euler.motion.control.zeros import EPS
 from newton_euler.motion.events import EventLocator, events_in_step
+from newton_euler.motion.zeros import EPS
 
 
 def spring(closed):

@@ -6,7 +6,7 @@ import pytest
 
 from newton_euler import Model, cos, exp, sin, where
 from newton_euler.motion import second_order
-from newton_euler.motion.control.knots import INTERVALS, knots
+from newton_euler.motion.knots import INTERVALS, knots
 from newton_euler.motion.prepared import prepared_model
 
 WIDTH = 10.0 / INTERVALS  # of an interval of the motions here

@@ -11,8 +11,13 @@ import pytest
 
 from newton_euler import Model, cos, exp, integrate, sin, sqrt
 from newton_euler.motion import ModelError, second_order
-from newton_euler.motion.control import run as control_run
-from newton_euler.motion.control.run import (
+from newton_euler.motion import run as control_run
+from newton_euler.motion.events import Event, EventError
+from newton_euler.motion.methods.base import MAX_STEPS
+from newton_euler.motion.methods.table import METHODS
+from newton_euler.motion.methods.taylor import level_of
+from newton_euler.motion.prepared import PreparedModel, prepared_model
+from newton_euler.motion.run import (
     FEW_STEPS,
     HEYOKA_BREAK_EVEN,
     IRREGULAR,
@@ -37,11 +42,6 @@ from newton_euler.motion.control.run import (
     usable,
     verified_series,
 )
-from newton_euler.motion.events import Event, EventError
-from newton_euler.motion.methods.base import MAX_STEPS
-from newton_euler.motion.methods.table import METHODS
-from newton_euler.motion.methods.taylor import level_of
-from newton_euler.motion.prepared import PreparedModel, prepared_model
 from newton_euler.motion.solution import MotionError
 from newton_euler.motion.trajectory import Segment
 

@@ -7,14 +7,14 @@ import pytest
 
 from newton_euler import Model, sin, sqrt, where
 from newton_euler.motion import second_order
-from newton_euler.motion.control.sizes import (
+from newton_euler.motion.prepared import prepared_model
+from newton_euler.motion.sizes import (
     ROUND_OFF,
     TIME_SAFETY,
     _spectral_radius,
     natural_sizes,
     time_round_off,
 )
-from newton_euler.motion.prepared import prepared_model
 
 
 def system(rates, states=("x", "v")):

@@ -7,12 +7,12 @@ import pytest
 
 from newton_euler import Model, exp, integrate, where
 from newton_euler.motion import ModelError, second_order
-from newton_euler.motion.control.run import Run
-from newton_euler.motion.control.sizes import NATURAL_PART, ROUND_OFF
 from newton_euler.motion.events import Event
 from newton_euler.motion.methods.base import SMALLEST_SCALE, StepError
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
+from newton_euler.motion.run import Run
+from newton_euler.motion.sizes import NATURAL_PART, ROUND_OFF
 from newton_euler.motion.solution import MotionError
 from newton_euler.motion.trajectory import (
     ACCUMULATION,

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from newton_euler.motion.control.verified import NEAR_END, NEAR_START, SPARE, Verified, near
+from newton_euler.motion.verified import NEAR_END, NEAR_START, SPARE, Verified, near
 
 RTOL, START, END = 1e-9, (1.0, 2.0), (3.0, -4.0)
 BESIDE, BESIDE_END = (1.01, 2.0), (3.1, -4.0)

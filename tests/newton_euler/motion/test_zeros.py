@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.polynomial import chebyshev as numpys
 
-from newton_euler.motion.control import zeros
-from newton_euler.motion.control.zeros import (
+from newton_euler.motion import zeros
+from newton_euler.motion.zeros import (
     CHECKS,
     DEGREE,
     EPS,

@@ -4,11 +4,11 @@ from tests.grader.attacks.attack import code, lie
 
 PATCHED = {
     "the reading of answers is replaced": code("""
-        import newton_euler.classroom.answers as a
+        import newton_euler.answers.receipts as a
         a.record = lambda forms, *_: ({k: "right" for k in forms}, {})
     """),
     "the reading of answers says True": code("""
-        import newton_euler.classroom.answers as a
+        import newton_euler.answers.receipts as a
         a.record = lambda forms, *_: (dict.fromkeys(forms, True), {})
     """),
     "the receipt is replaced": code("""
@@ -17,7 +17,7 @@ PATCHED = {
         receipt("4/1")
     """),
     "the sheet asks for a choice": code("""
-        from newton_euler.classroom.forms import Form
+        from newton_euler.answers.forms import Form
         Form.read = staticmethod(lambda _: Form("choice", "1", ("right",)))
         speed = acc_mag = "right"
     """),

@@ -1,0 +1,382 @@
+"""Checks of a problem: its two ways to the key against each other, its units, and its mistakes
+against the key.
+"""
+
+import random
+from itertools import combinations
+
+import numpy as np
+from mpmath import mp, mpc, mpf
+
+from newton_euler.algebra.scalars import max_abs
+from newton_euler.algebra.units import Dimension, DimensionError, unit
+from newton_euler.algebra.vectors import Vector
+from newton_euler.answers.forms import WORDS
+
+from . import CatalogueError
+from .following import earlier_answers, follow
+from .proofs import DIGITS
+from .steps import faults as step_faults
+from .steps import in_unit, steps
+from .variants import apart, at_points, distance, draw, flat, symbol_points, symbol_values
+from .words import word
+
+# relative, solve in floats against prove; in 50 digits they must agree to the square of it
+AGREEMENT = 1e-9
+_SEED = b"check"
+
+
+def check(p, seeds=1):
+    """Everything that is wrong with problem ``p``, as sentences; an empty list if it holds.
+
+    Checks the book's numbers (seed 0) and ``seeds - 1`` drawn variants: solve against prove in
+    floats and in 50 digits, also the steps that prove returns, every mistake away from the key, and
+    once the units of every answer and step by running ``solve`` and ``steps`` on dimensions.
+    """
+    proof = _Proof(p)
+    faults = _fit(p, proof) or _dimensions(p)
+    for n in _different(p, seeds):
+        faults = faults or [f"{fault} (seed {n})" for fault in _agreement(p, n, proof)]
+    return faults
+
+
+class _Proof:
+    """What ``prove`` finds in 50 digits, once for each set of numbers: half the time of a check."""
+
+    def __init__(self, p):
+        self.p, self.found = p, {}
+
+    def __call__(self, given):
+        numbers = tuple(given.items())
+        if numbers not in self.found:
+            with mp.workdps(DIGITS):  # a root or a series stops when it has these digits
+                self.found[numbers] = self.p.code.prove(_precise(self.p, given))
+        return self.found[numbers]
+
+
+def alike(p, seeds=1):
+    """Warnings, as sentences: mistakes that give the same wrong answer for all numbers, so that no
+    diagnosis can tell which of them a student made; and those with the dimension of another answer.
+    """
+    same = None
+    for n in _different(p, seeds):
+        wrong = at_points(p, values(p, n))[1]
+        pairs = {
+            (key, one, other)
+            for one, other in combinations(wrong, 2)
+            for key in wrong[one].keys() & wrong[other].keys()
+            # of few words, two mistakes often have the same
+            if p.answer(key).kind != "choice" and _same(wrong[one][key], wrong[other][key])
+        }
+        same = pairs if same is None else same & pairs
+    return [
+        f"the mistakes {one} and {other} give the same wrong {key}: whoever makes one is told both"
+        for key, one, other in sorted(same or ())
+    ] + _exchanged(p)
+
+
+def _same(a, b):
+    """Whether two wrong answers, tuples of points, are one."""
+    return all(distance(x, y) <= AGREEMENT for x, y in zip(a, b, strict=True))
+
+
+def _different(p, seeds):
+    """The seeds below ``seeds`` that have numbers of their own: only the first where nothing
+    varies.
+    """
+    varies = p.symbols or any(g.vary for g in p.givens.values())
+    return range(seeds if varies else min(seeds, 1))
+
+
+def values(p, seed):
+    """The book's numbers for seed 0, otherwise a drawn variant; with a value for every symbol."""
+    given = p.book_values if seed == 0 else draw(p, _SEED + str(seed).encode())
+    return {**given, **symbol_values(p, random.Random(f"{p.id}:{seed}"))}
+
+
+def _fit(p, proof):
+    """Names in the text against names in the code."""
+    try:
+        # arrays have nan where floats raise: at this point a formula may not be real
+        g = p.base({n: np.atleast_1d(float(x)) for n, x in values(p, 0).items()})
+        with np.errstate(all="ignore"):
+            named, solved, again = p.code.mistakes(g), p.code.solve(g), p.code.solve(g)
+        proved = proof(values(p, 0))
+    except CatalogueError as error:
+        return [str(error)]
+    missing = [m for m in p.mistakes if m not in named]
+    faults = [
+        f"the mistake {m} is in {p.name}.yaml but not computed; compute it, or move it to "
+        "struck: with a reason"
+        for m in missing
+    ]
+    faults += [
+        f"the mistake {m} is computed but not in {p.name}.yaml"
+        for m in named
+        if m not in p.mistakes
+    ]
+    asked = [a.key for a in p.answers]
+    for what, got in (("solve", list(solved)), ("prove", list(proved)[: len(asked)])):
+        if got != asked:
+            return [*faults, f"{what} returns {got} but the problem asks for {asked}"]
+    faults += _shared_frames(solved, again)
+    for name, answers in named.items():
+        if not answers or not set(answers) <= set(asked):
+            faults.append(
+                f"the mistake {name} must give some of {asked}, and gives {list(answers)}"
+            )
+        for key, answer in answers.items():
+            if (
+                key in solved
+                and hasattr(answer, "frame")
+                and answer.frame.name != solved[key].frame.name
+            ):
+                faults.append(
+                    f"{key} is in {solved[key].frame.name}, but the mistake {name} has it in "
+                    f"{answer.frame.name}: use in_frame"
+                )
+    return faults
+
+
+def _shared_frames(one, another):
+    """A fault if two calls of solve make frames in one tree: the diagnosis of a wrong answer looks
+    at all frames of the tree, and would see those of another call, with other numbers.
+    """
+    made = {id(f) for x in one.values() if isinstance(x, Vector) for f in x.frame.tree}
+    for key, x in another.items():
+        tree = x.frame.tree if isinstance(x, Vector) else []
+        names = [f.name for f in tree]
+        twice = [f.name for f in tree if id(f) in made and names.count(f.name) > 1]
+        if twice:
+            return [
+                f"{key} has the frame {twice[0]} of an earlier call in its tree: turn frames from "
+                "a ground that solve makes, not from one of the module"
+            ]
+    return []
+
+
+def _dimensions(p):
+    """Run solve on dimensions: a sum of unlike quantities raises, and each answer must have the
+    dimension of its unit.
+    """
+    try:
+        answers = p.code.solve(p.dimensions())
+    except DimensionError as error:
+        return [f"solve adds unlike quantities: {error}"]
+    faults = []
+    for key, answer in answers.items():
+        a = p.answer(key)
+        if a.kind in WORDS:
+            continue
+        asked = unit(a.unit).dimension
+        for x in flat(answer):
+            if x != asked if isinstance(x, Dimension) else x and any(asked.powers):
+                faults.append(f"{key} is asked for in {a.unit}, {asked}, but solve gives {x}")
+    return faults
+
+
+def _exchanged(p):
+    """Mistakes whose answer has the dimension of another answer: perhaps stored under the wrong
+    key. Other dimensions may be what is wrong about them.
+    """
+    g = p.dimensions()
+    try:
+        named = p.code.mistakes(g)
+    except DimensionError:  # a wrong model may add unlike quantities
+        return []
+    asked = {a.key: unit(a.unit).dimension for a in p.answers if a.kind not in WORDS}
+    faults = []
+    for name, answers in named.items():
+        for key, answer in answers.items():
+            found = {x for x in flat(answer) if isinstance(x, Dimension)}
+            found = found - {asked.get(key)} if len(found) == 1 else ()  # unlike ones are a slip
+            faults += [
+                f"the mistake {name} gives {key} the dimension of {k}: is it stored under its key?"
+                for k, d in asked.items()
+                if key in asked and d in found
+            ]
+    return faults
+
+
+def _precise(p, given):
+    with mp.workdps(DIGITS):
+        return p.base({n: mpf(repr(v)) for n, v in given.items()}, mpf(1))
+
+
+def _agreement(p, seed, proof):
+    faults = []
+    try:
+        given, right, proved, precise = _both_ways(p, values(p, seed), proof)
+    except CatalogueError as error:
+        return [str(error)]
+    for a in p.answers:
+        found = right[a.key]
+        if a.kind in WORDS:
+            faults += _word_faults(a, found[0], word(proved[a.key]))
+            continue
+        ways = {"solve in floats": found, "solve in 50 digits": flat(precise[a.key])}
+        faults += _differences(a.key, ways, flat(proved[a.key]), a.atol)
+    faults += (step_faults(p, given) if seed == 0 else []) or _steps_against_proof(p, given, proof)
+    faults += _hidden(p, given, p.same_in_book if seed == 0 else ())
+    return faults or _following(p, given, right)
+
+
+def _both_ways(p, given, proof):
+    """(values, solve in floats, prove, solve in 50 digits) where all of them are real: with these
+    values of the symbols, or at the first of the points at which formulas are compared.
+    """
+    points = symbol_points(p)
+    others = [
+        dict(zip(points, map(float, row), strict=True))
+        for row in zip(*points.values(), strict=True)
+    ]
+    for symbols in ({}, *others):
+        here = {**given, **symbols}
+        right = {k: x for k, (x,) in at_points(p, here)[0].items()}
+        if not all(map(_is_real, right.values())):
+            continue
+        with mp.workdps(DIGITS):
+            proved = {a.key: x for a, x in zip(p.answers, proof(here).values(), strict=False)}
+            precise = p.in_units(p.code.solve(_precise(p, here)))
+            proved = p.in_units(proved)
+        if all(_is_real(flat(x)) for x in (*proved.values(), *precise.values())):
+            return here, right, proved, precise
+    told = ", ".join(f"{n} = {x:.6g}" for n, x in given.items()) or "no numbers"
+    raise CatalogueError(f"solve and prove are both real at no point: tried {told}")
+
+
+def _differences(key, ways, proved, atol):
+    """Sentences on the numbers of ``ways``, {how: numbers}, that are not those of the proof."""
+    faults = []
+    for how, numbers in ways.items():
+        tolerance = AGREEMENT if how.endswith("floats") else AGREEMENT**2
+        gap = _gap(numbers, proved)
+        if not gap <= tolerance and not _both_zero(numbers, proved, atol, tolerance):
+            faults.append(
+                f"{key}: {how} and prove differ by {gap:.1e} of its size: {_shown(numbers)} "
+                f"against {_shown(proved)}"
+            )
+    return faults
+
+
+def proved_steps(p, given, proof=None):
+    """{key: value in base units} of the steps that ``prove`` finds too, on numbers of 50 digits."""
+    found, asked = (proof or _Proof(p))(given), {a.key for a in p.answers}
+    return {key: x for key, x in found.items() if key not in asked}
+
+
+def _steps_against_proof(p, given, proof):
+    """Sentences on steps that are not those of the proof, at the numbers ``given``."""
+    proved = proved_steps(p, given, proof)
+    if not proved:
+        return []
+    in_floats = {s.key: s for s in steps(p, given)}
+    unknown = [key for key in proved if key not in in_floats]
+    if unknown:
+        return [f"prove returns {unknown[0]}, which is neither asked for nor one of the steps"]
+    faults = []
+    with mp.workdps(DIGITS):
+        precise = {s.key: s for s in steps(p, {n: mpf(repr(x)) for n, x in given.items()}, mpf(1))}
+        for key, x in proved.items():
+            ways = {
+                "the step in floats": flat(in_floats[key].value),
+                "the step in 50 digits": flat(precise[key].value),
+            }
+            by_proof = flat(in_unit(x, in_floats[key].unit, p.system))
+            faults += _differences(key, ways, by_proof, 1e-6)
+    return faults
+
+
+def _is_real(numbers):
+    """True of finite real numbers, and of what is no number."""
+    return all(
+        not isinstance(x, (float, complex, mpf, mpc)) or (mp.im(x) == 0 and mp.isfinite(x))
+        for x in numbers
+    )
+
+
+def _word_faults(answer, solved, proved):
+    if answer.kind == "choice" and solved not in answer.of:
+        return [f"{answer.key}: solve says {solved!r}, which is none of {', '.join(answer.of)}"]
+    if answer.kind == "count" and type(solved) is not int:
+        return [f"{answer.key}: solve gives {solved!r}, which is no whole number"]
+    if solved != proved:
+        return [f"{answer.key}: solve says {solved}, prove says {proved}"]
+    return []
+
+
+def _hidden(p, given, exempt):
+    """Mistakes that give nearly the right answer, over the points at which formulas are compared;
+    of words only with the book's numbers, since with others they may.
+    """
+    faults = []
+    right, wrong = at_points(p, {n: given[n] for n in p.givens})
+    book = all(given[n] == x for n, x in p.book_values.items())
+    for name, answers in wrong.items():
+        for key, points in answers.items():
+            a, real = p.answer(key), list(filter(_is_real, points))
+            if a.kind == "choice" and not {x for (x,) in points} <= set(a.of):
+                faults.append(f"the mistake {name} gives {key} a word that is none of {a.of}")
+            elif not real and book:
+                faults.append(f"the mistake {name} gives no real {key}")
+            elif name in exempt or (a.kind in WORDS and not book):
+                continue
+            elif points == right[key] if a.kind in WORDS else not apart(points, right[key]):
+                faults.append(
+                    f"the mistake {name} gives nearly the right {key}: {_shown(points[0])}; if it "
+                    "does so only with the numbers of the book, write same_in_book: true"
+                )
+    return faults
+
+
+def _following(p, given, right):
+    """What ``follows`` says of right earlier answers must be the right later ones."""
+    faults, asked = [], [a.key for a in p.answers]
+    for key, earlier in earlier_answers(p).items():
+        strange = [n for n in (key, *earlier) if n not in asked]
+        if strange:
+            return [f"follows has {', '.join(strange)}; the problem asks for {', '.join(asked)}"]
+        found = follow(p, key, given, {n: right[n] for n in earlier})
+        if p.answer(key).kind in WORDS:
+            same = tuple(found) == tuple(right[key])
+        else:
+            same = distance(found, right[key]) <= AGREEMENT
+        if not same:
+            faults.append(
+                f"{key} does not follow from {' and '.join(earlier)}: follows gives "
+                f"{_shown(found)}, solve {_shown(right[key])}"
+            )
+    return faults
+
+
+def _gap(a, b):
+    with mp.workdps(DIGITS):
+        if len(a) != len(b):
+            return float("inf")
+        whole = mp.sqrt(sum(mpf(y) ** 2 for y in b))
+        return float(
+            mp.sqrt(sum((mpf(x) - y) ** 2 for x, y in zip(a, b, strict=True))) / (whole or 1)
+        )
+
+
+def _both_zero(a, b, atol, tolerance):
+    """Whether a key is zero, as students' answers to it are judged, and both ways say so: nearer to
+    it than ``atol`` by the root of the relative tolerance.
+    """
+    with mp.workdps(DIGITS):
+        size = mp.sqrt(sum(mpf(x) ** 2 for x in (*a, *b)))
+        return bool(len(a) == len(b) and size <= atol * mp.sqrt(tolerance))
+
+
+def _shown(numbers):
+    return (
+        "("
+        + ", ".join(
+            x if isinstance(x, str) else f"{max_abs(x) * (1 if x >= 0 else -1):.6g}"
+            for x in numbers
+        )
+        + ")"
+    )
+
+
+__all__ = ["AGREEMENT", "alike", "check", "values"]

@@ -1,0 +1,57 @@
+"""Later answers of a problem from a student's own earlier ones.
+
+The code of a problem says it in ``follows``: {later answer: function of the givens and of the
+earlier answers that it is named after}, in base units, vectors along the axes of the answers,
+matrices as three rows:
+
+    follows = {"r": lambda g, speed: speed / g.n}
+"""
+
+import inspect
+from functools import cache
+
+from newton_euler import Frame
+from newton_euler.algebra.units import unit
+from newton_euler.answers.forms import WORDS
+
+from .units import in_unit
+from .variants import flat
+from .words import word
+
+
+@cache
+def earlier_answers(p):
+    """{later answer: names of the earlier answers from which it follows} of problem ``p``."""
+    follows = getattr(p.code, "follows", {})
+    return {key: tuple(inspect.signature(f).parameters)[1:] for key, f in follows.items()}
+
+
+def follow(p, key, values, earlier):
+    """The answer ``key`` that follows from ``earlier`` answers, as a tuple of numbers or its word.
+
+    values : givens and symbols in the units of the text
+    earlier : {answer: tuple of numbers, in its unit}, with those that ``earlier_answers`` names
+    """
+    frame = Frame("axes of the answers")
+    taken = {name: _in_base(p, name, earlier[name], frame) for name in earlier_answers(p)[key]}
+    found = p.code.follows[key](p.base(values), **taken)
+    if p.answer(key).kind in WORDS:
+        return (word(found),)
+    return flat(in_unit(found, p.answer(key), p.system))
+
+
+def _in_base(p, name, numbers, frame):
+    answer = p.answer(name)
+    if answer.kind in WORDS:
+        return numbers[0]
+    stated = unit(answer.unit)
+    if answer.kind.startswith("matrix"):
+        base = [stated.to_base(x, p.system) for x in numbers]
+        return tuple(tuple(base[n : n + 3]) for n in (0, 3, 6))
+    x = frame.vector(*numbers) if answer.kind.startswith("vector") else numbers[0]
+    return stated.to_base(x, p.system)
+
+
+def acceleration_of(omega, alpha, r):
+    """The acceleration of the point at ``r`` against the point of the body that ``r`` begins at."""
+    return alpha.cross(r) + omega.cross(omega.cross(r))

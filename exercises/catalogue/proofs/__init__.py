@@ -1,0 +1,30 @@
+"""Tools for ``prove``: explicit motions differentiated, integrals, roots and sums over mass points,
+at 50 digits.
+
+Nothing here comes from the engine. A proof writes the position of a point as a function of time,
+with rotation matrices multiplied out, and differentiates that; or it adds up a body from its mass
+points. It knows of no Coriolis term, no law of composition and no table of inertia, so it can only
+agree with ``solve`` if both are right. Vectors are lists of three mpmath numbers, matrices lists of
+rows.
+"""
+
+from .digits import DIGITS, ProofError
+from .flow import after, until
+from .freedom import freedom
+from .gradients import gradient
+from .integrals import integral
+from .local_axes import cylindrical_axes, elevation, spherical_axes
+from .mass_points import ball, box, disk, mean, ring, shell
+from .motions import angular_acceleration, angular_velocity, rate, second_rate, spun
+from .moved import angular_momentum, force_needed, kinetic_energy, let_go, moment_needed, vanishing
+from .roots import root
+from .tracks import speed_along
+from .vectors import cross, minus, plus, rot, scaled, size, times, transposed
+
+__all__ = [
+    "DIGITS", "ProofError", "after", "angular_acceleration", "angular_momentum", "angular_velocity",
+    "ball", "box", "cross", "cylindrical_axes", "disk", "elevation", "force_needed", "freedom",
+    "gradient", "integral", "kinetic_energy", "let_go", "mean", "minus", "moment_needed", "plus",
+    "rate", "ring", "root", "rot", "scaled", "second_rate", "shell", "size",
+    "speed_along", "spherical_axes", "spun", "times", "transposed", "until", "vanishing",
+]  # fmt: skip

@@ -1,0 +1,104 @@
+"""A body of mass points in an explicit motion: its energy and angular momentum, and the
+force and moment that it needs.
+
+A motion is a function of time whose value is such a list of pairs (share of the mass, place) as
+``mass_points`` makes, the places moved in the inertial axes. Nothing is known of moments of
+inertia, of the mass centre or of angular velocity.
+"""
+
+from mpmath import mp, mpf
+
+from .digits import DIGITS, weighted
+from .motions import rate, second_rate
+from .vectors import cross, minus
+
+
+def kinetic_energy(m, motion, t=0):
+    """The sum of dm v^2/2 at the time t.
+
+    >>> spoke = [(mpf(1), [mpf(2), 0, 0])]
+    >>> from exercises.catalogue.proofs import rot, times
+    >>> turning = lambda t: [(s, times(rot("z", 3 * t), r)) for s, r in spoke]
+    >>> print(mp.nstr(kinetic_energy(5, turning), 10))  # 5*(3*2)^2/2
+    90.0
+    """
+    with mp.workdps(DIGITS):
+        speeds = rate(lambda t: _places(motion(t)), t)
+        return m * weighted(_shares(motion), [sum(x * x for x in v) / 2 for v in speeds])
+
+
+def angular_momentum(m, motion, about=(0, 0, 0), t=0):
+    """The sum of d x dm v, d from the place ``about``, which is at rest.
+
+    >>> def circling(t):  # at 3 m/s on a circle of radius 1
+    ...     return [(mpf(1), [mp.cos(3 * t), mp.sin(3 * t), 0])]
+    >>> print([mp.nstr(x, 10) for x in angular_momentum(2, circling)])
+    ['0.0', '0.0', '6.0']
+    """
+    with mp.workdps(DIGITS):
+        t = mpf(t)
+        velocities = rate(lambda t: _places(motion(t)), t)
+        pairs = zip(_places(motion(t)), velocities, strict=True)
+        return [
+            m * x
+            for x in weighted(
+                _shares(motion), [cross(minus(place, about), v) for place, v in pairs]
+            )
+        ]
+
+
+def force_needed(m, motion, t=0):
+    """The sum of dm a: the resultant of all external forces, gravity included."""
+    with mp.workdps(DIGITS):
+        shares = _shares(motion)
+        a = second_rate(lambda t: weighted(shares, _places(motion(t))), t)
+        return [m * x for x in a]
+
+
+def moment_needed(m, motion, about=(0, 0, 0), t=0):
+    """The sum of d x dm a, d from the place ``about``: the moment of all external forces there."""
+    with mp.workdps(DIGITS):
+        accelerations = second_rate(lambda t: _places(motion(t)), t)
+        pairs = zip(_places(motion(mpf(t))), accelerations, strict=True)
+        moments = [cross(minus(place, about), a) for place, a in pairs]
+        return [m * x for x in weighted(_shares(motion), moments)]
+
+
+def let_go(energy, size=1):
+    """The second rate a of a coordinate q at rest, at the instant when a system is let go: with
+    q = a t^2/2 its energy does not change in the first instants.
+
+    energy : of a path q(t) and a time, the energy of the system; it is conserved
+    size : any second rate; what the energy gains with it and with its double gives a, because the
+        gain is a sum of a multiple of a^2 (kinetic) and one of a
+
+    >>> def dropped(q, t):  # 4 kg in free fall, q downward, g = 10
+    ...     return 4 * rate(q, t) ** 2 / 2 - 4 * 10 * q(t)
+    >>> print(mp.nstr(let_go(dropped), 10))
+    10.0
+    """
+    with mp.workdps(DIGITS):
+
+        def gain(a):
+            return second_rate(lambda t: energy(lambda s: a * s * s / 2, t)) / a
+
+        return vanishing(gain, mpf(size), 2 * mpf(size))
+
+
+def vanishing(f, first, second):
+    """The place at which a linear ``f`` vanishes, from its values at two others.
+
+    >>> print(vanishing(lambda x: 3 * x - 12, 1, 2))
+    4.0
+    """
+    with mp.workdps(DIGITS):
+        a, b = f(mpf(first)), f(mpf(second))
+        return (first * b - second * a) / (b - a)
+
+
+def _shares(motion):
+    return [share for share, _ in motion(mpf(0))]
+
+
+def _places(points):
+    return [place for _, place in points]

@@ -1,0 +1,162 @@
+"""The steps on the way to the answers of a problem: intermediate quantities in their order, each
+with its unit and the sentence that introduces it.
+
+The code of a problem lists them in ``steps(g)``, a generator of :class:`Step` in base units:
+
+    def steps(g):
+        ground, arm, rod, D = arm_and_rod(g)
+        yield Step("omega_CD", rod.angular_velocity(ground), "rad/s",
+                   "angular velocity of CD in the ground", "4.9", "4.22")
+        yield from terms(D.acceleration(ground, via=arm), "a_D", "mm/s^2")
+
+A problem without ``steps`` has the terms of its answers that are named sums. ``prove`` may return
+steps too, by their keys, found by its own way.
+"""
+
+from dataclasses import dataclass, replace
+
+from newton_euler.algebra.scalars import is_numeric, to_plain
+from newton_euler.algebra.units import Dimension, DimensionError, unit
+from newton_euler.algebra.vectors import Vector
+
+from . import CatalogueError
+from .variants import flat
+from .wording import term_text
+from .words import word
+
+
+@dataclass(frozen=True)
+class Step:
+    """An intermediate quantity.
+
+    key : its name, as in a student's notebook: "omega_CD"
+    value : a scalar of any kind, a Vector, a matrix as rows; a word or count, or a function for it
+    unit : in which it is stated
+    means : what it is, as "angular velocity of CD in the ground"
+    section, equation : of the book, where it is found and by which equation; "" where there is none
+    term : (name, equation of the engine) of a term of the sum that ``means`` names
+    """
+
+    key: str
+    value: object
+    unit: str
+    means: str
+    section: str = ""
+    equation: str = ""
+    term: tuple = ()
+
+    @property
+    def is_vector(self):
+        """True if it has components."""
+        return isinstance(self.value, Vector)
+
+
+def terms(vector, key, stated_in, section="", number=""):
+    """The named terms of a velocity, an acceleration or another sum as steps: of ``a_D`` the steps
+    ``a_D_coriolis`` and so on. A term that is zero is none. ``number``: of the equation, where the
+    chapter has it under another one than the engine says, as (2.25) for (4.18).
+    """
+    equation = vector.equation
+    for name, term in vector.terms.items():
+        if is_zero(term):
+            continue
+        yield Step(
+            f"{key}_{_identifier(name, equation)}",
+            term.expressed_in(vector.frame),
+            stated_in,
+            key,
+            section,
+            number or equation.number,
+            (name, equation),
+        )
+
+
+def is_zero(vector):
+    """True if all components are the number zero, and not only for some values."""
+    return all(is_numeric(x) and x == 0 for x in map(to_plain, vector.c))
+
+
+def _identifier(name, equation):
+    """The name of a term as a part of a Python name: "coriolis", and of what is named after a frame
+    "of_rod".
+    """
+    plain = "".join(c if c.isalnum() else "_" for c in name).strip("_")
+    return plain if name in equation.terms else f"of_{plain}"
+
+
+def steps(p, values, one=1.0):
+    """The steps of problem ``p`` for ``values`` in the units of the text, each in its own unit; a
+    vector stays one, with its frame. ``one`` as for :meth:`Problem.base`.
+    """
+    g = p.base(values, one)
+    found = listed_steps(p, g)
+    _check_names(p, found)
+    return [_said(s, p) for s in found]
+
+
+def listed_steps(p, g):
+    """The steps of ``p`` for givens ``g`` of any kind, in base units: those that its code lists, or
+    the terms of its answers.
+    """
+    own = getattr(p.code, "steps", None)
+    return list(own(g) if own else _from_answers(p, g))
+
+
+def _said(step, p):
+    """A step in its unit, a term of a sum in the words of the problem."""
+    value = in_unit(step.value, step.unit, p.system)
+    if not step.term:
+        return replace(step, value=value)
+    return replace(step, value=value, means=f"{term_text(*step.term, p)}, in {step.means}")
+
+
+def in_unit(value, stated_in, system):
+    """The value of a step in its unit; a whole number, a word, or what a function gives that waits
+    for numbers, is itself.
+    """
+    if isinstance(value, (str, int)) or callable(value):
+        return word(value)
+    if isinstance(value, (tuple, list)):
+        return tuple(in_unit(x, stated_in, system) for x in value)
+    return unit(stated_in).from_base(value, system)
+
+
+def _from_answers(p, g):
+    for key, value in p.code.solve(g).items():
+        if isinstance(value, Vector) and value.terms:
+            yield from terms(value, key, p.answer(key).unit, p.section)
+
+
+def _check_names(p, found):
+    taken = {a.key for a in p.answers} | set(p.units)
+    for s in found:
+        if not s.key.isidentifier() or s.key in taken:
+            raise CatalogueError(
+                f"{p.id}: the step {s.key!r} must have a name of its own, of letters, digits "
+                "and _; givens, answers and other steps have other names"
+            )
+        taken.add(s.key)
+
+
+def faults(p, values):
+    """What is wrong with the steps of ``p``, as sentences: names, and units by running them on
+    dimensions.
+    """
+    try:
+        steps(p, values)
+    except CatalogueError as error:
+        return [str(error)]
+    own = getattr(p.code, "steps", None)
+    if own is None:
+        return []
+    try:
+        found = list(own(p.dimensions()))
+    except DimensionError as error:
+        return [f"steps adds unlike quantities: {error}"]
+    wrong = []
+    for s in found:
+        asked = unit(s.unit).dimension
+        for x in () if isinstance(s.value, str) or callable(s.value) else flat(s.value):
+            if x != asked if isinstance(x, Dimension) else x and any(asked.powers):
+                wrong.append(f"the step {s.key} is stated in {s.unit}, {asked}, and has {x}")
+    return wrong

@@ -1,0 +1,256 @@
+"""Each student's own numbers: drawn within the ranges of a problem, rounded as in a textbook, and
+rejected if they make a bad problem.
+"""
+
+import hashlib
+import hmac
+import inspect
+import math
+import random
+from functools import cache
+
+import numpy as np
+
+from newton_euler import compiled
+from newton_euler.algebra.vectors import Vector
+from newton_euler.answers.forms import WORDS
+from newton_euler.answers.tolerance import SEPARATION
+
+from . import SYMBOLIC, CatalogueError, problem
+
+DRAWS = 300  # attempts before a range is called impossible
+# a component of a vector is zero, or at least so much of the whole: one that is left out must show
+COMPONENT = 0.01
+# of the points at which formulas are compared, so many must be there, or show a difference
+MAJORITY = 0.5
+POINTS = 8  # number of points at which formulas are compared
+SENSITIVITY = 50  # a given rounded to 0.1 % may change an answer by 5 % at the most
+
+
+def seed(secret, assignment, student, problem_id):
+    """The seed of one student's numbers: HMAC-SHA256 of assignment, student and problem under the
+    course's secret (bytes).
+    """
+    text = "\0".join((assignment, student, problem_id))
+    return hmac.new(secret, text.encode(), hashlib.sha256).digest()
+
+
+def draw(p, seed_bytes):
+    """Values for every given of problem ``p``, in its units; the same for the same seed on every
+    machine.
+    """
+    if not any(g.vary for g in p.givens.values()):
+        return p.book_values
+    for attempt in range(DRAWS):
+        rng = random.Random(
+            int.from_bytes(hashlib.sha256(seed_bytes + attempt.to_bytes(2, "big")).digest(), "big")
+        )
+        values = {n: drawn_value(g, rng) for n, g in p.givens.items()}
+        if not objection(p, values):
+            return values
+    raise CatalogueError(
+        f"no good numbers for problem {p.id} in {DRAWS} draws: narrow its vary ranges; the "
+        f"last draw {objection(p, values)}"
+    )
+
+
+def symbol_values(p, rng):
+    """A random value for each symbol of a problem, within its ``vary``, to compare formulas at."""
+    return {n: rng.uniform(*s.vary) for n, s in p.symbols.items()}
+
+
+@cache
+def symbol_points(p):
+    """The points at which formulas of problem ``p`` are compared, the same for all students:
+    {symbol: array}.
+    """
+    rng = random.Random(f"points of {p.id}")
+    points = [symbol_values(p, rng) for _ in range(POINTS)]
+    return {n: np.array([x[n] for x in points]) for n in p.symbols}
+
+
+def drawn_value(given, rng):
+    """A number for a given, on a grid of round numbers within its range; ``rng`` chooses."""
+    if given.vary is None:
+        return given.value
+    low, high = given.vary
+    step = _round_step((high - low) / 40)
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    value = rng.randint(first, last) * step
+    digits = max(0, -math.floor(math.log10(step) + 1e-9))
+    return round(value, digits)
+
+
+def _round_step(x):
+    """1, 2 or 5 times a power of ten, nearest below ``x``: the grid that drawn numbers lie on."""
+    power = 10.0 ** math.floor(math.log10(x))
+    return max(m for m in (1, 2, 5) if m * power <= x * (1 + 1e-9)) * power
+
+
+def objection(p, values):
+    """Why these values make a bad problem, or None: not finite, ill-conditioned, a component that
+    could be left out, or a mistake that gives nearly the right answer.
+
+    Judged over the points that scoring uses. A mistake that has no real answer with these numbers
+    cannot be made with them, and one in a word may give the right one.
+    """
+    right, wrong = at_points(p, values)
+    for key, points in right.items():
+        if fault := _unfit(p.answer(key), points):
+            return f"gives {key} {fault}"
+    for name, answers in wrong.items():
+        for key, points in answers.items():
+            if p.answer(key).kind not in WORDS and not apart(points, right[key]):
+                return f"hides the mistake {name}: its {key} is within {SEPARATION:.0%} of the key"
+    return _ill_conditioned(p, values, right)
+
+
+def _unfit(answer, points):
+    """What is wrong with a key as such, as the end of a sentence, or None."""
+    if answer.kind in WORDS:
+        return None
+    if answer.kind in SYMBOLIC:  # compared component by component, at all points that there are
+        there = sum(math.isfinite(math.hypot(*x)) for x in points)
+        return None if there >= MAJORITY * len(points) else "= nan at most points of its symbols"
+    for x in points:
+        if not all(map(math.isfinite, x)):
+            return f"= {x}"
+        if small := _small_component(x):
+            return f"with a component of {small:.1e} of the whole"
+    return None
+
+
+def _ill_conditioned(p, values, right):
+    """Which given changes a number, or a word, by far more than it changes itself, or None.
+    Formulas are exact whatever they are.
+    """
+    for given, g in p.givens.items():
+        if not (g.vary and values[given]):
+            continue
+        moved, _ = at_points(p, {**values, given: values[given] * 1.001})
+        for key, points in right.items():
+            kind = p.answer(key).kind
+            if kind in SYMBOLIC:
+                continue
+            if kind in WORDS:
+                if moved[key] != points:
+                    return f"is ill-conditioned: 0.1 % of {given} changes {key}"
+                continue
+            change = max(map(distance, moved[key], points))
+            if not change <= 0.001 * SENSITIVITY:
+                return f"is ill-conditioned: 0.1 % of {given} changes {key} by {change:.0%}"
+    return None
+
+
+def apart(wrong, right):
+    """True if a wrong answer is far from the key at half of the points at least, of those at which
+    both are real; or if there is none. Answers are tuples of points.
+    """
+    far = [
+        distance(x, key) >= SEPARATION
+        for x, key in zip(wrong, right, strict=True)
+        if math.isfinite(math.hypot(*x, *key))
+    ]
+    return sum(far) >= MAJORITY * len(far)
+
+
+def _small_component(answer):
+    """The size of a component that is neither zero up to round-off nor large enough to be missed,
+    relative to the whole; None if there is none.
+    """
+    whole = math.hypot(*answer)
+    shares = [abs(x) / whole for x in answer] if whole else []
+    return next((share for share in shares if 1e-9 < share < COMPONENT), None)
+
+
+def distance(a, b):
+    """Difference of two answers (tuples of floats), relative to the size of ``b``; absolute where b
+    is zero.
+    """
+    size = math.hypot(*b)
+    return math.hypot(*(x - y for x, y in zip(a, b, strict=True))) / (size or 1.0)
+
+
+def flat(answer):
+    """An answer of any kind as a tuple of numbers: components, entries, bounds."""
+    if isinstance(answer, (Vector, tuple, list)):
+        return tuple(x for part in answer for x in flat(part))
+    return (answer,)
+
+
+def at_points(p, values):
+    """(key, mistakes) as tuples of points: {answer: points}, {mistake: {answer: points}}.
+
+    A point is a tuple of components, floats or words; nan where a formula is not real. A formula
+    has one point for each of :func:`symbol_points`, unless ``values`` has its symbols.
+    """
+    values = {**symbol_points(p), **values}
+    try:
+        right, wrong = evaluate(p, values)
+    except (ArithmeticError, ValueError):  # arrays have nan where floats raise
+        with np.errstate(all="ignore"):
+            right, wrong = evaluate(p, {n: np.atleast_1d(float(x)) if np.ndim(x) == 0 else x
+                                        for n, x in values.items()})  # fmt: skip
+    count = max((len(x) for x in values.values() if np.ndim(x)), default=1)
+    return (
+        {k: as_points(x, count) for k, x in right.items()},
+        {n: {k: as_points(x, count) for k, x in a.items()} for n, a in wrong.items()},
+    )
+
+
+def as_points(components, count=1):
+    """The components of an answer (floats, words, or arrays of them) as points, ``count`` or as
+    many as there are in the arrays.
+    """
+    if count == 1 and all(type(x) in (float, int, str) for x in components):
+        return (tuple(components),)
+    rows = np.broadcast_arrays(*components, np.empty(count))[:-1]
+    rows = [r if r.dtype.kind in "OU" else r.astype(float) for r in rows]
+    return tuple(zip(*(row.reshape(-1).tolist() for row in rows), strict=True))
+
+
+def evaluate(p, values):
+    """(key, mistakes) as tuples of floats: {answer: numbers}, {mistake: {answer: numbers}}; from
+    the problem's formulas traced once.
+
+    ``values`` may hold floats, or arrays of shape (N,) for a whole class at once.
+    """
+    run = _compiled(p.id)
+    with np.errstate(all="ignore"):
+        return _evaluated(p, values) if run is None else run(**values)
+
+
+def _evaluated(p, values):
+    right = {k: flat(v) for k, v in p.solve(values).items()}
+    wrong = {name: {k: flat(v) for k, v in a.items()} for name, a in p.wrong(values).items()}
+    return right, wrong
+
+
+@cache
+def _compiled(problem_id):
+    """The key and the mistakes of a problem as straight-line text; None for answers that are words
+    or counts.
+    """
+    return traced(problem(problem_id), _evaluated)
+
+
+def traced(p, formula, more=()):
+    """``formula(p, values)`` as straight-line text, called with the values by name; None if problem
+    ``p`` has no numbers, or answers that are words or counts. ``more`` names further values.
+    """
+    if not p.units or p.has_words:
+        return None
+
+    def run(**values):
+        return formula(p, values)
+
+    run.__signature__ = inspect.Signature(
+        [inspect.Parameter(n, inspect.Parameter.POSITIONAL_OR_KEYWORD) for n in (*p.units, *more)]
+    )
+    return compiled(run)
+
+
+__all__ = [
+    "POINTS", "SEPARATION", "apart", "as_points", "at_points", "distance", "draw", "drawn_value",
+    "evaluate", "flat", "objection", "seed", "symbol_points", "symbol_values", "traced",
+]  # fmt: skip

@@ -1,0 +1,398 @@
+"""``compiled(f)`` runs a formula once on traced scalars and keeps its operations as straight-line
+text, which is fast on every kind of number.
+
+Every operation is a step (:mod:`newton_euler.algebra.trace`); equal steps are one, so that
+common subexpressions are computed once, and steps that no result needs are left out. The text of
+the steps is Python (:mod:`newton_euler.algebra.source`). It runs on floats with ``math``,
+on arrays with NumPy in blocks that stay in the cache, or through heyoka, and on the numbers of
+mpmath, on symbols and on this package's own kinds.
+"""
+
+import inspect
+import math
+import sys
+from collections.abc import Callable
+from functools import cached_property
+from importlib import import_module, util
+from operator import itemgetter
+from typing import Any, NamedTuple
+
+from . import scalars
+from .jets import Moving
+from .scalars import (
+    FUNCTIONS,
+    DivisionError,
+    NewtonEulerError,
+    RangeError,
+    Scalar,
+    ScalarError,
+    Scaled,
+    SingularError,
+    _Own,
+    _root,
+    clipped,
+    library_of,
+    pi,
+    scalar,
+    without_rates,
+)
+from .source import RESERVED, WITHIN, generate, runtime_names
+from .trace import NO_VALUE, Inner, Step, Trace, keys_of, packed, unpacked
+
+# instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
+# measured)
+BLOCK = 8192
+# the same for heyoka, whose inputs are copied together (measured: 4096 costs half as much again)
+HEYOKA_BLOCK = 1 << 15
+# instants (heyoka loaded: True, or not) from which on heyoka, with its compilation and import,
+# takes less time in all than NumPy (measured)
+HEYOKA_BREAK_EVEN = {True: 60_000, False: 1_500_000}
+
+
+def _shape(result, leaves, keys):
+    """The text of an expression that builds a result like this one from the tuple ``r`` of its
+    scalars, which are appended to ``leaves``.
+    """
+
+    def several(parts):
+        return f"({''.join(f'{_shape(part, leaves, keys)}, ' for part in parts)})"
+
+    if hasattr(result, "tolist"):
+        result = result.tolist()
+    if isinstance(result, Moving):
+        parts = several((result.value, result.rate, result.acceleration))
+        return f"Moving(*map(scalar, {parts}))"
+    if isinstance(result, dict):
+        keys += result
+        names = f"keys[{len(keys) - len(result)}:{len(keys)}]"
+        return f"dict(zip({names}, {several(result.values())}))"
+    if isinstance(result, (tuple, list, Scaled)):  # a Vector becomes the triple of its components
+        return several(result)
+    try:
+        leaves.append(scalar(result))
+    except ScalarError as error:
+        raise ScalarError(
+            "a compiled formula returns scalars, Vectors, or tuples and dicts of them, got "
+            f"{result!r}"
+        ) from error
+    return f"r[{len(leaves) - 1}]"
+
+
+def _builder(shape, keys, count):
+    """The function of ``count`` scalars that builds the result which a text of :func:`_shape`
+    describes.
+    """
+    if shape == "r[0]":
+        return itemgetter(0)
+    if shape == f"({''.join(f'r[{n}], ' for n in range(count))})":
+        return tuple  # returns a tuple itself
+    return eval(f"lambda r: {shape}", {"Moving": Moving, "scalar": scalar, "keys": keys})
+
+
+class Recording(NamedTuple):
+    """One formula that was traced, not yet written as text: the arguments of :class:`Compiled`."""
+
+    name: str
+    parameters: Any
+    trace: Trace
+    leaves: Any
+    shape: str
+    keys: Any
+    defaults: dict
+    backend: str = "auto"
+
+
+def content(formula):
+    """Steps and result of a :class:`Recording` or :class:`Compiled`, but not its name, for a
+    dictionary: equal for equal formulas, which give equal texts and equal results.
+    """
+    steps, leaves = keys_of(formula.trace), tuple(map(formula.trace.key, formula.leaves))
+    return tuple(formula.parameters), steps, leaves, formula.shape, tuple(formula.keys)
+
+
+def text_of(formula):
+    """The :class:`Compiled` of a :class:`Recording`; one that is compiled as it is."""
+    return formula if isinstance(formula, Compiled) else Compiled(*formula)
+
+
+class Compiled:
+    """A compiled formula, as :func:`compiled` returns it; call it like the formula. ``source`` is
+    its text, ``operations`` the number of its operations.
+
+    trace, leaves : the steps, and those that are the scalars in the result
+    shape, keys : how the result is built from these, see :func:`_shape`; default: a tuple
+    """
+
+    def __init__(
+        self, name, parameters, trace, leaves, shape="", keys=(), defaults=(), backend="auto"
+    ):
+        self.name, self.parameters, self.trace, self.leaves = name, parameters, trace, leaves
+        self.backend, self._defaults, self.shape, self.keys = backend, dict(defaults), shape, keys
+        self._build = _builder(shape, keys, len(leaves)) if shape else tuple
+        names = {n: f"{n}_" if n in RESERVED else n for n in parameters}
+        self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
+        chooses = "where(" in self.source
+        self._lazy = generate(trace, names, leaves, lazy=True)[0] if chooses else self.source
+        self._functions, self._seen, self._heyoka, self._buffer = {}, 0, None, None
+        self.on_floats = self.on(math)
+
+    def __repr__(self):
+        return f"<compiled {self.name}({', '.join(self.parameters)}), {self.operations} operations>"
+
+    def __reduce__(self):
+        """Its steps: the text, and what was compiled from it, are made again from them."""
+        steps, leaves = packed(self.trace, self.leaves)
+        rest = self.shape, self.keys, self._defaults, self.backend
+        return _from_steps, (self.name, list(self.parameters), steps, leaves, *rest)
+
+    def __call__(self, *args, **named):
+        if named or len(args) != len(self.parameters):
+            args = self._in_order(args, named)
+        for a in args:
+            if type(a) is not float:
+                return self._other(args)
+        try:
+            return self._build(self.on_floats(*args))
+        except (ZeroDivisionError, OverflowError, ValueError) as error:
+            raise self._no_value(args, error) from error
+
+    @cached_property
+    def dependencies(self):
+        """For each scalar in the result the names of the arguments on which it depends, a list of
+        sets.
+        """
+        known = []
+
+        def union(values):
+            return set().union(*(known[x.number] for x in values if isinstance(x, Step)))
+
+        for s in self.trace.steps:
+            known.append({s.args[0]} if s.op == "argument" else union(s.args))
+        return [union([leaf]) for leaf in self.leaves]
+
+    def on(self, library):
+        """The text as a function over one library, from the arguments to the tuple of all scalars
+        in the result; over this package pi comes first.
+        """
+        name = library.__name__
+        if name not in self._functions:
+            space = {
+                n: getattr(library, n) for n in (*FUNCTIONS, "atan2", "pi") if hasattr(library, n)
+            }
+            space.update(runtime_names(library))
+            rounded = name in ("math", "numpy", "heyoka")
+            space.update({n: _running(c, rounded) for n, c in self._constants.items()})
+            # only on one number at a time can a branch be skipped
+            text = self._lazy if name in ("math", "mpmath") else self.source
+            if library is scalars:  # whose pi differs from call to call
+                text = text.replace("(", "(pi, ", 1)
+            exec(compile(text, f"<compiled {self.name}>", "exec"), space)
+            self._functions[name] = space["formula"]
+        return self._functions[name]
+
+    def _no_value(self, args, error):
+        """The error in words for one of arithmetic."""
+        if isinstance(error, NewtonEulerError):
+            return error
+        kinds = {ZeroDivisionError: DivisionError, OverflowError: RangeError}
+        given = ", ".join(f"{n} = {x!r}" for n, x in zip(self.parameters, args, strict=True))
+        return kinds.get(type(error), SingularError)(
+            f"{self.name} has no value at {given}: {error}"
+        )
+
+    def _in_order(self, args, named):
+        first = dict(zip(self.parameters, args, strict=False))  # too few or too many: see wrong
+        given = {**self._defaults, **first, **named}
+        wrong = {
+            "missing": [n for n in self.parameters if n not in given],
+            "unknown": [n for n in named if n not in self.parameters],
+            "given twice": [n for n in named if n in first],
+            "left over": [repr(a) for a in args[len(self.parameters) :]],
+        }
+        if any(wrong.values()):
+            lists = (f"; {what}: {', '.join(names)}" for what, names in wrong.items() if names)
+            raise ScalarError(
+                f"{self.name} takes {', '.join(self.parameters) or 'no arguments'}{''.join(lists)}"
+            )
+        return [given[n] for n in self.parameters]
+
+    def _other(self, args):
+        for a in args:
+            scalar(a)  # raises ScalarError if it is not a number
+        # pi has the kind and the digits of the most exact number among them
+        if any(isinstance(a, _Own) for a in args):
+            values = [without_rates(a) for a in args]
+            traced = [v for v in values if isinstance(v, Step)]
+            others = [v for v in values if not isinstance(v, _Own) and _root(type(v)) != "builtins"]
+            return self._build(self.on(scalars)(pi((traced or others or [0.0])[0]), *args))
+        library = library_of(args)
+        if library.__name__ == "numpy":
+            return self._arrays(library, args)
+        return self._build(self.on(library)(*args))
+
+    def _arrays(self, np, args):
+        args = [np.asarray(a) for a in args]
+        if any(a.dtype.kind not in "biuf" for a in args):
+            raise ScalarError(
+                f"{self.name} takes arrays of real numbers, got "
+                f"{', '.join(str(a.dtype) for a in args)}"
+            )
+        try:
+            shape = np.broadcast_shapes(*(a.shape for a in args))
+        except ValueError as error:
+            shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(self.parameters, args, strict=True))
+            raise ScalarError(
+                f"the arrays have shapes that do not fit together: {shapes}"
+            ) from error
+        args = [a.astype(float, copy=False) for a in args]
+        if not shape:
+            return self._build(self.on(np)(*(a[()] for a in args)))
+        count = math.prod(shape)
+        self._seen += count
+        rows = [np.broadcast_to(a, shape).reshape(-1) if a.shape else a[()] for a in args]
+        out = np.empty((len(self.leaves), count))
+        if count and self._heyoka_pays():
+            self._by_heyoka(np, rows, out)
+        else:
+            run = self.on(np)
+            for start in range(0, count, BLOCK):
+                block = slice(start, start + BLOCK)
+                values = run(*(r[block] if r.shape else r for r in rows))
+                for row, value in zip(out, values, strict=True):
+                    row[block] = value
+        return self._build([row.reshape(shape) for row in out])
+
+    def _heyoka_pays(self):
+        if self.backend == "numpy" or (
+            self.backend == "auto" and self._seen < HEYOKA_BREAK_EVEN["heyoka" in sys.modules]
+        ):
+            return False
+        if self._heyoka is None:
+            if any(s.op in WITHIN for s in self.trace.steps):
+                self.backend = "numpy"  # heyoka has neither
+                return False
+            if util.find_spec("heyoka") is None:
+                if self.backend == "heyoka":
+                    raise ImportError(
+                        "backend='heyoka' needs heyoka: pip install 'newton-euler[fast]', or "
+                        "use backend='auto'"
+                    )
+                self.backend = "numpy"
+                return False
+            hy = import_module("heyoka")
+            variables = [hy.expression(n) for n in self.parameters]
+            outputs = [
+                hy.expression(float(o)) if isinstance(o, (int, float)) else o
+                for o in self.on(hy)(*variables)
+            ]
+            self._heyoka = hy.cfunc(outputs, vars=variables)
+        return True
+
+    def _by_heyoka(self, np, rows, out):
+        """Writes the results into ``out``, block by block through a buffer that is kept between
+        calls: new memory of this size costs more than the arithmetic.
+        """
+        count = out.shape[1]
+        size = min(count, HEYOKA_BLOCK)
+        # a call in another thread meanwhile makes its own
+        buffer, self._buffer = self._buffer, None
+        if buffer is None or buffer[0].shape[1] != size:
+            buffer = np.empty((len(rows), size)), np.empty((len(out), size))
+        inputs, results = buffer
+        for start in range(0, count, size):
+            n = min(size, count - start)
+            if n < size:
+                inputs, results = np.empty((len(rows), n)), np.empty((len(out), n))
+            np.concatenate(
+                [r[start : start + n] if r.shape else np.broadcast_to(r, n) for r in rows],
+                out=inputs.reshape(-1),
+            )
+            out[:, start : start + n] = self._heyoka(inputs, outputs=results)
+        self._buffer = buffer
+
+
+def _from_steps(name, parameters, steps, leaves, *rest):
+    """The :class:`Compiled` formula that was pickled as these steps."""
+    return Compiled(name, parameters, *unpacked(steps, leaves), *rest)
+
+
+def _running(constant, rounded):
+    """A constant of a text as the text uses it: a formula inside it compiled, a number as a float
+    where the library has no others.
+    """
+    if isinstance(constant, Inner):
+        return Compiled("the formula inside", constant.parameters, constant.trace, constant.leaves)
+    return _float(constant) if rounded else constant
+
+
+def _float(constant):
+    try:
+        return float(constant)
+    except TypeError:  # a symbol
+        return constant
+
+
+def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compiled:
+    """The formula ``f``, traced once into straight-line text, for many fast evaluations.
+
+    f : a function of scalars that does not branch on their values (it chooses by ``where``); it
+        returns a scalar, a Vector, or tuples and dicts of them
+    backend : "auto" (NumPy in blocks, and heyoka as soon as that saves more time than its
+        compilation takes), "numpy" or "heyoka"; for arrays only
+    constants : parameters of ``f`` to fix now; they are not parameters of the result
+
+    The result takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place
+    or by name, and returns what ``f`` returns, a Vector as a triple of components. **Batches:** an
+    array argument of shape (N,) is N instants; each component of the result has shape (N,).
+
+    >>> from newton_euler import compiled, sin
+    >>> height = compiled(lambda v, elevation, g: (v*sin(elevation))**2/(2*g))
+    >>> round(height(20.0, 0.5, 9.81), 3)
+    4.686
+    >>> height.operations
+    5
+    """
+    if not callable(f) or isinstance(f, type):
+        raise ScalarError(f"compiled: f is a function of scalars; got {clipped(f)}")
+    what = "backend must be 'auto', 'numpy' or 'heyoka', got"
+    if not isinstance(backend, str):
+        raise ScalarError(f"{what} {clipped(backend)}")
+    if backend not in ("auto", "numpy", "heyoka"):
+        raise ValueError(f"{what} {backend!r}")
+    return Compiled(*recorded(f, **constants)._replace(backend=backend))
+
+
+def recorded(f, **constants):
+    """The :class:`Recording` of the formula ``f``, see :func:`compiled`: its steps without a
+    text, which takes twice as long to write.
+    """
+    try:
+        signature = inspect.signature(f).parameters
+    except (TypeError, ValueError) as error:  # as of max
+        raise ScalarError(f"a formula to compile names its arguments: {error}") from error
+    if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
+        raise ScalarError(f"a formula to compile names all its arguments, but {f!r} does not")
+    unknown = [n for n in constants if n not in signature]
+    if unknown:
+        raise ScalarError(
+            f"the formula {f!r} got an unexpected keyword argument {unknown[0]!r}; it takes "
+            f"{', '.join(signature) or 'none'}"
+        )
+    trace, parameters = Trace(), [n for n in signature if n not in constants]
+    values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
+    by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
+    leaves, keys = [], []
+    try:
+        shape = _shape(f(*by_place, **values), leaves, keys)
+    except TypeError as error:
+        # NumPy's own message on an unknown kind of number does not help
+        if "ufunc" not in str(error) and str(error) != NO_VALUE:
+            raise
+        raise ScalarError(NO_VALUE) from error
+    defaults = {
+        n: default
+        for n in parameters
+        if (default := signature[n].default) is not inspect.Parameter.empty
+    }
+    name = getattr(f, "__name__", "formula")
+    return Recording(name, parameters, trace, leaves, shape, keys, defaults)

@@ -1,0 +1,121 @@
+"""Functions ``(s, p, t)`` in pickles: those of a module by their name, lambdas and functions inside
+functions, which have none, as the steps that were traced from them.
+"""
+
+import sys
+from copy import deepcopy
+from dataclasses import fields
+from functools import reduce
+from inspect import Parameter, Signature
+from types import FunctionType, MappingProxyType
+
+from .compile import compiled
+from .scalars import NewtonEulerError
+from .trace import Trace
+
+
+class Portable:
+    """Base of frozen records of functions ``(s, p, t)``: copies keep the functions, pickles have
+    what :func:`portable` makes of them.
+    """
+
+    def __getstate__(self):
+        return self._each(_in_pickle)
+
+    def __copy__(self):
+        return self._with(lambda x: x)
+
+    def __deepcopy__(self, memo):
+        return self._with(lambda x: deepcopy(x, memo))
+
+    def _each(self, change):
+        return {f.name: change(getattr(self, f.name)) for f in fields(self)}
+
+    def _with(self, change):
+        new = object.__new__(type(self))
+        vars(new).update(self._each(change))
+        return new
+
+
+def portable(f):
+    """The function ``f``, or its traced :class:`Steps` if no other process finds it by its name:
+    what it reads beside its arguments counts as it is now.
+
+    A function that branches on values cannot be traced, and stays as it is.
+    """
+    if type(f) is not FunctionType or _has_name(f):
+        return f
+    try:
+        return Steps(f)
+    except (NewtonEulerError, TypeError, AttributeError, ArithmeticError):
+        return f
+
+
+class Steps:
+    """A function ``(s, p, t)`` by its traced steps: ``formula`` takes the values that it asks for,
+    each an ``asked`` pair as ("s", "v"), or ("t", "").
+    """
+
+    def __init__(self, f):
+        trace, self.asked = Trace(), {}
+        f(
+            _Asked("s", self.asked, trace),
+            _Asked("p", self.asked, trace),
+            trace.new("argument", "t"),
+        )
+        self.asked = [("t", ""), *self.asked]
+        names = [f"{of}_{name}" for of, name in self.asked]
+
+        def formula(*values):
+            given = dict(zip(self.asked, values, strict=True))
+            return f(_Given("s", given), _Given("p", given), given["t", ""])
+
+        kind = Parameter.POSITIONAL_ONLY
+        formula.__signature__ = Signature([Parameter(n, kind) for n in names])
+        formula.__name__ = f.__name__
+        self.formula = compiled(formula)
+
+    def __call__(self, s, p, t):
+        given = {"s": s, "p": p}
+        values = [t if of == "t" else getattr(given[of], name) for of, name in self.asked]
+        return self.formula(*values)
+
+
+class _Asked:
+    """Stands for states or parameters, and notes which of them a function asks for."""
+
+    def __init__(self, of, asked, trace):
+        self._of, self._asked, self._trace = of, asked, trace
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        key = self._of, name
+        if key not in self._asked:
+            self._asked[key] = self._trace.new("argument", "_".join(key))
+        return self._asked[key]
+
+
+class _Given:
+    """States or parameters by name, from values by ("s", name)."""
+
+    def __init__(self, of, values):
+        vars(self).update({name: x for (kind, name), x in values.items() if kind == of})
+
+
+def _has_name(f):
+    """True for a function that is found by the names of its module and of itself; those of a
+    notebook or a script are not, in another process.
+    """
+    if f.__module__ == "__main__" or "<" in f.__qualname__:
+        return False
+    try:
+        return reduce(getattr, f.__qualname__.split("."), sys.modules[f.__module__]) is f
+    except (KeyError, AttributeError):
+        return False
+
+
+def _in_pickle(x):
+    if isinstance(x, MappingProxyType):
+        return MappingProxyType({n: portable(value) for n, value in x.items()})
+    return portable(x)

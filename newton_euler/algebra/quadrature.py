@@ -1,0 +1,131 @@
+"""Integrals with an estimated error: adaptive quadrature of floats to a tolerance, the rules of
+:mod:`newton_euler.algebra.integrals` for other numbers; and cubature in several variables.
+"""
+
+from itertools import pairwise
+
+from .integrals import WorkError, by_formula, integral
+from .scalars import (
+    ZERO,
+    SingularError,
+    clipped,
+    epsilon,
+    is_finite,
+    is_numeric,
+    max_abs,
+    real,
+    scalar,
+    short,
+    sqrt,
+    to_plain,
+)
+
+INTERVALS = 400  # of an adaptive integral, at most; each takes 21 values
+# subdivisions of an adaptive cubature by dimension; each one makes 2, 4 or 8 boxes of 21^n places
+BOXES = {1: 4000, 2: 400, 3: 40}
+
+
+def quadrature(f, start, end, rtol=1e-10, exact=False, breaks=()):
+    """(value, estimated error) of the integral of ``f`` from ``start`` to ``end``; arguments as for
+    :func:`newton_euler.dynamics.work.work_integral`.
+    """
+    if not 0 < real(rtol, "rtol") < 1:
+        raise WorkError(f"rtol is a relative error between 0 and 1, as 1e-10; got {clipped(rtol)}")
+    pieces = [_piece(f, a, b, rtol, exact) for a, b in pairwise((start, *breaks, end))]
+    return sum((value for value, _ in pieces), ZERO), sum(error for _, error in pieces)
+
+
+def _piece(f, start, end, rtol, exact):
+    """(value, estimated error) of one smooth piece."""
+    if exact:
+        return by_formula(lambda x: (f(x),), start, end)[0], 0.0
+    if isinstance(start, complex) or isinstance(end, complex):
+        raise WorkError(f"the limits are real numbers, got {start!r} and {end!r}")
+    kinds = start, end, _value(f, start + (end - start) / 32)
+    if not all(map(is_numeric, kinds)) or any(hasattr(x, "_parts") for x in kinds):
+        return integral(f, start, end), 0.0
+    width = end - start
+    samples = [_finite(f, start + width * (n + 0.5) / 16) for n in range(16)]
+    scale = max_abs(scalar(width)) * sum(map(max_abs, samples)) / 16
+    one = samples[0] + width  # an array, or an mpf of more digits than a float?
+    if getattr(one, "shape", ()) or epsilon(one) < 2.0**-53:
+        try:
+            value = integral(lambda x: _finite(f, x), start, end)
+        except SingularError:
+            raise WorkError(
+                f"the integral from {start!r} to {end!r} does not settle; divide it with "
+                "breaks=(...) where the force has a corner"
+            ) from None
+        # the rule stops when its last but one value has half of the digits: mostly this one has all
+        return to_plain(value), 1e-3 * scale * float(sqrt(epsilon(value)))
+    value, error = _adaptive(f, float(start), float(end), rtol, scale)
+    # a component that is zero by structure has no dimension, and can be added to the others
+    return (ZERO if all(s is ZERO for s in samples) and value == 0 else value), error
+
+
+def _value(f, x):
+    try:
+        return scalar(f(x))
+    except (ArithmeticError, ValueError) as problem:
+        raise WorkError(f"the integrand has no value at {short(x)}: {problem}") from problem
+
+
+def _finite(f, x):
+    value = _value(f, x)
+    if not is_finite(value):
+        raise WorkError(f"the integrand is {to_plain(value)} at {short(x)}")
+    return value
+
+
+def _adaptive(f, start, end, rtol, scale):
+    import warnings
+
+    from scipy.integrate import IntegrationWarning, quad
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", IntegrationWarning)
+        try:
+            return quad(
+                lambda x: float(_finite(f, x)),
+                start,
+                end,
+                epsabs=rtol * scale,
+                epsrel=rtol,
+                limit=INTERVALS,
+            )
+        except IntegrationWarning as problem:
+            raise WorkError(
+                f"the integral from {start:.6g} to {end:.6g} did not converge to {rtol:.1g}: "
+                f"{str(problem).split('.')[0].strip()}. Divide it with breaks=(...) where the "
+                "force has a corner or a jump, or pass a larger rtol="
+            ) from None
+
+
+def cubature(f, n, rtol, name, error=WorkError):
+    """The integrals of the components of ``f`` over the unit cube of ``n`` dimensions, to ``rtol``,
+    and the largest of their estimated errors.
+
+    f : function of an array of places, one a row, that returns an array with their values as rows
+    name, error : what is integrated, for messages, and the class of error raised if the integrals
+        do not converge
+    """
+    import numpy as np
+    from scipy.integrate import cubature
+
+    found = cubature(
+        f, [0.0] * n, [1.0] * n, rule="gk21", rtol=rtol, atol=rtol, max_subdivisions=BOXES[n]
+    )
+    off = float(np.max(found.error))
+    if not np.isfinite(found.estimate).all():
+        raise error(
+            f"the integrals over {name} are not finite: the formula or the density grows without "
+            "bound within the limits"
+        )
+    if found.status != "converged":
+        raise error(
+            f"the integrals over {name} did not converge: after {found.subdivisions} "
+            f"subdivisions their relative error is about {off:.1g}, and {rtol:.1g} was asked for. "
+            "Split the body where the formula has a corner or a jump, choose coordinates that "
+            "follow its edges, or pass a larger rtol="
+        )
+    return found.estimate, off

@@ -1,0 +1,124 @@
+"""The root of an equation in one unknown between two places, of every kind of number."""
+
+from collections.abc import Callable
+
+from .errors import checked
+from .jets import Moving, as_moving
+from .scalars import (
+    ZERO,
+    Scalar,
+    ScalarError,
+    SingularError,
+    _Own,
+    anywhere,
+    clipped,
+    epsilon,
+    is_numeric,
+    max_abs,
+    min_abs,
+    promote,
+    scalar,
+    to_plain,
+    where,
+)
+
+STEPS = 2000  # some 30 are enough for floats, 600 for fifty digits at worst
+
+
+@checked
+def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
+    """The number between ``low`` and ``high`` at which ``f`` vanishes: a transcendental equation.
+
+    f : function of one number, continuous, written with the functions of this package, whose signs
+        at ``low`` and ``high`` differ
+    Floats, mpf and arrays (an equation for each instant): to round-off. Moving numbers: with the
+    rates of the root. Dimensions: that of the root, once f has run on it. Also in formulas that are
+    compiled. Exact numbers of SymPy: as a float. Raises :class:`SingularError` if the signs are the
+    same, and :class:`ScalarError` for expressions with symbols, which have no formula in general.
+
+    >>> from newton_euler import cos
+    >>> round(root(lambda x: cos(x) - x, 0.0, 1.0), 12)
+    0.739085133215
+    """
+    sample = scalar(f((low + high) / 2))
+    present = [x for x in (low, high, sample) if x is not ZERO]
+    own = [x for x in present if isinstance(x, _Own)]
+    if own:
+        kind = max(own, key=lambda x: x.rank)
+        if isinstance(kind, Moving):
+            return _moving_root(f, as_moving(low).value, as_moving(high).value)
+        if not hasattr(kind, "_root"):
+            raise ScalarError(f"an equation in {clipped(kind)} has no root that can be found")
+        return kind._root(f, low, high)
+    if not all(is_numeric(x) or _is_constant(x) for x in present):
+        raise ScalarError(
+            f"the root of an equation with symbols, as {clipped(sample)} = 0, has no formula in "
+            "general: put numbers in, or solve it by hand or with SymPy"
+        )
+    # exact numbers of SymPy have no exact root in general, and their fractions grow without end
+    if any(map(_is_constant, present)):
+        return _illinois(lambda x: float(f(x)), float(low), float(high))
+    low, high, _ = promote(low, high, sample)
+    return to_plain(_illinois(f, low, high))
+
+
+def _is_constant(x):
+    """True of an expression without symbols, as pi/4 of SymPy."""
+    return not getattr(x, "free_symbols", True)
+
+
+def _moving_root(f, low, high):
+    """The root u with its rates, from f(u, t) = 0 differentiated once and twice by t."""
+
+    def at(*u):
+        return as_moving(f(Moving(*u)))
+
+    u = scalar(root(lambda x: at(scalar(x)).value, low, high))
+    resting = at(u)
+    # f_u u' + f_t = 0, linear in u'; of dimensions only that of u' is wanted
+    if not is_numeric(u) and not is_numeric(resting.value) and hasattr(u, "powers"):
+        per_time = resting.rate / resting.value
+        return Moving(u, u * per_time, u * per_time * per_time)
+    slope = at(u, 1).rate - resting.rate
+    if is_numeric(slope) and min_abs(slope) == 0:
+        raise SingularError(
+            f"the root {to_plain(u)!r} has no rate: the function touches zero there, with slope 0"
+        )
+    rate = -resting.rate / slope
+    return Moving(u, rate, -at(u, rate).acceleration / slope)
+
+
+def _illinois(f, a, b):
+    """Regula falsi by the Illinois rule (M. Dowell, P. Jarratt, BIT 11 (1971) 168), every third
+    time bisection; all instants of arrays at once.
+    """
+    fa, fb = _value(f, a), _value(f, b)
+    if anywhere(_sign(fa) * _sign(fb) > 0):
+        raise SingularError(
+            f"no root is enclosed between {a!r} and {b!r}: there the function is {fa!r} and "
+            f"{fb!r}; give places at which its signs differ"
+        )
+    small = epsilon(a + b)
+    for n in range(STEPS):
+        # b is the last place, and the sign changes between a and b, or f is zero at one of them
+        enclosed = abs(b - a) > small * (abs(a) + abs(b)) / 2
+        open_ = where(_sign(fa) * _sign(fb) < 0, where(enclosed, 1, 0), 0)
+        if max_abs(open_) == 0:
+            break
+        slope = where(fb - fa == 0, 1 + 0 * fa, fb - fa)
+        t = (a + b) / 2 if n % 3 == 2 else (a * fb - b * fa) / slope
+        t = where(open_ > 0, t, b)
+        ft = _value(f, t)
+        crossed = _sign(ft) * _sign(fb) < 0
+        # the end that stays counts half, so that it is left sooner
+        stays = where(open_ > 0, fa / 2, fa)
+        a, fa, b, fb = where(crossed, b, a), where(crossed, fb, stays), t, ft
+    return where(fa == 0, a, b)
+
+
+def _value(f, x):
+    return to_plain(scalar(f(x))) + 0 * x
+
+
+def _sign(x):
+    return where(x > 0, 1, where(x < 0, -1, 0))

@@ -1,0 +1,299 @@
+"""Traced scalars: each operation on them is recorded as a step; equal steps are one, so that common
+subexpressions are shared.
+
+A step has no value, so a formula that is traced cannot branch on one; it chooses by
+:func:`newton_euler.algebra.scalars.where`, which is a step too.
+"""
+
+import threading
+
+from .scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, scalar, to_plain
+
+COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
+NO_VALUE = (
+    "a formula is traced without values: it must not branch on them (if, max, ==), but chooses by "
+    "where(x < y, a, b), and takes sin, cos, sqrt ... from newton_euler, not from math or numpy"
+)
+
+
+def _comparison(name):
+    return lambda self, other: self.trace.step(name, self, to_plain(other))
+
+
+class Step(_Own):
+    """One traced scalar: the operation ``op`` on ``args``, which are earlier steps or numbers; its
+    ``number`` counts the steps of the trace.
+    """
+
+    __slots__ = ("args", "number", "op", "trace")
+    rank = 3
+
+    def __init__(self, trace, op, args, number):
+        self.trace, self.op, self.args, self.number = trace, op, args, number
+
+    # A minus sign moves outward until it becomes a subtraction or cancels; rounding is symmetric,
+    # so none of these moves changes a bit.
+
+    def __add__(self, other):
+        if _is(other, 0):
+            return self
+        if self.op == "neg":
+            return other - self.args[0]
+        return self - other.args[0] if _negated(other) else self.trace.step("+", self, other)
+
+    def __radd__(self, other):
+        if _is(other, 0):
+            return self
+        return other - self.args[0] if self.op == "neg" else self.trace.step("+", other, self)
+
+    def __sub__(self, other):
+        if _is(other, 0):
+            return self
+        return self + other.args[0] if _negated(other) else self.trace.step("-", self, other)
+
+    def __rsub__(self, other):
+        if _is(other, 0):
+            return -self
+        return other + self.args[0] if self.op == "neg" else self.trace.step("-", other, self)
+
+    def __mul__(self, other):
+        if other is ZERO:
+            return ZERO
+        if _is(other, 1) or _is(other, -1):
+            return self if other == 1 else -self
+        if self.op == "neg":
+            return -(self.args[0] * other)
+        return -(self * other.args[0]) if _negated(other) else self.trace.step("*", self, other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        if other is ZERO:
+            return NotImplemented  # ZERO raises the error
+        if self.op == "neg":
+            return -(self.args[0] / other)
+        if _negated(other):
+            return -(self / other.args[0])
+        return self if _is(other, 1) else self.trace.step("/", self, other)
+
+    def __rtruediv__(self, other):
+        return -(other / self.args[0]) if self.op == "neg" else self.trace.step("/", other, self)
+
+    def __pow__(self, power):
+        if power is ZERO:
+            return 1
+        if _is(power, 2):
+            return self * self
+        return self if _is(power, 1) else self.trace.step("**", self, power)
+
+    def __rpow__(self, base):
+        return self.trace.step("pow", base, self)
+
+    def __neg__(self):
+        return self.args[0] if self.op == "neg" else self.trace.step("neg", self)
+
+    def function(self, name, *args):
+        """The step of this function, of this step or of the arguments."""
+        if self.op == "neg":
+            if name in ("cos", "cosh"):
+                return function(name, self.args[0])
+            if name in ("sin", "tan", "asin", "atan", "sinh", "tanh"):
+                return -function(name, self.args[0])
+        return self.trace.step(name, *(args or (self,)))
+
+    def pi(self):
+        """The step that is pi in the kind of number on which the text will run."""
+        return self.trace.step("pi")
+
+    def __abs__(self):
+        return abs(self.args[0]) if self.op == "neg" else self.trace.step("abs", self)
+
+    # A comparison is a step too, by which `where` chooses; it has no value for an `if`.
+
+    __lt__, __le__, __gt__, __ge__ = map(_comparison, COMPARISONS)
+
+    def where(self, a, b):
+        """The step of :func:`newton_euler.algebra.scalars.where` with this comparison."""
+        return a if a is b else self.trace.step("where", self, to_plain(a), to_plain(b))
+
+    # What is integrated, or whose root is taken, is traced as a formula inside this one.
+
+    def _integrals(self, f, start, end):
+        """The steps of :func:`newton_euler.algebra.calculus.integral` of a tuple of scalars."""
+        return _inner("integral", f, (start, end), f((start + end) / 2))
+
+    def _over_cube(self, f, n):
+        """The steps of integrals over the unit cube of ``n`` dimensions."""
+        return _inner("over_cube", f, (n,), f(*(0.5,) * n), [f"x{k}" for k in range(n)])
+
+    def _root(self, f, low, high):
+        """The step of :func:`newton_euler.algebra.calculus.root`."""
+        return _inner("root", lambda x: (f(x),), (low, high), (f((low + high) / 2),))[0]
+
+    def _no_value(self, *_):
+        raise TypeError(NO_VALUE)
+
+    __bool__ = __float__ = _no_value
+
+    def __eq__(self, other):
+        return self is other or self._no_value()
+
+    __hash__ = object.__hash__
+
+
+def _negated(x):
+    return isinstance(x, Step) and x.op == "neg"
+
+
+def _is(x, number):
+    return (x is ZERO and number == 0) or (type(x) in (int, float) and x == number)
+
+
+class Trace:
+    """The steps of one formula, in order; ``known`` finds equal ones.
+
+    outer : the trace of the formula around it, of a formula that is integrated; ``captured`` are
+        the outer steps that it reads, as arguments of its own, by their numbers
+    """
+
+    def __init__(self, outer=None):
+        self.steps, self.known = [], {}
+        self.outer, self.captured = outer, {}
+
+    def around(self):
+        """The traces around this one, from within."""
+        trace = self.outer
+        while trace is not None:
+            yield trace
+            trace = trace.outer
+
+    def inward(self, a):
+        """The argument ``a`` as a step of this trace, if it is one of a trace around it."""
+        if not isinstance(a, Step) or a.trace is self or a.trace not in self.around():
+            return a
+        a = self.outer.inward(a)
+        if a.number not in self.captured:
+            self.captured[a.number] = self.new("argument", f"outer{len(self.captured)}")
+        return self.captured[a.number]
+
+    def step(self, op, *args):
+        """The step of this operation, a new one if there is none yet."""
+        if any(isinstance(a, Scaled) or outranks(a, Step) for a in args):
+            # the moving number or vector takes over and calls back with its parts
+            return NotImplemented
+        for a in args:
+            if isinstance(a, Step) and a.trace is not self and self in a.trace.around():
+                return a.trace.step(op, *args)  # it is part of the inner formula
+        args = [self.inward(a) for a in args]
+        keys = [self.key(a) for a in args]
+        key = op, *(sorted(keys, key=repr) if op in "+*" else keys)  # sums and products commute
+        if key not in self.known:
+            self.known[key] = self.new(op, *args)
+        return self.known[key]
+
+    def new(self, op, *args):
+        """A new step."""
+        self.steps.append(Step(self, op, args, len(self.steps)))
+        return self.steps[-1]
+
+    def key(self, a):
+        """A key that is equal for equal arguments; those of 0.0, -0.0 and 0 differ."""
+        if isinstance(a, Step):
+            if a.trace is not self:
+                raise ScalarError(
+                    "a value of one formula is used inside another that is being compiled; pass it "
+                    "as an argument"
+                )
+            return "#", a.number
+        if isinstance(a, Inner):
+            return a.key()
+        if getattr(scalar(a), "shape", ()):
+            raise ScalarError(
+                "an array of instants cannot be a constant of a compiled formula; make it one "
+                "of its arguments"
+            )
+        return type(a), repr(a) if isinstance(a, float) else a
+
+
+# -- formulas inside a formula
+
+
+class Inner:
+    """The formula that is integrated, or whose root is taken, as a constant of the formula around
+    it. It runs as often as the rule asks for it; what it reads of the outer steps it is handed as
+    arguments, so that they are computed once.
+    """
+
+    def __init__(self, parameters, trace, leaves):
+        self.parameters, self.trace, self.leaves = parameters, trace, leaves
+
+    def key(self):
+        """Equal for equal formulas, for a dictionary."""
+        return "inner", keys_of(self.trace), tuple(map(self.trace.key, self.leaves))
+
+    def __reduce__(self):
+        return _unpacked_inner, (self.parameters, *packed(self.trace, self.leaves))
+
+
+class _Open(threading.local):
+    """The inner formulas that this thread is tracing, from outside to inside."""
+
+    def __init__(self):
+        self.traces = []
+
+
+_open = _Open()
+
+
+def _inner(op, f, limits, sample, names=("x",)):
+    """The steps of ``op`` ("integral", "over_cube" or "root") of the function ``f``, which returns
+    a tuple of scalars, within limits; one for each scalar that comes out.
+    """
+    traces = [x.trace for x in (*limits, *sample) if isinstance(x, Step)]
+    # f may use a value of the formula that is being traced, though what it returns does not
+    traces += [t for t in _open.traces if traces[0] in t.around()]
+    outer = max(traces, key=lambda trace: len(list(trace.around())))
+    trace = Trace(outer)
+    _open.traces.append(trace)
+    try:
+        leaves = [trace.inward(leaf) for leaf in f(*(trace.new("argument", x) for x in names))]
+    finally:
+        _open.traces.pop()
+    names = [*names, *(step.args[0] for step in trace.captured.values())]
+    trace.outer = None  # the formula is complete, and is kept without the outer one
+    outside = [outer.steps[number] for number in trace.captured]
+    whole = outer.step(op, Inner(names, trace, leaves), *limits, *outside)
+    return tuple(outer.step("item", whole, n) for n in range(len(leaves)))
+
+
+def keys_of(trace):
+    """The steps of a trace for a dictionary, equal for equal formulas."""
+    return tuple(
+        (s.op, *s.args) if s.op == "argument" else (s.op, *map(trace.key, s.args))
+        for s in trace.steps
+    )
+
+
+def packed(trace, leaves):
+    """The steps and leaves of a formula for a pickle, steps by their numbers."""
+
+    def by_number(x):
+        return (x.number,) if isinstance(x, Step) else x
+
+    return [(s.op, *map(by_number, s.args)) for s in trace.steps], list(map(by_number, leaves))
+
+
+def unpacked(steps, leaves):
+    """The trace and the leaves that were :func:`packed`."""
+    trace = Trace()
+
+    def step(x):
+        return trace.steps[x[0]] if isinstance(x, tuple) else x
+
+    for op, *args in steps:
+        trace.new(op, *map(step, args))
+    return trace, list(map(step, leaves))
+
+
+def _unpacked_inner(parameters, steps, leaves):
+    return Inner(parameters, *unpacked(steps, leaves))

@@ -1,0 +1,276 @@
+"""The functions ``expect`` and ``receipt`` of a student's notebook: what a problem asks for, and a
+check and a record of the *form* of the answers.
+
+The form is kind, shape, finite numbers, known symbols, and for formulas the dimension. The record
+is JSON: numbers, or trees of a few operators. Neither function holds or needs the key.
+"""
+
+import json
+import os
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from ..algebra.errors import NewtonEulerError, checked
+from ..algebra.vectors import Vector
+from .forms import SHAPES, AnswerError, Form, clipped
+from .givens import in_notebook, seals, stale
+from .notation import formula, is_word, symbol, unit_symbol
+from .sanity import doubts
+from .seals import opens
+from .sympy_formulas import read_formula
+from .trees import NODES, dimension_hints, in_words
+from .values import components, read_number
+
+# a vector is read in so many frames: its own, the ground, and two between
+FRAMES = 4
+
+_expected: dict = {}
+receipts: dict = {}
+
+
+@checked
+def expect(
+    problem: str,
+    symbols: dict | None = None,
+    notation: dict | None = None,
+    sane: dict | None = None,
+    **forms: str,
+) -> None:
+    """Announce what ``problem`` asks for, each answer by its form.
+
+    symbols : maps the symbols of formulas to their units
+    notation : maps names to LaTeX, where :func:`~newton_euler.answers.notation.symbol` would
+        print another symbol
+    sane : maps answers to what any answer must be: ``(low, high)`` for its size, or "kinetic
+        energy"; a receipt warns of one that is not
+
+    >>> expect("0/1", v="vector, mm/s")
+    >>> expect("0/2", {"r": "m", "omega": "rad/s"}, v="expression, m/s")
+    """
+    read = {key: Form.read(text) for key, text in forms.items()}
+    _expected[problem] = read, dict(symbols or {}), dict(notation or {}), dict(sane or {})
+
+
+@checked
+def receipt(problem: str, names: Mapping | None = None, /, **answers: object) -> "Receipt":
+    """A :class:`Receipt` that shows how each answer to ``problem`` was read. The answers are kept
+    as one JSON record; None stands for an answer that is not given yet.
+
+    names : where answers are looked up that are not passed, as ``globals()``; what is not there is
+        not given yet
+
+    Raises :class:`AnswerError`, which names every answer that cannot be read; under nbgrader's
+    Validate also where answers are open.
+
+    >>> expect("0/1", v="vector, mm/s")
+    >>> receipt("0/1", v=[1, 2.5, 0])
+    0/1: v = [1, 2.5, 0] mm/s. Form checked only; the key is not here.
+    """
+    if problem not in _expected:
+        raise AnswerError(
+            f"nothing is known of problem {problem!r}; run the cells of the notebook from the top"
+        )
+    forms, symbols, notation, sane = _expected[problem]
+    for key in answers:
+        if key not in forms:
+            asked = ", ".join(forms)
+            raise AnswerError(f"problem {problem} does not ask for {key!r}; it asks for {asked}")
+    answers = {key: (names or {}).get(key) for key in forms} | answers
+    read, faults = record(forms, symbols, answers)
+    receipts[problem] = {"problem": problem, "answers": read, "faults": faults}
+    if faults:
+        raise AnswerError("\n".join(f"{problem}, {key}: {fault}" for key, fault in faults.items()))
+    execution, blank = os.environ.get("NBGRADER_EXECUTION"), _blank(forms, read)
+    if execution == "validate" and blank:
+        raise AnswerError(f"{problem}: no answer yet for {blank}; what stays open costs its points")
+    if execution == "autograde":
+        raise AnswerError(
+            f"{problem} is not graded here, since nbgrader runs without this course's "
+            "configuration; use its nbgrader_config.py, or python -m grader grade"
+        )
+    others = {key for forms, *_ in _expected.values() for key in forms}
+    sealed = {} if execution else seals.get(problem, {})  # it is slow, and grading needs it not
+    verdicts = {
+        key: opens(seal, forms[key].kind, read[key])
+        for key, seal in sealed.items()
+        if read.get(key) is not None and key in forms
+    }
+    doubted = {
+        key: found
+        for key, form in forms.items()
+        if (found := doubts(form, read.get(key), symbols, sane.get(key)))
+    }
+    return Receipt(
+        problem, read, forms, symbols, stale(problem, answers, others), notation, doubted, verdicts
+    )
+
+
+def _blank(forms, read):
+    """The names of the answers that are not given yet, as text."""
+    return ", ".join(key for key in forms if read.get(key) is None)
+
+
+@dataclass(frozen=True, repr=False)
+class Receipt:
+    """The answers to one problem as they were read; ``json`` is the record, ``warning`` says where
+    they were computed with the numbers of another problem, ``notation`` is the LaTeX of names that
+    do not say how they are printed, ``doubted`` says why answers are impossible, whatever the key,
+    ``verdicts`` whether they are right, where the instructor lets a receipt know.
+    """
+
+    problem: str
+    answers: dict
+    forms: dict
+    symbols: dict
+    warning: str = ""
+    notation: dict = field(default_factory=dict)
+    doubted: dict = field(default_factory=dict)
+    verdicts: dict = field(default_factory=dict)
+
+    @property
+    def json(self):
+        """The record that is handed in, as JSON text."""
+        return json.dumps({"problem": self.problem, "answers": self.answers})
+
+    def _ipython_display_(self):
+        """Typeset in a notebook, else printed: as the value of its cell, nbgrader would take it for
+        points.
+        """
+        if in_notebook():
+            from IPython.display import display
+
+            display({"text/plain": repr(self), "text/markdown": self.markdown}, raw=True)
+        else:
+            print(repr(self))
+
+    def __repr__(self):
+        if not self._given:
+            return f"{self.problem}: no answer yet."
+        read = "; ".join(self._as_text(key, tree) for key, tree in self._given.items())
+        hints = "".join(f"\n  {hint}" for hint in self._hints())
+        return f"{self.problem}: {read}. {self._remarks()}{hints}"
+
+    @property
+    def markdown(self):
+        """The same as Markdown, with the answers as formulas."""
+        if not self._given:
+            return f"{self.problem}: no answer yet."
+        read = "; ".join(self._as_markdown(key, tree) for key, tree in self._given.items())
+        hints = "".join(f"\n- {_escaped(hint)}" for hint in self._hints())
+        space = "\n" if hints else ""
+        return f"**{self.problem}:** {read}. {_escaped(self._remarks())}{space}{hints}"
+
+    @property
+    def _given(self):
+        return {key: tree for key, tree in self.answers.items() if tree is not None}
+
+    def _as_text(self, key, tree):
+        between = ", in " if isinstance(tree, dict) else " "  # components in several frames
+        unit = self.forms[key].unit
+        return f"{key} = {in_words(tree)}{between}{unit}".removesuffix(f"{between}1")
+
+    def _as_markdown(self, key, tree):
+        form = self.forms[key]
+        if form.kind == "choice":
+            return f"`{key}`: {_escaped(tree)}"
+        between = r",\ \text{in}" if isinstance(tree, dict) and form.unit != "1" else ""
+        value = f"= {formula(tree, self.notation)}{between}{unit_symbol(form.unit)}"
+        if is_word(key) and key not in self.notation:
+            return f"`{key}` ${value}$"
+        return f"${self.notation.get(key) or symbol(key, 'vector' in form.kind)} {value}$"
+
+    def _hints(self):
+        if self.warning:
+            yield f"look again: {self.warning}"
+        for key, tree in self._given.items():
+            yield from (f"look again at {key}: {doubt}" for doubt in self.doubted.get(key, ()))
+            if self.forms[key].is_formula:
+                found = dimension_hints(tree, self.forms[key], self.symbols)
+                yield from (f"look again at {key}: {hint}" for hint in found)
+
+    def _remarks(self):
+        blank = _blank(self.forms, self._given)
+        remarks = "Form checked only; the key is not here."
+        if self.verdicts:
+            told = (f"{k} is {'right' if x else 'not right'}" for k, x in self.verdicts.items())
+            remarks = f"{'; '.join(told)}."
+        return remarks + (f" Still open: {blank}." if blank else "")
+
+
+def _escaped(text):
+    """A plain text in Markdown."""
+    return re.sub(r"([\\`*_<>$\[\]^~])", r"\\\1", text)
+
+
+def record(forms, symbols, answers):
+    """({key: tree or None}, {key: fault}) of the answers, read according to their forms."""
+    read, faults, budget = {}, {}, [NODES]
+    for key, form in forms.items():
+        value, left = answers.get(key), budget[0]
+        try:
+            read[key] = None if value is None else _tree(value, form, symbols, budget)
+        except AnswerError as error:
+            faults[key], budget[0] = str(error), left
+        # objects of any library may fail in any way; the student is told, the rest goes on
+        except Exception as error:
+            fault = form.error(f"the value given cannot be read: {type(error).__name__}: {error}")
+            faults[key], budget[0] = str(fault)[:500], left
+    return read, faults
+
+
+def _tree(value, form, symbols, budget):
+    if form.kind == "choice":
+        if value not in form.of:
+            raise form.error(f"got {str(value)[:80]!r}")
+        return value
+    if form.kind == "count":
+        if isinstance(value, bool) or int(value) != value:
+            raise form.error(f"got {value!r}")
+        return int(value)
+    if isinstance(value, Vector) and value.frame.parent is not None:
+        return _in_frames(value, form, symbols, budget)
+    return _of_components(components(value, form), value, form, symbols, budget)
+
+
+def _of_components(parts, value, form, symbols, budget):
+    if len(parts) != SHAPES[form.kind]:
+        raise form.error(f"got {len(parts)} number{'s' * (len(parts) != 1)}: {clipped(value)}")
+    if form.is_formula:
+        read = [read_formula(x, form, symbols, budget) for x in parts]
+    else:
+        read = [read_number(x, form) for x in parts]
+    return read[0] if len(read) == 1 else read
+
+
+def _in_frames(vector, form, symbols, budget):
+    """The components of a vector in its own frame, in the ground, and in frames between these,
+    {name of the frame: tree}: it is the same vector, and which axes the problem means is not known
+    here.
+    """
+    frames = [vector.frame]
+    while frames[-1].parent is not None:
+        frames.append(frames[-1].parent)
+    frames = [frames[0], frames[-1], *frames[1:-1]][:FRAMES]
+    found, faults = {}, []
+    for frame in frames:
+        left = budget[0]
+        try:
+            parts = list(vector.components(frame))
+            tree = _of_components(parts, vector, form, symbols, budget)
+        except (NewtonEulerError, ArithmeticError) as error:
+            faults.append(error)
+            budget[0] = left  # what is not read takes nothing from the rest
+            continue
+        if tree not in found.values():
+            found[_unlike(frame.name, found)] = tree
+    if not found:
+        raise faults[0]
+    return found if len(found) > 1 else next(iter(found.values()))
+
+
+def _unlike(name, names):
+    """The name of a frame, told from those of others with the same name."""
+    while name in names:
+        name += "'"
+    return name

@@ -1,0 +1,87 @@
+"""Whether an answer is possible at all, found without the key: a size that the givens allow, an
+inertia matrix that a body can have, a kinetic energy that is not negative.
+"""
+
+import math
+import random
+
+import numpy as np
+
+from ..algebra.units import UnitError, unit
+from .forms import SHAPES, WORDS
+from .trees import TreeError, evaluate
+
+KINETIC = "kinetic energy"
+POINTS = 8  # at which formulas are tried
+ROOM = 1e-3  # for rounding, relative
+
+
+def doubts(form, tree, symbols, sane):
+    """What makes an answer impossible, in sentences.
+
+    tree : the answer as it was read
+    symbols : {name: unit} of formulas
+    sane : what is known of it: ``(low, high)``, between which its size is for whatever numbers the
+        problem may give; :data:`KINETIC`; or None
+    """
+    if form.kind in WORDS or tree is None:
+        return []
+    trees = next(iter(tree.values())) if isinstance(tree, dict) else tree
+    trees = trees if SHAPES[form.kind] > 1 else [trees]
+    try:
+        points = _values(form, trees, symbols)
+    except (TreeError, ArithmeticError, ValueError, TypeError):
+        return []
+    found = []
+    if isinstance(sane, (tuple, list)) and not form.is_formula:
+        found += _size(points[0], form, *sane)
+    if sane == KINETIC and any(x < 0 for (x,) in points):
+        found.append("a kinetic energy is never negative")
+    if form.kind.startswith("matrix") and _is_inertia(form.unit):
+        found += _inertia(points, whole=not form.is_formula)
+    return found
+
+
+def _values(form, trees, symbols):
+    """The components at some points of the symbols."""
+    if not form.is_formula:
+        return [[float(x) for x in trees]]
+    rng = random.Random(1)
+    at = [{n: rng.uniform(0.3, 1.5) for n in symbols} for _ in range(POINTS)]
+    return [[float(evaluate(t, values)) for t in trees] for values in at]
+
+
+def _size(parts, form, low, high):
+    size = math.hypot(*parts)
+    if size and not low * (1 - ROOM) <= size <= high * (1 + ROOM):
+        of = "its size" if len(parts) > 1 else "it"
+        yield (
+            f"{of} is {size:.3g} {form.unit}".removesuffix(" 1")
+            + f", and with whatever numbers is between {low:g} and {high:g}: look at the units"
+        )
+
+
+def _is_inertia(text):
+    try:
+        return unit(text).dimension == unit("kg*m^2").dimension
+    except UnitError:
+        return False
+
+
+def _inertia(points, whole):
+    """What no body can have; of formulas only the symmetry, which holds for all symbols."""
+    matrices = np.array(points).reshape(-1, 3, 3)
+    scale = np.abs(matrices).max(axis=(1, 2))
+    if (np.abs(matrices - matrices.transpose(0, 2, 1)).max(axis=(1, 2)) > ROOM * scale).any():
+        yield "an inertia matrix is symmetric"
+        return
+    if not whole:
+        return
+    least, middle, most = np.linalg.eigvalsh(matrices[0])
+    if least < -ROOM * scale[0]:
+        yield "the moment of inertia about some axis would be negative: look at the signs"
+    elif most > (least + middle) * (1 + ROOM):
+        yield (
+            "no body has these moments of inertia: the largest principal one is at most the sum of "
+            "the others"
+        )

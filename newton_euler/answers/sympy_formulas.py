@@ -1,0 +1,154 @@
+"""Reads a formula of SymPy or SymEngine as a tree of a few operators (see
+:mod:`newton_euler.answers.trees`).
+
+Functions that are not among them are written out by them: sec x as 1/cos x. What is left
+unevaluated (derivatives, integrals, products) is carried out.
+"""
+
+from ..algebra.scalars import FUNCTIONS, without_rates
+from .forms import clipped
+from .trees import NODES, TreeError, check_size
+from .values import read_number, refuse_equation
+
+I_TREE = ["^", -1, 0.5]
+_SAME = (*FUNCTIONS, "atan2", "Abs", "Max", "Min", "Mod")  # with the names that SymPy has
+_READ = {"Add": "+", "Mul": "*", "Pow": "^", **{name: name for name in _SAME}}
+
+
+def _over(x, y):
+    return ["/", x, y]
+
+
+def _sign(x):
+    return _over(x, ["Abs", x])
+
+
+def _half(x):
+    return ["*", 0.5, x]
+
+
+# each function by those that are read; of several branches, the principal one as SymPy has it
+_WRITTEN_OUT = {
+    "sec": lambda x: _over(1, ["cos", x]),
+    "csc": lambda x: _over(1, ["sin", x]),
+    "cot": lambda x: _over(["cos", x], ["sin", x]),
+    "asec": lambda x: ["acos", _over(1, x)],
+    "acsc": lambda x: ["asin", _over(1, x)],
+    "acot": lambda x: ["atan", _over(1, x)],
+    "sech": lambda x: _over(1, ["cosh", x]),
+    "csch": lambda x: _over(1, ["sinh", x]),
+    "coth": lambda x: _over(["cosh", x], ["sinh", x]),
+    "asinh": lambda x: ["log", ["+", x, ["sqrt", ["+", ["^", x, 2], 1]]]],
+    "acosh": lambda x: ["log", ["+", x, ["sqrt", ["+", ["^", x, 2], -1]]]],
+    "atanh": lambda x: _half(["log", _over(["+", 1, x], ["+", 1, ["*", -1, x]])]),
+    "acoth": lambda x: _half(["log", _over(["+", x, 1], ["+", x, -1])]),
+    "sinc": lambda x: _over(["sin", x], x),
+    "sign": _sign,
+    "Heaviside": lambda x, *_: _half(["+", 1, _sign(x)]),
+}  # fmt: skip
+_COMPARISONS = {
+    "StrictLessThan": lambda a, b: ["<", a, b],
+    "StrictGreaterThan": lambda a, b: ["<", b, a],
+    "LessThan": lambda a, b: ["<=", a, b],
+    "GreaterThan": lambda a, b: ["<=", b, a],
+    "Equality": lambda a, b: ["*", ["<=", a, b], ["<=", b, a]],
+    "Unequality": lambda a, b: ["Max", ["<", a, b], ["<", b, a]],
+    "And": lambda *args: ["*", *args],
+    "Or": lambda *args: ["Max", *args],
+    "Not": lambda a: ["+", 1, ["*", -1, a]],
+    "ITE": lambda a, b, c: ["where", a, b, c],
+}
+
+
+def read_formula(x, form, symbols, budget):
+    """The tree of a formula: a number, the name of a symbol, or [operator, ...].
+
+    budget : a list of one number, the operations of the receipt that may still be read
+    """
+    tree = _Reader(form, symbols).read(_with_real_symbols(x))
+    try:
+        check_size(tree, budget)
+    except TreeError as error:
+        raise form.error(f"got too much: {error}") from None
+    return tree
+
+
+def _with_real_symbols(x):
+    """The symbols of the problem are real, also where a student made them without saying so."""
+    x = without_rates(x)
+    if str(type(x).__module__).startswith("symengine"):  # SymPy's f(t) has a type without a module
+        x = x._sympy_()
+    if hasattr(x, "as_expr") and type(x).__name__ == "Poly":
+        x = x.as_expr()
+    loose = [s for s in getattr(x, "free_symbols", ()) if not s.is_real]
+    return x.xreplace({s: type(s)(s.name, real=True) for s in loose}) if loose else x
+
+
+class _Reader:
+    """Reads the parts of one formula."""
+
+    def __init__(self, form, symbols):
+        self.form, self.symbols, self.left = form, symbols, NODES
+
+    def read(self, x):
+        """The tree of a part."""
+        self.left -= 1
+        if self.left < 0:
+            fault = f"got more than {NODES} operations. Simplify it, or insert fewer results"
+            raise self.form.error(fault)
+        if not hasattr(x, "args") or isinstance(x, (int, float)):
+            return read_number(x, self.form)
+        if x.is_Relational:
+            refuse_equation(x, self.form)
+        if x.is_Symbol:
+            return self._symbol(x)
+        if x.is_Integer:
+            return int(x) if abs(int(x)) < 2**53 else float(x)  # larger ones are not exact in JSON
+        if x.is_Rational:
+            return ["/", float(x.p), float(x.q)]
+        if x.is_Number or not x.args:
+            return self._constant(x)
+        return self._function(x)
+
+    def _symbol(self, x):
+        if x.name not in self.symbols:
+            known = ", ".join(self.symbols)
+            raise self.form.error(
+                f"it contains {x.name!r}, but the symbols of the problem are {known}"
+            )
+        return x.name
+
+    def _constant(self, x):
+        named = {"pi": "pi", "I": I_TREE}
+        return named[str(x)] if str(x) in named else read_number(x, self.form)
+
+    def _function(self, x):
+        name = x.func.__name__
+        if name in _READ:
+            return [_READ[name], *map(self.read, x.args)]
+        if name in _WRITTEN_OUT:
+            return _WRITTEN_OUT[name](*map(self.read, x.args))
+        if name == "Piecewise":
+            return self._piecewise(x.args)
+        done = x.doit()
+        if done != x:
+            return self.read(done)
+        refuse_equation(x, self.form)
+        known = ", ".join((*_SAME, *_WRITTEN_OUT))
+        raise self.form.error(f"{name} is not among the functions that are read: {known}")
+
+    def _piecewise(self, cases):
+        """The cases from the last one; what holds in no case is taken as the last."""
+        tree = self.read(cases[-1][0])
+        for value, condition in reversed(cases[:-1]):
+            tree = ["where", self._condition(condition), self.read(value), tree]
+        return tree
+
+    def _condition(self, x):
+        name = x.func.__name__
+        if name in ("BooleanTrue", "BooleanFalse"):
+            return int(name == "BooleanTrue")
+        if name not in _COMPARISONS:
+            raise self.form.error(f"the condition {clipped(x)} is not read; use <, <=, > and >=")
+        parts = self.read if x.is_Relational else self._condition
+        return _COMPARISONS[name](*map(parts, x.args))

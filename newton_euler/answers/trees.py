@@ -1,0 +1,172 @@
+"""Formulas as nested lists of numbers, symbols and a few operators, which are data and not code:
+evaluated, and checked for their size and their dimension.
+"""
+
+from functools import reduce
+from operator import add, mul
+
+from ..algebra.errors import NewtonEulerError
+from ..algebra.scalars import FUNCTIONS, function, is_numeric, pi, where
+from ..algebra.units import Dimension, DimensionError, UnitError, unit
+from .forms import SHAPES
+
+NAMED = (*FUNCTIONS, "atan2", "Abs", "Max", "Min", "Mod", "where")
+NODES = 5000  # the largest receipt that is read, in operations of all its formulas
+DEPTH = 200  # the deepest formula
+
+
+class TreeError(NewtonEulerError, ValueError):
+    """Data that are not a formula: an unknown operator or symbol, or nested too deep."""
+
+
+def check_size(tree, budget):
+    """Raise :class:`TreeError` if a tree is nested too deep, or has more operations than are left;
+    without recursion, since JSON may be nested deeper than Python can follow.
+
+    budget : a list of one number, the operations that may still be read
+    """
+    waiting = [(tree, 0)]
+    while waiting:
+        part, depth = waiting.pop()
+        budget[0] -= 1
+        if budget[0] < 0:
+            raise TreeError(
+                f"the formulas have more than {NODES} operations. Simplify them, or insert fewer "
+                "results"
+            )
+        if depth > DEPTH:
+            raise TreeError(f"the formula is nested more than {DEPTH} deep")
+        if isinstance(part, list):
+            # of a long list only as much as shows that it is too long
+            inner = part[isinstance(part[0], str) if part else 0 : budget[0] + 2]
+            waiting += [(x, depth + 1) for x in inner]
+
+
+def evaluate(tree, values, depth=0):
+    """The value of a formula tree over scalars of any kind; nothing of the tree is run as code.
+
+    values : maps symbols to scalars
+
+    >>> evaluate(["*", "r", ["^", "omega", 2]], {"r": 0.5, "omega": 4.0})
+    8.0
+    """
+    if depth > DEPTH:
+        raise TreeError(f"the formula is nested more than {DEPTH} deep")
+    if isinstance(tree, bool) or tree is None:
+        raise TreeError(f"not a formula: {tree!r}")
+    if isinstance(tree, (int, float)):
+        return float(tree)  # never a Python integer: 9^9^9 would not end
+    if isinstance(tree, str):
+        if tree == "pi":
+            return pi()
+        if tree not in values:
+            raise TreeError(f"unknown symbol {tree[:40]!r}")
+        return values[tree]
+    if not isinstance(tree, list) or not tree or not isinstance(tree[0], str):
+        raise TreeError("a formula is a number, a symbol or a list that begins with an operator")
+    name, args = tree[0], [evaluate(a, values, depth + 1) for a in tree[1:]]
+    if args and name in ("+", "*"):
+        return reduce(add if name == "+" else mul, args)
+    if len(args) == 2 and name in ("^", "/", "atan2"):
+        a, b = args
+        return _power(a, b) if name == "^" else a / b if name == "/" else function(name, a, b)
+    if args and name in _OF_NUMBERS:
+        return reduce(_OF_NUMBERS[name], args)
+    if len(args) == 2 and name in _COMPARED:
+        return _compared(name, *args)
+    if len(args) == 3 and name == "where":
+        return _chosen(*args)
+    if len(args) == 1 and (name == "Abs" or name in FUNCTIONS):
+        return abs(*args) if name == "Abs" else function(name, *args)
+    raise TreeError(f"unknown operator {name[:40]!r} with {len(args)} arguments")
+
+
+_COMPARED = {"<": lambda a, b: a < b, "<=": lambda a, b: a <= b}
+
+
+def _compared(name, a, b):
+    """1.0 where it holds, else 0.0; of dimensions, a pure number."""
+    if not (is_numeric(a) and is_numeric(b)):
+        _alike(a, b)
+        return Dimension()
+    return where(_COMPARED[name](a, b), 1.0, 0.0)
+
+
+def _chosen(condition, a, b):
+    if not (is_numeric(a) and is_numeric(b)):
+        return _alike(a, b)
+    return where(condition > 0.5, a, b)
+
+
+def _alike(a, b):
+    """The dimension of both, or an error; a zero has every dimension."""
+    if not isinstance(a, Dimension) and not isinstance(b, Dimension):
+        raise TreeError("cases are chosen for numbers, not for symbols")
+    zeros = [isinstance(x, (int, float)) and x == 0 for x in (a, b)]
+    return b if zeros[0] else a if zeros[1] else a + b
+
+
+def _larger(a, b):
+    return _chosen(_compared("<", a, b), b, a)
+
+
+def _smaller(a, b):
+    return _chosen(_compared("<", a, b), a, b)
+
+
+def _remainder(a, b):
+    return _alike(a, b) if isinstance(a, Dimension) or isinstance(b, Dimension) else a % b
+
+
+_OF_NUMBERS = {"Max": _larger, "Min": _smaller, "Mod": _remainder}
+
+
+def _power(base, exponent):
+    if isinstance(exponent, Dimension):
+        if isinstance(base, Dimension) and any(base.powers):
+            raise DimensionError(f"a quantity with {base} is raised to a power that is no number")
+        return Dimension()
+    if isinstance(exponent, float) and exponent.is_integer():
+        exponent = int(exponent)
+    return base**exponent
+
+
+def in_words(tree):
+    """A tree, a list of trees, or components in several frames, as text for a reader."""
+    if isinstance(tree, dict):
+        return ", ".join(f"{in_words(part)} in {frame}" for frame, part in tree.items())
+    if not isinstance(tree, list):
+        return f"{tree:.6g}" if isinstance(tree, float) else str(tree)
+    head, parts = tree[0] if tree else None, [in_words(part) for part in tree]
+    if head in ("+", "*", "^", "/"):
+        return f"({f' {head} '.join(parts[1:])})"
+    if head == "<" or head == "<=":
+        return f" {head} ".join(parts[1:])
+    if head in NAMED:
+        return f"{head}({', '.join(parts[1:])})"
+    return f"[{', '.join(parts)}]"
+
+
+def dimension_hints(tree, form, symbols):
+    """Sentences on what is wrong with the dimension of a formula, a list; found from the units of
+    the symbols, without the key.
+    """
+    try:
+        asked = unit(form.unit).dimension
+        dimensions = {n: unit(u).dimension for n, u in symbols.items()}
+    except UnitError:
+        return []
+    if isinstance(tree, dict):  # the dimensions are those of any frame
+        tree = next(iter(tree.values()))
+    hints, parts = [], tree if SHAPES[form.kind] > 1 else [tree]
+    for n, part in enumerate(parts):
+        where = f"component {n + 1}" if len(parts) > 1 else "it"
+        try:
+            got = evaluate(part, dimensions)
+        except DimensionError as error:
+            hints.append(f"{where} adds unlike quantities ({error})")
+            continue
+        got = got if isinstance(got, Dimension) else Dimension()
+        if got != asked and part != 0:  # 0 has every dimension
+            hints.append(f"{where} has {got}, but {form.unit} has {asked}")
+    return hints

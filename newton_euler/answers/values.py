@@ -1,0 +1,150 @@
+"""Numbers and components out of values of any library: NumPy, SymPy, mpmath, pandas, pint, and the
+engine's own. What cannot be read is refused with what to write instead.
+"""
+
+import math
+import sys
+from collections.abc import Mapping, Set
+from importlib import import_module
+
+from ..algebra.scalars import without_rates
+from ..algebra.units import pint_name
+from ..algebra.vectors import Vector
+from .forms import clipped
+
+LONGEST = 5000  # numbers in one answer; the largest form has nine
+
+
+def components(value, form):
+    """The numbers or formulas in a scalar, vector, matrix or sequence of any library, as a list,
+    row by row; of a pint quantity in the unit that is asked for.
+    """
+    found: list = []
+    _gather(value, form, found)
+    return found
+
+
+def _library(value):
+    return str(type(value).__module__).partition(".")[0]
+
+
+def _gather(value, form, found):
+    if len(found) > LONGEST:
+        raise form.error(f"got more than {LONGEST} numbers")
+    value = _plain(value, form)
+    inner = _parts(value, form)
+    if inner is None:
+        found.append(value)
+        return
+    for part in inner:
+        if part is value:  # as the only character of a text
+            raise form.error(f"got {clipped(value)}")
+        _gather(part, form, found)
+
+
+def _plain(value, form):
+    """Of a quantity its magnitude; of a table, sparse matrix or unevaluated matrix its entries."""
+    if hasattr(value, "magnitude") and hasattr(value, "to"):
+        try:
+            return value.to(pint_name(form.unit)).magnitude
+        except Exception as error:
+            raise form.error(f"the quantity {value} cannot be converted: {error}") from None
+    for method in ("to_numpy", "toarray"):  # of pandas and polars, of sparse matrices
+        if hasattr(value, method) and not isinstance(value, type):
+            return getattr(value, method)()
+    root, shape = _library(value), getattr(value, "shape", ())
+    if root == "sympy" and (shape or getattr(getattr(value, "expr", None), "shape", ())):
+        value = value.doit()  # a product or derivative of matrices that was left as it is
+        return value.as_explicit() if hasattr(value, "as_explicit") else value
+    if root == "numpy" and shape and not hasattr(value, "mask"):
+        # a row of a numpy.matrix would be a matrix again, without end
+        return import_module("numpy").asarray(value)
+    return value
+
+
+def _parts(value, form):
+    """What a container holds; None for a scalar."""
+    _refuse(value, form)
+    if isinstance(value, Vector):
+        return value.components()
+    if _library(value) == "numpy":
+        if hasattr(value, "mask") and value.mask.any():
+            raise form.error("some of its numbers are masked")
+        if getattr(value, "shape", ()):
+            return value.ravel().tolist()
+        return [value.item()] if value.dtype == object else None
+    # an array without dimensions has __iter__, but it cannot be iterated over
+    shape = getattr(value, "shape", None)
+    return value if shape or (shape is None and hasattr(value, "__iter__")) else None
+
+
+def _refuse(value, form):
+    """Raise what to write in place of a value that has no numbers, or in no order."""
+    kind, module = type(value).__name__, str(type(value).__module__)
+    if isinstance(value, str | bytes):
+        raise form.error(f"got the text {clipped(value)}; write it without quotation marks")
+    if isinstance(value, Mapping | Set) or kind == "FiniteSet":
+        raise form.error(f"got a {kind}, which has no order; write it as in [x, y, z]")
+    if module.startswith(("sympy.physics.vector", "sympy.vector")) and hasattr(value, "to_matrix"):
+        raise form.error(
+            f"got a vector of SymPy, {clipped(value)}; write v.to_matrix(N), with the frame N in "
+            "whose axes it is asked for"
+        )
+    if hasattr(value, "to_value") and hasattr(value, "unit"):
+        raise form.error(
+            f"got a quantity, {clipped(value)}; write the number alone, q.to_value('{form.unit}')"
+        )
+    if isinstance(value, range) and len(value) > LONGEST:
+        raise form.error(f"got {len(value)} numbers")
+    if callable(value) and not hasattr(value, "free_symbols"):
+        raise form.error(f"cannot make a number of {clipped(value)}, which is a function: call it")
+
+
+def read_number(x, form):
+    """A number of any library as a finite float."""
+    x = without_rates(x)
+    if x is None or type(x).__name__ in ("bool", "bool_", "BooleanTrue", "BooleanFalse"):
+        raise form.error(f"got {x!r}")
+    refuse_equation(x, form)
+    free = getattr(x, "free_symbols", None)
+    if free:
+        names = ", ".join(sorted(map(str, free)))
+        raise form.error(f"{clipped(x)} still contains {names}; put in the numbers")
+    number = _real(x, form)
+    if not math.isfinite(number):
+        raise form.error(
+            f"got {number}, which comes from a division by zero or the root of a negative number"
+        )
+    return number
+
+
+def _real(x, form):
+    number = _complex(x)
+    if number is None:
+        raise form.error(f"cannot make a number of {clipped(x)}")
+    if abs(number.imag) > 1e-12 * abs(number):  # above round-off
+        raise form.error(f"got {x!r}, a complex number")
+    return number.real
+
+
+def _complex(x):
+    """The value of ``x``, if need be after carrying out an integral or a sum of SymPy; None if it
+    has none.
+    """
+    for make in (complex, lambda x: complex(x.doit().evalf())):
+        try:
+            return make(x)
+        except (AttributeError, TypeError, ValueError):
+            continue
+    return None
+
+
+def refuse_equation(x, form):
+    """Raise what to write in place of an equation or inequality of SymPy, or a unit of it."""
+    if getattr(x, "is_Relational", False):
+        raise form.error(f"got {clipped(x)}, an equation; give the side that is asked for")
+    quantities = sys.modules.get("sympy.physics.units.quantities")
+    if quantities and _library(x) == "sympy" and (units := x.atoms(quantities.Quantity)):
+        raise form.error(
+            f"it contains the unit {units.pop()}; give the number alone, which is in {form.unit}"
+        )

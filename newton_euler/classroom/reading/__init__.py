@@ -1,1 +1,0 @@
-"""Reads what a student gives as an answer: numbers, vectors, formulas of SymPy."""

@@ -1,0 +1,92 @@
+"""Whether a Taylor series sees all that the rates do: through a place where they change their
+formula, a series goes on as if they did not.
+"""
+
+from ..algebra.source import uses
+from ..algebra.trace import COMPARISONS, Step
+
+KINKS = {"where", "abs", *COMPARISONS}
+# sqrt(v*v) is v to a series and abs(v) to everyone else; a motion can pass the branch point
+BRANCHES = {"sqrt", "asin", "acos", "atan2", "**"}
+# exp(-1000*h) is less than round-off in the series of a ball above the floor, and all on the floor
+HIDDEN = {"exp", "tanh", "sinh", "cosh", "pow"}
+
+
+def kinks(traced):
+    """The operations of the rates that choose between formulas, a sorted list: where, abs."""
+    return sorted({s.op for s in _varying(traced) if s.op in KINKS} - set(COMPARISONS))
+
+
+def hazards(traced):
+    """The operations of the rates that a series may not notice, a sorted list: those with a branch
+    point which a motion could pass without coming to a singular place, as a root that is not in a
+    denominator too, and those that vanish below round-off.
+    """
+    steps = _varying(traced)
+    poles = {n for s in steps if s.op == "/" for n in _factors(s.args[1])}
+    # a negative power is a denominator
+    poles |= {
+        n for s in steps if s.op == "**" and _negative(s.args[1]) for n in _factors(s.args[0])
+    }
+    branches = {s.op for s in steps if s.op in BRANCHES and not _harmless(s, poles)}
+    return sorted(branches | {s.op for s in steps if s.op in HIDDEN})
+
+
+def _varying(traced):
+    """The steps that the rates need and that change during a motion."""
+    rhs, found = traced.rhs, {}
+    changing, needed = set(rhs.parameters[: traced.arguments]), uses(rhs.trace, rhs.leaves)
+    for s in rhs.trace.steps:
+        if s.op == "argument":
+            if s.args[0] in changing:
+                found[s.number] = s
+        elif any(isinstance(a, Step) and a.number in found for a in s.args):
+            found[s.number] = s
+    return [s for n, s in found.items() if n in needed]
+
+
+def _factors(x):
+    """The numbers of the steps whose zero is a zero of x."""
+    if not isinstance(x, Step):
+        return set()
+    below = set()
+    if x.op == "*":
+        below = _factors(x.args[0]) | _factors(x.args[1])
+    elif x.op in ("**", "neg", "sqrt"):
+        below = _factors(x.args[0])
+    return {x.number} | below
+
+
+def _negative(x):
+    return type(x) in (int, float) and x < 0
+
+
+def _harmless(step, poles):
+    x = step.args[0]
+    if step.op == "**" and isinstance(step.args[1], int):
+        return True
+    if step.op in ("sqrt", "**"):
+        return step.number in poles or (isinstance(x, Step) and x.number in poles) or _positive(x)
+    return False
+
+
+def _positive(x):
+    """True if x is certainly greater than zero."""
+    if not isinstance(x, Step):
+        return x > 0
+    if x.op == "+":
+        a, b = x.args
+        return (_positive(a) and _not_negative(b)) or (_positive(b) and _not_negative(a))
+    if x.op in ("*", "/"):
+        return all(map(_positive, x.args))
+    return x.op in ("exp", "cosh", "pi") or (x.op == "sqrt" and _positive(x.args[0]))
+
+
+def _not_negative(x):
+    if not isinstance(x, Step):
+        return x >= 0
+    if x.op == "*":
+        return x.args[0] is x.args[1] or all(map(_not_negative, x.args))
+    if x.op in ("+", "/"):
+        return all(map(_not_negative, x.args))
+    return x.op in ("sqrt", "abs") or _positive(x)

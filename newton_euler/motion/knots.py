@@ -1,0 +1,87 @@
+"""Times at which a method must stop to look: a pulse in a force that depends on time is passed over
+by every method whose steps have grown while nothing happened.
+"""
+
+from ..algebra.compile import Compiled
+from ..algebra.trace import Step
+
+INTERVALS = 16384  # a pulse is found if it is longer than one of these parts of the time
+# an interval is quiet if a function of time changes in it by less than this part of its largest
+# change in an interval, and so does in so many neighbours: what a step may pass over there is less
+# than any error that can be asked for
+QUIET, QUIET_RUN = 1e-14, 4
+MAX_EVENTS = 1000  # more are no pulses but an oscillation, which no step can miss
+
+
+def knots(system, t0, t1):
+    """The times between t0 and t1 at which a function of time in the rates begins or ends to change
+    after a time of quiet, in order; none for most models.
+    """
+    if system.autonomous:
+        return ()
+    kept = vars(system).get("_knots")
+    if kept is None or kept[0] != (t0, t1):
+        kept = (t0, t1), _found(system, t0, t1)
+        system._knots = kept
+    return kept[1]
+
+
+def _found(system, t0, t1):
+    import numpy as np
+
+    formula = _functions_of_time(system.traced.rhs, system.model.states)
+    if formula is None:
+        return ()
+    times = np.linspace(t0, t1, INTERVALS + 1)
+    # no function of time needs a state
+    states = [0.0] * len(system.model.states)
+    with np.errstate(all="ignore"):
+        try:
+            rows = formula.on(np)(times, *states, *system.p)
+        except (ArithmeticError, ValueError):
+            return ()
+        found = set()
+        for row in rows:
+            changes = abs(np.diff(np.broadcast_to(row, times.shape)))
+            if np.isfinite(changes).all() and changes.max() > 0:
+                found |= _edges(np, changes > QUIET * changes.max())
+    return tuple(times[sorted(found)].tolist())
+
+
+def _edges(np, busy):
+    """The numbers of the instants at which busy intervals follow a run of quiet ones, or end; none
+    if they are very many.
+    """
+    numbers = np.flatnonzero(busy)
+    breaks = np.flatnonzero(np.diff(numbers) > QUIET_RUN)
+    if len(breaks) >= MAX_EVENTS:
+        return set()
+    firsts = numbers[np.concatenate(([0], breaks + 1))]
+    lasts = numbers[np.concatenate((breaks, [len(numbers) - 1]))] + 1
+    begins = [n for n in firsts.tolist() if n > QUIET_RUN]
+    ends = [n for n in lasts.tolist() if n < INTERVALS - QUIET_RUN]
+    return {*begins, *ends}
+
+
+def _functions_of_time(rhs, states):
+    """The functions of time alone that occur in the rates, as a
+    :class:`~newton_euler.algebra.compile.Compiled` formula; None if there are none.
+    """
+    of_time, of_state, leaves = set(), set(), {}
+    for step in rhs.trace.steps:
+        if step.op == "argument":
+            (of_time if step.args[0] == "t" else of_state if step.args[0] in states else set()).add(
+                step.number
+            )
+            continue
+        needs = [a for a in step.args if isinstance(a, Step)]
+        if any(a.number in of_state for a in needs):
+            of_state.add(step.number)
+            leaves.update((a.number, a) for a in needs if a.number in of_time)
+        elif any(a.number in of_time for a in needs):
+            of_time.add(step.number)
+    for leaf in rhs.leaves:
+        if isinstance(leaf, Step) and leaf.number in of_time:
+            leaves[leaf.number] = leaf
+    chosen = [leaf for leaf in leaves.values() if leaf.op != "argument"]
+    return Compiled("time", rhs.parameters, rhs.trace, chosen) if chosen else None

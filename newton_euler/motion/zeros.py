@@ -1,0 +1,431 @@
+"""The zeros of a function of time at which its sign changes: all of those in an interval.
+
+The interval is halved, and its parts again, until on each piece the function is known to seven
+digits: it is the polynomial through its values at 13 Chebyshev points, which is compared with the
+function at three more. Then no zero is missed, also of two that lie close together: between two
+extrema of the polynomial there is at most one, and the signs of the function itself at the extrema
+tell whether there is. No piece is given up. About a kink or a jump they become so short that
+round-off covers what the function does there, and the signs at their ends decide. J. P. Boyd,
+Computing zeros on a real interval through Chebyshev expansion and polynomial rootfinding, SIAM J.
+Numer. Anal. 40 (2002) 1666.
+"""
+
+from functools import cache
+from typing import NamedTuple
+
+from ..algebra.scalars import NewtonEulerError
+
+DEGREE = 12
+# three points between the Chebyshev points, at no regular distances: a fast oscillation that looks
+# slow at those points by chance does not do so here
+CHECKS = (-0.8617, -0.2913, 0.4477)
+# a polynomial is the function if its last two coefficients and the differences at the checks are
+# smaller than this part of its largest coefficient
+RESOLUTION = 1e-7
+# pieces that are sampled at once, and all that one interval may need
+BATCH, MAX_PIECES = 128, 60_000
+EPS = 2.0**-52
+# parts of the largest value in a piece: above the first a polynomial has the sign of the function;
+# below the others, at an end or at an extremum, that may be round-off, which is then measured
+CERTAIN, DOUBTFUL, TOUCHING = 1e-5, 1e-9, 1e-13
+# of the round-off that is measured at a few points
+NOISE_MARGIN = 8.0
+PICKED = [2, 7, 11]  # of the Chebyshev points, none at an end
+NEWTON_STEPS = 4
+
+
+class UnresolvedError(NewtonEulerError, ArithmeticError):
+    """Not all zeros of a function can be found; the text says where, and why."""
+
+
+class Zero(NamedTuple):
+    """A zero at the time ``t``; ``slope`` of the function there, 0 at a kink or a jump."""
+
+    t: float
+    slope: float
+
+
+class Piece:
+    """A part of the interval, and what is known of the function there.
+
+    values : at the points of :func:`sampling`; ``fit`` : the coefficients of the polynomial, then
+        its differences from the function at the checks; ``largest`` of the values
+    floor : a value up to this is round-off
+    state : "new"; "split", to be halved; "smooth", a polynomial; "empty" of zeros; "rough", too
+        short to be halved; "void", without values
+    """
+
+    __slots__ = ("fit", "floor", "largest", "left", "right", "state", "values")
+
+    def __init__(self, left, right):
+        self.left, self.right, self.state, self.floor = left, right, "new", 0.0
+
+    def halves(self):
+        """The right half and the left half."""
+        middle = (self.left + self.right) / 2
+        return Piece(middle, self.right), Piece(self.left, middle)
+
+    def time(self, x):
+        """The time that belongs to ``x`` between -1 and 1."""
+        return self.left + (self.right - self.left) * (1 + x) / 2
+
+    def slope(self, end):
+        """The slope of the polynomial at its left end, -1, or right end, 1."""
+        terms = (k * k * c * end ** (k + 1) for k, c in enumerate(self.fit[: DEGREE + 1].tolist()))
+        return 2 * sum(terms) / (self.right - self.left)
+
+    def sign(self, value):
+        """The sign of a value of the function in this piece; 0 for round-off, and for nan."""
+        return int(value > self.floor) - int(value < -self.floor)
+
+
+class Bracket(NamedTuple):
+    """A part of a piece, from ``low`` to ``high`` in -1 to 1, over which the sign changes to
+    ``sign``.
+    """
+
+    piece: Piece
+    low: float
+    high: float
+    sign: int
+
+
+class ZeroSearch:
+    """The search for the zeros of a function between the times a and b.
+
+    values : a function of an array of times, which returns the values there; ``noise`` : one of
+        an array (pieces, times), which returns the largest round-off in each piece
+    sign : of the function before a, or 0; as the search goes on, up to where it has come
+    direction : of the zeros that count, 1 where the function grows, -1 where it falls, 0 both
+    start : None, or the value at a where the motion begins there: if that is round-off, it is a
+        zero, which does not count; and True if it is known that it should be one
+    closed : True if a zero at b counts, where the motion ends
+
+    Raises :class:`UnresolvedError` where it cannot go on.
+    """
+
+    def __init__(self, values, noise, a, b, sign, direction=0, start=None, closed=False):
+        self.values, self.noise, self.a, self.b = values, noise, a, b
+        self.sign, self.direction, self.start, self.closed = sign, direction, start, closed
+
+    def __iter__(self):
+        """Lists of zeros, in order, each with the time up to which all have now been found."""
+        todo, count = [Piece(self.a, self.b)], 0
+        while todo:
+            pieces, new = [], []
+            while todo and len(new) < BATCH:
+                pieces.append(todo.pop())
+                if pieces[-1].state == "new":
+                    new.append(pieces[-1])
+            self._sample(new)
+            count += len(new)
+            ends = (k for k, piece in enumerate(pieces) if piece.state in ("split", "void"))
+            done = next(ends, len(pieces))
+            if done:
+                yield self._zeros(pieces[:done]), pieces[done - 1].right
+            for piece in reversed(pieces[done:]):
+                todo += piece.halves() if piece.state == "split" else [piece]
+            if todo:
+                self._check(todo[-1], count)
+
+    def _check(self, piece, count):
+        """Raise :class:`UnresolvedError` if the search cannot go on from this piece."""
+        if piece.state == "void":
+            raise UnresolvedError(
+                f"has no value from t = {piece.left:.9g} to {piece.right:.9g}; give one that is "
+                "defined along the whole motion, also a little beyond its zero"
+            )
+        if count > MAX_PIECES:
+            raise UnresolvedError(
+                f"was looked at in {count} pieces of the time from {self.a:.9g} to {self.b:.9g}, "
+                f"and is resolved only up to t = {piece.left:.9g}: it has too many zeros, or is "
+                "too rough; integrate a shorter time, or give a smoother function"
+            )
+
+    def _sample(self, pieces):
+        """Fit polynomials to the function on new pieces, and decide which of them to halve."""
+        import numpy as np
+
+        points, transform = sampling()
+        left, right = np.array([(piece.left, piece.right) for piece in pieces]).T
+        width = right - left
+        times = left[:, None] + width[:, None] * points
+        times[:, DEGREE] = right
+        values = self.values(times.reshape(-1)).reshape(times.shape)
+        with np.errstate(invalid="ignore"):  # where there are no values
+            fits = values[:, : DEGREE + 1] @ transform
+            fits[:, DEGREE + 1 :] -= values[:, DEGREE + 1 :]
+        sizes, largest = np.abs(fits), np.abs(values).max(axis=1)
+        rest = sizes[:, DEGREE - 1 :].max(axis=1)
+        # the times are rounded as well
+        rounding = 32 * EPS * np.maximum(abs(left), abs(right)) / width
+        smooth = rest <= (RESOLUTION + rounding) * largest
+        # no Chebyshev polynomial exceeds 1; 1.5 leaves a margin for what the samples do not show
+        empty = sizes[:, 0] > 1.5 * sizes[:, 1:].sum(axis=1)
+        for k, piece in enumerate(pieces):
+            piece.values, piece.fit, piece.largest = values[k], fits[k], float(largest[k])
+            piece.state = "empty" if empty[k] else "smooth" if smooth[k] else "split"
+        rows = np.flatnonzero(~(smooth | empty))
+        if rows.size:
+            short = width <= np.maximum(rounding * width, 2.0**-60 * (self.b - self.a))
+            self._unresolved([pieces[k] for k in rows], times[rows], rest[rows], short[rows])
+
+    def _unresolved(self, pieces, times, rest, short):
+        """Decide what becomes of pieces on which the function is no polynomial."""
+        import numpy as np
+
+        picked = times[:, PICKED]
+        noise = NOISE_MARGIN * self.noise(picked)
+        for k, piece in enumerate(pieces):
+            finite = np.isfinite(piece.values)
+            if not finite.any():
+                piece.state = "void"
+            elif finite.all() and rest[k] <= noise[k]:
+                piece.state, piece.floor = "smooth", float(noise[k])
+            elif short[k]:
+                piece.state = "rough"
+
+    def _zeros(self, pieces):
+        """The zeros in pieces that are not to be halved, in order."""
+        smooth = [piece for piece in pieces if piece.state == "smooth"]
+        extrema, brackets = self._extrema(smooth) if smooth else {}, []
+        for piece in pieces:
+            if piece.left == self.a and self.start:
+                self._begin(piece, *self.start)
+            before = -1.0
+            for x, sign in [*extrema.get(piece, ()), (1.0, self._end_sign(piece))]:
+                if sign and self.sign and sign != self.sign and self.direction in (0, sign):
+                    brackets.append(Bracket(piece, before, x, sign))
+                self.sign, before = sign or self.sign, x
+        return self._located(brackets) if brackets else []
+
+    def _begin(self, piece, value, is_zero):
+        """Forget the sign at the start if the value there is round-off."""
+        if abs(value) <= DOUBTFUL * piece.largest and (
+            is_zero or self._is_noise(piece, -1, piece.left, value)
+        ):
+            self.sign = 0
+
+    def _end_sign(self, piece):
+        """The sign at the right end of a piece; where the motion ends at a zero, the sign that
+        would follow.
+        """
+        value = float(piece.values[DEGREE])
+        if self.closed and piece.right == self.b and abs(value) <= DOUBTFUL * piece.largest:
+            slope = piece.slope(1)
+            crosses = abs(slope) * (piece.right - piece.left) > CERTAIN * piece.largest
+            if crosses and self._is_noise(piece, 1, piece.right, value):
+                return 1 if slope > 0 else -1
+        return piece.sign(value)
+
+    def _is_noise(self, piece, end, t, value):
+        """True if a value at an end of a piece is a zero but for round-off, also in the time."""
+        return abs(value) <= self._round_off(piece, t) + 2 * EPS * abs(t * piece.slope(end))
+
+    def _round_off(self, piece, t):
+        """The round-off of the function at a time in a piece."""
+        import numpy as np
+
+        points = sampling()[0][PICKED]
+        times = piece.left + (piece.right - piece.left) * points
+        return NOISE_MARGIN * float(self.noise(np.append(times, t)[None])[0])
+
+    def _extrema(self, pieces):
+        """For each piece a list of pairs: the extrema of its polynomial between -1 and 1, and the
+        signs of the function there.
+        """
+        import numpy as np
+
+        fits = np.array([piece.fit[: DEGREE + 1] for piece in pieces])
+        rows, x = extrema(fits)
+        values = chebyshev(fits[rows], x)
+        largest = np.array([piece.largest for piece in pieces])[rows]
+        unsure = np.flatnonzero(np.abs(values) <= CERTAIN * largest)
+        if unsure.size:
+            times = np.array([pieces[rows[k]].time(x[k]) for k in unsure])
+            values[unsure] = self.values(times)
+            for k, t in zip(unsure.tolist(), times.tolist(), strict=True):
+                value = abs(values[k])
+                # of the states there: beside a short hop they may be much larger
+                if value <= TOUCHING * largest[k]:
+                    noise = NOISE_MARGIN * float(self.noise(np.array([[t]]))[0])
+                    values[k] = 0.0 if value <= noise else values[k]
+        found: dict = {}
+        for row, place, value in zip(rows.tolist(), x.tolist(), values.tolist(), strict=True):
+            found.setdefault(pieces[row], []).append((place, pieces[row].sign(value)))
+        return found
+
+    def _located(self, brackets):
+        """The zeros in brackets, by Newton's method from those of the polynomials; where that does
+        not do, by division of the bracket.
+        """
+        import numpy as np
+
+        pieces, fits = [b.piece for b in brackets], np.array([b.piece.fit for b in brackets])
+        left, right = np.array([(piece.left, piece.right) for piece in pieces]).T
+        low, high = np.array([(b.piece.time(b.low), b.piece.time(b.high)) for b in brackets]).T
+        x, signs = np.array([_guess(b) for b in brackets]), np.array([b.sign for b in brackets])
+        width = right - left
+        t, slope = left + width * (1 + x) / 2, 2 * derivative(fits, x) / width
+        typical = np.median(np.abs([piece.values for piece in pieces]), axis=1)
+        # a slope that is so small is not known well enough
+        newton = slope * signs * width > 1e-4 * np.array([piece.largest for piece in pieces])
+        for _ in range(NEWTON_STEPS):
+            value = self.values(t)
+            step = np.where(newton, value / np.where(newton, slope, 1.0), 0.0)
+            t = np.clip(t - step, low, high)
+            if not (np.abs(step) > EPS * np.abs(t)).any():
+                break
+        newton &= np.abs(step) <= 1e-9 * width + 16 * EPS * np.abs(t)
+        # beside a pole the steps become small as well
+        newton &= np.abs(value) <= 1e-2 * typical
+        found = []
+        for k, good in enumerate(newton.tolist()):
+            if good:
+                found.append(Zero(float(t[k]), float(slope[k])))
+            else:
+                zero = root(self._value, float(low[k]), float(high[k]))
+                if not self._is_pole(zero):
+                    found.append(Zero(zero, 0.0))
+        return found
+
+    def _value(self, t):
+        import numpy as np
+
+        return float(self.values(np.array([t]))[0])
+
+    def _is_pole(self, t):
+        """True if the sign changes at ``t`` because the function becomes infinite."""
+        import numpy as np
+
+        near = 64 * EPS * max(abs(t), self.b - self.a)
+        places = np.clip(t + near * np.array([-1.0, 1.0, -1e3, 1e3]), self.a, self.b)
+        sizes = np.abs(self.values(places))
+        return bool(sizes[:2].min() > 100 * sizes[2:].max())
+
+
+def _guess(bracket):
+    """The zero of the polynomial in a bracket, or the end that is nearer to it."""
+    c, sign = bracket.piece.fit[: DEGREE + 1].tolist(), bracket.sign
+    low, high = bracket.low, bracket.high
+    if bracket.piece.state == "rough" or _clenshaw(c, low) * sign >= 0:
+        return low
+    if _clenshaw(c, high) * sign <= 0:
+        return high
+    return root(lambda x: _clenshaw(c, x), low, high, 1e-12)
+
+
+def root(f, a, b, accuracy=0.0):
+    """The zero of ``f`` between a and b, where its signs differ, to round-off or to this accuracy:
+    regula falsi by the Illinois rule (M. Dowell, P. Jarratt, BIT 11 (1971) 168), and every fourth
+    time bisection.
+    """
+    fa, fb, side = f(a), f(b), 0
+    if fb == 0:
+        return b
+    for n in range(200):
+        if fa == 0:
+            return a
+        if abs(b - a) <= max(accuracy, EPS * max(abs(a), abs(b))):
+            break
+        t = (a + b) / 2 if n % 4 == 3 or fa * fb >= 0 else (a * fb - b * fa) / (fb - fa)
+        if not min(a, b) < t < max(a, b):
+            t = (a + b) / 2
+        value = f(t)
+        if value == 0:
+            return t
+        if (value > 0) == (fb > 0):
+            b, fb, fa, side = t, value, fa / 2 if side == 1 else fa, 1
+        else:
+            a, fa, fb, side = t, value, fb / 2 if side == -1 else fb, -1
+    return (a + b) / 2
+
+
+@cache
+def sampling():
+    """The points of (0, 1) at which a piece is sampled, 13 Chebyshev points from left to right and
+    the checks, and the matrix by which the values at the former give the coefficients of the
+    polynomial and what it predicts at the checks.
+    """
+    import numpy as np
+
+    k = np.arange(DEGREE + 1)
+    angles = np.pi * k[::-1] / DEGREE
+    to_coefficients = 2 / DEGREE * np.cos(np.outer(angles, k))
+    to_coefficients[[0, -1]] /= 2
+    to_coefficients[:, [0, -1]] /= 2
+    at_checks = np.cos(np.outer(k, np.arccos(CHECKS)))
+    points = np.concatenate([np.cos(angles), CHECKS])
+    return (1 + points) / 2, np.hstack([to_coefficients, to_coefficients @ at_checks])
+
+
+def chebyshev(fits, x):
+    """The values of polynomials at one place each."""
+    import numpy as np
+
+    k = np.arange(fits.shape[1])
+    return (fits * np.cos(np.arccos(x)[:, None] * k)).sum(axis=1)
+
+
+@cache
+def _differentiation():
+    """The matrix by which coefficients of a polynomial give those of its derivative."""
+    import numpy as np
+
+    return np.polynomial.chebyshev.chebder(np.eye(DEGREE + 1)).T
+
+
+def derivative(fits, x):
+    """The slopes of polynomials at one place each."""
+    return chebyshev(fits[:, : DEGREE + 1] @ _differentiation(), x)
+
+
+def extrema(fits):
+    """The places in (-1, 1) of all extrema of polynomials, as two arrays: the numbers of the
+    polynomials, and the places in order.
+    """
+    import numpy as np
+
+    c = fits @ _differentiation()
+    sizes = np.abs(c)
+    rows = np.flatnonzero(sizes[:, 0] <= sizes[:, 1:].sum(axis=1))  # the others are monotonic
+    largest = sizes.max(axis=1, keepdims=True)
+    degree = int(np.flatnonzero((sizes > 1e-9 * largest).any(axis=0)).max(initial=0))
+    if not rows.size or not degree:
+        return np.array([], dtype=int), np.array([])
+    c, largest = c[rows, : degree + 1], largest[rows, 0]
+    # a leading coefficient near zero would spoil the matrix; it only adds zeros far away
+    c[:, -1] = np.where(np.abs(c[:, -1]) < 1e-9 * largest, 1e-9 * largest, c[:, -1])
+    z = np.linalg.eigvals(_companions(c))
+    # a double one may come out as a complex pair; what is none does no harm
+    inside = (np.abs(z.imag) < 1e-3) & (np.abs(z.real) < 1)
+    x = np.where(inside, z.real, 2.0)
+    x.sort(axis=1)
+    number, place = np.nonzero(x < 2)
+    return rows[number], x[number, place]
+
+
+def _companions(c):
+    """Matrices whose eigenvalues are the zeros of polynomials: see
+    ``numpy.polynomial.chebyshev.chebcompanion``, here for many at once.
+    """
+    import numpy as np
+
+    count, n = len(c), c.shape[1] - 1
+    scale = np.full(n, np.sqrt(0.5))
+    scale[0] = 1.0
+    matrix = np.zeros((count, n, n))
+    k = np.arange(n - 1)
+    matrix[:, k, k + 1] = matrix[:, k + 1, k] = np.where(k == 0, np.sqrt(0.5), 0.5)
+    last = c[:, :-1] / c[:, -1:] * (scale / scale[-1])
+    matrix[:, :, -1] -= last if n == 1 else last / 2
+    # turned round, the errors are smaller, as in chebroots
+    return matrix[:, ::-1, ::-1]
+
+
+def _clenshaw(c, x):
+    """The value of a polynomial, by Clenshaw's rule."""
+    a = b = 0.0
+    for value in c[:0:-1]:
+        a, b = value + 2 * x * a - b, a
+    return c[0] + x * a - b

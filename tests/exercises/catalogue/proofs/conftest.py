@@ -1,0 +1,12 @@
+"""Proofs run at their number of digits."""
+
+import pytest
+from mpmath import mp
+
+from exercises.catalogue.proofs import DIGITS
+
+
+@pytest.fixture(autouse=True)
+def fifty_digits():
+    with mp.workdps(DIGITS):
+        yield

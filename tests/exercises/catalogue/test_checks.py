@@ -1,0 +1,186 @@
+"""A problem that is broken, in one of the ways in which problems break, is caught by ``check``."""
+
+from dataclasses import replace
+
+import pytest
+
+from exercises import problem
+from exercises.catalogue import variants
+from exercises.catalogue.checks import alike, check
+from exercises.catalogue.following import earlier_answers
+from newton_euler import Frame, pi
+
+P = problem("4/16")
+SOLVE, PROVE, MISTAKES = P.code.solve, P.code.prove, P.code.mistakes
+
+
+@pytest.fixture
+def tamper(monkeypatch):
+    """A function that puts other functions into the code of 4/16 and returns the faults that check
+    finds.
+    """
+
+    def put(**functions):
+        for name, function in functions.items():
+            monkeypatch.setattr(P.code, name, function)
+        variants._compiled.cache_clear()
+        earlier_answers.cache_clear()
+        return check(P, seeds=2)
+
+    yield put
+    monkeypatch.undo()
+    variants._compiled.cache_clear()
+    earlier_answers.cache_clear()
+
+
+def changed(results, **changes):
+    return {key: changes[key](x) if key in changes else x for key, x in results.items()}
+
+
+def test_the_untouched_problem_is_found_good(tamper):
+    assert tamper() == []
+
+
+def test_a_wrong_sign_is_caught(tamper):
+    (fault, *_) = tamper(solve=lambda g: SOLVE(g.but(omega=-g.omega)))
+    assert fault.startswith(
+        "alpha_CD: solve in floats and prove differ by 2.0e+00 of its size: (0, 0.27, 0) against ("
+    )
+
+
+def test_a_dropped_term_is_caught(tamper):
+    faults = tamper(solve=lambda g: changed(SOLVE(g), a_D=lambda a: a.without("coriolis")))
+    assert [fault.partition(" by ")[0] for fault in faults[:2]] == [
+        "a_D: solve in floats and prove differ",
+        "a_D: solve in 50 digits and prove differ",
+    ]
+    assert faults[2].startswith("the mistake no_coriolis gives nearly the right a_D")
+    assert all(fault.endswith(" (seed 0)") for fault in faults)
+
+
+def test_a_later_answer_that_does_not_follow_is_caught(tamper):
+    (fault,) = tamper(follows={"a_D": lambda g, alpha_CD: 2 * alpha_CD})
+    assert fault.startswith("a_D does not follow from alpha_CD: follows gives (")
+
+
+def test_following_from_what_is_not_asked_is_caught(tamper):
+    (fault,) = tamper(follows={"a_D": lambda g, alpha: alpha})
+    assert fault == "follows has alpha; the problem asks for alpha_CD, v_D, a_D (seed 0)"
+
+
+def test_a_fault_too_small_for_floats_is_caught_in_fifty_digits(tamper):
+    (fault,) = tamper(solve=lambda g: changed(SOLVE(g), v_D=lambda v: v * (1 + 2**-36)))
+    assert fault.startswith("v_D: solve in 50 digits and prove differ by 1.5e-11")
+
+
+def test_a_wrong_proof_is_caught(tamper):
+    assert (
+        "v_D: solve in floats and prove differ"
+        in tamper(prove=lambda g: changed(PROVE(g), v_D=lambda v: [-x for x in v]))[0]
+    )
+
+
+def test_a_sum_of_unlike_quantities_is_caught(tamper):
+    (fault,) = tamper(solve=lambda g: changed(SOLVE(g), v_D=lambda v: v + v.frame.i * g.L))
+    assert fault.startswith("solve adds unlike quantities: cannot add Dimension(L^1")
+
+
+def test_an_answer_of_the_wrong_dimension_is_caught(tamper):
+    faults = tamper(solve=lambda g: changed(SOLVE(g), v_D=lambda v: v * g.omega))
+    assert (
+        faults[0]
+        == "v_D is asked for in mm/s, Dimension(L^1 T^-1), but solve gives Dimension(L^1 T^-2)"
+    )
+
+
+def test_a_number_without_its_unit_is_caught(tamper):
+    faults = tamper(solve=lambda g: changed(SOLVE(g), v_D=lambda v: v.frame.vector(1.0, 0, 0)))
+    assert faults[0] == "v_D is asked for in mm/s, Dimension(L^1 T^-1), but solve gives 1.0"
+
+
+def test_answers_in_another_order_are_caught(tamper):
+    (fault,) = tamper(solve=lambda g: dict(reversed(SOLVE(g).items())))
+    assert fault == (
+        "solve returns ['a_D', 'v_D', 'alpha_CD'] but the problem asks for ['alpha_CD', 'v_D', "
+        "'a_D']"
+    )
+
+
+def test_a_forgotten_answer_is_caught(tamper):
+    assert tamper(prove=lambda g: {"alpha_CD": PROVE(g)["alpha_CD"]})[0].startswith(
+        "prove returns ['alpha_CD'] but"
+    )
+
+
+def test_a_mistake_that_is_not_computed_is_caught(tamper):
+    (fault,) = tamper(
+        mistakes=lambda g: {name: m for name, m in MISTAKES(g).items() if name != "no_coriolis"}
+    )
+    assert fault.startswith("the mistake no_coriolis is in p16.yaml but not computed")
+
+
+def test_a_mistake_of_another_name_is_caught(tamper):
+    faults = tamper(
+        mistakes=lambda g: {
+            "no_coriolis_term" if n == "no_coriolis" else n: m for n, m in MISTAKES(g).items()
+        }
+    )
+    assert "the mistake no_coriolis_term is computed but not in p16.yaml" in faults
+
+
+def test_a_mistake_without_a_text_is_caught():
+    broken = replace(
+        P, mistakes={name: text for name, text in P.mistakes.items() if name != "no_coriolis"}
+    )
+    assert check(broken) == ["the mistake no_coriolis is computed but not in p16.yaml"]
+
+
+def test_a_mistake_in_an_answer_that_is_not_asked_for_is_caught(tamper):
+    faults = tamper(
+        mistakes=lambda g: {
+            **MISTAKES(g),
+            "no_coriolis": {"a_C": MISTAKES(g)["no_coriolis"]["a_D"]},
+        }
+    )
+    assert faults == [
+        "the mistake no_coriolis must give some of ['alpha_CD', 'v_D', 'a_D'], and gives ['a_C']"
+    ]
+
+
+def test_a_mistake_under_the_key_of_another_answer_is_a_warning(monkeypatch):
+    p = problem("4/16")
+    wrong = lambda g: {**MISTAKES(g), "no_coriolis": {"v_D": MISTAKES(g)["no_coriolis"]["a_D"]}}
+    monkeypatch.setattr(p.code, "mistakes", wrong)
+    told = "the mistake no_coriolis gives v_D the dimension of a_D: is it stored under its key?"
+    assert told in alike(p)
+
+
+def test_frames_of_another_call_in_the_tree_of_an_answer_are_a_fault(tamper):
+    ground = Frame("ground")  # as of a module
+
+    def solve(g):
+        D = ground.rotate("arm", "z", rate=g.omega).point("D", g.b, 0, 0)
+        return {**SOLVE(g), "v_D": D.velocity(ground)}
+
+    fault, *_ = tamper(solve=solve)
+    assert fault.startswith("v_D has the frame arm of an earlier call in its tree")
+
+
+def test_a_mistake_that_changes_nothing_is_caught(tamper):
+    faults = tamper(mistakes=lambda g: {**MISTAKES(g), "no_coriolis": {"a_D": SOLVE(g)["a_D"]}})
+    assert faults[0].startswith("the mistake no_coriolis gives nearly the right a_D: (")
+
+
+def test_a_mistake_in_other_axes_is_caught(tamper):
+    def in_the_axes_of_the_rod(g):
+        a = MISTAKES(g)["no_coriolis"]["a_D"]
+        turned = a.frame.rotate("rod", "x", angle=0.5)
+        return {**MISTAKES(g), "no_coriolis": {"a_D": a.expressed_in(turned)}}
+
+    (fault,) = tamper(mistakes=in_the_axes_of_the_rod)
+    assert fault == "a_D is in ground, but the mistake no_coriolis has it in rod: use in_frame"
+
+
+def test_a_misread_angle_is_caught(tamper):
+    faults = tamper(solve=lambda g: SOLVE(g.but(beta_1=g.beta_1 + pi(g.beta_1) / 6)))
+    assert {fault.partition(":")[0] for fault in faults if " prove " in fault} == {"v_D", "a_D"}

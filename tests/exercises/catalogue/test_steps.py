@@ -1,0 +1,170 @@
+"""The steps on the way to the answers, and the worked solution that is made of them."""
+
+from types import SimpleNamespace
+
+import pytest
+import sympy
+
+from exercises.catalogue import CatalogueError, problem, select
+from exercises.catalogue.checks import check
+from exercises.catalogue.steps import Step, faults, steps
+from exercises.catalogue.variants import draw
+from grader.assignment.notebook import typeset
+from grader.assignment.solution import worked_solution
+from newton_euler.answers.notation import number_symbol
+
+ALL = select(["all"])
+# for every symbol
+AT = dict.fromkeys({x for p in ALL for x in p.sympy_symbols().values()}, 0.7)
+
+
+def shown(p, values):
+    return {s.key: s for s in steps(p, values)}
+
+
+def test_steps_of_4_16_stand_in_the_units_and_axes_of_the_answers():
+    p = problem("4/16")
+    found = shown(p, p.book_values)
+    assert list(found)[:2] == ["omega_CD", "v_r"]
+    # the shaft turns with 0.6 about Z; beta grows about -X at 0.45
+    assert [float(x) for x in found["omega_CD"].value.c] == pytest.approx([-0.45, 0, 0.6])
+    # 16 mm * 0.45 rad/s, perpendicular to CD at 120 degrees
+    assert [float(x) for x in found["v_r"].value.c] == pytest.approx([0, 7.2 * 3**0.5 / 2, -3.6])
+    assert found["a_D_coriolis"].equation == "4.18"
+    assert "2 omega x v_r" in found["a_D_coriolis"].means
+
+
+def test_a_term_can_have_the_number_of_its_equation_in_the_chapter():
+    p = problem("2/27")
+    found = shown(p, p.book_values)
+    assert found["a_B_euler"].equation == "2.25"  # the engine has it as (4.18)
+    assert found["a_B_euler"].means == "the term alpha x r, in a_B"
+
+
+def test_the_terms_of_polar_components_are_said_in_words():
+    p = problem("2/20")
+    assert shown(p, p.book_values)["a_euler"].means == "the Euler term r theta'' e_theta, in a"
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_the_terms_among_the_steps_add_up_to_the_answers(p):
+    values = {**draw(p, b"steps"), **p.sympy_symbols()}
+    answers, found = p.solve(values), steps(p, values)
+    for key, answer in answers.items():
+        own = [s.value for s in found if s.term and s.key.startswith(f"{key}_")]
+        if not (own and getattr(answer, "terms", None)):
+            continue
+        for n in range(3):
+            gap = sympy.sympify(sum(v.c[n] for v in own) - answer.c[n])
+            size = max(abs(complex(sympy.N(x, subs=AT))) for x in answer.c)
+            assert abs(complex(sympy.N(gap, subs=AT))) <= 1e-9 * size
+
+
+def with_steps(monkeypatch, *found):
+    p = problem("4/16")
+    monkeypatch.setattr(p.code, "steps", lambda g: [f(g) for f in found])
+    return p
+
+
+def test_a_step_with_the_name_of_an_answer_or_a_given_is_refused(monkeypatch):
+    for key in ("a_D", "omega", "not a name"):
+        p = with_steps(monkeypatch, lambda g, key=key: Step(key, g.omega, "rad/s", "the rate"))
+        with pytest.raises(CatalogueError, match=f"4/16: the step {key!r} must have a name"):
+            steps(p, p.book_values)
+
+
+def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
+    p = with_steps(monkeypatch, lambda g: Step("rate", g.omega * g.b, "rad/s", "the rate"))
+    assert faults(p, p.book_values) == [
+        "the step rate is stated in rad/s, Dimension(T^-1), and has Dimension(L^1 T^-1)"
+    ]
+
+
+def proving(monkeypatch, **found):
+    """4/16, whose proof also gives these steps, times the rates of the problem."""
+    p = problem("4/16")
+    prove = p.code.prove
+    also = {key: (lambda g, f=f: f(g)) for key, f in found.items()}
+    monkeypatch.setattr(p.code, "prove", lambda g: prove(g) | {k: f(g) for k, f in also.items()})
+    return p
+
+
+def test_a_step_that_the_proof_finds_too_is_compared(monkeypatch):
+    right = proving(monkeypatch, omega_CD=lambda g: [-g.b_dot, 0, g.omega])
+    assert check(right, 2) == []
+    wrong = proving(monkeypatch, omega_CD=lambda g: [g.b_dot, 0, g.omega])
+    assert "omega_CD: the step in floats and prove differ by 1.2e+00 of its size" in check(wrong)[0]
+
+
+def test_what_the_proof_finds_and_nobody_asks_for_is_a_fault(monkeypatch):
+    told = check(proving(monkeypatch, omega_AB=lambda g: g.omega))
+    assert told == [
+        "prove returns omega_AB, which is neither asked for nor one of the steps (seed 0)"
+    ]
+
+
+def test_steps_are_checked_with_the_problem(monkeypatch):
+    p = with_steps(monkeypatch, lambda g: Step("rate", g.omega * g.b, "rad/s", "the rate"))
+    assert check(p) == [f"{fault} (seed 0)" for fault in faults(p, p.book_values)]
+    p = with_steps(monkeypatch, lambda g: Step("rate", g.omega + g.b, "rad/s", "the rate"))
+    assert "steps adds unlike quantities" in check(p)[0]
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_worked_solution_has_the_students_numbers_and_every_answer(p):
+    values = {**draw(p, b"solution"), **p.sympy_symbols()}
+    text = worked_solution(p, values)
+    for a in p.answers:
+        assert typeset(a.means, p)[1:] in text
+    for name, given in p.givens.items():
+        assert number_symbol(values[name]) in text, given
+
+
+def test_a_problem_without_sums_has_no_steps_of_its_own():
+    p = SimpleNamespace(id="0/1", code=SimpleNamespace(solve=lambda g: {"x": 2.0}), units={},
+                        answers=(), base=lambda values, one: None)  # fmt: skip
+    assert steps(p, {}) == []
+
+
+def test_a_worked_solution_cites_the_equation_of_its_chapter():
+    p = problem("2/38")
+    text = worked_solution(p, p.book_values)
+    assert "*By equation (2.25) the sum of*" in text
+    assert "(4.18)" not in text
+    assert "{-0}" not in text
+    assert "| the acceleration of the origin of the moving frame | $" in text
+
+
+def test_the_terms_of_an_answer_stand_in_its_table_and_not_among_the_steps_too():
+    p = problem("4/16")
+    text = worked_solution(p, p.book_values)
+    assert text.count("the Coriolis term") == 1
+    assert r"| the Coriolis term $2\boldsymbol{\omega}\times\mathbf{v}_r$ | $" in text
+    # a term that is zero is said to be so, of a frame that adds nothing nothing is said
+    assert "| the term $\\boldsymbol{\\alpha} \\times \\mathbf{r}$ | $\\left[0,\\ 0,\\ 0" in text
+    assert "| the turning of" not in text
+
+
+def test_the_formula_of_a_term_is_not_searched_for_givens():
+    p = problem("4/18")  # it has a length a
+    assert r"\mathbf{a}_r$ | $" in worked_solution(p, p.book_values)
+
+
+def test_round_off_is_no_component_of_an_answer():
+    p = problem("4/17")  # of the velocity along X is left what cos 60 degrees is not a half
+    text = worked_solution(p, p.book_values)
+    assert r"$\mathbf{v}_D = \left[0,\ 6.23538" in text
+    assert r"\times 10^{-1" not in text
+
+
+def test_a_sentence_may_begin_with_an_axis():
+    p = problem("4/12")
+    assert "2. z component of" in worked_solution(p, p.book_values)
+
+
+def test_the_terms_of_two_coordinates_are_said_in_words():
+    p = problem("3/26")
+    said = [s.means for s in steps(p, p.book_values)]
+    assert any(text.startswith("the Coriolis term of theta and phi, -2 R theta'") for text in said)
+    coriolis = r"Coriolis term of $\theta$ and $\phi$, $-2R\dot{\theta}\dot{\phi}\sin\phi\,"
+    assert coriolis in worked_solution(p, p.book_values)

@@ -1,0 +1,138 @@
+"""Each student's own numbers: the same for the same seed, others for another student, within range,
+round, and fit to grade.
+"""
+
+import re
+from functools import cache
+
+import pytest
+
+from exercises import catalogue, problem
+from exercises.catalogue import CatalogueError, select, variants
+from exercises.catalogue.variants import draw, evaluate, objection, seed
+
+VARYING = [p for p in select(["all"]) if any(g.vary for g in p.givens.values())]
+by_id = pytest.mark.parametrize("p", VARYING, ids=lambda p: p.id.replace("/", "_"))
+
+
+def numbers_of(student, p):
+    return draw(p, seed(b"course secret", "week 7", student, p.id))
+
+
+@cache
+def adas_numbers(p):
+    return numbers_of("ada", p)
+
+
+@by_id
+def test_drawn_numbers_are_in_range_and_round(p):
+    for name, x in adas_numbers(p).items():
+        g = p.givens[name]
+        if g.vary is None:
+            assert x == g.value
+            continue
+        assert g.vary[0] <= x <= g.vary[1]
+        assert re.fullmatch(
+            r"-?[0-9]\.?[0-9]{0,2}0?|-?[0-9]{2}\.?[0-9]?|-?[0-9]{2}\.[0-9]{2}|-?[0-9]{3}\.[0-9]|-?[0-9]{3,4}|-?[0-9]{3}0+|-?0\.[0-9]{1,4}",
+            f"{x:.12g}",
+        )
+
+
+@by_id
+def test_drawn_numbers_are_fit_to_grade(p):
+    assert objection(p, adas_numbers(p)) is None
+
+
+@by_id
+def test_the_same_student_gets_the_same_numbers_and_another_one_others(p):
+    assert numbers_of("ada", p) == adas_numbers(p)
+    assert numbers_of("emmy", p) != adas_numbers(p)
+
+
+def test_one_drawing_is_as_it_was_when_this_was_written():
+    """Students keep their numbers from version to version, and on every machine."""
+    assert numbers_of("ada", problem("4/16")) == {
+        "omega": 0.9,
+        "b_dot": 0.7,
+        "beta_1": 136.0,
+        "b": 5.2,
+        "L": 24.8,
+    }
+
+
+def test_students_share_hardly_any_numbers():
+    drawn = [tuple(numbers_of(f"student {n}", problem("4/16")).values()) for n in range(40)]
+    assert len(set(drawn)) == 40
+
+
+def test_seed_depends_on_secret_assignment_student_and_problem():
+    words = ("week 7", "ada", "4/16")
+    others = [seed(b"secret", *words[:n], "other", *words[n + 1 :]) for n in range(3)]
+    assert len({seed(b"secret", *words), seed(b"Secret", *words), *others}) == 5
+    assert seed(b"secret", "week", "7ada", "4/16") != seed(b"secret", "week7", "ada", "4/16")
+
+
+def test_a_problem_of_symbols_only_has_nothing_to_draw():
+    assert draw(problem("4/42"), b"any") == {}
+
+
+# -- numbers that make a bad problem
+
+
+def test_objection_to_numbers_that_hide_a_mistake():
+    """At 45 degrees sine and cosine may be exchanged unseen."""
+    p = problem("4/21")
+    assert "hides the mistake gamma_from_horizontal: its omega_A is within 2%" in objection(
+        p, {**p.book_values, "gamma_1": 45}
+    )
+    assert objection(p, p.book_values) is None
+
+
+def test_objection_to_ill_conditioned_numbers():
+    """Where the lower end comes near the end of the ellipse's axis, its speed grows beyond bounds."""
+    p = problem("4/9")
+    assert re.match(
+        r"is ill-conditioned: 0.1 % of z_1 changes v_mid by [0-9]+%",
+        objection(p, {**p.book_values, "z_1": 3.98}),
+    )
+    assert objection(p, p.book_values) is None
+
+
+def test_objection_to_a_component_that_could_be_left_out_unseen():
+    p = problem("4/28")
+    values = {"omega": 0.94, "theta_dot": 0.1, "theta_1": 15, "L": 12, "d": 1}
+    assert re.match(r"gives v_A with a component of 2.3e-03", objection(p, values))
+
+
+def test_a_component_that_is_zero_is_no_objection():
+    assert variants._small_component((0.0, 1e-17, 3.0)) is None
+    assert variants._small_component((0.0, 0.02, 3.0)) == pytest.approx(0.02 / 3, rel=1e-3)
+
+
+def test_a_range_without_good_numbers_is_told(monkeypatch):
+    monkeypatch.setattr(variants, "objection", lambda p, values: "gives v = (nan,)")
+    monkeypatch.setattr(variants, "DRAWS", 3)
+    with pytest.raises(
+        CatalogueError,
+        match="no good numbers for problem 4/16 in 3 draws: narrow its vary ranges; the last draw "
+        "gives v",
+    ):
+        draw(problem("4/16"), b"any")
+
+
+def test_grid_is_the_round_step_below_a_fortieth_of_the_range():
+    given = catalogue.Given("x", 0, "m", "any", (0.3, 1.2))
+
+    class Last:  # draws the upper end
+        randint = staticmethod(lambda first, last: last)
+
+    assert variants.drawn_value(given, Last) == 1.2
+    assert [variants._round_step(x) for x in (0.0225, 0.05, 1.9, 7.5)] == [0.02, 0.05, 1, 5]
+
+
+def test_evaluate_is_the_solution_and_its_mistakes_as_numbers():
+    p = problem("4/16")
+    right, wrong = evaluate(p, p.book_values)
+    assert right["alpha_CD"] == pytest.approx((0, -0.27, 0))
+    assert wrong["no_cross_product"]["alpha_CD"] == pytest.approx((0, 0, 0))
+    assert set(wrong) == set(p.mistakes)

@@ -1,0 +1,714 @@
+"""What is traced once computes what the formula computes, on every kind of number and by every
+backend.
+"""
+
+import importlib.util
+import math
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from newton_euler import (
+    Dimension,
+    Frame,
+    acos,
+    asin,
+    at,
+    atan,
+    atan2,
+    compiled,
+    cos,
+    cosh,
+    exp,
+    log,
+    moving,
+    pi,
+    radians,
+    sin,
+    sinh,
+    solve_rates,
+    sqrt,
+    tan,
+    tanh,
+    where,
+)
+from newton_euler.algebra import ZERO, DimensionError, ScalarError
+from newton_euler.algebra.compile import BLOCK
+from newton_euler.algebra.jets import Moving
+from newton_euler.algebra.scalars import FUNCTIONS
+from newton_euler.algebra.trace import Step
+from tests.kinds import KINDS, close, numbers
+
+FORMULAS = {
+    "arithmetic": lambda x, y: (x + y) * (x - y) / (3 + x * y) - 2 * x + y / 5 - 1,
+    "negations": lambda x, y: -x + -(y - x) - (-(x * y)),
+    "quotients of negations": lambda x, y: (
+        (-x) / y
+        + 2 * (x / (-y))
+        + 4 * ((-x) / (-y))
+        + 8 / (-x)
+        + (-y) / 16
+        + 3 * ((-x) * (-y) * (-2))
+    ),
+    "sums of negations": lambda x, y: (
+        ((-x) + y) * 2
+        + (x + (-y)) * 3
+        + ((-x) - y) * 5
+        + (x - (-y)) * 7
+        + (1 - (-x)) * 11
+        + (1 + (-y)) * 13
+    ),
+    "odd and even": lambda x, y: (
+        sin(-x)
+        + 2 * cos(-x)
+        + tan(-y)
+        + cosh(-y)
+        + sinh(-x)
+        - tanh(-y)
+        + asin(-x / 2)
+        + atan(-x)
+        + acos(-x / 2)
+        + exp(-x)
+    ),
+    "powers": lambda x, y: (
+        x**2 + x**3 - y**-1 + (1 + x) ** -2 + (x * x + y) ** 0.5 + y**1.5 + x**1 + x**0
+    ),
+    "rational powers": lambda x, y: (x + y) ** (1 / 3) + 2.0**x - 3 ** (y / 2),
+    "circular": lambda x, y: (
+        sin(x) * cos(y)
+        + tan(x * y)
+        - asin(x / 3)
+        + acos(y / 3)
+        + atan(x - y)
+        + atan2(y, x)
+        + atan2(-y, -x)
+    ),
+    "hyperbolic": lambda x, y: sinh(x) + cosh(y) - tanh(x * y) + exp(-x) * log(1 + y) + sqrt(x + y),
+    "pi": lambda x, y: pi(x) * x + radians(y),
+    "structural zeros": lambda x, y: (
+        ZERO * x + (y - ZERO) + ZERO / x + (ZERO - x) + atan2(ZERO, x) + atan2(y, ZERO)
+    ),
+    "constants": lambda x, y: (
+        1e-300 * x
+        + 1.5e300 * y * 1e-300
+        + np.float64(1.5) * x
+        - y * np.int64(2)
+        + Fraction(1, 4).numerator * x
+    ),
+    "moving inside": lambda x, y: (lambda m: m.value + m.rate - m.acceleration)(
+        at(lambda t: sin(x * t) * t**2 + atan2(t, y), 0.5 * y)
+    ),
+    "long": lambda x, y: sum((sin(n * x) / n * y**2 for n in range(1, 60)), start=ZERO),
+    "unused argument": lambda x, y: x * x,
+    "constant": lambda x, y: 4.0 + 0 * x,
+}
+
+
+@pytest.fixture(params=FORMULAS)
+def formula(request):
+    return FORMULAS[request.param]
+
+
+def chain(q, dq, L):
+    """Acceleration at the end of three links: what the engine is for."""
+    ground = Frame("ground")
+    frame = ground
+    for n, axis in enumerate(["z", "x", (1, 2, 2)]):
+        frame = frame.rotate(
+            f"link {n}",
+            axis,
+            angle=q * (n + 1),
+            rate=dq,
+            acceleration=dq / 2,
+            origin=frame.point("O", L, 0, 0),
+        )
+    return frame.point("P", 0, moving(L, rate=dq), L / 2).acceleration(ground)
+
+
+# -- the same numbers
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.sampled_from(sorted(FORMULAS)), st.floats(0.05, 1.4), st.floats(0.05, 1.4))
+def test_compiled_is_direct_on_floats(name, x, y):
+    f = FORMULAS[name]
+    assert compiled(f)(x, y) == pytest.approx(f(x, y), rel=1e-13, abs=1e-13)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_compiled_is_direct_on_every_kind(formula, kind):
+    x, y = numbers(kind, "0.4", "1.3")
+    direct = formula(x, y)
+    if kind == "array":
+        direct = np.broadcast_to(direct, 3)
+    assert close(compiled(formula)(x, y), direct, 1e-13 if kind in ("float", "array") else 1e-15)
+
+
+def test_mpmath_keeps_its_digits(formula):
+    x, y = numbers("mpmath", "0.4", "1.3")
+    assert abs(compiled(formula)(x, y) - formula(x, y)) < 1e-28
+
+
+def test_every_shape_of_arrays_and_numbers_that_broadcast(formula):
+    f = compiled(formula)
+    grid = np.linspace(0.1, 1.2, 6)
+    for x, y in [
+        (grid, grid[::-1]), (grid, 0.7), (0.3, grid), (grid.reshape(2, 3), 0.7), (grid.reshape(6, 1), grid), (grid[::2], grid[1::2]),
+        (np.array(0.4), np.array(0.5)), (np.array(0.4), grid), (np.float64(0.4), 0.5), (grid[:1], grid), (grid.reshape(2, 3).T, 0.2),
+    ]:  # fmt: skip
+        got = f(x, y)
+        direct = np.broadcast_to(formula(x, y), np.broadcast_shapes(np.shape(x), np.shape(y)))
+        assert np.shape(got) == direct.shape
+        assert np.allclose(got, direct, rtol=1e-13, atol=1e-13)
+
+
+def test_whole_numbers_as_arguments():
+    f = compiled(lambda x, y: x / y + sqrt(x))
+    assert f(9, 2) == f(9.0, 2.0) == 7.5
+    assert f(np.array([9, 4]), 2).tolist() == [7.5, 4.0]
+    assert f(True, 2.0) == 1.5
+    assert f(Fraction(9), Fraction(2)) == 7.5
+
+
+@pytest.mark.parametrize("backend", ["auto", "numpy", "heyoka"])
+def test_empty_arrays_give_empty_arrays(backend):
+    f = compiled(lambda x: (sin(x), x * x), backend=backend)
+    assert [r.shape for r in f(np.array([]))] == [(0,), (0,)]
+    assert [r.shape for r in f(np.zeros((3, 0)))] == [(3, 0), (3, 0)]
+
+
+def test_arrays_longer_than_a_block_join_without_a_seam():
+    t = np.linspace(0, 10, 3 * BLOCK + 17)
+    f = compiled(lambda t, a: (sin(a * t), 2.0, ZERO))
+    wave, two, zero = f(t, 3.0)
+    assert np.allclose(wave, np.sin(3 * t), atol=1e-14)
+    assert two.shape == zero.shape == t.shape
+    assert set(two) == {2.0}
+    assert set(zero) == {0.0}
+
+
+@pytest.mark.parametrize("backend", ["auto", "numpy", "heyoka"])
+def test_backends_agree(formula, backend):
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    rng = np.random.default_rng(1)
+    x, y = rng.uniform(0.1, 1.4, (2, 1000))
+    got = compiled(formula, backend=backend)(x, y)
+    assert np.allclose(got, np.broadcast_to(formula(x, y), 1000), rtol=1e-13, atol=1e-13)
+
+
+@pytest.mark.parametrize("backend", ["numpy", "heyoka"])
+def test_backends_agree_on_the_acceleration_of_a_chain(backend):
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    q, dq = np.random.default_rng(2).uniform(-3, 3, (2, 500))
+    direct = np.array([np.broadcast_to(c, 500) for c in chain(q, dq, 0.7)])
+    got = np.array(compiled(chain, backend=backend)(q, dq, 0.7))
+    assert np.abs(got - direct).max() <= 1e-13 * np.abs(direct).max()
+
+
+def test_auto_turns_to_heyoka_only_when_it_pays(monkeypatch):
+    pytest.importorskip("heyoka")
+    f = compiled(lambda x: sin(x) + x, backend="auto")
+    monkeypatch.setattr("newton_euler.algebra.compile.HEYOKA_BREAK_EVEN", {True: 3000, False: 3000})
+    x = np.linspace(0, 1, 1000)
+    first = f(x)
+    assert f._heyoka is None
+    f(x), f(x)
+    assert f._heyoka is not None
+    assert np.allclose(f(x), first, atol=1e-15)
+
+
+def test_symbols_come_out_as_the_formula(formula):
+    x, y = sympy.symbols("x y", positive=True)
+    got, direct = compiled(formula)(x, y), formula(x, y)
+    values = {x: sympy.Rational(2, 5), y: sympy.Rational(13, 10)}
+    assert (
+        abs(
+            sympy.N(got.subs(values) if got.free_symbols else got)
+            - sympy.N(sympy.sympify(direct).subs(values))
+        )
+        < 1e-13
+    )
+
+
+def test_symengine_and_heyoka_expressions_as_arguments():
+    symengine, hy = pytest.importorskip("symengine"), pytest.importorskip("heyoka")
+    f = compiled(lambda x, y: sin(x) * y + atan2(y, x) + pi(x))
+    x = symengine.Symbol("x")
+    assert float(f(x, 2.0).subs({x: 0.5})) == pytest.approx(f(0.5, 2.0))
+    v = hy.expression("v")
+    assert hy.cfunc([f(v, 2.0)], vars=[v])([0.5])[0] == pytest.approx(f(0.5, 2.0))
+
+
+def test_moving_arguments_carry_their_rates_through():
+    for name, formula in FORMULAS.items():
+        if name == "moving inside":
+            continue
+        x, y = moving(0.4, 1.0, 2.0), moving(1.3, -0.5, 0.25)
+        got, direct = compiled(formula)(x, y), formula(x, y)
+        for part in ("value", "rate", "acceleration"):
+            assert float(getattr(got, part)) == pytest.approx(
+                float(getattr(direct, part)), abs=1e-12
+            ), name
+
+
+def test_moving_30_digit_numbers_meet_pi_with_30_digits():
+    got = compiled(lambda x: pi(x) * x)(moving(mpmath.mpf(1), mpmath.mpf(2)))
+    assert abs(got.rate - 2 * mpmath.pi) < 1e-28
+
+
+def test_a_moving_result_stays_moving():
+    m = compiled(lambda t: at(lambda u: u**3, t))(2.0)
+    assert isinstance(m, Moving)
+    assert (m.value, m.rate, m.acceleration) == (8.0, 12.0, 12.0)
+
+
+def test_dimensions_run_through_and_are_checked():
+    f = compiled(lambda v, g: v**2 / (2 * g))
+    m_s, m_s2 = Dimension(0, 1, -1), Dimension(0, 1, -2)
+    assert f(m_s, m_s2) == Dimension(length=1)
+    with pytest.raises(DimensionError, match="cannot add"):
+        compiled(lambda v, g: v + g)(m_s, m_s2)
+
+
+def test_one_compiled_formula_inside_another():
+    inner = compiled(lambda x: sin(x) * x)
+    outer = compiled(lambda y: inner(2 * y) + 1)
+    assert outer(0.3) == inner(0.6) + 1
+    assert outer.operations == inner.operations + 2
+
+
+def test_solve_rates_inside_a_formula():
+    def spin(v, r):
+        ground = Frame("ground")
+
+        def slip(w):
+            wheel = ground.rotate(
+                "wheel", "y", rate=w, origin=ground.point("C", moving(0, rate=v), 0, r)
+            )
+            return wheel.point("contact", 0, 0, -r).velocity(ground)
+
+        return solve_rates(slip, 1)
+
+    assert compiled(spin)(2.0, 0.5) == (4.0,)
+    assert compiled(spin)(np.array([2.0, 3.0]), 0.5)[0].tolist() == [4.0, 6.0]
+
+
+# -- what becomes of the steps
+
+
+def test_common_subexpressions_are_computed_once():
+    f = compiled(lambda x, y: (sin(x * y) + 1) * (sin(y * x) + 2) - sin(x * y))
+    assert f.source.count("sin(") == 1
+    assert f.operations == 6  # x*y, sin, +1, +2, *, -
+
+
+def test_steps_that_no_result_needs_are_dropped():
+    def wasteful(x):
+        exp(x) * 3 - log(x)
+        return x * x
+
+    f = compiled(wasteful)
+    assert "exp" not in f.source
+    assert f.operations == 1
+    assert f(-1.0) == 1.0  # log(-1) is never taken
+
+
+def test_constants_fold_and_neutral_operations_vanish():
+    f = compiled(lambda x: 2 * 3 * (x * 1 + 0) / 1 + x**1 - 0.0 + ZERO - (-1 * (-x)) * 1.0)
+    assert f.operations == 3
+    assert "6" in f.source
+    assert compiled(lambda x: -1 * x).source.count("*") == 0
+
+
+def test_operations_count_each_function_once():
+    assert compiled(lambda x: asin(x)).operations == 1
+    assert compiled(lambda x: atan(x) + sin(x)).operations == 3
+
+
+def test_the_explanation_shows_the_lines():
+    f = compiled(lambda v, elevation, g: (v * sin(elevation)) ** 2 / (2 * g))
+    assert f.source.startswith("def formula(v, elevation, g):\n    s0 = v * (sin(elevation))\n")
+    assert repr(f) == "<compiled <lambda>(v, elevation, g), 5 operations>"
+
+
+@pytest.mark.parametrize("backend", ["numpy", "heyoka"])
+def test_dicts_tuples_vectors_and_nests_of_them_come_back(backend):
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+
+    def f(x):
+        ground = Frame("ground")
+        return {
+            "v": ground.vector(x, 0, 2 * x),
+            "pair": (x, [x * x, {"deep": 3}]),
+            "n": 1,
+            "none": (),
+        }
+
+    g = compiled(f, backend=backend)
+    assert g(2.0) == {"v": (2.0, 0, 4.0), "pair": (2.0, (4.0, {"deep": 3})), "n": 1, "none": ()}
+    many = g(np.array([2.0, 3.0]))
+    assert many["v"][2].tolist() == [4.0, 6.0]
+    assert many["pair"][1][1]["deep"].tolist() == [3.0, 3.0]
+
+
+def test_matrices_of_components_come_back_as_nested_tuples():
+    f = compiled(lambda x: np.array([[x, 2 * x], [1, 0]]))
+    assert f(3.0) == ((3.0, 6.0), (1, 0))
+
+    def rotation(q):
+        ground = Frame("ground")
+        return ground.rotate("a", "z", q).rotation(ground)
+
+    assert compiled(rotation)(0.3) == (
+        (math.cos(0.3), -math.sin(0.3), 0),
+        (math.sin(0.3), math.cos(0.3), 0),
+        (0, 0, 1),
+    )
+
+
+# -- constants of every kind inside a formula
+
+third = mpmath.mpf(1) / 3
+
+
+@pytest.mark.parametrize(
+    "constant",
+    [
+        1e-300,
+        -0.0,
+        -2.5,
+        1.7976931348623157e308,
+        5e-324,
+        2**70,
+        -3,
+        np.float64(1.5),
+        np.float32(0.1),
+        np.int64(7),
+        True,
+        Fraction(1, 3),
+    ],
+)
+def test_constants_survive_to_the_last_bit(constant):
+    f = compiled(lambda x: (x * constant, x / 1 + constant, constant))
+    product, total, alone = f(1.25)
+    assert product == 1.25 * float(constant)
+    assert total == 1.25 + float(constant)
+    assert float(alone) == float(constant)
+    assert math.copysign(1, float(alone)) == math.copysign(1, float(constant))
+
+
+def test_infinite_and_undefined_constants_survive():
+    f = compiled(lambda x: (x * math.inf, x - math.inf, x * math.nan, math.inf))
+    a, b, c, d = f(2.0)
+    assert (a, b, d) == (math.inf, -math.inf, math.inf)
+    assert math.isnan(c)
+    assert f(np.array([2.0]))[0].tolist() == [math.inf]
+
+
+def test_constants_of_30_digits_keep_them_on_mpmath_and_are_rounded_on_floats():
+    f = compiled(lambda x: x * third)
+    assert abs(f(mpmath.mpf(3)) - 1) < 1e-29
+    assert type(f(3.0)) is float
+    assert f(np.array([3.0, 6.0])).tolist() == [1.0, 2.0]
+    g = compiled(lambda x: x * (third + mpmath.mpf("1e-28")) - x * third)
+    assert 0.9e-28 < g(mpmath.mpf(1)) < 1.1e-28
+
+
+def test_symbols_may_be_constants_of_a_formula():
+    k = sympy.Symbol("k")
+    f = compiled(lambda x: x * k + sympy.Rational(1, 3))
+    x = sympy.Symbol("x")
+    assert f(x) == x * k + sympy.Rational(1, 3)
+    assert f(2.0).subs(k, 3) == pytest.approx(6 + 1 / 3)
+
+
+def test_positive_and_negative_zero_are_two_constants():
+    f = compiled(lambda x: (atan2(x, 0.0), atan2(x, -0.0), atan2(0.0, x), atan2(-0.0, x)))
+    assert f(-1.0) == (-math.pi / 2, -math.pi / 2, math.pi, -math.pi)
+
+
+def test_whole_and_broken_constants_stay_apart_on_symbols():
+    x = sympy.Symbol("x")
+    broken, exact = compiled(lambda y: (y / 2.0, y / 2))(x)
+    assert exact == x / 2
+    assert broken.has(sympy.Float)
+
+
+def test_parameters_fixed_at_compile_time():
+    f = compiled(lambda x, n, scale: scale * x**n, n=3, scale=np.float64(0.5))
+    assert f.parameters == ["x"]
+    assert f(2.0) == 4.0
+    with pytest.raises(TypeError, match="unexpected keyword argument 'm'"):
+        compiled(lambda x: x, m=3)
+
+
+@pytest.mark.parametrize(
+    "names",
+    ["s0, s1", "c0, c1", "pi, sin", "formula, space", "atan2, e", "_s0, s0", "x, args", "pow, x"],
+)
+def test_names_of_arguments_do_not_collide_with_names_inside(names):
+    a, b = names.split(", ")
+    third_ = third  # a constant that needs a name of its own
+    scope = {"sine": sin, "pi_of": pi, "third": third_}
+    f = eval(
+        f"lambda {names}: (sine({a} * {b}) * ({a} * {b}) + pi_of({a}) * third, {a} + {b})", scope
+    )
+    got = compiled(f)(0.5, 0.7)
+    assert got == pytest.approx((math.sin(0.35) * 0.35 + math.pi / 3, 1.2))
+    assert compiled(f)(np.array([0.5]), np.array([0.7]))[0] == pytest.approx(got[0])
+
+
+def test_defaults_and_keyword_arguments():
+    def f(x, /, y=2.0, *, z=3.0):
+        return x + 10 * y + 100 * z
+
+    g = compiled(f)
+    assert g(1.0) == f(1.0)
+    assert g(1.0, z=4.0) == f(1.0, z=4.0)
+    assert g(1.0, 5.0, 6.0) == f(1.0, 5.0, z=6.0)
+
+
+def test_a_formula_without_arguments_or_without_results():
+    assert compiled(lambda: 2.0)() == 2.0
+    assert compiled(lambda x: ())(1.0) == ()
+
+
+# -- errors in words
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda f: f(1.0), "f takes x, y; missing: y"),
+        (lambda f: f(), "f takes x, y; missing: x, y"),
+        (lambda f: f(1.0, 2.0, 3.0), "f takes x, y; left over: 3.0"),
+        (lambda f: f(1.0, 2.0, z=3.0), "f takes x, y; unknown: z"),
+        (lambda f: f(1.0, 2.0, x=3.0), "f takes x, y; given twice: x"),
+        (lambda f: f(1.0, yy=3.0), "f takes x, y; missing: y; unknown: yy"),
+    ],
+)
+def test_wrong_arguments_are_told_by_name(call, message):
+    def f(x, y):
+        return x + y
+
+    with pytest.raises(TypeError) as error:
+        call(compiled(f))
+    assert str(error.value) == message
+
+
+@pytest.mark.parametrize("bad", ["1", None, [1.0, 2.0], (1.0,), Frame("g").i, np.array(["a"])])
+def test_what_is_not_a_number_is_refused_as_an_argument(bad):
+    with pytest.raises(ScalarError, match="expected a number"):
+        compiled(lambda x: x + 1.0)(bad)
+
+
+def test_arrays_that_do_not_broadcast_are_named_with_their_shapes():
+    with pytest.raises(ScalarError, match=r"shapes that do not fit together: x \(3,\), y \(4,\)"):
+        compiled(lambda x, y: x + y)(np.zeros(3), np.zeros(4))
+
+
+@pytest.mark.parametrize("bad", [np.array([1j]), np.array([mpmath.mpf(1)], dtype=object)])
+def test_arrays_of_other_than_real_numbers_are_refused(bad):
+    with pytest.raises(ScalarError, match="takes arrays of real numbers, got"):
+        compiled(lambda x: x + 1.0)(bad)
+
+
+def of_argument(f, *others):
+    return lambda x: f(x, *others)
+
+
+@pytest.mark.parametrize(
+    "branching",
+    [
+        lambda x: x if x else 0.0,
+        lambda x: 1.0 if x > 0 else -1.0,
+        lambda x: 1.0 if x == 0 else x,
+        lambda x: 1.0 if x != 0 else x,
+        lambda x: max(x, 0.0),
+        lambda x: min(0.0, x),
+        lambda x: x and 1.0,
+        lambda x: 0.0 if x in (0.0, 1.0) else x,
+        lambda x: float(x),
+        *(
+            of_argument(f)
+            for f in (
+                *(getattr(math, n) for n in FUNCTIONS),
+                *(getattr(np, n) for n in FUNCTIONS),
+                np.abs,
+                np.sign,
+            )
+        ),
+        *(of_argument(f, 1.0) for f in (math.atan2, np.atan2, np.maximum, np.hypot, np.add)),
+        lambda x: np.where(x > 0, x, 0.0),
+        lambda x: np.sqrt(np.array([x, 1.0])),
+    ],
+)
+def test_a_formula_must_not_branch_on_values_nor_use_math_or_numpy(branching):
+    with pytest.raises(
+        TypeError,
+        match=r"must not branch on them .*, and takes sin, cos, sqrt \.\.\. from newton_euler, not "
+        r"from math or numpy",
+    ):
+        compiled(branching)
+
+
+def test_what_the_refusal_recommends_is_public():
+    f = compiled(lambda x: where(x < 0, -x, sqrt(abs(x))))
+    assert (f(-2.0), f(9.0)) == (2.0, 3.0)
+
+
+def test_pi_of_math_and_numpy_in_a_formula_is_a_number():
+    f = compiled(lambda x: np.pi * x + x / math.pi - np.float64(np.pi))
+    assert f(2.0) == math.pi * 2.0 + 2.0 / math.pi - math.pi
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [
+        lambda x: None,
+        lambda x: "text",
+        lambda x: (x, None),
+        lambda x: Frame("g"),
+        lambda x: Frame("g").point("P", x, 0, 0),
+    ],
+)
+def test_a_formula_that_returns_no_numbers_is_refused(bad):
+    with pytest.raises(
+        ScalarError,
+        match="a compiled formula returns scalars, Vectors, or tuples and dicts of them, got",
+    ):
+        compiled(bad)
+
+
+def test_dividing_by_a_structural_zero_is_found_while_tracing():
+    with pytest.raises(ZeroDivisionError, match="zero by the structure of the formula"):
+        compiled(lambda x: x / ZERO)
+
+
+def test_text_among_the_numbers_is_found_while_tracing():
+    with pytest.raises(ScalarError, match="expected a number"):
+        compiled(lambda x: x + "1")
+
+
+def test_an_array_as_a_constant_is_refused_with_advice():
+    with pytest.raises(ScalarError, match="make it one of its arguments"):
+        compiled(lambda x: x * np.array([1.0, 2.0]))
+    with pytest.raises(ScalarError, match="make it one of its arguments"):
+        compiled(lambda x, m: m * x, m=np.array([1.0, 2.0]))
+
+
+def test_a_value_of_one_formula_inside_another_is_refused():
+    with pytest.raises(ScalarError, match="is used inside another that is being compiled"):
+        compiled(lambda x: compiled(lambda y: x * y)(2.0))
+
+
+def test_a_formula_of_any_number_of_arguments_is_refused():
+    with pytest.raises(TypeError, match="names all its arguments"):
+        compiled(lambda *x: x[0])
+    with pytest.raises(TypeError, match="names all its arguments"):
+        compiled(lambda **x: 1.0)
+
+
+def test_an_unknown_backend_is_refused():
+    with pytest.raises(ValueError, match="backend must be 'auto', 'numpy' or 'heyoka', got 'cuda'"):
+        compiled(lambda x: x, backend="cuda")
+
+
+def test_without_heyoka_the_backend_says_how_to_get_it_and_auto_goes_on(monkeypatch):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None)
+    monkeypatch.setattr("newton_euler.algebra.compile.HEYOKA_BREAK_EVEN", {True: 0, False: 0})
+    x = np.array([1.0, 2.0])
+    with pytest.raises(
+        ImportError,
+        match=r"backend='heyoka' needs heyoka: pip install 'newton-euler\[fast\]', or use "
+        r"backend='auto'",
+    ):
+        compiled(lambda x: x + 1, backend="heyoka")(x)
+    assert compiled(lambda x: x + 1, backend="auto")(x).tolist() == [2.0, 3.0]
+
+
+def test_warnings_of_numpy_are_not_hidden():
+    with pytest.warns(RuntimeWarning, match="divide by zero"):
+        assert compiled(lambda x: 1 / x)(np.array([0.0]))[0] == math.inf
+    with pytest.raises(ZeroDivisionError, match=r".*"):
+        compiled(lambda x: 1 / x)(0.0)
+
+
+def test_results_through_heyoka_are_not_touched_by_the_next_call_nor_by_other_lengths():
+    """Blocks go through a buffer that is kept between calls."""
+    pytest.importorskip("heyoka")
+    f = compiled(lambda x, a: (x * a, x + a), backend="heyoka")
+    lengths = (5, 1 << 15, (1 << 15) + 7, 5)
+    inputs = [np.linspace(0.0, 1.0 + n, length) for n, length in enumerate(lengths)]
+    results = [f(x, 2.0) for x in inputs]
+    for x, (product, total) in zip(inputs, results, strict=True):
+        assert np.array_equal(product, 2.0 * x)
+        assert np.array_equal(total, x + 2.0)
+
+
+# -- several threads, and one formula on several kinds of number
+
+
+class Paused(Moving):
+    """A moving number whose products wait until the other thread is as far."""
+
+    barrier = threading.Barrier(2, timeout=10)
+
+    def __mul__(self, other):
+        self.barrier.wait()
+        return super().__mul__(other)
+
+
+def in_two_threads(*calls):
+    with ThreadPoolExecutor(2) as pool:
+        return [future.result() for future in [pool.submit(call) for call in calls]]
+
+
+def test_two_threads_have_each_their_own_pi():
+    f = compiled(lambda x: x * x + pi(x))
+    precise, rounded = in_two_threads(
+        lambda: f(Paused(mpmath.mpf(1))).value, lambda: f(Paused(1.0)).value
+    )
+    assert abs(precise - 1 - mpmath.pi) < 1e-28
+    assert type(rounded) is float
+
+
+def test_two_threads_trace_one_formula_inside_others(monkeypatch):
+    barrier, multiply = threading.Barrier(2, timeout=10), Step.__mul__
+
+    def paused(self, other):
+        barrier.wait()
+        return multiply(self, other)
+
+    inner = compiled(lambda x: x * x * pi(x))
+    monkeypatch.setattr(Step, "__mul__", paused)
+    two, three = in_two_threads(
+        lambda: compiled(lambda y: inner(2.0 + y)), lambda: compiled(lambda y: inner(3.0 + y))
+    )
+    assert two(0.0) == inner(2.0)
+    assert three(0.0) == inner(3.0)
+
+
+@pytest.mark.parametrize("kind", [moving(0.4, 1.0), moving(mpmath.mpf(2)), Dimension()])
+def test_a_call_leaves_the_globals_of_the_text_as_they_were(kind):
+    f = compiled(lambda x: x * x + pi(x))
+    f(moving(1.0))
+    before = {library: dict(run.__globals__) for library, run in f._functions.items()}
+    f(kind)
+    assert {library: run.__globals__ for library, run in f._functions.items()} == before
+
+
+def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
+    inner = compiled(lambda x: pi(x) * x)
+    outer = compiled(lambda y: inner(moving(y, 1.0)).value)
+    assert abs(outer(mpmath.mpf(1)) - mpmath.pi) < 1e-28

@@ -1,0 +1,158 @@
+"""Receipts: what is read and shown, what is open, what is said under Validate."""
+
+import json
+
+import pytest
+from sympy import sin, symbols
+
+from newton_euler.answers.forms import AnswerError, Form
+from newton_euler.answers.receipts import expect, receipt, receipts, record
+from tests.newton_euler.answers.one_answer import ground, omega, r
+
+
+def test_one_fault_leaves_the_other_answers():
+    forms = {
+        "v": Form.read("vector, m/s"),
+        "n": Form.read("number, 1"),
+        "open": Form.read("number, 1"),
+    }
+    read, faults = record(forms, {}, {"v": [1, 2], "n": 3})
+    assert read == {"n": 3.0, "open": None}
+    assert list(faults) == ["v"]
+
+
+# -- receipt
+
+
+@pytest.fixture
+def problem():
+    expect("0/7", {"r": "m", "omega": "rad/s"}, v="vector, m/s", speed="expression, m/s")
+    return "0/7"
+
+
+def test_a_receipt_shows_what_was_read_and_what_is_open(problem):
+    said = repr(receipt(problem, v=[1, 2.5, 0], speed=None))
+    assert (
+        said
+        == "0/7: v = [1, 2.5, 0] m/s. Form checked only; the key is not here. Still open: speed."
+    )
+    assert repr(receipt(problem)) == "0/7: no answer yet."
+
+
+def test_a_receipt_is_a_json_record(problem):
+    given = receipt(problem, v=ground.vector(1, 2, 0), speed=omega * r)
+    assert json.loads(given.json) == {
+        "problem": "0/7",
+        "answers": {"v": [1.0, 2.0, 0.0], "speed": ["*", "omega", "r"]},
+    }
+    assert receipts["0/7"]["faults"] == {}
+
+
+def test_a_receipt_names_every_answer_that_cannot_be_read(problem):
+    with pytest.raises(
+        AnswerError, match=r"0/7, v: expected a vector(.|\n)*0/7, speed: expected a formula"
+    ):
+        receipt(problem, v=3, speed="r")
+
+
+def test_an_unknown_problem_or_answer_is_told(problem):
+    with pytest.raises(
+        AnswerError,
+        match=r"nothing is known of problem '9/99'; run the cells of the notebook from the top",
+    ):
+        receipt("9/99", v=1)
+    with pytest.raises(AnswerError, match="problem 0/7 does not ask for 'w'; it asks for v, speed"):
+        receipt(problem, w=1)
+
+
+def test_answers_are_looked_up_where_names_are(problem):
+    given = receipt(problem, {"v": [1, 2.5, 0], "other": print})
+    assert given.answers == {"v": [1.0, 2.5, 0.0], "speed": None}
+    assert "Still open: speed" in repr(given)
+    assert receipt(problem, {"v": [1, 2.5, 0]}, v=None).answers["v"] is None
+    assert repr(receipt(problem, {})) == "0/7: no answer yet."
+
+
+@pytest.mark.parametrize(
+    ("answers", "said"),
+    [
+        ({}, "0/7: no answer yet for v, speed; what stays open costs its points"),
+        ({"v": [1, 2, 3], "speed": None}, "0/7: no answer yet for speed; what stays open costs"),
+        ({"v": "1", "speed": None}, "0/7, v: expected a vector"),
+    ],
+)
+def test_validate_says_in_a_sentence_what_is_open_or_cannot_be_read(
+    problem, monkeypatch, answers, said
+):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "validate")
+    with pytest.raises(AnswerError, match=said):
+        receipt(problem, answers)
+
+
+def test_validate_passes_what_is_in_the_right_form(problem, monkeypatch):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "validate")
+    assert "Form checked only" in repr(receipt(problem, v=[1, 2, 3], speed=omega * r))
+
+
+def test_a_notebook_shows_a_receipt_as_text_and_not_as_a_value(problem, capsys):
+    receipt(problem, v=[1, 2, 3])._ipython_display_()
+    assert capsys.readouterr().out.startswith("0/7: v = [1, 2, 3] m/s.")
+
+
+def test_a_notebook_shows_the_sentence_of_an_error_without_the_librarys_code(problem):
+    with pytest.raises(AnswerError) as caught:
+        receipt(problem, v=3, speed="r")
+    shown = caught.value._render_traceback_()
+    assert [x.partition(":")[0] for x in shown] == ["AnswerError", "0/7, speed"]
+    assert all(len(line) <= 70 for x in shown for line in x.splitlines())
+
+
+def test_a_form_that_does_not_exist_is_told():
+    with pytest.raises(
+        AnswerError, match=r"no such kind of answer: 'tensor'; there are number, vector"
+    ):
+        expect("0/8", x="tensor, m")
+
+
+def test_plain_nbgrader_cannot_give_points_for_a_receipt(problem, monkeypatch):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
+    with pytest.raises(AnswerError, match=r"not graded here.*python -m grader grade"):
+        receipt(problem, v=[1, 2, 3])
+
+
+def test_a_hint_stands_in_the_receipt_and_names_the_component():
+    expect("0/9", {"r": "m", "omega": "rad/s"}, v="vector_expression, m/s")
+    assert "look again at v: component 2 has" in repr(receipt("0/9", v=[r * omega, r, 0]))
+
+
+def test_a_receipt_in_a_notebook_is_typeset(problem, monkeypatch):
+    """Names as the statement prints them, formulas with fractions and roots, raised units."""
+    expect("0/11", {"tilt": "rad", "d": "m"}, notation={"tilt": r"\gamma"},
+           b_dot="expression, m", v_D="vector, mm/s")  # fmt: skip
+    tilt, d = symbols("tilt d")
+    given = receipt("0/11", b_dot=d * sin(tilt) / 2, v_D=[1, 2.5, 0])
+    assert r"\dot{b} = \frac{" in given.markdown or r"\dot{b} = 0.5 d" in given.markdown
+    assert r"\sin \gamma" in given.markdown
+    assert r"$\mathbf{v}_D = \left[1,\ 2.5,\ 0\right]\ \text{mm/s}$" in given.markdown
+    assert "Form checked only" in given.markdown
+    shown = []
+    monkeypatch.setattr("newton_euler.answers.receipts.in_notebook", lambda: True)
+    monkeypatch.setattr("IPython.display.display", lambda data, raw: shown.append(data))
+    given._ipython_display_()
+    assert shown == [{"text/plain": repr(given), "text/markdown": given.markdown}]
+
+
+def test_a_receipt_prints_an_answer_that_is_named_by_a_word_as_the_code_does():
+    expect("0/13", acc_mag="number, m/s^2", state="choice: stable | unstable")
+    said = receipt("0/13", acc_mag=2.5, state="stable").markdown
+    assert r"`acc_mag` $= 2.5\ \text{m/s}^2$" in said
+    assert "`state`: stable" in said
+
+
+def test_hints_of_a_receipt_are_text_and_no_markdown():
+    expect("0/12", {"r": "m", "omega_1": "rad/s"}, v="expression, m/s")
+    said = receipt("0/12", v=symbols("r") * symbols("omega_1") ** 2).markdown
+    assert "\n- look again at v: it has" in said
+    assert "look again" in repr(receipt("0/12", v=symbols("r")))
+    assert "**0/12:**" in said
+    assert receipt("0/12").markdown == "0/12: no answer yet."
