@@ -8,7 +8,6 @@ import shutil
 from importlib.util import find_spec
 from pathlib import Path
 
-
 HELP = """\
 Copy the notebooks of the course to the folder DIR, and say how to open them.
 

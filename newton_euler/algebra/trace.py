@@ -119,7 +119,7 @@ class Step(_Own):
     # What is integrated, or whose root is taken, is traced as a formula inside this one.
 
     def _integrals(self, f, start, end):
-        """The steps of :func:`newton_euler.algebra.calculus.integral` of a tuple of scalars."""
+        """The steps of :func:`newton_euler.algebra.integrals.integral` of a tuple of scalars."""
         return _inner("integral", f, (start, end), f((start + end) / 2))
 
     def _over_cube(self, f, n):
@@ -127,7 +127,7 @@ class Step(_Own):
         return _inner("over_cube", f, (n,), f(*(0.5,) * n), [f"x{k}" for k in range(n)])
 
     def _root(self, f, low, high):
-        """The step of :func:`newton_euler.algebra.calculus.root`."""
+        """The step of :func:`newton_euler.algebra.roots.root`."""
         return _inner("root", lambda x: (f(x),), (low, high), (f((low + high) / 2),))[0]
 
     def _no_value(self, *_):

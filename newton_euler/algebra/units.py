@@ -128,7 +128,7 @@ class Dimension(_Own):
 
     def _integrals(self, f, start, end):
         """The dimensions of the integrals of a tuple of scalars, see
-        :func:`newton_euler.algebra.calculus.integral`.
+        :func:`newton_euler.algebra.integrals.integral`.
         """
         width = end - start  # of one dimension, or this raises
         return tuple(y * width for y in f(start + width))
