@@ -1,9 +1,7 @@
 """A/1: position vectors of two points, and of one with respect to the other."""
 
-from exercises.catalogue.proofs import plus, rate, scaled
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, plus, rate, scaled
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 

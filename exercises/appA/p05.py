@@ -1,9 +1,7 @@
 """A/5: the component of a vector along a directed line."""
 
-from exercises.catalogue.proofs import minus, plus, rate, root, scaled, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, plus, rate, root, scaled, size
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 

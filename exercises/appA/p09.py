@@ -2,8 +2,7 @@
 figure.
 """
 
-from exercises.catalogue.proofs import rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, rate
 from newton_euler import Frame, moving
 
 

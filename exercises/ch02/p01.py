@@ -1,13 +1,8 @@
 """2/1: constant speed down an exponential."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import scaled, size
-from exercises.catalogue.steps import Step
 from exercises.devices.plane_curve import at_constant_speed
+from exercises.tools import Sketch, Step, in_frame, mp, scaled, size
 from newton_euler import Frame, exp, moving
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import at_speed, frenet_along
 
 

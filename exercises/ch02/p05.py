@@ -1,11 +1,7 @@
 """2/5: a jet of water that comes down into a trench."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, root
 from newton_euler import Frame, cos, pi, sin
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import from_time
 
 

@@ -1,11 +1,7 @@
 """2/6: a sprinkler on a sloping lawn."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, root
 from newton_euler import Frame, cos, pi, sin
-from newton_euler.drawing import Sketch
 
 SIDES = {"d_C": -1, "d_B": 1}  # downhill and uphill: along -x and x
 

@@ -1,11 +1,8 @@
 """2/8: a ball that hits a wall as high as it can: whether it rises or falls."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, root
-from exercises.catalogue.steps import Step
 from exercises.devices import thrown_ball
 from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_path
+from exercises.tools import Step, mp, rate, root
 from newton_euler import atan, sqrt
 
 

@@ -1,11 +1,7 @@
 """2/10: a car that speeds up in a curve."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, root, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, rate, root, second_rate, size
 from newton_euler import Frame, moving, polar, sqrt
-from newton_euler.drawing import Sketch
 
 FOOT = 0.3048  # m: who takes mi/h for ft/s
 

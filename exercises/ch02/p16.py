@@ -1,11 +1,7 @@
 """2/16: tape over two pulleys: one speed, one tangential acceleration, two curvatures."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, root, second_rate, size
 from newton_euler import Frame, sqrt
-from newton_euler.drawing import Sketch
 
 
 def speed(g):

@@ -1,11 +1,7 @@
 """2/18: a rocket on the radar: where it is heading, a word, and how its path is curved."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import cross, rate, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, cross, mp, rate, second_rate, size
 from newton_euler import Frame, cos, moving, sin
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import flexure, polar
 
 

@@ -1,10 +1,7 @@
 """2/24: the pin of a crank in a slotted arm, in polar coordinates."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, rot, second_rate, size, times
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
+from exercises.tools import Step, mp, rate, rot, second_rate, size, terms, times
 from newton_euler import Frame, polar
 
 

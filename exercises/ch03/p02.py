@@ -2,12 +2,8 @@
 direction.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, size
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import along
 
 GROUND = Frame("ground")

@@ -1,9 +1,7 @@
 """3/3: constant speed on a curve that is given by a parameter."""
 
-from exercises.catalogue.proofs import rate, scaled, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, rate, scaled, size
 from newton_euler import Frame, moving
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import at_speed
 
 GROUND = Frame("ground")

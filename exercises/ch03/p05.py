@@ -1,10 +1,7 @@
 """3/5: acceleration of constant magnitude on a helix, uniformly and from rest."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.helix import figure, on_helix
+from exercises.tools import Step, mp, proofs
 from newton_euler import asin, integral, moving, pi, sin, sqrt
 from newton_euler.kinematics import frenet
 

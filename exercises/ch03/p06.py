@@ -1,11 +1,7 @@
 """3/6: a point on a sphere, in spherical, cylindrical and rectangular components."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import cross, rate, rot, second_rate, times, transposed
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, cross, mp, rate, rot, second_rate, times, transposed
 from newton_euler import Frame, cylindrical, moving, pi, spherical, sqrt
-from newton_euler.drawing import Sketch
 
 
 def angle(g):

@@ -1,11 +1,7 @@
 """3/8: a point that climbs faster and faster on a cylinder."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, rate, second_rate, size
 from newton_euler import Frame, cos, cylindrical, moving, pi, sin
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import along, speed_rate
 
 GROUND = Frame("ground")

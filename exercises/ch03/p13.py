@@ -1,11 +1,7 @@
 """3/13: the largest acceleration of a point on an element that turns and moves up and down."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, cylindrical, moving, pi, sin
-from newton_euler.drawing import Sketch
 
 
 def at_the_top(g):

@@ -2,11 +2,8 @@
 components.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, second_rate, size
-from exercises.catalogue.steps import Step, terms
 from exercises.devices.nozzle import figure, nozzle_and_particle, particle_in_time
+from exercises.tools import Step, mp, rate, second_rate, size, terms
 from newton_euler import Frame, cos, cylindrical, moving, pi, sin
 
 

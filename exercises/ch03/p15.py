@@ -1,10 +1,7 @@
 """3/15: how the spherical unit vectors turn."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, spherical_axes, times
-from exercises.catalogue.steps import Step
 from exercises.devices.spherical_point import figure, place_in_time
+from exercises.tools import Step, mp, rate, spherical_axes, times
 from newton_euler import Frame, moving, pi
 from newton_euler.kinematics import spherical_frame
 

@@ -1,7 +1,7 @@
 """3/19: the velocity of a car of an amusement ride in cylindrical components."""
 
-from exercises.catalogue.proofs import cylindrical_axes, rate, times
 from exercises.devices import amusement_ride as ride
+from exercises.tools import cylindrical_axes, rate, times
 from newton_euler import cylindrical
 
 STEPS = "z", "z_dot", "r", "r_dot"

@@ -1,8 +1,7 @@
 """3/20: the acceleration of a car of an amusement ride in cylindrical components."""
 
-from exercises.catalogue.proofs import cylindrical_axes, second_rate, times
-from exercises.catalogue.steps import terms
 from exercises.devices import amusement_ride as ride
+from exercises.tools import cylindrical_axes, second_rate, terms, times
 from newton_euler import cylindrical
 
 STEPS = "z_dot", "r", "r_dot", "r_ddot"

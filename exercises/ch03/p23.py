@@ -1,8 +1,7 @@
 """3/23: the velocity of a car of an amusement ride, from cylindrical to spherical components."""
 
-from exercises.catalogue.proofs import cylindrical_axes, rate, spherical_axes, times, transposed
-from exercises.catalogue.steps import Step
 from exercises.devices import amusement_ride as ride
+from exercises.tools import Step, cylindrical_axes, rate, spherical_axes, times, transposed
 from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 

@@ -2,15 +2,8 @@
 by the matrix.
 """
 
-from exercises.catalogue.proofs import (
-    cylindrical_axes,
-    second_rate,
-    spherical_axes,
-    times,
-    transposed,
-)
-from exercises.catalogue.steps import Step
 from exercises.devices import amusement_ride as ride
+from exercises.tools import Step, cylindrical_axes, second_rate, spherical_axes, times, transposed
 from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 

@@ -2,12 +2,8 @@
 matrix is a tuple of three rows.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, times
 from newton_euler import Frame, atan2, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics.coordinates import T_phi, T_theta, cylindrical_frame, spherical_frame
 from newton_euler.kinematics.rotations import apply, transpose
 

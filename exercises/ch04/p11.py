@@ -1,12 +1,7 @@
 """4/11: a cone that rolls in the gap between two cones turning in opposite senses."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import angular_velocity, rate, rot, times
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, angular_velocity, in_frame, mp, rate, rot, terms, times
 from newton_euler import Frame, cos, sin, solve_rates
-from newton_euler.drawing import Sketch
 
 
 def cones(g, rate_of_B):

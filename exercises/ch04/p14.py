@@ -1,10 +1,7 @@
 """4/14: two disks on the ends of one axle that roll in a circle."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import angular_velocity, minus, rate, rot, times
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, angular_velocity, in_frame, minus, rate, rot, terms, times
 from newton_euler import Frame, solve_rates
-from newton_euler.drawing import Sketch
 
 
 def axle_and_disk(g):

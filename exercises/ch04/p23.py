@@ -1,8 +1,5 @@
 """4/23: the velocity of a rim point of a disk rolling in a circle."""
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import rate
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in
 from exercises.devices.rolling_disk import (
     axle_and_disk,
@@ -13,6 +10,7 @@ from exercises.devices.rolling_disk import (
     sketch,
     turning,
 )
+from exercises.tools import in_frame, rate, terms
 
 
 def answers(g, spin):

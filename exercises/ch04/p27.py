@@ -1,13 +1,8 @@
 """4/27: a disk at the end of a cranked bracket that turns about a fixed axis."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import plus, rate, rot, second_rate, times
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, in_frame, mp, plus, rate, rot, second_rate, terms, times
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def bracket_and_disk(g):

@@ -2,9 +2,6 @@
 point.
 """
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import angular_acceleration, second_rate
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in
 from exercises.devices.rolling_disk import (
     axle_and_disk,
@@ -15,6 +12,7 @@ from exercises.devices.rolling_disk import (
     rolling_steps,
     sketch,
 )
+from exercises.tools import angular_acceleration, in_frame, second_rate, terms
 
 
 def answers(g, spin):

@@ -1,9 +1,9 @@
 """5/2: the centre of mass of two spheres that touch."""
 
-from exercises.catalogue import proofs
 from exercises.devices import satellite
 from exercises.devices.put_together import centre, proved, steps_of
 from exercises.devices.satellite import SATELLITE, parts, spheres
+from exercises.tools import proofs
 
 
 def solve(g):

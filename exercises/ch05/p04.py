@@ -1,9 +1,8 @@
 """5/4: the centre of mass of a cone by integration."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import cone
 from exercises.devices.cone import CONE, radius, tube
+from exercises.tools import Step, proofs
 from newton_euler import integral, pi
 
 

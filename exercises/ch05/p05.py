@@ -1,9 +1,9 @@
 """5/5: the centre of mass of a plate with six holes."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices import plate_with_holes
 from exercises.devices.plate_with_holes import PLATE, parts
 from exercises.devices.put_together import centre, chord, sliced, sums
+from exercises.tools import Step
 
 
 def solve(g):

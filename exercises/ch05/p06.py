@@ -1,9 +1,8 @@
 """5/6: the centre of mass of half a disk by integration."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import half_disk
 from exercises.devices.half_disk import DISK, in_polar, top
+from exercises.tools import Step, proofs
 from newton_euler import pi, sin
 
 

@@ -1,9 +1,8 @@
 """5/8: the centre of mass of a hemispherical shell."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices import dome
 from exercises.devices.dome import SHELL, area_of_ring, over_rings, shadow
+from exercises.tools import Step, proofs
 from newton_euler import cos, sin
 from newton_euler.bodies import half_ring, hemisphere
 

@@ -2,10 +2,10 @@
 
 from itertools import pairwise
 
-from exercises.catalogue.steps import Step
 from exercises.devices import chain_of_rods
 from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, path, rods
 from exercises.devices.put_together import centre, sums, unweighed, walked
+from exercises.tools import Step
 
 
 def solve(g):

@@ -1,11 +1,9 @@
 """5/12: the centre of mass of a disk with a hole beside its centre."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import disk_with_hole
 from exercises.devices.disk_with_hole import DISK, parts, rim
 from exercises.devices.put_together import centre, proved, steps_of
+from exercises.tools import mp, proofs
 
 
 def solve(g):

@@ -1,9 +1,9 @@
 """5/14: the centre of mass of a bent plate with a hole and a round top."""
 
-from exercises.catalogue import proofs
 from exercises.devices import bent_plate
 from exercises.devices.bent_plate import PART, parts
 from exercises.devices.put_together import centre, chord, proved, steps_of
+from exercises.tools import proofs
 
 
 def solve(g):

@@ -1,9 +1,8 @@
 """5/15: the centre of mass of four particles on light rods."""
 
-from exercises.catalogue.proofs import rate, root
-from exercises.catalogue.steps import Step
 from exercises.devices import four_particles
 from exercises.devices.four_particles import masses, particles, rods
+from exercises.tools import Step, rate, root
 from newton_euler import centre_of_mass
 
 

@@ -1,9 +1,9 @@
 """5/16: a centre of mass by integration."""
 
-from exercises.catalogue import proofs
 from exercises.devices import parabola_plate
 from exercises.devices import plate_under_curve as plate
 from exercises.devices.parabola_plate import height, start
+from exercises.tools import proofs
 
 
 def moments(g):

@@ -2,12 +2,8 @@
 length are only drawn.
 """
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import freedom
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, freedom, mp, mpf
 from newton_euler import Frame, cos, sin, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import degrees_of_freedom
 
 TWO = {"P1": "particle", "P2": "particle"}

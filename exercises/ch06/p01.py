@@ -1,11 +1,7 @@
 """6/1: the resultant of three forces on a particle."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, root
 from newton_euler import ForceSystem, Frame, atan, atan2, cos, pi, sin, where
-from newton_euler.drawing import Sketch
 
 AXES = Frame("axes")
 P = AXES.point("P", 0, 0, 0)

@@ -1,7 +1,6 @@
 """6/2: the acceleration of a particle by a force."""
 
-from exercises.catalogue.proofs import rate, root
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, rate, root
 from newton_euler import Frame
 from newton_euler.dynamics import acceleration_by
 

@@ -1,7 +1,6 @@
 """6/3: the force on a particle whose position is known in time."""
 
-from exercises.catalogue.proofs import rate
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, rate
 from newton_euler import Frame
 from newton_euler.dynamics import resultant_force
 from newton_euler.kinematics import along

@@ -2,11 +2,9 @@
 
 from dataclasses import replace
 
-from exercises.catalogue.proofs import root, second_rate
-from exercises.catalogue.steps import Step
 from exercises.devices.roped_blocks import block_steps, by_energy, hanging, motion
+from exercises.tools import Sketch, Step, root, second_rate
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 
 def blocks(g):

@@ -1,12 +1,8 @@
 """6/12: a car that leaves the road at a hump."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root
-from exercises.catalogue.steps import Step
 from exercises.devices.plane_curve import at_constant_speed
+from exercises.tools import Sketch, Step, mp, root
 from newton_euler import Frame, moving, pi, sin, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import path_force
 from newton_euler.kinematics import frenet_along
 

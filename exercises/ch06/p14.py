@@ -1,11 +1,7 @@
 """6/14: a sphere on two wires, before and just after one of them is cut."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import minus, rate, second_rate, size
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, mpf, rate, second_rate, size
 from newton_euler import Frame, pi, sin, solve_linear
-from newton_euler.drawing import Sketch
 
 
 def wires(g):

@@ -1,12 +1,8 @@
 """6/16: a particle in a tube that turns in a vertical plane."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import DIGITS, rate, second_rate
-from exercises.catalogue.steps import Step
+from exercises.tools import DIGITS, Sketch, Step, mp, rate, second_rate
 from newton_euler import Frame, cosh, moving, polar, sin, sinh
 from newton_euler.algebra import at
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import reaction
 
 

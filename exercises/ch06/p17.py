@@ -1,12 +1,8 @@
 """6/17: a particle slides through a dip and over a crest."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import cross, rate, second_rate, size
-from exercises.catalogue.proofs import root as place_of
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, cross, mp, mpf, rate, second_rate, size
+from exercises.tools import root as place_of
 from newton_euler import Frame, cos, sin, solve_linear, tan
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import path_force, speed_after
 
 

@@ -1,17 +1,14 @@
 """6/21: a long shot to the north, on the turning Earth."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import root as place_of
-from exercises.catalogue.steps import Step
 from exercises.devices.turning_earth import flight, ground_axes, shot, to_first_order
+from exercises.tools import Sketch, Step, mp
+from exercises.tools import root as place_of
 from newton_euler import Frame, cos, pi, root, sin
 from newton_euler.applications import (
     flight_time,
     launch_velocity,
     range_east,
 )
-from newton_euler.drawing import Sketch
 
 
 def elevation(g):

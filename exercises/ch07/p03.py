@@ -1,8 +1,5 @@
 """7/3: the inertia matrix of a block and a cylinder that stands on it."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import block_with_cylinder
 from exercises.devices.block_with_cylinder import BLOCK, parts
 from exercises.devices.inertia import (
@@ -15,6 +12,7 @@ from exercises.devices.inertia import (
     together,
     wrong_sign,
 )
+from exercises.tools import mp, proofs
 
 
 def inertia(g, **changed):

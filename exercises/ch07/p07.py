@@ -1,9 +1,9 @@
 """7/7: the inertia matrix of a wire along an arc."""
 
-from exercises.catalogue.steps import Step
 from exercises.devices import wire_arc
 from exercises.devices.inertia import added, matrix, turned
 from exercises.devices.wire_arc import WIRE, along, over
+from exercises.tools import Step
 from newton_euler import cos, sin
 
 

@@ -1,8 +1,5 @@
 """7/9: the inertia matrix of an L-shaped block with a bore."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import bored_bracket
 from exercises.devices.bored_bracket import BRACKET, block, parts
 from exercises.devices.inertia import (
@@ -14,6 +11,7 @@ from exercises.devices.inertia import (
     steps_of,
     together,
 )
+from exercises.tools import mp, proofs
 
 
 def solve(g):

@@ -1,8 +1,5 @@
 """7/12: the inertia matrix of a disk with a hole beside its centre."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import disk_with_hole
 from exercises.devices.disk_with_hole import DISK, parts, rim
 from exercises.devices.inertia import (
@@ -15,6 +12,7 @@ from exercises.devices.inertia import (
     turned,
     untransferred,
 )
+from exercises.tools import mp, proofs
 
 
 def solve(g):

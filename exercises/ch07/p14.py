@@ -1,8 +1,5 @@
 """7/14: the inertia matrix of a bent plate with a hole and a round top."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import bent_plate
 from exercises.devices.bent_plate import PART, parts
 from exercises.devices.inertia import (
@@ -14,6 +11,7 @@ from exercises.devices.inertia import (
     together,
     untransferred,
 )
+from exercises.tools import mp, proofs
 from newton_euler.bodies import Body
 
 

@@ -1,10 +1,10 @@
 """7/16: the inertia matrix of a plate under a parabola by integration."""
 
-from exercises.catalogue import proofs
 from exercises.devices import parabola_plate
 from exercises.devices.inertia import added, matrix, of_points
 from exercises.devices.parabola_plate import height, start
 from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
+from exercises.tools import proofs
 
 
 def moments(g, area):

@@ -1,13 +1,9 @@
 """8/7: a cylinder that falls while a thread unwinds from it."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import force_needed, kinetic_energy, let_go
-from exercises.catalogue.steps import Step
 from exercises.devices.rolling_cylinder import rolled, rolls
+from exercises.tools import Sketch, Step, force_needed, kinetic_energy, let_go, mp
 from newton_euler import Frame
 from newton_euler.bodies import disk, ring
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight
 
 

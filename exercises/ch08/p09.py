@@ -1,13 +1,9 @@
 """8/9: a disk that rolls up a slope and comes to rest."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import force_needed, kinetic_energy, let_go, vanishing
-from exercises.catalogue.steps import Step
 from exercises.devices.rolling_cylinder import rolled, rolls
+from exercises.tools import Sketch, Step, force_needed, kinetic_energy, let_go, mp, vanishing
 from newton_euler import Frame, cos, sin
 from newton_euler.bodies import disk, ring
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics.rectilinear import from_speed
 
 

@@ -1,11 +1,10 @@
 """8/13: a block that turns about one of its edges."""
 
-from exercises.catalogue import proofs
 from exercises.devices import turning_body
 from exercises.devices.turning_body import about_origin, answers, moment_from_momentum, steps_of
+from exercises.tools import Sketch, proofs
 from newton_euler import Frame
 from newton_euler.bodies import box
-from newton_euler.drawing import Sketch
 
 BLOCK = Frame("block")
 AXIS = "y"

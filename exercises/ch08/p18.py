@@ -1,13 +1,10 @@
 """8/18: a quarter of a disk that turns about one of its straight edges."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
 from exercises.devices import turning_body
 from exercises.devices.turning_body import answers, moment_from_momentum, steps_of
+from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, pi
 from newton_euler.bodies import sector
-from newton_euler.drawing import Sketch
 
 PLATE = Frame("plate")
 AXIS = "x"

@@ -4,8 +4,8 @@ from itertools import pairwise
 
 from exercises.devices import turning_body
 from exercises.devices.turning_body import about_origin, answers, moment_from_momentum, steps_of
+from exercises.tools import Sketch
 from newton_euler import Frame, particle
-from newton_euler.drawing import Sketch
 
 BODY = Frame("body")
 AXIS = "x"

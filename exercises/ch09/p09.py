@@ -1,12 +1,8 @@
 """9/9: a ring that swings out from a turning shaft."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, acos, cos, particle, pi, sin, solve_linear, sqrt
 from newton_euler.bodies import Inertia, disk, ring
-from newton_euler.drawing import Sketch
 
 
 def hanging(g, body=ring):

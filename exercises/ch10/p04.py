@@ -1,8 +1,5 @@
 """10/4: leading terms of the two rates of steady precession for a fast spin."""
 
-from mpmath import mp
-
-from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import (
     both_rates,
     frames,
@@ -10,6 +7,7 @@ from exercises.devices.steady_precession import (
     needed_by_rates,
     two_rings,
 )
+from exercises.tools import Step, mp
 from newton_euler import Inertia, cos, sin, sqrt
 from newton_euler.applications.gyroscopes import fast_spin
 

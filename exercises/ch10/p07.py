@@ -1,10 +1,8 @@
 """10/7: a fan whose precession needs the moment of a shifted counterweight."""
 
-from exercises.catalogue.proofs import mean, moment_needed, plus, ring, rot, times, vanishing
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mean, moment_needed, plus, ring, rot, times, vanishing
 from newton_euler import ForceSystem, Frame, cos, sin, solve_linear
 from newton_euler.applications.gyroscopes import normal_moment
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import weight
 
 

@@ -1,11 +1,9 @@
 """10/11: two disks on a rod that do not precess."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.wobbling import neutral_length
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame, composite, particle, solve_linear, sqrt
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 
 
 def assembly(g, b, part=None):

@@ -1,12 +1,8 @@
 """11/3: a car that drives up one slope and coasts up a steeper one."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, rate, root, scaled, second_rate, size, vanishing
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, proofs, rate, root, scaled, size, vanishing
 from newton_euler import Frame, sin, solve_linear
 from newton_euler.algebra.ledger import summed
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import constant_force_work
 
 
@@ -66,7 +62,7 @@ def prove(g):
 
     def acceleration(angle, engine):
         def excess(a):
-            needed = scaled(m, minus(second_rate(line(angle, 0, a)), [0, -gravity]))
+            needed = scaled(m, minus(proofs.second_rate(line(angle, 0, a)), [0, -gravity]))
             return needed[0] * mp.cos(angle) + needed[1] * mp.sin(angle) - engine
 
         return vanishing(excess, 0, 1)

@@ -1,8 +1,7 @@
 """11/4: a collar that slides down a quarter of a hoop into a spring."""
 
-from exercises.catalogue.proofs import until
-from exercises.catalogue.steps import Step
 from exercises.devices.quarter_hoop import sketch, slides, work_of_weight
+from exercises.tools import Step, until
 from newton_euler import pi, sqrt
 from newton_euler.dynamics import speed_after, spring_potential
 

@@ -1,12 +1,8 @@
 """11/6: two arms with a spring between them that fall open."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import until
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, until
 from newton_euler import Frame, pi, sin
 from newton_euler.algebra.ledger import summed
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import (
     mass_from_weight,
     speed_after,

@@ -1,11 +1,7 @@
 """11/7: a linkage of two pairs of links that folds down on a spring."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import minus, until
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, minus, mp, until
 from newton_euler import Frame, acos, atan2, cos, root, sin
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import spring_potential, weight_potential
 
 

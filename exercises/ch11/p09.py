@@ -1,13 +1,9 @@
 """11/9: a roller coaster: the seat in a loop, and a hump on which the car just stays."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import force_needed, speed_along
-from exercises.catalogue.proofs import root as proved_root
-from exercises.catalogue.steps import Step
 from exercises.devices.vertical_loop import circle, contact, draw_loop, proved_contact
+from exercises.tools import Sketch, Step, force_needed, mp, speed_along
+from exercises.tools import root as proved_root
 from newton_euler import Frame, pi, root
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight, path_force, speed_after, weight_potential
 
 

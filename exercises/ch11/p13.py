@@ -2,12 +2,8 @@
 
 from itertools import pairwise
 
-from mpmath import mpf
-
-from exercises.catalogue.proofs import box, freedom, gradient, mean, plus, rate, scaled
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, box, freedom, gradient, mean, mpf, plus, rate, scaled
 from newton_euler import Frame, integral, work_along
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import conservative_force, curl, degrees_of_freedom
 
 NAMES = [f"g_{n}{m}" for n in "xyz" for m in "xyz"]

@@ -1,13 +1,8 @@
 """11/17: the kinetic energy of a rolling disk."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import plus, rot, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, plus, proofs, rot, times
 from newton_euler import Frame, kinetic_energy, moving, solve_rates
 from newton_euler.bodies import disk, ring
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import kinetic_energy_about
 
 

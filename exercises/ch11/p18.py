@@ -1,11 +1,8 @@
 """11/18: the kinetic energy of a sphere about a point of its surface, in two forms."""
 
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import angular_velocity, ball, rot, size, times, transposed
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, ball, proofs, rot, size, times, transposed
 from newton_euler import Frame, cos, moving, sin
 from newton_euler.bodies import sphere
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import euler_frame
 
 
@@ -87,7 +84,7 @@ def prove(g):
     def energy(turned):
         return proofs.kinetic_energy(g.M, lambda t: [(u, times(turned(t), p)) for u, p in points])
 
-    omega = times(transposed(rot("x", g.theta)), angular_velocity(in_time))
+    omega = times(transposed(rot("x", g.theta)), proofs.angular_velocity(in_time))
     return {
         "T_omega": energy(about_axis),
         "T_euler": energy(in_time),

@@ -1,13 +1,8 @@
 """11/20: the kinetic energy of a disk on an arm that rolls round the inside of a cylinder."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import angular_velocity, plus, rate, rot, size, times
-from exercises.catalogue.steps import Step
 from exercises.devices.disk_on_shaft import carried, contact, rolling, spinning, unrolled
+from exercises.tools import Sketch, Step, angular_velocity, mp, plus, proofs, rate, rot, size, times
 from newton_euler import Body, acos, asin, atan, cos, kinetic_energy, pi, sin, sqrt
-from newton_euler.drawing import Sketch
 
 
 def turning(g):

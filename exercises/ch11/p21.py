@@ -2,10 +2,6 @@
 
 import math
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import angular_velocity, rot, size, times
-from exercises.catalogue.steps import Step
 from exercises.devices.disk_on_shaft import (
     contact,
     energy_of_disk,
@@ -13,9 +9,9 @@ from exercises.devices.disk_on_shaft import (
     spinning,
     unrolled,
 )
+from exercises.tools import Sketch, Step, angular_velocity, mp, rot, size, times
 from newton_euler import Body, atan, kinetic_energy, solve_rates
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 
 
 def shaft(g):

@@ -1,12 +1,8 @@
 """11/22: the kinetic energy of a cone that rolls round its tip."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, proofs
 from newton_euler import Frame, cos, sin, solve_rates, tan
 from newton_euler.bodies import cone
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import kinetic_energy_about
 
 

@@ -1,12 +1,8 @@
 """11/24: a pendulum made of a rod and a bob, let go."""
 
-from mpmath import mp, mpf
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, mp, mpf, proofs
 from newton_euler import Frame, cos, particle, sin
 from newton_euler.bodies import rod
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import speed_after, weight_potential
 
 

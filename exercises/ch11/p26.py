@@ -2,11 +2,9 @@
 
 from mpmath import fp
 
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
 from exercises.devices.spherical_pendulum import level_motion, other_level, way
+from exercises.tools import Sketch, Step, proofs
 from newton_euler import Frame, solve_rates, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import speed_after, weight_potential
 
 

@@ -1,12 +1,7 @@
 """The bar of 4/12 and 4/13, on a rod that moves about a ball joint at its foot."""
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import minus, rate, rot, size, times
-from exercises.catalogue.steps import Step
+from exercises.tools import Sketch, Step, in_frame, minus, mp, rate, rot, size, times
 from newton_euler import Frame, solve_rates
-from newton_euler.drawing import Sketch
 
 
 def assembly(g, omega_y, omega_z):

@@ -2,11 +2,8 @@
 turns.
 """
 
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import angular_acceleration, angular_velocity, minus, rot, times
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, in_frame, minus, proofs, rot, terms, times
 from newton_euler import Frame, atan, cos, sin, solve_rates
-from newton_euler.drawing import Sketch
 
 
 def gears(n, n_C, tan_gamma):
@@ -64,9 +61,9 @@ def proved(n, n_C, tan_gamma):
         # rolling toward -x: the top of B goes ahead
         return times(rot("z", n * t), rot("y", -overtaken * tan_gamma))
 
-    omega = angular_velocity(gear_B)
+    omega = proofs.angular_velocity(gear_B)
     found = {"omega_rel": minus(omega, [0, 0, n])}
-    return {"omega_B": omega, "alpha_B": angular_acceleration(gear_B)} | found
+    return {"omega_B": omega, "alpha_B": proofs.angular_acceleration(gear_B)} | found
 
 
 def figure(ax, tan_gamma, C_turns):

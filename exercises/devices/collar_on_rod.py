@@ -2,12 +2,8 @@
 functions of time.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, rot, second_rate, times
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, mp, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving, polar
-from newton_euler.drawing import Sketch
 
 
 def collar(g, r, theta):

@@ -1,11 +1,8 @@
 """The crane of 4/4 (and 3/26): it revolves while its boom OP is lowered."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, times
 from exercises.devices.boom import turning_boom
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import moving
-from newton_euler.drawing import Sketch
 
 
 def crane(g):

@@ -5,23 +5,9 @@ about +y, the bracket at omega about +z; the disk's centre is on the axle at the
 shaft. On the rim, A is at the top and B at the side on +x.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.following import acceleration_of
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    plus,
-    rate,
-    scaled,
-    second_rate,
-    spun,
-)
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, spun, terms
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 PLACES = {"A": (0, 0, 1), "B": (1, 0, 0)}
 
@@ -165,7 +151,10 @@ def prove_turning(g):
         _, phi, axle = in_time(g, t)
         return spun(axle, [0, 0, 1], phi)
 
-    return {"omega_disk": angular_velocity(disk), "alpha_disk": angular_acceleration(disk)}
+    return {
+        "omega_disk": proofs.angular_velocity(disk),
+        "alpha_disk": proofs.angular_acceleration(disk),
+    }
 
 
 def prove_rim(g, name):
@@ -181,10 +170,10 @@ def prove_rim(g, name):
     def place(t):
         theta, _, axle = in_time(g, t)
         ahead, out, up = seen(t)
-        return plus(scaled(out, axle), [ahead * mp.cos(theta), ahead * mp.sin(theta), up])
+        return plus(proofs.scaled(out, axle), [ahead * mp.cos(theta), ahead * mp.sin(theta), up])
 
-    found = {f"r_{name}": seen(0), "v_r": rate(seen), "a_r": second_rate(seen)}
-    return {f"v_{name}": rate(place), f"a_{name}": second_rate(place)} | found
+    found = {f"r_{name}": seen(0), "v_r": rate(seen), "a_r": proofs.second_rate(seen)}
+    return {f"v_{name}": rate(place), f"a_{name}": proofs.second_rate(place)} | found
 
 
 def prove_all(g, name):

@@ -6,25 +6,9 @@ the axis of the disk in A. The three axes meet at the disk's centre. On the rim,
 D at the side on +x.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.following import acceleration_of
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    cross,
-    plus,
-    rate,
-    scaled,
-    second_rate,
-    spun,
-    transposed,
-)
-from exercises.catalogue.steps import terms
 from exercises.devices.moving_frame import seen_in, turning_of
+from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, scaled, terms
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
 
 PLACES = {"C": (0, 0, 1), "D": (1, 0, 0)}
 
@@ -110,9 +94,9 @@ def prove_turning(omega_1, omega_2, omega_3):
 
     def disk(t):
         pin, axis = pin_and_axis(omega_1 * t, omega_2 * t)
-        return spun(axis, pin, omega_3 * t)
+        return proofs.spun(axis, pin, omega_3 * t)
 
-    return angular_velocity(disk), angular_acceleration(disk)
+    return proofs.angular_velocity(disk), proofs.angular_acceleration(disk)
 
 
 def prove_carrier(omega_1, omega_2):
@@ -120,9 +104,9 @@ def prove_carrier(omega_1, omega_2):
 
     def carrier(t):
         pin, axis = pin_and_axis(omega_1 * t, omega_2 * t)
-        return transposed([pin, axis, cross(pin, axis)])
+        return proofs.transposed([pin, axis, proofs.cross(pin, axis)])
 
-    return angular_velocity(carrier), angular_acceleration(carrier)
+    return proofs.angular_velocity(carrier), proofs.angular_acceleration(carrier)
 
 
 def prove_rim(g, name):
@@ -130,7 +114,7 @@ def prove_rim(g, name):
 
     def place(t):
         pin, axis = pin_and_axis(g.omega_1 * t, g.omega_2 * t)
-        c, s, up = g.r * mp.cos(g.omega_3 * t), g.r * mp.sin(g.omega_3 * t), cross(pin, axis)
+        c, s, up = g.r * mp.cos(g.omega_3 * t), g.r * mp.sin(g.omega_3 * t), proofs.cross(pin, axis)
         return {
             "C": plus(scaled(c, up), scaled(s, pin)),
             "D": plus(scaled(c, pin), scaled(-s, up)),
@@ -142,7 +126,7 @@ def prove_rim(g, name):
         "omega_disk": omega,
         "alpha_disk": alpha,
         f"v_{name}": rate(place),
-        f"a_{name}": second_rate(place),
+        f"a_{name}": proofs.second_rate(place),
         "omega_A": omega_A,
         "alpha_A": alpha_A,
         f"r_{name}": place(0),

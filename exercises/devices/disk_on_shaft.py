@@ -4,10 +4,7 @@ spins on the shaft, or rolls with its rim; its kinetic energy, and that of mass 
 
 from dataclasses import dataclass
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.proofs import disk, plus, rot, times
+from exercises.tools import disk, mp, plus, proofs, rot, times
 from newton_euler import Frame, Point, solve_rates
 
 

@@ -1,10 +1,8 @@
 """The disk of 5/12 and 7/12: about O, with a hole whose centre is on x."""
 
-from mpmath import mp
-
+from exercises.tools import Sketch, mp
 from newton_euler import Frame
 from newton_euler.bodies import disk
-from newton_euler.drawing import Sketch
 
 DISK = Frame("disk")
 

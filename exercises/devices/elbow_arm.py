@@ -2,21 +2,8 @@
 vertical.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import (
-    angular_acceleration,
-    angular_velocity,
-    rate,
-    rot,
-    second_rate,
-    times,
-    transposed,
-)
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, in_frame, mp, proofs, rate, rot, terms, times, transposed
 from newton_euler import Frame, cos, sin
-from newton_euler.drawing import Sketch
 
 
 def arm_and_rod(g):
@@ -78,8 +65,12 @@ def prove(g):
     def D(t):
         return times(rot("z", g.omega * t), in_arm(t))
 
-    answers = {"alpha_CD": angular_acceleration(rod), "v_D": rate(D), "a_D": second_rate(D)}
-    return answers | {"omega_CD": angular_velocity(rod), "v_r": rate(in_arm)}
+    answers = {
+        "alpha_CD": proofs.angular_acceleration(rod),
+        "v_D": rate(D),
+        "a_D": proofs.second_rate(D),
+    }
+    return answers | {"omega_CD": proofs.angular_velocity(rod), "v_r": rate(in_arm)}
 
 
 def common_mistakes(g):

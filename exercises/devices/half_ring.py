@@ -1,9 +1,6 @@
 """The thin half ring (wire) of 7/26 and 7/27: G is its centre of mass, M the middle of its arc."""
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, mp, proofs
 from newton_euler import Frame
 from newton_euler.bodies import half_disk, half_ring
 

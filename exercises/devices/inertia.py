@@ -5,9 +5,8 @@ angular momenta of mass points in a body that turns.
 
 from itertools import pairwise
 
-from exercises.catalogue import proofs
 from exercises.catalogue.proofs.digits import weighted
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, proofs
 from newton_euler.bodies import Body, Inertia
 
 

@@ -2,9 +2,8 @@
 curved, proof, figure.
 """
 
-from exercises.catalogue.proofs import rate, second_rate
+from exercises.tools import Sketch, rate, second_rate
 from newton_euler import frenet
-from newton_euler.drawing import Sketch
 
 
 def motion(g, ground, v):

@@ -2,8 +2,9 @@
 that moves.
 """
 
-from exercises.catalogue.steps import Step, is_zero, terms
+from exercises.catalogue.steps import is_zero
 from exercises.catalogue.wording import body_text
+from exercises.tools import Step, terms
 
 
 def turning_of(frame, ground, axes, name, said):

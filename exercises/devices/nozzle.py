@@ -2,11 +2,8 @@
 it.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, times
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, moving
-from newton_euler.drawing import Sketch
 
 
 def nozzle_and_particle(g):

@@ -2,7 +2,7 @@
 2/17, 2/22.
 """
 
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Step, terms
 
 
 def steps(ground, r, P):

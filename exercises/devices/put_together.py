@@ -2,10 +2,7 @@
 of the parts, and proofs that know no parts: by slices, and along a wire.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
-from exercises.catalogue.steps import Step
+from exercises.tools import Step, mp, proofs
 from newton_euler import centre_of_mass
 
 SYMBOLS = {"length": "l", "area": "A", "volume": "V", "mass": "m"}

@@ -2,12 +2,9 @@
 with the base.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, times
 from exercises.devices.boom import turning_boom
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import moving
-from newton_euler.drawing import Sketch
 
 
 def robot(g):

@@ -6,8 +6,8 @@ Axes: x along the surface, y out of it, z = x cross y; the contact C is at -r y 
 and ``N`` the forces of the surface on the body along x and y.
 """
 
-from exercises.catalogue.proofs import disk as points_of_disk
-from exercises.catalogue.proofs import plus, rot, times
+from exercises.tools import disk as points_of_disk
+from exercises.tools import plus, rot, times
 from newton_euler import Frame, equations_of_motion, moving, solve_linear
 from newton_euler.bodies import disk
 

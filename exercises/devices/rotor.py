@@ -4,23 +4,9 @@ momentum, its rate, bearing forces and state of balance. Axes of the shaft: x fr
 
 from dataclasses import dataclass
 
-from mpmath import mpf
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import (
-    angular_momentum,
-    force_needed,
-    moment_needed,
-    rate,
-    rot,
-    scaled,
-    size,
-    times,
-)
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, in_frame, mpf, proofs, rate, rot, size, terms, times
 from newton_euler import Body, Frame, Point, composite, dynamics
 from newton_euler.applications import balance, reactions
-from newton_euler.drawing import Sketch
 
 SMALL = mpf(10) ** -25  # a sum over mass points below this, of parts of about 1, is zero
 
@@ -187,13 +173,13 @@ def prove(g, points, a, b, extra=("I_xx", "I_xy")):
         return [(mass, times(R, place)) for mass, place in points]
 
     def momentum(t):
-        return angular_momentum(1, carried, t=t)
+        return proofs.angular_momentum(1, carried, t=t)
 
-    _, y, z = moment_needed(1, carried, (a, 0, 0))
+    _, y, z = proofs.moment_needed(1, carried, (a, 0, 0))
     F_B = [0, z / (b - a), -y / (b - a)]
-    _, y, z = moment_needed(1, carried, (b, 0, 0))
+    _, y, z = proofs.moment_needed(1, carried, (b, 0, 0))
     F_A = [0, z / (a - b), -y / (a - b)]
-    H, Hdot, force = momentum(0), rate(momentum), force_needed(1, carried)
+    H, Hdot, force = momentum(0), rate(momentum), proofs.force_needed(1, carried)
     rests = size(force) < SMALL * g.omega**2 * sum(m * size(place) for m, place in points)
     steady = size(Hdot) < SMALL * g.omega * size(H)
     x_y_z = [(m, *place) for m, place in points]
@@ -201,7 +187,7 @@ def prove(g, points, a, b, extra=("I_xx", "I_xy")):
         "I_xx": sum(m * (y * y + z * z) for m, _, y, z in x_y_z),
         "I_xy": sum(m * x * y for m, x, y, _ in x_y_z),
         "I_xz": sum(m * x * z for m, x, _, z in x_y_z),
-        "a_G": scaled(1 / sum(m for m, _ in points), force),
+        "a_G": proofs.scaled(1 / sum(m for m, _ in points), force),
     }
     return {
         "H_O": H,

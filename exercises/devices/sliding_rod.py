@@ -2,10 +2,9 @@
 clockwise about A.
 """
 
-from exercises.catalogue import in_frame
 from exercises.devices.turning_plate import motion, proof, turning
+from exercises.tools import Sketch, in_frame
 from newton_euler import moving
-from newton_euler.drawing import Sketch
 
 
 def end(g, name, x, y, alpha=None, a_r=None):

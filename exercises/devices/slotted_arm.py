@@ -2,11 +2,8 @@
 OC = CP.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, times
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, cos, moving, sin
-from newton_euler.drawing import Sketch
 
 
 def turning(g):

@@ -3,9 +3,7 @@ pendulum, or in a ring without mass that turns freely about its vertical diamete
 a force along the line to O alone, so that its angular momentum about the vertical is kept.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import proofs
+from exercises.tools import mp, proofs
 from newton_euler import Frame, particle, sqrt
 from newton_euler.dynamics import kinetic_energy, weight_potential
 

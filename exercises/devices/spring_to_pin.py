@@ -2,7 +2,7 @@
 for the proof.
 """
 
-from exercises.catalogue.proofs import minus, scaled, size
+from exercises.tools import minus, scaled, size
 
 
 def pull(k, free_length, pin):

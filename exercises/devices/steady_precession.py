@@ -6,9 +6,7 @@ of K x k. The proofs carry mass points round in the explicit motion and ask what
 no moment of inertia, no equation of a gyroscope.
 """
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import mean, moment_needed, plus, ring, root, rot, times
+from exercises.tools import mean, moment_needed, mp, mpf, plus, ring, root, rot, times
 from newton_euler import Frame, euler_frame
 from newton_euler.dynamics import weight
 

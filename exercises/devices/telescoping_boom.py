@@ -2,11 +2,8 @@
 or lowered, and its length changes.
 """
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rot, times
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, moving, pi, spherical
-from newton_euler.drawing import Sketch
 
 
 def boom_end(omega, beta, length):

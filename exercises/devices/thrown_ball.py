@@ -1,10 +1,7 @@
 """The ball of 2/7 and 2/8, thrown at a vertical wall as high as can be: path, proof, figure."""
 
-from mpmath import mp
-
-from exercises.catalogue.proofs import rate, root
+from exercises.tools import Sketch, mp, rate, root
 from newton_euler import Frame, moving, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.kinematics import from_time
 
 

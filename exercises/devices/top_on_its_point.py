@@ -1,10 +1,8 @@
 """The top of 10/3 and 10/5, which spins on its point O: its data, proof and figure."""
 
-from exercises.catalogue.proofs import mean
-from exercises.catalogue.steps import Step
 from exercises.devices.steady_precession import frames, of_weights, two_rings, weight_moment
+from exercises.tools import Sketch, Step, mean
 from newton_euler import pi, sqrt
-from newton_euler.drawing import Sketch
 from newton_euler.dynamics import mass_from_weight
 
 

@@ -1,10 +1,7 @@
 """The plate of 5/1 and 7/1: a right triangle with its legs along x and y from O."""
 
-from mpmath import mpf
-
-from exercises.catalogue import proofs
 from exercises.devices.plate_under_curve import PLATE
-from newton_euler.drawing import Sketch
+from exercises.tools import Sketch, mpf, proofs
 
 
 def height(g):

@@ -2,13 +2,8 @@
 its elevation theta falling; the truck stands, or drives the way the boom points.
 """
 
-from mpmath import mp
-
-from exercises.catalogue import in_frame
-from exercises.catalogue.proofs import minus, plus, rate, rot, second_rate, times, transposed
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Sketch, Step, in_frame, mp, plus, proofs, rate, rot, second_rate, terms
 from newton_euler import Frame, moving, pi
-from newton_euler.drawing import Sketch
 
 UNITS = {"v_B": "ft/s", "a_B": "ft/s^2"}
 
@@ -64,10 +59,10 @@ def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
         return plus(A(t), [L * mp.cos(elevation(t)), L * mp.sin(elevation(t)), 0])
 
     def along_boom(vector, t=0):
-        return times(transposed(rot("z", elevation(t))), vector)
+        return proofs.times(proofs.transposed(rot("z", elevation(t))), vector)
 
     def in_boom(t):
-        return along_boom(minus(B(t), A(t)), t)
+        return along_boom(proofs.minus(B(t), A(t)), t)
 
     return {
         "v_B": along_boom(rate(B)),

@@ -7,19 +7,7 @@ mass points move along their circles.
 
 from itertools import pairwise
 
-from exercises.catalogue.proofs import (
-    cross,
-    integral,
-    mean,
-    minus,
-    plus,
-    rate,
-    rot,
-    scaled,
-    second_rate,
-    times,
-)
-from exercises.catalogue.steps import Step, terms
+from exercises.tools import Step, cross, mean, minus, plus, proofs, rate, rot, scaled, terms, times
 from newton_euler.bodies import Inertia, composite
 from newton_euler.dynamics import fixed_line_moment, fixed_line_momentum
 
@@ -131,7 +119,7 @@ def of_wire(density, place, way, corners, names):
     """
 
     def over_piece(start, end):
-        return lambda f: scaled(density, integral(lambda s: f(place(s)), start, end))
+        return lambda f: scaled(density, proofs.integral(lambda s: f(place(s)), start, end))
 
     ends = pairwise([0, *corners, way])
     return {name: over_piece(*pair) for name, pair in zip(names, ends, strict=True)}
@@ -159,8 +147,8 @@ def prove(g, axis, **parts):
     """As above, and the forces on the mass points have their moments too; of its terms, the one is
     found by letting the body turn from rest.
     """
-    M_O = _moment(parts, rot_about(axis, g.omega, g.alpha), second_rate)
-    from_rest = _moment(parts, rot_about(axis, 0, g.alpha), second_rate)
+    M_O = _moment(parts, rot_about(axis, g.omega, g.alpha), proofs.second_rate)
+    from_rest = _moment(parts, rot_about(axis, 0, g.alpha), proofs.second_rate)
     found = prove_momentum(g, axis, **parts)
     return {
         "H_O": found.pop("H_O"),

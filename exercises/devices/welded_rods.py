@@ -1,8 +1,8 @@
 """The rods of 5/13 and 7/13: from O one along y and one up to C, from C one parallel to x."""
 
+from exercises.tools import Sketch
 from newton_euler import Frame
 from newton_euler.bodies import simplex
-from newton_euler.drawing import Sketch
 
 WELDED = Frame("welded")
 

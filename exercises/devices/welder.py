@@ -2,10 +2,9 @@
 a guide on it, along i.
 """
 
-from exercises.catalogue import in_frame
 from exercises.devices.turning_plate import motion, turning
+from exercises.tools import Sketch, in_frame
 from newton_euler import moving
-from newton_euler.drawing import Sketch
 
 
 def tip(g, name, x, y):

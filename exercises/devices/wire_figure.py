@@ -2,11 +2,9 @@
 the left end.
 """
 
-from mpmath import mp
-
+from exercises.tools import Sketch, mp
 from newton_euler import Frame
 from newton_euler.bodies import half_ring, rod
-from newton_euler.drawing import Sketch
 
 WIRE = Frame("wire")
 

@@ -2,10 +2,8 @@
 the moment that its mass points need in an explicit steady precession.
 """
 
-from mpmath import mp, mpf
-
-from exercises.catalogue.proofs import vanishing
 from exercises.devices.steady_precession import needed
+from exercises.tools import mp, mpf, vanishing
 from newton_euler.applications import free_precession
 
 WOBBLE = 0.1  # rad, the angle of the axis with the angular momentum; any will do
