@@ -42,10 +42,7 @@ def prove(g):
         return plus(scaled(1 - t, A), scaled(t, B))
 
     def nearest(C):
-        def approach(t):
-            return rate(lambda u: size(minus(on_line(u), C)) ** 2, t)
-
-        return root(approach, -100, 100)
+        return root(lambda t: rate(lambda u: size(minus(on_line(u), C)) ** 2, t), -100, 100)
 
     AB = rate(on_line)
     return {

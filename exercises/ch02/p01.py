@@ -37,10 +37,7 @@ def steps(g):
 
 
 def prove(g):
-    def place(x):
-        return [x, g.y_0 * mp.exp(-g.k * x), 0]
-
-    a = at_constant_speed(place, g.x_1, g.v)[1]
+    a = at_constant_speed(lambda x: [x, g.y_0 * mp.exp(-g.k * x), 0], g.x_1, g.v)[1]
     return {"a": a, "rho": g.v**2 / size(a), "e_n": scaled(1 / size(a), a)}
 
 

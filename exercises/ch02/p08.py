@@ -5,6 +5,8 @@ from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_a
 from exercises.tools import Step, mp, rate, root
 from newton_euler import atan, sqrt
 
+draw = thrown_ball.draw
+
 
 def sense(slope):
     return "ascending" if slope > 0 else "descending"
@@ -49,7 +51,3 @@ def mistakes(g):
         "slope_at_O": {"slope": best_slope(g), "sense": "ascending"},
         "sign": {"slope": -right["slope"], "sense": "ascending"},
     }
-
-
-def draw(g, ax):
-    thrown_ball.draw(g, ax)

@@ -43,11 +43,8 @@ def prove(g):
     def unrolled(t):
         return [g.nu * t, g.nu * t + g.a * t**2 / 2]
 
-    def off_the_tangent(t):
-        return g.r - g.r * mp.cos(g.nu * (t - g.t) / g.r)
-
     in_plane = second_rate(unrolled, g.t)
-    across = second_rate(off_the_tangent, g.t)
+    across = second_rate(lambda t: g.r - g.r * mp.cos(g.nu * (t - g.t) / g.r), g.t)
     return {"speed": size(rate(unrolled, g.t)), "acc_mag": size([*in_plane, across])}
 
 

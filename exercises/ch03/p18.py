@@ -36,10 +36,7 @@ def steps(g):
 
 
 def prove(g):
-    def length(t):
-        return g.l_0 + g.l_2 * t**2
-
-    A = end_in_time(g.omega, lambda t: g.beta_0 + g.b_dot * t, length)
+    A = end_in_time(g.omega, lambda t: g.beta_0 + g.b_dot * t, lambda t: g.l_0 + g.l_2 * t**2)
     a, phi = local_acceleration(A, g.t1), elevation_in_time(A)
 
     def R(t):

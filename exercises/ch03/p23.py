@@ -5,6 +5,8 @@ from exercises.tools import Step, cylindrical_axes, rate, spherical_axes, times,
 from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 
+draw = ride.section
+
 
 def velocity(g):
     """Its cylindrical components, the elevation, and the spherical axes."""
@@ -49,7 +51,3 @@ def mistakes(g):
         "phi_from_the_vertical": transformed(g, T_phi(pi(phi) / 2 - phi)),
         "no_r_dot": {"v": v.without("radial").expressed_in(axes)},
     }
-
-
-def draw(g, ax):
-    ride.section(g, ax)

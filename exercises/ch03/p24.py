@@ -7,6 +7,8 @@ from exercises.tools import Step, cylindrical_axes, second_rate, spherical_axes,
 from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 
+draw = ride.section
+
 
 def acceleration(g):
     """Its spherical components, the elevation, and the cylindrical axes."""
@@ -58,7 +60,3 @@ def mistakes(g):
         "phi_from_the_vertical": transformed(g, transpose(T_phi(pi(phi) / 2 - phi))),
         "no_phi_ddot": {"a": a.without("euler_phi").expressed_in(axes)},
     }
-
-
-def draw(g, ax):
-    ride.section(g, ax)

@@ -12,6 +12,8 @@ from exercises.devices.rolling_disk import (
 )
 from exercises.tools import in_frame, rate, terms
 
+draw = sketch
+
 
 def answers(g, spin):
     ground, axle, _, A = axle_and_disk(g, spin)
@@ -42,7 +44,3 @@ def mistakes(g):
         "spin_reversed": answers(g, -rolling_spin(g)),
         "one_turn_each_circuit": answers(g, -turning(g)),
     }
-
-
-def draw(g, ax):
-    sketch(g, ax)

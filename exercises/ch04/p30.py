@@ -14,6 +14,8 @@ from exercises.devices.rolling_disk import (
 )
 from exercises.tools import angular_acceleration, in_frame, second_rate, terms
 
+draw = sketch
+
 
 def answers(g, spin):
     ground, axle, disk, A = axle_and_disk(g, spin)
@@ -50,7 +52,3 @@ def mistakes(g):
         "no_turning_about_vertical": {"a_A": right["a_A"].without("centripetal")},
         "spin_reversed": {"alpha_disk": answers(g, -rolling_spin(g))["alpha_disk"]},
     }
-
-
-def draw(g, ax):
-    sketch(g, ax)

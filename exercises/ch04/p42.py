@@ -2,6 +2,8 @@
 
 from exercises.devices import disk_in_two_brackets as brackets
 
+draw = brackets.draw_two_brackets
+
 
 def steps(g):
     return brackets.rim_steps(g, "C")
@@ -32,7 +34,3 @@ def mistakes(g):
         "no_alpha_x_r": {"a_C": a.without("euler")},
         "no_coriolis": {"a_C": a - coriolis[0] - coriolis[1]},
     }
-
-
-def draw(g, ax):
-    brackets.draw_two_brackets(g, ax)

@@ -2,6 +2,8 @@
 
 from exercises.devices import disk_in_two_brackets as brackets
 
+draw = brackets.draw_two_brackets
+
 
 def steps(g):
     return brackets.rim_steps(g, "D")
@@ -29,7 +31,3 @@ def mistakes(g):
         "D_moved_by_A": {"v_D": v + v.frame.j * (g.omega_2 * g.r)},
         "no_alpha_x_r": {"a_D": a.without("euler")},
     }
-
-
-def draw(g, ax):
-    brackets.draw_two_brackets(g, ax)

@@ -5,6 +5,8 @@ from exercises.devices.put_together import centre, proved, steps_of
 from exercises.devices.satellite import SATELLITE, parts, spheres
 from exercises.tools import proofs
 
+draw = satellite.figure
+
 
 def solve(g):
     return centre(SATELLITE, parts(g))
@@ -32,7 +34,3 @@ def mistakes(g):
         "R1_for_distance": centre(SATELLITE, parts(g, distance=g.R1)),
         "larger_mass_only": {"d": solve(g)["d"] * (whole / g.m1)},
     }
-
-
-def draw(g, ax):
-    satellite.figure(g, ax)

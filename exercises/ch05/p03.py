@@ -4,6 +4,8 @@ from exercises.devices import block_with_cylinder
 from exercises.devices.block_with_cylinder import BLOCK, parts
 from exercises.devices.put_together import centre, chord, sliced, steps_of, unweighed
 
+draw = block_with_cylinder.figure
+
 
 def solve(g):
     return centre(BLOCK, parts(g))
@@ -28,7 +30,3 @@ def mistakes(g):
         "from_its_own_base": centre(BLOCK, parts(g, foot=0)),
         "r_c_as_diameter": solve(g.but(r_c=g.r_c / 2)),
     }
-
-
-def draw(g, ax):
-    block_with_cylinder.figure(g, ax)

@@ -5,6 +5,8 @@ from exercises.devices.cone import CONE, radius, tube
 from exercises.tools import Step, proofs
 from newton_euler import integral, pi
 
+draw = cone.figure
+
 
 def moments(g, radius=radius):
     """Volume and first moment, by thin disks at the height z."""
@@ -46,7 +48,3 @@ def mistakes(g):
         "quarter_from_apex": {"d": CONE.vector(0, 0, g.h) - solve(g)["d"]},
         "same_radius": centre(*moments(g, radius=lambda g, z: g.r)),
     }
-
-
-def draw(g, ax):
-    cone.figure(g, ax)

@@ -5,6 +5,8 @@ from exercises.devices.plate_with_holes import PLATE, parts
 from exercises.devices.put_together import centre, chord, sliced, sums
 from exercises.tools import Step
 
+draw = plate_with_holes.figure
+
 
 def solve(g):
     return centre(PLATE, *parts(g))
@@ -40,7 +42,3 @@ def mistakes(g):
         "full_mass": {"d": solve(g)["d"] * (left / full.mass)},
         "diameter": solve(g.but(r=2 * g.r)),
     }
-
-
-def draw(g, ax):
-    plate_with_holes.figure(g, ax)

@@ -6,6 +6,8 @@ from exercises.tools import Step
 from newton_euler import cos
 from newton_euler.bodies import sector
 
+draw = wire_arc.figure
+
 
 def moments(g):
     return over(g, lambda theta: g.one), over(g, lambda theta: g.R * cos(theta))
@@ -39,7 +41,3 @@ def mistakes(g):
         "on_the_wire": {"d": WIRE.vector(g.R, 0, 0)},
         "half_the_arc": centre(length, first_x / 2),
     }
-
-
-def draw(g, ax):
-    wire_arc.figure(g, ax)

@@ -6,6 +6,8 @@ from exercises.tools import Step, proofs
 from newton_euler import cos, sin
 from newton_euler.bodies import half_ring, hemisphere
 
+draw = dome.figure
+
 
 def moments(g, width=lambda g, phi: g.R):
     """Area and first moment, by rings at the angle phi from z; ``width`` per dphi."""
@@ -50,7 +52,3 @@ def mistakes(g):
         "dz_as_width": centre(*moments(g, width=lambda g, phi: g.R * sin(phi))),
         "wire": {"d": half_ring(g.R, SHELL, "x", "z", density=1).centre.position(SHELL)},
     }
-
-
-def draw(g, ax):
-    dome.figure(g, ax)

@@ -4,6 +4,8 @@ from exercises.devices import bored_bracket
 from exercises.devices.bored_bracket import BRACKET, block, parts
 from exercises.devices.put_together import centre, chord, sliced, steps_of
 
+draw = bored_bracket.figure
+
 
 def solve(g):
     return centre(BRACKET, *parts(g))
@@ -30,7 +32,3 @@ def mistakes(g):
         "wall_from_its_foot": centre(BRACKET, [base, block(g, "wall", g.t_w, 0, g.h_w)], holes),
         "corner_twice": centre(BRACKET, [base, block(g, "wall", g.t_w, 0, g.h_b + g.h_w)], holes),
     }
-
-
-def draw(g, ax):
-    bored_bracket.figure(g, ax)

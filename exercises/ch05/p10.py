@@ -5,6 +5,8 @@ from exercises.devices.put_together import centre, steps_of, unweighed, walked
 from exercises.devices.wire_figure import WIRE, parts, path
 from newton_euler.bodies import Body, half_disk
 
+draw = wire_figure.figure
+
 
 def solve(g):
     return centre(WIRE, parts(g))
@@ -26,7 +28,3 @@ def mistakes(g):
         "no_diameter": centre(WIRE, [half, leg]),
         "not_weighed": unweighed(WIRE, g.one, [part.centre for part in parts(g)]),
     }
-
-
-def draw(g, ax):
-    wire_figure.figure(g, ax)

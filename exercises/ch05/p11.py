@@ -7,6 +7,8 @@ from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, path, ro
 from exercises.devices.put_together import centre, sums, unweighed, walked
 from exercises.tools import Step
 
+draw = chain_of_rods.figure
+
 
 def solve(g):
     return centre(CHAIN, rods(pairwise(corners(g))))
@@ -30,7 +32,3 @@ def mistakes(g):
         "corners": unweighed(CHAIN, g.one, corners(g)),
         "not_divided": {"d": 3 * solve(g)["d"]},
     }
-
-
-def draw(g, ax):
-    chain_of_rods.figure(g, ax)

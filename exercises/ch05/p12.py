@@ -5,6 +5,8 @@ from exercises.devices.disk_with_hole import DISK, parts, rim
 from exercises.devices.put_together import centre, proved, steps_of
 from exercises.tools import mp, proofs
 
+draw = disk_with_hole.figure
+
 
 def solve(g):
     return centre(DISK, *parts(g))
@@ -35,7 +37,3 @@ def mistakes(g):
         "full_area": {"d": d * ((full.mass - hole.mass) / full.mass)},
         "toward_the_hole": {"d": -d},
     }
-
-
-def draw(g, ax):
-    disk_with_hole.figure(g, ax)

@@ -4,6 +4,8 @@ from exercises.devices import welded_rods
 from exercises.devices.put_together import centre, steps_of, unweighed, walked
 from exercises.devices.welded_rods import WELDED, parts, path
 
+draw = welded_rods.figure
+
 
 def solve(g):
     return centre(WELDED, parts(g))
@@ -24,7 +26,3 @@ def mistakes(g):
         "third_at_the_bottom": centre(WELDED, parts(g, height=0)),
         "without_first_length": {"d": solve(g)["d"] * (whole / (g.c + g.L))},
     }
-
-
-def draw(g, ax):
-    welded_rods.figure(g, ax)

@@ -5,6 +5,8 @@ from exercises.devices.bent_plate import PART, parts
 from exercises.devices.put_together import centre, chord, proved, steps_of
 from exercises.tools import proofs
 
+draw = bent_plate.figure
+
 
 def solve(g):
     return centre(PART, *parts(g))
@@ -40,7 +42,3 @@ def mistakes(g):
         "top_from_its_edge": centre(PART, *parts(g, foot=0)),
         "w_as_radius": centre(PART, *parts(g, radius=g.w)),
     }
-
-
-def draw(g, ax):
-    bent_plate.figure(g, ax)

@@ -5,6 +5,8 @@ from exercises.devices.four_particles import masses, particles, rods
 from exercises.tools import Step, rate, root
 from newton_euler import centre_of_mass
 
+draw = four_particles.figure
+
 
 def centre(ground, parts):
     return {"d": centre_of_mass(parts, ground).position(ground)}
@@ -57,7 +59,3 @@ def mistakes(g):
         "without_the_first": centre(ground, parts[1:]),
         "from_the_one_before": centre(ground, [parts[0], *from_before]),
     }
-
-
-def draw(g, ax):
-    four_particles.figure(g, ax)

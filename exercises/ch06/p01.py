@@ -43,10 +43,7 @@ def prove(g):
     """
     pairs = (g.F_1, g.theta_1), (g.F_2, g.theta_2), (g.F_3, g.theta_3)
 
-    def across(line):
-        return sum(F * mp.sin(theta - line) for F, theta in pairs)
-
-    line = root(across, mp.pi / 2, mp.pi)
+    line = root(lambda line: sum(F * mp.sin(theta - line) for F, theta in pairs), mp.pi / 2, mp.pi)
     size = sum(F * mp.cos(theta - line) for F, theta in pairs)
     x, y = size * mp.cos(line), size * mp.sin(line)
     return {"R": [x, y, 0], "R_mag": size, "dir_R": line, "R_x": x, "R_y": y}

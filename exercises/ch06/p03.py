@@ -37,10 +37,7 @@ def prove(g):
     )
 
     def force(x):
-        def energy(t):
-            return g.m * rate(x, t) ** 2 / 2
-
-        return rate(energy, g.t_1) / rate(x, g.t_1)
+        return rate(lambda t: g.m * rate(x, t) ** 2 / 2, g.t_1) / rate(x, g.t_1)
 
     return {"F": [force(x) for x in axes], "v": [rate(x, g.t_1) for x in axes]}
 

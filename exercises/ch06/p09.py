@@ -42,10 +42,7 @@ def prove(g):
     """
 
     def contact(omega):
-        def place(t):
-            return times(rot("z", omega * t), [g.r, 0, 0])
-
-        x, _, z = second_rate(place)
+        x, _, z = second_rate(lambda t: times(rot("z", omega * t), [g.r, 0, 0]))
         return times(rot("y", -g.beta), [x, 0, z + g.g])  # outward on the surface, and its normal
 
     def grip(omega):

@@ -50,11 +50,8 @@ def prove(g):
     at the hump.
     """
 
-    def wave(x):
-        return [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0]
-
     def push(x, v):
-        _, a = at_constant_speed(wave, x, v)
+        _, a = at_constant_speed(lambda x: [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0], x, v)
         return g.m * (g.g + a[1])
 
     v = root(lambda v: push(g.L / 4, v), mp.sqrt(g.g * g.L) / 100, 100 * mp.sqrt(g.g * g.L))

@@ -46,16 +46,13 @@ def prove(g):
     def with_AB(u):
         return [mp.cos(g.psi + u) - mp.cos(g.psi), 0, mp.sin(g.psi) - mp.sin(g.psi + u)]
 
-    def length_of_CD(u):
-        return size(minus(with_AB(u), C))
-
     def with_CD(u):
         return minus(C, [mp.cos(g.alpha + u), 0, mp.sin(g.alpha + u)])
 
     height, second = rate(with_AB)[2], -rate(with_CD)[2]
     a = second_rate(lambda t: with_CD(second * t**2 / 2))
     return {
-        "T_before": -g.W * height / rate(length_of_CD),
+        "T_before": -g.W * height / rate(lambda u: size(minus(with_AB(u), C))),
         "T_after": g.W * size(minus(a, [0, 0, -mpf(1)])),
         "eta": size(a),
     }

@@ -14,6 +14,8 @@ from exercises.devices.inertia import (
 )
 from exercises.tools import mp, proofs
 
+draw = block_with_cylinder.figure
+
 
 def inertia(g, **changed):
     return together(BLOCK, parts(g, density=g.rho, **changed))
@@ -50,7 +52,3 @@ def mistakes(g):
         "from_its_own_base": answer(inertia(g, foot=0)),
         "rho_per_foot": answer(12**5 * I),
     }
-
-
-def draw(g, ax):
-    block_with_cylinder.figure(g, ax)

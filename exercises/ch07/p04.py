@@ -7,6 +7,8 @@ from exercises.tools import Step, proofs
 from newton_euler import integral, pi
 from newton_euler.bodies import disk
 
+draw = cone.figure
+
 
 def density(g, radius=radius):
     return g.M / integral(lambda z: pi(g.one) * radius(g, z) ** 2, 0, g.h)
@@ -62,7 +64,3 @@ def mistakes(g):
         "at_G": matrix(CONE, (xx - at_G, yy - at_G, zz)),
         "cylinder": matrix(CONE, moments(g, radius=lambda g, z: g.r)),
     }
-
-
-def draw(g, ax):
-    cone.figure(g, ax)

@@ -13,6 +13,8 @@ from exercises.devices.inertia import (
 from exercises.devices.plate_with_holes import PLATE, parts, places
 from exercises.tools import Step, mp, proofs
 
+draw = plate_with_holes.figure
+
 
 def solve(g):
     return answer(together(PLATE, *parts(g, g.sigma)))
@@ -56,7 +58,3 @@ def mistakes(g):
         "no_product": no_products(PLATE, I),
         "plus_sign": wrong_sign(PLATE, I),
     }
-
-
-def draw(g, ax):
-    plate_with_holes.figure(g, ax)

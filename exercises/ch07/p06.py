@@ -6,6 +6,8 @@ from exercises.devices.inertia import added, matrix, of_points
 from exercises.tools import Step, proofs
 from newton_euler import cos, pi, sin
 
+draw = half_disk.figure
+
 
 def density(g, element=lambda r: r):
     (area,) = in_polar(g, 0, lambda theta: (g.one,), element)
@@ -59,7 +61,3 @@ def mistakes(g):
         "transferred_again": matrix(DISK, (xx + added_again, yy, zz + added_again)),
         "no_factor_r": matrix(DISK, *moments(g, density(g), element=lambda r: g.one)),
     }
-
-
-def draw(g, ax):
-    half_disk.figure(g, ax)

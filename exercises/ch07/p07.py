@@ -6,6 +6,8 @@ from exercises.devices.wire_arc import WIRE, along, over
 from exercises.tools import Step
 from newton_euler import cos, sin
 
+draw = wire_arc.figure
+
 
 def moments(g, start=None):
     """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx), the wire beginning at the angle ``start``."""
@@ -40,7 +42,3 @@ def mistakes(g):
         "exchanged": matrix(WIRE, (yy, xx, zz)),
         "from_0": matrix(WIRE, *moments(g, start=0)),
     }
-
-
-def draw(g, ax):
-    wire_arc.figure(g, ax)

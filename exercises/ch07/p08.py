@@ -7,6 +7,8 @@ from exercises.tools import Step, proofs
 from newton_euler import cos, sin
 from newton_euler.bodies import hemisphere, ring, spherical_shell
 
+draw = dome.figure
+
 
 def density(g):
     return g.M / over_rings(g, lambda phi: area_of_ring(g, phi))
@@ -61,7 +63,3 @@ def mistakes(g):
         "halved": matrix(SHELL, [x / 2 for x in full.moments]),
         "dz_as_width": matrix(SHELL, moments(g, width=lambda g, phi: g.R * sin(phi))),
     }
-
-
-def draw(g, ax):
-    dome.figure(g, ax)

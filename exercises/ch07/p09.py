@@ -13,6 +13,8 @@ from exercises.devices.inertia import (
 )
 from exercises.tools import mp, proofs
 
+draw = bored_bracket.figure
+
 
 def solve(g):
     return answer(together(BRACKET, *parts(g, g.rho)))
@@ -54,7 +56,3 @@ def mistakes(g):
         "wall_from_its_foot": with_wall(0, g.h_w),
         "corner_twice": with_wall(0, g.h_b + g.h_w),
     }
-
-
-def draw(g, ax):
-    bored_bracket.figure(g, ax)

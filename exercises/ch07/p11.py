@@ -8,6 +8,8 @@ from exercises.devices.inertia import added, along_path, answer, together, wrong
 from exercises.tools import Step
 from newton_euler.bodies import particle
 
+draw = chain_of_rods.figure
+
 
 def parts(g):
     return rods(pairwise(corners(g)), mass=g.m)
@@ -41,7 +43,3 @@ def mistakes(g):
         ),
         "plus_sign": wrong_sign(CHAIN, together(CHAIN, parts(g))),
     }
-
-
-def draw(g, ax):
-    chain_of_rods.figure(g, ax)

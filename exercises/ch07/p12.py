@@ -14,6 +14,8 @@ from exercises.devices.inertia import (
 )
 from exercises.tools import mp, proofs
 
+draw = disk_with_hole.figure
+
 
 def solve(g):
     return answer(together(DISK, *parts(g, g.rho)))
@@ -50,7 +52,3 @@ def mistakes(g):
         "along_x_too": matrix(DISK, (xx - transfer, yy, zz)),
         "hole_added": answer(together(DISK, [full, hole])),
     }
-
-
-def draw(g, ax):
-    disk_with_hole.figure(g, ax)

@@ -14,6 +14,8 @@ from exercises.devices.inertia import (
 from exercises.tools import mp, proofs
 from newton_euler.bodies import Body
 
+draw = bent_plate.figure
+
 
 def solve(g):
     return answer(together(PART, *parts(g)))
@@ -61,7 +63,3 @@ def mistakes(g):
         "no_products": no_products(PART, together(PART, *parts(g))),
         "w_as_radius": answer(together(PART, *parts(g, radius=g.w))),
     }
-
-
-def draw(g, ax):
-    bent_plate.figure(g, ax)

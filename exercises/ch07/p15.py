@@ -6,6 +6,8 @@ from exercises.devices.inertia import answer, matrix, together, wrong_sign
 from exercises.tools import Step, cross, plus, rate, rot, scaled, times, transposed
 from newton_euler.bodies import particle
 
+draw = four_particles.figure
+
 
 def inertia(ground, pairs):
     """The :class:`Inertia` at O of pairs (mass, point)."""
@@ -51,7 +53,3 @@ def mistakes(g):
         "from_the_one_before": answer(inertia(ground, [parts[0], *from_before])),
         "plus_sign": wrong_sign(ground, I),
     }
-
-
-def draw(g, ax):
-    four_particles.figure(g, ax)

@@ -6,6 +6,8 @@ from exercises.devices.parabola_plate import height, start
 from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
 from exercises.tools import proofs
 
+draw = parabola_plate.figure
+
 
 def moments(g, area):
     """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx), when the mass is spread over this area."""
@@ -43,7 +45,3 @@ def mistakes(g):
         "full_rectangle": matrix(PLATE, *moments(g, g.a * g.b)),
         "plus_sign": matrix(PLATE, (xx, yy, zz), (-xy, 0, 0)),
     }
-
-
-def draw(g, ax):
-    parabola_plate.figure(g, ax)

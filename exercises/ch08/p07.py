@@ -30,10 +30,7 @@ def prove(g):
     """By the energy of the mass points, let go."""
     m = g.W / g.g
 
-    def energy(q, t):
-        return kinetic_energy(m, lambda t: rolled(g.R, q(t)), t) - g.W * q(t)
-
-    a = let_go(energy)
+    a = let_go(lambda q, t: kinetic_energy(m, lambda t: rolled(g.R, q(t)), t) - g.W * q(t))
     needed = force_needed(m, lambda t: rolled(g.R, a * t**2 / 2))[0]
     return {"a_G": a, "T": g.W - needed, "alpha": mp.mpf(a) / g.R}
 

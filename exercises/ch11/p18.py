@@ -74,9 +74,6 @@ def prove(g):
     points = [(u, [x, y, z + g.R]) for u, (x, y, z) in ball(g.R, order=2)]
     axis = [g.omega_x, g.omega_y, g.omega_z]
 
-    def about_axis(t):
-        return rot(axis, size(axis) * t)
-
     def in_time(t):
         tilt = rot("x", g.theta + g.theta_dot * t)
         return times(rot("z", g.psi_dot * t), tilt, rot("z", g.phi_dot * t))
@@ -86,7 +83,7 @@ def prove(g):
 
     omega = times(transposed(rot("x", g.theta)), proofs.angular_velocity(in_time))
     return {
-        "T_omega": energy(about_axis),
+        "T_omega": energy(lambda t: rot(axis, size(axis) * t)),
         "T_euler": energy(in_time),
         "I_z": g.M * proofs.mean(lambda r: r[0] ** 2 + r[1] ** 2, points),
         "I_x": g.M * proofs.mean(lambda r: r[1] ** 2 + r[2] ** 2, points),

@@ -93,9 +93,6 @@ def prove(g):
     def turned(t):
         return times(rot("z", Omega * t), rot("y", -up), rot("x", spin * t))
 
-    def G(t):
-        return times(rot("z", Omega * t), rot("y", -up), [g.c, 0, 0])
-
     omega = angular_velocity(turned)
     along_arm = [mp.sin(theta), 0, mp.cos(theta)]
     part = sum(x * e for x, e in zip(omega, along_arm, strict=True))
@@ -105,7 +102,7 @@ def prove(g):
         "T": proofs.kinetic_energy(1, carried(points, Omega, spin, g.L, up)),
         "omega_s": abs(spin),
         "omega_t": mp.sqrt(size(omega) ** 2 - part**2),
-        "v_G": size(rate(G)),
+        "v_G": size(rate(lambda t: times(rot("z", Omega * t), rot("y", -up), [g.c, 0, 0]))),
     }
 
 

@@ -79,10 +79,7 @@ def prove(g):
     up = mp.acos(g.b / mp.hypot(g.a, g.b))
     spin = unrolled(g.n, g.a, g.b * mp.cos(up) + g.a * mp.sin(up))
 
-    def turned(t):
-        return times(rot("z", g.n * t), rot("y", -up), rot("x", spin * t))
-
-    omega = angular_velocity(turned)
+    omega = angular_velocity(lambda t: times(rot("z", g.n * t), rot("y", -up), rot("x", spin * t)))
     along, _, across = times(rot("y", up), omega)
     return {
         "T": energy_of_disk(g.M, g.a, g.n, spin, g.b, up),

@@ -25,10 +25,7 @@ def ratio(g):
 def kinetic(g, at_c):
     """At the level b, if the kinetic energy at c is this multiple of it."""
 
-    def gain(T_b):
-        return (1 - at_c) * T_b + potential(g, g.b) - potential(g, g.c)
-
-    (T_b,) = solve_rates(gain, 1)
+    (T_b,) = solve_rates(lambda T_b: (1 - at_c) * T_b + potential(g, g.b) - potential(g, g.c), 1)
     return T_b
 
 

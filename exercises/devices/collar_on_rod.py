@@ -6,6 +6,16 @@ from exercises.tools import Sketch, Step, mp, rate, rot, second_rate, terms, tim
 from newton_euler import Frame, moving, polar
 
 
+def moving_by(r, theta):
+    """``solve``, ``steps``, ``prove`` and ``draw`` for these functions of the givens and the time."""
+    return (
+        lambda g: motion(g, r, theta),
+        lambda g: steps(g, r, theta),
+        lambda g: prove(g, r, theta),
+        lambda g, ax: sketch(g, ax, r),
+    )
+
+
 def collar(g, r, theta):
     """Ground and collar at the time t_1; ``r``, ``theta``: functions of the givens and the time."""
     ground, t = Frame("ground"), moving(g.t_1, rate=1)

@@ -32,6 +32,26 @@ def disk_in_bracket(g):
     )
 
 
+def rim_problem(name):
+    """``solve``, ``steps``, ``prove`` and ``draw`` of the motion of A or B."""
+    return (
+        lambda g: rim_motion(disk_in_bracket(g), name, g.r),
+        lambda g: rim_steps(g, name),
+        lambda g: prove_rim(g, name),
+        lambda g, ax: figure(g, ax, name),
+    )
+
+
+def whole_problem(name):
+    """``solve``, ``steps``, ``prove`` and ``draw`` of the motion of the disk and of A or B."""
+    return (
+        lambda g: all_motion(disk_in_bracket(g), name, g.r),
+        lambda g: all_steps(g, name),
+        lambda g: prove_turning(g) | prove_rim(g, name),
+        lambda g, ax: figure(g, ax, omega_name=r"\omega_b"),
+    )
+
+
 def rim_point(disk, name, r):
     """The point A or B of the rim, fixed in the disk."""
     return disk.point(name, *(r if e else 0 for e in PLACES[name]))
@@ -174,10 +194,6 @@ def prove_rim(g, name):
 
     found = {f"r_{name}": seen(0), "v_r": rate(seen), "a_r": proofs.second_rate(seen)}
     return {f"v_{name}": rate(place), f"a_{name}": proofs.second_rate(place)} | found
-
-
-def prove_all(g, name):
-    return prove_turning(g) | prove_rim(g, name)
 
 
 def figure(g, ax, rim="AB", omega_name=r"\omega"):

@@ -102,11 +102,8 @@ def face_force(g, W, place, a, pull):
     pulls it on with the force ``pull``, negative if back.
     """
 
-    def moved(t):
-        return place(a * t**2 / 2)
-
     ahead = minus(place(1), place(0))
-    F = scaled(W / g.g, plus(second_rate(moved), [0, g.g]))
+    F = scaled(W / g.g, plus(second_rate(lambda t: place(a * t**2 / 2)), [0, g.g]))
     return size(minus(F, scaled(pull / size(ahead), ahead)))
 
 

@@ -8,6 +8,25 @@ from newton_euler import Frame, moving, pi
 UNITS = {"v_B": "ft/s", "a_B": "ft/s^2"}
 
 
+def moving_with(**rates):
+    """The boom as a function of g, and ``solve``, ``steps`` and ``prove`` of its motion; ``rates``
+    as for :func:`boom`, functions of g.
+    """
+
+    def given(g):
+        return {name: of(g) for name, of in rates.items()}
+
+    def scene(g):
+        return boom(g, **given(g))
+
+    return (
+        scene,
+        lambda g: motion(*scene(g)),
+        lambda g: boom_steps(*scene(g)),
+        lambda g: prove_boom(g, **given(g)),
+    )
+
+
 def boom(g, L_ddot=0, alpha=0, theta=0, v=0, a=0):
     """Ground, with x the way the truck drives and y up; the boom, with i from A to B; B.
 

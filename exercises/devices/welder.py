@@ -2,9 +2,34 @@
 a guide on it, along i.
 """
 
-from exercises.devices.turning_plate import motion, turning
+from exercises.devices.turning_plate import motion, motion_steps, proof, turning
 from exercises.tools import Sketch, in_frame
 from newton_euler import moving
+
+
+def about(name, side):
+    """The tip ``name`` as a function of g, and ``solve``, ``steps``, ``prove``, ``mistakes`` and
+    ``draw`` of a problem about it; ``side``: 1 above A, -1 below.
+    """
+
+    def place(g):
+        return getattr(g, f"x_{name}"), side * getattr(g, f"y_{name}")
+
+    def this_tip(g):
+        return tip(g, name, *place(g))
+
+    def prove(g):
+        x, y = place(g)
+        return proof(name, "plate", lambda t: g.omega * t, lambda t: x + g.u * t, lambda t: y)
+
+    return (
+        this_tip,
+        lambda g: motion(*this_tip(g)),
+        lambda g: motion_steps(*this_tip(g), "in"),
+        prove,
+        lambda g: mistakes(g, name, *place(g)),
+        lambda g, ax: draw(g, ax, name, *place(g)),
+    )
 
 
 def tip(g, name, x, y):
