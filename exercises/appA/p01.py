@@ -25,9 +25,7 @@ follows = {"r_BA": lambda g, r_A, r_B: r_B - r_A}
 
 
 def prove(g):
-    """By a point that goes uniformly from A to B in the unit of time: its places, and its
-    velocity.
-    """
+    """From the places of a point that moves uniformly from A to B in unit time."""
     A, B = [g.A_x, g.A_y, g.A_z], [g.B_x, g.B_y, g.B_z]
 
     def place(t):

@@ -81,9 +81,7 @@ def _same(a, b):
 
 
 def _different(p, seeds):
-    """The seeds below ``seeds`` that have numbers of their own: only the first where nothing
-    varies.
-    """
+    """The seeds below ``seeds`` with different numbers: only the first where nothing varies."""
     varies = p.symbols or any(g.vary for g in p.givens.values())
     return range(seeds if varies else min(seeds, 1))
 

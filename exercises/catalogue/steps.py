@@ -139,9 +139,7 @@ def _check_names(p, found):
 
 
 def faults(p, values):
-    """What is wrong with the steps of ``p``, as sentences: names, and units by running them on
-    dimensions.
-    """
+    """What is wrong with the steps of ``p``, as sentences: their names, and their dimensions."""
     try:
         steps(p, values)
     except CatalogueError as error:

@@ -30,9 +30,7 @@ def steps(g):
 
 
 def prove(g):
-    """The height from which the jet comes down at an edge: the time to the ground by the root of
-    a quadratic equation.
-    """
+    """The height of the jet at an edge: the time to the ground is the root of a quadratic."""
     v, u = g.v_0 * mp.cos(g.phi), g.v_0 * mp.sin(g.phi)
 
     def range_from(h):

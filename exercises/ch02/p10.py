@@ -44,9 +44,7 @@ def steps(g):
 
 
 def prove(g):
-    """The time over the stretch is its length over the mean speed; then the place on the circle in
-    time.
-    """
+    """The time over the stretch is its length over the mean speed; then the place in time."""
     T = g.L / ((g.v_1 + g.v_2) / 2)
 
     def gone(t):

@@ -43,9 +43,7 @@ def steps(g):
 
 
 def prove(g):
-    """On a parabola that is bent like the path, with the distance along its tangent as for motion
-    along a line.
-    """
+    """On a parabola with the curvature of the path; along its tangent as along a line."""
     speed = mp.hypot(g.v_x, g.v_y)
 
     def place(t):

@@ -24,9 +24,7 @@ def steps(g):
 
 
 def prove(g):
-    """The circle on which the acceleration of the airplane has the given size: there, on a parabola
-    in time along the arc.
-    """
+    """The radius at which the acceleration on a parabola in time along the arc has this size."""
 
     def along(rho):
         def place(t):

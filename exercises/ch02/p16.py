@@ -10,9 +10,7 @@ def speed(g):
 
 
 def rim_point(r, v, a_t):
-    """The acceleration of a point on the rim of a pulley on which tape runs; along the radius and
-    along the tape.
-    """
+    """The acceleration of a point on the rim of a pulley driven by tape: radial, tangential."""
     ground = Frame("ground")
     pulley = ground.rotate("pulley", "z", rate=v / r, acceleration=a_t / r)
     return pulley.point("P", r, 0, 0).acceleration(ground)

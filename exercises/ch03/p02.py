@@ -1,6 +1,4 @@
-"""3/2: velocity and acceleration on a given path, and the component of the velocity along a
-direction.
-"""
+"""3/2: velocity and acceleration on a given path; a component of the velocity."""
 
 from exercises.tools import Sketch, Step, minus, mp, size
 from newton_euler import Frame

@@ -33,9 +33,7 @@ def steps(g):
 
 
 def prove(g):
-    """Along the tangent; and as the tangent turns, per length of path, times the square of the
-    speed. No rates of q.
-    """
+    """Along the tangent, and across it as the tangent turns with the path. No rates of q."""
 
     def along(q):
         return rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)

@@ -70,9 +70,7 @@ def steps(g):
 
 
 def prove(g):
-    """The radius OP turned by matrices and differentiated in fixed axes; the elevation is also
-    that of z, and that of x and y.
-    """
+    """OP turned by matrices and differentiated in fixed axes; its elevation by z, by x and y."""
 
     def later(q, q_dot, q_ddot):
         return lambda t: q + q_dot * t + q_ddot * t**2 / 2

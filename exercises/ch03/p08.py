@@ -36,9 +36,7 @@ def steps(g):
 
 
 def prove(g):
-    """The cylinder unrolled: the path in the plane; and, square to it, the distance by which the
-    circle leaves its tangent.
-    """
+    """The cylinder unrolled: the path in the plane, and how far the circle leaves its tangent."""
 
     def unrolled(t):
         return [g.nu * t, g.nu * t + g.a * t**2 / 2]

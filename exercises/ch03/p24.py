@@ -1,6 +1,4 @@
-"""3/24: the acceleration of a car of an amusement ride, from spherical to cylindrical components,
-by the matrix.
-"""
+"""3/24: the acceleration of a ride's car, from spherical to cylindrical parts by the matrix."""
 
 from exercises.devices import amusement_ride as ride
 from exercises.tools import Step, cylindrical_axes, second_rate, spherical_axes, times, transposed
@@ -23,9 +21,7 @@ def transformed(g, matrix):
 
 
 def solve(g):
-    """The acceleration by (3.23), a shorter formula than the product with the matrix, which is what
-    ``follows`` has.
-    """
+    """The acceleration by (3.23), shorter than the matrix product, which ``follows`` has."""
     ground, P, _ = ride.car(g)
     phi = ride.coordinates(g)[3]
     return {"T_phi_inv": transpose(T_phi(phi.value)), "a": P.acceleration(ground)}

@@ -1,6 +1,4 @@
-"""3/25: the two perpendicular arms of a robot on a turning base, in spherical components
-about O.
-"""
+"""3/25: two perpendicular arms of a robot on a turning base, in spherical components about O."""
 
 from exercises.devices.robot_arm import figure, robot, tip_in_time
 from exercises.devices.spherical_point import elevation_in_time, local_acceleration

@@ -6,9 +6,7 @@ from newton_euler import Frame, cos, moving, pi, sin
 
 
 def roller_and_rod(g):
-    """Ground with x downhill and Z up; axes that move with O and keep their directions; the rod
-    turning about Z in them.
-    """
+    """Ground with x downhill and Z up; axes that move with O without turning; the rod about Z."""
     ground = Frame("ground")
     O = ground.point(
         "O", moving(0, rate=g.u * cos(g.incline)), 0, moving(0, rate=-g.u * sin(g.incline))

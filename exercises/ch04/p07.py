@@ -11,9 +11,7 @@ def flapping(g):
 
 
 def shaft_and_tip(g, theta):
-    """Ground with Z up; the shaft's frame at the hinge O, x in the plane of the blade; the tip in
-    it.
-    """
+    """Ground with Z up; the shaft's frame at the hinge O, x in the plane of the blade; the tip."""
     ground = Frame("ground")
     shaft = ground.rotate("shaft", "z", rate=g.omega)
     return ground, shaft, shaft.point("tip", g.L * cos(theta), 0, g.L * sin(theta))

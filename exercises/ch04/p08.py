@@ -17,9 +17,7 @@ def line_AB(g):
 
 
 def turning(ground, origin, omega, omega_dot):
-    """A frame with this angular velocity and its rate: turns about x, y and z, from zero, one after
-    the other.
-    """
+    """A frame with this angular velocity and its rate, by turns about x, y and z from zero."""
 
     def frame(accelerations):
         f = ground.translate("A", origin)

@@ -5,9 +5,7 @@ from newton_euler import Frame, solve_rates
 
 
 def axle_and_disk(g):
-    """The axle turns about z at the height r; disk A turns on it about x, as fast as its lowest
-    point needs to be at rest.
-    """
+    """The axle turns about z at the height r; disk A about x, its lowest point at rest."""
     ground = Frame("ground")
     axle = ground.rotate("axle", "z", rate=g.omega, origin=ground.point("M", 0, 0, g.r))
 
@@ -37,9 +35,7 @@ def steps(g):
 
 
 def prove(g):
-    """The arc that the disk has rolled along its path of radius R is as long as the arc laid off on
-    its rim.
-    """
+    """The arc rolled along the path of radius R is as long as the arc on the rim of the disk."""
 
     def disk(t):
         rolled = g.R * g.omega * t

@@ -32,9 +32,7 @@ def steps(g):
 
 
 def prove(g):
-    """The cylinder points along z at first and turns toward x about ED; ED turns from y toward z
-    about x.
-    """
+    """The cylinder points along z at first, turns to x about ED; ED turns from y to z about x."""
 
     def A(t):
         out, phi, theta = g.s + g.u * t, g.omega_2 * t, g.omega_1 * t

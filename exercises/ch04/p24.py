@@ -28,9 +28,7 @@ def steps(g):
 
 
 def prove(g):
-    """As the nose sinks, the mast leans forward; the blade that starts to the right goes round it,
-    toward the nose.
-    """
+    """As the nose sinks the mast leans forward; the blade, right at first, turns to the nose."""
 
     def rotor(t):
         sunk, right = g.omega * t, [1, 0, 0]

@@ -5,9 +5,7 @@ from newton_euler import Frame, pi
 
 
 def simulator(g):
-    """Ground with z up; the fork turns about z, in it the mounting about x by theta, in that the
-    drum about y, which is e.
-    """
+    """Ground with z up; in turn the fork about z, the mounting about x, the drum about y, or e."""
     ground = Frame("ground")
     fork = ground.rotate("fork", "z", rate=g.Omega)
     mounting = fork.rotate("mounting", "x", angle=g.theta, rate=g.theta_dot)

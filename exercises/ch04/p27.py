@@ -6,9 +6,7 @@ from newton_euler import Frame
 
 
 def bracket_and_disk(g):
-    """Ground with x along the fixed axis; the bracket turns about x, and in it the disk about the
-    bracket's z through B.
-    """
+    """Ground; the bracket turns about the fixed x axis, in it the disk about the bracket's z."""
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "x", rate=g.Omega)
     B = bracket.point("B", 0, g.a, g.h)

@@ -6,9 +6,7 @@ from newton_euler import Frame, cos, pi, sin
 
 
 def spacecraft_and_panel(g):
-    """Space; the spacecraft spins about z; the panels turn in it about -y, which is how theta
-    grows.
-    """
+    """Space; the spacecraft spins about z; the panels turn in it about -y, as theta grows."""
     space = Frame("space")
     craft = space.rotate("spacecraft", "z", rate=g.omega)
     panel = craft.rotate("panel", "-y", angle=g.theta_1, rate=g.theta_dot)

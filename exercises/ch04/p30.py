@@ -1,6 +1,4 @@
-"""4/30: the angular acceleration of a disk rolling in a circle, and the acceleration of a rim
-point.
-"""
+"""4/30: the angular acceleration of a disk rolling in a circle, and a rim point's acceleration."""
 
 from exercises.devices.moving_frame import seen_in
 from exercises.devices.rolling_disk import (

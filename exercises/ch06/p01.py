@@ -38,9 +38,7 @@ follows = {"R_mag": lambda g, R: R.norm(), "dir_R": lambda g, R: direction(R)}
 
 
 def prove(g):
-    """Across its own line the three forces have no resultant: with these numbers the line is in the
-    second quadrant.
-    """
+    """Across its line the three forces have no resultant; the line is in the second quadrant."""
     pairs = (g.F_1, g.theta_1), (g.F_2, g.theta_2), (g.F_3, g.theta_3)
 
     line = root(lambda line: sum(F * mp.sin(theta - line) for F, theta in pairs), mp.pi / 2, mp.pi)

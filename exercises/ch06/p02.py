@@ -21,9 +21,7 @@ def steps(g):
 
 
 def prove(g):
-    """From rest, the work of each component of the force is the kinetic energy of the motion along
-    its axis.
-    """
+    """From rest, the work of each component is the kinetic energy of motion along its axis."""
 
     def along(F):
         def surplus(a):

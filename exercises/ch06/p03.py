@@ -27,9 +27,7 @@ def steps(g):
 
 
 def prove(g):
-    """Each component of the force by its power: the rate of the kinetic energy of the motion along
-    its axis, divided by the velocity there.
-    """
+    """Each force component by its power: the rate of its kinetic energy over the velocity."""
     axes = (
         lambda t: g.c_0 - g.c_1 * t**2,
         lambda t: g.c_2 * t**3,

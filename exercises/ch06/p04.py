@@ -24,9 +24,7 @@ def steps(g):
 
 
 def prove(g):
-    """As seen along j the particle runs on a circle of radius A/omega: a place with this velocity,
-    and the second rate of that.
-    """
+    """Seen along j the particle circles at the radius A/omega: place, velocity, second rate."""
     radius = g.A / g.omega
 
     def place(t):

@@ -46,9 +46,7 @@ def steps(g):
 
 
 def prove(g):
-    """By the explicit motion at constant speed: the highest is where the force of the road is zero
-    at the hump.
-    """
+    """By the motion at constant speed: the highest has no force of the road at the hump."""
 
     def push(x, v):
         _, a = at_constant_speed(lambda x: [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0], x, v)

@@ -7,9 +7,7 @@ from newton_euler.dynamics import reaction
 
 
 def distance(g, t):
-    """The solution of r'' - r omega^2 = -g sin(omega t), (6.6) along a smooth tube, that starts at
-    a with r' = 0.
-    """
+    """The solution of r'' - r omega^2 = -g sin(omega t), (6.6), from r = a with r' = 0."""
     return hyperbolic(g, t) + oscillating(g, t) - drop(g) * sinh(g.omega * t)
 
 

@@ -74,9 +74,7 @@ DOWN, UP = 0.8, 0.55  # slopes of the track before and after B, rad
 
 
 def bend(centre, radius, first, last):
-    """An arc of the track: its slope runs from ``first`` to ``last``; a negative radius for a
-    crest.
-    """
+    """An arc of the track, its slope from ``first`` to ``last``; a negative radius for a crest."""
     slopes = [first + (last - first) * n / 16 for n in range(17)]
     return [(centre[0] + radius * sin(q), 0, centre[1] - radius * cos(q)) for q in slopes]
 

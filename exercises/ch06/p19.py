@@ -29,9 +29,7 @@ def steps(g):
 
 
 def prove(g):
-    """The free flight as it is seen from the stars, with the speed of the Earth at the height h, as
-    far as to the ground.
-    """
+    """The free flight seen from the stars, with the Earth's speed at h, to the ground."""
     place = flight(g, [0, 0, 0], g.h)
     t_0 = (2 * g.h / g.g) ** 0.5
 

@@ -17,9 +17,7 @@ def elevation(g):
 
 
 def landing(g, phi):
-    """The place of the bullet when it comes down, which for a shot to the north is as late as
-    without rotation.
-    """
+    """Where the bullet comes down; a shot to the north takes as long as without rotation."""
     north = pi(phi) / 2
     ground = ground_axes(g)
     t = flight_time(g.v_0, north, phi, g.lat, g.g, 0 * g.omega_e)

@@ -18,9 +18,7 @@ def velocity(g, east=-1):
 
 
 def on_track(g, v, share=1):
-    """The reaction to the force of the track, which has to give the Coriolis acceleration and to
-    carry the weight.
-    """
+    """The reaction to the track's force, which carries the weight and gives the Coriolis term."""
     a = -share * coriolis_acceleration(earth_rate(v.frame), v)
     of_track = reaction(g.M, a, weight=-g.M * g.g * v.frame.k)
     # as a plain vector: its terms would be called after those of the other force

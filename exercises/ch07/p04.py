@@ -15,9 +15,7 @@ def density(g, radius=radius):
 
 
 def moments(g, radius=radius, transfer=1):
-    """(I_xx, I_yy, I_zz) by thin disks at the height z, by the parallel axis theorem; ``transfer``
-    is the weight of its term.
-    """
+    """(I_xx, I_yy, I_zz) by thin disks at height z; ``transfer`` weighs the parallel-axis term."""
     rho = density(g, radius)
 
     def thin_disk(z):

@@ -30,9 +30,7 @@ def steps(g):
 
 
 def prove(g):
-    """The friction is as large as it can be, unless a smaller one brings the contact along with
-    the slab.
-    """
+    """The friction is as large as it can be, unless less carries the contact with the slab."""
 
     def motion(alpha):
         points = disk(g.r, order=2)

@@ -33,9 +33,7 @@ def steps(g):
 
 
 def prove(g):
-    """The energy of the mass points at O is that of their height at P; let go there, they begin to
-    roll back.
-    """
+    """The energy at O is that of the height at P; let go there, the mass points roll back."""
 
     def height(q):
         return mp.sin(g.theta) * sum(u * r[0] for u, r in rolled(g.a, q))

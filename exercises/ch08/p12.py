@@ -34,9 +34,7 @@ def steps(g):
 
 
 def prove(g):
-    """The momenta of mass points, each at the share u of the way from the vertex to a point of the
-    base, in their explicit motion.
-    """
+    """Momenta of mass points, at the share u of the way from the vertex to the base, in time."""
     base = proofs.disk(g.r)
 
     def orientation(t):

@@ -6,9 +6,7 @@ from newton_euler.bodies import Inertia, disk, ring
 
 
 def hanging(g, body=ring):
-    """The body, of mass 1 since its mass cancels, and A. x is the tangent about which it swings, y
-    points from G to A, z is the normal.
-    """
+    """The body, of mass 1, and A: x is the tangent, y points from G to A, z is the normal."""
     frame = Frame("ring")
     return body(g.a, frame.point("G", 0, -g.a, 0), "z", mass=1), frame.point("A", 0, 0, 0)
 

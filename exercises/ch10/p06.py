@@ -45,9 +45,7 @@ def by_sign(along):
 
 
 def prove(g):
-    """The spin with which the angular momentum of the mass points is along OC, as it must: else it
-    would go round with the precession.
-    """
+    """The spin at which the angular momentum is along OC, so that precession does not change it."""
     points = [
         (u * v, plus(p, q))
         for u, p in disk(g.R, order=2)

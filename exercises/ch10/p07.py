@@ -7,9 +7,7 @@ from newton_euler.dynamics import weight
 
 
 def frames(g):
-    """Ground with Y up, the head, which turns about the post with Z towards the fan, and the
-    spinning parts.
-    """
+    """Ground with Y up, the head, turning about the post with Z towards the fan, and what spins."""
     ground = Frame("ground")
     head = ground.rotate("head", "y", rate=g.Omega)
     return ground, head, head.rotate("rotor", "-z", rate=g.p)

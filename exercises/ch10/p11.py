@@ -7,9 +7,7 @@ from newton_euler.bodies import disk
 
 
 def assembly(g, b, part=None):
-    """The two disks at the distance b, and O in the middle; of ``part``, a function of the centre
-    and the name, other bodies.
-    """
+    """Two disks at the distance b, O in the middle; ``part(centre, name)`` makes other bodies."""
     frame = Frame("assembly")
     part = part or (lambda centre, name: disk(g.r, centre, "z", mass=g.m, name=name))
     ends = [(name, frame.point(name, 0, 0, z)) for name, z in (("P", -b / 2), ("Q", b / 2))]
@@ -18,9 +16,7 @@ def assembly(g, b, part=None):
 
 
 def length(g, across, axial):
-    """That for which the transverse moment, a function of the length that grows as its square, is
-    equal to the axial one.
-    """
+    """Where the transverse moment, which grows as the length squared, equals the axial one."""
     flat, apart = across(0 * g.r), across(g.r)
     share = solve_linear(lambda square: flat + (apart - flat) * square - axial).square
     return {"b": g.r * sqrt(share)}

@@ -41,9 +41,7 @@ def steps(g):
 
 
 def prove(g):
-    """What the mass points of a cylinder of another length need about C, less what their weight
-    gives there.
-    """
+    """What a cylinder of another length needs about C, less what its weight gives there."""
     m, length = g.W / g.g, g.r
     C = [0, 0, -2 * g.r]
     points = [

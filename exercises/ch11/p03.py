@@ -51,9 +51,7 @@ def steps(g):
 
 
 def prove(g):
-    """The motion in time on either slope, with the acceleration by which the force beside the
-    weight is that of the engine, or none.
-    """
+    """The motion in time on either slope: besides the weight the engine's force acts, or none."""
     gravity = 10  # its acceleration, any: the mass is W over it, and the distances are the same
     m = g.W / gravity
 

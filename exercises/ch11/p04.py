@@ -7,9 +7,7 @@ from newton_euler.dynamics import speed_after, spring_potential
 
 
 def compression(g, v):
-    """At which the spring, whose energy is that for the unit of length times x^2, has taken what
-    the collar brings with the speed v.
-    """
+    """Where the spring, its energy k x^2/2, has taken the energy of the collar at the speed v."""
     T = g.m * v**2 / 2
     return sqrt(T / spring_potential(g.k, g.one))
 

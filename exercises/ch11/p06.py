@@ -69,9 +69,7 @@ def steps(g):
 
 
 def prove(g):
-    """The right arm in time: the moment of its weight and of the spring about O; the works of both
-    sides are added up on the way.
-    """
+    """The right arm in time: moments of weight and spring about O, and the works of both sides."""
 
     free = 2 * g.c  # each end is then c to the side
 

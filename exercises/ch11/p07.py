@@ -6,9 +6,7 @@ from newton_euler.dynamics import spring_potential, weight_potential
 
 
 def scene(g, theta, side=1):
-    """The ground with y up from O, the knee K at the right side of the shaft (the left with side
-    -1), and the collar C.
-    """
+    """Ground, y up from O; the knee K, right of the shaft (left with side -1); the collar C."""
     ground = Frame("ground")
     # so that C is above O: along the lower link it is a - b cos(theta) from O, b sin(theta) across
     lean = atan2(g.b * sin(theta), g.a - g.b * cos(theta))

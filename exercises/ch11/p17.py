@@ -44,9 +44,7 @@ def steps(g):
 
 
 def prove(g):
-    """Each mass point of the disk is on a cycloid: in one turn the disk goes on by the length of
-    its rim.
-    """
+    """Each mass point is on a cycloid: in one turn the disk advances by the length of its rim."""
     omega = 2 * mp.pi / (2 * mp.pi * g.r / g.u)
     points = proofs.disk(g.r, order=2)
 

@@ -21,9 +21,7 @@ def by_components(g, axes):
 
 
 def by_euler(g, axes):
-    """The components in the axes that do not spin: for a body of revolution these are principal
-    axes, too.
-    """
+    """The components in axes that do not spin, principal for a body of revolution as well."""
     ground = Frame("ground")
     turned = euler_frame(ground, "sphere", *(
         moving(angle, rate=rate)

@@ -7,9 +7,7 @@ from newton_euler.dynamics import kinetic_energy_about
 
 
 def scene(g, spin):
-    """Ground; axes whose x is the line of contact; the cone, with its axis along its own x, and its
-    tip O.
-    """
+    """Ground; axes whose x is the line of contact; the cone, its axis along its x; its tip O."""
     ground = Frame("ground")
     contact = ground.rotate("contact", "z", rate=g.Omega)
     axle = contact.rotate("axle", "y", angle=-g.alpha)
@@ -19,9 +17,7 @@ def scene(g, spin):
 
 
 def rolling(g):
-    """The scene with the spin that keeps the side at rest along the line of contact, as at the
-    distance 1 from the tip.
-    """
+    """The scene with the spin that keeps the line of contact at rest, as at 1 from the tip."""
 
     def slip(spin):
         ground, contact, body, _ = scene(g, spin)

@@ -60,9 +60,7 @@ def steps(g):
 
 
 def prove(g):
-    """The motion from the release, with the moment that the mass points need equal to that of
-    their weights.
-    """
+    """The motion from release, the mass points' moment equal to that of their weights."""
     along = [
         (share, [g.l * (p[0] + mpf(1) / 2), 0, 0]) for share, p in proofs.box(1, 0, 0, order=2)
     ]

@@ -5,9 +5,7 @@ from newton_euler import Frame, solve_rates
 
 
 def assembly(g, omega_y, omega_z):
-    """Ground with y up, the body with its three rates about the axes at the instant, and its points
-    A and D.
-    """
+    """Ground with y up, the body with its three rates at the instant, and its points A and D."""
     ground = Frame("ground")
     body = (
         ground.rotate("about x", "x", rate=g.omega_x)
@@ -69,9 +67,7 @@ def steps(g):
 
 
 def prove(g):
-    """The body turns steadily about one axis; the two rates are found from velocities that are
-    numerical derivatives.
-    """
+    """The body turns steadily about one axis; two rates come from numerical velocities."""
     A, D = [g.x_A, g.h, g.z_A], [-g.x_A / 2, g.h, -g.z_A / 2]
 
     def velocity(r, y, z):

@@ -1,6 +1,4 @@
-"""The bracket of 4/18 and 4/19: it turns about the horizontal arm EG, which turns about the
-vertical.
-"""
+"""The bracket of 4/18, 4/19 turns about the horizontal arm EG, which turns about the vertical."""
 
 from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.tools import Sketch, in_frame, mp, rate, second_rate, terms

@@ -1,6 +1,4 @@
-"""The collar A on a rod OB that turns in a plane about O (2/19, 2/20): r and theta are given as
-functions of time.
-"""
+"""The collar A on a rod OB turning in a plane about O (2/19, 2/20): r and theta given in time."""
 
 from exercises.tools import Sketch, Step, mp, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving, polar

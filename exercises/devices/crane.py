@@ -6,9 +6,7 @@ from newton_euler import moving
 
 
 def crane(g):
-    """Ground with Z up; the house, which turns, with x outward in the plane of the boom; P in the
-    boom's frame, z along it.
-    """
+    """Ground with Z up; the house, turning, x outward in the boom's plane; P on the boom's z."""
     ground, house, boom = turning_boom(g.n, moving(g.beta_1, g.b_dot))
     return ground, house, boom.point("P", 0, 0, g.R)
 

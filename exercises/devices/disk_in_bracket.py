@@ -13,9 +13,7 @@ PLACES = {"A": (0, 0, 1), "B": (1, 0, 0)}
 
 
 def data(g):
-    """(rate, growth) of the bracket and of the disk, and the offset b; zero for what a problem does
-    not have.
-    """
+    """(rate, growth) of the bracket and of the disk, and the offset b; zero where not given."""
     omega = g.omega_b if hasattr(g, "omega_b") else g.omega
     return (omega, getattr(g, "omega_dot", 0)), (g.P, getattr(g, "P_dot", 0)), getattr(g, "b", 0)
 
@@ -58,9 +56,7 @@ def rim_point(disk, name, r):
 
 
 def turning(frames):
-    """Angular velocity and angular acceleration of the disk in the ground, along the bracket's
-    axes.
-    """
+    """The disk's angular velocity and acceleration in the ground, along the bracket's axes."""
     ground, bracket, disk = frames
     return in_frame(
         bracket,
@@ -72,9 +68,7 @@ def turning(frames):
 
 
 def rim_motion(frames, name, r):
-    """Velocity and acceleration of A or B in the ground, along the bracket's axes and with the
-    terms that the bracket gives.
-    """
+    """Velocity and acceleration of A or B, along the bracket's axes, by way of the bracket."""
     ground, bracket, disk = frames
     S = rim_point(disk, name, r)
     return {
@@ -156,9 +150,7 @@ def wrong_accelerations_of_B(g, a):
 
 
 def in_time(g, t):
-    """For the proof: the angles through which bracket and disk have turned, and the axle's
-    direction.
-    """
+    """Proof: the angles turned by bracket and disk, and the direction of the axle."""
     (omega, omega_dot), (P, P_dot), _ = data(g)
     theta, phi = omega * t + omega_dot * t**2 / 2, P * t + P_dot * t**2 / 2
     return theta, phi, [-mp.sin(theta), mp.cos(theta), 0]
@@ -197,9 +189,7 @@ def prove_rim(g, name):
 
 
 def figure(g, ax, rim="AB", omega_name=r"\omega"):
-    """The figure; ``rim`` names the points of the rim to show. Rates that grow are shown with their
-    rate of growth.
-    """
+    """The figure; ``rim``: the points shown. Rates that grow are shown with their growth."""
     ground, bracket, disk = disk_in_bracket(g)
     s = Sketch(ax, ground, azimuth=50, elevation=18)
     letters = [

@@ -33,9 +33,7 @@ def frames_and_point(g, name):
 
 
 def answers(frames, S):
-    """The answers for the rim point S, along the axes of B; the acceleration has the terms that the
-    disk gives.
-    """
+    """The answers for the rim point S, along the axes of B, by way of the disk."""
     ground, B, _, disk = frames
     return in_frame(B, {
         "omega_disk": disk.angular_velocity(ground),
@@ -88,9 +86,7 @@ def pin_and_axis(gone_round, risen):
 
 
 def prove_turning(omega_1, omega_2, omega_3):
-    """Proof: angular velocity and acceleration of the disk, from its orientation as a function of
-    time.
-    """
+    """Proof: the disk's angular velocity and acceleration, from its orientation in time."""
 
     def disk(t):
         pin, axis = pin_and_axis(omega_1 * t, omega_2 * t)

@@ -10,9 +10,7 @@ from newton_euler import Frame, Point, solve_rates
 
 @dataclass(frozen=True)
 class OnShaft:
-    """The ground with z up, the axes x, y, z of the shaft, x along it and y level, and the frame
-    and centre C of a body that spins about x.
-    """
+    """Ground with z up; the shaft's axes, x along it, y level; the spinning body, its centre C."""
 
     ground: Frame
     shaft: Frame

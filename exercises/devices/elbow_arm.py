@@ -1,15 +1,11 @@
-"""The elbow arm of 4/16 and 4/17: the rod CD, hinged at C to an arm BC that turns about the
-vertical.
-"""
+"""The elbow arm of 4/16, 4/17: rod CD, hinged at C to an arm BC turning about the vertical."""
 
 from exercises.tools import Sketch, Step, in_frame, mp, proofs, rate, rot, terms, times, transposed
 from newton_euler import Frame, cos, sin
 
 
 def arm_and_rod(g):
-    """Ground with Z up; the arm turns about Z; the rod about the arm's -x axis, which is how beta
-    grows.
-    """
+    """Ground with Z up; the arm turns about Z; the rod about the arm's -x axis, as beta grows."""
     ground = Frame("ground")
     arm = ground.rotate("BC", "z", rate=g.omega)
     C = arm.point("C", 0, g.b, 0)
@@ -49,9 +45,7 @@ follows = {"a_D": a_D}
 
 
 def prove(g):
-    """The direction of CD in the turning vertical plane, from CB (back to the shaft) upward by
-    beta.
-    """
+    """The direction of CD in the turning vertical plane, from CB to the shaft upward by beta."""
 
     def rod(t):
         c, s = mp.cos(g.beta_1 + g.b_dot * t), mp.sin(g.beta_1 + g.b_dot * t)

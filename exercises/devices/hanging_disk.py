@@ -13,9 +13,7 @@ from newton_euler.applications.gyroscopes import steady_spin
 
 
 def hanging(g, psi=0):
-    """Ground, the axes with the origin A that precess without spinning, k from A to B, the disk
-    and theta.
-    """
+    """Ground, axes at A that precess without spinning, k from A to B, the disk and theta."""
     theta = pi(g.beta) - g.beta
     ground, axes = frames(theta, psi, name="disk")
     return ground, axes, bodies.disk(g.D / 2, axes.point("B", 0, 0, g.L), "z", mass=g.m), theta

@@ -1,6 +1,4 @@
-"""The jet of water of 2/11 and 2/12, from a nozzle at A up to its highest point B: how it is
-curved, proof, figure.
-"""
+"""The jet of water of 2/11 and 2/12, from a nozzle at A to its highest point B."""
 
 from exercises.tools import Sketch, rate, second_rate
 from newton_euler import frenet

@@ -1,6 +1,4 @@
-"""The robot arm of 4/3 (and 3/25): two perpendicular links OA and AP in a vertical plane that turns
-with the base.
-"""
+"""The robot arm of 4/3, 3/25: perpendicular links OA, AP in a plane that turns with the base."""
 
 from exercises.devices.boom import turning_boom
 from exercises.tools import Sketch, mp, rot, times

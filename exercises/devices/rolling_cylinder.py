@@ -47,8 +47,6 @@ def _equations(m, r, gravity, shape, a, alpha, F, N):
 
 
 def rolled(r, q):
-    """Proof: the mass points when the centre has moved by q from the origin, on a surface at
-    rest.
-    """
+    """Proof: the mass points when the centre has moved by q, on a surface at rest."""
     turned = rot("z", -q / r)
     return [(u, plus([q, 0, 0], times(turned, p))) for u, p in points_of_disk(r, order=2)]

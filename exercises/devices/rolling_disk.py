@@ -1,6 +1,4 @@
-"""The disk of 4/22, 4/23 and 4/30: it rolls upright round a circle, its axle pointing to the
-vertical y axis.
-"""
+"""The disk of 4/22, 4/23, 4/30 rolls upright round a circle, its axle to the vertical y axis."""
 
 from exercises.tools import Sketch, Step, minus, mp, plus, proofs, rate, rot, scaled, times
 from newton_euler import Frame, pi, solve_rates

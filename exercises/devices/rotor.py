@@ -13,9 +13,7 @@ SMALL = mpf(10) ** -25  # a sum over mass points below this, of parts of about 1
 
 @dataclass(frozen=True)
 class Rotor:
-    """A body, the bearings and the point O that the angular momentum is about, all fixed in the
-    frame of the shaft.
-    """
+    """A body, the bearings and the point O of the angular momentum, fixed in the shaft's frame."""
 
     ground: Frame
     shaft: Frame
@@ -32,9 +30,7 @@ def turning_shaft(g):
 
 
 def in_bearings(shaft, parts, a, b):
-    """The parts as one body along the axes of the shaft, with bearings at x = a and x = b, about O
-    at x = 0.
-    """
+    """The parts as one body along the shaft's axes, bearings at x = a and x = b, about O at 0."""
     body = composite("rotor", parts, frame=shaft)
     A, B = shaft.point("A", a, 0, 0), shaft.point("B", b, 0, 0)
     return Rotor(shaft.parent, shaft, body, shaft.point("O", 0, 0, 0), A, B)
@@ -66,9 +62,7 @@ def principal_steps(body, *axes):
 
 
 def shaft_steps(r, products="xy"):
-    """The moment and the products of inertia that enter H_O: ``products`` names those that are not
-    zero.
-    """
+    """The moment and ``products`` of inertia that enter H_O: those that are not zero."""
     I = r.body.about(r.O, r.shaft)
     yield Step("I_xx", I.moments[0], "kg*m^2", "moment of inertia about the axis of the shaft",
                "7.2", "7.10")  # fmt: skip
@@ -85,9 +79,7 @@ def steps(r, *axes):
 
 
 def force_steps(r):
-    """Of a body whose mass centre is off the axis: its acceleration, and the two parts of each
-    bearing force.
-    """
+    """Steps for a mass centre off the axis: its acceleration, the parts of each bearing force."""
     a_G = r.body.centre.acceleration(r.ground).expressed_in(r.shaft)
     yield Step("a_G", a_G, "m/s^2", "acceleration of the centre of mass", "9.5", "9.7")
     for key, force in ("F_A", forces(r).A), ("F_B", forces(r).B):
@@ -121,9 +113,7 @@ def following(rotor_of):
 
 
 def with_inertia(r, moment=1, product=1):
-    """The answers with the moment of inertia about the shaft and the products of inertia each times
-    a factor.
-    """
+    """The answers with the shaft's moment of inertia and the products each times a factor."""
     right, found = answers(r), forces(r)
     H, change = right["H_O"], product - 1
     # what is added, not reweighted: so zero is still a formula of the symbols

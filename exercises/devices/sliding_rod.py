@@ -1,6 +1,4 @@
-"""The rod BE of 2/36 to 2/39: it slides along i in the guides C and D of a bracket that turns
-clockwise about A.
-"""
+"""The rod BE of 2/36 to 2/39 slides along i in a bracket that turns clockwise about A."""
 
 from exercises.devices.turning_plate import motion, motion_steps, proof, turning
 from exercises.tools import Sketch, in_frame

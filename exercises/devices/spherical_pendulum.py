@@ -9,9 +9,7 @@ from newton_euler.dynamics import kinetic_energy, weight_potential
 
 
 def level_motion(m, radius, depth, rate):
-    """Kinetic energy, and angular momentum about the vertical through O, of the particle as it goes
-    along a level circle.
-    """
+    """Kinetic energy and angular momentum about the vertical through O on a level circle."""
     ground = Frame("ground")
     turning = ground.rotate("turning", "z", rate=rate)
     P = particle(m, turning.point("P", sqrt(radius**2 - depth**2), 0, -depth))

@@ -7,9 +7,7 @@ from newton_euler import Frame, moving, pi, spherical
 
 
 def boom_end(omega, beta, length):
-    """Ground, and the end A by spherical coordinates; ``beta``, from the upward vertical, and
-    ``length`` are moving.
-    """
+    """Ground, and the end A; ``beta``, from the upward vertical, and ``length`` are moving."""
     ground = Frame("ground")
     elevation = pi(beta.value) / 2 - beta
     return ground, spherical(ground, "A", length, moving(0, rate=omega), elevation)

@@ -43,9 +43,7 @@ def proved_path(g, gam):
 
 
 def draw(g, ax):
-    """The thrower at O, the wall and the place that is hit; of the path only the beginning, since
-    2/8 asks how it ends.
-    """
+    """The thrower at O, the wall, the place hit; and of the path only the beginning."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xz")
     u = best_slope(g)

@@ -7,9 +7,7 @@ from newton_euler.dynamics import mass_from_weight
 
 
 def data(g):
-    """Moments of inertia about O, transverse and axial, and the moment of the weight, as the
-    engine's functions name them.
-    """
+    """Moments of inertia about O and the moment of the weight, named as in the engine."""
     m = mass_from_weight(g.W, g.g)
     ground, axes = frames(g.theta)
     M = weight_moment(m, g.g, ground, axes, g.c)

@@ -9,9 +9,7 @@ def height(g):
 
 
 def area_points(g):
-    """Proof, pairs (area, place): a square moved to the triangle, its lower edge to O, its upper
-    edge to the hypotenuse.
-    """
+    """Proof, pairs (area, place): a square mapped to the triangle, its lower edge to O."""
     half = 1 / mpf(2)
     points = []
     for share, (x, y, _) in proofs.box(1, 1, 0):

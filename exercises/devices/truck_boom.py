@@ -94,9 +94,7 @@ def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
 
 
 def sketch(g, ax, theta=None):
-    """The truck on its road, the boom, omega and the axes of the answers. Without a given theta it
-    is drawn at 35 degrees.
-    """
+    """The truck, the boom, omega and the answers' axes, at 35 degrees unless theta is given."""
     angle = 7 * pi(g.L) / 36 if theta is None else theta
     ground, arm, B = boom(g, theta=angle)
     size = g.L

@@ -20,9 +20,7 @@ ACROSS = {"x": ("y", "z"), "y": ("z", "x"), "z": ("x", "y")}
 
 
 def about_origin(frame, parts):
-    """The :class:`Inertia` of the whole about the origin of ``frame``, its terms those of the
-    parts.
-    """
+    """The :class:`Inertia` of the whole about the origin of ``frame``; its terms are the parts."""
     return composite("body", parts).about(frame)
 
 
@@ -126,9 +124,7 @@ def of_wire(density, place, way, corners, names):
 
 
 def prove_momentum(g, axis, **parts):
-    """Each mass point goes round its circle, and its momentum has a moment about O; moments and
-    products of inertia are added up.
-    """
+    """The momenta of the mass points on their circles have moments about O; inertia adds up."""
     n, across = "xyz".index(axis), ["xyz".index(u) for u in ACROSS[axis]]
 
     def square(place):

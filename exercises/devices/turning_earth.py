@@ -20,9 +20,7 @@ def ground_axes(g):
 
 
 def shot(g, t, launch, omega=None):
-    """The place of a shot at the time t, from the place where it starts, with its named terms;
-    ``omega`` in place of the Earth's angular velocity.
-    """
+    """The place of a shot at time t, with its named terms; ``omega``: the Earth's by default."""
     ground = launch.frame
     return projectile_position(t, launch, -g.g * ground.k, omega or earth_rate(ground))
 

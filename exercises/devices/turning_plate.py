@@ -7,9 +7,7 @@ from newton_euler import Frame
 
 
 def turning(name, omega, alpha=None):
-    """Ground with z out of the plane; the plate, its origin at A and its axes those of the ground
-    at the instant.
-    """
+    """Ground with z out of the plane; the plate about A, with the axes of the ground now."""
     ground = Frame("ground")
     return ground, ground.rotate(name, "z", rate=omega, acceleration=alpha)
 

@@ -8,9 +8,7 @@ WELDED = Frame("welded")
 
 
 def ends(g, height=None):
-    """O, the end B of the first rod, the end C of the second, and start and end of the third, which
-    is at the ``height``.
-    """
+    """O, the ends B and C of the first two rods, and the third's ends, at the ``height``."""
     height = g.c if height is None else height
     return (
         WELDED.point("O", 0, 0, 0),

@@ -1,6 +1,4 @@
-"""The welder of 2/34 and 2/35: a plate turns about A, and a bracket with the tips D and E slides in
-a guide on it, along i.
-"""
+"""The welder of 2/34, 2/35: a bracket with tips D and E slides along i on a plate turning at A."""
 
 from exercises.devices.turning_plate import motion, motion_steps, proof, turning
 from exercises.tools import Sketch, in_frame

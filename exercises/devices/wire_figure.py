@@ -1,6 +1,4 @@
-"""The wire of 5/10, 7/10 and 8/14: a half circle about O, its diameter along x, and a leg up from
-the left end.
-"""
+"""The wire of 5/10, 7/10, 8/14: a half circle about O, its diameter along x, a leg at its left."""
 
 from exercises.tools import Sketch, mp
 from newton_euler import Frame

@@ -10,9 +10,7 @@ WOBBLE = 0.1  # rad, the angle of the axis with the angular momentum; any will d
 
 
 def difference(body, O):
-    """The transverse moment of inertia at O less that about the axis: there is no precession where
-    it vanishes.
-    """
+    """Transverse less axial moment of inertia at O: where it vanishes there is no precession."""
     I = body.about(O)
     return I.moment("x") - I.moment("z")
 
@@ -24,9 +22,7 @@ def sense(body, O):
 
 
 def needed_spin(points):
-    """Proof, the spin with which a precession at the rate 1 needs no moment, positive if it is
-    direct.
-    """
+    """Proof, the spin with which precession at the rate 1 needs no moment; positive if direct."""
     return vanishing(lambda spin: needed(1, points, mpf(WOBBLE), 1, spin), 0, 1)
 
 
