@@ -2,22 +2,8 @@
 
 from exercises.devices import disk_in_two_brackets as brackets
 
-draw = brackets.draw_two_brackets
-
-
-def steps(g):
-    return brackets.rim_steps(g, "C")
-
-
+solve, steps, prove, draw = brackets.rim_problem("C")
 follows = brackets.rim_from_turning("C")
-
-
-def solve(g):
-    return brackets.answers(*brackets.frames_and_point(g, "C"))
-
-
-def prove(g):
-    return brackets.prove_rim(g, "C")
 
 
 def mistakes(g):

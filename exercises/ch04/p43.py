@@ -2,22 +2,8 @@
 
 from exercises.devices import disk_in_two_brackets as brackets
 
-draw = brackets.draw_two_brackets
-
-
-def steps(g):
-    return brackets.rim_steps(g, "D")
-
-
+solve, steps, prove, draw = brackets.rim_problem("D")
 follows = brackets.rim_from_turning("D")
-
-
-def solve(g):
-    return brackets.answers(*brackets.frames_and_point(g, "D"))
-
-
-def prove(g):
-    return brackets.prove_rim(g, "D")
 
 
 def mistakes(g):

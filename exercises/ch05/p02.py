@@ -1,19 +1,12 @@
 """5/2: the centre of mass of two spheres that touch."""
 
 from exercises.devices import satellite
-from exercises.devices.put_together import centre, proved, steps_of
+from exercises.devices.put_together import centre, problem_of, proved
 from exercises.devices.satellite import SATELLITE, parts, spheres
 from exercises.tools import proofs
 
+solve, steps = problem_of(SATELLITE, parts, content="mass", mass="slug", length="ft")
 draw = satellite.figure
-
-
-def solve(g):
-    return centre(SATELLITE, parts(g))
-
-
-def steps(g):
-    yield from steps_of(SATELLITE, parts(g), content="mass", mass="slug", length="ft")
 
 
 def prove(g):

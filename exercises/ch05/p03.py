@@ -2,17 +2,10 @@
 
 from exercises.devices import block_with_cylinder
 from exercises.devices.block_with_cylinder import BLOCK, parts
-from exercises.devices.put_together import centre, chord, sliced, steps_of, unweighed
+from exercises.devices.put_together import centre, chord, problem_of, sliced, unweighed
 
+solve, steps = problem_of(BLOCK, parts, content="volume", length="in")
 draw = block_with_cylinder.figure
-
-
-def solve(g):
-    return centre(BLOCK, parts(g))
-
-
-def steps(g):
-    yield from steps_of(BLOCK, parts(g), content="volume", length="in")
 
 
 def prove(g):

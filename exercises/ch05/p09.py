@@ -2,17 +2,10 @@
 
 from exercises.devices import bored_bracket
 from exercises.devices.bored_bracket import BRACKET, block, parts
-from exercises.devices.put_together import centre, chord, sliced, steps_of
+from exercises.devices.put_together import centre, chord, problem_of, sliced
 
+solve, steps = problem_of(BRACKET, parts, holes=True, content="volume", length="in")
 draw = bored_bracket.figure
-
-
-def solve(g):
-    return centre(BRACKET, *parts(g))
-
-
-def steps(g):
-    yield from steps_of(BRACKET, *parts(g), content="volume", length="in")
 
 
 def prove(g):

@@ -1,19 +1,12 @@
 """5/10: the centre of mass of a figure of wire."""
 
 from exercises.devices import wire_figure
-from exercises.devices.put_together import centre, steps_of, unweighed, walked
+from exercises.devices.put_together import centre, problem_of, unweighed, walked
 from exercises.devices.wire_figure import WIRE, parts, path
 from newton_euler.bodies import Body, half_disk
 
+solve, steps = problem_of(WIRE, parts, content="length", length="mm")
 draw = wire_figure.figure
-
-
-def solve(g):
-    return centre(WIRE, parts(g))
-
-
-def steps(g):
-    yield from steps_of(WIRE, parts(g), content="length", length="mm")
 
 
 def prove(g):

@@ -2,18 +2,11 @@
 
 from exercises.devices import disk_with_hole
 from exercises.devices.disk_with_hole import DISK, parts, rim
-from exercises.devices.put_together import centre, proved, steps_of
+from exercises.devices.put_together import centre, problem_of, proved
 from exercises.tools import mp, proofs
 
+solve, steps = problem_of(DISK, parts, holes=True, content="area", length="m")
 draw = disk_with_hole.figure
-
-
-def solve(g):
-    return centre(DISK, *parts(g))
-
-
-def steps(g):
-    yield from steps_of(DISK, *parts(g), content="area", length="m")
 
 
 def prove(g):

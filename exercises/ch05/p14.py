@@ -2,18 +2,11 @@
 
 from exercises.devices import bent_plate
 from exercises.devices.bent_plate import PART, parts
-from exercises.devices.put_together import centre, chord, proved, steps_of
+from exercises.devices.put_together import centre, chord, problem_of, proved
 from exercises.tools import proofs
 
+solve, steps = problem_of(PART, parts, holes=True, content="mass", mass="kg", length="mm")
 draw = bent_plate.figure
-
-
-def solve(g):
-    return centre(PART, *parts(g))
-
-
-def steps(g):
-    yield from steps_of(PART, *parts(g), content="mass", mass="kg", length="mm")
 
 
 def prove(g):

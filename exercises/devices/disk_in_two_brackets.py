@@ -21,6 +21,16 @@ def disk_in_two_brackets(g):
     return ground, B, A, A.rotate("disk", "y", rate=g.omega_3)
 
 
+def rim_problem(name):
+    """``solve``, ``steps``, ``prove`` and ``draw`` of the motion of C or D."""
+    return (
+        lambda g: answers(*frames_and_point(g, name)),
+        lambda g: rim_steps(g, name),
+        lambda g: prove_rim(g, name),
+        draw_two_brackets,
+    )
+
+
 def rim_point(g, disk, name):
     """The point C or D of the rim, fixed in the disk."""
     return disk.point(name, *(g.r if e else 0 for e in PLACES[name]))

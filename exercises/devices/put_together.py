@@ -14,6 +14,20 @@ def centre(frame, parts, removed=()):
     return {"d": centre_of_mass([*parts, *(-hole for hole in removed)], frame).position(frame)}
 
 
+def problem_of(frame, parts, holes=False, **units):
+    """``solve`` and ``steps`` of a problem about the bodies ``parts(g)``, with ``holes`` a pair of
+    those and the ones cut out; ``units`` as for :func:`steps_of`.
+    """
+
+    def bodies(g):
+        return parts(g) if holes else (parts(g),)
+
+    return (
+        lambda g: centre(frame, *bodies(g)),
+        lambda g: steps_of(frame, *bodies(g), **units),
+    )
+
+
 def unweighed(frame, one, points):
     """The mistake of the plain mean of points; ``one`` is g.one."""
     return {"d": centre_of_mass([(one, P) for P in points], frame).position(frame)}

@@ -24,6 +24,15 @@ def about_origin(frame, parts):
     return composite("body", parts).about(frame)
 
 
+def problem_of(inertia, axis, system="SI"):
+    """``solve``, ``steps`` and ``follows`` of a problem; ``inertia``: the Inertia, of g."""
+    return (
+        lambda g: answers(g, inertia(g), axis),
+        lambda g: steps_of(g, inertia(g), axis, system),
+        moment_from_momentum(axis),
+    )
+
+
 def answers(g, inertia, axis):
     """H_O and M_O from an :class:`Inertia`, a right or a wrong one."""
     return {
