@@ -13,8 +13,8 @@ from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.forms import WORDS
 
-from . import CatalogueError
 from .following import earlier_answers, follow
+from .model import CatalogueError
 from .proofs import DIGITS
 from .steps import faults as step_faults
 from .steps import in_unit, steps

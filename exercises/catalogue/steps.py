@@ -19,7 +19,7 @@ from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 
-from . import CatalogueError
+from .model import CatalogueError
 from .variants import flat
 from .wording import term_text
 from .words import word

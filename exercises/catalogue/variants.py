@@ -16,7 +16,8 @@ from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.forms import WORDS
 from newton_euler.answers.tolerance import SEPARATION
 
-from . import SYMBOLIC, CatalogueError, problem
+from .model import SYMBOLIC, CatalogueError
+from .reading import problem
 
 DRAWS = 300  # attempts before a range is called impossible
 # a component of a vector is zero, or at least so much of the whole: one that is left out must show

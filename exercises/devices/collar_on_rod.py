@@ -5,7 +5,7 @@ from newton_euler import Frame, moving, polar
 
 
 def moving_by(r, theta):
-    """``solve``, ``steps``, ``prove`` and ``draw``; ``r``, ``theta``: of the givens and the time."""
+    """``solve``, ``steps``, ``prove`` and ``draw``; ``r``, ``theta``: of givens and time."""
     return (
         lambda g: motion(g, r, theta),
         lambda g: steps(g, r, theta),
