@@ -10,7 +10,7 @@ def rocket(g):
     path, it does not bend it.
     """
     ground = Frame("ground")
-    theta = moving(0 * g.theta_ddot / g.theta_ddot, rate=g.theta_dot, acceleration=g.theta_ddot)
+    theta = moving(0 * g.one, rate=g.theta_dot, acceleration=g.theta_ddot)
     P = polar(ground, "P", moving(g.r, rate=g.r_dot), theta)
     return P.velocity(ground), P.acceleration(ground)
 
