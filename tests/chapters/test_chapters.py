@@ -6,7 +6,6 @@ import ast
 import os
 import re
 import time
-import tomllib
 import warnings
 from datetime import datetime
 from itertools import pairwise
@@ -303,13 +302,6 @@ def test_every_chapter_has_notes_for_instructors():
 def test_the_notes_for_instructors_run_without_warnings(path, tmp_path):
     notebook, _ = executed(path, tmp_path)
     assert not told_on_stderr(notebook)
-
-
-def test_the_notes_for_instructors_are_not_in_the_wheel():
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    packages = settings["tool"]["setuptools"]["packages"]
-    assert "newton_euler.chapters.figures" in packages
-    assert "newton_euler.chapters.instructors" not in packages
 
 
 @pytest.mark.slow
