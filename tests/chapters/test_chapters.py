@@ -6,6 +6,7 @@ import ast
 import os
 import re
 import time
+import tomllib
 import warnings
 from datetime import datetime
 from itertools import pairwise
