@@ -163,11 +163,14 @@ def test_a_name_that_is_not_at_the_top_is_looked_for_in_the_rooms():
     assert {"Frame", "dynamics"} <= set(dir(newton_euler))
 
 
-def test_the_packages_of_the_wheel_are_those_of_the_tree():
+def test_the_wheel_takes_every_folder_with_code_and_nothing_beside_the_engine():
+    """Setuptools finds packages by their __init__.py; newton_euler/chapters is a link to chapters."""
     pyproject = tomllib.loads((ENGINE.parent / "pyproject.toml").read_text(encoding="utf-8"))
-    listed = set(pyproject["tool"]["setuptools"]["packages"])
-    found = {m for m in FILES if FILES[m].name == "__init__.py"}
-    assert listed == found | {"newton_euler.chapters.examples", "newton_euler.chapters.figures"}
+    found = pyproject["tool"]["setuptools"]["packages"]["find"]
+    assert found == {"namespaces": False, "include": ["newton_euler*"]}
+    for folder in {*(path.parent for path in FILES.values()), ENGINE / "chapters" / "figures"}:
+        assert (folder / "__init__.py").exists(), folder
+    assert not list((ENGINE / "chapters" / "instructors").glob("*.py"))
 
 
 def test_all_errors_of_the_engine_have_one_base():
