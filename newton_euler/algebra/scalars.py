@@ -19,6 +19,7 @@ number is found by the number's type.
 import math
 import zlib
 from fractions import Fraction
+from functools import reduce
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -442,6 +443,38 @@ def _define(name):
 sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt = (
     _define(name) for name in FUNCTIONS
 )
+
+
+def hypot(*values: Scalar) -> Scalar:
+    """The root of the sum of the squares; of floats and arrays wherever it is a float, though the
+    squares overflow or underflow.
+
+    >>> hypot(6e200, 8e200, ZERO), hypot(3e-200, 4e-200), hypot(ZERO, ZERO)
+    (1e+201, 5e-200, 0)
+    """
+    some = [x for x in values if x is not ZERO]
+    for x in some:
+        if type(x) is not float:
+            break
+    else:
+        return math.hypot(*some) if some else ZERO
+    if all(type(x) is float or _has_floats(x) for x in some):
+        return _hypot_of_arrays(import_module("numpy"), some)
+    return sqrt(sum((x * x for x in some), ZERO))
+
+
+def _hypot_of_arrays(numpy, values):
+    with numpy.errstate(over="ignore", under="ignore"):
+        square = sum(x * x for x in values)
+        root = numpy.sqrt(square)
+    lost = (square < 1e-280) | (square > 1e300)  # digits of the squares, or all of them
+    # numpy.hypot is right everywhere, and takes three times as long
+    return numpy.where(lost, reduce(numpy.hypot, values, 0.0), root) if lost.any() else root
+
+
+def _has_floats(x):
+    """True for an array or a number of NumPy with real floats."""
+    return getattr(getattr(x, "dtype", None), "kind", "") == "f"
 
 
 def atan2(y: Scalar, x: Scalar) -> Scalar:
