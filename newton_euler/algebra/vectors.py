@@ -404,7 +404,7 @@ class Vector(Scaled, NamedTerms):
         """
         if subject is None:
             subject = self._ledger.subject
-        ledger = Ledger(kind, subject, terms or (lambda: self.terms))
+        ledger = Ledger(kind, subject, (lambda: self.terms) if terms is None else terms)
         return Vector(self.c, self.frame, self._own_rate, ledger)
 
     def explain(self, unit: str = "") -> Explanation:
