@@ -12,11 +12,11 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn
 
 from ..scenes import SCENES
-from .charts.atlas import write_atlas
-from .charts.catalogue import KINDS, MODEL, MODELS, charts, slug
-from .charts.kinds.honesty import draw_honesty
-from .honesty import PATIENCE, honesty, table, write_csv
-from .work_precision import NAMES, QUICK, TOLERANCES
+from .atlas import write_atlas
+from .catalogue import KINDS, MODEL, MODELS, charts, slug
+from .charts.honesty import draw_honesty
+from .measurements.honesty import PATIENCE, honesty, table, write_csv
+from .measurements.work_precision import NAMES, QUICK, TOLERANCES
 
 HONESTY, ATLAS = "honesty", "atlas"
 SETTINGS = {

@@ -6,7 +6,7 @@ from dataclasses import replace
 import matplotlib
 import pytest
 
-from newton_euler.accuracy.honesty import FAILED, REFUSED, tallies
+from newton_euler.accuracy.measurements.honesty import FAILED, REFUSED, tallies
 from tests.honesty import report
 from tests.honesty.judge import Run
 

@@ -9,10 +9,10 @@ import matplotlib
 import pytest
 from matplotlib.figure import Figure
 
-from newton_euler.accuracy import honesty as measuring
-from newton_euler.accuracy.charts.kinds.honesty import PROMISE, draw_honesty
+from newton_euler.accuracy.charts.honesty import PROMISE, draw_honesty
 from newton_euler.accuracy.command import main
-from newton_euler.accuracy.honesty import (
+from newton_euler.accuracy.measurements import honesty as measuring
+from newton_euler.accuracy.measurements.honesty import (
     COLUMNS,
     EPS,
     FAILED,

@@ -15,14 +15,18 @@ import matplotlib
 import mpmath as mp
 import pytest
 
-from newton_euler.accuracy import work_precision as precision
-from newton_euler.accuracy.charts.catalogue import charts
+from newton_euler.accuracy.catalogue import charts
 from newton_euler.accuracy.command import main
-from newton_euler.accuracy.comparisons import COMPARISONS
-from newton_euler.accuracy.measure import Measured, timed
-from newton_euler.accuracy.reference import by_extrapolation, by_heyoka, reference_solution
-from newton_euler.accuracy.regime_maps import MAPS
-from newton_euler.accuracy.work_precision import work_precision
+from newton_euler.accuracy.measurements import work_precision as precision
+from newton_euler.accuracy.measurements.comparisons import COMPARISONS
+from newton_euler.accuracy.measurements.measure import Measured, timed
+from newton_euler.accuracy.measurements.reference import (
+    by_extrapolation,
+    by_heyoka,
+    reference_solution,
+)
+from newton_euler.accuracy.measurements.regime_maps import MAPS
+from newton_euler.accuracy.measurements.work_precision import work_precision
 from newton_euler.motion import ModelError
 from newton_euler.motion.integration import integrate
 from newton_euler.motion.methods.table import METHODS

@@ -7,17 +7,17 @@ from functools import cache, partial
 
 from matplotlib.figure import Figure
 
-from ...algebra.errors import ArgumentError
-from ...scenes import LADDERS, SCENES, ladder
-from ..comparisons import COMPARISONS
-from ..regime_maps import MAPS
-from ..work_precision import LONGEST, NAMES, TOLERANCES, work_precision
-from .kinds.comparisons import comparison_caption, points_table
-from .kinds.islands import settled
-from .kinds.maps import draw_choices, map_caption, map_table
-from .kinds.methods import draw_methods, methods_caption
-from .kinds.models import draw_models, measured_models, models_caption
-from .shown import Shown
+from ..algebra.errors import ArgumentError
+from ..scenes import LADDERS, SCENES, ladder
+from .charts.comparisons import comparison_caption, draw_comparison, points_table
+from .charts.islands import settled
+from .charts.maps import draw_choices, map_caption, map_table
+from .charts.methods import draw_methods, methods_caption
+from .charts.models import draw_models, measured_models, models_caption
+from .charts.shown import Shown
+from .measurements.comparisons import COMPARISONS
+from .measurements.regime_maps import MAPS
+from .measurements.work_precision import LONGEST, NAMES, TOLERANCES, work_precision
 
 MODELS, MAP = "models of ", "map of "
 METHOD, MODEL, FORMULA = "Which method?", "Which model?", "Which formula?"
@@ -118,7 +118,7 @@ def _models(name, quick, progress, tolerance=None):
 def _comparison(name, quick, progress):
     comparison, figure = COMPARISONS[name], Figure()
     points = comparison.measure(progress, quick)
-    comparison.draw(points, figure)
+    draw_comparison(comparison, points, figure)
     caption = comparison_caption(comparison, points)
     return Shown(comparison.title, tuple(points), caption, points_table(points), figure)
 

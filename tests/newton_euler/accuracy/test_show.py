@@ -1,4 +1,4 @@
-"""charts/show.py: one chart in a notebook, and a comparison of one's own."""
+"""show.py: one chart in a notebook, and a comparison of one's own."""
 
 import math
 from types import SimpleNamespace
@@ -7,10 +7,10 @@ import mpmath
 import pytest
 
 from newton_euler.accuracy import compare, show_chart
+from newton_euler.accuracy.catalogue import QUICK_METHODS
 from newton_euler.accuracy.charts import shown
-from newton_euler.accuracy.charts.catalogue import QUICK_METHODS
-from newton_euler.accuracy.charts.kinds.comparisons import ways_caption
-from newton_euler.accuracy.measure import Measured
+from newton_euler.accuracy.charts.comparisons import ways_caption
+from newton_euler.accuracy.measurements.measure import Measured
 from newton_euler.algebra.errors import ArgumentError
 
 

@@ -9,10 +9,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from ....motion.integration import prepare
-from ...measure import EQUAL_WITHIN, Measured, of_equal_cost, timed
-from ..axes import GREY, INK, log_log, mark_better, marker_style, time_axis
-from ..words import listed, number, seconds, times
+from ...motion.integration import prepare
+from ..measurements.measure import EQUAL_WITHIN, Measured, of_equal_cost, timed
+from .axes import GREY, INK, log_log, mark_better, marker_style, time_axis
+from .words import listed, number, seconds, times
 
 STEPS = (1, 2, 5, 10)  # a tolerance is one of these times a power of ten
 NOISE = 1e-9  # of the largest error: what is smaller is integration, not physics

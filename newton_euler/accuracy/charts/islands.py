@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..words import number
+from .words import number
 
 SPECK = 4  # cells; an island of times that is no larger is taken for noise
 TOUCHING = np.ones((3, 3))  # cells that touch at a corner belong together

@@ -4,9 +4,9 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from newton_euler.accuracy.charts.axes import chart, marker_style
-from newton_euler.accuracy.charts.kinds.methods import draw_methods, methods_caption
-from newton_euler.accuracy.measure import Measured, front
-from newton_euler.accuracy.work_precision import (
+from newton_euler.accuracy.charts.methods import draw_methods, methods_caption
+from newton_euler.accuracy.measurements.measure import Measured, front
+from newton_euler.accuracy.measurements.work_precision import (
     CLOSED,
     NAMES,
     STEPPING,

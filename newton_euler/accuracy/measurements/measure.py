@@ -13,9 +13,9 @@ from time import perf_counter
 from timeit import Timer
 from typing import Any
 
-from ..algebra.errors import ArgumentError, checked
-from ..algebra.scalars import Scalar, sqrt
-from ..algebra.vectors import dot3, sub3
+from ...algebra.errors import ArgumentError, checked
+from ...algebra.scalars import Scalar, sqrt
+from ...algebra.vectors import dot3, sub3
 
 # errors that differ by less than this factor count as equal: round-off is not known better
 EQUAL_WITHIN = 2.0

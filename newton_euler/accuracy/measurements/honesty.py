@@ -23,10 +23,10 @@ from typing import NamedTuple
 
 from matplotlib.ticker import EngFormatter
 
-from ..motion.methods.table import METHODS
-from ..motion.model import ModelError
-from ..motion.prepared import PreparedModel
-from ..scenes import scene as scene_named
+from ...motion.methods.table import METHODS
+from ...motion.model import ModelError
+from ...motion.prepared import PreparedModel
+from ...scenes import scene as scene_named
 from .measure import Measured
 from .work_precision import NAMES, TOLERANCES, Reference, timed_run
 
@@ -100,7 +100,7 @@ def honesty(
     use.
 
     Errors are those of the worst state at the end, as in
-    :func:`~newton_euler.accuracy.work_precision.work_precision`.
+    :func:`~newton_euler.accuracy.measurements.work_precision.work_precision`.
 
     longest : a method whose run takes more seconds is not asked for more digits of this scene
     """

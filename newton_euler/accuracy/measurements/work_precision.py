@@ -14,13 +14,13 @@ from functools import cache, partial
 from importlib import import_module
 from time import perf_counter
 
-from ..motion.integration import integrate
-from ..motion.methods.base import SMALLEST_SCALE
-from ..motion.methods.table import METHODS
-from ..motion.model import ModelError
-from ..motion.prepared import PreparedModel
-from ..scenes import scene as scene_named
-from ..scenes.catalogue import Scene
+from ...motion.integration import integrate
+from ...motion.methods.base import SMALLEST_SCALE
+from ...motion.methods.table import METHODS
+from ...motion.model import ModelError
+from ...motion.prepared import PreparedModel
+from ...scenes import scene as scene_named
+from ...scenes.catalogue import Scene
 from .measure import Measured, timed
 from .reference import reference_solution
 
@@ -186,7 +186,7 @@ def _stopwatch(call):
 
 @cache
 def final_state(scene):
-    """The last state by :func:`~newton_euler.accuracy.reference.reference_solution`, rounded to
+    """The last state by :func:`.reference_solution`, rounded to
     floats.
     """
     return tuple(map(float, reference_solution(*scene.motion)))

@@ -1,5 +1,5 @@
 """The chart of honesty: whether each method is as accurate as asked, and whether the error that it
-tells is true, beside its cost (measured by :mod:`newton_euler.accuracy.honesty`).
+tells is true, beside its cost (measured by :mod:`newton_euler.accuracy.measurements.honesty`).
 """
 
 import math
@@ -9,7 +9,7 @@ from statistics import median
 from matplotlib.lines import Line2D
 from matplotlib.ticker import EngFormatter
 
-from ...honesty import REFUSED, comparable, cost_text, percent, tallies, times
+from ..measurements.honesty import REFUSED, comparable, cost_text, percent, tallies, times
 
 # limits of true over asked, and of told over true; what lies beyond is drawn at the edge
 PROMISE, ESTIMATE = (1e-6, 1e3), (1e-4, 1e5)
@@ -22,7 +22,7 @@ def draw_honesty(answers, figure, title=""):
     """The tallies of the methods, the cheapest first, after drawing a row for each: its costs, its
     true errors over those asked for, the errors told over the true ones, and the counts.
 
-    answers : :class:`~newton_euler.accuracy.honesty.Answer`; on several problems the costs are
+    answers : :class:`.Answer` of the measurements; on several problems the costs are
         drawn relative to the cheapest that kept its word
     A row has a mark for each run, from the coarsest error asked for at its top to the finest at its
     bottom, and a bar at the median. What is silently wrong has a ring.

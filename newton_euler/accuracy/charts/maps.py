@@ -6,9 +6,9 @@ from textwrap import fill
 
 import numpy as np
 
-from ..axes import COLOURS
-from ..words import number
+from .axes import COLOURS
 from .islands import explained, parts
+from .words import number
 
 SMALLEST = 0.03  # of the map: a smaller region is named in the legend only
 WIDE = 18  # letters in a line of a name

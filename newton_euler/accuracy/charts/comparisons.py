@@ -1,16 +1,55 @@
-"""What the charts of :mod:`newton_euler.accuracy.comparisons` show, in sentences and as a table."""
+"""The charts of :mod:`..measurements.comparisons`, their captions, and tables of points."""
 
+from dataclasses import replace
 from itertools import groupby
 from operator import attrgetter
 
 from matplotlib.ticker import EngFormatter
 
-from ...measure import EQUAL_COST, EQUAL_WITHIN, ROUND_OFF, cheapest, of_equal_cost
-from ..words import listed, number, seconds, times
+from ..measurements.measure import EQUAL_COST, EQUAL_WITHIN, ROUND_OFF, cheapest, of_equal_cost
+from .axes import COLOURS, MARKERS, chart, log_log
+from .words import listed, number, seconds, times
 
 _error = attrgetter("error")
 WRONG = 1e-2  # a relative error
 NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic
+
+
+def draw_comparison(comparison, points, figure):
+    """The fronts of all questions as one list, after drawing two charts in a row for each question."""
+    rows, best = len(comparison.questions), []
+    figure.set(layout_engine="constrained", size_inches=(11.5, 0.6 + 3.6 * rows))
+    figure.suptitle(comparison.title)
+    axes = figure.subplots(rows, 2, squeeze=False)
+    for question, (left, right) in zip(comparison.questions, axes, strict=True):
+        best += _draw(question, [p for p in points if p.question is question], left, right)
+    return best
+
+
+def _draw(question, points, left, right):
+    """The front of the points, after drawing their errors against the setting (``left``) and
+    against the cost (``right``).
+    """
+    from matplotlib.ticker import LogLocator
+
+    points = [replace(p, error=max(p.error, ROUND_OFF)) for p in points]
+    by_method = [[p for p in points if p.method == name] for name in question.methods]
+    log_log(left, question.across[1], "relative error")
+    for n, own in enumerate(by_method):
+        style = {"marker": MARKERS[n], "color": COLOURS[n], "lw": 1}
+        # those drawn first are larger, to be seen behind others
+        left.plot([p.x for p in own], [p.error for p in own], ms=9 - 1.3 * n, **style)
+    worst = [max(own, key=_error) for own in by_method]
+    best = chart(worst if question.worst_only else points, right)
+    costs = [p.cost for p in points]
+    right.set(ylabel="", xlim=(min(costs) / 2, 2 * max(costs)))
+    against = "the worst of each, against its cost" if question.worst_only else "against the cost"
+    for ax, title in ((left, question.what), (right, against)):
+        ax.set_title(title, fontsize=10, loc="left")
+    # below one decade, powers of ten alone would leave fewer than two numbers on the axis
+    subs = (1, 2, 5) if max(costs) < 10 * min(costs) else (1,)
+    right.xaxis.set_major_locator(LogLocator(subs=subs))
+    return best
 
 
 def points_table(points, error="relative"):
@@ -73,7 +112,7 @@ def comparison_caption(comparison, points):
     """For each question the ways that are right for all settings, the cheapest of them, and where
     the others fail.
     """
-    told = [_answer(q, [p for p in points if p.question == q.what]) for q in comparison.questions]
+    told = [_answer(q, [p for p in points if p.question is q]) for q in comparison.questions]
     return " ".join(told)
 
 

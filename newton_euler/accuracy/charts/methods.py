@@ -1,13 +1,13 @@
 """The chart of the methods of integration on one scene, and its caption (measured by
-:mod:`newton_euler.accuracy.work_precision`).
+:mod:`newton_euler.accuracy.measurements.work_precision`).
 """
 
 from dataclasses import replace
 
-from ...measure import EQUAL_COST, ROUND_OFF, cheapest, fronts, of_equal_cost
-from ...work_precision import NAMES, STEPPING
-from ..axes import FLOOR, GREY, chart, log_log, marker_style
-from ..words import listed, number, seconds, times
+from ..measurements.measure import EQUAL_COST, ROUND_OFF, cheapest, fronts, of_equal_cost
+from ..measurements.work_precision import NAMES, STEPPING
+from .axes import FLOOR, GREY, chart, log_log, marker_style
+from .words import listed, number, seconds, times
 
 AUTO = {"label": "auto", "color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6}
 SHORT = 2e-3  # seconds; a shorter preparation is not mentioned
@@ -18,7 +18,7 @@ def draw_methods(found, figure):
     """The fronts of the methods by time, after drawing three charts: error against time, error
     against calls, drift of invariants against tolerance.
 
-    found : a :class:`~newton_euler.accuracy.work_precision.WorkPrecision`
+    found : a :class:`~newton_euler.accuracy.measurements.work_precision.WorkPrecision`
     "auto", which only chooses one of the methods, is drawn over them.
     """
     scene = found.scene

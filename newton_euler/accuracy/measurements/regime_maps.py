@@ -2,7 +2,7 @@
 the theoretical borders drawn over them.
 
 Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices, and
-:mod:`newton_euler.accuracy.charts.kinds.maps` draws them.
+:mod:`newton_euler.accuracy.charts.maps` draws them.
 
 >>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees
 >>> found[0].tolist()
@@ -18,15 +18,15 @@ from functools import cache
 
 import numpy as np
 
-from ..applications.earth import EARTH_RADIUS, EARTH_RATE
-from ..applications.gyroscopes import GyroError, least_spin, sleeping_top, steady_precession
-from ..motion.events import Event
-from ..motion.integration import integrate
-from ..motion.methods.taylor import installed
-from ..motion.solution import AccuracyError
-from ..scenes.particles import projectile
-from ..scenes.spatial import top, top_ladder
-from ..scenes.spatial.free_body import free_body
+from ...applications.earth import EARTH_RADIUS, EARTH_RATE
+from ...applications.gyroscopes import GyroError, least_spin, sleeping_top, steady_precession
+from ...motion.events import Event
+from ...motion.integration import integrate
+from ...motion.methods.taylor import installed
+from ...motion.solution import AccuracyError
+from ...scenes.particles import projectile
+from ...scenes.spatial import top, top_ladder
+from ...scenes.spatial.free_body import free_body
 
 
 @dataclass(frozen=True)

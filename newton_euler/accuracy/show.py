@@ -4,13 +4,13 @@ from collections.abc import Callable, Mapping, Sequence
 
 from matplotlib.figure import Figure
 
-from ...algebra.errors import ArgumentError, checked
-from ...algebra.scalars import Scalar
-from ..comparisons import measured_ways
-from .axes import chart
+from ..algebra.errors import ArgumentError, checked
+from ..algebra.scalars import Scalar
 from .catalogue import chart_named
-from .kinds.comparisons import points_table, ways_caption
-from .shown import Shown
+from .charts.axes import chart
+from .charts.comparisons import points_table, ways_caption
+from .charts.shown import Shown
+from .measurements.comparisons import measured_ways
 
 
 @checked
