@@ -22,8 +22,6 @@ from .measurements.work_precision import LONGEST, NAMES, TOLERANCES, work_precis
 MODELS, MAP = "models of ", "map of "
 METHOD, MODEL, FORMULA = "Which method?", "Which model?", "Which formula?"
 BORDER, FAILURE = "Where does it change?", "When does it fail?"
-# charts whose point is that something breaks, not which of several is the cheapest
-FAILING = {"rotations", "angle", "steady precession", "map of sleeping top"}
 QUICK, QUICK_LONGEST = (1e-3, 1e-6, 1e-9, 1e-12), 0.02  # seconds
 # of each kind of method one or two
 QUICK_METHODS = (
@@ -73,10 +71,10 @@ def _table():
         make = partial(_models, name)
         yield Chart(f"{MODELS}{name}", found.description, models, MODEL, make)
     for c in COMPARISONS.values():
-        question = FAILURE if c.name in FAILING else FORMULA
+        question = FAILURE if c.fails else FORMULA
         yield Chart(c.name, c.title, comparisons, question, partial(_comparison, c.name))
     for m in MAPS.values():
-        question = FAILURE if f"{MAP}{m.name}" in FAILING else BORDER
+        question = FAILURE if m.fails else BORDER
         yield Chart(f"{MAP}{m.name}", m.title, maps, question, partial(_map, m.name))
 
 

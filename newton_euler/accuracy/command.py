@@ -24,6 +24,13 @@ SETTINGS = {
     "max_content_width": 110,
     "show_default": True,
 }
+FILE = click.Path(path_type=Path, dir_okay=False)
+FOLDER = click.Path(path_type=Path, file_okay=False)
+
+
+def _out(default):
+    """The option --out, for a folder."""
+    return click.option("--out", "folder", default=default, type=FOLDER, help="Folder to write to.")
 
 
 class _Charts(click.Command):
@@ -41,22 +48,10 @@ class _Charts(click.Command):
 @click.argument("names", nargs=-1, metavar="[NAME …]")
 @click.option("--list", "only_list", is_flag=True, help="List the charts.")
 @click.option("--all", "draw_all", is_flag=True, help="Draw all of them, which takes some minutes.")
+@click.option("--models", is_flag=True, help='Of models only: "top" is then "models of top".')
+@_out("charts")
 @click.option(
-    "--models", is_flag=True, help='Charts of models only: "top" is then "models of top".'
-)
-@click.option(
-    "--out",
-    "folder",
-    default="charts",
-    type=click.Path(path_type=Path, file_okay=False),
-    help="Folder to write to.",
-)
-@click.option(
-    "--format",
-    "kind",
-    default="png",
-    type=click.Choice(("png", "svg")),
-    help="Format of the files.",
+    "--format", "kind", default="png", type=click.Choice(("png", "svg")), help="Of the files."
 )
 @click.option(
     "--quick",
@@ -118,13 +113,7 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
 
 
 @click.command(ATLAS, context_settings=SETTINGS)
-@click.option(
-    "--out",
-    "folder",
-    default=ATLAS,
-    type=click.Path(path_type=Path, file_okay=False),
-    help="Folder to write to.",
-)
+@_out(ATLAS)
 @click.option("--quick", is_flag=True, help="As --quick of one chart: some minutes in all.")
 def atlas_main(folder, quick):
     """Measure and draw every chart, and write them to index.html in a folder, which works without a
@@ -139,20 +128,23 @@ def atlas_main(folder, quick):
     click.echo(f"written: {page}")
 
 
+def _chosen(names, known):
+    """The entries of ``known`` of these names."""
+    unknown = [name for name in names if name not in known]
+    if unknown:
+        choice = "; ".join(known.values())
+        raise click.BadParameter(f"there is no {unknown[0]!r}; there are {choice}")
+    return [known[name] for name in names]
+
+
 def _scenes(context, parameter, names):
     known = {slug(name): name for name in SCENES}
-    unknown = [name for name in names if slug(name) not in known]
-    if unknown:
-        raise click.BadParameter(f"there is no {unknown[0]!r}; there are {'; '.join(SCENES)}")
-    return [known[slug(name)] for name in names] or list(SCENES)
+    return _chosen([slug(name) for name in names], known) or list(SCENES)
 
 
 def _methods(context, parameter, text):
-    wanted = [word.strip() for word in text.split(",")] if text else NAMES
-    unknown = [word for word in wanted if word not in NAMES]
-    if unknown:
-        raise click.BadParameter(f"there is no {unknown[0]!r}; there are {', '.join(NAMES)}")
-    return wanted
+    names = [word.strip() for word in text.split(",")] if text else NAMES
+    return _chosen(names, {name: name for name in NAMES})
 
 
 def _picture(context, parameter, path):
@@ -183,16 +175,14 @@ def _picture(context, parameter, path):
     "--out",
     "path",
     default=f"charts/{HONESTY}.png",
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=FILE,
     callback=_picture,
     help="The picture; all runs are written beside it as CSV.",
 )
 @click.option(
-    "--longest",
-    default=PATIENCE,
-    type=click.FloatRange(0),
+    "--longest", default=PATIENCE, type=click.FloatRange(0),
     help="Seconds; a method whose run takes longer is asked for no more digits of that scene.",
-)
+)  # fmt: skip
 @click.option("--quick", is_flag=True, help="Every other tolerance, and --longest 0.05.")
 def honesty_main(scenes, methods, path, longest, quick):
     """Measure and draw whether each method keeps its word, beside what it costs.
@@ -248,12 +238,8 @@ def _list(charts):
     for kind in KINDS:
         found = [f"  {c.name:{width}}  {c.title}" for c in charts.values() if c.kind == kind]
         lines += [f"{kind}:", *found, ""] if found else []
-    return "\n".join(
-        [
-            *lines,
-            "all of them on a page: see atlas --help; honesty of the methods: see honesty --help",
-        ]
-    )
+    more = "all of them on a page: see atlas --help; honesty of the methods: see honesty --help"
+    return "\n".join([*lines, more])
 
 
 def _with_progress(name, work):

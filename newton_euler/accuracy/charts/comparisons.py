@@ -16,7 +16,7 @@ NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic
 
 
 def draw_comparison(comparison, points, figure):
-    """The fronts of all questions as one list, after drawing two charts in a row for each question."""
+    """The fronts of all questions, one list, after drawing two charts in a row for each."""
     rows, best = len(comparison.questions), []
     figure.set(layout_engine="constrained", size_inches=(11.5, 0.6 + 3.6 * rows))
     figure.suptitle(comparison.title)
@@ -66,20 +66,20 @@ def ways_caption(points):
     """The cheapest and the most accurate of several ways to one result."""
     floor = max(min(p.error for p in points), ROUND_OFF)
     best = cheapest(points, EQUAL_WITHIN * floor)
-    told = [_of_best(best, len(points)), _cheaper(points, best), _prepared(points)]
-    return " ".join(filter(None, [*told, *_beaten(points, best)]))
+    text = [_of_best(best, len(points)), _cheaper(points, best), _prepared(points)]
+    return " ".join(filter(None, [*text, *_beaten(points, best)]))
 
 
 def _of_best(best, count):
     equal = of_equal_cost(best)
     error = f"(error {number(max(*(p.error for p in best), ROUND_OFF))} or less)"
-    told = f"Most accurate {error}: {listed(p.method for p in best)}."
+    text = f"Most accurate {error}: {listed(p.method for p in best)}."
     if len(best) == 1:
-        return f"{told[:-1]}, which takes {seconds(best[0].cost)}."
+        return f"{text[:-1]}, which takes {seconds(best[0].cost)}."
     if len(equal) > 1:
-        return f"{told} Of these {listed(p.method for p in equal)} cost about the same, least."
-    told += f" Of these {best[0].method} is the cheapest, {seconds(best[0].cost)}"
-    return f"{told}; next comes {best[1].method}, {times(best[1].cost / best[0].cost)} as long."
+        return f"{text} Of these {listed(p.method for p in equal)} cost about the same, least."
+    text += f" Of these {best[0].method} is the cheapest, {seconds(best[0].cost)}"
+    return f"{text}; next comes {best[1].method}, {times(best[1].cost / best[0].cost)} as long."
 
 
 def _cheaper(points, best):
@@ -87,8 +87,8 @@ def _cheaper(points, best):
     least = min(points, key=lambda p: p.cost)
     if len(of_equal_cost([least, best[0]])) > 1:
         return ""
-    told = f"{least.method} takes {seconds(least.cost)}, {times(best[0].cost / least.cost)} less"
-    return f"{told.replace('times less', 'times faster')}, with an error of {number(least.error)}."
+    text = f"{least.method} takes {seconds(least.cost)}, {times(best[0].cost / least.cost)} less"
+    return f"{text.replace('times less', 'times faster')}, with an error of {number(least.error)}."
 
 
 def _prepared(points):
@@ -112,40 +112,40 @@ def comparison_caption(comparison, points):
     """For each question the ways that are right for all settings, the cheapest of them, and where
     the others fail.
     """
-    told = [_answer(q, [p for p in points if p.question is q]) for q in comparison.questions]
-    return " ".join(told)
+    text = [_answer(q, [p for p in points if p.question is q]) for q in comparison.questions]
+    return " ".join(text)
 
 
 def _answer(question, points):
     methods = [[p for p in points if p.method == name] for name in question.methods]
     worst = [max(own, key=_error) for own in methods]
     right = [p for p in worst if p.error <= max(NEAR, EQUAL_WITHIN * min(q.error for q in worst))]
-    told = _right(sorted(right, key=lambda p: p.cost))
+    text = _right(sorted(right, key=lambda p: p.cost))
     names = {p.method for p in right}
     others = [_others(question, own) for own in methods if own[0].method not in names]
-    return f"{question.what[0].upper()}{question.what[1:]}: {'. '.join([told, *others])}."
+    return f"{question.what[0].upper()}{question.what[1:]}: {'. '.join([text, *others])}."
 
 
 def _right(right):
     error = number(max(*(p.error for p in right), ROUND_OFF))
-    told = f"{_quoted(right)} {'are' if len(right) > 1 else 'is'} within {error} at every setting"
+    text = f"{_quoted(right)} {'are' if len(right) > 1 else 'is'} within {error} at every setting"
     equal = of_equal_cost(right)
     if len(equal) > 1:
-        return f"{told}, {_quoted(equal)} at about the same cost"
+        return f"{text}, {_quoted(equal)} at about the same cost"
     if len(right) > 1:
-        return f"{told}, and {_quoted(equal)} is the cheapest of them, {seconds(right[0].cost)}"
-    return f"{told}, {seconds(right[0].cost)}"
+        return f"{text}, and {_quoted(equal)} is the cheapest of them, {seconds(right[0].cost)}"
+    return f"{text}, {seconds(right[0].cost)}"
 
 
 def _others(question, own):
     """The best and the worst of a method that is not right everywhere."""
     best, worst = min(own, key=_error), max(own, key=_error)
     letter = question.across[0]
-    told = f"{_quoted(own[:1])}: at best {number(max(best.error, ROUND_OFF))}, at {letter} = "
-    told += number(best.x)
+    text = f"{_quoted(own[:1])}: at best {number(max(best.error, ROUND_OFF))}, at {letter} = "
+    text += number(best.x)
     if best.error <= WRONG < worst.error:
-        return f"{told}; wrong by over 1 % at {letter} = {listed(_runs(own))}"
-    return f"{told}; at worst {number(worst.error)}, at {letter} = {number(worst.x)}"
+        return f"{text}; wrong by over 1 % at {letter} = {listed(_runs(own))}"
+    return f"{text}; at worst {number(worst.error)}, at {letter} = {number(worst.x)}"
 
 
 def _quoted(points):

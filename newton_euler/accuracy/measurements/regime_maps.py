@@ -72,6 +72,7 @@ class Map:
     curves : theoretical borders
     resolution, coarse : cells along x and y, for a chart and for one within a few seconds
     timed : the choices depend on times, which vary from run to run
+    fails : it shows where a run cannot decide
     """
 
     name: str
@@ -85,6 +86,7 @@ class Map:
     resolution: tuple
     coarse: tuple = (18, 15)
     timed: bool = False
+    fails: bool = False
 
     def measure(self, resolution=None, progress=lambda fraction: None):
         """The choices, an array of strings: a row for each y from the lowest, a column for each x.
@@ -350,7 +352,7 @@ _MAPS = (
         Axis("rate over the critical one, 2 √(I₀ mgr)/I", 0.8, 1.1, "linear"),
         Axis("length of the run, s", 1.0, LONGEST), (FALLS, UNDECIDED, STANDS), _sleeping,
         (Curve("by its rate of growth", _theoretical_falling_time),
-         Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40), (7, 12),
+         Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40), (7, 12), fails=True,
     ),
     Map(
         "steady precession", "Where a top can precess steadily",

@@ -226,14 +226,14 @@ def test_the_table_has_all_numbers_and_the_ratios_of_auto(swing):
 def test_a_method_that_takes_long_is_asked_for_no_more_digits_and_that_is_said():
     found = work_precision("sphere on an incline", (1e-3, 1e-4), ("dop853",), longest=0.0)
     assert [p.asked for p in found.points] == [1e-3]
-    assert found.left_out["dop853"].startswith("not asked for less than 1e-03, which took")
+    assert found.too_slow["dop853"].startswith("not asked for less than 1e-03, which took")
 
 
 def test_a_method_that_cannot_reach_an_accuracy_has_no_point_there_and_that_is_said():
     found = work_precision("rolling sphere", (1e-6, 1e-7, 1e-8), ("verlet",), longest=math.inf)
     assert METHODS["verlet"].min_rtol == 1e-7
     assert [p.asked for p in found.points] == [1e-6, 1e-7]
-    assert "cannot reach it, the least is 1e-07" in found.left_out["verlet"]
+    assert "cannot reach it, the least is 1e-07" in found.unable["verlet"]
 
 
 def test_auto_is_compared_with_the_cheapest_that_reached_the_accuracy(monkeypatch):
