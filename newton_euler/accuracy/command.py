@@ -76,8 +76,8 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
         the method or model to use, over two parameters
 
     Two words are commands with options of their own if they stand first. atlas writes all charts
-    on a page, see atlas --help. honesty asks: is each method as accurate as asked, and is what it
-    tells of its error true? See honesty --help.
+    on a page, see atlas --help. honesty asks: is each method as accurate as requested, and is its
+    own error estimate true? See honesty --help.
 
     How to read a chart: cost to the right, error upwards, so lower left is better. The points with
     rings are the front: every other point costs more and is no more accurate. Closed forms and
@@ -187,29 +187,29 @@ def _picture(context, parameter, path):
 def honesty_main(scenes, methods, path, longest, quick):
     """Measure and draw whether each method keeps its word, beside what it costs.
 
-    Every method is asked for errors from 1e-3 to 1e-12 on every scene that it can use. What it
-    answers is compared with a reference of 30 digits, what it tells of its own error with the true
-    error. All scenes take some minutes, one takes seconds.
+    Every method is asked for tolerances from 1e-3 to 1e-12 on every scene that it can use. Its
+    answer is compared with a reference of 30 digits, its own error estimate with the true error.
+    All scenes take some minutes, one takes seconds.
 
     How to read the chart: a method has a row, the cheapest is at the top. A row has a mark for each
-    run, light for a coarse error asked for, dark for a fine one, and a bar at the median.
+    run, light for a coarse tolerance, dark for a fine one, and a bar at the median.
 
     \b
     cost              of a run and of its error estimate, after imports and compilations; on several
                       scenes relative to the cheapest method that was as accurate as asked on the
                       same scene: 1 is the best that can be had
-    accurate as asked the true error over the error asked for: right of 1 the promise is broken; far
-                      left of 1 more is done than was asked
-    told is true      the error told over the true one: left of 1 it is told too small, right of 100
+    accuracy          the true error over the tolerance: right of 1 the promise is broken; far left
+                      of 1 more is done than was requested
+    estimate          the estimated error over the true one: left of 1 it is too small, right of 100
                       it says little. The best is little more than 1
-    ring              silently wrong: the error is over ten times what was asked and what was told
+    ring              silently wrong: the error is over ten times both tolerance and estimate
     cross             refused: no answer, and no promise broken
 
     \b
     The columns, of the table as well:
-      met %      part of the answers that are as accurate as asked
-      covers %   part of the errors told that are not below the true one
-      told/true  the median
+      met %      part of the answers within the tolerance
+      covers %   part of the estimates that are not below the true error
+      est/true   their median ratio
 
     A sound method shows nothing in the red fields. One that answers little honestly refuses the
     rest: look at the number of runs too. Marks at the edge lie beyond it.
@@ -243,7 +243,7 @@ def _list(charts):
 
 
 def _with_progress(name, work):
-    """What ``work`` returns, a function of a function that it tells its progress."""
+    """What ``work`` returns, a function of a function ``progress(fraction, words)``."""
     console = Console(stderr=True)
     columns = "{task.description}", BarColumn(), TaskProgressColumn(), "{task.fields[words]}"
     # no auto_refresh: its thread would disturb the times that are measured

@@ -144,7 +144,7 @@ def answers(runs):
             r.seconds,
             r.error,
             asked=r.rtol,
-            told=r.estimate,
+            estimate=r.estimate,
             problem=r.case,
             absent=ABSENT.get(r.outcome, ""),
             words=r.words,

@@ -54,7 +54,7 @@ def _draw_drift(methods, auto, ax):
     if not known:
         ax.set_axis_off()
         return
-    log_log(ax, "error asked for, rtol", "worst drift of an invariant, relative")
+    log_log(ax, "tolerance rtol", "worst drift of an invariant, relative")
     styles = {name: {"ms": 7, "lw": 0.8, **marker_style(n)} for n, name in enumerate(NAMES)}
     for method, style in {**styles, "auto": AUTO}.items():
         own = [p for p in [*known, *auto] if p.method == method]
@@ -140,5 +140,5 @@ def _small_drift(points):
 def _left_out(found):
     slow, unable = found.too_slow, found.unable
     text = f"Too slow to be asked for all digits: {listed(slow)}. " if slow else ""
-    text += f"Cannot reach all the errors asked for: {listed(unable)}." if unable else ""
+    text += f"Cannot reach all tolerances: {listed(unable)}." if unable else ""
     return text.strip()

@@ -147,5 +147,5 @@ def cheapest(points: Sequence[Measured], error: float) -> list[Measured]:
 
 
 def of_equal_cost(points: Sequence[Measured]) -> list[Measured]:
-    """Those of the points, the cheapest first, whose costs cannot be told from the least."""
+    """The points, the cheapest first, whose costs cannot be distinguished from the least."""
     return [p for p in points if p.cost <= EQUAL_COST * points[0].cost]
