@@ -105,13 +105,9 @@ def folder_graph(edges):
     """{folder: folders that its modules import}, from pairs (module, imported module)."""
     graph = defaultdict(set)
     for module, target in edges:
-        graph[folder_of(module)] |= {folder_of(target)} - {folder_of(module)}
+        above, below = (name.rpartition(".")[0] for name in (module, target))
+        graph[above] |= {below} - {above}
     return graph
-
-
-def folder_of(module):
-    """The folder of a module; of an ``__init__``, which only gathers names, the folder above it."""
-    return module.rpartition(".")[0]
 
 
 def test_no_folders_import_each_other_in_a_circle():
