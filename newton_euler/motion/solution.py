@@ -79,7 +79,7 @@ class Motion:
     estimate: Any = field(default=math.nan, repr=False)
 
     def __getstate__(self):
-        """Including all that is computed on demand: elsewhere it might differ, as without heyoka."""
+        """With all that is computed on demand: elsewhere it might differ, as without heyoka."""
         known = {n: getattr(self, n) for n in ("times", "states", "end", "error", "drift")}
         segments = [part._replace(stepper=_in_pickle(part.stepper)) for part in self.segments]
         return {**vars(self), **known, "estimate": known["error"], "segments": segments}

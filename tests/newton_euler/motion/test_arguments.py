@@ -163,9 +163,9 @@ def test_arrays_in_a_start_stay_as_they_are():
     ],
 )
 def test_a_start_that_does_not_fit_is_refused_in_words(start, words):
-    with pytest.raises(ModelError) as told:
+    with pytest.raises(ModelError) as refused:
         start_state(SPRING, start)
-    assert words in str(told.value)
+    assert words in str(refused.value)
 
 
 def test_the_rows_of_an_array_are_many_values_of_a_state():

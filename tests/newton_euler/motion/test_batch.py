@@ -258,9 +258,11 @@ def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypat
 
 
 def test_a_closed_form_that_is_not_accurate_is_refused_with_all_motions():
-    with pytest.raises(AccuracyError, match=r"2 of 2 .* first number 0: the closed form") as told:
+    with pytest.raises(
+        AccuracyError, match=r"2 of 2 .* first number 0: the closed form"
+    ) as refused:
         integrate(SPRING, 1e9, (np.array([1.0, 2.0]), 0.0), 1e-9, "exact")
-    reached = told.value.reached
+    reached = refused.value.reached
     assert (reached.error > 1e-9).all()
     assert np.isfinite(reached.states["x"]).all()
 
@@ -294,13 +296,13 @@ def test_auto_takes_series_for_many_motions():
         ([3.0, 1.0, 4.0, 1.0], "2 of 4 .* first number 1: fall could not be followed", [1, 3]),
     ],
 )
-def test_motions_that_stop_on_the_way_are_told_with_those_that_do_not(starts, words, stopped):
+def test_motions_that_stop_on_the_way_are_reported_with_those_that_do_not(starts, words, stopped):
     """x' = -1/x comes to zero at x0^2/2."""
     fall = Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,))
     x = np.array(starts)
-    with pytest.raises(AccuracyError, match=words) as told:
+    with pytest.raises(AccuracyError, match=words) as refused:
         integrate(fall, 1.0, (x,), method="dop853", samples=[0.0, 0.25, 1.0])
-    reached = told.value.reached
+    reached = refused.value.reached
     through = np.delete(np.arange(len(x)), stopped)
     assert np.isnan(reached.states["x"][stopped]).all()
     assert not (reached.error[stopped] <= 1e-9).any()
@@ -334,7 +336,7 @@ def test_the_errors_by_the_clock_are_those_of_each_motion_or_a_bound_of_them():
     bounds = _clock_errors(system, t0, t1, ends, w[None], sizes, 1.0)
     # the rate of these springs is 1/s, and the time 4 s
     assert bounds == pytest.approx(4 * found, rel=0.01, abs=0.0)
-    # of a motion that has no end nothing is told
+    # nothing is known about a motion that has no end
     ends[:, 1] = math.nan
     assert _clock_errors(system, t0, t1, ends, w[None], sizes, 1.0)[[0, 2]].tolist() == [
         bounds[0],
@@ -522,6 +524,17 @@ def test_what_no_batch_can_begin_with_is_said():
             integrate(PENDULUM, 1.0, (np.array([1.0, bad]), 0.0))
         with pytest.raises(ModelError, match="must be finite numbers"):
             integrate(PENDULUM.changed(n=np.array([1.0, bad])), 1.0, (1.0, 0.0))
+
+
+def test_a_batch_of_fixed_steps_takes_them():
+    a = amplitudes(3)
+    motions = integrate(PENDULUM, 1.0, (a, np.zeros(3)), method="verlet", step=0.125)
+    for n in range(3):
+        one = integrate(PENDULUM, 1.0, (a[n], 0.0), method="verlet", step=0.125)
+        assert motions.states["a"][n, -1] == one.end["a"]
+    assert np.isnan(motions.error).all()
+    with pytest.raises(ModelError, match="a fixed step needs a method by name"):
+        integrate(SPRING, 1.0, (a, np.zeros(3)), step=0.125)
 
 
 def test_without_heyoka_each_motion_of_a_batch_is_integrated_by_itself():

@@ -102,7 +102,7 @@ def test_a_closed_form_that_branches_is_called_as_it_is():
         (lambda s, p, t: (s.x * 1e300 * 1e300,), ""),
     ],
 )
-def test_a_closed_form_without_a_value_is_told_with_its_place(formula, why):
+def test_a_closed_form_without_a_value_is_reported_with_its_place(formula, why):
     words = rf"^the exact solution of 'any' has no value at t = 3 after \(3.0,\){why}"
     with pytest.raises(ModelError, match=words + ("" if why else "$")):
         closed(formula).solution(3.0, (3.0,))

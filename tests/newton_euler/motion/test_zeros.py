@@ -164,7 +164,7 @@ def test_a_zero_at_the_end_counts_where_the_motion_ends(factor):
 
 @pytest.mark.parametrize("part", [1e-6, 3e-5, 6e-5, 1.0])
 def test_a_zero_at_the_end_is_found_there_however_slowly_the_function_goes_through_it(part):
-    """It was told at the start."""
+    """A search that took it for a touch would miss it."""
     exact = [] if part == 1e-6 else [3.0]  # is it a touch? nothing can tell
     f = lambda t: (t - 3.0) * (part * 9.0 + (t - 3.0) ** 2)
     assert times(f, 0.0, 3.0, closed=True) == exact
