@@ -34,7 +34,7 @@ def prove(g):
     slope = upward / ahead
 
     def speed(angle):
-        """With which the ball comes to the foot of the wall."""
+        """The speed with which the ball comes to the foot of the wall."""
         return root(lambda v: v * mp.sin(angle) - g.g / 2 * g.d / (v * mp.cos(angle)), 1e-3, 1e3)
 
     # least where it no longer changes with the angle

@@ -28,7 +28,7 @@ def solve(g):
 
 
 def a(g, v):
-    """From the speed."""
+    """The acceleration at the speed v."""
     return v.frame.vector(-g.b, v.dot(v) / g.rho, 0)
 
 

@@ -5,7 +5,7 @@ from newton_euler import Frame, cos, frenet, sin, sqrt
 
 
 def airplane(g, total):
-    """Its motion at A, from the magnitude of the acceleration; x forward, y up."""
+    """The airplane's motion at A, from the size of the acceleration; x forward, y up."""
     ground = Frame("ground")
     upward = sqrt(total**2 - g.v_dot**2)
     return frenet(ground.vector(g.v, 0, 0), ground.vector(g.v_dot, upward, 0))

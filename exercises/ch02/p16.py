@@ -5,7 +5,7 @@ from newton_euler import Frame, sqrt
 
 
 def speed(g):
-    """From the normal acceleration v^2/r_1 at pulley 1."""
+    """The speed, from the normal acceleration v^2/r_1 at pulley 1."""
     return sqrt(g.a_n1 * g.r_1)
 
 

@@ -39,12 +39,12 @@ def steps(g):
 
 
 def r_ddot(g, theta_dot):
-    """From the radial acceleration, which is zero."""
+    """r'', from the radial acceleration, which is zero."""
     return motion(g)[0].x * theta_dot**2
 
 
 def theta_ddot(g, r_dot, theta_dot):
-    """From the transverse acceleration, which is zero."""
+    """theta'', from the transverse acceleration, which is zero."""
     return -2 * r_dot * theta_dot / motion(g)[0].x
 
 

@@ -13,7 +13,7 @@ def coordinates(g):
 
 
 def answers(g, phi, turned=lambda T: T):
-    """For the elevation phi; ``turned`` is what is done to the matrices."""
+    """The answers for the elevation phi; ``turned`` is what is done to the matrices."""
     _, theta, *_ = coordinates(g)
     ground = Frame("ground")
     to_cylindrical, to_spherical = turned(T_theta(theta)), turned(T_phi(phi))

@@ -49,8 +49,8 @@ def steps(g):
     yield Step("y", y, "in", "y of B, likewise")
     v_A, v_B = (P.velocity(ground).expressed_in(ground) for P in (A, B))
     yield Step("v_A", v_A, "in/s", "velocity of the upper end A, given")
-    said = r"velocity of B, along the ellipse; $\mathbf{v}_B - \mathbf{v}_A$ is square to the rod"
-    yield Step("v_B", v_B, "in/s", said, "4.4", "4.11")
+    means = r"velocity of B, along the ellipse; $\mathbf{v}_B - \mathbf{v}_A$ is square to the rod"
+    yield Step("v_B", v_B, "in/s", means, "4.4", "4.11")
 
 
 def prove(g):

@@ -23,7 +23,7 @@ def answers(x):
 
 
 def way(g):
-    """From the launch until it is back, to first order after the time 2 v_0/g; with its terms."""
+    """The displacement from the launch until the shot is back, to first order, with its terms."""
     return shot(g, 2 * g.v_0 / g.g, g.v_0 * ground_axes(g).k)
 
 

@@ -62,7 +62,7 @@ def contact(g, phi, square):
         ]
 
     def power(a):
-        """Of these forces; the surface, where the wheel does not slip, gives none."""
+        """The power of these forces; the surface, where the wheel does not slip, gives none."""
         return sum(
             F * w
             for half, velocity in zip(missing(a), rate(places(a)), strict=True)
@@ -101,7 +101,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    tilt, other = 0.35, 0.9  # of the slope, and of OG: not as asked for
+    tilt, other = 0.35, 0.9  # angles of the slope and of OG: not as asked for
     ground = Frame("ground")
     slope = ground.rotate("slope", "-z", angle=tilt)
     s = Sketch(ax, ground, plane="xy")

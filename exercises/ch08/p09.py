@@ -13,7 +13,7 @@ def motion(g, shape=disk):
 
 
 def distance(g, a):
-    """To rest, with the constant acceleration a up the slope."""
+    """The distance to rest, with the constant acceleration a up the slope."""
     _, place = from_speed(lambda _: a, 0 * g.v_0, g.v_0)
     return {"d_OP": place}
 

@@ -63,7 +63,7 @@ def prove(g):
         return [(share, times(orientation, place)) for share, place in turned]
 
     def moment(x):
-        """About the place x on AB, of the supports."""
+        """The moment of the supports about the place x on AB."""
         of_weight = x * g.m * g.g
         return moment_needed(g.m_r, rotor, about=(x, 0, 0))[2] - of_weight
 
@@ -93,7 +93,7 @@ def mistakes(g):
 def draw(g, ax):
     ground, *_ = motor(g)
     s = Sketch(ax, ground, plane="xy")
-    h = 0.25 * (g.a + g.b)  # of the shaft of the motor above the table
+    h = 0.25 * (g.a + g.b)  # height of the motor shaft above the table
     low, thick = -h, 0.12 * h
     left, right = -g.a - 0.6 * h, g.b + 0.6 * h
     A, B, G = (-g.a, low, 0), (g.b, low, 0), (0, 0, 0)

@@ -27,7 +27,7 @@ def rolling_spin(g):
 
 
 def moment(g, spin, wheel=wheel):
-    """That the disk needs about O, in the axes of the axle."""
+    """The moment that the disk needs about O, in the axes of the axle."""
     ground, axle, body = wheel(g, spin)
     return dynamics.resultant_moment(body, ground, about=axle.point("O", 0, 0, 0), via=axle)
 

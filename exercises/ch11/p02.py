@@ -14,7 +14,7 @@ def scene(g):
 
 
 def cable(g):
-    """Its length as far as C, at the start and at the end."""
+    """The length of the cable as far as C, at the start and at the end."""
     _, A, B, C = scene(g)
     return (C - A).norm(), (C - B).norm()
 

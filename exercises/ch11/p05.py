@@ -11,7 +11,7 @@ def pin(g, ground):
 
 
 def stretches(g):
-    """Of the spring, at A and at B."""
+    """The stretches of the spring, at A and at B."""
     ground, _, *ends = hoop(g)
     return [(end - pin(g, ground)).norm() - g.l_0 for end in ends]
 

@@ -18,13 +18,13 @@ def ends(g):
 
 
 def lengths(g):
-    """Of the spring, at the release and at theta_1."""
+    """The lengths of the spring, at the release and at theta_1."""
     _, C, places = ends(g)
     return [(B - C).norm() for B in places]
 
 
 def drop(g):
-    """Of the particle, from the release."""
+    """The drop of the particle since the release."""
     ground, _, (first, last) = ends(g)
     return (first - last).expressed_in(ground).z
 
@@ -36,7 +36,7 @@ def energies(g):
 
 
 def speed(g, U):
-    """At theta_1, after the work U."""
+    """The speed at theta_1, after the work U."""
     return {"v": speed_after(0, U, g.m)}
 
 

@@ -17,7 +17,7 @@ def mass(g):
 
 
 def least_speed(g, r):
-    """At the top of a loop of radius r, where the contact is just not lost."""
+    """The speed at the top of a loop of radius r at which contact is just kept."""
     fast = 10 * sqrt(g.g * r)
     return root(lambda v: contact(mass(g), g.g, r, pi(r), v), fast / 1000, fast)
 
@@ -27,7 +27,7 @@ def kinetic(g, v):
 
 
 def compression(g, v, rise):
-    """With which the pellet has the speed v after the rise."""
+    """The compression that gives the pellet the speed v after the rise."""
     needed = kinetic(g, v) + weight_potential(mass(g), rise, g.g)
     most = g.W / g.k + 10 * rise
     return {"x_min": root(lambda x: spring_potential(g.k, x) - needed, most / 10**4, most)}

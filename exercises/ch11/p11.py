@@ -14,19 +14,19 @@ def scene(g):
 
 
 def length(g, name):
-    """Of the spring, with the collar at A, B or C."""
+    """The length of the spring, with the collar at A, B or C."""
     _, points = scene(g)
     return (points[name] - points["P"]).norm()
 
 
 def energy(g, name):
-    """Of the spring."""
+    """The energy of the spring."""
     _, points = scene(g)
     return spring_between(g.k, length(g, "A"), points["P"], points[name])
 
 
 def work(g, end):
-    """Of the spring, from C."""
+    """The work of the spring, from C."""
     return energy(g, "C") - energy(g, end)
 
 

@@ -13,7 +13,7 @@ def collar(g, r, v_r, omega):
 
 
 def momentum(g, r, omega):
-    """About the shaft, which exerts no moment about its axis."""
+    """The angular momentum about the shaft, which exerts no moment about its axis."""
     ground, body = collar(g, r, 0, omega)
     return angular_momentum(body, ground, ground).expressed_in(ground).z
 
@@ -37,7 +37,7 @@ def energy(g):
 
 
 def speed(g):
-    """Of the collar at B."""
+    """The speed of the collar at B."""
     return sqrt(2 * (energy(g) - potential(g, g.r_B)) / (g.W / g.g))
 
 

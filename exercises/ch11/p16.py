@@ -7,7 +7,7 @@ from newton_euler.bodies import disk
 
 
 def energy(g, Omega, spin):
-    """With the terms of translation and rotation."""
+    """The kinetic energy, with the terms of translation and rotation."""
     d = spinning(Omega, spin, g.L)
     return kinetic_energy(disk(g.r, d.body, "x", mass=g.M), d.ground)
 

@@ -29,7 +29,7 @@ def rolls(g):
 
 
 def axial(d):
-    """Of the angular velocity; the spin is against the turning of the arm, and larger."""
+    """The axial angular velocity; the spin is against the turning of the arm, and larger."""
     return -d.body.angular_velocity(d.ground).expressed_in(d.shaft).x
 
 

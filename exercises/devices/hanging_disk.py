@@ -27,7 +27,7 @@ def data(g):
 
 
 def spin(g, transverse=None, theta=None):
-    """With the values of a mistake, where they are given."""
+    """The spin, with the values of a mistake where they are given."""
     I_0, I_z, M = data(g)
     transverse = I_0 if transverse is None else transverse
     theta = pi(g.beta) - g.beta if theta is None else theta

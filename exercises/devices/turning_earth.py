@@ -11,7 +11,7 @@ from newton_euler.applications import (
     projectile_position,
 )
 
-RADIUS = mpf(6_400_000)  # of the Earth in proofs, any: to first order in its rate it drops out
+RADIUS = mpf(6_400_000)  # m, of the Earth in proofs: to first order in its rate, any will do
 
 
 def ground_axes(g):
