@@ -9,11 +9,7 @@ GROUND = Frame("ground")
 
 def acceleration(g):
     """The components of a, each a function of time."""
-    return (
-        lambda t: g.a0 + g.a1 * t,
-        lambda t: g.b2 * t**2,
-        lambda t: g.c3 * t**3 - g.c0,
-    )
+    return (lambda t: g.a0 + g.a1 * t, lambda t: g.b2 * t**2, lambda t: g.c3 * t**3 - g.c0)
 
 
 def start(g):

@@ -97,11 +97,7 @@ def draw(g, ax):
     ground, _, _, on_A, on_B = cones(g, -g.omega)
     O, half_gap, x = ground.point("O", 0, 0, 0), on_A.angle_to(on_B) / 2, ground.i
     s = Sketch(ax, ground, azimuth=20, elevation=15, up="y")
-    for axis, half_angle in (
-        (x, g.beta_A),
-        (-x, g.beta_B),
-        ((on_A + on_B).direction(), half_gap),
-    ):
+    for axis, half_angle in ((x, g.beta_A), (-x, g.beta_B), ((on_A + on_B).direction(), half_gap)):
         s.cone(O, axis, cos(half_angle), sin(half_angle))
     s.label(x * cos(g.beta_A), "A", offset=(0, -14))
     s.label(ground.vector(-cos(g.beta_B), -sin(g.beta_B), 0) * 0.8, "B", offset=-ground.j)

@@ -1,12 +1,6 @@
 """6/22: where a shot straight up comes down on the turning Earth, a word and a formula."""
 
-from exercises.devices.turning_earth import (
-    flight,
-    globe,
-    ground_axes,
-    shot,
-    to_first_order,
-)
+from exercises.devices.turning_earth import flight, globe, ground_axes, shot, to_first_order
 from exercises.tools import Step, root
 from newton_euler import pi
 

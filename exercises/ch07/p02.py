@@ -19,11 +19,7 @@ def steps(g):
 
 def prove(g):
     larger, smaller = (of_points(*sphere) for sphere in spheres(g))
-    return {
-        "I_O": added((1, larger), (1, smaller)),
-        "I_larger": larger,
-        "I_smaller": smaller,
-    }
+    return {"I_O": added((1, larger), (1, smaller)), "I_larger": larger, "I_smaller": smaller}
 
 
 def mistakes(g):

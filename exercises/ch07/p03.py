@@ -32,9 +32,7 @@ def steps(g):
 
 def prove(g):
     block = of_points(
-        g.rho * g.a * g.b * g.c,
-        proofs.box(g.a, g.b, g.c, order=2),
-        [g.a / 2, g.b / 2, g.c / 2],
+        g.rho * g.a * g.b * g.c, proofs.box(g.a, g.b, g.c, order=2), [g.a / 2, g.b / 2, g.c / 2]
     )
     cylinder = of_points(
         g.rho * mp.pi * g.r_c**2 * g.l_c,

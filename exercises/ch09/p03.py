@@ -20,9 +20,7 @@ def solve(g):
 
 def steps(g):
     return rotor.steps(
-        fixed_disk(g),
-        ("I_n", "x", "about the normal"),
-        ("I_d", "y", "about a diameter"),
+        fixed_disk(g), ("I_n", "x", "about the normal"), ("I_d", "y", "about a diameter")
     )
 
 

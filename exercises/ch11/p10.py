@@ -4,12 +4,7 @@ from exercises.devices.vertical_loop import contact, draw_loop, proved_contact
 from exercises.tools import ProofError, Sketch, Step, after, mp, mpf, until
 from exercises.tools import root as proved_root
 from newton_euler import Frame, pi, root, sqrt
-from newton_euler.dynamics import (
-    mass_from_weight,
-    speed_after,
-    spring_potential,
-    weight_potential,
-)
+from newton_euler.dynamics import mass_from_weight, speed_after, spring_potential, weight_potential
 
 
 def mass(g):

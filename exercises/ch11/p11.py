@@ -50,9 +50,7 @@ def steps(g):
     yield Step("T_C", m * g.v_C**2 / 2, "ft*lb", "kinetic energy at C", "11.7", "11.13")
 
 
-follows = {
-    "v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weight(g.W, g.g)),
-}
+follows = {"v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weight(g.W, g.g))}
 
 
 def prove(g):

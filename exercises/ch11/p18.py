@@ -43,10 +43,7 @@ def about_O(g, omega):
 def answers(g, energy):
     """``energy``: as a function of the angular velocity, along x, y, z."""
     axes, _ = hung()
-    return {
-        "T_omega": energy(by_components(g, axes)),
-        "T_euler": energy(by_euler(g, axes)),
-    }
+    return {"T_omega": energy(by_components(g, axes)), "T_euler": energy(by_euler(g, axes))}
 
 
 def solve(g):

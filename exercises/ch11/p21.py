@@ -2,13 +2,7 @@
 
 import math
 
-from exercises.devices.disk_on_shaft import (
-    contact,
-    energy_of_disk,
-    rolling,
-    spinning,
-    unrolled,
-)
+from exercises.devices.disk_on_shaft import contact, energy_of_disk, rolling, spinning, unrolled
 from exercises.tools import Sketch, Step, angular_velocity, mp, rot, size, times
 from newton_euler import Body, atan, kinetic_energy, solve_rates
 from newton_euler.bodies import disk

@@ -17,11 +17,7 @@ def car(g):
     """Ground, with z up, and the car by its cylindrical and by its spherical coordinates."""
     ground = Frame("ground")
     r, theta, z, phi = coordinates(g)
-    return (
-        ground,
-        cylindrical(ground, "P", r, theta, z),
-        spherical(ground, "P", g.R, theta, phi),
-    )
+    return (ground, cylindrical(ground, "P", r, theta, z), spherical(ground, "P", g.R, theta, phi))
 
 
 def steps(g, section, *names):
