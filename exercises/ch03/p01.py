@@ -63,6 +63,5 @@ def draw(g, ax):
         if tuple(B) != A:
             s.line(A, B, style="dotted")
     s.path([motion(g, 1.6 * n / 40)[0] for n in range(41)], style="dashed")
-    s.dot(start(g))
-    s.label(start(g), "$P_0$")
+    s.dot(start(g), "$P_0$")
     s.label((0, 0, 0), "O")

@@ -77,7 +77,6 @@ def draw(g, ax):
     s.line(Q, P)
     s.arc(O, (g.x, 0, 0), Q, label=r"$\theta$")
     s.arc(O, Q, P, label=r"$\phi$")
-    s.dot(P)
-    s.label(P, "P")
+    s.dot(P, "P")
     s.label(Q, "Q")
     s.label(O, "O")

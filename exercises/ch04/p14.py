@@ -82,5 +82,4 @@ def draw(g, ax):
     s.turn(top, ground.k, label=r"$\omega$")
     s.dimension(M, A, label="R")
     s.dimension(other, contact, label="r", offset=axle.i * (-0.5 * g.r))
-    s.dot(A)
-    s.label(A, "A")
+    s.dot(A, "A")

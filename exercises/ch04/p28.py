@@ -118,5 +118,4 @@ def draw(g, ax):
     s.arc(end, up, A, label=r"$\theta$")
     s.dimension(end, A, label="d")
     s.dimension(craft.point("", 0, 0, -1.3 * g.d), craft.point("", 0, g.L, -1.3 * g.d), label="L")
-    s.dot(A)
-    s.label(A, "A")
+    s.dot(A, "A")

@@ -91,8 +91,7 @@ def draw(g, ax):
     A, B, C = (x_0 + z_0 / tan(DOWN), 0, 0), (0, 0, -g.h_B), (x_C, 0, -g.h_C)
     s.road([A, *dip, *crest])
     for P, name in ((A, "A"), (B, "B"), (C, "C")):
-        s.dot(P)
-        s.label(P, name)
+        s.dot(P, name)
     s.arrow((0, 0, g.rho_B - g.h_B), B, label=r"$\rho_B$")
     s.line(A, (1.1 * x_C, 0, 0))
     level = 0.6 * A[0]

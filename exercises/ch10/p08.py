@@ -107,11 +107,10 @@ def draw(g, ax):
         s.rod((x, low - thick, 0), (x, 0, 0))
     s.shaft((-g.a - 0.4 * h, 0, 0), (g.b + 0.4 * h, 0, 0))
     s.line((0, low - 2.2 * h, 0), (0, 1.4 * h, 0), style="centre")
-    s.dot(G)
     s.turn((0, low - 1.2 * h, 0), ground.j, label=r"$\Omega$")
     s.label(A, "A", offset=(-10, 8))
     s.label(B, "B", offset=(10, 8))
-    s.label(G, "G", offset=(10, 10))
+    s.dot(G, "G", offset=(10, 10))
     top = 0.95 * h
     s.dimension((-g.a, top, 0), (0, top, 0), label="a", offset=0)
     s.dimension((0, top, 0), (g.b, top, 0), label="b", offset=0)

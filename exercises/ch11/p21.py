@@ -114,9 +114,8 @@ def draw(g, ax):
         [(reach * math.cos(t / 20), reach * math.sin(t / 20), 0) for t in range(-14, 17)],
         style="dashed",
     )
-    s.dot(C)
     s.turn((0, 0, 0.65), d.ground.k, label="n")
     s.dimension(D, C, label="b", offset=0.25)
     s.dimension(C, P, label="a", offset=0)
     s.label(D, "D", offset=(-12, -10))
-    s.label(C, "C", offset=(10, 8))
+    s.dot(C, "C", offset=(10, 8))

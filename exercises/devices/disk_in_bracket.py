@@ -201,8 +201,7 @@ def figure(g, ax, rim="AB", omega_name=r"\omega"):
     (_draw_axle if hasattr(g, "b") else _draw_fork)(s, bracket, disk, r, *letters)
     points = [rim_point(disk, name, r) for name in rim]
     for point in points:
-        s.dot(point)
-        s.label(point, point.name)
+        s.dot(point, point.name)
     if hasattr(g, "r"):
         s.dimension(disk.origin, points[0], label="r")
 

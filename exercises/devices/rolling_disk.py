@@ -107,5 +107,4 @@ def sketch(g, ax, with_A=True):
     s.dimension(foot, contact, label="R")
     s.dimension(contact, C, label="r", offset=0)
     if with_A:
-        s.dot(A)
-        s.label(A, "A")
+        s.dot(A, "A")
