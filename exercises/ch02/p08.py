@@ -1,11 +1,17 @@
 """2/8: a ball that hits a wall as high as it can: whether it rises or falls."""
 
-from exercises.devices import thrown_ball
-from exercises.devices.thrown_ball import at_wall, best_slope, forward, proved_angle, proved_path
+from exercises.devices.thrown_ball import (
+    at_wall,
+    best_slope,
+    draw,
+    forward,
+    proved_angle,
+    proved_path,
+)
 from exercises.tools import Step, mp, rate, root
 from newton_euler import atan, sqrt
 
-draw = thrown_ball.draw
+draw = draw
 
 
 def sense(slope):

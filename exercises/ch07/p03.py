@@ -1,7 +1,6 @@
 """7/3: the inertia matrix of a block and a cylinder that stands on it."""
 
-from exercises.devices import block_with_cylinder
-from exercises.devices.block_with_cylinder import BLOCK, parts
+from exercises.devices.block_with_cylinder import BLOCK, figure, parts
 from exercises.devices.inertia import (
     added,
     answer,
@@ -14,7 +13,7 @@ from exercises.devices.inertia import (
 )
 from exercises.tools import mp, proofs
 
-draw = block_with_cylinder.figure
+draw = figure
 
 
 def inertia(g, **changed):
