@@ -20,7 +20,7 @@ from typing import Any
 
 from ..algebra.errors import checked
 from ..algebra.jets import Moving
-from ..algebra.ledger import NamedTerms, latex_number
+from ..algebra.ledger import NamedTerms, Terms, latex_number
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -87,7 +87,7 @@ class Inertia(Scaled, NamedTerms):
             raise MassError(f"the centre of mass is a Point; got {clipped(centre)}")
         if not isinstance(self.frame, Frame):
             raise FrameError(f"the axes are those of a Frame; got {clipped(frame)}")
-        self._terms: dict[str, Inertia] = {}
+        self._terms: Terms[Inertia] = Terms()
         if tolerance is not None:
             self.check(real(tolerance, "the tolerance"))
 
@@ -216,7 +216,7 @@ class Inertia(Scaled, NamedTerms):
         moments, products = _transfer(self.mass, step, to_G)
         added = self._like(moments, products, point=point, mass=ZERO)
         out = self._like(add3(self.moments, moments), add3(self.products, products), point=point)
-        out._terms = {"own": self, "transfer": added}
+        out._terms = Terms({"own": self, "transfer": added})
         return out
 
     def expressed_in(self, frame: Frame) -> "Inertia":
@@ -277,7 +277,7 @@ class Inertia(Scaled, NamedTerms):
     __rmul__ = __mul__
 
     @property
-    def terms(self) -> dict[str, "Inertia"]:
+    def terms(self) -> "Terms[Inertia]":
         """The terms of a sum by name: ``own`` and ``transfer``, or the parts of a composite body;
         empty if it is no sum.
         """
@@ -288,7 +288,7 @@ class Inertia(Scaled, NamedTerms):
         """The sum of its terms, each times the factor given for it (default: 1), as a wrong model
         would give it. Mass and centre stay.
         """
-        weighted = self._weighted(factors, MassError)
+        weighted = self.terms.weighted(factors)
         moments = sum3(scale3(factor, term.moments) for factor, term in weighted)
         return self._like(moments, sum3(scale3(factor, term.products) for factor, term in weighted))
 

@@ -18,6 +18,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from ..algebra.errors import checked
+from ..algebra.ledger import distinct
 from ..algebra.scalars import Scalar, is_numeric, max_abs, min_abs, scalar, short, to_plain
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
 from ..kinematics.frames import Frame, Point, place
@@ -100,27 +101,23 @@ class ForceSystem:
     @checked
     def __init__(self, parts: Iterable | Mapping = (), frame: Frame | None = None):
         pairs = parts.items() if isinstance(parts, Mapping) else ((None, part) for part in parts)
-        out: list = []
-        counts: dict = {}
-        for part in (part for name, given in pairs for part in _parts(name, given)):
-            # a second "force" becomes "force 2"
-            counts[part.name] = n = counts.get(part.name, 0) + 1
-            out.append(part if n == 1 else replace(part, name=f"{part.name} {n}"))
-        self.parts = tuple(out)
+        self.parts = tuple(part for name, given in pairs for part in _parts(name, given))
         if not self.parts and frame is None:
             raise ForceError("a system without forces needs a frame: ForceSystem([], frame=ground)")
         self.frame = frame or self.parts[0].vector.frame
 
     def __str__(self):
-        return "\n".join(map(str, self.parts)) or "no forces"
+        names = distinct([part.name for part in self.parts])
+        parts = (replace(p, name=name) for p, name in zip(self.parts, names, strict=True))
+        return "\n".join(map(str, parts)) or "no forces"
 
     def __add__(self, other):
-        return ForceSystem([*self.parts, *ForceSystem([other]).parts], self.frame)
+        return ForceSystem([self, other], self.frame)
 
     @property
     def force(self) -> Vector:
         """The resultant force (8.21), with the forces by name as terms."""
-        forces = {p.name: p.vector for p in self._forces()}
+        forces = [(p.name, p.vector) for p in self._forces()]
         return named_sum("resultant", "", forces, self.frame)
 
     @checked
@@ -129,7 +126,7 @@ class ForceSystem:
         their moments by name as terms.
         """
         about = place(about, "the point that the moment is about")
-        moments = {p.name: p.moment(about) for p in self.parts}
+        moments = [(p.name, p.moment(about)) for p in self.parts]
         subject = f"about {about.name}"
         return named_sum("moment of the forces", subject, moments, self.frame)
 

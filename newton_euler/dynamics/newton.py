@@ -85,8 +85,8 @@ def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     >>> print(reaction(2.0, ground.vector(0, 0, 1.0), weight=-2.0*9.81*ground.k))
     [0, 0, 21.62] in ground
     """
-    parts = {"inertia": _mass(m) * _vector(a, "the acceleration")}
-    parts |= {name: -_vector(F, f"the {name}") for name, F in known.items()}
+    parts = [("inertia", _mass(m) * _vector(a, "the acceleration"))]
+    parts += [(name, -_vector(F, f"the {name}")) for name, F in known.items()]
     subject = f"to {', '.join(known) or 'no other force'}"
     return named_sum("reaction", subject, parts, a.frame)
 
@@ -201,10 +201,8 @@ def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector
     """
     seen = P.acceleration(observer, via=P.frame).terms
     names = {n: n for n in ("origin", "coriolis", "euler")} | {"centrifugal": "centripetal"}
-    for name in names:
-        if name in forces:
-            raise FrameError(f"{name!r} is a term of the moving frame; rename the force")
-    parts = _per_mass(m, forces) | {name: -seen[term] for name, term in names.items() if seen}
+    parts = list(_per_mass(m, forces).items())
+    parts += [(name, -seen[term]) for name, term in names.items() if seen]
     subject = f"of {P.name} in {P.frame.name}"
     return named_sum("relative acceleration", subject, parts, P.frame)
 

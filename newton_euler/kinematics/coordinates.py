@@ -19,7 +19,7 @@ from functools import partial
 
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, moving
-from ..algebra.ledger import Ledger
+from ..algebra.ledger import Ledger, Terms
 from ..algebra.pickles import Found
 from ..algebra.scalars import (
     ZERO,
@@ -117,7 +117,7 @@ class CoordinatePoint(Point):
         here = vector.expressed_in(self.local)
 
         def terms():
-            return {name: v.expressed_in(self.local) for name, v in self._terms[what](self).items()}
+            return Terms(self._terms[what](self)).mapped(lambda v: v.expressed_in(self.local))
 
         ledger = Ledger(f"{self._system} {what}", f"of {self.name} in {observer.name}", terms)
         return Vector(here.c, here.frame, here._own_rate, ledger)

@@ -140,7 +140,7 @@ def _moving_axes(position, q):
 
 def _velocity_terms(P, columns, names):
     rows = zip(names, P.coordinates, columns, strict=True)
-    return _vectors({f"{name}'": scale3(x.rate, c) for name, x, c in rows}, P.ground)
+    return _vectors([(f"{name}'", scale3(x.rate, c)) for name, x, c in rows], P.ground)
 
 
 def _acceleration_terms(P, position, columns, names):
@@ -150,17 +150,17 @@ def _acceleration_terms(P, position, columns, names):
     q = P.coordinates
     values = tuple(x.value for x in q)
     rows = zip(names, q, columns, strict=True)
-    parts = {f"{name}''": scale3(x.acceleration, c) for name, x, c in rows}
+    parts = [(f"{name}''", scale3(x.acceleration, c)) for name, x, c in rows]
     for n, m in combinations_with_replacement(range(3), 2):
         jets = position(*_seeded(_seeded(values, m), n))
         name = f"{names[n]}'^2" if n == m else f"{names[n]}' {names[m]}'"
         factor = (1 if n == m else 2) * (q[n].rate * q[m].rate)
-        parts[name] = scale3(factor, tuple(_rate(_rate(x)) for x in jets))
+        parts.append((name, scale3(factor, tuple(_rate(_rate(x)) for x in jets))))
     return _vectors(parts, P.ground)
 
 
 def _vectors(parts, ground):
-    return {name: Vector(c, ground) for name, c in parts.items() if any(x is not ZERO for x in c)}
+    return [(name, Vector(c, ground)) for name, c in parts if any(x is not ZERO for x in c)]
 
 
 @checked

@@ -91,7 +91,8 @@ class Frame:
         self._descend(parent)
         self._same_origin = parent._origin_frame if parent and origin is None else None
         if origin is not None:
-            origin.origin_of = origin.origin_of or name
+            if origin.origin_of is None:
+                origin.origin_of = name
         if self.angle.value is not ZERO:
             self._c, self._s = cos(self.angle.value), sin(self.angle.value)
 
@@ -184,7 +185,11 @@ class Frame:
         """The origin, a Point of the parent, in which it may move; of this frame itself if it has
         no parent.
         """
-        return self._origin or Point(f"origin of {self.name}", self.parent or self, (_REST,) * 3)
+        if self._origin is None and self.parent:
+            here = Point(f"origin of {self.name}", self.parent, (_REST,) * 3)
+            here.origin_of = self.name
+            return here
+        return self._origin or _origin(self)
 
     def _unit_axis(self, axis, angle):
         if isinstance(axis, Vector):
@@ -368,16 +373,15 @@ class Frame:
         return [(f, s) for f, s in down + up if f.axis is not None]
 
     def _omega_terms(self, observer, rate="rate"):
-        return {
-            f.name: s * Vector(f._along_axis(getattr(f.angle, rate)), f).expressed_in(self)
+        return [
+            (f.name, s * Vector(f._along_axis(getattr(f.angle, rate)), f).expressed_in(self))
             for f, s in self._steps(observer)
-        }
+        ]
 
     def _alpha_terms(self, observer):
-        terms = self._omega_terms(observer, "acceleration")
-        for (n, u), (m, v) in combinations(self._omega_terms(observer).items(), 2):
-            terms[f"{n} x {m}"] = u.cross(v)
-        return terms
+        pairs = combinations(self._omega_terms(observer), 2)
+        crossed = [(f"{n} x {m}", u.cross(v)) for (n, u), (m, v) in pairs]
+        return self._omega_terms(observer, "acceleration") + crossed
 
 
 def _how_to_join(one, other):
@@ -630,10 +634,8 @@ def axes_at(point: Point) -> Frame:
     """The frame that a point is fixed in; :class:`FrameError` if the point is also the origin of
     another frame, whose axes may be meant.
     """
-    other, name = point.origin_of, point.name.removeprefix("origin of ")
-    if not other and name not in (point.name, point.frame.name):
-        other = name
-    if other:
+    other = point.origin_of
+    if other is not None:
         raise FrameError(
             f"{point.name} is a point of {point.frame.name}, and the origin of {other}: along "
             f"whose axes? For {other}, which the body turns with, give the frame in place of the "
