@@ -19,7 +19,6 @@ from ..algebra.ledger import Amount, summed, value_of
 from ..algebra.scalars import (
     Scalar,
     anywhere,
-    clipped,
     cos,
     is_numeric,
     max_abs,

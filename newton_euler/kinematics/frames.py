@@ -90,9 +90,8 @@ class Frame:
         self.angle: Any = _REST if angle is None else angle
         self._descend(parent)
         self._same_origin = parent._origin_frame if parent and origin is None else None
-        if origin is not None:
-            if origin.origin_of is None:
-                origin.origin_of = name
+        if origin is not None and origin.origin_of is None:
+            origin.origin_of = name
         if self.angle.value is not ZERO:
             self._c, self._s = cos(self.angle.value), sin(self.angle.value)
 

@@ -68,7 +68,9 @@ def test_a_ball_is_accelerated_by_every_force_on_it(vectors, name):
     def laws(x, y, z):
         G = ground.point("G", moving(0, 0, x), moving(0, 0, y), moving(0, 0, z))
         ball = particle(2.0, G)
-        return equations_of_motion(ball, [loads[0] + loads[1], loads[2]], ground)["force on particle"]
+        return equations_of_motion(ball, [loads[0] + loads[1], loads[2]], ground)[
+            "force on particle"
+        ]
 
     assert tuple(solve_linear(laws)) == (0.5, 1.0, 2.0)
 
@@ -77,12 +79,10 @@ def test_a_ball_is_accelerated_by_every_force_on_it(vectors, name):
 @given(st.lists(st.tuples(NAMES, TRIPLES, TRIPLES), min_size=1, max_size=4))
 def test_kinetic_energy_and_angular_momentum_are_sums_over_all_bodies(bodies):
     ground = Frame("ground")
-    parts = [
-        particle(2.0, ground.point("P", *map(moving, r, v)), name) for name, r, v in bodies
-    ]
+    parts = [particle(2.0, ground.point("P", *map(moving, r, v)), name) for name, r, v in bodies]
     energies = [np.dot(v, v) for _, _, v in bodies]
     check_terms(kinetic_energy(parts, ground), energies, [name for name, _, _ in bodies])
-    spin = [sum(2 * np.cross(r, v) for _, r, v in bodies) for _ in range(1)][0]
+    spin = sum(2 * np.cross(r, v) for _, r, v in bodies)
     about = ground.point("O", 0, 0, 0)
     total = sum(value(angular_momentum(p, ground, about)) for p in parts)
     assert np.allclose(total, spin, atol=1e-12)

@@ -73,7 +73,7 @@ def test_two_frames_called_arm_turn_together():
 
 def test_coordinates_of_one_name_keep_all_their_terms():
     q = moving(1.0, 2.0, 3.0), moving(0.5, -1.0, 0.25), moving(0.0, 1.0, 1.0)
-    parabolic = lambda u, v, w: ((u**2 - v**2) / 2, u * v, w)  # noqa: E731
+    parabolic = lambda u, v, w: ((u**2 - v**2) / 2, u * v, w)
     ground = Frame("ground")
     known, P = (curvilinear(ground, "P", parabolic, *q, names) for names in ("uvw", "qqq"))
     for a, b in (
