@@ -177,27 +177,6 @@ def test_eqn_6_15_the_force_that_a_motion_needs_gives_that_motion(kind):
     assert close(sum(F.terms.values()), F, small(kind, 10))
 
 
-def test_problems_6_20_and_6_23_sideways_forces_on_a_car_and_a_track():
-    M, v, a, g, w, latitude = sympy.symbols("M v a g omega lat", positive=True)
-    ground = e.ground_frame(e.earth_frame(Frame("stars"), w), latitude)
-    car = e.force_near_earth(
-        M, ground.vector(0, -v, 0), ground.vector(0, -a, 0), e.earth_rate(ground)
-    )
-    assert sympy.simplify(car.x - 2 * M * w * v * sympy.sin(latitude)) == 0
-    level = v / sympy.sqrt(2)
-    train = e.force_near_earth(
-        M, ground.vector(-level, level, 0), 0 * ground.i, e.earth_rate(ground)
-    )
-    track = -(train + M * g * ground.k)  # the resultant is weight and force of the track
-    s, c = sympy.sin(latitude), sympy.cos(latitude)
-    wanted = (
-        sympy.sqrt(2) * M * w * v * s,
-        sympy.sqrt(2) * M * w * v * s,
-        -M * g - sympy.sqrt(2) * M * w * v * c,
-    )
-    assert [sympy.simplify(x - y) for x, y in zip(track, wanted, strict=True)] == [0, 0, 0]
-
-
 def angles(kind):
     """Speed, azimuth, elevation, latitude, g, rate."""
     return numbers(kind, 100, "0.6", "0.7", "0.8", "9.81", "0.0001")
@@ -397,12 +376,6 @@ def test_the_attraction_is_that_of_chapter_5():
     P = ground.point("P", 1e5, -2e5, 3e5)
     field = gravitational_field(P, e.EARTH_GM / K, ground.tree[0].origin).components(ground)
     assert close(e.attraction3((1e5, -2e5, 3e5), e.EARTH_GM / 6.4e6**2, 6.4e6), field, 1e-14)
-
-
-def test_problem_6_22_a_shot_straight_up_lands_to_the_west():
-    v0, g, w, latitude = sympy.symbols("v0 g omega lat", positive=True)
-    x = e.projectile(2 * v0 / g, v0, sympy.Integer(0), sympy.pi / 2, latitude, g, w)[0]
-    assert sympy.simplify(x + 4 * w * sympy.cos(latitude) * v0**3 / (3 * g**2)) == 0
 
 
 def test_a_shot_too_fast_for_the_first_order_is_refused():

@@ -32,13 +32,10 @@ from newton_euler.applications.gyroscopes import (
 )
 from newton_euler.applications.nutation import nutation
 from newton_euler.bodies.inertia import Inertia
-from newton_euler.bodies.solids import cylinder
 from newton_euler.kinematics.rotations import (
     apply,
     euler_frame,
     euler_matrix,
-    in_sequence,
-    rotation_matrix,
 )
 from tests.kinds import KINDS, close, numbers
 
@@ -113,30 +110,6 @@ def test_eqn_10_1_and_10_2_the_precessing_frame_turns_about_the_vertical_and_the
         nodal.angular_velocity(ground), dpsi * ground.k + dtheta * nodal.i, tolerance(kind)
     )
     assert close(ground.k.expressed_in(nodal), (0, sin(theta), cos(theta)), tolerance(kind))
-
-
-@every_kind
-def test_eqn_10_3_and_10_4_components_of_both_angular_velocities(kind):
-    ground, body, angles, _, _ = top_of(kind)
-    (_, dpsi, _), (theta, dtheta, _), (_, dphi, _) = angles.values()
-    Omega = (dtheta, dpsi * sin(theta), dpsi * cos(theta))
-    assert close(body.parent.angular_velocity(ground), Omega, tolerance(kind))
-    assert close(
-        body.angular_velocity(ground).components(body.parent),
-        (*Omega[:2], Omega[2] + dphi),
-        tolerance(kind),
-    )
-
-
-@every_kind
-def test_eqn_10_5_to_10_10_three_turns_make_the_matrix(kind):
-    psi, theta, phi = numbers(kind, "0.4", "0.9", "1.3")
-    one = psi / psi
-    turns = [
-        rotation_matrix(e, x)
-        for e, x in (((0, 0, one), psi), ((one, 0, 0), theta), ((0, 0, one), phi))
-    ]
-    assert close(euler_matrix(psi, theta, phi), in_sequence(*turns, axes="moving"), tolerance(kind))
 
 
 # -- gyroscopic motion (10.17)-(10.27)
@@ -762,29 +735,3 @@ def test_the_sleeping_top_as_a_formula():
 
 
 # -- worked examples
-
-
-def test_exercise_10_3_the_two_rates_of_a_top():
-    """By the quadratic equation solved with 40 digits, in feet and pounds."""
-    W, k_z, k_x, c, spin, theta = (
-        3 / 16,
-        0.84 / 12,
-        1.8 / 12,
-        1.5 / 12,
-        60 * math.pi,
-        math.radians(30),
-    )
-    m = W / 32.2
-    found = steady_precession(m * k_x**2, m * k_z**2, theta, spin=spin, mgr=W * c)
-    with mp.workdps(40):
-        a, h = (mp.mpf(k_x) ** 2 - mp.mpf(k_z) ** 2) * mp.cos(theta), mp.mpf(k_z) ** 2 * spin
-        roots = sorted(mp.polyroots([a, -h, mp.mpf("32.2") * c], maxsteps=200, extraprec=200))
-    assert (found.slow, found.fast) == pytest.approx(tuple(map(float, roots)), rel=1e-12)
-
-
-def test_exercise_10_10_shell_and_cylinder_change_from_retrograde_to_direct():
-    for factor, sense in ((0.999, "retrograde"), (1.001, "direct")):
-        solid = cylinder(
-            1.0, factor * math.sqrt(3.0), Frame("body").origin, "z", mass=1.0
-        ).inertia.moments
-        assert free_precession(solid[0], solid[2], 0.1, 5.0).sense == sense

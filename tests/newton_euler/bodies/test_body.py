@@ -693,8 +693,6 @@ def test_holes_that_take_too_much_or_lie_outside_are_refused():
             [whole],
             removed=[disk(0.5, sheet.point("P", 3.0, 0, 0), "z", mass=0.5, name="hole")],
         )
-    with pytest.raises(MassError, match="two parts named 'disk'"):
-        composite("part", [whole, whole])
     with pytest.raises(MassError, match=r"the mass of particle must be positive, got -1.0"):
         particle(-1.0, sheet.origin)
 

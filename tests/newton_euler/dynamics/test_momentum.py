@@ -262,32 +262,6 @@ def test_momentum_and_moments_have_their_units_and_can_be_compiled():
 
 
 @every_kind
-def test_problem_8_1_beam_whose_cable_breaks(kind):
-    """Known in closed form: with the pin at k L, a_B = g (1/2 - k)(1 - k)/(1/12 + (1/2 - k)^2)."""
-    W, g, L, k = numbers(kind, 10, "9.81", 2, "1/4")
-    ground = Frame("ground")
-
-    def laws(C_x, C_y, alpha):
-        frame = ground.rotate("beam", "z", acceleration=alpha)
-        beam = rod(L, frame.point("G", L / 2 - k * L, 0, 0), "x", mass=W / g, name="beam")
-        return equations_of_motion(
-            beam,
-            {
-                "weight": (ground.vector(0, -W, 0), beam.centre),
-                "pin": (ground.vector(C_x, C_y, 0), frame),
-            },
-            ground,
-        )
-
-    s = solve_linear(laws)
-    arm = L / 2 - k * L
-    turning = W * arm / (W / g * (L * L / 12 + arm * arm))
-    assert close(
-        (s.C_x, s.C_y, s.alpha), (0, W - W / g * turning * arm, -turning), 10 * tolerance(kind)
-    )
-
-
-@every_kind
 def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
     """(8.9) about G, about the moving end A, and about the fixed corner O: one answer; the moment
     about A needs d x m a_A.
