@@ -118,7 +118,7 @@ class ForceSystem:
     def force(self) -> Vector:
         """The resultant force (8.21), with the forces by name as terms."""
         forces = [(p.name, p.vector) for p in self._forces()]
-        return named_sum("resultant", "", forces, self.frame)
+        return named_sum("resultant", "of the forces", forces, self.frame)
 
     @checked
     def moment(self, about: Point | Frame) -> Vector:

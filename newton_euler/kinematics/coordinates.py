@@ -291,7 +291,7 @@ def cylindrical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None
     """
     x, y, z = r.c
     level = _off_the_axis(r, "on the z axis, where theta and its rates do not exist")
-    return with_rates(cylindrical, (level, atan2(y, x), z), r.frame, v, a)
+    return _with_rates(cylindrical, (level, atan2(y, x), z), r.frame, v, a)
 
 
 @checked
@@ -317,7 +317,7 @@ def spherical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None =
         P.local._c, P.local._s, P.scale_factors = level / R, -z / R, (1, level, R)
         return P
 
-    return with_rates(here, (R, atan2(y, x), atan2(z, level)), r.frame, v, a)
+    return _with_rates(here, (R, atan2(y, x), atan2(z, level)), r.frame, v, a)
 
 
 def _off_the_axis(r, where):
@@ -332,7 +332,7 @@ def _off_the_axis(r, where):
     return level
 
 
-def with_rates(make, q, frame, v, a):
+def _with_rates(make, q, frame, v, a):
     """The coordinates ``q`` with their rates, from the scale factors: q_i' = v_i / h_i, then q_i''
     from the difference of ``a`` and the acceleration with q'' = 0.
 
