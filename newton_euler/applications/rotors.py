@@ -55,7 +55,7 @@ class Reactions:
     moment : M (N m), the moment about the axis that drives the shaft (9.10)
     axis : the unit vector e from A to B
 
-    The terms of A and B are those of (9.9), see :func:`reactions`; for other axes ask
+    The terms of A and B are those of (9.9), see :func:`reactions`; for other axes use
     ``A.expressed_in(ground)``.
     """
 
@@ -304,7 +304,7 @@ def balance(
     found = imbalance(body, A, B, about)
     e, product = scalar(found.static.norm()), scalar(found.dynamic.norm())
     total = sum(body.about(found.about).moments) / 2  # m k^2
-    # of a particle on the axis it is zero: at least that of the mass at a thousandth of AB
+    # a particle on the axis has none: at least that of the mass at a thousandth of AB
     floor = body.mass * (shaft_axis(A, B)[1] / 1000) ** 2
     if not all(map(is_numeric, (e, product, total, floor))):
         raise RotorError(
@@ -417,7 +417,7 @@ def _weight(name, U, A, e, z, given, at_radius):
     if is_zero(length):
         step = U * 0
     elif at_radius:
-        # at an instant of an array at which none is needed 0/1 in place of 0/0
+        # 0/1 in place of 0/0 at instants of an array that need no weight
         step = U * (
             given / (where(to_plain(length) == 0, 1, length) if is_numeric(length) else length)
         )

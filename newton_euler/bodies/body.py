@@ -22,8 +22,8 @@ from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import MassError, not_negative, positive, round_off, triangle_inequality
 from .inertia import Inertia, together
 
-# part of the largest moment by which moments that are given in rounded numbers may break the
-# triangle inequality; Body.check() asks for more
+# fraction of the largest moment by which moments given in rounded numbers may violate the triangle
+# inequality; Body.check() is stricter
 ROUNDED = 1e-2
 
 
@@ -176,7 +176,7 @@ def centre_of_mass(
 def _pair(p):
     try:
         mass, point = p
-        # of a part that is removed the mass is negative
+        # no check of the mass: a removed part has a negative one
         return Body(point.name, mass, point, Inertia(point, (0, 0, 0), tolerance=None), point.frame)
     except (TypeError, ValueError, AttributeError):
         raise MassError(f"a part is a Body or a pair (mass, Point), got {p!r}") from None

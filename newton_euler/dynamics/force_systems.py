@@ -23,11 +23,11 @@ from ..algebra.scalars import Scalar, is_numeric, max_abs, min_abs, scalar, shor
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
 from ..kinematics.frames import Frame, Point, place
 
-ROUND_OFF = 1e-12  # of the sum of the magnitudes: a resultant below it counts as zero
+ROUND_OFF = 1e-12  # fraction of the sum of magnitudes below which a resultant counts as zero
 
 
 class ForceError(FrameError):
-    """Something that is not a force or couple, or a system without the result asked for."""
+    """Not a force or couple, or a system that does not have the requested result."""
 
 
 @dataclass(frozen=True)
@@ -274,7 +274,7 @@ def _vanishes(v, noise):
     x = scalar(v.norm())
     if is_numeric(x) and min_abs(x) <= noise < max_abs(x):
         raise ForceError(
-            "the forces have a resultant at some instants and at others none; ask for them "
-            "separately"
+            "the forces have a resultant at some instants and at others none; treat the two "
+            "groups of instants separately"
         )
     return is_numeric(x) and max_abs(x) <= noise

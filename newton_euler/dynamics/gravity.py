@@ -124,7 +124,7 @@ def gravitational_field(
     Vector(-2.0, 0, 0 in space)
     """
     not_negative(mass, "the mass of the body")
-    position = place(position, "where the field is asked for")
+    position = place(position, "the field point")
     r = position - place(centre, "the centre of attraction")
     distance = scalar(r.norm())
     positive(distance, f"the distance of {position.name} from the centre of attraction")

@@ -168,8 +168,8 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     }
     kind, parts = "acceleration by forces", _per_mass(m, forces)
     total = named_sum(kind, f"of {P.name}", parts, P.local)
-    # the acceleration is linear in the second rates, with the scale factors h: what is missing in
-    # that with the second rates of P, over h, is missing in them
+    # the acceleration is linear in the second rates, with the scale factors h: the acceleration
+    # that P lacks, over h, is what its second rates lack
     missing = (total - P.acceleration(P.ground)).expressed_in(P.local).c
     if any(is_numeric(h) and min_abs(h) == 0 for h in P.scale_factors):
         raise SingularError(

@@ -99,7 +99,7 @@ class CoordinatePoint(Point):
 
     def __getstate__(self):
         values = {n: getattr(self, n) for n in (*Point.__slots__, *CoordinatePoint.__slots__)}
-        # of functions inside functions
+        # the functions are closures, which cannot be pickled: their results are
         values["_terms"] = {what: Found(partial(f, self)) for what, f in self._terms.items()}
         return None, values
 
@@ -313,7 +313,7 @@ def spherical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None =
 
     def here(frame, name, *q):
         P = spherical(frame, name, *q)
-        # from the position: near a pole the round-off of phi is large against cos phi
+        # cos and sin from the position: near a pole the round-off of phi exceeds cos phi
         P.local._c, P.local._s, P.scale_factors = level / R, -z / R, (1, level, R)
         return P
 

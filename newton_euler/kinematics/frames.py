@@ -46,11 +46,11 @@ from ..algebra.vectors import (
 
 _AXES = {"x": 0, "y": 1, "z": 2}
 _REST = Moving(ZERO)
-# frames that were pickled, by a token: one that comes back from another process is found again, so
-# that vectors which were computed there can be added to those here
+# pickled frames by their tokens: a frame that comes back from another process is recognised, so
+# that vectors computed there can be added to those computed here
 _SENT: WeakValueDictionary = WeakValueDictionary()
 _SENDING = Lock()
-# of a frame in this process alone
+# attributes that belong to this process and are not pickled
 _LOCAL = {"parent", "_above", "_relatives", "_memo", "_token"}
 
 
@@ -96,7 +96,7 @@ class Frame:
             self._c, self._s = cos(self.angle.value), sin(self.angle.value)
 
     def _descend(self, parent: "Frame | None") -> None:
-        # without itself, or it would not be freed as soon as nothing refers to it
+        # excludes the frame itself: a cycle would delay its being freed
         self._above: tuple[Frame, ...] = (parent, *parent._above) if parent else ()
         # weak references: a frame keeps those above it alive, not those below
         self._relatives: dict = parent._relatives if parent else {}
@@ -104,14 +104,14 @@ class Frame:
         self._memo: dict = {}
 
     def __reduce__(self):
-        # the same in every pickle of it; setdefault: threads may come here together
+        # one token for all pickles of the frame; setdefault is atomic between threads
         token = vars(self).setdefault("_token", os.urandom(16))
         _SENT[token] = self
         state = {n: x for n, x in vars(self).items() if n not in _LOCAL}
         return _sent_frame, (type(self), token, self.parent), state
 
     def __setstate__(self, state):
-        if "name" not in vars(self):  # else it is here already
+        if "name" not in vars(self):  # a frame of this process keeps its own state
             vars(self).update(state)
 
     def __repr__(self):
@@ -203,7 +203,7 @@ class Frame:
                 "components, as in (0, 0.6, 0.8); turn about a moving axis by one more frame in "
                 "between"
             )
-        # else the root of a whole number has 16 digits, however many the angle has
+        # otherwise the root of a whole number has 16 digits, even where the angle has more
         parts = (angle.value, angle.rate, angle.acceleration)
         exact = next((v for v in parts if v is not ZERO), ZERO)
         axis = tuple(integer_like(v, exact) for v in axis)
@@ -228,7 +228,7 @@ class Frame:
 
     def common(self, other: "Frame") -> "Frame":
         """The nearest frame from which both this one and ``other`` descend, one of them included;
-        :class:`FrameError` if there is none.
+        :class:`FrameError` if they share none.
         """
         if not isinstance(other, Frame):
             raise FrameError(
@@ -325,7 +325,8 @@ class Frame:
     def _cached(self, what, observer, compute):
         memo, key = self._memo, (what, observer)
         found = memo.get(key)
-        if found is None and observer not in self._above:  # else this frame would keep it alive
+        # a strong reference to a frame that is not above would keep it alive
+        if found is None and observer not in self._above:
             memo, key = memo.get(ref(observer)), what
             if memo is None:
                 memo = self._memo[ref(observer, self._memo.pop)] = {}
@@ -384,8 +385,8 @@ class Frame:
 
 
 def _how_to_join(one, other):
-    """What to do where two frames share none: two trees alike come from one function, called
-    twice.
+    """Advice for two frames without a common ancestor. Two trees with the same names usually come
+    from a function that was called twice.
     """
     first, second = ((f, *f._above) for f in (one, other))
     alike = next((f.name for f in first if f.name in {s.name for s in second}), None)
