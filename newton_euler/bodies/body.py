@@ -15,7 +15,7 @@ Units: any consistent ones; in SI kg, m, kg m^2.
 from collections.abc import Iterable, Sequence
 
 from ..algebra.errors import checked, checked_but
-from ..algebra.ledger import Ledger, Terms
+from ..algebra.ledger import Terms
 from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, scalar, shown
 from ..algebra.vectors import FrameError, Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
@@ -130,9 +130,7 @@ class Body:
         orbital = (self.centre - about).expressed_in(self.frame).cross(v * self.mass)
         total = orbital + own
         subject = f"of {self.name} about {about.name}, seen from {observer.name}"
-        equation = "angular momentum"
-        ledger = Ledger(equation, subject, lambda: {"orbital": orbital, "own": own})
-        return Vector(total.c, total.frame, total._own_rate, ledger)
+        return total.as_sum("angular momentum", subject, lambda: {"orbital": orbital, "own": own})
 
 
 @checked

@@ -145,7 +145,7 @@ class Inertia(Scaled, NamedTerms):
                 "the inertia matrix multiplies an angular velocity, a Vector as from "
                 f"frame.angular_velocity(ground); got {omega!r}"
             )
-        rate = omega._own_rate and (lambda: self.times(omega.rate(self.frame)))
+        rate = (lambda: self.times(omega.rate(self.frame))) if omega.has_rate else None
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
 
     @checked
@@ -277,14 +277,14 @@ class Inertia(Scaled, NamedTerms):
     __rmul__ = __mul__
 
     @property
-    def terms(self) -> "Terms[Inertia]":
+    def terms(self) -> "Terms[Inertia]":  # type: ignore[override]
         """The terms of a sum by name: ``own`` and ``transfer``, or the parts of a composite body;
         empty if it is no sum.
         """
         return self._terms
 
     @checked
-    def reweighted(self, **factors: Scalar) -> "Inertia":
+    def reweighted(self, /, **factors: Scalar) -> "Inertia":
         """The sum of its terms, each times the factor given for it (default: 1), as a wrong model
         would give it. Mass and centre stay.
         """

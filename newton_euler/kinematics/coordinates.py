@@ -19,7 +19,7 @@ from functools import partial
 
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, moving
-from ..algebra.ledger import Ledger, Terms
+from ..algebra.ledger import Terms
 from ..algebra.pickles import Found
 from ..algebra.scalars import (
     ZERO,
@@ -119,8 +119,8 @@ class CoordinatePoint(Point):
         def terms():
             return Terms(self._terms[what](self)).mapped(lambda v: v.expressed_in(self.local))
 
-        ledger = Ledger(f"{self._system} {what}", f"of {self.name} in {observer.name}", terms)
-        return Vector(here.c, here.frame, here._own_rate, ledger)
+        subject = f"of {self.name} in {observer.name}"
+        return here.as_sum(f"{self._system} {what}", subject, terms)
 
 
 def _point(system, name, ground, local, x, coordinates, scale_factors):
