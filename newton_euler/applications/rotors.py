@@ -24,7 +24,7 @@ which are (9.3), (9.6) and (9.9), (9.10) for a shaft in any direction. Forces ac
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..algebra.errors import NewtonEulerError, checked, checked_but
+from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.scalars import (
     Scalar,
     anywhere,
@@ -130,7 +130,7 @@ def _wrench(body, O, ground, gravity):
     }
 
 
-@checked_but("A", "B")
+@checked
 def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple:
     """The unit vector e from bearing A to bearing B, in ``frame`` (default: that of A), and their
     distance l (m).
@@ -142,11 +142,6 @@ def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple:
     >>> shaft_axis(shaft.origin, shaft.point("B", 0, 0, 2.0))
     (Vector(0, 0, 1.0 in shaft), 2.0)
     """
-    for P in (A, B):
-        if not isinstance(P, Point):
-            raise RotorError(
-                f"a bearing is a Point of the shaft, as in shaft.point('A', 0, 0, -0.2); got {P!r}"
-            )
     AB = (B - A).expressed_in(frame or A.frame)
     length = AB.norm()
     # 1e-13 of the coordinates: their difference is round-off

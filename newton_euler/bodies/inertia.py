@@ -129,6 +129,7 @@ class Inertia(Scaled, NamedTerms):
 
     # -- angular momentum, moments about axes
 
+    @checked
     def times(self, omega: Vector) -> Vector:
         """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix.
 
@@ -140,11 +141,6 @@ class Inertia(Scaled, NamedTerms):
         the angular momentum of the whole motion; for other points :meth:`Body.angular_momentum`
         adds the motion of G.
         """
-        if not isinstance(omega, Vector):
-            raise MassError(
-                "the inertia matrix multiplies an angular velocity, a Vector as from "
-                f"frame.angular_velocity(ground); got {omega!r}"
-            )
         rate = (lambda: self.times(omega.rate(self.frame))) if omega.has_rate else None
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
 

@@ -154,7 +154,7 @@ def test_what_is_refused():
         gravitation(P, P)
     with pytest.raises(MassError, match=r"distance of the two bodies must be positive, got -1.0"):
         attraction(1.0, 1.0, -1.0)
-    with pytest.raises(FrameError, match=r"upward direction as a Vector, as ground\.k; got 'up'"):
+    with pytest.raises(FrameError, match="weight: up is a Vector"):
         weight(1.0, "up")
     with pytest.raises(MassError, match="weight needs a body or a mass, got 'heavy'"):
         weight("heavy", ground.k)
