@@ -56,8 +56,10 @@ def _point(body, about):
 
 
 def _is_fixed(point, body):
-    """True if the point is given as fixed in the frame of the body."""
-    return point.frame is body.frame and all(x.rests() for x in point.x)
+    """True if the point and the mass centre are given as fixed in the frame of the body; a particle
+    may move in the frame that stands for its own.
+    """
+    return all(P.frame is body.frame and all(x.rests() for x in P.x) for P in (point, body.centre))
 
 
 @checked

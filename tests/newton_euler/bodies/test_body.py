@@ -28,8 +28,7 @@ from newton_euler import (
     particle,
     sin,
 )
-from newton_euler.algebra import ZERO, FrameError
-from newton_euler.algebra.ledger import TermError
+from newton_euler.algebra import ZERO, FrameError, TermError
 from newton_euler.bodies import MassError
 from newton_euler.bodies.solids import disk, plate, rod, sphere
 from newton_euler.kinematics.rotations import product, transpose

@@ -166,13 +166,13 @@ def test_eqn_4_13_and_4_14_a_vector_fixed_in_a_frame_turns_with_it(kind, axis):
     tree = [{"parent": 0, "axis": axis, "angle": [0.7, 1.3, -0.4], "origin": None}]
     ground, body = in_engine(tree, kind)
     for n, unit in enumerate((body.i, body.j, body.k)):
-        expected = [(float(n == m), 0, 0) for m in range(3)]
+        e = mpmath.matrix([int(n == m) for m in range(3)])
         assert close(unit.rate(ground), cross(body.angular_velocity(ground), unit))
         assert agrees(
             kind,
             unit.rate(ground),
             ground,
-            lambda s, e=expected: rate(Explicit(tree, s).turned(1, e, 0)),
+            lambda s, e=e: rate(lambda t: Explicit(tree, s).R(1, t) * e),
         )
 
 
