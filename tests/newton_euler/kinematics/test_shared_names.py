@@ -75,7 +75,9 @@ def test_coordinates_of_one_name_keep_all_their_terms():
     q = moving(1.0, 2.0, 3.0), moving(0.5, -1.0, 0.25), moving(0.0, 1.0, 1.0)
     parabolic = lambda u, v, w: ((u**2 - v**2) / 2, u * v, w)
     ground = Frame("ground")
-    known, P = (curvilinear(ground, "P", parabolic, *q, names) for names in ("uvw", "qqq"))
+    known, P = (
+        curvilinear(ground, "P", parabolic, *q, names) for names in (tuple("uvw"), tuple("qqq"))
+    )
     for a, b in (
         (known.velocity(ground), P.velocity(ground)),
         (known.acceleration(ground), P.acceleration(ground)),
