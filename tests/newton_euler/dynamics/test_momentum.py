@@ -308,14 +308,11 @@ def test_two_bars_hinged_together_are_solved_as_one_system():
         )
         F_O, F_A = ground.vector(O_x, O_y, 0), ground.vector(A_x, A_y, 0)
         down = ground.vector(0, -m * g, 0)
-        return {
-            **equations_of_motion(
-                one, {"weight": (down, one.centre), "O": (F_O, ground), "A": (-F_A, hinge)}, ground
-            ),
-            **equations_of_motion(
-                two, {"weight": (down, two.centre), "A": (F_A, hinge)}, ground, about=hinge
-            ),
-        }
+        return equations_of_motion(
+            one, {"weight": (down, one.centre), "O": (F_O, ground), "A": (-F_A, hinge)}, ground
+        ) | equations_of_motion(
+            two, {"weight": (down, two.centre), "A": (F_A, hinge)}, ground, about=hinge
+        )
 
     s = solve_linear(laws)
     p, q = 0.3, -0.4

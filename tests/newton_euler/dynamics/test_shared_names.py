@@ -75,6 +75,20 @@ def test_a_ball_is_accelerated_by_every_force_on_it(vectors, name):
     assert tuple(solve_linear(laws)) == (0.5, 1.0, 2.0)
 
 
+def test_equations_of_two_bodies_of_one_name_are_both_kept():
+    ground = Frame("ground")
+    along, over = ground.i, ground.point("P", 1.0, 0, 0)
+
+    def laws(a, R):
+        first, second = (particle(m, ground.point("G", moving(0, 0, a), 0, 0)) for m in (1.0, 3.0))
+        return equations_of_motion(first, [(R * along, over)], ground) | equations_of_motion(
+            second, [(8.0 * along, over), (-R * along, over)], ground
+        )
+
+    found = solve_linear(laws)
+    assert (found.a, found.R) == (2.0, 2.0)
+
+
 @by_any_names
 @given(st.lists(st.tuples(NAMES, TRIPLES, TRIPLES), min_size=1, max_size=4))
 def test_kinetic_energy_and_angular_momentum_are_sums_over_all_bodies(bodies):
