@@ -9,10 +9,10 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler.accuracy import regime_maps as maps
 from newton_euler.accuracy.charts.axes import COLOURS
-from newton_euler.accuracy.charts.kinds.maps import draw_choices
-from newton_euler.accuracy.regime_maps import MAPS
+from newton_euler.accuracy.charts.maps import draw_choices
+from newton_euler.accuracy.measurements import regime_maps as maps
+from newton_euler.accuracy.measurements.regime_maps import MAPS
 from newton_euler.motion.integration import integrate
 from newton_euler.scenes.spatial import top
 

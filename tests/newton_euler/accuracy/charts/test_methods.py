@@ -4,9 +4,9 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from newton_euler.accuracy.charts.axes import chart, marker_style
-from newton_euler.accuracy.charts.kinds.methods import draw_methods, methods_caption
-from newton_euler.accuracy.measure import Measured, front
-from newton_euler.accuracy.work_precision import (
+from newton_euler.accuracy.charts.methods import draw_methods, methods_caption
+from newton_euler.accuracy.measurements.measure import Measured, front
+from newton_euler.accuracy.measurements.work_precision import (
     CLOSED,
     NAMES,
     STEPPING,
@@ -23,7 +23,7 @@ def synthetic():
               for m, c, m_ in (("taylor", 1e-5, 1), ("dop853", 1e-4, 2), ("auto", 3e-6, 1)) for n in (3, 6, 9)]  # fmt: skip
     fake = Scene("fake", "1.1", "nothing", lambda: None)
     return WorkPrecision(
-        fake, (*points, Measured("exact", 1.0, 0.0, "", 1e-3, 1, 0.0)), {}, {"taylor": 0.04}, {}
+        fake, (*points, Measured("exact", 1.0, 0.0, "", 1e-3, 1, 0.0)), {}, {"taylor": 0.04}, {}, {}
     )
 
 
@@ -63,7 +63,7 @@ def measured(closed=(1e-6, 1e-15), prepared=0.0, **stepping):
     points += [Measured("exact", *closed, family=CLOSED)] if closed else []
     preparing = {"taylor": prepared}
     return WorkPrecision(
-        Scene("fake", "1.1", "nothing", lambda: None), tuple(points), {}, preparing, {}
+        Scene("fake", "1.1", "nothing", lambda: None), tuple(points), {}, preparing, {}, {}
     )
 
 

@@ -4,13 +4,13 @@ from collections.abc import Callable, Mapping, Sequence
 
 from matplotlib.figure import Figure
 
-from ...algebra.errors import ArgumentError, checked
-from ...algebra.scalars import Scalar
-from ..comparisons import measured_ways
-from .axes import chart
-from .catalogue import chart_named
-from .kinds.comparisons import points_table, ways_caption
-from .shown import Shown
+from ..algebra.errors import ArgumentError, checked
+from ..algebra.scalars import Scalar
+from .catalogue import MODEL, chart_named
+from .charts.axes import chart
+from .charts.comparisons import points_table, ways_caption
+from .charts.shown import Shown
+from .measurements.comparisons import measured_ways
 
 
 @checked
@@ -26,12 +26,13 @@ def show_chart(name: str, quick: bool = True, tolerance: float | None = None) ->
     >>> shot.points[0].error > 1.0  # of the flat Earth, in metres  # doctest: +SKIP
     True
     """
-    if tolerance is not None and not (name.startswith("models of ") and tolerance > 0):
+    entry = chart_named(name)
+    if tolerance is not None and not (entry.question == MODEL and tolerance > 0):
         raise ArgumentError(
             f'a tolerance is positive, and for "models of ..."; got {tolerance!r} for {name!r}'
         )
     more = {} if tolerance is None else {"tolerance": float(tolerance)}
-    found = chart_named(name).make(quick, lambda fraction, words="": None, **more)
+    found = entry.make(quick, lambda fraction, words="": None, **more)
     found.show()
     return found
 

@@ -10,9 +10,10 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from newton_euler.accuracy import baselines
-from newton_euler.accuracy.comparisons import COMPARISONS
-from newton_euler.accuracy.measure import ROUND_OFF, Measured
+from newton_euler.accuracy.charts.comparisons import draw_comparison
+from newton_euler.accuracy.measurements import baselines
+from newton_euler.accuracy.measurements.comparisons import COMPARISONS
+from newton_euler.accuracy.measurements.measure import ROUND_OFF, Measured
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +32,7 @@ def measured():
 def errors(points, method, question=0):
     """The errors of a method by what was set."""
     asked = list(dict.fromkeys(p.question for p in points))[question]
-    found = {p.x: p.error for p in points if p.method == method and p.question == asked}
+    found = {p.x: p.error for p in points if p.method == method and p.question is asked}
     assert found
     return found
 
@@ -185,7 +186,7 @@ def test_points_are_measured_with_cost_and_setting_and_progress_is_told(name, me
 @pytest.mark.parametrize("name", COMPARISONS)
 def test_the_picture_has_a_row_for_each_question_and_every_way_in_it(name, measured):
     figure, comparison = Figure(), COMPARISONS[name]
-    best = comparison.draw(measured(name), figure)
+    best = draw_comparison(comparison, measured(name), figure)
     assert len(figure.axes) == 2 * len(comparison.questions)
     for question, left, right in zip(
         comparison.questions, figure.axes[::2], figure.axes[1::2], strict=True
@@ -195,7 +196,7 @@ def test_the_picture_has_a_row_for_each_question_and_every_way_in_it(name, measu
             *question.methods,
             "front",
         ]
-        assert any(p.question == question.what for p in best)
+        assert any(p.question is question for p in best)
         assert [line.get_color() for line in left.lines] == [
             line.get_color() for line in right.lines[: len(left.lines)]
         ]
@@ -205,10 +206,8 @@ def test_the_picture_has_a_row_for_each_question_and_every_way_in_it(name, measu
 def test_no_numbers_on_the_axes_overlap_however_near_or_far_the_costs_are(apart, measured):
     figure, comparison = Figure(), COMPARISONS["rotations"]
     ways = [way for q in comparison.questions for way in q.methods]
-    comparison.draw(
-        [replace(p, cost=3e-6 * apart ** ways.index(p.method)) for p in measured("rotations")],
-        figure,
-    )
+    points = [replace(p, cost=3e-6 * apart ** ways.index(p.method)) for p in measured("rotations")]
+    draw_comparison(comparison, points, figure)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     for ax in figure.axes:

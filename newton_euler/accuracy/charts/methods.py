@@ -1,13 +1,13 @@
 """The chart of the methods of integration on one scene, and its caption (measured by
-:mod:`newton_euler.accuracy.work_precision`).
+:mod:`newton_euler.accuracy.measurements.work_precision`).
 """
 
 from dataclasses import replace
 
-from ...measure import EQUAL_COST, ROUND_OFF, cheapest, fronts, of_equal_cost
-from ...work_precision import NAMES, STEPPING
-from ..axes import FLOOR, GREY, chart, log_log, marker_style
-from ..words import listed, number, seconds, times
+from ..measurements.measure import EQUAL_COST, ROUND_OFF, cheapest, fronts, of_equal_cost
+from ..measurements.work_precision import NAMES, STEPPING
+from .axes import FLOOR, GREY, chart, log_log, marker_style
+from .words import listed, number, seconds, times
 
 AUTO = {"label": "auto", "color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6}
 SHORT = 2e-3  # seconds; a shorter preparation is not mentioned
@@ -18,7 +18,7 @@ def draw_methods(found, figure):
     """The fronts of the methods by time, after drawing three charts: error against time, error
     against calls, drift of invariants against tolerance.
 
-    found : a :class:`~newton_euler.accuracy.work_precision.WorkPrecision`
+    found : a :class:`~newton_euler.accuracy.measurements.work_precision.WorkPrecision`
     "auto", which only chooses one of the methods, is drawn over them.
     """
     scene = found.scene
@@ -54,7 +54,7 @@ def _draw_drift(methods, auto, ax):
     if not known:
         ax.set_axis_off()
         return
-    log_log(ax, "error asked for, rtol", "worst drift of an invariant, relative")
+    log_log(ax, "tolerance rtol", "worst drift of an invariant, relative")
     styles = {name: {"ms": 7, "lw": 0.8, **marker_style(n)} for n, name in enumerate(NAMES)}
     for method, style in {**styles, "auto": AUTO}.items():
         own = [p for p in [*known, *auto] if p.method == method]
@@ -69,9 +69,9 @@ def methods_caption(found):
     points = [p for p in found.points if p.method != "auto"]
     stepping = [p for p in points if p.family == STEPPING]
     closed = [p for p in points if p.family != STEPPING]
-    told = [_cheapest_within(stepping, error) for error in OF_INTEREST]
-    told += [_front(stepping), _closed_form(closed, stepping), _preparing(found, stepping)]
-    return " ".join(filter(None, [*told, _small_drift(points), _left_out(found)]))
+    text = [_cheapest_within(stepping, error) for error in OF_INTEREST]
+    text += [_front(stepping), _closed_form(closed, stepping), _preparing(found, stepping)]
+    return " ".join(filter(None, [*text, _small_drift(points), _left_out(found)]))
 
 
 def _cheapest_within(points, error):
@@ -79,15 +79,15 @@ def _cheapest_within(points, error):
     if not found:
         return f"No stepping method that was measured is right to {number(error)}."
     equal = of_equal_cost(found)
-    told = f"Within an error of {number(error)}, {listed(p.method for p in equal)}"
+    text = f"Within an error of {number(error)}, {listed(p.method for p in equal)}"
     if len(equal) > 1:
-        told += f" cost the same among the stepping methods, about {seconds(equal[0].cost)}"
+        text += f" cost the same among the stepping methods, about {seconds(equal[0].cost)}"
     else:
-        told += f" is the cheapest stepping method, at {seconds(equal[0].cost)}"
+        text += f" is the cheapest stepping method, at {seconds(equal[0].cost)}"
     others = found[len(equal) :]
     if others:
-        told += f"; next comes {others[0].method}, {times(others[0].cost / equal[0].cost)} as long"
-    return f"{told}."
+        text += f"; next comes {others[0].method}, {times(others[0].cost / equal[0].cost)} as long"
+    return f"{text}."
 
 
 def _front(points):
@@ -100,12 +100,12 @@ def _closed_form(closed, stepping):
         return "" if closed else "There is no closed form."
     best, rival = (min(own, key=lambda p: p.cost) for own in (closed, stepping))
     error = number(max(best.error, ROUND_OFF))
-    told = f"The closed form takes {seconds(best.cost)} and is right to {error}: "
+    text = f"The closed form takes {seconds(best.cost)} and is right to {error}: "
     if len(of_equal_cost(sorted([best, rival], key=lambda p: p.cost))) > 1:
-        return f"{told}as cheap as the cheapest stepping method."
+        return f"{text}as cheap as the cheapest stepping method."
     if best.cost < rival.cost:
-        return f"{told}cheaper than every stepping method at any error."
-    return f"{told}{times(best.cost / rival.cost)} as long as {rival.method} at its coarsest."
+        return f"{text}cheaper than every stepping method at any error."
+    return f"{text}{times(best.cost / rival.cost)} as long as {rival.method} at its coarsest."
 
 
 def _preparing(found, stepping):
@@ -114,15 +114,15 @@ def _preparing(found, stepping):
     if not above:
         return ""
     method = max(above, key=above.get)
-    told = f"{method} takes {seconds(above[method])} to prepare its first run"
+    text = f"{method} takes {seconds(above[method])} to prepare its first run"
     within = cheapest(stepping, OF_INTEREST[0])
     own = next((p for p in within if p.method == method), None)
     rival = next((p for p in within if above.get(p.method, 0.0) < above[method] / 2), None)
     if own and rival and rival.cost > EQUAL_COST * own.cost:
         runs = (above[method] - above.get(rival.method, 0.0)) / (rival.cost - own.cost)
         count = "one run" if runs < 1.5 else f"{runs:.0f} runs"
-        told += f", earned back against {rival.method} by {count} to {number(OF_INTEREST[0])}"
-    return f"{told}."
+        text += f", earned back against {rival.method} by {count} to {number(OF_INTEREST[0])}"
+    return f"{text}."
 
 
 def _small_drift(points):
@@ -133,13 +133,12 @@ def _small_drift(points):
     worst = max(known, key=lambda p: p.error / p.drift)
     if worst.error < 10 * worst.drift:
         return ""
-    told = f"A small drift proves nothing: of {worst.method} at rtol = {number(worst.asked)}"
-    return f"{told} the error is {times(worst.error / worst.drift)} the drift."
+    text = f"A small drift proves nothing: of {worst.method} at rtol = {number(worst.asked)}"
+    return f"{text} the error is {times(worst.error / worst.drift)} the drift."
 
 
 def _left_out(found):
-    slow = [method for method, why in found.left_out.items() if why.startswith("not asked")]
-    unable = [method for method in found.left_out if method not in slow]
-    told = f"Too slow to be asked for all digits: {listed(slow)}. " if slow else ""
-    told += f"Cannot reach all the errors asked for: {listed(unable)}." if unable else ""
-    return told.strip()
+    slow, unable = found.too_slow, found.unable
+    text = f"Too slow to be asked for all digits: {listed(slow)}. " if slow else ""
+    text += f"Cannot reach all tolerances: {listed(unable)}." if unable else ""
+    return text.strip()

@@ -1,14 +1,14 @@
-"""charts/kinds/comparisons.py: what is said of a comparison follows from its points."""
+"""charts/comparisons.py: what is said of a comparison follows from its points."""
 
-from newton_euler.accuracy.charts.kinds.comparisons import comparison_caption
-from newton_euler.accuracy.comparisons import Comparison, ComparisonPoint, Question
+from newton_euler.accuracy.charts.comparisons import comparison_caption
+from newton_euler.accuracy.measurements.comparisons import Comparison, ComparisonPoint, Question
 
 
 def caption(**errors):
     """The caption of methods with these (cost, errors at h = 1, 0.1, 0.01)."""
     question = Question("place", ("h", "step h, s"), (1.0, 0.1, 0.01), dict.fromkeys(errors), abs)
     points = [
-        ComparisonPoint(name, cost, e, question="place", x=x)
+        ComparisonPoint(name, cost, e, question=question, x=x)
         for name, (cost, *found) in errors.items()
         for x, e in zip(question.settings, found, strict=True)
     ]

@@ -1,7 +1,7 @@
-"""Whether the methods of integration keep their word: the true error of each against the error that
-was asked for, and the error that it tells against the true one, beside its cost.
+"""Whether the methods of integration keep their word: the true error of each against the tolerance
+requested, and its own error estimate against the true error, beside its cost.
 
-A promise is broken where the true error is above what was asked for; in the testing of codes for
+A promise is broken where the true error exceeds the tolerance; in the testing of codes for
 differential equations the method is then said to be deceived (W. H. Enright and J. D. Pryce 1987).
 An estimate over the true error is the effectivity index of numerical analysis. It should not be
 below one, nor far above.
@@ -23,15 +23,15 @@ from typing import NamedTuple
 
 from matplotlib.ticker import EngFormatter
 
-from ..motion.methods.table import METHODS
-from ..motion.model import ModelError
-from ..motion.prepared import PreparedModel
-from ..scenes import scene as scene_named
+from ...motion.methods.table import METHODS
+from ...motion.model import ModelError
+from ...motion.prepared import PreparedModel
+from ...scenes import scene as scene_named
 from .measure import Measured
 from .work_precision import NAMES, TOLERANCES, Reference, timed_run
 
 EPS = 2.0**-53  # relative errors below half a unit of the last place are not known
-GROSS = 10.0  # times what was asked for and what was told: then an answer is silently wrong
+GROSS = 10.0  # times tolerance and estimate: a larger error is silently wrong
 # seconds that a run may take; with less, runs that break their promise were left out while the
 # machine was busy, and the counts depended on it
 PATIENCE = 1.0
@@ -43,50 +43,50 @@ class Answer(Measured):
     """What a method answered on one ``problem`` to one error ``asked`` for: a
     :class:`~newton_euler.accuracy.Measured` whose cost is that of the run and of its estimate.
 
-    told : the error that it estimated itself; None if it tells none
+    estimate : of the error, by the method itself; None if it has none
     absent : "" for an answer; "refused" in words of the engine, "failed" without them or without an
         end; the error is then nan
     words : of a refusal
 
-    >>> a = Answer("mine", cost=1e-3, error=2e-5, asked=1e-6, told=1e-7)
+    >>> a = Answer("mine", cost=1e-3, error=2e-5, asked=1e-6, estimate=1e-7)
     >>> a.kept, a.covered, a.silent
     (False, False, True)
     """
 
     asked: float = math.nan
-    told: float | None = None
+    estimate: float | None = None
     problem: str = ""
     absent: str = ""
     words: str = ""
 
     @property
     def kept(self) -> bool:
-        """True if the true error is not above what was asked for."""
+        """True if the true error is within the tolerance."""
         return self.error <= self.asked
 
     @property
     def times_asked(self) -> float:
-        """The true error over the error asked for: above one, the promise is broken."""
+        """The true error over the tolerance: above one, the promise is broken."""
         return self.error / self.asked
 
     @property
     def covered(self) -> bool | None:
-        """True if the error told is not below the true one; None if none was told."""
-        return None if self.told is None or self.absent else self.told >= self.error
+        """True if the estimate is not below the true error; None if there is no estimate."""
+        return None if self.estimate is None or self.absent else self.estimate >= self.error
 
     @property
     def effectivity(self) -> float | None:
-        """The error told over the true one, neither counted as less than half a unit of the last
-        place; None if none was told.
+        """The estimate over the true error, neither counted as less than half a unit of the last
+        place; None if there is no estimate.
         """
-        if self.told is None or self.absent:
+        if self.estimate is None or self.absent:
             return None
-        return max(self.told, EPS) / max(self.error, EPS)
+        return max(self.estimate, EPS) / max(self.error, EPS)
 
     @property
     def silent(self) -> bool:
-        """True if it is wrong by more than ten times what was asked for and what was told."""
-        return self.error > GROSS * max(self.asked, self.told or 0.0)
+        """True if the error is more than ten times both the tolerance and the estimate."""
+        return self.error > GROSS * max(self.asked, self.estimate or 0.0)
 
 
 def honesty(
@@ -100,7 +100,7 @@ def honesty(
     use.
 
     Errors are those of the worst state at the end, as in
-    :func:`~newton_euler.accuracy.work_precision.work_precision`.
+    :func:`~newton_euler.accuracy.measurements.work_precision.work_precision`.
 
     longest : a method whose run takes more seconds is not asked for more digits of this scene
     """
@@ -130,16 +130,16 @@ def _answer(name, reference, method, rtol):
         return motion, float(motion.error)  # which may take a second run
 
     try:
-        (motion, told), cost, _ = timed_run(run, method)
+        (motion, estimate), cost, _ = timed_run(run, method)
     except ModelError as error:
         return Answer(method, math.nan, math.nan, absent=REFUSED, words=str(error), **about)
-    told = None if math.isnan(told) else told
-    return Answer(method, cost, reference.error(motion), told=told, **about)
+    estimate = None if math.isnan(estimate) else estimate
+    return Answer(method, cost, reference.error(motion), estimate=estimate, **about)
 
 
 def relative_costs(answers: Sequence[Answer]) -> list[Answer]:
     """The same answers, their costs over that of the cheapest that kept its word on the same
-    problem, asked for the same error; of the cheapest of all if none did.
+    problem with the same tolerance; of the cheapest of all if none did.
     """
     least: dict = {}
     for a in answers:
@@ -162,9 +162,9 @@ class Tally(NamedTuple):
     """How honest one method was.
 
     runs : how often it was asked; ``refused``, ``failed`` : how often without an answer
-    met : the part of its answers that are as accurate as asked; ``covers`` : the part of the errors
-        told that are not below the true one; ``told`` : the median of told over true
-    silent : how many answers were wrong by more than ten times what was asked and told
+    met : the part of its answers within the tolerance; ``covers`` : the part of its estimates that
+        are not below the true error; ``ratio`` : the median of estimate over true error
+    silent : how many answers were wrong by more than ten times both tolerance and estimate
     cost : the median, in seconds or relative
 
     A part or a median of nothing is nan.
@@ -174,7 +174,7 @@ class Tally(NamedTuple):
     runs: int
     met: float
     covers: float
-    told: float
+    ratio: float
     silent: int
     refused: int
     failed: int
@@ -192,13 +192,13 @@ def tallies(answers: Iterable[Answer]) -> list[Tally]:
 
 def _tally(method, asked):
     own = [a for a in asked if not a.absent]
-    telling = [a for a in own if a.covered is not None]
+    estimated = [a for a in own if a.covered is not None]
     return Tally(
         method,
         runs=len(asked),
         met=_unless_empty(fmean, [a.kept for a in own]),
-        covers=_unless_empty(fmean, [a.covered for a in telling]),
-        told=_unless_empty(median, [a.effectivity for a in telling]),
+        covers=_unless_empty(fmean, [a.covered for a in estimated]),
+        ratio=_unless_empty(median, [a.effectivity for a in estimated]),
         silent=sum(a.silent for a in own),
         refused=sum(a.absent == REFUSED for a in asked),
         failed=sum(a.absent == FAILED for a in asked),
@@ -237,19 +237,19 @@ def cost_text(cost: float, relative: bool) -> str:
 def table(answers: Sequence[Answer]) -> str:
     """The tallies as text, their costs as :func:`comparable`."""
     answers, relative = comparable(answers)
-    heads = "runs", "met %", "covers %", "told/true", "silent", "refused", "failed", "cost"
+    heads = "runs", "met %", "covers %", "est/true", "silent", "refused", "failed", "cost"
     found = tallies(answers)
     width = max([len("method"), *(len(t.method) for t in found)])
     lines = [f"  {'method':{width}}" + "".join(f"{head:>10}" for head in heads)]
     for t in found:
-        shares = percent(t.met), percent(t.covers), times(t.told)
+        shares = percent(t.met), percent(t.covers), times(t.ratio)
         counts = t.silent, t.refused, t.failed
         cells = t.runs, *shares, *counts, cost_text(t.cost, relative)
         lines.append(f"  {t.method:{width}}" + "".join(f"{cell or '':>10}" for cell in cells))
     return "\n".join(lines)
 
 
-COLUMNS = ("method", "problem", "asked", "cost", "error", "told", "absent", "words")
+COLUMNS = ("method", "problem", "asked", "cost", "error", "estimate", "absent", "words")
 
 
 def write_csv(answers: Iterable[Answer], path: str | PathLike) -> None:

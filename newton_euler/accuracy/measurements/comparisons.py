@@ -1,32 +1,23 @@
-"""Charts of speed against accuracy where nothing is integrated: derivatives, rotations, inertia,
-angles, steady precession.
+"""Comparisons of methods where nothing is integrated: derivatives, rotations, inertia, angles,
+steady precession.
 
 A comparison asks one or more questions. Each is answered by several methods over a range of
-settings, and the error is drawn against the setting and against the cost. The methods and their
-errors, against references of 40 digits, are in :mod:`newton_euler.accuracy.baselines`.
+settings. The methods and their
+errors, against references of 40 digits, are in :mod:`newton_euler.accuracy.measurements.baselines`.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
 from functools import partial
 from time import perf_counter
 
-from ..algebra.errors import ArgumentError
-from ..algebra.scalars import sqrt
+from ...algebra.errors import ArgumentError
+from ...algebra.scalars import sqrt
 from . import baselines
-from .charts.axes import COLOURS, MARKERS, chart, log_log
-from .measure import ROUND_OFF, Measured, timed
+from .measure import Measured, timed
 
 
-@dataclass(frozen=True)
-class ComparisonPoint(Measured):
-    """A point that also says which ``question`` it answers, and the setting as a number ``x``."""
-
-    question: str = ""
-    x: float = 0.0
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Question:
     """What is computed, by which methods, and over which settings.
 
@@ -49,49 +40,36 @@ class Question:
     worst_only: bool = False
     timed_each: bool = False
 
-    def measured(self):
+    def measured(self, settings):
         """The points, one after the other, setting by setting."""
-        for n, x in enumerate(self.settings):
+        for n, x in enumerate(settings):
             if n == 0 or self.timed_each:
                 calls = [partial(method, x) for method in self.methods.values()]
                 costs = timed(*calls, runs=3, shortest=1e-3)
             for (name, method), cost in zip(self.methods.items(), costs, strict=True):
                 error, setting = float(self.error(method(x), x)), f"{self.across[0]} = {x:.3g}"
-                yield ComparisonPoint(name, cost, error, setting, question=self.what, x=x)
+                yield ComparisonPoint(name, cost, error, setting, question=self, x=x)
 
-    def draw(self, points, left, right):
-        """The front of the points, after drawing their errors against the setting (``left``) and
-        against the cost (``right``).
-        """
-        from matplotlib.ticker import LogLocator
 
-        points = [replace(p, error=max(p.error, ROUND_OFF)) for p in points]
-        by_method = [[p for p in points if p.method == name] for name in self.methods]
-        log_log(left, self.across[1], "relative error")
-        for n, own in enumerate(by_method):
-            style = {"marker": MARKERS[n], "color": COLOURS[n], "lw": 1}
-            # those drawn first are larger, to be seen behind others
-            left.plot([p.x for p in own], [p.error for p in own], ms=9 - 1.3 * n, **style)
-        worst = [max(own, key=lambda p: p.error) for own in by_method]
-        best = chart(worst if self.worst_only else points, right)
-        costs = [p.cost for p in points]
-        right.set(ylabel="", xlim=(min(costs) / 2, 2 * max(costs)))
-        against = "the worst of each, against its cost" if self.worst_only else "against the cost"
-        for ax, title in ((left, self.what), (right, against)):
-            ax.set_title(title, fontsize=10, loc="left")
-        # below one decade, powers of ten alone would leave fewer than two numbers on the axis
-        subs = (1, 2, 5) if max(costs) < 10 * min(costs) else (1,)
-        right.xaxis.set_major_locator(LogLocator(subs=subs))
-        return best
+@dataclass(frozen=True)
+class ComparisonPoint(Measured):
+    """A point with the ``question`` that it answers, and the setting as a number ``x``."""
+
+    question: Question | None = field(default=None, repr=False)
+    x: float = 0.0
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """A chart of speed against accuracy: ``name``, ``title`` and ``questions``."""
+    """A comparison of methods: ``name``, ``title`` and ``questions``.
+
+    fails : it shows that a method breaks down, not which of several is the cheapest
+    """
 
     name: str
     title: str
     questions: tuple
+    fails: bool = False
 
     def measure(self, progress=lambda fraction, words: None, quick=False):
         """The answers to all questions: a list of :class:`ComparisonPoint`, in a few seconds.
@@ -99,26 +77,13 @@ class Comparison:
         progress : is called for each point
         quick : without the last setting, which takes longest where it changes the cost
         """
-        questions = [
-            replace(q, settings=q.settings[: -1 if quick else None]) for q in self.questions
-        ]
-        count, points = sum(len(q.settings) * len(q.methods) for q in questions), []
-        for q in questions:
-            for point in q.measured():
+        asked = [(q, q.settings[: -1 if quick else None]) for q in self.questions]
+        count, points = sum(len(settings) * len(q.methods) for q, settings in asked), []
+        for q, settings in asked:
+            for point in q.measured(settings):
                 points.append(point)
                 progress(len(points) / count, f"{point.method}, {point.setting}")
         return points
-
-    def draw(self, points, figure):
-        """The fronts of all questions as one list, after drawing two charts in a row for each
-        question.
-        """
-        rows, best = len(self.questions), []
-        figure.set(layout_engine="constrained", size_inches=(11.5, 0.6 + 3.6 * rows))
-        figure.suptitle(self.title)
-        for q, axes in zip(self.questions, figure.subplots(rows, 2, squeeze=False), strict=True):
-            best += q.draw([p for p in points if p.question == q.what], *axes)
-        return best
 
 
 def measured_ways(ways, exact):
@@ -190,6 +155,7 @@ _COMPARISONS = (
                    ("theta", "least angle to the vertical, rad"), _decades(-6, 0),
                    *baselines.PASSES),
         ),
+        fails=True,
     ),
     # One more digit takes 100 times as many points at random and 20 times in a grid, whose cells do
     # not follow the edge.
@@ -212,6 +178,7 @@ _COMPARISONS = (
             _worst("an angle near pi", ("pi - angle", "pi - angle, rad"), _ANGLES,
                    *baselines.ANGLES_NEAR_PI),
         ),
+        fails=True,
     ),
     # The printed root is a difference of nearly equal numbers as (I0 - I) cos(theta) goes to zero.
     Comparison(
@@ -222,6 +189,7 @@ _COMPARISONS = (
                    tuple(0.01 * x for x in _decades(-14, 0)),
                    *baselines.PRECESSIONS),
         ),
+        fails=True,
     ),
 )  # fmt: skip
 COMPARISONS = {comparison.name: comparison for comparison in _COMPARISONS}

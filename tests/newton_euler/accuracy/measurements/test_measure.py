@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from newton_euler import Frame
 from newton_euler.accuracy import chart
-from newton_euler.accuracy.measure import (
+from newton_euler.accuracy.measurements.measure import (
     EQUAL_WITHIN,
     Measured,
     front,

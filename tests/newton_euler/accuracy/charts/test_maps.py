@@ -1,13 +1,13 @@
-"""charts/kinds/maps.py, islands.py: regions are named, islands explained or smoothed as noise."""
+"""charts/maps.py, islands.py: regions are named, islands explained or smoothed as noise."""
 
 import matplotlib
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from newton_euler.accuracy.charts.kinds.islands import explained, islands, settled
-from newton_euler.accuracy.charts.kinds.maps import draw_choices, map_caption
-from newton_euler.accuracy.regime_maps import MAPS, Axis, Map
+from newton_euler.accuracy.charts.islands import explained, islands, settled
+from newton_euler.accuracy.charts.maps import draw_choices, map_caption
+from newton_euler.accuracy.measurements.regime_maps import MAPS, Axis, Map
 
 matplotlib.use("Agg")
 SEA, LAND = "sea", "land"

@@ -7,23 +7,21 @@ from functools import cache, partial
 
 from matplotlib.figure import Figure
 
-from ...algebra.errors import ArgumentError
-from ...scenes import LADDERS, SCENES, ladder
-from ..comparisons import COMPARISONS
-from ..regime_maps import MAPS
-from ..work_precision import LONGEST, NAMES, TOLERANCES, work_precision
-from .kinds.comparisons import comparison_caption, points_table
-from .kinds.islands import settled
-from .kinds.maps import draw_choices, map_caption, map_table
-from .kinds.methods import draw_methods, methods_caption
-from .kinds.models import draw_models, measured_models, models_caption
-from .shown import Shown
+from ..algebra.errors import ArgumentError
+from ..scenes import LADDERS, SCENES, ladder
+from .charts.comparisons import comparison_caption, draw_comparison, points_table
+from .charts.islands import settled
+from .charts.maps import draw_choices, map_caption, map_table
+from .charts.methods import draw_methods, methods_caption
+from .charts.models import draw_models, measured_models, models_caption
+from .charts.shown import Shown
+from .measurements.comparisons import COMPARISONS
+from .measurements.regime_maps import MAPS
+from .measurements.work_precision import LONGEST, NAMES, TOLERANCES, work_precision
 
 MODELS, MAP = "models of ", "map of "
 METHOD, MODEL, FORMULA = "Which method?", "Which model?", "Which formula?"
 BORDER, FAILURE = "Where does it change?", "When does it fail?"
-# charts whose point is that something breaks, not which of several is the cheapest
-FAILING = {"rotations", "angle", "steady precession", "map of sleeping top"}
 QUICK, QUICK_LONGEST = (1e-3, 1e-6, 1e-9, 1e-12), 0.02  # seconds
 # of each kind of method one or two
 QUICK_METHODS = (
@@ -73,10 +71,10 @@ def _table():
         make = partial(_models, name)
         yield Chart(f"{MODELS}{name}", found.description, models, MODEL, make)
     for c in COMPARISONS.values():
-        question = FAILURE if c.name in FAILING else FORMULA
+        question = FAILURE if c.fails else FORMULA
         yield Chart(c.name, c.title, comparisons, question, partial(_comparison, c.name))
     for m in MAPS.values():
-        question = FAILURE if f"{MAP}{m.name}" in FAILING else BORDER
+        question = FAILURE if m.fails else BORDER
         yield Chart(f"{MAP}{m.name}", m.title, maps, question, partial(_map, m.name))
 
 
@@ -118,7 +116,7 @@ def _models(name, quick, progress, tolerance=None):
 def _comparison(name, quick, progress):
     comparison, figure = COMPARISONS[name], Figure()
     points = comparison.measure(progress, quick)
-    comparison.draw(points, figure)
+    draw_comparison(comparison, points, figure)
     caption = comparison_caption(comparison, points)
     return Shown(comparison.title, tuple(points), caption, points_table(points), figure)
 

@@ -2,7 +2,7 @@
 the theoretical borders drawn over them.
 
 Each is measured when it is drawn: ``MAPS[name].measure()`` returns the choices, and
-:mod:`newton_euler.accuracy.charts.kinds.maps` draws them.
+:mod:`newton_euler.accuracy.charts.maps` draws them.
 
 >>> found = MAPS["steady precession"].measure((2, 2))  # at 15 and 45 rad/s, at 45 and 135 degrees
 >>> found[0].tolist()
@@ -18,15 +18,15 @@ from functools import cache
 
 import numpy as np
 
-from ..applications.earth import EARTH_RADIUS, EARTH_RATE
-from ..applications.gyroscopes import GyroError, least_spin, sleeping_top, steady_precession
-from ..motion.events import Event
-from ..motion.integration import integrate
-from ..motion.methods.taylor import installed
-from ..motion.solution import AccuracyError
-from ..scenes.particles import projectile
-from ..scenes.spatial import top, top_ladder
-from ..scenes.spatial.free_body import free_body
+from ...applications.earth import EARTH_RADIUS, EARTH_RATE
+from ...applications.gyroscopes import GyroError, least_spin, sleeping_top, steady_precession
+from ...motion.events import Event
+from ...motion.integration import integrate
+from ...motion.methods.taylor import installed
+from ...motion.solution import AccuracyError
+from ...scenes.particles import projectile
+from ...scenes.spatial import top, top_ladder
+from ...scenes.spatial.free_body import free_body
 
 
 @dataclass(frozen=True)
@@ -72,6 +72,7 @@ class Map:
     curves : theoretical borders
     resolution, coarse : cells along x and y, for a chart and for one within a few seconds
     timed : the choices depend on times, which vary from run to run
+    fails : it shows where a run cannot decide
     """
 
     name: str
@@ -85,6 +86,7 @@ class Map:
     resolution: tuple
     coarse: tuple = (18, 15)
     timed: bool = False
+    fails: bool = False
 
     def measure(self, resolution=None, progress=lambda fraction: None):
         """The choices, an array of strings: a row for each y from the lowest, a column for each x.
@@ -136,7 +138,7 @@ def errors_until(times, motion, start):
 
 
 def _as_accurate_as_it_gets(t, start, rtol, method, samples):
-    """The motion of the body, also where the error asked for cannot be had: the map judges it."""
+    """The motion of the body, also where the tolerance cannot be met: the map judges it."""
     try:
         return integrate(BODY, t, start, rtol, method, samples=samples)
     except AccuracyError as refused:
@@ -350,7 +352,7 @@ _MAPS = (
         Axis("rate over the critical one, 2 √(I₀ mgr)/I", 0.8, 1.1, "linear"),
         Axis("length of the run, s", 1.0, LONGEST), (FALLS, UNDECIDED, STANDS), _sleeping,
         (Curve("by its rate of growth", _theoretical_falling_time),
-         Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40), (7, 12),
+         Curve("(I ω)² = 4 I₀ mgr", x=1.0)), (36, 40), (7, 12), fails=True,
     ),
     Map(
         "steady precession", "Where a top can precess steadily",

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import matplotlib
 from matplotlib.figure import Figure
 
-from newton_euler.accuracy.charts.kinds.models import (
+from newton_euler.accuracy.charts.models import (
     MeasuredModel,
     choice,
     draw_models,

@@ -9,10 +9,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from ....motion.integration import prepare
-from ...measure import EQUAL_WITHIN, Measured, of_equal_cost, timed
-from ..axes import GREY, INK, log_log, mark_better, marker_style, time_axis
-from ..words import listed, number, seconds, times
+from ...motion.integration import prepare
+from ..measurements.measure import EQUAL_WITHIN, Measured, of_equal_cost, timed
+from .axes import GREY, INK, log_log, mark_better, marker_style, time_axis
+from .words import listed, number, seconds, times
 
 STEPS = (1, 2, 5, 10)  # a tolerance is one of these times a power of ten
 NOISE = 1e-9  # of the largest error: what is smaller is integration, not physics
@@ -162,26 +162,26 @@ def _unit(ladder):
 def models_caption(points, ladder, tolerance=None):
     """What the chart of :func:`draw_models` shows, in sentences that follow from the points."""
     tolerance = tolerance or usual_tolerance(points)
-    told = [_chosen(points, ladder, tolerance), _fullest(points), *_useless(points)]
-    return " ".join(filter(None, [*told, *_of_equal_error(points)]))
+    text = [_chosen(points, ladder, tolerance), _fullest(points), *_useless(points)]
+    return " ".join(filter(None, [*text, *_of_equal_error(points)]))
 
 
 def _chosen(points, ladder, tolerance):
     within, p = f"{number(tolerance)} {_unit(ladder)}".strip(), choice(points, tolerance)
     if p is None:
         return f"No model stays within {within}."
-    told = f"Within {within} the cheapest model is {_name(points, p)}, {seconds(p.cost)} a run"
+    text = f"Within {within} the cheapest model is {_name(points, p)}, {seconds(p.cost)} a run"
     if p.error:
-        told += f", off by {number(p.error)} {_unit(ladder)} at most".replace("  ", " ")
+        text += f", off by {number(p.error)} {_unit(ladder)} at most".replace("  ", " ")
     rest = (q for q in points if q.error <= tolerance and q is not p)
     equal = [q for q in rest if q.cost <= 1.2 * p.cost]
-    told += (
+    text += (
         f"; {listed(_name(points, q) for q in equal)} {_cost(equal)} about the same"
         if equal
         else ""
     )
     left = f" It leaves out {listed(p.drops)}." if p.drops else " It leaves out nothing."
-    return f"{told}.{left}"
+    return f"{text}.{left}"
 
 
 def _cost(models):

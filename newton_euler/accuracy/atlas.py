@@ -12,7 +12,7 @@ from .catalogue import BORDER, FAILURE, FORMULA, METHOD, MODEL, charts, slug
 
 PAGE = Path(__file__).with_name("atlas.html")
 TITLE = "Speed and accuracy: an atlas of every scene"
-# what is said below each question
+# the text below each question
 ANSWERS = {
     METHOD: "All methods of integration on each scene that moves: the error at the end against the "
     "time of a run, and against calls of the right-hand side.",
@@ -71,8 +71,8 @@ def _page(entries, quick):
 
 def _about(quick):
     where = f"{platform.machine()}, Python {platform.python_version()}"
-    told = f"Measured on {date.today():%d %B %Y} on {where}{', quickly' if quick else ''}. "
-    return told + (
+    when = f"Measured on {date.today():%d %B %Y} on {where}{', quickly' if quick else ''}. "
+    return when + (
         "Cost is to the right and error upwards, so lower left is better. Points with rings are "
         "the front: every other one costs more and is no more accurate. Closed forms and methods "
         "that step have a front each. A grey bar ends at the time of the first run. Errors are "

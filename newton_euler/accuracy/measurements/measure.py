@@ -13,9 +13,9 @@ from time import perf_counter
 from timeit import Timer
 from typing import Any
 
-from ..algebra.errors import ArgumentError, checked
-from ..algebra.scalars import Scalar, sqrt
-from ..algebra.vectors import dot3, sub3
+from ...algebra.errors import ArgumentError, checked
+from ...algebra.scalars import Scalar, sqrt
+from ...algebra.vectors import dot3, sub3
 
 # errors that differ by less than this factor count as equal: round-off is not known better
 EQUAL_WITHIN = 2.0
@@ -147,5 +147,5 @@ def cheapest(points: Sequence[Measured], error: float) -> list[Measured]:
 
 
 def of_equal_cost(points: Sequence[Measured]) -> list[Measured]:
-    """Those of the points, the cheapest first, whose costs cannot be told from the least."""
+    """The points, the cheapest first, whose costs cannot be distinguished from the least."""
     return [p for p in points if p.cost <= EQUAL_COST * points[0].cost]

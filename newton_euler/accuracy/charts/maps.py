@@ -6,9 +6,9 @@ from textwrap import fill
 
 import numpy as np
 
-from ..axes import COLOURS
-from ..words import number
+from .axes import COLOURS
 from .islands import explained, parts
+from .words import number
 
 SMALLEST = 0.03  # of the map: a smaller region is named in the legend only
 WIDE = 18  # letters in a line of a name
@@ -85,11 +85,11 @@ def map_caption(chart, found, smoothed=0):
     shares = "; ".join(f"{choice}: {_percent(share)}" for choice, share in _shares(chart, found))
     edges = {"lowest": found[0], "highest": found[-1]}
     met = [_along(chart, side, row) for side, row in edges.items()]
-    told = [chart.words, f"Shares of the map: {shares}.", *met]
+    text = [chart.words, f"Shares of the map: {shares}.", *met]
     if smoothed:
-        told.append(f"{smoothed} cells apart from their like were noise of the times: measured")
-        told.append("again they were not there, or they went to their neighbours.")
-    return " ".join([*told, *(() if chart.timed else explained(chart, found))])
+        text.append(f"{smoothed} cells apart from their like were noise of the times: measured")
+        text.append("again they were not there, or they went to their neighbours.")
+    return " ".join([*text, *(() if chart.timed else explained(chart, found))])
 
 
 def _percent(share):

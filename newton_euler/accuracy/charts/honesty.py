@@ -1,5 +1,5 @@
-"""The chart of honesty: whether each method is as accurate as asked, and whether the error that it
-tells is true, beside its cost (measured by :mod:`newton_euler.accuracy.honesty`).
+"""The chart of honesty: whether each method is as accurate as requested, and whether its own error
+estimate is true, beside its cost (measured by :mod:`newton_euler.accuracy.measurements.honesty`).
 """
 
 import math
@@ -9,9 +9,9 @@ from statistics import median
 from matplotlib.lines import Line2D
 from matplotlib.ticker import EngFormatter
 
-from ...honesty import REFUSED, comparable, cost_text, percent, tallies, times
+from ..measurements.honesty import REFUSED, comparable, cost_text, percent, tallies, times
 
-# limits of true over asked, and of told over true; what lies beyond is drawn at the edge
+# limits of true over asked, and of estimate over true; what lies beyond is drawn at the edge
 PROMISE, ESTIMATE = (1e-6, 1e3), (1e-4, 1e5)
 CAUTIOUS = 100.0  # times the true error: such an estimate says little
 WRONG, VAGUE = "#D55E00", "#777777"
@@ -20,11 +20,11 @@ HALF = 0.34  # of the height of a row is drawn upon on each side of its middle
 
 def draw_honesty(answers, figure, title=""):
     """The tallies of the methods, the cheapest first, after drawing a row for each: its costs, its
-    true errors over those asked for, the errors told over the true ones, and the counts.
+    true errors over the tolerances, the estimates over the true errors, and the counts.
 
-    answers : :class:`~newton_euler.accuracy.honesty.Answer`; on several problems the costs are
+    answers : :class:`.Answer` of the measurements; on several problems the costs are
         drawn relative to the cheapest that kept its word
-    A row has a mark for each run, from the coarsest error asked for at its top to the finest at its
+    A row has a mark for each run, from the coarsest tolerance at its top to the finest at its
     bottom, and a bar at the median. What is silently wrong has a ring.
     """
     answers, relative = comparable(answers)
@@ -77,22 +77,22 @@ def _draw_cost(ax, rows, given, relative):
 
 
 def _draw_promise(ax, rows, given, absent):
-    _panel(ax, rows, "Is it as accurate as asked?")
+    _panel(ax, rows, "Is it as accurate as requested?")
     _draw_runs(ax, rows, [(a, a.times_asked) for a in given], PROMISE)
     _zone(ax, 1.0, 2 * PROMISE[1], WRONG, "broken")
     _draw_refused(ax, rows, absent)
-    ax.set_xlabel("true error over the error asked for")
+    ax.set_xlabel("true error over the tolerance")
 
 
 def _draw_estimate(ax, rows, given, found):
-    _panel(ax, rows, "Is what it tells true?")
-    _draw_runs(ax, rows, [(a, a.effectivity) for a in given if a.told is not None], ESTIMATE)
+    _panel(ax, rows, "Is its error estimate true?")
+    _draw_runs(ax, rows, [(a, a.effectivity) for a in given if a.estimate is not None], ESTIMATE)
     _zone(ax, ESTIMATE[0] / 2, 1.0, WRONG, "too small")
     _zone(ax, CAUTIOUS, 2 * ESTIMATE[1], VAGUE, "says little")
     for n, t in enumerate(found):
-        if math.isnan(t.told) and not math.isnan(t.cost):
-            ax.text(2.0, n, "tells none", color=VAGUE, fontsize=9, va="center")
-    ax.set_xlabel("error told over the true error")
+        if math.isnan(t.ratio) and not math.isnan(t.cost):
+            ax.text(2.0, n, "no estimate", color=VAGUE, fontsize=9, va="center")
+    ax.set_xlabel("estimated error over the true error")
 
 
 def _panel(ax, rows, heading):
@@ -181,7 +181,7 @@ def _draw_counts(ax, found, relative):
         "runs": [t.runs for t in found],
         "met %": [percent(t.met) for t in found],
         "covers %": [percent(t.covers) for t in found],
-        "told/true": [times(t.told) for t in found],
+        "est/true": [times(t.ratio) for t in found],
         "silent": [t.silent or "" for t in found],
         "cost": [cost_text(t.cost, relative) for t in found],
     }
@@ -193,11 +193,11 @@ def _draw_counts(ax, found, relative):
 
 
 def _honesty_legend(figure, rows):
-    silent = "silently wrong: error over 10 times asked and told"
+    silent = "silently wrong: error over 10 times tolerance and estimate"
     looks = [("o", f"{x:.0e}".replace("e-0", "e-"), {"color": rows.shade(x)}) for x in rows.asked]
     looks += [("|", "median", {"color": "black", "ms": 12, "mew": 2})]
     looks += [("o", silent, {"mfc": "none", "mec": "black", "ms": 8})]
     entries = [Line2D([], [], ls="none", marker=m, label=text, **look) for m, text, look in looks]
     place = {"loc": "outside lower center", "ncols": len(entries), "frameon": False}
     look = {"fontsize": 9, "columnspacing": 1.2, "handletextpad": 0.2}
-    figure.legend(handles=entries, title="error asked for", **place, **look)
+    figure.legend(handles=entries, title="tolerance", **place, **look)

@@ -14,13 +14,13 @@ from functools import cache, partial
 from importlib import import_module
 from time import perf_counter
 
-from ..motion.integration import integrate
-from ..motion.methods.base import SMALLEST_SCALE
-from ..motion.methods.table import METHODS
-from ..motion.model import ModelError
-from ..motion.prepared import PreparedModel
-from ..scenes import scene as scene_named
-from ..scenes.catalogue import Scene
+from ...motion.integration import integrate
+from ...motion.methods.base import SMALLEST_SCALE
+from ...motion.methods.table import METHODS
+from ...motion.model import ModelError
+from ...motion.prepared import PreparedModel
+from ...scenes import scene as scene_named
+from ...scenes.catalogue import Scene
 from .measure import Measured, timed
 from .reference import reference_solution
 
@@ -44,15 +44,17 @@ class WorkPrecision:
         reached it
     preparing : {method: seconds that its first run took more than the next, to write and compile
         code}; all imports were made before
-    left_out : {method: why it was not asked for the smallest tolerances}; methods that the scene
-        cannot use have no points
+    too_slow : {method: after which run it was not asked for smaller tolerances}
+    unable : {method: why it cannot reach the smaller tolerances}; methods that the scene cannot use
+        have no points and are in neither
     """
 
     scene: Scene
     points: tuple
     ratios: dict
     preparing: dict
-    left_out: dict
+    too_slow: dict
+    unable: dict
 
     def explain(self):
         """The numbers as a table, then the ratios of "auto", and what was left out; a text."""
@@ -63,7 +65,8 @@ class WorkPrecision:
             lines.append(f"  {time} {p.calls:8} {p.error:8.1e} {drift:>8}")
         for rtol, (ratio, best) in self.ratios.items():
             lines.append(f"  auto, asked for {rtol:.0e}: {ratio:.2f} times the time of {best}")
-        return "\n".join(lines + [f"  {method}: {why}" for method, why in self.left_out.items()])
+        left_out = {**self.too_slow, **self.unable}
+        return "\n".join(lines + [f"  {method}: {why}" for method, why in left_out.items()])
 
     __str__ = explain
 
@@ -88,7 +91,8 @@ def work_precision(
     reference = Reference(scene)
     points: list = []
     preparing: dict = {}
-    left_out: dict = {}
+    too_slow: dict = {}
+    unable: dict = {}
     for n, method in enumerate(methods):
         if method != "auto" and METHODS[method].unusable_because(PreparedModel(reference.model)):
             continue
@@ -98,7 +102,7 @@ def work_precision(
                 point, first = reference.measured(method, rtol)
             # the method cannot reach this tolerance, or not on this scene
             except ModelError as error:
-                left_out[method] = f"{rtol:.0e}: {error}"
+                unable[method] = f"{rtol:.0e}: {error}"
                 break
             if method not in preparing:
                 preparing[method] = _preparation(name, method, first, point.cost)
@@ -106,10 +110,10 @@ def work_precision(
             points.append(point)
             if point.cost > longest and rtol != tolerances[-1]:
                 took = f"{rtol:.0e}, which took {point.cost:.2g} s"
-                left_out[method] = f"not asked for less than {took}"
+                too_slow[method] = f"not asked for less than {took}"
                 break
     ratios = dict(_ratios(reference, points))
-    return WorkPrecision(scene, tuple(points), ratios, preparing, left_out)
+    return WorkPrecision(scene, tuple(points), ratios, preparing, too_slow, unable)
 
 
 def _ratios(reference, points):
@@ -186,7 +190,7 @@ def _stopwatch(call):
 
 @cache
 def final_state(scene):
-    """The last state by :func:`~newton_euler.accuracy.reference.reference_solution`, rounded to
+    """The last state by :func:`.reference_solution`, rounded to
     floats.
     """
     return tuple(map(float, reference_solution(*scene.motion)))

@@ -1,12 +1,12 @@
-"""charts/atlas.py: the page of all charts, and its command."""
+"""atlas.py: the page of all charts, and its command."""
 
 import re
 
 import pytest
 
-from newton_euler.accuracy.charts import atlas
-from newton_euler.accuracy.charts.atlas import ANSWERS, write_atlas
-from newton_euler.accuracy.charts.catalogue import Chart, charts
+from newton_euler.accuracy import atlas
+from newton_euler.accuracy.atlas import ANSWERS, write_atlas
+from newton_euler.accuracy.catalogue import Chart, charts
 from newton_euler.accuracy.command import main
 from newton_euler.algebra.errors import ArgumentError
 

@@ -1,5 +1,5 @@
-"""Textbook methods for the comparisons of :mod:`newton_euler.accuracy.comparisons`, the engine's
-methods for the same numbers, and their errors against 40 digits.
+"""Textbook methods for the comparisons of :mod:`.comparisons`, the engine's methods for the same
+numbers, and their errors against 40 digits.
 
 Nothing else in the engine uses this module, since most of its methods are numerically poor on
 purpose.
@@ -14,15 +14,15 @@ import mpmath as mp
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..algebra.compile import compiled
-from ..algebra.jets import moving
-from ..algebra.scalars import cos, sin, sqrt
-from ..applications.gyroscopes import steady_precession
-from ..bodies.body import composite
-from ..bodies.parametric import integrated
-from ..bodies.solids import half_disk, simplex
-from ..kinematics import rotations
-from ..kinematics.frames import Frame
+from ...algebra.compile import compiled
+from ...algebra.jets import moving
+from ...algebra.scalars import cos, sin, sqrt
+from ...applications.gyroscopes import steady_precession
+from ...bodies.body import composite
+from ...bodies.parametric import integrated
+from ...bodies.solids import half_disk, simplex
+from ...kinematics import rotations
+from ...kinematics.frames import Frame
 from .measure import relative_error
 
 DIGITS = 40  # of the references

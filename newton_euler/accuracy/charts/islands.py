@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..words import number
+from .words import number
 
 SPECK = 4  # cells; an island of times that is no larger is taken for noise
 TOUCHING = np.ones((3, 3))  # cells that touch at a corner belong together
@@ -88,11 +88,11 @@ def _explained(chart, found, island):
     low, high = strip(chart, found, island.choice, n, m)
     edges = chart.y.edges(found.shape[0])
     place = f"{_letter(chart.x)} = {number(float(chart.x.centres(found.shape[1])[m]))}"
-    told = f'The island of "{island.choice}" at {place} lies between {number(low)} and '
-    told += f"{number(high)} of {_letter(chart.y)}: "
+    text = f'The island of "{island.choice}" at {place} lies between {number(low)} and '
+    text += f"{number(high)} of {_letter(chart.y)}: "
     if _height(chart, low, high) < _height(chart, float(edges[n]), float(edges[n + 1])):
-        return told + "a strip thinner than a cell, so that most columns miss it."
-    return told + "a region of its own."
+        return text + "a strip thinner than a cell, so that most columns miss it."
+    return text + "a region of its own."
 
 
 def strip(chart, found, choice, n, m):

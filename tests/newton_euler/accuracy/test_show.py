@@ -1,4 +1,4 @@
-"""charts/show.py: one chart in a notebook, and a comparison of one's own."""
+"""show.py: one chart in a notebook, and a comparison of one's own."""
 
 import math
 from types import SimpleNamespace
@@ -7,10 +7,10 @@ import mpmath
 import pytest
 
 from newton_euler.accuracy import compare, show_chart
-from newton_euler.accuracy.charts import shown
-from newton_euler.accuracy.charts.catalogue import QUICK_METHODS
-from newton_euler.accuracy.charts.kinds.comparisons import ways_caption
-from newton_euler.accuracy.measure import Measured
+from newton_euler.accuracy.catalogue import QUICK_METHODS
+from newton_euler.accuracy.charts import models, shown
+from newton_euler.accuracy.charts.comparisons import ways_caption
+from newton_euler.accuracy.measurements.measure import Measured
 from newton_euler.algebra.errors import ArgumentError
 
 
@@ -24,7 +24,9 @@ def displayed(monkeypatch):
     return seen
 
 
-def test_a_chart_is_shown_once_with_alt_text_and_caption(displayed):
+def test_a_chart_is_shown_once_with_alt_text_and_caption(displayed, monkeypatch):
+    seconds = iter((1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6))  # of the models, from the coarsest
+    monkeypatch.setattr(models, "timed", lambda run, runs: next(seconds))
     found = show_chart("models of projectile", tolerance=1.0)
     alt, caption = displayed
     assert caption == f"<figcaption>{found.caption}</figcaption>"
