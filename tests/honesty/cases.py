@@ -188,11 +188,3 @@ def around(t, width, count):
 def names(keys, values):
     """Values by name, as the functions of a model take them."""
     return SimpleNamespace(**dict(zip(keys, values, strict=True)))
-
-
-def decades(rng, low, high):
-    return rng.decades(low, high)
-
-
-def either(rng, x):
-    return rng.either(x)
