@@ -11,7 +11,7 @@ import numpy as np
 from newton_euler.answers.forms import WORDS
 from newton_euler.answers.sanity import KINETIC
 
-from . import SYMBOLIC
+from .model import SYMBOLIC
 from .variants import at_points, drawn_value
 
 DRAWS = 100  # sets of numbers

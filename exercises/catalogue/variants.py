@@ -16,7 +16,8 @@ from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.forms import WORDS
 from newton_euler.answers.tolerance import SEPARATION
 
-from . import SYMBOLIC, CatalogueError, problem
+from .model import SYMBOLIC, CatalogueError
+from .reading import problem
 
 DRAWS = 300  # attempts before a range is called impossible
 # a component of a vector is zero, or at least so much of the whole: one that is left out must show
@@ -36,9 +37,7 @@ def seed(secret, assignment, student, problem_id):
 
 
 def draw(p, seed_bytes):
-    """Values for every given of problem ``p``, in its units; the same for the same seed on every
-    machine.
-    """
+    """Values for every given of ``p``, in its units: for a seed the same on every machine."""
     if not any(g.vary for g in p.givens.values()):
         return p.book_values
     for attempt in range(DRAWS):
@@ -164,9 +163,7 @@ def _small_component(answer):
 
 
 def distance(a, b):
-    """Difference of two answers (tuples of floats), relative to the size of ``b``; absolute where b
-    is zero.
-    """
+    """The difference of two answers, tuples of floats, relative to ``b`` if that is not zero."""
     size = math.hypot(*b)
     return math.hypot(*(x - y for x, y in zip(a, b, strict=True))) / (size or 1.0)
 

@@ -16,7 +16,7 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 from ..algebra.errors import checked, checked_but
-from ..algebra.ledger import Ledger
+from ..algebra.ledger import Terms
 from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, scalar, shown
 from ..algebra.vectors import FrameError, Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
@@ -88,7 +88,7 @@ class Body:
         if not self.parts:
             I = self._inertia
             return I.expressed_in(frame).about(point) if I.frame is not frame else I.about(point)
-        terms = {part.name: part.about(point, frame) for part in self.parts}
+        terms = Terms((part.name, part.about(point, frame)) for part in self.parts)
         moments = sum3(I.moments for I in terms.values())
         products = sum3(I.products for I in terms.values())
         total = Inertia(point, moments, products, self.mass, self.centre, frame, None)
@@ -131,9 +131,7 @@ class Body:
         orbital = (self.centre - about).expressed_in(self.frame).cross(v * self.mass)
         total = orbital + own
         subject = f"of {self.name} about {about.name}, seen from {observer.name}"
-        equation = "angular momentum"
-        ledger = Ledger(equation, subject, lambda: {"orbital": orbital, "own": own})
-        return Vector(total.c, total.frame, total._own_rate, ledger)
+        return total.as_sum("angular momentum", subject, lambda: {"orbital": orbital, "own": own})
 
 
 @checked

@@ -20,7 +20,7 @@ from typing import Any
 
 from ..algebra.errors import checked
 from ..algebra.jets import Moving
-from ..algebra.ledger import NamedTerms, latex_number
+from ..algebra.ledger import NamedTerms, Terms, latex_number
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -87,7 +87,7 @@ class Inertia(Scaled, NamedTerms):
             raise MassError(f"the centre of mass is a Point; got {clipped(centre)}")
         if not isinstance(self.frame, Frame):
             raise FrameError(f"the axes are those of a Frame; got {clipped(frame)}")
-        self._terms: dict[str, Inertia] = {}
+        self._terms: Terms[Inertia] = Terms()
         if tolerance is not None:
             self.check(real(tolerance, "the tolerance"))
 
@@ -145,7 +145,7 @@ class Inertia(Scaled, NamedTerms):
                 "the inertia matrix multiplies an angular velocity, a Vector as from "
                 f"frame.angular_velocity(ground); got {omega!r}"
             )
-        rate = omega._own_rate and (lambda: self.times(omega.rate(self.frame)))
+        rate = (lambda: self.times(omega.rate(self.frame))) if omega.has_rate else None
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
 
     @checked
@@ -216,7 +216,7 @@ class Inertia(Scaled, NamedTerms):
         moments, products = _transfer(self.mass, step, to_G)
         added = self._like(moments, products, point=point, mass=ZERO)
         out = self._like(add3(self.moments, moments), add3(self.products, products), point=point)
-        out._terms = {"own": self, "transfer": added}
+        out._terms = Terms({"own": self, "transfer": added})
         return out
 
     def expressed_in(self, frame: Frame) -> "Inertia":
@@ -277,18 +277,18 @@ class Inertia(Scaled, NamedTerms):
     __rmul__ = __mul__
 
     @property
-    def terms(self) -> dict[str, "Inertia"]:
+    def terms(self) -> "Terms[Inertia]":  # type: ignore[override]
         """The terms of a sum by name: ``own`` and ``transfer``, or the parts of a composite body;
         empty if it is no sum.
         """
         return self._terms
 
     @checked
-    def reweighted(self, **factors: Scalar) -> "Inertia":
+    def reweighted(self, /, **factors: Scalar) -> "Inertia":
         """The sum of its terms, each times the factor given for it (default: 1), as a wrong model
         would give it. Mass and centre stay.
         """
-        weighted = self._weighted(factors, MassError)
+        weighted = self.terms.weighted(factors)
         moments = sum3(scale3(factor, term.moments) for factor, term in weighted)
         return self._like(moments, sum3(scale3(factor, term.products) for factor, term in weighted))
 

@@ -93,8 +93,7 @@ def resultant_moment(
     if about is body.centre:
         rate = angular_momentum(body, observer).expressed_in(via).rate(observer)
         kind = "moment about the mass centre"
-        ledger = Ledger(kind, f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
-        return Vector(rate.c, via, rate._own_rate, ledger)
+        return rate.as_sum(kind, f"of {body.name}, {seen}", lambda: _rate_terms(rate, observer))
     route = _about_fixed_point if _is_fixed(about, body) else _about_any_point
     total, terms = route(body, observer, about, via)
     ledger = Ledger("moment", f"of {body.name} about {about.name}, {seen}", terms)

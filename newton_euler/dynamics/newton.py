@@ -18,7 +18,6 @@ Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raise
 from collections.abc import Sequence
 
 from ..algebra.errors import checked, checked_but
-from ..algebra.ledger import Ledger
 from ..algebra.scalars import (
     Scalar,
     SingularError,
@@ -66,10 +65,7 @@ def resultant_force(m: Scalar, a: Vector) -> Vector:
     """
     F = _mass(m) * _vector(a, "the acceleration")
     kind = F.equation and F.equation.kind.replace("acceleration", "force")
-    if kind not in FORCES:
-        return F
-    ledger = Ledger(kind, F._ledger.subject, lambda: F.terms)
-    return Vector(F.c, F.frame, F._own_rate, ledger)
+    return F.as_sum(kind) if kind in FORCES else F
 
 
 @checked_but("forces")

@@ -19,7 +19,6 @@ from functools import partial
 
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, moving
-from ..algebra.ledger import Ledger
 from ..algebra.pickles import Found
 from ..algebra.scalars import (
     ZERO,
@@ -119,8 +118,8 @@ class CoordinatePoint(Point):
         def terms():
             return {name: v.expressed_in(self.local) for name, v in self._terms[what](self).items()}
 
-        ledger = Ledger(f"{self._system} {what}", f"of {self.name} in {observer.name}", terms)
-        return Vector(here.c, here.frame, here._own_rate, ledger)
+        subject = f"of {self.name} in {observer.name}"
+        return here.as_sum(f"{self._system} {what}", subject, terms)
 
 
 def _point(system, name, ground, local, x, coordinates, scale_factors):

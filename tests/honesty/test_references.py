@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from newton_euler.accuracy.reference import by_extrapolation
+from newton_euler.accuracy.measurements.reference import by_extrapolation
 from tests.honesty import closed_forms, judge, references
 from tests.honesty.cases import DRAWS, draw
 from tests.honesty.references import NoReferenceError, reference

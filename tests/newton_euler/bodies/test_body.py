@@ -28,7 +28,7 @@ from newton_euler import (
     particle,
     sin,
 )
-from newton_euler.algebra import ZERO, FrameError
+from newton_euler.algebra import ZERO, FrameError, TermError
 from newton_euler.bodies import MassError
 from newton_euler.bodies.solids import disk, plate, rod, sphere
 from newton_euler.kinematics.rotations import product, transpose
@@ -674,7 +674,7 @@ def test_what_is_missing_is_named():
         Inertia(body, (1.0, 1.0, 1.0)).times((1, 2, 3))
     with pytest.raises(MassError, match="can only be added to one, got 3"):
         Inertia(body, (1.0, 1.0, 1.0)) + 3
-    with pytest.raises(MassError, match="no term 'coriolis'; the terms are own, transfer"):
+    with pytest.raises(TermError, match="no term 'coriolis'; the terms are own, transfer"):
         plate(1.0, 1.0, body, mass=1.0).about(body.point("P", 1.0, 0, 0)).without("coriolis")
 
 
