@@ -135,8 +135,7 @@ def worst(runs, count=20):
 
 
 def answers(runs):
-    """The runs as answers of the chart of honesty, without the methods that a model cannot use.
-    """
+    """The runs as answers of the chart of honesty, without the methods that a model cannot use."""
     return [
         Answer(
             r.row,
