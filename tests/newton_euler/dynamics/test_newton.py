@@ -237,9 +237,9 @@ def test_eqn_6_10_force_by_way_of_a_moving_frame_and_what_is_seen_there(kind):
 def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
     ground = Frame("ground")
     P = polar(ground, "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
-    told = str(resultant_force(4.0, P.acceleration(ground)).explain("N"))
-    assert told.startswith("polar force of P in ground, equation (6.6)")
-    assert "coriolis  m (2 r' theta' e_theta)" in told
+    text = str(resultant_force(4.0, P.acceleration(ground)).explain("N"))
+    assert text.startswith("polar force of P in ground, equation (6.6)")
+    assert "coriolis  m (2 r' theta' e_theta)" in text
     disk = ground.rotate("disk", "z", rate=2.0)
     seen = relative_acceleration(
         1.0, disk.point("Q", moving(3.0, rate=1.0), 0, 0), ground, spring=-5.0 * disk.i
