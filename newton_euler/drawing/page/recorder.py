@@ -35,7 +35,7 @@ class Window:
     labels: dict = field(default_factory=dict)
 
 
-MAX_PLACES = 10**6  # of one curve
+MAX_PLACES = 10**6  # places of one curve at most
 
 
 class Recorder:
@@ -91,7 +91,7 @@ class Recorder:
             )
         try:
             v = v.components(self.frame) if isinstance(v, Vector) else v
-            if not hasattr(v, "__len__") or len(v) == 3:  # what has no end is not gone through
+            if not hasattr(v, "__len__") or len(v) == 3:  # an endless iterator is not read
                 v = tuple(v)
         except TypeError:
             v = (v,)
@@ -132,11 +132,11 @@ class Recorder:
 
     @staticmethod
     def _float(x):
-        """The number ``x`` as a float; of a quantity with a unit, or of text, none."""
+        """``x`` as a float; TypeError or ValueError for a quantity with a unit, and for text."""
         return float(to_plain(scalar(x)))
 
     def _or_default(self, x):
-        """A length in metres, or what stands for the default: None, or 0."""
+        """A length in metres; None and 0 stand for the default and are returned as they are."""
         return x if x is None or (isinstance(x, (int, float)) and not x) else self._length(x)
 
     def _several(self, places, what):

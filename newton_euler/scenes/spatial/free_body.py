@@ -40,7 +40,7 @@ def free_body(I_x, I_y, I_z):
     ``energy`` and ``momentum``, the size of H.
 
     The numbers given are taken as exact, and the exact solution is right to a few round-offs of t
-    times the rate of the motion, wherever it starts: beside the separatrix, on it, or at rest about
+    times the rate of the motion, wherever it starts: near the separatrix, on it, or at rest about
     an axis. t, and the states, may be arrays; expressions raise
     :class:`~newton_euler.motion.model.ModelError`.
 

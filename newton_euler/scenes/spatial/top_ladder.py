@@ -187,5 +187,5 @@ def _quaternion(s, p, t):
 
 
 NUTATION = Neglected("the nutation", None, DIRECTION)
-NO_TRANSVERSE = Neglected("I0 psi' cos(theta) beside I omega_z", None, DIRECTION)
+NO_TRANSVERSE = Neglected("I0 psi' cos(theta) against I omega_z", None, DIRECTION)
 ASYMMETRY = Neglected("the difference of the transverse moments", None, DIRECTION)
