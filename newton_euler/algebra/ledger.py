@@ -102,6 +102,10 @@ class Terms(dict[str, T], Generic[T]):
             raise TermError(f"{len(alike)} terms are named {name!r}; ask for one of {alike}")
         raise TermError(f"no term {name!r}; the terms are {', '.join(self) or 'none'}")
 
+    def __or__(self, other: "Terms[T]") -> "Terms[T]":  # type: ignore[override]
+        """The terms of both, in order: those whose names they share are all kept."""
+        return Terms([*self.named(), *other.named()])
+
     def named(self) -> Iterator[tuple[str, T]]:
         """Pairs (name as given, term)."""
         return ((self.shared.get(name, name), term) for name, term in self.items())

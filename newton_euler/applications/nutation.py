@@ -79,7 +79,7 @@ def nutation(
             "the limits of nutation need numbers: the roots of a cubic with expressions have no "
             "order; put in values first"
         )
-    # from here on all momenta and the pull of gravity are divided by I0
+    # below, all momenta and the pull of gravity are divided by I0
     b, pull, theta, q, n = given
     S, C = sin(theta / 2), cos(theta / 2)
     sine, cosine = 2 * (S * C), C * C - S * S
@@ -105,12 +105,20 @@ def nutation(
     )
 
 
-def exchanged(condition, x, y):
+def exchanged(condition: Scalar, x: Scalar, y: Scalar) -> tuple[Scalar, Scalar]:
     """The pair, exchanged where the condition holds."""
     return where(condition, y, x), where(condition, x, y)
 
 
-def turning_points(S, C, rate, I0, mgr, momenta, transverse):
+def turning_points(
+    S: Scalar,
+    C: Scalar,
+    rate: Scalar,
+    I0: Scalar,
+    mgr: Scalar,
+    momenta: tuple[Scalar, Scalar],
+    transverse: tuple[Scalar, Scalar],
+) -> tuple[tuple, tuple, Scalar]:
     """The distances of v = 1 - cos(theta) from its limits, (v - v1, v2 - v), those of the limits
     from 0 and 2, (v1, 2 - v2), and zeta; mgr >= 0.
 

@@ -13,7 +13,6 @@ Units: any consistent ones; in SI kg, m, kg m^2.
 """
 
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
 
 from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import Terms
@@ -23,8 +22,8 @@ from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import MassError, not_negative, positive, round_off, triangle_inequality
 from .inertia import Inertia, together
 
-# part of the largest moment by which moments that are given in rounded numbers may break the
-# triangle inequality; Body.check() asks for more
+# fraction of the largest moment by which moments given in rounded numbers may violate the triangle
+# inequality; Body.check() is stricter
 ROUNDED = 1e-2
 
 
@@ -175,7 +174,7 @@ def centre_of_mass(
 def _pair(p):
     try:
         mass, point = p
-        # of a part that is removed the mass is negative
+        # no check of the mass: a removed part has a negative one
         return Body(point.name, mass, point, Inertia(point, (0, 0, 0), tolerance=None), point.frame)
     except (TypeError, ValueError, AttributeError):
         raise MassError(f"a part is a Body or a pair (mass, Point), got {p!r}") from None
@@ -187,8 +186,7 @@ def composite(
 ) -> Body:
     """A rigid body made of parts, with holes as parts of negative mass (5.11), (7.14).
 
-    parts, removed : bodies, all fixed in one rigid body, with different names, which are the terms
-        of ``body.about(P)``
+    parts, removed : bodies, all fixed in one rigid body; they are the terms of ``body.about(P)``
     frame : the frame of the whole; default: that of the first part
     Raises :class:`MassError` if no mass is left, or if moments come out that no body has (a hole
     outside of the body).
@@ -208,13 +206,6 @@ def composite(
     parts += [-hole for hole in removed]
     if not parts:
         raise MassError(f"{name} has no parts")
-    names = sorted(part.name for part in parts)
-    twice = next((a for a, b in pairwise(names) if a == b), None)
-    if twice is not None:
-        raise MassError(
-            f"{name} has two parts named {twice!r}; give them different names, as in "
-            "disk(..., name='hole 2')"
-        )
     frame = frame or parts[0].frame
     mass, centre = together(parts, frame, f"G of {name}")
     body = Body(name, mass, centre, frame=frame, parts=parts)

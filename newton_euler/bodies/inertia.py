@@ -15,7 +15,7 @@ An :class:`Inertia` is that matrix about one point, along the axes of one frame;
 is the angular momentum.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from ..algebra.errors import checked
@@ -92,7 +92,7 @@ class Inertia(Scaled, NamedTerms):
             self.check(real(tolerance, "the tolerance"))
 
     def _like(self, moments, products, **changed):
-        """An inertia with the same point, frame, mass and centre, except for what is changed."""
+        """An inertia with the same point, frame, mass and centre unless ``changed``."""
         same = {name: getattr(self, name) for name in ("point", "frame", "mass", "centre")}
         return Inertia(moments=moments, products=products, tolerance=None, **{**same, **changed})
 
@@ -129,6 +129,7 @@ class Inertia(Scaled, NamedTerms):
 
     # -- angular momentum, moments about axes
 
+    @checked
     def times(self, omega: Vector) -> Vector:
         """The angular momentum H = I omega (7.11), (7.12), a Vector in the frame of the matrix.
 
@@ -140,11 +141,6 @@ class Inertia(Scaled, NamedTerms):
         the angular momentum of the whole motion; for other points :meth:`Body.angular_momentum`
         adds the motion of G.
         """
-        if not isinstance(omega, Vector):
-            raise MassError(
-                "the inertia matrix multiplies an angular velocity, a Vector as from "
-                f"frame.angular_velocity(ground); got {omega!r}"
-            )
         rate = (lambda: self.times(omega.rate(self.frame))) if omega.has_rate else None
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
 
@@ -196,7 +192,7 @@ class Inertia(Scaled, NamedTerms):
         Neither needs to be the centre of mass: with d1, d2 the vectors from them to G, I_xx changes
         by m (d2y^2 - d1y^2 + d2z^2 - d1z^2) and I_xy by m (d2x d2y - d1x d1y). The changes are
         formed from d2 - d1, without cancellation.
-        terms : ``own``, the matrix before, and ``transfer``, what is added
+        terms : ``own``, the matrix about the first point, and ``transfer``, the change
 
         >>> from newton_euler import Frame
         >>> body = Frame("body")
@@ -302,7 +298,7 @@ class Inertia(Scaled, NamedTerms):
         of the moments along any axes; the products are bounded by Schwarz's inequality; the same
         must hold about G. Expressions are not checked.
         tolerance : relative to the largest moment; rounded data of a thin plate may need more
-        slack : added to that, the round-off of what was subtracted before
+        slack : added to that, the round-off of earlier subtractions
         """
         check(self, tolerance, slack)
         return self
@@ -326,7 +322,7 @@ def _three(values, what):
     return given
 
 
-def axis_index(name):
+def axis_index(name: str) -> tuple[int, int]:
     """Index and sign of an axis written as "x" or "-x"."""
     bare = name.removeprefix("-")
     if len(bare) != 1 or bare not in AXES:
@@ -361,7 +357,7 @@ def _equal(a, b):
     return a is b or is_zero(a - b)
 
 
-def together(parts, frame, name="G"):
+def together(parts: Iterable, frame: Frame, name: str = "G") -> tuple[Scalar, Point]:
     """Total mass and centre of parts that have a mass and a centre; the centre moves in ``frame``
     as they do.
     """

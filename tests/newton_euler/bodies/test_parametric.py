@@ -74,7 +74,7 @@ def test_eqn_5_12_5_13_and_7_10_numbers(name):
     assert close(body.content, known.mass / 2, 1e-10)
 
 
-def test_the_error_told_is_not_smaller_than_the_true_one():
+def test_the_estimated_error_is_not_smaller_than_the_true_one():
     position, limits, known = NUMERIC["ball, Cartesian"]
     for rtol in (1e-3, 1e-6, 1e-9):
         body = integrated(position, *limits, frame=F, density=2.0, rtol=rtol)
@@ -172,34 +172,22 @@ def test_what_does_not_converge_is_refused_in_words():
         MassError, match="not finite: the formula or the density grows without bound"
     ):
         integrated(lambda u: (u, 0, 0), (0.0, 1.0), frame=F, density=lambda x, y, z: 1 / x)
+    jump = lambda u, v: (u, v, 0), (0.0, 1.0), (0.0, 1.0)
+    quarter = {
+        "frame": F,
+        "density": lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0),
+    }
     with pytest.raises(
         MassError,
         match=r"did not converge: after \d+ subdivisions .* 1e-10 was asked for. Split the body",
     ):
-        integrated(
-            lambda u, v: (u, v, 0),
-            (0.0, 1.0),
-            (0.0, 1.0),
-            frame=F,
-            density=lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0),
-        )
-    rough = integrated(
-        lambda u, v: (u, v, 0),
-        (0.0, 1.0),
-        (0.0, 1.0),
-        frame=F,
-        density=lambda x, y, z: np.where(x * x + y * y < 0.7, 1.0, 0.0),
-        rtol=1e-3,
-    )
-    assert abs(rough.mass - 0.7 * math.pi / 4) < 2e-3
+        integrated(*jump, **quarter)
+    assert abs(integrated(*jump, **quarter, rtol=1e-3).mass - 0.7 * math.pi / 4) < 2e-3
 
 
 def test_what_is_no_body_is_refused_in_words():
     x = sympy.Symbol("x")
     for match, make in {
-        r"has no finite value at some of its points: sqrt\(-1": lambda: integrated(
-            lambda u: (sqrt(u), 0, 0), (-2.0, -1.0), frame=F, mass=1.0
-        ),
         r"needs mass=... or density=...": lambda: integrated(
             lambda u: (u, 0, 0), (0.0, 1.0), frame=F
         ),

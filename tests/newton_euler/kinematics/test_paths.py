@@ -254,7 +254,7 @@ def test_a_straight_line_in_polar_components_is_seen_from_its_ledger():
 
 
 @pytest.mark.parametrize("x", [1e-150, 1e-12, 1e-8, 1e-3])
-def test_beside_an_inflection_curvature_is_exact_and_on_it_refused(x):
+def test_near_an_inflection_curvature_is_exact_and_at_it_refused(x):
     def cubic(q):
         return q, q**3, 0
 
@@ -476,12 +476,3 @@ def test_section_3_2_plane_curves_have_no_torsion(kind):
     t = numbers(kind, "0.6")
     tilted = frenet_along(lambda q: (q, q * q, 2 * q - 3 * q * q), t, ground)
     assert close(tilted.torsion, 0, tight(kind))
-
-
-def test_derivatives_of_the_twisted_cubic():
-    assert derivatives(twisted_cubic, 2.0) == (
-        (2.0, 4.0, 8.0),
-        (1, 4.0, 12.0),
-        (0, 2, 12.0),
-        (0, 0, 6),
-    )

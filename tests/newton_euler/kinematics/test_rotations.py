@@ -19,7 +19,6 @@ from newton_euler import (
     atan2,
     compiled,
     cos,
-    cross,
     moving,
     pi,
     sin,
@@ -339,26 +338,6 @@ def test_eqn_4_12_angular_acceleration_is_the_rate_of_the_angular_velocity(kind)
     )
 
 
-@every_kind
-def test_eqn_4_13_rate_of_a_vector_fixed_in_the_body(kind):
-    ground, body, matrix, t = spinning(kind)
-    _, rate, _ = with_rates(matrix, t)
-    eta = body.vector(*numbers(kind, "0.5", 2, "-1"))
-    assert close(eta.rate(ground).components(ground), apply(rate, eta), 20 * tolerance(kind))
-    assert close(eta.rate(ground), body.angular_velocity(ground).cross(eta), 20 * tolerance(kind))
-    assert close(eta.rate(body), (0, 0, 0), 0)
-
-
-@every_kind
-def test_eqn_4_14_rates_of_the_unit_vectors_are_the_columns_of_the_rate_of_the_matrix(kind):
-    ground, body, matrix, t = spinning(kind)
-    _, rate, _ = with_rates(matrix, t)
-    omega = body.angular_velocity(ground)
-    for axis, column in zip((body.i, body.j, body.k), transpose(rate), strict=True):
-        assert close(axis.rate(ground).components(ground), column, 20 * tolerance(kind))
-        assert close(cross(omega, axis).components(ground), column, 20 * tolerance(kind))
-
-
 def rolling_cone(h, r, nu):
     """The cone of 4.5 at the instant its line of contact is along I: (ground, cone, P the highest
     point of the base, rate of the line of contact).
@@ -585,7 +564,7 @@ def test_one_bad_instant_among_many_is_refused():
         axis_angle(R)
 
 
-def test_rounded_entries_are_accepted_if_their_tolerance_is_said():
+def test_rounded_entries_are_accepted_within_the_given_tolerance():
     R = [[round(x, 3) for x in row] for row in rotation_matrix((1.0, 2.0, 3.0), 0.8)]
     with pytest.raises(RotationError, match="tolerance="):
         axis_angle(R)
