@@ -11,17 +11,12 @@ from functools import cached_property
 
 from newton_euler.algebra.scalars import integer_like, is_numeric, scalar
 from newton_euler.algebra.units import SI, unit
-from newton_euler.answers.forms import WORDS
+from newton_euler.answers.forms import Form
+from newton_euler.answers.kinds import Kind
 from newton_euler.answers.notation import symbol
 
 from .units import in_unit, system_of
 from .words import word, words_at
-
-KINDS = {
-    "number", "vector", "matrix", "expression", "vector_expression", "matrix_expression",
-    "interval", "count", "choice",
-}  # fmt: skip
-SYMBOLIC = {"expression", "vector_expression", "matrix_expression"}
 
 
 class CatalogueError(ValueError):
@@ -86,14 +81,19 @@ class Answer:
     """
 
     key: str
-    kind: str
+    kind: Kind
     unit: str
     means: str
-    of: tuple = ()
+    of: tuple[str, ...] = ()
     atol: float = 1e-6
     weight: float = 1.0
     follow_through: float = 0.0
     latex: str = ""
+
+    @property
+    def form(self) -> Form:
+        """The form in which it is answered."""
+        return Form(self.kind, self.unit, self.of)
 
 
 class Givens:
@@ -190,12 +190,12 @@ class Problem:
     @property
     def symbolic(self):
         """True if any answer is a formula in the problem's symbols."""
-        return any(a.kind in SYMBOLIC for a in self.answers)
+        return any(a.kind.is_formula for a in self.answers)
 
     @property
     def has_words(self):
         """True if any answer is a word or a count."""
-        return any(a.kind in WORDS for a in self.answers)
+        return any(a.kind.is_word for a in self.answers)
 
     def answer(self, key):
         """The answer asked for under this key."""
@@ -221,7 +221,7 @@ class Problem:
     @cached_property
     def notation(self):
         """How each given, symbol and answer is printed, in LaTeX: {name: symbol}."""
-        asked = {a.key: a.latex or symbol(a.key, "vector" in a.kind) for a in self.answers}
+        asked = {a.key: a.latex or symbol(a.key, a.kind.is_vector) for a in self.answers}
         stated = (*self.givens.items(), *self.symbols.items())
         return asked | {n: q.latex or symbol(n) for n, q in stated}
 
@@ -289,7 +289,7 @@ class Problem:
             return found
         if all(is_numeric(x) and not getattr(x, "shape", ()) for x in values.values()):
             return [
-                {k: word(x) if self.answer(k).kind in WORDS else x for k, x in answers.items()}
+                {k: word(x) if self.answer(k).kind.is_word else x for k, x in answers.items()}
                 for answers in found
             ]
         words = words_at(self, lambda g: self._words_of(compute(g)), values, one)
@@ -302,7 +302,7 @@ class Problem:
             (n, k): x
             for n, answers in enumerate(results)
             for k, x in answers.items()
-            if self.answer(k).kind in WORDS
+            if self.answer(k).kind.is_word
         }
 
     def formulas(self):

@@ -19,7 +19,6 @@ from functools import cache, lru_cache
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.sanity import sane_answers
 from exercises.catalogue.sections import section_line
-from newton_euler.answers.forms import Form
 from newton_euler.answers.notation import (
     GREEK,
     bare_unit,
@@ -162,18 +161,13 @@ def starter(p):
     """The source of the answer cell as it is handed out."""
     width = max(len(a.key) for a in p.answers)
     lines = [f"# {p.id}: your work; then a value for each name"]
-    lines += [f"{a.key:<{width}} = None  # {form(a)}: {a.means}" for a in p.answers]
+    lines += [f"{a.key:<{width}} = None  # {a.form}: {a.means}" for a in p.answers]
     return "\n".join(lines)
-
-
-def form(a):
-    """The form of an answer as the notebook states it: "vector, mm/s"."""
-    return str(Form(a.kind, a.unit, a.of))
 
 
 def receipt_cell(p):
     """The source of the locked cell that checks the form of the answers."""
-    forms = ", ".join(f'{a.key}="{form(a)}"' for a in p.answers)
+    forms = ", ".join(f'{a.key}="{a.form}"' for a in p.answers)
     symbols = f"symbols={ {n: s.unit for n, s in p.symbols.items()}!r}, " if p.symbols else ""
     own = {q: x.latex for q, x in ({a.key: a for a in p.answers} | p.symbols).items() if x.latex}
     notation = f"notation={own!r}, " if own else ""
@@ -249,7 +243,7 @@ def _problem_cells(p, values, figure):
         _code(
             answer_id(p.id),
             answer,
-            {"role": "answer", "problem": p.id, "asked": {a.key: form(a) for a in p.answers}},
+            {"role": "answer", "problem": p.id, "asked": {a.key: str(a.form) for a in p.answers}},
             graded,
         ),
         _code(f"receipt-{n}", receipt_cell(p), {"role": "receipt", "problem": p.id}, locked),

@@ -4,8 +4,6 @@ one changes in the notebook.
 
 import copy
 
-from exercises.catalogue import SYMBOLIC
-
 from ..assignment.notebook import own_metadata
 from ..reports import nested
 
@@ -18,7 +16,7 @@ def right_answers(p, values):
 
 def literal(a, value):
     """The Python source of an answer."""
-    if a.kind in SYMBOLIC:
+    if a.kind.is_formula:
         return _source(nested(value, str))
     return repr(nested(value, lambda x: x if isinstance(x, (int, str)) else float(x)))
 

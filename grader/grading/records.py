@@ -118,4 +118,4 @@ def scores_of(entry, wanted):
 
 
 def _score(s):
-    return Score(s["problem"], tuple(Part(**p) for p in s["parts"]), s["note"])
+    return Score(s["problem"], tuple(map(Part.from_dict, s["parts"])), s["note"])

@@ -8,13 +8,13 @@ import os
 import re
 import zipfile
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from pathlib import Path
 
 from exercises.catalogue import chapter, problem
 from exercises.catalogue.wording import term_text
 from newton_euler.algebra.vectors import Vector
-from newton_euler.answers.forms import WORDS
+from newton_euler.answers.kinds import KINDS
 from newton_euler.classroom.practising.files import FORMAT, HELP
 
 from ..assignment.figures import figure_png
@@ -107,15 +107,15 @@ def page_of(name, count, help, graded=None, draw=figure_png):
             file = f"{slug(name)}-{hashlib.sha256(png).hexdigest()[:12]}.png"
             figures[file] = png  # a figure without numbers is there once
             variants[-1]["figure"] = file
-    labels = list(dict.fromkeys((key, group, text) for v in variants
-                                for key, group, text, _ in v["wrong"]))  # fmt: skip
+    labels = list(dict.fromkeys((key, cause) for v in variants for key, cause, _ in v["wrong"]))
     place = {label: n for n, label in enumerate(labels)}
     for v in variants:
-        v["wrong"] = [[place[key, group, text], x] for key, group, text, x in v["wrong"]]
+        v["wrong"] = [[place[key, cause], x] for key, cause, x in v["wrong"]]
     page = {
         "id": name, "title": p.title, "section": p.section, "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
-        "quantities": _described(p, computed, help), "labels": labels, "variants": variants,
+        "quantities": _described(p, computed, help), "variants": variants,
+        "labels": [(key, *astuple(cause)) for key, cause in labels],
         "book": sets[0] == problem(name).book_values,
     }  # fmt: skip
     return page, figures
@@ -140,7 +140,7 @@ def _described(p, computed, help):
 
 def _zero(key, kind, computed):
     """How small a step counts as zero: a millionth of the largest that it is, 1e-6 if all are."""
-    if kind in WORDS:
+    if KINDS[kind].is_word:
         return 0.0
     sizes = [math.hypot(*right[key]) for _, right in computed if key in right]
     return 1e-6 * (max(sizes) or 1.0)

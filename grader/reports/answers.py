@@ -1,6 +1,6 @@
 """Answers of problems as text and JSON."""
 
-from exercises.catalogue import SYMBOLIC, variants
+from exercises.catalogue import variants
 from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.vectors import Vector
 
@@ -27,12 +27,12 @@ def answers_json(p, results):
     out = {}
     for a in p.answers:
         value = results[a.key]
-        if a.kind in SYMBOLIC:
-            out[a.key] = {"kind": a.kind, "expr": nested(value, str), "unit": a.unit}
+        if a.kind.is_formula:
+            out[a.key] = {"kind": a.kind.name, "expr": nested(value, str), "unit": a.unit}
         else:
             out[a.key] = {
-                "kind": a.kind,
-                "value": nested(value, _number if a.kind != "choice" else str),
+                "kind": a.kind.name,
+                "value": nested(value, _plain),
                 "unit": a.unit,
             }
     return out
@@ -45,8 +45,8 @@ def nested(value, convert):
     return convert(to_plain(value))
 
 
-def _number(x):
-    return x if isinstance(x, int) else float(x)
+def _plain(x):
+    return x if isinstance(x, (int, str)) else float(x)
 
 
 def answers_text(p, results):

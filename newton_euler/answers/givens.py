@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..algebra.errors import checked
-from .forms import clipped
+from ..algebra.scalars import clipped
 
 
 @checked

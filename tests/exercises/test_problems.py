@@ -77,7 +77,7 @@ def test_solve_runs_on_arrays_of_instants(p):
     together = p.solve({n: np.array([float(v[n]) for v in students]) for n in p.units})
     for n, alone in enumerate(map(p.solve, students)):
         for key in alone:
-            if p.answer(key).kind in WORDS:
+            if p.answer(key).kind.is_word:
                 assert np.broadcast_to(together[key], 3)[n] == alone[key]
                 continue
             at_n = [np.broadcast_to(x, 3)[n] for x in flat(together[key])]
@@ -92,7 +92,7 @@ def test_solve_keeps_the_digits_of_mpmath_numbers(p):
         assert all(
             isinstance(x, (int, mpmath.mpf)) or x == 0
             for key, answer in precise.items()
-            if p.answer(key).kind not in WORDS
+            if not p.answer(key).kind.is_word
             for x in flat(answer)
         )
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from ...algebra.errors import NewtonEulerError
 
-FORMAT = 1
+FORMAT = 2
 # the most that a student is shown: whether an answer is right and which mistake explains it; also
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"

@@ -6,7 +6,7 @@ notebook, and D D deletes the cell.
 from html import escape
 from typing import Any
 
-from ...answers.forms import WORDS, AnswerError, Form
+from ...answers.forms import AnswerError, Form
 from .typed import typed
 
 INSTALL = (
@@ -45,8 +45,11 @@ def show_form(p: Any) -> Any:
         return Combobox(description=name, placeholder=shown, options=tuple(words), layout=wide,
                         style=labelled, continuous_update=False)  # fmt: skip
 
-    asked = {key: Form.read(form) for key, form in p.answers.items()}
-    answers = {key: field(key, _as_typed(form), form.of) for key, form in asked.items()}
+    def form_of(key):
+        text = {**p.answers, **p.steps}.get(key)
+        return Form.read(text) if text else None
+
+    answers = {key: field(key, _as_typed(form_of(key)), form_of(key).of) for key in p.answers}
     chosen = field("step", "the name of a step; arrow down lists them", p.steps)
     step, means = (
         field("its value", "a number or a list"),
@@ -55,17 +58,16 @@ def show_form(p: Any) -> Any:
 
     def expect(_=None):
         # never in the field of the value: a change there loses what is being typed
-        form = p.steps.get(chosen.value)
-        how = f"{p.meanings[chosen.value]}: {_as_typed(Form.read(form))}" if form else ""
+        name = chosen.value
+        how = f"{p.meanings[name]}: {_as_typed(form_of(name))}" if name in p.steps else ""
         means.value = escape(how)
 
     chosen.observe(expect, "value")
 
     def read(key, value):
-        kind = {**p.answers, **p.steps}.get(key, "")
-        words = ("word",) if kind.startswith("choice") else ()
-        x = typed(value, p.givens, words)
-        return int(x) if kind.partition(",")[0] in WORDS and type(x) is float else x
+        form = form_of(key)
+        x = typed(value, p.givens, form.of if form else ())
+        return int(x) if form and form.kind.is_word and type(x) is float else x
 
     def checked(check, texts):
         try:
@@ -113,4 +115,4 @@ def show_form(p: Any) -> Any:
 
 def _as_typed(form):
     """What is typed in a field, and its unit."""
-    return form.words.removeprefix("a vector, ").removeprefix("an interval, ")
+    return form.words.partition(", ")[2] if form.kind.length > 1 else form.words

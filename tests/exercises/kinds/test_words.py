@@ -14,7 +14,7 @@ from exercises.catalogue.variants import at_points, draw, objection
 from grader.reports.diagnoses import diagnosis_shares
 from grader.scoring import numbers, score_receipt
 from newton_euler import where
-from newton_euler.answers.diagnosis import OR
+from newton_euler.answers.causes import OR
 
 SENSE = Answer("sense", "choice", "1", "whether it rises", ("rises", "falls", "rests"))
 DOF = Answer("dof", "count", "1", "degrees of freedom")
